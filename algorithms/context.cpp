@@ -1,0 +1,52 @@
+// What a planner is given besides the problem: randomness, time, and a way to be heard.
+#include <algorithm>
+#include <utility>
+
+#include "algorithms/coverage_planner.hpp"
+
+namespace oxturn {
+namespace {
+
+/// A deadline in the clock's own ticks; far-off ones are cut to a century so that nothing overflows.
+Context::Clock::time_point deadline_after(double wall_s) {
+  constexpr double kLongest = 3e9;
+  const double seconds = std::clamp(wall_s, 0.0, kLongest);
+  return Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace
+
+Context::Context(std::uint64_t seed, double wall_s, Sinks sinks)
+    : rng_(seed), deadline_(deadline_after(wall_s)), sinks_(std::move(sinks)) {}
+
+bool Context::cancelled() const { return cancelled_ || Clock::now() >= deadline_; }
+
+double Context::seconds_left() const {
+  if (cancelled_) return 0;
+  return std::max(0.0, std::chrono::duration<double>(deadline_ - Clock::now()).count());
+}
+
+void Context::publish(const Path& path) {
+  if (sinks_.publish) sinks_.publish(path);
+}
+
+void Context::progress(double fraction) {
+  if (sinks_.progress) sinks_.progress(std::clamp(fraction, 0.0, 1.0));
+}
+
+void Context::trace(std::string name, std::vector<Polyline> lines) {
+  if (sinks_.trace) sinks_.trace(Trace{std::move(name), std::move(lines)});
+}
+
+void Context::trace(std::string name, const Region& region) {
+  if (!sinks_.trace) return;
+  std::vector<Polyline> lines;
+  for_each_ring(region, [&](const Ring& ring) {
+    if (ring.empty()) return;
+    lines.push_back(ring);
+    lines.back().push_back(ring.front());
+  });
+  trace(std::move(name), std::move(lines));
+}
+
+}  // namespace oxturn

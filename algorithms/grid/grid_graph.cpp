@@ -1,0 +1,125 @@
+#include "algorithms/grid/grid_graph.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace oxturn {
+namespace {
+
+// A wall edge in cell coordinates, where node (i, j) is the point (i, j).
+struct Edge { Point a, b; };
+
+// Calls f(k, y) for each vertical lattice line x = k that the edge meets, with the height y of the meeting.
+// Vertical edges on a lattice line report both ends. `swap` exchanges the roles of x and y.
+template <class F>
+void for_each_line(const Edge& e, bool swap, int lines, F f) {
+  const auto x = [&](const Point& p) { return swap ? p.y() : p.x(); };
+  const auto y = [&](const Point& p) { return swap ? p.x() : p.y(); };
+  const double low = std::min(x(e.a), x(e.b)), high = std::max(x(e.a), x(e.b));
+  const int first = std::max(0, static_cast<int>(std::ceil(low)));
+  const int last = std::min(lines - 1, static_cast<int>(std::floor(high)));
+  for (int k = first; k <= last; ++k) {
+    if (high == low) {
+      f(k, std::min(y(e.a), y(e.b)), std::max(y(e.a), y(e.b)));
+    } else {
+      const double t = (k - x(e.a)) / (x(e.b) - x(e.a));
+      const double at = y(e.a) + t * (y(e.b) - y(e.a));
+      f(k, at, at);
+    }
+  }
+}
+
+}  // namespace
+
+GridGraph::GridGraph(const Region& space, double side, double angle, const Point& origin, int columns, int rows)
+    : side_(side), origin_(origin), across_(std::cos(angle), std::sin(angle)), up_(perpendicular(across_)),
+      columns_(columns), rows_(rows),
+      cells_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0) {
+  std::vector<Edge> edges;
+  for_each_ring(space, [&](const Ring& ring) {
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      edges.push_back({coordinates(ring[k]), coordinates(ring[(k + 1) % ring.size()])});
+  });
+
+  // Free nodes: parity of the walls below, one vertical line at a time. An edge owns its left end only.
+  std::vector<std::vector<double>> walls(static_cast<std::size_t>(columns));
+  for (const Edge& e : edges) {
+    const double low = std::min(e.a.x(), e.b.x()), high = std::max(e.a.x(), e.b.x());
+    if (low == high) continue;
+    for_each_line(e, false, columns, [&](int i, double y, double) {
+      if (i != high) walls[static_cast<std::size_t>(i)].push_back(y);
+    });
+  }
+  for (int i = 0; i < columns; ++i) {
+    std::vector<double>& w = walls[static_cast<std::size_t>(i)];
+    std::sort(w.begin(), w.end());
+    for (std::size_t k = 0; k + 1 < w.size(); k += 2) {
+      const int from = std::max(0, static_cast<int>(std::ceil(w[k])));
+      const int to = std::min(rows - 1, static_cast<int>(std::floor(w[k + 1])));
+      for (int j = from; j <= to; ++j) cells_[at(i, j)] |= kFree;
+    }
+  }
+
+  // Open edges: between free nodes, less those that a wall meets. A wall that only touches a lattice line
+  // from outside (or runs along it) is taken as closing it: rounding cannot tell, and nothing but a way along
+  // the very wall is lost.
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      if ((cells_[at(i, j)] & kFree) == 0) continue;
+      if (i + 1 < columns && (cells_[at(i + 1, j)] & kFree) != 0) cells_[at(i, j)] |= kEastOpen;
+      if (j + 1 < rows && (cells_[at(i, j + 1)] & kFree) != 0) cells_[at(i, j)] |= kNorthOpen;
+    }
+  for (const Edge& e : edges) {
+    for_each_line(e, false, columns, [&](int i, double low, double high) {
+      for (int j = std::max(0, static_cast<int>(std::floor(low))); j <= std::min<double>(rows - 1, std::floor(high)); ++j)
+        cells_[at(i, j)] &= static_cast<std::uint8_t>(~kNorthOpen);
+    });
+    for_each_line(e, true, rows, [&](int j, double low, double high) {
+      for (int i = std::max(0, static_cast<int>(std::floor(low))); i <= std::min<double>(columns - 1, std::floor(high)); ++i)
+        cells_[at(i, j)] &= static_cast<std::uint8_t>(~kEastOpen);
+    });
+  }
+}
+
+double dominant_direction(const Region& region) {
+  // Length-weighted mean of the edges' directions on the circle of quarter turns.
+  Point sum{0, 0};
+  for_each_ring(region, [&](const Ring& ring) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point d = ring[(k + 1) % ring.size()] - ring[k];
+      const double four = 4 * std::atan2(d.y(), d.x());
+      sum += d.norm() * Point(std::cos(four), std::sin(four));
+    }
+  });
+  double angle = std::atan2(sum.y(), sum.x()) / 4;
+  if (angle < 0) angle += kPi / 2;
+  if (angle < 1e-9 || angle > kPi / 2 - 1e-9) angle = 0;  // on the axes but for rounding
+  return angle;
+}
+
+GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, double side, int multiple, int margin) {
+  const double angle = settings.align == "edges" ? dominant_direction(problem.map().free) : 0;
+  Box box;
+  for (const Point& p : problem.configuration_space().polygons.front().outer) box.add(rotated(p, -angle));
+  // Half a cell out, less a hair: the first cell centres stand just inside configuration space.
+  const double hair = 1e-6 * side;
+  box.grow(side / 2 - hair + margin * side);
+  const double block = side * multiple;
+  Point low = box.low + side * Point(settings.shift_x, settings.shift_y);
+  const double slack = 1e-9 * block;
+  // A shifted grid begins a whole number of blocks earlier, so that it still spans the map.
+  for (int k = 0; k < 2; ++k) low[k] -= block * std::ceil((low[k] - box.low[k] - slack) / block);
+  const Point blocks = (box.high - low) / block;
+  const double columns = std::ceil(blocks.x() - 1e-9) * multiple, rows = std::ceil(blocks.y() - 1e-9) * multiple;
+  if (columns * rows > 1e8)
+    throw std::invalid_argument(fmt::format(
+        "a grid of cells {} m wide over '{}' would have {:.3g} cells, more than 1e8; give a larger cell_size", side,
+        problem.map().name, columns * rows));
+  return GridGraph(problem.configuration_space(), side, angle, rotated(low, angle),
+                 std::max(multiple, static_cast<int>(columns)), std::max(multiple, static_cast<int>(rows)));
+}
+
+}  // namespace oxturn

@@ -1,0 +1,87 @@
+// What the harness adds to a run, and what its own parts cost.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "bench/sweep.hpp"
+#include "maps/generators.hpp"
+#include "metrics/score.hpp"
+
+namespace oxturn {
+namespace {
+
+class OneLeg final : public CoveragePlanner {
+ public:
+  Path plan(const Problem& problem, Context&) const override {
+    return {{{true, {problem.start(), problem.start() + Point(0.1, 0)}}}};
+  }
+};
+PlannerInfo named(std::string name, std::function<std::unique_ptr<CoveragePlanner>(const Settings&)> make) {
+  PlannerInfo info;
+  info.name = std::move(name);
+  info.family = "test";
+  info.make = std::move(make);
+  return info;
+}
+
+// Time of a sweep with n runs of a planner that does nothing, less planning and scoring, for each run. Includes
+// making the map, building the problem, starting processes and writing files. Must stay below 5 ms.
+void BM_SweepOverhead(benchmark::State& state) {
+  Suite suite;
+  suite.name = "overhead";
+  suite.repeats = static_cast<int>(state.range(0));
+  suite.robots.push_back(Robot{});
+  MapSpec map;
+  map.generator = "clutter";
+  suite.maps.push_back(map);
+  suite.planners.push_back({"one_leg", {}});
+  const std::vector<PlannerInfo> planners{named("one_leg", [](const Settings&) { return std::make_unique<OneLeg>(); })};
+  std::string folder = (std::filesystem::temp_directory_path() / "oxturn-XXXXXX").string();
+  if (::mkdtemp(folder.data()) == nullptr) return state.SkipWithError("no temporary folder");
+  double beyond = 0, runs = 0;
+  for (auto _ : state) {
+    SweepOptions options;
+    options.folder = folder + "/out";
+    options.progress = false;
+    const auto before = std::chrono::steady_clock::now();
+    const Results results = sweep(suite, planners, options);
+    beyond += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+    for (const Row& row : results.rows) beyond -= row.number("plan_wall_s").value_or(0) + row.number("score_s").value_or(0);
+    runs += static_cast<double>(results.rows.size());
+    state.PauseTiming();
+    std::filesystem::remove_all(options.folder);
+    state.ResumeTiming();
+  }
+  std::filesystem::remove_all(folder);
+  state.counters["ms_per_run"] = 1e3 * beyond / runs;
+}
+BENCHMARK(BM_SweepOverhead)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+// A process and back, with a path of so many points.
+class ManyPoints final : public CoveragePlanner {
+ public:
+  explicit ManyPoints(std::int64_t points) : points_(points) {}
+  Path plan(const Problem& problem, Context&) const override {
+    return {{{true, Polyline(static_cast<std::size_t>(points_), problem.start())}}};
+  }
+
+ private:
+  std::int64_t points_;
+};
+void BM_Isolated(benchmark::State& state) {
+  const PlannerInfo planner =
+      named("many", [n = state.range(0)](const Settings&) { return std::make_unique<ManyPoints>(n); });
+  const Problem problem(generate("rectangle", {}, 1), Robot{});
+  for (auto _ : state) {
+    const Planned planned = plan_isolated(planner, {}, problem, {});
+    if (planned.outcome != Outcome::ok) state.SkipWithError(planned.reason.c_str());
+  }
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_Isolated)->RangeMultiplier(16)->Range(16, 1 << 20)->Unit(benchmark::kMillisecond)->UseRealTime()->Complexity(benchmark::oN);
+
+}  // namespace
+}  // namespace oxturn

@@ -1,0 +1,188 @@
+// The columns of runs.csv, listed here and nowhere else, and reading them back.
+#include "bench/results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "maps/formats.hpp"
+#include "metrics/score.hpp"
+
+namespace oxturn {
+
+namespace {
+
+constexpr std::array<std::pair<Outcome, const char*>, 11> kOutcomes{{{Outcome::ok, "ok"},
+                                                                     {Outcome::partial, "partial"},
+                                                                     {Outcome::invalid, "invalid"},
+                                                                     {Outcome::infeasible, "infeasible"},
+                                                                     {Outcome::unsupported, "unsupported"},
+                                                                     {Outcome::timeout, "timeout"},
+                                                                     {Outcome::out_of_memory, "out_of_memory"},
+                                                                     {Outcome::crash, "crash"},
+                                                                     {Outcome::error, "error"},
+                                                                     {Outcome::cancelled, "cancelled"},
+                                                                     {Outcome::infrastructure, "infrastructure"}}};
+
+std::string to_text(Better better) {
+  return better == Better::lower ? "lower" : better == Better::higher ? "higher" : "";
+}
+
+Column text(std::string name, std::string help, std::string empty = "") {
+  return {std::move(name), "text", "", "", std::move(help), std::move(empty)};
+}
+Column whole(std::string name, std::string help, std::string empty = "") {
+  return {std::move(name), "integer", "1", "", std::move(help), std::move(empty)};
+}
+Column timing(std::string name, std::string unit, std::string help) {
+  return {std::move(name), "real", std::move(unit), "lower", std::move(help), "plan() was not called or not finished",
+          true};
+}
+// Columns that wait for the tether's metrics: named in the contract, so that files keep their shape.
+Column tether(std::string name, std::string type, std::string unit, std::string better, std::string help) {
+  return {std::move(name), std::move(type), std::move(unit), std::move(better), std::move(help), "no tether"};
+}
+
+std::vector<Column> list_columns() {
+  std::vector<Column> all{
+      whole("schema", "version of this table"),
+      text("run_id", "hash of everything that determines the run"),
+      whole("attempt", "1, and one more for each time the run was taken up again"),
+      text("suite", "name of the suite"),
+      text("map", "name of the map, unique within the suite"),
+      text("map_family", "generator, or \"file\"", "the map could not be made"),
+      text("map_sha256", "content address of the map's free space", "the map could not be made"),
+      text("planner", "name of the planner"),
+      text("planner_family", "family of the planner"),
+      text("variant", "planner with the settings that are not the defaults"),
+      text("params", "those settings, k=v;k=v", "all defaults"),
+      text("robot", "name of the robot"),
+      whole("seed", "seed of the planner's random generator", "the problem could not be built"),
+      whole("repeat", "1 .. repeats"),
+      text("outcome", "how the run ended"),
+      text("reason", "why it ended so, one sentence", "outcome is ok"),
+      whole("exit_code", "of the planner's process", "it did not exit by itself with a code other than 0"),
+      whole("signal", "that ended the planner's process", "no signal did")};
+  // Metrics describe themselves; `columns` follows their list, so a new metric needs no line here.
+  for (const Metric* metric : metrics()) {
+    const std::string type = metric->unit == "count" ? "integer" : "real";
+    all.push_back({metric->name, type, metric->unit, to_text(metric->better), metric->help,
+                   "no path, or not applicable"});
+  }
+  all.push_back(tether("tether_limit_m", "real", "m", "", "length of the robot's tether"));
+  all.push_back(tether("tether_max_m", "real", "m", "lower", "longest taut tether along the path"));
+  all.push_back(tether("tether_bends_max", "integer", "count", "lower", "most corners the tether touches"));
+  all.push_back(tether("tether_angle_min_rad", "real", "rad", "", "least angle between heading and tether"));
+  all.push_back(tether("tether_angle_mean_rad", "real", "rad", "", "mean angle between heading and tether"));
+  all.push_back(tether("tether_sharp_fraction", "real", "1", "lower", "share of the path with too sharp an angle"));
+  all.push_back(tether("tether_crossings", "integer", "count", "lower", "times the robot drives over its tether"));
+  all.push_back(timing("plan_wall_s", "s", "time that plan() took"));
+  all.push_back(timing("plan_cpu_s", "s", "processor time that plan() took"));
+  all.push_back(timing("peak_rss_bytes", "bytes", "growth of resident memory during plan(), at its peak"));
+  all.push_back(timing("score_s", "s", "time that scoring the path took"));
+  all.back().empty = "no path was scored";
+  all.push_back(text("path_sha256", "hash of the path's legs as GeoJSON", "no path"));
+  all.push_back(text("path_file", "path within the results folder", "no path that could be written"));
+  return all;
+}
+
+const std::set<std::string>& column_names() {
+  static const std::set<std::string> names = [] {
+    std::set<std::string> all;
+    for (const Column& column : columns()) all.insert(column.name);
+    return all;
+  }();
+  return names;
+}
+
+}  // namespace
+
+std::string to_text(Outcome outcome) {
+  for (const auto& [value, name] : kOutcomes) {
+    if (value == outcome) return name;
+  }
+  throw std::logic_error("an outcome without a name");
+}
+
+std::optional<Outcome> outcome_from(const std::string& name) {
+  for (const auto& [value, known] : kOutcomes) {
+    if (known == name) return value;
+  }
+  return std::nullopt;
+}
+
+const std::vector<Column>& columns() {
+  static const std::vector<Column> all = list_columns();
+  return all;
+}
+
+const std::string& Row::get(const std::string& column) const {
+  static const std::string kEmpty;
+  const auto cell = cells.find(column);
+  if (cell != cells.end()) return cell->second;
+  if (!column_names().contains(column)) throw std::out_of_range(fmt::format("runs.csv has no column '{}'", column));
+  return kEmpty;
+}
+
+std::optional<double> Row::number(const std::string& column) const {
+  const std::string& cell = get(column);
+  if (cell.empty()) return std::nullopt;
+  double value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc() || end != cell.data() + cell.size()) {
+    throw std::invalid_argument(fmt::format("column '{}' of run {} holds '{}', expected a number or nothing", column,
+                                            get("run_id"), cell));
+  }
+  return value;
+}
+
+Outcome Row::outcome() const {
+  const auto outcome = outcome_from(get("outcome"));
+  if (!outcome) {
+    throw std::invalid_argument(fmt::format("unknown outcome '{}' of run {}", get("outcome"), get("run_id")));
+  }
+  return *outcome;
+}
+
+Results read_results(const std::string& folder) {
+  const std::string file = folder + "/runs.csv";
+  if (!std::filesystem::is_directory(folder)) {
+    throw std::invalid_argument(fmt::format("no such folder: '{}'; expected one that `oxturn run -o` made", folder));
+  }
+  if (!std::filesystem::exists(file)) {
+    throw std::invalid_argument(fmt::format("no runs.csv in '{}'; expected a folder that `oxturn run -o` made", folder));
+  }
+  const auto lines = parse_csv(read_file(file), file);
+  const auto& expected = columns();
+  const auto same = [](const std::string& name, const Column& column) { return name == column.name; };
+  if (lines.empty() || !std::equal(lines[0].begin(), lines[0].end(), expected.begin(), expected.end(), same)) {
+    throw std::invalid_argument(fmt::format("{}:1: the header is not that of this version of oxturn (schema 1)", file));
+  }
+  Results results{folder, {}};
+  std::map<std::string, std::size_t> seen;  // run_id -> index in rows
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    if (lines[i].size() != expected.size()) {
+      throw std::invalid_argument(fmt::format("{}: row {} has {} cells, expected {}; `oxturn run --resume` mends a file "
+                                              "that was cut off", file, i, lines[i].size(), expected.size()));
+    }
+    Row row;
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      if (!lines[i][k].empty()) row.cells[expected[k].name] = lines[i][k];
+    }
+    if (!outcome_from(row.get("outcome"))) {
+      throw std::invalid_argument(fmt::format("{}: row {} has outcome '{}', which is none", file, i, row.get("outcome")));
+    }
+    const auto [place, fresh] = seen.emplace(row.get("run_id"), results.rows.size());
+    if (fresh) results.rows.push_back(std::move(row));
+    else results.rows[place->second] = std::move(row);
+  }
+  return results;
+}
+
+}  // namespace oxturn

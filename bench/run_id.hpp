@@ -1,0 +1,26 @@
+// What a run is: one cell of a suite, named by a hash of everything that determines it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "bench/suite.hpp"
+
+namespace oxturn {
+
+/// "k=v;k=v" in the order of names; "" for none.
+std::string settings_text(const Settings& settings);
+
+/// Every parameter of the planner: `settings` over the defaults.
+Settings full_settings(const PlannerInfo& planner, const Settings& settings);
+
+/// First 16 hex digits of a SHA-256. Limits do not count: they may end a run, they do not make it another one.
+/// `problem` is Problem::content_hash(), or any text that stands for a problem that cannot be built.
+std::string run_id(const std::string& map, const std::string& robot, const std::string& problem,
+                   const PlannerInfo& planner, const Settings& settings, std::uint64_t seed, int repeat);
+
+/// The planner's seed: equal for all variants of a planner, so that they are compared on equal luck. Below 2^53,
+/// so that every reader of the CSV keeps it exactly.
+std::uint64_t run_seed(std::uint64_t suite_seed, const std::string& planner, const std::string& problem, int repeat);
+
+}  // namespace oxturn

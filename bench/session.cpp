@@ -1,0 +1,168 @@
+#include "bench/session.hpp"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "maps/formats.hpp"
+
+namespace oxturn {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+[[noreturn]] void cannot_write(const std::string& what, int error) {
+  throw std::runtime_error(fmt::format("cannot write '{}': {}", what, std::strerror(error)));
+}
+
+// Up to the last line break outside of quotes: what a sweep that was killed while writing has left whole.
+std::string whole_lines(const std::string& text) {
+  std::size_t end = 0;
+  bool in_quotes = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') in_quotes = !in_quotes;
+    if (text[i] == '\n' && !in_quotes) end = i + 1;
+  }
+  return text.substr(0, end);
+}
+
+Json columns_json() {
+  Json all = Json::array();
+  for (const Column& c : columns()) {
+    all.push_back({{"name", c.name}, {"type", c.type}, {"unit", c.unit}, {"better", c.better}, {"help", c.help},
+                   {"empty", c.empty}, {"timing", c.timing}});
+  }
+  return all;
+}
+
+std::string host_name() {
+  char name[256] = {};
+  return ::gethostname(name, sizeof name - 1) == 0 ? name : "";
+}
+
+// What a planner prints may be in any encoding, and so may a command line: JSON is UTF-8.
+std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+}  // namespace
+
+Session::Session(const Suite& suite, const SweepOptions& options)
+    : folder_(options.folder), file_(options.folder + "/runs.csv") {
+  const std::string hash = content_hash(suite);
+  const bool there = fs::exists(file_);
+  if (there && !options.resume) {
+    throw std::invalid_argument(fmt::format("'{}' already holds results; choose another folder, or --resume to go on "
+                                            "where they end", folder_));
+  }
+  if (there) take_up(hash);
+  std::error_code error;
+  for (const char* sub : {"", "/paths", "/maps", "/logs", "/traces"}) {
+    if (sub == std::string("/traces") && !options.traces) continue;
+    fs::create_directories(folder_ + sub, error);
+    if (error) cannot_write(folder_ + sub, error.value());
+  }
+  open();
+  describe(suite, options, hash);
+}
+
+void Session::open() {
+  out_ = wire::Descriptor(::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+  if (!out_.open()) cannot_write(file_, errno);
+  if (::flock(out_.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    throw std::invalid_argument(fmt::format("another sweep is writing to '{}'; choose another folder", folder_));
+  }
+  struct stat about {};
+  if (::fstat(out_.number(), &about) == 0 && about.st_size == 0) append(csv_header());
+}
+
+void Session::take_up(const std::string& suite_hash) {
+  const std::string session = folder_ + "/session.json";
+  std::string known;
+  try {
+    known = Json::parse(read_file(session)).at("suite_sha256").get<std::string>();
+  } catch (const Json::exception& e) {
+    throw std::invalid_argument(fmt::format("{}: not what a sweep writes ({}); choose another folder", session, e.what()));
+  }
+  if (known != suite_hash) {
+    throw std::invalid_argument(fmt::format("'{}' holds results of another suite, or of this one before it or its "
+                                            "planners were changed; choose another folder", folder_));
+  }
+  const std::string text = read_file(file_);
+  const std::string whole = whole_lines(text);
+  if (whole.size() != text.size()) {
+    write_file(file_, whole);
+  }
+  if (whole.empty()) return;
+  for (const auto& cells : parse_csv(whole, file_)) {
+    if (cells.size() != columns().size()) {
+      throw std::invalid_argument(fmt::format("{}: a row has {} cells, expected {}; choose another folder", file_,
+                                              cells.size(), columns().size()));
+    }
+    Row row;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (!cells[i].empty()) row.cells[columns()[i].name] = cells[i];
+    }
+    if (row.get("run_id") == "run_id") continue;  // the header
+    row.outcome();                                // throws for none
+    earlier_[row.get("run_id")].push_back(std::move(row));
+  }
+}
+
+void Session::append(const std::string& line) {
+  struct stat about {};
+  if (::fstat(out_.number(), &about) != 0) cannot_write(file_, errno);
+  std::size_t done = 0;
+  while (done < line.size()) {
+    const ssize_t put = ::write(out_.number(), line.data() + done, line.size() - done);
+    if (put >= 0) {
+      done += static_cast<std::size_t>(put);
+    } else if (errno != EINTR) {
+      const int error = errno;
+      [[maybe_unused]] const int cut = ::ftruncate(out_.number(), about.st_size);
+      cannot_write(file_, error);
+    }
+  }
+}
+
+void Session::rewrite(const std::string& lines) { write_file(file_, csv_header() + lines); }
+
+void Session::describe(const Suite& suite, const SweepOptions& options, const std::string& suite_hash) {
+  const std::string file = folder_ + "/session.json";
+  Json json{{"schema", 1}, {"suite", suite.name}, {"suite_file", suite.file}, {"suite_sha256", suite_hash}};
+  json["limits"] = {{"wall_s", suite.limits.wall_s}, {"memory_mb", suite.limits.memory_mb}};
+  json["target_coverage"] = suite.target_coverage;
+  json["sessions"] = Json::array();
+  if (fs::exists(file)) {
+    const Json before = Json::parse(read_file(file), nullptr, false);
+    if (before.is_object() && before.contains("sessions")) json["sessions"] = before["sessions"];
+  }
+  json["sessions"].push_back({{"started", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
+                              {"oxturn", OXTURN_VERSION},
+                              {"compiler", __VERSION__},
+#ifdef NDEBUG
+                              {"checked_build", false},
+#else
+                              {"checked_build", true},
+#endif
+                              {"host", host_name()},
+                              {"cpus", std::thread::hardware_concurrency()},
+                              {"jobs", options.jobs},
+                              {"command_line", options.command_line}});
+  write_file(file, dump(json));
+  write_file(folder_ + "/columns.json", dump(columns_json()));
+}
+
+}  // namespace oxturn

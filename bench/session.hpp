@@ -1,0 +1,36 @@
+// The results folder around runs.csv: made, guarded, taken up again. Internal to bench/.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bench/sweep.hpp"
+#include "bench/wire.hpp"
+
+namespace oxturn {
+
+/// Writes session.json (what ran, where, when; one entry a session) and columns.json; makes the subfolders.
+/// Refuses what sweep() promises to refuse, before anything is written.
+class Session {
+ public:
+  Session(const Suite& suite, const SweepOptions& options);
+
+  /// Rows that an earlier session left, by run_id, attempts in order.
+  const std::map<std::string, std::vector<Row>>& earlier() const { return earlier_; }
+  /// Appends a whole line, or throws std::runtime_error and leaves none of it.
+  void append(const std::string& line);
+  /// Puts `lines` (with the header) in the place of all rows.
+  void rewrite(const std::string& lines);
+
+ private:
+  void open();
+  void take_up(const std::string& suite_hash);
+  void describe(const Suite& suite, const SweepOptions& options, const std::string& suite_hash);
+
+  std::string folder_, file_;
+  std::map<std::string, std::vector<Row>> earlier_;
+  wire::Descriptor out_;
+};
+
+}  // namespace oxturn

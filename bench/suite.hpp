@@ -1,0 +1,62 @@
+// A suite: planners x parameters x maps x robots x seeds x repeats, read from TOML (design.md section 5).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/coverage_planner.hpp"
+#include "maps/map.hpp"
+
+namespace oxturn {
+
+struct Limits {
+  double wall_s = 60;
+  double memory_mb = 4096;
+};
+
+/// One map of a suite: a generator with settings and seed, not yet made, or a file, read once when the suite is
+/// (so that a bad file is a sentence at the start and not a row in the night). A robot that the file names is
+/// not used: the suite's robots are.
+struct MapSpec {
+  std::string name;       // unique within the suite: "rooms-7", "rooms-7[rooms=9]" where several would be called so
+  std::string generator;  // empty: a file
+  Settings settings;
+  std::uint64_t seed = 1;
+  std::string file;
+  ReadOptions read;
+  std::optional<Point> start;  // empty: the file's, or the problem's default
+  std::shared_ptr<const MapFile> content;  // of `file`
+};
+struct PlannerSpec {
+  std::string name;
+  Settings settings;   // only what differs from the defaults
+  std::string variant() const;  // "zigzag" or "zigzag[partition=monotone]"
+};
+struct Suite {
+  std::string file;  // as given; empty for one made in a program
+  std::string name;
+  std::uint64_t seed = 1;
+  int repeats = 1;
+  double target_coverage = 0.99;
+  Limits limits;
+  std::vector<Robot> robots;
+  std::vector<MapSpec> maps;
+  std::vector<PlannerSpec> planners;
+};
+
+/// Any value may be a list, and lists multiply; "*" names every planner. Everything is checked here: names
+/// against `planners` and the generators, parameters, types, files. Throws std::invalid_argument
+/// "quick.toml:12: ..." for each kind of mistake. File patterns are relative to the suite's folder.
+Suite read_suite(const std::string& file, const std::vector<PlannerInfo>& planners);
+
+/// Gives a name to every map that has none. Throws std::invalid_argument if a map is listed twice.
+void name_maps(std::vector<MapSpec>& maps);
+
+/// SHA-256 of everything above except the file's name: equal for suites that mean the same, whatever their
+/// comments and order of keys.
+std::string content_hash(const Suite& suite);
+
+}  // namespace oxturn

@@ -1,0 +1,169 @@
+#include "bench/wire.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace oxturn::wire {
+
+namespace {
+
+constexpr std::size_t kHeader = 1 + sizeof(std::uint64_t);
+constexpr int kPipeBytes = 1 << 20;
+
+static_assert(sizeof(Point) == 2 * sizeof(double));
+
+bool write_all(int fd, const char* data, std::size_t size) {
+  while (size > 0) {
+    const ssize_t put_now = ::write(fd, data, size);
+    if (put_now < 0) {
+      if (errno == EINTR) continue;
+      return false;
+    }
+    data += put_now;
+    size -= static_cast<std::size_t>(put_now);
+  }
+  return true;
+}
+
+bool send_header(int fd, char type, std::uint64_t size) {
+  char header[kHeader];
+  header[0] = type;
+  std::memcpy(header + 1, &size, sizeof size);
+  return write_all(fd, header, sizeof header);
+}
+
+bool send_points(int fd, const Polyline& points) {
+  const std::uint64_t count = points.size();
+  return write_all(fd, reinterpret_cast<const char*>(&count), sizeof count) &&
+         write_all(fd, reinterpret_cast<const char*>(points.data()), points.size() * sizeof(Point));
+}
+
+Polyline take_points(std::string_view& in) {
+  const auto count = take<std::uint64_t>(in);
+  if (count > in.size() / sizeof(Point)) throw std::runtime_error("fewer points than announced");
+  Polyline points(count);
+  take_bytes(in, points.data(), count * sizeof(Point));
+  return points;
+}
+
+}  // namespace
+
+void Descriptor::close() {
+  if (number_ >= 0) ::close(number_);
+  number_ = -1;
+}
+
+Pipe make_pipe() {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
+  for (int& end : ends) {
+    if (end > 2) continue;  // whoever started us had closed the standard streams, whose numbers mean something else
+    const int moved = ::fcntl(end, F_DUPFD_CLOEXEC, 3);
+    ::close(end);
+    if (moved < 0) throw std::runtime_error(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
+    end = moved;
+  }
+  ::fcntl(ends[1], F_SETPIPE_SZ, kPipeBytes);  // only speed: the default works as well
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+bool send(int fd, char type, std::string_view payload) {
+  if (payload.size() > 4096) return send_header(fd, type, payload.size()) && write_all(fd, payload.data(), payload.size());
+  char together[kHeader + 4096];  // one call for a short message
+  const std::uint64_t size = payload.size();
+  together[0] = type;
+  std::memcpy(together + 1, &size, sizeof size);
+  std::memcpy(together + kHeader, payload.data(), payload.size());
+  return write_all(fd, together, kHeader + payload.size());
+}
+
+bool send_path(int fd, char type, const Path& path) {
+  std::uint64_t size = sizeof(std::uint64_t);
+  for (const Leg& leg : path.legs) size += 1 + sizeof(std::uint64_t) + leg.points.size() * sizeof(Point);
+  const std::uint64_t legs = path.legs.size();
+  if (!send_header(fd, type, size) || !write_all(fd, reinterpret_cast<const char*>(&legs), sizeof legs)) return false;
+  for (const Leg& leg : path.legs) {
+    const char tool = leg.tool ? 1 : 0;
+    if (!write_all(fd, &tool, 1) || !send_points(fd, leg.points)) return false;
+  }
+  return true;
+}
+
+Path path_from(std::string_view in) {
+  Path path;
+  const auto legs = take<std::uint64_t>(in);
+  if (legs > in.size()) throw std::runtime_error("fewer legs than announced");
+  path.legs.reserve(legs);
+  for (std::uint64_t i = 0; i < legs; ++i) {
+    const char tool = take<char>(in);
+    path.legs.push_back({tool != 0, take_points(in)});
+  }
+  if (!in.empty()) throw std::runtime_error("bytes after the last leg");
+  return path;
+}
+
+std::string pack(const Trace& trace) {
+  std::string out;
+  put_text(out, trace.name);
+  put(out, static_cast<std::uint64_t>(trace.lines.size()));
+  for (const Polyline& line : trace.lines) {
+    put(out, static_cast<std::uint64_t>(line.size()));
+    out.append(reinterpret_cast<const char*>(line.data()), line.size() * sizeof(Point));
+  }
+  return out;
+}
+
+Trace trace_from(std::string_view in) {
+  Trace trace{take_text(in), {}};
+  for (auto left = take<std::uint64_t>(in); left > 0; --left) trace.lines.push_back(take_points(in));
+  return trace;
+}
+
+void put_text(std::string& out, std::string_view text) {
+  put(out, static_cast<std::uint64_t>(text.size()));
+  out.append(text);
+}
+
+void take_bytes(std::string_view& in, void* to, std::size_t size) {
+  if (in.size() < size) throw std::runtime_error("a message that ends too early");
+  if (size > 0) std::memcpy(to, in.data(), size);
+  in.remove_prefix(size);
+}
+
+std::string take_text(std::string_view& in) {
+  const auto size = take<std::uint64_t>(in);
+  if (size > in.size()) throw std::runtime_error("a text that ends too early");
+  std::string text(in.substr(0, size));
+  in.remove_prefix(size);
+  return text;
+}
+
+FrameReader::State FrameReader::read(int fd, const std::function<void(char, std::string_view)>& frame) {
+  thread_local std::vector<char> chunk(kPipeBytes);
+  const ssize_t got = ::read(fd, chunk.data(), chunk.size());
+  if (got < 0) {
+    if (errno == EINTR || errno == EAGAIN) return State::open;
+    throw std::runtime_error(fmt::format("cannot read from a pipe: {}", std::strerror(errno)));
+  }
+  if (got == 0) return State::closed;
+  buffer_.append(chunk.data(), static_cast<std::size_t>(got));
+  std::size_t done = 0;
+  while (buffer_.size() - done >= kHeader) {
+    std::uint64_t size = 0;
+    std::memcpy(&size, buffer_.data() + done + 1, sizeof size);
+    if (size > longest_) throw std::runtime_error(fmt::format("a message of {} bytes, more than the limit of {}", size, longest_));
+    if (buffer_.size() - done - kHeader < size) break;
+    frame(buffer_[done], std::string_view(buffer_).substr(done + kHeader, size));
+    done += kHeader + size;
+  }
+  buffer_.erase(0, done);
+  return State::open;
+}
+
+}  // namespace oxturn::wire

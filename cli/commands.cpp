@@ -1,0 +1,12 @@
+// cli/commands.cpp: the one list of commands
+#include "cli/commands.hpp"
+
+namespace oxturn::cli {
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> all{list_command(),  map_command(), plan_command(),
+                                        score_command(), run_command(), report_command()};
+  return all;
+}
+
+}  // namespace oxturn::cli

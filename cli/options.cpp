@@ -1,0 +1,241 @@
+// cli/options.cpp
+#include "cli/options.hpp"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+
+#include "maps/generators.hpp"
+
+namespace oxturn::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts;
+  std::size_t from = 0;
+  for (std::size_t i = 0; i <= text.size(); ++i)
+    if (i == text.size() || text[i] == at) {
+      parts.push_back(text.substr(from, i - from));
+      from = i + 1;
+    }
+  return parts;
+}
+
+std::optional<double> to_number(std::string text) {
+  if (!text.empty() && text.front() == '+') text.erase(0, 1);
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, value);
+  if (text.empty() || error != std::errc{} || at != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::pair<std::string, std::string> assignment(const std::string& option, const std::string& text) {
+  const std::size_t at = text.find('=');
+  if (at == std::string::npos || at == 0)
+    throw std::invalid_argument(fmt::format("{} {}: expected name=value", option, text));
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
+struct RobotKey {
+  const char* name;
+  void (*set)(Robot&, double);
+};
+constexpr RobotKey kRobotKeys[] = {
+    {"radius", [](Robot& r, double v) { r.radius = v; }},
+    {"tool_width", [](Robot& r, double v) { r.tool_width = v; }},
+    {"speed", [](Robot& r, double v) { r.speed = v; }},
+    {"acceleration", [](Robot& r, double v) { r.acceleration = v; }},
+    {"turn_rate", [](Robot& r, double v) { r.turn_rate = v; }},
+    {"min_turn_radius", [](Robot& r, double v) { r.min_turn_radius = v; }},
+    {"tether", [](Robot& r, double v) { r.tether = Tether{v}; }},
+};
+
+void change_robot(Robot& robot, const std::string& text) {
+  std::vector<std::string> names{"name"};
+  for (const RobotKey& key : kRobotKeys) names.emplace_back(key.name);
+  for (const std::string& part : split(text, ',')) {
+    const auto [name, value] = assignment("--robot", part);
+    if (name == "name") {
+      robot.name = value;
+      continue;
+    }
+    const RobotKey* found = nullptr;
+    for (const RobotKey& key : kRobotKeys)
+      if (name == key.name) found = &key;
+    if (found == nullptr)
+      throw std::invalid_argument(
+          fmt::format("--robot: a robot has no '{}'; it has: {}", name, fmt::join(names, ", ")));
+    const auto number = to_number(value);
+    if (!number) throw std::invalid_argument(fmt::format("--robot: {} is '{}', expected a finite number", name, value));
+    found->set(robot, *number);
+  }
+}
+
+Point parse_point(const std::string& text) {
+  const auto parts = split(text, ',');
+  if (parts.size() == 2)
+    if (const auto x = to_number(parts[0]), y = to_number(parts[1]); x && y) return {*x, *y};
+  throw std::invalid_argument(fmt::format("--start is '{}', expected X,Y: two finite numbers in metres", text));
+}
+
+/// A file, or GENERATOR[:SEED].
+MapFile load_map(const std::string& name, const ReadOptions& read) {
+  if (file_exists(name)) return read_map(name, read);
+  const std::size_t colon = name.rfind(':');
+  const std::string generator = name.substr(0, colon);
+  bool known = false;
+  for (const GeneratorInfo& g : generators()) known = known || g.name == generator;
+  // What looks like a file is taken for one, so that a mistyped file is reported as missing.
+  if (!known && name.find_first_of("./\\") != std::string::npos) return read_map(name, read);
+  std::uint64_t seed = 1;
+  if (colon != std::string::npos) {
+    const std::string digits = name.substr(colon + 1);
+    const char* end = digits.data() + digits.size();
+    const auto [at, error] = std::from_chars(digits.data(), end, seed);
+    if (digits.empty() || error != std::errc{} || at != end)
+      throw std::invalid_argument(fmt::format("map '{}': seed is '{}', expected a whole number from 0", name, digits));
+  }
+  if (!known) {
+    std::vector<std::string> names;
+    for (const GeneratorInfo& g : generators()) names.push_back(g.name);
+    throw std::invalid_argument(fmt::format("no file and no generator '{}'; did you mean '{}'? Generators: {}", generator,
+                                            nearest_name(generator, names), fmt::join(names, ", ")));
+  }
+  return MapFile{generate(generator, {}, seed), {}, {}, {}, {}};
+}
+
+}  // namespace
+
+void say(const std::string& sentence) { fmt::print(stderr, "oxturn: {}\n", sentence); }
+
+bool file_exists(const std::string& name) {
+  std::error_code error;
+  return fs::exists(name, error);
+}
+
+bool has_suffix(const std::string& file, const std::string& suffix) {
+  if (file.size() < suffix.size()) return false;
+  for (std::size_t i = 0; i < suffix.size(); ++i) {
+    const char c = file[file.size() - suffix.size() + i];
+    if ((c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) != suffix[i]) return false;
+  }
+  return true;
+}
+
+void require_suffix(const std::string& file, const std::vector<std::string>& suffixes) {
+  for (const std::string& s : suffixes)
+    if (has_suffix(file, s)) return;
+  throw std::invalid_argument(
+      fmt::format("cannot write '{}': its name must end in {}", file, fmt::join(suffixes, " or ")));
+}
+
+void require_writable(const std::string& file) {
+  const auto refuse = [&](const std::string& why) {
+    throw std::runtime_error(fmt::format("cannot write '{}': {}", file, why));
+  };
+  std::error_code error;
+  if (file.empty() || fs::is_directory(file, error)) refuse("that is a folder, expected a file's name");
+  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {  // a device or pipe: written straight
+    if (access(file.c_str(), W_OK) != 0) refuse(std::strerror(errno));
+    return;
+  }
+  const fs::path parent = fs::path(file).has_parent_path() ? fs::path(file).parent_path() : fs::path(".");
+  if (!fs::is_directory(parent, error)) refuse(fmt::format("there is no folder '{}'", parent.string()));
+  std::string probe = (parent / ".oxturn-XXXXXX").string();
+  const int handle = mkstemp(probe.data());
+  if (handle < 0) refuse(std::strerror(errno));
+  close(handle);
+  unlink(probe.c_str());
+}
+
+CLI::Validator number_from(double least, bool included, const std::string& unit) {
+  return CLI::Validator(
+      [=](std::string& text) -> std::string {
+        const auto value = to_number(text);
+        if (value && (included ? *value >= least : *value > least)) return {};
+        return fmt::format("is '{}', expected {}{} {:g}", text, unit, included ? " from" : " above", least);
+      },
+      "");
+}
+
+void add_settings(CLI::App& app, std::vector<std::string>& assignments, const std::string& of_what) {
+  app.add_option("--set", assignments, "parameter of the " + of_what + ", name=value (may be repeated)")
+      ->allow_extra_args(false)
+      ->take_all()
+      ->type_name("K=V");
+}
+
+Settings parse_settings(const std::string& owner, const std::vector<ParameterInfo>& parameters,
+                        const std::vector<std::string>& assignments) {
+  Settings settings;
+  for (const std::string& text : assignments) {
+    const auto [name, value] = assignment("--set", text);
+    settings[name] = parse_value(owner, find_parameter(owner, parameters, name), value);
+  }
+  return settings;
+}
+
+void add_reader_options(CLI::App& app, ReadOptions& options) {
+  app.add_option("--scale", options.metres_per_pixel, "metres per pixel of a plain image")
+      ->check(number_from(0, false, "metres per pixel"))
+      ->type_name("M");
+  app.add_flag("--unknown-free", options.unknown_is_free, "images: unknown counts as free (otherwise as wall)");
+  app.add_option("--drop-speckle", options.drop_speckle_m2, "images: drop obstacles up to this area")
+      ->check(number_from(0, true, "square metres"))
+      ->type_name("M2");
+  app.add_option("--simplify", options.simplify_m, "images: fewer corners, walls may grow by this, never shrink")
+      ->check(number_from(0, true, "metres"))
+      ->type_name("M");
+}
+
+void say_remarks(const MapFile& file) {
+  for (const std::string& remark : file.remarks) say(remark);
+}
+
+void add_problem_options(CLI::App& app, ProblemOptions& options) {
+  app.add_option("--robot", options.robot,
+                 "name, radius, tool_width, speed, acceleration, turn_rate, min_turn_radius, tether; those not given "
+                 "stay as the map's file or the default has them")
+      ->type_name("K=V,K=V...");
+  app.add_option("--radius", options.radius, "robot's radius")->check(number_from(0, true, "metres"))->type_name("M");
+  app.add_option("--tool-width", options.tool_width, "width that the robot covers")
+      ->check(number_from(0, false, "metres"))
+      ->type_name("M");
+  app.add_option("--start", options.start, "where the robot starts; otherwise as the file says, or well inside")
+      ->type_name("X,Y");
+  add_reader_options(app, options.read);
+}
+
+Problem load_problem(const ProblemOptions& options) {
+  MapFile file = load_map(options.map, options.read);
+  say_remarks(file);
+  Robot robot = file.robot.value_or(Robot{});
+  if (!options.robot.empty()) change_robot(robot, options.robot);
+  if (options.radius) robot.radius = *options.radius;
+  if (options.tool_width) robot.tool_width = *options.tool_width;
+  const bool robot_given = file.robot || !options.robot.empty() || (options.radius && options.tool_width);
+  check(robot);
+  if (!robot_given)
+    say(fmt::format("robot: radius {:g} m, tool width {:g} m (set with --radius and --tool-width)", robot.radius,
+                    robot.tool_width));
+  std::optional<Point> start = file.start;
+  if (!options.start.empty()) start = parse_point(options.start);
+  Problem problem(std::move(file.map), robot, start, file.anchor);
+  if (!start)
+    say(fmt::format("start: {:.6g},{:.6g} (set with --start X,Y)", problem.start().x(), problem.start().y()));
+  return problem;
+}
+
+}  // namespace oxturn::cli

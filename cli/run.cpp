@@ -1,0 +1,67 @@
+// oxturn run: a whole suite into a results folder, with its report.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench/suite.hpp"
+#include "bench/sweep.hpp"
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/suites.hpp"
+#include "reports/report.hpp"
+
+namespace oxturn::cli {
+namespace {
+
+struct Options {
+  std::string suite;
+  SweepOptions sweep;
+  bool quiet = false;
+};
+
+/// As typed, for session.json.
+std::vector<std::string> command_line() {
+  std::ifstream in("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> words;
+  for (std::string word; std::getline(in, word, '\0');) words.push_back(word);
+  return words;
+}
+
+int run(const Options& options) {
+  const Suite suite = read_suite(find_suite(options.suite), zoo());
+  SweepOptions sweep_options = options.sweep;
+  sweep_options.progress = !options.quiet;
+  sweep_options.command_line = command_line();
+  const Results results = sweep(suite, zoo(), sweep_options);
+  write_report(results, sweep_options.folder);
+  const std::filesystem::path folder = sweep_options.folder;
+  fmt::print("{}\ntable     {}\nrows      {}\npictures  {}\n", comparison_table(results),
+             (folder / "report.md").string(), (folder / "runs.csv").string(), (folder / "gallery.html").string());
+  return 0;
+}
+
+std::function<int()> attach(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("SUITE", options->suite, "a suite's file, or the name of one that comes with oxturn")->required();
+  app.add_option("-o,--output", options->sweep.folder, "the results folder to make")->required()->type_name("DIR");
+  app.add_option("-j,--jobs", options->sweep.jobs, "runs at a time; 1 if not given")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  app.add_flag("--resume", options->sweep.resume, "keep the rows that are there, run the missing ones");
+  app.add_flag("--traces", options->sweep.traces, "keep and draw the planners' insides too (costs them time)");
+  app.add_flag("-q,--quiet", options->quiet, "no progress");
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+
+Command run_command() {
+  return {"run", "run a suite: every planner on every map, one row each",
+          "  oxturn run quick -o out\n  oxturn run my.toml -o out -j 4\n  oxturn run my.toml -o out --resume\n", attach};
+}
+
+}  // namespace oxturn::cli

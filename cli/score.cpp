@@ -1,0 +1,53 @@
+// oxturn score: anyone's path, scored.
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/verdict.hpp"
+#include "maps/formats.hpp"
+
+namespace oxturn::cli {
+namespace {
+
+struct Options {
+  std::string path, svg;
+  ProblemOptions problem;
+  bool json = false;
+};
+
+int score_path(const Options& options) {
+  const Path path = read_path(options.path);
+  if (!options.svg.empty()) {
+    require_suffix(options.svg, {".svg"});
+    require_writable(options.svg);
+  }
+  const Problem problem = load_problem(options.problem);
+  Verdict verdict;
+  verdict.about = {{"path", options.path}};
+  judge(verdict, problem, path);
+  if (!options.svg.empty()) write_file(options.svg, to_svg(problem, &path));
+  return tell(verdict, problem, options.json);
+}
+
+std::function<int()> attach(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  app.add_option("PATH", options->path, "a path's GeoJSON file: LineStrings in driving order, property `tool`")
+      ->required();
+  app.add_option("MAP", options->problem.map, "a map's file, or GENERATOR[:SEED]")->required();
+  add_problem_options(app, options->problem);
+  app.add_option("--svg", options->svg, "also draw it")->type_name("FILE");
+  app.add_flag("--json", options->json, "for machines");
+  return [options] { return score_path(*options); };
+}
+
+}  // namespace
+
+Command score_command() {
+  return {"score", "score anyone's path on a map",
+          "  oxturn score mine.geojson kitchen.yaml --radius 0.17 --tool-width 0.3 --start 1,2\n"
+          "  oxturn score mine.geojson rooms:7 --svg mine.svg\n"
+          "Exit code 1 if the path is invalid.\n",
+          attach};
+}
+
+}  // namespace oxturn::cli

@@ -1,0 +1,273 @@
+#include "geometry/mesh.hpp"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "geometry/cgal_guard.hpp"
+#include "geometry/edge_index.hpp"
+#include "geometry/predicates.hpp"
+
+namespace oxturn {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+/// A number that CGAL leaves at -1 in what it makes by itself.
+struct Number {
+  Number(std::int32_t v = -1) : value(v) {}
+  operator std::int32_t() const { return value; }
+  std::int32_t value;
+};
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Number, Kernel>;
+using FaceBase =
+    CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<Number, Kernel>>;
+// Constraints that cross (no region has them, but none of them shall stop us) meet in a rounded point.
+using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+                                                       CGAL::Exact_predicates_tag>;
+using Vertex = Cdt::Vertex_handle;
+using Face = Cdt::Face_handle;
+
+/// Different points of the rings in input order, and the edges between them that occur an odd number of times.
+struct Outline {
+  std::vector<Point> points;
+  std::vector<std::pair<std::int32_t, std::int32_t>> edges;
+};
+
+Outline outline(const Region& region) {
+  std::vector<Point> all;
+  for_each_ring(region, [&](const Ring& ring) { all.insert(all.end(), ring.begin(), ring.end()); });
+  for (const Point& p : all) {
+    if (!finite(p)) throw std::invalid_argument("region has a corner that is not finite; repair it before meshing");
+  }
+  std::vector<std::int32_t> order(all.size()), same(all.size()), id(all.size(), -1);
+  for (std::size_t i = 0; i < all.size(); ++i) order[i] = static_cast<std::int32_t>(i);
+  const auto at = [&](std::int32_t i) -> const Point& { return all[static_cast<std::size_t>(i)]; };
+  std::sort(order.begin(), order.end(),
+            [&](std::int32_t i, std::int32_t j) { return at(i) != at(j) ? before(at(i), at(j)) : i < j; });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool repeated = k > 0 && at(order[k]) == at(order[k - 1]);
+    same[static_cast<std::size_t>(order[k])] = repeated ? same[static_cast<std::size_t>(order[k - 1])] : order[k];
+  }
+  Outline out;
+  for (std::size_t i = 0; i < all.size(); ++i) {  // `same` is the first of its kind in input order
+    if (same[i] != static_cast<std::int32_t>(i)) continue;
+    id[i] = static_cast<std::int32_t>(out.points.size());
+    out.points.push_back(all[i]);
+  }
+  std::size_t base = 0;
+  for_each_ring(region, [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const auto of = [&](std::size_t k) { return id[static_cast<std::size_t>(same[base + k])]; };
+      const std::int32_t a = of(i), b = of(i + 1 < ring.size() ? i + 1 : 0);
+      if (a != b) out.edges.emplace_back(std::min(a, b), std::max(a, b));
+    }
+    base += ring.size();
+  });
+  std::sort(out.edges.begin(), out.edges.end());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < out.edges.size();) {
+    std::size_t end = i;
+    while (end < out.edges.size() && out.edges[end] == out.edges[i]) ++end;
+    if ((end - i) % 2 == 1) out.edges[kept++] = out.edges[i];
+    i = end;
+  }
+  out.edges.resize(kept);
+  return out;
+}
+
+Point point_of(Vertex v) { return {v->point().x(), v->point().y()}; }
+
+/// Numbers the pieces that the constraints cut the faces into; a piece is free if the middle of its largest face is
+/// inside. (Not by counting constraints crossed: that breaks where edges overlap in part.) Returns for each piece
+/// whether it is free; the piece of a face is its info().
+std::vector<bool> classify(Cdt& cdt, const Region& region) {
+  const EdgeIndex index(region);
+  for (const Face f : cdt.all_face_handles()) f->info() = -1;
+  std::vector<bool> free;
+  std::vector<Face> stack;
+  for (const Face seed : cdt.all_face_handles()) {
+    if (seed->info() >= 0) continue;
+    const auto piece = static_cast<std::int32_t>(free.size());
+    bool outside = false;
+    double largest = -1;
+    Point middle{0, 0};
+    seed->info() = piece;
+    stack.push_back(seed);
+    while (!stack.empty()) {
+      const Face f = stack.back();
+      stack.pop_back();
+      if (cdt.is_infinite(f)) {
+        outside = true;
+      } else {
+        const Point a = point_of(f->vertex(0)), b = point_of(f->vertex(1)), c = point_of(f->vertex(2));
+        const double size = cross(b - a, c - a);
+        if (size > largest) {
+          largest = size;
+          middle = a + ((b - a) + (c - a)) / 3;
+        }
+      }
+      for (int i = 0; i < 3; ++i) {
+        const Face n = f->neighbor(i);
+        if (n->info() >= 0 || f->is_constrained(i)) continue;
+        n->info() = piece;
+        stack.push_back(n);
+      }
+    }
+    free.push_back(!outside && index.contains(middle));
+  }
+  return free;
+}
+
+}  // namespace
+
+Mesh::Mesh(const Region& region) {
+  const Outline lines = outline(region);
+  points_ = lines.points;
+  if (lines.edges.size() < 3) return;
+
+  cgal_guarded("triangulation", [&] {
+    Cdt cdt;
+    std::vector<std::pair<Kernel::Point_2, Number>> input;
+    input.reserve(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      input.emplace_back(Kernel::Point_2(points_[i].x(), points_[i].y()), static_cast<std::int32_t>(i));
+    }
+    cdt.insert(input.begin(), input.end());
+    std::vector<Vertex> vertex(points_.size());
+    for (const Vertex v : cdt.finite_vertex_handles()) vertex[static_cast<std::size_t>(v->info())] = v;
+    for (const auto& [a, b] : lines.edges) {
+      cdt.insert_constraint(vertex[static_cast<std::size_t>(a)], vertex[static_cast<std::size_t>(b)]);
+    }
+    if (cdt.number_of_vertices() > points_.size()) {  // where constraints crossed
+      for (const Vertex v : cdt.finite_vertex_handles()) {
+        const auto known = static_cast<std::size_t>(v->info());
+        if (v->info() >= 0 && known < vertex.size() && vertex[known] == v) continue;
+        v->info() = static_cast<std::int32_t>(points_.size());
+        points_.push_back(point_of(v));
+        vertex.push_back(v);
+      }
+    }
+    if (cdt.dimension() < 2) return;
+
+    const std::vector<bool> free = classify(cdt, region);
+    const auto is_free = [&](Face f) { return static_cast<bool>(free[static_cast<std::size_t>(f->info())]); };
+    std::vector<Face> faces;
+    for (const Face f : cdt.finite_face_handles()) {
+      if (is_free(f)) faces.push_back(f);
+    }
+    for (const Face f : cdt.all_face_handles()) f->info() = is_free(f) ? 0 : kWall;
+    for (std::size_t i = 0; i < faces.size(); ++i) faces[i]->info() = static_cast<std::int32_t>(i);
+    triangles_.reserve(faces.size());
+    for (const Face f : faces) {
+      Triangle t{};
+      for (int i = 0; i < 3; ++i) {
+        t.corner[static_cast<std::size_t>(i)] = f->vertex(i)->info();
+        t.neighbour[static_cast<std::size_t>(i)] = f->neighbor(i)->info();
+      }
+      triangles_.push_back(t);
+    }
+  });
+
+  const auto corner = [&](const Triangle& t, std::size_t i) -> const Point& {
+    return points_[static_cast<std::size_t>(t.corner[i % 3])];
+  };
+  // Reflex: turn counter-clockwise through each fan from its first wall; more than 180 degrees of free space.
+  reflex_.assign(points_.size(), false);
+  for (const Triangle& start : triangles_) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (start.neighbour[(i + 2) % 3] != kWall) continue;  // the edge corner[i] -> corner[i + 1]
+      const Point& v = corner(start, i);
+      const Point& first = corner(start, i + 1);
+      const Triangle* t = &start;
+      std::size_t k = i;
+      while (true) {
+        const int turn = orientation(v, first, corner(*t, k + 2));
+        const std::int32_t next = t->neighbour[(k + 1) % 3];
+        if (turn < 0 || (turn == 0 && next != kWall)) {
+          reflex_[static_cast<std::size_t>(start.corner[i])] = true;
+          break;
+        }
+        if (next == kWall) break;
+        t = &triangles_[static_cast<std::size_t>(next)];
+        k = 0;
+        while (t->corner[k] != start.corner[i]) ++k;
+      }
+    }
+  }
+
+  Box box;
+  double total = 0;
+  for (const Triangle& t : triangles_) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      box.add(corner(t, i));
+      total += distance(corner(t, i), corner(t, i + 1)) / 2;
+    }
+  }
+  grid_ = CellGrid(box, triangles_.size(), total);
+  grid_.fill(triangles_.size(), [&](std::size_t i, auto enter) {
+    const Point p[3] = {corner(triangles_[i], 0), corner(triangles_[i], 1), corner(triangles_[i], 2)};
+    grid_.visit(p, 3, 0, enter);
+  });
+}
+
+void Mesh::locate_all(const Point& p, std::vector<std::int32_t>& found) const {
+  found.clear();
+  if (grid_.empty() || !Box{grid_.low(), grid_.high()}.contains(p)) return;
+  const std::size_t c = grid_.index(grid_.column(p.x()), grid_.row(p.y()));
+  for (const std::uint32_t* i = grid_.begin(c); i != grid_.end(c); ++i) {
+    const Triangle& t = triangles_[*i];
+    bool inside = true;
+    for (std::size_t k = 0; k < 3 && inside; ++k) {
+      inside = orientation(points_[static_cast<std::size_t>(t.corner[k])],
+                           points_[static_cast<std::size_t>(t.corner[(k + 1) % 3])], p) >= 0;
+    }
+    if (inside) found.push_back(static_cast<std::int32_t>(*i));
+  }
+}
+
+Point Mesh::nearest_in(std::int32_t triangle, const Point& p) const {
+  const Triangle& t = triangles_[static_cast<std::size_t>(triangle)];
+  Point best = p;
+  double least = -1;
+  bool inside = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point& a = points_[static_cast<std::size_t>(t.corner[k])];
+    const Point& b = points_[static_cast<std::size_t>(t.corner[(k + 1) % 3])];
+    if (orientation(a, b, p) < 0) inside = false;
+    const Point q = nearest_on_segment(p, a, b);
+    const double d = distance(p, q);
+    if (least < 0 || d < least) {
+      least = d;
+      best = q;
+    }
+  }
+  return inside ? p : best;
+}
+
+std::int32_t Mesh::locate(const Point& p, double tolerance) const {
+  if (grid_.empty() || !finite(p)) return kWall;
+  std::vector<std::int32_t> found;
+  locate_all(p, found);
+  if (!found.empty()) return found.front();
+  std::int32_t best = kWall;
+  double least = tolerance;
+  grid_.visit(&p, 1, tolerance, [&](std::size_t c) {
+    for (const std::uint32_t* i = grid_.begin(c); i != grid_.end(c); ++i) {
+      const auto t = static_cast<std::int32_t>(*i);
+      const double d = distance(p, nearest_in(t, p));
+      if (d < least || (d == least && (best == kWall || t < best))) {
+        least = d;
+        best = t;
+      }
+    }
+    return false;
+  });
+  return best;
+}
+
+}  // namespace oxturn

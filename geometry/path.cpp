@@ -1,0 +1,34 @@
+#include "geometry/path.hpp"
+
+namespace oxturn {
+
+double Path::length() const {
+  double sum = 0;
+  for (const Leg& l : legs) sum += oxturn::length(l.points);
+  return sum;
+}
+
+double Path::length(bool tool) const {
+  double sum = 0;
+  for (const Leg& l : legs)
+    if (l.tool == tool) sum += oxturn::length(l.points);
+  return sum;
+}
+
+std::size_t Path::segment_count() const {
+  std::size_t n = 0;
+  for (const Leg& l : legs)
+    if (!l.points.empty()) n += l.points.size() - 1;
+  return n;
+}
+
+void PathBuilder::drive(const Polyline& points, bool tool) {
+  for (const Point& p : points) {
+    if (p == at_) continue;
+    if (path_.legs.empty() || path_.legs.back().tool != tool) path_.legs.push_back({tool, {at_}});
+    path_.legs.back().points.push_back(p);
+    at_ = p;
+  }
+}
+
+}  // namespace oxturn

@@ -1,0 +1,84 @@
+#include "geometry/region.hpp"
+
+#include "geometry/predicates.hpp"
+
+namespace oxturn {
+
+double signed_area(const Ring& ring) {
+  double twice = 0;
+  for (std::size_t i = 2; i < ring.size(); ++i) twice += cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
+  return twice / 2;
+}
+
+double area(const Polygon& polygon) {
+  double sum = std::abs(signed_area(polygon.outer));
+  for (const Ring& h : polygon.holes) sum -= std::abs(signed_area(h));
+  return sum;
+}
+
+double area(const Region& region) {
+  double sum = 0;
+  for (const Polygon& p : region.polygons) sum += area(p);
+  return sum;
+}
+
+double perimeter(const Region& region) {
+  double sum = 0;
+  for_each_ring(region, [&](const Ring& r) {
+    for (std::size_t i = 0; i < r.size(); ++i) sum += distance(r[i], r[i + 1 == r.size() ? 0 : i + 1]);
+  });
+  return sum;
+}
+
+Box bounding_box(const Region& region) {
+  Box box;
+  for_each_ring(region, [&](const Ring& r) {
+    for (const Point& p : r) box.add(p);
+  });
+  return box;
+}
+
+std::size_t corner_count(const Region& region) {
+  std::size_t n = 0;
+  for_each_ring(region, [&](const Ring& r) { n += r.size(); });
+  return n;
+}
+
+std::size_t hole_count(const Region& region) {
+  std::size_t n = 0;
+  for (const Polygon& p : region.polygons) n += p.holes.size();
+  return n;
+}
+
+bool contains(const Region& region, const Point& p) {
+  bool odd = false;
+  for_each_ring(region, [&](const Ring& r) {
+    for (std::size_t i = 0, j = r.size() - 1; i < r.size(); j = i++) {
+      const Point &a = r[j], &b = r[i];
+      const bool up = a.y() <= p.y();
+      if (up == (b.y() <= p.y())) continue;
+      if (a.x() <= p.x() && b.x() <= p.x()) continue;  // the ray runs to the east
+      if ((orientation(a, b, p) > 0) == up) odd = !odd;
+    }
+  });
+  return odd;
+}
+
+Region box_region(const Point& low, const Point& high) {
+  return {{Polygon{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}, {}}}};
+}
+
+Region transformed(const Region& region, double angle, const Point& shift) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  Region out = region;
+  const auto move = [&](Ring& ring) {
+    for (Point& p : ring) p = Point(c * p.x() - s * p.y() + shift.x(), s * p.x() + c * p.y() + shift.y());
+  };
+  for (Polygon& p : out.polygons) {
+    move(p.outer);
+    for (Ring& h : p.holes) move(h);
+  }
+  return out;
+}
+
+}  // namespace oxturn

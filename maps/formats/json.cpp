@@ -1,0 +1,66 @@
+// JSON values that know their place, so that every complaint can name it.
+#include "maps/formats/json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "maps/formats.hpp"
+
+namespace oxturn {
+
+nlohmann::json parse_json(const std::string& text, const std::string& source) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& e) {
+    const std::size_t end = std::min(e.byte, text.size());
+    // The byte is the one after the last that was read: a line end there belongs to the line it ends.
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end > 0 ? end - 1 : 0), '\n');
+    std::string why = e.what();
+    if (const std::size_t colon = why.find(": "); colon != std::string::npos) why = why.substr(colon + 2);
+    throw std::invalid_argument(fmt::format("{}:{}: not JSON: {}", source, line, why));
+  } catch (const nlohmann::json::exception& e) {
+    throw std::invalid_argument(fmt::format("{}: not JSON: {}", source, e.what()));
+  }
+}
+
+void JsonAt::refuse(const std::string& expected) const {
+  std::string given = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  if (given.size() > 60) given = given.substr(0, 57) + "...";
+  throw std::invalid_argument(fmt::format("{} is {}, expected {}", place, given, expected));
+}
+
+double JsonAt::number(const char* expected) const {
+  if (!value.is_number()) refuse(expected);
+  const double d = value.get<double>();
+  if (!std::isfinite(d)) refuse(expected);
+  return d;
+}
+
+std::string JsonAt::text() const {
+  if (!value.is_string()) refuse("a text");
+  return value.get<std::string>();
+}
+
+Point JsonAt::point() const {
+  if (!value.is_array() || value.size() < 2 || !value[0].is_number() || !value[1].is_number())
+    refuse("[x, y], two numbers in metres");
+  const Point p(value[0].get<double>(), value[1].get<double>());
+  if (!finite(p)) refuse("[x, y], two finite numbers in metres");
+  return p;
+}
+
+const nlohmann::json* JsonAt::find(const char* key) const {
+  const auto it = value.find(key);
+  return it == value.end() || it->is_null() ? nullptr : &*it;
+}
+
+std::string json_text(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+std::string json_number(double value) { return std::isfinite(value) ? to_decimal(value) : "null"; }
+std::string json_point(const Point& p) { return fmt::format("[{}, {}]", json_number(p.x()), json_number(p.y())); }
+
+}  // namespace oxturn

@@ -1,0 +1,82 @@
+// Paths as GeoJSON: a FeatureCollection of LineStrings with `tool`, in driving order.
+//
+// What is read is not judged here: jumps, walls and wrong starts are a score's business. A coordinate that JSON has
+// no number for (NaN) is written as null, which the reader refuses by its place.
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "maps/formats.hpp"
+#include "maps/formats/json.hpp"
+
+namespace oxturn {
+namespace {
+
+using Json = nlohmann::json;
+
+const Json& member(const JsonAt& object, const char* key, const char* expected) {
+  if (!object.value.is_object()) object.refuse("an object");
+  const Json* value = object.find(key);
+  if (value == nullptr) throw std::invalid_argument(fmt::format("{} has no {}, expected {}", object.place, key, expected));
+  return *value;
+}
+
+Leg read_leg(const JsonAt& feature) {
+  const JsonAt geometry{member(feature, "geometry", "a LineString"), feature.place + ", geometry"};
+  const JsonAt type{member(geometry, "type", "LineString"), geometry.place + ", type"};
+  if (type.value != "LineString") type.refuse("LineString");
+  const JsonAt properties{member(feature, "properties", "an object with tool"), feature.place + ", properties"};
+  const JsonAt tool{member(properties, "tool", "true or false"), feature.place + ", tool"};
+  if (!tool.value.is_boolean()) tool.refuse("true or false");
+  const JsonAt points{member(geometry, "coordinates", "a list of points"), feature.place + ", coordinates"};
+  if (!points.value.is_array() || points.value.size() < 2) points.refuse("a list of at least two points");
+  Leg leg{tool.value.get<bool>(), {}};
+  leg.points.reserve(points.value.size());
+  std::size_t i = 0;
+  for (const Json& point : points.value) {
+    ++i;
+    if (point.is_array() && point.size() >= 2 && point[0].is_number() && point[1].is_number() &&
+        finite(Point(point[0].get<double>(), point[1].get<double>())))
+      leg.points.emplace_back(point[0].get<double>(), point[1].get<double>());
+    else
+      (void)JsonAt{point, fmt::format("{}, point {}", feature.place, i)}.point();  // says what is wrong
+  }
+  return leg;
+}
+
+}  // namespace
+
+std::string to_geojson(const Path& path) {
+  std::string text = "{\"type\": \"FeatureCollection\", \"features\": [";
+  for (std::size_t i = 0; i < path.legs.size(); ++i) {
+    const Leg& leg = path.legs[i];
+    text += i > 0 ? ",\n" : "\n";
+    text += leg.tool ? "{\"type\": \"Feature\", \"properties\": {\"tool\": true}, \"geometry\": "
+                     : "{\"type\": \"Feature\", \"properties\": {\"tool\": false}, \"geometry\": ";
+    text += "{\"type\": \"LineString\", \"coordinates\": [";
+    for (std::size_t k = 0; k < leg.points.size(); ++k) {
+      if (k > 0) text += ", ";
+      text += json_point(leg.points[k]);
+    }
+    text += "]}}";
+  }
+  return text + "\n]}\n";
+}
+
+Path path_from_geojson(const std::string& text, const std::string& source) {
+  const Json root = parse_json(text, source);
+  const JsonAt top{root, source};
+  const JsonAt type{member(top, "type", "FeatureCollection"), source + ": type"};
+  if (type.value != "FeatureCollection") type.refuse("FeatureCollection");
+  const JsonAt features{member(top, "features", "a list of LineStrings"), source + ": features"};
+  if (!features.value.is_array()) features.refuse("a list of LineStrings");
+  Path path;
+  path.legs.reserve(features.value.size());
+  for (std::size_t i = 0; i < features.value.size(); ++i)
+    path.legs.push_back(read_leg({features.value[i], fmt::format("{}: feature {}", source, i + 1)}));
+  return path;
+}
+
+Path read_path(const std::string& file) { return path_from_geojson(read_file(file), file); }
+
+}  // namespace oxturn

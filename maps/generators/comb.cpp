@@ -1,0 +1,70 @@
+// maps/generators/comb.cpp
+// A corridor with dead-end aisles, as in a warehouse or a library. O(aisles).
+#include <algorithm>
+
+#include "maps/generators/shape.hpp"
+
+namespace oxturn::generator {
+namespace {
+
+struct Params : Site {
+  Params() { height = 12; }
+  int aisles = 8;
+  double wall = 0.6;
+  double corridor = 0;
+  double jitter = 0.3;
+  bool both_sides = false;
+};
+
+Region make(const Params& p, Rng& rng) {
+  check_site("comb", p);
+  const double corridor = passage_width("comb", "corridor", p.corridor, 3, p);
+  const double aisle = (p.width - (p.aisles - 1) * p.wall) / p.aisles;
+  if (aisle < narrowest(p))
+    refuse("comb", std::to_string(p.aisles) + " aisles and walls of " + number(p.wall) + " m in a width of " +
+                       number(p.width) + " m leave aisles of " + number(std::max(0.0, aisle)) +
+                       " m, expected at least " + number(narrowest(p)) + " m; take fewer or a larger width");
+  const double depth = (p.height - corridor) / (p.both_sides ? 2 : 1);
+  if (depth <= 0)
+    refuse("comb",
+           "corridor is " + number(corridor) + " m wide, expected less than the height of " + number(p.height) + " m");
+  const double low = p.both_sides ? depth : 0, high = low + corridor;
+  // Up to three quarters of an aisle's depth are taken away by jitter.
+  const auto reach = [&] { return depth * (1 - 0.75 * p.jitter * rng.unit()); };
+  const auto left = [&](int i) { return i * (aisle + p.wall); };
+  const auto right = [&](int i) { return i + 1 == p.aisles ? p.width : i * (aisle + p.wall) + aisle; };
+  Ring ring;
+  if (p.both_sides) {
+    for (int i = 0; i < p.aisles; ++i) {
+      const double bottom = low - reach();
+      for (const Point& q :
+           {Point(left(i), low), Point(left(i), bottom), Point(right(i), bottom), Point(right(i), low)})
+        ring.push_back(q);
+    }
+  } else {
+    ring = {{0, low}, {p.width, low}};
+  }
+  for (int i = p.aisles - 1; i >= 0; --i) {
+    const double top = high + reach();
+    for (const Point& q : {Point(right(i), high), Point(right(i), top), Point(left(i), top), Point(left(i), high)})
+      ring.push_back(q);
+  }
+  return finished({{{ring, {}}}}, p);
+}
+
+}  // namespace
+
+GeneratorInfo comb() {
+  return describe_generator<Params>(
+      "comb", "a corridor with dead-end aisles",
+      "one polygon without holes; corridor and aisles at least `passage` robot diameters wide",
+      with_site<Params>(
+          {{"aisles", &Params::aisles, Range{1, 100000}, "dead ends on a side"},
+           {"wall", &Params::wall, Range{0.001, 10000}, "metres; thickness between two aisles"},
+           {"corridor", &Params::corridor, Range{0, 10000}, "metres; 0: 3 robot diameters"},
+           {"jitter", &Params::jitter, Range{0, 1}, "how unequal the aisles' depths are; 1: down to a quarter"},
+           {"both_sides", &Params::both_sides, "aisles on both sides of the corridor"}}),
+      make);
+}
+
+}  // namespace oxturn::generator

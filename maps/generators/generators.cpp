@@ -1,0 +1,63 @@
+// The list of map generators. Adding one: its file, its line twice here, its line in CMake, a test.
+#include "maps/generators.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <stdexcept>
+
+#include "geometry/validity.hpp"
+
+namespace oxturn {
+
+// In a namespace of their own: a planner may have the same name ('field', 'spiral').
+namespace generator {
+GeneratorInfo rectangle();
+GeneratorInfo polygon();
+GeneratorInfo clutter();
+GeneratorInfo rooms();
+GeneratorInfo maze();
+GeneratorInfo cave();
+GeneratorInfo comb();
+GeneratorInfo spiral();
+GeneratorInfo field();
+}  // namespace generator
+
+const std::vector<GeneratorInfo>& generators() {
+  static const std::vector<GeneratorInfo> all{generator::rectangle(), generator::polygon(), generator::clutter(),
+                                              generator::rooms(),     generator::maze(),    generator::cave(),
+                                              generator::comb(),      generator::spiral(),  generator::field()};
+  return all;
+}
+
+const GeneratorInfo& find_generator(const std::string& name) {
+  std::vector<std::string> names;
+  for (const GeneratorInfo& g : generators()) {
+    if (g.name == name) return g;
+    names.push_back(g.name);
+  }
+  throw std::invalid_argument(fmt::format("no generator '{}'; did you mean '{}'? There are: {}", name,
+                                          nearest_name(name, names), fmt::join(names, ", ")));
+}
+
+Map generate(const std::string& generator, const Settings& settings, std::uint64_t seed) {
+  const GeneratorInfo& info = find_generator(generator);
+  // The name is mixed in, so that maps of two families with the same seed are not made of the same draws.
+  Rng rng(mix(seed, info.name));
+  Map map;
+  map.name = fmt::format("{}-{}", info.name, seed);
+  map.family = info.name;
+  map.source = fmt::format("{} --seed {}", info.name, seed);
+  for (const auto& [name, value] : settings) map.source += fmt::format(" --set {}={}", name, to_text(value));
+  map.free = info.make(settings, rng);
+  // A promise of every generator: what breaks it is a fault here, and must not reach a results table.
+  if (const auto flaw = find_flaw(map.free))
+    throw std::logic_error(fmt::format("fault of generator '{}' ({}): {} at ({}, {})", info.name, map.source,
+                                       flaw->reason, flaw->place.x(), flaw->place.y()));
+  if (map.free.polygons.size() != 1)
+    throw std::logic_error(fmt::format("fault of generator '{}' ({}): {} polygons instead of 1", info.name, map.source,
+                                       map.free.polygons.size()));
+  return map;
+}
+
+}  // namespace oxturn

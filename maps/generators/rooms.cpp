@@ -1,0 +1,240 @@
+// maps/generators/rooms.cpp
+// An apartment or office floor: rooms by recursive halving, corridors, doors.
+//
+// Method      Halve the floor until every piece is a room; large pieces are halved by a corridor instead of a wall.
+//             Doors along a spanning tree that prefers corridors (Kruskal), then loops by chance.
+// Guarantee   Every room is reached through doors at least `passage` robot diameters wide. Rooms are at least two
+//             doors wide, so the first rooms on either side of any cut share room for a door: the tree exists.
+// Complexity  O(cells of wall thickness)
+// Decisions   1. Everything is a multiple of the wall's thickness, stretched a little to fill the size; drawn on
+//                bits and traced, so walls are exact.
+//             2. Two corridors that meet are open to each other over the whole width.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "geometry/raster.hpp"
+#include "maps/generators/shape.hpp"
+
+namespace oxturn::generator {
+namespace {
+
+struct Params : Site {
+  Params() { width = 15, height = 12; }
+  int rooms = 9;
+  double wall = 0.15;
+  double door = 0;
+  double corridor = 0;
+  bool corridors = true;
+  double jitter = 0.4;
+  double loops = 0.1;
+};
+
+constexpr int kTries = 50;
+constexpr int kCrossing = 12;  // pieces of more rooms are cut by a corridor across, smaller ones by one along
+
+struct Rect {
+  int x0, y0, x1, y1;  // half-open, in wall thicknesses
+  int size(int axis) const { return axis == 0 ? x1 - x0 : y1 - y0; }
+};
+
+class Plan {
+ public:
+  Plan(const Params& p, int door, int corridor, Rng& rng)
+      : p_(p), rng_(rng), corridor_(corridor), least_(2 * door + 3) {}
+
+  /// Cuts `r` into n rooms; nothing is kept if it fails.
+  bool halve(const Rect& r, int n, bool corridors_wanted) {
+    // A floor too tight would be tried in exponentially many ways: give up early, the next attempt is cheap.
+    if (++calls_ > 20LL * p_.rooms + 1000) return false;
+    if (n == 1) {
+      rooms.push_back(r);
+      return true;
+    }
+    const bool wide = r.size(0) > r.size(1) || (r.size(0) == r.size(1) && rng_.chance(0.5));
+    const int longer = wide ? 0 : 1;
+    if (corridors_wanted && n >= 4) {
+      const int axis = n > kCrossing ? longer : 1 - longer;
+      // The halves of the last corridor, along the piece, are served by it.
+      if (cut(r, n, axis, corridor_ + 2, n > kCrossing)) return true;
+    }
+    return cut(r, n, longer, 1, corridors_wanted) || cut(r, n, 1 - longer, 1, corridors_wanted);
+  }
+
+  std::vector<Rect> rooms, corridors;
+
+ private:
+  int capacity(const Rect& r) const { return ((r.size(0) + 1) / (least_ + 1)) * ((r.size(1) + 1) / (least_ + 1)); }
+
+  /// Tries a cut `thick` wide; nothing is kept if it fails.
+  bool cut(const Rect& r, int n, int axis, int thick, bool corridors_wanted) {
+    const int usable = r.size(axis) - thick;
+    if (usable < 2 * least_) return false;
+    const double share = 0.5 + p_.jitter * rng_.between(-0.3, 0.3);
+    const int n1 = std::clamp(static_cast<int>(n * share + 0.5), 1, n - 1);
+    const double place = static_cast<double>(n1) / n + (n == 2 ? p_.jitter * rng_.between(-0.2, 0.2) : 0);
+    const int at = std::clamp(static_cast<int>(usable * place + 0.5), least_, usable - least_);
+    Rect a = r, b = r, strip = r;
+    if (axis == 0) {
+      a.x1 = r.x0 + at, b.x0 = a.x1 + thick, strip.x0 = a.x1 + 1, strip.x1 = b.x0 - 1;
+    } else {
+      a.y1 = r.y0 + at, b.y0 = a.y1 + thick, strip.y0 = a.y1 + 1, strip.y1 = b.y0 - 1;
+    }
+    if (capacity(a) < n1 || capacity(b) < n - n1) return false;
+    const std::size_t kept_rooms = rooms.size(), kept_corridors = corridors.size();
+    if (thick > 1) corridors.push_back(strip);
+    if (halve(a, n1, corridors_wanted) && halve(b, n - n1, corridors_wanted)) return true;
+    rooms.resize(kept_rooms);
+    corridors.resize(kept_corridors);
+    return false;
+  }
+
+  const Params& p_;
+  Rng& rng_;
+  int corridor_, least_;
+  long long calls_ = 0;
+};
+
+/// A straight stretch of wall with one room on either side.
+struct Stretch {
+  int a, b;      // labels, from 1; rooms first, then corridors
+  bool upright;  // a vertical wall at x = line
+  int line, from, to;
+};
+
+/// Labels by cell, 0 for wall; then runs along the walls.
+std::vector<Stretch> stretches(const std::vector<int>& label, int columns, int rows) {
+  std::vector<Stretch> all;
+  const auto at = [&](int x, int y) {
+    return label[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)];
+  };
+  const auto scan = [&](bool upright, int lines, int cells) {
+    for (int line = 1; line + 1 < lines; ++line) {
+      for (int k = 0; k < cells; ++k) {
+        const int x = upright ? line : k, y = upright ? k : line;
+        if (at(x, y) != 0) continue;
+        const int a = upright ? at(x - 1, y) : at(x, y - 1), b = upright ? at(x + 1, y) : at(x, y + 1);
+        if (a == 0 || b == 0) continue;
+        if (!all.empty() && all.back().upright == upright && all.back().line == line && all.back().to == k &&
+            all.back().a == a && all.back().b == b)
+          ++all.back().to;
+        else
+          all.push_back({a, b, upright, line, k, k + 1});
+      }
+    }
+  };
+  scan(true, columns, rows);
+  scan(false, rows, columns);
+  return all;
+}
+
+class Groups {
+ public:
+  explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int find(int a) {
+    while (parent_[static_cast<std::size_t>(a)] != a) {
+      int& up = parent_[static_cast<std::size_t>(a)];
+      up = parent_[static_cast<std::size_t>(up)];
+      a = up;
+    }
+    return a;
+  }
+  bool join(int a, int b) {
+    a = find(a), b = find(b);
+    parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    return a != b;
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+void open_doors(BitGrid& grid, const std::vector<Stretch>& walls, int rooms, int labels, int door, double loops,
+                Rng& rng) {
+  struct Candidate {
+    int corridors;
+    std::uint64_t order;
+    Stretch wall;
+  };
+  std::vector<Candidate> candidates;
+  for (const Stretch& w : walls)
+    if (w.to - w.from >= door) candidates.push_back({(w.a > rooms) + (w.b > rooms), rng.bits(), w});
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
+    return std::tuple(-x.corridors, x.order) < std::tuple(-y.corridors, y.order);
+  });
+  Groups groups(static_cast<std::size_t>(labels) + 1);
+  for (const Candidate& c : candidates) {
+    const Stretch& w = c.wall;
+    const bool extra = rng.chance(loops);  // drawn always, so that loops changes nothing else
+    if (!groups.join(w.a, w.b) && !extra) continue;
+    int from = w.from, to = w.to;
+    if (c.corridors < 2) {
+      const int margin = to - from >= door + 2 ? 1 : 0;  // a jamb on both sides where there is room
+      from = rng.between(w.from + margin, w.to - margin - door);
+      to = from + door;
+    }
+    for (int k = from; k < to; ++k) grid.set(w.upright ? w.line : k, w.upright ? k : w.line, true);
+  }
+}
+
+std::vector<double> lines(int cells, double size) {
+  std::vector<double> at;
+  for (int i = 0; i <= cells; ++i) at.push_back(size * i / cells);
+  return at;
+}
+
+Region make(const Params& p, Rng& rng) {
+  check_site("rooms", p);
+  const double door_width = passage_width("rooms", "door", p.door, 2.25, p);
+  const double corridor_width = std::max(door_width, passage_width("rooms", "corridor", p.corridor, 3, p));
+  if (p.width < p.wall || p.height < p.wall || p.width / p.wall * (p.height / p.wall) > 1e8)
+    refuse("rooms", "wall is " + number(p.wall) + " m in " + number(p.width) + " x " + number(p.height) +
+                        " m, expected thinner than the size and no more than 10^8 squares of its thickness");
+  const int columns = static_cast<int>(p.width / p.wall), rows = static_cast<int>(p.height / p.wall);
+  // Capped before the cast: a door wider than the floor is refused below like any other that does not fit.
+  const double most = std::max(columns, rows);
+  const int door = static_cast<int>(std::min(std::ceil(door_width / p.wall), most));
+  const int corridor = static_cast<int>(std::min(std::ceil(corridor_width / p.wall), most));
+  for (int attempt = 0; attempt < kTries; ++attempt) {
+    Plan plan(p, door, corridor, rng);
+    if (!plan.halve({0, 0, columns, rows}, p.rooms, p.corridors)) continue;
+    BitGrid grid({0, 0}, 1, columns, rows);
+    std::vector<int> label(grid.bits.size(), 0);
+    int next = 0;
+    for (const auto* rects : {&plan.rooms, &plan.corridors})
+      for (const Rect& r : *rects) {
+        ++next;
+        for (int y = r.y0; y < r.y1; ++y)
+          for (int x = r.x0; x < r.x1; ++x) {
+            label[grid.at(x, y)] = next;
+            grid.set(x, y, true);
+          }
+      }
+    open_doors(grid, stretches(label, columns, rows), static_cast<int>(plan.rooms.size()), next, door, p.loops, rng);
+    return finished(placed(trace(grid), lines(columns, p.width), lines(rows, p.height)), p);
+  }
+  refuse("rooms", std::to_string(p.rooms) + " rooms with doors of " + number(door_width) + " m do not fit in " +
+                      number(p.width) + " x " + number(p.height) +
+                      " m (a room is at least two doors wide); take fewer rooms, narrower doors or a larger size");
+}
+
+}  // namespace
+
+GeneratorInfo rooms() {
+  return describe_generator<Params>(
+      "rooms", "an apartment with doors and corridors",
+      "every room reached; doors and corridors at least `passage` robot diameters wide",
+      with_site<Params>(
+          {{"rooms", &Params::rooms, Range{1, 1000000}, "number of rooms, corridors not counted"},
+           {"wall", &Params::wall, Range{0.001, 1000}, "metres; thickness of walls"},
+           {"door", &Params::door, Range{0, 1000}, "metres, at least; 0: 2.25 robot diameters"},
+           {"corridor", &Params::corridor, Range{0, 1000},
+            "metres, at least; 0: 3 robot diameters; never under a door"},
+           {"corridors", &Params::corridors, "corridors where four or more rooms lie and there is space"},
+           {"jitter", &Params::jitter, Range{0, 1}, "how unequal the rooms are"},
+           {"loops", &Params::loops, Range{0, 1}, "probability of a door that is not needed to reach a room"}}),
+      make);
+}
+
+}  // namespace oxturn::generator

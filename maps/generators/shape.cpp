@@ -1,0 +1,193 @@
+#include "maps/generators/shape.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "geometry/predicates.hpp"
+
+namespace oxturn::generator {
+
+double narrowest(const Site& site) { return 2 * site.robot * site.passage * (1 + 1.0 / 1024); }
+
+void refuse(const std::string& name, const std::string& sentence) {
+  throw std::invalid_argument(fmt::format("generator '{}': {}", name, sentence));
+}
+
+std::string number(double value) { return fmt::format("{:.4g}", value); }
+
+void check_site(const std::string& name, const Site& site, double passages) {
+  const double least = passages * narrowest(site);
+  for (const auto& [side, metres] : {std::pair{"width", site.width}, std::pair{"height", site.height}})
+    if (metres < least)
+      refuse(name, fmt::format("{} is {} m, expected at least {} m ({} times the narrowest passage: passage {} x robot "
+                               "diameter {} m)",
+                               side, number(metres), number(least), number(passages), number(site.passage),
+                               number(2 * site.robot)));
+}
+
+double passage_width(const std::string& name, const std::string& what, double value, double diameters,
+                     const Site& site) {
+  if (value <= 0) return std::max(narrowest(site), diameters * 2 * site.robot);
+  // The thousandth to spare is ours to give, not the user's to ask for.
+  if (value < 2 * site.robot * site.passage)
+    refuse(name, fmt::format("{} is {} m, expected at least {} m (passage {} x robot diameter {} m); widen it or lower "
+                             "passage",
+                             what, number(value), number(2 * site.robot * site.passage), number(site.passage),
+                             number(2 * site.robot)));
+  return std::max(value, narrowest(site));
+}
+
+Point direction(double turns) {
+  const double quarters = (turns - std::floor(turns)) * 4;
+  const double whole = std::floor(quarters + 0.5);
+  const double x = (quarters - whole) * (kPi / 2);  // within an eighth of a turn
+  const double x2 = x * x;
+  double c = 0, s = 0;
+  for (int k = 9; k >= 1; --k) {  // Horner; the term left out is below 1e-19
+    c = (1 + c) * (-x2 / ((2 * k - 1) * (2 * k)));
+    s = (1 + s) * (-x2 / ((2 * k) * (2 * k + 1)));
+  }
+  c += 1;
+  s = (1 + s) * x;
+  switch (static_cast<int>(whole) % 4) {
+    case 0:
+      return {c, s};
+    case 1:
+      return {-s, c};
+    case 2:
+      return {-c, -s};
+    default:
+      return {s, -c};
+  }
+}
+
+Ring convex_blob(Rng& rng, int corners, double radius, const Point& centre) {
+  const double squash = rng.between(0.65, 1.0);
+  const double first = rng.unit();
+  const Point axis = direction(rng.unit());
+  Ring ring;
+  for (int i = 0; i < corners; ++i) {
+    const Point d = direction(first + (i + rng.between(-0.3, 0.3)) / corners);
+    ring.push_back(centre + radius * (d.x() * axis + squash * d.y() * perpendicular(axis)));
+  }
+  return ring;
+}
+
+Ring disc(int corners, double radius, const Point& centre) {
+  Ring ring;
+  for (int i = 0; i < corners; ++i) ring.push_back(centre + radius * direction(static_cast<double>(i) / corners));
+  return ring;
+}
+
+Spacing::Spacing(double width, double height, double largest_radius, double gap)
+    // No more than 2048 buckets a side; larger ones only mean more comparisons.
+    : gap_(gap),
+      cell_(std::max(2 * largest_radius + gap, std::max(width, height) / 2048)),
+      columns_(static_cast<int>(width / cell_) + 1),
+      rows_(static_cast<int>(height / cell_) + 1),
+      buckets_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+
+std::size_t Spacing::bucket(int i, int j) const {
+  return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
+}
+
+std::vector<const Spacing::Circle*> Spacing::near(const Point& centre) const {
+  std::vector<const Circle*> found;
+  const int i = static_cast<int>(centre.x() / cell_), j = static_cast<int>(centre.y() / cell_);
+  for (int b = std::max(0, j - 1); b <= std::min(rows_ - 1, j + 1); ++b)
+    for (int a = std::max(0, i - 1); a <= std::min(columns_ - 1, i + 1); ++a)
+      for (const Circle& c : buckets_[bucket(a, b)]) found.push_back(&c);
+  return found;
+}
+
+void Spacing::add(const Point& centre, double radius) {
+  buckets_[bucket(static_cast<int>(centre.x() / cell_), static_cast<int>(centre.y() / cell_))].push_back(
+      {centre, radius, count_++});
+}
+
+Ring without_straight_corners(const Ring& ring) {
+  Ring kept;
+  for (const Point& p : ring) {
+    if (!kept.empty() && kept.back() == p) continue;
+    while (kept.size() >= 2 && orientation(kept[kept.size() - 2], kept.back(), p) == 0) kept.pop_back();
+    kept.push_back(p);
+  }
+  // The seam: the same, round the end.
+  std::size_t first = 0;
+  for (bool changed = true; changed && kept.size() - first >= 3;) {
+    changed = false;
+    const std::size_t n = kept.size();
+    if (kept[n - 1] == kept[first] || orientation(kept[n - 2], kept[n - 1], kept[first]) == 0) {
+      kept.pop_back();
+      changed = true;
+    } else if (orientation(kept[n - 1], kept[first], kept[first + 1]) == 0) {
+      ++first;
+      changed = true;
+    }
+  }
+  kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first));
+  return kept;
+}
+
+Ring cut_corners(const Ring& ring, double share, double most) {
+  Ring result;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point& p = ring[i];
+    for (const Point& to : {ring[(i + ring.size() - 1) % ring.size()], ring[(i + 1) % ring.size()]}) {
+      const double length = distance(p, to);
+      result.push_back(p + (to - p) * (std::min(share * length, most) / length));
+    }
+  }
+  return without_straight_corners(result);
+}
+
+Region placed(const Region& lattice, const std::vector<double>& xs, const std::vector<double>& ys) {
+  Region result = lattice;
+  const auto place = [&](Ring& ring) {
+    for (Point& p : ring)
+      p = {xs[static_cast<std::size_t>(std::floor(p.x() + 0.5))],
+           ys[static_cast<std::size_t>(std::floor(p.y() + 0.5))]};
+  };
+  for (Polygon& polygon : result.polygons) {
+    place(polygon.outer);
+    for (Ring& hole : polygon.holes) place(hole);
+  }
+  return result;
+}
+
+namespace {
+
+/// Largest power of two not above the narrowest passage / 4096, and not above 2^-16 m.
+double quantum(const Site& site) {
+  double q = 1.0 / 65536;
+  while (q > narrowest(site) / 4096) q /= 2;
+  return q;
+}
+
+}  // namespace
+
+Region finished(Region region, const Site& site) {
+  const double q = quantum(site);
+  const Point d = direction(site.rotation / 360);
+  const Point centre(site.width / 2, site.height / 2);
+  const auto finish = [&](Ring& ring, bool counter_clockwise) {
+    ring = without_straight_corners(ring);
+    for (Point& p : ring) {
+      const Point v = p - centre;
+      if (site.rotation != 0) p = centre + Point(d.x() * v.x() - d.y() * v.y(), d.y() * v.x() + d.x() * v.y());
+      p = {std::floor(p.x() / q + 0.5) * q, std::floor(p.y() / q + 0.5) * q};
+    }
+    ring = without_straight_corners(ring);
+    if ((signed_area(ring) > 0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
+  };
+  for (Polygon& polygon : region.polygons) {
+    finish(polygon.outer, true);
+    for (Ring& hole : polygon.holes) finish(hole, false);
+  }
+  return region;
+}
+
+}  // namespace oxturn::generator

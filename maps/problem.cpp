@@ -1,0 +1,275 @@
+// Map + robot + start -> configuration space and target.
+//
+// Complexity  n corners: repair, erosion and dilation O(n log n) each; target, its excess, shortest paths and walls
+//             are made at the first question, once, whichever thread asks.
+// Decisions   1. Configuration space errs inside by at most tool_width / 1000 (erode, Bound::inside): what it calls
+//                free is free. `target` is what can be covered from that space, not from the ideal one.
+//             2. A tool no wider than the robot never leaves free space, so nothing is intersected then.
+//             3. A tether does not limit configuration space: the planners of today have no such capability and answer
+//                `unsupported` (missing_capability); a wrapper that has it hands on less room by restricted().
+//             4. The place offered to a start in a wall has as few decimals as still lie inside, to be typed again.
+#include "maps/problem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <stdexcept>
+
+#include "geometry/boolean.hpp"
+#include "geometry/mesh.hpp"
+#include "geometry/offset.hpp"
+#include "geometry/predicates.hpp"
+#include "geometry/validity.hpp"
+#include "maps/formats.hpp"
+
+namespace oxturn {
+namespace {
+
+std::string text(const Point& p) { return fmt::format("({}, {})", to_decimal(p.x()), to_decimal(p.y())); }
+
+double largest_coordinate(const Region& region) {
+  const Box box = bounding_box(region);
+  return box.empty() ? 0 : std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+}
+
+double tolerance_of(const Region& free, const Robot& robot) {
+  return 1e-6 * robot.tool_width + 1e-12 * largest_coordinate(free);
+}
+
+Region repaired_or_named(const Map& map) {
+  if (map.free.empty()) throw std::invalid_argument(fmt::format("map '{}' has no free space at all", map.name));
+  Region free;
+  try {
+    free = repaired(map.free);
+  } catch (const std::invalid_argument& flaw) {
+    throw std::invalid_argument(fmt::format("map '{}': {}", map.name, flaw.what()));
+  }
+  if (free.empty()) throw std::invalid_argument(fmt::format("map '{}' has no free space at all", map.name));
+  return free;
+}
+
+/// Everywhere the robot fits, in all connected parts.
+Region eroded(const Map& map, const Region& free, const Robot& robot) {
+  Region all = robot.radius > 0 ? erode(free, robot.radius, robot.tool_width / 1000, Bound::inside) : free;
+  if (all.empty())
+    throw std::invalid_argument(fmt::format("robot '{}' (radius {}) fits nowhere in map '{}'; its widest passage is too narrow",
+                                            robot.name, to_decimal(robot.radius), map.name));
+  return all;
+}
+
+/// The centroid of the largest triangle of the largest part; the first of equals.
+Point middle(const Region& all) {
+  const Polygon* largest = nullptr;
+  double most = -1;
+  for (const Polygon& polygon : all.polygons)
+    if (const double a = area(polygon); a > most) {
+      most = a;
+      largest = &polygon;
+    }
+  const Mesh mesh(Region{{*largest}});
+  const auto corner = [&](const Mesh::Triangle& t, std::size_t k) -> const Point& {
+    return mesh.points()[static_cast<std::size_t>(t.corner[k])];
+  };
+  const Mesh::Triangle* best = nullptr;
+  double widest = -1;
+  for (const Mesh::Triangle& t : mesh.triangles())
+    if (const double a = cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0)); a > widest) {
+      widest = a;
+      best = &t;
+    }
+  if (best == nullptr) return largest->outer.front();  // thinner than any triangle: its boundary is all there is
+  return (corner(*best, 0) + corner(*best, 1) + corner(*best, 2)) / 3;
+}
+
+bool holds(const Region& region, const Point& p, double tolerance) {
+  const EdgeIndex edges(region);
+  return edges.contains(p) || edges.nearest(p, tolerance).has_value();
+}
+
+/// The polygon that holds p, or the nearest of those within the tolerance; nullptr if there is none.
+const Polygon* part_with(const Region& all, const Point& p, double tolerance) {
+  const Polygon* nearest = nullptr;
+  double least = tolerance;
+  for (const Polygon& polygon : all.polygons) {
+    Box box;
+    for (const Point& q : polygon.outer) box.add(q);
+    box.grow(tolerance);
+    if (!box.contains(p)) continue;
+    const EdgeIndex edges(Region{{polygon}});
+    if (edges.contains(p)) return &polygon;
+    if (const auto hit = edges.nearest(p); hit && hit->distance <= least) {
+      least = hit->distance;
+      nearest = &polygon;
+    }
+  }
+  return nearest;
+}
+
+/// A place of `all` next to the one nearest to p, with as few decimals as keep it inside.
+Point nearest_place(const Region& all, const Point& p, double tool_width) {
+  const EdgeIndex edges(all);
+  const auto hit = edges.nearest(p);
+  const Point place = hit ? hit->place : all.polygons.front().outer.front();
+  for (const double unit : {1e2, 1e3, 1e4, 1e5, 1e6}) {
+    std::optional<Point> best;
+    for (const int i : {0, -1, 1})
+      for (const int j : {0, -1, 1}) {
+        const Point q((std::round(place.x() * unit) + i) / unit, (std::round(place.y() * unit) + j) / unit);
+        if (distance(q, place) > tool_width / 5 || !edges.contains(q)) continue;
+        if (!best || distance(q, p) < distance(*best, p)) best = q;
+      }
+    if (best) return *best;
+  }
+  return place;
+}
+
+/// Sum of the angles by which the boundary turns left: each such radian becomes an arc when dilated.
+double convex_turning(const Region& region) {
+  double sum = 0;
+  for_each_ring(region, [&](const Ring& ring) {
+    const std::size_t n = ring.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point &a = ring[(i + n - 1) % n], &b = ring[i], &c = ring[(i + 1) % n];
+      if (orientation(a, b, c) > 0) sum += std::atan2(std::abs(cross(b - a, c - b)), (b - a).dot(c - b));
+    }
+  });
+  return sum;
+}
+
+}  // namespace
+
+/// What a problem and its restrictions share.
+struct ProblemBasis {
+  Map map;
+  Robot robot;
+  Point start{0, 0}, anchor{0, 0};
+  double tolerance = 0;
+  std::shared_ptr<const Region> space;
+
+  mutable std::once_flag target_once, excess_once;
+  mutable Region target_region;
+  mutable double excess = 0;
+
+  /// Between the arcs of an inside and an outside bound lies about (sum of angles) * reach * chord error: it is
+  /// chosen for half of 1e-4 of the space's area, within limits that keep both bounds cheap.
+  double target_chord() const {
+    const double w = robot.tool_width, angles = convex_turning(*space);
+    const double wanted = angles > 0 ? 0.5e-4 * area(*space) / (angles * w / 2) : w;
+    return std::clamp(wanted, w / 20000, w / 1000);
+  }
+
+  const Region& target() const {
+    std::call_once(target_once, [this] {
+      target_region = dilate(*space, robot.tool_width / 2, target_chord(), Bound::inside);
+      if (robot.tool_width / 2 > robot.radius) target_region = intersect(target_region, map.free);
+    });
+    return target_region;
+  }
+
+  double target_excess() const {
+    std::call_once(excess_once, [this] {
+      const Region outer = intersect(dilate(*space, robot.tool_width / 2, target_chord(), Bound::outside), map.free);
+      // Both operands of a boolean are snapped to 2^-30 of their extent: as much may be lost along the boundary.
+      const Box box = bounding_box(map.free);
+      const double snapping = perimeter(outer) * box.size().maxCoeff() * std::ldexp(1.0, -29);
+      excess = std::max(0.0, area(outer) - area(target())) + snapping;
+    });
+    return excess;
+  }
+};
+
+struct Problem::Impl {
+  std::shared_ptr<const ProblemBasis> basis;
+  std::shared_ptr<const Region> space;
+  mutable std::once_flag transit_once, walls_once;
+  mutable std::unique_ptr<const ShortestPaths> transit;
+  mutable std::unique_ptr<const EdgeIndex> walls;
+
+  Impl(std::shared_ptr<const ProblemBasis> b, std::shared_ptr<const Region> s)
+      : basis(std::move(b)), space(std::move(s)) {}
+};
+
+Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional<Point> anchor) {
+  check(robot);
+  const auto basis = std::make_shared<ProblemBasis>();
+  map.free = repaired_or_named(map);
+  if (start && !finite(*start))
+    throw std::invalid_argument(fmt::format("start {} is not finite, expected metres", text(*start)));
+  if (anchor && !finite(*anchor))
+    throw std::invalid_argument(fmt::format("anchor {} is not finite, expected metres", text(*anchor)));
+
+  const Region all = eroded(map, map.free, robot);
+  const double tolerance = tolerance_of(map.free, robot);
+  basis->start = start ? *start : middle(all);
+  const Polygon* part = part_with(all, basis->start, tolerance);
+  if (part == nullptr) {
+    const std::string place = text(nearest_place(all, basis->start, robot.tool_width));
+    if (!holds(map.free, basis->start, tolerance))
+      throw std::invalid_argument(fmt::format("start {} is inside a wall of '{}'; nearest place the robot fits: {}",
+                                              text(basis->start), map.name, place));
+    throw std::invalid_argument(
+        fmt::format("start {} is too near a wall of '{}' for robot '{}' (radius {}); nearest place the robot fits: {}",
+                    text(basis->start), map.name, robot.name, to_decimal(robot.radius), place));
+  }
+  basis->anchor = anchor ? *anchor : basis->start;
+  if (anchor && !holds(map.free, *anchor, tolerance))
+    throw std::invalid_argument(fmt::format("anchor {} is inside a wall of '{}', expected a place in free space",
+                                            text(*anchor), map.name));
+  basis->space = std::make_shared<const Region>(Region{{*part}});
+  basis->tolerance = tolerance;
+  basis->map = std::move(map);
+  basis->robot = std::move(robot);
+  impl_ = std::make_shared<const Impl>(basis, basis->space);
+}
+
+Problem::Problem(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+Problem::~Problem() = default;
+Problem::Problem(Problem&&) noexcept = default;
+
+const Map& Problem::map() const { return impl_->basis->map; }
+const Robot& Problem::robot() const { return impl_->basis->robot; }
+const Point& Problem::start() const { return impl_->basis->start; }
+const Point& Problem::anchor() const { return impl_->basis->anchor; }
+const Region& Problem::configuration_space() const { return *impl_->space; }
+const Region& Problem::target() const { return impl_->basis->target(); }
+double Problem::target_excess() const { return impl_->basis->target_excess(); }
+double Problem::tolerance() const { return impl_->basis->tolerance; }
+
+const ShortestPaths& Problem::transit() const {
+  std::call_once(impl_->transit_once,
+                 [this] { impl_->transit = std::make_unique<const ShortestPaths>(*impl_->space, tolerance()); });
+  return *impl_->transit;
+}
+
+const EdgeIndex& Problem::walls() const {
+  std::call_once(impl_->walls_once, [this] { impl_->walls = std::make_unique<const EdgeIndex>(*impl_->space); });
+  return *impl_->walls;
+}
+
+Problem Problem::restricted(Region configuration_space) const {
+  if (!holds(configuration_space, start(), tolerance()))
+    throw std::invalid_argument(
+        fmt::format("restricted configuration space of '{}' does not hold the start {}", map().name, text(start())));
+  return Problem(std::make_shared<const Impl>(impl_->basis,
+                                              std::make_shared<const Region>(std::move(configuration_space))));
+}
+
+std::string Problem::content_hash() const {
+  std::string bytes = canonical_bytes(map().free);
+  const Robot& r = robot();
+  for (const double value : {r.radius, r.tool_width, r.speed, r.acceleration, r.turn_rate, r.min_turn_radius,
+                             r.tether ? 1.0 : 0.0, r.tether ? r.tether->length : 0.0, r.lidar ? 1.0 : 0.0,
+                             r.lidar ? r.lidar->range : 0.0, r.lidar ? static_cast<double>(r.lidar->rays) : 0.0,
+                             start().x(), start().y(), anchor().x(), anchor().y()})
+    append_canonical(bytes, value);
+  return sha256(bytes);
+}
+
+Point default_start(const Map& map, const Robot& robot) {
+  check(robot);
+  return middle(eroded(map, repaired_or_named(map), robot));
+}
+
+}  // namespace oxturn

@@ -1,0 +1,62 @@
+// Map + robot + start: what a planner is given. Computes configuration space and target once and hands them out.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "geometry/edge_index.hpp"
+#include "geometry/region.hpp"
+#include "geometry/shortest_path.hpp"
+#include "maps/map.hpp"
+
+namespace oxturn {
+
+class Problem {
+ public:
+  /// Erodes the map by the robot (inside bound, chord error tool_width / 1000) and keeps the connected part that
+  /// holds the start. A passage must be wider than 2 radius + tool_width / 500 to count as open.
+  /// No start: `default_start`. Throws std::invalid_argument in one sentence: a bad robot, an invalid or empty
+  /// map, no place for the robot at all, "start (2, 3) is inside a wall of 'rooms-7'; nearest place the robot
+  /// fits: (2.14, 3.31)", a start that is not finite, an anchor outside free space.
+  Problem(Map map, Robot robot, std::optional<Point> start = {}, std::optional<Point> anchor = {});
+  ~Problem();
+  Problem(Problem&&) noexcept;
+
+  const Map& map() const;
+  const Robot& robot() const;
+  const Point& start() const;
+  const Point& anchor() const;  // by default the start
+
+  /// Where the robot's centre may be: one polygon with holes. Closed.
+  const Region& configuration_space() const;
+  /// What can be covered: configuration space (+) disc(tool_width / 2), within free space; `target` errs
+  /// inside, and `target_excess` bounds from above the area by which the true target is larger (m^2).
+  const Region& target() const;
+  double target_excess() const;
+
+  /// Shortest paths in configuration space; built at the first call (thread-safe).
+  const ShortestPaths& transit() const;
+  /// Edges of configuration space; built at the first call (thread-safe).
+  const EdgeIndex& walls() const;
+  /// How far outside configuration space a point may lie by rounding alone: 1e-6 of the tool width plus
+  /// 1e-12 of the largest coordinate.
+  double tolerance() const;
+
+  /// The same problem with a smaller configuration space (which must hold the start); the target stays. How a
+  /// wrapper hands an ordinary planner less room.
+  Problem restricted(Region configuration_space) const;
+
+  /// SHA-256 of map, robot, start and anchor in canonical form.
+  std::string content_hash() const;
+
+ private:
+  struct Impl;
+  explicit Problem(std::shared_ptr<const Impl>);
+  std::shared_ptr<const Impl> impl_;
+};
+
+/// Where a robot starts if nobody says: the centroid of the largest triangle (of a constrained Delaunay
+/// triangulation) of the largest part of configuration space. Always well inside, always the same.
+Point default_start(const Map& map, const Robot& robot);
+
+}  // namespace oxturn

@@ -1,0 +1,134 @@
+#include "metrics/convex.hpp"
+
+#include <algorithm>
+
+namespace oxturn {
+
+double area(const Convex& c) {
+  double twice = 0;
+  for (std::size_t i = 2; i < c.size; ++i) twice += cross(c.at[i - 1] - c.at[0], c.at[i] - c.at[0]);
+  return twice > 0 ? twice / 2 : 0;
+}
+
+double area(const std::vector<Convex>& pieces) {
+  double sum = 0;
+  for (const Convex& c : pieces) sum += area(c);
+  return sum;
+}
+
+namespace {
+
+double beyond(const HalfPlane& h, Vec p) { return dot(h.normal, p) - h.reach; }
+
+enum class Side { inside, outside, both };
+
+/// Both parts in one pass, only if the line cuts; `outside` may be null.
+Side split(const Convex& c, const HalfPlane& h, Convex& inside, Convex* outside) {
+  std::array<double, Convex::kMost> off;
+  bool any_in = false, any_out = false;
+  for (std::size_t i = 0; i < c.size; ++i) {
+    off[i] = beyond(h, c.at[i]);
+    (off[i] > kSlack ? any_out : any_in) = true;
+  }
+  if (!any_out) return Side::inside;
+  if (!any_in) return Side::outside;
+  inside.size = 0;
+  if (outside != nullptr) outside->size = 0;
+  std::size_t last = c.size - 1;
+  for (std::size_t i = 0; i < c.size; last = i++) {
+    const double s = off[last], t = off[i];
+    const Vec p = c.at[last], q = c.at[i];
+    if ((s > kSlack) != (t > kSlack)) {
+      const double f = s / (s - t);  // outside [0, 1] only within the slack
+      const Vec x = f <= 0 ? p : f >= 1 ? q : p + f * (q - p);
+      inside.add(x);
+      if (outside != nullptr) outside->add(x);
+    }
+    if (t > kSlack) {
+      if (outside != nullptr) outside->add(q);
+    } else {
+      inside.add(q);
+    }
+  }
+  return Side::both;
+}
+
+bool apart(const Convex& c, const std::vector<HalfPlane>& cut) {
+  for (const HalfPlane& h : cut) {
+    bool all = true;
+    for (std::size_t i = 0; all && i < c.size; ++i) all = beyond(h, c.at[i]) >= -kSlack;
+    if (all) return true;
+  }
+  return false;
+}
+
+/// Appends c \ (intersection of cut[from...]) to `out`.
+void subtract_from(const Convex& c, const std::vector<HalfPlane>& cut, std::size_t from, std::vector<Convex>& out) {
+  Convex one, two, outside;
+  const Convex* rest = &c;
+  for (std::size_t k = from; k < cut.size(); ++k) {
+    if (rest->size > Convex::kWide) {
+      const auto [left, right] = halves(*rest);
+      subtract_from(left, cut, k, out);
+      subtract_from(right, cut, k, out);
+      return;
+    }
+    Convex& inside = rest == &one ? two : one;
+    const Side side = split(*rest, cut[k], inside, &outside);
+    if (side == Side::inside) continue;
+    if (side == Side::outside) {
+      out.push_back(*rest);
+      return;
+    }
+    if (outside.size >= 3) out.push_back(outside);
+    if (inside.size < 3) return;
+    rest = &inside;
+  }
+}
+
+}  // namespace
+
+std::pair<Convex, Convex> halves(const Convex& c) {
+  std::pair<Convex, Convex> result;
+  const std::size_t half = c.size / 2;
+  for (std::size_t i = 0; i <= half; ++i) result.first.add(c.at[i]);
+  for (std::size_t i = half; i < c.size; ++i) result.second.add(c.at[i]);
+  result.second.add(c.at[0]);
+  return result;
+}
+
+Extent extent_of(const std::vector<Convex>& pieces) {
+  Vec low{1, 1}, high{-1, -1};
+  for (const Convex& c : pieces) {
+    for (std::size_t i = 0; i < c.size; ++i) {
+      low = {std::min(low.x, c.at[i].x), std::min(low.y, c.at[i].y)};
+      high = {std::max(high.x, c.at[i].x), std::max(high.y, c.at[i].y)};
+    }
+  }
+  return {0.5 * (low + high), 0.5 * (high - low)};
+}
+
+Convex clipped(const Convex& c, const HalfPlane& h) {
+  Convex inside;
+  switch (split(c, h, inside, nullptr)) {
+    case Side::inside: return c;
+    case Side::outside: return {};
+    case Side::both: break;
+  }
+  if (inside.size < 3) inside.size = 0;
+  return inside;
+}
+
+void subtract(std::vector<Convex>& pieces, const std::vector<HalfPlane>& cut, std::vector<Convex>& spare) {
+  spare.clear();
+  spare.swap(pieces);
+  for (const Convex& c : spare) {
+    if (apart(c, cut)) {
+      pieces.push_back(c);
+    } else {
+      subtract_from(c, cut, 0, pieces);
+    }
+  }
+}
+
+}  // namespace oxturn

@@ -1,0 +1,57 @@
+#include "metrics/heading.hpp"
+
+#include <cmath>
+
+namespace oxturn {
+namespace {
+
+constexpr double kStraight = 1e-7;  // radians; less is rounding
+
+/// `gentle`: metres driven since the last change with no more than gentle curving.
+bool linked(const Turn& last, const Turn& next, double w, double& gentle) {
+  const double mean = (std::abs(last.angle) + std::abs(next.angle)) / 2;
+  const double between = next.before;
+  gentle = mean * 31 * w < between ? gentle + between : 0;
+  if (gentle >= w / 2 || between >= w / 2 || last.angle * next.angle < 0) return false;
+  const bool corner = std::abs(last.angle) > kCorner || std::abs(next.angle) > kCorner;
+  return !corner || between * mean / 8 <= 0.0015 * w;
+}
+
+}  // namespace
+
+Headings headings(const Problem& problem, const Path& path) {
+  const double near = problem.tolerance(), w = problem.robot().tool_width;
+  Headings result;
+  bool any_point = false, any_heading = false;
+  Point at(0, 0), heading(0, 0);
+  double run = 0, gentle = 0;
+  for (const Leg& leg : path.legs) {
+    for (const Point& p : leg.points) {
+      if (!any_point) {
+        at = p;
+        any_point = true;
+        continue;
+      }
+      const Point step = p - at;
+      const double length = step.norm();
+      if (length <= near) continue;
+      if (any_heading) {
+        const double angle = std::atan2(cross(heading, step), heading.dot(step));
+        if (std::abs(angle) > kStraight) {
+          Turn turn{angle, run, false};
+          if (!result.turns.empty()) turn.linked = linked(result.turns.back(), turn, w, gentle);
+          result.turns.push_back(turn);
+          run = 0;
+        }
+      }
+      any_heading = true;
+      heading = step;
+      run += length;
+      at = p;
+    }
+  }
+  result.after = run;
+  return result;
+}
+
+}  // namespace oxturn

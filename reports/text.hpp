@@ -1,0 +1,32 @@
+// Text and numbers for reports: escaping, rounding, medians.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/results.hpp"
+
+namespace oxturn {
+
+std::string escape_html(const std::string& text);
+/// For a cell of a Markdown table: pipes, line breaks, angle brackets and emphasis lose their meaning.
+std::string escape_markdown(const std::string& text);
+/// For a relative link: everything but letters, digits and -._~/ as %XX.
+std::string escape_url(const std::string& text);
+
+/// The middle value, or the mean of the two in the middle; empty for none.
+std::optional<double> median(std::vector<double> values);
+/// `digits` decimals; "" for an empty value.
+std::string fixed(std::optional<double> value, int digits);
+
+/// A value of `column` for every row that has one.
+std::vector<double> numbers(const std::vector<const Row*>& rows, const std::string& column);
+/// The run gave a valid path: `ok` or `partial`.
+bool valid_path(const Row& row);
+
+/// A Markdown table; cells are already escaped. Columns after the first `left` are right-aligned.
+std::string markdown_table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows,
+                           std::size_t left);
+
+}  // namespace oxturn

@@ -1,0 +1,157 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sweep_oracle.hpp"
+#include "tests/support/drawn.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+using testing::HasSubstr;
+
+double lanes_needed(const Problem& p) { return area(p.target()) / p.robot().tool_width; }
+
+void expect_complete(const Problem& problem, const Settings& settings = {}, double bound = 0) {
+  const Path path = plan("boustrophedon", problem, settings);
+  expect_valid(problem, path);
+  EXPECT_EQ(uncovered_share(problem, path, 1500), 0);
+  if (bound > 0) EXPECT_LT(path.length(), bound * lanes_needed(problem));
+}
+
+TEST(Boustrophedon, CoversEveryFamilyWhole) {
+  for (const auto seed : seeds(4))
+    for (const Problem& p : sample_problems(seed)) {
+      SCOPED_TRACE(p.map().source);
+      expect_complete(p, {}, 2.4);
+    }
+}
+
+TEST(Boustrophedon, EverySettingWithOutlineCoversWhole) {
+  for (const Problem& p : sample_problems(9)) {
+    SCOPED_TRACE(p.map().source);
+    expect_complete(p, {{"cells", std::string("exact")}});
+    expect_complete(p, {{"cells", std::string("exact")}, {"order", std::string("dfs")}, {"spacing", 0.8}});
+    expect_complete(p, {{"order", std::string("nearest")}, {"sweep", std::string("given")}, {"angle", 33.0}});
+  }
+}
+
+// As in the paper: no promise to cover the seams along walls, but valid, and most is covered.
+TEST(Boustrophedon, WithoutOutlineIsValidAndCoversMost) {
+  for (const Problem& p : sample_problems(2))
+    for (const char* cells : {"exact", "slab"}) {
+      SCOPED_TRACE(p.map().source + " " + cells);
+      const Path path = plan("boustrophedon", p, {{"outline", false}, {"cells", std::string(cells)}});
+      expect_valid(p, path);
+      EXPECT_LT(uncovered_share(p, path, 1000), std::string(cells) == "exact" ? 0.12 : 0.35);
+    }
+}
+
+TEST(Boustrophedon, FieldOfThePublishedSizeIsNearTheLeastLength) {
+  for (const auto seed : seeds(3)) {
+    const Problem p(generate("field", {}, seed), Robot{.radius = 0.5, .tool_width = 1});
+    EXPECT_LT(plan("boustrophedon", p).length(), 1.35 * lanes_needed(p)) << seed;
+  }
+}
+
+// A rectangle by hand: outline of C, lanes 0.4 apart in what is left.
+TEST(Boustrophedon, EmptyRectangleTakesItsOutlineAndItsLanes) {
+  const Problem p(Map{"hall", box_region({0, 0}, {6, 4.4}), "", ""}, Robot{.radius = 0.2, .tool_width = 0.4});
+  const Path path = plan("boustrophedon", p);
+  // C is 5.6 x 4, R is 5.2 x 3.6: 9 lanes of 5.2, 8 links of 0.4, once round C, once from the start to a corner of R
+  // and a step to the wall and back.
+  const double work = 9 * 5.2 + 8 * 0.4 + 2 * (5.6 + 4);
+  EXPECT_GT(path.length(), work - 0.01);
+  EXPECT_LT(path.length(), work + 3.4 + 2 * 0.4);
+}
+
+TEST(Boustrophedon, MovedTurnedAndMirroredMapsTakeTheSameLength) {
+  for (const char* name : {"field", "clutter"}) {
+    const Map map = generate(name, {{"width", 16.0}, {"height", 11.0}}, 3);
+    const Problem base(map, Robot{});
+    const double length = plan("boustrophedon", base).length();
+    const auto length_of = [&](Region region, Point start) {
+      return plan("boustrophedon", Problem(Map{"moved", std::move(region), "", ""}, Robot{}, start)).length();
+    };
+    const Point s = base.start(), shift(1e4, -3e4);
+    EXPECT_NEAR(length_of(transformed(map.free, 0, shift), s + shift) / length, 1, 0.05) << name;
+    for (const double degrees : {90.0, 180.0, 37.0})
+      EXPECT_NEAR(length_of(transformed(map.free, degrees * kPi / 180, {0, 0}), rotated(s, degrees * kPi / 180)) / length,
+                  1, 0.07) << name << " " << degrees;
+    EXPECT_NEAR(length_of(mirrored(map.free), {-s.x(), s.y()}) / length, 1, 0.07) << name;
+  }
+}
+
+TEST(Boustrophedon, SameProblemSamePath) {
+  const Problem p(generate("clutter", {{"width", 8.0}, {"height", 8.0}}, 5), Robot{});
+  const Path a = plan("boustrophedon", p), b = plan("boustrophedon", p);
+  ASSERT_EQ(a.legs.size(), b.legs.size());
+  for (std::size_t i = 0; i < a.legs.size(); ++i) EXPECT_EQ(a.legs[i].points, b.legs[i].points);
+}
+
+TEST(Boustrophedon, CorridorsWhereOnlyTheWallsAreDriven) {
+  for (const double width : {0.41, 0.5, 0.75, 0.79, 0.8, 0.81, 1.21}) {
+    SCOPED_TRACE(width);
+    Region frame = box_region({0, 0}, {5, 4});
+    Ring hole = box_region({width, width}, {5 - width, 4 - width}).polygons[0].outer;
+    std::reverse(hole.begin(), hole.end());
+    frame.polygons[0].holes.push_back(hole);
+    expect_complete(Problem(Map{"ring", frame, "", ""}, Robot{.radius = 0.2, .tool_width = 0.4}));
+  }
+}
+
+TEST(Boustrophedon, DegenerateMaps) {
+  // One cell, barely room to turn; a pillar smaller than the tool; a wall touching a corner; two rooms and a door.
+  expect_complete(drawn({"."}, {.cell = 0.41}));
+  expect_complete(drawn({"."}, {.cell = 0.8}));
+  expect_complete(drawn({"....", ".#..", "....", "...."}, {.cell = 0.3, .robot = {.radius = 0.05, .tool_width = 0.5}}));
+  expect_complete(drawn({"....", "..#.", ".#..", "...."}));
+  expect_complete(drawn({".....#.....", ".....#.....", "...........", ".....#.....", ".....#....."}, {.cell = 0.45}));
+  // Robots of no size, tools wider and narrower than the robot.
+  expect_complete(drawn({"...", ".#.", "..."}, {.robot = {.radius = 0, .tool_width = 0.3}}));
+  expect_complete(drawn({"...", ".#.", "..."}, {.robot = {.radius = 0.4, .tool_width = 0.2}}));
+  expect_complete(drawn({"...", ".#.", "..."}, {.robot = {.radius = 0.1, .tool_width = 0.9}}));
+}
+
+TEST(Boustrophedon, FarAndTinyCoordinates) {
+  for (const double scale : {1e-3, 1.0, 1e3}) {
+    const Region region = drawn_region({"....", ".#..", "..#.", "...."}, scale);
+    const Point shift = 1e6 * scale * Point(1, -1);
+    expect_complete(Problem(Map{"far", transformed(region, 0, shift), "", ""},
+                            Robot{.radius = 0.2 * scale, .tool_width = 0.4 * scale}));
+  }
+}
+
+TEST(Boustrophedon, OtherPartsOfFreeSpaceAreLeftAlone) {
+  const Problem p = drawn({"S..#...", "...#...", "...#..."});
+  const Path path = plan("boustrophedon", p);
+  expect_valid(p, path);
+  for (const Leg& leg : path.legs)
+    for (const Point& q : leg.points) EXPECT_LT(q.x(), 3);
+}
+
+TEST(Boustrophedon, ACancelledRunReturnsAValidBeginning) {
+  const Problem p(generate("clutter", {{"width", 8.0}, {"height", 8.0}}, 5), Robot{});
+  Context context(1);
+  context.cancel();
+  const Path path = find_planner(zoo(), "boustrophedon").make({})->plan(p, context);
+  EXPECT_LT(path.length(), plan("boustrophedon", p).length());
+}
+
+TEST(Boustrophedon, TracesWhatItDrives) {
+  const Problem p = drawn({"....", ".#..", "...."});
+  std::vector<std::string> names;
+  Context::Sinks sinks;
+  sinks.trace = [&](const Trace& t) { names.push_back(t.name); };
+  Context context(1, 1e9, sinks);
+  find_planner(zoo(), "boustrophedon").make({{"cells", std::string("exact")}})->plan(p, context);
+  EXPECT_THAT(names, testing::ElementsAre("cells", "lanes"));
+}
+
+TEST(Boustrophedon, AnUnknownOrderIsOneSentence) {
+  EXPECT_THAT([] { find_planner(zoo(), "boustrophedon").make({{"order", std::string("random")}}); },
+              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("order")));
+}
+
+}  // namespace
+}  // namespace oxturn

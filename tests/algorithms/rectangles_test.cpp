@@ -1,0 +1,168 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "algorithms/coverage_planner.hpp"
+#include "algorithms/grid/grid_graph.hpp"
+#include "algorithms/grid/rectangle_world.hpp"
+#include "maps/generators.hpp"
+
+namespace oxturn {
+namespace {
+
+// '.' is free; the last line is row 0.
+BitGrid drawn_grid(const std::vector<std::string>& lines) {
+  BitGrid grid({0, 0}, 1, static_cast<int>(lines.front().size()), static_cast<int>(lines.size()));
+  for (int j = 0; j < grid.rows; ++j)
+    for (int i = 0; i < grid.columns; ++i)
+      grid.set(i, j, lines[static_cast<std::size_t>(grid.rows - 1 - j)][static_cast<std::size_t>(i)] == '.');
+  return grid;
+}
+
+BitGrid noise(std::uint64_t seed, double walls) {
+  Rng rng(seed);
+  BitGrid grid({0, 0}, 1, rng.between(1, 30), rng.between(1, 30));
+  for (auto& bit : grid.bits) bit = rng.chance(1 - walls);
+  return grid;
+}
+
+// The source's words, one cell at a time: find the first dirty cell, measure upwards, go right. `done` is wall.
+std::vector<CellRectangle> literal_partition(BitGrid dirty, bool by_rows) {
+  std::vector<CellRectangle> found;
+  for (;;) {
+    int i0 = -1, j0 = -1;
+    for (int k = 0; k < dirty.columns * dirty.rows && i0 < 0; ++k) {
+      const int i = by_rows ? k % dirty.columns : k / dirty.rows, j = by_rows ? k / dirty.columns : k % dirty.rows;
+      if (dirty.get(i, j)) { i0 = i; j0 = j; }
+    }
+    if (i0 < 0) return found;
+    CellRectangle r{i0, j0, i0, j0};
+    while (dirty.get(i0, r.top + 1)) ++r.top;
+    const auto column_free = [&](int i) {
+      for (int j = r.bottom; j <= r.top; ++j)
+        if (!dirty.get(i, j)) return false;
+      return true;
+    };
+    while (column_free(r.right + 1)) ++r.right;
+    for (int j = r.bottom; j <= r.top; ++j)
+      for (int i = r.left; i <= r.right; ++i) dirty.set(i, j, false);
+    found.push_back(r);
+  }
+}
+
+TEST(RectangleWorld, PartitionIsTheSourcesAndCoversEachCellOnce) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const BitGrid grid = noise(seed, 0.05 + 0.001 * double(seed));
+    const bool by_rows = seed % 2 == 0;
+    const auto rectangles = rectangles_of(grid, by_rows);
+    EXPECT_EQ(rectangles, literal_partition(grid, by_rows)) << seed;
+    std::size_t cells = 0;
+    for (const CellRectangle& r : rectangles) cells += static_cast<std::size_t>(r.width() * r.height());
+    EXPECT_EQ(cells, grid.count());
+  }
+}
+
+// Decision 3 of the planner: partitioning anew after a rectangle is done changes nothing for the others.
+TEST(RectangleWorld, TakingARectangleAwayLeavesTheOthers) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    BitGrid grid = noise(seed, 0.15);
+    std::vector<CellRectangle> all = rectangles_of(grid, seed % 2 == 0);
+    if (all.empty()) continue;
+    const std::size_t k = Rng(seed).below(all.size());
+    for (int j = all[k].bottom; j <= all[k].top; ++j)
+      for (int i = all[k].left; i <= all[k].right; ++i) grid.set(i, j, false);
+    all.erase(all.begin() + static_cast<std::ptrdiff_t>(k));
+    EXPECT_EQ(literal_partition(grid, seed % 2 == 0), all) << seed;
+  }
+}
+
+TEST(RectangleWorld, ClosesGapsOfOneCellAndNoWiderOnes) {
+  const BitGrid mended = without_gaps(drawn_grid({".......", ".##.##.", ".......", "##..###", "......."}), 1, 0);
+  EXPECT_FALSE(mended.get(3, 3)) << "one cell between walls";
+  EXPECT_TRUE(mended.get(2, 1)) << "two cells between walls";
+  EXPECT_TRUE(mended.get(0, 2)) << "the border of the world is no wall";
+}
+
+TEST(RectangleWorld, FillsTheCornersOfSmallObstaclesOnly) {
+  const BitGrid grid = drawn_grid({".........", ".#.......", ".##......", ".........", "....#####", "....#....", "....#....",
+                                   "....#....", "....#...."});
+  const BitGrid mended = without_gaps(grid, 0, 2);
+  EXPECT_FALSE(mended.get(2, 7)) << "missing corner of the small one";
+  EXPECT_TRUE(mended.get(5, 3)) << "inner corner of the large one";
+  EXPECT_EQ(mended.count() + 1, grid.count());
+}
+
+Path plan_rectangles(const Problem& problem, const Settings& settings = {}) {
+  Context context(1);
+  return find_planner(zoo(), "rectangles").make(settings)->plan(problem, context);
+}
+
+TEST(Rectangles, AnEmptyRoomIsOneRectangleDrivenColumnByColumn) {
+  const Problem problem({"room", box_region({0, 0}, {4, 3}), "test", ""}, Robot{}, Point(2, 1.5));
+  const Path path = plan_rectangles(problem);
+  int work = 0;
+  for (const Leg& leg : path.legs) work += leg.tool;
+  EXPECT_EQ(work, 1);
+  // Columns of 2.6 m from 0.2 to 3.8, 0.2 apart: 18 or 19 of them, by rounding at the far wall.
+  const double columns = std::floor((path.length(true) + 0.2) / 2.8 + 0.5);
+  EXPECT_NEAR(columns, 18.5, 0.6);
+  EXPECT_NEAR(path.length(true), columns * 2.6 + (columns - 1) * 0.2, 0.2 * columns);
+}
+
+TEST(Rectangles, EverySegmentStaysInConfigurationSpace) {
+  for (const char* generator : {"rectangle", "polygon", "clutter", "rooms", "cave", "maze"})
+    for (std::uint64_t seed = 1; seed <= 6; ++seed)
+      for (const char* choose : {"first", "nearest"}) {
+        SCOPED_TRACE(fmt::format("{} --seed {} {}", generator, seed, choose));
+        const Problem problem(generate(generator, {}, seed), Robot{});
+        const EdgeIndex walls(problem.map().free);
+        Path path;
+        try {
+          path = plan_rectangles(problem, {{"choose", std::string(choose)}});
+        } catch (const Infeasible&) {
+          continue;
+        }
+        EXPECT_LT(distance(path.legs.front().points.front(), problem.start()), 1e-12);
+        for (const Leg& leg : path.legs)
+          for (std::size_t k = 1; k < leg.points.size(); ++k) {
+            const auto near = walls.nearest(leg.points[k - 1], leg.points[k], 0.2);
+            ASSERT_TRUE(!near || near->distance >= 0.2 - problem.tolerance()) << near->distance;
+          }
+      }
+}
+
+// revisit_skipped: every lattice node in configuration space is driven over; found here with exact point location.
+TEST(Rectangles, RevisitingLeavesNoReachableNode) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE(fmt::format("clutter --seed {}", seed));
+    const Problem problem(generate("clutter", {}, seed), Robot{});
+    const Path path = plan_rectangles(problem, {{"revisit_skipped", true}});
+    const GridGraph graph = make_grid_graph(problem, {}, 0.2, 1, 2);
+    std::set<std::pair<int, int>> driven;
+    for (const Leg& leg : path.legs)
+      if (leg.tool)
+        for (std::size_t k = 1; k < leg.points.size(); ++k) {
+          const int steps = 1 + static_cast<int>(distance(leg.points[k - 1], leg.points[k]) / 0.05);
+          for (int s = 0; s <= steps; ++s) {
+            const Point at = graph.coordinates(lerp(leg.points[k - 1], leg.points[k], double(s) / steps));
+            driven.insert({static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))});
+          }
+        }
+    for (int j = 0; j < graph.rows(); ++j)
+      for (int i = 0; i < graph.columns(); ++i)
+        if (graph.free(i, j)) {
+          EXPECT_TRUE(driven.count({i, j})) << i << " " << j;
+        }
+  }
+}
+
+TEST(Rectangles, NoRectangleIsASentence) {
+  const Problem problem({"closet", box_region({0, 0}, {0.5, 0.5}), "test", ""}, Robot{});
+  EXPECT_THAT([&] { plan_rectangles(problem, {{"cell_size", 0.3}}); },
+              testing::ThrowsMessage<Infeasible>(testing::HasSubstr("2 x 2")));
+}
+
+}  // namespace
+}  // namespace oxturn

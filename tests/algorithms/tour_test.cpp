@@ -1,0 +1,165 @@
+#include "algorithms/tour/open_tour.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "algorithms/tour/point_grid.hpp"
+#include "tests/support/drawn.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+Problem hall() { return Problem(Map{"hall", box_region({0, 0}, {20, 20}), "", ""}, Robot{}, Point(10, 10)); }
+
+TourElement segment(const Point& a, const Point& b) { return {{a, b, 0, 1}, {b, a, 0, 0}}; }
+
+std::vector<TourElement> random_segments(std::size_t n, std::uint64_t seed) {
+  Rng rng(seed);
+  std::vector<TourElement> all;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point a(rng.between(1.0, 19.0), rng.between(1.0, 19.0)), b(rng.between(1.0, 19.0), rng.between(1.0, 19.0));
+    all.push_back(segment(a, a + 0.2 * (b - a)));
+  }
+  return all;
+}
+
+double straight_cost(const Point& start, const std::vector<TourElement>& elements, const std::vector<TourStop>& tour) {
+  double sum = 0;
+  Point at = start;
+  for (const TourStop& s : tour) {
+    const Pattern& p = elements[s.element][s.pattern];
+    sum += distance(at, p.entry) + p.cost;
+    at = p.exit;
+  }
+  return sum;
+}
+
+// All orders and all ways round.
+double least_cost(const Point& start, const std::vector<TourElement>& elements) {
+  std::vector<TourStop> tour(elements.size());
+  std::vector<std::size_t> order(elements.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  double best = 1e300;
+  do {
+    for (std::size_t bits = 0; bits < std::size_t{1} << order.size(); ++bits) {
+      for (std::size_t i = 0; i < order.size(); ++i) tour[i] = {order[i], bits >> i & 1};
+      best = std::min(best, straight_cost(start, elements, tour));
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return best;
+}
+
+void expect_each_once(const std::vector<TourStop>& tour, std::size_t n) {
+  std::set<std::size_t> seen;
+  for (const TourStop& s : tour) seen.insert(s.element);
+  EXPECT_EQ(tour.size(), n);
+  EXPECT_EQ(seen.size(), n);
+}
+
+TEST(OpenTour, ImprovedToursAreNearTheLeast) {
+  const Problem p = hall();
+  const Connector connector(p);
+  double ratio = 0;
+  for (const auto seed : seeds(20)) {
+    const auto elements = random_segments(6, seed);
+    const OpenTour tours(p.start(), elements, connector);
+    Context context;
+    auto tour = tours.nearest(context);
+    expect_each_once(tour, 6);
+    const double first = tours.cost(tour);
+    EXPECT_NEAR(first, straight_cost(p.start(), elements, tour), 1e-9);
+    tours.improve(tour, context);
+    tours.choose_patterns(tour);
+    expect_each_once(tour, 6);
+    const double least = least_cost(p.start(), elements);
+    EXPECT_LE(tours.cost(tour), first + 1e-9);
+    EXPECT_GE(tours.cost(tour), least - 1e-9);
+    ratio += tours.cost(tour) / least / 20;
+  }
+  EXPECT_LT(ratio, 1.05);
+}
+
+TEST(OpenTour, PatternsAreTheBestForTheOrder) {
+  const Problem p = hall();
+  const Connector connector(p);
+  for (const auto seed : seeds(20)) {
+    const auto elements = random_segments(7, seed);
+    const OpenTour tours(p.start(), elements, connector);
+    std::vector<TourStop> tour;
+    for (std::size_t i = 0; i < 7; ++i) tour.push_back({i, 0});
+    double least = 1e300;
+    for (std::size_t bits = 0; bits < 128; ++bits) {
+      std::vector<TourStop> other = tour;
+      for (std::size_t i = 0; i < 7; ++i) other[i].pattern = bits >> i & 1;
+      least = std::min(least, straight_cost(p.start(), elements, other));
+    }
+    tours.choose_patterns(tour);
+    EXPECT_NEAR(tours.cost(tour), least, 1e-9);
+  }
+}
+
+TEST(OpenTour, ImprovingNeverCostsAndKeepsEveryElement) {
+  const Problem p = hall();
+  const Connector connector(p);
+  for (const auto seed : seeds(5)) {
+    const auto elements = random_segments(120, seed);
+    const OpenTour tours(p.start(), elements, connector);
+    Context context;
+    auto tour = tours.nearest(context);
+    const double first = tours.cost(tour);
+    tours.improve(tour, context);
+    expect_each_once(tour, 120);
+    EXPECT_LT(tours.cost(tour), first * 0.97);
+  }
+}
+
+TEST(OpenTour, DepthFirstStaysAmongNeighboursWhileThereAreAny) {
+  const Problem p = hall();
+  const Connector connector(p);
+  const auto elements = random_segments(30, 3);
+  std::vector<std::vector<std::size_t>> ring(30);  // a cycle: depth first must walk along it
+  for (std::size_t i = 0; i < 30; ++i) ring[i] = {(i + 1) % 30, (i + 29) % 30};
+  Context context;
+  const auto tour = OpenTour(p.start(), elements, connector).depth_first(ring, context);
+  expect_each_once(tour, 30);
+  int jumps = 0;
+  for (std::size_t i = 1; i < tour.size(); ++i) {
+    const std::size_t d = (tour[i].element + 30 - tour[i - 1].element) % 30;
+    if (d != 1 && d != 29) ++jumps;
+  }
+  EXPECT_EQ(jumps, 0);
+}
+
+// Straight through the wall is nearest, by path it is not.
+TEST(OpenTour, NearestCountsTheWayRoundWalls) {
+  const Problem p = drawn({".......", "...#...", "...#...", "..S#..."});
+  const Connector connector(p);
+  const std::vector<TourElement> elements{segment({4.3, 0.5}, {4.3, 0.7}), segment({0.3, 0.5}, {0.3, 0.7})};
+  Context context;
+  const auto tour = OpenTour(p.start(), elements, connector).nearest(context);
+  ASSERT_EQ(tour.size(), 2u);
+  EXPECT_EQ(tour[0].element, 1u);
+}
+
+TEST(PointGrid, VisitsInOrderOfDistance) {
+  Rng rng(4);
+  std::vector<Point> points;
+  for (int i = 0; i < 300; ++i) points.push_back({rng.between(0.0, 50.0), rng.between(0.0, 3.0)});
+  PointGrid grid(points);
+  for (std::size_t i = 0; i < 300; i += 3) grid.remove(i);
+  for (int q = 0; q < 50; ++q) {
+    const Point p(rng.between(-20.0, 70.0), rng.between(-20.0, 20.0));
+    std::vector<double> seen, wanted;
+    grid.visit(p, [&](std::size_t, double d) { seen.push_back(d); return true; });
+    for (std::size_t i = 0; i < 300; ++i)
+      if (i % 3 != 0) wanted.push_back(distance(p, points[i]));
+    std::sort(wanted.begin(), wanted.end());
+    EXPECT_EQ(seen, wanted);
+  }
+}
+
+}  // namespace
+}  // namespace oxturn

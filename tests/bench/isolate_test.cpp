@@ -1,0 +1,173 @@
+// Planners at their worst, one process each.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+
+#include "bench/sweep.hpp"
+#include "test_planners.hpp"
+
+namespace oxturn {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::small_problem;
+using testing::test_planners;
+
+IsolationOptions short_limits() {
+  IsolationOptions options;
+  options.limits = {0.5, 200};
+  return options;
+}
+
+Planned run(const std::string& how, const IsolationOptions& options = short_limits()) {
+  static const Problem problem = small_problem();
+  return plan_isolated(test_planners()[0], {{"how", how}}, problem, options);
+}
+
+std::size_t open_descriptors() {
+  const std::filesystem::directory_iterator all("/proc/self/fd");
+  return static_cast<std::size_t>(std::distance(begin(all), end(all)));
+}
+
+TEST(Isolate, AGoodPathComesBackAsItWas) {
+  Context context(1);
+  const Path expected = test_planners()[0].make({{"how", "good"}})->plan(small_problem(), context);
+  const Planned planned = run("good");
+  ASSERT_EQ(planned.outcome, Outcome::ok);
+  ASSERT_TRUE(planned.path);
+  EXPECT_EQ(to_geojson(*planned.path), to_geojson(expected));
+  EXPECT_EQ(planned.reason, "");
+  EXPECT_GT(planned.wall_s, 0);
+}
+
+TEST(Isolate, CrashesNameTheSignal) {
+  const Planned null = run("null");
+  EXPECT_EQ(null.outcome, Outcome::crash);
+  EXPECT_EQ(null.signal, SIGSEGV);
+  EXPECT_EQ(null.reason, "killed by SIGSEGV (segmentation fault)");
+  EXPECT_FALSE(null.path);
+  const Planned aborted = run("abort");
+  EXPECT_EQ(aborted.outcome, Outcome::crash);
+  EXPECT_EQ(aborted.signal, SIGABRT);
+}
+
+TEST(Isolate, HangsEndAtTheWall) {
+  const auto before = std::chrono::steady_clock::now();
+  for (const char* how : {"spin", "hide"}) {
+    const Planned planned = run(how);
+    EXPECT_EQ(planned.outcome, Outcome::timeout) << how;
+    EXPECT_EQ(planned.reason, "no result after 0.5 s");
+    EXPECT_FALSE(planned.path);
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(4));
+}
+
+TEST(Isolate, ThePoliteAreToldBeforeTheWall) { EXPECT_EQ(run("polite").outcome, Outcome::ok); }
+
+TEST(Isolate, HoardersAreStopped) {
+  IsolationOptions options = short_limits();
+  options.limits.wall_s = 10;
+  const Planned planned = run("hoard", options);
+  EXPECT_EQ(planned.outcome, Outcome::out_of_memory);
+  EXPECT_EQ(planned.reason, "needs more than 200 MB of memory");
+  // One that does not hear the refusals hangs, and does not get more for it.
+  options.limits.wall_s = 1.5;
+  const Outcome deaf = run("map_hoard", options).outcome;
+  EXPECT_TRUE(deaf == Outcome::timeout || deaf == Outcome::out_of_memory) << to_text(deaf);
+}
+
+TEST(Isolate, ExceptionsAndExits) {
+  EXPECT_EQ(run("throw").outcome, Outcome::error);
+  EXPECT_EQ(run("throw").reason, "my tour\nis broken");
+  EXPECT_EQ(run("throw_int").outcome, Outcome::error);
+  EXPECT_EQ(run("infeasible").outcome, Outcome::infeasible);
+  EXPECT_EQ(run("infeasible").reason, "the map is too small for me");
+  EXPECT_EQ(run("unsupported").outcome, Outcome::unsupported);
+  const Planned left = run("exit");
+  EXPECT_EQ(left.outcome, Outcome::error);
+  EXPECT_EQ(left.exit_code, 3);
+  EXPECT_EQ(left.reason, "exited with code 3");
+  const Planned quiet = run("quiet_exit");
+  EXPECT_EQ(quiet.outcome, Outcome::error);
+  EXPECT_EQ(quiet.reason, "its process ended without a result");
+}
+
+TEST(Isolate, BadSettingsAreAnError) {
+  const Planned planned = plan_isolated(test_planners()[0], {{"nope", true}}, small_problem(), short_limits());
+  EXPECT_EQ(planned.outcome, Outcome::error);
+  EXPECT_THAT(planned.reason, HasSubstr("unknown parameter 'nope'"));
+}
+
+TEST(Isolate, ATimeoutKeepsTheLastPublishedPath) {
+  const Planned planned = run("publish");
+  EXPECT_EQ(planned.outcome, Outcome::timeout);
+  ASSERT_TRUE(planned.path);
+  EXPECT_DOUBLE_EQ(planned.path->length(), 1);
+}
+
+TEST(Isolate, PrintingGoesToTheLog) {
+  const testing::Folder folder;
+  IsolationOptions options = short_limits();
+  options.log_file = folder.file("a.log");
+  EXPECT_EQ(run("babble", options).outcome, Outcome::ok);
+  EXPECT_THAT(read_file(folder.file("a.log")), HasSubstr("garbage"));
+  EXPECT_THAT(read_file(folder.file("a.log")), HasSubstr("and more"));
+  options.log_file = folder.file("b.log");
+  EXPECT_EQ(run("good", options).outcome, Outcome::ok);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("b.log")));
+}
+
+TEST(Isolate, MeasuresPlanAlone) {
+  IsolationOptions options = short_limits();
+  options.limits.wall_s = 10;
+  const Planned planned = run("measure", options);
+  EXPECT_EQ(planned.outcome, Outcome::ok);
+  EXPECT_GE(planned.wall_s, 0.1);
+  EXPECT_LT(planned.wall_s, 5);
+  EXPECT_GT(planned.cpu_s, 0);
+  EXPECT_GE(planned.peak_rss_bytes, 49e6);
+  EXPECT_LT(planned.peak_rss_bytes, 150e6);
+}
+
+TEST(Isolate, TracesAndProgressOnRequest) {
+  IsolationOptions options = short_limits();
+  EXPECT_TRUE(run("good", options).traces.empty());
+  options.traces = true;
+  double last = 0;
+  options.progress = [&](double fraction) { last = fraction; };
+  const Planned planned = run("good", options);
+  ASSERT_EQ(planned.traces.size(), 1u);
+  EXPECT_EQ(planned.traces[0].name, "box");
+  ASSERT_EQ(planned.traces[0].lines.size(), 1u);
+  EXPECT_EQ(planned.traces[0].lines[0].size(), 2u);
+  EXPECT_EQ(last, 0.5);
+}
+
+TEST(Isolate, LeavesNothingBehind) {
+  run("good");
+  const std::size_t before = open_descriptors();
+  for (const char* how : {"good", "null", "exit", "throw", "leave_child", "quiet_exit"}) run(how);
+  EXPECT_EQ(open_descriptors(), before);
+  errno = 0;
+  EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);  // no child, dead or alive
+  EXPECT_EQ(errno, ECHILD);
+}
+
+TEST(Isolate, TheSeedIsThePlannersLuck) {
+  IsolationOptions options = short_limits();
+  const auto text = [&](std::uint64_t seed) {
+    options.seed = seed;
+    return to_geojson(run("random", options).path.value());
+  };
+  EXPECT_EQ(text(7), text(7));
+  EXPECT_NE(text(7), text(8));
+}
+
+}  // namespace
+}  // namespace oxturn

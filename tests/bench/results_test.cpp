@@ -1,0 +1,111 @@
+#include "bench/results.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "maps/formats.hpp"
+#include "test_planners.hpp"
+
+namespace oxturn {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+// The header as the contract (design.md, section 5) has it, typed off by hand.
+TEST(Results, HeaderIsTheContract) {
+  EXPECT_EQ(csv_header(),
+            "schema,run_id,attempt,suite,map,map_family,map_sha256,planner,planner_family,variant,params,robot,seed,repeat,"
+            "outcome,reason,exit_code,signal,"
+            "coverage,coverage_lower,coverage_upper,coverage_of_free,target_m2,"
+            "path_m,work_m,transit_m,length_ratio,overlap,revisits,turns,turn_rad,clearance_m,mission_s,"
+            "tether_limit_m,tether_max_m,tether_bends_max,tether_angle_min_rad,tether_angle_mean_rad,"
+            "tether_sharp_fraction,tether_crossings,"
+            "plan_wall_s,plan_cpu_s,peak_rss_bytes,score_s,path_sha256,path_file\n");
+}
+
+TEST(Results, EveryColumnExplainsItself) {
+  for (const Column& c : columns()) {
+    EXPECT_FALSE(c.type.empty()) << c.name;
+    EXPECT_FALSE(c.help.empty()) << c.name;
+  }
+}
+
+TEST(Results, OutcomesReadBack) {
+  for (int i = 0; i <= static_cast<int>(Outcome::infrastructure); ++i) {
+    const auto outcome = static_cast<Outcome>(i);
+    EXPECT_EQ(outcome_from(to_text(outcome)), outcome);
+  }
+  EXPECT_FALSE(outcome_from("fine"));
+}
+
+TEST(Results, CsvRoundTrip) {
+  const std::vector<std::string> hostile{"", "plain", "a,b", "\"", "\"\"", "say \"hi\", twice", "two\nlines", "cr\rcr",
+                                         "\r\n", " spaced ", "\xC3\xA9", ",", "\n"};
+  for (const std::string& a : hostile) {
+    for (const std::string& b : hostile) {
+      Row row;
+      row.cells = {{"run_id", "x"}, {"reason", a}, {"path_file", b}, {"outcome", "ok"}};
+      const auto lines = parse_csv(csv_header() + csv_line(row) + csv_line(row), "t");
+      ASSERT_EQ(lines.size(), 3u);
+      for (int k : {1, 2}) {
+        ASSERT_EQ(lines[k].size(), columns().size());
+        for (std::size_t i = 0; i < columns().size(); ++i) EXPECT_EQ(lines[k][i], row.get(columns()[i].name));
+      }
+    }
+  }
+}
+
+TEST(Results, CsvByHand) {
+  using Lines = std::vector<std::vector<std::string>>;
+  EXPECT_EQ(parse_csv("a,b\r\n1,\r\n", "t"), (Lines{{"a", "b"}, {"1", ""}}));
+  EXPECT_EQ(parse_csv("\"x\"\"y\",\"\"", "t"), (Lines{{"x\"y", ""}}));
+  EXPECT_EQ(parse_csv("", "t"), Lines{});
+  EXPECT_THAT([] { parse_csv("a\n\"b\n\n", "f.csv"); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("f.csv:2: a quote is never closed")));
+  EXPECT_THAT([] { parse_csv("a\nb\"c\n", "f.csv"); }, ThrowsMessage<std::invalid_argument>(HasSubstr("f.csv:2:")));
+  EXPECT_THAT([] { parse_csv("\"b\"c\n", "f.csv"); }, ThrowsMessage<std::invalid_argument>(HasSubstr("f.csv:1:")));
+}
+
+TEST(Results, RowKnowsItsColumns) {
+  Row row;
+  row.cells["path_m"] = "2.5";
+  row.cells["turns"] = "many";
+  EXPECT_EQ(row.number("path_m"), 2.5);
+  EXPECT_EQ(row.number("overlap"), std::nullopt);
+  EXPECT_THROW(row.get("lenght"), std::out_of_range);
+  EXPECT_THROW(row.number("turns"), std::invalid_argument);
+  EXPECT_THROW(row.outcome(), std::invalid_argument);
+}
+
+TEST(Results, TheLastAttemptCountsInThePlaceOfTheFirst) {
+  const testing::Folder folder;
+  std::string text = csv_header();
+  const auto add = [&](const char* id, const char* attempt, const char* outcome) {
+    Row row;
+    row.cells = {{"run_id", id}, {"attempt", attempt}, {"outcome", outcome}};
+    text += csv_line(row);
+  };
+  add("a", "1", "cancelled");
+  add("b", "1", "ok");
+  add("a", "2", "ok");
+  write_file(folder.file("runs.csv"), text);
+  const Results results = read_results(folder.path());
+  ASSERT_EQ(results.rows.size(), 2u);
+  EXPECT_EQ(results.rows[0].get("run_id"), "a");
+  EXPECT_EQ(results.rows[0].outcome(), Outcome::ok);
+}
+
+TEST(Results, BadFoldersAreOneSentence) {
+  const testing::Folder folder;
+  const auto reading = [&] { read_results(folder.path()); };
+  EXPECT_THAT([] { read_results("/nowhere"); }, ThrowsMessage<std::invalid_argument>(HasSubstr("no such folder")));
+  EXPECT_THAT(reading, ThrowsMessage<std::invalid_argument>(HasSubstr("no runs.csv in")));
+  write_file(folder.file("runs.csv"), "a,b\n");
+  EXPECT_THAT(reading, ThrowsMessage<std::invalid_argument>(HasSubstr("the header is not")));
+  write_file(folder.file("runs.csv"), csv_header() + "1,2\n");
+  EXPECT_THAT(reading, ThrowsMessage<std::invalid_argument>(HasSubstr("row 1 has 2 cells")));
+}
+
+}  // namespace
+}  // namespace oxturn

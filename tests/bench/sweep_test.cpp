@@ -1,0 +1,292 @@
+#include "bench/sweep.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "metrics/score.hpp"
+#include "test_planners.hpp"
+
+namespace oxturn {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+using testing::Folder;
+using testing::test_planners;
+
+Suite rectangles(const std::vector<std::string>& hows, int maps = 1) {
+  Suite suite;
+  suite.name = "test, of \"quotes\"";
+  suite.limits = {0.5, 200};
+  suite.robots.push_back(Robot{});
+  for (int i = 0; i < maps; ++i) {
+    MapSpec map;
+    map.generator = "rectangle";
+    map.settings = {{"width", 3.0 + i}, {"height", 2.0}};
+    suite.maps.push_back(map);
+  }
+  for (const std::string& how : hows) suite.planners.push_back({"test", {{"how", how}}});
+  return suite;
+}
+
+SweepOptions into(const std::string& folder, int jobs = 1, bool resume = false) {
+  SweepOptions options;
+  options.folder = folder;
+  options.jobs = jobs;
+  options.resume = resume;
+  options.progress = false;
+  return options;
+}
+
+// Every cell but those of timing columns.
+std::string untimed(const Results& results) {
+  std::string text;
+  for (const Row& row : results.rows) {
+    for (const Column& c : columns()) {
+      if (!c.timing) text += row.get(c.name) + "|";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+TEST(Sweep, WhateverThePlannerDoesCostsOneRow) {
+  const Folder folder;
+  const std::vector<std::pair<std::string, Outcome>> expected{
+      {"good", Outcome::ok},          {"null", Outcome::crash},           {"abort", Outcome::crash},
+      {"spin", Outcome::timeout},     {"hoard", Outcome::out_of_memory},  {"wall", Outcome::invalid},
+      {"nan", Outcome::invalid},      {"throw", Outcome::error},          {"throw_int", Outcome::error},
+      {"exit", Outcome::error},       {"publish", Outcome::timeout},      {"babble", Outcome::ok},
+      {"empty", Outcome::invalid},    {"infeasible", Outcome::infeasible}, {"unsupported", Outcome::unsupported},
+      {"partial", Outcome::partial},  {"leave_child", Outcome::ok},       {"good2", Outcome::ok}};
+  std::vector<std::string> hows;
+  for (const auto& [how, outcome] : expected) hows.push_back(how);
+  Suite suite = rectangles(hows);
+  suite.limits.wall_s = 2;  // the hoarder needs its time under a sanitizer
+  const Results results = sweep(suite, test_planners(), into(folder.file("out"), 2));
+  ASSERT_EQ(results.rows.size(), expected.size());
+  std::set<std::string> ids;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const Row& row = results.rows[i];
+    SCOPED_TRACE(expected[i].first);
+    EXPECT_EQ(row.get("params"), "how=" + expected[i].first);
+    EXPECT_EQ(row.get("outcome"), to_text(expected[i].second)) << row.get("reason");
+    EXPECT_EQ(row.get("reason").empty(), expected[i].second == Outcome::ok);
+    EXPECT_EQ(row.get("reason").find('\n'), std::string::npos);
+    EXPECT_EQ(row.get("attempt"), "1");
+    EXPECT_EQ(row.get("suite"), suite.name);
+    ids.insert(row.get("run_id"));
+  }
+  EXPECT_EQ(ids.size(), expected.size());
+  const auto row = [&](const std::string& how) -> const Row& {
+    for (const Row& r : results.rows) {
+      if (r.get("params") == "how=" + how) return r;
+    }
+    throw std::logic_error("no such row");
+  };
+  EXPECT_EQ(row("null").get("signal"), std::to_string(SIGSEGV));
+  EXPECT_EQ(row("exit").get("exit_code"), "3");
+  EXPECT_NEAR(row("publish").number("path_m").value(), 1.0, 1e-12);
+  EXPECT_THAT(row("publish").get("reason"), HasSubstr("published"));
+  EXPECT_THAT(row("partial").get("reason"), HasSubstr("is below 0.99"));
+  EXPECT_EQ(row("nan").get("path_file"), "");
+  EXPECT_EQ(row("spin").get("path_m"), "");
+  EXPECT_EQ(row("throw").get("reason"), "my tour is broken");
+  EXPECT_EQ(row("good").get("signal") + row("good").get("exit_code"), "");
+  EXPECT_TRUE(std::filesystem::exists(folder.file("out/logs/" + row("babble").get("run_id") + ".log")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("out/logs/" + row("good").get("run_id") + ".log")));
+  errno = 0;
+  EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);
+}
+
+TEST(Sweep, APathFileScoresAsTheRowSays) {
+  const Folder folder;
+  const Results results = sweep(rectangles({"good"}), test_planners(), into(folder.file("out")));
+  const Row& row = results.rows.at(0);
+  const std::string file = folder.file("out/" + row.get("path_file"));
+  const std::string problem_file = nlohmann::json::parse(read_file(file)).at("problem").get<std::string>();
+  const MapFile map = read_map(folder.file("out/" + problem_file));
+  const Path path = read_path(file);
+  const Problem problem(map.map, *map.robot, map.start, map.anchor);
+  EXPECT_EQ("maps/" + problem.content_hash() + ".geojson", problem_file);
+  const Score again = score(problem, path);
+  EXPECT_EQ(again.flaw, "");
+  for (std::size_t i = 0; i < metrics().size(); ++i) EXPECT_EQ(row.number(metrics()[i]->name), again.values[i]) << metrics()[i]->name;
+  EXPECT_EQ(row.get("path_sha256"), sha256(to_geojson(path)));
+  EXPECT_EQ(row.get("map_sha256"), content_hash(map.map));
+}
+
+TEST(Sweep, SameRowsWhateverTheJobsAndAgain) {
+  const std::vector<std::string> hows{"random", "good", "partial", "null", "throw", "wall"};
+  for (const int maps : {1, 3}) {
+    Suite suite = rectangles(hows, maps);
+    suite.repeats = 2;
+    const Folder folder;
+    const std::string one = untimed(sweep(suite, test_planners(), into(folder.file("1"), 1)));
+    EXPECT_EQ(one, untimed(sweep(suite, test_planners(), into(folder.file("2"), 2))));
+    EXPECT_EQ(one, untimed(sweep(suite, test_planners(), into(folder.file("3"), 5))));
+    EXPECT_EQ(one, untimed(sweep(suite, test_planners(), into(folder.file("4"), 1))));
+    EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), static_cast<long>(hows.size()) * maps * 2);
+  }
+}
+
+TEST(Sweep, RepeatsDifferInLuckVariantsShareIt) {
+  const Folder folder;
+  Suite suite = rectangles({"random"});
+  suite.planners.push_back({"test", {{"how", "random"}, {"amount", 1.0}}});
+  suite.repeats = 2;
+  const auto rows = sweep(suite, test_planners(), into(folder.file("out"))).rows;
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_NE(rows[0].get("seed"), rows[1].get("seed"));
+  EXPECT_NE(rows[0].get("path_sha256"), rows[1].get("path_sha256"));
+  EXPECT_EQ(rows[0].get("path_sha256"), rows[2].get("path_sha256"));
+  EXPECT_NE(rows[0].get("run_id"), rows[2].get("run_id"));
+}
+
+TEST(Sweep, ResumeAfterACutDoesOnlyTheRest) {
+  const Suite suite = rectangles({"good", "random", "null", "partial"}, 2);
+  const Folder folder;
+  const std::string out = folder.file("out");
+  const std::string whole = untimed(sweep(suite, test_planners(), into(out)));
+  const std::string text = read_file(out + "/runs.csv");
+  std::size_t third = 0;
+  for (int i = 0; i < 4; ++i) third = text.find('\n', third) + 1;
+  for (const std::size_t cut : {text.size(), text.size() - 1, third, third + 20, csv_header().size(), std::size_t{5}}) {
+    SCOPED_TRACE(cut);
+    write_file(out + "/runs.csv", text.substr(0, cut));
+    EXPECT_EQ(untimed(sweep(suite, test_planners(), into(out, 2, true))), whole);
+    const std::string now = read_file(out + "/runs.csv");
+    // Rows that were whole are kept to the byte, timing and all; that is only the case if they were not run again.
+    const std::size_t kept = text.rfind('\n', cut - 1);
+    if (kept != std::string::npos && cut > csv_header().size()) {
+      EXPECT_EQ(now.substr(0, kept), text.substr(0, kept));
+    }
+  }
+}
+
+TEST(Sweep, ResumeRetriesCancelledAndInfrastructure) {
+  const Suite suite = rectangles({"good", "null", "partial"});
+  const Folder folder;
+  const std::string out = folder.file("out");
+  sweep(suite, test_planners(), into(out));
+  Results results = read_results(out);
+  std::string text = csv_header();
+  for (Row& row : results.rows) {
+    if (row.get("params") == "how=good") row.cells["outcome"] = "cancelled";
+    if (row.get("params") == "how=partial") row.cells["outcome"] = "infrastructure";
+    text += csv_line(row);
+  }
+  write_file(out + "/runs.csv", text);
+  const Results again = sweep(suite, test_planners(), into(out, 1, true));
+  ASSERT_EQ(again.rows.size(), 3u);
+  EXPECT_EQ(again.rows[0].outcome(), Outcome::ok);
+  EXPECT_EQ(again.rows[0].get("attempt"), "2");
+  EXPECT_EQ(again.rows[1].get("attempt"), "1");
+  EXPECT_EQ(again.rows[2].outcome(), Outcome::partial);
+  EXPECT_EQ(parse_csv(read_file(out + "/runs.csv"), "t").size(), 1u + 5u);  // one row an attempt
+}
+
+TEST(Sweep, RefusesWhatItWouldSpoil) {
+  const Folder folder;
+  const std::string out = folder.file("out");
+  sweep(rectangles({"good"}), test_planners(), into(out));
+  EXPECT_THAT([&] { sweep(rectangles({"good"}), test_planners(), into(out)); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("already holds results")));
+  EXPECT_THAT([&] { sweep(rectangles({"null"}), test_planners(), into(out, 1, true)); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("another suite")));
+  write_file(folder.file("file"), "x");
+  EXPECT_THAT([&] { sweep(rectangles({"good"}), test_planners(), into(folder.file("file/out"))); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("cannot write")));
+}
+
+TEST(Sweep, NoPlaceForTheRobotIsInfeasible) {
+  const Folder folder;
+  Suite suite = rectangles({"good", "null"});
+  suite.robots[0].radius = 5;
+  MapSpec in_a_wall = suite.maps[0];
+  in_a_wall.start = Point(50, 50);
+  suite.maps.push_back(in_a_wall);
+  const Results results = sweep(suite, test_planners(), into(folder.file("out")));
+  ASSERT_EQ(results.rows.size(), 4u);
+  for (const Row& row : results.rows) {
+    EXPECT_EQ(row.outcome(), Outcome::infeasible) << row.get("reason");
+    EXPECT_FALSE(row.get("reason").empty());
+  }
+}
+
+TEST(Sweep, ALackingCapabilityIsUnsupported) {
+  const Folder folder;
+  Suite suite = rectangles({"good"});
+  suite.robots[0].tether = Tether{10};
+  const Results results = sweep(suite, test_planners(), into(folder.file("out")));
+  EXPECT_EQ(results.rows.at(0).outcome(), Outcome::unsupported);
+  EXPECT_THAT(results.rows[0].get("reason"), HasSubstr("tether"));
+}
+
+TEST(Sweep, SessionAndColumnsDescribeTheFolder) {
+  const Folder folder;
+  SweepOptions options = into(folder.file("out"));
+  options.traces = true;
+  options.command_line = {"oxturn", "run"};
+  const Results results = sweep(rectangles({"good"}), test_planners(), options);
+  const auto session = nlohmann::json::parse(read_file(folder.file("out/session.json")));
+  EXPECT_EQ(session.at("limits").at("memory_mb"), 200);
+  EXPECT_EQ(session.at("sessions").at(0).at("command_line").at(1), "run");
+  const auto described = nlohmann::json::parse(read_file(folder.file("out/columns.json")));
+  ASSERT_EQ(described.size(), columns().size());
+  EXPECT_EQ(described[1].at("name"), "run_id");
+  const auto traces = nlohmann::json::parse(read_file(folder.file("out/traces/" + results.rows[0].get("run_id") + ".json")));
+  EXPECT_EQ(traces.at(0).at("name"), "box");
+}
+
+// Ctrl-C in the middle: whole lines stay, and --resume does the rest.
+TEST(Sweep, InterruptKeepsWhatIsThere) {
+  Suite suite = rectangles({"good", "spin", "partial"});
+  suite.limits.wall_s = 1;
+  const Folder folder;
+  const std::string out = folder.file("out");
+  const pid_t pid = ::fork();
+  if (pid == 0) {
+    int code = 1;
+    try {
+      sweep(suite, test_planners(), into(out));
+    } catch (const Interrupted& e) {
+      code = std::string(e.what()).find("interrupted after 1 of 3 runs") == 0 ? 42 : 2;
+    } catch (...) {
+      code = 3;
+    }
+    ::_exit(code);
+  }
+  const auto lines = [&] {
+    std::ifstream in(out + "/runs.csv");
+    return std::count(std::istreambuf_iterator<char>(in), {}, '\n');
+  };
+  for (int i = 0; i < 200 && lines() < 2; ++i) ::usleep(20000);
+  ::usleep(200000);  // into the second run
+  ::kill(pid, SIGINT);
+  int status = 0;
+  ASSERT_EQ(::waitpid(pid, &status, 0), pid);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 42);
+  const Results cut = read_results(out);
+  ASSERT_EQ(cut.rows.size(), 2u);
+  EXPECT_EQ(cut.rows[0].outcome(), Outcome::ok);
+  EXPECT_EQ(cut.rows[1].outcome(), Outcome::cancelled);
+  const Results whole = sweep(suite, test_planners(), into(out, 1, true));
+  ASSERT_EQ(whole.rows.size(), 3u);
+  EXPECT_EQ(whole.rows[1].outcome(), Outcome::timeout);
+  EXPECT_EQ(whole.rows[1].get("attempt"), "2");
+  EXPECT_EQ(whole.rows[2].outcome(), Outcome::partial);
+}
+
+}  // namespace
+}  // namespace oxturn

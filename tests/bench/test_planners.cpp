@@ -1,0 +1,183 @@
+#include "test_planners.hpp"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace oxturn::testing {
+
+namespace {
+
+struct Params {
+  std::string how = "good";
+  double amount = 0;
+  int lanes = 0;
+};
+
+[[noreturn]] void spin() {
+  volatile unsigned long turns = 0;
+  for (;;) {
+    const unsigned long next = turns + 1;
+    turns = next;
+  }
+}
+
+// The kernel is to find it, not the sanitizer.
+int* volatile nowhere = nullptr;
+[[gnu::no_sanitize("undefined", "address")]] void write_nowhere() {
+  int* const target = nowhere;
+  *target = 1;
+}
+
+// Lanes over the box of the configuration space, and once round it: whole coverage of a rectangle.
+Path lanes(const Problem& problem) {
+  const Box box = bounding_box(problem.configuration_space());
+  const double step = problem.robot().tool_width * 0.9;
+  PathBuilder path(problem.start());
+  path.drive(box.low, false);
+  path.drive({{box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}, box.low}, true);
+  bool right = true;
+  for (double y = box.low.y(); y <= box.high.y(); y += step, right = !right) {
+    path.drive(Point(right ? box.low.x() : box.high.x(), y), true);
+    path.drive(Point(right ? box.high.x() : box.low.x(), y), true);
+  }
+  return path.take();
+}
+
+class TestPlanner final : public CoveragePlanner {
+ public:
+  explicit TestPlanner(Params p) : p_(std::move(p)) {}
+
+  Path plan(const Problem& problem, Context& context) const override {
+    const std::string& how = p_.how;
+    const Point start = problem.start();
+    if (how == "null") write_nowhere();
+    if (how == "abort") std::abort();
+    if (how == "spin") spin();
+    if (how == "hoard") {
+      for (std::vector<std::string> all;; ) all.emplace_back(std::size_t{1} << 20, 'x');
+    }
+    if (how == "map_hoard") {
+      // Never asks operator new, and ignores refusals.
+      for (;;) {
+        void* page = ::mmap(nullptr, 1 << 20, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        if (page != MAP_FAILED) std::memset(page, 1, 1 << 20);
+      }
+    }
+    if (how == "throw") throw std::runtime_error("my tour\nis broken");
+    if (how == "throw_int") throw 3;
+    if (how == "infeasible") throw Infeasible("the map is too small for me");
+    if (how == "unsupported") throw Unsupported("no rectangles, please");
+    if (how == "exit") std::exit(3);
+    if (how == "quiet_exit") ::_exit(0);
+    if (how == "hide") {  // shuts every descriptor and goes on
+      for (int fd = 0; fd < 64; ++fd) ::close(fd);
+      spin();
+    }
+    if (how == "leave_child") {
+      if (::fork() == 0) {
+        ::sleep(1000);
+        ::_exit(0);
+      }
+      return lanes(problem);
+    }
+    if (how == "wall") {
+      PathBuilder path(start);
+      path.drive(start + Point(100, 0), true);
+      return path.take();
+    }
+    if (how == "nan") return {{{true, {start, Point(std::numeric_limits<double>::quiet_NaN(), 1)}}}};
+    if (how == "empty") return {};
+    if (how == "publish") {
+      context.publish({{{true, {start, start - Point(0.5, 0)}}}});
+      context.publish({{{true, {start, start - Point(1, 0)}}}});
+      spin();
+    }
+    if (how == "babble") {
+      for (int i = 0; i < 1000; ++i) std::printf("\x01\xff garbage \n");
+      std::fprintf(stderr, "and more\n");
+    }
+    if (how == "partial") {
+      PathBuilder path(start);
+      path.drive(start - Point(1, 0), true);
+      return path.take();
+    }
+    if (how == "random") {
+      PathBuilder path(start);
+      for (int i = 0; i < 20; ++i) path.drive(Point(0.3 + 2 * context.rng().unit(), 0.3 + context.rng().unit()), true);
+      return path.take();
+    }
+    if (how == "measure") {  // 50 MB resident for a tenth of a second of work
+      std::vector<char> block(50'000'000, 1);
+      const auto until = Context::Clock::now() + std::chrono::milliseconds(100);
+      while (Context::Clock::now() < until) block[static_cast<std::size_t>(context.rng().below(block.size()))] = 2;
+    }
+    if (how == "polite") {  // stops at the deadline that it is told
+      while (!context.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    context.progress(0.5);
+    context.trace("box", {{start, start + Point(1, 0)}});
+    return lanes(problem);
+  }
+
+ private:
+  Params p_;
+};
+
+}  // namespace
+
+const std::vector<PlannerInfo>& test_planners() {
+  static const std::vector<PlannerInfo> all = [] {
+    std::vector<PlannerInfo> list;
+    list.push_back(describe<TestPlanner, Params>(
+        {.name = "test",
+         .family = "test",
+         .title = "does as told",
+         .citation = "none",
+         .capabilities = {Capability::holes},
+         .guarantee = "none",
+         .parameters = {{"how", &Params::how, Choices{}, "what to do"},
+                        {"amount", &Params::amount, Range{0, 10}, "metres of nothing"}}}));
+    list.push_back(describe<TestPlanner, Params>({.name = "other",
+                                                  .family = "test",
+                                                  .title = "another",
+                                                  .citation = "none",
+                                                  .capabilities = {},
+                                                  .guarantee = "none",
+                                                  .parameters = {{"how", &Params::how, Choices{}, "what to do"},
+                                                                 {"lanes", &Params::lanes, Range{0, 10}, "of nothing"}}}));
+    return list;
+  }();
+  return all;
+}
+
+Problem small_problem() {
+  Map map;
+  map.name = "small";
+  map.family = "file";
+  map.source = "test";
+  map.free = box_region({0, 0}, {3, 2});
+  return Problem(map, Robot{}, Point(0.21, 0.21));
+}
+
+Folder::Folder() {
+  std::string name = (std::filesystem::temp_directory_path() / "oxturn-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder for the test");
+  path_ = name;
+}
+Folder::~Folder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace oxturn::testing

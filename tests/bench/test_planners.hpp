@@ -1,0 +1,29 @@
+// Planners that behave as badly as planners do, and a good one. And a folder that goes away.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algorithms/coverage_planner.hpp"
+
+namespace oxturn::testing {
+
+/// `good` drives lanes over a rectangle; `bad_*` are named after what they do.
+const std::vector<PlannerInfo>& test_planners();
+
+/// 3 m x 2 m with its lower left corner at the origin; robot 0.2, tool 0.4, start (0.2, 0.2).
+Problem small_problem();
+
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+}  // namespace oxturn::testing

@@ -1,0 +1,125 @@
+// Every kind of bad input: one sentence that names thing, place and mend; exit code 2; no file left behind.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.hpp"
+
+namespace oxturn {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+void expect_refused(const Said& said, const testing::Matcher<const std::string&>& sentence) {
+  EXPECT_EQ(said.code, 2) << said.err;
+  EXPECT_EQ(said.err_lines(), 1) << said.err;
+  EXPECT_THAT(said.err, StartsWith("oxturn: "));
+  EXPECT_THAT(said.err, sentence);
+  EXPECT_EQ(said.out, "");
+}
+
+const char* const kBox =
+    R"({"type":"Feature","properties":{"name":"box","robot":{"radius":0.2,"tool_width":0.4},"start":[1,1]},)"
+    R"("geometry":{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,3],[0,0]]]}})";
+
+class BadInput : public testing::Test {
+ protected:
+  Folder in, out;
+  std::string box = in.write("box.geojson", kBox);
+  std::string to = " -o " + (out / "path.geojson") + " --svg " + (out / "path.svg");
+  void TearDown() override { EXPECT_EQ(out.files(), 0u); }
+};
+
+// The ten of the issue.
+TEST_F(BadInput, MissingFile) {
+  expect_refused(oxturn("plan boustrophedon " + (in / "none.geojson") + to),
+                 AllOf(HasSubstr("no such file"), HasSubstr("none.geojson")));
+}
+TEST_F(BadInput, TomlWithItsLine) {
+  const std::string suite = in.write("bad.toml", "schema = 1\nname = \"x\"\nseed = = 3\n");
+  expect_refused(oxturn("run " + suite + " -o " + (out / "r")), HasSubstr("bad.toml:3"));
+}
+TEST_F(BadInput, UnknownPlannerWithTheNearest) {
+  expect_refused(oxturn("plan boustrofedon " + box + to),
+                 AllOf(HasSubstr("'boustrofedon'"), HasSubstr("did you mean 'boustrophedon'")));
+}
+TEST_F(BadInput, UnknownParameterWithTheList) {
+  expect_refused(oxturn("plan stc " + box + " --set lane_width=3" + to),
+                 AllOf(HasSubstr("unknown parameter 'lane_width' of planner 'stc'"), HasSubstr("it has: ")));
+}
+TEST_F(BadInput, WrongType) {
+  expect_refused(oxturn("map rooms --set rooms=many -o " + (out / "m.geojson")),
+                 AllOf(HasSubstr("rooms"), HasSubstr("many")));
+}
+TEST_F(BadInput, SelfCrossingPolygonWithThePlace) {
+  const std::string bow = in.write(
+      "bow.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[4,4],[4,0],[0,4],[0,0]]]})");
+  expect_refused(oxturn("plan zigzag " + bow + to), AllOf(HasSubstr("bow.geojson"), HasSubstr("(2, 2)")));
+}
+TEST_F(BadInput, StartInAWallWithTheNearestPlace) {
+  expect_refused(oxturn("plan zigzag " + box + " --start 9,1" + to),
+                 AllOf(HasSubstr("start (9, 1)"), HasSubstr("nearest place"), HasSubstr("(3.")));
+}
+TEST_F(BadInput, NaN) {
+  expect_refused(oxturn("plan zigzag " + box + " --start nan,1" + to), HasSubstr("nan"));
+  const std::string nan =
+      in.write("nan.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[NaN,4],[0,4],[0,0]]]})");
+  expect_refused(oxturn("plan zigzag " + nan + to), HasSubstr("nan.geojson"));
+}
+TEST_F(BadInput, ZeroToolWidth) {
+  expect_refused(oxturn("plan zigzag " + box + " --tool-width 0" + to), HasSubstr("tool-width"));
+  expect_refused(oxturn("plan zigzag " + box + " --robot radius=0.1,tool_width=0" + to), HasSubstr("tool_width"));
+}
+TEST_F(BadInput, UnwritableOutput) {
+  for (const std::string& command : {"plan zigzag " + box + " -o ", "plan zigzag " + box + " --svg ",
+                                    std::string("map rooms -o ")}) {
+    const std::string suffix = command.ends_with("--svg ") ? ".svg" : ".geojson";
+    expect_refused(oxturn(command + "/nowhere/at/all/x" + suffix), HasSubstr("cannot write '/nowhere/at/all/x"));
+  }
+  const std::string suite = in.write("s.toml",
+                                     "schema = 1\nname = \"s\"\n[robots.disc]\nradius = 0.2\ntool_width = 0.4\n"
+                                     "[[maps]]\ngenerator = \"rectangle\"\n[[planners]]\nname = \"stc\"\n");
+  expect_refused(oxturn("run " + suite + " -o /proc/nowhere"), HasSubstr("/proc/nowhere"));
+}
+
+// And what else fingers do.
+TEST_F(BadInput, UnknownCommandWithTheNearest) {
+  expect_refused(oxturn("plam x y"), AllOf(HasSubstr("'plam'"), HasSubstr("did you mean 'plan'")));
+  expect_refused(oxturn(""), HasSubstr("no command"));
+}
+TEST_F(BadInput, UnknownOptionWithTheNearest) {
+  expect_refused(oxturn("run quick -o " + (out / "r") + " --job 3"), HasSubstr("did you mean '--jobs'"));
+}
+TEST_F(BadInput, MissingArguments) {
+  expect_refused(oxturn("plan stc"), HasSubstr("MAP"));
+  expect_refused(oxturn("map rooms"), HasSubstr("output"));
+}
+TEST_F(BadInput, NumbersThatAreNone) {
+  expect_refused(oxturn("plan stc " + box + " --radius wide" + to), HasSubstr("wide"));
+  expect_refused(oxturn("plan stc " + box + " --radius inf" + to), HasSubstr("inf"));
+  expect_refused(oxturn("plan stc " + box + " --wall -1" + to), HasSubstr("--wall"));
+  expect_refused(oxturn("plan stc " + box + " --robot speed=fast" + to), HasSubstr("fast"));
+  expect_refused(oxturn("plan stc " + box + " --robot colour=1" + to), AllOf(HasSubstr("colour"), HasSubstr("it has:")));
+  expect_refused(oxturn("plan stc rooms:x" + to), HasSubstr("'x'"));
+  expect_refused(oxturn("plan stc " + box + " --start 1" + to), HasSubstr("X,Y"));
+}
+TEST_F(BadInput, SuffixNobodyWrites) {
+  expect_refused(oxturn("map rooms -o " + (out / "m.dxf")), HasSubstr(".geojson"));
+}
+TEST_F(BadInput, GeneratorThatIsNone) {
+  expect_refused(oxturn("map room -o " + (out / "m.svg")), HasSubstr("did you mean 'rooms'"));
+  expect_refused(oxturn("plan stc room:3" + to), HasSubstr("did you mean 'rooms'"));
+}
+TEST_F(BadInput, FolderThatHoldsNoResults) {
+  const Folder empty;
+  expect_refused(oxturn("report " + (empty / ".")), HasSubstr("runs.csv"));
+}
+TEST_F(BadInput, PathThatIsNone) {
+  const std::string text = in.write("p.geojson", "{\"type\":");
+  expect_refused(oxturn("score " + text + " " + box), HasSubstr("p.geojson"));
+}
+TEST_F(BadInput, ListOfNothing) { expect_refused(oxturn("list planer"), HasSubstr("did you mean 'planners'")); }
+
+}  // namespace
+}  // namespace oxturn

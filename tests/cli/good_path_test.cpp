@@ -1,0 +1,176 @@
+// The commands as their users type them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "maps/formats.hpp"
+#include "tests/cli/program.hpp"
+
+namespace oxturn {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+using Json = nlohmann::json;
+
+TEST(Program, HelpHasExamplesForEveryCommand) {
+  EXPECT_EQ(oxturn("--help").code, 0);
+  for (const std::string command : {"list", "map", "plan", "score", "run", "report"}) {
+    const Said said = oxturn(command + " --help");
+    EXPECT_EQ(said.code, 0) << command;
+    EXPECT_THAT(said.out, HasSubstr("oxturn " + command + " ")) << command;
+    EXPECT_EQ(said.err, "");
+  }
+}
+
+TEST(Program, SaysItsVersion) {
+  const Said said = oxturn("--version");
+  EXPECT_EQ(said.code, 0);
+  EXPECT_THAT(said.out, StartsWith("oxturn 0."));
+}
+
+TEST(List, JsonParsesAndAgreesWithTheText) {
+  for (const std::string what : {"planners", "maps", "formats", "metrics", "suites", "columns"}) {
+    const Said text = oxturn("list " + what), json = oxturn("list " + what + " --json");
+    ASSERT_EQ(json.code, 0) << json.err;
+    const Json all = Json::parse(json.out);
+    ASSERT_TRUE(all.is_array());
+    EXPECT_FALSE(all.empty()) << what;
+    for (const Json& one : all) EXPECT_THAT(text.out, HasSubstr(one.at("name").get<std::string>())) << what;
+  }
+}
+
+TEST(List, PlannersHaveCitationsAndParameters) {
+  for (const Json& planner : Json::parse(oxturn("list planners --json").out)) {
+    EXPECT_NE(planner.at("citation"), "") << planner["name"];
+    EXPECT_NE(planner.at("guarantee"), "") << planner["name"];
+    for (const Json& p : planner.at("parameters")) EXPECT_NE(p.at("help"), "") << p["name"];
+  }
+}
+
+TEST(MapCommand, SameSeedSameBytesOtherSeedOthers) {
+  const Folder out;
+  for (const std::string name : {"a", "b"})
+    ASSERT_EQ(oxturn("map rooms --seed 7 -o " + (out / (name + ".geojson"))).code, 0);
+  ASSERT_EQ(oxturn("map rooms --seed 8 -o " + (out / "c.geojson")).code, 0);
+  EXPECT_EQ(content(out / "a.geojson"), content(out / "b.geojson"));
+  EXPECT_NE(content(out / "a.geojson"), content(out / "c.geojson"));
+}
+
+TEST(MapCommand, ConvertsWithoutChangingTheMap) {
+  const Folder out;
+  ASSERT_EQ(oxturn("map clutter --seed 3 -o " + (out / "a.geojson")).code, 0);
+  ASSERT_EQ(oxturn("map " + (out / "a.geojson") + " -o " + (out / "b.geojson")).code, 0);
+  EXPECT_EQ(content_hash(read_map(out / "a.geojson").map), content_hash(read_map(out / "b.geojson").map));
+  ASSERT_EQ(oxturn("map " + (out / "a.geojson") + " -o " + (out / "a.svg")).code, 0);
+  EXPECT_THAT(content(out / "a.svg"), StartsWith("<svg "));
+}
+
+TEST(MapCommand, ReadsAPlainImageWithAScale) {
+  const Folder out;
+  // 4 x 3 pixels, white but for one black: 11 cells of half a metre.
+  out.write("m.pgm", "P2\n4 3\n255\n255 255 255 255\n255 0 255 255\n255 255 255 255\n");
+  const Said said = oxturn("map " + (out / "m.pgm") + " --scale 0.5 -o " + (out / "m.geojson"));
+  ASSERT_EQ(said.code, 0) << said.err;
+  EXPECT_NEAR(area(read_map(out / "m.geojson").map.free), 11 * 0.25, 1e-12);
+}
+
+class Planned : public testing::Test {
+ protected:
+  Folder out;
+};
+
+TEST_F(Planned, PathScoresTheSameAgain) {
+  const std::string problem = " rooms:2 --radius 0.2 --tool-width 0.4";
+  const Said plan = oxturn("plan boustrophedon" + problem + " --json -o " + (out / "p.geojson") + " --svg " +
+                           (out / "p.svg"));
+  ASSERT_EQ(plan.code, 0) << plan.err;
+  const Said score = oxturn("score " + (out / "p.geojson") + problem + " --json");
+  ASSERT_EQ(score.code, 0) << score.err;
+  const Json a = Json::parse(plan.out), b = Json::parse(score.out);
+  EXPECT_EQ(a["outcome"], "ok") << a["reason"];
+  EXPECT_EQ(a["metrics"], b["metrics"]);
+  EXPECT_GE(a["metrics"]["coverage_lower"].get<double>(), 0.99);
+  EXPECT_GE(a["metrics"]["length_ratio"].get<double>(), 1.0);
+  EXPECT_THAT(content(out / "p.svg"), StartsWith("<svg "));
+}
+
+TEST_F(Planned, SaysWhatItChose) {
+  const Said said = oxturn("plan stc rectangle");
+  ASSERT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.err, HasSubstr("robot: radius 0.2 m, tool width 0.4 m"));
+  EXPECT_THAT(said.err, HasSubstr("start: "));
+  EXPECT_THAT(said.out, HasSubstr("coverage_lower"));
+}
+
+TEST_F(Planned, RobotAndStartOfTheFileAreUsed) {
+  const std::string file = out.write(
+      "box.geojson",
+      R"({"type":"Feature","properties":{"name":"box","robot":{"radius":0.3,"tool_width":0.5},"start":[1,1]},)"
+      R"("geometry":{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,3],[0,0]]]}})");
+  const Said said = oxturn("plan zigzag " + file + " --json");
+  ASSERT_EQ(said.code, 0) << said.err;
+  EXPECT_EQ(said.err, "");
+  const Json json = Json::parse(said.out);
+  EXPECT_EQ(json["robot"]["radius"], 0.3);
+  EXPECT_EQ(json["start"], Json({1.0, 1.0}));
+  const Json other = Json::parse(oxturn("plan zigzag " + file + " --json --start 3,2 --robot radius=0.1").out);
+  EXPECT_EQ(other["robot"]["radius"], 0.1);
+  EXPECT_EQ(other["robot"]["tool_width"], 0.5);
+  EXPECT_EQ(other["start"], Json({3.0, 2.0}));
+}
+
+TEST_F(Planned, NegativeStartIsANumberNotAnOption) {
+  const std::string file =
+      out.write("box.geojson", R"({"type":"Polygon","coordinates":[[[-4,-3],[0,-3],[0,0],[-4,0],[-4,-3]]]})");
+  EXPECT_EQ(oxturn("plan zigzag " + file + " --start -1,-1").code, 0);
+}
+
+TEST_F(Planned, APathThroughAWallIsInvalidAndExitsWith1) {
+  const std::string map = out.write(
+      "ring.geojson",
+      R"({"type":"Polygon","coordinates":[[[0,0],[6,0],[6,6],[0,6],[0,0]],[[2,2],[2,4],[4,4],[4,2],[2,2]]]})");
+  const std::string path = out.write(
+      "p.geojson",
+      R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"tool":true},)"
+      R"("geometry":{"type":"LineString","coordinates":[[1,3],[5,3]]}}]})");
+  const Said said = oxturn("score " + path + " " + map + " --start 1,3 --radius 0.2 --tool-width 0.4");
+  EXPECT_EQ(said.code, 1);
+  EXPECT_THAT(said.err, HasSubstr("invalid: "));
+  EXPECT_THAT(said.out, HasSubstr("outcome"));
+}
+
+TEST_F(Planned, TooLittleTimeIsATimeout) {
+  const Said said = oxturn("plan boustrophedon clutter:1 --wall 0.0001");
+  EXPECT_EQ(said.code, 1);
+  EXPECT_THAT(said.err, HasSubstr("timeout"));
+}
+
+TEST_F(Planned, RunGivesRowsTableAndPictures) {
+  const std::string suite = out.write(
+      "s.toml",
+      "schema = 1\nname = \"s\"\n[robots.disc]\nradius = 0.2\ntool_width = 0.4\n[[maps]]\ngenerator = \"rectangle\"\n"
+      "seeds = [1, 2]\n[[planners]]\nname = \"stc\"\n[[planners]]\nname = \"zigzag\"\n");
+  const Said said = oxturn("run " + suite + " -o " + (out / "r") + " -j 2");
+  ASSERT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("| zigzag"));
+  for (const std::string name : {"runs.csv", "columns.json", "session.json", "report.md", "gallery.html"})
+    EXPECT_TRUE(std::filesystem::exists(out / ("r/" + name))) << name;
+  const std::string csv = content(out / "r/runs.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 2);
+  std::size_t pictures = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(out / "r/gallery")) pictures += entry.path().extension() == ".svg";
+  EXPECT_EQ(pictures, 4u);
+  // Again into the same folder: refused, in one line; as a resumption it has nothing to do.
+  const Said again = oxturn("run " + suite + " -q -o " + (out / "r"));
+  EXPECT_EQ(again.code, 2);
+  EXPECT_EQ(oxturn("run " + suite + " -q --resume -o " + (out / "r")).code, 0);
+  EXPECT_EQ(content(out / "r/runs.csv"), csv);
+  // The report alone, elsewhere.
+  ASSERT_EQ(oxturn("report " + (out / "r") + " -o " + (out / "elsewhere")).code, 0);
+  EXPECT_EQ(content(out / "elsewhere/report.md"), content(out / "r/report.md"));
+}
+
+}  // namespace
+}  // namespace oxturn

@@ -1,0 +1,60 @@
+// Runs the built program and keeps what it said.
+#pragma once
+
+#include <stdlib.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace oxturn {
+
+/// A folder of its own, gone afterwards.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "oxturn-cli-XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::recursive_directory_iterator(path_),
+                                                  std::filesystem::recursive_directory_iterator()));
+  }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(*this / name, std::ios::binary) << text;
+    return *this / name;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string content(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Said {
+  int code = -1;
+  std::string out, err;
+  auto err_lines() const { return std::count(err.begin(), err.end(), '\n'); }
+};
+
+/// `arguments` are shell words.
+inline Said oxturn(const std::string& arguments) {
+  const Folder folder;
+  const std::string command = std::string("'") + OXTURN_PROGRAM + "' " + arguments + " >" + (folder / "out") + " 2>" +
+                              (folder / "err") + " </dev/null";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, content(folder / "out"), content(folder / "err")};
+}
+
+}  // namespace oxturn

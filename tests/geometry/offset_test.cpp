@@ -1,0 +1,149 @@
+#include "geometry/offset.hpp"
+
+#include <gtest/gtest.h>
+
+#include "geometry/boolean.hpp"
+#include "geometry/validity.hpp"
+#include "tests/geometry/samples.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr double kSnap = 1e-6;  // generous against the lattice of maps a few metres wide
+
+TEST(Offset, BoxGrowsAndShrinksByTheBook) {
+  const Region box = box_region({1, 1}, {4, 3});
+  const double r = 0.25, round = 6 + 2 * 5 * r + kPi * r * r;
+  EXPECT_NEAR(area(dilate(box, r, 1e-5, Bound::inside)), round, 1e-4);
+  EXPECT_NEAR(area(dilate(box, r, 1e-5, Bound::outside)), round, 1e-4);
+  EXPECT_LE(area(dilate(box, r, 1e-2, Bound::inside)), round);
+  EXPECT_GE(area(dilate(box, r, 1e-2, Bound::outside)), round);
+  const Region in = erode(box, r, 1e-3, Bound::inside);
+  EXPECT_EQ(corner_count(in), 4u);  // straight walls carry no chord error
+  EXPECT_NEAR(area(in), 2.5 * 1.5, kSnap * 8);
+  EXPECT_LE(area(in), 2.5 * 1.5);
+  EXPECT_GE(area(erode(box, r, 1e-3, Bound::outside)), 2.5 * 1.5);
+}
+
+TEST(Offset, TooNarrowIsEmpty) {
+  EXPECT_TRUE(erode(box_region({0, 0}, {5, 0.39}), 0.2, 1e-3, Bound::inside).empty());
+  EXPECT_FALSE(erode(box_region({0, 0}, {5, 0.41}), 0.2, 1e-3, Bound::inside).empty());
+  EXPECT_TRUE(erode(Region{}, 0.2, 1e-3, Bound::inside).empty());
+  EXPECT_TRUE(dilate(Region{}, 0.2, 1e-3, Bound::inside).empty());
+}
+
+TEST(Offset, ARadiusOfZeroChangesNothing) {
+  Rng rng(2);
+  const Region r = samples::holed_star(rng, {0, 0}, 1);
+  EXPECT_EQ(erode(r, 0, 1e-3, Bound::inside).polygons[0].outer, r.polygons[0].outer);
+}
+
+TEST(Offset, RefusesSenselessLengths) {
+  const Region box = box_region({0, 0}, {1, 1});
+  EXPECT_THROW(erode(box, -1, 1e-3, Bound::inside), std::invalid_argument);
+  EXPECT_THROW(erode(box, std::nan(""), 1e-3, Bound::inside), std::invalid_argument);
+  EXPECT_THROW(dilate(box, 1, 0, Bound::inside), std::invalid_argument);
+}
+
+/// Points certain by brute force: the region and its distance to p.
+double depth(const Region& r, const Point& p) {  // positive inside
+  const double d = samples::distance_to_rim(r, p);
+  return contains(r, p) ? d : -d;
+}
+
+void expect_bounds(const Region& map, double r, double error, Rng& rng, int points) {
+  const Region in = erode(map, r, error, Bound::inside), out = erode(map, r, error, Bound::outside);
+  const Region grown_in = dilate(map, r, error, Bound::inside), grown_out = dilate(map, r, error, Bound::outside);
+  for (const Region* x : {&in, &out, &grown_in, &grown_out}) EXPECT_FALSE(find_flaw(*x));
+  // Every corner keeps its promise: that is where bounds break first.
+  for (const Point& p : samples::rim_points(in, 2)) {
+    EXPECT_GE(depth(map, p), r) << p.transpose();
+    EXPECT_LE(depth(map, p), r + error + kSnap) << p.transpose();
+  }
+  for (const Point& p : samples::rim_points(out, 2)) {
+    EXPECT_LE(depth(map, p), r) << p.transpose();
+    EXPECT_GE(depth(map, p), r - error - kSnap) << p.transpose();
+  }
+  for (const Point& p : samples::rim_points(grown_in, 2)) {
+    EXPECT_GE(depth(map, p), -r) << p.transpose();
+    EXPECT_LE(depth(map, p), -r + error + kSnap) << p.transpose();
+  }
+  for (const Point& p : samples::rim_points(grown_out, 2)) {
+    EXPECT_LE(depth(map, p), -r) << p.transpose();
+    EXPECT_GE(depth(map, p), -r - error - kSnap) << p.transpose();
+  }
+  // And nothing is forgotten or left over in between.
+  Box box = bounding_box(map);
+  box.grow(1.5 * r);
+  for (int k = 0; k < points; ++k) {
+    const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
+    const double d = depth(map, p);
+    if (d > r + error + kSnap) {
+      EXPECT_TRUE(contains(in, p)) << p.transpose();
+    }
+    if (d < r) {
+      EXPECT_FALSE(contains(in, p)) << p.transpose();
+    }
+    if (d > r) {
+      EXPECT_TRUE(contains(out, p)) << p.transpose();
+    }
+    if (d < r - error - kSnap) {
+      EXPECT_FALSE(contains(out, p)) << p.transpose();
+    }
+    if (d > -r + error + kSnap) {
+      EXPECT_TRUE(contains(grown_in, p)) << p.transpose();
+    }
+    if (d < -r) {
+      EXPECT_FALSE(contains(grown_in, p)) << p.transpose();
+    }
+    if (d > -r) {
+      EXPECT_TRUE(contains(grown_out, p)) << p.transpose();
+    }
+    if (d < -r - error - kSnap) {
+      EXPECT_FALSE(contains(grown_out, p)) << p.transpose();
+    }
+  }
+}
+
+TEST(Offset, BoundsAreCertainOnStars) {
+  Rng rng(31);
+  for (int round = 0; round < 12; ++round) {
+    SCOPED_TRACE(round);
+    expect_bounds(samples::holed_star(rng, {5, 5}, 3), rng.between(0.01, 1.0), rng.between(0.001, 0.05), rng, 300);
+  }
+}
+
+TEST(Offset, BoundsAreCertainOnTracedMaps) {
+  Rng rng(32);
+  for (int round = 0; round < 4; ++round) {
+    SCOPED_TRACE(round);
+    expect_bounds(trace(samples::speckled(rng, 60, 0.05, 40, 8)), rng.between(0.02, 0.4), 0.0005, rng, 500);
+  }
+}
+
+// Dents left by an earlier offset, undone at the same, a smaller and a larger radius.
+TEST(Offset, BoundsAreCertainOnArcs) {
+  Rng rng(33);
+  Region map = box_region({0, 0}, {4, 4});
+  for (int k = 0; k < 5; ++k) map = subtract(map, {{Polygon{samples::star(rng, {rng.between(1.0, 3.0), rng.between(1.0, 3.0)}, 0.1, 0.3, 7), {}}}});
+  const Region config = erode(map, 0.2, 4e-4, Bound::inside);
+  for (const double r : {0.1, 0.2, 0.3}) {
+    SCOPED_TRACE(r);
+    expect_bounds(config, r, 4e-4, rng, 300);
+  }
+  EXPECT_LT(area(subtract(dilate(config, 0.2, 4e-4, Bound::inside), map)), 1e-9);
+}
+
+TEST(Offset, DoesNotDependOnPlaceOrDirection) {
+  Rng rng(34);
+  const Region map = samples::holed_star(rng, {0, 0}, 2);
+  const double a = area(erode(map, 0.1, 1e-4, Bound::inside));
+  EXPECT_NEAR(area(erode(transformed(map, 1.1, {300, -200}), 0.1, 1e-4, Bound::inside)), a, 1e-3);
+  EXPECT_NEAR(area(erode(transformed(map, 0, {1e6, 1e6}), 0.1, 1e-4, Bound::inside)), a, 1e-6);
+  Region turned = map;  // rings that run the wrong way are read as meant
+  std::reverse(turned.polygons[0].outer.begin(), turned.polygons[0].outer.end());
+  EXPECT_EQ(area(erode(turned, 0.1, 1e-4, Bound::inside)), a);
+}
+
+}  // namespace
+}  // namespace oxturn

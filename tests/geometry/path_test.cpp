@@ -1,0 +1,35 @@
+#include "geometry/path.hpp"
+
+#include <gtest/gtest.h>
+
+namespace oxturn {
+namespace {
+
+TEST(PathBuilder, MergesNeighboursOfAKindAndDropsRepeats) {
+  PathBuilder b({0, 0});
+  b.drive(Polyline{{0, 0}, {1, 0}, {1, 0}, {2, 0}}, true);
+  b.drive({2, 3}, true);
+  b.drive({2, 3}, false);  // goes nowhere: no leg
+  b.drive({2, 4}, false);
+  b.drive({5, 8}, true);
+  EXPECT_EQ(b.at(), Point(5, 8));
+  const Path p = b.take();
+  ASSERT_EQ(p.legs.size(), 3u);
+  EXPECT_EQ(p.legs[0].points, (Polyline{{0, 0}, {1, 0}, {2, 0}, {2, 3}}));
+  EXPECT_EQ(p.legs[1].points, (Polyline{{2, 3}, {2, 4}}));
+  EXPECT_FALSE(p.legs[1].tool);
+  EXPECT_EQ(p.length(), 11);
+  EXPECT_EQ(p.length(true), 10);
+  EXPECT_EQ(p.length(false), 1);
+  EXPECT_EQ(p.segment_count(), 5u);
+}
+
+TEST(PathBuilder, NothingDrivenIsAnEmptyPath) {
+  PathBuilder b({1, 1});
+  b.drive(Polyline{}, true);
+  b.drive({1, 1}, true);
+  EXPECT_TRUE(b.take().legs.empty());
+}
+
+}  // namespace
+}  // namespace oxturn

@@ -1,0 +1,383 @@
+// Every promise of every generator, by measures that the generators do not use themselves: validity, erosion by
+// Clipper, flood on a raster, hashes.
+#include "maps/generators.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <set>
+
+#include "geometry/edge_index.hpp"
+#include "geometry/offset.hpp"
+#include "geometry/raster.hpp"
+#include "geometry/validity.hpp"
+
+namespace oxturn {
+namespace {
+
+using testing::HasSubstr;
+
+struct Case {
+  std::string name;
+  Settings settings;
+  bool random = true;  // different seeds, different maps
+};
+
+/// Small maps, two or three settings each; every third one off the axes.
+std::vector<Case> cases() {
+  const auto size = [](double w, double h) { return Settings{{"width", w}, {"height", h}}; };
+  const auto with = [](Settings s, const Settings& more) {
+    for (const auto& [k, v] : more) s[k] = v;
+    return s;
+  };
+  return {
+      {"rectangle", size(5, 3), false},
+      {"rectangle", with(size(5, 3), {{"rotation", 30.0}}), false},
+      {"polygon", with(size(12, 9), {{"corners", std::int64_t{24}}})},
+      {"polygon",
+       with(size(20, 20), {{"corners", std::int64_t{60}}, {"compactness", 0.0}, {"winding", 1.0}, {"rotation", 17.0}})},
+      {"polygon", with(size(20, 10), {{"corners", std::int64_t{30}}, {"compactness", 0.8}, {"jitter", 1.0}})},
+      {"clutter", size(10, 8)},
+      {"clutter", with(size(10, 10), {{"discs", 1.0}, {"density", 0.2}, {"rotation", 45.0}})},
+      {"clutter", with(size(8, 12), {{"discs", 0.0}, {"corners", std::int64_t{3}}, {"passage", 1.05}})},
+      {"rooms", {}},
+      {"rooms", with(size(24, 18), {{"rooms", std::int64_t{20}}, {"loops", 0.5}, {"rotation", -12.5}})},
+      {"rooms", with(size(10, 10), {{"rooms", std::int64_t{5}}, {"corridors", false}, {"door", 0.6}, {"wall", 0.1}})},
+      {"maze", size(12, 10)},
+      {"maze", with(size(9, 9), {{"loops", 0.3}, {"branching", 1.0}, {"corridor", 0.6}, {"rotation", 33.0}})},
+      {"cave", size(20, 15)},
+      {"cave", with(size(15, 15), {{"rock", 0.5}, {"grain", 0.3}, {"rotation", 60.0}})},
+      {"cave", with(size(15, 12), {{"smoothing", std::int64_t{0}}, {"rounds", std::int64_t{2}}})},
+      {"comb", {}},
+      {"comb", with(size(15, 20), {{"both_sides", true}, {"jitter", 1.0}, {"rotation", 5.0}})},
+      {"spiral", with(size(10, 12), {{"jitter", 1.0}})},
+      {"spiral", with(size(14, 12), {{"round", true}, {"jitter", 1.0}, {"rotation", 7.0}})},
+      {"spiral", size(10, 10), false},
+      {"field", size(30, 20)},
+      {"field", with(size(30, 40), {{"roughness", 1.0}, {"corners", std::int64_t{12}}, {"rotation", 80.0}})},
+  };
+}
+
+template <class T>
+T setting(const Case& c, const std::string& name) {
+  const auto found = c.settings.find(name);
+  if (found != c.settings.end()) return std::get<T>(found->second);
+  const GeneratorInfo& info = find_generator(c.name);
+  return std::get<T>(find_parameter("test", info.parameters, name).fallback);
+}
+
+std::string told(const Case& c, std::uint64_t seed) {
+  std::string text = fmt::format("{} --seed {}", c.name, seed);
+  for (const auto& [k, v] : c.settings) text += fmt::format(" --set {}={}", k, to_text(v));
+  return text;
+}
+
+constexpr std::uint64_t kSeeds = 20;
+
+TEST(Generators, AreValidAndOfOnePiece) {
+  for (const Case& c : cases())
+    for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+      SCOPED_TRACE(told(c, seed));
+      const Map map = oxturn::generate(c.name, c.settings, seed);
+      const auto flaw = find_flaw(map.free);
+      EXPECT_FALSE(flaw) << flaw->reason;
+      ASSERT_EQ(map.free.polygons.size(), 1u);
+      EXPECT_GT(signed_area(map.free.polygons[0].outer), 0);
+      for (const Ring& hole : map.free.polygons[0].holes) EXPECT_LT(signed_area(hole), 0);
+      EXPECT_EQ(map.name, fmt::format("{}-{}", c.name, seed));
+      EXPECT_EQ(map.family, c.name);
+      EXPECT_EQ(map.source, told(c, seed));
+    }
+}
+
+TEST(Generators, KeepToTheirSize) {
+  for (const Case& c : cases())
+    for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+      SCOPED_TRACE(told(c, seed));
+      const Map map = oxturn::generate(c.name, c.settings, seed);
+      const double w = setting<double>(c, "width"), h = setting<double>(c, "height");
+      const double turn = -setting<double>(c, "rotation") * kPi / 180;
+      const double total = area(map.free);
+      EXPECT_GT(total, 0.08 * w * h);
+      EXPECT_LE(total, w * h + 1e-4 * (w + h));
+      const Point centre(w / 2, h / 2);
+      for_each_ring(map.free, [&](const Ring& ring) {
+        for (const Point& p : ring) {
+          const Point q = centre + rotated(p - centre, turn);
+          ASSERT_GT(q.x(), -1e-4);
+          ASSERT_GT(q.y(), -1e-4);
+          ASSERT_LT(q.x(), w + 1e-4);
+          ASSERT_LT(q.y(), h + 1e-4);
+        }
+      });
+    }
+}
+
+/// Share of `region`'s area in its largest polygon.
+double largest_share(const Region& region) {
+  double most = 0;
+  for (const Polygon& p : region.polygons) most = std::max(most, area(p));
+  return region.empty() ? 0 : most / area(region);
+}
+
+TEST(Generators, LetADiscOfThePromisedWidthThrough) {
+  for (const Case& c : cases())
+    for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+      SCOPED_TRACE(told(c, seed));
+      const Map map = oxturn::generate(c.name, c.settings, seed);
+      const double robot = setting<double>(c, "robot"), passage = setting<double>(c, "passage");
+      const Region for_robot = erode(map.free, robot, robot / 200, Bound::inside);
+      EXPECT_GT(largest_share(for_robot), 0.999);
+      const Region for_promise = erode(map.free, 0.98 * passage * robot, robot / 200, Bound::inside);
+      EXPECT_GT(largest_share(for_promise), 0.999);
+    }
+}
+
+TEST(Generators, GiveTheSameBytesForTheSameSeed) {
+  for (const Case& c : cases()) {
+    std::set<std::string> hashes;
+    for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+      SCOPED_TRACE(told(c, seed));
+      const std::string hash = content_hash(oxturn::generate(c.name, c.settings, seed));
+      EXPECT_EQ(hash, content_hash(oxturn::generate(c.name, c.settings, seed)));
+      hashes.insert(hash);
+    }
+    EXPECT_EQ(hashes.size(), c.random ? kSeeds : 1u) << c.name;
+  }
+}
+
+// No libm in the shape, so one hash holds for every compiler and preset. It proves determinism only: a deliberate
+// change of a generator changes it.
+TEST(Generators, GiveTheSameBytesOnEveryMachine) {
+  std::string all;
+  for (const Case& c : cases())
+    for (std::uint64_t seed = 0; seed < 3; ++seed) all += content_hash(oxturn::generate(c.name, c.settings, seed));
+  EXPECT_EQ(sha256(all), "fdd229720c5fa7d6bc7e2c9cd65750b838c41ac92652915ca05ae24d421e92e2");
+}
+
+TEST(Generators, TurningChangesNothingButTheAngle) {
+  for (const GeneratorInfo& g : generators()) {
+    SCOPED_TRACE(g.name);
+    const Region straight = oxturn::generate(g.name, {}, 5).free,
+                 turned = oxturn::generate(g.name, {{"rotation", 29.0}}, 5).free;
+    EXPECT_EQ(hole_count(straight), hole_count(turned));
+    EXPECT_NEAR(area(straight), area(turned), 1e-5 * area(straight));
+    EXPECT_NEAR(perimeter(straight), perimeter(turned), 1e-4 * perimeter(straight));
+    const Region quarter = oxturn::generate(g.name, {{"rotation", 90.0}}, 5).free;
+    const Point a = bounding_box(straight).size(), b = bounding_box(quarter).size();
+    EXPECT_NEAR(a.x(), b.y(), 1e-4);
+    EXPECT_NEAR(a.y(), b.x(), 1e-4);
+  }
+}
+
+TEST(Generators, ScaleWithTheRobot) {
+  // Twice the size for twice the robot, everything else by default: the same map twice as large, where every
+  // length is relative.
+  for (const std::string name : {"polygon", "cave", "spiral"}) {
+    Settings twice;
+    const GeneratorInfo& g = find_generator(name);
+    for (const std::string p : {"width", "height", "robot"})
+      twice[p] = 2 * std::get<double>(find_parameter("test", g.parameters, p).fallback);
+    if (name == "spiral") twice["wall"] = 0.6;
+    const Region small = oxturn::generate(name, {}, 3).free, large = oxturn::generate(name, twice, 3).free;
+    EXPECT_EQ(corner_count(small), corner_count(large)) << name;
+    EXPECT_NEAR(area(large), 4 * area(small), 1e-3 * area(large)) << name;
+  }
+}
+
+TEST(Generators, MakeImpassableMapsWhenAsked) {
+  // Doors of half a robot: valid, one polygon, but not for the robot.
+  const Map map = oxturn::generate("rooms", {{"passage", 0.5}, {"door", 0.2}, {"wall", 0.1}}, 1);
+  EXPECT_GT(erode(map.free, 0.2, 0.001, Bound::inside).polygons.size(), 3u);
+}
+
+TEST(Rectangle, IsARectangle) {
+  const Region r = oxturn::generate("rectangle", {{"width", 4.0}, {"height", 3.0}}, 0).free;
+  EXPECT_EQ(corner_count(r), 4u);
+  EXPECT_DOUBLE_EQ(area(r), 12);
+}
+
+TEST(Polygon, HasTheCornersAskedFor) {
+  for (const std::int64_t n : {3, 4, 17, 100}) {
+    const Region r = oxturn::generate("polygon", {{"corners", n}}, 2).free;
+    EXPECT_EQ(corner_count(r), static_cast<std::size_t>(n));
+  }
+}
+
+TEST(Polygon, IsStronglyNonConvexWhenAsked) {
+  // Isoperimetric quotient: 1 for a disc, 0.785 for a square.
+  const Region r = oxturn::generate("polygon", {{"compactness", 0.0}, {"corners", std::int64_t{80}}}, 2).free;
+  EXPECT_LT(4 * kPi * area(r) / (perimeter(r) * perimeter(r)), 0.12);
+}
+
+TEST(Clutter, ReachesItsDensity) {
+  for (const double density : {0.0, 0.05, 0.25}) {
+    const Region r = oxturn::generate("clutter", {{"density", density}}, 4).free;
+    EXPECT_NEAR(area(r), (1 - density) * 400, 4);
+  }
+}
+
+TEST(Maze, WithoutLoopsHasNoHoles) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed)
+    EXPECT_EQ(hole_count(oxturn::generate("maze", {{"loops", 0.0}}, seed).free), 0u);
+  EXPECT_GT(hole_count(oxturn::generate("maze", {{"loops", 0.5}}, 0).free), 10u);
+}
+
+TEST(Maze, ReachesEveryCell) {
+  // 20 m with walls of 0.2 m and corridors of 1 m: 16 x 16 cells; sample their centres.
+  const Region r = oxturn::generate("maze", {}, 8).free;
+  const EdgeIndex index(r);
+  const double pitch = 20.2 / 16;
+  for (int j = 0; j < 16; ++j)
+    for (int i = 0; i < 16; ++i) EXPECT_TRUE(index.contains(Point(i * pitch + 0.5, j * pitch + 0.5)));
+}
+
+TEST(Rooms, AllRoomsAreThere) {
+  // Doors narrower than the rooms are shut by opening the map with a disc wider than any door: one piece a room
+  // (corridors are off).
+  for (const std::int64_t n : {1, 2, 7, 16}) {
+    const Region r =
+        oxturn::generate("rooms", {{"rooms", n}, {"corridors", false}, {"door", 0.6}, {"width", 20.0}}, 6).free;
+    EXPECT_EQ(erode(r, 0.36, 0.001, Bound::inside).polygons.size(), static_cast<std::size_t>(n));
+  }
+}
+
+TEST(Rooms, LoopsAddDoors) {
+  const Settings none{{"loops", 0.0}, {"rooms", std::int64_t{12}}};
+  EXPECT_EQ(hole_count(oxturn::generate("rooms", none, 3).free), 0u);
+  EXPECT_GT(hole_count(oxturn::generate("rooms", {{"loops", 1.0}, {"rooms", std::int64_t{12}}}, 3).free), 3u);
+}
+
+TEST(Comb, HasItsTeeth) {
+  const Region r = oxturn::generate("comb", {{"aisles", std::int64_t{6}}, {"jitter", 0.0}}, 0).free;
+  // 6 aisles and 5 walls: four corners a wall's end and aisle's end pair, less what falls together.
+  EXPECT_EQ(corner_count(r), 4u + 4u * 5u);
+  EXPECT_NEAR(area(r), 20 * 1.2 + (20 - 5 * 0.6) * (12 - 1.2), 1e-3);
+}
+
+TEST(Field, HasTheHolesOfThePublishedExample) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const Polygon p = oxturn::generate("field", {}, seed).free.polygons.at(0);
+    EXPECT_EQ(p.holes.size(), 15u);
+    std::size_t corners = 0;
+    for (const Ring& hole : p.holes) corners += hole.size();
+    EXPECT_EQ(corners, 71u);
+  }
+  const Polygon p = oxturn::generate("field", {{"ponds", std::int64_t{4}}, {"pond_corners", std::int64_t{30}}}, 1)
+                        .free.polygons.at(0);
+  std::size_t corners = 0;
+  for (const Ring& hole : p.holes) corners += hole.size();
+  EXPECT_EQ(p.holes.size(), 4u);
+  EXPECT_EQ(corners, 30u);
+}
+
+// 400 m x 400 m and a tool of 0.4 m: 10^6 cells. The limit is loose (sanitizers); measured times are in
+// bench/micro/maps_bench.cpp.
+TEST(Generators, MakeAMillionCellsInSeconds) {
+  for (const GeneratorInfo& g : generators()) {
+    SCOPED_TRACE(g.name);
+    Settings settings{{"width", 400.0}, {"height", 400.0}};
+    if (g.name == "rooms") settings["rooms"] = std::int64_t{3000};
+    if (g.name == "polygon") settings["corners"] = std::int64_t{2000};
+    if (g.name == "comb") settings["aisles"] = std::int64_t{200};
+    if (g.name == "field") settings["ponds"] = std::int64_t{500};
+    const auto start = std::chrono::steady_clock::now();
+    const Map map = oxturn::generate(g.name, settings, 1);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    EXPECT_GT(area(map.free), 10000);
+    EXPECT_LT(took.count(), 60);
+  }
+}
+
+std::string refusal(const std::string& name, const Settings& settings) {
+  try {
+    oxturn::generate(name, settings, 1);
+  } catch (const std::invalid_argument& e) { return e.what(); }
+  return "accepted";
+}
+
+TEST(Generators, RefuseInOneSentence) {
+  using I = std::int64_t;
+  const std::vector<std::tuple<std::string, Settings, std::string>> all{
+      {"room", {}, "did you mean 'rooms'"},
+      {"rooms", {{"room", I{3}}}, "rooms"},
+      {"rectangle", {{"height", 0.0}}, "height"},
+      {"rectangle", {{"height", 0.3}}, "height is 0.3 m, expected at least 0.5"},
+      {"rectangle", {{"width", std::numeric_limits<double>::quiet_NaN()}}, "width"},
+      {"rectangle", {{"width", std::string("wide")}}, "width"},
+      {"rooms", {{"door", 40.0}}, "do not fit"},
+      {"rooms", {{"door", 0.3}}, "door is 0.3 m, expected at least 0.5"},
+      {"rooms", {{"rooms", I{1000}}}, "1000 rooms"},
+      {"rooms", {{"rooms", I{0}}}, "rooms"},
+      {"rooms", {{"wall", 0.001}, {"width", 400.0}, {"height", 400.0}}, "wall is 0.001 m"},
+      {"rooms", {{"wall", 20.0}}, "wall is 20 m"},
+      {"maze", {{"corridor", 30.0}}, "corridor is 30 m"},
+      {"maze", {{"corridor", 0.1}}, "corridor is 0.1 m"},
+      {"maze", {{"width", 100000.0}, {"height", 100000.0}}, "4000000"},
+      {"cave", {{"rock", 0.9}}, "rock 0.9"},
+      {"cave", {{"grain", 15.0}}, "grain is 15 m"},
+      {"cave", {{"width", 100000.0}, {"height", 100000.0}}, "10^8"},
+      {"clutter", {{"density", 0.8}}, "density 0.8 cannot be reached"},
+      {"clutter", {{"least", 2.0}}, "least is 2 m"},
+      {"clutter", {{"least", 50.0}, {"most", 60.0}}, "lower least"},
+      {"comb", {{"aisles", I{100}}}, "100 aisles"},
+      {"comb", {{"corridor", 13.0}}, "corridor is 13 m"},
+      {"spiral", {{"corridor", 11.0}}, "arms"},
+      {"spiral", {{"arms", I{500}}}, "arms"},
+      {"spiral", {{"round", true}, {"corridor", 9.0}}, "quarter laps"},
+      {"polygon", {{"corners", I{50000}}}, "50000 corners do not fit"},
+      {"polygon", {{"robot", 9.0}}, "width"},
+      {"field", {{"pond_corners", I{20}}}, "pond_corners is 20"},
+      {"field", {{"ponds", I{5000}}}, "ponds fit"},
+      {"field", {{"width", 5.0}}, "width is 5 m"},
+  };
+  for (const auto& [name, settings, words] : all) {
+    const std::string said = refusal(name, settings);
+    EXPECT_THAT(said, HasSubstr(words));
+    EXPECT_EQ(said.find('\n'), std::string::npos);
+    EXPECT_GT(said.size(), 25u);
+  }
+}
+
+// Everything a description allows ends in a map or in a sentence: never in a crash, a hang or a broken map (which
+// generate() reports as a logic_error, failing here).
+TEST(Generators, AnySettingIsAMapOrASentence) {
+  Rng rng(99);
+  int maps = 0, sentences = 0;
+  for (const GeneratorInfo& g : generators())
+    for (int k = 0; k < 60; ++k) {
+      Settings settings;
+      for (const ParameterInfo& p : g.parameters) {
+        if (rng.chance(0.5)) continue;
+        if (std::holds_alternative<bool>(p.fallback)) {
+          settings[p.name] = rng.chance(0.5);
+        } else if (const auto* d = std::get_if<double>(&p.fallback)) {
+          const double around = *d > 0 ? *d : 0.7;
+          settings[p.name] = std::clamp(around * rng.between(0.3, 2.5), p.range.least, p.range.most);
+        } else if (const auto* i = std::get_if<std::int64_t>(&p.fallback)) {
+          const double around = *i > 0 ? static_cast<double>(*i) : 6;
+          settings[p.name] =
+              static_cast<std::int64_t>(std::clamp(around * rng.between(0.3, 2.5), p.range.least, p.range.most));
+        }
+      }
+      SCOPED_TRACE(told({g.name, settings}, static_cast<std::uint64_t>(k)));
+      try {
+        const Map map = oxturn::generate(g.name, settings, static_cast<std::uint64_t>(k));
+        ++maps;
+        EXPECT_EQ(map.free.polygons.size(), 1u);
+        const auto value = [&](const std::string& name) { return setting<double>({g.name, settings}, name); };
+        const double radius = value("robot") * value("passage");
+        EXPECT_GT(largest_share(erode(map.free, 0.97 * radius, radius / 200, Bound::inside)), 0.995);
+      } catch (const std::invalid_argument& e) {
+        ++sentences;
+        EXPECT_THAT(std::string(e.what()), HasSubstr(g.name));
+      }
+    }
+  EXPECT_GT(maps, 250);
+  EXPECT_GT(sentences, 10);
+}
+
+}  // namespace
+}  // namespace oxturn
