@@ -41,7 +41,7 @@ std::string sentence_of(const CLI::ParseError& error, CLI::App& app) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
   std::string text = error.what();
-  if (error.get_name() == "ExtrasError") {
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     // CLI11 lists them all, last first: the option among them is what went wrong, the rest followed from it.
     std::istringstream words(text.substr(text.find(": ") + 1));
     std::string word;

@@ -41,6 +41,14 @@ std::optional<double> to_number(std::string text) {
   return value;
 }
 
+std::optional<std::uint64_t> to_seed(const std::string& digits) {
+  std::uint64_t seed = 0;
+  const char* end = digits.data() + digits.size();
+  const auto [at, error] = std::from_chars(digits.data(), end, seed);
+  if (digits.empty() || error != std::errc{} || at != end) return std::nullopt;
+  return seed;
+}
+
 std::pair<std::string, std::string> assignment(const std::string& option, const std::string& text) {
   const std::size_t at = text.find('=');
   if (at == std::string::npos || at == 0)
@@ -102,10 +110,10 @@ MapFile load_map(const std::string& name, const ReadOptions& read) {
   std::uint64_t seed = 1;
   if (colon != std::string::npos) {
     const std::string digits = name.substr(colon + 1);
-    const char* end = digits.data() + digits.size();
-    const auto [at, error] = std::from_chars(digits.data(), end, seed);
-    if (digits.empty() || error != std::errc{} || at != end)
+    const auto given = to_seed(digits);
+    if (!given)
       throw std::invalid_argument(fmt::format("map '{}': seed is '{}', expected a whole number from 0", name, digits));
+    seed = *given;
   }
   if (!known) {
     std::vector<std::string> names;
@@ -166,6 +174,15 @@ CLI::Validator number_from(double least, bool included, const std::string& unit)
         const auto value = to_number(text);
         if (value && (included ? *value >= least : *value > least)) return {};
         return fmt::format("is '{}', expected {}{} {:g}", text, unit, included ? " from" : " above", least);
+      },
+      "");
+}
+
+CLI::Validator whole_number() {
+  return CLI::Validator(
+      [](std::string& text) -> std::string {
+        if (to_seed(text)) return {};
+        return fmt::format("is '{}', expected a whole number from 0 to 18446744073709551615", text);
       },
       "");
 }

@@ -51,5 +51,7 @@ void say(const std::string& sentence);
 
 /// A validator for options that are numbers: finite, and at least (or above) `least`.
 CLI::Validator number_from(double least, bool included, const std::string& unit);
+/// For seeds: digits only. (A minus sign would be read as a number near 2^64.)
+CLI::Validator whole_number();
 
 }  // namespace oxturn::cli

@@ -86,7 +86,9 @@ std::function<int()> attach(CLI::App& app) {
   app.add_option("PLANNER", options->planner, "as `oxturn list planners` names it")->required();
   app.add_option("MAP", options->problem.map, "a map's file, or GENERATOR[:SEED]")->required();
   add_settings(app, options->settings, "planner");
-  app.add_option("--seed", options->isolation.seed, "of the planner's random choices; 1 if not given")->type_name("N");
+  app.add_option("--seed", options->isolation.seed, "of the planner's random choices; 1 if not given")
+      ->check(whole_number())
+      ->type_name("N");
   app.add_option("-o,--output", options->output, "write the path, FILE.geojson")->type_name("FILE");
   app.add_option("--svg", options->svg, "draw it")->type_name("FILE");
   add_problem_options(app, options->problem);

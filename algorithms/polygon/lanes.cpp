@@ -9,6 +9,10 @@
 
 namespace oxturn {
 
+namespace {
+constexpr double kSlack = 1e-6;  // of a lane's width: what is no more than rounding
+}
+
 Frame::Frame(double lane_degrees) {
   const double turn = std::remainder(90 - lane_degrees, 360.0);
   if (std::fmod(turn, 90.0) == 0) {
@@ -50,8 +54,8 @@ std::vector<Segment> edges_of(const Region& region) {
 }
 
 Slabs slabs_over(double low, double high, double most) {
-  // A hair of slack, so that a width of exactly n lanes does not become n + 1 by rounding.
-  const double wanted = std::ceil((high - low) / most * (1 - 1e-12) - 1e-9);
+  // A width of exactly n lanes must not become n + 1 by rounding (offsets are snapped to a grid).
+  const double wanted = std::ceil((high - low) / most * (1 - kSlack));
   const double count = std::max(1.0, wanted);
   const double width = std::max((high - low) / count, most * 1e-3);
   return {(low + high) / 2 - count * width / 2, width, static_cast<std::size_t>(count)};
@@ -71,8 +75,27 @@ double height_at(const Segment& e, double x) {
 
 // Index of the slab that holds x, kept in range.
 std::size_t slab_of(const Slabs& slabs, double x) {
-  const double k = std::floor((x - slabs.first) / slabs.width);
-  return static_cast<std::size_t>(std::clamp(k, 0.0, static_cast<double>(slabs.count - 1)));
+  const double about = std::floor((x - slabs.first) / slabs.width);
+  auto k = static_cast<std::size_t>(std::clamp(about, 0.0, static_cast<double>(slabs.count - 1)));
+  while (k + 1 < slabs.count && slabs.line(k + 1) <= x) ++k;
+  while (k > 0 && slabs.line(k) > x) --k;
+  return k;
+}
+
+// A wall that runs along a slab line but for rounding is put on it: it must not ask for a lane in a slab that it only
+// touches. The same x becomes the same x, so rings stay closed.
+double on_line(const Slabs& slabs, double x) {
+  const double k = std::round((x - slabs.first) / slabs.width);
+  if (k < 0 || k > static_cast<double>(slabs.count)) return x;
+  const double line = slabs.line(static_cast<std::size_t>(k));
+  return std::abs(x - line) < kSlack * slabs.width ? line : x;
+}
+
+std::vector<Span> pairs_of(std::vector<double>& cuts) {
+  std::sort(cuts.begin(), cuts.end());
+  std::vector<Span> spans;
+  for (std::size_t i = 0; i + 1 < cuts.size(); i += 2) spans.push_back({cuts[i], cuts[i + 1]});
+  return spans;
 }
 
 void merge(std::vector<Span>& spans) {
@@ -90,60 +113,72 @@ void merge(std::vector<Span>& spans) {
 
 }  // namespace
 
-Projection project(const std::vector<Segment>& edges, const Slabs& slabs) {
+// A horizontal chord of (region n slab) ends on the left at an edge in the slab or at the slab's left line. So the
+// projection is the union of the heights of edges in the slab and of the section just right of its left line.
+Projection project(const std::vector<Segment>& given, const Slabs& slabs) {
   Projection result;
-  if (edges.empty() || slabs.count == 0) return result;
+  if (given.empty() || slabs.count == 0) return result;
+  std::vector<Segment> edges = given;
   // Only the slabs that the edges reach are held: a small part of a wide map stays cheap.
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Segment& e : edges) {
+  for (Segment& e : edges) {
+    e.a.x() = on_line(slabs, e.a.x());
+    e.b.x() = on_line(slabs, e.b.x());
     low = std::min({low, e.a.x(), e.b.x()});
     high = std::max({high, e.a.x(), e.b.x()});
   }
   const std::size_t base = slab_of(slabs, low);
   const std::size_t count = slab_of(slabs, high) - base + 1;
 
-  std::vector<std::vector<Span>> reach(count);       // per slab
-  std::vector<std::vector<double>> cuts(count + 1);  // crossings with the slab lines
+  std::vector<std::vector<Span>> reach(count);                    // per slab
+  std::vector<std::vector<double>> right_cuts(count), left_cuts(count);  // just right, just left of line base + k
   for (const Segment& e : edges) {
     const Point& a = e.a.x() <= e.b.x() ? e.a : e.b;
     const Point& b = e.a.x() <= e.b.x() ? e.b : e.a;
     const std::size_t from = slab_of(slabs, a.x()), to = slab_of(slabs, b.x());
+    if (a.x() == b.x() && a.x() == slabs.line(from)) continue;  // on a line: chords end at the other side
     double y = a.y();
     for (std::size_t k = from; k <= to; ++k) {
-      double next = b.y();
-      const double right = slabs.line(k + 1);
-      if (k < to && a.x() <= right && right < b.x()) next = height_at(e, right);
+      const double left = slabs.line(k);
+      if (k > from && b.x() <= left) break;  // only touches this slab
+      const double next = k < to && slabs.line(k + 1) < b.x() ? height_at(e, slabs.line(k + 1)) : b.y();
       reach[k - base].push_back({std::min(y, next), std::max(y, next)});
       y = next;
     }
-    // Half-open crossings a.x <= line < b.x, by the lines themselves: agrees between edges that share an end.
-    for (std::size_t k = from; k <= to + 1 && k <= base + count; ++k) {
+    for (std::size_t k = from; k <= to; ++k) {
       const double x = slabs.line(k);
-      if (a.x() <= x && x < b.x()) cuts[k - base].push_back(height_at(e, x));
+      if (a.x() <= x && x < b.x()) right_cuts[k - base].push_back(height_at(e, x));
+      if (a.x() < x && x <= b.x()) left_cuts[k - base].push_back(height_at(e, x));
     }
   }
-  std::vector<std::vector<Span>> across(count + 1);
-  for (std::size_t k = 0; k <= count; ++k) {
-    std::sort(cuts[k].begin(), cuts[k].end());
-    for (std::size_t i = 0; i + 1 < cuts[k].size(); i += 2) {
-      const Span span{cuts[k][i], cuts[k][i + 1]};
-      across[k].push_back(span);
-      if (k > 0) reach[k - 1].push_back(span);
-      if (k < count) reach[k].push_back(span);
-    }
-  }
+  std::vector<std::vector<Span>> right(count);
   std::vector<std::size_t> first(count + 1, 0);
   for (std::size_t k = 0; k < count; ++k) {
+    right[k] = pairs_of(right_cuts[k]);
+    reach[k].insert(reach[k].end(), right[k].begin(), right[k].end());
     merge(reach[k]);
     first[k + 1] = first[k] + reach[k].size();
     for (const Span& s : reach[k]) result.stretches.push_back({base + k, s.first, s.second});
   }
-  const auto holder = [&](std::size_t k, double y) {  // every crossing span lies in one stretch on either side
+  const auto holder = [&](std::size_t k, double y) {
     const auto at = std::upper_bound(reach[k].begin(), reach[k].end(), Span{y, 1e300});
     return first[k] + static_cast<std::size_t>(at - reach[k].begin()) - 1;
   };
-  for (std::size_t k = 1; k < count; ++k)
-    for (const Span& s : across[k]) result.links.push_back({holder(k - 1, s.first), holder(k, s.first)});
+  // The region joins two slabs where the sections on both sides of the line overlap.
+  for (std::size_t k = 1; k < count; ++k) {
+    const std::vector<Span> left = pairs_of(left_cuts[k]);
+    for (std::size_t i = 0, j = 0; i < left.size() && j < right[k].size();) {
+      const double lower = std::max(left[i].first, right[k][j].first), upper = std::min(left[i].second, right[k][j].second);
+      if (lower < upper) {
+        const double middle = (lower + upper) / 2;
+        if (!reach[k - 1].empty() && !reach[k].empty() && reach[k - 1].front().first <= middle &&
+            reach[k].front().first <= middle)
+          result.links.push_back({holder(k - 1, middle), holder(k, middle)});
+      }
+      if (left[i].second < right[k][j].second) ++i;
+      else ++j;
+    }
+  }
   std::sort(result.links.begin(), result.links.end());
   result.links.erase(std::unique(result.links.begin(), result.links.end()), result.links.end());
   return result;

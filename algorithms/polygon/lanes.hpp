@@ -44,7 +44,7 @@ struct Slabs {
   double line(std::size_t k) const { return first + static_cast<double>(k) * width; }
   double centre(std::size_t k) const { return first + (static_cast<double>(k) + 0.5) * width; }
 };
-/// The fewest slabs no wider than `most` over the x-range low..high; at least one.
+/// The fewest slabs no wider than `most` (and a millionth, for rounding) over the x-range low..high; at least one.
 Slabs slabs_over(double low, double high, double most);
 
 /// A piece of a slab's centre line.
@@ -57,7 +57,8 @@ struct Projection {
   std::vector<std::pair<std::size_t, std::size_t>> links;  // stretches of neighbouring slabs that the region
                                                            // itself joins across the line between; sorted, unique
 };
-/// Projection of the set that `edges` bound (even-odd). O((n + k) log n), k = crossings of edges with slab lines.
+/// Projection of the set that `edges` bound (even-odd). Heights that a slab has on its border line alone do not count:
+/// they are the neighbour's. Edges within 1e-6 widths of a line count as on it. O((n + k) log n), k = crossings of edges with slab lines.
 Projection project(const std::vector<Segment>& edges, const Slabs& slabs);
 
 /// The parts of the vertical segment x, low..high that lie in `room`, ends pulled in by `margin` where a wall

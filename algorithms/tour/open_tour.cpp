@@ -23,7 +23,8 @@ struct OpenTour::Impl {
   std::vector<Point> ports;  // without the start
   Point start;
   std::size_t start_port;
-  mutable std::unordered_map<std::uint64_t, double> known;  // looked up only, never walked
+  // Looked up only, never walked. Negative: no path as short as that (minus a limit that was tried).
+  mutable std::unordered_map<std::uint64_t, double> known;
   mutable std::size_t searches = 0;
 
   Impl(const Point& s, const std::vector<TourElement>& e, const Connector& c) : elements(e), connector(c), start(s) {
@@ -42,14 +43,18 @@ struct OpenTour::Impl {
   double own_cost(const TourStop& s) const { return elements[s.element][s.pattern].cost; }
   double bound(std::size_t a, std::size_t b) const { return distance(at(a), at(b)); }
 
-  double exact(std::size_t a, std::size_t b) const {
+  // Path length, or infinity if it is longer than `longest`: a limit keeps searches for hopeless moves short.
+  double exact(std::size_t a, std::size_t b, double longest = kFar) const {
     if (a == b) return 0;
     const auto key = static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint64_t>(std::max(a, b));
-    const auto found = known.find(key);
-    if (found != known.end()) return found->second;
+    double& entry = known.emplace(key, 0.0).first->second;  // 0: nothing known yet
+    if (entry > 0) return entry <= longest ? entry : kFar;
+    if (entry < 0 && longest <= -entry) return kFar;
+    if (longest < bound(a, b)) return kFar;
     ++searches;
-    const double d = connector.length(at(std::min(a, b)), at(std::max(a, b)));
-    known.emplace(key, d);
+    const double d = connector.length(at(std::min(a, b)), at(std::max(a, b)), longest);
+    if (d < kFar) entry = std::max(d, 1e-300);
+    else if (longest < kFar) entry = -longest;
     return d;
   }
 
@@ -161,7 +166,7 @@ void OpenTour::choose_patterns(std::vector<TourStop>& tour) const {
       for (std::size_t k = 0; k < exits.size(); ++k) {
         const double own = m.elements[e][q].cost;
         if (reach[k] + m.bound(exits[k], port) + own >= next[q]) continue;
-        const double d = reach[k] + m.exact(exits[k], port) + own;
+        const double d = reach[k] + m.exact(exits[k], port, next[q] - reach[k] - own) + own;
         if (d < next[q]) {
           next[q] = d;
           from[i][q] = k;
@@ -213,8 +218,9 @@ void OpenTour::improve(std::vector<TourStop>& tour, Context& context) const {
       lower += m.bound(in, m.entry(tour[j + 1]));
     }
     if (removed - lower <= kGain) return false;
-    double added = m.exact(before_i, out);
-    if (j + 1 < n) added += m.exact(in, m.entry(tour[j + 1]));
+    const double other = j + 1 < n ? m.bound(in, m.entry(tour[j + 1])) : 0;
+    double added = m.exact(before_i, out, removed - other);
+    if (j + 1 < n && added < kFar) added += m.exact(in, m.entry(tour[j + 1]), removed - added);
     if (removed - added <= kGain) return false;
     std::reverse(tour.begin() + static_cast<std::ptrdiff_t>(i), tour.begin() + static_cast<std::ptrdiff_t>(j) + 1);
     for (std::size_t k = i; k <= j; ++k) tour[k] = flipped(tour[k]);
@@ -230,12 +236,16 @@ void OpenTour::improve(std::vector<TourStop>& tour, Context& context) const {
     double closed = 0;
     if (last + 1 < n) {
       removed += m.exact(m.exit(tour[last]), m.entry(tour[last + 1]));
-      closed = m.exact(exit_of(i), m.entry(tour[last + 1]));
     }
     const std::size_t left = exit_of(to);
     const bool has_right = to < n;
     const std::size_t right = has_right ? m.entry(tour[to]) : m.start_port;
     if (has_right) removed += m.exact(left, right);
+    if (last + 1 < n) {
+      if (removed - m.bound(exit_of(i), m.entry(tour[last + 1])) <= kGain) return false;
+      closed = m.exact(exit_of(i), m.entry(tour[last + 1]), removed);
+      if (removed - closed <= kGain) return false;
+    }
     std::vector<std::pair<TourStop, TourStop>> ways;  // first and last stop when driven that way
     if (count == 1) {
       for (std::size_t q = 0; q < m.elements[tour[i].element].size(); ++q) {
@@ -251,8 +261,10 @@ void OpenTour::improve(std::vector<TourStop>& tour, Context& context) const {
     for (std::size_t v = 0; v < ways.size(); ++v) {
       const auto& [head, tail] = ways[v];
       const double own = count == 1 ? m.own_cost(head) - m.own_cost(tour[i]) : 0;
-      if (closed + own + m.bound(left, m.entry(head)) + (has_right ? m.bound(m.exit(tail), right) : 0) >= best) continue;
-      const double added = closed + own + m.exact(left, m.entry(head)) + (has_right ? m.exact(m.exit(tail), right) : 0);
+      const double other = has_right ? m.bound(m.exit(tail), right) : 0;
+      if (closed + own + m.bound(left, m.entry(head)) + other >= best) continue;
+      double added = closed + own + m.exact(left, m.entry(head), best - closed - own - other);
+      if (has_right && added < best) added += m.exact(m.exit(tail), right, best - added);
       if (added < best) {
         best = added;
         chosen = v;

@@ -22,7 +22,9 @@ TEST(Frame, TurnsLanesUprightAndBack) {
     EXPECT_NEAR(along.y(), 1, 1e-12);
     const Point p(rng.between(-9.0, 9.0), rng.between(-9.0, 9.0));
     EXPECT_LT(distance(frame.back(frame.to(p)), p), 1e-14);
-    if (std::fmod(degrees, 90) == 0) EXPECT_EQ(frame.back(frame.to(p)), p);
+    if (std::fmod(degrees, 90) == 0) {
+      EXPECT_EQ(frame.back(frame.to(p)), p);
+    }
   }
 }
 

@@ -20,6 +20,13 @@ inline Path plan(const std::string& planner, const Problem& problem, const Setti
   return find_planner(zoo(), planner).make(settings)->plan(problem, context);
 }
 
+inline Robot disc(double radius, double tool_width) {
+  Robot robot;
+  robot.radius = radius;
+  robot.tool_width = tool_width;
+  return robot;
+}
+
 inline bool segments_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
   const double o1 = cross(b - a, c - a), o2 = cross(b - a, d - a), o3 = cross(d - c, a - c), o4 = cross(d - c, b - c);
   return o1 * o2 < 0 && o3 * o4 < 0;

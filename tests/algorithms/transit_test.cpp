@@ -25,7 +25,7 @@ TEST(Connector, GoesRoundTheEndOfAWall) {
   // From a to the corner's arc about (2, 3): distance sqrt(.5^2 + 2.5^2), tangent, arc, 1 m along, and the mirror image.
   const double d = std::hypot(0.5, 2.5), r = 0.2;
   const double tangent = std::sqrt(d * d - r * r);
-  const double turn = kPi / 2 - std::atan2(2.5, 0.5) + std::asin(r / d);
+  const double turn = std::atan2(2.5, 0.5) + std::asin(r / d);
   EXPECT_NEAR(c.length(a, b), 2 * (tangent + r * turn) + 1, 2e-3);
   EXPECT_NEAR(length(c.path(a, b)), c.length(a, b), 1e-12);
   EXPECT_EQ(c.length(a, b, 3), std::numeric_limits<double>::infinity());

@@ -19,7 +19,9 @@ void expect_complete(const Problem& problem, const Settings& settings = {}, doub
   const Path path = plan("zigzag", problem, settings);
   expect_valid(problem, path);
   EXPECT_EQ(uncovered_share(problem, path, 1500), 0);
-  if (bound > 0) EXPECT_LT(path.length(), bound * lanes_needed(problem));
+  if (bound > 0) {
+    EXPECT_LT(path.length(), bound * lanes_needed(problem));
+  }
 }
 
 TEST(Zigzag, CoversEveryFamilyWhole) {
@@ -53,7 +55,7 @@ TEST(Zigzag, LiteralIsValidAndCoversMost) {
 
 // The seed's picture, by hand: upright lines in a square of 3.2 inside the margin, 0.4 apart, the first 0.2 inside.
 TEST(Zigzag, LiteralLinesInASquare) {
-  const Problem p(Map{"square", box_region({0, 0}, {4, 4}), "", ""}, Robot{.radius = 0.2, .tool_width = 0.4});
+  const Problem p(Map{"square", box_region({0, 0}, {4, 4}), "", ""}, disc(0.2, 0.4));
   const Path path = plan("zigzag", p, {{"fit", text("literal")}, {"sweep", text("given")}, {"angle", 90.0},
                                        {"outline", false}});
   std::vector<double> lines;
@@ -79,10 +81,10 @@ TEST(Zigzag, FewCornersTakeTheOptimalPartition) {
 TEST(Zigzag, DegenerateMaps) {
   expect_complete(drawn({"."}, {.cell = 0.41}));
   expect_complete(drawn({"."}, {.cell = 0.8}));
-  expect_complete(drawn({"....", ".#..", "....", "...."}, {.cell = 0.3, .robot = {.radius = 0.05, .tool_width = 0.5}}));
+  expect_complete(drawn({"....", ".#..", "....", "...."}, {.cell = 0.3, .robot = disc(0.05, 0.5)}));
   expect_complete(drawn({"....", "..#.", ".#..", "...."}));
-  expect_complete(drawn({"...", ".#.", "..."}, {.robot = {.radius = 0, .tool_width = 0.3}}));
-  expect_complete(drawn({"...", ".#.", "..."}, {.robot = {.radius = 0.4, .tool_width = 0.2}}));
+  expect_complete(drawn({"...", ".#.", "..."}, {.robot = disc(0, 0.3)}));
+  expect_complete(drawn({"...", ".#.", "..."}, {.robot = disc(0.4, 0.2)}));
 }
 
 TEST(Zigzag, MovedTurnedAndMirroredMapsTakeAboutTheSameLength) {
