@@ -235,21 +235,22 @@ void add_problem_options(CLI::App& app, ProblemOptions& options) {
   add_reader_options(app, options.read);
 }
 
+// Remarks come only when all is well: bad input gets its one sentence and nothing else.
 Problem load_problem(const ProblemOptions& options) {
   MapFile file = load_map(options.map, options.read);
-  say_remarks(file);
   Robot robot = file.robot.value_or(Robot{});
   if (!options.robot.empty()) change_robot(robot, options.robot);
   if (options.radius) robot.radius = *options.radius;
   if (options.tool_width) robot.tool_width = *options.tool_width;
   const bool robot_given = file.robot || !options.robot.empty() || (options.radius && options.tool_width);
   check(robot);
-  if (!robot_given)
-    say(fmt::format("robot: radius {:g} m, tool width {:g} m (set with --radius and --tool-width)", robot.radius,
-                    robot.tool_width));
   std::optional<Point> start = file.start;
   if (!options.start.empty()) start = parse_point(options.start);
   Problem problem(std::move(file.map), robot, start, file.anchor);
+  say_remarks(file);
+  if (!robot_given)
+    say(fmt::format("robot: radius {:g} m, tool width {:g} m (set with --radius and --tool-width)", robot.radius,
+                    robot.tool_width));
   if (!start)
     say(fmt::format("start: {:.6g},{:.6g} (set with --start X,Y)", problem.start().x(), problem.start().y()));
   return problem;

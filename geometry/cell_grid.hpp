@@ -23,8 +23,8 @@ class CellGrid {
     high_ = box.high;
     const Point size = box.size();
     const double n = static_cast<double>(items);
-    cell_ = std::max({std::sqrt(size.x() * size.y() / (2 * n)), total_length / (4 * n),
-                      (size.x() + size.y()) / (2 * n), 1e-300});
+    cell_ = std::max(
+        {std::sqrt(size.x() * size.y() / (2 * n)), total_length / (4 * n), (size.x() + size.y()) / (2 * n), 1e-300});
     columns_ = static_cast<int>(size.x() / cell_) + 1;
     rows_ = static_cast<int>(size.y() / cell_) + 1;
   }
@@ -33,12 +33,19 @@ class CellGrid {
   template <class Visit>
   void fill(std::size_t items, Visit visit_item) {
     first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
-    for (std::size_t i = 0; i < items; ++i) visit_item(i, [&](std::size_t c) { ++first_[c + 1]; return false; });
+    for (std::size_t i = 0; i < items; ++i)
+      visit_item(i, [&](std::size_t c) {
+        ++first_[c + 1];
+        return false;
+      });
     for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
     items_.resize(first_.back());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (std::size_t i = 0; i < items; ++i) {
-      visit_item(i, [&](std::size_t c) { items_[next[c]++] = static_cast<std::uint32_t>(i); return false; });
+      visit_item(i, [&](std::size_t c) {
+        items_[next[c]++] = static_cast<std::uint32_t>(i);
+        return false;
+      });
     }
   }
 
@@ -89,9 +96,7 @@ class CellGrid {
 
  private:
   static constexpr double kSlack = 1e-7;
-  static int clamped(double v, int n) {
-    return v > 0 ? static_cast<int>(std::min(v, static_cast<double>(n - 1))) : 0;
-  }
+  static int clamped(double v, int n) { return v > 0 ? static_cast<int>(std::min(v, static_cast<double>(n - 1))) : 0; }
   /// Widens [left, right] by the columns of ab between the rows v0 and v1.
   void clip(const Point& a, const Point& b, double v0, double v1, double& left, double& right) const {
     const Point p = (a - low_) / cell_, q = (b - low_) / cell_;

@@ -243,7 +243,8 @@ bool EdgeIndex::contains(const Point& a, const Point& b) const {
     const Point low = before(edges_[i].a, edges_[i].b) ? edges_[i].a : edges_[i].b;
     const Point high = low == edges_[i].a ? edges_[i].b : edges_[i].a;
     const auto end = touches.begin() + static_cast<std::ptrdiff_t>(own);
-    auto at = std::lower_bound(touches.begin(), end, low, [](const Touch& t, const Point& p) { return before(t.place, p); });
+    auto at =
+        std::lower_bound(touches.begin(), end, low, [](const Touch& t, const Point& p) { return before(t.place, p); });
     std::vector<Point> passed;
     for (; at != end && !before(high, at->place); ++at) {
       if (passed.empty() || passed.back() != at->place) passed.push_back(at->place);

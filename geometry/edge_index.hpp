@@ -19,9 +19,9 @@ class EdgeIndex {
 
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
-    Point place{0, 0};           // on the boundary
-    Point from{0, 0};            // on the query segment (the query point itself for points)
-    std::size_t edge = 0;        // index into edges()
+    Point place{0, 0};     // on the boundary
+    Point from{0, 0};      // on the query segment (the query point itself for points)
+    std::size_t edge = 0;  // index into edges()
   };
   /// Nearest boundary point to p if nearer than `within`, else nullopt.
   std::optional<Nearest> nearest(const Point& p, double within = std::numeric_limits<double>::infinity()) const;
@@ -33,7 +33,9 @@ class EdgeIndex {
   /// The closed segment stays in the closed region (it may run along walls and through corners). Exact.
   bool contains(const Point& a, const Point& b) const;
 
-  struct Edge { Point a, b; };  // free space to the left of a -> b
+  struct Edge {
+    Point a, b;
+  };  // free space to the left of a -> b
   const std::vector<Edge>& edges() const { return edges_; }
   /// Calls f(edge index) once for every edge that may meet the box (supersets allowed, no repeats, ascending).
   template <class F>

@@ -145,7 +145,9 @@ std::vector<Ring> bridged(const Region& region) {
   struct Bridge {
     double length;
     std::int32_t a, b;
-    bool operator<(const Bridge& o) const { return length != o.length ? length < o.length : a != o.a ? a < o.a : b < o.b; }
+    bool operator<(const Bridge& o) const {
+      return length != o.length ? length < o.length : a != o.a ? a < o.a : b < o.b;
+    }
   };
   std::vector<Bridge> bridges;
   Sets joined(mesh.points().size());
@@ -179,7 +181,9 @@ std::vector<Ring> bridged(const Region& region) {
       const Point& v = parts.point(arcs[i].to);
       const auto& ways = out_of[static_cast<std::size_t>(arcs[i].to)];
       std::int32_t best = ways.front();
-      const auto end = [&](std::int32_t k) -> const Point& { return parts.point(arcs[static_cast<std::size_t>(k)].to); };
+      const auto end = [&](std::int32_t k) -> const Point& {
+        return parts.point(arcs[static_cast<std::size_t>(k)].to);
+      };
       for (const std::int32_t k : ways) {
         if (k != best && met_first(v, parts.point(arcs[i].from), end(k), end(best))) best = k;
       }

@@ -26,7 +26,8 @@ std::vector<Ring> optimal_parts(const Ring& piece) {
   for (const Point& p : piece) polygon.push_back(Kernel::Point_2(p.x(), p.y()));
   std::list<CgalPolygon> cut;
   cgal_guarded("optimal convex partition", [&] {
-    CGAL::optimal_convex_partition_2(polygon.vertices_begin(), polygon.vertices_end(), std::back_inserter(cut), Traits());
+    CGAL::optimal_convex_partition_2(polygon.vertices_begin(), polygon.vertices_end(), std::back_inserter(cut),
+                                     Traits());
   });
   std::vector<Ring> parts;
   double sum = 0;
@@ -49,10 +50,10 @@ std::vector<Ring> optimal_parts(const Ring& piece) {
 std::vector<Ring> convex_partition_optimal(const Region& region, std::size_t most_corners) {
   const std::size_t corners = corner_count(region);
   if (corners > most_corners) {
-    throw std::invalid_argument(
-        fmt::format("optimal convex partition of a region with {} corners would take too long; it is meant for up to {}: "
-                    "use the approximate one or simplify the region",
-                    corners, most_corners));
+    throw std::invalid_argument(fmt::format(
+        "optimal convex partition of a region with {} corners would take too long; it is meant for up to {}: "
+        "use the approximate one or simplify the region",
+        corners, most_corners));
   }
   std::vector<Ring> parts;
   for (const Ring& piece : simple_pieces(region)) {

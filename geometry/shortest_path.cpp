@@ -135,7 +135,8 @@ class Search {
   }
 
   const Point& at(Id id) const {
-    return static_cast<std::size_t>(id) == mesh_.points().size() ? start_ : mesh_.points()[static_cast<std::size_t>(id)];
+    return static_cast<std::size_t>(id) == mesh_.points().size() ? start_
+                                                                 : mesh_.points()[static_cast<std::size_t>(id)];
   }
 
  private:

@@ -5,8 +5,8 @@
 // the triangulation. Typical cost grows with the triangles between the ends, not with the region.
 #pragma once
 
-#include <memory>
 #include <limits>
+#include <memory>
 #include <optional>
 
 #include "geometry/mesh.hpp"

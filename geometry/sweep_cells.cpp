@@ -57,10 +57,13 @@ std::vector<Wall> walls(const Region& region) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point& a = ring[i];
       const Point& b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      if (!finite(a)) throw std::invalid_argument("region has a corner that is not finite; repair it before decomposing it");
+      if (!finite(a))
+        throw std::invalid_argument("region has a corner that is not finite; repair it before decomposing it");
       if (a == b) continue;
-      if (before(a, b)) all.push_back({a, b, true, 0});
-      else all.push_back({b, a, false, 0});
+      if (before(a, b))
+        all.push_back({a, b, true, 0});
+      else
+        all.push_back({b, a, false, 0});
     }
   });
   std::sort(all.begin(), all.end(), [](const Wall& a, const Wall& b) {
@@ -114,9 +117,8 @@ class Sweep {
     for (const Wall& w : ending) {  // a corner of another ring on it: goes on from here
       if (w.right != v) starting.push_back({v, w.right, w.lower, 0});
     }
-    std::sort(starting.begin(), starting.end(), [&](const Wall& a, const Wall& b) {
-      return orientation(v, a.right, b.right) > 0;
-    });
+    std::sort(starting.begin(), starting.end(),
+              [&](const Wall& a, const Wall& b) { return orientation(v, a.right, b.right) > 0; });
     const auto above = status_.erase(first, last);
     const Wall* over = above == status_.end() ? nullptr : &*above;
     const Wall* under = above == status_.begin() ? nullptr : &*std::prev(above);

@@ -67,15 +67,34 @@ struct OpenTour::Impl {
     const double d = connector.length(at(from), at(port), best.length);
     if (d < best.length) best = {port, d};
   }
+  // Searches with a limit that doubles: what is near on the map but far by path (behind a wall) costs no more than a
+  // search of the neighbourhood.
   Best nearest_left(const PointGrid& grid, std::size_t from) const {
     Best best;
-    std::size_t looked = 0, first_port = start_port;
+    std::size_t first_port = start_port;
+    double farthest = 0;  // straight distance of the last candidate that counts
+    std::size_t looked = 0;
     grid.visit(at(from), [&](std::size_t port, double straight) {
       if (first_port == start_port) first_port = port;
-      if (straight >= best.length || looked++ >= kLookAt) return false;
-      consider(best, from, port);
-      return true;
+      farthest = straight;
+      return ++looked < kLookAt;
     });
+    const double nearest_by_line = bound(from, first_port);
+    for (double limit = std::max(1.5 * nearest_by_line, farthest / 8); best.length == kFar && limit < kFar; limit *= 2) {
+      best.length = limit;
+      bool found = false;
+      looked = 0;
+      grid.visit(at(from), [&](std::size_t port, double straight) {
+        if (straight >= best.length || looked++ >= kLookAt) return false;
+        const double before_it = best.length;
+        consider(best, from, port);
+        found = found || best.length < before_it;
+        return true;
+      });
+      if (!found) best.length = kFar;
+      if (limit == 0) limit = 1e-6;
+      if (!found && limit > 1e12 * (1 + nearest_by_line)) break;  // connected to nothing: take the first
+    }
     if (best.length == kFar) best = {first_port, kFar};
     return best;
   }

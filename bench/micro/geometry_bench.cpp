@@ -84,7 +84,8 @@ void BM_ContainsPoint(benchmark::State& state) {
   Rng rng(1);
   const Box box = bounding_box(region);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(index.contains(Point(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()))));
+    benchmark::DoNotOptimize(
+        index.contains(Point(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()))));
   }
   state.SetComplexityN(state.range(0));
 }
@@ -125,7 +126,11 @@ void BM_ShortestPathAcross(benchmark::State& state) {  // corner to corner of th
   for (auto _ : state) benchmark::DoNotOptimize(paths.path(box.low, box.high));
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(BM_ShortestPathAcross)->RangeMultiplier(4)->Range(1 << 9, 1 << 17)->Complexity()->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_ShortestPathAcross)
+    ->RangeMultiplier(4)
+    ->Range(1 << 9, 1 << 17)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
 
 void BM_ShortestPathMeander(benchmark::State& state) {
   const Region region = meander(state.range(0));
@@ -135,14 +140,22 @@ void BM_ShortestPathMeander(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(paths.path(start, end));
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(BM_ShortestPathMeander)->RangeMultiplier(4)->Range(1 << 9, 1 << 17)->Complexity()->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_ShortestPathMeander)
+    ->RangeMultiplier(4)
+    ->Range(1 << 9, 1 << 17)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
 
 void BM_BoustrophedonCells(benchmark::State& state) {
   const Region region = hall(state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(boustrophedon_cells(region));
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(BM_BoustrophedonCells)->RangeMultiplier(4)->Range(1 << 9, 1 << 17)->Complexity()->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_BoustrophedonCells)
+    ->RangeMultiplier(4)
+    ->Range(1 << 9, 1 << 17)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
 
 template <std::vector<Ring> (*Partition)(const Region&)>
 void BM_Partition(benchmark::State& state) {
@@ -150,10 +163,26 @@ void BM_Partition(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(Partition(region));
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK_TEMPLATE(BM_Partition, convex_partition_approximate)->RangeMultiplier(4)->Range(1 << 9, 1 << 17)->Complexity()->Unit(benchmark::kMillisecond);
-BENCHMARK_TEMPLATE(BM_Partition, monotone_partition)->RangeMultiplier(4)->Range(1 << 9, 1 << 17)->Complexity()->Unit(benchmark::kMillisecond);
-BENCHMARK_TEMPLATE(BM_Partition, trapezoid_partition)->RangeMultiplier(4)->Range(1 << 9, 1 << 17)->Complexity()->Unit(benchmark::kMillisecond);
-BENCHMARK_TEMPLATE(BM_Partition, bridged)->RangeMultiplier(4)->Range(1 << 9, 1 << 17)->Complexity()->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(BM_Partition, convex_partition_approximate)
+    ->RangeMultiplier(4)
+    ->Range(1 << 9, 1 << 17)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(BM_Partition, monotone_partition)
+    ->RangeMultiplier(4)
+    ->Range(1 << 9, 1 << 17)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(BM_Partition, trapezoid_partition)
+    ->RangeMultiplier(4)
+    ->Range(1 << 9, 1 << 17)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(BM_Partition, bridged)
+    ->RangeMultiplier(4)
+    ->Range(1 << 9, 1 << 17)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
 
 void BM_ConvexPartitionOptimal(benchmark::State& state) {
   const Region region = meander(state.range(0));

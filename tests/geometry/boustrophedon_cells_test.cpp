@@ -137,7 +137,8 @@ TEST(BoustrophedonCells, ARectangleIsOneCellWithTwoChains) {
 }
 
 TEST(BoustrophedonCells, StepsInFloorAndCeilingDoNotCut) {
-  const auto cells = check(Region{{{{{0, 0}, {2, 0}, {2, 1}, {4, 1}, {4, 0}, {6, 0}, {6, 5}, {5, 5}, {5, 4}, {3, 4}, {3, 5}, {0, 5}}, {}}}});
+  const auto cells = check(
+      Region{{{{{0, 0}, {2, 0}, {2, 1}, {4, 1}, {4, 0}, {6, 0}, {6, 5}, {5, 5}, {5, 4}, {3, 4}, {3, 5}, {0, 5}}, {}}}});
   EXPECT_EQ(cells.size(), 1u);
 }
 
@@ -155,8 +156,11 @@ TEST(BoustrophedonCells, ASquareHoleHasFourCellsInARing) {
 TEST(BoustrophedonCells, TakesRingsThatTouch) {
   // Holes that meet in corners (side by side and one above the other), in a border's middle, and polygons that meet.
   check(Region{{{{{0, 0}, {9, 0}, {9, 9}, {0, 9}},
-                 {{{1, 4}, {2, 5}, {3, 4}, {2, 3}}, {{3, 4}, {4, 5}, {5, 4}, {4, 3}}, {{2, 5}, {1, 6}, {2, 7}, {3, 6}},
-                  {{7, 7}, {9, 8}, {8, 6}}, {{6, 2}, {8, 2}, {7, 0}}}}}});
+                 {{{1, 4}, {2, 5}, {3, 4}, {2, 3}},
+                  {{3, 4}, {4, 5}, {5, 4}, {4, 3}},
+                  {{2, 5}, {1, 6}, {2, 7}, {3, 6}},
+                  {{7, 7}, {9, 8}, {8, 6}},
+                  {{6, 2}, {8, 2}, {7, 0}}}}}});
   Region board;
   for (int j = 0; j < 6; ++j) {
     for (int i = j % 2; i < 6; i += 2) {

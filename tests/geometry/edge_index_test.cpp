@@ -100,9 +100,7 @@ TEST(EdgeIndex, NearestAgreesWithAScanOfAllEdges) {
         EXPECT_NEAR(boundary_distance(index.edges(), found->place), 0, 1e-12 * (1 + p.norm()));
         EXPECT_NEAR(distance(found->from, found->place), found->distance, 1e-12 * (1 + p.norm()));
         EXPECT_FALSE(index.nearest(p, truth * 0.999));
-        if (truth > 0) {
-          EXPECT_TRUE(index.nearest(p, truth * 1.001));
-        }
+        if (truth > 0) { EXPECT_TRUE(index.nearest(p, truth * 1.001)); }
       }
     }
   }
@@ -115,7 +113,8 @@ TEST(EdgeIndex, NearestToASegmentAgreesWithAScanOfAllEdges) {
       Rng rng(seed + 2000);
       for (int q = 0; q < 30; ++q) {
         const Point a = around(rng, region, q % 2 == 0);
-        const Point b = q % 3 == 0 ? around(rng, region, q % 2 == 0) : Point(a + 0.3 * Point(rng.normal(), rng.normal()));
+        const Point b =
+            q % 3 == 0 ? around(rng, region, q % 2 == 0) : Point(a + 0.3 * Point(rng.normal(), rng.normal()));
         double truth = kInf;
         for (const EdgeIndex::Edge& e : index.edges()) {
           const double across = cross(b - a, e.b - e.a);
@@ -189,10 +188,10 @@ TEST(EdgeIndex, ContainsASegmentAsItsPiecesSay) {
 TEST(EdgeIndex, PassesAlongWallsAndThroughTouchingCornersOnlyWhereFree) {
   const Region board = chess_board();
   const EdgeIndex index(board);
-  EXPECT_TRUE(index.contains({0, 0}, {8, 8}));      // from square to square through the corners
-  EXPECT_FALSE(index.contains({1, 0}, {8, 7}));     // the diagonal of the others
+  EXPECT_TRUE(index.contains({0, 0}, {8, 8}));   // from square to square through the corners
+  EXPECT_FALSE(index.contains({1, 0}, {8, 7}));  // the diagonal of the others
   EXPECT_FALSE(index.contains({1, 1.5}, {2, 0.5}));
-  EXPECT_TRUE(index.contains({0, 1}, {8, 1}));      // along walls, free on alternate sides
+  EXPECT_TRUE(index.contains({0, 1}, {8, 1}));  // along walls, free on alternate sides
   EXPECT_TRUE(index.contains({1, 8}, {1, 0}));
   EXPECT_FALSE(index.contains({-1, 1}, {8, 1}));
   EXPECT_FALSE(index.contains({0.5, 0.5}, {1.5, 0.5}));
@@ -220,9 +219,7 @@ TEST(EdgeIndex, NearListsEveryEdgeThatMeetsTheBox) {
       EXPECT_EQ(set.size(), listed.size());
       for (std::size_t e = 0; e < index.edges().size(); ++e) {
         for (int i = 0; i <= 20; ++i) {
-          if (box.contains(lerp(index.edges()[e].a, index.edges()[e].b, i / 20.0))) {
-            EXPECT_EQ(set.count(e), 1u);
-          }
+          if (box.contains(lerp(index.edges()[e].a, index.edges()[e].b, i / 20.0))) { EXPECT_EQ(set.count(e), 1u); }
         }
       }
     }

@@ -68,8 +68,9 @@ void check(const Region& region) {
       const Mesh::Triangle& n = mesh.triangles()[static_cast<std::size_t>(t.neighbour[i])];
       bool back = false;
       for (std::size_t j = 0; j < 3; ++j) {
-        back = back || (n.neighbour[j] == static_cast<std::int32_t>(k) && n.corner[(j + 1) % 3] == t.corner[(i + 2) % 3] &&
-                        n.corner[(j + 2) % 3] == t.corner[(i + 1) % 3]);
+        back =
+            back || (n.neighbour[j] == static_cast<std::int32_t>(k) && n.corner[(j + 1) % 3] == t.corner[(i + 2) % 3] &&
+                     n.corner[(j + 2) % 3] == t.corner[(i + 1) % 3]);
       }
       EXPECT_TRUE(back);
     }
@@ -99,18 +100,14 @@ TEST(Mesh, LocatesEveryPointInsideAndNoneOutside) {
       if (q % 2 == 0) p = (p * 8).array().round() / 8;
       const std::int32_t t = mesh.locate(p, 0);
       EXPECT_EQ(t != Mesh::kWall, index.contains(p)) << p.transpose();
-      if (t != Mesh::kWall) {
-        EXPECT_EQ(mesh.nearest_in(t, p), p);
-      }
+      if (t != Mesh::kWall) { EXPECT_EQ(mesh.nearest_in(t, p), p); }
       const auto wall = index.nearest(p);
       ASSERT_TRUE(wall);
       const double far = index.contains(p) ? 0 : wall->distance;
       const std::int32_t near = mesh.locate(p, far * 1.001 + 1e-12);
       ASSERT_NE(near, Mesh::kWall);
       EXPECT_NEAR(distance(mesh.nearest_in(near, p), p), far, 1e-12);
-      if (far > 1e-6) {
-        EXPECT_EQ(mesh.locate(p, far * 0.999), Mesh::kWall);
-      }
+      if (far > 1e-6) { EXPECT_EQ(mesh.locate(p, far * 0.999), Mesh::kWall); }
     }
     for (const Point& p : mesh.points()) EXPECT_NE(mesh.locate(p, 0), Mesh::kWall);
   }
@@ -128,12 +125,8 @@ TEST(Mesh, TakesRingsThatTouch) {
     if (p == Point(3, 3)) {
       EXPECT_FALSE(mesh.is_reflex(static_cast<std::int32_t>(i)));  // two fans of 90 degrees
     }
-    if (p == Point(8, 8)) {
-      EXPECT_FALSE(mesh.is_reflex(static_cast<std::int32_t>(i)));
-    }
-    if (p == Point(5, 5)) {
-      EXPECT_TRUE(mesh.is_reflex(static_cast<std::int32_t>(i)));
-    }
+    if (p == Point(8, 8)) { EXPECT_FALSE(mesh.is_reflex(static_cast<std::int32_t>(i))); }
+    if (p == Point(5, 5)) { EXPECT_TRUE(mesh.is_reflex(static_cast<std::int32_t>(i))); }
   }
 }
 

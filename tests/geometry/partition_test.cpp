@@ -81,8 +81,11 @@ void on_samples(int most, const std::function<void(const Region&, Rng&)>& check)
 
 Region touching() {
   return {{{{{0, 0}, {9, 0}, {9, 9}, {0, 9}},
-            {{{1, 4}, {2, 5}, {3, 4}, {2, 3}}, {{3, 4}, {4, 5}, {5, 4}, {4, 3}}, {{2, 5}, {1, 6}, {2, 7}, {3, 6}},
-             {{7, 7}, {9, 8}, {8, 6}}, {{6, 2}, {8, 2}, {7, 0}}}},
+            {{{1, 4}, {2, 5}, {3, 4}, {2, 3}},
+             {{3, 4}, {4, 5}, {5, 4}, {4, 3}},
+             {{2, 5}, {1, 6}, {2, 7}, {3, 6}},
+             {{7, 7}, {9, 8}, {8, 6}},
+             {{6, 2}, {8, 2}, {7, 0}}}},
            {{{9, 9}, {10, 9}, {10, 10}, {9, 10}}, {}}}};
 }
 
@@ -131,7 +134,12 @@ TEST(Partition, OptimalFindsTheLeastNumber) {
   EXPECT_EQ(convex_partition_optimal(box_region({0, 0}, {2, 1})).size(), 1u);
   EXPECT_EQ(convex_partition_optimal(Region{{{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, {}}}}).size(), 2u);
   // A plus sign: four reflex corners, one cut for two of them.
-  EXPECT_EQ(convex_partition_optimal(Region{{{{{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}}, {}}}}).size(), 3u);
+  EXPECT_EQ(
+      convex_partition_optimal(
+          Region{
+              {{{{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}}, {}}}})
+          .size(),
+      3u);
 }
 
 TEST(Partition, OptimalRefusesManyCornersWithASentence) {

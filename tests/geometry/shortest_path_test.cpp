@@ -100,7 +100,8 @@ TEST(ShortestPaths, AgreesWithAVisibilityGraphInStars) {
 TEST(ShortestPaths, TiesAmongManyEqualBlocksStayCheap) {
   Polygon p{{{0, 0}, {40, 0}, {40, 40}, {0, 40}}, {}};
   for (int j = 0; j < 40; ++j) {
-    for (int i = 0; i < 40; ++i) p.holes.push_back({{i + .25, j + .25}, {i + .25, j + .75}, {i + .75, j + .75}, {i + .75, j + .25}});
+    for (int i = 0; i < 40; ++i)
+      p.holes.push_back({{i + .25, j + .25}, {i + .25, j + .75}, {i + .75, j + .75}, {i + .75, j + .25}});
   }
   const Region region{{p}};
   const ShortestPaths paths(region, 1e-9);
