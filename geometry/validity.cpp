@@ -143,7 +143,8 @@ bool same(const Region& r, const Region& s) {
                     [](const Polygon& p, const Polygon& q) { return p.outer == q.outer && p.holes == q.holes; });
 }
 
-bool outers_less_holes(int first, int second) { return first != 0 && second == 0; }
+/// Outer rings wind +1, holes -1: an island in a hole counts 2 - 1.
+bool outers_less_holes(int first, int second) { return first + second > 0; }
 
 }  // namespace
 
