@@ -72,7 +72,8 @@ int run(int argc, char** argv) {
     actions[sub] = command.attach(*sub);
   }
   if (argc < 2)
-    return refuse(fmt::format("no command given; there are: {}. See `oxturn --help`", fmt::join(command_names(), ", ")));
+    return refuse(
+        fmt::format("no command given; there are: {}. See `oxturn --help`", fmt::join(command_names(), ", ")));
   const std::string word = argv[1];
   if (!word.empty() && word.front() != '-') {
     const auto names = command_names();

@@ -118,8 +118,8 @@ MapFile load_map(const std::string& name, const ReadOptions& read) {
   if (!known) {
     std::vector<std::string> names;
     for (const GeneratorInfo& g : generators()) names.push_back(g.name);
-    throw std::invalid_argument(fmt::format("no file and no generator '{}'; did you mean '{}'? Generators: {}", generator,
-                                            nearest_name(generator, names), fmt::join(names, ", ")));
+    throw std::invalid_argument(fmt::format("no file and no generator '{}'; did you mean '{}'? Generators: {}",
+                                            generator, nearest_name(generator, names), fmt::join(names, ", ")));
   }
   return MapFile{generate(generator, {}, seed), {}, {}, {}, {}};
 }

@@ -61,7 +61,8 @@ std::function<int()> attach(CLI::App& app) {
 
 Command run_command() {
   return {"run", "run a suite: every planner on every map, one row each",
-          "  oxturn run quick -o out\n  oxturn run my.toml -o out -j 4\n  oxturn run my.toml -o out --resume\n", attach};
+          "  oxturn run quick -o out\n  oxturn run my.toml -o out -j 4\n  oxturn run my.toml -o out --resume\n",
+          attach};
 }
 
 }  // namespace oxturn::cli

@@ -47,7 +47,8 @@ std::vector<SuiteFile> suite_files() {
   if (folder.empty()) return all;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".toml")
-      all.push_back({entry.path().stem().string(), entry.path().string(), first_comment(read_file(entry.path().string()))});
+      all.push_back(
+          {entry.path().stem().string(), entry.path().string(), first_comment(read_file(entry.path().string()))});
   std::sort(all.begin(), all.end(), [](const SuiteFile& a, const SuiteFile& b) { return a.name < b.name; });
   return all;
 }

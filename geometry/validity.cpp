@@ -143,8 +143,9 @@ bool same(const Region& r, const Region& s) {
                     [](const Polygon& p, const Polygon& q) { return p.outer == q.outer && p.holes == q.holes; });
 }
 
-/// Outer rings wind +1, holes -1: an island in a hole counts 2 - 1.
-bool outers_less_holes(int first, int second) { return first + second > 0; }
+/// Outer rings wind +1, holes -1: an island in a hole counts 2 - 1. Away from holes, a ring that runs through itself
+/// at a corner has one part that winds -1: that is no less a part of it.
+bool outers_less_holes(int first, int second) { return second == 0 ? first != 0 : first + second > 0; }
 
 }  // namespace
 

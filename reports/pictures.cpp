@@ -21,7 +21,8 @@ using Json = nlohmann::json;
 std::string problem_of(const std::string& text, const std::string& source) {
   const Json path = Json::parse(text, nullptr, false);
   if (!path.is_object() || !path.contains("problem") || !path["problem"].is_string())
-    throw std::invalid_argument(source + ": no member 'problem' that names the problem's file, as `oxturn run` writes it");
+    throw std::invalid_argument(source +
+                                ": no member 'problem' that names the problem's file, as `oxturn run` writes it");
   return path["problem"].get<std::string>();
 }
 

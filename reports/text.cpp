@@ -53,7 +53,9 @@ std::optional<double> median(std::vector<double> values) {
   return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
-std::string fixed(std::optional<double> value, int digits) { return value ? fmt::format("{:.{}f}", *value, digits) : ""; }
+std::string fixed(std::optional<double> value, int digits) {
+  return value ? fmt::format("{:.{}f}", *value, digits) : "";
+}
 
 std::vector<double> numbers(const std::vector<const Row*>& rows, const std::string& column) {
   std::vector<double> out;
@@ -67,8 +69,12 @@ bool valid_path(const Row& row) {
   return outcome == Outcome::ok || outcome == Outcome::partial;
 }
 
-std::string markdown_table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows,
-                           std::size_t left) {
+std::string seconds(std::optional<double> value) {
+  return fixed(value, !value || *value >= 10 ? 1 : *value >= 0.1 ? 3 : 4);
+}
+
+std::string markdown_table(const std::string& align, const std::vector<std::string>& head,
+                           const std::vector<std::vector<std::string>>& rows) {
   // Padded, so that the file reads well as plain text too.
   std::vector<std::size_t> width;
   for (const std::string& h : head) width.push_back(std::max<std::size_t>(h.size(), 3));
@@ -78,13 +84,13 @@ std::string markdown_table(const std::vector<std::string>& head, const std::vect
   const auto line = [&](const std::vector<std::string>& cells) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const std::string space(width[i] - cells[i].size(), ' ');
-      out += i < left ? "| " + cells[i] + space + " " : "| " + space + cells[i] + " ";
+      out += align[i] == 'l' ? "| " + cells[i] + space + " " : "| " + space + cells[i] + " ";
     }
     out += "|\n";
   };
   line(head);
   for (std::size_t i = 0; i < head.size(); ++i)
-    out += i < left ? "| " + std::string(width[i], '-') + " " : "| " + std::string(width[i] - 1, '-') + ": ";
+    out += align[i] == 'l' ? "| " + std::string(width[i], '-') + " " : "| " + std::string(width[i] - 1, '-') + ": ";
   out += "|\n";
   for (const auto& row : rows) line(row);
   return out;

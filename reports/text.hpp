@@ -25,8 +25,11 @@ std::vector<double> numbers(const std::vector<const Row*>& rows, const std::stri
 /// The run gave a valid path: `ok` or `partial`.
 bool valid_path(const Row& row);
 
-/// A Markdown table; cells are already escaped. Columns after the first `left` are right-aligned.
-std::string markdown_table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows,
-                           std::size_t left);
+/// A time as a table shows it: three figures or so, whether it is a millisecond or an hour.
+std::string seconds(std::optional<double> value);
+
+/// A Markdown table; cells are already escaped. `align` has a letter a column: 'l' or 'r'.
+std::string markdown_table(const std::string& align, const std::vector<std::string>& head,
+                           const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace oxturn

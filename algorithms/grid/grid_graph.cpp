@@ -104,8 +104,13 @@ GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, 
   const double angle = settings.align == "edges" ? dominant_direction(problem.map().free) : 0;
   Box box;
   for (const Point& p : problem.configuration_space().polygons.front().outer) box.add(rotated(p, -angle));
-  // Half a cell out, less a hair: the first cell centres stand just inside configuration space.
+  // Half a cell out, less a hair: the first cell centres stand just inside configuration space. Where a room is a
+  // whole number of cells wide but for rounding, cells give way, not the last row.
   const double hair = 1e-6 * side;
+  for (const double extent : {box.size().x(), box.size().y()}) {
+    const double steps = (extent - 2 * hair) / side, whole = std::round(steps);
+    if (whole >= 1 && steps < whole && whole - steps < 1e-3) side = (extent - 2 * hair) / whole;
+  }
   box.grow(side / 2 - hair + margin * side);
   const double block = side * multiple;
   Point low = box.low + side * Point(settings.shift_x, settings.shift_y);

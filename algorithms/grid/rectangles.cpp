@@ -46,10 +46,10 @@ struct Stretch { int column, low, high; };
 class Cleaner {
  public:
   Cleaner(const Params& p, const Problem& problem, Context& context)
-      : p_(p), problem_(problem), context_(context), side_(side_of(p, problem)),
-        graph_(make_grid_graph(problem, {p.cell_size, p.align, 0, 0}, side_, 1,
-                              static_cast<int>(std::ceil(problem.robot().radius / side_)) + 1)),
-        driven_(graph_.size(), false), path_(problem.start()) {}
+      : p_(p), problem_(problem), context_(context),
+        graph_(make_grid_graph(problem, {p.cell_size, p.align, 0, 0}, side_of(p, problem), 1,
+                               static_cast<int>(std::ceil(problem.robot().radius / side_of(p, problem))) + 1)),
+        side_(graph_.side()), driven_(graph_.size(), false), path_(problem.start()) {}
 
   Path clean() {
     const BitGrid world = without_gaps(dirty_cells(), p_.gap, p_.small_obstacle);
@@ -126,23 +126,25 @@ class Cleaner {
   void clean(const CellRectangle& r, const Stretch& start) {
     const Point middle = graph_.centre((r.left + r.right) / 2.0, (r.bottom + r.top) / 2.0);
     if (p_.via_centre && problem_.walls().contains(middle)) go(middle, false);
-    go(node(start.column, start.low), false);
     const int step = p_.columns == "tool" ? std::max(1, static_cast<int>(problem_.robot().tool_width / side_ + 1e-9)) : 1;
-    bool up = true;
+    bool up = true, first = true;
     for (int i = r.left;; i = std::min(i + step, r.right)) {
       // The first column counts from the start; cells below a shifted one stay (seed).
       std::vector<Stretch> runs = stretches(i, i == r.left ? start.low : r.bottom, r.top);
       if (runs.empty() && context_.wants_traces()) skipped_.push_back({node(i, r.bottom), node(i, r.top)});
       if (!up) std::reverse(runs.begin(), runs.end());
-      for (const Stretch& s : runs) drive(s, up);
+      for (const Stretch& s : runs) {
+        drive(s, up, !first);
+        first = false;
+      }
       if (!runs.empty()) up = !up;
       if (i == r.right) break;
     }
   }
 
-  void drive(const Stretch& s, bool up) {
+  void drive(const Stretch& s, bool up, bool may_work) {
     // A stretch of one node has no length to sweep: there the tool comes down for the last bit of the way.
-    go(node(s.column, up ? s.low : s.high), true, s.low == s.high ? side_ : 0);
+    go(node(s.column, up ? s.low : s.high), may_work, s.low == s.high ? side_ : 0);
     path_.drive(node(s.column, up ? s.high : s.low), true);
     for (int j = s.low; j <= s.high; ++j) driven_[graph_.at(s.column, j)] = true;
   }
@@ -190,7 +192,7 @@ class Cleaner {
     while (!context_.cancelled()) {
       const auto found = nearest.from(path_.at());
       if (!found) return;
-      drive(open[found->id / 2], found->id % 2 == 0);
+      drive(open[found->id / 2], found->id % 2 == 0, true);
       nearest.drop(static_cast<int>(found->id / 2));
     }
   }
@@ -208,8 +210,8 @@ class Cleaner {
   const Params& p_;
   const Problem& problem_;
   Context& context_;
-  double side_;
   GridGraph graph_;
+  double side_;
   std::vector<bool> driven_;
   std::vector<Polyline> skipped_;
   PathBuilder path_;

@@ -225,7 +225,7 @@ void OpenTour::improve(std::vector<TourStop>& tour, Context& context) const {
   renumber(0, n);
   const auto exit_of = [&](std::size_t i) { return i == 0 ? m.start_port : m.exit(tour[i - 1]); };  // before stop i
   const auto flipped = [&](TourStop s) { s.pattern = m.elements[s.element][s.pattern].reverse; return s; };
-  const std::size_t most_searches = m.searches + std::min<std::size_t>(1000 + 6 * n, 12000);
+  const std::size_t most_searches = m.searches + std::min<std::size_t>(4000 + 6 * n, 12000);
   constexpr double kGain = 1e-9;
 
   // Turns round stops i..j.

@@ -232,7 +232,8 @@ void append_footer(std::string& out, const View& view, bool key) {
   const double key_width = 120, key_x = view.width - kMargin - key_width - 30;
   if (key_x < right + 90) return;  // no room beside the bar: the picture is understood without
   out += "<defs><linearGradient id=\"time\">";
-  for (int i = 0; i <= 4; ++i) out += fmt::format("<stop offset=\"{}\" stop-color=\"{}\"/>", i * 0.25, colour(i * 0.25));
+  for (int i = 0; i <= 4; ++i)
+    out += fmt::format("<stop offset=\"{}\" stop-color=\"{}\"/>", i * 0.25, colour(i * 0.25));
   out += fmt::format(
       "</linearGradient></defs>\n<g id=\"key\" font-family=\"sans-serif\" font-size=\"13\" fill=\"#333\">"
       "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">start</text><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"6\" "

@@ -26,8 +26,6 @@ std::string other_outcomes(const std::vector<const Row*>& rows) {
   return out;
 }
 
-std::string seconds(std::optional<double> value) { return fixed(value, value && *value < 10 ? 3 : 1); }
-
 std::vector<std::string> comparison_row(const RowGroup& group) {
   int ok = 0, partial = 0;
   std::vector<const Row*> valid;
@@ -70,9 +68,10 @@ std::vector<std::string> comparison_row(const RowGroup& group) {
 std::string comparison_table(const Results& results) {
   std::vector<std::vector<std::string>> rows;
   for (const RowGroup& group : by_variant(results)) rows.push_back(comparison_row(group));
-  return markdown_table({"planner", "runs", "ok", "partial", "other", "coverage min", "coverage mean", "length_ratio",
+  return markdown_table("lrrrlrrrrrrrr",
+                        {"planner", "runs", "ok", "partial", "other", "coverage min", "coverage mean", "length_ratio",
                          "overlap", "revisits", "turns", "mission_s", "plan_wall_s"},
-                        rows, 1);
+                        rows);
 }
 
 }  // namespace oxturn

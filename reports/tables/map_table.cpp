@@ -17,15 +17,15 @@ std::string map_table(const RowGroup& map, const Pictures& pictures) {
     if (repeats.size() > 1) name += " #" + escape_markdown(row->get("repeat"));
     if (const auto it = pictures.find(row->get("run_id")); it != pictures.end())
       name = fmt::format("[{}]({})", name, escape_url(it->second));
-    const auto wall = row->number("plan_wall_s");
     rows.push_back({name, to_text(row->outcome()), fixed(row->number("coverage"), 4), fixed(row->number("path_m"), 1),
                     fixed(row->number("length_ratio"), 3), fixed(row->number("turns"), 0),
-                    fixed(row->number("clearance_m"), 3), fixed(wall, wall && *wall < 10 ? 3 : 1),
+                    fixed(row->number("clearance_m"), 3), seconds(row->number("plan_wall_s")),
                     row->outcome() == Outcome::ok ? "" : escape_markdown(row->get("reason"))});
   }
-  return markdown_table(
-      {"planner", "outcome", "coverage", "path_m", "length_ratio", "turns", "clearance_m", "plan_wall_s", "reason"}, rows,
-      2);
+  return markdown_table("llrrrrrrl",
+                        {"planner", "outcome", "coverage", "path_m", "length_ratio", "turns", "clearance_m",
+                         "plan_wall_s", "reason"},
+                        rows);
 }
 
 }  // namespace oxturn

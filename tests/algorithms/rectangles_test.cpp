@@ -105,10 +105,8 @@ TEST(Rectangles, AnEmptyRoomIsOneRectangleDrivenColumnByColumn) {
   int work = 0;
   for (const Leg& leg : path.legs) work += leg.tool;
   EXPECT_EQ(work, 1);
-  // Columns of 2.6 m from 0.2 to 3.8, 0.2 apart: 18 or 19 of them, by rounding at the far wall.
-  const double columns = std::floor((path.length(true) + 0.2) / 2.8 + 0.5);
-  EXPECT_NEAR(columns, 18.5, 0.6);
-  EXPECT_NEAR(path.length(true), columns * 2.6 + (columns - 1) * 0.2, 0.2 * columns);
+  // 19 columns of 2.6 m, from wall to wall, 0.2 apart.
+  EXPECT_NEAR(path.length(true), 19 * 2.6 + 18 * 0.2, 0.001);
 }
 
 TEST(Rectangles, EverySegmentStaysInConfigurationSpace) {

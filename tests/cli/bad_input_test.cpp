@@ -100,7 +100,8 @@ TEST_F(BadInput, NumbersThatAreNone) {
   expect_refused(oxturn("plan stc " + box + " --radius inf" + to), HasSubstr("inf"));
   expect_refused(oxturn("plan stc " + box + " --wall -1" + to), HasSubstr("--wall"));
   expect_refused(oxturn("plan stc " + box + " --robot speed=fast" + to), HasSubstr("fast"));
-  expect_refused(oxturn("plan stc " + box + " --robot colour=1" + to), AllOf(HasSubstr("colour"), HasSubstr("it has:")));
+  expect_refused(oxturn("plan stc " + box + " --robot colour=1" + to),
+                 AllOf(HasSubstr("colour"), HasSubstr("it has:")));
   expect_refused(oxturn("plan stc rooms --seed -3" + to), HasSubstr("'-3'"));
   expect_refused(oxturn("plan stc rooms:x" + to), HasSubstr("'x'"));
   expect_refused(oxturn("plan stc " + box + " --start 1" + to), HasSubstr("X,Y"));

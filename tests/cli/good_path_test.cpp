@@ -160,7 +160,8 @@ TEST_F(Planned, RunGivesRowsTableAndPictures) {
   const std::string csv = content(out / "r/runs.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 2);
   std::size_t pictures = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(out / "r/gallery")) pictures += entry.path().extension() == ".svg";
+  for (const auto& entry : std::filesystem::directory_iterator(out / "r/gallery"))
+    pictures += entry.path().extension() == ".svg";
   EXPECT_EQ(pictures, 4u);
   // Again into the same folder: refused, in one line; as a resumption it has nothing to do.
   const Said again = oxturn("run " + suite + " -q -o " + (out / "r"));

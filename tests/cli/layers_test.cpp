@@ -48,7 +48,8 @@ TEST(Layers, AFolderIncludesOnlyItselfAndThoseBeforeIt) {
   for (const Include& include : includes()) {
     if (!include.quoted) continue;
     const std::string room = include.name.substr(0, include.name.find('/'));
-    EXPECT_LT(rank(room), unknown()) << include.file << " includes \"" << include.name << "\": write it from the project's root";
+    EXPECT_LT(rank(room), unknown()) << include.file << " includes \"" << include.name
+                                     << "\": write it from the project's root";
     EXPECT_LE(rank(room), rank(include.room())) << include.file << " includes " << include.name;
     EXPECT_TRUE(fs::exists(fs::path(OXTURN_SOURCE_DIR) / include.name)) << include.file << " includes " << include.name;
   }

@@ -124,7 +124,22 @@ TEST(Repaired, OverlappingAndNestedPolygonsAreOne) {
   EXPECT_NEAR(area(u), 32, 1e-6);
 }
 
+TEST(Repaired, IslandsInHolesStay) {
+  Region r = polygon(square(0, 0, 9), {square(1, 1, 7)});
+  r.polygons.push_back({square(2, 2, 5), {square(3, 3, 3)}});
+  r.polygons.push_back({square(4, 4, 1), {}});
+  expect_fixed(r);
+  r.polygons[0].holes.push_back(square(0, 0, 1));  // something to mend elsewhere
+  const Region mended = repaired(r);
+  EXPECT_EQ(mended.polygons.size(), 3u);
+  EXPECT_NEAR(area(mended), 81 - 49 + 25 - 9 + 1 - 1, 1e-6);
+}
+
 TEST(Repaired, RingsThatMeetThemselvesAreTakenApart) {
+  // runs through itself at (1, 1): both halves belong to it
+  const Region eight = repaired(polygon({{0, 0}, {1, 1}, {2, 2}, {2, 0}, {1, 1}, {0, 2}}));
+  EXPECT_EQ(eight.polygons.size(), 2u);
+  EXPECT_NEAR(area(eight), 2, 1e-7);
   const Region hour = repaired(polygon({{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 1}}));
   EXPECT_EQ(hour.polygons.size(), 2u);
   EXPECT_NEAR(area(hour), 2, 1e-7);

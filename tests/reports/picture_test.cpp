@@ -57,7 +57,8 @@ TEST(Picture, LongPathsAreFewPieces) {
   const Path path = builder.take();
   const std::string svg = to_svg(box(), &path);
   std::size_t pieces = 0;
-  for (std::size_t at = svg.find("<path stroke="); at != std::string::npos; at = svg.find("<path stroke=", at + 1)) ++pieces;
+  for (std::size_t at = svg.find("<path stroke="); at != std::string::npos; at = svg.find("<path stroke=", at + 1))
+    ++pieces;
   EXPECT_GT(pieces, 400u);
   EXPECT_LE(pieces, 500u);
 }

@@ -135,7 +135,8 @@ TEST(Report, NamesCannotBecomeMarkup) {
 
 TEST(Report, TwoMapsOfOneNameAreToldApart) {
   Results results;
-  results.rows = {row("rooms-1", "a", "ok"), row("rooms-1", "a", "ok", {{"map_sha256", "abcdef0123"}, {"run_id", "2"}})};
+  results.rows = {row("rooms-1", "a", "ok"),
+                  row("rooms-1", "a", "ok", {{"map_sha256", "abcdef0123"}, {"run_id", "2"}})};
   const Folder out;
   write_report(results, out.name());
   EXPECT_THAT(read_file(out / "report.md"), HasSubstr("## rooms-1 (abcdef01)"));

@@ -30,8 +30,15 @@ TEST(Text, EmptyIsEmptyNotZero) {
   EXPECT_EQ(fixed(1.23456, 3), "1.235");
 }
 
+TEST(Text, SecondsOfEverySize) {
+  EXPECT_EQ(seconds(std::nullopt), "");
+  EXPECT_EQ(seconds(0.00042), "0.0004");
+  EXPECT_EQ(seconds(0.7), "0.700");
+  EXPECT_EQ(seconds(61.25), "61.2");
+}
+
 TEST(Text, TablesHaveTheSameCellsInEveryLine) {
-  const std::string table = markdown_table({"a", "b"}, {{"xxxxx", "1"}, {"y", "22"}}, 1);
+  const std::string table = markdown_table("lr", {"a", "b"}, {{"xxxxx", "1"}, {"y", "22"}});
   EXPECT_EQ(table,
             "| a     |   b |\n"
             "| ----- | --: |\n"
