@@ -73,8 +73,9 @@ Setting set_up(const Work& work, const Cell& cell) {
     s.map_hash = content_hash(*s.map);
     s.problem.emplace(*s.map, robot, start, anchor);
     s.hash = s.problem->content_hash();
-    // Scoring needs the walls, and would build them for the second planner but not for the first.
+    // Scoring needs both, and would build them for the second planner but not for the first.
     s.problem->walls();
+    s.problem->target();
     s.problem_file = fmt::format("maps/{}.geojson", s.hash);
     const std::string file = fmt::format("{}/{}", work.options.folder, s.problem_file);
     if (!std::filesystem::exists(file)) write_file(file, to_geojson(*s.problem));

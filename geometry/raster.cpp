@@ -1,4 +1,3 @@
-// Written by the lead (geoA: no need to write this one again; tests are still yours).
 #include "geometry/raster.hpp"
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-// Written by the lead (geoA: no need to write this one again; tests are still yours).
-//
 // Method      Corners that are convex seen from free space are dropped in order of the error that makes, which cuts a
 //             triangle off free space; reflex corners only when they have become exactly collinear. A corner stays
 //             if its triangle holds any other corner, so rings never touch or cross.

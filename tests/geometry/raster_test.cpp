@@ -64,6 +64,14 @@ TEST(Rasterise, CellsOnTheBorderFollowTheRule) {
   EXPECT_EQ(rasterise(diamond, {0, 0}, 1, 4, 4, CellRule::centre).count(), 12u);   // centres on the slanted edges
 }
 
+TEST(Rasterise, CornersAtTheHeightOfCentres) {
+  const Region diamond{{Polygon{{{2, 0}, {4, 2}, {2, 4}, {0, 2}}, {}}}};
+  const BitGrid g = rasterise(diamond, {-1.5, -1.5}, 1, 8, 7, CellRule::centre);
+  for (int j = 0; j < g.rows; ++j)
+    for (int i = 0; i < g.columns; ++i)
+      EXPECT_EQ(g.get(i, j), std::abs(i - 1 - 2) + std::abs(j - 1 - 2) <= 2) << i << ' ' << j;
+}
+
 TEST(Rasterise, TheGridMayBeAnywhere) {
   const Region box = box_region({0, 0}, {10, 10});
   EXPECT_EQ(rasterise(box, {4, 4}, 1, 3, 3, CellRule::inside).count(), 9u);

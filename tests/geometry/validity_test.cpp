@@ -125,8 +125,8 @@ TEST(Repaired, OverlappingAndNestedPolygonsAreOne) {
 }
 
 TEST(Repaired, IslandsInHolesStay) {
-  Region r = polygon(square(0, 0, 9), {square(1, 1, 7)});
-  r.polygons.push_back({square(2, 2, 5), {square(3, 3, 3)}});
+  Region r = polygon(square(0, 0, 9), {reversed(square(1, 1, 7))});
+  r.polygons.push_back({square(2, 2, 5), {reversed(square(3, 3, 3))}});
   r.polygons.push_back({square(4, 4, 1), {}});
   expect_fixed(r);
   r.polygons[0].holes.push_back(square(0, 0, 1));  // something to mend elsewhere
@@ -137,9 +137,9 @@ TEST(Repaired, IslandsInHolesStay) {
 
 TEST(Repaired, RingsThatMeetThemselvesAreTakenApart) {
   // runs through itself at (1, 1): both halves belong to it
-  const Region eight = repaired(polygon({{0, 0}, {1, 1}, {2, 2}, {2, 0}, {1, 1}, {0, 2}}));
+  const Region eight = repaired(polygon({{0, 0}, {1, 1}, {2, 2.5}, {2, 0}, {1, 1}, {0, 2}}));
   EXPECT_EQ(eight.polygons.size(), 2u);
-  EXPECT_NEAR(area(eight), 2, 1e-7);
+  EXPECT_NEAR(area(eight), 2.25, 1e-7);
   const Region hour = repaired(polygon({{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 1}}));
   EXPECT_EQ(hour.polygons.size(), 2u);
   EXPECT_NEAR(area(hour), 2, 1e-7);
