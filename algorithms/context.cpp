@@ -11,7 +11,8 @@ namespace {
 Context::Clock::time_point deadline_after(double wall_s) {
   constexpr double kLongest = 3e9;
   const double seconds = std::clamp(wall_s, 0.0, kLongest);
-  return Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(std::chrono::duration<double>(seconds));
+  return Context::Clock::now() +
+         std::chrono::duration_cast<Context::Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
 }  // namespace

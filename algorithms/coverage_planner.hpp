@@ -17,9 +17,13 @@
 namespace oxturn {
 
 /// The planner can prove, or is certain, that it cannot solve this problem. Outcome `infeasible`.
-struct Infeasible : std::runtime_error { using std::runtime_error::runtime_error; };
+struct Infeasible : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 /// The planner lacks what the problem asks for. Outcome `unsupported`.
-struct Unsupported : std::runtime_error { using std::runtime_error::runtime_error; };
+struct Unsupported : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// What a run gives its planner besides the problem. Not copyable; one per call of plan().
 class Context {

@@ -9,11 +9,16 @@ namespace oxturn {
 
 std::string to_text(Capability capability) {
   switch (capability) {
-    case Capability::tether: return "tether";
-    case Capability::online: return "online";
-    case Capability::holes: return "holes";
-    case Capability::curvature: return "curvature";
-    case Capability::footprint: return "footprint";
+    case Capability::tether:
+      return "tether";
+    case Capability::online:
+      return "online";
+    case Capability::holes:
+      return "holes";
+    case Capability::curvature:
+      return "curvature";
+    case Capability::footprint:
+      return "footprint";
   }
   return "unknown";  // not reached: the switch names all
 }
@@ -26,7 +31,8 @@ std::string missing_capability(const PlannerInfo& planner, const Problem& proble
   const auto lacks = [&](Capability capability, const char* why) {
     return fmt::format("planner '{}' has no capability '{}', which {}", planner.name, to_text(capability), why);
   };
-  if (problem.robot().tether && !planner.has(Capability::tether)) return lacks(Capability::tether, "a tethered robot asks for");
+  if (problem.robot().tether && !planner.has(Capability::tether))
+    return lacks(Capability::tether, "a tethered robot asks for");
   if (problem.robot().min_turn_radius > 0 && !planner.has(Capability::curvature))
     return lacks(Capability::curvature, "a robot that cannot turn on the spot asks for");
   if (hole_count(problem.configuration_space()) > 0 && !planner.has(Capability::holes))

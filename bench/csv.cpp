@@ -64,8 +64,10 @@ std::vector<std::vector<std::string>> parse_csv(const std::string& text, const s
       }
     } else if (c == '"') {
       if (!cell.empty() || was_quoted) {
-        throw std::invalid_argument(fmt::format("{}:{}: a quote in the middle of a cell; quote the whole cell and "
-                                                "double the quotes inside", source, line));
+        throw std::invalid_argument(
+            fmt::format("{}:{}: a quote in the middle of a cell; quote the whole cell and "
+                        "double the quotes inside",
+                        source, line));
       }
       in_quotes = was_quoted = true;
       opened = line;
@@ -78,8 +80,8 @@ std::vector<std::vector<std::string>> parse_csv(const std::string& text, const s
       lines.push_back(std::move(cells));
       cells.clear();
     } else if (was_quoted) {
-      throw std::invalid_argument(fmt::format("{}:{}: text after a closing quote; expected a comma or the line's end",
-                                              source, line));
+      throw std::invalid_argument(
+          fmt::format("{}:{}: text after a closing quote; expected a comma or the line's end", source, line));
     } else {
       cell += c;
     }

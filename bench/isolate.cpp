@@ -80,11 +80,14 @@ class Log {
 class Supervisor {
  public:
   Supervisor(pid_t pid, int fd, const IsolationOptions& options, double rss_before)
-      : pid_(pid), fd_(fd), options_(options), statm_(fmt::format("/proc/{}/statm", pid)),
+      : pid_(pid),
+        fd_(fd),
+        options_(options),
+        statm_(fmt::format("/proc/{}/statm", pid)),
         rss_limit_(rss_before + options.limits.memory_mb * kMega),
         frames_(static_cast<std::uint64_t>(options.limits.memory_mb * kMega)),
-        deadline_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                     std::chrono::duration<double>(options.limits.wall_s))) {}
+        deadline_(Clock::now() +
+                  std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.limits.wall_s))) {}
 
   Planned watch() {
     while (!ended_ && !reaped_) {
@@ -122,7 +125,8 @@ class Supervisor {
 
   // False when the protocol is broken.
   bool wait_and_read(Clock::time_point now) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - now) + std::chrono::milliseconds(1);
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - now) + std::chrono::milliseconds(1);
     const int patience = static_cast<int>(std::min<std::chrono::milliseconds>(left, kWatch).count());
     if (closed_) {  // the child shut the pipe without a word: it is ending, or hides
       ::usleep(200);
@@ -148,9 +152,7 @@ class Supervisor {
       return true;
     } catch (const std::bad_alloc&) {
       kill_with(Outcome::out_of_memory, "its path does not fit into memory beside the harness");
-    } catch (const std::exception& e) {
-      kill_with(Outcome::error, fmt::format("bad protocol: {}", e.what()));
-    }
+    } catch (const std::exception& e) { kill_with(Outcome::error, fmt::format("bad protocol: {}", e.what())); }
     return false;
   }
 
@@ -173,8 +175,8 @@ class Supervisor {
         planned_.wall_s = wire::take<double>(payload);
         planned_.cpu_s = wire::take<double>(payload);
         planned_.peak_rss_bytes = wire::take<double>(payload);
-        deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                       std::chrono::duration<double>(options_.limits.wall_s));
+        deadline_ = Clock::now() +
+                    std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.limits.wall_s));
         break;
       case frames::kTrace:
         planned_.traces.push_back(wire::trace_from(payload));
@@ -209,7 +211,7 @@ class Supervisor {
 
   void judge() {
     if (ended_ && (has_result_ || failed_)) return;  // how the child ended after that is our own doing
-    if (failed_) return;                              // killed by us
+    if (failed_) return;                             // killed by us
     planned_.path = has_result_ ? std::nullopt : std::move(planned_.path);
     if (signal_ != 0) {
       planned_.outcome = Outcome::crash;
@@ -218,8 +220,8 @@ class Supervisor {
     } else {
       planned_.outcome = Outcome::error;
       planned_.exit_code = exit_code_;
-      planned_.reason = exit_code_ != 0 ? fmt::format("exited with code {}", exit_code_)
-                                        : "its process ended without a result";
+      planned_.reason =
+          exit_code_ != 0 ? fmt::format("exited with code {}", exit_code_) : "its process ended without a result";
     }
   }
 
@@ -250,9 +252,7 @@ Planned plan_isolated(const PlannerInfo& planner, const Settings& settings, cons
   const double rss_before = statm_bytes("/proc/self/statm", true);
   const pid_t pid = ::fork();
   if (pid < 0) throw std::runtime_error(fmt::format("cannot start a process: {}", std::strerror(errno)));
-  if (pid == 0) {
-    be_planner(planner, settings, problem, options, {parent, log.number(), pipe.write.number()});
-  }
+  if (pid == 0) { be_planner(planner, settings, problem, options, {parent, log.number(), pipe.write.number()}); }
   ::setpgid(pid, pid);  // in both processes, so that no kill comes too early
   running_group = static_cast<std::sig_atomic_t>(pid);
   pipe.write.close();

@@ -167,17 +167,11 @@ void be_planner(const PlannerInfo& planner, const Settings& settings, const Prob
   const int fd = birth.pipe;
   try {
     plan_and_send(fd, planner, settings, problem, options);
-  } catch (const Infeasible& e) {
-    fail(fd, Outcome::infeasible, e.what());
-  } catch (const Unsupported& e) {
+  } catch (const Infeasible& e) { fail(fd, Outcome::infeasible, e.what()); } catch (const Unsupported& e) {
     fail(fd, Outcome::unsupported, e.what());
-  } catch (const std::bad_alloc&) {
-    fail(fd, Outcome::out_of_memory, "");
-  } catch (const std::exception& e) {
+  } catch (const std::bad_alloc&) { fail(fd, Outcome::out_of_memory, ""); } catch (const std::exception& e) {
     fail(fd, Outcome::error, e.what());
-  } catch (...) {
-    fail(fd, Outcome::error, "threw something that is not a std::exception");
-  }
+  } catch (...) { fail(fd, Outcome::error, "threw something that is not a std::exception"); }
   wire::send(fd, frames::kEnd, "");
   std::fflush(nullptr);  // the planner's own printing; ours was flushed before the fork
   ::_exit(0);

@@ -12,9 +12,9 @@ inline constexpr double kMega = 1e6;
 
 /// Types of the frames (wire.hpp) that the child sends.
 namespace frames {
-inline constexpr char kPublished = 'P';   // path
-inline constexpr char kResult = 'R';      // path
-inline constexpr char kMeasures = 'M';    // wall s, cpu s, growth of resident memory in bytes: plan() is over
+inline constexpr char kPublished = 'P';  // path
+inline constexpr char kResult = 'R';     // path
+inline constexpr char kMeasures = 'M';   // wall s, cpu s, growth of resident memory in bytes: plan() is over
 inline constexpr char kTrace = 'T';
 inline constexpr char kProgressed = 'G';  // fraction
 inline constexpr char kFailed = 'X';      // outcome (one byte), text

@@ -41,7 +41,12 @@ Column whole(std::string name, std::string help, std::string empty = "") {
   return {std::move(name), "integer", "1", "", std::move(help), std::move(empty)};
 }
 Column timing(std::string name, std::string unit, std::string help) {
-  return {std::move(name), "real", std::move(unit), "lower", std::move(help), "plan() was not called or not finished",
+  return {std::move(name),
+          "real",
+          std::move(unit),
+          "lower",
+          std::move(help),
+          "plan() was not called or not finished",
           true};
 }
 // Columns that wait for the tether's metrics: named in the contract, so that files keep their shape.
@@ -72,8 +77,8 @@ std::vector<Column> list_columns() {
   // Metrics describe themselves; `columns` follows their list, so a new metric needs no line here.
   for (const Metric* metric : metrics()) {
     const std::string type = metric->unit == "count" ? "integer" : "real";
-    all.push_back({metric->name, type, metric->unit, to_text(metric->better), metric->help,
-                   "no path, or not applicable"});
+    all.push_back(
+        {metric->name, type, metric->unit, to_text(metric->better), metric->help, "no path, or not applicable"});
   }
   all.push_back(tether("tether_limit_m", "real", "m", "", "length of the robot's tether"));
   all.push_back(tether("tether_max_m", "real", "m", "lower", "longest taut tether along the path"));
@@ -136,8 +141,8 @@ std::optional<double> Row::number(const std::string& column) const {
   double value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc() || end != cell.data() + cell.size()) {
-    throw std::invalid_argument(fmt::format("column '{}' of run {} holds '{}', expected a number or nothing", column,
-                                            get("run_id"), cell));
+    throw std::invalid_argument(
+        fmt::format("column '{}' of run {} holds '{}', expected a number or nothing", column, get("run_id"), cell));
   }
   return value;
 }
@@ -156,7 +161,8 @@ Results read_results(const std::string& folder) {
     throw std::invalid_argument(fmt::format("no such folder: '{}'; expected one that `oxturn run -o` made", folder));
   }
   if (!std::filesystem::exists(file)) {
-    throw std::invalid_argument(fmt::format("no runs.csv in '{}'; expected a folder that `oxturn run -o` made", folder));
+    throw std::invalid_argument(
+        fmt::format("no runs.csv in '{}'; expected a folder that `oxturn run -o` made", folder));
   }
   const auto lines = parse_csv(read_file(file), file);
   const auto& expected = columns();
@@ -168,19 +174,24 @@ Results read_results(const std::string& folder) {
   std::map<std::string, std::size_t> seen;  // run_id -> index in rows
   for (std::size_t i = 1; i < lines.size(); ++i) {
     if (lines[i].size() != expected.size()) {
-      throw std::invalid_argument(fmt::format("{}: row {} has {} cells, expected {}; `oxturn run --resume` mends a file "
-                                              "that was cut off", file, i, lines[i].size(), expected.size()));
+      throw std::invalid_argument(
+          fmt::format("{}: row {} has {} cells, expected {}; `oxturn run --resume` mends a file "
+                      "that was cut off",
+                      file, i, lines[i].size(), expected.size()));
     }
     Row row;
     for (std::size_t k = 0; k < expected.size(); ++k) {
       if (!lines[i][k].empty()) row.cells[expected[k].name] = lines[i][k];
     }
     if (!outcome_from(row.get("outcome"))) {
-      throw std::invalid_argument(fmt::format("{}: row {} has outcome '{}', which is none", file, i, row.get("outcome")));
+      throw std::invalid_argument(
+          fmt::format("{}: row {} has outcome '{}', which is none", file, i, row.get("outcome")));
     }
     const auto [place, fresh] = seen.emplace(row.get("run_id"), results.rows.size());
-    if (fresh) results.rows.push_back(std::move(row));
-    else results.rows[place->second] = std::move(row);
+    if (fresh)
+      results.rows.push_back(std::move(row));
+    else
+      results.rows[place->second] = std::move(row);
   }
   return results;
 }

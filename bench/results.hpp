@@ -9,8 +9,19 @@
 namespace oxturn {
 
 /// Outcome names of design.md section 6.
-enum class Outcome { ok, partial, invalid, infeasible, unsupported, timeout, out_of_memory, crash, error,
-                     cancelled, infrastructure };
+enum class Outcome {
+  ok,
+  partial,
+  invalid,
+  infeasible,
+  unsupported,
+  timeout,
+  out_of_memory,
+  crash,
+  error,
+  cancelled,
+  infrastructure
+};
 std::string to_text(Outcome outcome);
 std::optional<Outcome> outcome_from(const std::string& text);
 
@@ -24,7 +35,7 @@ const std::vector<Column>& columns();
 /// One line of runs.csv, by column name. A missing name is an empty cell.
 struct Row {
   std::map<std::string, std::string> cells;
-  const std::string& get(const std::string& column) const;      // "" if empty; throws std::out_of_range for no such column
+  const std::string& get(const std::string& column) const;  // "" if empty; throws std::out_of_range for no such column
   std::optional<double> number(const std::string& column) const;
   Outcome outcome() const;
 };

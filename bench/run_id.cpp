@@ -6,7 +6,8 @@ namespace oxturn {
 
 std::string settings_text(const Settings& settings) {
   std::string out;
-  for (const auto& [name, value] : settings) out += fmt::format("{}{}={}", out.empty() ? "" : ";", name, to_text(value));
+  for (const auto& [name, value] : settings)
+    out += fmt::format("{}{}={}", out.empty() ? "" : ";", name, to_text(value));
   return out;
 }
 
@@ -18,8 +19,9 @@ Settings full_settings(const PlannerInfo& planner, const Settings& settings) {
 
 std::string run_id(const std::string& map, const std::string& robot, const std::string& problem,
                    const PlannerInfo& planner, const Settings& settings, std::uint64_t seed, int repeat) {
-  return sha256(fmt::format("schema 1\nmap {}\nrobot {}\nproblem {}\nplanner {}\nsettings {}\nseed {}\nrepeat {}\n", map,
-                            robot, problem, planner.name, settings_text(full_settings(planner, settings)), seed, repeat))
+  return sha256(fmt::format("schema 1\nmap {}\nrobot {}\nproblem {}\nplanner {}\nsettings {}\nseed {}\nrepeat {}\n",
+                            map, robot, problem, planner.name, settings_text(full_settings(planner, settings)), seed,
+                            repeat))
       .substr(0, 16);
 }
 

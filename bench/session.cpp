@@ -43,8 +43,13 @@ std::string whole_lines(const std::string& text) {
 Json columns_json() {
   Json all = Json::array();
   for (const Column& c : columns()) {
-    all.push_back({{"name", c.name}, {"type", c.type}, {"unit", c.unit}, {"better", c.better}, {"help", c.help},
-                   {"empty", c.empty}, {"timing", c.timing}});
+    all.push_back({{"name", c.name},
+                   {"type", c.type},
+                   {"unit", c.unit},
+                   {"better", c.better},
+                   {"help", c.help},
+                   {"empty", c.empty},
+                   {"timing", c.timing}});
   }
   return all;
 }
@@ -64,8 +69,10 @@ Session::Session(const Suite& suite, const SweepOptions& options)
   const std::string hash = content_hash(suite);
   const bool there = fs::exists(file_);
   if (there && !options.resume) {
-    throw std::invalid_argument(fmt::format("'{}' already holds results; choose another folder, or --resume to go on "
-                                            "where they end", folder_));
+    throw std::invalid_argument(
+        fmt::format("'{}' already holds results; choose another folder, or --resume to go on "
+                    "where they end",
+                    folder_));
   }
   if (there) take_up(hash);
   std::error_code error;
@@ -94,17 +101,18 @@ void Session::take_up(const std::string& suite_hash) {
   try {
     known = Json::parse(read_file(session)).at("suite_sha256").get<std::string>();
   } catch (const Json::exception& e) {
-    throw std::invalid_argument(fmt::format("{}: not what a sweep writes ({}); choose another folder", session, e.what()));
+    throw std::invalid_argument(
+        fmt::format("{}: not what a sweep writes ({}); choose another folder", session, e.what()));
   }
   if (known != suite_hash) {
-    throw std::invalid_argument(fmt::format("'{}' holds results of another suite, or of this one before it or its "
-                                            "planners were changed; choose another folder", folder_));
+    throw std::invalid_argument(
+        fmt::format("'{}' holds results of another suite, or of this one before it or its "
+                    "planners were changed; choose another folder",
+                    folder_));
   }
   const std::string text = read_file(file_);
   const std::string whole = whole_lines(text);
-  if (whole.size() != text.size()) {
-    write_file(file_, whole);
-  }
+  if (whole.size() != text.size()) { write_file(file_, whole); }
   if (whole.empty()) return;
   for (const auto& cells : parse_csv(whole, file_)) {
     if (cells.size() != columns().size()) {

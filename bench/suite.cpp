@@ -100,21 +100,32 @@ Robot robot_of(const std::string& file, const std::string& name, const std::vect
   const auto lidar = [&]() -> Lidar& { return robot.lidar ? *robot.lidar : robot.lidar.emplace(); };
   for (const auto& [key, node] : chosen) {
     const auto number = [&, k = key, n = node] { return real(file, *n, k); };
-    if (key == "radius") robot.radius = number();
-    else if (key == "tool_width") robot.tool_width = number();
-    else if (key == "speed") robot.speed = number();
-    else if (key == "acceleration") robot.acceleration = number();
-    else if (key == "turn_rate") robot.turn_rate = number();
-    else if (key == "min_turn_radius") robot.min_turn_radius = number();
-    else if (key == "tether.length") tether().length = number();
-    else if (key == "lidar.range") lidar().range = number();
+    if (key == "radius")
+      robot.radius = number();
+    else if (key == "tool_width")
+      robot.tool_width = number();
+    else if (key == "speed")
+      robot.speed = number();
+    else if (key == "acceleration")
+      robot.acceleration = number();
+    else if (key == "turn_rate")
+      robot.turn_rate = number();
+    else if (key == "min_turn_radius")
+      robot.min_turn_radius = number();
+    else if (key == "tether.length")
+      tether().length = number();
+    else if (key == "lidar.range")
+      lidar().range = number();
     else if (key == "lidar.rays") {
       const auto* rays = node->as_integer();
-      if (rays == nullptr || rays->get() < 1 || rays->get() > 1000000) refuse(file, *node, "lidar.rays is no whole number from 1 to 1000000");
+      if (rays == nullptr || rays->get() < 1 || rays->get() > 1000000)
+        refuse(file, *node, "lidar.rays is no whole number from 1 to 1000000");
       lidar().rays = static_cast<int>(rays->get());
     } else {
-      refuse(file, *node, fmt::format("unknown key '{}' in robot '{}'; expected: radius, tool_width, speed, acceleration, "
-                                      "turn_rate, min_turn_radius, tether.length, lidar.range, lidar.rays", key, name));
+      refuse(file, *node,
+             fmt::format("unknown key '{}' in robot '{}'; expected: radius, tool_width, speed, acceleration, "
+                         "turn_rate, min_turn_radius, tether.length, lidar.range, lidar.rays",
+                         key, name));
     }
   }
   at_place(file, place, [&] { check(robot); });
@@ -182,7 +193,8 @@ void read_generated(const std::string& file, TomlTable& table, std::vector<MapSp
     seeds.clear();
     for (const toml::node* item : alternatives(file, *node, "seeds")) {
       const auto* value = item->as_integer();
-      if (value == nullptr || value->get() < 0) refuse(file, *item, "seeds holds something that is not a whole number of at least 0");
+      if (value == nullptr || value->get() < 0)
+        refuse(file, *item, "seeds holds something that is not a whole number of at least 0");
       seeds.push_back(static_cast<std::uint64_t>(value->get()));
     }
   }
@@ -195,7 +207,8 @@ void read_generated(const std::string& file, TomlTable& table, std::vector<MapSp
     for (const auto& chosen : product(file, table.rest())) {
       MapSpec spec;
       spec.generator = generator->name;
-      spec.settings = settings_of(file, fmt::format("generator '{}'", generator->name), generator->parameters, chosen, true);
+      spec.settings =
+          settings_of(file, fmt::format("generator '{}'", generator->name), generator->parameters, chosen, true);
       for (const std::uint64_t seed : seeds) {
         spec.seed = seed;
         for (const auto& start : starts) {
@@ -221,7 +234,9 @@ void read_files(const std::string& file, TomlTable& table, std::vector<MapSpec>&
     if (pattern == nullptr || pattern->get().empty()) refuse(file, *node, "file is not a text in quotes");
     const auto files = matching((folder / pattern->get()).string());
     if (files.empty()) {
-      refuse(file, *node, fmt::format("no file matches '{}' in the folder '{}'", pattern->get(), folder.empty() ? "." : folder.string()));
+      refuse(file, *node,
+             fmt::format("no file matches '{}' in the folder '{}'", pattern->get(),
+                         folder.empty() ? "." : folder.string()));
     }
     for (const auto& chosen : product(file, keys)) {
       ReadOptions options;
@@ -231,8 +246,11 @@ void read_files(const std::string& file, TomlTable& table, std::vector<MapSpec>&
           continue;
         }
         const double number = real(file, *value, key);
-        if (!(number >= 0 && number < kMost)) refuse(file, *value, fmt::format("{} is {}, expected a number of at least 0", key, to_decimal(number)));
-        (key == "drop_speckle" ? options.drop_speckle_m2 : key == "simplify" ? options.simplify_m : options.metres_per_pixel) = number;
+        if (!(number >= 0 && number < kMost))
+          refuse(file, *value, fmt::format("{} is {}, expected a number of at least 0", key, to_decimal(number)));
+        (key == "drop_speckle" ? options.drop_speckle_m2
+         : key == "simplify"   ? options.simplify_m
+                               : options.metres_per_pixel) = number;
       }
       for (const std::string& found : files) {
         MapSpec spec;
@@ -258,8 +276,10 @@ std::vector<MapSpec> read_maps(const std::string& file, const toml::node* node, 
     TomlTable table(file, *item.as_table(), "[[maps]]");
     const bool generated = item.as_table()->contains("generator"), read = item.as_table()->contains("file");
     if (generated == read) refuse(file, item, "[[maps]] needs either 'generator' or 'file'");
-    if (generated) read_generated(file, table, maps);
-    else read_files(file, table, maps);
+    if (generated)
+      read_generated(file, table, maps);
+    else
+      read_files(file, table, maps);
   }
   at_place(file, *node, [&] { name_maps(maps); });
   return maps;
@@ -290,10 +310,12 @@ std::vector<PlannerSpec> read_planners(const std::string& file, const toml::node
       const auto combinations = product(file, table.rest());
       for (const PlannerInfo* planner : meant) {
         for (const auto& chosen : combinations) {
-          PlannerSpec spec{planner->name,
-                           settings_of(file, fmt::format("planner '{}'", planner->name), planner->parameters, chosen, false)};
-          if (variants.insert(spec.variant()).second) specs.push_back(std::move(spec));
-          else if (!all) refuse(file, item, fmt::format("planner variant '{}' is listed twice", spec.variant()));
+          PlannerSpec spec{planner->name, settings_of(file, fmt::format("planner '{}'", planner->name),
+                                                      planner->parameters, chosen, false)};
+          if (variants.insert(spec.variant()).second)
+            specs.push_back(std::move(spec));
+          else if (!all)
+            refuse(file, item, fmt::format("planner variant '{}' is listed twice", spec.variant()));
         }
       }
     }
@@ -356,7 +378,8 @@ Suite read_suite(const std::string& file, const std::vector<PlannerInfo>& planne
   const toml::table root = parse_toml(file);
   TomlTable table(file, root, "the suite");
   const toml::node& schema = table.need("schema");
-  if (!schema.is_integer() || schema.as_integer()->get() != 1) refuse(file, schema, "schema is not 1, the only one there is");
+  if (!schema.is_integer() || schema.as_integer()->get() != 1)
+    refuse(file, schema, "schema is not 1, the only one there is");
   Suite suite;
   suite.file = file;
   suite.name = table.text("name");

@@ -27,12 +27,12 @@ struct MapSpec {
   std::uint64_t seed = 1;
   std::string file;
   ReadOptions read;
-  std::optional<Point> start;  // empty: the file's, or the problem's default
+  std::optional<Point> start;              // empty: the file's, or the problem's default
   std::shared_ptr<const MapFile> content;  // of `file`
 };
 struct PlannerSpec {
   std::string name;
-  Settings settings;   // only what differs from the defaults
+  Settings settings;            // only what differs from the defaults
   std::string variant() const;  // "zigzag" or "zigzag[partition=monotone]"
 };
 struct Suite {

@@ -11,8 +11,8 @@ std::string PlannerSpec::variant() const {
 }
 
 std::string content_hash(const Suite& suite) {
-  std::string text = fmt::format("schema 1\nname {}\nseed {}\nrepeats {}\ntarget {}\nwall_s {}\nmemory_mb {}\n", suite.name,
-                                 suite.seed, suite.repeats, to_decimal(suite.target_coverage),
+  std::string text = fmt::format("schema 1\nname {}\nseed {}\nrepeats {}\ntarget {}\nwall_s {}\nmemory_mb {}\n",
+                                 suite.name, suite.seed, suite.repeats, to_decimal(suite.target_coverage),
                                  to_decimal(suite.limits.wall_s), to_decimal(suite.limits.memory_mb));
   for (const Robot& r : suite.robots) {
     text += fmt::format("robot {}", r.name);

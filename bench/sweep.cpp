@@ -59,7 +59,8 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
 
  private:
-  struct sigaction old_int_ {}, old_term_ {};
+  struct sigaction old_int_ {
+  }, old_term_{};
 };
 
 std::vector<Unit> units_of(const Suite& suite, std::size_t cells, int jobs) {
@@ -69,7 +70,8 @@ std::vector<Unit> units_of(const Suite& suite, std::size_t cells, int jobs) {
   const std::size_t parts = std::max<std::size_t>(1, std::min(wanted, runs));
   std::vector<Unit> units;
   for (std::size_t p = 0; p < problems; ++p) {
-    for (std::size_t k = 0; k < parts; ++k) units.push_back({p * runs + runs * k / parts, p * runs + runs * (k + 1) / parts});
+    for (std::size_t k = 0; k < parts; ++k)
+      units.push_back({p * runs + runs * k / parts, p * runs + runs * (k + 1) / parts});
   }
   return units;
 }
@@ -77,7 +79,7 @@ std::vector<Unit> units_of(const Suite& suite, std::size_t cells, int jobs) {
 struct Worker {
   pid_t pid = 0;
   wire::Descriptor fd;
-  Unit rest;           // what it has not finished
+  Unit rest;  // what it has not finished
   Unit given;
   std::string trouble;  // what it said when it gave up
   wire::FrameReader frames{kLongestNews};
@@ -86,8 +88,12 @@ struct Worker {
 class Sweep {
  public:
   Sweep(const Suite& suite, const std::vector<PlannerInfo>& planners, const SweepOptions& options)
-      : options_(options), session_(suite, options), cells_(cells_of(suite)), runs_(cells_.size()),
-        earlier_(summary(session_)), work_{suite, planners, options_, cells_, earlier_},
+      : options_(options),
+        session_(suite, options),
+        cells_(cells_of(suite)),
+        runs_(cells_.size()),
+        earlier_(summary(session_)),
+        work_{suite, planners, options_, cells_, earlier_},
         progress_(cells_.size(), options.progress) {
     for (const MapSpec& map : suite.maps) {
       if (!map.content) continue;
@@ -272,8 +278,8 @@ class Sweep {
       if (!run.done && run.begun) finish(i, Outcome::cancelled, "interrupted");
       if (run.done && !run.kept) session_.append(run.line);
     }
-    throw Interrupted(fmt::format("interrupted after {} of {} runs; the same command with --resume does the rest", written,
-                                  runs_.size()));
+    throw Interrupted(fmt::format("interrupted after {} of {} runs; the same command with --resume does the rest",
+                                  written, runs_.size()));
   }
 
   void put_in_order() {

@@ -48,9 +48,7 @@ void refuse(const std::string& file, const toml::node& node, const std::string& 
 void at_place(const std::string& file, const toml::node& node, const std::function<void()>& check) {
   try {
     check();
-  } catch (const std::invalid_argument& e) {
-    refuse(file, node, e.what());
-  }
+  } catch (const std::invalid_argument& e) { refuse(file, node, e.what()); }
 }
 
 toml::table parse_toml(const std::string& file) {
@@ -91,7 +89,8 @@ std::int64_t TomlTable::whole(const std::string& key, std::int64_t fallback, Ran
   const toml::node* node = find(key);
   if (node == nullptr) return fallback;
   const auto* value = node->as_integer();
-  if (value == nullptr || static_cast<double>(value->get()) < range.least || static_cast<double>(value->get()) > range.most) {
+  if (value == nullptr || static_cast<double>(value->get()) < range.least ||
+      static_cast<double>(value->get()) > range.most) {
     refuse(file_, *node, fmt::format("{} is {}, expected a whole number {}", key, describe(*node), bounds(range)));
   }
   return value->get();
@@ -123,7 +122,8 @@ std::vector<std::pair<std::string, const toml::node*>> TomlTable::rest() const {
 void TomlTable::end() const {
   const auto left = rest();
   if (left.empty()) return;
-  refuse(file_, *left[0].second, fmt::format("unknown key '{}' in {}; expected: {}", left[0].first, what_, join(asked_)));
+  refuse(file_, *left[0].second,
+         fmt::format("unknown key '{}' in {}; expected: {}", left[0].first, what_, join(asked_)));
 }
 
 Value value_of(const std::string& file, const toml::node& node, const std::string& key) {

@@ -1,13 +1,13 @@
 // TOML with sentences: every mistake names file, line, key and what was expected. Internal to bench/.
 #pragma once
 
+#include <toml++/toml.h>
+
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <toml++/toml.h>
 
 #include "maps/parameters.hpp"
 

@@ -49,9 +49,9 @@ struct Setting {
   std::optional<Map> map;
   std::optional<Problem> problem;
   std::string map_hash;
-  std::string hash;        // of the problem, or what stands for it
+  std::string hash;  // of the problem, or what stands for it
   Outcome outcome = Outcome::ok;
-  std::string reason;      // why there is no problem
+  std::string reason;  // why there is no problem
   std::string problem_file;
 };
 
@@ -151,8 +151,7 @@ void keep_path(const Work& work, const Setting& setting, const Path& path, Row& 
 std::string score_into(const Problem& problem, const Path& path, Row& row) {
   const auto before = std::chrono::steady_clock::now();
   const Score result = score(problem, path);
-  row.cells["score_s"] =
-      to_decimal(std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count());
+  row.cells["score_s"] = to_decimal(std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count());
   for (std::size_t i = 0; i < metrics().size() && i < result.values.size(); ++i) {
     if (result.values[i]) row.cells[metrics()[i]->name] = to_decimal(*result.values[i]);
   }

@@ -41,10 +41,10 @@ struct Work {
 
 /// What a worker says about run `index`. Frames: [index u64][text].
 namespace news {
-inline constexpr char kBegun = 'B';    // row so far, as a CSV line
-inline constexpr char kDone = 'D';     // row, as a CSV line
-inline constexpr char kKept = 'K';     // run_id of a row that an earlier sweep left
-inline constexpr char kBroken = 'X';   // why the worker gives up
+inline constexpr char kBegun = 'B';   // row so far, as a CSV line
+inline constexpr char kDone = 'D';    // row, as a CSV line
+inline constexpr char kKept = 'K';    // run_id of a row that an earlier sweep left
+inline constexpr char kBroken = 'X';  // why the worker gives up
 }  // namespace news
 
 void tell(int fd, char type, std::size_t index, const std::string& text);

@@ -61,7 +61,8 @@ void Descriptor::close() {
 
 Pipe make_pipe() {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
+  if (::pipe2(ends, O_CLOEXEC) != 0)
+    throw std::runtime_error(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
   for (int& end : ends) {
     if (end > 2) continue;  // whoever started us had closed the standard streams, whose numbers mean something else
     const int moved = ::fcntl(end, F_DUPFD_CLOEXEC, 3);
@@ -74,7 +75,8 @@ Pipe make_pipe() {
 }
 
 bool send(int fd, char type, std::string_view payload) {
-  if (payload.size() > 4096) return send_header(fd, type, payload.size()) && write_all(fd, payload.data(), payload.size());
+  if (payload.size() > 4096)
+    return send_header(fd, type, payload.size()) && write_all(fd, payload.data(), payload.size());
   char together[kHeader + 4096];  // one call for a short message
   const std::uint64_t size = payload.size();
   together[0] = type;
@@ -157,7 +159,8 @@ FrameReader::State FrameReader::read(int fd, const std::function<void(char, std:
   while (buffer_.size() - done >= kHeader) {
     std::uint64_t size = 0;
     std::memcpy(&size, buffer_.data() + done + 1, sizeof size);
-    if (size > longest_) throw std::runtime_error(fmt::format("a message of {} bytes, more than the limit of {}", size, longest_));
+    if (size > longest_)
+      throw std::runtime_error(fmt::format("a message of {} bytes, more than the limit of {}", size, longest_));
     if (buffer_.size() - done - kHeader < size) break;
     frame(buffer_[done], std::string_view(buffer_).substr(done + kHeader, size));
     done += kHeader + size;

@@ -52,8 +52,13 @@ Json planners() {
   for (const PlannerInfo& p : zoo()) {
     Json capabilities = Json::array();
     for (const Capability c : p.capabilities) capabilities.push_back(oxturn::to_text(c));
-    all.push_back({{"name", p.name}, {"family", p.family}, {"title", p.title}, {"citation", p.citation},
-                   {"capabilities", capabilities}, {"guarantee", p.guarantee}, {"parameters", to_json(p.parameters)}});
+    all.push_back({{"name", p.name},
+                   {"family", p.family},
+                   {"title", p.title},
+                   {"citation", p.citation},
+                   {"capabilities", capabilities},
+                   {"guarantee", p.guarantee},
+                   {"parameters", to_json(p.parameters)}});
   }
   return all;
 }
@@ -61,8 +66,8 @@ Json planners() {
 Json maps() {
   Json all = Json::array();
   for (const GeneratorInfo& g : generators())
-    all.push_back({{"name", g.name}, {"title", g.title}, {"guarantee", g.guarantee},
-                   {"parameters", to_json(g.parameters)}});
+    all.push_back(
+        {{"name", g.name}, {"title", g.title}, {"guarantee", g.guarantee}, {"parameters", to_json(g.parameters)}});
   return all;
 }
 
@@ -70,10 +75,12 @@ Json formats() {
   Json all = Json::array();
   for (const MapFormat& f : map_formats())
     all.push_back({{"name", f.name}, {"title", f.title}, {"suffixes", f.suffixes}, {"direction", "read"}});
-  all.push_back({{"name", "geojson"}, {"title", "GeoJSON: maps, problems, paths"},
-                 {"suffixes", {".geojson", ".json"}}, {"direction", "write"}});
-  all.push_back({{"name", "svg"}, {"title", "picture of a map or a path"}, {"suffixes", {".svg"}},
+  all.push_back({{"name", "geojson"},
+                 {"title", "GeoJSON: maps, problems, paths"},
+                 {"suffixes", {".geojson", ".json"}},
                  {"direction", "write"}});
+  all.push_back(
+      {{"name", "svg"}, {"title", "picture of a map or a path"}, {"suffixes", {".svg"}}, {"direction", "write"}});
   return all;
 }
 
@@ -93,8 +100,13 @@ Json suites() {
 Json all_columns() {
   Json all = Json::array();
   for (const Column& c : columns())
-    all.push_back({{"name", c.name}, {"type", c.type}, {"unit", c.unit}, {"better", c.better}, {"help", c.help},
-                   {"empty", c.empty}, {"timing", c.timing}});
+    all.push_back({{"name", c.name},
+                   {"type", c.type},
+                   {"unit", c.unit},
+                   {"better", c.better},
+                   {"help", c.help},
+                   {"empty", c.empty},
+                   {"timing", c.timing}});
   return all;
 }
 
@@ -156,7 +168,8 @@ void print_aligned(const Json& all, const std::vector<std::string>& members) {
       const Json& value = one.at(members[i]);
       if (value.is_array())
         for (const Json& part : value) cell += (cell.empty() ? "" : " ") + text_of(part);
-      else cell = text_of(value);
+      else
+        cell = text_of(value);
       width[i] = std::max(width[i], cell.size());
       row.push_back(std::move(cell));
     }
@@ -179,10 +192,22 @@ struct Kind {
 const Kind kKinds[] = {
     {"planners", planners, print_described},
     {"maps", maps, print_described},
-    {"formats", formats, [](const Json& j) { print_aligned(j, {"direction", "name", "suffixes", "title"}); }},
-    {"metrics", all_metrics, [](const Json& j) { print_aligned(j, {"name", "unit", "better", "help"}); }},
-    {"suites", suites, [](const Json& j) { print_aligned(j, {"name", "file", "title"}); }},
-    {"columns", all_columns, [](const Json& j) { print_aligned(j, {"name", "type", "unit", "help"}); }},
+    {"formats", formats,
+     [](const Json& j) {
+       print_aligned(j, {"direction", "name", "suffixes", "title"});
+     }},
+    {"metrics", all_metrics,
+     [](const Json& j) {
+       print_aligned(j, {"name", "unit", "better", "help"});
+     }},
+    {"suites", suites,
+     [](const Json& j) {
+       print_aligned(j, {"name", "file", "title"});
+     }},
+    {"columns", all_columns,
+     [](const Json& j) {
+       print_aligned(j, {"name", "type", "unit", "help"});
+     }},
 };
 
 struct Options {
@@ -196,8 +221,10 @@ int list(const Options& options) {
     names.emplace_back(kind.name);
     if (options.what != kind.name) continue;
     const Json all = kind.all();
-    if (options.json) fmt::print("{}\n", all.dump(2));
-    else kind.print(all);
+    if (options.json)
+      fmt::print("{}\n", all.dump(2));
+    else
+      kind.print(all);
     return 0;
   }
   throw std::invalid_argument(fmt::format("nothing to list called '{}'; did you mean '{}'? There are: {}", options.what,

@@ -63,8 +63,9 @@ int run(int argc, char** argv) {
   CLI::App app{"oxturn: plans, scores and compares coverage paths.", "oxturn"};
   app.set_version_flag("--version", std::string("oxturn ") + OXTURN_VERSION);
   app.require_subcommand(0, 1);
-  app.footer("Examples:\n  oxturn list planners\n  oxturn plan boustrophedon rooms:7 --svg plan.svg\n"
-             "  oxturn run quick -o out\n\n`oxturn COMMAND --help` tells more of each.");
+  app.footer(
+      "Examples:\n  oxturn list planners\n  oxturn plan boustrophedon rooms:7 --svg plan.svg\n"
+      "  oxturn run quick -o out\n\n`oxturn COMMAND --help` tells more of each.");
   std::map<const CLI::App*, std::function<int()>> actions;
   for (const Command& command : commands()) {
     CLI::App* sub = app.add_subcommand(command.name, command.title);
@@ -85,9 +86,7 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help, --version
     return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    return refuse(sentence_of(error, app));
-  }
+  } catch (const CLI::ParseError& error) { return refuse(sentence_of(error, app)); }
   const auto chosen = app.get_subcommands();
   if (chosen.empty()) return refuse("no command given. See `oxturn --help`");
   return actions.at(chosen.front())();
@@ -100,9 +99,7 @@ int main(int argc, char** argv) {
     const int code = run(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return refuse("cannot write to standard output");
     return code;
-  } catch (const std::bad_alloc&) {
-    return refuse("out of memory");
-  } catch (const std::exception& error) {
+  } catch (const std::bad_alloc&) { return refuse("out of memory"); } catch (const std::exception& error) {
     return refuse(error.what());
   }
 }

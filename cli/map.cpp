@@ -56,9 +56,7 @@ std::function<int()> attach(CLI::App& app) {
   app.add_option("SOURCE", options->source, "a generator (`oxturn list maps`) or a map's file (`oxturn list formats`)")
       ->required();
   add_settings(app, options->settings, "generator");
-  app.add_option("--seed", options->seed, "of the generator; 1 if not given")
-      ->check(whole_number())
-      ->type_name("N");
+  app.add_option("--seed", options->seed, "of the generator; 1 if not given")->check(whole_number())->type_name("N");
   app.add_option("-o,--output", options->output, "FILE.geojson or FILE.svg")->required()->type_name("FILE");
   add_reader_options(app, options->read);
   return [options] { return map(*options); };

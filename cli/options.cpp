@@ -251,8 +251,7 @@ Problem load_problem(const ProblemOptions& options) {
   if (!robot_given)
     say(fmt::format("robot: radius {:g} m, tool width {:g} m (set with --radius and --tool-width)", robot.radius,
                     robot.tool_width));
-  if (!start)
-    say(fmt::format("start: {:.6g},{:.6g} (set with --start X,Y)", problem.start().x(), problem.start().y()));
+  if (!start) say(fmt::format("start: {:.6g},{:.6g} (set with --start X,Y)", problem.start().x(), problem.start().y()));
   return problem;
 }
 

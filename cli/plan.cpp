@@ -61,9 +61,8 @@ int plan(const Options& options) {
   verdict.outcome = planned.outcome;
   verdict.reason = planned.reason;
   if (planned.wall_s > 0)
-    verdict.costs = {{"plan_wall_s", planned.wall_s},
-                     {"plan_cpu_s", planned.cpu_s},
-                     {"peak_rss_bytes", planned.peak_rss_bytes}};
+    verdict.costs = {
+        {"plan_wall_s", planned.wall_s}, {"plan_cpu_s", planned.cpu_s}, {"peak_rss_bytes", planned.peak_rss_bytes}};
   // As in a sweep: a timeout is scored on the last path it published, a crash is not.
   if (planned.path && (planned.outcome == Outcome::ok || planned.outcome == Outcome::timeout)) {
     judge(verdict, problem, *planned.path);

@@ -1,4 +1,6 @@
 // oxturn report: tables and pictures from a results folder.
+#include "reports/report.hpp"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -6,7 +8,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "reports/report.hpp"
 
 namespace oxturn::cli {
 namespace {

@@ -31,8 +31,10 @@ void print_lines(const std::vector<Line>& lines) {
     if (!line.note.empty()) value_width = std::max(value_width, line.value.size());
   }
   for (const Line& line : lines) {
-    if (line.note.empty()) fmt::print("{:{}}  {}\n", line.name, width, line.value);
-    else fmt::print("{:{}}  {:{}}  {}\n", line.name, width, line.value, value_width, line.note);
+    if (line.note.empty())
+      fmt::print("{:{}}  {}\n", line.name, width, line.value);
+    else
+      fmt::print("{:{}}  {:{}}  {}\n", line.name, width, line.value, value_width, line.note);
   }
 }
 
@@ -56,8 +58,10 @@ void print_table(const Verdict& verdict, const Problem& problem) {
   for (const auto& [name, value] : verdict.about)
     if (!value.empty()) lines.push_back({name, value, ""});
   const Region& free = problem.map().free;
-  lines.push_back({"map", fmt::format("{} ({:.6g} m2 free, {} corners, {} holes)", problem.map().name, area(free),
-                                      corner_count(free), hole_count(free)), ""});
+  lines.push_back({"map",
+                   fmt::format("{} ({:.6g} m2 free, {} corners, {} holes)", problem.map().name, area(free),
+                               corner_count(free), hole_count(free)),
+                   ""});
   if (verdict.score)
     for (std::size_t i = 0; i < metrics().size() && i < verdict.score->values.size(); ++i) {
       const auto& value = verdict.score->values[i];
@@ -90,8 +94,10 @@ void judge(Verdict& verdict, const Problem& problem, const Path& path) {
 }
 
 int tell(const Verdict& verdict, const Problem& problem, bool json) {
-  if (json) fmt::print("{}\n", as_json(verdict, problem).dump(2, ' ', false, Json::error_handler_t::replace));
-  else print_table(verdict, problem);
+  if (json)
+    fmt::print("{}\n", as_json(verdict, problem).dump(2, ' ', false, Json::error_handler_t::replace));
+  else
+    print_table(verdict, problem);
   std::fflush(stdout);  // before what follows on standard error
   if (verdict.outcome == Outcome::ok) return 0;
   say(fmt::format("{}: {}", to_text(verdict.outcome), verdict.reason));

@@ -15,8 +15,8 @@ namespace oxturn::cli {
 struct Verdict {
   Outcome outcome = Outcome::ok;
   std::string reason;
-  std::optional<Score> score;  // if there is a path
-  std::vector<std::pair<std::string, std::string>> about;             // planner, parameters, path file, ...
+  std::optional<Score> score;                                        // if there is a path
+  std::vector<std::pair<std::string, std::string>> about;            // planner, parameters, path file, ...
   std::vector<std::pair<std::string, std::optional<double>>> costs;  // plan_wall_s, ...
 };
 

@@ -51,7 +51,8 @@ void split_pair(const std::vector<OverlayEdge>& edges, std::uint32_t i, std::uin
 void merge(std::vector<OverlayEdge>& edges, std::vector<std::uint8_t>& loud) {
   std::vector<std::uint32_t> order(edges.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) { return edge_order(edges[i], edges[j]); });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t i, std::uint32_t j) { return edge_order(edges[i], edges[j]); });
   std::vector<OverlayEdge> merged;
   std::vector<std::uint8_t> merged_loud;
   merged.reserve(edges.size());
@@ -80,7 +81,8 @@ void find_cuts(const std::vector<OverlayEdge>& edges, const std::vector<std::uin
   }
   for_close_pairs(std::move(stretches), 1.0, loud,
                   [&](std::uint32_t i, std::uint32_t j) { split_pair(edges, std::min(i, j), std::max(i, j), cuts); });
-  std::sort(cuts.begin(), cuts.end(), [](const Cut& c, const Cut& d) { return c.edge != d.edge ? c.edge < d.edge : c.at < d.at; });
+  std::sort(cuts.begin(), cuts.end(),
+            [](const Cut& c, const Cut& d) { return c.edge != d.edge ? c.edge < d.edge : c.at < d.at; });
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
 }
 
@@ -171,7 +173,8 @@ struct Fans {
       if (east_p != east_q) return east_p;
       return turn(v, p, q) > 0;
     };
-    for (std::size_t v = 0; v < sites.size(); ++v) std::sort(half.begin() + start[v], half.begin() + start[v + 1], angle);
+    for (std::size_t v = 0; v < sites.size(); ++v)
+      std::sort(half.begin() + start[v], half.begin() + start[v + 1], angle);
   }
   std::size_t vertices() const { return start.size() - 1; }
 };
@@ -395,14 +398,16 @@ Region to_region(const std::vector<RimEdge>& rim, const Lattice& lattice) {
     const EdgeBelow below(std::move(slanted));
     std::vector<std::uint32_t> order(cycle_low.size());
     for (std::uint32_t c = 0; c < order.size(); ++c) order[c] = c;
-    std::sort(order.begin(), order.end(), [&](std::uint32_t c, std::uint32_t d) { return cycle_low[c] < cycle_low[d]; });
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t c, std::uint32_t d) { return cycle_low[c] < cycle_low[d]; });
     for (const std::uint32_t c : order) {
       if (polygon_of[c] != 0xffffffffu) continue;
       const std::uint32_t e = below.below(cycle_low[c]);
       if (e == EdgeBelow::kNone) throw std::logic_error("overlay left a hole without a polygon");
       polygon_of[c] = polygon_of[cycle_of[e]];
     }
-    for (const Loop* hole : holes) region.polygons[polygon_of[hole->cycle]].holes.push_back(canonical_ring(hole->sites, lattice));
+    for (const Loop* hole : holes)
+      region.polygons[polygon_of[hole->cycle]].holes.push_back(canonical_ring(hole->sites, lattice));
   }
   put_in_order(region);
   return region;

@@ -22,7 +22,7 @@ namespace {
 // Corners and offset points are rounded (0.7 quanta each), intersections too, and edges bend by half a quantum, in
 // each of up to five unions of halves and the last overlay: this many quanta cover the sum and keep bounds certain.
 constexpr double kSlack = 10;
-constexpr std::size_t kLongestDent = 32;   // strips in one dent: five unions of halves
+constexpr std::size_t kLongestDent = 32;  // strips in one dent: five unions of halves
 constexpr std::size_t kShortestDent = 4;
 
 bool positive(int winding, int) { return winding > 0; }

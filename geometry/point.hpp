@@ -20,9 +20,7 @@ inline Point lerp(const Point& a, const Point& b, double t) { return a + t * (b 
 /// A quarter turn counter-clockwise.
 inline Point perpendicular(const Point& v) { return {-v.y(), v.x()}; }
 /// Lexicographic order, for sets and deterministic sorting.
-inline bool before(const Point& a, const Point& b) {
-  return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-}
+inline bool before(const Point& a, const Point& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); }
 
 /// Nearest point to p on the segment ab (a == b is allowed).
 inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b) {
@@ -45,8 +43,14 @@ inline double length(const Polyline& line) {
 /// Axis-parallel box; empty() until something is added.
 struct Box {
   Point low{1e300, 1e300}, high{-1e300, -1e300};
-  void add(const Point& p) { low = low.cwiseMin(p); high = high.cwiseMax(p); }
-  void grow(double by) { low.array() -= by; high.array() += by; }
+  void add(const Point& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  void grow(double by) {
+    low.array() -= by;
+    high.array() += by;
+  }
   bool empty() const { return low.x() > high.x() || low.y() > high.y(); }
   bool contains(const Point& p) const {
     return p.x() >= low.x() && p.x() <= high.x() && p.y() >= low.y() && p.y() <= high.y();

@@ -74,9 +74,7 @@ int orientation(const Point& a, const Point& b, const Point& c) {
   return exact_orientation(a, b, c);
 }
 
-bool on_segment(const Point& p, const Point& a, const Point& b) {
-  return in_box(p, a, b) && orientation(a, b, p) == 0;
-}
+bool on_segment(const Point& p, const Point& a, const Point& b) { return in_box(p, a, b) && orientation(a, b, p) == 0; }
 
 Crossing crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (std::max(a.x(), b.x()) < std::min(c.x(), d.x()) || std::max(c.x(), d.x()) < std::min(a.x(), b.x()) ||

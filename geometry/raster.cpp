@@ -71,7 +71,10 @@ void for_each_cut_cell(const Region& region, const BitGrid& grid, F f) {
         return snapped(a.x() + std::clamp((y - a.y()) / (b.y() - a.y()), 0.0, 1.0) * (b.x() - a.x()));
       };
       double left = x_at(std::max<double>(j, bottom)), right = x_at(std::min<double>(j + 1, top));
-      if (bottom == top) { left = a.x(); right = b.x(); }
+      if (bottom == top) {
+        left = a.x();
+        right = b.x();
+      }
       if (left > right) std::swap(left, right);
       if (left == right && left == std::floor(left)) continue;  // along a grid line, or a corner only
       const int from_column = clamped(std::floor(left), 0, grid.columns);

@@ -19,7 +19,10 @@ struct BitGrid {
 
   BitGrid() = default;
   BitGrid(Point origin_, double cell_, int columns_, int rows_)
-      : origin(origin_), cell(cell_), columns(columns_), rows(rows_),
+      : origin(origin_),
+        cell(cell_),
+        columns(columns_),
+        rows(rows_),
         bits(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0) {}
   bool inside(int i, int j) const { return i >= 0 && j >= 0 && i < columns && j < rows; }
   std::size_t at(int i, int j) const {

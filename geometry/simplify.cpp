@@ -85,7 +85,8 @@ class Simplifier {
     for (const Point& p : at_) box_.add(p);
     if (at_.empty()) return;
     const Point size = box_.size();
-    cell_ = std::max({std::sqrt(size.x() * size.y() / static_cast<double>(at_.size())), size.maxCoeff() / 4096, 1e-300});
+    cell_ =
+        std::max({std::sqrt(size.x() * size.y() / static_cast<double>(at_.size())), size.maxCoeff() / 4096, 1e-300});
     columns_ = static_cast<int>(size.x() / cell_) + 1;
     rows_ = static_cast<int>(size.y() / cell_) + 1;
     cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));

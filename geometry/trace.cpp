@@ -8,7 +8,9 @@
 namespace oxturn {
 namespace {
 
-struct Corner { int x, y; };
+struct Corner {
+  int x, y;
+};
 constexpr std::array<Corner, 4> kStep{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};  // east, north, west, south
 // The cells ahead of a corner, to the left and to the right of the way, relative to the corner.
 constexpr std::array<Corner, 4> kLeftAhead{{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};

@@ -17,10 +17,10 @@
 namespace oxturn {
 
 struct ReadOptions {
-  double metres_per_pixel = 0;    // plain images; 0: not given
-  bool unknown_is_free = false;   // rasters: unknown counts as wall unless told otherwise
-  double drop_speckle_m2 = 0;     // rasters: obstacles up to this area are dropped (and said); 0: none
-  double simplify_m = 0;          // rasters: simplify_inward with this tolerance; 0: exact cell boundaries
+  double metres_per_pixel = 0;   // plain images; 0: not given
+  bool unknown_is_free = false;  // rasters: unknown counts as wall unless told otherwise
+  double drop_speckle_m2 = 0;    // rasters: obstacles up to this area are dropped (and said); 0: none
+  double simplify_m = 0;         // rasters: simplify_inward with this tolerance; 0: exact cell boundaries
 };
 
 /// What a file holds: the map, and whatever else of a problem it says.
@@ -32,9 +32,9 @@ struct MapFile {
 };
 
 struct MapFormat {
-  std::string name;                    // "ros", "geojson"
+  std::string name;  // "ros", "geojson"
   std::string title;
-  std::vector<std::string> suffixes;   // ".yaml", ...
+  std::vector<std::string> suffixes;  // ".yaml", ...
   std::function<MapFile(const std::string& file, const ReadOptions&)> read;
 };
 const std::vector<MapFormat>& map_formats();
@@ -67,7 +67,7 @@ struct Trace {
 
 struct PictureOptions {
   double width_px = 1000;
-  bool swath = true;                    // draws the tool's swath under the path
+  bool swath = true;  // draws the tool's swath under the path
   const std::vector<Trace>* traces = nullptr;
 };
 /// SVG of a problem and (if given) a path: walls, target, path coloured by time from blue to red, transit

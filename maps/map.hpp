@@ -16,18 +16,23 @@ struct Map {
   std::string source;  // "rooms --seed 7 --set rooms=9", or the file's path as given
 };
 
-struct Tether { double length = 0; };              // metres
-struct Lidar { double range = 0; int rays = 0; };  // metres, evenly spaced rays
+struct Tether {
+  double length = 0;
+};  // metres
+struct Lidar {
+  double range = 0;
+  int rays = 0;
+};  // metres, evenly spaced rays
 
 /// Disc footprint. Convex polygonal footprints come with the planner that needs them.
 struct Robot {
   std::string name = "disc";
-  double radius = 0.2;        // metres, >= 0
-  double tool_width = 0.4;    // metres, > 0
-  double speed = 0.5;         // m/s, > 0
-  double acceleration = 0.5;  // m/s^2, > 0
-  double turn_rate = 1.5;     // rad/s, > 0
-  double min_turn_radius = 0; // metres, >= 0; 0: turns on the spot
+  double radius = 0.2;         // metres, >= 0
+  double tool_width = 0.4;     // metres, > 0
+  double speed = 0.5;          // m/s, > 0
+  double acceleration = 0.5;   // m/s^2, > 0
+  double turn_rate = 1.5;      // rad/s, > 0
+  double min_turn_radius = 0;  // metres, >= 0; 0: turns on the spot
   std::optional<Tether> tether;
   std::optional<Lidar> lidar;
 };

@@ -14,10 +14,14 @@ namespace {
 
 const char* type_name(const Value& value) {
   switch (value.index()) {
-    case 0: return "true or false";
-    case 1: return "a whole number";
-    case 2: return "a number";
-    default: return "a text";
+    case 0:
+      return "true or false";
+    case 1:
+      return "a whole number";
+    case 2:
+      return "a number";
+    default:
+      return "a text";
   }
 }
 
@@ -32,7 +36,8 @@ std::string number(double value) { return to_text(Value(value)); }
 std::string range_text(const ParameterInfo& parameter) {
   const bool low = std::isfinite(parameter.range.least), high = std::isfinite(parameter.range.most);
   const std::string type = type_name(parameter.fallback);
-  if (low && high) return fmt::format("{} from {} to {}", type, number(parameter.range.least), number(parameter.range.most));
+  if (low && high)
+    return fmt::format("{} from {} to {}", type, number(parameter.range.least), number(parameter.range.most));
   if (low) return fmt::format("{} of at least {}", type, number(parameter.range.least));
   if (high) return fmt::format("{} of at most {}", type, number(parameter.range.most));
   return type;

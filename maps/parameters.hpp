@@ -73,8 +73,10 @@ std::vector<ParameterInfo> to_infos(const std::vector<Parameter<P>>& lines) {
     Value fallback = std::visit(
         [&](auto member) -> Value {
           using T = std::decay_t<decltype(defaults.*member)>;
-          if constexpr (std::is_same_v<T, int>) return static_cast<std::int64_t>(defaults.*member);
-          else return defaults.*member;
+          if constexpr (std::is_same_v<T, int>)
+            return static_cast<std::int64_t>(defaults.*member);
+          else
+            return defaults.*member;
         },
         line.member);
     infos.push_back({line.name, std::move(fallback), line.range, line.choices, line.help});
@@ -95,8 +97,10 @@ P with_settings(const std::string& owner, const std::vector<Parameter<P>>& lines
     std::visit(
         [&](auto member) {
           using T = std::decay_t<decltype(result.*member)>;
-          if constexpr (std::is_same_v<T, int>) result.*member = static_cast<int>(std::get<std::int64_t>(value));
-          else result.*member = std::get<T>(value);
+          if constexpr (std::is_same_v<T, int>)
+            result.*member = static_cast<int>(std::get<std::int64_t>(value));
+          else
+            result.*member = std::get<T>(value);
         },
         line.member);
   }

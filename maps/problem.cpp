@@ -54,8 +54,9 @@ Region repaired_or_named(const Map& map) {
 Region eroded(const Map& map, const Region& free, const Robot& robot) {
   Region all = robot.radius > 0 ? erode(free, robot.radius, robot.tool_width / 1000, Bound::inside) : free;
   if (all.empty())
-    throw std::invalid_argument(fmt::format("robot '{}' (radius {}) fits nowhere in map '{}'; its widest passage is too narrow",
-                                            robot.name, to_decimal(robot.radius), map.name));
+    throw std::invalid_argument(
+        fmt::format("robot '{}' (radius {}) fits nowhere in map '{}'; its widest passage is too narrow", robot.name,
+                    to_decimal(robot.radius), map.name));
   return all;
 }
 
@@ -215,8 +216,8 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
   }
   basis->anchor = anchor ? *anchor : basis->start;
   if (anchor && !holds(map.free, *anchor, tolerance))
-    throw std::invalid_argument(fmt::format("anchor {} is inside a wall of '{}', expected a place in free space",
-                                            text(*anchor), map.name));
+    throw std::invalid_argument(
+        fmt::format("anchor {} is inside a wall of '{}', expected a place in free space", text(*anchor), map.name));
   basis->space = std::make_shared<const Region>(Region{{*part}});
   basis->tolerance = tolerance;
   basis->map = std::move(map);
@@ -252,17 +253,17 @@ Problem Problem::restricted(Region configuration_space) const {
   if (!holds(configuration_space, start(), tolerance()))
     throw std::invalid_argument(
         fmt::format("restricted configuration space of '{}' does not hold the start {}", map().name, text(start())));
-  return Problem(std::make_shared<const Impl>(impl_->basis,
-                                              std::make_shared<const Region>(std::move(configuration_space))));
+  return Problem(
+      std::make_shared<const Impl>(impl_->basis, std::make_shared<const Region>(std::move(configuration_space))));
 }
 
 std::string Problem::content_hash() const {
   std::string bytes = canonical_bytes(map().free);
   const Robot& r = robot();
-  for (const double value : {r.radius, r.tool_width, r.speed, r.acceleration, r.turn_rate, r.min_turn_radius,
-                             r.tether ? 1.0 : 0.0, r.tether ? r.tether->length : 0.0, r.lidar ? 1.0 : 0.0,
-                             r.lidar ? r.lidar->range : 0.0, r.lidar ? static_cast<double>(r.lidar->rays) : 0.0,
-                             start().x(), start().y(), anchor().x(), anchor().y()})
+  for (const double value :
+       {r.radius, r.tool_width, r.speed, r.acceleration, r.turn_rate, r.min_turn_radius, r.tether ? 1.0 : 0.0,
+        r.tether ? r.tether->length : 0.0, r.lidar ? 1.0 : 0.0, r.lidar ? r.lidar->range : 0.0,
+        r.lidar ? static_cast<double>(r.lidar->rays) : 0.0, start().x(), start().y(), anchor().x(), anchor().y()})
     append_canonical(bytes, value);
   return sha256(bytes);
 }

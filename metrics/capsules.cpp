@@ -15,8 +15,10 @@ bool cut_to(const Box& room, Vec& a, Vec& b) {
   const auto cut = [&](double step, double space) {  // space - t * step >= 0
     if (step == 0) return space >= 0;
     const double t = space / step;
-    if (step > 0) to = std::min(to, t);
-    else from = std::max(from, t);
+    if (step > 0)
+      to = std::min(to, t);
+    else
+      from = std::max(from, t);
     return from <= to;
   };
   if (!cut(-d.x, a.x - room.low.x()) || !cut(d.x, room.high.x() - a.x) || !cut(-d.y, a.y - room.low.y()) ||

@@ -11,16 +11,16 @@ namespace oxturn {
 
 /// All points within the tool's radius of the segment ab.
 struct Capsule {
-  Vec a, b, along;          // `along`: unit vector
+  Vec a, b, along;  // `along`: unit vector
   std::uint32_t leg = 0;
-  bool disc = false;        // where the tool is switched on: a == b, counts for visits only unless it is all
+  bool disc = false;  // where the tool is switched on: a == b, counts for visits only unless it is all
   bool visits_only = false;
 };
 
 struct CapsuleSet {
   std::vector<Capsule> all;
-  double work = 0;          // length of the capsules' segments, tile units
-  std::size_t discs = 0;    // times that the tool was switched on inside `room`
+  double work = 0;        // length of the capsules' segments, tile units
+  std::size_t discs = 0;  // times that the tool was switched on inside `room`
 };
 
 /// Tool-on segments of `path` as (p - origin) / side, cut to `room` (tile units). Straight-on segments are merged
@@ -44,8 +44,8 @@ class Chords {
 
 /// Half-planes whose intersection, within `where`, is the capsule's polygon: sides at distance `side`, chords at
 /// `cap`. `where` and the answer are relative to `centre`. Those that hold all of `where` are left out.
-void polygon_of(const Capsule& capsule, Vec centre, const Extent& where, const Chords& chords, double side,
-                double cap, std::vector<HalfPlane>& out);
+void polygon_of(const Capsule& capsule, Vec centre, const Extent& where, const Chords& chords, double side, double cap,
+                std::vector<HalfPlane>& out);
 /// The same for the disc about the capsule's first point.
 void disc_of(const Capsule& capsule, Vec centre, const Extent& where, const Chords& chords, double cap,
              std::vector<HalfPlane>& out);

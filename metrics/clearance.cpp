@@ -7,7 +7,7 @@ namespace oxturn {
 extern const Metric kClearanceM;
 
 const Metric kClearanceM{"clearance_m", "m", Better::higher,
-    "least distance to configuration space's boundary, negative outside",
-    [](const Scored& s) -> std::optional<double> { return s.clearance; }};
+                         "least distance to configuration space's boundary, negative outside",
+                         [](const Scored& s) -> std::optional<double> { return s.clearance; }};
 
 }  // namespace oxturn

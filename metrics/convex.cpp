@@ -111,9 +111,12 @@ Extent extent_of(const std::vector<Convex>& pieces) {
 Convex clipped(const Convex& c, const HalfPlane& h) {
   Convex inside;
   switch (split(c, h, inside, nullptr)) {
-    case Side::inside: return c;
-    case Side::outside: return {};
-    case Side::both: break;
+    case Side::inside:
+      return c;
+    case Side::outside:
+      return {};
+    case Side::both:
+      break;
   }
   if (inside.size < 3) inside.size = 0;
   return inside;

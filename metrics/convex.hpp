@@ -12,7 +12,9 @@
 
 namespace oxturn {
 
-struct Vec { double x, y; };  // left unset: these are made by the million
+struct Vec {
+  double x, y;
+};  // left unset: these are made by the million
 inline Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
 inline Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
 inline Vec operator*(double s, Vec a) { return {s * a.x, s * a.y}; }
@@ -22,7 +24,10 @@ inline double cross(Vec a, Vec b) { return a.x * b.y - a.y * b.x; }
 inline constexpr double kSlack = 1e-12;
 
 /// normal . x <= reach; `normal` has length 1.
-struct HalfPlane { Vec normal; double reach; };
+struct HalfPlane {
+  Vec normal;
+  double reach;
+};
 
 /// Counter-clockwise. Cutting off a corner adds one, so larger ones than kWide are split before they are cut.
 struct Convex {
@@ -45,7 +50,9 @@ struct Convex {
 };
 
 /// Axis-parallel: `half` each way from `centre`.
-struct Extent { Vec centre, half; };
+struct Extent {
+  Vec centre, half;
+};
 Extent extent_of(const std::vector<Convex>& pieces);
 
 double area(const Convex& c);

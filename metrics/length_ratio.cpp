@@ -9,7 +9,8 @@ namespace oxturn {
 
 extern const Metric kLengthRatio;
 
-const Metric kLengthRatio{"length_ratio", "1", Better::lower,
+const Metric kLengthRatio{
+    "length_ratio", "1", Better::lower,
     "path length over the shortest that could cover as much; empty: no more than one tool disc covered, or legs do "
     "not join",
     [](const Scored& s) -> std::optional<double> {

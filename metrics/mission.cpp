@@ -75,9 +75,7 @@ double mission(const Problem& problem, const Path& path) {
 
 }  // namespace
 
-const Metric kMissionS{"mission_s", "s", Better::lower,
-    "time to drive the path, stopping at corners", [](const Scored& s) -> std::optional<double> {
-      return mission(s.problem, s.path);
-    }};
+const Metric kMissionS{"mission_s", "s", Better::lower, "time to drive the path, stopping at corners",
+                       [](const Scored& s) -> std::optional<double> { return mission(s.problem, s.path); }};
 
 }  // namespace oxturn

@@ -9,8 +9,8 @@ namespace oxturn {
 extern const Metric kRevisits;
 
 const Metric kRevisits{"revisits", "1", Better::lower, "mean over the target of visits after the first",
-    [](const Scored& s) -> std::optional<double> {
-      return std::max(0.0, s.swept.visits_m2 - s.swept.seen_m2) / area(s.problem.target());
-    }};
+                       [](const Scored& s) -> std::optional<double> {
+                         return std::max(0.0, s.swept.visits_m2 - s.swept.seen_m2) / area(s.problem.target());
+                       }};
 
 }  // namespace oxturn

@@ -22,10 +22,10 @@ struct Scored {
 enum class Better { lower, higher, neither };
 
 struct Metric {
-  std::string name;   // the CSV column, unit included ("path_m")
-  std::string unit;   // "m", "m2", "rad", "s", "1", "count"
+  std::string name;  // the CSV column, unit included ("path_m")
+  std::string unit;  // "m", "m2", "rad", "s", "1", "count"
   Better better;
-  std::string help;   // one line, with the meaning of an empty cell
+  std::string help;  // one line, with the meaning of an empty cell
   std::optional<double> (*compute)(const Scored&);
 };
 
@@ -33,7 +33,7 @@ struct Metric {
 const std::vector<const Metric*>& metrics();
 
 struct Score {
-  std::string flaw;    // why the path is invalid: which rule, where, by how much; empty if valid
+  std::string flaw;                           // why the path is invalid: which rule, where, by how much; empty if valid
   std::vector<std::optional<double>> values;  // in the order of metrics(); all empty if the path cannot be
                                               // scored at all (no legs, not finite)
   std::optional<double> value(const std::string& metric) const;

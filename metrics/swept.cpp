@@ -36,8 +36,8 @@ struct Near {
 };
 using Group = const Near*;
 
-struct Sums {           // tile areas
-  double target = 0;    // of touched tiles
+struct Sums {                                        // tile areas
+  double target = 0;                                 // of touched tiles
   double missed_in = 0, missed_out = 0, missed = 0;  // target not covered: upper bound, lower bound, estimate
   double swept = 0, legs = 0, visits_outside = 0;
 };
@@ -160,7 +160,9 @@ class Sweep {
     }
   }
 
-  struct Left { double most = 0, least = 0; };  // uncovered area of the tile
+  struct Left {
+    double most = 0, least = 0;
+  };  // uncovered area of the tile
   Left left_of(Group from, Group to, Vec centre, const std::uint32_t* leg, std::vector<Convex>& in,
                std::vector<Convex>& out) {
     in.clear();
@@ -278,8 +280,8 @@ Swept sweep(const Region& target, double target_excess, double width, const Path
   room.add(Point(0, 0));
   room.add(size);
   room.grow(3 * kRadius);
-  const CapsuleSet set =
-      capsules(path, origin, side, room, 1e-6 * width + 1e-12 * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff());
+  const CapsuleSet set = capsules(path, origin, side, room,
+                                  1e-6 * width + 1e-12 * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff());
   // Coordinates round to 1e-16 of the map's size in tiles; the margin stays above that on maps of any size.
   const double margin = 1e-9 + 1e-15 * size.maxCoeff();
 

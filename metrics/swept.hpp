@@ -28,12 +28,12 @@ struct Interval {
 };
 
 struct Swept {
-  Interval coverage;        // share of the target, certified
-  double covered_m2 = 0;    // certified lower bound of covered target
-  double seen_m2 = 0;       // best estimate of covered target
-  double union_m2 = 0;      // area of the union of all tool-on swaths (target or not)
-  double legs_m2 = 0;       // sum of each leg's own swept area
-  double visits_m2 = 0;     // integral over the target of the number of separate visits
+  Interval coverage;      // share of the target, certified
+  double covered_m2 = 0;  // certified lower bound of covered target
+  double seen_m2 = 0;     // best estimate of covered target
+  double union_m2 = 0;    // area of the union of all tool-on swaths (target or not)
+  double legs_m2 = 0;     // sum of each leg's own swept area
+  double visits_m2 = 0;   // integral over the target of the number of separate visits
 };
 
 /// `target` errs inside by at most `target_excess` m^2. `width` is the tool's. The coverage interval is at most

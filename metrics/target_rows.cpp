@@ -43,9 +43,8 @@ TargetRows::TargetRows(const Region& region, const Point& origin, double side) {
       edges_.push_back({{a.x(), a.y()}, {b.x(), b.y()}});
     }
   });
-  std::stable_sort(edges_.begin(), edges_.end(), [](const Edge& l, const Edge& r) {
-    return std::min(l.a.y, l.b.y) < std::min(r.a.y, r.b.y);
-  });
+  std::stable_sort(edges_.begin(), edges_.end(),
+                   [](const Edge& l, const Edge& r) { return std::min(l.a.y, l.b.y) < std::min(r.a.y, r.b.y); });
 }
 
 void TargetRows::start_row(std::int64_t row) {
@@ -72,12 +71,10 @@ void TargetRows::start_row(std::int64_t row) {
                        static_cast<std::int64_t>(std::floor(std::max(x0, x1) + 1e-9)), e});
     if ((a.y < low) != (b.y < low)) crossings_.push_back({x_at(low), a.y < low ? -1 : 1});
   }
-  std::sort(in_row_.begin(), in_row_.end(), [](const InRow& l, const InRow& r) {
-    return l.first != r.first ? l.first < r.first : l.edge < r.edge;
-  });
-  std::sort(crossings_.begin(), crossings_.end(), [](const auto& l, const auto& r) {
-    return l.x != r.x ? l.x < r.x : l.sign < r.sign;
-  });
+  std::sort(in_row_.begin(), in_row_.end(),
+            [](const InRow& l, const InRow& r) { return l.first != r.first ? l.first < r.first : l.edge < r.edge; });
+  std::sort(crossings_.begin(), crossings_.end(),
+            [](const auto& l, const auto& r) { return l.x != r.x ? l.x < r.x : l.sign < r.sign; });
 }
 
 const TileTarget& TargetRows::tile(std::int64_t column) {
@@ -99,8 +96,7 @@ const TileTarget& TargetRows::tile(std::int64_t column) {
     if (a.x == b.x) continue;  // seen through its neighbours' ends, or the crossing below
     double ax = a.x, bx = b.x;
     if ((a.y < low) != (b.y < low)) {
-      const double x = std::clamp(a.x + (low - a.y) * ((b.x - a.x) / (b.y - a.y)), std::min(ax, bx),
-                                  std::max(ax, bx));
+      const double x = std::clamp(a.x + (low - a.y) * ((b.x - a.x) / (b.y - a.y)), std::min(ax, bx), std::max(ax, bx));
       (a.y < low ? ax : bx) = x;
     } else if (a.y < low) {
       continue;

@@ -26,8 +26,15 @@ class TileTarget {
 
  private:
   friend class TargetRows;
-  struct Edge { double from, to; HalfPlane above; int sign; };  // over from <= x <= to
-  struct Step { double x; int sign; };                          // along the lower side
+  struct Edge {
+    double from, to;
+    HalfPlane above;
+    int sign;
+  };  // over from <= x <= to
+  struct Step {
+    double x;
+    int sign;
+  };  // along the lower side
   int winding_ = 0;
   std::vector<Edge> edges_;
   std::vector<Step> crossings_;
@@ -42,13 +49,18 @@ class TargetRows {
   const TileTarget& tile(std::int64_t column);
 
  private:
-  struct Edge { Vec a, b; };
-  struct InRow { std::int64_t first, last; std::size_t edge; };
-  std::vector<Edge> edges_;        // by lowest y
-  std::size_t next_ = 0;           // first edge that the rows have not reached yet
+  struct Edge {
+    Vec a, b;
+  };
+  struct InRow {
+    std::int64_t first, last;
+    std::size_t edge;
+  };
+  std::vector<Edge> edges_;  // by lowest y
+  std::size_t next_ = 0;     // first edge that the rows have not reached yet
   std::vector<std::size_t> active_;
   std::int64_t row_ = 0;
-  std::vector<InRow> in_row_;      // by first column
+  std::vector<InRow> in_row_;  // by first column
   std::size_t next_in_row_ = 0;
   std::vector<InRow> here_;
   std::vector<TileTarget::Step> crossings_;  // of the row's lower line, by x

@@ -30,8 +30,7 @@ double total_change(const Headings& h) {
     sum += std::abs(turns[i].angle);
     const bool goes_on = i + 1 < turns.size() && turns[i + 1].linked;
     const double after = i + 1 < turns.size() ? turns[i + 1].before : h.after;
-    if (goes_on && !turns[i].linked)
-      sum += hidden(turns[i].angle, turns[i + 1].angle, after, turns[i].before, i == 0);
+    if (goes_on && !turns[i].linked) sum += hidden(turns[i].angle, turns[i + 1].angle, after, turns[i].before, i == 0);
     if (turns[i].linked && !goes_on)
       sum += hidden(turns[i].angle, turns[i - 1].angle, turns[i].before, after, i + 1 == turns.size());
   }
@@ -41,21 +40,21 @@ double total_change(const Headings& h) {
 }  // namespace
 
 const Metric kTurns{"turns", "count", Better::lower,
-    "changes of direction by more than 0.3 rad, a smooth bend counts once", [](const Scored& s) -> std::optional<double> {
-      double count = 0, bend = 0;
-      for (const Turn& turn : headings(s.problem, s.path).turns) {
-        if (!turn.linked) {
-          if (std::abs(bend) > kCorner) ++count;
-          bend = 0;
-        }
-        bend += turn.angle;
-      }
-      return std::abs(bend) > kCorner ? count + 1 : count;
-    }};
+                    "changes of direction by more than 0.3 rad, a smooth bend counts once",
+                    [](const Scored& s) -> std::optional<double> {
+                      double count = 0, bend = 0;
+                      for (const Turn& turn : headings(s.problem, s.path).turns) {
+                        if (!turn.linked) {
+                          if (std::abs(bend) > kCorner) ++count;
+                          bend = 0;
+                        }
+                        bend += turn.angle;
+                      }
+                      return std::abs(bend) > kCorner ? count + 1 : count;
+                    }};
 
-const Metric kTurnRad{"turn_rad", "rad", Better::lower, "total absolute change of heading",
-    [](const Scored& s) -> std::optional<double> {
-      return total_change(headings(s.problem, s.path));
-    }};
+const Metric kTurnRad{
+    "turn_rad", "rad", Better::lower, "total absolute change of heading",
+    [](const Scored& s) -> std::optional<double> { return total_change(headings(s.problem, s.path)); }};
 
 }  // namespace oxturn

@@ -83,7 +83,8 @@ std::string find_flaw(const Problem& problem, const Path& path, const EdgeIndex&
         const auto hit = walls.nearest(a, b, radius - tolerance);
         if (!hit || hit->distance >= radius - tolerance) continue;
         return fmt::format("leaves configuration space at {}: {}, robot radius {:.6g} m", text(hit->from),
-                           hit->distance > 0 ? fmt::format("{:.6g} m from a wall", hit->distance) : "in a wall", radius);
+                           hit->distance > 0 ? fmt::format("{:.6g} m from a wall", hit->distance) : "in a wall",
+                           radius);
       }
       if (const auto out = place_outside(walls, a, b, tolerance)) {
         const auto depth = walls.nearest(*out);

@@ -8,7 +8,9 @@
 
 namespace oxturn {
 
-struct Written { std::vector<std::string> files; };
+struct Written {
+  std::vector<std::string> files;
+};
 /// Writes report.md (comparison table over planners, then one table per map) and gallery/RUN_ID.svg for every run
 /// with a path, plus gallery.html that shows them side by side. Returns what was written.
 Written write_report(const Results& results, const std::string& folder);

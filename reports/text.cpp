@@ -10,12 +10,18 @@ namespace oxturn {
 std::string escape_html(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    if (c == '&') out += "&amp;";
-    else if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else if (c == '"') out += "&quot;";
-    else if (c == '\'') out += "&#39;";
-    else out += c;
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else if (c == '\'')
+      out += "&#39;";
+    else
+      out += c;
   }
   return out;
 }
@@ -23,9 +29,12 @@ std::string escape_html(const std::string& text) {
 std::string escape_markdown(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    if (c == '\n' || c == '\r') out += ' ';
-    else if (c == '<') out += "&lt;";
-    else if (c == '&') out += "&amp;";
+    if (c == '\n' || c == '\r')
+      out += ' ';
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '&')
+      out += "&amp;";
     else {
       if (c == '|' || c == '*' || c == '`' || c == '[' || c == ']' || c == '\\') out += '\\';
       out += c;
@@ -40,8 +49,10 @@ std::string escape_url(const std::string& text) {
     const auto u = static_cast<unsigned char>(c);
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
                        c == '.' || c == '_' || c == '~' || c == '/';
-    if (plain) out += c;
-    else out += fmt::format("%{:02X}", u);
+    if (plain)
+      out += c;
+    else
+      out += fmt::format("%{:02X}", u);
   }
   return out;
 }

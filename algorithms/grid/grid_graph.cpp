@@ -10,7 +10,9 @@ namespace oxturn {
 namespace {
 
 // A wall edge in cell coordinates, where node (i, j) is the point (i, j).
-struct Edge { Point a, b; };
+struct Edge {
+  Point a, b;
+};
 
 // Calls f(k, y) for each vertical lattice line x = k that the edge meets, with the height y of the meeting.
 // Vertical edges on a lattice line report both ends. `swap` exchanges the roles of x and y.
@@ -35,8 +37,12 @@ void for_each_line(const Edge& e, bool swap, int lines, F f) {
 }  // namespace
 
 GridGraph::GridGraph(const Region& space, double side, double angle, const Point& origin, int columns, int rows)
-    : side_(side), origin_(origin), across_(std::cos(angle), std::sin(angle)), up_(perpendicular(across_)),
-      columns_(columns), rows_(rows),
+    : side_(side),
+      origin_(origin),
+      across_(std::cos(angle), std::sin(angle)),
+      up_(perpendicular(across_)),
+      columns_(columns),
+      rows_(rows),
       cells_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0) {
   std::vector<Edge> edges;
   for_each_ring(space, [&](const Ring& ring) {
@@ -74,11 +80,13 @@ GridGraph::GridGraph(const Region& space, double side, double angle, const Point
     }
   for (const Edge& e : edges) {
     for_each_line(e, false, columns, [&](int i, double low, double high) {
-      for (int j = std::max(0, static_cast<int>(std::floor(low))); j <= std::min<double>(rows - 1, std::floor(high)); ++j)
+      for (int j = std::max(0, static_cast<int>(std::floor(low))); j <= std::min<double>(rows - 1, std::floor(high));
+           ++j)
         cells_[at(i, j)] &= static_cast<std::uint8_t>(~kNorthOpen);
     });
     for_each_line(e, true, rows, [&](int j, double low, double high) {
-      for (int i = std::max(0, static_cast<int>(std::floor(low))); i <= std::min<double>(columns - 1, std::floor(high)); ++i)
+      for (int i = std::max(0, static_cast<int>(std::floor(low))); i <= std::min<double>(columns - 1, std::floor(high));
+           ++i)
         cells_[at(i, j)] &= static_cast<std::uint8_t>(~kEastOpen);
     });
   }
@@ -124,7 +132,7 @@ GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, 
         "a grid of cells {} m wide over '{}' would have {:.3g} cells, more than 1e8; give a larger cell_size", side,
         problem.map().name, columns * rows));
   return GridGraph(problem.configuration_space(), side, angle, rotated(low, angle),
-                 std::max(multiple, static_cast<int>(columns)), std::max(multiple, static_cast<int>(rows)));
+                   std::max(multiple, static_cast<int>(columns)), std::max(multiple, static_cast<int>(rows)));
 }
 
 }  // namespace oxturn

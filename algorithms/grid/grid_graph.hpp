@@ -35,10 +35,14 @@ class GridGraph {
   bool passable(int i, int j, Direction d) const {
     if (!inside(i, j)) return false;
     switch (d) {
-      case kEast: return (cells_[at(i, j)] & kEastOpen) != 0;
-      case kNorth: return (cells_[at(i, j)] & kNorthOpen) != 0;
-      case kWest: return i > 0 && (cells_[at(i - 1, j)] & kEastOpen) != 0;
-      default: return j > 0 && (cells_[at(i, j - 1)] & kNorthOpen) != 0;
+      case kEast:
+        return (cells_[at(i, j)] & kEastOpen) != 0;
+      case kNorth:
+        return (cells_[at(i, j)] & kNorthOpen) != 0;
+      case kWest:
+        return i > 0 && (cells_[at(i - 1, j)] & kEastOpen) != 0;
+      default:
+        return j > 0 && (cells_[at(i, j - 1)] & kNorthOpen) != 0;
     }
   }
   Point centre(double i, double j) const {  // of cell (i, j); fractions address points between centres
@@ -65,8 +69,8 @@ class GridGraph {
 
 /// How a grid lies over the map: the parameters that all grid planners share.
 struct GridSettings {
-  double cell_size = 0;         // metres; 0: the planner's default
-  std::string align = "axes";   // axes: with the map's coordinates; edges: with the direction most walls run in
+  double cell_size = 0;             // metres; 0: the planner's default
+  std::string align = "axes";       // axes: with the map's coordinates; edges: with the direction most walls run in
   double shift_x = 0, shift_y = 0;  // of the grid's origin, in cells
 };
 
@@ -75,7 +79,8 @@ struct GridSettings {
 /// space: the closest that the robot gets to a wall (with cells as wide as the robot that is the grid aligned to the
 /// map's bounding box); `margin` adds so many cells on every
 /// side. Cells shrink by up to 1/1000 of their side where a whole number of them then spans the room. Throws std::invalid_argument if that makes more than 10^8 cells.
-GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, double side, int multiple, int margin = 0);
+GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, double side, int multiple,
+                          int margin = 0);
 
 /// Direction (radians, in [0, pi/2)) that most of the walls' length runs in, modulo a quarter turn.
 double dominant_direction(const Region& region);

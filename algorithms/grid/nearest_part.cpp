@@ -27,7 +27,8 @@ void NearestPart::index() const {
   box_ = Box{};
   for (const Entry& e : entries_) box_.add(e.at);
   const Point size = box_.size();
-  cell_ = std::max({std::sqrt(size.x() * size.y() / static_cast<double>(entries_.size())), size.maxCoeff() / 4096, 1e-9});
+  cell_ =
+      std::max({std::sqrt(size.x() * size.y() / static_cast<double>(entries_.size())), size.maxCoeff() / 4096, 1e-9});
   columns_ = static_cast<int>(size.x() / cell_) + 1;
   rows_ = static_cast<int>(size.y() / cell_) + 1;
   const auto cell_of = [&](const Point& p) {
@@ -53,13 +54,17 @@ std::optional<NearestPart::Found> NearestPart::from(const Point& p) const {
   std::optional<Found> best;
   double best_length = std::numeric_limits<double>::infinity();
   std::map<int, int> tries;
-  struct Near { double straight; std::uint32_t entry; };
+  struct Near {
+    double straight;
+    std::uint32_t entry;
+  };
   std::vector<Near> waiting;  // met in rings, not yet tried: a ring's far corner may be farther than the next ring
   const int rings = std::max({i0, columns_ - 1 - i0, j0, rows_ - 1 - j0});
   for (int ring = 0; ring <= rings; ++ring) {
     const auto visit = [&](int i, int j) {
       if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return;
-      const std::size_t c = static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
+      const std::size_t c =
+          static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
       for (std::uint32_t k = first_[c]; k < first_[c + 1]; ++k)
         if (!dropped(entries_[items_[k]].part)) waiting.push_back({distance(p, entries_[items_[k]].at), items_[k]});
     };

@@ -30,9 +30,15 @@ class NearestPart {
   std::optional<Found> from(const Point& p) const;
 
  private:
-  struct Entry { Point at; int part; std::size_t id; };
+  struct Entry {
+    Point at;
+    int part;
+    std::size_t id;
+  };
   void index() const;
-  bool dropped(int part) const { return static_cast<std::size_t>(part) < dropped_.size() && dropped_[static_cast<std::size_t>(part)]; }
+  bool dropped(int part) const {
+    return static_cast<std::size_t>(part) < dropped_.size() && dropped_[static_cast<std::size_t>(part)];
+  }
   const ShortestPaths& paths_;
   mutable std::vector<Entry> entries_;
   std::vector<bool> dropped_;

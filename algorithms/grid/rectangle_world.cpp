@@ -12,7 +12,10 @@ void close_runs(const BitGrid& free, int gap, bool rows, BitGrid& mended) {
   for (int line = 0; line < lines; ++line) {
     const auto get = [&](int k) { return rows ? free.get(k, line) : free.get(line, k); };
     for (int k = 1; k < along;) {  // the border of the grid is no wall: a run that touches it is no gap
-      if (!get(k) || get(k - 1)) { ++k; continue; }
+      if (!get(k) || get(k - 1)) {
+        ++k;
+        continue;
+      }
       int end = k;
       while (end < along && get(end)) ++end;
       if (end < along && end - k <= gap)
@@ -37,11 +40,16 @@ std::vector<int> small_obstacles(const BitGrid& free, int small) {
       bool border = false;
       for (std::size_t k = 0; k < queue.size(); ++k) {
         const auto [i, j] = queue[k];
-        left = std::min(left, i); right = std::max(right, i);
-        bottom = std::min(bottom, j); top = std::max(top, j);
+        left = std::min(left, i);
+        right = std::max(right, i);
+        bottom = std::min(bottom, j);
+        top = std::max(top, j);
         for (int dj = -1; dj <= 1; ++dj)
           for (int di = -1; di <= 1; ++di) {
-            if (!free.inside(i + di, j + dj)) { border = true; continue; }
+            if (!free.inside(i + di, j + dj)) {
+              border = true;
+              continue;
+            }
             std::uint8_t& mark = seen[free.at(i + di, j + dj)];
             if (mark || free.get(i + di, j + dj)) continue;
             mark = 1;

@@ -41,15 +41,21 @@ struct Params {
 };
 
 // A run of lattice nodes in one column that can be driven without leaving it.
-struct Stretch { int column, low, high; };
+struct Stretch {
+  int column, low, high;
+};
 
 class Cleaner {
  public:
   Cleaner(const Params& p, const Problem& problem, Context& context)
-      : p_(p), problem_(problem), context_(context),
+      : p_(p),
+        problem_(problem),
+        context_(context),
         graph_(make_grid_graph(problem, {p.cell_size, p.align, 0, 0}, side_of(p, problem), 1,
                                static_cast<int>(std::ceil(problem.robot().radius / side_of(p, problem))) + 1)),
-        side_(graph_.side()), driven_(graph_.size(), false), path_(problem.start()) {}
+        side_(graph_.side()),
+        driven_(graph_.size(), false),
+        path_(problem.start()) {}
 
   Path clean() {
     const BitGrid world = without_gaps(dirty_cells(), p_.gap, p_.small_obstacle);
@@ -126,7 +132,8 @@ class Cleaner {
   void clean(const CellRectangle& r, const Stretch& start) {
     const Point middle = graph_.centre((r.left + r.right) / 2.0, (r.bottom + r.top) / 2.0);
     if (p_.via_centre && problem_.walls().contains(middle)) go(middle, false);
-    const int step = p_.columns == "tool" ? std::max(1, static_cast<int>(problem_.robot().tool_width / side_ + 1e-9)) : 1;
+    const int step =
+        p_.columns == "tool" ? std::max(1, static_cast<int>(problem_.robot().tool_width / side_ + 1e-9)) : 1;
     bool up = true, first = true;
     for (int i = r.left;; i = std::min(i + step, r.right)) {
       // The first column counts from the start; cells below a shifted one stay (seed).
@@ -222,7 +229,8 @@ class Rectangles final : public CoveragePlanner {
   explicit Rectangles(Params p) : p_(std::move(p)) {}
   Path plan(const Problem& problem, Context& context) const override {
     Path path = Cleaner(p_, problem, context).clean();
-    if (path.legs.empty()) throw Infeasible("no rectangle of at least 2 x 2 cells can be driven; a smaller cell_size may help");
+    if (path.legs.empty())
+      throw Infeasible("no rectangle of at least 2 x 2 cells can be driven; a smaller cell_size may help");
     return path;
   }
 
@@ -233,26 +241,29 @@ class Rectangles final : public CoveragePlanner {
 }  // namespace
 
 PlannerInfo rectangles() {
-  return describe<Rectangles, Params>({
-      .name = "rectangles",
-      .family = "grid",
-      .title = "rectangle partition, column by column",
-      .citation = "MyCarbot (TH Nuernberg)",
-      .capabilities = {Capability::holes},
-      .guarantee = "every cell of a drivable rectangle of at least 2 x 2 cells, except skipped columns",
-      .parameters = {
-          {"cell_size", &Params::cell_size, Range{0, 1000}, "side of a cell, metres; 0: half the robot's width"},
-          {"choose", &Params::choose, Choices{"first", "nearest"},
-           "next rectangle: first from the lower left, or the one with the shortest way to its start"},
-          {"columns", &Params::columns, Choices{"each", "tool"}, "drive each column, or step as far as the tool covers"},
-          {"scan", &Params::scan, Choices{"columns", "rows"}, "how the first cell from the lower left is looked for"},
-          {"gap", &Params::gap, Range{0, 100}, "gaps in walls up to so many cells are closed"},
-          {"small_obstacle", &Params::small_obstacle, Range{0, 100},
-           "obstacles up to so many cells a side get their missing corners"},
-          {"shift", &Params::shift, Range{0, 1000}, "how many cells the start is moved up before the column is skipped"},
-          {"via_centre", &Params::via_centre, "go to the rectangle's centre first, then to its lower left"},
-          {"revisit_skipped", &Params::revisit_skipped, "in the end, drive what was skipped"},
-          {"align", &Params::align, Choices{"axes", "edges"}, "edges: turn the grid to the direction most walls run in"}}});
+  return describe<Rectangles, Params>(
+      {.name = "rectangles",
+       .family = "grid",
+       .title = "rectangle partition, column by column",
+       .citation = "MyCarbot (TH Nuernberg)",
+       .capabilities = {Capability::holes},
+       .guarantee = "every cell of a drivable rectangle of at least 2 x 2 cells, except skipped columns",
+       .parameters = {
+           {"cell_size", &Params::cell_size, Range{0, 1000}, "side of a cell, metres; 0: half the robot's width"},
+           {"choose", &Params::choose, Choices{"first", "nearest"},
+            "next rectangle: first from the lower left, or the one with the shortest way to its start"},
+           {"columns", &Params::columns, Choices{"each", "tool"},
+            "drive each column, or step as far as the tool covers"},
+           {"scan", &Params::scan, Choices{"columns", "rows"}, "how the first cell from the lower left is looked for"},
+           {"gap", &Params::gap, Range{0, 100}, "gaps in walls up to so many cells are closed"},
+           {"small_obstacle", &Params::small_obstacle, Range{0, 100},
+            "obstacles up to so many cells a side get their missing corners"},
+           {"shift", &Params::shift, Range{0, 1000},
+            "how many cells the start is moved up before the column is skipped"},
+           {"via_centre", &Params::via_centre, "go to the rectangle's centre first, then to its lower left"},
+           {"revisit_skipped", &Params::revisit_skipped, "in the end, drive what was skipped"},
+           {"align", &Params::align, Choices{"axes", "edges"},
+            "edges: turn the grid to the direction most walls run in"}}});
 }
 
 }  // namespace oxturn

@@ -40,8 +40,11 @@ struct Params {
 class Coarse {
  public:
   explicit Coarse(const GridGraph& fine)
-      : fine_(fine), columns_(fine.columns() / 2), rows_(fine.rows() / 2),
-        free_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)), tree_(free_.size(), 0) {
+      : fine_(fine),
+        columns_(fine.columns() / 2),
+        rows_(fine.rows() / 2),
+        free_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
+        tree_(free_.size(), 0) {
     for (int j = 0; j < rows_; ++j)
       for (int i = 0; i < columns_; ++i)
         free_[at(i, j)] = fine.passable(2 * i, 2 * j, kEast) && fine.passable(2 * i, 2 * j, kNorth) &&
@@ -62,10 +65,14 @@ class Coarse {
     const int i = column(c), j = row(c), i2 = i + kColumnStep[d], j2 = j + kRowStep[d];
     if (i2 < 0 || j2 < 0 || i2 >= columns_ || j2 >= rows_ || !free_[c] || !free_[at(i2, j2)]) return false;
     switch (d) {
-      case kEast: return fine_.passable(2 * i + 1, 2 * j, kEast) && fine_.passable(2 * i + 1, 2 * j + 1, kEast);
-      case kNorth: return fine_.passable(2 * i, 2 * j + 1, kNorth) && fine_.passable(2 * i + 1, 2 * j + 1, kNorth);
-      case kWest: return fine_.passable(2 * i, 2 * j, kWest) && fine_.passable(2 * i, 2 * j + 1, kWest);
-      default: return fine_.passable(2 * i, 2 * j, kSouth) && fine_.passable(2 * i + 1, 2 * j, kSouth);
+      case kEast:
+        return fine_.passable(2 * i + 1, 2 * j, kEast) && fine_.passable(2 * i + 1, 2 * j + 1, kEast);
+      case kNorth:
+        return fine_.passable(2 * i, 2 * j + 1, kNorth) && fine_.passable(2 * i + 1, 2 * j + 1, kNorth);
+      case kWest:
+        return fine_.passable(2 * i, 2 * j, kWest) && fine_.passable(2 * i, 2 * j + 1, kWest);
+      default:
+        return fine_.passable(2 * i, 2 * j, kSouth) && fine_.passable(2 * i + 1, 2 * j, kSouth);
     }
   }
   std::size_t neighbour(std::size_t c, Direction d) const {
@@ -121,7 +128,11 @@ void grow_breadth_first(Coarse& cells, std::size_t root) {
 
 // Depth-first without recursion: a million cells are a deep tree. `straight`: go on as one came, if possible.
 void grow_depth_first(Coarse& cells, std::size_t root, bool straight, Rng* shuffled) {
-  struct Step { std::size_t cell; std::array<Direction, 4> order; int next; };
+  struct Step {
+    std::size_t cell;
+    std::array<Direction, 4> order;
+    int next;
+  };
   const auto order_from = [&](Direction came) {
     std::array<Direction, 4> order = kAll;
     if (straight) order = {came, left_of(came), right_of(came), opposite(came)};
@@ -133,7 +144,10 @@ void grow_depth_first(Coarse& cells, std::size_t root, bool straight, Rng* shuff
   seen[root] = true;
   while (!stack.empty()) {
     Step& top = stack.back();
-    if (top.next == 4) { stack.pop_back(); continue; }
+    if (top.next == 4) {
+      stack.pop_back();
+      continue;
+    }
     const Direction d = top.order[static_cast<std::size_t>(top.next++)];
     if (!cells.adjacent(top.cell, d)) continue;
     const std::size_t to = cells.neighbour(top.cell, d);
@@ -163,9 +177,12 @@ void grow_weighted(Coarse& cells, const std::vector<int>& part, int which) {
 }
 
 void grow_tree(Coarse& cells, std::size_t root, const std::vector<int>& part, const std::string& kind, Rng& rng) {
-  if (kind == "bfs") grow_breadth_first(cells, root);
-  else if (kind == "weighted") grow_weighted(cells, part, part[root]);
-  else grow_depth_first(cells, root, kind == "minimum-turn", kind == "random" ? &rng : nullptr);
+  if (kind == "bfs")
+    grow_breadth_first(cells, root);
+  else if (kind == "weighted")
+    grow_weighted(cells, part, part[root]);
+  else
+    grow_depth_first(cells, root, kind == "minimum-turn", kind == "random" ? &rng : nullptr);
 }
 
 // Round the tree, counter-clockwise inside each coarse cell unless a tree edge leads out: the tree stays at the
@@ -185,8 +202,10 @@ Polyline round_tree(const GridGraph& fine, const Coarse& cells, int i0, int j0) 
     const Direction d = cells.in_tree(cell, out) ? out : along(x, y);
     i += kColumnStep[d];
     j += kRowStep[d];
-    if (d == last) line.back() = fine.centre(i, j);  // straight on
-    else line.push_back(fine.centre(i, j));
+    if (d == last)
+      line.back() = fine.centre(i, j);  // straight on
+    else
+      line.push_back(fine.centre(i, j));
     last = d;
   } while (i != i0 || j != j0);
   return line;
@@ -202,17 +221,18 @@ class Stc final : public CoveragePlanner {
     Coarse cells(fine);
     int count = 0;
     const std::vector<int> part = parts_of(cells, count);
-    if (count == 0)
-      throw Infeasible("no coarse cell of twice the cell size fits; a smaller cell_size may");
+    if (count == 0) throw Infeasible("no coarse cell of twice the cell size fits; a smaller cell_size may");
 
     NearestPart nearest(problem.transit());
     for (std::size_t c = 0; c < cells.size(); ++c)
       if (part[c] >= 0 && on_rim(cells, c))
-        for (int k = 0; k < 4; ++k) nearest.add(sub_cell(fine, cells, c, k), part[c], c * 4 + static_cast<std::size_t>(k));
+        for (int k = 0; k < 4; ++k)
+          nearest.add(sub_cell(fine, cells, c, k), part[c], c * 4 + static_cast<std::size_t>(k));
     PathBuilder path(problem.start());
     std::vector<Polyline> trees;
     for (int done = 0; done < count && !context.cancelled(); ++done) {
-      const std::optional<NearestPart::Found> found = next_part(problem, fine, cells, part, nearest, path.at(), done == 0);
+      const std::optional<NearestPart::Found> found =
+          next_part(problem, fine, cells, part, nearest, path.at(), done == 0);
       if (!found) break;
       const std::size_t cell = found->id / 4;
       const int k = static_cast<int>(found->id % 4);
@@ -256,7 +276,8 @@ class Stc final : public CoveragePlanner {
     std::vector<Polyline> lines;
     for (std::size_t c = 0; c < cells.size(); ++c)
       for (const Direction d : {kEast, kNorth})
-        if (cells.free(c) && cells.in_tree(c, d)) lines.push_back({cells.centre(c), cells.centre(cells.neighbour(c, d))});
+        if (cells.free(c) && cells.in_tree(c, d))
+          lines.push_back({cells.centre(c), cells.centre(cells.neighbour(c, d))});
     return lines;
   }
   Params p_;
@@ -265,21 +286,22 @@ class Stc final : public CoveragePlanner {
 }  // namespace
 
 PlannerInfo stc() {
-  return describe<Stc, Params>({
-      .name = "stc",
-      .family = "grid",
-      .title = "spanning tree coverage, offline",
-      .citation = "Gabriely & Rimon 2001",
-      .capabilities = {Capability::holes},
-      .guarantee = "each sub-cell of the wholly free coarse cells exactly once, in a closed round",
-      .parameters = {
-          {"cell_size", &Params::cell_size, Range{0, 1000}, "side D of a sub-cell, metres; 0: tool width / sqrt 2"},
-          {"tree", &Params::tree, Choices{"bfs", "dfs", "minimum-turn", "random", "weighted"}, "how the tree grows"},
-          {"components", &Params::components, Choices{"all", "start"},
-           "start: only the free cells connected to the first one, as published; all: then the other parts"},
-          {"align", &Params::align, Choices{"axes", "edges"}, "edges: turn the grid to the direction most walls run in"},
-          {"shift_x", &Params::shift_x, Range{-1, 1}, "shift of the grid, in cells"},
-          {"shift_y", &Params::shift_y, Range{-1, 1}, "shift of the grid, in cells"}}});
+  return describe<Stc, Params>(
+      {.name = "stc",
+       .family = "grid",
+       .title = "spanning tree coverage, offline",
+       .citation = "Gabriely & Rimon 2001",
+       .capabilities = {Capability::holes},
+       .guarantee = "each sub-cell of the wholly free coarse cells exactly once, in a closed round",
+       .parameters = {
+           {"cell_size", &Params::cell_size, Range{0, 1000}, "side D of a sub-cell, metres; 0: tool width / sqrt 2"},
+           {"tree", &Params::tree, Choices{"bfs", "dfs", "minimum-turn", "random", "weighted"}, "how the tree grows"},
+           {"components", &Params::components, Choices{"all", "start"},
+            "start: only the free cells connected to the first one, as published; all: then the other parts"},
+           {"align", &Params::align, Choices{"axes", "edges"},
+            "edges: turn the grid to the direction most walls run in"},
+           {"shift_x", &Params::shift_x, Range{-1, 1}, "shift of the grid, in cells"},
+           {"shift_y", &Params::shift_y, Range{-1, 1}, "shift of the grid, in cells"}}});
 }
 
 }  // namespace oxturn

@@ -26,6 +26,7 @@
 #include "algorithms/polygon/outline.hpp"
 #include "algorithms/polygon/strips.hpp"
 #include "algorithms/polygon/sweep_direction.hpp"
+#include "geometry/boolean.hpp"
 #include "geometry/partition.hpp"
 
 namespace oxturn {
@@ -98,7 +99,8 @@ double height_on(const Polyline& chain, double x) {
   for (std::size_t i = 1; i < chain.size(); ++i) {
     const Point& a = chain[i - 1];
     const Point& b = chain[i];
-    if (x <= b.x() && b.x() > a.x()) return a.y() + std::clamp((x - a.x()) / (b.x() - a.x()), 0.0, 1.0) * (b.y() - a.y());
+    if (x <= b.x() && b.x() > a.x())
+      return a.y() + std::clamp((x - a.x()) / (b.x() - a.x()), 0.0, 1.0) * (b.y() - a.y());
   }
   return chain.back().y();
 }
@@ -153,7 +155,8 @@ struct Covered {  // lanes placed so far, by position across
 // The paper's cells. With the outline driven: lanes are projections of slabs in the cell. Without: lanes from the
 // cell's first to its last vertical inclusive, and links that follow the boundary.
 std::vector<Strip> exact_strips(const Field& f, bool outline, Context& context) {
-  const std::vector<BoustrophedonCell> cells = boustrophedon_cells(f.region);
+  // United: turning the region may have made rings that touch cross by a hair, which the exact sweep refuses.
+  const std::vector<BoustrophedonCell> cells = boustrophedon_cells(unite({f.region}));
   std::vector<Strip> of_cell(cells.size());
   std::vector<std::size_t> order(cells.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -247,7 +250,8 @@ class Boustrophedon final : public CoveragePlanner {
       const Region turned = frame.to(region);
       const EdgeIndex room(frame.to(c));
       const Field field{frame, turned, room, step, w, 2 * problem.tolerance()};
-      const std::vector<Strip> strips = p_.cells == "exact" ? exact_strips(field, p_.outline, context) : slab_strips(field);
+      const std::vector<Strip> strips =
+          p_.cells == "exact" ? exact_strips(field, p_.outline, context) : slab_strips(field);
       if (context.wants_traces()) {
         std::vector<Polyline> lanes;
         for (const Strip& s : strips)
@@ -271,18 +275,20 @@ class Boustrophedon final : public CoveragePlanner {
 }  // namespace
 
 PlannerInfo boustrophedon() {
-  return describe<Boustrophedon, Params>({
-      .name = "boustrophedon", .family = "polygon", .title = "Boustrophedon decomposition",
-      .citation = "Choset, Pignon 1998",
-      .capabilities = {Capability::holes},
-      .guarantee = "covers the whole target (with outline)",
-      .parameters = {
-          {"sweep", &Params::sweep, {"best", "given"}, "lane direction: the cheapest of up to 16, or `angle`"},
-          {"angle", &Params::angle, Range{-360, 360}, "degrees, lanes' direction if sweep is given"},
-          {"outline", &Params::outline, "drive every wall once; off: links follow the walls, as in the paper"},
-          {"cells", &Params::cells, {"slab", "exact"}, "slab: runs of lanes; exact: cut at critical points"},
-          {"spacing", &Params::spacing, Range{0.1, 1}, "distance of lanes, in tool widths"},
-          {"order", &Params::order, {"improved", "nearest", "dfs"}, "of cells; dfs: depth-first on their graph"}}});
+  return describe<Boustrophedon, Params>(
+      {.name = "boustrophedon",
+       .family = "polygon",
+       .title = "Boustrophedon decomposition",
+       .citation = "Choset, Pignon 1998",
+       .capabilities = {Capability::holes},
+       .guarantee = "covers the whole target (with outline)",
+       .parameters = {
+           {"sweep", &Params::sweep, {"best", "given"}, "lane direction: the cheapest of up to 16, or `angle`"},
+           {"angle", &Params::angle, Range{-360, 360}, "degrees, lanes' direction if sweep is given"},
+           {"outline", &Params::outline, "drive every wall once; off: links follow the walls, as in the paper"},
+           {"cells", &Params::cells, {"slab", "exact"}, "slab: runs of lanes; exact: cut at critical points"},
+           {"spacing", &Params::spacing, Range{0.1, 1}, "distance of lanes, in tool widths"},
+           {"order", &Params::order, {"improved", "nearest", "dfs"}, "of cells; dfs: depth-first on their graph"}}});
 }
 
 }  // namespace oxturn

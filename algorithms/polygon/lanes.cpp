@@ -130,7 +130,7 @@ Projection project(const std::vector<Segment>& given, const Slabs& slabs) {
   const std::size_t base = slab_of(slabs, low);
   const std::size_t count = slab_of(slabs, high) - base + 1;
 
-  std::vector<std::vector<Span>> reach(count);                    // per slab
+  std::vector<std::vector<Span>> reach(count);                           // per slab
   std::vector<std::vector<double>> right_cuts(count), left_cuts(count);  // just right, just left of line base + k
   for (const Segment& e : edges) {
     const Point& a = e.a.x() <= e.b.x() ? e.a : e.b;
@@ -168,15 +168,18 @@ Projection project(const std::vector<Segment>& given, const Slabs& slabs) {
   for (std::size_t k = 1; k < count; ++k) {
     const std::vector<Span> left = pairs_of(left_cuts[k]);
     for (std::size_t i = 0, j = 0; i < left.size() && j < right[k].size();) {
-      const double lower = std::max(left[i].first, right[k][j].first), upper = std::min(left[i].second, right[k][j].second);
+      const double lower = std::max(left[i].first, right[k][j].first),
+                   upper = std::min(left[i].second, right[k][j].second);
       if (lower < upper) {
         const double middle = (lower + upper) / 2;
         if (!reach[k - 1].empty() && !reach[k].empty() && reach[k - 1].front().first <= middle &&
             reach[k].front().first <= middle)
           result.links.push_back({holder(k - 1, middle), holder(k, middle)});
       }
-      if (left[i].second < right[k][j].second) ++i;
-      else ++j;
+      if (left[i].second < right[k][j].second)
+        ++i;
+      else
+        ++j;
     }
   }
   std::sort(result.links.begin(), result.links.end());
@@ -193,7 +196,9 @@ std::vector<std::pair<double, double>> clip_vertical(const EdgeIndex& room, doub
   room.for_each_near(box, [&](std::size_t i) {
     const EdgeIndex::Edge& e = room.edges()[i];
     if (std::min(e.a.x(), e.b.x()) > x || std::max(e.a.x(), e.b.x()) < x) return;
-    const auto add = [&](double y) { if (y > low && y < high) stops.push_back(y); };
+    const auto add = [&](double y) {
+      if (y > low && y < high) stops.push_back(y);
+    };
     if (e.a.x() == e.b.x()) {
       add(e.a.y());
       add(e.b.y());
@@ -207,8 +212,10 @@ std::vector<std::pair<double, double>> clip_vertical(const EdgeIndex& room, doub
   double from = low;
   for (const double to : stops) {
     if (to - from > 2 * margin && room.contains({x, (from + to) / 2})) {
-      if (!inside.empty() && inside.back().second == from) inside.back().second = to;
-      else inside.push_back({from, to});
+      if (!inside.empty() && inside.back().second == from)
+        inside.back().second = to;
+      else
+        inside.push_back({from, to});
     }
     from = to;
   }

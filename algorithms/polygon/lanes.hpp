@@ -33,7 +33,9 @@ class Frame {
 /// again would round every corner twice. Round corners are chords up to `chord` too far out, and never leave C.
 Region lane_region(const Problem& problem, double inset, double chord);
 
-struct Segment { Point a, b; };
+struct Segment {
+  Point a, b;
+};
 void add_ring(std::vector<Segment>& edges, const Ring& ring);
 std::vector<Segment> edges_of(const Region& region);
 

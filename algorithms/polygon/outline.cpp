@@ -159,7 +159,8 @@ class Splicer {
         const auto pieces = static_cast<std::size_t>(std::min(std::ceil(distance(s.a, s.b) / (4 * reach)) + 1, 1e6));
         for (std::size_t k = 0; k < pieces; ++k) {
           const double n = static_cast<double>(pieces);
-          const Point a = lerp(s.a, s.b, static_cast<double>(k) / n), b = lerp(s.a, s.b, static_cast<double>(k + 1) / n);
+          const Point a = lerp(s.a, s.b, static_cast<double>(k) / n),
+                      b = lerp(s.a, s.b, static_cast<double>(k + 1) / n);
           Box box;
           box.add(a);
           box.add(b);
@@ -168,7 +169,8 @@ class Splicer {
             const Ring& ring = *rings_[item.ring];
             const Meeting m = meet(a, b, ring[item.edge], ring[(item.edge + 1) % ring.size()]);
             if (m.distance > reach || m.distance >= best[item.ring].distance) return;
-            best[item.ring] = {m.distance, s.owner, s.segment, distance(s.origin, m.first), m.first, m.second, item.edge};
+            best[item.ring] = {m.distance, s.owner,  s.segment, distance(s.origin, m.first),
+                               m.first,    m.second, item.edge};
             offers.push({m.distance, item.ring});
           });
         }
@@ -181,8 +183,10 @@ class Splicer {
         hung_[ring] = true;
         --left;
         hooks_[ring] = best[ring];
-        if (best[ring].owner == kPath) on_path_.push_back(ring);
-        else children_[static_cast<std::size_t>(best[ring].owner)].push_back(ring);
+        if (best[ring].owner == kPath)
+          on_path_.push_back(ring);
+        else
+          children_[static_cast<std::size_t>(best[ring].owner)].push_back(ring);
         const Ring& r = *rings_[ring];
         for (std::size_t e = 0; e < r.size(); ++e) {
           sources.push_back({static_cast<std::int64_t>(ring), e, r[e], r[(e + 1) % r.size()], r[e]});

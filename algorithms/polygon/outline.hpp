@@ -12,7 +12,6 @@ namespace oxturn {
 
 /// About O(n) for n segments when rings and path pass within a few widths of each other everywhere; each doubling
 /// of the distance to the farthest ring costs another pass.
-Path with_outline(const Problem& problem, const Path& path, double width, const Connector& connector,
-                  Context& context);
+Path with_outline(const Problem& problem, const Path& path, double width, const Connector& connector, Context& context);
 
 }  // namespace oxturn

@@ -48,7 +48,8 @@ class Neighbours {
           const EdgeIndex::Edge& edge = index_.edges()[e];
           const Point c = edge.a - a, d = edge.b - a;
           if (std::abs(cross(u, c)) > near || std::abs(cross(u, d)) > near) return;
-          const double from = std::max(0.0, std::min(u.dot(c), u.dot(d))), to = std::min(len, std::max(u.dot(c), u.dot(d)));
+          const double from = std::max(0.0, std::min(u.dot(c), u.dot(d))),
+                       to = std::min(len, std::max(u.dot(c), u.dot(d)));
           if (to - from <= 0) return;
           for (const std::size_t other : owners_.at(key(edge.a, edge.b)))
             if (other != self) shared[other] += to - from;
@@ -90,13 +91,19 @@ std::vector<Part> cut_into_parts(const Region& region, const std::string& partit
   }
   const std::size_t corners = corner_count(region);
   if (partition == "convex" && corners > kMostConvex)
-    throw std::invalid_argument(fmt::format("planner 'zigzag': partition 'convex' takes up to {} corners, the area to fill "
-                                            "has {}; use partition 'approximate'", kMostConvex, corners));
+    throw std::invalid_argument(
+        fmt::format("planner 'zigzag': partition 'convex' takes up to {} corners, the area to fill "
+                    "has {}; use partition 'approximate'",
+                    kMostConvex, corners));
   std::vector<Ring> rings;
-  if (partition == "monotone") rings = monotone_partition(region);
-  else if (partition == "trapezoid") rings = trapezoid_partition(region);
-  else if (partition == "convex" || (partition == "auto" && corners <= kMostConvex)) rings = convex_partition_optimal(region);
-  else rings = convex_partition_approximate(region);
+  if (partition == "monotone")
+    rings = monotone_partition(region);
+  else if (partition == "trapezoid")
+    rings = trapezoid_partition(region);
+  else if (partition == "convex" || (partition == "auto" && corners <= kMostConvex))
+    rings = convex_partition_optimal(region);
+  else
+    rings = convex_partition_approximate(region);
   std::vector<Part> parts;
   for (Ring& ring : rings) {
     const double a = signed_area(ring);

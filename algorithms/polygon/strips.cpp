@@ -43,8 +43,7 @@ struct Piece {
   Polyline points;
 };
 
-std::vector<Piece> pieces_of(const Strip& strip, std::size_t pattern, double longest_link,
-                                  const Connector& connector) {
+std::vector<Piece> pieces_of(const Strip& strip, std::size_t pattern, double longest_link, const Connector& connector) {
   const std::vector<bool> up = strip.directions(pattern < 2);
   std::vector<Piece> all;
   for (std::size_t i = 0; i < strip.lanes.size(); ++i) {
@@ -55,8 +54,10 @@ std::vector<Piece> pieces_of(const Strip& strip, std::size_t pattern, double lon
       const Point& at = up[i - 1] ? strip.lanes[i - 1].high : strip.lanes[i - 1].low;
       Polyline link;
       // The given chain joins equal ends only.
-      if (!strip.low_links.empty() && up[i] != up[i - 1]) link = up[i] ? strip.low_links[i - 1] : strip.high_links[i - 1];
-      else link = connector.path(at, from);
+      if (!strip.low_links.empty() && up[i] != up[i - 1])
+        link = up[i] ? strip.low_links[i - 1] : strip.high_links[i - 1];
+      else
+        link = connector.path(at, from);
       const bool tool = length(link) <= longest_link;
       all.push_back({tool, std::move(link)});
     }

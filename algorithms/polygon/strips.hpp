@@ -11,7 +11,9 @@
 
 namespace oxturn {
 
-struct LaneEnds { Point low, high; };
+struct LaneEnds {
+  Point low, high;
+};
 
 /// Lanes in driving order. The two ways to begin (`up` on the first lane or not) both go on with the nearer end
 /// of the next lane; each can be driven backwards too, so a strip has four patterns.

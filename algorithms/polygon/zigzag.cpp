@@ -6,11 +6,12 @@
 //             let C be configuration space, w the tool width, m the margin, R the points of C at least m from its
 //             boundary. The walls, driven, cover all within w/2 of them. What is partitioned is R' =
 //             simplify_inward(E, 0.04 m), where E (lane_region) holds all points of C at least 0.96 m from its
-//             boundary. Simplifying takes away only points within 0.04 m of the boundary of E: a point of a sliver between a chain of dropped corners and its chord
-//             is, across the chord, no farther from the chain than the chain from the chord. Such a point is within
-//             m of C's boundary (or beyond it, where chords make E larger): covered by the walls. So R is in R' up to boundary points. The parts
-//             make up R', their slab projections that of R', and a point p of R in a slab no wider than w with
-//             centre x is covered from (x, p.y): no farther from p than p from the boundary, hence in C.
+//             boundary. Simplifying takes away only points within 0.04 m of the boundary of E: a point of a sliver
+//             between a chain of dropped corners and its chord is, across the chord, no farther from the chain than
+//             the chain from the chord. Such a point is within m of C's boundary (or beyond it, where chords make E
+//             larger): covered by the walls. So R is in R' up to boundary points. The parts make up R', their slab
+//             projections that of R', and a point p of R in a slab no wider than w with centre x is covered from
+//             (x, p.y): no farther from p than p from the boundary, hence in C.
 //             fit = literal, small_parts = drop and larger margins leave gaps, as in the seed.
 // Complexity  O((n + k) log n) for n corners and k crossings of parts with slab lines, plus the partition (convex:
 //             cubic, at most 150 corners), plus the tour: about O(m log m) steps and path searches for m strips
@@ -112,7 +113,8 @@ std::vector<std::vector<Lane>> fitted_lanes(const std::vector<Part>& parts, cons
     all.add(e.low);
     all.add(e.high);
   }
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return parts[a].area > parts[b].area; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return parts[a].area > parts[b].area; });
   const Slabs slabs = slabs_over(all.low, all.high, width);
   struct Held {
     double low, high;
@@ -161,8 +163,9 @@ std::vector<std::vector<Lane>> fitted_lanes(const std::vector<Part>& parts, cons
         }
         const Held h{f.low, f.high, p, owned[p].size()};
         owned[p].push_back(f);
-        taken.insert(std::upper_bound(taken.begin(), taken.end(), h,
-                                      [](const Held& a, const Held& b) { return a.low < b.low; }), h);
+        taken.insert(
+            std::upper_bound(taken.begin(), taken.end(), h, [](const Held& a, const Held& b) { return a.low < b.low; }),
+            h);
       }
     }
   }
@@ -197,8 +200,9 @@ std::vector<std::vector<Lane>> literal_lanes(const std::vector<Part>& parts, con
       const long to = std::min(count - 1, static_cast<long>(std::ceil(far / width - 0.5)));
       for (long k = from; k <= to; ++k) {
         const double x = line(k);
-        if (x0 <= x && x < x1) cuts[static_cast<std::size_t>(k)].push_back(
-            s.a.y() + (x - s.a.x()) / (s.b.x() - s.a.x()) * (s.b.y() - s.a.y()));
+        if (x0 <= x && x < x1)
+          cuts[static_cast<std::size_t>(k)].push_back(s.a.y() +
+                                                      (x - s.a.x()) / (s.b.x() - s.a.x()) * (s.b.y() - s.a.y()));
       }
     }
     for (long k = 0; k < count; ++k) {
@@ -306,20 +310,28 @@ class Zigzag final : public CoveragePlanner {
 }  // namespace
 
 PlannerInfo zigzag() {
-  return describe<Zigzag, Params>({
-      .name = "zigzag", .family = "polygon", .title = "Zig zag filling", .citation = "BeachBot thesis, 2.2.4; Greene 1983",
-      .capabilities = {Capability::holes},
-      .guarantee = "covers the whole target (fit cover, with outline, slivers merged, margin up to half a tool width)",
-      .parameters = {
-          {"partition", &Params::partition, {"auto", "convex", "approximate", "monotone", "trapezoid", "none"},
-           "parts; auto: convex up to 150 corners, else approximate; none: every line by itself"},
-          {"margin", &Params::margin, Range{0, 100}, "metres that lines keep off walls; 0: half the tool width"},
-          {"sweep", &Params::sweep, {"best", "given"}, "direction of lines: least sum of widths, or `angle`"},
-          {"angle", &Params::angle, Range{-360, 360}, "degrees, lines' direction if sweep is given"},
-          {"outline", &Params::outline, "drive every wall once"},
-          {"fit", &Params::fit, {"cover", "literal"}, "cover: no gaps; literal: lines a tool width apart, as in the seed"},
-          {"small_parts", &Params::small_parts, {"merge", "drop"}, "what becomes of slivers"},
-          {"order", &Params::order, {"improved", "nearest"}, "of the parts' runs of lines"}}});
+  return describe<Zigzag, Params>(
+      {.name = "zigzag",
+       .family = "polygon",
+       .title = "Zig zag filling",
+       .citation = "BeachBot thesis, 2.2.4; Greene 1983",
+       .capabilities = {Capability::holes},
+       .guarantee = "covers the whole target (fit cover, with outline, slivers merged, margin up to half a tool width)",
+       .parameters = {
+           {"partition",
+            &Params::partition,
+            {"auto", "convex", "approximate", "monotone", "trapezoid", "none"},
+            "parts; auto: convex up to 150 corners, else approximate; none: every line by itself"},
+           {"margin", &Params::margin, Range{0, 100}, "metres that lines keep off walls; 0: half the tool width"},
+           {"sweep", &Params::sweep, {"best", "given"}, "direction of lines: least sum of widths, or `angle`"},
+           {"angle", &Params::angle, Range{-360, 360}, "degrees, lines' direction if sweep is given"},
+           {"outline", &Params::outline, "drive every wall once"},
+           {"fit",
+            &Params::fit,
+            {"cover", "literal"},
+            "cover: no gaps; literal: lines a tool width apart, as in the seed"},
+           {"small_parts", &Params::small_parts, {"merge", "drop"}, "what becomes of slivers"},
+           {"order", &Params::order, {"improved", "nearest"}, "of the parts' runs of lines"}}});
 }
 
 }  // namespace oxturn

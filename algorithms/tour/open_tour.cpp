@@ -10,7 +10,7 @@
 namespace oxturn {
 namespace {
 constexpr double kFar = std::numeric_limits<double>::infinity();
-constexpr std::size_t kLookAt = 24;    // candidates by straight distance for the nearest by path
+constexpr std::size_t kLookAt = 24;  // candidates by straight distance for the nearest by path
 constexpr std::size_t kNeighbours = 10;
 }  // namespace
 
@@ -53,8 +53,10 @@ struct OpenTour::Impl {
     if (longest < bound(a, b)) return kFar;
     ++searches;
     const double d = connector.length(at(std::min(a, b)), at(std::max(a, b)), longest);
-    if (d < kFar) entry = std::max(d, 1e-300);
-    else if (longest < kFar) entry = -longest;
+    if (d < kFar)
+      entry = std::max(d, 1e-300);
+    else if (longest < kFar)
+      entry = -longest;
     return d;
   }
 
@@ -80,7 +82,8 @@ struct OpenTour::Impl {
       return ++looked < kLookAt;
     });
     const double nearest_by_line = bound(from, first_port);
-    for (double limit = std::max(1.5 * nearest_by_line, farthest / 8); best.length == kFar && limit < kFar; limit *= 2) {
+    for (double limit = std::max(1.5 * nearest_by_line, farthest / 8); best.length == kFar && limit < kFar;
+         limit *= 2) {
       best.length = limit;
       bool found = false;
       looked = 0;
@@ -140,15 +143,19 @@ std::vector<TourStop> OpenTour::depth_first(const std::vector<std::vector<std::s
           for (std::size_t q = 0; q < m.elements[n].size(); ++q)
             offers.push_back({m.bound(at, m.first[n] + q), m.first[n] + q});
       std::sort(offers.begin(), offers.end());
-      if (offers.empty()) stack.pop_back();
-      else any = offers.front().second;
+      if (offers.empty())
+        stack.pop_back();
+      else
+        any = offers.front().second;
       for (const auto& [straight, port] : offers) {
         if (straight >= best.length) break;
         m.consider(best, at, port);
       }
     }
-    if (any == m.start_port) best = m.nearest_left(grid, at);
-    else if (best.length == kFar) best.port = any;
+    if (any == m.start_port)
+      best = m.nearest_left(grid, at);
+    else if (best.length == kFar)
+      best.port = any;
     const TourStop next = m.stop_at(best.port);
     visited[next.element] = true;
     m.take(grid, next.element);
@@ -224,7 +231,10 @@ void OpenTour::improve(std::vector<TourStop>& tour, Context& context) const {
   };
   renumber(0, n);
   const auto exit_of = [&](std::size_t i) { return i == 0 ? m.start_port : m.exit(tour[i - 1]); };  // before stop i
-  const auto flipped = [&](TourStop s) { s.pattern = m.elements[s.element][s.pattern].reverse; return s; };
+  const auto flipped = [&](TourStop s) {
+    s.pattern = m.elements[s.element][s.pattern].reverse;
+    return s;
+  };
   const std::size_t most_searches = m.searches + std::min<std::size_t>(4000 + 6 * n, 12000);
   constexpr double kGain = 1e-9;
 
@@ -253,9 +263,7 @@ void OpenTour::improve(std::vector<TourStop>& tour, Context& context) const {
     if (to >= i && to <= last + 1) return false;
     double removed = m.exact(exit_of(i), m.entry(tour[i]));
     double closed = 0;
-    if (last + 1 < n) {
-      removed += m.exact(m.exit(tour[last]), m.entry(tour[last + 1]));
-    }
+    if (last + 1 < n) { removed += m.exact(m.exit(tour[last]), m.entry(tour[last + 1])); }
     const std::size_t left = exit_of(to);
     const bool has_right = to < n;
     const std::size_t right = has_right ? m.entry(tour[to]) : m.start_port;

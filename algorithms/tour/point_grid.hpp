@@ -22,7 +22,8 @@ class PointGrid {
     columns_ = static_cast<int>(box_.size().x() / cell_) + 1;
     rows_ = static_cast<int>(box_.size().y() / cell_) + 1;
     cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-    for (std::size_t i = 0; i < points_.size(); ++i) cells_[cell_of(points_[i])].push_back(static_cast<std::uint32_t>(i));
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      cells_[cell_of(points_[i])].push_back(static_cast<std::uint32_t>(i));
     left_ = points_.size();
   }
 

@@ -18,8 +18,7 @@ class Connector {
   /// happens only if one of them is outside configuration space by more than the problem's tolerance.
   Polyline path(const Point& a, const Point& b) const;
   /// Its length; infinity if it is longer than `longest`. Straight ones cost one exact segment test.
-  double length(const Point& a, const Point& b,
-                double longest = std::numeric_limits<double>::infinity()) const;
+  double length(const Point& a, const Point& b, double longest = std::numeric_limits<double>::infinity()) const;
   /// The closed segment stays in configuration space, exactly.
   bool straight(const Point& a, const Point& b) const;
 

@@ -49,7 +49,8 @@ void BM_SweepOverhead(benchmark::State& state) {
     const auto before = std::chrono::steady_clock::now();
     const Results results = sweep(suite, planners, options);
     beyond += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
-    for (const Row& row : results.rows) beyond -= row.number("plan_wall_s").value_or(0) + row.number("score_s").value_or(0);
+    for (const Row& row : results.rows)
+      beyond -= row.number("plan_wall_s").value_or(0) + row.number("score_s").value_or(0);
     runs += static_cast<double>(results.rows.size());
     state.PauseTiming();
     std::filesystem::remove_all(options.folder);
@@ -81,7 +82,12 @@ void BM_Isolated(benchmark::State& state) {
   }
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(BM_Isolated)->RangeMultiplier(16)->Range(16, 1 << 20)->Unit(benchmark::kMillisecond)->UseRealTime()->Complexity(benchmark::oN);
+BENCHMARK(BM_Isolated)
+    ->RangeMultiplier(16)
+    ->Range(16, 1 << 20)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->Complexity(benchmark::oN);
 
 }  // namespace
 }  // namespace oxturn

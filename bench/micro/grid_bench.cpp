@@ -25,9 +25,7 @@ void plan(benchmark::State& state, const char* name, const Problem& problem, con
   state.SetComplexityN(state.range(0));
 }
 
-void BM_Stc(benchmark::State& state) {
-  plan(state, "stc", open_floor(state.range(0), 0.4 / std::sqrt(2.0)), {});
-}
+void BM_Stc(benchmark::State& state) { plan(state, "stc", open_floor(state.range(0), 0.4 / std::sqrt(2.0)), {}); }
 BENCHMARK(BM_Stc)->RangeMultiplier(16)->Range(1 << 12, 1 << 20)->Complexity()->Unit(benchmark::kMillisecond);
 
 void BM_Rectangles(benchmark::State& state) { plan(state, "rectangles", open_floor(state.range(0), 0.2), {}); }

@@ -25,8 +25,8 @@ Polyline lanes(std::size_t n) {
   for (std::size_t j = 0; j < side; ++j)
     for (std::size_t i = 0; i < side; ++i) {
       const std::size_t k = j % 2 ? side - 1 - i : i;
-      line.push_back({(static_cast<double>(k) + 0.75) * kTool,
-                      (static_cast<double>(j) + 0.75 + (i % 2 ? 0.02 : 0.0)) * kTool});
+      line.push_back(
+          {(static_cast<double>(k) + 0.75) * kTool, (static_cast<double>(j) + 0.75 + (i % 2 ? 0.02 : 0.0)) * kTool});
     }
   return line;
 }

@@ -61,11 +61,12 @@ MapFile map_from_cells(const std::string& file, int columns, int rows, std::vect
     free.bits[k] = cells[k] == Cell::free || (options.unknown_is_free && cells[k] == Cell::unknown) ? 1 : 0;
   }
   if (free.count() == 0)
-    throw std::invalid_argument(fmt::format(
-        "{}: no cell is free ({} occupied, {} unknown); are negate and the thresholds right?", file, occupied, unknown));
+    throw std::invalid_argument(
+        fmt::format("{}: no cell is free ({} occupied, {} unknown); are negate and the thresholds right?", file,
+                    occupied, unknown));
   if (unknown > 0)
-    result.remarks.push_back(fmt::format("{} cells are unknown and count as {}", unknown,
-                                         options.unknown_is_free ? "free" : "wall"));
+    result.remarks.push_back(
+        fmt::format("{} cells are unknown and count as {}", unknown, options.unknown_is_free ? "free" : "wall"));
   const double cell_area = placement.resolution * placement.resolution;
   if (options.drop_speckle_m2 > 0) {
     // The allowance keeps an area given as exactly n cells at n cells.
@@ -79,8 +80,8 @@ MapFile map_from_cells(const std::string& file, int columns, int rows, std::vect
     region = simplify_inward(region, options.simplify_m / placement.resolution);
     result.remarks.push_back(fmt::format("{} corners simplified to {}", corners, corner_count(region)));
     if (region.empty())
-      throw std::invalid_argument(fmt::format("{}: nothing is left when simplified by {} m, give less", file,
-                                              to_decimal(options.simplify_m)));
+      throw std::invalid_argument(
+          fmt::format("{}: nothing is left when simplified by {} m, give less", file, to_decimal(options.simplify_m)));
   }
   const auto place = [&](Ring& ring) {
     for (Point& p : ring) {

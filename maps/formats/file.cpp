@@ -62,12 +62,15 @@ void write_file(const std::string& file, const std::string& content) {
       direct ? file : fmt::format("{}.{}-{}.tmp", file, ::getpid(), serial.fetch_add(1, std::memory_order_relaxed));
   int error = 0;
   {
-    Descriptor out(::open(target.c_str(), direct ? O_WRONLY | O_CLOEXEC : O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    Descriptor out(
+        ::open(target.c_str(), direct ? O_WRONLY | O_CLOEXEC : O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (out.number < 0) fail(errno);
     for (std::size_t done = 0; done < content.size() && error == 0;) {
       const ssize_t put = ::write(out.number, content.data() + done, content.size() - done);
-      if (put >= 0) done += static_cast<std::size_t>(put);
-      else if (errno != EINTR) error = errno;
+      if (put >= 0)
+        done += static_cast<std::size_t>(put);
+      else if (errno != EINTR)
+        error = errno;
     }
     const int closed = ::close(out.number);
     out.number = -1;

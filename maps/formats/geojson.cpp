@@ -60,8 +60,10 @@ Polygon read_polygon(const JsonAt& at) {
   Polygon polygon;
   for (std::size_t i = 0; i < at.value.size(); ++i) {
     Ring ring = read_ring({at.value[i], fmt::format("{}, ring {}", at.place, i + 1)});
-    if (i == 0) polygon.outer = std::move(ring);
-    else polygon.holes.push_back(std::move(ring));
+    if (i == 0)
+      polygon.outer = std::move(ring);
+    else
+      polygon.holes.push_back(std::move(ring));
   }
   return polygon;
 }
@@ -93,7 +95,8 @@ void only_keys(const JsonAt& object, const std::vector<std::string>& keys) {
 }
 
 Robot read_robot(const JsonAt& at, const std::string& file) {
-  only_keys(at, {"name", "radius", "tool_width", "speed", "acceleration", "turn_rate", "min_turn_radius", "tether", "lidar"});
+  only_keys(
+      at, {"name", "radius", "tool_width", "speed", "acceleration", "turn_rate", "min_turn_radius", "tether", "lidar"});
   Robot robot;
   const auto read = [&](const char* key, double& member) {
     if (const Json* v = at.find(key)) member = JsonAt{*v, fmt::format("{}: robot.{}", file, key)}.number();
@@ -119,14 +122,13 @@ Robot read_robot(const JsonAt& at, const std::string& file) {
     const JsonAt lidar{*v, file + ": robot.lidar"};
     only_keys(lidar, {"range", "rays"});
     const JsonAt rays = member(lidar, "rays");
-    if (!rays.value.is_number_integer() || rays.value < 1 || rays.value > 1000000) rays.refuse("a whole number from 1 to 1000000");
+    if (!rays.value.is_number_integer() || rays.value < 1 || rays.value > 1000000)
+      rays.refuse("a whole number from 1 to 1000000");
     robot.lidar = Lidar{member(lidar, "range").number(), rays.value.get<int>()};
   }
   try {
     check(robot);
-  } catch (const std::invalid_argument& e) {
-    throw std::invalid_argument(fmt::format("{}: {}", file, e.what()));
-  }
+  } catch (const std::invalid_argument& e) { throw std::invalid_argument(fmt::format("{}: {}", file, e.what())); }
   return robot;
 }
 
@@ -134,7 +136,8 @@ Robot read_robot(const JsonAt& at, const std::string& file) {
 const Json& only_feature(const JsonAt& collection, std::vector<std::string>& remarks) {
   const Json* features = collection.find("features");
   if (features == nullptr || !features->is_array())
-    throw std::invalid_argument(fmt::format("{} has no features, expected a list with one polygonal feature", collection.place));
+    throw std::invalid_argument(
+        fmt::format("{} has no features, expected a list with one polygonal feature", collection.place));
   const Json* found = nullptr;
   std::size_t polygonal = 0;
   for (const Json& feature : *features) {
@@ -144,8 +147,8 @@ const Json& only_feature(const JsonAt& collection, std::vector<std::string>& rem
     ++polygonal;
   }
   if (polygonal != 1)
-    throw std::invalid_argument(fmt::format("{} has {} features that are a Polygon or MultiPolygon, expected exactly one",
-                                            collection.place, polygonal));
+    throw std::invalid_argument(fmt::format(
+        "{} has {} features that are a Polygon or MultiPolygon, expected exactly one", collection.place, polygonal));
   if (features->size() > 1)
     remarks.push_back(fmt::format("{} features that are no polygons are not used", features->size() - 1));
   return *found;
@@ -170,7 +173,8 @@ std::string geometry_text(const Region& region) {
   if (region.polygons.size() == 1)
     return "{\"type\": \"Polygon\", \"coordinates\": " + polygon_text(region.polygons.front()) + "}";
   std::string text = "{\"type\": \"MultiPolygon\", \"coordinates\": [";
-  for (std::size_t i = 0; i < region.polygons.size(); ++i) text += (i > 0 ? ",\n" : "") + polygon_text(region.polygons[i]);
+  for (std::size_t i = 0; i < region.polygons.size(); ++i)
+    text += (i > 0 ? ",\n" : "") + polygon_text(region.polygons[i]);
   return text + "]}";
 }
 
@@ -181,7 +185,8 @@ std::string robot_text(const Robot& r) {
       json_text(r.name), json_number(r.radius), json_number(r.tool_width), json_number(r.speed),
       json_number(r.acceleration), json_number(r.turn_rate), json_number(r.min_turn_radius));
   if (r.tether) text += fmt::format(", \"tether\": {{\"length\": {}}}", json_number(r.tether->length));
-  if (r.lidar) text += fmt::format(", \"lidar\": {{\"range\": {}, \"rays\": {}}}", json_number(r.lidar->range), r.lidar->rays);
+  if (r.lidar)
+    text += fmt::format(", \"lidar\": {{\"range\": {}, \"rays\": {}}}", json_number(r.lidar->range), r.lidar->rays);
   return text + "}";
 }
 
@@ -203,9 +208,12 @@ MapFile read_geojson(const std::string& file, const ReadOptions& options) {
   const std::string expected = "a GeoJSON Feature, Polygon, MultiPolygon or FeatureCollection";
   const std::string type = type_of(top, expected);
   const Json* feature = nullptr;
-  if (type == "FeatureCollection") feature = &only_feature(top, result.remarks);
-  else if (type == "Feature") feature = &root;
-  else if (!is_polygonal(root)) throw std::invalid_argument(fmt::format("{} is a {}, expected {}", file, type, expected));
+  if (type == "FeatureCollection")
+    feature = &only_feature(top, result.remarks);
+  else if (type == "Feature")
+    feature = &root;
+  else if (!is_polygonal(root))
+    throw std::invalid_argument(fmt::format("{} is a {}, expected {}", file, type, expected));
 
   static const Json kNothing = Json::object();
   const Json *geometry = &root, *properties = &kNothing;
@@ -229,16 +237,16 @@ MapFile read_geojson(const std::string& file, const ReadOptions& options) {
   const Region written = read_geometry({*geometry, file + ": geometry"}, file);
   try {
     result.map.free = repaired(written);
-  } catch (const std::invalid_argument& e) {
-    throw std::invalid_argument(fmt::format("{}: {}", file, e.what()));
-  }
+  } catch (const std::invalid_argument& e) { throw std::invalid_argument(fmt::format("{}: {}", file, e.what())); }
   const Region& free = result.map.free;
   if (free.empty()) throw std::invalid_argument(fmt::format("{}: the polygons have no area", file));
   if (written.polygons.size() != free.polygons.size())
-    result.remarks.push_back(fmt::format("repaired: {} polygons became {}", written.polygons.size(), free.polygons.size()));
+    result.remarks.push_back(
+        fmt::format("repaired: {} polygons became {}", written.polygons.size(), free.polygons.size()));
   if (hole_count(written) != hole_count(free))
-    result.remarks.push_back(fmt::format("repaired: {} holes became {} (those that touch each other are united, those that touch the border cut out)",
-                                         hole_count(written), hole_count(free)));
+    result.remarks.push_back(fmt::format(
+        "repaired: {} holes became {} (those that touch each other are united, those that touch the border cut out)",
+        hole_count(written), hole_count(free)));
   if (corner_count(written) != corner_count(free))
     result.remarks.push_back(fmt::format("repaired: {} corners became {}", corner_count(written), corner_count(free)));
   if (options.metres_per_pixel > 0 || options.unknown_is_free || options.drop_speckle_m2 > 0 || options.simplify_m > 0)

@@ -19,7 +19,8 @@ constexpr double kMostPixels = 1e8;
 
 void check_size(const std::string& file, double width, double height) {
   if (width < 1 || height < 1)
-    throw std::invalid_argument(fmt::format("{}: the picture is {} x {} pixels, expected at least 1 x 1", file, width, height));
+    throw std::invalid_argument(
+        fmt::format("{}: the picture is {} x {} pixels, expected at least 1 x 1", file, width, height));
   if (width * height > kMostPixels)
     throw std::invalid_argument(
         fmt::format("{}: the picture is {} x {} pixels, expected at most 100 million", file, width, height));
@@ -142,7 +143,8 @@ class PgmReader {
     image.grey.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
       double value = 0;
-      if (!binary) value = number("pixel");
+      if (!binary)
+        value = number("pixel");
       else
         for (std::size_t k = 0; k < wide; ++k) value = 256 * value + static_cast<unsigned char>(bytes_[at_++]);
       if (value > most)
@@ -164,7 +166,8 @@ class PgmReader {
     if (at_ >= bytes_.size()) ends();
     const std::size_t begin = at_;
     double value = 0;
-    for (; at_ < bytes_.size() && bytes_[at_] >= '0' && bytes_[at_] <= '9'; ++at_) value = 10 * value + (bytes_[at_] - '0');
+    for (; at_ < bytes_.size() && bytes_[at_] >= '0' && bytes_[at_] <= '9'; ++at_)
+      value = 10 * value + (bytes_[at_] - '0');
     if (at_ == begin || at_ - begin > 9)
       throw std::invalid_argument(fmt::format("{}: {} is not a whole number (byte {})", file_, what, begin + 1));
     return value;
@@ -179,11 +182,14 @@ class PgmReader {
 
 GreyImage read_image(const std::string& file) {
   const std::string bytes = read_file(file);
-  if (bytes.empty()) throw std::invalid_argument(fmt::format("{}: the file is empty, expected a PNG or PGM picture", file));
+  if (bytes.empty())
+    throw std::invalid_argument(fmt::format("{}: the file is empty, expected a PNG or PGM picture", file));
   if (bytes.size() >= 8 && png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) == 0)
     return read_png(file, bytes);
-  if (bytes.size() >= 3 && bytes[0] == 'P' && (bytes[1] == '2' || bytes[1] == '5')) return PgmReader(file, bytes).read();
-  throw std::invalid_argument(fmt::format("{}: neither a PNG nor a PGM (P2, P5) picture, convert it to one of them", file));
+  if (bytes.size() >= 3 && bytes[0] == 'P' && (bytes[1] == '2' || bytes[1] == '5'))
+    return PgmReader(file, bytes).read();
+  throw std::invalid_argument(
+      fmt::format("{}: neither a PNG nor a PGM (P2, P5) picture, convert it to one of them", file));
 }
 
 MapFile read_plain_image(const std::string& file, const ReadOptions& options) {
@@ -199,9 +205,13 @@ MapFile read_plain_image(const std::string& file, const ReadOptions& options) {
       // ROS' usual free_thresh: only what is nearly white is free, so that the grey of unknown is not.
       const bool white = (255.0 - static_cast<double>(image.grey[from])) / 255.0 < 0.196;
       const bool black = (255.0 - static_cast<double>(image.grey[from])) / 255.0 > 0.65;
-      cells[(height - 1 - row) * width + i] = !seen ? Cell::unknown : white ? Cell::free : black ? Cell::occupied : Cell::unknown;
+      cells[(height - 1 - row) * width + i] = !seen   ? Cell::unknown
+                                              : white ? Cell::free
+                                              : black ? Cell::occupied
+                                                      : Cell::unknown;
     }
-  return map_from_cells(file, image.width, image.height, std::move(cells), {{0, 0}, 0, options.metres_per_pixel}, options);
+  return map_from_cells(file, image.width, image.height, std::move(cells), {{0, 0}, 0, options.metres_per_pixel},
+                        options);
 }
 
 }  // namespace oxturn

@@ -17,7 +17,8 @@ nlohmann::json parse_json(const std::string& text, const std::string& source) {
   } catch (const nlohmann::json::parse_error& e) {
     const std::size_t end = std::min(e.byte, text.size());
     // The byte is the one after the last that was read: a line end there belongs to the line it ends.
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end > 0 ? end - 1 : 0), '\n');
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end > 0 ? end - 1 : 0), '\n');
     std::string why = e.what();
     if (const std::size_t colon = why.find(": "); colon != std::string::npos) why = why.substr(colon + 2);
     throw std::invalid_argument(fmt::format("{}:{}: not JSON: {}", source, line, why));

@@ -1,9 +1,8 @@
 // JSON for the readers and writers of maps/formats/: values with a place to complain about. Not installed.
 #pragma once
 
-#include <string>
-
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "geometry/point.hpp"
 
@@ -21,7 +20,7 @@ struct JsonAt {
   [[noreturn]] void refuse(const std::string& expected) const;
   double number(const char* expected = "a finite number") const;
   std::string text() const;
-  Point point() const;  // [x, y]; further numbers (altitude) are ignored
+  Point point() const;                                // [x, y]; further numbers (altitude) are ignored
   const nlohmann::json* find(const char* key) const;  // nullptr if absent or null
 };
 

@@ -17,7 +17,8 @@ using Json = nlohmann::json;
 const Json& member(const JsonAt& object, const char* key, const char* expected) {
   if (!object.value.is_object()) object.refuse("an object");
   const Json* value = object.find(key);
-  if (value == nullptr) throw std::invalid_argument(fmt::format("{} has no {}, expected {}", object.place, key, expected));
+  if (value == nullptr)
+    throw std::invalid_argument(fmt::format("{} has no {}, expected {}", object.place, key, expected));
   return *value;
 }
 

@@ -29,8 +29,10 @@ class RosYaml {
       throw std::invalid_argument(fmt::format("{}:{}: not YAML: {}", file, e.mark.line + 1, e.msg));
     }
     if (!root_.IsMap())
-      throw std::invalid_argument(fmt::format("{}: not a ROS map, expected keys image, resolution, origin, negate, "
-                                              "occupied_thresh, free_thresh", file));
+      throw std::invalid_argument(
+          fmt::format("{}: not a ROS map, expected keys image, resolution, origin, negate, "
+                      "occupied_thresh, free_thresh",
+                      file));
   }
 
   [[noreturn]] void refuse(const YAML::Node& at, const std::string& sentence) const {
@@ -39,18 +41,21 @@ class RosYaml {
   bool has(const char* key) const { return static_cast<bool>(root_[key]); }
   YAML::Node at(const char* key, const char* expected) const {
     const YAML::Node node = root_[key];
-    if (!node || node.IsNull()) throw std::invalid_argument(fmt::format("{}: {} is missing, expected {}", file_, key, expected));
+    if (!node || node.IsNull())
+      throw std::invalid_argument(fmt::format("{}: {} is missing, expected {}", file_, key, expected));
     return node;
   }
   std::string text(const char* key, const char* expected) const {
     const YAML::Node node = at(key, expected);
-    if (!node.IsScalar() || node.Scalar().empty()) refuse(node, fmt::format("{} is not a text, expected {}", key, expected));
+    if (!node.IsScalar() || node.Scalar().empty())
+      refuse(node, fmt::format("{} is not a text, expected {}", key, expected));
     return node.Scalar();
   }
   double number(const YAML::Node& node, const std::string& key, const char* expected) const {
     double value = 0;
     if (!node.IsScalar() || !YAML::convert<double>::decode(node, value))
-      refuse(node, fmt::format("{} is {}, expected {}", key, node.IsScalar() ? "'" + node.Scalar() + "'" : "not a number", expected));
+      refuse(node, fmt::format("{} is {}, expected {}", key,
+                               node.IsScalar() ? "'" + node.Scalar() + "'" : "not a number", expected));
     if (!std::isfinite(value)) refuse(node, fmt::format("{} is {}, expected {}", key, to_decimal(value), expected));
     return value;
   }
@@ -111,15 +116,14 @@ MapFile read_ros(const std::string& file, const ReadOptions& options) {
   const bool negate = yaml.flag("negate");
   const double occupied = yaml.fraction("occupied_thresh"), free = yaml.fraction("free_thresh");
   if (free > occupied)
-    yaml.refuse(yaml.at("free_thresh", ""), fmt::format("free_thresh is {}, expected at most occupied_thresh, which is {}",
-                                                        to_decimal(free), to_decimal(occupied)));
+    yaml.refuse(yaml.at("free_thresh", ""),
+                fmt::format("free_thresh is {}, expected at most occupied_thresh, which is {}", to_decimal(free),
+                            to_decimal(occupied)));
   const std::string picture = (std::filesystem::path(file).parent_path() / name).string();
   GreyImage image;
   try {
     image = read_image(picture);
-  } catch (const std::invalid_argument& e) {
-    yaml.refuse(yaml.at("image", ""), e.what());
-  }
+  } catch (const std::invalid_argument& e) { yaml.refuse(yaml.at("image", ""), e.what()); }
 
   const int least_alpha = mode == Mode::scale ? 255 : 128;
   std::vector<Cell> cells(image.grey.size());
@@ -141,7 +145,8 @@ MapFile read_ros(const std::string& file, const ReadOptions& options) {
       }
     }
   MapFile result = map_from_cells(file, image.width, image.height, std::move(cells), placement, options);
-  if (transparent > 0) result.remarks.push_back(fmt::format("{} pixels are transparent and count as unknown", transparent));
+  if (transparent > 0)
+    result.remarks.push_back(fmt::format("{} pixels are transparent and count as unknown", transparent));
   if (options.metres_per_pixel > 0)
     result.remarks.push_back(fmt::format("the scale given is not used: the file says {} metres per pixel",
                                          to_decimal(placement.resolution)));

@@ -9,6 +9,8 @@
 //                for walls); the picture does not change, the file stays small.
 //             4. The way is cut into at most kPieces stretches of equal length, one colour and one element each.
 // Complexity  O(n)
+#include "maps/formats/svg.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +22,6 @@
 #include <vector>
 
 #include "maps/formats.hpp"
-#include "maps/formats/svg.hpp"
 
 namespace oxturn {
 namespace {
@@ -33,12 +34,18 @@ std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
     const auto u = static_cast<unsigned char>(c);
-    if (c == '&') out += "&amp;";
-    else if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else if (c == '"') out += "&quot;";
-    else if (u < 0x20) out += ' ';  // control characters are not allowed in XML
-    else out += c;
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else if (u < 0x20)
+      out += ' ';  // control characters are not allowed in XML
+    else
+      out += c;
   }
   return out;
 }
@@ -93,8 +100,10 @@ class Data {
   void line(const Point& p) {
     const Point at = view_(p);
     skipped_ = (at - last_).squaredNorm() < least2_;
-    if (skipped_) skipped_at_ = at;
-    else put('L', at);
+    if (skipped_)
+      skipped_at_ = at;
+    else
+      put('L', at);
   }
   void close() {
     skipped_ = false;
@@ -113,8 +122,10 @@ class Data {
   }
   void put(char letter, const Point& at) {
     // After M, further pairs are lines: the letter is not needed.
-    if (letter == 'M') text_ += 'M';
-    else text_ += ' ';
+    if (letter == 'M')
+      text_ += 'M';
+    else
+      text_ += ' ';
     append_hundredths(text_, hundredths(at.x()));
     text_ += ' ';
     append_hundredths(text_, hundredths(at.y()));

@@ -22,10 +22,10 @@ std::string map_table(const RowGroup& map, const Pictures& pictures) {
                     fixed(row->number("clearance_m"), 3), seconds(row->number("plan_wall_s")),
                     row->outcome() == Outcome::ok ? "" : escape_markdown(row->get("reason"))});
   }
-  return markdown_table("llrrrrrrl",
-                        {"planner", "outcome", "coverage", "path_m", "length_ratio", "turns", "clearance_m",
-                         "plan_wall_s", "reason"},
-                        rows);
+  return markdown_table(
+      "llrrrrrrl",
+      {"planner", "outcome", "coverage", "path_m", "length_ratio", "turns", "clearance_m", "plan_wall_s", "reason"},
+      rows);
 }
 
 }  // namespace oxturn

@@ -16,9 +16,7 @@ void expect_complete(const Problem& problem, const Settings& settings = {}, doub
   const Path path = plan("boustrophedon", problem, settings);
   expect_valid(problem, path);
   EXPECT_EQ(uncovered_share(problem, path, 1500), 0);
-  if (bound > 0) {
-    EXPECT_LT(path.length(), bound * lanes_needed(problem));
-  }
+  if (bound > 0) { EXPECT_LT(path.length(), bound * lanes_needed(problem)); }
 }
 
 TEST(Boustrophedon, CoversEveryFamilyWhole) {
@@ -78,8 +76,10 @@ TEST(Boustrophedon, MovedTurnedAndMirroredMapsTakeTheSameLength) {
     const Point s = base.start(), shift(1e4, -3e4);
     EXPECT_NEAR(length_of(transformed(map.free, 0, shift), s + shift) / length, 1, 0.05) << name;
     for (const double degrees : {90.0, 180.0, 37.0})
-      EXPECT_NEAR(length_of(transformed(map.free, degrees * kPi / 180, {0, 0}), rotated(s, degrees * kPi / 180)) / length,
-                  1, 0.07) << name << " " << degrees;
+      EXPECT_NEAR(
+          length_of(transformed(map.free, degrees * kPi / 180, {0, 0}), rotated(s, degrees * kPi / 180)) / length, 1,
+          0.07)
+          << name << " " << degrees;
     EXPECT_NEAR(length_of(mirrored(map.free), {-s.x(), s.y()}) / length, 1, 0.07) << name;
   }
 }
@@ -119,8 +119,7 @@ TEST(Boustrophedon, FarAndTinyCoordinates) {
   for (const double scale : {1e-3, 1.0, 1e3}) {
     const Region region = drawn_region({"....", ".#..", "..#.", "...."}, scale);
     const Point shift = 1e6 * scale * Point(1, -1);
-    expect_complete(Problem(Map{"far", transformed(region, 0, shift), "", ""},
-                            disc(0.2 * scale, 0.4 * scale)));
+    expect_complete(Problem(Map{"far", transformed(region, 0, shift), "", ""}, disc(0.2 * scale, 0.4 * scale)));
   }
 }
 
@@ -151,8 +150,11 @@ TEST(Boustrophedon, TracesWhatItDrives) {
 }
 
 TEST(Boustrophedon, AnUnknownOrderIsOneSentence) {
-  EXPECT_THAT([] { find_planner(zoo(), "boustrophedon").make({{"order", std::string("random")}}); },
-              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("order")));
+  EXPECT_THAT(
+      [] {
+        find_planner(zoo(), "boustrophedon").make({{"order", std::string("random")}});
+      },
+      testing::ThrowsMessage<std::invalid_argument>(HasSubstr("order")));
 }
 
 }  // namespace

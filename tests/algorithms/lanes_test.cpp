@@ -22,9 +22,7 @@ TEST(Frame, TurnsLanesUprightAndBack) {
     EXPECT_NEAR(along.y(), 1, 1e-12);
     const Point p(rng.between(-9.0, 9.0), rng.between(-9.0, 9.0));
     EXPECT_LT(distance(frame.back(frame.to(p)), p), 1e-14);
-    if (std::fmod(degrees, 90) == 0) {
-      EXPECT_EQ(frame.back(frame.to(p)), p);
-    }
+    if (std::fmod(degrees, 90) == 0) { EXPECT_EQ(frame.back(frame.to(p)), p); }
   }
 }
 
@@ -52,9 +50,8 @@ TEST(Project, IsTheProjectionOfEachSlab) {
         const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
         if (!contains(region, p)) continue;
         const auto k = static_cast<std::size_t>((p.x() - slabs.first) / slabs.width);
-        EXPECT_TRUE(std::any_of(all.stretches.begin(), all.stretches.end(), [&](const Stretch& s) {
-          return s.slab == k && s.low <= p.y() && p.y() <= s.high;
-        }));
+        EXPECT_TRUE(std::any_of(all.stretches.begin(), all.stretches.end(),
+                                [&](const Stretch& s) { return s.slab == k && s.low <= p.y() && p.y() <= s.high; }));
       }
       for (const Stretch& s : all.stretches) {
         const double y = rng.between(s.low, s.high);
@@ -90,7 +87,8 @@ TEST(ClipVertical, AgreesWithSampling) {
       const auto pieces = clip_vertical(room, x, low, high, 1e-9);
       for (int k = 0; k < 40; ++k) {
         const double y = rng.between(low, high);
-        const bool in = std::any_of(pieces.begin(), pieces.end(), [&](const auto& s) { return s.first <= y && y <= s.second; });
+        const bool in =
+            std::any_of(pieces.begin(), pieces.end(), [&](const auto& s) { return s.first <= y && y <= s.second; });
         EXPECT_EQ(in, contains(region, {x, y})) << x << " " << y;
       }
       for (const auto& [a, b] : pieces) EXPECT_TRUE(room.contains({x, a}, {x, b}));

@@ -35,7 +35,10 @@ std::vector<CellRectangle> literal_partition(BitGrid dirty, bool by_rows) {
     int i0 = -1, j0 = -1;
     for (int k = 0; k < dirty.columns * dirty.rows && i0 < 0; ++k) {
       const int i = by_rows ? k % dirty.columns : k / dirty.rows, j = by_rows ? k / dirty.columns : k % dirty.rows;
-      if (dirty.get(i, j)) { i0 = i; j0 = j; }
+      if (dirty.get(i, j)) {
+        i0 = i;
+        j0 = j;
+      }
     }
     if (i0 < 0) return found;
     CellRectangle r{i0, j0, i0, j0};
@@ -86,8 +89,8 @@ TEST(RectangleWorld, ClosesGapsOfOneCellAndNoWiderOnes) {
 }
 
 TEST(RectangleWorld, FillsTheCornersOfSmallObstaclesOnly) {
-  const BitGrid grid = drawn_grid({".........", ".#.......", ".##......", ".........", "....#####", "....#....", "....#....",
-                                   "....#....", "....#...."});
+  const BitGrid grid = drawn_grid({".........", ".#.......", ".##......", ".........", "....#####", "....#....",
+                                   "....#....", "....#....", "....#...."});
   const BitGrid mended = without_gaps(grid, 0, 2);
   EXPECT_FALSE(mended.get(2, 7)) << "missing corner of the small one";
   EXPECT_TRUE(mended.get(5, 3)) << "inner corner of the large one";
@@ -119,9 +122,7 @@ TEST(Rectangles, EverySegmentStaysInConfigurationSpace) {
         Path path;
         try {
           path = plan_rectangles(problem, {{"choose", std::string(choose)}});
-        } catch (const Infeasible&) {
-          continue;
-        }
+        } catch (const Infeasible&) { continue; }
         EXPECT_LT(distance(path.legs.front().points.front(), problem.start()), 1e-12);
         for (const Leg& leg : path.legs)
           for (std::size_t k = 1; k < leg.points.size(); ++k) {
@@ -150,16 +151,17 @@ TEST(Rectangles, RevisitingLeavesNoReachableNode) {
         }
     for (int j = 0; j < graph.rows(); ++j)
       for (int i = 0; i < graph.columns(); ++i)
-        if (graph.free(i, j)) {
-          EXPECT_TRUE(driven.count({i, j})) << i << " " << j;
-        }
+        if (graph.free(i, j)) { EXPECT_TRUE(driven.count({i, j})) << i << " " << j; }
   }
 }
 
 TEST(Rectangles, NoRectangleIsASentence) {
   const Problem problem({"closet", box_region({0, 0}, {0.5, 0.5}), "test", ""}, Robot{});
-  EXPECT_THAT([&] { plan_rectangles(problem, {{"cell_size", 0.3}}); },
-              testing::ThrowsMessage<Infeasible>(testing::HasSubstr("2 x 2")));
+  EXPECT_THAT(
+      [&] {
+        plan_rectangles(problem, {{"cell_size", 0.3}});
+      },
+      testing::ThrowsMessage<Infeasible>(testing::HasSubstr("2 x 2")));
 }
 
 }  // namespace

@@ -77,16 +77,15 @@ void expect_round(const Problem& problem, const Polyline& line, double side) {
   int fits = 0;
   for (const Cell& offset : {Cell{0, 0}, Cell{-1, 0}, Cell{0, -1}, Cell{-1, -1}}) {
     std::map<Cell, int> quarters;
-    for (const Cell& c : cells)
-      ++quarters[{(c.first - offset.first) >> 1, (c.second - offset.second) >> 1}];
+    for (const Cell& c : cells) ++quarters[{(c.first - offset.first) >> 1, (c.second - offset.second) >> 1}];
     const bool whole = std::all_of(quarters.begin(), quarters.end(), [](const auto& q) { return q.second == 4; });
     if (!whole) continue;
     ++fits;
     const Point corner = line.front() + side * Point(offset.first, offset.second);
     if (sub_cells_reachable(problem, corner, side) == cells.size()) return;
   }
-  ADD_FAILURE() << fits << " pairings of sub-cells fit, none with as many cells as a flood fill reaches (" << cells.size()
-                << " driven)";
+  ADD_FAILURE() << fits << " pairings of sub-cells fit, none with as many cells as a flood fill reaches ("
+                << cells.size() << " driven)";
 }
 
 TEST(Stc, EachSubCellOnceAndAllThatAFloodFillReaches) {
@@ -119,7 +118,8 @@ TEST(Stc, ASquareThatFitsExactlyIsCoveredToTheLastCell) {
 TEST(Stc, GoesOnToOtherPartsUnlessToldNotTo) {
   // Two rooms joined by a corridor that a coarse cell does not fit into.
   Polygon rooms;
-  rooms.outer = {{0, 0}, {4, 0}, {4, 1.8}, {6, 1.8}, {6, 0}, {10, 0}, {10, 4}, {6, 4}, {6, 2.3}, {4, 2.3}, {4, 4}, {0, 4}};
+  rooms.outer = {{0, 0},  {4, 0}, {4, 1.8}, {6, 1.8}, {6, 0}, {10, 0},
+                 {10, 4}, {6, 4}, {6, 2.3}, {4, 2.3}, {4, 4}, {0, 4}};
   const Problem problem({"rooms", {{rooms}}, "test", ""}, Robot{}, Point(2, 2));
   const auto rounds = [&](const char* components) {
     int n = 0;

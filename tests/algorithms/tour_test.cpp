@@ -1,10 +1,9 @@
-#include "algorithms/tour/open_tour.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
+#include "algorithms/tour/open_tour.hpp"
 #include "algorithms/tour/point_grid.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/seeds.hpp"
@@ -153,7 +152,10 @@ TEST(PointGrid, VisitsInOrderOfDistance) {
   for (int q = 0; q < 50; ++q) {
     const Point p(rng.between(-20.0, 70.0), rng.between(-20.0, 20.0));
     std::vector<double> seen, wanted;
-    grid.visit(p, [&](std::size_t, double d) { seen.push_back(d); return true; });
+    grid.visit(p, [&](std::size_t, double d) {
+      seen.push_back(d);
+      return true;
+    });
     for (std::size_t i = 0; i < 300; ++i)
       if (i % 3 != 0) wanted.push_back(distance(p, points[i]));
     std::sort(wanted.begin(), wanted.end());

@@ -1,8 +1,7 @@
-#include "algorithms/transit/connector.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "algorithms/transit/connector.hpp"
 #include "tests/support/drawn.hpp"
 
 namespace oxturn {
@@ -34,8 +33,11 @@ TEST(Connector, GoesRoundTheEndOfAWall) {
 TEST(Connector, APlaceInAWallIsOneSentence) {
   const Problem p = drawn({"S#."});
   const Connector c(p);
-  EXPECT_THAT([&] { c.path({0.5, 0.5}, {2.5, 0.5}); },
-              testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("no way from (0.5, 0.5) to (2.5, 0.5)")));
+  EXPECT_THAT(
+      [&] {
+        c.path({0.5, 0.5}, {2.5, 0.5});
+      },
+      testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("no way from (0.5, 0.5) to (2.5, 0.5)")));
 }
 
 }  // namespace

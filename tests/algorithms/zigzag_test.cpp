@@ -19,9 +19,7 @@ void expect_complete(const Problem& problem, const Settings& settings = {}, doub
   const Path path = plan("zigzag", problem, settings);
   expect_valid(problem, path);
   EXPECT_EQ(uncovered_share(problem, path, 1500), 0);
-  if (bound > 0) {
-    EXPECT_LT(path.length(), bound * lanes_needed(problem));
-  }
+  if (bound > 0) { EXPECT_LT(path.length(), bound * lanes_needed(problem)); }
 }
 
 TEST(Zigzag, CoversEveryFamilyWhole) {
@@ -56,8 +54,8 @@ TEST(Zigzag, LiteralIsValidAndCoversMost) {
 // The seed's picture, by hand: upright lines in a square of 3.2 inside the margin, 0.4 apart, the first 0.2 inside.
 TEST(Zigzag, LiteralLinesInASquare) {
   const Problem p(Map{"square", box_region({0, 0}, {4, 4}), "", ""}, disc(0.2, 0.4));
-  const Path path = plan("zigzag", p, {{"fit", text("literal")}, {"sweep", text("given")}, {"angle", 90.0},
-                                       {"outline", false}});
+  const Path path =
+      plan("zigzag", p, {{"fit", text("literal")}, {"sweep", text("given")}, {"angle", 90.0}, {"outline", false}});
   std::vector<double> lines;
   for (const Leg& leg : path.legs)
     for (std::size_t i = 1; leg.tool && i < leg.points.size(); ++i)
@@ -69,8 +67,11 @@ TEST(Zigzag, LiteralLinesInASquare) {
 
 TEST(Zigzag, TooManyCornersForTheOptimalPartitionIsOneSentence) {
   const Problem p(generate("clutter", {{"width", 20.0}, {"height", 20.0}}, 1), Robot{});
-  EXPECT_THAT([&] { plan("zigzag", p, {{"partition", text("convex")}}); },
-              ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("150 corners"), HasSubstr("approximate"))));
+  EXPECT_THAT(
+      [&] {
+        plan("zigzag", p, {{"partition", text("convex")}});
+      },
+      ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("150 corners"), HasSubstr("approximate"))));
 }
 
 TEST(Zigzag, FewCornersTakeTheOptimalPartition) {

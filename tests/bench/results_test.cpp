@@ -14,14 +14,15 @@ using ::testing::ThrowsMessage;
 
 // The header as the contract (design.md, section 5) has it, typed off by hand.
 TEST(Results, HeaderIsTheContract) {
-  EXPECT_EQ(csv_header(),
-            "schema,run_id,attempt,suite,map,map_family,map_sha256,planner,planner_family,variant,params,robot,seed,repeat,"
-            "outcome,reason,exit_code,signal,"
-            "coverage,coverage_lower,coverage_upper,coverage_of_free,target_m2,"
-            "path_m,work_m,transit_m,length_ratio,overlap,revisits,turns,turn_rad,clearance_m,mission_s,"
-            "tether_limit_m,tether_max_m,tether_bends_max,tether_angle_min_rad,tether_angle_mean_rad,"
-            "tether_sharp_fraction,tether_crossings,"
-            "plan_wall_s,plan_cpu_s,peak_rss_bytes,score_s,path_sha256,path_file\n");
+  EXPECT_EQ(
+      csv_header(),
+      "schema,run_id,attempt,suite,map,map_family,map_sha256,planner,planner_family,variant,params,robot,seed,repeat,"
+      "outcome,reason,exit_code,signal,"
+      "coverage,coverage_lower,coverage_upper,coverage_of_free,target_m2,"
+      "path_m,work_m,transit_m,length_ratio,overlap,revisits,turns,turn_rad,clearance_m,mission_s,"
+      "tether_limit_m,tether_max_m,tether_bends_max,tether_angle_min_rad,tether_angle_mean_rad,"
+      "tether_sharp_fraction,tether_crossings,"
+      "plan_wall_s,plan_cpu_s,peak_rss_bytes,score_s,path_sha256,path_file\n");
 }
 
 TEST(Results, EveryColumnExplainsItself) {
@@ -40,8 +41,9 @@ TEST(Results, OutcomesReadBack) {
 }
 
 TEST(Results, CsvRoundTrip) {
-  const std::vector<std::string> hostile{"", "plain", "a,b", "\"", "\"\"", "say \"hi\", twice", "two\nlines", "cr\rcr",
-                                         "\r\n", " spaced ", "\xC3\xA9", ",", "\n"};
+  const std::vector<std::string> hostile{"",           "plain",  "a,b",  "\"",       "\"\"",     "say \"hi\", twice",
+                                         "two\nlines", "cr\rcr", "\r\n", " spaced ", "\xC3\xA9", ",",
+                                         "\n"};
   for (const std::string& a : hostile) {
     for (const std::string& b : hostile) {
       Row row;

@@ -1,9 +1,8 @@
 #include "bench/suite.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <fmt/format.h>
 
 #include "test_planners.hpp"
 
@@ -54,9 +53,10 @@ TEST(Suite, DefaultsAndValues) {
   EXPECT_EQ(plain.repeats, 1);
   EXPECT_EQ(plain.target_coverage, 0.99);
   EXPECT_EQ(plain.limits.wall_s, 60);
-  const Suite full = suite_of(fmt::format("{}seed = 9\nrepeats = 3\ntarget_coverage = 0.5\n[limits]\nwall_s = 2.5\n"
-                                          "memory_mb = 100\n{}speed = 1\ntether = {{ length = 4.0 }}\n{}{}",
-                                          kHead, kRobot, kMap, kPlanner));
+  const Suite full =
+      suite_of(fmt::format("{}seed = 9\nrepeats = 3\ntarget_coverage = 0.5\n[limits]\nwall_s = 2.5\n"
+                           "memory_mb = 100\n{}speed = 1\ntether = {{ length = 4.0 }}\n{}{}",
+                           kHead, kRobot, kMap, kPlanner));
   EXPECT_EQ(full.seed, 9u);
   EXPECT_EQ(full.repeats, 3);
   EXPECT_EQ(full.target_coverage, 0.5);
@@ -69,15 +69,16 @@ TEST(Suite, DefaultsAndValues) {
 }
 
 TEST(Suite, ListsMultiplyInFileOrder) {
-  const Suite suite = suite_of(fmt::format("{}[robots.r]\nradius = [0.1, 0.2]\n"
-                                           "[[maps]]\ngenerator = \"rectangle\"\nwidth = [3, 4]\nheight = [2, 1.5]\n"
-                                           "seeds = [1, 2]\n"
-                                           "[[planners]]\nname = \"test\"\nhow = [\"b\", \"a\"]\namount = [0, 1]\n", kHead));
-  EXPECT_THAT(map_names(suite),
-              ElementsAre("rectangle-1[height=2;width=3]", "rectangle-2[height=2;width=3]",
-                          "rectangle-1[height=1.5;width=3]", "rectangle-2[height=1.5;width=3]",
-                          "rectangle-1[height=2;width=4]", "rectangle-2[height=2;width=4]",
-                          "rectangle-1[height=1.5;width=4]", "rectangle-2[height=1.5;width=4]"));
+  const Suite suite =
+      suite_of(fmt::format("{}[robots.r]\nradius = [0.1, 0.2]\n"
+                           "[[maps]]\ngenerator = \"rectangle\"\nwidth = [3, 4]\nheight = [2, 1.5]\n"
+                           "seeds = [1, 2]\n"
+                           "[[planners]]\nname = \"test\"\nhow = [\"b\", \"a\"]\namount = [0, 1]\n",
+                           kHead));
+  EXPECT_THAT(map_names(suite), ElementsAre("rectangle-1[height=2;width=3]", "rectangle-2[height=2;width=3]",
+                                            "rectangle-1[height=1.5;width=3]", "rectangle-2[height=1.5;width=3]",
+                                            "rectangle-1[height=2;width=4]", "rectangle-2[height=2;width=4]",
+                                            "rectangle-1[height=1.5;width=4]", "rectangle-2[height=1.5;width=4]"));
   // A value equal to the default is no setting.
   EXPECT_THAT(variants(suite),
               ElementsAre("test[how=b]", "test[amount=1;how=b]", "test[how=a]", "test[amount=1;how=a]"));
@@ -129,11 +130,13 @@ TEST(Suite, MistakesAreOneSentenceWithTheirLine) {
       {"name = \"t\"\n", "t.toml:", "the suite has no 'schema'"},
       {"schema = 2\n", "t.toml:1: ", "schema is not 1"},
       {"schema = 1\nname = 7\n", "t.toml:2: ", "name is 7, expected a text"},
-      {std::string(kHead) + "planers = 3\n", "t.toml:3: ", "unknown key 'planers' in the suite; expected: schema, name, seed"},
+      {std::string(kHead) + "planers = 3\n",
+       "t.toml:3: ", "unknown key 'planers' in the suite; expected: schema, name, seed"},
       {std::string(kHead) + "repeats = 0\n", "t.toml:3: ", "repeats is 0, expected a whole number"},
       {std::string(kHead) + "seed = \"x\"\n", "t.toml:3: ", "seed is the text \"x\", expected a whole number"},
       {std::string(kHead) + "target_coverage = nan\n", "t.toml:3: ", "expected a number from 0 to 1"},
-      {std::string(kHead) + "[limits]\nwall = 3\n", "t.toml:4: ", "unknown key 'wall' in [limits]; expected: wall_s, memory_mb"},
+      {std::string(kHead) + "[limits]\nwall = 3\n",
+       "t.toml:4: ", "unknown key 'wall' in [limits]; expected: wall_s, memory_mb"},
       {std::string(kHead) + "[limits]\nwall_s = -1\n", "t.toml:4: ", "wall_s is -1"},
       {std::string(kHead) + kMap + kPlanner, "t.toml:", "no [robots.NAME] table"},
       {std::string(kHead) + "[robots.r]\ntool_width = 0\n", "t.toml:3: ", "tool_width is 0"},
@@ -142,16 +145,19 @@ TEST(Suite, MistakesAreOneSentenceWithTheirLine) {
       {std::string(kHead) + kRobot + kPlanner, "t.toml:", "no [[maps]]"},
       {std::string(kHead) + kRobot + "[[maps]]\nseeds = [1]\n", "t.toml:6: ", "either 'generator' or 'file'"},
       {std::string(kHead) + kRobot + "[[maps]]\ngenerator = \"rectangel\"\n", "t.toml:7: ", "did you mean 'rectangle'"},
-      {std::string(kHead) + kRobot + "[[maps]]\ngenerator = \"rectangle\"\nwidht = 3\n", "t.toml:8: ", "unknown parameter 'widht'"},
+      {std::string(kHead) + kRobot + "[[maps]]\ngenerator = \"rectangle\"\nwidht = 3\n",
+       "t.toml:8: ", "unknown parameter 'widht'"},
       {std::string(kHead) + kRobot + "[[maps]]\ngenerator = \"rectangle\"\nwidth = \"big\"\n", "t.toml:8: ", "width"},
       {std::string(kHead) + kRobot + "[[maps]]\ngenerator = \"rectangle\"\nwidth = [3, [4]]\n", "t.toml:8: ", "width"},
       {std::string(kHead) + kRobot + "[[maps]]\ngenerator = \"rectangle\"\nwidth = []\n", "t.toml:8: ", "empty list"},
-      {std::string(kHead) + kRobot + "[[maps]]\ngenerator = \"rectangle\"\nseeds = [1, 1]\n" + kPlanner, "t.toml:", "listed twice"},
+      {std::string(kHead) + kRobot + "[[maps]]\ngenerator = \"rectangle\"\nseeds = [1, 1]\n" + kPlanner,
+       "t.toml:", "listed twice"},
       {std::string(kHead) + kRobot + "[[maps]]\ngenerator = \"rectangle\"\nseeds = [-1]\n", "t.toml:8: ", "seeds"},
       {start, "t.toml:", "no [[planners]]"},
       {start + "[[planners]]\nname = \"tset\"\n", "t.toml:11: ", "did you mean 'test'"},
       {start + "[[planners]]\nhow = \"x\"\n", "t.toml:10: ", "has no 'name'"},
-      {start + "[[planners]]\nname = \"test\"\nhwo = \"x\"\n", "t.toml:12: ", "unknown parameter 'hwo' of planner 'test'"},
+      {start + "[[planners]]\nname = \"test\"\nhwo = \"x\"\n",
+       "t.toml:12: ", "unknown parameter 'hwo' of planner 'test'"},
       {start + "[[planners]]\nname = \"test\"\namount = 11\n", "t.toml:12: ", "amount"},
       {start + kPlanner + kPlanner, "t.toml:12: ", "planner variant 'test' is listed twice"}};
   for (const Mistake& m : mistakes) {

@@ -18,10 +18,10 @@
 namespace oxturn {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 using testing::Folder;
+using ::testing::HasSubstr;
 using testing::test_planners;
+using ::testing::ThrowsMessage;
 
 Suite rectangles(const std::vector<std::string>& hows, int maps = 1) {
   Suite suite;
@@ -61,13 +61,24 @@ std::string untimed(const Results& results) {
 
 TEST(Sweep, WhateverThePlannerDoesCostsOneRow) {
   const Folder folder;
-  const std::vector<std::pair<std::string, Outcome>> expected{
-      {"good", Outcome::ok},          {"null", Outcome::crash},           {"abort", Outcome::crash},
-      {"spin", Outcome::timeout},     {"hoard", Outcome::out_of_memory},  {"wall", Outcome::invalid},
-      {"nan", Outcome::invalid},      {"throw", Outcome::error},          {"throw_int", Outcome::error},
-      {"exit", Outcome::error},       {"publish", Outcome::timeout},      {"babble", Outcome::ok},
-      {"empty", Outcome::invalid},    {"infeasible", Outcome::infeasible}, {"unsupported", Outcome::unsupported},
-      {"partial", Outcome::partial},  {"leave_child", Outcome::ok},       {"good2", Outcome::ok}};
+  const std::vector<std::pair<std::string, Outcome>> expected{{"good", Outcome::ok},
+                                                              {"null", Outcome::crash},
+                                                              {"abort", Outcome::crash},
+                                                              {"spin", Outcome::timeout},
+                                                              {"hoard", Outcome::out_of_memory},
+                                                              {"wall", Outcome::invalid},
+                                                              {"nan", Outcome::invalid},
+                                                              {"throw", Outcome::error},
+                                                              {"throw_int", Outcome::error},
+                                                              {"exit", Outcome::error},
+                                                              {"publish", Outcome::timeout},
+                                                              {"babble", Outcome::ok},
+                                                              {"empty", Outcome::invalid},
+                                                              {"infeasible", Outcome::infeasible},
+                                                              {"unsupported", Outcome::unsupported},
+                                                              {"partial", Outcome::partial},
+                                                              {"leave_child", Outcome::ok},
+                                                              {"good2", Outcome::ok}};
   std::vector<std::string> hows;
   for (const auto& [how, outcome] : expected) hows.push_back(how);
   Suite suite = rectangles(hows);
@@ -120,7 +131,8 @@ TEST(Sweep, APathFileScoresAsTheRowSays) {
   EXPECT_EQ("maps/" + problem.content_hash() + ".geojson", problem_file);
   const Score again = score(problem, path);
   EXPECT_EQ(again.flaw, "");
-  for (std::size_t i = 0; i < metrics().size(); ++i) EXPECT_EQ(row.number(metrics()[i]->name), again.values[i]) << metrics()[i]->name;
+  for (std::size_t i = 0; i < metrics().size(); ++i)
+    EXPECT_EQ(row.number(metrics()[i]->name), again.values[i]) << metrics()[i]->name;
   EXPECT_EQ(row.get("path_sha256"), sha256(to_geojson(path)));
   EXPECT_EQ(row.get("map_sha256"), content_hash(map.map));
 }
@@ -244,7 +256,8 @@ TEST(Sweep, SessionAndColumnsDescribeTheFolder) {
   const auto described = nlohmann::json::parse(read_file(folder.file("out/columns.json")));
   ASSERT_EQ(described.size(), columns().size());
   EXPECT_EQ(described[1].at("name"), "run_id");
-  const auto traces = nlohmann::json::parse(read_file(folder.file("out/traces/" + results.rows[0].get("run_id") + ".json")));
+  const auto traces =
+      nlohmann::json::parse(read_file(folder.file("out/traces/" + results.rows[0].get("run_id") + ".json")));
   EXPECT_EQ(traces.at(0).at("name"), "box");
 }
 
@@ -261,9 +274,7 @@ TEST(Sweep, InterruptKeepsWhatIsThere) {
       sweep(suite, test_planners(), into(out));
     } catch (const Interrupted& e) {
       code = std::string(e.what()).find("interrupted after 1 of 3 runs") == 0 ? 42 : 2;
-    } catch (...) {
-      code = 3;
-    }
+    } catch (...) { code = 3; }
     ::_exit(code);
   }
   const auto lines = [&] {

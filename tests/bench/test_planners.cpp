@@ -65,7 +65,7 @@ class TestPlanner final : public CoveragePlanner {
     if (how == "abort") std::abort();
     if (how == "spin") spin();
     if (how == "hoard") {
-      for (std::vector<std::string> all;; ) all.emplace_back(std::size_t{1} << 20, 'x');
+      for (std::vector<std::string> all;;) all.emplace_back(std::size_t{1} << 20, 'x');
     }
     if (how == "map_hoard") {
       // Never asks operator new, and ignores refusals.
@@ -148,14 +148,15 @@ const std::vector<PlannerInfo>& test_planners() {
          .guarantee = "none",
          .parameters = {{"how", &Params::how, Choices{}, "what to do"},
                         {"amount", &Params::amount, Range{0, 10}, "metres of nothing"}}}));
-    list.push_back(describe<TestPlanner, Params>({.name = "other",
-                                                  .family = "test",
-                                                  .title = "another",
-                                                  .citation = "none",
-                                                  .capabilities = {},
-                                                  .guarantee = "none",
-                                                  .parameters = {{"how", &Params::how, Choices{}, "what to do"},
-                                                                 {"lanes", &Params::lanes, Range{0, 10}, "of nothing"}}}));
+    list.push_back(
+        describe<TestPlanner, Params>({.name = "other",
+                                       .family = "test",
+                                       .title = "another",
+                                       .citation = "none",
+                                       .capabilities = {},
+                                       .guarantee = "none",
+                                       .parameters = {{"how", &Params::how, Choices{}, "what to do"},
+                                                      {"lanes", &Params::lanes, Range{0, 10}, "of nothing"}}}));
     return list;
   }();
   return all;

@@ -53,8 +53,8 @@ TEST_F(BadInput, WrongType) {
                  AllOf(HasSubstr("rooms"), HasSubstr("many")));
 }
 TEST_F(BadInput, SelfCrossingPolygonWithThePlace) {
-  const std::string bow = in.write(
-      "bow.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[4,4],[4,0],[0,4],[0,0]]]})");
+  const std::string bow =
+      in.write("bow.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[4,4],[4,0],[0,4],[0,0]]]})");
   expect_refused(oxturn("plan zigzag " + bow + to), AllOf(HasSubstr("bow.geojson"), HasSubstr("(2, 2)")));
 }
 TEST_F(BadInput, StartInAWallWithTheNearestPlace) {
@@ -72,8 +72,8 @@ TEST_F(BadInput, ZeroToolWidth) {
   expect_refused(oxturn("plan zigzag " + box + " --robot radius=0.1,tool_width=0" + to), HasSubstr("tool_width"));
 }
 TEST_F(BadInput, UnwritableOutput) {
-  for (const std::string& command : {"plan zigzag " + box + " -o ", "plan zigzag " + box + " --svg ",
-                                    std::string("map rooms -o ")}) {
+  for (const std::string& command :
+       {"plan zigzag " + box + " -o ", "plan zigzag " + box + " --svg ", std::string("map rooms -o ")}) {
     const std::string suffix = command.ends_with("--svg ") ? ".svg" : ".geojson";
     expect_refused(oxturn(command + "/nowhere/at/all/x" + suffix), HasSubstr("cannot write '/nowhere/at/all/x"));
   }

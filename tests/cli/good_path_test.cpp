@@ -83,8 +83,8 @@ class Planned : public testing::Test {
 
 TEST_F(Planned, PathScoresTheSameAgain) {
   const std::string problem = " rooms:2 --radius 0.2 --tool-width 0.4";
-  const Said plan = oxturn("plan boustrophedon" + problem + " --json -o " + (out / "p.geojson") + " --svg " +
-                           (out / "p.svg"));
+  const Said plan =
+      oxturn("plan boustrophedon" + problem + " --json -o " + (out / "p.geojson") + " --svg " + (out / "p.svg"));
   ASSERT_EQ(plan.code, 0) << plan.err;
   const Said score = oxturn("score " + (out / "p.geojson") + problem + " --json");
   ASSERT_EQ(score.code, 0) << score.err;
@@ -131,10 +131,9 @@ TEST_F(Planned, APathThroughAWallIsInvalidAndExitsWith1) {
   const std::string map = out.write(
       "ring.geojson",
       R"({"type":"Polygon","coordinates":[[[0,0],[6,0],[6,6],[0,6],[0,0]],[[2,2],[2,4],[4,4],[4,2],[2,2]]]})");
-  const std::string path = out.write(
-      "p.geojson",
-      R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"tool":true},)"
-      R"("geometry":{"type":"LineString","coordinates":[[1,3],[5,3]]}}]})");
+  const std::string path =
+      out.write("p.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"tool":true},)"
+                             R"("geometry":{"type":"LineString","coordinates":[[1,3],[5,3]]}}]})");
   const Said said = oxturn("score " + path + " " + map + " --start 1,3 --radius 0.2 --tool-width 0.4");
   EXPECT_EQ(said.code, 1);
   EXPECT_THAT(said.err, HasSubstr("invalid: "));

@@ -57,9 +57,7 @@ TEST(Layers, AFolderIncludesOnlyItselfAndThoseBeforeIt) {
 
 TEST(Layers, MetricsKnowNothingOfAlgorithms) {
   for (const Include& include : includes())
-    if (include.room() == "metrics") {
-      EXPECT_NE(include.name.rfind("algorithms/", 0), 0u) << include.file;
-    }
+    if (include.room() == "metrics") { EXPECT_NE(include.name.rfind("algorithms/", 0), 0u) << include.file; }
 }
 
 bool foreign(const Include& include) {
@@ -98,8 +96,8 @@ TEST(Layers, PublicHeadersShowOnlyStandardAndEigenTypes) {
       if (!std::regex_search(names, std::regex("\\s" + std::regex_replace(name, std::regex(R"(\.)"), "\\.") + "\\s")))
         continue;
       ++headers;
-      const bool standard = !include.quoted && include.name.find('/') == std::string::npos &&
-                            include.name.find('.') == std::string::npos;
+      const bool standard =
+          !include.quoted && include.name.find('/') == std::string::npos && include.name.find('.') == std::string::npos;
       EXPECT_TRUE(include.quoted || standard || include.name.rfind("Eigen/", 0) == 0)
           << include.file << " includes <" << include.name << ">";
     }

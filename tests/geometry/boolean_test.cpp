@@ -95,12 +95,14 @@ TEST(Boolean, CornersThatTouchStaySeparateRings) {
   ASSERT_EQ(r.polygons.size(), 2u);
   EXPECT_EQ(corner_count(r), 8u);
   // A ring of boxes whose court touches the outside in a point: outer ring and hole.
-  const Region court = subtract(box_region({0, 0}, {3, 3}), unite({box_region({0, 0}, {1, 1}), box_region({1, 1}, {2, 2})}));
+  const Region court =
+      subtract(box_region({0, 0}, {3, 3}), unite({box_region({0, 0}, {1, 1}), box_region({1, 1}, {2, 2})}));
   ASSERT_EQ(court.polygons.size(), 1u);
   EXPECT_EQ(hole_count(court), 1u);
   EXPECT_NEAR(area(court), 7, 1e-8);
   // Two holes that touch in a point.
-  const Region two = subtract(box_region({0, 0}, {5, 5}), unite({box_region({1, 1}, {2, 2}), box_region({2, 2}, {3, 3})}));
+  const Region two =
+      subtract(box_region({0, 0}, {5, 5}), unite({box_region({1, 1}, {2, 2}), box_region({2, 2}, {3, 3})}));
   EXPECT_EQ(hole_count(two), 2u);
 }
 

@@ -78,30 +78,14 @@ void expect_bounds(const Region& map, double r, double error, Rng& rng, int poin
   for (int k = 0; k < points; ++k) {
     const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
     const double d = depth(map, p);
-    if (d > r + error + kSnap) {
-      EXPECT_TRUE(contains(in, p)) << p.transpose();
-    }
-    if (d < r) {
-      EXPECT_FALSE(contains(in, p)) << p.transpose();
-    }
-    if (d > r) {
-      EXPECT_TRUE(contains(out, p)) << p.transpose();
-    }
-    if (d < r - error - kSnap) {
-      EXPECT_FALSE(contains(out, p)) << p.transpose();
-    }
-    if (d > -r + error + kSnap) {
-      EXPECT_TRUE(contains(grown_in, p)) << p.transpose();
-    }
-    if (d < -r) {
-      EXPECT_FALSE(contains(grown_in, p)) << p.transpose();
-    }
-    if (d > -r) {
-      EXPECT_TRUE(contains(grown_out, p)) << p.transpose();
-    }
-    if (d < -r - error - kSnap) {
-      EXPECT_FALSE(contains(grown_out, p)) << p.transpose();
-    }
+    if (d > r + error + kSnap) { EXPECT_TRUE(contains(in, p)) << p.transpose(); }
+    if (d < r) { EXPECT_FALSE(contains(in, p)) << p.transpose(); }
+    if (d > r) { EXPECT_TRUE(contains(out, p)) << p.transpose(); }
+    if (d < r - error - kSnap) { EXPECT_FALSE(contains(out, p)) << p.transpose(); }
+    if (d > -r + error + kSnap) { EXPECT_TRUE(contains(grown_in, p)) << p.transpose(); }
+    if (d < -r) { EXPECT_FALSE(contains(grown_in, p)) << p.transpose(); }
+    if (d > -r) { EXPECT_TRUE(contains(grown_out, p)) << p.transpose(); }
+    if (d < -r - error - kSnap) { EXPECT_FALSE(contains(grown_out, p)) << p.transpose(); }
   }
 }
 
@@ -125,7 +109,9 @@ TEST(Offset, BoundsAreCertainOnTracedMaps) {
 TEST(Offset, BoundsAreCertainOnArcs) {
   Rng rng(33);
   Region map = box_region({0, 0}, {4, 4});
-  for (int k = 0; k < 5; ++k) map = subtract(map, {{Polygon{samples::star(rng, {rng.between(1.0, 3.0), rng.between(1.0, 3.0)}, 0.1, 0.3, 7), {}}}});
+  for (int k = 0; k < 5; ++k)
+    map =
+        subtract(map, {{Polygon{samples::star(rng, {rng.between(1.0, 3.0), rng.between(1.0, 3.0)}, 0.1, 0.3, 7), {}}}});
   const Region config = erode(map, 0.2, 4e-4, Bound::inside);
   for (const double r : {0.1, 0.2, 0.3}) {
     SCOPED_TRACE(r);

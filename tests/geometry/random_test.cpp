@@ -36,8 +36,8 @@ TEST(Rng, IsXoshiroSeededBySplitmix) {
   for (const std::uint64_t v : {0xe220a8397b1dcdafu, 0x6e789e6aa1b965f4u, 0x06c45d188009454fu, 0xf88bb8a8724c81ecu})
     EXPECT_EQ(zero.next(), v);
   Xoshiro x{{1, 2, 3, 4}};
-  for (const std::uint64_t v : {std::uint64_t{11520}, std::uint64_t{0}, std::uint64_t{1509978240},
-                                std::uint64_t{1215971899390074240}})
+  for (const std::uint64_t v :
+       {std::uint64_t{11520}, std::uint64_t{0}, std::uint64_t{1509978240}, std::uint64_t{1215971899390074240}})
     EXPECT_EQ(x.next(), v);
   for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{0xdeadbeef12345678}}) {
     Splitmix mixer{seed};

@@ -23,28 +23,14 @@ TEST(Rasterise, AgreesWithTheAreaOfEveryCell) {
       for (int i = 0; i < columns; ++i) {
         const Point low = origin + cell * Point(i, j);
         const double filled = area(intersect(r, box_region(low, low + Point(cell, cell)))) / (cell * cell);
-        if (filled > 1e-6) {
-          EXPECT_TRUE(touches.get(i, j)) << i << ' ' << j;
-        }
-        if (filled < 1 - 1e-6) {
-          EXPECT_FALSE(inside.get(i, j)) << i << ' ' << j;
-        }
-        if (filled > 1 - 1e-12) {
-          EXPECT_TRUE(touches.get(i, j));
-        }
-        if (inside.get(i, j)) {
-          EXPECT_NEAR(filled, 1, 1e-6) << i << ' ' << j;
-        }
-        if (!touches.get(i, j)) {
-          EXPECT_NEAR(filled, 0, 1e-6) << i << ' ' << j;
-        }
+        if (filled > 1e-6) { EXPECT_TRUE(touches.get(i, j)) << i << ' ' << j; }
+        if (filled < 1 - 1e-6) { EXPECT_FALSE(inside.get(i, j)) << i << ' ' << j; }
+        if (filled > 1 - 1e-12) { EXPECT_TRUE(touches.get(i, j)); }
+        if (inside.get(i, j)) { EXPECT_NEAR(filled, 1, 1e-6) << i << ' ' << j; }
+        if (!touches.get(i, j)) { EXPECT_NEAR(filled, 0, 1e-6) << i << ' ' << j; }
         const Point c = centre.centre(i, j);
-        if (samples::distance_to_rim(r, c) > 1e-9) {
-          EXPECT_EQ(centre.get(i, j), samples::sees_all_round(r, c));
-        }
-        if (samples::distance_to_rim(r, c) > cell) {
-          EXPECT_EQ(inside.get(i, j), touches.get(i, j));
-        }
+        if (samples::distance_to_rim(r, c) > 1e-9) { EXPECT_EQ(centre.get(i, j), samples::sees_all_round(r, c)); }
+        if (samples::distance_to_rim(r, c) > cell) { EXPECT_EQ(inside.get(i, j), touches.get(i, j)); }
       }
   }
 }

@@ -41,7 +41,8 @@ inline BitGrid speckled(Rng& rng, int n, double cell, int boxes, int largest) {
   BitGrid grid({-1, 2}, cell, n, n);
   std::fill(grid.bits.begin(), grid.bits.end(), std::uint8_t{1});
   for (int k = 0; k < boxes; ++k) {
-    const int w = rng.between(1, largest), h = rng.between(1, largest), i0 = rng.between(0, n - 1), j0 = rng.between(0, n - 1);
+    const int w = rng.between(1, largest), h = rng.between(1, largest), i0 = rng.between(0, n - 1),
+              j0 = rng.between(0, n - 1);
     for (int j = j0; j < std::min(n, j0 + h); ++j)
       for (int i = i0; i < std::min(n, i0 + w); ++i) grid.set(i, j, false);
   }

@@ -23,7 +23,8 @@ void expect_promises(const Region& old, double tolerance) {
         EXPECT_LE(samples::distance_to_rim({{Polygon{after, {}}}}, p), tolerance + 1e-12) << p.transpose();
     };
     near(old.polygons[k].outer, now.polygons[k].outer);
-    for (std::size_t h = 0; h < old.polygons[k].holes.size(); ++h) near(old.polygons[k].holes[h], now.polygons[k].holes[h]);
+    for (std::size_t h = 0; h < old.polygons[k].holes.size(); ++h)
+      near(old.polygons[k].holes[h], now.polygons[k].holes[h]);
   }
 }
 

@@ -58,13 +58,12 @@ TEST(FindFlaw, FindsWhatAllPairsFind) {
     for (std::size_t i = 0; i < 40; ++i)
       for (std::size_t j = i + 2; j < 40; ++j) {
         const Point a = ring[i], b = ring[i + 1], c = ring[j], d = ring[(j + 1) % 40];
-        crosses = crosses || (cross(b - a, c - a) * cross(b - a, d - a) < 0 && cross(d - c, a - c) * cross(d - c, b - c) < 0);
+        crosses =
+            crosses || (cross(b - a, c - a) * cross(b - a, d - a) < 0 && cross(d - c, a - c) * cross(d - c, b - c) < 0);
       }
     const auto flaw = find_flaw(polygon(ring));
     EXPECT_EQ(flaw.has_value(), crosses);
-    if (flaw) {
-      EXPECT_LT(samples::distance_to_rim(polygon(ring), flaw->place), 1e-12);
-    }
+    if (flaw) { EXPECT_LT(samples::distance_to_rim(polygon(ring), flaw->place), 1e-12); }
     flawed += crosses ? 1 : 0;
   }
   EXPECT_GT(flawed, 50);
@@ -79,8 +78,9 @@ TEST(Repaired, SoundRegionsKeepEveryBit) {
 
 TEST(Repaired, OrientsAndCleans) {
   // wrong way round, doubled points, a spike, points in line
-  const Region r = repaired(polygon(reversed({{0, 0}, {0, 0}, {1, 0}, {2, 0}, {2, -5}, {2, 0}, {4, 0}, {4, 4}, {4, 4}, {0, 4}, {0, 2}}),
-                                    {square(1, 1, 1)}));
+  const Region r = repaired(
+      polygon(reversed({{0, 0}, {0, 0}, {1, 0}, {2, 0}, {2, -5}, {2, 0}, {4, 0}, {4, 4}, {4, 4}, {0, 4}, {0, 2}}),
+              {square(1, 1, 1)}));
   ASSERT_EQ(r.polygons.size(), 1u);
   EXPECT_EQ(r.polygons[0].outer.size(), 4u);
   EXPECT_EQ(signed_area(r.polygons[0].outer), 16);
@@ -144,7 +144,8 @@ TEST(Repaired, RingsThatMeetThemselvesAreTakenApart) {
   EXPECT_EQ(hour.polygons.size(), 2u);
   EXPECT_NEAR(area(hour), 2, 1e-7);
   // a hole joined to the border by a bridge of no width
-  const Region bridged = repaired(polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 4}, {3, 4}, {3, 6}, {6, 6}, {6, 3}, {3, 3}, {3, 4}, {0, 4}}));
+  const Region bridged = repaired(
+      polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 4}, {3, 4}, {3, 6}, {6, 6}, {6, 3}, {3, 3}, {3, 4}, {0, 4}}));
   EXPECT_EQ(hole_count(bridged), 1u);
   EXPECT_NEAR(area(bridged), 72, 1e-6);
   expect_fixed(hour);
@@ -168,8 +169,11 @@ TEST(Repaired, WorksFarOutAndVerySmall) {
 }
 
 TEST(Repaired, RefusesInOneSentence) {
-  EXPECT_THAT([] { repaired(polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}})); },
-              testing::ThrowsMessage<std::invalid_argument>("edges cross at (1, 1)"));
+  EXPECT_THAT(
+      [] {
+        repaired(polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}}));
+      },
+      testing::ThrowsMessage<std::invalid_argument>("edges cross at (1, 1)"));
 }
 
 TEST(Repaired, AnswersWithSoundRegionsWhateverTheTouching) {

@@ -65,10 +65,12 @@ TEST(GeoJson, GeometryInAllItsWrappings) {
   const auto size = [](const std::string& s) { return area(read(s).map.free); };
   EXPECT_DOUBLE_EQ(size(kSquare), 16);
   EXPECT_DOUBLE_EQ(size(feature(kSquare, "null")), 16);
-  EXPECT_DOUBLE_EQ(size(R"({"type":"MultiPolygon","coordinates":[[[[0,0],[1,0],[1,1]]],[[[5,5],[5,7],[7,7],[7,5]]]]})"), 4.5);
+  EXPECT_DOUBLE_EQ(size(R"({"type":"MultiPolygon","coordinates":[[[[0,0],[1,0],[1,1]]],[[[5,5],[5,7],[7,7],[7,5]]]]})"),
+                   4.5);
   const MapFile m = read(R"({"type":"FeatureCollection","features":[
       {"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[1,1]}},
-      {"type":"Feature","properties":{"name":"yard"},"geometry":)" + kSquare + "}]}");
+      {"type":"Feature","properties":{"name":"yard"},"geometry":)" +
+                         kSquare + "}]}");
   EXPECT_EQ(m.map.name, "yard");
   EXPECT_THAT(m.remarks, testing::ElementsAre("1 features that are no polygons are not used"));
   EXPECT_EQ(read(kSquare).map.name, "m");
@@ -77,7 +79,8 @@ TEST(GeoJson, GeometryInAllItsWrappings) {
 TEST(GeoJson, OrientationClosingAndAltitudeDoNotMatter) {
   const std::string hash = content_hash(read(kSquare).map);
   EXPECT_EQ(content_hash(read(R"({"type":"Polygon","coordinates":[[[0,0],[0,4],[4,4],[4,0]]]})").map), hash);
-  EXPECT_EQ(content_hash(read(R"({"type":"Polygon","coordinates":[[[4,0,9],[4,4,9],[0,4,9],[0,0,9],[4,0,9]]]})").map), hash);
+  EXPECT_EQ(content_hash(read(R"({"type":"Polygon","coordinates":[[[4,0,9],[4,4,9],[0,4,9],[0,0,9],[4,0,9]]]})").map),
+            hash);
 }
 
 TEST(GeoJson, RepairsAreSaid) {
@@ -94,7 +97,8 @@ TEST(GeoJson, RepairsAreSaid) {
 TEST(GeoJson, BadContentIsOneSentenceWithItsPlace) {
   EXPECT_THAT(why("{\n\"type\": \"Feature\",\n\"geometry\": nope}"), StartsWith("m.geojson:3: not JSON: "));
   EXPECT_THAT(why(""), StartsWith("m.geojson:1: not JSON: "));
-  EXPECT_THAT(why(R"({"type":"Polygon","coordinates":[[[0,0],[4,NaN],[4,4]]]})"), StartsWith("m.geojson:1: not JSON: "));
+  EXPECT_THAT(why(R"({"type":"Polygon","coordinates":[[[0,0],[4,NaN],[4,4]]]})"),
+              StartsWith("m.geojson:1: not JSON: "));
   EXPECT_THAT(why(R"({"type":"Polygon","coordinates":[[[0,0],[1e999,0],[4,4]]]})"), StartsWith("m.geojson"));
   EXPECT_EQ(why("[1]"), "m.geojson is [1], expected a GeoJSON Feature, Polygon, MultiPolygon or FeatureCollection");
   EXPECT_EQ(why("{}"), "m.geojson has no type, expected a GeoJSON Feature, Polygon, MultiPolygon or FeatureCollection");
@@ -102,7 +106,8 @@ TEST(GeoJson, BadContentIsOneSentenceWithItsPlace) {
   EXPECT_EQ(why(feature("null", "{}")), "m.geojson: geometry is missing, expected a Polygon or MultiPolygon");
   EXPECT_EQ(why(feature(R"({"type":"Point","coordinates":[1,2]})", "{}")),
             "m.geojson: geometry is a Point, expected a Polygon or MultiPolygon");
-  EXPECT_EQ(why(R"({"type":"Polygon","coordinates":[]})"), "m.geojson: geometry has no coordinates, expected a list of rings");
+  EXPECT_EQ(why(R"({"type":"Polygon","coordinates":[]})"),
+            "m.geojson: geometry has no coordinates, expected a list of rings");
   EXPECT_EQ(why(R"({"type":"Polygon","coordinates":[[[0,0],["a",0],[4,4]]]})"),
             "m.geojson: polygon 1, ring 1, point 2 is [\"a\",0], expected [x, y], two numbers in metres");
   EXPECT_EQ(why(R"({"type":"MultiPolygon","coordinates":[[[[0,0],[1,0],[1,1]]],[[[5,5],null,[7,7]]]]})"),
@@ -111,7 +116,8 @@ TEST(GeoJson, BadContentIsOneSentenceWithItsPlace) {
             "m.geojson: polygon 1, ring 1 has 2 different points, expected at least 3");
   EXPECT_EQ(why(R"({"type":"FeatureCollection","features":[]})"),
             "m.geojson has 0 features that are a Polygon or MultiPolygon, expected exactly one");
-  EXPECT_THAT(why(R"({"type":"FeatureCollection","features":[1,)" + feature(kSquare, "{}") + "," + feature(kSquare, "{}") + "]}"),
+  EXPECT_THAT(why(R"({"type":"FeatureCollection","features":[1,)" + feature(kSquare, "{}") + "," +
+                  feature(kSquare, "{}") + "]}"),
               StartsWith("m.geojson has 2 features"));
 }
 
@@ -122,14 +128,16 @@ TEST(GeoJson, SelfCrossingPolygonIsNamedWithThePlace) {
 
 TEST(GeoJson, BadPropertiesAreNamed) {
   const auto with = [](const std::string& properties) { return why(feature(kSquare, properties)); };
-  EXPECT_EQ(with(R"({"robot":{"radius":0.2,"toolwidth":0.4}})"),
-            "m.geojson: robot has an unknown key 'toolwidth'; it may have: name, radius, tool_width, speed, acceleration, "
-            "turn_rate, min_turn_radius, tether, lidar");
+  EXPECT_EQ(
+      with(R"({"robot":{"radius":0.2,"toolwidth":0.4}})"),
+      "m.geojson: robot has an unknown key 'toolwidth'; it may have: name, radius, tool_width, speed, acceleration, "
+      "turn_rate, min_turn_radius, tether, lidar");
   EXPECT_EQ(with(R"({"robot":{"radius":"0.2"}})"), "m.geojson: robot.radius is \"0.2\", expected a finite number");
   EXPECT_EQ(with(R"({"robot":{"tool_width":0}})"), "m.geojson: robot 'disc': tool_width is 0, expected metres above 0");
   EXPECT_EQ(with(R"({"robot":{"tether":40}})"), "m.geojson: robot.tether is 40, expected an object");
   EXPECT_EQ(with(R"({"robot":{"tether":{}}})"), "m.geojson: robot.tether has no length");
-  EXPECT_EQ(with(R"({"robot":{"lidar":{"range":3,"rays":0.5}}})"), "m.geojson: robot.lidar.rays is 0.5, expected a whole number from 1 to 1000000");
+  EXPECT_EQ(with(R"({"robot":{"lidar":{"range":3,"rays":0.5}}})"),
+            "m.geojson: robot.lidar.rays is 0.5, expected a whole number from 1 to 1000000");
   EXPECT_EQ(with(R"({"robot":[1]})"), "m.geojson: robot is [1], expected an object");
   EXPECT_EQ(with(R"({"start":[1]})"), "m.geojson: start is [1], expected [x, y], two numbers in metres");
   EXPECT_EQ(with(R"({"start":"here"})"), "m.geojson: start is \"here\", expected [x, y], two numbers in metres");
@@ -145,8 +153,10 @@ TEST(GeoJson, RandomDamageNeverCrashes) {
     std::string bad = good;
     for (int k = rng.between(1, 6); k > 0; --k) {
       const std::size_t at = rng.below(bad.size());
-      if (rng.chance(0.3)) bad.erase(at, rng.below(20));
-      else bad[at] = "[]{},:\"0-9eE. nx"[rng.below(16)];
+      if (rng.chance(0.3))
+        bad.erase(at, rng.below(20));
+      else
+        bad[at] = "[]{},:\"0-9eE. nx"[rng.below(16)];
       if (bad.empty()) bad = " ";
     }
     const TemporaryFolder folder;
@@ -167,7 +177,8 @@ TEST(GeoJson, ProblemReadsBackTheSame) {
   robot.tool_width = 1.0 / 3;
   robot.tether = Tether{12.5};
   robot.lidar = Lidar{7, 90};
-  const Problem p = drawn({"######", "#S..A#", "#.##.#", "#....#", "######"}, {.cell = 0.7, .robot = robot, .name = "a \"b\"\n\\"});
+  const Problem p =
+      drawn({"######", "#S..A#", "#.##.#", "#....#", "######"}, {.cell = 0.7, .robot = robot, .name = "a \"b\"\n\\"});
   const std::string text = to_geojson(p);
   const MapFile m = read(text);
   EXPECT_TRUE(m.remarks.empty());
@@ -217,18 +228,24 @@ TEST(PathGeoJson, ReadsBackToTheLastBit) {
 
 TEST(PathGeoJson, BadPathsAreNamedByFeatureAndPoint) {
   const auto why_not = [](const std::string& text) { return complaint([&] { path_from_geojson(text, "p.geojson"); }); };
-  const auto one = [&](const std::string& f) { return why_not(R"({"type":"FeatureCollection","features":[)" + f + "]}"); };
+  const auto one = [&](const std::string& f) {
+    return why_not(R"({"type":"FeatureCollection","features":[)" + f + "]}");
+  };
   const auto line = [&](const std::string& points) {
-    return one(R"({"type":"Feature","properties":{"tool":true},"geometry":{"type":"LineString","coordinates":)" + points + "}}");
+    return one(R"({"type":"Feature","properties":{"tool":true},"geometry":{"type":"LineString","coordinates":)" +
+               points + "}}");
   };
   EXPECT_THAT(why_not("{\n]"), StartsWith("p.geojson:2: not JSON: "));
   EXPECT_EQ(why_not(R"({"type":"Feature"})"), "p.geojson: type is \"Feature\", expected FeatureCollection");
   EXPECT_EQ(why_not(R"({"type":"FeatureCollection"})"), "p.geojson has no features, expected a list of LineStrings");
   EXPECT_EQ(one("3"), "p.geojson: feature 1 is 3, expected an object");
-  EXPECT_EQ(one(R"({"properties":{},"geometry":{"type":"LineString"}})"), "p.geojson: feature 1, properties has no tool, expected true or false");
-  EXPECT_EQ(one(R"({"properties":{"tool":1},"geometry":{"type":"LineString"}})"), "p.geojson: feature 1, tool is 1, expected true or false");
+  EXPECT_EQ(one(R"({"properties":{},"geometry":{"type":"LineString"}})"),
+            "p.geojson: feature 1, properties has no tool, expected true or false");
+  EXPECT_EQ(one(R"({"properties":{"tool":1},"geometry":{"type":"LineString"}})"),
+            "p.geojson: feature 1, tool is 1, expected true or false");
   EXPECT_EQ(line("[[0,0]]"), "p.geojson: feature 1, coordinates is [[0,0]], expected a list of at least two points");
-  EXPECT_EQ(line("[[0,0],[1,null]]"), "p.geojson: feature 1, point 2 is [1,null], expected [x, y], two numbers in metres");
+  EXPECT_EQ(line("[[0,0],[1,null]]"),
+            "p.geojson: feature 1, point 2 is [1,null], expected [x, y], two numbers in metres");
   Path nan = random_path(1);
   nan.legs[2].points[1].x() = std::nan("");
   EXPECT_THAT(why_not(to_geojson(nan)), StartsWith("p.geojson: feature 3, point 2 is [null,"));

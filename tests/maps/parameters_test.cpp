@@ -25,7 +25,9 @@ std::vector<Parameter<Params>> lines() {
 }
 
 Params with(const Settings& settings) { return with_settings<Params>("planner 'x'", lines(), settings); }
-std::string why(const Settings& settings) { return complaint([&] { with(settings); }); }
+std::string why(const Settings& settings) {
+  return complaint([&] { with(settings); });
+}
 
 TEST(Parameters, FallbacksAreTheStructsOwn) {
   const auto infos = to_infos(lines());
@@ -45,14 +47,19 @@ TEST(Parameters, SettingsAreWrittenOverThem) {
 }
 
 TEST(Parameters, EveryRefusalNamesParameterOwnerAndMend) {
-  EXPECT_EQ(why({{"cel_size", 1.0}}), "unknown parameter 'cel_size' of planner 'x'; it has: diagonal, teeth, cell_size, order");
-  EXPECT_EQ(why({{"teeth", std::int64_t{0}}}), "parameter 'teeth' of planner 'x' is 0, expected a whole number from 1 to 100");
+  EXPECT_EQ(why({{"cel_size", 1.0}}),
+            "unknown parameter 'cel_size' of planner 'x'; it has: diagonal, teeth, cell_size, order");
+  EXPECT_EQ(why({{"teeth", std::int64_t{0}}}),
+            "parameter 'teeth' of planner 'x' is 0, expected a whole number from 1 to 100");
   EXPECT_EQ(why({{"teeth", 2.5}}), "parameter 'teeth' of planner 'x' is 2.5, expected a whole number from 1 to 100");
   EXPECT_EQ(why({{"cell_size", 11.0}}), "parameter 'cell_size' of planner 'x' is 11, expected a number from 0 to 10");
-  EXPECT_EQ(why({{"cell_size", std::nan("")}}), "parameter 'cell_size' of planner 'x' is nan, expected a finite number");
-  EXPECT_EQ(why({{"cell_size", std::string("1")}}), "parameter 'cell_size' of planner 'x' is '1', expected a number from 0 to 10");
+  EXPECT_EQ(why({{"cell_size", std::nan("")}}),
+            "parameter 'cell_size' of planner 'x' is nan, expected a finite number");
+  EXPECT_EQ(why({{"cell_size", std::string("1")}}),
+            "parameter 'cell_size' of planner 'x' is '1', expected a number from 0 to 10");
   EXPECT_EQ(why({{"diagonal", std::int64_t{1}}}), "parameter 'diagonal' of planner 'x' is 1, expected true or false");
-  EXPECT_EQ(why({{"order", std::string("far")}}), "parameter 'order' of planner 'x' is 'far', expected one of: nearest, sweep");
+  EXPECT_EQ(why({{"order", std::string("far")}}),
+            "parameter 'order' of planner 'x' is 'far', expected one of: nearest, sweep");
 }
 
 TEST(Parameters, WholeNumbersThatDoNotFitAreRefused) {
@@ -81,7 +88,8 @@ TEST(Parameters, TextsAreReadInTheParametersType) {
 
 TEST(Parameters, TextOfAValueReadsBackTheSame) {
   const ParameterInfo real{"r", 1.0, {}, {}, ""};
-  for (const double d : {0.1, 1.0 / 3, 1e300, 5e-324, -2.0, 0.35}) EXPECT_EQ(parse_value("x", real, to_text(d)), Value(d));
+  for (const double d : {0.1, 1.0 / 3, 1e300, 5e-324, -2.0, 0.35})
+    EXPECT_EQ(parse_value("x", real, to_text(d)), Value(d));
   EXPECT_EQ(to_text(Value(0.35)), "0.35");
   EXPECT_EQ(to_text(Value(-0.0)), "0");
   EXPECT_EQ(to_text(Value(true)), "true");

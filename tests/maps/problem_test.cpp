@@ -24,9 +24,7 @@ Robot disc(double radius, double tool) {
   return r;
 }
 
-Map square(double side, Point low = {0, 0}) {
-  return {"square", box_region(low, low + Point(side, side)), "test", ""};
-}
+Map square(double side, Point low = {0, 0}) { return {"square", box_region(low, low + Point(side, side)), "test", ""}; }
 
 /// Least distance from p to any wall, by a scan of all edges.
 double distance_to_walls(const Region& free, const Point& p) {
@@ -151,7 +149,9 @@ TEST(Problem, PassagesOpenAndCloseWhereTheHeaderSays) {
   const auto rooms = [](double slit) {
     const double low = 2 - slit / 2, high = 2 + slit / 2;
     Region r;
-    r.polygons.push_back({{{0, 0}, {4, 0}, {4, low}, {5, low}, {5, 0}, {9, 0}, {9, 4}, {5, 4}, {5, high}, {4, high}, {4, 4}, {0, 4}}, {}});
+    r.polygons.push_back(
+        {{{0, 0}, {4, 0}, {4, low}, {5, low}, {5, 0}, {9, 0}, {9, 4}, {5, 4}, {5, high}, {4, high}, {4, 4}, {0, 4}},
+         {}});
     return Map{"slit", r, "test", ""};
   };
   const double radius = 0.3, tool = 0.5, open = 2 * radius + tool / 500;
@@ -213,10 +213,12 @@ TEST(Problem, HostileInputIsOneSentence) {
   const Map nan{"nan", {{{{{0, 0}, {4, 0}, {4, std::nan("")}}, {}}}}, "test", ""};
   EXPECT_THAT(why(nan, disc(0.1, 0.2)), HasSubstr("map 'nan': "));
   EXPECT_EQ(why({"void", {}, "test", ""}, disc(0.1, 0.2)), "map 'void' has no free space at all");
-  EXPECT_EQ(why(square(1), disc(0.5, 1)), "robot 'disc' (radius 0.5) fits nowhere in map 'square'; its widest passage is too narrow");
+  EXPECT_EQ(why(square(1), disc(0.5, 1)),
+            "robot 'disc' (radius 0.5) fits nowhere in map 'square'; its widest passage is too narrow");
   EXPECT_EQ(why(square(1), disc(0.1, 0)), "robot 'disc': tool_width is 0, expected metres above 0");
   EXPECT_EQ(why(square(4), disc(0.1, 1), Point(std::nan(""), 1)), "start (nan, 1) is not finite, expected metres");
-  EXPECT_EQ(why(square(4), disc(0.1, 1), Point(1, 1), Point(1, INFINITY)), "anchor (1, inf) is not finite, expected metres");
+  EXPECT_EQ(why(square(4), disc(0.1, 1), Point(1, 1), Point(1, INFINITY)),
+            "anchor (1, inf) is not finite, expected metres");
   EXPECT_EQ(why(square(4), disc(0.1, 1), Point(1, 1), Point(9, 1)),
             "anchor (9, 1) is inside a wall of 'square', expected a place in free space");
 }
@@ -246,14 +248,20 @@ TEST(Problem, RestrictedHasLessRoomAndTheSameTarget) {
   EXPECT_EQ(&small.target(), &p.target());
   EXPECT_FALSE(small.walls().contains(Point(2, 2)));
   EXPECT_FALSE(small.transit().path({5, 5}, {2, 2}).has_value());
-  EXPECT_THAT(complaint([&] { p.restricted(box_region({1, 1}, {2, 2})); }), HasSubstr("does not hold the start (5, 5)"));
+  EXPECT_THAT(complaint([&] {
+                p.restricted(box_region({1, 1}, {2, 2}));
+              }),
+              HasSubstr("does not hold the start (5, 5)"));
 }
 
 TEST(Problem, HashCountsWhatDeterminesThePlan) {
-  const auto hash = [](Map map, Robot robot, Point start) { return Problem(std::move(map), robot, start).content_hash(); };
+  const auto hash = [](Map map, Robot robot, Point start) {
+    return Problem(std::move(map), robot, start).content_hash();
+  };
   const std::string base = hash(square(10), disc(0.5, 1), {5, 5});
   Map turned = square(10);
-  std::rotate(turned.free.polygons[0].outer.begin(), turned.free.polygons[0].outer.begin() + 1, turned.free.polygons[0].outer.end());
+  std::rotate(turned.free.polygons[0].outer.begin(), turned.free.polygons[0].outer.begin() + 1,
+              turned.free.polygons[0].outer.end());
   turned.name = "other";
   EXPECT_EQ(hash(turned, disc(0.5, 1), {5, 5}), base);
   EXPECT_NE(hash(square(11), disc(0.5, 1), {5, 5}), base);

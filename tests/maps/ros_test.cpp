@@ -1,6 +1,6 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <png.h>
-#include <fmt/format.h>
 
 #include <cmath>
 #include <map>
@@ -21,8 +21,8 @@ std::string sample(const std::string& name) { return OXTURN_SOURCE_DIR "/tests/d
 /// A folder with map.yaml and its picture.
 class RosFolder {
  public:
-  std::map<std::string, std::string> keys{{"image", "map.pgm"},        {"resolution", "0.5"}, {"origin", "[0, 0, 0]"}, {"negate", "0"},
-                                          {"occupied_thresh", "0.65"}, {"free_thresh", "0.196"}};
+  std::map<std::string, std::string> keys{{"image", "map.pgm"}, {"resolution", "0.5"},       {"origin", "[0, 0, 0]"},
+                                          {"negate", "0"},      {"occupied_thresh", "0.65"}, {"free_thresh", "0.196"}};
   void picture(const std::string& bytes, const std::string& name = "map.pgm") { write_file(folder_.file(name), bytes); }
   MapFile read(const ReadOptions& options = {}) const {
     std::string yaml;
@@ -107,7 +107,7 @@ TEST(Ros, SpeckleIsDroppedUpToTheAreaAndSaid) {
 
 TEST(Ros, DiagonalCellsAreOneSpeck) {
   RosFolder f;
-  f.picture(pgm(6, 4, {255, 255, 255, 255, 255, 255, 255, 0, 255, 255, 0, 255,
+  f.picture(pgm(6, 4, {255, 255, 255, 255, 255, 255, 255, 0,   255, 255, 0,   255,
                        255, 255, 0,   255, 255, 255, 255, 255, 255, 255, 255, 255}));
   ReadOptions options;
   options.drop_speckle_m2 = 0.25;  // one cell of 0.5 m: takes the single one, leaves the pair
@@ -186,7 +186,8 @@ TEST(Ros, SimplifyingNeverGrowsFreeSpace) {
   RosFolder f;
   std::vector<int> values;
   for (int j = 0; j < 40; ++j)
-    for (int i = 0; i < 40; ++i) values.push_back(std::hypot(i - 20, j - 20) < 18 && std::hypot(i - 25, j - 22) > 5 ? 255 : 0);
+    for (int i = 0; i < 40; ++i)
+      values.push_back(std::hypot(i - 20, j - 20) < 18 && std::hypot(i - 25, j - 22) > 5 ? 255 : 0);
   f.picture(pgm(40, 40, values));
   const MapFile exact = f.read();
   ReadOptions options;
@@ -212,7 +213,9 @@ void write_png(const std::string& file, std::uint32_t format, std::uint32_t colu
   image.height = rows;
   image.format = format;
   image.colormap_entries = static_cast<png_uint_32>(palette.size() / 3);
-  ASSERT_NE(png_image_write_to_file(&image, file.c_str(), 0, pixels.data(), 0, palette.empty() ? nullptr : palette.data()), 0);
+  ASSERT_NE(
+      png_image_write_to_file(&image, file.c_str(), 0, pixels.data(), 0, palette.empty() ? nullptr : palette.data()),
+      0);
 }
 
 TEST(Ros, PngInEveryDress) {
@@ -266,7 +269,8 @@ TEST(PlainImage, NeedsAScaleAndThenIsAMap) {
             folder.file("plan.pgm") + ": a plain image needs a scale; give --scale METRES_PER_PIXEL");
   ReadOptions options;
   options.metres_per_pixel = 2;
-  EXPECT_THAT(cells_of(read_map(folder.file("plan.pgm"), options).map.free, {0, 0}, 2, 3, 2), ElementsAre("..#", "#.#"));
+  EXPECT_THAT(cells_of(read_map(folder.file("plan.pgm"), options).map.free, {0, 0}, 2, 3, 2),
+              ElementsAre("..#", "#.#"));
 }
 
 TEST(Ros, BadYamlIsOneSentenceWithItsLine) {
@@ -277,8 +281,10 @@ TEST(Ros, BadYamlIsOneSentenceWithItsLine) {
   EXPECT_EQ(good.why(), "");
   const auto with = [&](const char* key, const char* value) {
     const auto keys = good.keys;
-    if (value) good.keys[key] = value;
-    else good.keys.erase(key);
+    if (value)
+      good.keys[key] = value;
+    else
+      good.keys.erase(key);
     std::string text = good.why();
     good.keys = keys;
     return text;
@@ -288,11 +294,13 @@ TEST(Ros, BadYamlIsOneSentenceWithItsLine) {
   EXPECT_EQ(with("resolution", "five"), "map.yaml:6: resolution is 'five', expected metres per pixel above 0");
   EXPECT_EQ(with("resolution", ".nan"), "map.yaml:6: resolution is nan, expected metres per pixel above 0");
   EXPECT_EQ(with("resolution", "[1]"), "map.yaml:6: resolution is not a number, expected metres per pixel above 0");
-  EXPECT_EQ(with("origin", "[0]"), "map.yaml:5: origin is not a list of three numbers, expected [x, y, yaw] in metres and radians");
+  EXPECT_EQ(with("origin", "[0]"),
+            "map.yaml:5: origin is not a list of three numbers, expected [x, y, yaw] in metres and radians");
   EXPECT_EQ(with("origin", "[0, x, 0]"), "map.yaml:5: origin's y is 'x', expected metres");
   EXPECT_EQ(with("negate", "perhaps"), "map.yaml:3: negate is 'perhaps', expected 0 or 1");
   EXPECT_EQ(with("occupied_thresh", "65"), "map.yaml:4: occupied_thresh is 65, expected a number from 0 to 1");
-  EXPECT_EQ(with("free_thresh", "0.7"), "map.yaml:1: free_thresh is 0.7, expected at most occupied_thresh, which is 0.65");
+  EXPECT_EQ(with("free_thresh", "0.7"),
+            "map.yaml:1: free_thresh is 0.7, expected at most occupied_thresh, which is 0.65");
   EXPECT_EQ(with("mode", "colour"), "map.yaml:3: mode is 'colour', expected trinary, scale or raw");
   EXPECT_EQ(with("image", "none.png"), "map.yaml:2: no such file: 'none.png'");
   EXPECT_THAT(with("image", "[unclosed"), testing::StartsWith("map.yaml:"));
@@ -315,7 +323,8 @@ TEST(Ros, BadPicturesAreOneSentence) {
   EXPECT_THAT(with("P2\n3 2\n255\n1 2 3"), HasSubstr("map.pgm: the file ends in the middle of the picture"));
   EXPECT_THAT(with("P2\n2 1\n255\n1 300"), HasSubstr("map.pgm: pixel 2 is 300, expected at most 255"));
   EXPECT_THAT(with("P5\n0 2\n255\nabc"), HasSubstr("the picture is 0 x 2 pixels, expected at least 1 x 1"));
-  EXPECT_THAT(with("P5\n90000 90000\n255\nabc"), HasSubstr("the picture is 90000 x 90000 pixels, expected at most 100 million"));
+  EXPECT_THAT(with("P5\n90000 90000\n255\nabc"),
+              HasSubstr("the picture is 90000 x 90000 pixels, expected at most 100 million"));
   EXPECT_THAT(with("P5\nx 2\n255\nabc"), HasSubstr("width is not a whole number"));
   EXPECT_THAT(with(pgm(2, 1, {0, 205})), HasSubstr("no cell is free (1 occupied, 1 unknown)"));
 
@@ -343,9 +352,7 @@ TEST(Ros, RandomDamageNeverCrashes) {
     f.picture(bad, "map.png");
     try {
       f.read();
-    } catch (const std::invalid_argument& e) {
-      EXPECT_THAT(e.what(), HasSubstr("map.png"));
-    }
+    } catch (const std::invalid_argument& e) { EXPECT_THAT(e.what(), HasSubstr("map.png")); }
   }
 }
 
@@ -353,12 +360,14 @@ TEST(ReadMap, MissingFileUnknownSuffixAndBadOptions) {
   EXPECT_EQ(complaint([] { read_map("no/such.yaml"); }), "no such file: 'no/such.yaml'");
   const TemporaryFolder folder;
   write_file(folder.file("a.dwg"), "x");
-  EXPECT_EQ(complaint([&] { read_map(folder.file("a.dwg")); }),
-            folder.file("a.dwg") + ": unknown kind of map '.dwg', expected one of: .yaml, .yml, .geojson, .json, .png, .pgm");
+  EXPECT_EQ(
+      complaint([&] { read_map(folder.file("a.dwg")); }),
+      folder.file("a.dwg") + ": unknown kind of map '.dwg', expected one of: .yaml, .yml, .geojson, .json, .png, .pgm");
   EXPECT_THAT(complaint([&] { read_map(folder.path().string()); }), HasSubstr("it is a folder"));
   ReadOptions options;
   options.simplify_m = std::nan("");
-  EXPECT_EQ(complaint([&] { read_map(sample("small.yaml"), options); }), "simplify is nan, expected metres of at least 0");
+  EXPECT_EQ(complaint([&] { read_map(sample("small.yaml"), options); }),
+            "simplify is nan, expected metres of at least 0");
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST(Turns, StraightPiecesSampledFinely) {
 }
 
 TEST(Mission, StraightLines) {
-  EXPECT_NEAR(mission({{0, 0}, {10, 0}}), 10 / 0.5 + 1, 1e-9);           // ramps of 1 s cost half of it each
+  EXPECT_NEAR(mission({{0, 0}, {10, 0}}), 10 / 0.5 + 1, 1e-9);               // ramps of 1 s cost half of it each
   EXPECT_NEAR(mission({{0, 0}, {0.1, 0}}), 2 * std::sqrt(0.1 / 0.5), 1e-9);  // never reaches full speed
   EXPECT_EQ(mission({{0, 0}, {0, 0}}), 0);
   EXPECT_NEAR(mission({{0, 0}, {1, 0}, {4, 0}, {10, 0}}), 21, 1e-9);
@@ -132,7 +132,8 @@ TEST(Mission, SamplingHardlyMatters) {
   for (const double r : {0.1, 0.2, 0.5, 2.0}) {
     SCOPED_TRACE(r);
     const double fine = mission(rounded_rectangle(9, 6, r, 0.0005));
-    for (const double share : {1.0, 0.3, 0.1, 0.01}) EXPECT_NEAR(mission(rounded_rectangle(9, 6, r, share)), fine, 0.01 * fine);
+    for (const double share : {1.0, 0.3, 0.1, 0.01})
+      EXPECT_NEAR(mission(rounded_rectangle(9, 6, r, share)), fine, 0.01 * fine);
   }
   const double fine = mission(spiral(0.1, 0.06, 8, 0.0005));
   for (const double share : {1.0, 0.1, 0.01}) EXPECT_NEAR(mission(spiral(0.1, 0.06, 8, share)), fine, 0.01 * fine);

@@ -17,9 +17,10 @@ TEST(Score, ColumnsOfTheDesign) {
     EXPECT_FALSE(m->help.empty());
     EXPECT_FALSE(m->unit.empty());
   }
-  const std::vector<std::string> design{
-      "coverage", "coverage_lower", "coverage_upper", "coverage_of_free", "target_m2", "path_m", "work_m", "transit_m",
-      "length_ratio", "overlap", "revisits", "turns", "turn_rad", "clearance_m", "mission_s"};
+  const std::vector<std::string> design{"coverage",     "coverage_lower", "coverage_upper", "coverage_of_free",
+                                        "target_m2",    "path_m",         "work_m",         "transit_m",
+                                        "length_ratio", "overlap",        "revisits",       "turns",
+                                        "turn_rad",     "clearance_m",    "mission_s"};
   EXPECT_EQ(names, design);
 }
 
@@ -88,7 +89,8 @@ TEST(Score, NothingToDivideByIsEmpty) {
   EXPECT_EQ(still.value("mission_s").value(), 0);
   const Score off = score(p, Path{{Leg{false, {{1, 1}, {5, 1}}}}});
   EXPECT_EQ(off.flaw, "");
-  EXPECT_EQ(off.value("coverage_upper").value(), off.value("coverage_lower").value() + off.value("coverage_upper").value());
+  EXPECT_EQ(off.value("coverage_upper").value(),
+            off.value("coverage_lower").value() + off.value("coverage_upper").value());
   EXPECT_FALSE(off.value("overlap").has_value());
   const Score jump = score(p, Path{{Leg{true, {{1, 1}, {5, 1}}}, Leg{true, {{1, 5}, {1, 7}}}}});
   EXPECT_FALSE(jump.value("length_ratio").has_value()) << "a path that teleports has no least length";
@@ -105,9 +107,7 @@ TEST(Score, LengthRatioNeverBelowOne) {
     if (!ratio) continue;
     ++measured;
     EXPECT_GE(*ratio, 1) << k;
-    if (k % 5 == 0) {
-      EXPECT_NEAR(*ratio, 1, k > 10 ? 0.02 : 1) << k;
-    }
+    if (k % 5 == 0) { EXPECT_NEAR(*ratio, 1, k > 10 ? 0.02 : 1) << k; }
   }
   EXPECT_GT(measured, 100);
 }

@@ -7,7 +7,9 @@
 namespace oxturn {
 namespace {
 
-struct Counts { double target = 0, covered = 0, visits = 0, swept = 0, legs = 0; };  // m^2
+struct Counts {
+  double target = 0, covered = 0, visits = 0, swept = 0, legs = 0;
+};  // m^2
 
 /// Visits of one point: follows the path in time, segment by segment, by the roots of |p(t) - x| = r.
 int visits_of(const Path& path, const Point& x, double r) {

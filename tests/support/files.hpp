@@ -35,9 +35,7 @@ template <class Action>
 std::string complaint(Action action) {
   try {
     action();
-  } catch (const std::exception& e) {
-    return e.what();
-  }
+  } catch (const std::exception& e) { return e.what(); }
   return "";
 }
 

@@ -1,0 +1,127 @@
+// Every planner of the zoo on the degenerate set: a valid path or a clear refusal, never a crash; planners that promise
+// the whole target cover it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "algorithms/coverage_planner.hpp"
+#include "geometry/boolean.hpp"
+#include "metrics/score.hpp"
+
+namespace oxturn {
+namespace {
+
+struct Case {
+  std::string name;
+  Region free;
+  Robot robot;
+  std::optional<Point> start;
+};
+
+Region with_hole(Region region, Ring hole) {
+  region.polygons.front().holes.push_back(std::move(hole));
+  return region;
+}
+
+Robot sized(double scale) {
+  Robot robot;
+  robot.radius = 0.2 * scale;
+  robot.tool_width = 0.4 * scale;
+  return robot;
+}
+
+Region many_collinear() {
+  Ring ring;
+  const auto side = [&](const Point& a, const Point& b) {
+    for (int k = 0; k < 2500; ++k) ring.push_back(lerp(a, b, k / 2500.0));
+  };
+  side({0, 0}, {5, 0});
+  side({5, 0}, {5, 4});
+  side({5, 4}, {0, 4});
+  side({0, 4}, {0, 0});
+  return {{{ring, {}}}};
+}
+
+// Two rooms and a door of the given width between them.
+Region rooms_with_door(double width) {
+  return unite(
+      {box_region({0, 0}, {3, 4}), box_region({3.2, 0}, {6, 4}), box_region({3, 2 - width / 2}, {3.2, 2 + width / 2})});
+}
+
+std::vector<Case> cases() {
+  const Region room = box_region({0, 0}, {5, 4});
+  return {
+      {"the robot just fits", box_region({0, 0}, {0.41, 0.41}), sized(1), {}},
+      {"one tool wide", box_region({0, 0}, {0.5, 6}), sized(1), {}},
+      {"corridor a thousandth wider than the robot", box_region({0, 0}, {6, 0.402}), sized(1), {}},
+      {"side no multiple of the tool", box_region({0, 0}, {3.33, 2.77}), sized(1), {}},
+      {"door exactly as wide as the robot", rooms_with_door(0.4), sized(1), Point(1, 1)},
+      {"door a billionth wider than the robot", rooms_with_door(0.4 * (1 + 1e-9)), sized(1), Point(1, 1)},
+      {"door wide enough", rooms_with_door(0.45), sized(1), Point(1, 1)},
+      {"pillar thinner than the tool", with_hole(room, {{2, 2}, {2, 2.05}, {2.05, 2.05}, {2.05, 2}}), sized(1), {}},
+      {"hole that touches the wall in a point", with_hole(room, {{0, 2}, {1, 2.5}, {1, 1.5}}), sized(1), {}},
+      {"hole that shares a wall", with_hole(room, {{0, 1}, {0, 2}, {1, 2}, {1, 1}}), sized(1), {}},
+      {"two holes that touch",
+       with_hole(with_hole(room, {{1, 1}, {1, 2}, {2, 2}, {2, 1}}), {{2, 2}, {2, 3}, {3, 3}, {3, 2}}),
+       sized(1),
+       {}},
+      {"spike in the wall", {{{{{0, 0}, {5, 0}, {5, 2}, {7, 2}, {5, 2}, {5, 4}, {0, 4}}, {}}}}, sized(1), {}},
+      {"ten thousand collinear corners", many_collinear(), sized(1), {}},
+      {"a million metres off", transformed(room, 0.3, {1e6, -1e6}), sized(1), {}},
+      {"a millimetre large", box_region({0, 0}, {5e-3, 4e-3}), sized(1e-3), {}},
+      {"disconnected free space", unite({room, box_region({7, 0}, {9, 4})}), sized(1), Point(1, 1)},
+      {"tool narrower than the robot",
+       room,
+       [] {
+         Robot r = sized(1);
+         r.tool_width = 0.25;
+         return r;
+       }(),
+       {}},
+      {"tool wider than the robot",
+       room,
+       [] {
+         Robot r = sized(1);
+         r.tool_width = 0.7;
+         return r;
+       }(),
+       {}},
+      {"robot without extent",
+       room,
+       [] {
+         Robot r = sized(1);
+         r.radius = 0;
+         return r;
+       }(),
+       {}},
+  };
+}
+
+class Degenerate : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(Degenerate, ValidPathOrClearRefusal) {
+  const Case c = cases()[GetParam()];
+  const Problem problem({c.name, c.free, "test", "test"}, c.robot, c.start);
+  for (const PlannerInfo& planner : zoo())
+    for (const Settings& settings :
+         {Settings{}, planner.name == "boustrophedon" ? Settings{{"cells", std::string("exact")}} : Settings{}}) {
+      SCOPED_TRACE(fmt::format("{} on '{}'", planner.name, c.name));
+      const bool promises_all = planner.name == "boustrophedon" || planner.name == "zigzag";
+      Context context(1);
+      Path path;
+      try {
+        path = planner.make(settings)->plan(problem, context);
+      } catch (const Infeasible& refusal) {
+        EXPECT_FALSE(promises_all) << refusal.what();
+        continue;
+      }
+      const Score result = score(problem, path);
+      EXPECT_EQ(result.flaw, "");
+      if (const auto ratio = result.value("length_ratio")) EXPECT_GE(*ratio, 1);
+      if (promises_all) EXPECT_GE(result.value("coverage_lower").value_or(0), 0.99);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Set, Degenerate, testing::Range(std::size_t{0}, cases().size()));
+
+}  // namespace
+}  // namespace oxturn
