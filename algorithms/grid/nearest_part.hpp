@@ -1,24 +1,25 @@
-// The nearest of many parts by driven way: entry points in a grid, tried in order of straight distance until no
-// straight distance can beat the best way found.
+// The nearest of many parts by driven way.
 //
-// Complexity  add O(1); a question looks at rings of grid cells around the robot, and asks for a shortest path only
-//             for a part's points that could still win.
+// A wave runs from the robot over the triangles of the transit mesh (Dijkstra over the middles of their sides) until it
+// has met entry points of a few parts; shortest paths to these decide. So a question costs what lies nearer than the
+// answer, not all parts: behind a wall thousands may be near in the air.
+//
+// Complexity  add O(1); a question O(t log t) for t triangles nearer than the answer, and a handful of shortest paths
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
-#include "geometry/shortest_path.hpp"
+#include "maps/problem.hpp"
 
 namespace oxturn {
 
 class NearestPart {
  public:
-  explicit NearestPart(const ShortestPaths& paths) : paths_(paths) {}
-  /// An entry point of a part; `id` is the caller's.
-  void add(const Point& p, int part, std::size_t id) { entries_.push_back({p, part, id}); }
+  explicit NearestPart(const Problem& problem);
+  /// An entry point of a part, in configuration space; `id` is the caller's.
+  void add(const Point& p, int part, std::size_t id);
   /// The part is done: its points no longer count.
   void drop(int part);
 
@@ -26,8 +27,8 @@ class NearestPart {
     std::size_t id;
     Polyline way;  // from the asking point to the entry, both included
   };
-  /// nullopt if nothing that is left can be reached. Ties: the entry added first.
-  std::optional<Found> from(const Point& p) const;
+  /// nullopt if nothing that is left can be reached. Not safe from several threads.
+  std::optional<Found> from(const Point& p);
 
  private:
   struct Entry {
@@ -35,19 +36,21 @@ class NearestPart {
     int part;
     std::size_t id;
   };
-  void index() const;
+  struct Reached {
+    double distance = 0;
+    std::uint32_t stamp = 0;
+  };
   bool dropped(int part) const {
     return static_cast<std::size_t>(part) < dropped_.size() && dropped_[static_cast<std::size_t>(part)];
   }
-  const ShortestPaths& paths_;
-  mutable std::vector<Entry> entries_;
+  const Entry* nearest_in(std::size_t triangle, const Point& to);
+
+  const Problem& problem_;
+  const Mesh& mesh_;
+  std::vector<std::vector<Entry>> entries_;  // by triangle
   std::vector<bool> dropped_;
-  std::size_t gone_ = 0;
-  mutable std::size_t indexed_ = 0;
-  mutable Box box_;
-  mutable double cell_ = 1;
-  mutable int columns_ = 0, rows_ = 0;
-  mutable std::vector<std::uint32_t> first_, items_;
+  std::vector<Reached> reached_;  // by triangle
+  std::uint32_t stamp_ = 0;
 };
 
 }  // namespace oxturn

@@ -70,7 +70,7 @@ class Cleaner {
       drivable.push_back(r);
       starts.push_back(*start);
     }
-    NearestPart nearest(problem_.transit());
+    NearestPart nearest(problem_);
     if (p_.choose == "nearest")
       for (std::size_t k = 0; k < drivable.size(); ++k)
         nearest.add(node(starts[k].column, starts[k].low), static_cast<int>(k), k);
@@ -192,7 +192,7 @@ class Cleaner {
           open.push_back({i, j, end});
           j = end;
         }
-    NearestPart nearest(problem_.transit());
+    NearestPart nearest(problem_);
     for (std::size_t k = 0; k < open.size(); ++k)
       for (const bool up : {true, false})
         nearest.add(node(open[k].column, up ? open[k].low : open[k].high), static_cast<int>(k), 2 * k + (up ? 0 : 1));

@@ -223,7 +223,7 @@ class Stc final : public CoveragePlanner {
     const std::vector<int> part = parts_of(cells, count);
     if (count == 0) throw Infeasible("no coarse cell of twice the cell size fits; a smaller cell_size may");
 
-    NearestPart nearest(problem.transit());
+    NearestPart nearest(problem);
     for (std::size_t c = 0; c < cells.size(); ++c)
       if (part[c] >= 0 && on_rim(cells, c))
         for (int k = 0; k < 4; ++k)
@@ -257,7 +257,7 @@ class Stc final : public CoveragePlanner {
   }
   // The start may stand in the middle of a part: there the sub-cell under the robot is nearest.
   static std::optional<NearestPart::Found> next_part(const Problem& problem, const GridGraph& fine, const Coarse& cells,
-                                                     const std::vector<int>& part, const NearestPart& nearest,
+                                                     const std::vector<int>& part, NearestPart& nearest,
                                                      const Point& from, bool first) {
     if (first) {
       const Point at = fine.coordinates(from);
