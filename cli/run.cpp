@@ -36,7 +36,13 @@ int run(const Options& options) {
   SweepOptions sweep_options = options.sweep;
   sweep_options.progress = !options.quiet;
   sweep_options.command_line = command_line();
-  const Results results = sweep(suite, zoo(), sweep_options);
+  Results results;
+  try {
+    results = sweep(suite, zoo(), sweep_options);
+  } catch (const Interrupted& interrupted) {  // not done, but no bad input either
+    fmt::print(stderr, "oxturn: {}\n", interrupted.what());
+    return 1;
+  }
   write_report(results, sweep_options.folder);
   const std::filesystem::path folder = sweep_options.folder;
   fmt::print("{}\ntable     {}\nrows      {}\npictures  {}\n", comparison_table(results),

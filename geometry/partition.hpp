@@ -10,7 +10,8 @@ namespace oxturn {
 
 /// Least number of convex parts that use the region's own corners (Greene 1983, by CGAL). A polygon with holes or
 /// repeated corners is first cut by a few diagonals into simple pieces; the parts are the fewest for each piece (for
-/// the whole that is NP-hard). About cubic: throws std::invalid_argument above `most_corners`.
+/// the whole that is NP-hard). About cubic: throws std::invalid_argument above `most_corners`, std::runtime_error where
+/// CGAL 5.5 returns something that is no convex partition (it happens where corners line up).
 std::vector<Ring> convex_partition_optimal(const Region& region, std::size_t most_corners = 150);
 /// At most four times the least number: triangulate, then drop every diagonal that convexity does not need
 /// (Hertel & Mehlhorn 1983). Holes need no bridges. O(n log n).

@@ -96,14 +96,21 @@ std::vector<Part> cut_into_parts(const Region& region, const std::string& partit
                     "has {}; use partition 'approximate'",
                     kMostConvex, corners));
   std::vector<Ring> rings;
-  if (partition == "monotone")
+  if (partition == "monotone") {
     rings = monotone_partition(region);
-  else if (partition == "trapezoid")
+  } else if (partition == "trapezoid") {
     rings = trapezoid_partition(region);
-  else if (partition == "convex" || (partition == "auto" && corners <= kMostConvex))
+  } else if (partition == "convex") {
     rings = convex_partition_optimal(region);
-  else
+  } else if (partition == "auto" && corners <= kMostConvex) {
+    try {
+      rings = convex_partition_optimal(region);
+    } catch (const std::runtime_error&) {  // CGAL finds none now and then (partition.hpp): what auto is for
+      rings = convex_partition_approximate(region);
+    }
+  } else {
     rings = convex_partition_approximate(region);
+  }
   std::vector<Part> parts;
   for (Ring& ring : rings) {
     const double a = signed_area(ring);

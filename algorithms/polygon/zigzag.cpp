@@ -321,7 +321,7 @@ PlannerInfo zigzag() {
            {"partition",
             &Params::partition,
             {"auto", "convex", "approximate", "monotone", "trapezoid", "none"},
-            "parts; auto: convex up to 150 corners, else approximate; none: every line by itself"},
+            "parts; auto: convex up to 150 corners if CGAL finds one, else approximate; none: every line by itself"},
            {"margin", &Params::margin, Range{0, 100}, "metres that lines keep off walls; 0: half the tool width"},
            {"sweep", &Params::sweep, {"best", "given"}, "direction of lines: least sum of widths, or `angle`"},
            {"angle", &Params::angle, Range{-360, 360}, "degrees, lines' direction if sweep is given"},

@@ -224,5 +224,31 @@ TEST(Partition, NothingGivesNothing) {
   EXPECT_TRUE(bridged(Region{}).empty());
 }
 
+// Regression: CGAL 5.5 gave a part that crosses itself for this ring, and only some builds noticed.
+TEST(ConvexOptimal, NeverReturnsAPartThatIsNotConvex) {
+  const Ring ring{{0.392, 3.608},   {0.392, 0.392},   {3.608, 0.392}, {3, 1.608},       {2.392, 1.608},   {2.392, 1},
+                  {2.2772, 0.7228}, {2, 0.608},       {1, 0.608},     {0.7228, 0.7228}, {0.608, 1},       {0.608, 2},
+                  {0.7228, 2.2772}, {1, 2.392},       {1.608, 2.392}, {1.608, 3},       {1.7228, 3.2772}, {2, 3.392},
+                  {3, 3.392},       {3.2772, 3.2772}, {3.392, 3},     {3.608, 3.608}};
+  for (std::size_t first = 0; first < ring.size(); ++first) {
+    SCOPED_TRACE(first);
+    Ring turned(ring);
+    std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(first), turned.end());
+    std::vector<Ring> parts;
+    try {
+      parts = convex_partition_optimal({{{turned, {}}}});
+    } catch (const std::runtime_error&) {
+      continue;  // said, not hidden
+    }
+    double sum = 0;
+    for (const Ring& part : parts) {
+      sum += signed_area(part);
+      for (std::size_t i = 0; i < part.size(); ++i)
+        EXPECT_GE(orientation(part[i], part[(i + 1) % part.size()], part[(i + 2) % part.size()]), 0);
+    }
+    EXPECT_NEAR(sum, signed_area(ring), 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace oxturn
