@@ -31,6 +31,8 @@ struct Column {
   bool timing = false;  // differs from run to run: plan_wall_s, plan_cpu_s, peak_rss_bytes, score_s
 };
 const std::vector<Column>& columns();
+/// The same as JSON text: what columns.json holds.
+std::string columns_json();
 
 /// One line of runs.csv, by column name. A missing name is an empty cell.
 struct Row {

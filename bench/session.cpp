@@ -40,20 +40,6 @@ std::string whole_lines(const std::string& text) {
   return text.substr(0, end);
 }
 
-Json columns_json() {
-  Json all = Json::array();
-  for (const Column& c : columns()) {
-    all.push_back({{"name", c.name},
-                   {"type", c.type},
-                   {"unit", c.unit},
-                   {"better", c.better},
-                   {"help", c.help},
-                   {"empty", c.empty},
-                   {"timing", c.timing}});
-  }
-  return all;
-}
-
 std::string host_name() {
   char name[256] = {};
   return ::gethostname(name, sizeof name - 1) == 0 ? name : "";
@@ -170,7 +156,21 @@ void Session::describe(const Suite& suite, const SweepOptions& options, const st
                               {"jobs", options.jobs},
                               {"command_line", options.command_line}});
   write_file(file, dump(json));
-  write_file(folder_ + "/columns.json", dump(columns_json()));
+  write_file(folder_ + "/columns.json", columns_json());
+}
+
+std::string columns_json() {
+  Json all = Json::array();
+  for (const Column& c : columns()) {
+    all.push_back({{"name", c.name},
+                   {"type", c.type},
+                   {"unit", c.unit},
+                   {"better", c.better},
+                   {"help", c.help},
+                   {"empty", c.empty},
+                   {"timing", c.timing}});
+  }
+  return dump(all);
 }
 
 }  // namespace oxturn

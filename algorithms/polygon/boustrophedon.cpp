@@ -252,12 +252,6 @@ class Boustrophedon final : public CoveragePlanner {
       const Field field{frame, turned, room, step, w, 2 * problem.tolerance()};
       const std::vector<Strip> strips =
           p_.cells == "exact" ? exact_strips(field, p_.outline, context) : slab_strips(field);
-      if (context.wants_traces()) {
-        std::vector<Polyline> lanes;
-        for (const Strip& s : strips)
-          for (const LaneEnds& l : s.lanes) lanes.push_back({l.low, l.high});
-        context.trace("lanes", std::move(lanes));
-      }
       path = drive_strips(problem, strips, p_.order, connector, context);
     }
     if (p_.outline && !context.cancelled()) {

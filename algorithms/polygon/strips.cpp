@@ -74,6 +74,12 @@ std::vector<Piece> pieces_of(const Strip& strip, std::size_t pattern, double lon
 
 Path drive_strips(const Problem& problem, const std::vector<Strip>& strips, const std::string& order,
                   const Connector& connector, Context& context) {
+  if (context.wants_traces()) {
+    std::vector<Polyline> lanes;
+    for (const Strip& s : strips)
+      for (const LaneEnds& l : s.lanes) lanes.push_back({l.low, l.high});
+    context.trace("lanes", std::move(lanes));
+  }
   std::vector<TourElement> elements;
   std::vector<std::vector<std::size_t>> neighbours;
   for (const Strip& s : strips) {

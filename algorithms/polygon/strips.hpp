@@ -31,6 +31,7 @@ struct Strip {
 
 /// Order: "dfs", "nearest" or "improved". Drives all strips from the problem's start; links within a strip have the
 /// tool on if they are at most 3 tool widths long, all else between lanes is transit.
+/// Traces "lanes".
 Path drive_strips(const Problem& problem, const std::vector<Strip>& strips, const std::string& order,
                   const Connector& connector, Context& context);
 

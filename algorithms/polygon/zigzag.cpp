@@ -278,12 +278,6 @@ class Zigzag final : public CoveragePlanner {
           }
         }
       }
-      if (context.wants_traces()) {
-        std::vector<Polyline> lines;
-        for (const Strip& s : strips)
-          for (const LaneEnds& l : s.lanes) lines.push_back({l.low, l.high});
-        context.trace("lanes", std::move(lines));
-      }
       path = drive_strips(problem, strips, p_.order, connector, context);
     }
     if (p_.outline && !context.cancelled()) {
