@@ -15,10 +15,10 @@ p { margin: .2rem 0 1rem; max-width: 60rem; color: #555; }
 .scroll { overflow-x: auto; }
 table { border-collapse: separate; border-spacing: .5rem; }
 thead th { position: sticky; top: 0; background: #f6f7f8; font-weight: 600; padding: .3rem; z-index: 1; }
-tbody th { text-align: left; vertical-align: top; padding: .4rem .6rem .4rem 0; max-width: 12rem;
-           overflow-wrap: anywhere; }
+tbody th { text-align: left; vertical-align: top; padding: .4rem .6rem .4rem 0; min-width: 6rem; max-width: 12rem;
+           overflow-wrap: break-word; }
 td { vertical-align: top; padding: 0; }
-figure { margin: 0 0 .5rem; width: 20rem; background: #fff; border: 1px solid #d8dbdf; border-radius: 4px;
+figure { margin: 0 0 .5rem; width: 17rem; background: #fff; border: 1px solid #d8dbdf; border-radius: 4px;
          overflow: hidden; }
 figure img { display: block; width: 100%; height: auto; }
 .none { display: flex; align-items: center; justify-content: center; height: 8rem; background: #eceef0;
