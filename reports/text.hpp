@@ -9,7 +9,6 @@
 
 namespace oxturn {
 
-std::string escape_html(const std::string& text);
 /// For a cell of a Markdown table: pipes, line breaks, angle brackets and emphasis lose their meaning.
 std::string escape_markdown(const std::string& text);
 /// For a relative link: everything but letters, digits and -._~/ as %XX.

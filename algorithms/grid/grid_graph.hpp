@@ -77,8 +77,8 @@ struct GridSettings {
 /// A lattice over the problem's configuration space with `multiple` x `multiple` cells to a block; columns and rows
 /// are whole numbers of blocks. Unshifted, the first cell centres stand on the lower left edges of configuration
 /// space: the closest that the robot gets to a wall (with cells as wide as the robot that is the grid aligned to the
-/// map's bounding box); `margin` adds so many cells on every
-/// side. Cells shrink by up to 1/1000 of their side where a whole number of them then spans the room. Throws std::invalid_argument if that makes more than 10^8 cells.
+/// map's bounding box); `margin` adds so many cells on every side. Cells shrink by up to 1/1000 of their side where a
+/// whole number of them then spans the room. Throws std::invalid_argument if that makes more than 10^8 cells.
 GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, double side, int multiple,
                           int margin = 0);
 

@@ -30,26 +30,6 @@ constexpr int kPieces = 480;
 constexpr double kMargin = 12;  // pixels
 constexpr double kFooter = 34;  // pixels, for the scale bar
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const auto u = static_cast<unsigned char>(c);
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (u < 0x20)
-      out += ' ';  // control characters are not allowed in XML
-    else
-      out += c;
-  }
-  return out;
-}
-
 /// Hundredths of a pixel as a decimal: 1250 -> "12.5".
 void append_hundredths(std::string& out, std::int64_t h) {
   if (h < 0) {
@@ -219,7 +199,7 @@ void append_traces(std::string& out, const View& view, const std::vector<Trace>&
     out += fmt::format(
         "<g id=\"{0}\" fill=\"none\" stroke=\"#7a3fa8\" stroke-width=\"1\" stroke-opacity=\"0.7\">"
         "<title>{0}</title><path d=\"{1}\"/></g>\n",
-        escaped(trace.name), data.take());
+        escape_xml(trace.name), data.take());
   }
 }
 
@@ -259,7 +239,7 @@ std::string head(const View& view, const std::string& name, const Region& free) 
       "<title>{2}</title>\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n"
       "<rect width=\"{0}\" height=\"{3}\" fill=\"#9aa1a9\"/>\n",
-      w, h, escaped(name), px(view.height));
+      w, h, escape_xml(name), px(view.height));
   out += fmt::format(
       "<path id=\"free\" fill=\"#fff\" fill-rule=\"evenodd\" stroke=\"#4a5057\" stroke-width=\"0.8\" d=\"{}\"/>\n",
       region_data(view, free));
@@ -323,6 +303,27 @@ Path drawable(const Path& path) {
 }
 
 }  // namespace
+
+std::string escape_xml(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else if (c == '\'')
+      out += "&#39;";
+    else if (static_cast<unsigned char>(c) < 0x20)
+      out += ' ';  // control characters are not allowed in XML
+    else
+      out += c;
+  }
+  return out;
+}
 
 std::string to_svg(const Problem& problem, const Path* path, const PictureOptions& options) {
   const View view(bounding_box(problem.map().free), options.width_px);

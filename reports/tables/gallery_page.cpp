@@ -1,6 +1,7 @@
 // gallery.html: the pictures side by side.
 #include <fmt/format.h>
 
+#include "maps/formats/svg.hpp"
 #include "reports/tables/tables.hpp"
 #include "reports/text.hpp"
 
@@ -34,19 +35,19 @@ figcaption { padding: .4rem .6rem; font-size: .85rem; font-variant-numeric: tabu
 std::string figure(const Row& row, const Pictures& pictures, bool show_repeat) {
   const std::string outcome = to_text(row.outcome());
   const std::string label = row.get("variant") + " on " + row.get("map") + ": " + outcome;
-  std::string out = fmt::format("<figure id=\"{}\">", escape_html(row.get("run_id")));
+  std::string out = fmt::format("<figure id=\"{}\">", escape_xml(row.get("run_id")));
   if (const auto it = pictures.find(row.get("run_id")); it != pictures.end()) {
-    const std::string link = escape_html(escape_url(it->second));
-    out += fmt::format("<a href=\"{0}\"><img loading=\"lazy\" src=\"{0}\" alt=\"{1}\"></a>", link, escape_html(label));
+    const std::string link = escape_xml(escape_url(it->second));
+    out += fmt::format("<a href=\"{0}\"><img loading=\"lazy\" src=\"{0}\" alt=\"{1}\"></a>", link, escape_xml(label));
   } else {
     out += "<div class=\"none\">no path</div>";
   }
   out += fmt::format("<figcaption><span class=\"badge {0}\">{0}</span>", outcome);
   if (const auto c = row.number("coverage")) out += fmt::format(" coverage {:.4f}", *c);
   if (const auto r = row.number("length_ratio")) out += fmt::format(" &middot; ratio {:.3f}", *r);
-  if (show_repeat) out += " &middot; repeat " + escape_html(row.get("repeat"));
+  if (show_repeat) out += " &middot; repeat " + escape_xml(row.get("repeat"));
   if (row.outcome() != Outcome::ok && !row.get("reason").empty())
-    out += "<span class=\"reason\">" + escape_html(row.get("reason")) + "</span>";
+    out += "<span class=\"reason\">" + escape_xml(row.get("reason")) + "</span>";
   return out + "</figcaption></figure>\n";
 }
 
@@ -63,11 +64,11 @@ std::string gallery_page(const Results& results, const Pictures& pictures) {
       "What is still sand-coloured could have been covered and was not. Click for the full size; "
       "the figures are in <a href=\"report.md\">report.md</a>.</p>\n"
       "<div class=\"scroll\"><table>\n<thead><tr><th></th>",
-      escape_html(suite), kStyle);
-  for (const RowGroup& variant : variants) out += "<th scope=\"col\">" + escape_html(variant.title) + "</th>";
+      escape_xml(suite), kStyle);
+  for (const RowGroup& variant : variants) out += "<th scope=\"col\">" + escape_xml(variant.title) + "</th>";
   out += "</tr></thead>\n<tbody>\n";
   for (const RowGroup& map : by_map(results)) {
-    out += "<tr><th scope=\"row\">" + escape_html(map.title) + "</th>\n";
+    out += "<tr><th scope=\"row\">" + escape_xml(map.title) + "</th>\n";
     for (const RowGroup& variant : variants) {
       std::vector<const Row*> cell;
       for (const Row* row : map.rows)

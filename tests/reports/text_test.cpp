@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "maps/formats/svg.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -14,7 +16,7 @@ TEST(Text, MedianOfOddEvenAndNone) {
 }
 
 TEST(Text, HtmlKeepsNothingThatCouldBeATag) {
-  EXPECT_EQ(escape_html("<b a=\"1\" c='2'>&"), "&lt;b a=&quot;1&quot; c=&#39;2&#39;&gt;&amp;");
+  EXPECT_EQ(escape_xml("<b a=\"1\" c='2'>&"), "&lt;b a=&quot;1&quot; c=&#39;2&#39;&gt;&amp;");
 }
 
 TEST(Text, MarkdownCellsStayOneCell) {
