@@ -1,5 +1,8 @@
 // What a planner is given besides the problem: randomness, time, and a way to be heard.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "algorithms/coverage_planner.hpp"
@@ -48,6 +51,14 @@ void Context::trace(std::string name, const Region& region) {
     lines.back().push_back(ring.front());
   });
   trace(std::move(name), std::move(lines));
+}
+
+void Context::report(const std::string& name, double value) {
+  const auto good = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), good))
+    throw std::invalid_argument(
+        fmt::format("a report is named '{}', expected small letters, digits and underscores", name));
+  if (sinks_.report) sinks_.report(name, value);
 }
 
 }  // namespace oxturn

@@ -32,6 +32,7 @@ class Context {
     std::function<void(const Path&)> publish;
     std::function<void(double)> progress;
     std::function<void(const Trace&)> trace;
+    std::function<void(const std::string&, double)> report;
   };
   using Clock = std::chrono::steady_clock;
   explicit Context(std::uint64_t seed = 1, double wall_s = 1e9, Sinks sinks = {});
@@ -49,6 +50,9 @@ class Context {
   void trace(std::string name, std::vector<Polyline> lines);
   void trace(std::string name, const Region& region);
   bool wants_traces() const { return static_cast<bool>(sinks_.trace); }
+  /// A figure of the run that the path does not show ("explored_share"): a row of metrics.csv. Not to be confused with
+  /// metrics/, which judge the path. Throws std::invalid_argument for a name that is not [a-z0-9_]+.
+  void report(const std::string& name, double value);
 
  private:
   Rng rng_;
@@ -73,6 +77,8 @@ struct PlannerInfo {
   std::string guarantee;
   std::vector<ParameterInfo> parameters;
   std::function<std::unique_ptr<CoveragePlanner>(const Settings&)> make;  // checks the settings
+  /// For planners that run another one: what more there is to set, once the settings say which. Empty for most.
+  std::function<std::vector<ParameterInfo>(const Settings&)> more_parameters = {};
   bool has(Capability capability) const;
 };
 
@@ -86,12 +92,15 @@ struct Description {
 };
 template <class Planner, class P>
 PlannerInfo describe(Description<P> d) {
-  PlannerInfo info{d.name, d.family, d.title, d.citation, d.capabilities, d.guarantee, to_infos(d.parameters), {}};
+  PlannerInfo info{d.name, d.family, d.title, d.citation, d.capabilities, d.guarantee, to_infos(d.parameters), {}, {}};
   info.make = [owner = "planner '" + d.name + "'", lines = std::move(d.parameters)](const Settings& s) {
     return std::make_unique<Planner>(with_settings<P>(owner, lines, s));
   };
   return info;
 }
+
+/// All parameters that the planner takes beside these settings. Throws as `make` does if they name a planner that is none.
+std::vector<ParameterInfo> parameters_of(const PlannerInfo& planner, const Settings& settings);
 
 /// Why this planner cannot take this problem at all ("planner 'stc' has no capability 'tether'"), or "".
 std::string missing_capability(const PlannerInfo& planner, const Problem& problem);

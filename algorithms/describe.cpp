@@ -27,6 +27,15 @@ bool PlannerInfo::has(Capability capability) const {
   return std::find(capabilities.begin(), capabilities.end(), capability) != capabilities.end();
 }
 
+std::vector<ParameterInfo> parameters_of(const PlannerInfo& planner, const Settings& settings) {
+  std::vector<ParameterInfo> all = planner.parameters;
+  if (planner.more_parameters) {
+    const std::vector<ParameterInfo> more = planner.more_parameters(settings);
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
+}
+
 std::string missing_capability(const PlannerInfo& planner, const Problem& problem) {
   const auto lacks = [&](Capability capability, const char* why) {
     return fmt::format("planner '{}' has no capability '{}', which {}", planner.name, to_text(capability), why);

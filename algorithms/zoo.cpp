@@ -7,6 +7,13 @@ PlannerInfo boustrophedon();
 PlannerInfo zigzag();
 PlannerInfo stc();
 PlannerInfo rectangles();
+PlannerInfo leashed();
+PlannerInfo berg();
+PlannerInfo berg_complete();
+PlannerInfo shnaps_rimon();
+PlannerInfo shnaps_rimon_banded();
+PlannerInfo tether_tree();
+PlannerInfo tethered_stc();
 
 const std::vector<PlannerInfo>& zoo() {
   static const std::vector<PlannerInfo> planners{
@@ -14,6 +21,13 @@ const std::vector<PlannerInfo>& zoo() {
       zigzag(),
       stc(),
       rectangles(),
+      leashed(),
+      berg(),
+      berg_complete(),
+      shnaps_rimon(),
+      shnaps_rimon_banded(),
+      tether_tree(),
+      tethered_stc(),
   };
   return planners;
 }

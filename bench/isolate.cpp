@@ -181,6 +181,11 @@ class Supervisor {
       case frames::kTrace:
         planned_.traces.push_back(wire::trace_from(payload));
         break;
+      case frames::kReported: {
+        const double value = wire::take<double>(payload);
+        planned_.report(std::string(payload), value);
+        break;
+      }
       case frames::kProgressed:
         if (options_.progress) options_.progress(wire::take<double>(payload));
         break;
@@ -238,6 +243,15 @@ class Supervisor {
 };
 
 }  // namespace
+
+void Planned::report(const std::string& name, double value) {
+  for (auto& [known, old] : reports)
+    if (known == name) {
+      old = value;
+      return;
+    }
+  reports.emplace_back(name, value);
+}
 
 void kill_running_planner() {
   if (running_group > 0) ::kill(-static_cast<pid_t>(running_group), SIGKILL);

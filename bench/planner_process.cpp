@@ -125,6 +125,11 @@ void plan_and_send(int fd, const PlannerInfo& planner, const Settings& settings,
       wire::send(fd, frames::kProgressed, message);
     };
   }
+  sinks.report = [fd](const std::string& name, double value) {
+    std::string message;
+    wire::put(message, value);
+    wire::send(fd, frames::kReported, message + name);
+  };
   if (options.traces) sinks.trace = [fd](const Trace& trace) { wire::send(fd, frames::kTrace, wire::pack(trace)); };
 
   const auto made = planner.make(settings);

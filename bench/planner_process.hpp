@@ -16,6 +16,7 @@ inline constexpr char kPublished = 'P';  // path
 inline constexpr char kResult = 'R';     // path
 inline constexpr char kMeasures = 'M';   // wall s, cpu s, growth of resident memory in bytes: plan() is over
 inline constexpr char kTrace = 'T';
+inline constexpr char kReported = 'V';    // value, name: Context::report
 inline constexpr char kProgressed = 'G';  // fraction
 inline constexpr char kFailed = 'X';      // outcome (one byte), text
 inline constexpr char kEnd = 'E';

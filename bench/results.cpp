@@ -49,10 +49,6 @@ Column timing(std::string name, std::string unit, std::string help) {
           "plan() was not called or not finished",
           true};
 }
-// Columns that wait for the tether's metrics: named in the contract, so that files keep their shape.
-Column tether(std::string name, std::string type, std::string unit, std::string better, std::string help) {
-  return {std::move(name), std::move(type), std::move(unit), std::move(better), std::move(help), "no tether"};
-}
 
 std::vector<Column> list_columns() {
   std::vector<Column> all{
@@ -80,13 +76,6 @@ std::vector<Column> list_columns() {
     all.push_back(
         {metric->name, type, metric->unit, to_text(metric->better), metric->help, "no path, or not applicable"});
   }
-  all.push_back(tether("tether_limit_m", "real", "m", "", "length of the robot's tether"));
-  all.push_back(tether("tether_max_m", "real", "m", "lower", "longest taut tether along the path"));
-  all.push_back(tether("tether_bends_max", "integer", "count", "lower", "most corners the tether touches"));
-  all.push_back(tether("tether_angle_min_rad", "real", "rad", "", "least angle between heading and tether"));
-  all.push_back(tether("tether_angle_mean_rad", "real", "rad", "", "mean angle between heading and tether"));
-  all.push_back(tether("tether_sharp_fraction", "real", "1", "lower", "share of the path with too sharp an angle"));
-  all.push_back(tether("tether_crossings", "integer", "count", "lower", "times the robot drives over its tether"));
   all.push_back(timing("plan_wall_s", "s", "time that plan() took"));
   all.push_back(timing("plan_cpu_s", "s", "processor time that plan() took"));
   all.push_back(timing("peak_rss_bytes", "bytes", "growth of resident memory during plan(), at its peak"));

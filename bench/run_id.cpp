@@ -13,15 +13,18 @@ std::string settings_text(const Settings& settings) {
 
 Settings full_settings(const PlannerInfo& planner, const Settings& settings) {
   Settings all = settings;
-  for (const ParameterInfo& parameter : planner.parameters) all.emplace(parameter.name, parameter.fallback);
+  for (const ParameterInfo& parameter : parameters_of(planner, settings))
+    all.emplace(parameter.name, parameter.fallback);
   return all;
 }
 
 std::string run_id(const std::string& map, const std::string& robot, const std::string& problem,
-                   const PlannerInfo& planner, const Settings& settings, std::uint64_t seed, int repeat) {
+                   const PlannerInfo& planner, const Settings& settings, std::uint64_t seed, int repeat,
+                   bool ignore_tether) {
+  Settings all = full_settings(planner, settings);
+  if (ignore_tether) all[kIgnoreTether] = true;
   return sha256(fmt::format("schema 1\nmap {}\nrobot {}\nproblem {}\nplanner {}\nsettings {}\nseed {}\nrepeat {}\n",
-                            map, robot, problem, planner.name, settings_text(full_settings(planner, settings)), seed,
-                            repeat))
+                            map, robot, problem, planner.name, settings_text(all), seed, repeat))
       .substr(0, 16);
 }
 

@@ -62,8 +62,10 @@ Session::Session(const Suite& suite, const SweepOptions& options)
   }
   if (there) take_up(hash);
   std::error_code error;
-  for (const char* sub : {"", "/paths", "/maps", "/logs", "/traces"}) {
+  const bool tethers = std::any_of(suite.robots.begin(), suite.robots.end(), [](const Robot& r) { return r.tether.has_value(); });
+  for (const char* sub : {"", "/paths", "/maps", "/logs", "/traces", "/tethers"}) {
     if (sub == std::string("/traces") && !options.traces) continue;
+    if (sub == std::string("/tethers") && !tethers) continue;
     fs::create_directories(folder_ + sub, error);
     if (error) cannot_write(folder_ + sub, error.value());
   }

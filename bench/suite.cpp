@@ -4,6 +4,8 @@
 //            2. "*" means every planner that is not listed already with the same settings.
 //            3. A setting equal to the default is no setting: `zigzag[margin=0]` and `zigzag` are one variant.
 //            4. Map files are read here, so that a bad one stops the suite at the start.
+//            5. ignore_tether is a key of the suite, not a parameter: it says what the planner is given, and how its path
+//               is judged.
 #include "bench/suite.hpp"
 
 #include <fmt/format.h>
@@ -114,6 +116,10 @@ Robot robot_of(const std::string& file, const std::string& name, const std::vect
       robot.min_turn_radius = number();
     else if (key == "tether.length")
       tether().length = number();
+    else if (key == "tether.reach")
+      tether().reach = number();
+    else if (key == "tether.sharp_angle")
+      tether().sharp_angle = number();
     else if (key == "lidar.range")
       lidar().range = number();
     else if (key == "lidar.rays") {
@@ -121,10 +127,13 @@ Robot robot_of(const std::string& file, const std::string& name, const std::vect
       if (rays == nullptr || rays->get() < 1 || rays->get() > 1000000)
         refuse(file, *node, "lidar.rays is no whole number from 1 to 1000000");
       lidar().rays = static_cast<int>(rays->get());
+    } else if (key == "lidar.noise") {
+      lidar().noise = number();
     } else {
       refuse(file, *node,
              fmt::format("unknown key '{}' in robot '{}'; expected: radius, tool_width, speed, acceleration, "
-                         "turn_rate, min_turn_radius, tether.length, lidar.range, lidar.rays",
+                         "turn_rate, min_turn_radius, tether.length, tether.reach, tether.sharp_angle, lidar.range, "
+                         "lidar.rays, lidar.noise",
                          key, name));
     }
   }
@@ -169,25 +178,51 @@ std::vector<std::string> matching(const std::string& pattern) {
   return files;
 }
 
-std::vector<std::optional<Point>> read_starts(const std::string& file, const toml::node* node) {
+bool is_point(const toml::node& node) {
+  const toml::array* pair = node.as_array();
+  return pair != nullptr && pair->size() == 2 && (*pair)[0].is_number() && (*pair)[1].is_number();
+}
+
+/// [x, y], a name, or a list of such; one empty place if the key is missing.
+std::vector<std::optional<Place>> read_places(const std::string& file, TomlTable& table, const char* key, PlaceOf of) {
+  const toml::node* node = table.find(key);
   if (node == nullptr) return {std::nullopt};
-  const auto point = [&](const toml::node& n) {
-    const toml::array* pair = n.as_array();
-    if (pair == nullptr || pair->size() != 2 || !(*pair)[0].is_number() || !(*pair)[1].is_number()) {
-      refuse(file, n, "start is no [x, y] in metres, nor a list of such");
+  const auto place = [&](const toml::node& n) {
+    Place found;
+    if (is_point(n)) {
+      const toml::array& pair = *n.as_array();
+      found.point = {*pair[0].value<double>(), *pair[1].value<double>()};
+    } else if (const auto* name = n.as_string()) {
+      at_place(file, n, [&] { found = named_place(of, name->get()); });
+    } else {
+      std::string names;
+      for (const std::string& known : place_names(of)) names += fmt::format(", \"{}\"", known);
+      refuse(file, n,
+             fmt::format("{} is neither [x, y] in metres nor one of{}, nor a list of such", key, names.substr(1)));
     }
-    return Point(*(*pair)[0].value<double>(), *(*pair)[1].value<double>());
+    return found;
   };
-  const toml::array* list = node->as_array();
-  const bool several = list != nullptr && !list->empty() && (*list)[0].is_array();
-  if (!several) return {point(*node)};
-  std::vector<std::optional<Point>> starts;
-  for (const toml::node& item : *list) starts.emplace_back(point(item));
-  return starts;
+  if (is_point(*node)) return {place(*node)};
+  std::vector<std::optional<Place>> places;
+  for (const toml::node* item : alternatives(file, *node, key)) places.emplace_back(place(*item));
+  return places;
+}
+
+/// `spec` once for each start and anchor.
+void add_placed(MapSpec spec, const std::vector<std::optional<Place>>& starts,
+                const std::vector<std::optional<Place>>& anchors, std::vector<MapSpec>& maps) {
+  for (const auto& start : starts) {
+    spec.start = start;
+    for (const auto& anchor : anchors) {
+      spec.anchor = anchor;
+      maps.push_back(spec);
+    }
+  }
 }
 
 void read_generated(const std::string& file, TomlTable& table, std::vector<MapSpec>& maps) {
-  const auto starts = read_starts(file, table.find("start"));
+  const auto starts = read_places(file, table, "start", PlaceOf::start);
+  const auto anchors = read_places(file, table, "anchor", PlaceOf::anchor);
   std::vector<std::uint64_t> seeds{1};
   if (const toml::node* node = table.find("seeds")) {
     seeds.clear();
@@ -211,17 +246,15 @@ void read_generated(const std::string& file, TomlTable& table, std::vector<MapSp
           settings_of(file, fmt::format("generator '{}'", generator->name), generator->parameters, chosen, true);
       for (const std::uint64_t seed : seeds) {
         spec.seed = seed;
-        for (const auto& start : starts) {
-          spec.start = start;
-          maps.push_back(spec);
-        }
+        add_placed(spec, starts, anchors, maps);
       }
     }
   }
 }
 
 void read_files(const std::string& file, TomlTable& table, std::vector<MapSpec>& maps) {
-  const auto starts = read_starts(file, table.find("start"));
+  const auto starts = read_places(file, table, "start", PlaceOf::start);
+  const auto anchors = read_places(file, table, "anchor", PlaceOf::anchor);
   const toml::node& patterns = table.need("file");
   std::vector<Choice> keys;
   for (const char* key : {"drop_speckle", "simplify", "metres_per_pixel", "unknown_is_free"}) {
@@ -257,10 +290,7 @@ void read_files(const std::string& file, TomlTable& table, std::vector<MapSpec>&
         spec.file = found;
         spec.read = options;
         at_place(file, *node, [&] { spec.content = std::make_shared<const MapFile>(read_map(found, options)); });
-        for (const auto& start : starts) {
-          spec.start = start;
-          maps.push_back(spec);
-        }
+        add_placed(spec, starts, anchors, maps);
       }
     }
   }
@@ -287,6 +317,34 @@ std::vector<MapSpec> read_maps(const std::string& file, const toml::node* node, 
 
 // -------------------------------------------------------------------------------------------------- planners
 
+// A planner that runs another one has more parameters, which its own settings tell.
+std::vector<ParameterInfo> parameters_for(const std::string& file, const PlannerInfo& planner,
+                                          const std::vector<Choice>& chosen) {
+  if (!planner.more_parameters) return planner.parameters;
+  std::vector<Choice> own;
+  for (const Choice& choice : chosen)
+    for (const ParameterInfo& parameter : planner.parameters)
+      if (choice.first == parameter.name) own.push_back(choice);
+  const Settings settings = settings_of(file, fmt::format("planner '{}'", planner.name), planner.parameters, own, true);
+  std::vector<ParameterInfo> all;
+  const auto ask = [&] { all = parameters_of(planner, settings); };
+  if (own.empty())
+    ask();
+  else
+    at_place(file, *own.front().second, ask);
+  return all;
+}
+
+/// The values of ignore_tether; one `false` if the key is missing.
+std::vector<bool> read_ignored(const std::string& file, TomlTable& table) {
+  const toml::node* node = table.find(kIgnoreTether);
+  if (node == nullptr) return {false};
+  std::vector<bool> all;
+  for (const toml::node* item : alternatives(file, *node, kIgnoreTether))
+    all.push_back(truth(file, *item, kIgnoreTether));
+  return all;
+}
+
 std::vector<PlannerSpec> read_planners(const std::string& file, const toml::node* node, const toml::table& root,
                                        const std::vector<PlannerInfo>& planners) {
   if (node == nullptr) refuse(file, root, "no [[planners]]; a suite needs at least one, for instance name = \"*\"");
@@ -297,6 +355,7 @@ std::vector<PlannerSpec> read_planners(const std::string& file, const toml::node
   for (const toml::node& item : *list) {
     if (!item.is_table()) refuse(file, item, "planners is no list of tables; write [[planners]]");
     TomlTable table(file, *item.as_table(), "[[planners]]");
+    const std::vector<bool> ignored = read_ignored(file, table);
     for (const toml::node* name_node : alternatives(file, table.need("name"), "name")) {
       const auto* name = name_node->as_string();
       if (name == nullptr) refuse(file, *name_node, "name is not a text in quotes");
@@ -308,14 +367,25 @@ std::vector<PlannerSpec> read_planners(const std::string& file, const toml::node
         at_place(file, *name_node, [&] { meant.push_back(&find_planner(planners, name->get())); });
       }
       const auto combinations = product(file, table.rest());
+      const auto add = [&](PlannerSpec spec) {
+        if (variants.insert(spec.variant()).second)
+          specs.push_back(std::move(spec));
+        else if (!all)
+          refuse(file, item, fmt::format("planner variant '{}' is listed twice", spec.variant()));
+      };
       for (const PlannerInfo* planner : meant) {
+        const bool tethered = planner->has(Capability::tether);
         for (const auto& chosen : combinations) {
           PlannerSpec spec{planner->name, settings_of(file, fmt::format("planner '{}'", planner->name),
-                                                      planner->parameters, chosen, false)};
-          if (variants.insert(spec.variant()).second)
-            specs.push_back(std::move(spec));
-          else if (!all)
-            refuse(file, item, fmt::format("planner variant '{}' is listed twice", spec.variant()));
+                                                      parameters_for(file, *planner, chosen), chosen, false)};
+          for (const bool ignore : ignored) {
+            if (ignore && tethered && !all)
+              refuse(file, *name_node,
+                     fmt::format("planner '{}' minds the tether, so ignore_tether = true is not for it; leave it out",
+                                 planner->name));
+            spec.ignore_tether = ignore && !tethered;
+            add(spec);
+          }
         }
       }
     }
@@ -338,7 +408,8 @@ Settings differences(const MapSpec& spec) {
     all["metres_per_pixel"] = spec.read.metres_per_pixel;
     all["unknown_is_free"] = spec.read.unknown_is_free;
   }
-  if (spec.start) all["start"] = fmt::format("{} {}", to_decimal(spec.start->x()), to_decimal(spec.start->y()));
+  if (spec.start) all["start"] = to_text(*spec.start);
+  if (spec.anchor) all["anchor"] = to_text(*spec.anchor);
   return all;
 }
 

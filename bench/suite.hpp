@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "algorithms/coverage_planner.hpp"
+#include "maps/formats.hpp"
 #include "maps/map.hpp"
+#include "maps/places.hpp"
 
 namespace oxturn {
 
@@ -27,12 +29,16 @@ struct MapSpec {
   std::uint64_t seed = 1;
   std::string file;
   ReadOptions read;
-  std::optional<Point> start;              // empty: the file's, or the problem's default
+  std::optional<Place> start, anchor;      // empty: the file's, or the problem's default
   std::shared_ptr<const MapFile> content;  // of `file`
 };
 struct PlannerSpec {
   std::string name;
-  Settings settings;            // only what differs from the defaults
+  Settings settings;  // only what differs from the defaults
+  /// On a tethered robot the planner is given the problem as if there were no tether, and its path is scored as driven:
+  /// the tether is measured and does not make it invalid. For planners without the capability `tether` only.
+  bool ignore_tether = false;
+  Settings said() const;        // the settings and, if it is true, ignore_tether: what tells variants apart
   std::string variant() const;  // "zigzag" or "zigzag[partition=monotone]"
 };
 struct Suite {
@@ -47,7 +53,8 @@ struct Suite {
   std::vector<PlannerSpec> planners;
 };
 
-/// Any value may be a list, and lists multiply; "*" names every planner. Everything is checked here: names
+/// Any value may be a list, and lists multiply; "*" names every planner (with ignore_tether: those that have the
+/// capability `tether` run as always). Everything is checked here: names
 /// against `planners` and the generators, parameters, types, files. Throws std::invalid_argument
 /// "quick.toml:12: ..." for each kind of mistake. File patterns are relative to the suite's folder.
 Suite read_suite(const std::string& file, const std::vector<PlannerInfo>& planners);

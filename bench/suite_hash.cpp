@@ -6,8 +6,15 @@
 
 namespace oxturn {
 
+Settings PlannerSpec::said() const {
+  Settings all = settings;
+  if (ignore_tether) all[kIgnoreTether] = true;
+  return all;
+}
+
 std::string PlannerSpec::variant() const {
-  return settings.empty() ? name : fmt::format("{}[{}]", name, settings_text(settings));
+  const Settings all = said();
+  return all.empty() ? name : fmt::format("{}[{}]", name, settings_text(all));
 }
 
 std::string content_hash(const Suite& suite) {
@@ -19,8 +26,13 @@ std::string content_hash(const Suite& suite) {
     for (const double value : {r.radius, r.tool_width, r.speed, r.acceleration, r.turn_rate, r.min_turn_radius}) {
       text += ' ' + to_decimal(value);
     }
-    if (r.tether) text += " tether " + to_decimal(r.tether->length);
-    if (r.lidar) text += fmt::format(" lidar {} {}", to_decimal(r.lidar->range), r.lidar->rays);
+    if (r.tether)
+      text += fmt::format(" tether {} {} {}", to_decimal(r.tether->length), to_decimal(r.tether->reach),
+                          to_decimal(r.tether->sharp_angle));
+    if (r.lidar) {
+      text += fmt::format(" lidar {} {}", to_decimal(r.lidar->range), r.lidar->rays);
+      if (r.lidar->noise != 0) text += fmt::format(" noise {}", to_decimal(r.lidar->noise));
+    }
     text += '\n';
   }
   for (const MapSpec& m : suite.maps) {
@@ -30,7 +42,8 @@ std::string content_hash(const Suite& suite) {
                           to_decimal(m.read.drop_speckle_m2), to_decimal(m.read.simplify_m),
                           to_decimal(m.read.metres_per_pixel));
     }
-    if (m.start) text += fmt::format(" start {} {}", to_decimal(m.start->x()), to_decimal(m.start->y()));
+    if (m.start) text += " start " + to_text(*m.start);
+    if (m.anchor) text += " anchor " + to_text(*m.anchor);
     text += '\n';
   }
   for (const PlannerSpec& p : suite.planners) text += fmt::format("planner {}\n", p.variant());

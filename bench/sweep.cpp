@@ -22,6 +22,7 @@
 #include <deque>
 #include <list>
 
+#include "bench/metrics_file.hpp"
 #include "bench/planner_process.hpp"
 #include "bench/progress.hpp"
 #include "bench/session.hpp"
@@ -90,6 +91,7 @@ class Sweep {
   Sweep(const Suite& suite, const std::vector<PlannerInfo>& planners, const SweepOptions& options)
       : options_(options),
         session_(suite, options),
+        metrics_(options.folder),
         cells_(cells_of(suite)),
         runs_(cells_.size()),
         earlier_(summary(session_)),
@@ -120,6 +122,7 @@ class Sweep {
   struct Run {
     bool begun = false, done = false, kept = false;
     std::string id, line;  // line: the row so far, or the whole
+    Reports reports;
   };
 
   static std::map<std::string, Earlier> summary(const Session& session) {
@@ -201,6 +204,13 @@ class Sweep {
         run.line = payload;
         return;
       }
+      if (type == news::kReports) {
+        while (!payload.empty()) {
+          const double value = wire::take<double>(payload);
+          run.reports.emplace_back(wire::take_text(payload), value);
+        }
+        return;
+      }
       run.done = true;
       worker.rest.first = index + 1;
       if (type == news::kKept) {
@@ -254,9 +264,14 @@ class Sweep {
     return row;
   }
 
+  void append(const Run& run) {
+    metrics_.append(run.id, run.reports);
+    session_.append(run.line);
+  }
+
   void write_ready() {
     for (; next_ < runs_.size() && runs_[next_].done; ++next_) {
-      if (!runs_[next_].kept) session_.append(runs_[next_].line);
+      if (!runs_[next_].kept) append(runs_[next_]);
     }
   }
 
@@ -276,7 +291,7 @@ class Sweep {
       if (run.done) ++written;
       if (i < next_) continue;
       if (!run.done && run.begun) finish(i, Outcome::cancelled, "interrupted");
-      if (run.done && !run.kept) session_.append(run.line);
+      if (run.done && !run.kept) append(run);
     }
     throw Interrupted(fmt::format("interrupted after {} of {} runs; the same command with --resume does the rest",
                                   written, runs_.size()));
@@ -296,10 +311,14 @@ class Sweep {
     }
     if (lost > 0) progress_.remark(fmt::format("dropped the rows of {} runs whose maps have changed since", lost));
     session_.rewrite(lines);
+    std::vector<std::string> ids;
+    for (const Run& run : runs_) ids.push_back(run.id);
+    metrics_.put_in_order(ids);
   }
 
   const SweepOptions& options_;
   Session session_;
+  MetricsFile metrics_;
   std::vector<Cell> cells_;
   std::vector<Run> runs_;
   std::map<std::string, Earlier> earlier_;

@@ -1,6 +1,7 @@
 // Runs a suite: every run in its own process, one row each, whatever the planner does.
 //
-// Layout of the output folder: runs.csv, columns.json, session.json, paths/RUN_ID.geojson,
+// Layout of the output folder: runs.csv, metrics.csv (what planners report of themselves, if any does), columns.json,
+// session.json, paths/RUN_ID.geojson,
 // maps/PROBLEM_HASH.geojson (problem file: map, robot, start; readable by `oxturn plan` and by Shapely),
 // traces/RUN_ID.json, logs/RUN_ID.log (what the planner printed, only if it did).
 #pragma once
@@ -8,6 +9,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/results.hpp"
@@ -24,6 +26,8 @@ struct Planned {
   std::vector<Trace> traces;
   double wall_s = 0, cpu_s = 0;
   double peak_rss_bytes = 0;  // growth of resident memory during plan(), at its peak
+  std::vector<std::pair<std::string, double>> reports;  // Context::report, in order; of one name the last
+  void report(const std::string& name, double value);
 };
 
 struct IsolationOptions {

@@ -14,6 +14,7 @@
 #include "maps/formats.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
+#include "metrics/tether_trace.hpp"
 
 namespace oxturn {
 
@@ -48,6 +49,7 @@ bool is_finite(const Path& path) {
 struct Setting {
   std::optional<Map> map;
   std::optional<Problem> problem;
+  mutable std::optional<Problem> loose;  // without the tether, for who ignores it; made for the first of them
   std::string map_hash;
   std::string hash;  // of the problem, or what stands for it
   Outcome outcome = Outcome::ok;
@@ -60,22 +62,24 @@ Setting set_up(const Work& work, const Cell& cell) {
   const MapSpec& spec = work.suite.maps[cell.map];
   const Robot& robot = work.suite.robots[cell.robot];
   try {
-    std::optional<Point> start = spec.start, anchor;
+    std::optional<Place> start = spec.start, anchor = spec.anchor;
     if (spec.generator.empty()) {
       const MapFile content = spec.content ? *spec.content : read_map(spec.file, spec.read);
       s.map = content.map;
-      if (!start) start = content.start;
-      anchor = content.anchor;
+      if (!start && content.start) start = Place{"", *content.start};
+      if (!anchor && content.anchor) anchor = Place{"", *content.anchor};
     } else {
       s.map = generate(spec.generator, spec.settings, spec.seed);
     }
     s.map->name = spec.name;
     s.map_hash = content_hash(*s.map);
-    s.problem.emplace(*s.map, robot, start, anchor);
+    const Places places = resolve(*s.map, robot, start, anchor);
+    s.problem.emplace(*s.map, robot, places.start, places.anchor);
     s.hash = s.problem->content_hash();
-    // Scoring needs both, and would build them for the second planner but not for the first.
+    // Scoring needs these, and would build them for the second planner but not for the first.
     s.problem->walls();
     s.problem->target();
+    if (robot.tether) s.problem->taut_space();
     s.problem_file = fmt::format("maps/{}.geojson", s.hash);
     const std::string file = fmt::format("{}/{}", work.options.folder, s.problem_file);
     if (!std::filesystem::exists(file)) write_file(file, to_geojson(*s.problem));
@@ -95,6 +99,20 @@ Setting set_up(const Work& work, const Cell& cell) {
   return s;
 }
 
+/// What the planner is given: the problem itself, or for one that ignores the tether the same without.
+const Problem& given(const Setting& setting, const PlannerSpec& spec) {
+  if (!spec.ignore_tether || !setting.problem->robot().tether) return *setting.problem;
+  if (!setting.loose) {
+    Robot robot = setting.problem->robot();
+    robot.tether.reset();
+    setting.loose.emplace(*setting.map, robot, setting.problem->start(), setting.problem->anchor());
+    // As the problem itself: all planners find the same things built.
+    setting.loose->walls();
+    setting.loose->target();
+  }
+  return *setting.loose;
+}
+
 Row row_of(const Work& work, std::size_t index, const Setting& setting) {
   const Cell& cell = work.cells[index];
   const PlannerSpec& spec = work.suite.planners[cell.planner];
@@ -103,17 +121,18 @@ Row row_of(const Work& work, std::size_t index, const Setting& setting) {
   const std::uint64_t seed = run_seed(work.suite.seed, spec.name, setting.hash, cell.repeat);
   Row row;
   const std::string& map = work.suite.maps[cell.map].name;
-  row.cells = {{"schema", "1"},
-               {"run_id", run_id(map, robot, setting.hash, planner, spec.settings, seed, cell.repeat)},
-               {"attempt", "1"},
-               {"suite", work.suite.name},
-               {"map", map},
-               {"planner", spec.name},
-               {"planner_family", planner.family},
-               {"variant", spec.variant()},
-               {"params", settings_text(spec.settings)},
-               {"robot", robot},
-               {"repeat", std::to_string(cell.repeat)}};
+  row.cells = {
+      {"schema", "1"},
+      {"run_id", run_id(map, robot, setting.hash, planner, spec.settings, seed, cell.repeat, spec.ignore_tether)},
+      {"attempt", "1"},
+      {"suite", work.suite.name},
+      {"map", map},
+      {"planner", spec.name},
+      {"planner_family", planner.family},
+      {"variant", spec.variant()},
+      {"params", settings_text(spec.said())},
+      {"robot", robot},
+      {"repeat", std::to_string(cell.repeat)}};
   if (setting.problem) row.cells["seed"] = std::to_string(seed);
   if (setting.map) {
     row.cells["map_family"] = setting.map->family;
@@ -147,10 +166,19 @@ void keep_path(const Work& work, const Setting& setting, const Path& path, Row& 
   write_file(fmt::format("{}/{}", work.options.folder, row.get("path_file")), text);
 }
 
+// The tether's length, bends and angle along the path, beside it.
+void keep_tether(const Work& work, const Problem& problem, const Path& path, const Row& row) {
+  if (!problem.robot().tether) return;
+  write_file(fmt::format("{}/tethers/{}.csv", work.options.folder, row.get("run_id")),
+             to_csv(tether_trace(problem, path, problem.robot().tool_width)));
+}
+
 // Adds the score to the row; returns the flaw ("" if the path is valid).
-std::string score_into(const Problem& problem, const Path& path, Row& row) {
+std::string score_into(const Problem& problem, const Path& path, bool tether_counts, Row& row) {
   const auto before = std::chrono::steady_clock::now();
-  const Score result = score(problem, path);
+  ScoreOptions options;
+  options.tether_counts = tether_counts;
+  const Score result = score(problem, path, options);
   row.cells["score_s"] = to_decimal(std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count());
   for (std::size_t i = 0; i < metrics().size() && i < result.values.size(); ++i) {
     if (result.values[i]) row.cells[metrics()[i]->name] = to_decimal(*result.values[i]);
@@ -158,7 +186,7 @@ std::string score_into(const Problem& problem, const Path& path, Row& row) {
   return result.flaw;
 }
 
-void judge(const Work& work, const Setting& setting, const Planned& planned, Row& row) {
+void judge(const Work& work, const Setting& setting, const Planned& planned, bool tether_counts, Row& row) {
   end(row, planned.outcome, planned.reason);
   if (planned.exit_code != 0) row.cells["exit_code"] = std::to_string(planned.exit_code);
   if (planned.signal != 0) row.cells["signal"] = std::to_string(planned.signal);
@@ -170,7 +198,8 @@ void judge(const Work& work, const Setting& setting, const Planned& planned, Row
   const bool scored = planned.path && (planned.outcome == Outcome::ok || planned.outcome == Outcome::timeout);
   if (!scored) return;
   keep_path(work, setting, *planned.path, row);
-  const std::string flaw = score_into(*setting.problem, *planned.path, row);
+  const std::string flaw = score_into(*setting.problem, *planned.path, tether_counts, row);
+  keep_tether(work, *setting.problem, *planned.path, row);
   if (planned.outcome == Outcome::timeout) {
     end(row, Outcome::timeout,
         flaw.empty() ? planned.reason + "; scored is the last path it published"
@@ -184,20 +213,25 @@ void judge(const Work& work, const Setting& setting, const Planned& planned, Row
       fmt::format("coverage {:.4f} is below {}", covered, to_decimal(work.suite.target_coverage)));
 }
 
-void run_one(const Work& work, const Setting& setting, std::size_t index, Row& row) {
+/// `reports` takes what the planner reported of itself, packed.
+void run_one(const Work& work, const Setting& setting, std::size_t index, Row& row, std::string& reports) {
   const PlannerSpec& spec = work.suite.planners[work.cells[index].planner];
   const PlannerInfo& planner = find_planner(work.planners, spec.name);
   if (!setting.problem) return end(row, setting.outcome, setting.reason);
-  const std::string lacking = missing_capability(planner, *setting.problem);
-  if (!lacking.empty()) return end(row, Outcome::unsupported, lacking);
   try {
+    const std::string lacking = missing_capability(planner, given(setting, spec));
+    if (!lacking.empty()) return end(row, Outcome::unsupported, lacking);
     IsolationOptions options;
     options.limits = work.suite.limits;
     options.seed = run_seed(work.suite.seed, spec.name, setting.hash, work.cells[index].repeat);
     options.traces = work.options.traces;
     options.log_file = fmt::format("{}/logs/{}.log", work.options.folder, row.get("run_id"));
-    const Planned planned = plan_isolated(planner, spec.settings, *setting.problem, options);
-    judge(work, setting, planned, row);
+    const Planned planned = plan_isolated(planner, spec.settings, given(setting, spec), options);
+    judge(work, setting, planned, !spec.ignore_tether, row);
+    for (const auto& [name, value] : planned.reports) {
+      wire::put(reports, value);
+      wire::put_text(reports, name);
+    }
     if (!planned.traces.empty()) write_traces(work, row.get("run_id"), planned.traces);
   } catch (const std::exception& e) {
     // Ours: a full disk, no more processes, a scorer that throws.
@@ -247,7 +281,9 @@ void run_unit(const Work& work, const Unit& unit, int fd) {
       row.cells["attempt"] = std::to_string(earlier->second.attempts + 1);
     }
     tell(fd, news::kBegun, index, csv_line(row));
-    run_one(work, setting, index, row);
+    std::string reports;
+    run_one(work, setting, index, row, reports);
+    if (!reports.empty()) tell(fd, news::kReports, index, reports);
     tell(fd, news::kDone, index, csv_line(row));
   }
 }

@@ -42,6 +42,7 @@ struct Work {
 /// What a worker says about run `index`. Frames: [index u64][text].
 namespace news {
 inline constexpr char kBegun = 'B';   // row so far, as a CSV line
+inline constexpr char kReports = 'V';  // [value f64, name] for each report of the planner, before kDone; only if there are any
 inline constexpr char kDone = 'D';    // row, as a CSV line
 inline constexpr char kKept = 'K';    // run_id of a row that an earlier sweep left
 inline constexpr char kBroken = 'X';  // why the worker gives up

@@ -14,6 +14,7 @@
 #include "maps/formats.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
+#include "reports/pages/pages.hpp"
 
 namespace oxturn::cli {
 namespace {
@@ -94,6 +95,12 @@ Json all_metrics() {
 Json suites() {
   Json all = Json::array();
   for (const SuiteFile& s : suite_files()) all.push_back({{"name", s.name}, {"file", s.file}, {"title", s.title}});
+  return all;
+}
+
+Json all_pages() {
+  Json all = Json::array();
+  for (const Page& p : pages()) all.push_back({{"name", p.name}, {"title", p.title}});
   return all;
 }
 
@@ -193,6 +200,10 @@ const Kind kKinds[] = {
      [](const Json& j) {
        print_aligned(j, {"name", "file", "title"});
      }},
+    {"pages", all_pages,
+     [](const Json& j) {
+       print_aligned(j, {"name", "title"});
+     }},
     {"columns", all_columns,
      [](const Json& j) {
        print_aligned(j, {"name", "type", "unit", "help"});
@@ -222,7 +233,7 @@ int list(const Options& options) {
 
 std::function<int()> attach(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  app.add_option("WHAT", options->what, "planners, maps, formats, metrics, suites or columns")->required();
+  app.add_option("WHAT", options->what, "planners, maps, formats, metrics, suites, pages or columns")->required();
   app.add_flag("--json", options->json, "for machines");
   return [options] { return list(*options); };
 }
@@ -230,7 +241,7 @@ std::function<int()> attach(CLI::App& app) {
 }  // namespace
 
 Command list_command() {
-  return {"list", "what there is: planners, maps, formats, metrics, suites, columns",
+  return {"list", "what there is: planners, maps, formats, metrics, suites, pages, columns",
           "  oxturn list planners\n  oxturn list maps --json\n", attach};
 }
 

@@ -15,6 +15,8 @@
 #include <system_error>
 
 #include "maps/generators.hpp"
+#include "maps/places.hpp"
+#include "metrics/tether_trace.hpp"
 
 namespace oxturn::cli {
 namespace {
@@ -56,6 +58,16 @@ std::pair<std::string, std::string> assignment(const std::string& option, const 
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
+Tether& tether_of(Robot& robot) { return robot.tether ? *robot.tether : robot.tether.emplace(); }
+Lidar& lidar_of(Robot& robot) { return robot.lidar ? *robot.lidar : robot.lidar.emplace(); }
+
+int whole_rays(double value) {
+  if (value != std::floor(value) || value < 1 || value > 1e6)
+    throw std::invalid_argument(
+        fmt::format("--robot: lidar_rays is {}, expected a whole number from 1 to 1000000", value));
+  return static_cast<int>(value);
+}
+
 struct RobotKey {
   const char* name;
   void (*set)(Robot&, double);
@@ -67,14 +79,25 @@ constexpr RobotKey kRobotKeys[] = {
     {"acceleration", [](Robot& r, double v) { r.acceleration = v; }},
     {"turn_rate", [](Robot& r, double v) { r.turn_rate = v; }},
     {"min_turn_radius", [](Robot& r, double v) { r.min_turn_radius = v; }},
-    {"tether", [](Robot& r, double v) { r.tether = Tether{v}; }},
+    {"tether", [](Robot& r, double v) { tether_of(r).length = v; }},
+    {"tether_reach", [](Robot& r, double v) { tether_of(r).reach = v; }},
+    {"sharp_angle", [](Robot& r, double v) { tether_of(r).sharp_angle = v; }},
+    {"lidar_range", [](Robot& r, double v) { lidar_of(r).range = v; }},
+    {"lidar_rays", [](Robot& r, double v) { lidar_of(r).rays = whole_rays(v); }},
+    {"lidar_noise", [](Robot& r, double v) { lidar_of(r).noise = v; }},
 };
 
 void change_robot(Robot& robot, const std::string& text) {
   std::vector<std::string> names{"name"};
   for (const RobotKey& key : kRobotKeys) names.emplace_back(key.name);
+  bool lengthened = false;
   for (const std::string& part : split(text, ',')) {
     const auto [name, value] = assignment("--robot", part);
+    // Either way of saying how long takes the place of what the map's file says; both here are too many (check()).
+    if (!lengthened && (name == "tether" || name == "tether_reach")) {
+      lengthened = true;
+      tether_of(robot).length = tether_of(robot).reach = 0;
+    }
     if (name == "name") {
       robot.name = value;
       continue;
@@ -91,11 +114,14 @@ void change_robot(Robot& robot, const std::string& text) {
   }
 }
 
-Point parse_point(const std::string& text) {
-  const auto parts = split(text, ',');
-  if (parts.size() == 2)
-    if (const auto x = to_number(parts[0]), y = to_number(parts[1]); x && y) return {*x, *y};
-  throw std::invalid_argument(fmt::format("--start is '{}', expected X,Y: two finite numbers in metres", text));
+/// What an option says, else what the map's file does.
+std::optional<Place> place_of(PlaceOf of, const std::string& text, const std::optional<Point>& in_file) {
+  if (text.empty()) return in_file ? std::optional<Place>({"", *in_file}) : std::nullopt;
+  try {
+    return parse_place(of, text);
+  } catch (const std::invalid_argument& e) {
+    throw std::invalid_argument(fmt::format("--{}", e.what()));  // which begins with the option's name
+  }
 }
 
 /// A file, or GENERATOR[:SEED].
@@ -223,15 +249,24 @@ void say_remarks(const MapFile& file) {
 
 void add_problem_options(CLI::App& app, ProblemOptions& options) {
   app.add_option("--robot", options.robot,
-                 "name, radius, tool_width, speed, acceleration, turn_rate, min_turn_radius, tether; those not given "
+                 "name, radius, tool_width, speed, acceleration, turn_rate, min_turn_radius, tether (metres) "
+                 "or tether_reach (times the distance of the farthest place), sharp_angle (of the tether, radians), "
+                 "lidar_range, lidar_rays, lidar_noise; those not given "
                  "stay as the map's file or the default has them")
       ->type_name("K=V,K=V...");
   app.add_option("--radius", options.radius, "robot's radius")->check(number_from(0, true, "metres"))->type_name("M");
   app.add_option("--tool-width", options.tool_width, "width that the robot covers")
       ->check(number_from(0, false, "metres"))
       ->type_name("M");
-  app.add_option("--start", options.start, "where the robot starts; otherwise as the file says, or well inside")
-      ->type_name("X,Y");
+  app.add_option(
+         "--start", options.start,
+         "where the robot starts: X,Y, middle or corner (lower left); otherwise as the file says, or well inside")
+      ->type_name("PLACE");
+  app.add_option(
+         "--anchor", options.anchor,
+         "where the tether is fastened: X,Y, start, wall (the nearest place on one) or corner (the nearest in sight of "
+         "the start); otherwise as the file says, or the start")
+      ->type_name("PLACE");
   add_reader_options(app, options.read);
 }
 
@@ -244,15 +279,43 @@ Problem load_problem(const ProblemOptions& options) {
   if (options.tool_width) robot.tool_width = *options.tool_width;
   const bool robot_given = file.robot || !options.robot.empty() || (options.radius && options.tool_width);
   check(robot);
-  std::optional<Point> start = file.start;
-  if (!options.start.empty()) start = parse_point(options.start);
-  Problem problem(std::move(file.map), robot, start, file.anchor);
+  const auto start = place_of(PlaceOf::start, options.start, file.start);
+  const auto anchor = place_of(PlaceOf::anchor, options.anchor, file.anchor);
+  const Places places = resolve(file.map, robot, start, anchor);
+  Problem problem(std::move(file.map), robot, places.start, places.anchor);
   say_remarks(file);
   if (!robot_given)
     say(fmt::format("robot: radius {:g} m, tool width {:g} m (set with --radius and --tool-width)", robot.radius,
                     robot.tool_width));
   if (!start) say(fmt::format("start: {:.6g},{:.6g} (set with --start X,Y)", problem.start().x(), problem.start().y()));
   return problem;
+}
+
+void add_tethers_drawn(CLI::App& app, int& count) {
+  app.add_option("--tethers", count, "how often a tether is drawn along the way, besides where it is longest; 0: never")
+      ->check(CLI::Range(0, 1000))
+      ->type_name("N");
+}
+
+void add_tether_trace(CLI::App& app, std::string& file) {
+  app.add_option("--tether-trace", file, "write the tether's length, bends and angle along the path, FILE.csv")
+      ->type_name("FILE");
+}
+
+void check_tether_trace(const std::string& file) {
+  if (file.empty()) return;
+  require_suffix(file, {".csv"});
+  require_writable(file);
+}
+
+void check_tether_trace(const std::string& file, const Robot& robot) {
+  if (!file.empty() && !robot.tether)
+    throw std::invalid_argument(
+        fmt::format("--tether-trace: robot '{}' has no tether; give it one with --robot tether=METRES", robot.name));
+}
+
+void write_tether_trace(const std::string& file, const Problem& problem, const Path& path) {
+  if (!file.empty()) write_file(file, to_csv(tether_trace(problem, path, problem.robot().tool_width)));
 }
 
 }  // namespace oxturn::cli

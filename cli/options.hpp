@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/suite.hpp"
+#include "geometry/path.hpp"
 #include "maps/formats.hpp"
 #include "maps/parameters.hpp"
 #include "maps/problem.hpp"
@@ -33,12 +34,22 @@ struct ProblemOptions {
   ReadOptions read;
   std::string robot;  // "radius=0.2,speed=1"
   std::optional<double> radius, tool_width;
-  std::string start;  // "X,Y"
+  std::string start, anchor;  // "X,Y" or a name (maps/places.hpp)
 };
 /// MAP itself is declared by the command, since its place among the arguments differs.
 void add_problem_options(CLI::App& app, ProblemOptions& options);
 /// Reads or makes the map; what was not given (robot, start) is chosen and said on standard error.
 Problem load_problem(const ProblemOptions& options);
+
+/// `--tethers N`, for pictures.
+void add_tethers_drawn(CLI::App& app, int& count);
+/// `--tether-trace FILE.csv`.
+void add_tether_trace(CLI::App& app, std::string& file);
+/// Throws if it is asked for and its file's name is wrong or cannot be written, or there is no tether to trace.
+void check_tether_trace(const std::string& file);
+void check_tether_trace(const std::string& file, const Robot& robot);
+/// Writes it, if it was asked for.
+void write_tether_trace(const std::string& file, const Problem& problem, const Path& path);
 
 // --- output ------------------------------------------------------------------------------------------------
 /// Throws "cannot write ..." now rather than after the work. Nothing is left behind.

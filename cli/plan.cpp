@@ -15,7 +15,8 @@ namespace oxturn::cli {
 namespace {
 
 struct Options {
-  std::string planner, output, svg;
+  std::string planner, output, svg, tether_trace;
+  int tethers = PictureOptions{}.tethers;
   std::vector<std::string> settings;
   ProblemOptions problem;
   IsolationOptions isolation;
@@ -24,7 +25,14 @@ struct Options {
 
 /// Everything that can be wrong with the arguments is found here, before the map is read.
 Settings check_arguments(const Options& options, const PlannerInfo& planner) {
-  Settings settings = parse_settings("planner '" + planner.name + "'", planner.parameters, options.settings);
+  // A planner that runs another one has its own parameters first: they say which others there are.
+  const std::string owner = "planner '" + planner.name + "'";
+  std::vector<std::string> own;
+  for (const std::string& text : options.settings)
+    for (const ParameterInfo& parameter : planner.parameters)
+      if (text.rfind(parameter.name + "=", 0) == 0) own.push_back(text);
+  const auto parameters = parameters_of(planner, parse_settings(owner, planner.parameters, own));
+  Settings settings = parse_settings(owner, parameters, options.settings);
   planner.make(settings);  // throws for settings that do not go together
   if (!options.output.empty()) {
     require_suffix(options.output, {".geojson", ".json"});
@@ -34,12 +42,13 @@ Settings check_arguments(const Options& options, const PlannerInfo& planner) {
     require_suffix(options.svg, {".svg"});
     require_writable(options.svg);
   }
+  check_tether_trace(options.tether_trace);
   return settings;
 }
 
 /// As suites name it: settings that are the defaults are left out.
 std::string variant_of(const PlannerInfo& planner, Settings settings) {
-  for (const ParameterInfo& parameter : planner.parameters) {
+  for (const ParameterInfo& parameter : parameters_of(planner, settings)) {
     const auto given = settings.find(parameter.name);
     if (given != settings.end() && given->second == parameter.fallback) settings.erase(given);
   }
@@ -50,6 +59,7 @@ int plan(const Options& options) {
   const PlannerInfo& planner = find_planner(zoo(), options.planner);
   const Settings settings = check_arguments(options, planner);
   const Problem problem = load_problem(options.problem);
+  check_tether_trace(options.tether_trace, problem.robot());
   Verdict verdict;
   verdict.about = {{"planner", variant_of(planner, settings)}};
   verdict.reason = missing_capability(planner, problem);
@@ -63,6 +73,7 @@ int plan(const Options& options) {
   if (planned.wall_s > 0)
     verdict.costs = {
         {"plan_wall_s", planned.wall_s}, {"plan_cpu_s", planned.cpu_s}, {"peak_rss_bytes", planned.peak_rss_bytes}};
+  verdict.reports = planned.reports;
   // As in a sweep: a timeout is scored on the last path it published, a crash is not.
   if (planned.path && (planned.outcome == Outcome::ok || planned.outcome == Outcome::timeout)) {
     judge(verdict, problem, *planned.path);
@@ -71,10 +82,12 @@ int plan(const Options& options) {
       verdict.reason = planned.reason + "; scored is the last path it published";
     }
     if (!options.output.empty()) write_file(options.output, to_geojson(*planned.path));
+    write_tether_trace(options.tether_trace, problem, *planned.path);
   }
   if (!options.svg.empty()) {
     PictureOptions picture;
     picture.traces = &planned.traces;
+    picture.tethers = options.tethers;
     write_file(options.svg, to_svg(problem, planned.path ? &*planned.path : nullptr, picture));
   }
   return tell(verdict, problem, options.json);
@@ -90,6 +103,8 @@ std::function<int()> attach(CLI::App& app) {
       ->type_name("N");
   app.add_option("-o,--output", options->output, "write the path, FILE.geojson")->type_name("FILE");
   app.add_option("--svg", options->svg, "draw it")->type_name("FILE");
+  add_tethers_drawn(app, options->tethers);
+  add_tether_trace(app, options->tether_trace);
   add_problem_options(app, options->problem);
   app.add_option("--wall", options->isolation.limits.wall_s, "time limit; 60 if not given")
       ->check(number_from(0, false, "seconds"))

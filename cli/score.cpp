@@ -10,7 +10,8 @@ namespace oxturn::cli {
 namespace {
 
 struct Options {
-  std::string path, svg;
+  std::string path, svg, tether_trace;
+  int tethers = PictureOptions{}.tethers;
   ProblemOptions problem;
   bool json = false;
 };
@@ -21,11 +22,16 @@ int score_path(const Options& options) {
     require_suffix(options.svg, {".svg"});
     require_writable(options.svg);
   }
+  check_tether_trace(options.tether_trace);
   const Problem problem = load_problem(options.problem);
+  check_tether_trace(options.tether_trace, problem.robot());
   Verdict verdict;
   verdict.about = {{"path", options.path}};
   judge(verdict, problem, path);
-  if (!options.svg.empty()) write_file(options.svg, to_svg(problem, &path));
+  PictureOptions picture;
+  picture.tethers = options.tethers;
+  if (!options.svg.empty()) write_file(options.svg, to_svg(problem, &path, picture));
+  write_tether_trace(options.tether_trace, problem, path);
   return tell(verdict, problem, options.json);
 }
 
@@ -36,6 +42,8 @@ std::function<int()> attach(CLI::App& app) {
   app.add_option("MAP", options->problem.map, "a map's file, or GENERATOR[:SEED]")->required();
   add_problem_options(app, options->problem);
   app.add_option("--svg", options->svg, "also draw it")->type_name("FILE");
+  add_tethers_drawn(app, options->tethers);
+  add_tether_trace(app, options->tether_trace);
   app.add_flag("--json", options->json, "for machines");
   return [options] { return score_path(*options); };
 }

@@ -45,11 +45,14 @@ Json as_json(const Verdict& verdict, const Problem& problem) {
   json["map_sha256"] = content_hash(problem.map());
   json["robot"] = {{"radius", problem.robot().radius}, {"tool_width", problem.robot().tool_width}};
   json["start"] = {problem.start().x(), problem.start().y()};
+  if (problem.robot().tether) json["anchor"] = {problem.anchor().x(), problem.anchor().y()};
   json["metrics"] = Json::object();
   if (verdict.score)
     for (std::size_t i = 0; i < metrics().size() && i < verdict.score->values.size(); ++i)
       json["metrics"][metrics()[i]->name] = number_or_null(verdict.score->values[i]);
   for (const auto& [name, value] : verdict.costs) json[name] = number_or_null(value);
+  if (!verdict.reports.empty()) json["reports"] = Json::object();
+  for (const auto& [name, value] : verdict.reports) json["reports"][name] = value;
   return json;
 }
 
@@ -73,6 +76,8 @@ void print_table(const Verdict& verdict, const Problem& problem) {
       if (column.name == name) help = column.help;
     lines.push_back({name, value ? fmt::format("{:.4g}", *value) : "-", help});
   }
+  for (const auto& [name, value] : verdict.reports)
+    lines.push_back({name, fmt::format("{:.6g}", value), "reported by the planner"});
   print_lines(lines);
 }
 

@@ -18,6 +18,7 @@ struct Verdict {
   std::optional<Score> score;                                        // if there is a path
   std::vector<std::pair<std::string, std::string>> about;            // planner, parameters, path file, ...
   std::vector<std::pair<std::string, std::optional<double>>> costs;  // plan_wall_s, ...
+  std::vector<std::pair<std::string, double>> reports;               // what the planner says of itself
 };
 
 /// ok, partial or invalid, from the score alone.

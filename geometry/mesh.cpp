@@ -33,10 +33,13 @@ using Cdt =
 using Vertex = Cdt::Vertex_handle;
 using Face = Cdt::Face_handle;
 
+using Pair = std::pair<std::int32_t, std::int32_t>;  // of points, the lower one first
+
 /// Different points of the rings in input order, and the edges between them that occur an odd number of times.
 struct Outline {
   std::vector<Point> points;
-  std::vector<std::pair<std::int32_t, std::int32_t>> edges;
+  std::vector<Pair> edges;
+  std::vector<Pair> barriers;  // sorted
 };
 
 Outline outline(const Region& region) {
@@ -79,6 +82,84 @@ Outline outline(const Region& region) {
   }
   out.edges.resize(kept);
   return out;
+}
+
+/// Adds the barriers. An end that is no corner splits the edge that it lies on, so that the rounded point is on both.
+void add_barriers(const Region& region, const std::vector<Polyline>& barriers, Outline& out) {
+  if (barriers.empty()) return;
+  struct Known {
+    Point at;
+    std::int32_t id;
+    bool operator<(const Known& o) const { return before(at, o.at); }
+  };
+  std::vector<Known> known;
+  for (std::size_t i = 0; i < out.points.size(); ++i) known.push_back({out.points[i], static_cast<std::int32_t>(i)});
+  std::sort(known.begin(), known.end());
+  const auto find = [&](const std::vector<Known>& in, const Point& p) {
+    const auto k = std::lower_bound(in.begin(), in.end(), Known{p, 0});
+    return k != in.end() && k->at == p ? k->id : -1;
+  };
+
+  std::vector<Known> fresh;
+  for (const Polyline& line : barriers) {
+    for (const Point& p : line) {
+      if (!finite(p)) throw std::invalid_argument("a barrier has a point that is not finite");
+      if (find(known, p) < 0) fresh.push_back({p, -1});
+    }
+  }
+  std::sort(fresh.begin(), fresh.end());
+  fresh.erase(std::unique(fresh.begin(), fresh.end(), [](const Known& a, const Known& b) { return a.at == b.at; }),
+              fresh.end());
+  for (Known& f : fresh) {
+    f.id = static_cast<std::int32_t>(out.points.size());
+    out.points.push_back(f.at);
+  }
+  for (const Polyline& line : barriers) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const auto id = [&](const Point& p) { return std::max(find(known, p), find(fresh, p)); };
+      const std::int32_t a = id(line[i - 1]), b = id(line[i]);
+      if (a != b) out.barriers.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  }
+  std::sort(out.barriers.begin(), out.barriers.end());
+  out.barriers.erase(std::unique(out.barriers.begin(), out.barriers.end()), out.barriers.end());
+
+  if (fresh.empty()) return;
+  const EdgeIndex index(region);
+  Box box;
+  for (const Point& p : out.points) box.add(p);
+  const double near = 1e-9 * (box.size().norm() + 1e-3 * std::max(box.low.norm(), box.high.norm()));
+  struct Split {
+    std::size_t edge;
+    double along;
+    std::int32_t id;
+  };
+  std::vector<Split> splits;
+  for (const Known& f : fresh) {
+    const auto hit = index.nearest(f.at, near);
+    if (!hit) continue;  // a barrier may also end or bend in the open
+    const EdgeIndex::Edge& e = index.edges()[hit->edge];
+    const auto corner = [&](const Point& p) { return find(known, p); };
+    const Pair ends = std::minmax(corner(e.a), corner(e.b));
+    const auto at = std::lower_bound(out.edges.begin(), out.edges.end(), ends);
+    if (at == out.edges.end() || *at != ends) continue;
+    const Point& from = out.points[static_cast<std::size_t>(ends.first)];
+    splits.push_back({static_cast<std::size_t>(at - out.edges.begin()), distance(from, f.at), f.id});
+  }
+  std::sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.along != b.along ? a.along < b.along : a.id < b.id;
+  });
+  for (std::size_t i = 0; i < splits.size();) {
+    const std::size_t edge = splits[i].edge;
+    const std::int32_t last = out.edges[edge].second;
+    std::int32_t from = out.edges[edge].first;
+    out.edges[edge].second = splits[i].id;
+    for (; i < splits.size() && splits[i].edge == edge; ++i) {
+      if (from != out.edges[edge].first) out.edges.emplace_back(from, splits[i].id);
+      from = splits[i].id;
+    }
+    out.edges.emplace_back(from, last);
+  }
 }
 
 Point point_of(Vertex v) { return {v->point().x(), v->point().y()}; }
@@ -126,8 +207,9 @@ std::vector<bool> classify(Cdt& cdt, const Region& region) {
 
 }  // namespace
 
-Mesh::Mesh(const Region& region) {
-  const Outline lines = outline(region);
+Mesh::Mesh(const Region& region, const std::vector<Polyline>& barriers) {
+  Outline lines = outline(region);
+  if (lines.edges.size() >= 3) add_barriers(region, barriers, lines);
   points_ = lines.points;
   if (lines.edges.size() < 3) return;
 
@@ -141,8 +223,10 @@ Mesh::Mesh(const Region& region) {
     cdt.insert(input.begin(), input.end());
     std::vector<Vertex> vertex(points_.size());
     for (const Vertex v : cdt.finite_vertex_handles()) vertex[static_cast<std::size_t>(v->info())] = v;
-    for (const auto& [a, b] : lines.edges) {
-      cdt.insert_constraint(vertex[static_cast<std::size_t>(a)], vertex[static_cast<std::size_t>(b)]);
+    for (const std::vector<Pair>* constraints : {&lines.edges, &lines.barriers}) {
+      for (const auto& [a, b] : *constraints) {
+        cdt.insert_constraint(vertex[static_cast<std::size_t>(a)], vertex[static_cast<std::size_t>(b)]);
+      }
     }
     if (cdt.number_of_vertices() > points_.size()) {  // where constraints crossed
       for (const Vertex v : cdt.finite_vertex_handles()) {
@@ -163,12 +247,25 @@ Mesh::Mesh(const Region& region) {
     }
     for (const Face f : cdt.all_face_handles()) f->info() = is_free(f) ? 0 : kWall;
     for (std::size_t i = 0; i < faces.size(); ++i) faces[i]->info() = static_cast<std::int32_t>(i);
+    // A barrier that runs through points or across lines lies on several edges.
+    const auto on_barrier = [&](std::int32_t a, std::int32_t b) {
+      if (std::binary_search(lines.barriers.begin(), lines.barriers.end(), Pair(std::minmax(a, b)))) return true;
+      const Point &p = points_[static_cast<std::size_t>(a)], &q = points_[static_cast<std::size_t>(b)];
+      return std::any_of(lines.barriers.begin(), lines.barriers.end(), [&](const Pair& barrier) {
+        const Point &s = points_[static_cast<std::size_t>(barrier.first)],
+                    &e = points_[static_cast<std::size_t>(barrier.second)];
+        const double near = 1e-12 * (s.norm() + e.norm());
+        return distance_to_segment(p, s, e) <= near && distance_to_segment(q, s, e) <= near;
+      });
+    };
     triangles_.reserve(faces.size());
     for (const Face f : faces) {
       Triangle t{};
       for (int i = 0; i < 3; ++i) {
         t.corner[static_cast<std::size_t>(i)] = f->vertex(i)->info();
-        t.neighbour[static_cast<std::size_t>(i)] = f->neighbor(i)->info();
+        const bool barred = f->neighbor(i)->info() != kWall && f->is_constrained(i) &&
+                            on_barrier(f->vertex(Cdt::cw(i))->info(), f->vertex(Cdt::ccw(i))->info());
+        t.neighbour[static_cast<std::size_t>(i)] = barred ? kWall : static_cast<std::int32_t>(f->neighbor(i)->info());
       }
       triangles_.push_back(t);
     }

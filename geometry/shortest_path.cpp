@@ -4,9 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <set>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
+#include "geometry/dual_tree.hpp"
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
@@ -33,6 +37,7 @@ struct Node {
   std::int32_t triangle = Mesh::kWall;
   std::int32_t apex = 0;
   std::int32_t parent = -1;
+  std::int32_t chain = 0;  // in a search for all classes: the root's chain of bends
 };
 
 struct Open {
@@ -78,6 +83,22 @@ struct Scratch {
   }
 };
 
+/// What a search for all classes keeps in place of the least distance of each corner: chains of bends, interned
+/// without corners that lie in line, so that equal curves have equal chains however they came about.
+struct Chains {
+  struct Chain {
+    std::int32_t parent = -1;
+    Id point = kNone;
+    enum { unknown, admitted, refused } state = unknown;
+    bool yielded = false;
+  };
+  std::vector<Chain> all{{}};
+  std::map<std::pair<std::int32_t, Id>, std::int32_t> ids;   // (parent, point) -> chain
+  std::set<std::pair<std::int32_t, std::int32_t>> turns[2];  // (chain, triangle) followed to the left, to the right
+  const Chain& operator[](std::int32_t chain) const { return all[static_cast<std::size_t>(chain)]; }
+  Chain& operator[](std::int32_t chain) { return all[static_cast<std::size_t>(chain)]; }
+};
+
 /// Numbers the parts of the mesh that hang together by edges.
 std::vector<std::int32_t> components(const Mesh& mesh) {
   const auto& triangles = mesh.triangles();
@@ -109,37 +130,80 @@ class Search {
 
   /// The finished node, or -1. Needs s_.from and s_.to: the triangles that hold start and goal.
   std::int32_t run() {
-    const Id start_id = static_cast<Id>(mesh_.points().size());
     for (const std::int32_t t : s_.to) s_.is_target[static_cast<std::size_t>(t)] = s_.stamp;
-    for (const std::int32_t t : s_.from) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Id corner = triangle(t).corner[k];
-        if (at(corner) == start_) root(corner).g = 0;
-        const std::int32_t n = triangle(t).neighbour[k];
-        if (n == Mesh::kWall || std::find(s_.from.begin(), s_.from.end(), n) != s_.from.end()) continue;
-        const std::size_t a = (k + 2) % 3, b = (k + 1) % 3;  // seen from inside t: a left, b right
-        if (orientation(at(triangle(t).corner[b]), at(triangle(t).corner[a]), start_) <= 0) continue;
-        push(t, k, {0, start_id, {triangle(t).corner[a]}, {triangle(t).corner[b]}, 0, 0, -1});
-      }
-    }
+    leave_start();
     while (!s_.open.empty()) {
-      std::pop_heap(s_.open.begin(), s_.open.end());
-      const std::int32_t node = s_.open.back().node;
-      s_.open.pop_back();
+      const std::int32_t node = pop();
       const Node& n = s_.nodes[static_cast<std::size_t>(node)];
       if (n.triangle == Mesh::kWall) return node;
-      if (n.root != start_id && worse(n.g, n.root)) continue;
+      if (n.root != start_id() && worse(n.g, n.root)) continue;
       expand(node);
     }
     return -1;
   }
 
-  const Point& at(Id id) const {
-    return static_cast<std::size_t>(id) == mesh_.points().size() ? start_
-                                                                 : mesh_.points()[static_cast<std::size_t>(id)];
+  /// All classes but, if it is done already, the straight way; see ShortestPaths::for_each_taut_path. Does not use what
+  /// `s_` keeps by point and by triangle.
+  bool run_all(bool straight, std::size_t budget, const std::function<bool(const Polyline&)>& visit,
+               const std::function<bool(const Polyline&)>& admits) {
+    Chains chains;
+    chains_ = &chains;
+    const auto line = [&](std::int32_t chain) {
+      Polyline points;
+      for (; chain > 0; chain = chains[chain].parent) points.push_back(at(chains[chain].point));
+      points.push_back(start_);
+      std::reverse(points.begin(), points.end());
+      return points;
+    };
+    if (straight) chains[extended(0, start_id() + 1)].yielded = true;
+    leave_start();
+    while (!s_.open.empty()) {
+      const std::int32_t node = pop();
+      const Node n = s_.nodes[static_cast<std::size_t>(node)];
+      if (n.triangle == Mesh::kWall) {
+        if (std::exchange(chains[n.chain].yielded, true)) continue;
+        if (!visit(line(n.chain))) return true;
+        continue;
+      }
+      if (n.chain > 0 && admits) {
+        Chains::Chain& chain = chains[n.chain];
+        if (chain.state == Chains::Chain::unknown)
+          chain.state = admits(line(n.chain)) ? Chains::Chain::admitted : Chains::Chain::refused;
+        if (chain.state == Chains::Chain::refused) continue;
+      }
+      if (budget-- == 0) return false;
+      expand(node);
+    }
+    return true;
   }
 
+  const Point& at(Id id) const {
+    return id < start_id() ? mesh_.points()[static_cast<std::size_t>(id)] : id == start_id() ? start_ : goal_;
+  }
+  Id start_id() const { return static_cast<Id>(mesh_.points().size()); }
+
  private:
+  std::int32_t pop() {
+    std::pop_heap(s_.open.begin(), s_.open.end());
+    const std::int32_t node = s_.open.back().node;
+    s_.open.pop_back();
+    return node;
+  }
+
+  void leave_start() {
+    for (const std::int32_t t : s_.from) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Id corner = triangle(t).corner[k];
+        if (chains_ == nullptr && at(corner) == start_) root(corner).g = 0;
+        const std::int32_t n = triangle(t).neighbour[k];
+        if (n == Mesh::kWall || std::find(s_.from.begin(), s_.from.end(), n) != s_.from.end()) continue;
+        const std::size_t a = (k + 2) % 3, b = (k + 1) % 3;  // seen from inside t: a left, b right
+        if (orientation(at(triangle(t).corner[b]), at(triangle(t).corner[a]), start_) <= 0) continue;
+        push(t, k, {0, start_id(), {triangle(t).corner[a]}, {triangle(t).corner[b]}, 0, 0, -1});
+      }
+    }
+  }
+
   const Mesh::Triangle& triangle(std::int32_t t) const { return mesh_.triangles()[static_cast<std::size_t>(t)]; }
   Scratch::Root& root(Id id) {
     Scratch::Root& r = s_.roots[static_cast<std::size_t>(id)];
@@ -195,19 +259,38 @@ class Search {
     return a + b > 0 ? lerp(vl, vr, a / (a + b)) : vl;
   }
 
-  void finish(double g, Id root, std::int32_t parent) {
+  void finish(double g, Id root, std::int32_t parent, std::int32_t chain) {
     Node end;
     end.g = g;
     end.root = root;
     end.parent = parent;
+    if (chains_ != nullptr) end.chain = extended(chain, start_id() + 1);
     put(g + distance(at(root), goal_), end);
   }
 
-  /// May the path turn about corner v, met from node `n`? Every (from, v, triangle) is followed once, or again if it
-  /// is reached by a shorter way: else ties, as between the blocks of a lattice, would multiply.
-  bool turn(const Node& n, Id v, double& g) {
+  /// The chain of bends that goes on to point v; corners that lie in line are none.
+  std::int32_t extended(std::int32_t chain, Id v) {
+    for (; chain > 0; chain = (*chains_)[chain].parent) {
+      const Chains::Chain& last = (*chains_)[chain];
+      const Point& before = last.parent > 0 ? at((*chains_)[last.parent].point) : start_;
+      const Point &here = at(last.point), &next = at(v);
+      if (orientation(before, here, next) != 0 || (here - before).dot(next - here) < 0) break;
+    }
+    const auto [found, fresh] = chains_->ids.try_emplace({chain, v}, static_cast<std::int32_t>(chains_->all.size()));
+    if (fresh) chains_->all.push_back({chain, v});
+    return found->second;
+  }
+
+  /// May the path turn about corner v (to the left or to the right), met from node `n`? Every (from, v, triangle) is
+  /// followed once, or again if it is reached by a shorter way: else ties, as between the blocks of a lattice, would
+  /// multiply. Where all classes are wanted, every (chain of bends, triangle) is followed once.
+  bool turn(const Node& n, Id v, bool to_left, double& g, std::int32_t& chain) {
     if (!mesh_.is_reflex(v)) return false;
     g = n.g + distance(at(n.root), at(v));
+    if (chains_ != nullptr) {
+      chain = extended(n.chain, v);
+      return chains_->turns[to_left ? 0 : 1].insert({chain, n.triangle}).second;
+    }
     Scratch::Root& r = root(v);
     if (worse(g, v)) return false;
     r.g = std::min(r.g, g);
@@ -229,43 +312,56 @@ class Search {
     const auto k = static_cast<std::size_t>(n.apex);
     const std::size_t to_left = (k + 2) % 3, to_right = (k + 1) % 3;  // the edges left-apex and apex-right
     const Id apex = t.corner[k], left = t.corner[(k + 1) % 3], right = t.corner[(k + 2) % 3];
-    const bool target = s_.is_target[static_cast<std::size_t>(n.triangle)] == s_.stamp;
+    const bool all = chains_ != nullptr;
+    const bool target = all ? std::find(s_.to.begin(), s_.to.end(), n.triangle) != s_.to.end()
+                            : s_.is_target[static_cast<std::size_t>(n.triangle)] == s_.stamp;
     const bool at_left = n.left.id == left && !n.left.behind, at_right = n.right.id == right && !n.right.behind;
-    const auto leave = [&](std::size_t edge, double g, Id root, Ray l, Ray r) {
-      push(n.triangle, edge, {g, root, l, r, 0, 0, index});
+    double g = n.g;
+    std::int32_t chain = n.chain;
+    const auto leave = [&](std::size_t edge, Id root, Ray l, Ray r) {
+      push(n.triangle, edge, {root == n.root ? n.g : g, root, l, r, 0, 0, index, root == n.root ? n.chain : chain});
     };
+    const auto left_turn = [&] { return at_left && turn(n, left, true, g, chain); };
+    const auto right_turn = [&] { return at_right && turn(n, right, false, g, chain); };
 
+    // At the goal a search for one path ends; one for all classes also goes on, behind the goal.
     if (n.root == left || n.root == right) {
-      if (target) return finish(n.g, n.root, index);
-      leave(to_left, n.g, n.root, {left}, {apex});
-      leave(to_right, n.g, n.root, {apex}, {right});
+      if (target) finish(n.g, n.root, index, n.chain);
+      if (target && !all) return;
+      leave(to_left, n.root, {left}, {apex});
+      leave(to_right, n.root, {apex}, {right});
       return;
     }
-
-    double g = 0;
     if (target) {
       const bool beyond_left = side(n.root, n.left, goal_) > 0, beyond_right = side(n.root, n.right, goal_) < 0;
-      if (!beyond_left && !beyond_right) return finish(n.g, n.root, index);
-      if (beyond_left && at_left && turn(n, left, g)) finish(g, left, index);
-      if (beyond_right && at_right && turn(n, right, g)) finish(g, right, index);
-      return;
+      if (!beyond_left && !beyond_right) {
+        finish(n.g, n.root, index, n.chain);
+      } else if (all) {
+        const Id v = beyond_left ? left : right;
+        if ((beyond_left ? at_left : at_right) && mesh_.is_reflex(v))
+          finish(n.g + distance(at(n.root), at(v)), v, index, extended(n.chain, v));
+      } else {
+        if (beyond_left && left_turn()) finish(g, left, index, chain);
+        if (beyond_right && right_turn()) finish(g, right, index, chain);
+      }
+      if (!all) return;
     }
     const int sl = side(n.root, n.left, at(apex)), sr = side(n.root, n.right, at(apex));
     if (sl >= 0) {  // the cone leaves by the right edge only; turning left opens the rest
-      leave(to_right, n.g, n.root, sl == 0 ? Ray{apex} : n.left, n.right);
-      if (at_left && turn(n, left, g)) {
-        leave(to_left, g, left, {left}, {apex});
-        if (sl > 0) leave(to_right, g, left, {apex}, {n.root, true});
+      leave(to_right, n.root, sl == 0 ? Ray{apex} : n.left, n.right);
+      if (left_turn()) {
+        leave(to_left, left, {left}, {apex});
+        if (sl > 0) leave(to_right, left, {apex}, {n.root, true});
       }
     } else if (sr <= 0) {
-      leave(to_left, n.g, n.root, n.left, sr == 0 ? Ray{apex} : n.right);
-      if (at_right && turn(n, right, g)) {
-        leave(to_right, g, right, {apex}, {right});
-        if (sr < 0) leave(to_left, g, right, {n.root, true}, {apex});
+      leave(to_left, n.root, n.left, sr == 0 ? Ray{apex} : n.right);
+      if (right_turn()) {
+        leave(to_right, right, {apex}, {right});
+        if (sr < 0) leave(to_left, right, {n.root, true}, {apex});
       }
     } else {
-      leave(to_left, n.g, n.root, n.left, {apex});
-      leave(to_right, n.g, n.root, {apex}, n.right);
+      leave(to_left, n.root, n.left, {apex});
+      leave(to_right, n.root, {apex}, n.right);
     }
   }
 
@@ -273,12 +369,38 @@ class Search {
   const Point start_, goal_;
   const double longest_;
   Scratch& s_;
+  Chains* chains_ = nullptr;  // in a search for all classes
 };
 
 }  // namespace
 
 struct ShortestPaths::Impl {
-  Impl(const Region& region, double within) : mesh(region), part(components(mesh)), tolerance(within) {}
+  Impl(const Region& region, double within)
+      : mesh(region), part(components(mesh)), tree(mesh, part), tolerance(within) {}
+
+  /// One triangle for each group of `all` that hangs together by edges: where walls touch in a point, a place there
+  /// has several.
+  std::vector<std::int32_t> groups(const std::vector<std::int32_t>& all) const {
+    std::vector<std::int32_t> first, stack;
+    std::vector<bool> seen(all.size(), false);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (seen[i]) continue;
+      first.push_back(all[i]);
+      seen[i] = true;
+      stack.assign(1, all[i]);
+      while (!stack.empty()) {
+        const std::int32_t t = stack.back();
+        stack.pop_back();
+        for (std::size_t j = 0; j < all.size(); ++j) {
+          const auto& beside = mesh.triangles()[static_cast<std::size_t>(t)].neighbour;
+          if (seen[j] || std::find(beside.begin(), beside.end(), all[j]) == beside.end()) continue;
+          seen[j] = true;
+          stack.push_back(all[j]);
+        }
+      }
+    }
+    return first;
+  }
 
   /// Moves p into the mesh and lists the triangles that hold it, ascending. A rounded place on an edge or beside a
   /// corner may belong to a neighbour as well: whatever lies across an edge that p is not strictly inside of joins.
@@ -303,10 +425,31 @@ struct ShortestPaths::Impl {
     return true;
   }
 
+  /// Moves both ends into the mesh; lists their triangles, only those in parts of the region that hold both ends.
+  bool place_both(Point& start, Point& goal, std::vector<std::int32_t>& from, std::vector<std::int32_t>& to) const {
+    if (!place(start, from) || !place(goal, to)) return false;
+    const auto keep_common = [&](std::vector<std::int32_t>& mine, const std::vector<std::int32_t>& other) {
+      const auto part_of = [&](std::int32_t t) { return part[static_cast<std::size_t>(t)]; };
+      std::erase_if(mine, [&](std::int32_t t) {
+        return std::none_of(other.begin(), other.end(), [&](std::int32_t o) { return part_of(o) == part_of(t); });
+      });
+    };
+    keep_common(from, to);
+    keep_common(to, from);
+    return !from.empty();
+  }
+
   Mesh mesh;
   std::vector<std::int32_t> part;
+  DualTree tree;
   double tolerance;
 };
+
+/// Both in one triangle: the straight way is free.
+static bool meet(const std::vector<std::int32_t>& from, const std::vector<std::int32_t>& to) {
+  return std::any_of(from.begin(), from.end(),
+                     [&](std::int32_t t) { return std::binary_search(to.begin(), to.end(), t); });
+}
 
 ShortestPaths::ShortestPaths(const Region& region, double tolerance) {
   if (!(tolerance >= 0)) throw std::invalid_argument("tolerance of shortest paths must be 0 or more metres");
@@ -320,19 +463,22 @@ std::optional<Polyline> ShortestPaths::path(const Point& a, const Point& b, doub
   if (!finite(a) || !finite(b) || !(distance(a, b) <= longest)) return std::nullopt;
   thread_local Scratch scratch;
   Point start = a, goal = b;
-  if (!impl_->place(start, scratch.from) || !impl_->place(goal, scratch.to)) return std::nullopt;
-  // Only parts of the region that hold both ends.
-  const auto keep_common = [&](std::vector<std::int32_t>& mine, const std::vector<std::int32_t>& other) {
-    const auto part = [&](std::int32_t t) { return impl_->part[static_cast<std::size_t>(t)]; };
-    std::erase_if(mine, [&](std::int32_t t) {
-      return std::none_of(other.begin(), other.end(), [&](std::int32_t o) { return part(o) == part(t); });
-    });
-  };
-  keep_common(scratch.from, scratch.to);
-  keep_common(scratch.to, scratch.from);
-  if (scratch.from.empty()) return std::nullopt;
-  for (const std::int32_t t : scratch.from) {
-    if (std::binary_search(scratch.to.begin(), scratch.to.end(), t)) return Polyline{a, b};
+  if (!impl_->place_both(start, goal, scratch.from, scratch.to)) return std::nullopt;
+  if (meet(scratch.from, scratch.to)) return Polyline{a, b};
+  if (impl_->tree.covers(impl_->part[static_cast<std::size_t>(scratch.from.front())]) &&
+      std::all_of(scratch.from.begin(), scratch.from.end(), [&](std::int32_t t) {
+        return impl_->part[static_cast<std::size_t>(t)] == impl_->part[static_cast<std::size_t>(scratch.from.front())];
+      })) {
+    std::optional<Polyline> best;
+    for (const std::int32_t from : impl_->groups(scratch.from))
+      for (const std::int32_t to : impl_->groups(scratch.to)) {
+        Polyline line = impl_->tree.path(start, from, goal, to);
+        if (!best || length(line) < length(*best)) best = std::move(line);
+      }
+    best->front() = a;
+    best->back() = b;
+    if (length(*best) > longest) return std::nullopt;
+    return best;
   }
 
   scratch.begin(impl_->mesh.points().size(), impl_->mesh.triangles().size());
@@ -351,6 +497,29 @@ std::optional<Polyline> ShortestPaths::path(const Point& a, const Point& b, doub
   std::reverse(path.begin(), path.end());
   if (length(path) > longest) return std::nullopt;
   return path;
+}
+
+bool ShortestPaths::for_each_taut_path(const Point& a, const Point& b, double longest, std::size_t budget,
+                                       const std::function<bool(const Polyline&)>& visit,
+                                       const std::function<bool(const Polyline&)>& admits) const {
+  if (!finite(a) || !finite(b) || !(distance(a, b) <= longest)) return true;
+  Scratch scratch;  // of its own: visitors may ask for paths
+  Point start = a, goal = b;
+  if (!impl_->place_both(start, goal, scratch.from, scratch.to)) return true;
+  const bool straight = meet(scratch.from, scratch.to);
+  if (straight && !visit({a, b})) return true;
+  Search search(impl_->mesh, start, goal, longest, scratch);
+  const auto with_ends = [&](Polyline line, bool whole) {
+    line.front() = a;
+    if (whole) line.back() = b;
+    if (line.size() > 2 && line[1] == a) line.erase(line.begin() + 1);
+    if (whole && line.size() > 2 && line[line.size() - 2] == b) line.erase(line.end() - 2);
+    return line;
+  };
+  const auto admits_prefix = [&](const Polyline& line) { return admits(with_ends(line, false)); };
+  return search.run_all(
+      straight, budget, [&](const Polyline& line) { return visit(with_ends(line, true)); },
+      admits ? std::function<bool(const Polyline&)>(admits_prefix) : nullptr);
 }
 
 }  // namespace oxturn

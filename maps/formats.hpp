@@ -67,11 +67,13 @@ struct Trace {
 
 struct PictureOptions {
   double width_px = 1000;
-  bool swath = true;  // draws the tool's swath under the path
-  const std::vector<Trace>* traces = nullptr;
+  bool swath = true;                           // draws the tool's swath under the path
+  const std::vector<Trace>* traces = nullptr;  // each in a colour of its own, by their order
+  // Robots with a tether: it is drawn so often, equally spaced along the way, and where it is longest; 0: not at all.
+  int tethers = 8;
 };
 /// SVG of a problem and (if given) a path: walls, target, path coloured by time from blue to red, transit
-/// dashed, start marked. Long paths are drawn in at most a few thousand coloured pieces.
+/// dashed, start and a tether's anchor marked. Long paths are drawn in at most a few thousand coloured pieces.
 std::string to_svg(const Problem& problem, const Path* path, const PictureOptions& options = {});
 
 }  // namespace oxturn

@@ -17,12 +17,17 @@ struct Map {
 };
 
 struct Tether {
-  double length = 0;
-};  // metres
+  double length = 0;               // metres, > 0
+  double reach = 0;                // > 0 in place of a length: that many times the farthest place's geodesic distance
+                                   // (Problem works it out; the robot that it hands on has a length)
+  double sharp_angle = kPi * 3 / 4;  // radians in (0, pi]: a heading turned farther from "straight away from the string's
+                                   // pull" counts as sharp
+};
 struct Lidar {
-  double range = 0;
-  int rays = 0;
-};  // metres, evenly spaced rays
+  double range = 0;  // metres, > 0
+  int rays = 0;      // evenly spaced from heading 0, >= 1
+  double noise = 0;  // metres along the ray, standard deviation, >= 0
+};
 
 /// Disc footprint. Convex polygonal footprints come with the planner that needs them.
 struct Robot {

@@ -5,9 +5,13 @@
 // Decisions   1. Configuration space errs inside by at most tool_width / 1000 (erode, Bound::inside): what it calls
 //                free is free. `target` is what can be covered from that space, not from the ideal one.
 //             2. A tool no wider than the robot never leaves free space, so nothing is intersected then.
-//             3. A tether does not limit configuration space: the planners of today have no such capability and answer
-//                `unsupported` (missing_capability); a wrapper that has it hands on less room by restricted().
-//             4. The place offered to a start in a wall has as few decimals as still lie inside, to be typed again.
+//             3. A tether's classes are those of robot paths: gaps that the robot cannot pass are closed by barriers. A gap
+//                counts as open if configuration space reaches through it, whatever its width says.
+//             4. {distance <= tether length} is cut out along its border by a strip w / 10^4 wide, inside of it; the area
+//                lost counts in target_excess. What the leash reaches only past places that it does not reach is no
+//                part of configuration space.
+//             5. A tethered robot whose anchor is given and whose start is not starts as near to the anchor as it fits.
+//             6. The place offered to a start in a wall has as few decimals as still lie inside, to be typed again.
 #include "maps/problem.hpp"
 
 #include <fmt/format.h>
@@ -21,6 +25,7 @@
 #include "geometry/mesh.hpp"
 #include "geometry/offset.hpp"
 #include "geometry/predicates.hpp"
+#include "geometry/slit.hpp"
 #include "geometry/validity.hpp"
 #include "maps/formats.hpp"
 
@@ -139,6 +144,57 @@ double convex_turning(const Region& region) {
   return sum;
 }
 
+/// Across every gap that the robot cannot pass; see Decision 3.
+std::vector<Polyline> closed_gaps(const Region& free, const Robot& robot, const Region& space) {
+  if (robot.radius <= 0) return {};
+  std::vector<Polyline> gaps = barriers(free, 2 * robot.radius + robot.tool_width / 250);
+  const EdgeIndex walls(space);
+  std::erase_if(gaps, [&](const Polyline& gap) { return walls.contains(lerp(gap.front(), gap.back(), 0.5)); });
+  return gaps;
+}
+
+/// The largest distance within `space`: it is taken at a corner, or where two ways round an obstacle meet.
+double farthest_in(const Region& space, const GeodesicField& field, double chord) {
+  double most = 0;
+  const auto add = [&](const Point& p) {
+    if (const double d = field.distance(p); std::isfinite(d)) most = std::max(most, d);
+  };
+  for_each_ring(space, [&](const Ring& ring) { std::for_each(ring.begin(), ring.end(), add); });
+  const EdgeIndex walls(space);
+  for (const Polyline& curve : field.cut(chord))
+    for (const Point& p : curve)
+      if (walls.contains(p)) add(p);
+  return most;
+}
+
+/// The part of `space` that holds the start and that the tether reaches. `lost` grows by the area that may be missing.
+Region within_leash(const Region& space, const GeodesicField& field, const Problem& problem, double& lost) {
+  const double limit = problem.robot().tether->length, w = problem.robot().tool_width;
+  const Point extent = bounding_box(space).size();
+  const double strip = std::max(w / 10000, std::ldexp(extent.maxCoeff(), -24));
+  std::vector<Polyline> border;
+  for (const std::vector<GeodesicField::Arc>& chain : field.level(limit)) {
+    Polyline line = sampled(chain, strip);
+    if (line.size() < 2) continue;
+    lost += 2 * strip * length(line);
+    // Where the robot has no size, free space ends where the chain does: the strip must not leave a hair open.
+    const Point first = line[0] - line[1], last = line[line.size() - 1] - line[line.size() - 2];
+    if (line.front() != line.back()) {
+      line.insert(line.begin(), line.front() + first.normalized() * 4 * strip);
+      line.push_back(line.back() + last.normalized() * 4 * strip);
+    }
+    border.push_back(std::move(line));
+  }
+  if (border.empty()) return space;
+  const Region parts = slit(space, border, strip);
+  const Polygon* part = part_with(parts, problem.start(), 2 * strip);
+  if (part == nullptr)
+    throw std::invalid_argument(
+        fmt::format("tether of robot '{}' ({} m) only just reaches the start {}; a longer one is needed to move",
+                    problem.robot().name, to_decimal(limit), text(problem.start())));
+  return Region{{*part}};
+}
+
 }  // namespace
 
 /// What a problem and its restrictions share.
@@ -148,6 +204,13 @@ struct ProblemBasis {
   Point start{0, 0}, anchor{0, 0};
   double tolerance = 0;
   std::shared_ptr<const Region> space;
+  // Tethered robots only.
+  std::shared_ptr<const Region> robot_space;
+  std::unique_ptr<const GeodesicField> geodesics;
+  double lost = 0;  // m^2 that `space` may be smaller than what the leash reaches
+
+  mutable std::once_flag taut_once;
+  mutable std::unique_ptr<const TautSpace> taut;
 
   mutable std::once_flag target_once, excess_once;
   mutable Region target_region;
@@ -175,7 +238,7 @@ struct ProblemBasis {
       // Both operands of a boolean are snapped to 2^-30 of their extent: as much may be lost along the boundary.
       const Box box = bounding_box(map.free);
       const double snapping = perimeter(outer) * box.size().maxCoeff() * std::ldexp(1.0, -29);
-      excess = std::max(0.0, area(outer) - area(target())) + snapping;
+      excess = std::max(0.0, area(outer) - area(target())) + snapping + lost;
     });
     return excess;
   }
@@ -184,12 +247,13 @@ struct ProblemBasis {
 struct Problem::Impl {
   std::shared_ptr<const ProblemBasis> basis;
   std::shared_ptr<const Region> space;
+  Point start;
   mutable std::once_flag transit_once, walls_once;
   mutable std::unique_ptr<const ShortestPaths> transit;
   mutable std::unique_ptr<const EdgeIndex> walls;
 
-  Impl(std::shared_ptr<const ProblemBasis> b, std::shared_ptr<const Region> s)
-      : basis(std::move(b)), space(std::move(s)) {}
+  Impl(std::shared_ptr<const ProblemBasis> b, std::shared_ptr<const Region> s, const Point& from)
+      : basis(std::move(b)), space(std::move(s)), start(from) {}
 };
 
 Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional<Point> anchor) {
@@ -203,7 +267,10 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
 
   const Region all = eroded(map, map.free, robot);
   const double tolerance = tolerance_of(map.free, robot);
-  basis->start = start ? *start : middle(all);
+  basis->start = start ? *start
+                 : robot.tether && anchor
+                     ? (holds(all, *anchor, 0) ? *anchor : nearest_place(all, *anchor, robot.tool_width))
+                     : middle(all);
   const Polygon* part = part_with(all, basis->start, tolerance);
   if (part == nullptr) {
     const std::string place = text(nearest_place(all, basis->start, robot.tool_width));
@@ -222,7 +289,30 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
   basis->tolerance = tolerance;
   basis->map = std::move(map);
   basis->robot = std::move(robot);
-  impl_ = std::make_shared<const Impl>(basis, basis->space);
+  impl_ = std::make_shared<const Impl>(basis, basis->space, basis->start);
+  if (!basis->robot.tether) return;
+
+  const Region& free = basis->map.free;
+  basis->robot_space = basis->space;
+  basis->geodesics = std::make_unique<const GeodesicField>(free, basis->anchor,
+                                                           closed_gaps(free, basis->robot, *basis->space), tolerance);
+  const GeodesicField& field = *basis->geodesics;
+  const double away = field.distance(basis->start);
+  if (!std::isfinite(away))
+    throw std::invalid_argument(
+        fmt::format("anchor {} is out of reach: no way wide enough for robot '{}' leads there from the start {}; "
+                    "expected a place in the same part of '{}'",
+                    text(basis->anchor), basis->robot.name, text(basis->start), basis->map.name));
+  const double most = farthest_in(*basis->robot_space, field, basis->robot.tool_width / 100);
+  Tether& tether = *basis->robot.tether;
+  if (tether.reach > 0) tether = {tether.reach * most, 0, tether.sharp_angle};
+  if (away > tether.length)
+    throw std::invalid_argument(fmt::format(
+        "tether of robot '{}' is {} m long, too short for the start {}, {} m from the anchor {}", basis->robot.name,
+        to_decimal(tether.length), text(basis->start), fmt::format("{:.4g}", away), text(basis->anchor)));
+  if (most <= tether.length) return;
+  basis->space = std::make_shared<const Region>(within_leash(*basis->robot_space, field, *this, basis->lost));
+  impl_ = std::make_shared<const Impl>(basis, basis->space, basis->start);
 }
 
 Problem::Problem(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
@@ -231,12 +321,39 @@ Problem::Problem(Problem&&) noexcept = default;
 
 const Map& Problem::map() const { return impl_->basis->map; }
 const Robot& Problem::robot() const { return impl_->basis->robot; }
-const Point& Problem::start() const { return impl_->basis->start; }
+const Point& Problem::start() const { return impl_->start; }
 const Point& Problem::anchor() const { return impl_->basis->anchor; }
 const Region& Problem::configuration_space() const { return *impl_->space; }
+bool Problem::limited() const {
+  const ProblemBasis& basis = *impl_->basis;
+  return impl_->space != basis.space || (basis.robot_space && basis.robot_space != basis.space);
+}
 const Region& Problem::target() const { return impl_->basis->target(); }
 double Problem::target_excess() const { return impl_->basis->target_excess(); }
 double Problem::tolerance() const { return impl_->basis->tolerance; }
+
+namespace {
+[[noreturn]] void no_tether(const Robot& robot) {
+  throw std::logic_error(fmt::format("robot '{}' has no tether, but its tether was asked for", robot.name));
+}
+}  // namespace
+
+const Region& Problem::space_of_robot() const {
+  if (!robot().tether) no_tether(robot());
+  return *impl_->basis->robot_space;
+}
+
+const GeodesicField& Problem::geodesics() const {
+  if (!robot().tether) no_tether(robot());
+  return *impl_->basis->geodesics;
+}
+
+const TautSpace& Problem::taut_space() const {
+  if (!robot().tether) no_tether(robot());
+  const ProblemBasis& basis = *impl_->basis;
+  std::call_once(basis.taut_once, [&] { basis.taut = std::make_unique<const TautSpace>(basis.map.free); });
+  return *basis.taut;
+}
 
 const ShortestPaths& Problem::transit() const {
   std::call_once(impl_->transit_once,
@@ -250,11 +367,15 @@ const EdgeIndex& Problem::walls() const {
 }
 
 Problem Problem::restricted(Region configuration_space) const {
-  if (!holds(configuration_space, start(), tolerance()))
+  return restricted(std::move(configuration_space), start());
+}
+
+Problem Problem::restricted(Region configuration_space, const Point& start) const {
+  if (!holds(configuration_space, start, tolerance()))
     throw std::invalid_argument(
-        fmt::format("restricted configuration space of '{}' does not hold the start {}", map().name, text(start())));
-  return Problem(
-      std::make_shared<const Impl>(impl_->basis, std::make_shared<const Region>(std::move(configuration_space))));
+        fmt::format("restricted configuration space of '{}' does not hold the start {}", map().name, text(start)));
+  return Problem(std::make_shared<const Impl>(impl_->basis,
+                                              std::make_shared<const Region>(std::move(configuration_space)), start));
 }
 
 std::string Problem::content_hash() const {
@@ -265,6 +386,8 @@ std::string Problem::content_hash() const {
         r.tether ? r.tether->length : 0.0, r.lidar ? 1.0 : 0.0, r.lidar ? r.lidar->range : 0.0,
         r.lidar ? static_cast<double>(r.lidar->rays) : 0.0, start().x(), start().y(), anchor().x(), anchor().y()})
     append_canonical(bytes, value);
+  if (r.tether) append_canonical(bytes, r.tether->sharp_angle);
+  if (r.lidar && r.lidar->noise != 0) append_canonical(bytes, r.lidar->noise);
   return sha256(bytes);
 }
 

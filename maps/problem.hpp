@@ -5,8 +5,10 @@
 #include <optional>
 
 #include "geometry/edge_index.hpp"
+#include "geometry/geodesic_field.hpp"
 #include "geometry/region.hpp"
 #include "geometry/shortest_path.hpp"
+#include "geometry/taut_string.hpp"
 #include "maps/map.hpp"
 
 namespace oxturn {
@@ -27,12 +29,21 @@ class Problem {
   const Point& start() const;
   const Point& anchor() const;  // by default the start
 
-  /// Where the robot's centre may be: one polygon with holes. Closed.
+  /// Where the robot's centre may be: one polygon with holes. Closed. With a tether: that part of space_of_robot() to
+  /// which the tether reaches along the shortest way (geodesics().distance <= length) and which holds the start.
   const Region& configuration_space() const;
   /// What can be covered: configuration space (+) disc(tool_width / 2), within free space; `target` errs
   /// inside, and `target_excess` bounds from above the area by which the true target is larger (m^2).
   const Region& target() const;
   double target_excess() const;
+
+  // --- tethered robots only (else std::logic_error); each built at the first call (thread-safe) ---
+  /// Where the robot's centre might be if its tether were endless.
+  const Region& space_of_robot() const;
+  /// Distances from the anchor in free space, closed at gaps that the robot cannot pass (barriers).
+  const GeodesicField& geodesics() const;
+  /// What a taut string of this map can bend about (no barriers: a driven way has its class).
+  const TautSpace& taut_space() const;
 
   /// Shortest paths in configuration space; built at the first call (thread-safe).
   const ShortestPaths& transit() const;
@@ -42,9 +53,14 @@ class Problem {
   /// 1e-12 of the largest coordinate.
   double tolerance() const;
 
+  /// Configuration space ends elsewhere than near the map's walls: by a tether's length, or by restricted().
+  bool limited() const;
+
   /// The same problem with a smaller configuration space (which must hold the start); the target stays. How a
   /// wrapper hands an ordinary planner less room.
   Problem restricted(Region configuration_space) const;
+  /// As well, from another start.
+  Problem restricted(Region configuration_space, const Point& start) const;
 
   /// SHA-256 of map, robot, start and anchor in canonical form.
   std::string content_hash() const;

@@ -1,11 +1,5 @@
-// Time to drive the path: trapezoidal speed profile, stops at corners, slower in curves.
-//
-// Model       At a corner (a change above 0.3 rad that is no part of a sampled curve) the robot stops and turns on
-//             the spot at turn_rate. Elsewhere it drives through, at most at turn_rate * local radius. A curve
-//             tighter than min_turn_radius cannot be driven: the robot stops where it begins and where it ends and
-//             goes along it at turn_rate * local radius, however finely it is sampled. It starts and ends at rest,
-//             facing the right way. The tool takes no time to switch.
-// Method      Speed limits per vertex and segment, a forward and a backward pass with the acceleration. O(n).
+#include "metrics/mission.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,17 +26,30 @@ double drive_time(double length, double u, double v, double top, double accelera
   return (2 * top - u - v) / acceleration + std::max(0.0, length - ramps) / top;
 }
 
-double mission(const Problem& problem, const Path& path) {
+/// Time over the first `part` of what drive_time is about.
+double part_time(double part, double length, double u, double v, double top, double acceleration) {
+  if (part >= length) return drive_time(length, u, v, top, acceleration);
+  const double peak = std::min(top, std::sqrt((u * u + v * v) / 2 + acceleration * length));
+  const double up = (peak * peak - u * u) / (2 * acceleration), down = (peak * peak - v * v) / (2 * acceleration);
+  if (part <= up) return (std::sqrt(u * u + 2 * acceleration * part) - u) / acceleration;
+  const double rest = length - part;
+  if (rest >= down) return (peak - u) / acceleration + (part - up) / peak;
+  const double all = drive_time(length, u, v, top, acceleration);
+  return all - (std::sqrt(v * v + 2 * acceleration * rest) - v) / acceleration;
+}
+
+}  // namespace
+
+MissionClock::MissionClock(const Problem& problem, const Path& path) : acceleration_(problem.robot().acceleration) {
   const Robot& robot = problem.robot();
   const Headings h = headings(problem, path);
   const std::size_t n = h.turns.size();
   const auto length_after = [&](std::size_t i) { return i + 1 < n ? h.turns[i + 1].before : h.after; };
-  if (n == 0) return h.after > 0 ? drive_time(h.after, 0, 0, robot.speed, robot.acceleration) : 0;
+  if (n == 0 && !(h.after > 0)) return;
 
   // Segment i ends at turn i; segment n ends the path. Speeds at both ends: v[i], v[i + 1].
-  std::vector<double> through(n), v(n + 2, 0), top(n + 1, robot.speed);
+  std::vector<double> through(n), v(n + 2, 0), top(n + 1, robot.speed), turning(n, 0);
   std::vector<bool> tight(n, false);
-  double turning = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Turn& turn = h.turns[i];
     const bool curve = turn.linked || (i + 1 < n && h.turns[i + 1].linked);
@@ -53,7 +60,7 @@ double mission(const Problem& problem, const Path& path) {
     if (!curve && (angle > kCorner || tight[i])) {
       through[i] = 0;
       tight[i] = false;
-      turning += angle / robot.turn_rate;
+      turning[i] = angle / robot.turn_rate;
     }
   }
   for (std::size_t i = 0; i + 1 < n; ++i)
@@ -67,15 +74,25 @@ double mission(const Problem& problem, const Path& path) {
   const double twice = 2 * robot.acceleration;
   for (std::size_t i = 0; i <= n; ++i) v[i + 1] = std::min(v[i + 1], std::sqrt(v[i] * v[i] + twice * length(i)));
   for (std::size_t i = n + 1; i-- > 0;) v[i] = std::min(v[i], std::sqrt(v[i + 1] * v[i + 1] + twice * length(i)));
-  double time = turning;
-  for (std::size_t i = 0; i <= n; ++i)
-    time += drive_time(length(i), v[i], v[i + 1], std::max({top[i], v[i], v[i + 1]}), robot.acceleration);
-  return time;
+  double driven = 0;
+  for (std::size_t i = 0; i <= n; ++i) {
+    const double most = std::max({top[i], v[i], v[i + 1]});
+    stretches_.push_back({driven, total_, length(i), v[i], v[i + 1], most});
+    driven += length(i);
+    total_ += drive_time(length(i), v[i], v[i + 1], most, acceleration_) + (i < n ? turning[i] : 0);
+  }
 }
 
-}  // namespace
+double MissionClock::at(double path_m) const {
+  if (stretches_.empty() || path_m <= 0) return 0;
+  const auto after = std::lower_bound(stretches_.begin(), stretches_.end(), path_m,
+                                      [](const Stretch& s, double m) { return s.begin_m < m; });
+  const Stretch& s = *std::prev(after);  // the first begins at 0, so one is before
+  return s.begin_s + part_time(path_m - s.begin_m, s.length, s.from_speed, s.to_speed, s.top, acceleration_);
+}
 
-const Metric kMissionS{"mission_s", "s", Better::lower, "time to drive the path, stopping at corners",
-                       [](const Scored& s) -> std::optional<double> { return mission(s.problem, s.path); }};
+const Metric kMissionS{
+    "mission_s", "s", Better::lower, "time to drive the path, stopping at corners",
+    [](const Scored& s) -> std::optional<double> { return MissionClock(s.problem, s.path).total(); }};
 
 }  // namespace oxturn

@@ -8,6 +8,7 @@
 #include "geometry/path.hpp"
 #include "maps/problem.hpp"
 #include "metrics/swept.hpp"
+#include "metrics/tether.hpp"
 
 namespace oxturn {
 
@@ -16,7 +17,8 @@ struct Scored {
   const Problem& problem;
   const Path& path;
   const Swept& swept;
-  double clearance;  // metres, see clearance.cpp
+  double clearance;                   // metres, see clearance.cpp
+  const TetherRun* tether = nullptr;  // none: no tether, or no string can follow the path
 };
 
 enum class Better { lower, higher, neither };
@@ -39,11 +41,16 @@ struct Score {
   std::optional<double> value(const std::string& metric) const;
 };
 
-/// Validity and every metric. O(n log n) for n segments on ordinary paths; 10^5 segments under a second.
-Score score(const Problem& problem, const Path& path);
+struct ScoreOptions {
+  bool tether_counts = true;  // false: pulling the tether over its limit is measured, but no flaw
+};
 
-/// Only validity: starts at the start, legs joined, finite, stays in configuration space. "" if valid. Exact
-/// against the map itself (distance to the walls), sharing nothing with the erosion that planners are given.
-std::string find_flaw(const Problem& problem, const Path& path);
+/// Validity and every metric. O(n log n) for n segments on ordinary paths; 10^5 segments under a second.
+Score score(const Problem& problem, const Path& path, const ScoreOptions& options = {});
+
+/// Only validity: starts at the start, legs joined, finite, stays in configuration space, keeps the tether's limit.
+/// "" if valid. Exact against the map itself (distance to the walls), sharing nothing with the erosion that planners
+/// are given.
+std::string find_flaw(const Problem& problem, const Path& path, const ScoreOptions& options = {});
 
 }  // namespace oxturn

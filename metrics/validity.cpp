@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/place_outside.hpp"
 #include "metrics/score.hpp"
 #include "metrics/walls.hpp"
 
@@ -36,46 +37,13 @@ std::string find_shape_flaw(const Problem& problem, const Path& path) {
   return "";
 }
 
-bool inside(const EdgeIndex& walls, const Point& p, double tolerance) {
-  return walls.contains(p) || walls.nearest(p, tolerance).has_value();
-}
-
-/// For robots without size, whose path may run along a wall and by rounding a hair beyond it: a place of ab that
-/// is more than `tolerance` outside. The segment is cut where it may meet a wall; each part is judged in its middle.
-std::optional<Point> place_outside(const EdgeIndex& walls, const Point& a, const Point& b, double tolerance) {
-  if (walls.contains(a, b)) return std::nullopt;
-  const Point d = b - a;
-  std::vector<double> cuts{0, 1};
-  Box box;
-  box.add(a);
-  box.add(b);
-  walls.for_each_near(box, [&](std::size_t e) {
-    const EdgeIndex::Edge& edge = walls.edges()[e];
-    const Point side = edge.b - edge.a;
-    const double turn = cross(d, side);
-    if (turn != 0) cuts.push_back(cross(edge.a - a, side) / turn);
-    if (d.squaredNorm() > 0)
-      for (const Point& p : {edge.a, edge.b}) cuts.push_back((p - a).dot(d) / d.squaredNorm());
-  });
-  std::erase_if(cuts, [](double t) { return !(t >= 0 && t <= 1); });
-  std::sort(cuts.begin(), cuts.end());
-  for (std::size_t i = 0; i < cuts.size(); ++i) {
-    const Point end = lerp(a, b, cuts[i]);
-    if (!inside(walls, end, tolerance)) return end;
-    if (i == 0) continue;
-    const Point middle = lerp(a, b, (cuts[i - 1] + cuts[i]) / 2);
-    if (!inside(walls, middle, tolerance)) return middle;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 std::string find_flaw(const Problem& problem, const Path& path, const EdgeIndex& walls) {
   if (std::string flaw = find_shape_flaw(problem, path); !flaw.empty()) return flaw;
   const double tolerance = problem.tolerance(), radius = problem.robot().radius;
   const Point& start = path.legs.front().points.front();
-  if (!inside(walls, start, tolerance)) return fmt::format("starts at {}, inside a wall", text(start));
+  if (!nearly_contains(walls, start, tolerance)) return fmt::format("starts at {}, inside a wall", text(start));
   for (const Leg& leg : path.legs) {
     for (std::size_t i = 1; i < leg.points.size(); ++i) {
       const Point &a = leg.points[i - 1], &b = leg.points[i];
@@ -94,10 +62,6 @@ std::string find_flaw(const Problem& problem, const Path& path, const EdgeIndex&
     }
   }
   return "";
-}
-
-std::string find_flaw(const Problem& problem, const Path& path) {
-  return find_flaw(problem, path, EdgeIndex(problem.map().free));
 }
 
 double clearance(const Problem& problem, const Path& path, const EdgeIndex& walls) {

@@ -9,7 +9,7 @@
 
 namespace oxturn {
 
-/// "" if the path obeys every rule of score.hpp. `walls`: edges of the map's free space.
+/// "" if the path obeys every rule of score.hpp but that of the tether. `walls`: edges of the map's free space.
 std::string find_flaw(const Problem& problem, const Path& path, const EdgeIndex& walls);
 /// See clearance.cpp. Where the path is outside free space, its depth is taken at its points.
 double clearance(const Problem& problem, const Path& path, const EdgeIndex& walls);

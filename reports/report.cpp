@@ -30,6 +30,14 @@ std::string report_page(const Results& results, const Pictures& pictures) {
       "\nA run without a valid path counts as coverage 0. Length ratio (path over the shortest conceivable), overlap, "
       "revisits, turns and mission time are medians over runs with a valid path (ok or partial); plan_wall_s is the "
       "median over all runs that were timed.\n";
+  if (const std::string tether = tether_table(results); !tether.empty())
+    out += "\n## Tether\n\n" + tether +
+           "\nOver the runs whose tether could be followed along their path, valid or not. Length ratio and crossings "
+           "(the "
+           "robot drives over its own line) are medians; within leash and entangled (the tether ends wound about "
+           "something) "
+           "are shares of these runs; worst over m is the farthest that any pulls it over its limit; most sharp is the "
+           "largest share of a path that any drives against the tether's pull.\n";
   for (const RowGroup& map : maps) out += "\n## " + escape_markdown(map.title) + "\n\n" + map_table(map, pictures);
   return out;
 }

@@ -108,6 +108,15 @@ double dominant_direction(const Region& region) {
   return angle;
 }
 
+namespace {
+void check_size(double cells, double side, const std::string& map_name) {
+  if (cells > 1e8)
+    throw std::invalid_argument(fmt::format(
+        "a grid of cells {} m wide over '{}' would have {:.3g} cells, more than 1e8; give a larger cell_size", side,
+        map_name, cells));
+}
+}  // namespace
+
 GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, double side, int multiple, int margin) {
   const double angle = settings.align == "edges" ? dominant_direction(problem.map().free) : 0;
   Box box;
@@ -127,12 +136,20 @@ GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, 
   for (int k = 0; k < 2; ++k) low[k] -= block * std::ceil((low[k] - box.low[k] - slack) / block);
   const Point blocks = (box.high - low) / block;
   const double columns = std::ceil(blocks.x() - 1e-9) * multiple, rows = std::ceil(blocks.y() - 1e-9) * multiple;
-  if (columns * rows > 1e8)
-    throw std::invalid_argument(fmt::format(
-        "a grid of cells {} m wide over '{}' would have {:.3g} cells, more than 1e8; give a larger cell_size", side,
-        problem.map().name, columns * rows));
+  check_size(columns * rows, side, problem.map().name);
   return GridGraph(problem.configuration_space(), side, angle, rotated(low, angle),
                    std::max(multiple, static_cast<int>(columns)), std::max(multiple, static_cast<int>(rows)));
+}
+
+GridGraph make_grid_graph_at(const Region& space, const std::string& map_name, const Point& place, double side) {
+  const Box box = bounding_box(space);
+  // Whole pairs of cells on each side; one more, so that rounding leaves none out.
+  const auto pairs = [&](double extent) { return std::ceil(std::max(0.0, extent) / (2 * side)) + 1; };
+  const Point before(2 * pairs(place.x() - box.low.x()), 2 * pairs(place.y() - box.low.y()));
+  const Point cells = before + 2 * Point(pairs(box.high.x() - place.x()), pairs(box.high.y() - place.y()));
+  check_size(cells.x() * cells.y(), side, map_name);
+  const Point origin = place - side * (before + Point(0.5, 0.5));
+  return GridGraph(space, side, 0, origin, static_cast<int>(cells.x()), static_cast<int>(cells.y()));
 }
 
 }  // namespace oxturn

@@ -16,6 +16,7 @@
 namespace oxturn {
 
 enum Direction : int { kEast = 0, kNorth = 1, kWest = 2, kSouth = 3 };
+inline constexpr std::array<Direction, 4> kAllDirections{kEast, kNorth, kWest, kSouth};
 inline constexpr std::array<int, 4> kColumnStep{1, 0, -1, 0};
 inline constexpr std::array<int, 4> kRowStep{0, 1, 0, -1};
 inline Direction opposite(Direction d) { return static_cast<Direction>((d + 2) % 4); }
@@ -81,6 +82,10 @@ struct GridSettings {
 /// whole number of them then spans the room. Throws std::invalid_argument if that makes more than 10^8 cells.
 GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, double side, int multiple,
                           int margin = 0);
+
+/// A lattice over `space` along the axes, of which one node, an even number of cells from the lower left, stands at
+/// `place`. Throws as make_grid_graph does.
+GridGraph make_grid_graph_at(const Region& space, const std::string& map_name, const Point& place, double side);
 
 /// Direction (radians, in [0, pi/2)) that most of the walls' length runs in, modulo a quarter turn.
 double dominant_direction(const Region& region);

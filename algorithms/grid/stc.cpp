@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/grid_graph.hpp"
+#include "algorithms/grid/coarse_cells.hpp"
 #include "algorithms/grid/nearest_part.hpp"
 
 namespace oxturn {
@@ -36,65 +36,8 @@ struct Params {
   double shift_x = 0, shift_y = 0;
 };
 
-// The coarse cells over a lattice of sub-cells, with the tree edges chosen so far (a bit for each direction).
-class Coarse {
- public:
-  explicit Coarse(const GridGraph& fine)
-      : fine_(fine),
-        columns_(fine.columns() / 2),
-        rows_(fine.rows() / 2),
-        free_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
-        tree_(free_.size(), 0) {
-    for (int j = 0; j < rows_; ++j)
-      for (int i = 0; i < columns_; ++i)
-        free_[at(i, j)] = fine.passable(2 * i, 2 * j, kEast) && fine.passable(2 * i, 2 * j, kNorth) &&
-                          fine.passable(2 * i + 1, 2 * j, kNorth) && fine.passable(2 * i, 2 * j + 1, kEast);
-  }
-
-  std::size_t size() const { return free_.size(); }
-  std::size_t at(int i, int j) const {
-    return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
-  }
-  int column(std::size_t c) const { return static_cast<int>(c % static_cast<std::size_t>(columns_)); }
-  int row(std::size_t c) const { return static_cast<int>(c / static_cast<std::size_t>(columns_)); }
-  bool free(std::size_t c) const { return free_[c]; }
-  bool in_tree(std::size_t c, Direction d) const { return (tree_[c] >> d & 1) != 0; }
-
-  /// Adjacent: both neighbours free, and both ways between their sub-cells.
-  bool adjacent(std::size_t c, Direction d) const {
-    const int i = column(c), j = row(c), i2 = i + kColumnStep[d], j2 = j + kRowStep[d];
-    if (i2 < 0 || j2 < 0 || i2 >= columns_ || j2 >= rows_ || !free_[c] || !free_[at(i2, j2)]) return false;
-    switch (d) {
-      case kEast:
-        return fine_.passable(2 * i + 1, 2 * j, kEast) && fine_.passable(2 * i + 1, 2 * j + 1, kEast);
-      case kNorth:
-        return fine_.passable(2 * i, 2 * j + 1, kNorth) && fine_.passable(2 * i + 1, 2 * j + 1, kNorth);
-      case kWest:
-        return fine_.passable(2 * i, 2 * j, kWest) && fine_.passable(2 * i, 2 * j + 1, kWest);
-      default:
-        return fine_.passable(2 * i, 2 * j, kSouth) && fine_.passable(2 * i + 1, 2 * j, kSouth);
-    }
-  }
-  std::size_t neighbour(std::size_t c, Direction d) const {
-    return at(column(c) + kColumnStep[d], row(c) + kRowStep[d]);
-  }
-  void link(std::size_t c, Direction d) {
-    tree_[c] |= static_cast<std::uint8_t>(1 << d);
-    tree_[neighbour(c, d)] |= static_cast<std::uint8_t>(1 << opposite(d));
-  }
-  Point centre(std::size_t c) const { return fine_.centre(2 * column(c) + 0.5, 2 * row(c) + 0.5); }
-
- private:
-  const GridGraph& fine_;
-  int columns_, rows_;
-  std::vector<bool> free_;
-  std::vector<std::uint8_t> tree_;
-};
-
-constexpr std::array<Direction, 4> kAll{kEast, kNorth, kWest, kSouth};
-
 // The connected parts of the free coarse cells: a number for each cell, -1 for cells that are not free.
-std::vector<int> parts_of(const Coarse& cells, int& count) {
+std::vector<int> parts_of(const CoarseCells& cells, int& count) {
   std::vector<int> part(cells.size(), -1);
   std::vector<std::size_t> queue;
   count = 0;
@@ -103,7 +46,7 @@ std::vector<int> parts_of(const Coarse& cells, int& count) {
     part[c] = count;
     queue.assign(1, c);
     for (std::size_t k = 0; k < queue.size(); ++k)
-      for (const Direction d : kAll)
+      for (const Direction d : kAllDirections)
         if (cells.adjacent(queue[k], d) && part[cells.neighbour(queue[k], d)] < 0) {
           part[cells.neighbour(queue[k], d)] = count;
           queue.push_back(cells.neighbour(queue[k], d));
@@ -113,28 +56,15 @@ std::vector<int> parts_of(const Coarse& cells, int& count) {
   return part;
 }
 
-void grow_breadth_first(Coarse& cells, std::size_t root) {
-  std::vector<bool> seen(cells.size(), false);
-  std::vector<std::size_t> queue{root};
-  seen[root] = true;
-  for (std::size_t k = 0; k < queue.size(); ++k)
-    for (const Direction d : kAll) {
-      if (!cells.adjacent(queue[k], d) || seen[cells.neighbour(queue[k], d)]) continue;
-      cells.link(queue[k], d);
-      queue.push_back(cells.neighbour(queue[k], d));
-      seen[queue.back()] = true;
-    }
-}
-
 // Depth-first without recursion: a million cells are a deep tree. `straight`: go on as one came, if possible.
-void grow_depth_first(Coarse& cells, std::size_t root, bool straight, Rng* shuffled) {
+void grow_depth_first(CoarseCells& cells, std::size_t root, bool straight, Rng* shuffled) {
   struct Step {
     std::size_t cell;
     std::array<Direction, 4> order;
     int next;
   };
   const auto order_from = [&](Direction came) {
-    std::array<Direction, 4> order = kAll;
+    std::array<Direction, 4> order = kAllDirections;
     if (straight) order = {came, left_of(came), right_of(came), opposite(came)};
     if (shuffled) shuffled->shuffle(order);
     return order;
@@ -159,7 +89,7 @@ void grow_depth_first(Coarse& cells, std::size_t root, bool straight, Rng* shuff
 }
 
 // Kruskal over the part with two weights: all horizontal edges first, then vertical ones.
-void grow_weighted(Coarse& cells, const std::vector<int>& part, int which) {
+void grow_weighted(CoarseCells& cells, const std::vector<int>& part, int which) {
   std::vector<std::uint32_t> parent(cells.size());
   std::iota(parent.begin(), parent.end(), 0u);
   const auto find = [&](std::size_t c) {
@@ -176,39 +106,13 @@ void grow_weighted(Coarse& cells, const std::vector<int>& part, int which) {
     }
 }
 
-void grow_tree(Coarse& cells, std::size_t root, const std::vector<int>& part, const std::string& kind, Rng& rng) {
+void grow_tree(CoarseCells& cells, std::size_t root, const std::vector<int>& part, const std::string& kind, Rng& rng) {
   if (kind == "bfs")
     grow_breadth_first(cells, root);
   else if (kind == "weighted")
     grow_weighted(cells, part, part[root]);
   else
     grow_depth_first(cells, root, kind == "minimum-turn", kind == "random" ? &rng : nullptr);
-}
-
-// Round the tree, counter-clockwise inside each coarse cell unless a tree edge leads out: the tree stays at the
-// left. Sub-cell (x, y) in {0,1}^2; the next one counter-clockwise is reached by `along`; the way out of the cell on
-// the robot's right side at that corner is `out`.
-Polyline round_tree(const GridGraph& fine, const Coarse& cells, int i0, int j0) {
-  // Standing at a corner of the coarse cell, first try to leave over the cell's side to the right of the way round.
-  const auto out_of = [](int x, int y) { return y == 0 ? (x == 0 ? kSouth : kEast) : (x == 1 ? kNorth : kWest); };
-  const auto along = [](int x, int y) { return y == 0 ? (x == 0 ? kEast : kNorth) : (x == 1 ? kWest : kSouth); };
-  Polyline line{fine.centre(i0, j0)};
-  int i = i0, j = j0;
-  int last = -1;
-  do {
-    const int x = i % 2, y = j % 2;
-    const std::size_t cell = cells.at(i / 2, j / 2);
-    const Direction out = out_of(x, y);
-    const Direction d = cells.in_tree(cell, out) ? out : along(x, y);
-    i += kColumnStep[d];
-    j += kRowStep[d];
-    if (d == last)
-      line.back() = fine.centre(i, j);  // straight on
-    else
-      line.push_back(fine.centre(i, j));
-    last = d;
-  } while (i != i0 || j != j0);
-  return line;
 }
 
 class Stc final : public CoveragePlanner {
@@ -218,7 +122,7 @@ class Stc final : public CoveragePlanner {
   Path plan(const Problem& problem, Context& context) const override {
     const double side = p_.cell_size > 0 ? p_.cell_size : problem.robot().tool_width / std::sqrt(2.0);
     const GridGraph fine = make_grid_graph(problem, {p_.cell_size, p_.align, p_.shift_x, p_.shift_y}, side, 2);
-    Coarse cells(fine);
+    CoarseCells cells(fine);
     int count = 0;
     const std::vector<int> part = parts_of(cells, count);
     if (count == 0) throw Infeasible("no coarse cell of twice the cell size fits; a smaller cell_size may");
@@ -248,17 +152,18 @@ class Stc final : public CoveragePlanner {
   }
 
  private:
-  static Point sub_cell(const GridGraph& fine, const Coarse& cells, std::size_t c, int k) {
+  static Point sub_cell(const GridGraph& fine, const CoarseCells& cells, std::size_t c, int k) {
     return fine.centre(2 * cells.column(c) + k % 2, 2 * cells.row(c) + k / 2);
   }
   // Only cells at the edge of their part can be where a way from another part first comes in.
-  static bool on_rim(const Coarse& cells, std::size_t c) {
-    return std::any_of(kAll.begin(), kAll.end(), [&](Direction d) { return !cells.adjacent(c, d); });
+  static bool on_rim(const CoarseCells& cells, std::size_t c) {
+    return std::any_of(kAllDirections.begin(), kAllDirections.end(),
+                       [&](Direction d) { return !cells.adjacent(c, d); });
   }
   // The start may stand in the middle of a part: there the sub-cell under the robot is nearest.
-  static std::optional<NearestPart::Found> next_part(const Problem& problem, const GridGraph& fine, const Coarse& cells,
-                                                     const std::vector<int>& part, NearestPart& nearest,
-                                                     const Point& from, bool first) {
+  static std::optional<NearestPart::Found> next_part(const Problem& problem, const GridGraph& fine,
+                                                     const CoarseCells& cells, const std::vector<int>& part,
+                                                     NearestPart& nearest, const Point& from, bool first) {
     if (first) {
       const Point at = fine.coordinates(from);
       const int i = static_cast<int>(std::lround(at.x())), j = static_cast<int>(std::lround(at.y()));
@@ -271,14 +176,6 @@ class Stc final : public CoveragePlanner {
       }
     }
     return nearest.from(from);
-  }
-  static std::vector<Polyline> tree_lines(const Coarse& cells) {
-    std::vector<Polyline> lines;
-    for (std::size_t c = 0; c < cells.size(); ++c)
-      for (const Direction d : {kEast, kNorth})
-        if (cells.free(c) && cells.in_tree(c, d))
-          lines.push_back({cells.centre(c), cells.centre(cells.neighbour(c, d))});
-    return lines;
   }
   Params p_;
 };

@@ -38,8 +38,10 @@ Region Frame::to(const Region& region) const {
 Region lane_region(const Problem& problem, double inset, double chord) {
   // A point at least `inset` from the boundary of C is at least radius + inset from every wall. The intersection keeps
   // the part that holds the start, and obeys a restricted C.
-  return intersect(erode(problem.map().free, problem.robot().radius + inset, chord, Bound::outside),
-                   problem.configuration_space());
+  const Region& space = problem.configuration_space();
+  const Region inner = erode(problem.map().free, problem.robot().radius + inset, chord, Bound::outside);
+  // A border that is no wall (a leash, a cut) is known to C alone.
+  return problem.limited() ? intersect(inner, erode(space, inset, chord, Bound::outside)) : intersect(inner, space);
 }
 
 void add_ring(std::vector<Segment>& edges, const Ring& ring) {

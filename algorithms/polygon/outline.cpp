@@ -119,9 +119,10 @@ struct Hook {  // how a ring hangs
 
 class Splicer {
  public:
-  Splicer(const Problem& problem, const Path& path, double width, const Connector& connector, Context& context)
+  Splicer(const Problem& problem, const Region& rings, const Path& path, double width, const Connector& connector,
+          Context& context)
       : width_(width), connector_(connector), context_(context), builder_(problem.start()) {
-    for_each_ring(problem.configuration_space(), [&](const Ring& ring) { rings_.push_back(&ring); });
+    for_each_ring(rings, [&](const Ring& ring) { rings_.push_back(&ring); });
     hooks_.resize(rings_.size());
     hung_.assign(rings_.size(), false);
     children_.resize(rings_.size());
@@ -286,7 +287,12 @@ class Splicer {
 
 Path with_outline(const Problem& problem, const Path& path, double width, const Connector& connector,
                   Context& context) {
-  return Splicer(problem, path, width, connector, context).run();
+  return with_rings(problem, problem.configuration_space(), path, width, connector, context);
+}
+
+Path with_rings(const Problem& problem, const Region& rings, const Path& path, double width, const Connector& connector,
+                Context& context) {
+  return Splicer(problem, rings, path, width, connector, context).run();
 }
 
 }  // namespace oxturn

@@ -13,5 +13,8 @@ namespace oxturn {
 /// About O(n) for n segments when rings and path pass within a few widths of each other everywhere; each doubling
 /// of the distance to the farthest ring costs another pass.
 Path with_outline(const Problem& problem, const Path& path, double width, const Connector& connector, Context& context);
+/// The same with the rings of `rings`, which lie in configuration space, in place of its own.
+Path with_rings(const Problem& problem, const Region& rings, const Path& path, double width, const Connector& connector,
+                Context& context);
 
 }  // namespace oxturn

@@ -49,7 +49,6 @@ std::vector<Piece> pieces_of(const Strip& strip, std::size_t pattern, double lon
   for (std::size_t i = 0; i < strip.lanes.size(); ++i) {
     const LaneEnds& lane = strip.lanes[i];
     const Point& from = up[i] ? lane.low : lane.high;
-    const Point& to = up[i] ? lane.high : lane.low;
     if (i > 0) {
       const Point& at = up[i - 1] ? strip.lanes[i - 1].high : strip.lanes[i - 1].low;
       Polyline link;
@@ -61,7 +60,9 @@ std::vector<Piece> pieces_of(const Strip& strip, std::size_t pattern, double lon
       const bool tool = length(link) <= longest_link;
       all.push_back({tool, std::move(link)});
     }
-    all.push_back({true, {from, to}});
+    Polyline line = lane.curve.empty() ? Polyline{lane.low, lane.high} : lane.curve;
+    if (!up[i]) std::reverse(line.begin(), line.end());
+    all.push_back({true, std::move(line)});
   }
   if (pattern % 2 == 1) {
     std::reverse(all.begin(), all.end());
@@ -77,7 +78,7 @@ Path drive_strips(const Problem& problem, const std::vector<Strip>& strips, cons
   if (context.wants_traces()) {
     std::vector<Polyline> lanes;
     for (const Strip& s : strips)
-      for (const LaneEnds& l : s.lanes) lanes.push_back({l.low, l.high});
+      for (const LaneEnds& l : s.lanes) lanes.push_back(l.curve.empty() ? Polyline{l.low, l.high} : l.curve);
     context.trace("lanes", std::move(lanes));
   }
   std::vector<TourElement> elements;
@@ -87,7 +88,11 @@ Path drive_strips(const Problem& problem, const std::vector<Strip>& strips, cons
     neighbours.push_back(s.neighbours);
   }
   const OpenTour tours(problem.start(), elements, connector);
-  std::vector<TourStop> tour = order == "dfs" ? tours.depth_first(neighbours, context) : tours.nearest(context);
+  std::vector<TourStop> tour;
+  if (order == "given")
+    for (std::size_t i = 0; i < elements.size(); ++i) tour.push_back({i, 0});
+  else
+    tour = order == "dfs" ? tours.depth_first(neighbours, context) : tours.nearest(context);
   if (order == "improved") tours.improve(tour, context);
   if (!context.cancelled()) tours.choose_patterns(tour);
 

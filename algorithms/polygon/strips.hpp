@@ -13,6 +13,7 @@ namespace oxturn {
 
 struct LaneEnds {
   Point low, high;
+  Polyline curve = {};  // from low to high, both included; empty: straight
 };
 
 /// Lanes in driving order. The two ways to begin (`up` on the first lane or not) both go on with the nearer end
@@ -29,7 +30,7 @@ struct Strip {
   TourElement patterns() const;
 };
 
-/// Order: "dfs", "nearest" or "improved". Drives all strips from the problem's start; links within a strip have the
+/// Order: "dfs", "nearest" or "improved"; "given": the strips one after the other as they stand. Drives all strips from the problem's start; links within a strip have the
 /// tool on if they are at most 3 tool widths long, all else between lanes is transit.
 /// Traces "lanes".
 Path drive_strips(const Problem& problem, const std::vector<Strip>& strips, const std::string& order,

@@ -5,10 +5,14 @@
 #include <cmath>
 
 #include "geometry/edge_index.hpp"
+#include "geometry/geodesic_field.hpp"
 #include "geometry/mesh.hpp"
 #include "geometry/partition.hpp"
 #include "geometry/random.hpp"
 #include "geometry/shortest_path.hpp"
+#include "geometry/slit.hpp"
+#include "geometry/taut_string.hpp"
+#include "geometry/visibility.hpp"
 
 namespace oxturn {
 namespace {
@@ -146,6 +150,80 @@ BENCHMARK(BM_ShortestPathMeander)
     ->Complexity()
     ->Unit(benchmark::kMillisecond);
 
+void BM_Visibility(benchmark::State& state) {  // what is seen between blocks does not grow with the hall
+  const Region region = hall(state.range(0));
+  const EdgeIndex index(region);
+  const Visibility visibility(region);
+  Rng rng(3);
+  std::vector<Point> eyes;
+  while (eyes.size() < 256) eyes.push_back(free_place(rng, index, bounding_box(region)));
+  std::size_t i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(visibility.from(eyes[i++ % eyes.size()]));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_Visibility)->RangeMultiplier(4)->Range(1 << 9, 1 << 17)->Complexity()->Unit(benchmark::kMicrosecond);
+
+/// A walk of `moves` straight pieces at random, up to `step` metres each, that keeps its heading where it can.
+Polyline walk(const EdgeIndex& index, const Box& box, int moves, double step) {
+  Rng rng(4);
+  Polyline way{free_place(rng, index, box)};
+  double heading = 0;
+  while (static_cast<int>(way.size()) <= moves) {
+    const Point to = way.back() + step * rng.unit() * Point(std::cos(heading), std::sin(heading));
+    if (index.contains(way.back(), to)) {
+      way.push_back(to);
+    } else {
+      heading = rng.between(0.0, 2 * kPi);
+    }
+  }
+  return way;
+}
+
+/// range(1): metres of a piece at most, in tenths. Simulated whole in each iteration.
+void BM_TautString(benchmark::State& state) {
+  const Region region = hall(state.range(0));
+  const TautSpace space(region);
+  constexpr int kMoves = 100000;
+  const double step = 0.1 * static_cast<double>(state.range(1));
+  const Polyline way = walk(EdgeIndex(region), bounding_box(region), kMoves, step);
+  std::size_t bends = 0, most = 0;
+  for (auto _ : state) {
+    TautString string(space, way[0]);
+    bends = most = 0;
+    for (const Point& p : way) {
+      string.drive(p);
+      bends += string.bends().size();
+      most = std::max(most, string.bends().size());
+    }
+    benchmark::DoNotOptimize(string.length());
+  }
+  state.counters["corners"] = static_cast<double>(corner_count(region));
+  state.counters["bends_mean"] = static_cast<double>(bends) / kMoves;
+  state.counters["bends_max"] = static_cast<double>(most);
+  state.counters["per_move"] =
+      benchmark::Counter(kMoves, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_TautString)->Args({2000, 3})->Args({2000, 30})->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_TautString)
+    ->ArgsProduct({benchmark::CreateRange(1 << 9, 1 << 17, 4), {10}})
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+
+/// The worst for the index: an empty aisle between rows of blocks, and the string as long as the aisle in each move.
+void BM_TautStringAcross(benchmark::State& state) {
+  Region region = hall(state.range(0));
+  const double side = bounding_box(region).high.x(), middle = std::floor(side / 2);
+  std::erase_if(region.polygons[0].holes, [&](const Ring& r) { return std::floor(r[0].y()) == middle; });
+  const TautSpace space(region);
+  TautString string(space, {0.5, middle + 0.5});
+  string.drive(Point(side - 0.5, middle + 0.5));
+  Rng rng(5);
+  for (auto _ : state) string.drive(Point(side - rng.unit(), middle + rng.unit()));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_TautStringAcross)->RangeMultiplier(4)->Range(1 << 9, 1 << 17)->Complexity();
+
 void BM_BoustrophedonCells(benchmark::State& state) {
   const Region region = hall(state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(boustrophedon_cells(region));
@@ -190,6 +268,62 @@ void BM_ConvexPartitionOptimal(benchmark::State& state) {
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(BM_ConvexPartitionOptimal)->RangeMultiplier(2)->Range(16, 128)->Complexity()->Unit(benchmark::kMillisecond);
+
+// The geodesic field of an anchor in a corner, with a way round every block on both sides.
+constexpr double kBarred = 0.15;  // a disc of this diameter: about one gap in five is too narrow
+
+void BM_Barriers(benchmark::State& state) {
+  const Region region = hall(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(barriers(region, kBarred));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_Barriers)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity()->Unit(benchmark::kMillisecond);
+
+void BM_GeodesicBuild(benchmark::State& state) {
+  const Region region = hall(state.range(0));
+  const std::vector<Polyline> lines = barriers(region, kBarred);
+  for (auto _ : state) benchmark::DoNotOptimize(GeodesicField(region, {0.01, 0.02}, lines, 1e-9));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_GeodesicBuild)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity()->Unit(benchmark::kMillisecond);
+
+void BM_GeodesicDistance(benchmark::State& state) {
+  const Region region = hall(state.range(0));
+  const GeodesicField field(region, {0.01, 0.02}, barriers(region, kBarred), 1e-9);
+  const EdgeIndex index(region);
+  Rng rng(3);
+  std::vector<Point> places(1024);
+  for (Point& p : places) p = free_place(rng, index, bounding_box(region));
+  std::size_t i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(field.distance(places[i++ % places.size()]));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_GeodesicDistance)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity();
+
+void BM_GeodesicLevel(benchmark::State& state) {
+  const Region region = hall(state.range(0));
+  const GeodesicField field(region, {0.01, 0.02}, barriers(region, kBarred), 1e-9);
+  const double half = field.farthest() / 2;
+  for (auto _ : state) benchmark::DoNotOptimize(field.level(half));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_GeodesicLevel)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity()->Unit(benchmark::kMillisecond);
+
+void BM_GeodesicCut(benchmark::State& state) {
+  const Region region = hall(state.range(0));
+  const GeodesicField field(region, {0.01, 0.02}, barriers(region, kBarred), 1e-9);
+  for (auto _ : state) benchmark::DoNotOptimize(field.cut(1e-3));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_GeodesicCut)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity()->Unit(benchmark::kMillisecond);
+
+void BM_Slit(benchmark::State& state) {  // along the whole cut
+  const Region region = hall(state.range(0));
+  const std::vector<Polyline> lines = GeodesicField(region, {0.01, 0.02}, {}, 1e-9).cut(1e-3);
+  for (auto _ : state) benchmark::DoNotOptimize(slit(region, lines, 2e-3));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_Slit)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace oxturn

@@ -115,16 +115,21 @@ Robot read_robot(const JsonAt& at, const std::string& file) {
   };
   if (const Json* v = at.find("tether")) {
     const JsonAt tether{*v, file + ": robot.tether"};
-    only_keys(tether, {"length"});
-    robot.tether = Tether{member(tether, "length").number()};
+    only_keys(tether, {"length", "reach", "sharp_angle"});
+    Tether& read_into = robot.tether.emplace();
+    if (tether.find("reach") != nullptr) read_into.reach = member(tether, "reach").number();
+    if (tether.find("length") != nullptr || tether.find("reach") == nullptr)
+      read_into.length = member(tether, "length").number();
+    if (tether.find("sharp_angle") != nullptr) read_into.sharp_angle = member(tether, "sharp_angle").number();
   }
   if (const Json* v = at.find("lidar")) {
     const JsonAt lidar{*v, file + ": robot.lidar"};
-    only_keys(lidar, {"range", "rays"});
+    only_keys(lidar, {"range", "rays", "noise"});
     const JsonAt rays = member(lidar, "rays");
     if (!rays.value.is_number_integer() || rays.value < 1 || rays.value > 1000000)
       rays.refuse("a whole number from 1 to 1000000");
-    robot.lidar = Lidar{member(lidar, "range").number(), rays.value.get<int>()};
+    robot.lidar = Lidar{member(lidar, "range").number(), rays.value.get<int>(), 0};
+    if (lidar.find("noise") != nullptr) robot.lidar->noise = member(lidar, "noise").number();
   }
   try {
     check(robot);
@@ -184,9 +189,13 @@ std::string robot_text(const Robot& r) {
       "\"min_turn_radius\": {}",
       json_text(r.name), json_number(r.radius), json_number(r.tool_width), json_number(r.speed),
       json_number(r.acceleration), json_number(r.turn_rate), json_number(r.min_turn_radius));
-  if (r.tether) text += fmt::format(", \"tether\": {{\"length\": {}}}", json_number(r.tether->length));
+  if (r.tether)
+    text += fmt::format(", \"tether\": {{\"{}\": {}, \"sharp_angle\": {}}}", r.tether->reach > 0 ? "reach" : "length",
+                        json_number(r.tether->reach > 0 ? r.tether->reach : r.tether->length),
+                        json_number(r.tether->sharp_angle));
   if (r.lidar)
-    text += fmt::format(", \"lidar\": {{\"range\": {}, \"rays\": {}}}", json_number(r.lidar->range), r.lidar->rays);
+    text += fmt::format(", \"lidar\": {{\"range\": {}, \"rays\": {}, \"noise\": {}}}", json_number(r.lidar->range),
+                        r.lidar->rays, json_number(r.lidar->noise));
   return text + "}";
 }
 

@@ -2,7 +2,8 @@
 //
 // Layers      grey walls; white free space; target in a warm tint (what stays visible of it is not covered); the
 //             tool's swath; named traces; transit, dashed grey; the path coloured by the way driven, blue to red;
-//             start and end; below, the scale bar in metres and the colour key
+//             the tether at some moments, dark red, with dots where it bends and a ring where the robot is; anchor, start
+//             and end; below, the scale bar in metres and the colour key
 // Decisions   1. y points up in maps and down in SVG: flipped here, nowhere else.
 //             2. Numbers are hundredths of a pixel, printed from integers: small, and the same on every machine.
 //             3. Corners nearer than a quarter of a pixel to the last one drawn are left out of paths (a twentieth
@@ -22,6 +23,7 @@
 #include <vector>
 
 #include "maps/formats.hpp"
+#include "maps/formats/tether_moments.hpp"
 
 namespace oxturn {
 namespace {
@@ -189,7 +191,13 @@ void append_coloured(std::string& out, const View& view, const Path& path, doubl
 }
 
 void append_traces(std::string& out, const View& view, const std::vector<Trace>& traces) {
+  static constexpr std::array<const char*, 6> kColours{"#7a3fa8", "#0b7a75", "#b5651d",
+                                                       "#d6336c", "#1b4f9c", "#5c7a00"};
+  std::vector<std::string> names;  // traces of one name have one colour
   for (const Trace& trace : traces) {
+    const auto known = std::find(names.begin(), names.end(), trace.name);
+    const auto order = static_cast<std::size_t>(known - names.begin());
+    if (known == names.end()) names.push_back(trace.name);
     Data data(view, 0.25);
     for (const Polyline& line : trace.lines) {
       if (line.empty()) continue;
@@ -197,10 +205,38 @@ void append_traces(std::string& out, const View& view, const std::vector<Trace>&
       for (std::size_t i = 1; i < line.size(); ++i) data.line(line[i]);
     }
     out += fmt::format(
-        "<g id=\"{0}\" fill=\"none\" stroke=\"#7a3fa8\" stroke-width=\"1\" stroke-opacity=\"0.7\">"
+        "<g id=\"{0}\" fill=\"none\" stroke=\"{2}\" stroke-width=\"1\" stroke-opacity=\"0.7\">"
         "<title>{0}</title><path d=\"{1}\"/></g>\n",
-        escape_xml(trace.name), data.take());
+        escape_xml(trace.name), data.take(), kColours[order % kColours.size()]);
   }
+}
+
+void append_tether(std::string& out, const View& view, const TetherMoment& moment) {
+  Data data(view, 0);
+  data.move(moment.line.front());
+  for (std::size_t i = 1; i < moment.line.size(); ++i) data.line(moment.line[i]);
+  out += fmt::format("<g stroke-width=\"{}\" stroke-opacity=\"{}\"><title>{:.4g} m of tether after {:.4g} m{}</title>",
+                     moment.longest ? "2.2" : "1", moment.longest ? "1" : "0.7", moment.length, moment.path_m,
+                     moment.longest ? ": the longest" : "");
+  out += fmt::format("<path d=\"{}\"/>", data.take());
+  for (std::size_t i = 1; i + 1 < moment.line.size(); ++i) {
+    const Point bend = view(moment.line[i]);
+    out += fmt::format("<circle class=\"bend\" cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"#8b0000\" stroke=\"none\"/>",
+                       px(bend.x()), px(bend.y()), moment.longest ? "3.2" : "2.4");
+  }
+  const Point robot = view(moment.line.back());
+  out += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"#fff\"/></g>\n", px(robot.x()), px(robot.y()),
+                     moment.longest ? "4" : "2.6");
+}
+
+void append_tethers(std::string& out, const View& view, const Problem& problem, const Path& path, int count) {
+  const std::vector<TetherMoment> moments = tether_moments(problem, path, count);
+  if (moments.empty()) return;
+  out += "<g id=\"tether\" fill=\"none\" stroke=\"#8b0000\" stroke-linejoin=\"round\">\n";
+  for (const bool longest : {false, true})
+    for (const TetherMoment& moment : moments)
+      if (moment.longest == longest) append_tether(out, view, moment);
+  out += "</g>\n";
 }
 
 /// The longest of 1, 2, 5 x 10^k metres that is at most a quarter of the picture.
@@ -265,6 +301,16 @@ void append_lines(std::string& out, const View& view, const Problem& problem, co
         "d=\"{}\"/>\n",
         px(std::max(0.7, line_px * 0.8)), px(std::max(3.0, 3 * line_px)), px(std::max(2.0, 2 * line_px)), transit);
   append_coloured(out, view, path, line_px);
+}
+
+/// A black diamond with a white rim.
+void append_anchor(std::string& out, const View& view, const Problem& problem) {
+  const Point at = view(problem.anchor());
+  const double r = std::clamp(problem.robot().tool_width * view.scale * 0.3, 3.5, 7.0) + 1.5;
+  out += fmt::format(
+      "<path id=\"anchor\" d=\"M{} {} {} {} {} {} {} {}Z\" fill=\"#111\" stroke=\"#fff\" stroke-width=\"1.5\">"
+      "<title>anchor</title></path>\n",
+      px(at.x() - r), px(at.y()), px(at.x()), px(at.y() - r), px(at.x() + r), px(at.y()), px(at.x()), px(at.y() + r));
 }
 
 void append_marks(std::string& out, const View& view, const Problem& problem, const Path* path) {
@@ -337,7 +383,10 @@ std::string to_svg(const Problem& problem, const Path* path, const PictureOption
   }
   if (options.traces != nullptr) append_traces(out, view, *options.traces);
   if (path != nullptr) append_lines(out, view, problem, shown);
+  const bool tethered = problem.robot().tether.has_value();
+  if (tethered && path != nullptr) append_tethers(out, view, problem, shown, options.tethers);
   append_marks(out, view, problem, path != nullptr ? &shown : nullptr);
+  if (tethered) append_anchor(out, view, problem);
   append_footer(out, view, path != nullptr);
   return out + "</svg>\n";
 }

@@ -21,12 +21,15 @@ GeneratorInfo cave();
 GeneratorInfo comb();
 GeneratorInfo spiral();
 GeneratorInfo field();
+GeneratorInfo berg_rectangle();
+GeneratorInfo berg_rooms();
 }  // namespace generator
 
 const std::vector<GeneratorInfo>& generators() {
-  static const std::vector<GeneratorInfo> all{generator::rectangle(), generator::polygon(), generator::clutter(),
-                                              generator::rooms(),     generator::maze(),    generator::cave(),
-                                              generator::comb(),      generator::spiral(),  generator::field()};
+  static const std::vector<GeneratorInfo> all{generator::rectangle(),      generator::polygon(),   generator::clutter(),
+                                              generator::rooms(),          generator::maze(),      generator::cave(),
+                                              generator::comb(),           generator::spiral(),    generator::field(),
+                                              generator::berg_rectangle(), generator::berg_rooms()};
   return all;
 }
 

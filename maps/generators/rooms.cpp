@@ -11,7 +11,6 @@
 //             2. Two corridors that meet are open to each other over the whole width.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 #include "geometry/raster.hpp"
@@ -129,27 +128,6 @@ std::vector<Stretch> stretches(const std::vector<int>& label, int columns, int r
   return all;
 }
 
-class Groups {
- public:
-  explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int a) {
-    while (parent_[static_cast<std::size_t>(a)] != a) {
-      int& up = parent_[static_cast<std::size_t>(a)];
-      up = parent_[static_cast<std::size_t>(up)];
-      a = up;
-    }
-    return a;
-  }
-  bool join(int a, int b) {
-    a = find(a), b = find(b);
-    parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    return a != b;
-  }
-
- private:
-  std::vector<int> parent_;
-};
-
 void open_doors(BitGrid& grid, const std::vector<Stretch>& walls, int rooms, int labels, int door, double loops,
                 Rng& rng) {
   struct Candidate {
@@ -176,12 +154,6 @@ void open_doors(BitGrid& grid, const std::vector<Stretch>& walls, int rooms, int
     }
     for (int k = from; k < to; ++k) grid.set(w.upright ? w.line : k, w.upright ? k : w.line, true);
   }
-}
-
-std::vector<double> lines(int cells, double size) {
-  std::vector<double> at;
-  for (int i = 0; i <= cells; ++i) at.push_back(size * i / cells);
-  return at;
 }
 
 Region make(const Params& p, Rng& rng) {
@@ -212,7 +184,7 @@ Region make(const Params& p, Rng& rng) {
           }
       }
     open_doors(grid, stretches(label, columns, rows), static_cast<int>(plan.rooms.size()), next, door, p.loops, rng);
-    return finished(placed(trace(grid), lines(columns, p.width), lines(rows, p.height)), p);
+    return finished(placed(trace(grid), lattice_lines(columns, p.width), lattice_lines(rows, p.height)), p);
   }
   refuse("rooms", std::to_string(p.rooms) + " rooms with doors of " + number(door_width) + " m do not fit in " +
                       number(p.width) + " x " + number(p.height) +

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "geometry/predicates.hpp"
@@ -156,6 +157,29 @@ Region placed(const Region& lattice, const std::vector<double>& xs, const std::v
     for (Ring& hole : polygon.holes) place(hole);
   }
   return result;
+}
+
+std::vector<double> lattice_lines(int cells, double size) {
+  std::vector<double> at;
+  for (int i = 0; i <= cells; ++i) at.push_back(size * i / cells);
+  return at;
+}
+
+Groups::Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+int Groups::find(int a) {
+  while (parent_[static_cast<std::size_t>(a)] != a) {
+    int& up = parent_[static_cast<std::size_t>(a)];
+    up = parent_[static_cast<std::size_t>(up)];
+    a = up;
+  }
+  return a;
+}
+
+bool Groups::join(int a, int b) {
+  a = find(a), b = find(b);
+  parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  return a != b;
 }
 
 namespace {

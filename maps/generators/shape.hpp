@@ -95,6 +95,21 @@ Ring without_straight_corners(const Ring& ring);
 Ring cut_corners(const Ring& ring, double share, double most);
 /// Lattice corners (whole numbers) looked up in tables of coordinates.
 Region placed(const Region& lattice, const std::vector<double>& xs, const std::vector<double>& ys);
+/// Where the lines of a lattice of so many cells are, stretched to `size`.
+std::vector<double> lattice_lines(int cells, double size);
+
+/// Which of n things are connected (union-find with path halving).
+class Groups {
+ public:
+  explicit Groups(std::size_t n);
+  int find(int a);
+  /// False if they were together already.
+  bool join(int a, int b);
+
+ private:
+  std::vector<int> parent_;
+};
+
 /// The last step of every generator: turned about the site's centre, snapped to a grid of 2^-16 m (finer for
 /// robots under 0.1 m), rings oriented and without straight corners.
 Region finished(Region region, const Site& site);

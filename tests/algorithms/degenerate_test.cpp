@@ -101,7 +101,8 @@ class Degenerate : public testing::TestWithParam<std::size_t> {};
 TEST_P(Degenerate, ValidPathOrClearRefusal) {
   const Case c = cases()[GetParam()];
   const Problem problem({c.name, c.free, "test", "test"}, c.robot, c.start);
-  for (const PlannerInfo& planner : zoo())
+  for (const PlannerInfo& planner : zoo()) {
+    if (planner.has(Capability::tether)) continue;
     for (const Settings& settings :
          {Settings{}, planner.name == "boustrophedon" ? Settings{{"cells", std::string("exact")}} : Settings{}}) {
       SCOPED_TRACE(fmt::format("{} on '{}'", planner.name, c.name));
@@ -121,6 +122,35 @@ TEST_P(Degenerate, ValidPathOrClearRefusal) {
         EXPECT_GE(result.value("coverage_lower").value_or(0), 0.99);
       }
     }
+  }
+}
+
+TEST_P(Degenerate, OnALeashAsWell) {
+  const Case c = cases()[GetParam()];
+  for (const double reach : {1.2, 0.6}) {
+    Robot robot = c.robot;
+    robot.tether = Tether{0, reach};
+    const Problem problem({c.name, c.free, "test", "test"}, robot, c.start);
+    for (const PlannerInfo& planner : zoo()) {
+      if (!planner.has(Capability::tether)) continue;
+      SCOPED_TRACE(fmt::format("{} on '{}', reach {}", planner.name, c.name, reach));
+      const bool promises_all = planner.name == "leashed" || planner.name == "berg-complete";
+      Context context(1);
+      Path path;
+      try {
+        path = planner.make({})->plan(problem, context);
+      } catch (const Infeasible& refusal) {
+        EXPECT_FALSE(promises_all) << refusal.what();
+        continue;
+      }
+      // The literal berg does not look at its tether while it joins pieces.
+      const Score result = score(problem, path, ScoreOptions{.tether_counts = planner.name != "berg"});
+      EXPECT_EQ(result.flaw, "");
+      if (promises_all) {
+        EXPECT_GE(result.value("coverage_upper").value_or(0), 0.99);
+      }
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Set, Degenerate, testing::Range(std::size_t{0}, cases().size()));

@@ -21,7 +21,7 @@ TEST(Results, HeaderIsTheContract) {
       "coverage,coverage_lower,coverage_upper,coverage_of_free,target_m2,"
       "path_m,work_m,transit_m,length_ratio,overlap,revisits,turns,turn_rad,clearance_m,mission_s,"
       "tether_limit_m,tether_max_m,tether_bends_max,tether_angle_min_rad,tether_angle_mean_rad,"
-      "tether_sharp_fraction,tether_crossings,"
+      "tether_sharp_fraction,tether_crossings,tether_entangled,"
       "plan_wall_s,plan_cpu_s,peak_rss_bytes,score_s,path_sha256,path_file\n");
 }
 

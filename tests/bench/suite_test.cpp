@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "bench/run_id.hpp"
+#include "maps/generators.hpp"
 #include "test_planners.hpp"
 
 namespace oxturn {
@@ -19,15 +23,27 @@ constexpr const char* kRobot = "[robots.disc]\nradius = 0.2\ntool_width = 0.4\n"
 constexpr const char* kMap = "[[maps]]\ngenerator = \"rectangle\"\nwidth = 3\nheight = 2\n";
 constexpr const char* kPlanner = "[[planners]]\nname = \"test\"\n";
 
-Suite suite_of(const std::string& text) {
-  const testing::Folder folder;
-  write_file(folder.file("t.toml"), text);
-  return read_suite(folder.file("t.toml"), testing::test_planners());
+/// The test planners, and one that minds its tether.
+const std::vector<PlannerInfo>& planners_with_tied() {
+  static const std::vector<PlannerInfo> all = [] {
+    std::vector<PlannerInfo> list = testing::test_planners();
+    list.push_back(list.front());
+    list.back().name = "tied";
+    list.back().capabilities = {Capability::tether};
+    return list;
+  }();
+  return all;
 }
 
-std::string sentence_of(const std::string& text) {
+Suite suite_of(const std::string& text, const std::vector<PlannerInfo>& planners = testing::test_planners()) {
+  const testing::Folder folder;
+  write_file(folder.file("t.toml"), text);
+  return read_suite(folder.file("t.toml"), planners);
+}
+
+std::string sentence_of(const std::string& text, const std::vector<PlannerInfo>& planners = testing::test_planners()) {
   try {
-    suite_of(text);
+    suite_of(text, planners);
   } catch (const std::invalid_argument& e) {
     const std::string what = e.what();
     return what.substr(what.find("t.toml"));
@@ -110,13 +126,76 @@ TEST(Suite, FilesByPattern) {
   const Suite suite = read("[[maps]]\nfile = \"*.geojson\"\nstart = [1, 0.5]\n");
   EXPECT_THAT(map_names(suite), ElementsAre("a", "b"));
   ASSERT_TRUE(suite.maps[0].start);
-  EXPECT_EQ(suite.maps[0].start->y(), 0.5);
+  EXPECT_EQ(suite.maps[0].start->point, Point(1, 0.5));
   ASSERT_TRUE(suite.maps[0].content);
   EXPECT_THAT([&] { read("[[maps]]\nfile = \"*.png\"\n"); },
               ::testing::ThrowsMessage<std::invalid_argument>(HasSubstr("t.toml:7: no file matches '*.png'")));
   write_file(folder.file("c.geojson"), "{");
   EXPECT_THAT([&] { read("[[maps]]\nfile = \"c.*\"\n"); },
               ::testing::ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("t.toml:7: "), HasSubstr("c.geojson"))));
+}
+
+TEST(Suite, TethersByLengthOrReach) {
+  const auto robots = [](const std::string& lines) {
+    return suite_of(fmt::format("{}[robots.r]\n{}\n{}{}", kHead, lines, kMap, kPlanner)).robots;
+  };
+  const auto reach = robots("tether = { reach = [0.6, 1.1], sharp_angle = 2.0 }");
+  ASSERT_EQ(reach.size(), 2u);
+  EXPECT_EQ(reach[0].name, "r[tether.reach=0.6]");
+  EXPECT_EQ(reach[1].tether->reach, 1.1);
+  EXPECT_EQ(reach[1].tether->length, 0);
+  EXPECT_EQ(reach[1].tether->sharp_angle, 2);
+  const auto length = robots("tether.length = 7");
+  EXPECT_EQ(length[0].tether->length, 7);
+  EXPECT_EQ(length[0].tether->reach, 0);
+  EXPECT_EQ(length[0].tether->sharp_angle, Tether{}.sharp_angle);
+}
+
+TEST(Suite, StartsAndAnchorsByNameOrPlace) {
+  const auto maps = [](const std::string& lines) {
+    return suite_of(fmt::format("{}{}{}{}{}", kHead, kRobot, kMap, lines, kPlanner)).maps;
+  };
+  const auto one = maps("anchor = \"wall\"\n");
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(one[0].name, "rectangle-1");
+  EXPECT_FALSE(one[0].start);
+  EXPECT_EQ(one[0].anchor->name, "wall");
+  const Suite many =
+      suite_of(fmt::format("{}{}{}start = [\"middle\", [1, 0.5]]\nanchor = [\"start\", \"corner\", [0.25, 2]]\n{}",
+                           kHead, kRobot, kMap, kPlanner));
+  EXPECT_THAT(map_names(many),
+              ElementsAre("rectangle-1[anchor=start;start=middle]", "rectangle-1[anchor=corner;start=middle]",
+                          "rectangle-1[anchor=0.25 2;start=middle]", "rectangle-1[anchor=start;start=1 0.5]",
+                          "rectangle-1[anchor=corner;start=1 0.5]", "rectangle-1[anchor=0.25 2;start=1 0.5]"));
+  EXPECT_EQ(many.maps[5].anchor->point, Point(0.25, 2));
+  EXPECT_EQ(maps("anchor = [1, 2]\n").size(), 1u);
+}
+
+TEST(Suite, IgnoredTethersAreVariants) {
+  const std::string start = fmt::format("{}{}{}", kHead, kRobot, kMap);
+  const auto read = [&](const std::string& lines) {
+    return suite_of(start + "[[planners]]\n" + lines, planners_with_tied());
+  };
+  const Suite both = read("name = \"test\"\nhow = \"x\"\nignore_tether = [true, false]\n");
+  EXPECT_THAT(variants(both), ElementsAre("test[how=x;ignore_tether=true]", "test[how=x]"));
+  EXPECT_TRUE(both.planners[0].ignore_tether);
+  EXPECT_FALSE(both.planners[0].settings.contains("ignore_tether"));
+  // Those that mind it run as always, once.
+  EXPECT_THAT(variants(read("name = \"*\"\nignore_tether = [true, false]\n")),
+              ElementsAre("test[ignore_tether=true]", "test", "other[ignore_tether=true]", "other", "tied"));
+  EXPECT_THAT(variants(read("name = \"tied\"\nignore_tether = false\n")), ElementsAre("tied"));
+  EXPECT_NE(content_hash(read("name = \"test\"\nignore_tether = true\n")), content_hash(read("name = \"test\"\n")));
+  EXPECT_THAT(sentence_of(start + "[[planners]]\nname = \"tied\"\nignore_tether = true\n", planners_with_tied()),
+              StartsWith("t.toml:11: planner 'tied' minds the tether"));
+  EXPECT_THAT(sentence_of(start + "[[planners]]\nname = \"test\"\nignore_tether = 1\n"),
+              StartsWith("t.toml:12: ignore_tether is not true or false"));
+}
+
+TEST(Suite, RunsThatIgnoreTheTetherHaveNamesOfTheirOwn) {
+  const PlannerInfo& planner = testing::test_planners().front();
+  const auto id = [&](bool ignored) { return run_id("m", "r", "p", planner, {}, 7, 1, ignored); };
+  EXPECT_NE(id(true), id(false));
+  EXPECT_EQ(id(false), run_id("m", "r", "p", planner, {}, 7, 1));
 }
 
 // Every kind of mistake: one sentence, with the line.
@@ -142,6 +221,14 @@ TEST(Suite, MistakesAreOneSentenceWithTheirLine) {
       {std::string(kHead) + "[robots.r]\ntool_width = 0\n", "t.toml:3: ", "tool_width is 0"},
       {std::string(kHead) + "[robots.r]\nwidth = 0\n", "t.toml:4: ", "unknown key 'width' in robot 'r'"},
       {std::string(kHead) + "[robots.r]\nradius = \"thin\"\n", "t.toml:4: ", "radius is not a number"},
+      {std::string(kHead) + "[robots.r]\ntether = { reach = 1, length = 2 }\n", "t.toml:3: ", "a length and a reach"},
+      {std::string(kHead) + "[robots.r]\ntether = { reach = -1 }\n", "t.toml:3: ", "tether.reach is -1"},
+      {std::string(kHead) + "[robots.r]\ntether = { sharp_angle = 1 }\n", "t.toml:3: ", "tether.length is 0"},
+      {std::string(kHead) + "[robots.r]\ntether = { long = 1 }\n", "t.toml:4: ", "unknown key 'tether.long'"},
+      {std::string(kHead) + kRobot + kMap + "start = \"midle\"\n", "t.toml:10: ", "one of: middle, corner"},
+      {std::string(kHead) + kRobot + kMap + "anchor = [\"wall\", [1]]\n",
+       "t.toml:10: ", "anchor is neither [x, y] in metres nor one of \"start\", \"wall\", \"corner\""},
+      {std::string(kHead) + kRobot + kMap + "anchor = []\n", "t.toml:10: ", "empty list"},
       {std::string(kHead) + kRobot + kPlanner, "t.toml:", "no [[maps]]"},
       {std::string(kHead) + kRobot + "[[maps]]\nseeds = [1]\n", "t.toml:6: ", "either 'generator' or 'file'"},
       {std::string(kHead) + kRobot + "[[maps]]\ngenerator = \"rectangel\"\n", "t.toml:7: ", "did you mean 'rectangle'"},
@@ -175,12 +262,65 @@ TEST(Suite, HashKnowsMeaningFromLooks) {
   EXPECT_NE(content_hash(suite_of(a)), content_hash(suite_of(a + "how = \"x\"\n")));
 }
 
+TEST(Suite, HashKnowsPlacesAndTethers) {
+  const std::string maps = fmt::format("{}{}{}{}", kHead, kRobot, kMap, kPlanner);
+  std::set<std::string> hashes{content_hash(suite_of(maps))};
+  const std::vector<std::string> robots{"tether.length = 4\n", "tether.reach = 4\n",
+                                        "tether = { length = 4, sharp_angle = 1.0 }\n"};
+  for (const std::string& line : robots)
+    hashes.insert(content_hash(suite_of(fmt::format("{}{}{}{}{}", kHead, kRobot, line, kMap, kPlanner))));
+  for (const std::string line :
+       {"anchor = \"start\"\n", "anchor = \"wall\"\n", "anchor = [1, 1]\n", "start = [1, 1]\n"})
+    hashes.insert(content_hash(suite_of(fmt::format("{}{}{}{}{}", kHead, kRobot, kMap, line, kPlanner))));
+  EXPECT_EQ(hashes.size(), 8u);
+}
+
 TEST(Suite, QuickIsWellFormed) {
   const Suite quick = read_suite(std::string(OXTURN_SOURCE_DIR) + "/bench/suites/quick.toml", zoo());
   std::set<std::string> families;
   for (const MapSpec& m : quick.maps) families.insert(m.generator);
   EXPECT_EQ(families.size(), 9u);
   EXPECT_EQ(quick.planners.size(), zoo().size());
+}
+
+Suite shipped(const std::string& name) {
+  return read_suite(std::string(OXTURN_SOURCE_DIR) + "/bench/suites/" + name + ".toml", zoo());
+}
+
+TEST(Suite, AllThatComeWithOxturnAreWellFormed) {
+  std::size_t suites = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(OXTURN_SOURCE_DIR) + "/bench/suites")) {
+    if (entry.path().extension() != ".toml") continue;
+    SCOPED_TRACE(entry.path().string());
+    ++suites;
+    EXPECT_EQ(shipped(entry.path().stem().string()).name, entry.path().stem().string());
+  }
+  EXPECT_GE(suites, 4u);
+}
+
+TEST(Suite, TetherHasEveryFamilyAndEveryTetheredPlanner) {
+  const Suite tether = shipped("tether");
+  std::set<std::string> families, planners, anchors;
+  for (const MapSpec& m : tether.maps) {
+    families.insert(m.generator);
+    ASSERT_TRUE(m.anchor);
+    anchors.insert(m.anchor->name);
+  }
+  for (const PlannerSpec& p : tether.planners) planners.insert(p.name);
+  for (const GeneratorInfo& g : generators()) EXPECT_TRUE(families.contains(g.name)) << g.name;
+  for (const PlannerInfo& p : zoo())
+    if (p.has(Capability::tether) && !p.has(Capability::online)) { EXPECT_TRUE(planners.contains(p.name)) << p.name; }
+  EXPECT_TRUE(anchors.contains("start") && anchors.contains("wall"));
+}
+
+// The page docs/leash.md is about the tether suite's maps.
+TEST(Suite, LeashHasTheRobotsAndMapsOfTether) {
+  Suite leash = shipped("leash"), tether = shipped("tether");
+  for (Suite* suite : {&leash, &tether}) {
+    suite->name = "";
+    suite->planners.clear();
+  }
+  EXPECT_EQ(content_hash(leash), content_hash(tether));
 }
 
 }  // namespace

@@ -225,7 +225,7 @@ TEST(Sweep, NoPlaceForTheRobotIsInfeasible) {
   Suite suite = rectangles({"good", "null"});
   suite.robots[0].radius = 5;
   MapSpec in_a_wall = suite.maps[0];
-  in_a_wall.start = Point(50, 50);
+  in_a_wall.start = Place{"", {50, 50}};
   suite.maps.push_back(in_a_wall);
   const Results results = sweep(suite, test_planners(), into(folder.file("out")));
   ASSERT_EQ(results.rows.size(), 4u);
@@ -242,6 +242,75 @@ TEST(Sweep, ALackingCapabilityIsUnsupported) {
   const Results results = sweep(suite, test_planners(), into(folder.file("out")));
   EXPECT_EQ(results.rows.at(0).outcome(), Outcome::unsupported);
   EXPECT_THAT(results.rows[0].get("reason"), HasSubstr("tether"));
+}
+
+// The string in an empty rectangle is straight, so its greatest length is taken at a corner of the path.
+TEST(Sweep, AnIgnoredTetherIsMeasuredAndDoesNotCount) {
+  const Folder folder;
+  std::vector<PlannerInfo> planners = test_planners();
+  planners.push_back(planners.front());
+  planners.back().name = "tied";
+  planners.back().capabilities = {Capability::tether};
+  Suite suite = rectangles({"good", "wall"});
+  const Results free = sweep(suite, planners, into(folder.file("free")));
+  suite.robots[0].tether = Tether{1.2};
+  for (const char* how : {"good", "wall"}) suite.planners.push_back({"test", {{"how", how}}, true});
+  suite.planners.push_back({"tied", {{"how", "good"}}});
+  const Results held = sweep(suite, planners, into(folder.file("held")));
+  ASSERT_EQ(held.rows.size(), 5u);
+  EXPECT_EQ(held.rows[0].outcome(), Outcome::unsupported);
+  EXPECT_EQ(held.rows[1].outcome(), Outcome::unsupported);
+
+  // As if there were no tether, but measured.
+  const Row& row = held.rows[2];
+  EXPECT_EQ(row.outcome(), Outcome::ok) << row.get("reason");
+  EXPECT_EQ(row.get("variant"), "test[how=good;ignore_tether=true]");
+  EXPECT_EQ(row.get("params"), "how=good;ignore_tether=true");
+  EXPECT_EQ(row.get("path_sha256"), free.rows[0].get("path_sha256"));
+  EXPECT_EQ(row.get("path_m"), free.rows[0].get("path_m"));
+  const std::string file = folder.file("held/" + row.get("path_file"));
+  const Path path = read_path(file);
+  double farthest = 0;
+  for (const Leg& leg : path.legs)
+    for (const Point& p : leg.points) farthest = std::max(farthest, distance(p, path.legs[0].points[0]));
+  EXPECT_EQ(row.number("tether_limit_m"), 1.2);
+  EXPECT_NEAR(row.number("tether_max_m").value(), farthest, 1e-9);
+  EXPECT_GT(farthest, 1.2);
+  // The problem that stands beside it is the tethered one: scored again as it is, the path breaks the leash.
+  const MapFile map =
+      read_map(folder.file("held/" + nlohmann::json::parse(read_file(file)).at("problem").get<std::string>()));
+  const Problem problem(map.map, *map.robot, map.start, map.anchor);
+  EXPECT_THAT(find_flaw(problem, path), HasSubstr("tether"));
+  EXPECT_EQ(find_flaw(problem, path, {.tether_counts = false}), "");
+  EXPECT_LT(row.number("target_m2").value(), free.rows[0].number("target_m2").value());
+
+  EXPECT_EQ(held.rows[3].outcome(), Outcome::invalid);  // walls count for everyone
+  EXPECT_EQ(held.rows[4].outcome(), Outcome::invalid);  // who minds the tether is judged by it
+  EXPECT_THAT(held.rows[4].get("reason"), HasSubstr("tether"));
+  std::set<std::string> ids;
+  for (const Row& r : held.rows) ids.insert(r.get("run_id"));
+  EXPECT_EQ(ids.size(), 5u);
+  EXPECT_EQ(held.rows[0].get("seed"), held.rows[2].get("seed"));
+}
+
+TEST(Sweep, NamedPlacesAreWorkedOutForEachRobot) {
+  const Folder folder;
+  Suite suite = rectangles({"good"});
+  suite.robots.push_back(Robot{});
+  suite.robots.back().name = "thin";
+  suite.robots.back().radius = 0.1;
+  suite.maps[0].start = Place{"corner"};
+  suite.maps[0].anchor = Place{"wall"};
+  const Results results = sweep(suite, test_planners(), into(folder.file("out")));
+  ASSERT_EQ(results.rows.size(), 2u);
+  for (const Row& row : results.rows) {
+    const std::string path = read_file(folder.file("out/" + row.get("path_file")));
+    const MapFile map = read_map(folder.file("out/" + nlohmann::json::parse(path).at("problem").get<std::string>()));
+    const double r = map.robot->radius;
+    EXPECT_NEAR(distance(*map.start, {r + 0.004, r + 0.004}), 0, 1e-3);
+    EXPECT_EQ(std::min(map.anchor->x(), map.anchor->y()), 0);
+    EXPECT_NEAR(distance(*map.start, *map.anchor), r + 0.004, 1e-3);
+  }
 }
 
 TEST(Sweep, SessionAndColumnsDescribeTheFolder) {

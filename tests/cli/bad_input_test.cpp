@@ -106,6 +106,21 @@ TEST_F(BadInput, NumbersThatAreNone) {
   expect_refused(oxturn("plan stc rooms:x" + to), HasSubstr("'x'"));
   expect_refused(oxturn("plan stc " + box + " --start 1" + to), HasSubstr("X,Y"));
 }
+TEST_F(BadInput, Tethers) {
+  expect_refused(oxturn("plan stc " + box + " --anchor here" + to),
+                 HasSubstr("--anchor is 'here', expected X,Y: two finite numbers in metres"));
+  expect_refused(oxturn("plan stc " + box + " --robot tether=5,tether_reach=2" + to),
+                 HasSubstr("tether has a length and a reach, expected one of the two"));
+  expect_refused(oxturn("plan stc " + box + " --robot tether=0" + to), HasSubstr("tether.length is 0"));
+  expect_refused(oxturn("plan stc " + box + " --robot sharp_angle=2" + to), HasSubstr("tether.length is 0"));
+  expect_refused(oxturn("plan stc " + box + " --robot tether=5,sharp_angle=4" + to), HasSubstr("sharp_angle is 4"));
+  expect_refused(oxturn("plan stc " + box + " --robot tether=5 --anchor 9,9" + to), HasSubstr("anchor (9, 9)"));
+  expect_refused(oxturn("plan stc " + box + " --robot tether=0.5 --anchor 3,1" + to), HasSubstr("too short"));
+  expect_refused(oxturn("plan stc " + box + " --tether-trace " + (out / "t.csv") + to), HasSubstr("has no tether"));
+  expect_refused(oxturn("plan stc " + box + " --robot tether=5 --tether-trace " + (out / "t.txt") + to),
+                 HasSubstr(".csv"));
+  expect_refused(oxturn("plan stc " + box + " --tethers -1" + to), HasSubstr("--tethers"));
+}
 TEST_F(BadInput, SuffixNobodyWrites) {
   expect_refused(oxturn("map rooms -o " + (out / "m.dxf")), HasSubstr(".geojson"));
 }

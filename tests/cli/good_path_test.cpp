@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "maps/formats.hpp"
@@ -31,7 +32,7 @@ TEST(Program, SaysItsVersion) {
 }
 
 TEST(List, JsonParsesAndAgreesWithTheText) {
-  for (const std::string what : {"planners", "maps", "formats", "metrics", "suites", "columns"}) {
+  for (const std::string what : {"planners", "maps", "formats", "metrics", "suites", "pages", "columns"}) {
     const Said text = oxturn("list " + what), json = oxturn("list " + what + " --json");
     ASSERT_EQ(json.code, 0) << json.err;
     const Json all = Json::parse(json.out);
@@ -121,6 +122,20 @@ TEST_F(Planned, RobotAndStartOfTheFileAreUsed) {
   EXPECT_EQ(other["start"], Json({3.0, 2.0}));
 }
 
+TEST_F(Planned, StartAndAnchorMayBeNames) {
+  const std::string file =
+      out.write("box.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,3],[0,0]]]})");
+  const Said said = oxturn("plan zigzag " + file + " --json --start corner --anchor wall");
+  ASSERT_EQ(said.code, 0) << said.err;
+  const Json start = Json::parse(said.out).at("start");
+  EXPECT_NEAR(start.at(0).get<double>(), 0.204, 1e-3);
+  EXPECT_NEAR(start.at(1).get<double>(), 0.204, 1e-3);
+  const Said bad = oxturn("plan zigzag " + file + " --anchor ceiling");
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_THAT(bad.err, HasSubstr("--anchor is 'ceiling', expected X,Y: two finite numbers in metres, or one of: start, "
+                                 "wall, corner"));
+}
+
 TEST_F(Planned, NegativeStartIsANumberNotAnOption) {
   const std::string file =
       out.write("box.geojson", R"({"type":"Polygon","coordinates":[[[-4,-3],[0,-3],[0,0],[-4,0],[-4,-3]]]})");
@@ -167,9 +182,56 @@ TEST_F(Planned, RunGivesRowsTableAndPictures) {
   EXPECT_EQ(again.code, 2);
   EXPECT_EQ(oxturn("run " + suite + " -q --resume -o " + (out / "r")).code, 0);
   EXPECT_EQ(content(out / "r/runs.csv"), csv);
+  const Said page = oxturn("report " + (out / "r") + " --page leash -o " + (out / "r"));
+  EXPECT_EQ(page.code, 2);
+  EXPECT_THAT(page.err, HasSubstr("is made from the results of suite 'leash'"));
   // The report alone, elsewhere.
   ASSERT_EQ(oxturn("report " + (out / "r") + " -o " + (out / "elsewhere")).code, 0);
   EXPECT_EQ(content(out / "elsewhere/report.md"), content(out / "r/report.md"));
+}
+
+TEST_F(Planned, ATetherIsScoredTracedAndDrawn) {
+  const std::string map = out.write(
+      "ring.geojson",
+      R"({"type":"Polygon","coordinates":[[[0,0],[6,0],[6,6],[0,6],[0,0]],[[2,2],[2,4],[4,4],[4,2],[2,2]]]})");
+  const std::string path =
+      out.write("p.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"tool":true},)"
+                             R"("geometry":{"type":"LineString","coordinates":[[1,1],[5,1],[5,5]]}}]})");
+  const std::string problem = "score " + path + " " + map + " --start 1,1 --anchor 1,0 --json";
+  const Said said = oxturn(problem + " --robot tether=8,sharp_angle=2 --tether-trace " + (out / "t.csv") + " --svg " +
+                           (out / "t.svg"));
+  EXPECT_EQ(said.code, 0) << said.err;
+  const Json json = Json::parse(said.out);
+  EXPECT_EQ(json["anchor"], Json({1.0, 0.0}));
+  EXPECT_EQ(json["metrics"]["tether_limit_m"], 8);
+  EXPECT_NEAR(json["metrics"]["tether_max_m"].get<double>(), std::sqrt(13) + std::sqrt(10), 1e-12);
+  EXPECT_EQ(json["metrics"]["tether_bends_max"], 1);
+  EXPECT_EQ(json["metrics"]["tether_entangled"], 0);
+  const std::string trace = content(out / "t.csv");
+  EXPECT_THAT(trace, StartsWith("path_m,mission_s,x,y,length_m,bends,angle_rad,event\n0,0,1,1,1,0,,start\n"));
+  EXPECT_THAT(trace, HasSubstr(",bend_gained\n"));
+  EXPECT_THAT(content(out / "t.svg"), HasSubstr("id=\"tether\""));
+  EXPECT_THAT(oxturn(problem + " --robot tether=6").err,
+              HasSubstr("invalid: pulls its tether to 6.76783 m at (5, 5), 0.768 m over its limit 6 m"));
+  // The farthest place is (5.8, 5.8), past the corner (4, 2) or (2, 4): twice that.
+  const Json reach = Json::parse(oxturn(problem + " --robot tether_reach=2").out);
+  EXPECT_NEAR(reach["metrics"]["tether_limit_m"].get<double>(), 2 * (std::sqrt(13) + std::hypot(1.8, 3.8)), 0.05);
+}
+
+TEST_F(Planned, ARunKeepsTheTether) {
+  const std::string suite = out.write(
+      "s.toml",
+      "schema = 1\nname = \"s\"\n[robots.leashed]\nradius = 0.2\ntool_width = 0.4\ntether = { reach = 2.0 }\n[[maps]]\n"
+      "generator = \"rectangle\"\n[[planners]]\nname = \"zigzag\"\nignore_tether = true\n");
+  ASSERT_EQ(oxturn("run " + suite + " -q -o " + (out / "r")).code, 0);
+  std::size_t traces = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(out / "r/tethers")) {
+    ++traces;
+    EXPECT_THAT(content(entry.path().string()), HasSubstr(",way_point\n"));
+    EXPECT_TRUE(std::filesystem::exists(out / ("r/gallery/" + entry.path().stem().string() + ".svg")));
+    EXPECT_THAT(content(out / ("r/gallery/" + entry.path().stem().string() + ".svg")), HasSubstr("id=\"tether\""));
+  }
+  EXPECT_EQ(traces, 1u);
 }
 
 }  // namespace

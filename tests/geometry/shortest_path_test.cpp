@@ -1,13 +1,17 @@
 #include "geometry/shortest_path.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 #include "geometry/edge_index.hpp"
 #include "geometry/predicates.hpp"
 #include "random_region.hpp"
+#include "taut_paths.hpp"
 
 namespace oxturn {
 namespace {
@@ -171,6 +175,71 @@ TEST(ShortestPaths, DoesNotDependOnPlaceTurnOrScale) {
     ASSERT_TRUE(here && there);
     EXPECT_NEAR(length(*here), length(*there), 1e-9 * length(*here) + 1e-8);
   }
+}
+
+void compare_classes(const Region& region, Rng& rng, std::size_t& classes) {
+  const EdgeIndex index(region);
+  const ShortestPaths paths(region, 1e-9);
+  TautPaths oracle(region);
+  const Box box = bounding_box(region);
+  const auto end = [&] {  // often in line with corners of lattices
+    Point p = free_point(rng, index, box);
+    if (const Point q(std::round(p.x() * 8) / 8, std::round(p.y() * 8) / 8); rng.chance(0.5) && index.contains(q))
+      p = q;
+    return p;
+  };
+  const Point a = end(), b = end();
+  const double longest = length(*paths.path(a, b)) + rng.between(0.5, 4.0);
+  std::vector<Polyline> expected = oracle.from(a, b, longest), found;
+  EXPECT_TRUE(paths.for_each_taut_path(a, b, longest, 1000000, [&](const Polyline& line) {
+    EXPECT_GE(length(line), found.empty() ? 0 : length(found.back()) * (1 - 1e-12));
+    found.push_back(line);
+    return true;
+  }));
+  classes += expected.size();
+  const auto text = [](const Polyline& line) {
+    std::ostringstream out;
+    for (const Point& p : line) out << p.transpose() << "; ";
+    return out.str();
+  };
+  std::vector<std::string> expected_texts, found_texts;
+  for (const Polyline& line : expected) expected_texts.push_back(text(line));
+  for (const Polyline& line : found) found_texts.push_back(text(line));
+  EXPECT_THAT(found_texts, testing::UnorderedElementsAreArray(expected_texts));
+}
+
+TEST(ShortestPaths, AllClassesAgreeWithTheVisibilityGraph) {
+  std::size_t classes = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Rng rng(seed);
+    compare_classes(clutter_box(rng, rng.between(1, 3), rng.between(1, 2), seed % 2 == 0), rng, classes);
+  }
+  EXPECT_GT(classes, 2500u);
+}
+
+TEST(ShortestPaths, ClassesEndWhereTheVisitorOrTheBudgetDoes) {
+  const Region region{{{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{4, 2}, {4, 9}, {6, 9}, {6, 2}}}}}};
+  const ShortestPaths paths(region, 1e-9);
+  const auto count = [&](std::size_t wanted, std::size_t budget, double longest, bool& all) {
+    std::size_t n = 0;
+    all = paths.for_each_taut_path({1, 5}, {9, 5}, longest, budget, [&](const Polyline&) { return ++n < wanted; });
+    return n;
+  };
+  bool all = false;
+  EXPECT_EQ(count(5, 100000, kInf, all), 5u);  // round and round: endlessly many
+  EXPECT_TRUE(all);
+  EXPECT_EQ(count(100, 100000, 15, all), 2u);
+  EXPECT_TRUE(all);
+  EXPECT_LT(count(1000, 50, kInf, all), 50u);
+  EXPECT_FALSE(all);
+  // Nothing that first bends at a lower corner.
+  std::vector<double> lengths;
+  EXPECT_TRUE(paths.for_each_taut_path(
+      {1, 5}, {9, 5}, 15, 100000, [&](const Polyline& line) { return lengths.push_back(length(line)), true; },
+      [](const Polyline& beginning) { return beginning.back().y() > 5; }));
+  ASSERT_EQ(lengths.size(), 1u);
+  EXPECT_NEAR(lengths[0], 2 + 10, 1e-12);
 }
 
 }  // namespace

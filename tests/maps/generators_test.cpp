@@ -57,6 +57,11 @@ std::vector<Case> cases() {
       {"spiral", size(10, 10), false},
       {"field", size(30, 20)},
       {"field", with(size(30, 40), {{"roughness", 1.0}, {"corners", std::int64_t{12}}, {"rotation", 80.0}})},
+      {"berg-rectangle", {}, false},
+      {"berg-rectangle", with(size(9, 7), {{"jitter", 1.0}, {"obstacle_height", 2.5}, {"rotation", 40.0}})},
+      {"berg-rooms", size(10, 8)},
+      {"berg-rooms", with(size(18, 14), {{"branches", 1.0}, {"doors", std::int64_t{3}}, {"rotation", -21.0}})},
+      {"berg-rooms", with(size(12, 12), {{"jitter", 1.0}, {"loops", 0.0}, {"wall", 0.1}, {"door", 0.52}})},
   };
 }
 
@@ -154,7 +159,7 @@ TEST(Generators, GiveTheSameBytesOnEveryMachine) {
   std::string all;
   for (const Case& c : cases())
     for (std::uint64_t seed = 0; seed < 3; ++seed) all += content_hash(oxturn::generate(c.name, c.settings, seed));
-  EXPECT_EQ(sha256(all), "fdd229720c5fa7d6bc7e2c9cd65750b838c41ac92652915ca05ae24d421e92e2");
+  EXPECT_EQ(sha256(all), "f0587c3f6182ee38e9ac6307338d8ebe202ab53bd6c22b6406d703426ddb1892");
 }
 
 TEST(Generators, TurningChangesNothingButTheAngle) {
@@ -291,6 +296,64 @@ TEST(Generators, MakeAMillionCellsInSeconds) {
   }
 }
 
+TEST(BergRectangle, HasItsObstacleWhereItIsAskedFor) {
+  const Settings sized{{"width", 10.0}, {"height", 8.0}, {"obstacle_width", 3.0}, {"obstacle_height", 2.0}};
+  const auto obstacle = [&](double across, double up) {
+    Settings all = sized;
+    all["across"] = across, all["up"] = up;
+    const Polygon room = oxturn::generate("berg-rectangle", all, 1).free.polygons.at(0);
+    EXPECT_DOUBLE_EQ(signed_area(room.outer), 80);
+    Box box;
+    for (const Point& p : room.holes.at(0)) box.add(p);
+    EXPECT_EQ(room.holes.at(0).size(), 4u);
+    EXPECT_NEAR(box.size().x(), 3, 1e-4);
+    EXPECT_NEAR(box.size().y(), 2, 1e-4);
+    return box;
+  };
+  // A passage is 1.25 x 0.4 m.
+  EXPECT_NEAR(distance(obstacle(0.5, 0.5).centre(), {5, 4}), 0, 1e-4);
+  EXPECT_NEAR(distance(obstacle(0, 0).low, {0.5, 0.5}), 0, 2e-3);
+  EXPECT_NEAR(distance(obstacle(1, 1).high, {9.5, 7.5}), 0, 2e-3);
+}
+
+TEST(BergRooms, HasManyWaysRoundUnlessToldOtherwise) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const auto holes = [&](double loops, std::int64_t doors) {
+      return hole_count(
+          oxturn::generate("berg-rooms", {{"loops", loops}, {"doors", doors}, {"branches", 0.0}}, seed).free);
+    };
+    // 4 x 3 rooms have 17 walls between them, of which a tree takes 11; a hole for each further one that is open.
+    EXPECT_EQ(holes(0, 1), 0u);
+    EXPECT_EQ(holes(1, 1), 6u);
+    EXPECT_GT(holes(1, 2), 8u);
+  }
+}
+
+TEST(BergRooms, SmallRoomsAreDeadEnds) {
+  // Filling a dead end changes neither the ways round nor, one door narrower than what is left, the number of large
+  // rooms; but it is a room of its own to a disc wider than any door.
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const auto made = [&](double branches) {
+      return oxturn::generate("berg-rooms",
+                              {{"width", 24.0},
+                               {"height", 18.0},
+                               {"branches", branches},
+                               {"loops", 0.5},
+                               {"doors", std::int64_t{1}},
+                               {"door", 0.75},
+                               {"jitter", 0.0}},
+                              seed)
+          .free;
+    };
+    const Region with = made(1), none = made(0);
+    const auto rooms = [](const Region& r) { return erode(r, 0.39, 0.001, Bound::inside).polygons.size(); };
+    EXPECT_EQ(rooms(none), 12u);
+    // Four in each of 12 rooms, of which each is at least as wide as a door.
+    EXPECT_GT(rooms(with), 12u + 24u);
+    EXPECT_LT(area(with), area(none));
+  }
+}
+
 std::string refusal(const std::string& name, const Settings& settings) {
   try {
     oxturn::generate(name, settings, 1);
@@ -332,6 +395,12 @@ TEST(Generators, RefuseInOneSentence) {
       {"field", {{"pond_corners", I{20}}}, "pond_corners is 20"},
       {"field", {{"ponds", I{5000}}}, "ponds fit"},
       {"field", {{"width", 5.0}}, "width is 5 m"},
+      {"berg-rectangle", {{"width", 0.8}}, "width is 0.8 m, expected at least 1.001 m"},
+      {"berg-rectangle", {{"obstacle_width", 11.5}}, "obstacle_width is 11.5 m, expected from 0.001 m to 11 m"},
+      {"berg-rooms", {{"columns", I{20}}}, "columns is 20, but only"},
+      {"berg-rooms", {{"rows", I{9}}}, "rows is 9, but only"},
+      {"berg-rooms", {{"door", 0.3}}, "door is 0.3 m, expected at least 0.5"},
+      {"berg-rooms", {{"wall", 30.0}}, "wall is 30 m"},
   };
   for (const auto& [name, settings, words] : all) {
     const std::string said = refusal(name, settings);

@@ -77,5 +77,59 @@ TEST(Picture, ABareMapHasNoStart) {
   EXPECT_THAT(svg, Not(HasSubstr("id=\"start\"")));
 }
 
+std::size_t count(const std::string& svg, const std::string& what) {
+  std::size_t n = 0;
+  for (std::size_t at = svg.find(what); at != std::string::npos; at = svg.find(what, at + 1)) ++n;
+  return n;
+}
+
+/// Round a pillar from (4, 4) to (6, 6).
+Problem leashed_box() {
+  Region room = box_region({0, 0}, {10, 10});
+  room.polygons[0].holes.push_back({{4, 4}, {4, 6}, {6, 6}, {6, 4}});
+  Robot robot;
+  robot.tether = Tether{30};
+  return Problem({"leashed", room, "file", "hand"}, robot, Point(3, 3), Point(2, 3));
+}
+
+TEST(Picture, TetherAtChosenMoments) {
+  PathBuilder builder({3, 3});
+  for (const Point& p : {Point(7, 3), Point(7, 7), Point(3, 7), Point(7, 7)}) builder.drive(p, true);
+  const Path path = builder.take();
+  const Problem problem = leashed_box();
+  const std::string svg = to_svg(problem, &path);
+  EXPECT_THAT(svg, HasSubstr("id=\"anchor\""));
+  EXPECT_EQ(count(svg, " m of tether after "), 8u) << "the longest, at (3, 7), is one of the eight";
+  EXPECT_EQ(count(svg, "of tether after 12 m: the longest"), 1u);
+  // After 2, 4 metres straight; 6: about (6, 4); 8: the same; 10, 12: also (6, 6); 14, 16: as 10 and 8.
+  EXPECT_EQ(count(svg, "class=\"bend\""), 1u + 1 + 2 + 2 + 2 + 1);
+  PictureOptions options;
+  options.tethers = 3;
+  EXPECT_EQ(count(to_svg(problem, &path, options), " m of tether after "), 4u) << "and the longest";
+  options.tethers = 0;
+  EXPECT_EQ(count(to_svg(problem, &path, options), " m of tether after "), 0u);
+  EXPECT_THAT(to_svg(problem, nullptr), HasSubstr("id=\"anchor\""));
+  EXPECT_THAT(to_svg(box(), &path), Not(HasSubstr("id=\"anchor\"")));
+}
+
+TEST(Picture, TetherIsDrawnUpToWhereItCanFollow) {
+  const Path path{{{true, {{3, 3}, {7, 3}, {5, 5}, {7, 3}}}}};
+  const std::string svg = to_svg(leashed_box(), &path);
+  EXPECT_THAT(svg, HasSubstr("after 4 m: the longest"));
+}
+
+TEST(Picture, TracesHaveColoursByName) {
+  const std::vector<Trace> traces{{"a", {{{1, 1}, {2, 2}}}}, {"b", {{{1, 1}, {2, 2}}}}, {"a", {{{1, 2}, {2, 3}}}}};
+  PictureOptions options;
+  options.traces = &traces;
+  const std::string svg = to_svg(box(), nullptr, options);
+  const auto colour = [&](const std::string& from) {
+    const std::size_t at = svg.find("stroke=\"", svg.find(from)) + 8;
+    return svg.substr(at, 7);
+  };
+  EXPECT_NE(colour("<g id=\"a\""), colour("<g id=\"b\""));
+  EXPECT_EQ(count(svg, "<g id=\"a\" fill=\"none\" stroke=\"" + colour("<g id=\"a\"")), 2u);
+}
+
 }  // namespace
 }  // namespace oxturn

@@ -127,6 +127,41 @@ TEST(Comparison, WhatTheHarnessLostIsNotThePlannersCoverage) {
 
 TEST(Comparison, NoRowsIsAHeadAlone) { EXPECT_THAT(comparison_table({}), HasSubstr("length_ratio")); }
 
+Row tied(const std::string& map, const std::string& variant, const std::string& outcome, const std::string& longest,
+         const std::string& crossings, const std::string& wound, const std::string& ratio) {
+  return row(map, variant, outcome,
+             {{"tether_limit_m", "10"},
+              {"tether_max_m", longest},
+              {"tether_crossings", crossings},
+              {"tether_entangled", wound},
+              {"tether_sharp_fraction", "0.25"},
+              {"length_ratio", ratio}});
+}
+
+TEST(Tether, FiguresWorkedOutOnPaper) {
+  Results results;
+  results.rows = {tied("m1", "a", "ok", "10", "0", "0", "1.2"),
+                  tied("m2", "a", "invalid", "12.5", "3", "1", "1.4"),
+                  tied("m3", "a", "ok", "10.0000001", "1", "0", "2"),  // within rounding of the limit
+                  row("m4", "a", "crash"),
+                  tied("m5", "a", "ok", "9", "8", "1", "3"),
+                  row("m1", "b", "unsupported")};
+  const std::string table = tether_table(results);
+  EXPECT_EQ(cells_of(table, "a"),
+            (std::vector<std::string>{"a", "5", "4", "1.700", "0.75", "2.50", "2", "0.50", "0.250"}));
+  EXPECT_EQ(cells_of(table, "b"), (std::vector<std::string>{"b", "1", "0", "", "", "", "", "", ""}));
+  const Folder out;
+  write_report(results, out.name());
+  EXPECT_THAT(read_file(out / "report.md"), HasSubstr("## Tether\n\n" + table));
+}
+
+TEST(Tether, NoTableWithoutTethers) {
+  EXPECT_EQ(tether_table(hand_written()), "");
+  const Folder out;
+  write_report(hand_written(), out.name());
+  EXPECT_THAT(read_file(out / "report.md"), Not(HasSubstr("## Tether")));
+}
+
 TEST(Report, OneTableAMapWithReasons) {
   const Folder out;
   write_report(hand_written(), out.name());

@@ -1,0 +1,193 @@
+#include "algorithms/online/driver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "geometry/boolean.hpp"
+#include "geometry/offset.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr int kMostRefusals = 3;
+constexpr double kLooksAhead = 10;  // scan steps
+constexpr int kMostLooks = 10;      // at one place, with noise
+
+}  // namespace
+
+Polyline View::way() const {
+  Polyline way{start_};
+  for (const Leg& leg : path_.legs) way.insert(way.end(), leg.points.begin() + 1, leg.points.end());
+  return way;
+}
+
+/// One run. The only place that knows both the truth and the view.
+class Drive {
+ public:
+  Drive(const Problem& truth, Context& context, const OnlineSettings& settings)
+      : truth_(truth),
+        context_(context),
+        lidar_(truth.map().free, *truth.robot().lidar),
+        noise_(context.rng().bits()),
+        view_(truth.robot(), truth.start(), truth.anchor()) {
+    const Robot& robot = truth.robot();
+    scan_step_ = settings.scan_step > 0 ? settings.scan_step : robot.radius > 0 ? robot.radius : robot.tool_width / 2;
+    radius_ = std::max(0.0, robot.radius - truth.tolerance());
+  }
+
+  Path run(Policy& policy) {
+    look();
+    int refusals = 0;
+    while (refusals < kMostRefusals && !context_.cancelled()) {
+      const auto motion = policy.next(view_, context_);
+      if (!motion) break;
+      const double before = length_;
+      drive(*motion);
+      refusals = length_ > before ? 0 : refusals + 1;
+      context_.publish(view_.path());
+    }
+    context_.report("explored_share", explored());
+    context_.report("replans", static_cast<double>(replans_));
+    context_.report("scans", static_cast<double>(scans_));
+    if (view_.path().legs.empty())
+      throw Infeasible(fmt::format("the lidar shows robot '{}' no place to go from its start ({:.6g}, {:.6g})",
+                                   truth_.robot().name, truth_.start().x(), truth_.start().y()));
+    return view_.path();
+  }
+
+ private:
+  // The world stands still: where the robot has looked about often enough, it need not again.
+  void look(bool anew = false) {
+    since_scan_ = 0;
+    const Point place = (view_.pose_ - truth_.start()) / (scan_step_ / 2);
+    int& before = looked_[{std::llround(place.x()), std::llround(place.y())}];
+    if (!anew && before >= (lidar_noisy() ? kMostLooks : 1)) return;
+    ++before;
+    view_.belief_.add(lidar_.scan(view_.pose_, noise_));
+    seen_from_ = view_.pose_;
+    ++scans_;
+  }
+  bool lidar_noisy() const { return truth_.robot().lidar->noise > 0; }
+
+  /// Free as believed; where that says no, a last look from here decides.
+  bool free_from_here(const Point& to) {
+    if (free(view_.pose_, to)) return true;
+    if (seen_from_ == view_.pose_) return false;
+    look(true);
+    return free(view_.pose_, to);
+  }
+
+  bool free(const Point& a, const Point& b) const { return view_.belief_.free_for(a, b, radius_); }
+
+  /// Is the motion free from the pose on, as far as is worth a look?
+  bool free_ahead(const Polyline& points, std::size_t next) const {
+    Point from = view_.pose_;
+    double ahead = kLooksAhead * scan_step_;
+    for (std::size_t k = next; k < points.size() && ahead > 0; ++k) {
+      const double far = distance(from, points[k]);
+      const Point to = far > ahead ? lerp(from, points[k], ahead / far) : points[k];
+      if (!free(from, to)) return false;
+      ahead -= far;
+      from = to;
+    }
+    return true;
+  }
+
+  void drive(const Motion& motion) {
+    view_.stopped_ = false;
+    view_.reached_ = 0;
+    std::uint64_t lost = view_.belief_.lost();
+    for (std::size_t k = 0; k < motion.points.size(); ++k) {
+      const Point to = motion.points[k];
+      while (view_.pose_ != to) {
+        if (context_.cancelled()) return;
+        const double left = distance(view_.pose_, to), stretch = scan_step_ - since_scan_;
+        const Point at = stretch >= left ? to : lerp(view_.pose_, to, stretch / left);
+        if (!free_from_here(at)) return stop();
+        go(at, motion.tool);
+        if (since_scan_ < scan_step_ * (1 - 1e-9)) continue;
+        look();
+        if (view_.belief_.lost() == lost) continue;
+        lost = view_.belief_.lost();
+        if (!free_ahead(motion.points, k)) return stop();
+      }
+      view_.reached_ = k + 1;
+    }
+    if (since_scan_ > 0) look();
+  }
+
+  void stop() {
+    view_.stopped_ = true;
+    ++replans_;
+  }
+
+  void go(const Point& to, bool tool) {
+    const double far = distance(view_.pose_, to);
+    since_scan_ += far;
+    length_ += far;
+    Path& path = view_.path_;
+    const Point from = view_.pose_;
+    view_.pose_ = to;
+    if (path.legs.empty() || path.legs.back().tool != tool)
+      path.legs.push_back({tool, {from, to}});
+    else
+      path.legs.back().points.push_back(to);
+  }
+
+  double explored() const {
+    const double all = area(truth_.target());
+    if (!(all > 0)) return 1;
+    return std::min(1.0, area(intersect(view_.belief_.region(0), truth_.target())) / all);
+  }
+
+  const Problem& truth_;
+  Context& context_;
+  LidarSimulator lidar_;
+  Rng noise_;
+  View view_;
+  double scan_step_, radius_, since_scan_ = 0, length_ = 0;
+  std::size_t replans_ = 0, scans_ = 0;
+  std::map<std::pair<long long, long long>, int> looked_;  // times, by squares of half a scan step
+  Point seen_from_{0, 0};
+};
+
+Path drive_online(const Problem& truth, Policy& policy, Context& context, const OnlineSettings& settings) {
+  if (!truth.robot().lidar)
+    throw Unsupported(fmt::format("robot '{}' has no lidar, which an online planner sees by; give it range and rays",
+                                  truth.robot().name));
+  return Drive(truth, context, settings).run(policy);
+}
+
+std::optional<Problem> believed_problem(const View& view, const Point& start, int level) {
+  Robot robot = view.robot();
+  Map map{"belief", view.belief().region(level), "belief", "belief"};
+  if (map.free.empty()) return std::nullopt;
+  const double near = 5 * view.belief().cell() * (1 << level);
+  const auto nearest = [&](const Region& region, const Point& p) -> std::optional<Point> {
+    const EdgeIndex edges(region);
+    if (edges.contains(p)) return p;
+    const auto hit = edges.nearest(p, near);
+    return hit ? std::optional(hit->place) : std::nullopt;
+  };
+  const Region space =
+      robot.radius > 0 ? erode(map.free, robot.radius, robot.tool_width / 1000, Bound::inside) : map.free;
+  if (space.empty()) return std::nullopt;
+  const auto from = nearest(space, start);
+  if (!from) return std::nullopt;
+  if (!robot.tether) return Problem(std::move(map), robot, from);
+  const auto anchor = nearest(map.free, view.anchor());
+  if (!anchor) return std::nullopt;
+  robot.tether->length -= distance(*anchor, view.anchor());
+  if (robot.tether->length <= 0) return std::nullopt;
+  try {
+    return Problem(std::move(map), robot, from, anchor);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;  // the anchor is not yet seen to be joined to the start, or the tether is that short
+  }
+}
+
+}  // namespace oxturn

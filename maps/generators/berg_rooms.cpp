@@ -1,0 +1,217 @@
+// maps/generators/berg_rooms.cpp
+// A building with many ways round and small rooms that branch off: the complex space of the tethered-navigation thesis.
+//
+// Source      after Berg's "complex spaces with many connecting paths and small branching rooms" (thesis, section 4,
+//             figures 4.4 and 4.5), of which only pictures exist: a grid of rooms is our reading.
+// Method      A grid of rooms of unequal size. Doors, often two in one wall, along a random spanning tree (Kruskal) and
+//             through `loops` of the other walls: nearly every wall is an island that a tether can catch on. Corners of
+//             rooms become small rooms with one door: dead ends.
+// Guarantee   Every room and every small room is reached; doors and what small rooms leave of a room are at least
+//             `passage` robot diameters wide: a small room leaves at least half a door on its side of the wall's
+//             middle, so that two of them always leave a whole one.
+// Complexity  O(cells of wall thickness)
+// Decisions   Everything is a multiple of the wall's thickness, stretched a little to fill the size, as in `rooms`.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/raster.hpp"
+#include "maps/generators/shape.hpp"
+
+namespace oxturn::generator {
+namespace {
+
+struct Params : Site {
+  Params() { width = 20, height = 15; }
+  int columns = 4;
+  int rows = 3;
+  double wall = 0.15;
+  double door = 0;
+  int doors = 2;
+  double loops = 0.85;
+  double branches = 0.35;
+  double jitter = 0.3;
+};
+
+/// Where rooms begin and end along one axis, in wall thicknesses: [from, to).
+struct Span {
+  int from = 0, to = 0;
+  int size() const { return to - from; }
+};
+
+/// `n` rooms with walls between them in `cells`; every room is at least `least` wide. The caller has checked the room.
+std::vector<Span> spans(int n, int cells, int least, double jitter, Rng& rng) {
+  const int spare = cells - (n - 1) - n * least;
+  std::vector<double> weight;
+  double sum = 0;
+  for (int i = 0; i < n; ++i) sum += weight.emplace_back(1 + jitter * rng.between(-1.0, 1.0));
+  std::vector<Span> all;
+  double before = 0;
+  for (int i = 0; i < n; ++i) {
+    const int given = static_cast<int>(spare * std::min(1.0, before / sum));
+    before += weight[static_cast<std::size_t>(i)];
+    const int next = i + 1 == n ? spare : static_cast<int>(spare * std::min(1.0, before / sum));
+    const int from = i * (least + 1) + given;
+    all.push_back({from, from + least + next - given});
+  }
+  return all;
+}
+
+/// A small room in a corner of a room: its size without walls, 0 if there is none.
+struct Branch {
+  int width = 0, height = 0;
+};
+/// The corners of a room: bit 0 is right, bit 1 is up.
+using Branches = std::array<Branch, 4>;
+
+class Building {
+ public:
+  Building(const Params& p, int columns, int rows, int door, Rng& rng)
+      : p_(p),
+        door_(door),
+        rng_(rng),
+        grid_({0, 0}, 1, columns, rows),
+        xs_(spans(p.columns, columns, 2 * door + 1, p.jitter, rng)),
+        ys_(spans(p.rows, rows, 2 * door + 1, p.jitter, rng)),
+        branches_(xs_.size() * ys_.size()) {
+    for (const Span& y : ys_)
+      for (const Span& x : xs_) open(x, y);
+    for (std::size_t room = 0; room < branches_.size(); ++room) add_branches(room);
+    open_doors();
+  }
+  const BitGrid& grid() const { return grid_; }
+
+ private:
+  const Span& x_of(std::size_t room) const { return xs_[room % xs_.size()]; }
+  const Span& y_of(std::size_t room) const { return ys_[room / xs_.size()]; }
+
+  void open(const Span& x, const Span& y, bool value = true) {
+    for (int j = y.from; j < y.to; ++j)
+      for (int i = x.from; i < x.to; ++i) grid_.set(i, j, value);
+  }
+
+  void add_branches(std::size_t room) {
+    const Span &x = x_of(room), &y = y_of(room);
+    const int most_x = (x.size() - door_) / 2 - 1, most_y = (y.size() - door_) / 2 - 1;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      const bool wanted = rng_.chance(p_.branches);  // drawn always, so that a room's size changes nothing else
+      if (!wanted || most_x < door_ || most_y < door_) continue;
+      // A jamb on both sides of its door where there is room.
+      const auto size = [&](int most) { return rng_.between(std::min(door_ + 2, most), most); };
+      Branch b;
+      b.width = size(most_x);
+      b.height = size(most_y);
+      branches_[room][corner] = b;
+      const bool right = (corner & 1) != 0, up = (corner & 2) != 0;
+      // Its two walls, then its one door, through either.
+      const int wall_x = right ? x.to - b.width - 1 : x.from + b.width;
+      const int wall_y = up ? y.to - b.height - 1 : y.from + b.height;
+      const Span along_x = right ? Span{wall_x, x.to} : Span{x.from, wall_x + 1};
+      const Span along_y = up ? Span{wall_y, y.to} : Span{y.from, wall_y + 1};
+      open({wall_x, wall_x + 1}, along_y, false);
+      open(along_x, {wall_y, wall_y + 1}, false);
+      if (rng_.chance(0.5)) {
+        const int jamb = b.height >= door_ + 2 ? 1 : 0;
+        const int from = (up ? wall_y + 1 : y.from) + rng_.between(jamb, b.height - door_ - jamb);
+        open({wall_x, wall_x + 1}, {from, from + door_});
+      } else {
+        const int jamb = b.width >= door_ + 2 ? 1 : 0;
+        const int from = (right ? wall_x + 1 : x.from) + rng_.between(jamb, b.width - door_ - jamb);
+        open({from, from + door_}, {wall_y, wall_y + 1});
+      }
+    }
+  }
+
+  /// The stretch of the wall between two neighbours that no small room takes. At least a door long.
+  Span common(std::size_t a, std::size_t b, bool upright) const {
+    Span s = upright ? y_of(a) : x_of(a);
+    const auto taken = [&](std::size_t room, std::size_t corner) {
+      const Branch& branch = branches_[room][corner];
+      return branch.width == 0 ? 0 : (upright ? branch.height : branch.width) + 1;
+    };
+    // An upright wall has a's right and b's left corners beside it; a level one a's upper and b's lower corners.
+    const std::size_t a_low = upright ? 1 : 2, b_low = 0, a_high = 3, b_high = upright ? 2 : 1;
+    s.from += std::max(taken(a, a_low), taken(b, b_low));
+    s.to -= std::max(taken(a, a_high), taken(b, b_high));
+    return s;
+  }
+
+  void open_doors() {
+    struct Wall {
+      std::size_t a, b;
+      bool upright;
+    };
+    std::vector<Wall> walls;
+    for (std::size_t room = 0; room < branches_.size(); ++room) {
+      if (room % xs_.size() + 1 < xs_.size()) walls.push_back({room, room + 1, true});
+      if (room / xs_.size() + 1 < ys_.size()) walls.push_back({room, room + xs_.size(), false});
+    }
+    rng_.shuffle(walls);
+    Groups groups(branches_.size());
+    for (const Wall& wall : walls) {
+      const bool extra = rng_.chance(p_.loops);
+      if (!groups.join(static_cast<int>(wall.a), static_cast<int>(wall.b)) && !extra) continue;
+      const Span stretch = common(wall.a, wall.b, wall.upright);
+      const int line = wall.upright ? x_of(wall.a).to : y_of(wall.a).to;
+      // Two doors are parted by as much wall as a door is wide.
+      const int fit = std::clamp((stretch.size() + door_) / (2 * door_), 1, p_.doors);
+      const int doors = rng_.between(1, fit);
+      for (int k = 0; k < doors; ++k) {
+        const int from = stretch.from + stretch.size() * k / doors,
+                  to = stretch.from + stretch.size() * (k + 1) / doors;
+        const int room = to - from - door_ - (k + 1 < doors ? door_ / 2 : 0);
+        const int at = from + rng_.between(0, std::max(0, room));
+        for (int c = at; c < at + door_; ++c) grid_.set(wall.upright ? line : c, wall.upright ? c : line, true);
+      }
+    }
+  }
+
+  const Params& p_;
+  int door_;
+  Rng& rng_;
+  BitGrid grid_;
+  std::vector<Span> xs_, ys_;
+  std::vector<Branches> branches_;  // of each room, row by row
+};
+
+Region make(const Params& p, Rng& rng) {
+  check_site("berg-rooms", p);
+  const double door_width = passage_width("berg-rooms", "door", p.door, 2, p);
+  if (p.width < p.wall || p.height < p.wall || p.width / p.wall * (p.height / p.wall) > 1e8)
+    refuse("berg-rooms", "wall is " + number(p.wall) + " m in " + number(p.width) + " x " + number(p.height) +
+                             " m, expected thinner than the size and no more than 10^8 squares of its thickness");
+  const int across = static_cast<int>(p.width / p.wall), up = static_cast<int>(p.height / p.wall);
+  // Capped before the cast: a door wider than the floor is refused below.
+  const int door = static_cast<int>(std::min(std::ceil(door_width / p.wall), 1.0 * std::max(across, up)));
+  const auto fit = [&](const char* name, int n, int cells, double metres) {
+    const int most = (cells + 1) / (2 * door + 2);  // a room is a little over two doors wide, and a wall thick
+    if (n > most)
+      refuse("berg-rooms", std::string(name) + " is " + std::to_string(n) + ", but only " + std::to_string(most) +
+                               " rooms with doors of " + number(door_width) + " m fit in " + number(metres) +
+                               " m (a room is two doors wide); take fewer, narrower doors or a larger size");
+  };
+  fit("columns", p.columns, across, p.width);
+  fit("rows", p.rows, up, p.height);
+  const Building building(p, across, up, door, rng);
+  return finished(placed(trace(building.grid()), lattice_lines(across, p.width), lattice_lines(up, p.height)), p);
+}
+
+}  // namespace
+
+GeneratorInfo berg_rooms() {
+  return describe_generator<Params>(
+      "berg-rooms", "a building with many connecting ways and small branching rooms, as in Berg's thesis",
+      "every room and small room reached, small rooms by one door; doors at least `passage` robot diameters wide",
+      with_site<Params>({{"columns", &Params::columns, Range{1, 10000}, "rooms side by side"},
+                         {"rows", &Params::rows, Range{1, 10000}, "rooms above each other"},
+                         {"wall", &Params::wall, Range{0.001, 1000}, "metres; thickness of walls"},
+                         {"door", &Params::door, Range{0, 1000}, "metres, at least; 0: 2 robot diameters"},
+                         {"doors", &Params::doors, Range{1, 1000}, "most doors in the wall between two rooms"},
+                         {"loops", &Params::loops, Range{0, 1}, "probability of doors in a wall that needs none"},
+                         {"branches", &Params::branches, Range{0, 1},
+                          "probability that a corner of a room is a small room, where there is space"},
+                         {"jitter", &Params::jitter, Range{0, 1}, "how unequal the rooms are"}}),
+      make);
+}
+
+}  // namespace oxturn::generator

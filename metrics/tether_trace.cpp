@@ -1,0 +1,109 @@
+#include "metrics/tether_trace.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <stdexcept>
+#include <utility>
+
+#include "maps/formats.hpp"
+#include "maps/tethered_way.hpp"
+#include "metrics/mission.hpp"
+#include "metrics/tether.hpp"
+
+namespace oxturn {
+namespace {
+
+using Event = TetherRow::Event;
+
+class Tracer {
+ public:
+  Tracer(const Problem& problem, const Polyline& way, double step) : clock_(problem, Path{{{true, way}}}), step_(step) {
+    const TautString string = string_at_start(problem);
+    bends_ = string.bends().size();
+    pivot_ = string.pivot();
+    rows_.push_back({0, 0, problem.start(), string.length(), bends_, {}, Event::start});
+    // A segment's crossings come before its stretches; each is told in the stretch that it belongs to.
+    drive_tether(problem, way,
+                 {[&](const TetherCrossing& crossing) { crossings_.push_back(crossing.path_m); },
+                  [&](const TetherStretch& stretch) { add(stretch); },
+                  [&](const TautString& reached, double path_m) { end_segment(reached, path_m); }});
+  }
+  std::vector<TetherRow> take() { return std::move(rows_); }
+
+ private:
+  void add(const TetherStretch& t) {
+    const double length = t.end - t.begin;
+    std::vector<std::pair<double, Event>> events;  // metres from the stretch's begin
+    if (t.swing.bends != bends_ || t.swing.pivot != pivot_)
+      events.emplace_back(0, t.swing.bends < bends_ ? Event::bend_lost : Event::bend_gained);
+    bends_ = t.swing.bends;
+    pivot_ = t.swing.pivot;
+    for (; !crossings_.empty() && crossings_.front() <= t.path_m + length; crossings_.pop_front())
+      events.emplace_back(std::max(0.0, crossings_.front() - t.path_m), Event::crossing);
+    const int parts = static_cast<int>(std::clamp(std::ceil(length / step_), 1.0, 1e6));
+    for (int k = 1; k < parts; ++k) events.emplace_back(length * k / parts, Event::sample);
+    std::stable_sort(events.begin(), events.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [metres, event] : events) {
+      const double s = t.begin + metres, driven = t.path_m + metres;
+      rows_.push_back(
+          {driven, clock_.at(driven), t.swing.from + metres * t.heading, t.length_at(s), bends_, t.angle_at(s), event});
+    }
+    last_ = t;
+  }
+
+  void end_segment(const TautString& string, double path_m) {
+    for (; !crossings_.empty(); crossings_.pop_front())  // beyond the last stretch by rounding
+      rows_.push_back({crossings_.front(), clock_.at(crossings_.front()), string.robot(), string.length(), bends_,
+                       last_.angle_at(last_.end), Event::crossing});
+    rows_.push_back({path_m, clock_.at(path_m), string.robot(), string.length(), string.bends().size(),
+                     last_.angle_at(last_.end), Event::way_point});
+  }
+
+  MissionClock clock_;
+  double step_;
+  std::size_t bends_;
+  Point pivot_{0, 0};
+  TetherStretch last_;
+  std::deque<double> crossings_;
+  std::vector<TetherRow> rows_;
+};
+
+}  // namespace
+
+std::string to_text(Event event) {
+  switch (event) {
+    case Event::start:
+      return "start";
+    case Event::way_point:
+      return "way_point";
+    case Event::sample:
+      return "sample";
+    case Event::bend_gained:
+      return "bend_gained";
+    case Event::bend_lost:
+      return "bend_lost";
+    case Event::crossing:
+      return "crossing";
+  }
+  throw std::logic_error("an event of a tether without a name");
+}
+
+std::vector<TetherRow> tether_trace(const Problem& problem, const Path& path, double step) {
+  if (!(step > 0)) throw std::invalid_argument(fmt::format("tether trace: step is {}, expected metres above 0", step));
+  const EdgeIndex walls(problem.map().free);
+  return Tracer(problem, tethered_way(problem, path, walls).points, step).take();
+}
+
+std::string to_csv(const std::vector<TetherRow>& rows) {
+  std::string text = "path_m,mission_s,x,y,length_m,bends,angle_rad,event\n";
+  for (const TetherRow& row : rows)
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", to_decimal(row.path_m), to_decimal(row.mission_s),
+                        to_decimal(row.at.x()), to_decimal(row.at.y()), to_decimal(row.length_m), row.bends,
+                        row.angle_rad ? to_decimal(*row.angle_rad) : "", to_text(row.event));
+  return text;
+}
+
+}  // namespace oxturn

@@ -1,0 +1,482 @@
+// The online driver: what the lidar sees, what is believed of it, and robots that know nothing else.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "algorithms/online/explore.hpp"
+#include "algorithms/online/survey_then_plan.hpp"
+#include "geometry/boolean.hpp"
+#include "maps/tethered_way.hpp"
+#include "metrics/score.hpp"
+#include "sweep_oracle.hpp"
+#include "tests/support/drawn.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+constexpr double kNothing = std::numeric_limits<double>::infinity();
+
+Robot with_lidar(double range = 8, int rays = 360, double noise = 0, Robot robot = {}) {
+  robot.lidar = Lidar{range, rays, noise};
+  return robot;
+}
+
+/// Small ones of many kinds, for a robot with a lidar.
+std::vector<Problem> small_problems(std::uint64_t seed, const Robot& robot) {
+  std::vector<Problem> all;
+  for (const auto& [name, settings] : std::vector<std::pair<std::string, Settings>>{
+           {"rooms", {{"width", 5.0}, {"height", 4.0}, {"rooms", std::int64_t{2}}}},
+           {"cave", {{"width", 5.0}, {"height", 5.0}}},
+           {"clutter", {{"width", 4.0}, {"height", 4.0}}},
+           {"polygon", {{"width", 5.0}, {"height", 5.0}, {"corners", std::int64_t{12}}}},
+           {"maze", {{"width", 4.0}, {"height", 4.0}}}})
+    all.emplace_back(generate(name, settings, seed), robot);
+  return all;
+}
+
+double lanes_needed(const Problem& p) { return area(p.target()) / p.robot().tool_width; }
+
+Point random_place(const Problem& problem, Rng& rng) {
+  const Box box = bounding_box(problem.configuration_space());
+  for (;;) {
+    const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
+    if (contains(problem.configuration_space(), p)) return p;
+  }
+}
+
+// ------------------------------------------------------------------------------------------------------ lidar
+
+/// All edges, one after the other, in extended precision.
+double cast_by_brute_force(const Region& free, const Point& eye, double angle, double range) {
+  using Real = long double;
+  const Real dx = std::cos(static_cast<Real>(angle)), dy = std::sin(static_cast<Real>(angle));
+  Real best = std::numeric_limits<Real>::infinity();
+  for_each_ring(free, [&](const Ring& ring) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point &a = ring[k], &b = ring[(k + 1) % ring.size()];
+      const Real ex = Real{b.x()} - a.x(), ey = Real{b.y()} - a.y(), ax = Real{a.x()} - eye.x(),
+                 ay = Real{a.y()} - eye.y();
+      const Real across = dx * ey - dy * ex;
+      if (across == 0) continue;
+      const Real t = (ax * ey - ay * ex) / across, s = (ax * dy - ay * dx) / across;
+      if (t >= 0 && s >= 0 && s <= 1 && t < best) best = t;
+    }
+  });
+  return best <= range ? static_cast<double>(best) : kNothing;
+}
+
+TEST(Lidar, MeasuresARectangleAsGeometrySays) {
+  const LidarSimulator lidar(box_region({0, 0}, {6, 4}), {10, 8, 0});
+  Rng rng(1);
+  const Scan scan = lidar.scan({2, 1}, rng);
+  const double r2 = std::sqrt(2.0);
+  const std::vector<double> expected{4, 3 * r2, 3, 2 * r2, 2, r2, 1, r2};
+  ASSERT_EQ(scan.reading.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(scan.reading[k], expected[k], 1e-12) << k;
+}
+
+TEST(Lidar, SeesNothingBeyondItsRange) {
+  const LidarSimulator lidar(box_region({0, 0}, {6, 4}), {2.5, 4, 0});
+  Rng rng(1);
+  EXPECT_THAT(lidar.scan({2, 1}, rng).reading,
+              testing::ElementsAre(kNothing, kNothing, testing::DoubleNear(2, 1e-12), testing::DoubleNear(1, 1e-12)));
+}
+
+TEST(Lidar, AgreesWithBruteForceOnAllFamilies) {
+  for (const auto seed : seeds(3))
+    for (const Problem& p : small_problems(seed, with_lidar(4, 181))) {
+      SCOPED_TRACE(p.map().source);
+      const LidarSimulator lidar(p.map().free, *p.robot().lidar);
+      Rng rng(seed), unused(1);
+      for (int n = 0; n < 8; ++n) {
+        const Point eye = random_place(p, rng);
+        const Scan scan = lidar.scan(eye, unused);
+        for (std::size_t k = 0; k < scan.reading.size(); ++k) {
+          const double truth = cast_by_brute_force(p.map().free, eye, 2 * kPi * static_cast<double>(k) / 181, 4);
+          if (!std::isfinite(truth) && !std::isfinite(scan.reading[k])) continue;
+          EXPECT_NEAR(scan.reading[k], truth, 1e-9) << eye.x() << " " << eye.y() << " ray " << k;
+        }
+      }
+    }
+}
+
+TEST(Lidar, NoiseIsGaussianAlongTheRayAndSeeded) {
+  const Region hall = box_region({-5, -5}, {5, 5});
+  const LidarSimulator exact(hall, {20, 360, 0}), noisy(hall, {20, 360, 0.02});
+  Rng rng(3), same(3), unused(1);
+  const std::vector<double> truth = exact.scan({0, 0}, unused).reading;
+  double sum = 0, squares = 0, n = 0;
+  for (int turn = 0; turn < 200; ++turn) {
+    const auto a = noisy.scan({0, 0}, rng).reading, b = noisy.scan({0, 0}, same).reading;
+    ASSERT_EQ(a, b);
+    for (std::size_t k = 0; k < a.size(); ++k, ++n) {
+      sum += a[k] - truth[k];
+      squares += (a[k] - truth[k]) * (a[k] - truth[k]);
+    }
+  }
+  EXPECT_NEAR(sum / n, 0, 5 * 0.02 / std::sqrt(n));
+  EXPECT_NEAR(std::sqrt(squares / n), 0.02, 5 * 0.02 / std::sqrt(2 * n));
+  Rng fresh(1);
+  EXPECT_EQ(unused.bits(), fresh.bits());  // no noise, no draw
+}
+
+TEST(Lidar, BadInputIsOneSentence) {
+  const Region hall = box_region({0, 0}, {1, 1});
+  EXPECT_THAT(
+      [&] {
+        LidarSimulator(hall, {5, 0, 0});
+      },
+      ThrowsMessage<std::invalid_argument>("lidar.rays is 0, expected at least 1"));
+  EXPECT_THAT(
+      [&] {
+        LidarSimulator(hall, {0, 8, 0});
+      },
+      ThrowsMessage<std::invalid_argument>("lidar.range is 0, expected metres above 0"));
+  EXPECT_THAT(
+      [&] {
+        LidarSimulator(hall, {5, 8, -0.1});
+      },
+      ThrowsMessage<std::invalid_argument>("lidar.noise is -0.1, expected metres of at least 0"));
+  Robot robot = with_lidar(5, 0);
+  EXPECT_EQ(complaint([&] { check(robot); }), "robot 'disc': lidar.rays is 0, expected at least 1");
+  robot = with_lidar(5, 8, -1);
+  EXPECT_EQ(complaint([&] { check(robot); }), "robot 'disc': lidar.noise is -1, expected metres of at least 0");
+}
+
+// ----------------------------------------------------------------------------------------------------- belief
+
+double beyond_truth(const Belief& belief, const Problem& problem, int level) {
+  return area(subtract(belief.region(level), problem.map().free));
+}
+
+/// Scans every 20 cm on the way to some random places.
+void wander(Belief& belief, const Problem& problem, std::uint64_t seed, int goals) {
+  const LidarSimulator lidar(problem.map().free, *problem.robot().lidar);
+  Rng rng(seed), noise(seed);
+  Polyline way{problem.start()};
+  for (int goal = 0; goal < goals; ++goal) {
+    const auto leg = problem.transit().path(way.back(), random_place(problem, rng));
+    way.insert(way.end(), leg->begin() + 1, leg->end());
+  }
+  for (std::size_t k = 1; k < way.size(); ++k) {
+    const int steps = 1 + static_cast<int>(distance(way[k - 1], way[k]) / 0.2);
+    for (int s = 1; s <= steps; ++s)
+      belief.add(lidar.scan(lerp(way[k - 1], way[k], static_cast<double>(s) / steps), noise));
+  }
+}
+
+// Wherever the robot goes, whatever it has seen: nothing is believed free that is not, and nothing taken back.
+TEST(Belief, IsAPartOfTheTruth) {
+  for (const auto seed : seeds(4))
+    for (const Problem& p : small_problems(seed, with_lidar(6, 360))) {
+      SCOPED_TRACE(p.map().source);
+      Belief belief(p.robot(), p.start());
+      wander(belief, p, seed, 2);
+      for (const int level : {0, Belief::kCoarsest}) EXPECT_LT(beyond_truth(belief, p, level), 1e-6) << level;
+      EXPECT_EQ(belief.lost(), 0u);
+      EXPECT_GT(belief.free_area(), 0.3 * area(p.target()));
+    }
+}
+
+// Few rays overlook the tip of a wedge from afar; hits take that back when the robot comes near.
+TEST(Belief, WithFewRaysOnlyDetailsFromAfarAreWrong) {
+  for (const auto seed : seeds(2))
+    for (const Problem& p : small_problems(seed, with_lidar(6, 90))) {
+      SCOPED_TRACE(p.map().source);
+      Belief belief(p.robot(), p.start());
+      wander(belief, p, seed, 2);
+      EXPECT_LT(beyond_truth(belief, p, 0), 1e-3);
+    }
+}
+
+TEST(Belief, OneScanOfARoomIsTheWholeRoomLessACellAtItsWalls) {
+  const Problem room(Map{"room", box_region({0, 0}, {3.1, 2.3}), "", ""}, with_lidar(), Point(1.234, 1.1));
+  const LidarSimulator lidar(room.map().free, *room.robot().lidar);
+  Belief belief(room.robot(), room.start());
+  Rng unused(1);
+  belief.add(lidar.scan(room.start(), unused));
+  const double most = area(room.map().free), lost = 2 * (3.1 + 2.3) * belief.cell();
+  EXPECT_LT(belief.free_area(), most);
+  EXPECT_GT(belief.free_area(), most - lost - 4 * 0.03 * 0.03);  // corners are cut by a chord
+}
+
+TEST(Belief, KnowsNothingBehindAPillar) {
+  const Problem hall = drawn({".......", ".......", "...#...", "S......", "......."}, {.robot = with_lidar(20)});
+  const LidarSimulator lidar(hall.map().free, *hall.robot().lidar);
+  Belief belief(hall.robot(), hall.start());
+  Rng unused(1);
+  belief.add(lidar.scan({3.5, 1.0}, unused));
+  EXPECT_TRUE(belief.free_for({3.5, 1.0}, {3.5, 1.3}, 0.2));
+  EXPECT_FALSE(belief.free_for({3.5, 1.0}, {3.5, 2.2}, 0.2));  // into the pillar
+  EXPECT_FALSE(belief.free_for({3.5, 3.6}, {3.5, 3.7}, 0.2));  // behind it
+  EXPECT_TRUE(belief.free_for({1.5, 1.0}, {1.5, 4.0}, 0.2));   // beside it
+}
+
+// Far off and through tiny doors: the window grows, and gets coarser rather than too large.
+TEST(Belief, GrowsAndCoarsensWithoutForgetting) {
+  const Problem hall(Map{"hall", box_region({0, 0}, {90, 4}), "", ""}, with_lidar(4, 720, 0, disc(0.02, 0.04)),
+                     Point(2.01, 2.02));
+  const LidarSimulator lidar(hall.map().free, *hall.robot().lidar);
+  Belief belief(hall.robot(), hall.start());
+  const double fine = belief.cell();
+  Rng unused(1);
+  for (double x = 2.01; x < 88; x += 0.9) belief.add(lidar.scan({x, 2.02}, unused));
+  EXPECT_GT(belief.cell(), 1.5 * fine);
+  EXPECT_TRUE(belief.free_for({2.5, 2.02}, {87, 2.02}, 0.02));
+  EXPECT_FALSE(belief.free_for({2.5, 2.02}, {89.5, 2.02}, 0.02));
+}
+
+// A pole that falls between the rays from afar is found in time.
+TEST(Belief, APoleThinnerThanTheRaysAreApartIsNeverHit) {
+  Region hall = box_region({0, 0}, {9, 3});
+  for (const Point& at : {Point(6.03, 1.52), Point(7.51, 0.9), Point(5.2, 2.31)}) {
+    Ring pole = box_region(at, at + Point(0.03, 0.03)).polygons[0].outer;
+    std::reverse(pole.begin(), pole.end());
+    hall.polygons[0].holes.push_back(pole);
+  }
+  const Problem p(Map{"poles", hall, "", ""}, with_lidar(8, 180), Point(0.5, 1.5));
+  Context context(1);
+  const Path path = plan_online(p, context, [](const Problem& believed, Context& c) {
+    return find_planner(zoo(), "boustrophedon").make({})->plan(believed, c);
+  });
+  expect_valid(p, path);
+  EXPECT_GT(*score(p, path).value("coverage_lower"), 0.97);
+}
+
+TEST(Belief, AFewWrongHitsDoNotCloseACorridor) {
+  const Problem corridor(Map{"corridor", box_region({0, 0}, {6, 1}), "", ""}, with_lidar(8, 360, 0.01),
+                         Point(0.5, 0.5));
+  const LidarSimulator lidar(corridor.map().free, *corridor.robot().lidar);
+  Belief belief(corridor.robot(), corridor.start());
+  Rng noise(1);
+  for (double x = 0.5; x < 5.5; x += 0.2) belief.add(lidar.scan({x, 0.5}, noise));
+  ASSERT_TRUE(belief.free_for({0.5, 0.5}, {5.4, 0.5}, 0.2));
+  Scan wrong = lidar.scan({3, 0.5}, noise);
+  for (std::size_t k = 0; k < wrong.reading.size(); k += 40) wrong.reading[k] = 0.25;  // flies
+  belief.add(wrong);
+  EXPECT_TRUE(belief.free_for({0.5, 0.5}, {5.4, 0.5}, 0.2));
+}
+
+// ----------------------------------------------------------------------------------------------------- driver
+
+/// Drives what a test tells it.
+struct Scripted final : Policy {
+  std::vector<Motion> motions;
+  std::size_t asked = 0, stopped = 0;
+  std::optional<Motion> next(const View& view, Context&) override {
+    stopped += view.stopped() ? 1 : 0;
+    if (asked == motions.size()) return std::nullopt;
+    return motions[asked++];
+  }
+};
+
+TEST(DriveOnline, StopsBeforeAWallThatThePolicyDoesNotSee) {
+  const Problem p = drawn({"S...#...", "....#..."}, {.robot = with_lidar()});
+  Scripted policy;
+  policy.motions = {{{{7.5, 1.5}}, true}, {{{0.5, 0.5}}, false}};
+  Context context(1);
+  const Path path = drive_online(p, policy, context);
+  expect_valid(p, path);
+  EXPECT_EQ(policy.stopped, 1u);
+  ASSERT_EQ(path.legs.size(), 2u);
+  EXPECT_GT(path.legs[0].points.back().x(), 3.3);
+  EXPECT_LE(path.legs[0].points.back().x(), 3.8);
+  EXPECT_FALSE(path.legs[1].tool);
+  EXPECT_EQ(path.legs[1].points.back(), Point(0.5, 0.5));
+}
+
+TEST(DriveOnline, APolicyThatOnlyEverAsksForWallsEnds) {
+  struct Stubborn final : Policy {
+    int asked = 0;
+    std::optional<Motion> next(const View&, Context&) override {
+      ++asked;
+      return Motion{{{20, 20}}, true};
+    }
+  } policy;
+  const Problem p = drawn({"..", "S."}, {.robot = with_lidar()});
+  Context context(1);
+  const Path path = drive_online(p, policy, context);
+  expect_valid(p, path);
+  EXPECT_LT(policy.asked, 10);
+}
+
+TEST(DriveOnline, NoLidarAndTooShortALidarAreSentences) {
+  const auto boustrophedon = [](const Problem& believed, Context& c) {
+    return find_planner(zoo(), "boustrophedon").make({})->plan(believed, c);
+  };
+  Context context(1);
+  EXPECT_THAT(
+      [&] {
+        plan_online(drawn({"..", "S."}), context, boustrophedon);
+      },
+      ThrowsMessage<Unsupported>(HasSubstr("robot 'disc' has no lidar")));
+  for (const Robot& blind : {with_lidar(0.05), with_lidar(8, 1), with_lidar(8, 4)}) {
+    const Problem p = drawn({"..", "S."}, {.robot = blind});
+    EXPECT_THAT([&] { plan_online(p, context, boustrophedon); },
+                ThrowsMessage<Infeasible>(HasSubstr("shows robot 'disc' no place to go from its start (0.5, 0.5)")));
+  }
+}
+
+// --------------------------------------------------------------------------------------------------- exploring
+
+/// Explores and does nothing else; keeps what is believed at the end.
+struct OnlyExplores final : Policy {
+  Explorer explorer;
+  Region believed;
+  std::optional<Motion> next(const View& view, Context&) override {
+    auto motion = explorer.next(view);
+    if (!motion) believed = view.belief().region(0);
+    return motion;
+  }
+};
+
+TEST(Explorer, SeesWhatCanBeSeen) {
+  for (const auto seed : seeds(2))
+    for (const Problem& p : small_problems(seed, with_lidar())) {
+      SCOPED_TRACE(p.map().source);
+      OnlyExplores policy;
+      Context context(1);
+      const Path path = drive_online(p, policy, context);
+      expect_valid(p, path);
+      // Places that the tool can reach, 3 cm off the walls: each is seen from where the tool would be.
+      const EdgeIndex walls(p.map().free), believed(policy.believed);
+      const Box box = bounding_box(p.target());
+      Rng rng(seed);
+      int all = 0, seen = 0;
+      while (all < 4000) {
+        const Point q(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
+        if (!contains(p.target(), q) || walls.nearest(q, 0.03)) continue;
+        ++all;
+        seen += believed.contains(q) ? 1 : 0;
+      }
+      EXPECT_GT(seen, 0.999 * all);
+      EXPECT_LT(path.length(), 0.6 * lanes_needed(p));
+    }
+}
+
+// The string, simulated in the true map, never exceeds the leash while the robot explores.
+TEST(Explorer, KeepsTheLeash) {
+  for (const auto seed : seeds(2))
+    for (const double leash : {2.0, 4.0, 9.0}) {
+      Robot robot = with_lidar();
+      robot.tether = Tether{leash};
+      for (const Problem& p : small_problems(seed, robot)) {
+        SCOPED_TRACE(fmt::format("{} leash {}", p.map().source, leash));
+        OnlyExplores policy;
+        Context context(1);
+        const Path path = drive_online(p, policy, context);
+        expect_valid(p, path);
+        TautString string = string_at_start(p);
+        for (const Leg& leg : path.legs)
+          for (const Point& q : leg.points) {
+            string.drive(q);
+            ASSERT_LE(string.length(), leash + p.tolerance());
+          }
+      }
+    }
+}
+
+// -------------------------------------------------------------------------------------------- survey, then plan
+
+Path boustrophedon_online(const Problem& problem, Context& context) {
+  return plan_online(problem, context, [](const Problem& believed, Context& c) {
+    return find_planner(zoo(), "boustrophedon").make({})->plan(believed, c);
+  });
+}
+
+TEST(SurveyThenPlan, CoversAsTheMapWouldLetItAtHalfAsMuchAgainAtMost) {
+  std::vector<double> ratios;
+  for (const auto seed : seeds(2))
+    for (const Problem& p : small_problems(seed, with_lidar())) {
+      SCOPED_TRACE(p.map().source);
+      Context context(1);
+      const Path online = boustrophedon_online(p, context), offline = plan("boustrophedon", p);
+      expect_valid(p, online);
+      EXPECT_EQ(find_flaw(p, online), "");
+      EXPECT_GT(*score(p, online).value("coverage_lower"), *score(p, offline).value("coverage_lower") - 0.005);
+      ratios.push_back(online.length() / offline.length());
+      EXPECT_LT(ratios.back(), 1.8);
+    }
+  std::sort(ratios.begin(), ratios.end());
+  EXPECT_LT(ratios[ratios.size() / 2], 1.5);
+}
+
+TEST(SurveyThenPlan, NoiseCostsAStripAlongTheWallsButNoCollision) {
+  for (const double noise : {0.002, 0.01}) {
+    for (const Problem& p : small_problems(1, with_lidar(8, 360, noise))) {
+      SCOPED_TRACE(fmt::format("{} noise {}", p.map().source, noise));
+      Context context(1);
+      const Path path = boustrophedon_online(p, context);
+      expect_valid(p, path);
+      EXPECT_GT(*score(p, path).value("coverage_lower"), 0.9);
+    }
+  }
+}
+
+TEST(SurveyThenPlan, SameSeedSamePathAndReports) {
+  const Problem p(generate("rooms", {{"width", 5.0}, {"height", 5.0}, {"rooms", std::int64_t{2}}}, 4),
+                  with_lidar(8, 360, 0.005));
+  std::map<std::string, double> reports[2];
+  Path paths[2];
+  for (int k = 0; k < 2; ++k) {
+    Context::Sinks sinks;
+    sinks.report = [&](const std::string& name, double value) { reports[k][name] = value; };
+    Context context(7, 1e9, sinks);
+    paths[k] = boustrophedon_online(p, context);
+  }
+  ASSERT_EQ(paths[0].legs.size(), paths[1].legs.size());
+  for (std::size_t i = 0; i < paths[0].legs.size(); ++i) EXPECT_EQ(paths[0].legs[i].points, paths[1].legs[i].points);
+  EXPECT_EQ(reports[0], reports[1]);
+  ASSERT_TRUE(reports[0].contains("explored_share") && reports[0].contains("replans"));
+  EXPECT_GT(reports[0]["explored_share"], 0.9);
+  EXPECT_LE(reports[0]["explored_share"], 1);
+}
+
+TEST(SurveyThenPlan, ACancelledRunReturnsWhatItDrove) {
+  const Problem p(generate("maze", {{"width", 6.0}, {"height", 6.0}}, 4), with_lidar());
+  Context::Sinks sinks;
+  Context* running = nullptr;
+  Path published;
+  sinks.publish = [&](const Path& path) {
+    published = path;
+    if (path.length() > 5) running->cancel();
+  };
+  Context context(1, 1e9, sinks);
+  running = &context;
+  const Path path = boustrophedon_online(p, context);
+  expect_valid(p, path);
+  EXPECT_GT(path.length(), 5);
+  EXPECT_EQ(path.length(), published.length());
+}
+
+// A start at a wall, in a corner, and in a passage that is hardly wider than the robot.
+TEST(SurveyThenPlan, TightStarts) {
+  for (const Point& start : {Point(0.2, 0.2), Point(0.2, 1.7), Point(3.8, 0.2)}) {
+    const Problem p(Map{"room", box_region({0, 0}, {4, 3}), "", ""}, with_lidar(), start);
+    Context context(1);
+    const Path path = boustrophedon_online(p, context);
+    expect_valid(p, path);
+    EXPECT_GT(*score(p, path).value("coverage_lower"), 0.99);
+  }
+}
+
+TEST(SurveyThenPlan, FarAndTinyCoordinates) {
+  for (const double scale : {1e-3, 1e3}) {
+    const Region region = drawn_region({"....", ".#..", "..#.", "...."}, scale);
+    const Problem p(Map{"far", transformed(region, 0, 1e5 * scale * Point(1, -1)), "", ""},
+                    with_lidar(8 * scale, 360, 0, disc(0.2 * scale, 0.4 * scale)));
+    Context context(1);
+    const Path path = boustrophedon_online(p, context);
+    expect_valid(p, path);
+    EXPECT_GT(*score(p, path).value("coverage_lower"), 0.99);
+  }
+}
+
+}  // namespace
+}  // namespace oxturn

@@ -1,0 +1,339 @@
+// Grid planners on a leash: shnaps-rimon, shnaps-rimon-banded, tether-tree, tethered-stc.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "algorithms/tethered/leash.hpp"
+#include "metrics/score.hpp"
+#include "sweep_oracle.hpp"
+#include "tests/support/drawn.hpp"
+#include "tests/support/seeds.hpp"
+#include "tether_checks.hpp"
+
+namespace oxturn {
+namespace {
+
+using testing::HasSubstr;
+using Cell = std::pair<int, int>;
+
+const double kSide = 0.4 / std::sqrt(2.0);
+
+/// Cells about the start by the definition alone, each with its depth: centres `side` apart, neighbours if the straight
+/// way between them lies in `space`.
+std::map<Cell, int> flood(const Region& space, const Point& start, double side) {
+  const EdgeIndex walls(space);
+  std::map<Cell, int> depth{{{0, 0}, 0}};
+  std::vector<Cell> queue{{0, 0}};
+  for (std::size_t k = 0; k < queue.size(); ++k)
+    for (const Cell& step : {Cell{1, 0}, Cell{0, 1}, Cell{-1, 0}, Cell{0, -1}}) {
+      const auto [i, j] = queue[k];
+      const Cell to{i + step.first, j + step.second};
+      if (depth.count(to) > 0) continue;
+      if (!walls.contains(start + side * Point(i, j), start + side * Point(to.first, to.second))) continue;
+      depth[to] = depth[queue[k]] + 1;
+      queue.push_back(to);
+    }
+  return depth;
+}
+
+/// The cells whose centres the tool-on path drives over.
+std::set<Cell> cells_driven(const Path& path, const Point& start, double side) {
+  std::set<Cell> cells;
+  const auto visit = [&](const Point& a, const Point& b) {
+    const Point from = (a - start) / side, to = (b - start) / side;
+    for (int i = static_cast<int>(std::floor(std::min(from.x(), to.x()))); i <= std::ceil(std::max(from.x(), to.x()));
+         ++i)
+      for (int j = static_cast<int>(std::floor(std::min(from.y(), to.y()))); j <= std::ceil(std::max(from.y(), to.y()));
+           ++j)
+        if (distance_to_segment({i, j}, from, to) < 1e-9) cells.insert({i, j});
+  };
+  for (const Leg& leg : path.legs)
+    for (std::size_t k = 1; leg.tool && k < leg.points.size(); ++k) visit(leg.points[k - 1], leg.points[k]);
+  return cells;
+}
+
+Path expect_sound(const std::string& planner, const Problem& problem, const Settings& settings = {}) {
+  Path path;
+  try {
+    path = plan(planner, problem, settings);
+  } catch (const Infeasible&) { return path; }
+  const Score result = score(problem, path);
+  EXPECT_EQ(result.flaw, "");
+  const TetherReport report = drive_tethered(problem, path, 0.5);
+  EXPECT_LE(report.longest, problem.robot().tether->length + problem.tolerance());
+  return path;
+}
+
+// ----------------------------------------------------------------------------------------------- shnaps-rimon
+
+/// Where the robot must have been: centres of the flood's cells; with `any`, for every other cell of the lattice the
+/// place of `space` nearest to its centre, if it lies in the cell. By a scan of all edges.
+std::vector<Point> places_wanted(const Region& space, const Point& start, double side, bool any) {
+  const std::map<Cell, int> joined = flood(space, start, side);
+  std::vector<Point> places;
+  for (const auto& [cell, depth] : joined) places.push_back(start + side * Point(cell.first, cell.second));
+  const Box box = bounding_box(space);
+  const auto index = [&](double from, double to, bool up) {
+    return static_cast<int>(up ? std::ceil((to - from) / side) : std::floor((to - from) / side));
+  };
+  for (int i = index(start.x(), box.low.x(), false); any && i <= index(start.x(), box.high.x(), true); ++i)
+    for (int j = index(start.y(), box.low.y(), false); j <= index(start.y(), box.high.y(), true); ++j) {
+      if (joined.count({i, j}) > 0) continue;
+      const Point centre = start + side * Point(i, j);
+      Point nearest = centre;
+      double least = contains(space, centre) ? 0 : 1e300;
+      for_each_ring(space, [&](const Ring& ring) {
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+          const Point place = nearest_on_segment(centre, ring[k], ring[(k + 1) % ring.size()]);
+          if (distance(place, centre) >= least) continue;
+          least = distance(place, centre);
+          nearest = place;
+        }
+      });
+      // A hair less than the cell: rounding may go either way.
+      if ((nearest - centre).cwiseAbs().maxCoeff() < side * (0.5 - 1e-9)) places.push_back(nearest);
+    }
+  return places;
+}
+
+double distance_to(const Path& path, const Point& p) {
+  double least = 1e300;
+  for (const Leg& leg : path.legs)
+    for (std::size_t k = 1; leg.tool && k < leg.points.size(); ++k)
+      least = std::min(least, distance_to_segment(p, leg.points[k - 1], leg.points[k]));
+  return least;
+}
+
+void expect_every_cell(const std::string& planner, const Problem& problem, const Settings& settings, double side,
+                       bool any = true) {
+  SCOPED_TRACE(planner);
+  Settings all = settings;
+  all["cell_size"] = side;
+  all["cells"] = std::string(any ? "any" : "joined");
+  const Path path = expect_sound(planner, problem, all);
+  const std::vector<Point> places = places_wanted(problem.configuration_space(), problem.start(), side, any);
+  if (path.legs.empty()) {
+    EXPECT_EQ(places.size(), 1u);
+    return;
+  }
+  for (const Point& place : places)
+    EXPECT_LT(distance_to(path, place), 1e-9) << "place " << place.transpose() << " is missed";
+  EXPECT_LE(path.length(), 2 * problem.robot().tether->length * static_cast<double>(places.size()));
+  EXPECT_EQ(path.legs.back().points.back(), problem.start());
+  // At the end the string is as it was at the start.
+  TautString string(problem.taut_space(), problem.anchor());
+  string.drive(problem.geodesics().path(problem.start()));
+  for (const Leg& leg : path.legs) string.drive(leg.points);
+  EXPECT_NEAR(string.length(), problem.geodesics().distance(problem.start()), 1e-9);
+}
+
+TEST(ShnapsRimon, VisitsEveryCellWithinTheBoundAndTheLeash) {
+  std::uint64_t n = 0;
+  for (const auto seed : seeds(2))
+    for (const Map& map : tether_maps(seed))
+      for (const double reach : {0.5, 0.8, 1.3, 2.0}) {
+        SCOPED_TRACE(fmt::format("{} reach {}", map.source, reach));
+        const Problem problem(map, leashed_robot(reach));
+        const std::string retraction = n % 2 == 0 ? "automatic" : "untangle";
+        switch (n++ % 4) {
+          case 0:
+            expect_every_cell("shnaps-rimon", problem, {{"order", std::string("split")}}, 0.5);
+            break;
+          case 1:
+            expect_every_cell("shnaps-rimon", problem, {{"retraction", retraction}}, 0.6, n % 8 != 0);
+            break;
+          case 2:
+            expect_every_cell("shnaps-rimon-banded", problem, {{"alternate", true}, {"band", 2.0}}, 0.5);
+            break;
+          default:
+            expect_every_cell("shnaps-rimon-banded", problem,
+                              {{"group", std::string("bend")}, {"retraction", retraction}}, 0.5);
+        }
+      }
+}
+
+TEST(ShnapsRimon, AnAnchorElsewhere) {
+  for (const auto seed : seeds(4)) {
+    const Map map = generate("clutter", {{"width", 8.0}, {"height", 6.0}}, seed);
+    Robot robot = leashed_robot(0.7);
+    const Point anchor = map.free.polygons.front().outer.front();
+    const Point start = Problem(map, leashed_robot(1)).start();
+    robot.tether = Tether{1.05 * GeodesicField(map.free, anchor, {}, 1e-6).distance(start) + 1};
+    const Problem problem(map, robot, start, anchor);
+    expect_every_cell("shnaps-rimon", problem, {}, 0.5);
+    expect_every_cell("shnaps-rimon", problem, {{"order", std::string("split")}}, 0.5);
+    expect_sound("tether-tree", problem);
+    expect_sound("tethered-stc", problem);
+  }
+}
+
+// Two dead ends right and left of the anchor, 4 cells wide: the split order finishes one before the other.
+TEST(ShnapsRimon, SplitFinishesOneSideFirst) {
+  const std::vector<std::string> rows{"...........", "...........", "...##S##...", "...........",
+                                      "...........", "...#####...", "...#####...", "...#####..."};
+  Drawing drawing;
+  drawing.robot = leashed_robot(1.1);
+  const Problem problem = drawn(rows, drawing);
+  const auto changes = [&](const std::string& order) {
+    int count = 0, side = 0;
+    for (const Leg& leg : plan("shnaps-rimon", problem, {{"order", order}, {"return_home", false}}).legs)
+      for (const Point& p : leg.points) {
+        const int now = p.y() > 2.8 ? 0 : p.x() < 5 ? -1 : 1;
+        if (now != 0 && side != 0 && now != side) ++count;
+        if (now != 0) side = now;
+      }
+    return count;
+  };
+  EXPECT_GT(changes("distance"), 10);
+  EXPECT_EQ(changes("split"), 1);
+}
+
+TEST(ShnapsRimonBanded, BandsAreNeverTakenBackAndAngleGrowsInEach) {
+  const Problem problem(generate("rectangle", {{"width", 6.0}, {"height", 5.0}}, 1), leashed_robot(1.1));
+  const Path path = plan("shnaps-rimon-banded", problem, {{"return_home", false}, {"cells", std::string("joined")}});
+  long long band = 0;
+  double angle = -1;
+  for (const Point& p : path.legs.front().points) {  // no obstacles: straight from cell to cell
+    const Point arm = p - problem.anchor();
+    const auto now = static_cast<long long>(arm.norm() / kSide + 1e-6);
+    const double turn = arm.norm() > 0 ? std::fmod(std::atan2(arm.y(), arm.x()) + 2 * kPi, 2 * kPi) : 0;
+    EXPECT_GE(now, band);
+    if (now == band && now > 0) { EXPECT_GT(turn, angle); }
+    band = now;
+    angle = turn;
+  }
+}
+
+// ------------------------------------------------------------------------------------------------- tether-tree
+
+TEST(TetherTree, ThereAndBackOverEveryEdgeAndNoDeeperThanTheLeash) {
+  for (const auto seed : seeds(2))
+    for (const Map& map : tether_maps(seed))
+      for (const double reach : {0.5, 1.0, 2.0}) {
+        SCOPED_TRACE(fmt::format("{} reach {}", map.source, reach));
+        const Problem problem(map, leashed_robot(reach));
+        const double longest = problem.robot().tether->length;
+        for (const bool geodesic : {false, true}) {
+          const Leash leash(problem, "test");
+          const std::map<Cell, int> depth =
+              flood(geodesic ? leash.cut_space() : problem.configuration_space(), problem.start(), kSide);
+          std::set<Cell> wanted;
+          for (const auto& [cell, d] : depth)
+            if (geodesic || d * kSide <= longest * (1 + 1e-12)) wanted.insert(cell);
+          if (wanted.size() == 1) continue;
+          const Path path =
+              expect_sound("tether-tree", problem, {{"reach", std::string(geodesic ? "geodesic" : "depth")}});
+          EXPECT_EQ(cells_driven(path, problem.start(), kSide), wanted);
+          EXPECT_NEAR(path.length(), 2 * kSide * static_cast<double>(wanted.size() - 1), 1e-6);
+          EXPECT_EQ(path.legs.back().points.back(), problem.start());
+          TautString string(problem.taut_space(), problem.anchor());
+          for (const Leg& leg : path.legs)
+            for (const Point& p : leg.points) {
+              string.drive(p);
+              const Point cell = (p - problem.start()) / kSide;
+              const int d =
+                  depth.at({static_cast<int>(std::lround(cell.x())), static_cast<int>(std::lround(cell.y()))});
+              EXPECT_LE(string.length(), d * kSide + 1e-9);
+            }
+          EXPECT_TRUE(string.bends().empty());
+        }
+      }
+}
+
+// ------------------------------------------------------------------------------------------------ tethered-stc
+
+TEST(TetheredStc, EachSubCellOnceAndTheStringIsTheGeodesic) {
+  std::size_t rounds = 0;
+  for (const auto seed : seeds(2))
+    for (const Map& map : tether_maps(seed))
+      for (const double reach : {0.5, 1.0, 2.0})
+        for (const char* measure : {"depth", "geodesic"}) {
+          SCOPED_TRACE(fmt::format("{} reach {} by {}", map.source, reach, measure));
+          const Problem problem(map, leashed_robot(reach, 0.1, 0.2));
+          const double side = kSide / 2;
+          const Path path = expect_sound("tethered-stc", problem, {{"reach", std::string(measure)}});
+          if (path.legs.empty()) continue;
+          ++rounds;
+          ASSERT_EQ(path.legs.size(), 1u);
+          EXPECT_EQ(path.legs.front().points.back(), problem.start());
+          const std::set<Cell> driven = cells_driven(path, problem.start(), side);
+          EXPECT_NEAR(path.length(), side * static_cast<double>(driven.size()), 1e-6);
+          const TetherReport report = drive_tethered(problem, path, 0.1);
+          EXPECT_LE(report.excess, 1e-7);
+          EXPECT_EQ(report.crossings, 0);
+
+          // Coarse cells are whole for one of the four places of the start in its own; depth by a flood over them.
+          int fits = 0;
+          for (const Cell& corner : {Cell{0, 0}, Cell{-1, 0}, Cell{0, -1}, Cell{-1, -1}}) {
+            std::map<Cell, int> quarters;
+            for (const Cell& c : driven) ++quarters[{(c.first - corner.first) >> 1, (c.second - corner.second) >> 1}];
+            if (std::any_of(quarters.begin(), quarters.end(), [](const auto& q) { return q.second != 4; })) continue;
+            ++fits;
+            const Point root = problem.start() + side * Point(corner.first + 0.5, corner.second + 0.5);
+            TautString string(problem.taut_space(), problem.anchor());
+            std::map<Cell, int> depth = flood(Leash(problem, "test").cut_space(), root, 2 * side);
+            for (const Point& p : path.legs.front().points) {
+              string.drive(p);
+              const Point at = (p - root) / (2 * side);
+              const Cell cell{static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
+              // The flood looks at centre lines only, so it knows every tree edge: its depth is no more than the tree's.
+              ASSERT_TRUE(depth.count(cell));
+              EXPECT_LE(string.length(), problem.robot().tether->length);
+              if (std::string(measure) == "depth") {
+                EXPECT_LE(2 * depth.at(cell) * side + std::sqrt(2.0) * side,
+                          problem.robot().tether->length * (1 + 1e-9));
+              }
+            }
+          }
+          EXPECT_GE(fits, 1);
+        }
+  EXPECT_GT(rounds, 50u);
+}
+
+// On open ground depth is |i| + |j|: the bound can be told from where the robot stands.
+TEST(TetheredStc, StringWithinDepthTimesTwoCellsAndADiagonal) {
+  const Problem problem(Map{"square", box_region({0, 0}, {8, 8}), "", ""}, leashed_robot(0.6), Point(4, 4));
+  const double longest = problem.robot().tether->length;
+  const Path path = plan("tethered-stc", problem);
+  // Which corner of its coarse cell the start is: all four are equal here, so the first is taken.
+  std::set<Cell> coarse;
+  TautString string(problem.taut_space(), problem.anchor());
+  for (const Cell& c : cells_driven(path, problem.start(), kSide)) coarse.insert({c.first >> 1, c.second >> 1});
+  for (const Point& p : path.legs.front().points) {
+    string.drive(p);
+    const Point at = (p - problem.start()) / kSide;
+    const int i = static_cast<int>(std::lround(at.x())) >> 1, j = static_cast<int>(std::lround(at.y())) >> 1;
+    EXPECT_LE(string.length(), (std::abs(i) + std::abs(j)) * 2 * kSide + std::sqrt(2.0) * kSide + 1e-9);
+  }
+  std::set<Cell> wanted;
+  const auto deepest = static_cast<int>((longest - std::sqrt(2.0) * kSide) / (2 * kSide));
+  for (int i = -deepest; i <= deepest; ++i)
+    for (int j = -deepest; j <= deepest; ++j)
+      if (std::abs(i) + std::abs(j) <= deepest) wanted.insert({i, j});
+  EXPECT_EQ(coarse, wanted);
+}
+
+// ---------------------------------------------------------------------------------------------------- all four
+
+TEST(TetheredGrid, SameBytesTwiceAndARobotWithoutTetherIsOneSentence) {
+  const Map map = generate("clutter", {{"width", 8.0}, {"height", 6.0}}, 5);
+  const Problem problem(map, leashed_robot(0.9)), loose(map, Robot{});
+  for (const char* planner : {"shnaps-rimon", "shnaps-rimon-banded", "tether-tree", "tethered-stc"}) {
+    SCOPED_TRACE(planner);
+    EXPECT_EQ(to_geojson(plan(planner, problem)), to_geojson(plan(planner, problem)));
+    EXPECT_THAT([&] { plan(planner, loose); },
+                testing::ThrowsMessage<Unsupported>(HasSubstr("needs a robot with a tether")));
+  }
+}
+
+TEST(TetheredGrid, NoRoomForASecondCellIsInfeasible) {
+  const Problem problem(Map{"closet", box_region({0, 0}, {0.5, 0.5}), "", ""}, leashed_robot(1.2));
+  for (const char* planner : {"shnaps-rimon", "shnaps-rimon-banded", "tether-tree", "tethered-stc"})
+    EXPECT_THAT([&] { plan(planner, problem); }, testing::ThrowsMessage<Infeasible>(HasSubstr("smaller cell_size")))
+        << planner;
+}
+
+}  // namespace
+}  // namespace oxturn

@@ -1,0 +1,284 @@
+#include "geometry/tethered_path.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <utility>
+
+#include "geometry/edge_index.hpp"
+#include "geometry/offset.hpp"
+#include "geometry/slit.hpp"
+#include "random_region.hpp"
+#include "taut_paths.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/// The part of `space` within `longest` of the anchor... that holds `start`, cut open along the field's cut.
+Region cut_open(const Region& space, const GeodesicField& field, const Point& start) {
+  constexpr double kWidth = 1e-4;
+  std::vector<Polyline> lines = field.cut(kWidth / 8);
+  std::erase_if(lines, [](const Polyline& line) { return line.size() < 2 || length(line) <= 0; });
+  for (Polyline& line : lines) {
+    const Point first = line[0] - line[1], last = line[line.size() - 1] - line[line.size() - 2];
+    if (first.norm() > 0) line.insert(line.begin(), line.front() + first.normalized() * 2 * kWidth);
+    if (last.norm() > 0) line.push_back(line.back() + last.normalized() * 2 * kWidth);
+  }
+  if (lines.empty()) return space;
+  for (const Polygon& part : slit(space, lines, kWidth).polygons)
+    if (EdgeIndex(Region{{part}}).contains(start)) return {{part}};
+  return {};
+}
+
+struct World {
+  World(const Region& free, const Region& space, const Point& anchor, const Point& start, double longest)
+      : field(free, anchor, {}, 1e-9),
+        cut(cut_open(space, field, start)),
+        tethered(free, space, cut, field, longest, 1e-9),
+        robot(tethered, start) {}
+  GeodesicField field;
+  Region cut;
+  TetheredWorld tethered;
+  TetheredRobot robot;
+};
+
+/// What homotopy is told by: the crossings of a way with one ray a hole, straight up, with signs; neighbours that undo
+/// each other are gone.
+using Word = std::vector<std::pair<std::size_t, int>>;
+
+class Words {
+ public:
+  explicit Words(const Region& region) {
+    for (const Ring& hole : region.polygons.front().holes) {
+      Point centre{0, 0};
+      for (const Point& p : hole) centre += p / static_cast<double>(hole.size());
+      eyes_.push_back(centre);  // holes are convex
+    }
+  }
+  Word of(const Polyline& line, Word word = {}) const {
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      std::vector<std::pair<double, std::pair<std::size_t, int>>> crossed;
+      const Point &a = line[k - 1], &b = line[k];
+      for (std::size_t h = 0; h < eyes_.size(); ++h) {
+        const double x = eyes_[h].x();
+        if ((a.x() < x) == (b.x() < x)) continue;
+        const double t = (x - a.x()) / (b.x() - a.x());
+        if (lerp(a, b, t).y() > eyes_[h].y()) crossed.push_back({t, {h, a.x() < x ? 1 : -1}});
+      }
+      std::sort(crossed.begin(), crossed.end());
+      for (const auto& [t, letter] : crossed) {
+        if (!word.empty() && word.back().first == letter.first && word.back().second == -letter.second)
+          word.pop_back();
+        else
+          word.push_back(letter);
+      }
+    }
+    return word;
+  }
+
+ private:
+  std::vector<Point> eyes_;
+};
+
+Point free_point(Rng& rng, const EdgeIndex& index, const Box& box) {
+  while (true) {
+    const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
+    if (index.contains(p)) return p;
+  }
+}
+
+void expect_within(const Region& space, const TetheredRobot& robot, const Polyline& way, double longest) {
+  const EdgeIndex walls(space);
+  TautString string = robot.string();
+  ASSERT_EQ(way.front(), robot.at());
+  for (std::size_t k = 1; k < way.size(); ++k) {
+    EXPECT_TRUE(walls.contains(way[k - 1], way[k]) || walls.nearest(lerp(way[k - 1], way[k], 0.5), 1e-9));
+    for (int i = 1; i <= 16; ++i) {
+      string.drive(i == 16 ? way[k] : lerp(way[k - 1], way[k], i / 16.0));
+      EXPECT_LE(string.length(), longest + 2e-9);
+    }
+  }
+}
+
+TEST(TetheredPath, ShortestOfAllClassesThatTheLeashAllows) {
+  std::size_t other_class = 0, geodesic = 0;
+  for (const auto seed : seeds(120)) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Rng rng(seed);
+    const Region free = clutter_box(rng, rng.between(1, 2), rng.between(1, 2), false);
+    const EdgeIndex index(free);
+    const Box box = bounding_box(free);
+    const Point anchor = free_point(rng, index, box), start = free_point(rng, index, box);
+    const double reach = GeodesicField(free, anchor, {}, 0).farthest();
+    const double longest =
+        std::max(rng.between(0.6, 1.4) * reach, GeodesicField(free, anchor, {}, 0).distance(start) * 1.01);
+    World world(free, free, anchor, start, longest);
+    const Words words(free);
+    TautPaths oracle(free);
+    Word word = words.of(world.field.path(start));
+    for (int k = 0; k < 6; ++k) {
+      const Point goal = free_point(rng, index, box);
+      SCOPED_TRACE(fmt::format("goal {} at ({}, {})", k, goal.x(), goal.y()));
+      const auto way = world.robot.way_to(goal, Retraction::automatic, 100000);
+      std::vector<std::pair<Word, double>> states;
+      for (const Polyline& line : oracle.from(anchor, goal, longest)) states.push_back({words.of(line), length(line)});
+      ASSERT_EQ(way.has_value(), !states.empty());
+      if (!way) continue;
+      EXPECT_TRUE(way->shortest);
+      expect_within(free, world.robot, way->points, longest);
+      // The first class by length that ends in one of the goal's states.
+      double best = kInf, best_end = 0, plain = kInf;
+      for (const Polyline& line : oracle.from(world.robot.at(), goal, length(way->points) * (1 + 1e-9))) {
+        plain = std::min(plain, length(line));
+        for (const auto& [state, end] : states)
+          if (state == words.of(line, word) && length(line) < best) {
+            best = length(line);
+            best_end = end;
+          }
+      }
+      EXPECT_NEAR(length(way->points), best, 1e-9);
+      EXPECT_NEAR(way->tether_end, best_end, 1e-9);
+      other_class += best > plain;
+      geodesic += std::abs(way->tether_end - world.field.distance(goal)) < 1e-9;
+      word = words.of(way->points, word);
+      world.robot.drive(way->points);
+      EXPECT_NEAR(world.robot.string().length(), best_end, 1e-9);
+    }
+  }
+  EXPECT_GT(other_class, 50u);
+  EXPECT_GT(geodesic, 300u);
+}
+
+TEST(TetheredPath, AnEndlessLeashLeavesThePlainShortestPath) {
+  for (const auto seed : seeds(40)) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Rng rng(seed);
+    const Region free = clutter_box(rng, 3, 3, seed % 2 == 0);
+    const EdgeIndex index(free);
+    const ShortestPaths paths(free, 1e-9);
+    const Point start = free_point(rng, index, bounding_box(free));
+    World world(free, free, start, start, kInf);
+    for (int k = 0; k < 10; ++k) {
+      const Point goal = free_point(rng, index, bounding_box(free));
+      const auto way = world.robot.way_to(goal);
+      ASSERT_TRUE(way);
+      EXPECT_EQ(way->points, *paths.path(world.robot.at(), goal));
+      world.robot.drive(way->points);
+    }
+  }
+}
+
+TEST(TetheredPath, ADiscNeverBreaksTheLeashAndStaysInItsSpace) {
+  std::size_t ways = 0, cheap = 0;
+  for (const auto seed : seeds(40)) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Rng rng(seed);
+    const Region free = clutter_box(rng, 3, 3, seed % 2 == 0, 0.6);
+    const Region space = erode(free, 0.04, 1e-3, Bound::inside);
+    const Region part{{space.polygons.front()}};
+    const EdgeIndex index(part);
+    const Box box = bounding_box(part);
+    const Point anchor = free_point(rng, index, box), start = free_point(rng, index, box);
+    const GeodesicField field(free, anchor, {}, 0);
+    const double longest = std::max(rng.between(0.5, 1.2) * field.farthest(), field.distance(start) * 1.01);
+    World world(free, part, anchor, start, longest);
+    for (int k = 0; k < 8; ++k) {
+      const Point goal = free_point(rng, index, box);
+      const auto way = world.robot.way_to(goal, k % 3 == 2 ? Retraction::untangle : Retraction::automatic, 500);
+      EXPECT_EQ(way.has_value(), world.field.distance(goal) <= longest) << "goal " << k;
+      if (!way) continue;
+      EXPECT_EQ(way->points.back(), goal);
+      expect_within(part, world.robot, way->points, longest);
+      world.robot.drive(way->points);
+      EXPECT_EQ(way->tether_end, world.robot.string().length());
+      ++ways;
+      cheap += way->shortest;
+    }
+  }
+  EXPECT_GT(ways, 150u);
+  EXPECT_GT(cheap, 100u);
+}
+
+/// A room 10 m square with a pillar 2 m square in its middle.
+Region pillar() { return {{{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{4, 4}, {4, 6}, {6, 6}, {6, 4}}}}}}; }
+
+TEST(TetheredPath, TheOtherWayRoundIfTheLeashIsTooShort) {
+  const Point anchor(1, 5);
+  World world(pillar(), pillar(), anchor, anchor, 9.5);
+  world.robot.drive({{5, 2}, {8, 4.9}});  // below the pillar
+  EXPECT_NEAR(world.robot.string().length(), std::sqrt(10.0) + 2 + distance({6, 4}, {8, 4.9}), 1e-12);
+  // Up past the pillar's right side the string would be 9.66 m long.
+  const Point goal(6, 8.5);
+  const auto way = world.robot.way_to(goal);
+  ASSERT_TRUE(way);
+  EXPECT_TRUE(way->shortest);
+  EXPECT_EQ(way->points, (Polyline{{8, 4.9}, {6, 4}, {4, 4}, {4, 6}, goal}));
+  EXPECT_NEAR(way->tether_end, distance(anchor, goal), 1e-12);
+  EXPECT_NEAR(way->tether_max, world.robot.string().length(), 1e-12);
+  // With a little more it is the short way.
+  World longer(pillar(), pillar(), anchor, anchor, 10.7);
+  longer.robot.drive({{5, 2}, {8, 4.9}});
+  EXPECT_EQ(longer.robot.way_to(goal)->points, (Polyline{{8, 4.9}, goal}));
+}
+
+TEST(TetheredPath, WoundTwiceItUnwindsAsFarAsItMust) {
+  const Point anchor(1, 5);
+  World world(pillar(), pillar(), anchor, anchor, 30);
+  const Polyline lap{{5, 2}, {8, 5}, {5, 8}, {2, 5}};
+  world.robot.drive(lap);
+  world.robot.drive(lap);
+  EXPECT_NEAR(world.robot.string().length(), std::sqrt(10.0) + 14 + std::sqrt(5.0), 1e-9);
+  EXPECT_EQ(world.robot.way_to({4, 2})->points, (Polyline{{2, 5}, {4, 2}}));
+  world.robot.drive({{5, 2}, {8, 5}, {5, 8}});
+  EXPECT_NEAR(world.robot.string().length(), std::sqrt(10.0) + 20 + std::sqrt(5.0), 1e-9);
+  const auto way = world.robot.way_to({1.5, 3});
+  ASSERT_TRUE(way);
+  EXPECT_GT(way->tether_max, 24);
+  EXPECT_LE(way->tether_max, 30);
+  World shorter(pillar(), pillar(), anchor, anchor, 27);
+  shorter.robot.drive(lap);
+  shorter.robot.drive(lap);
+  shorter.robot.drive({{5, 2}, {8, 5}, {5, 8}});
+  // Onwards by the left side would take sqrt(10) + 22 m up to (4, 6), 29.1 m in all: back by the right side.
+  const auto back = shorter.robot.way_to({1.5, 3});
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->points, (Polyline{{5, 8}, {6, 6}, {6, 4}, {1.5, 3}}));
+}
+
+TEST(TetheredPath, UntangledIsBackUntilStraightInReach) {
+  const Point anchor(1, 5), goal(6, 8.5);
+  World world(pillar(), pillar(), anchor, anchor, 9.5);
+  world.robot.drive({{5, 2}, {8, 4.9}});
+  const auto way = world.robot.way_to(goal, Retraction::untangle);
+  ASSERT_TRUE(way);
+  // Back along (8, 4.9), (6, 4), (4, 4), (1, 5): from the last stretch, where (4, 6) no longer hides the goal.
+  ASSERT_EQ(way->points.size(), 5u);
+  EXPECT_EQ(way->points[2], Point(4, 4));
+  const double slope = 2.5 / 2;  // the line from the goal through (4, 6)
+  const Point left = way->points[3];
+  EXPECT_NEAR(6 + slope * (left.x() - 4), left.y(), 0.01);
+  EXPECT_LT(distance_to_segment(left, {4, 4}, anchor), 1e-12);
+  EXPECT_EQ(way->points.back(), goal);
+  EXPECT_NEAR(way->tether_end, distance(anchor, goal), 1e-9);
+  // In straight reach at once.
+  World longer(pillar(), pillar(), anchor, anchor, 10.7);
+  longer.robot.drive({{5, 2}, {8, 4.9}});
+  EXPECT_EQ(longer.robot.way_to(goal, Retraction::untangle)->points, (Polyline{{8, 4.9}, goal}));
+}
+
+TEST(TetheredPath, OutOfReachIsNoWay) {
+  World world(pillar(), pillar(), {1, 5}, {1, 5}, 5);
+  EXPECT_FALSE(world.robot.way_to({9, 5}));
+  EXPECT_FALSE(world.robot.way_to({9, 5}, Retraction::untangle));
+  EXPECT_FALSE(world.robot.way_to({5, 5}));
+  EXPECT_TRUE(world.robot.way_to({1, 9.9}));
+  EXPECT_THROW(World(pillar(), pillar(), {1, 5}, {1, 5}, -1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace oxturn
