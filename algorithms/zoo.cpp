@@ -1,5 +1,6 @@
 // The one list of built-in planners. A new one is its own file, one declaration here and one line below.
 #include "algorithms/coverage_planner.hpp"
+#include "algorithms/online/sensing.hpp"
 
 namespace oxturn {
 
@@ -22,11 +23,11 @@ const std::vector<PlannerInfo>& zoo() {
       stc(),
       rectangles(),
       leashed(),
-      berg(),
-      berg_complete(),
-      shnaps_rimon(),
-      shnaps_rimon_banded(),
-      tether_tree(),
+      with_sensing(berg()),
+      with_sensing(berg_complete()),
+      with_sensing(shnaps_rimon()),
+      with_sensing(shnaps_rimon_banded()),
+      with_sensing(tether_tree()),
       tethered_stc(),
   };
   return planners;

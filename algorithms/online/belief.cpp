@@ -16,8 +16,8 @@ constexpr std::uint8_t kFar = 1, kNear = 2, kHit = 4, kWall = 8;  // kWall: on a
 constexpr std::uint8_t kAsked =
     16;  // with noise: a hit so near by has been dealt with. There kHit means: far does not count
 
-constexpr double kCellsARadius = 96;
-constexpr std::int64_t kMostCells = std::int64_t{1} << 25;
+constexpr double kCellsARadius = 96, kCellsWithNoise = 32;
+constexpr std::int64_t kMostCells = std::int64_t{1} << 26;
 constexpr int kBlock = 64;         // cells, in a row, that are looked at together
 constexpr int kAlign = kBlock;     // windows begin and end at multiples, so that coarse cells and halving fit
 constexpr double kKeepOff = 1e-3;  // cells by which a certain cell is inside its star: more than all rounding
@@ -31,7 +31,8 @@ double size_of(const Robot& robot) { return robot.radius > 0 ? robot.radius : ro
 
 double first_cell(const Robot& robot) {
   const double size = size_of(robot);
-  return std::clamp(robot.lidar->noise / 2, size / kCellsARadius, size / 4);
+  const double noise = robot.lidar->noise;
+  return noise > 0 ? std::clamp(noise / 2, size / kCellsWithNoise, size / 4) : size / kCellsARadius;
 }
 
 std::int64_t floor_to(std::int64_t v, std::int64_t step) {
@@ -345,7 +346,6 @@ void Belief::add(const Scan& scan) {
     rules.caution = 3;
     rules.apart = near_apart();
     stars.emplace_back(noisy_star(scan, direction_, rules, 3 * lidar_.noise), kNear);
-    rules.caution = 1;
     rules.apart = far_apart();
     stars.emplace_back(noisy_star(scan, direction_, rules, 3 * lidar_.noise), kFar);
   } else {

@@ -9,8 +9,8 @@
 // Certainty needs rays close enough together for two radii about the robot to be near: 200 of them. With fewer,
 // details narrower than the rays are apart may be touched.
 // The lattice hangs on the start, so it says nothing of the map's extent; the window grows with what is seen.
-// Resolution   radius / 96 (noise: at least half its standard deviation, at most radius / 4); twice as coarse each time
-//              the window would exceed 2^25 cells.
+// Resolution   radius / 96 (noise: half its standard deviation, from radius / 32 to radius / 4); twice as coarse each time
+//              the window would exceed 2^26 cells.
 // Complexity   a scan O(cells that it sees), a few bytes each; region() O(window)
 #pragma once
 

@@ -15,36 +15,31 @@ struct Cell {
   int i, j;
 };
 
+/// The set cells of a row or column and all within `reach` of them.
+template <class Get, class Set>
+void widen_line(int n, int reach, Get get, Set set) {
+  int since = reach + 1;  // cells since the last set one
+  for (int i = 0; i < n; ++i) {
+    since = get(i) ? 0 : std::min(since + 1, reach + 1);
+    if (since <= reach) set(i);
+  }
+  since = reach + 1;
+  for (int i = n - 1; i >= 0; --i) {
+    since = get(i) ? 0 : std::min(since + 1, reach + 1);
+    if (since <= reach) set(i);
+  }
+}
+
 /// Set cells and all within `reach` cells of them, in both directions.
 BitGrid widened(const BitGrid& grid, int reach) {
-  BitGrid across = grid, out = grid;
-  for (int j = 0; j < grid.rows; ++j) {
-    int last = -1000000;
-    for (int i = 0; i < grid.columns; ++i) {
-      if (grid.get(i, j)) last = i;
-      if (i - last <= reach) across.set(i, j, true);
-    }
-    last = 1000000;
-    for (int i = grid.columns - 1; i >= 0; --i) {
-      if (grid.get(i, j)) last = i;
-      if (last - i <= reach) across.set(i, j, true);
-    }
-  }
-  std::vector<int> last(static_cast<std::size_t>(grid.columns), -1000000);
-  out = across;
+  BitGrid across = grid;
   for (int j = 0; j < grid.rows; ++j)
-    for (int i = 0; i < grid.columns; ++i) {
-      int& l = last[static_cast<std::size_t>(i)];
-      if (across.get(i, j)) l = j;
-      if (j - l <= reach) out.set(i, j, true);
-    }
-  std::fill(last.begin(), last.end(), 1000000);
-  for (int j = grid.rows - 1; j >= 0; --j)
-    for (int i = 0; i < grid.columns; ++i) {
-      int& l = last[static_cast<std::size_t>(i)];
-      if (across.get(i, j)) l = j;
-      if (l - j <= reach) out.set(i, j, true);
-    }
+    widen_line(
+        grid.columns, reach, [&](int i) { return grid.get(i, j); }, [&](int i) { across.set(i, j, true); });
+  BitGrid out = across;
+  for (int i = 0; i < grid.columns; ++i)
+    widen_line(
+        grid.rows, reach, [&](int j) { return across.get(i, j); }, [&](int j) { out.set(i, j, true); });
   return out;
 }
 
@@ -68,7 +63,8 @@ struct Frontier {
 };
 
 constexpr std::size_t kSamples = 12;  // cells that stand for a frontier
-constexpr int kStride = 4;            // cells between viewpoints that are tried
+constexpr std::size_t kMostTried = 16;
+constexpr int kStride = 4;  // cells between viewpoints that are tried
 
 }  // namespace
 
@@ -103,7 +99,7 @@ std::optional<Motion> Explorer::next(const View& view) {
 
   // Frontier cells, less those that have been looked at in vain from next to them.
   const bool noisy = robot.lidar->noise > 0;  // then stars end farther from the walls
-  const BitGrid walled = widened(cells.wall, std::max(1, static_cast<int>((noisy ? size / 2 : size / 4) / cell)));
+  const BitGrid walled = widened(cells.wall, std::max(1, static_cast<int>((noisy ? 0.75 * size : size / 4) / cell)));
   BitGrid frontier(free.origin, cell, free.columns, free.rows);
   for (int j = 0; j < free.rows; ++j)
     for (int i = 0; i < free.columns; ++i) {
@@ -169,10 +165,15 @@ std::optional<Motion> Explorer::next(const View& view) {
           away[room.at(here.i + x, here.j + y)] = d;
           queue.emplace(d, room.at(here.i + x, here.j + y));
         }
-    int refused = 0;
-    while (!queue.empty() && refused < 20) {
+    // With a tether the way may be a long one, back along the way driven: then others are tried, as long as they may
+    // be shorter.
+    std::vector<Cell> tried;
+    std::optional<Polyline> best;
+    double shortest = std::numeric_limits<double>::infinity();
+    while (!queue.empty() && tried.size() < kMostTried) {
       const auto [d, index] = queue.top();
       queue.pop();
+      if (d >= shortest) break;
       if (d > away[index]) continue;
       const Cell at{static_cast<int>(index % static_cast<std::size_t>(room.columns)),
                     static_cast<int>(index / static_cast<std::size_t>(room.columns))};
@@ -199,9 +200,16 @@ std::optional<Motion> Explorer::next(const View& view) {
         good = seen >= wanted;
       }
       if (!good) continue;
-      if (auto way = ways.to(room.centre(at.i, at.j))) return Motion{std::move(*way), true};
-      ++refused;
+      const auto close = [&](const Cell& c) { return cell * std::hypot(c.i - at.i, c.j - at.j) < 2 * size; };
+      if (std::any_of(tried.begin(), tried.end(), close)) continue;
+      tried.push_back(at);
+      auto way = ways.to(room.centre(at.i, at.j));
+      if (!way || length(*way) >= shortest) continue;
+      shortest = length(*way);
+      best = std::move(way);
+      if (shortest < 1.2 * d + size) break;
     }
+    if (best) return Motion{std::move(*best), true};
   }
   return std::nullopt;
 }

@@ -7,7 +7,7 @@
 namespace oxturn {
 namespace {
 
-constexpr std::size_t kTurns = 48;  // places of the way driven at which turning off is tried
+constexpr std::size_t kTurns = 16;  // places of the way driven at which turning off is tried
 
 void append(Polyline& line, const Polyline& more) {
   for (const Point& p : more)
@@ -16,9 +16,10 @@ void append(Polyline& line, const Polyline& more) {
 
 }  // namespace
 
-/// The string at chosen places of the way driven, the last being the robot's.
 struct StringWays::Strings {
-  std::vector<std::size_t> at;      // index in the way
+  TautSpace space;                  // where the robot's centre may be
+  Polyline way;                     // the way driven, within that space
+  std::vector<std::size_t> at;      // some places of it (index), first and last included
   std::vector<TautString> strings;  // there
   double longest = 0;
 
@@ -31,16 +32,33 @@ struct StringWays::Strings {
     }
     return string;
   }
+  /// The shortest line of the same class in the robot's space.
+  Polyline taut(const Polyline& line) const {
+    if (line.size() < 3) return line;
+    TautString shadow(space, line.front());
+    shadow.drive(line);
+    return shadow.line();
+  }
 };
 
-StringWays::StringWays(const Problem& believed, Polyline way) : believed_(believed), way_(std::move(way)) {
+StringWays::StringWays(const Problem& believed, const Polyline& way) : believed_(believed), driven_(way) {
   if (!believed.robot().tether) return;
-  strings_ = std::make_unique<Strings>();
-  strings_->longest = believed.robot().tether->length;
+  strings_.reset(new Strings{TautSpace(believed.configuration_space()), {}, {}, {}, believed.robot().tether->length});
+  // Believed walls move by a cell or so from one time to the next: the way is put where it fits today.
+  Polyline& fitted = strings_->way;
+  for (const Point& p : way) {
+    const Point to = inside(p);
+    if (fitted.empty())
+      fitted.push_back(to);
+    else if (const auto round = path(fitted.back(), to); round && !believed.walls().contains(fitted.back(), to))
+      append(fitted, *round);
+    else
+      append(fitted, {to});
+  }
   TautString string = string_at_start(believed);
-  const std::size_t n = way_.size(), every = std::max<std::size_t>(1, n / kTurns);
+  const std::size_t n = fitted.size(), every = std::max<std::size_t>(1, n / kTurns);
   for (std::size_t k = 0; k < n; ++k) {
-    string.drive(way_[k]);
+    string.drive(fitted[k]);
     if (k % every != 0 && k + 1 != n) continue;
     strings_->at.push_back(k);
     strings_->strings.push_back(string);
@@ -48,16 +66,15 @@ StringWays::StringWays(const Problem& believed, Polyline way) : believed_(believ
 }
 StringWays::~StringWays() = default;
 
+Point StringWays::inside(const Point& p) const {
+  if (believed_.walls().contains(p)) return p;
+  const auto hit = believed_.walls().nearest(p);
+  return hit ? hit->place : p;
+}
+
 // Ends that the believed walls have come too near to are joined to the nearest place of configuration space.
 std::optional<Polyline> StringWays::path(const Point& from, const Point& to) const {
-  const auto inside = [&](const Point& p) -> std::optional<Point> {
-    if (believed_.walls().contains(p)) return p;
-    const auto hit = believed_.walls().nearest(p, believed_.robot().radius + believed_.robot().tool_width);
-    return hit ? std::optional(hit->place) : std::nullopt;
-  };
-  const auto a = inside(from), b = inside(to);
-  if (!a || !b) return std::nullopt;
-  const auto middle = believed_.transit().path(*a, *b);
+  const auto middle = believed_.transit().path(inside(from), inside(to));
   if (!middle) return std::nullopt;
   Polyline line{from};
   append(line, *middle);
@@ -70,25 +87,23 @@ bool StringWays::holds(const Polyline& points) const {
 }
 
 std::optional<Polyline> StringWays::to(const Point& goal) const {
-  const auto direct = path(way_.back(), goal);
-  if (!strings_) return direct;
-  if (direct && holds(*direct)) return direct;
+  const auto direct = path(driven_.back(), goal);
+  if (!strings_ || (direct && holds(*direct))) return direct;
+  const Polyline& way = strings_->way;
   std::optional<Polyline> best;
   double least = std::numeric_limits<double>::infinity();
-  Polyline back{way_.back()};
-  std::size_t k = way_.size() - 1;
+  Polyline back{driven_.back()};
+  std::size_t k = way.size();
   for (std::size_t s = strings_->at.size(); s-- > 0;) {
-    while (k > strings_->at[s]) append(back, {way_[--k]});
-    if (length(back) >= least) break;
-    const auto on = path(way_[k], goal);
-    if (!on || length(back) + length(*on) >= least || !strings_->driven(strings_->strings[s], *on)) continue;
-    // Back to that place by the shortest path, if that is of the same class.
-    Polyline line = back;
-    if (const auto cut = path(way_.back(), way_[k]); cut && length(*cut) < length(back))
-      if (const auto string = strings_->driven(strings_->now(), *cut);
-          string && string->bends() == strings_->strings[s].bends())
-        line = *cut;
-    append(line, *on);
+    while (k > strings_->at[s]) append(back, {way[--k]});
+    const auto on = path(way[k], goal);
+    if (!on || length(*on) - distance(way[k], way.back()) >= least) continue;
+    if (!strings_->driven(strings_->strings[s], *on)) continue;
+    Polyline whole = back;
+    append(whole, *on);
+    Polyline line = strings_->taut(whole);
+    if (!holds(line)) line = std::move(whole);  // rounding: as it comes, along the way driven
+    if (length(line) >= least) continue;
     least = length(line);
     best = std::move(line);
   }
@@ -96,23 +111,13 @@ std::optional<Polyline> StringWays::to(const Point& goal) const {
 }
 
 std::optional<Polyline> StringWays::home() const {
-  const Point& goal = way_.front();
-  if (!strings_) return path(way_.back(), goal);
-  const auto& first = strings_->strings.front().bends();
-  Polyline back{way_.back()};
-  std::size_t k = way_.size() - 1;
-  for (std::size_t s = strings_->at.size(); s-- > 0;) {
-    while (k > strings_->at[s]) append(back, {way_[--k]});
-    const auto on = path(way_[k], goal);
-    if (!on) continue;
-    const auto string = strings_->driven(strings_->strings[s], *on);
-    if (!string || string->bends() != first) continue;
-    Polyline line = back;
-    append(line, *on);
-    return line;
-  }
-  while (k > 0) append(back, {way_[--k]});
-  return back;
+  if (!strings_) return path(driven_.back(), driven_.front());
+  Polyline back(driven_.rbegin(), driven_.rend()), fitted{driven_.back()};
+  append(fitted, Polyline(strings_->way.rbegin(), strings_->way.rend()));
+  append(fitted, {driven_.front()});
+  Polyline line = strings_->taut(fitted);
+  const auto string = strings_->driven(strings_->now(), line);
+  return string && string->bends() == strings_->strings.front().bends() ? std::move(line) : std::move(back);
 }
 
 }  // namespace oxturn

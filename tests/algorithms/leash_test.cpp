@@ -192,6 +192,23 @@ TEST(BergComplete, TackingKeepsTheHeadingFromThePull) {
   }
 }
 
+// The map by lidar only.
+TEST(BergComplete, SeesByLidarWhatItSweeps) {
+  for (const char* name : {"rectangle", "clutter"}) {
+    SCOPED_TRACE(name);
+    Robot robot = leashed_robot(1.2);
+    robot.lidar = Lidar{6, 180};
+    const Problem problem(oxturn::generate(name, {{"width", 4.0}, {"height", 3.5}}, 2), robot);
+    const Path path = plan("berg-complete", problem, {{"sensing", std::string("lidar")}});
+    const TetherReport report = drive_tethered(problem, path, 0.5);
+    EXPECT_LE(report.longest, problem.robot().tether->length + problem.tolerance());
+    const Score result = score(problem, path);
+    EXPECT_EQ(result.flaw, "");
+    EXPECT_GE(result.value("coverage_upper").value_or(0), 0.99);
+    EXPECT_LE(path.length(), 2 * plan("berg-complete", problem).length());
+  }
+}
+
 TEST(BergComplete, SameBytesTwice) {
   const Problem problem(generate("rooms", {}, 5), leashed_robot(0.9));
   EXPECT_EQ(to_geojson(plan("berg-complete", problem)), to_geojson(plan("berg-complete", problem)));

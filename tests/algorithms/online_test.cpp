@@ -362,8 +362,8 @@ TEST(Explorer, SeesWhatCanBeSeen) {
 
 // The string, simulated in the true map, never exceeds the leash while the robot explores.
 TEST(Explorer, KeepsTheLeash) {
-  for (const auto seed : seeds(2))
-    for (const double leash : {2.0, 4.0, 9.0}) {
+  for (const auto seed : seeds(1))
+    for (const double leash : {1.5, 4.0}) {
       Robot robot = with_lidar();
       robot.tether = Tether{leash};
       for (const Problem& p : small_problems(seed, robot)) {
@@ -407,14 +407,33 @@ TEST(SurveyThenPlan, CoversAsTheMapWouldLetItAtHalfAsMuchAgainAtMost) {
   EXPECT_LT(ratios[ratios.size() / 2], 1.5);
 }
 
+// On a leash: survey, home along the string, then a tethered planner on what is believed.
+TEST(SurveyThenPlan, TetheredPlannersKeepTheLeash) {
+  for (const double reach : {0.6, 1.1}) {
+    Robot robot = with_lidar();
+    robot.tether = Tether{};
+    robot.tether->reach = reach;
+    for (const Problem& p : small_problems(3, robot)) {
+      SCOPED_TRACE(fmt::format("{} reach {}", p.map().source, reach));
+      Context context(1);
+      const Path path = plan_online(p, context, [](const Problem& believed, Context& c) {
+        return find_planner(zoo(), "berg-complete").make({})->plan(believed, c);
+      });
+      const Score online = score(p, path), offline = score(p, plan("berg-complete", p));
+      EXPECT_EQ(online.flaw, "");
+      EXPECT_GT(*online.value("coverage_lower"), *offline.value("coverage_lower") - 0.006);
+    }
+  }
+}
+
 TEST(SurveyThenPlan, NoiseCostsAStripAlongTheWallsButNoCollision) {
-  for (const double noise : {0.002, 0.01}) {
+  for (const double noise : {0.002, 0.02}) {
     for (const Problem& p : small_problems(1, with_lidar(8, 360, noise))) {
       SCOPED_TRACE(fmt::format("{} noise {}", p.map().source, noise));
       Context context(1);
       const Path path = boustrophedon_online(p, context);
       expect_valid(p, path);
-      EXPECT_GT(*score(p, path).value("coverage_lower"), 0.9);
+      EXPECT_GT(*score(p, path).value("coverage_lower"), noise < 0.01 ? 0.9 : 0.8);
     }
   }
 }

@@ -413,6 +413,33 @@ TEST(GeodesicField, TurningTheMapTurnsLevelsAndCut) {
   });
 }
 
+TEST(GeodesicField, FarFromTheOriginAndInMillimetres) {
+  for_each_scene(10, {0, 1, 3, 4}, [](const Scene& scene, Rng& rng) {
+    const Point anchor = scene.open(rng);
+    const GeodesicField field(scene.region, anchor, {}, 1e-9);
+    for (const auto& [scale, shift] : {std::pair(1.0, 1e6), std::pair(1e-3, 0.0), std::pair(1e3, -1e6)}) {
+      const auto moved = [&, k = scale, by = Point(shift, 0.5 * shift)](const Point& p) { return Point(k * p + by); };
+      Region region = scene.region;
+      for (Polygon& p : region.polygons) {
+        for (Point& v : p.outer) v = moved(v);
+        for (Ring& h : p.holes) {
+          for (Point& v : h) v = moved(v);
+        }
+      }
+      const GeodesicField other(region, moved(anchor), {}, 1e-6 * scale);
+      const double slack = 1e-9 * scale + 1e-14 * std::abs(shift);
+      for (int q = 0; q < 10; ++q) {
+        const Point p = scene.open(rng);
+        EXPECT_NEAR(other.distance(moved(p)), scale * field.distance(p), slack);
+      }
+      const double l = rng.between(0.2, 0.9) * field.farthest(), width = 1e-5 * scale * scene.box.size().norm();
+      EXPECT_NEAR(total_length(arcs_of(other.level(scale * l))), scale * total_length(arcs_of(field.level(l))),
+                  1e-4 * scale);
+      EXPECT_EQ(hole_count(slit(region, other.cut(width), width)), 0u);
+    }
+  });
+}
+
 // --- the cut ---------------------------------------------------------------------------------------------
 
 /// Ways round an obstacle: does the closed line turn about the middle of some (convex) hole?
