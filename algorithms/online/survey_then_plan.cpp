@@ -83,7 +83,10 @@ class SurveyThenPlan final : public Policy {
     const Point start = view.robot().tether ? view.start() : view.pose();
     const auto believed = believed_problem(view, start, 0);
     if (!believed) return false;
-    Context inside(context.rng().bits(), context.seconds_left());
+    // Its own context: what it publishes is a plan, not what has been driven.
+    Context::Sinks sinks;
+    if (context.wants_traces()) sinks.trace = [&](const Trace& trace) { context.trace(trace.name, trace.lines); };
+    Context inside(context.rng().bits(), context.seconds_left(), sinks);
     const Path path = plan_(*believed, inside);
     leftover_.planned(*believed, path);
     if (believed->start() != view.pose()) legs_.push_back({{view.pose(), believed->start()}, true});

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "algorithms/coverage_planner.hpp"
+#include "algorithms/online/survey_then_plan.hpp"
 #include "maps/generators.hpp"
 
 namespace oxturn {
@@ -41,6 +42,57 @@ void BM_Zigzag(benchmark::State& state) { plan_field(state, "zigzag", {}); }
 BENCHMARK(BM_Boustrophedon)->RangeMultiplier(4)->Range(4, 1024)->Unit(benchmark::kMillisecond)->Complexity();
 BENCHMARK(BM_BoustrophedonExact)->RangeMultiplier(4)->Range(4, 1024)->Unit(benchmark::kMillisecond)->Complexity();
 BENCHMARK(BM_Zigzag)->RangeMultiplier(4)->Range(4, 1024)->Unit(benchmark::kMillisecond)->Complexity();
+
+// Online: rooms of 10 m x 8 m, by rays.
+Problem rooms_with_lidar(std::int64_t rays) {
+  Robot robot;
+  robot.lidar = Lidar{8, static_cast<int>(rays), 0};
+  return Problem(generate("rooms", {{"width", 10.0}, {"height", 8.0}}, 1), robot);
+}
+
+/// Places on a walk through the rooms.
+Polyline walk(const Problem& problem) {
+  Polyline places;
+  for (const Ring& ring : {problem.configuration_space().polygons[0].outer})
+    for (std::size_t k = 0; k < ring.size(); ++k)
+      for (int s = 0; s < 10; ++s) places.push_back(lerp(ring[k], ring[(k + 1) % ring.size()], s / 10.0));
+  return places;
+}
+
+void BM_LidarScan(benchmark::State& state) {
+  const Problem problem = rooms_with_lidar(state.range(0));
+  const LidarSimulator lidar(problem.map().free, *problem.robot().lidar);
+  const Polyline places = walk(problem);
+  Rng unused(1);
+  std::size_t k = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(lidar.scan(places[k++ % places.size()], unused));
+  state.SetComplexityN(state.range(0));
+}
+
+void BM_BeliefAdd(benchmark::State& state) {
+  const Problem problem = rooms_with_lidar(state.range(0));
+  const LidarSimulator lidar(problem.map().free, *problem.robot().lidar);
+  std::vector<Scan> scans;
+  Rng unused(1);
+  for (const Point& place : walk(problem)) scans.push_back(lidar.scan(place, unused));
+  Belief belief(problem.robot(), problem.start());
+  std::size_t k = 0;
+  for (auto _ : state) belief.add(scans[k++ % scans.size()]);
+  state.SetComplexityN(state.range(0));
+}
+
+void BM_BoustrophedonOnline(benchmark::State& state) {
+  const Problem problem = rooms_with_lidar(state.range(0));
+  const auto planner = find_planner(zoo(), "boustrophedon").make({});
+  for (auto _ : state) {
+    Context context(1);
+    benchmark::DoNotOptimize(plan_online(
+        problem, context, [&](const Problem& believed, Context& inside) { return planner->plan(believed, inside); }));
+  }
+}
+BENCHMARK(BM_LidarScan)->RangeMultiplier(2)->Range(90, 1440)->Unit(benchmark::kMicrosecond)->Complexity(benchmark::oN);
+BENCHMARK(BM_BeliefAdd)->RangeMultiplier(2)->Range(90, 1440)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_BoustrophedonOnline)->Arg(360)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 }  // namespace
 }  // namespace oxturn

@@ -323,6 +323,18 @@ TEST(DriveOnline, NoLidarAndTooShortALidarAreSentences) {
   }
 }
 
+TEST(DriveOnline, AReportHasAPlainName) {
+  std::vector<std::string> heard;
+  Context::Sinks sinks;
+  sinks.report = [&](const std::string& name, double) { heard.push_back(name); };
+  Context context(1, 1e9, sinks);
+  context.report("explored_share", 1);
+  EXPECT_THAT(heard, testing::ElementsAre("explored_share"));
+  for (const char* bad : {"", "a,b", "Share", "a b", "x\n"})
+    EXPECT_THAT([&] { context.report(bad, 1); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("expected small letters")));
+}
+
 // --------------------------------------------------------------------------------------------------- exploring
 
 /// Explores and does nothing else; keeps what is believed at the end.

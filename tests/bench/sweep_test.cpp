@@ -185,6 +185,30 @@ TEST(Sweep, ResumeAfterACutDoesOnlyTheRest) {
   }
 }
 
+// metrics.csv: what planners report of themselves, in suite order, whatever the jobs; nobody reports, no file.
+TEST(Sweep, KeepsWhatPlannersReport) {
+  const Folder folder;
+  const Suite suite = rectangles({"report", "good"}, 3);
+  std::string expected = "run_id,metric,value\n";
+  for (const Row& row : sweep(suite, test_planners(), into(folder.file("1"))).rows)
+    if (row.get("variant").find("report") != std::string::npos)
+      for (const char* line : {"laps,4", "share,0.25", "nothing,"}) expected += row.get("run_id") + "," + line + "\n";
+  EXPECT_EQ(read_file(folder.file("1/metrics.csv")), expected);
+  sweep(suite, test_planners(), into(folder.file("2"), 3));
+  EXPECT_EQ(read_file(folder.file("2/metrics.csv")), expected);
+
+  const std::string rows = read_file(folder.file("1/runs.csv"));
+  std::size_t two = 0;
+  for (int i = 0; i < 3; ++i) two = rows.find('\n', two) + 1;
+  write_file(folder.file("1/runs.csv"), rows.substr(0, two));
+  write_file(folder.file("1/metrics.csv"), expected.substr(0, expected.size() - 3));  // cut off as well
+  sweep(suite, test_planners(), into(folder.file("1"), 2, true));
+  EXPECT_EQ(read_file(folder.file("1/metrics.csv")), expected);
+
+  sweep(rectangles({"good"}), test_planners(), into(folder.file("3")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("3/metrics.csv")));
+}
+
 TEST(Sweep, ResumeRetriesCancelledAndInfrastructure) {
   const Suite suite = rectangles({"good", "null", "partial"});
   const Folder folder;

@@ -107,6 +107,12 @@ class TestPlanner final : public CoveragePlanner {
       for (int i = 0; i < 1000; ++i) std::printf("\x01\xff garbage \n");
       std::fprintf(stderr, "and more\n");
     }
+    if (how == "report") {
+      context.report("laps", 3);
+      context.report("share", 0.25);
+      context.report("laps", 4);  // the last one counts
+      context.report("nothing", std::nan(""));
+    }
     if (how == "partial") {
       PathBuilder path(start);
       path.drive(start - Point(1, 0), true);

@@ -176,7 +176,7 @@ TEST(GeoJson, ProblemReadsBackTheSame) {
   robot.radius = 0.1;
   robot.tool_width = 1.0 / 3;
   robot.tether = Tether{12.5};
-  robot.lidar = Lidar{7, 90};
+  robot.lidar = Lidar{7, 90, 0.02};
   const Problem p =
       drawn({"######", "#S..A#", "#.##.#", "#....#", "######"}, {.cell = 0.7, .robot = robot, .name = "a \"b\"\n\\"});
   const std::string text = to_geojson(p);
