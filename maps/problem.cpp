@@ -162,8 +162,11 @@ double farthest_in(const Region& space, const GeodesicField& field, double chord
   for_each_ring(space, [&](const Ring& ring) { std::for_each(ring.begin(), ring.end(), add); });
   const EdgeIndex walls(space);
   for (const Polyline& curve : field.cut(chord))
-    for (const Point& p : curve)
-      if (walls.contains(p)) add(p);
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      const double n = std::max(1.0, std::ceil(distance(curve[i - 1], curve[i]) / (5 * chord)));
+      for (double k = 0; k <= n; ++k)
+        if (const Point p = lerp(curve[i - 1], curve[i], k / n); walls.contains(p)) add(p);
+    }
   return most;
 }
 
@@ -310,7 +313,8 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
     throw std::invalid_argument(fmt::format(
         "tether of robot '{}' is {} m long, too short for the start {}, {} m from the anchor {}", basis->robot.name,
         to_decimal(tether.length), text(basis->start), fmt::format("{:.4g}", away), text(basis->anchor)));
-  if (most <= tether.length) return;
+  // Between two places looked at on the cut the distance may be a little larger.
+  if (most + basis->robot.tool_width / 5 <= tether.length) return;
   basis->space = std::make_shared<const Region>(within_leash(*basis->robot_space, field, *this, basis->lost));
   impl_ = std::make_shared<const Impl>(basis, basis->space, basis->start);
 }

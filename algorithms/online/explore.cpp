@@ -9,8 +9,6 @@
 namespace oxturn {
 namespace {
 
-using Key = std::pair<std::int64_t, std::int64_t>;
-
 struct Cell {
   int i, j;
 };
@@ -64,7 +62,104 @@ struct Frontier {
 
 constexpr std::size_t kSamples = 12;  // cells that stand for a frontier
 constexpr std::size_t kMostTried = 16;
+constexpr int kBegin = 8;   // cells about the robot from which the search begins
 constexpr int kStride = 4;  // cells between viewpoints that are tried
+
+Cell cell_at(const BitGrid& grid, const Point& p) {
+  const Point at = (p - grid.origin) / grid.cell;
+  return {static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
+}
+
+double size_of(const Robot& robot) { return robot.radius > 0 ? robot.radius : robot.tool_width / 2; }
+
+/// Set cells that touch, or nearly; groups shorter than `least` metres left out.
+std::vector<Frontier> groups_of(BitGrid open, double least) {
+  std::vector<Frontier> all;
+  for (int j = 0; j < open.rows; ++j)
+    for (int i = 0; i < open.columns; ++i) {
+      if (!open.get(i, j)) continue;
+      std::vector<Cell> group{{i, j}};
+      open.set(i, j, false);
+      for (std::size_t k = 0; k < group.size(); ++k) {
+        const Cell at = group[k];
+        for (int y = -2; y <= 2; ++y)
+          for (int x = -2; x <= 2; ++x)
+            if (open.get(at.i + x, at.j + y)) {
+              open.set(at.i + x, at.j + y, false);
+              group.push_back({at.i + x, at.j + y});
+            }
+      }
+      if (static_cast<double>(group.size()) * open.cell < least) continue;
+      Frontier f;
+      const std::size_t every = std::max<std::size_t>(1, group.size() / kSamples);
+      for (std::size_t k = 0; k < group.size(); k += every) f.cells.push_back(group[k]);
+      all.push_back(std::move(f));
+    }
+  return all;
+}
+
+/// Is more than `share` of a frontier in sight, and near enough?
+bool sees_one(const BitGrid& free, const Cell& at, const std::vector<Frontier>& frontiers, double share) {
+  for (const Frontier& f : frontiers) {
+    const std::size_t n = f.cells.size(), wanted = static_cast<std::size_t>(share * static_cast<double>(n)) + 1;
+    std::size_t seen = 0;
+    for (std::size_t k = 0; k < n && seen < wanted && seen + n - k >= wanted; ++k) {
+      const double x = free.cell * (f.cells[k].i - at.i), y = free.cell * (f.cells[k].j - at.j);
+      if (x * x + y * y <= f.from[k] * f.from[k] && in_sight(free, at, f.cells[k])) ++seen;
+    }
+    if (seen >= wanted) return true;
+  }
+  return false;
+}
+
+struct Viewing {
+  double share;    // of a frontier that must be in sight
+  double nearest;  // metres to go, at least
+  double size;     // of the robot
+};
+
+/// Outwards from the robot over the cells where it can stand (`room`), to the first viewpoint. With a tether the way
+/// there may be a long one, back along the way driven: then others are tried as long as they may be shorter.
+std::optional<Polyline> way_to_view(const BitGrid& free, const BitGrid& room, const Point& pose,
+                                    const std::vector<Frontier>& frontiers, const StringWays& ways,
+                                    const Viewing& viewing) {
+  const double cell = room.cell;
+  using Item = std::pair<double, std::size_t>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
+  std::vector<double> away(room.bits.size(), std::numeric_limits<double>::infinity());
+  const auto reach = [&](int i, int j, double d) {
+    if (!room.get(i, j) || d >= away[room.at(i, j)] - 1e-12) return;
+    away[room.at(i, j)] = d;
+    queue.emplace(d, room.at(i, j));
+  };
+  // The robot may stand just outside of the room.
+  const Cell here = cell_at(room, pose);
+  for (int y = -kBegin; y <= kBegin; ++y)
+    for (int x = -kBegin; x <= kBegin; ++x) reach(here.i + x, here.j + y, cell * std::hypot(x, y));
+  std::vector<Cell> tried;
+  std::optional<Polyline> best;
+  double shortest = std::numeric_limits<double>::infinity();
+  while (!queue.empty() && tried.size() < kMostTried) {
+    const auto [d, index] = queue.top();
+    queue.pop();
+    if (d >= shortest) break;
+    if (d > away[index]) continue;
+    const auto columns = static_cast<std::size_t>(room.columns);
+    const Cell at{static_cast<int>(index % columns), static_cast<int>(index / columns)};
+    for (int y = -1; y <= 1; ++y)
+      for (int x = -1; x <= 1; ++x) reach(at.i + x, at.j + y, d + cell * std::hypot(x, y));
+    if (at.i % kStride != 0 || at.j % kStride != 0 || d < viewing.nearest) continue;
+    const auto close = [&](const Cell& c) { return cell * std::hypot(c.i - at.i, c.j - at.j) < 2 * viewing.size; };
+    if (!sees_one(free, at, frontiers, viewing.share) || std::any_of(tried.begin(), tried.end(), close)) continue;
+    tried.push_back(at);
+    auto way = ways.to(room.centre(at.i, at.j));
+    if (!way || length(*way) >= shortest) continue;
+    shortest = length(*way);
+    best = std::move(way);
+    if (shortest < 1.2 * d + viewing.size) break;
+  }
+  return best;
+}
 
 }  // namespace
 
@@ -75,142 +170,59 @@ std::optional<Problem> Explorer::world(const View& view, const Point& base) {
   return believed_problem(view, base, 0);
 }
 
+double& Explorer::look_from(const BitGrid& grid, int i, int j, double farthest) {
+  if (look_cell_ != grid.cell) look_from_.clear();
+  look_cell_ = grid.cell;
+  const Point at = (grid.centre(i, j) - look_origin_) / grid.cell;
+  const std::pair key(static_cast<std::int64_t>(std::floor(at.x())), static_cast<std::int64_t>(std::floor(at.y())));
+  return look_from_.try_emplace(key, farthest).first->second;
+}
+
+/// Free cells next to unknown ones, less those that have been looked at in vain from next to them.
+BitGrid Explorer::open_cells(const View& view, const Belief::Cells& cells) {
+  const BitGrid& free = cells.free;
+  const Robot& robot = view.robot();
+  const double size = size_of(robot), farthest = 0.9 * view.belief().trusted_range();
+  const double band = robot.lidar->noise > 0 ? 0.75 * size : size / 4;  // with noise stars end farther from the walls
+  const BitGrid walled = widened(cells.wall, std::max(1, static_cast<int>(band / free.cell)));
+  BitGrid open = walled;
+  for (std::size_t c = 0; c < open.bits.size(); ++c) open.bits[c] = free.bits[c] == 0 && walled.bits[c] == 0 ? 1 : 0;
+  open = widened(open, 1);
+  const Cell here = cell_at(free, view.pose());
+  for (int j = 0; j < free.rows; ++j)
+    for (int i = 0; i < free.columns; ++i) {
+      if (!open.get(i, j)) continue;
+      open.set(i, j, false);
+      if (!free.get(i, j)) continue;
+      double& from = look_from(free, i, j, farthest);
+      const double away = free.cell * std::hypot(i - here.i, j - here.j);
+      if (free.inside(here.i, here.j) && away <= from && in_sight(free, here, {i, j})) from /= 2;
+      if (from >= size) open.set(i, j, true);
+    }
+  return open;
+}
+
 std::optional<Motion> Explorer::next(const View& view) {
   const Robot& robot = view.robot();
-  const Point base = robot.tether ? view.start() : view.pose();
-  const auto believed = world(view, base);
+  const auto believed = world(view, robot.tether ? view.start() : view.pose());
   if (!believed) return std::nullopt;
   const Belief::Cells& cells = view.belief().cells(level_);
   const BitGrid& free = cells.free;
-  const double cell = free.cell;
-  if (look_cell_ != cell) look_from_.clear();
-  look_cell_ = cell;
-  const double size = robot.radius > 0 ? robot.radius : robot.tool_width / 2;
-  const double farthest = 0.9 * view.belief().trusted_range();
-  const auto key = [&](const Cell& c) {
-    const Point p = (free.centre(c.i, c.j) - view.start()) / cell;
-    return Key{static_cast<std::int64_t>(std::floor(p.x())), static_cast<std::int64_t>(std::floor(p.y()))};
-  };
-  const auto cell_of = [&](const Point& p) {
-    const Point at = (p - free.origin) / cell;
-    return Cell{static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
-  };
-  const Cell here = cell_of(view.pose());
+  look_origin_ = view.start();
+  const double size = size_of(robot), farthest = 0.9 * view.belief().trusted_range();
+  std::vector<Frontier> frontiers =
+      groups_of(open_cells(view, cells), settings_.least > 0 ? settings_.least : size / 2);
+  if (frontiers.empty()) return std::nullopt;
+  for (Frontier& f : frontiers)
+    for (const Cell& c : f.cells) f.from.push_back(look_from(free, c.i, c.j, farthest));
 
-  // Frontier cells, less those that have been looked at in vain from next to them.
-  const bool noisy = robot.lidar->noise > 0;  // then stars end farther from the walls
-  const BitGrid walled = widened(cells.wall, std::max(1, static_cast<int>((noisy ? 0.75 * size : size / 4) / cell)));
-  BitGrid frontier(free.origin, cell, free.columns, free.rows);
-  for (int j = 0; j < free.rows; ++j)
-    for (int i = 0; i < free.columns; ++i) {
-      if (!free.get(i, j)) continue;
-      bool open = false;
-      for (int y = -1; y <= 1 && !open; ++y)
-        for (int x = -1; x <= 1 && !open; ++x) open = !free.get(i + x, j + y) && !walled.get(i + x, j + y);
-      if (!open) continue;
-      const Cell c{i, j};
-      const auto known = look_from_.find(key(c));
-      double from = known == look_from_.end() ? farthest : known->second;
-      if (free.inside(here.i, here.j) && cell * std::hypot(i - here.i, j - here.j) <= from && in_sight(free, here, c)) {
-        from /= 2;
-        look_from_[key(c)] = from;
-      }
-      if (from >= size) frontier.set(i, j, true);
-    }
-
-  const double least = settings_.least > 0 ? settings_.least : size / 2;
-  std::vector<Frontier> all;
-  {
-    BitGrid left = frontier;
-    for (int j = 0; j < left.rows; ++j)
-      for (int i = 0; i < left.columns; ++i) {
-        if (!left.get(i, j)) continue;
-        std::vector<Cell> group{{i, j}};
-        left.set(i, j, false);
-        for (std::size_t k = 0; k < group.size(); ++k) {
-          const Cell at = group[k];
-          for (int y = -2; y <= 2; ++y)
-            for (int x = -2; x <= 2; ++x)
-              if (left.get(at.i + x, at.j + y)) {
-                left.set(at.i + x, at.j + y, false);
-                group.push_back({at.i + x, at.j + y});
-              }
-        }
-        if (static_cast<double>(group.size()) * cell < least) continue;
-        Frontier f;
-        const std::size_t every = std::max<std::size_t>(1, group.size() / kSamples);
-        for (std::size_t k = 0; k < group.size(); k += every) {
-          const auto known = look_from_.find(key(group[k]));
-          f.cells.push_back(group[k]);
-          f.from.push_back(known == look_from_.end() ? farthest : known->second);
-        }
-        all.push_back(std::move(f));
-      }
-  }
-  if (all.empty()) return std::nullopt;
-
-  // Outwards from the robot over the places where it can stand.
   const BitGrid room =
-      rasterise(believed->configuration_space(), free.origin, cell, free.columns, free.rows, CellRule::centre);
-  StringWays ways(*believed, robot.tether ? view.way() : Polyline{view.pose()});
-  using Item = std::pair<double, std::size_t>;
-  for (const double share : {0.5, 0.0}) {
-    std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-    std::vector<double> away(free.bits.size(), std::numeric_limits<double>::infinity());
-    const int reach = 8;
-    for (int y = -reach; y <= reach; ++y)
-      for (int x = -reach; x <= reach; ++x)
-        if (room.get(here.i + x, here.j + y)) {
-          const double d = cell * std::hypot(x, y);
-          away[room.at(here.i + x, here.j + y)] = d;
-          queue.emplace(d, room.at(here.i + x, here.j + y));
-        }
-    // With a tether the way may be a long one, back along the way driven: then others are tried, as long as they may
-    // be shorter.
-    std::vector<Cell> tried;
-    std::optional<Polyline> best;
-    double shortest = std::numeric_limits<double>::infinity();
-    while (!queue.empty() && tried.size() < kMostTried) {
-      const auto [d, index] = queue.top();
-      queue.pop();
-      if (d >= shortest) break;
-      if (d > away[index]) continue;
-      const Cell at{static_cast<int>(index % static_cast<std::size_t>(room.columns)),
-                    static_cast<int>(index / static_cast<std::size_t>(room.columns))};
-      for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
-          if (!room.get(at.i + x, at.j + y)) continue;
-          const double then = d + cell * std::hypot(x, y);
-          double& known = away[room.at(at.i + x, at.j + y)];
-          if (then >= known - 1e-12) continue;
-          known = then;
-          queue.emplace(then, room.at(at.i + x, at.j + y));
-        }
-      if (at.i % kStride != 0 || at.j % kStride != 0 || d < (share > 0 ? 3 * size : cell)) continue;
-      bool good = false;
-      for (std::size_t f = 0; f < all.size() && !good; ++f) {
-        std::size_t seen = 0;
-        const std::size_t wanted = static_cast<std::size_t>(share * static_cast<double>(all[f].cells.size())) + 1;
-        for (std::size_t k = 0; k < all[f].cells.size() && seen < wanted; ++k) {
-          if (seen + all[f].cells.size() - k < wanted) break;
-          const Cell& c = all[f].cells[k];
-          const double x = cell * (c.i - at.i), y = cell * (c.j - at.j);
-          if (x * x + y * y <= all[f].from[k] * all[f].from[k] && in_sight(free, at, c)) ++seen;
-        }
-        good = seen >= wanted;
-      }
-      if (!good) continue;
-      const auto close = [&](const Cell& c) { return cell * std::hypot(c.i - at.i, c.j - at.j) < 2 * size; };
-      if (std::any_of(tried.begin(), tried.end(), close)) continue;
-      tried.push_back(at);
-      auto way = ways.to(room.centre(at.i, at.j));
-      if (!way || length(*way) >= shortest) continue;
-      shortest = length(*way);
-      best = std::move(way);
-      if (shortest < 1.2 * d + size) break;
-    }
-    if (best) return Motion{std::move(*best), true};
-  }
+      rasterise(believed->configuration_space(), free.origin, free.cell, free.columns, free.rows, CellRule::centre);
+  const StringWays ways(*believed, robot.tether ? view.way() : Polyline{view.pose()});
+  // Half of a frontier, and not just round the corner; or else anything.
+  for (const auto& [share, nearest] : {std::pair(0.5, 3 * size), std::pair(0.0, free.cell)})
+    if (auto way = way_to_view(free, room, view.pose(), frontiers, ways, {share, nearest, size}))
+      return Motion{std::move(*way), true};
   return std::nullopt;
 }
 

@@ -29,11 +29,14 @@ class Explorer {
 
  private:
   std::optional<Problem> world(const View& view, const Point& base);
+  double& look_from(const BitGrid& grid, int i, int j, double farthest);
+  BitGrid open_cells(const View& view, const Belief::Cells& cells);
 
   ExploreSettings settings_;
   int level_ = Belief::kCoarsest;
   std::map<std::pair<std::int64_t, std::int64_t>, double> look_from_;  // cell -> how near it must be looked at from
   double look_cell_ = 0;
+  Point look_origin_{0, 0};
 };
 
 }  // namespace oxturn
