@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "geometry/predicates.hpp"
 
@@ -92,6 +93,7 @@ EdgeIndex::EdgeIndex(const Region& region) {
     const Point ends[2] = {edges_[i].a, edges_[i].b};
     grid_.visit(ends, 2, 0, enter);
   });
+  look_about();
 }
 
 std::optional<EdgeIndex::Nearest> EdgeIndex::nearest(const Point& p, double within) const {
@@ -159,32 +161,67 @@ std::optional<EdgeIndex::Nearest> EdgeIndex::nearest(const Point& a, const Point
   return best;
 }
 
+// Each cell has a look-out, a place on no edge of which is known whether it is inside; from there to any point of the
+// cell only the cell's own edges can be crossed.
+constexpr std::uint8_t kLookOutInside = 0x80;
+
+Point EdgeIndex::look_out(std::size_t cell) const {
+  const int columns = grid_.columns(), k = look_out_[cell] & ~kLookOutInside;
+  const auto i = static_cast<double>(cell % static_cast<std::size_t>(columns));
+  const auto j = static_cast<double>(cell / static_cast<std::size_t>(columns));
+  const double up = std::fmod(0.5 + 0.6180339887498949 * k, 1.0);  // spread over the cell
+  return grid_.low() + grid_.cell() * Point(i + (k + 0.5) / kLookOutInside, j + up);
+}
+
+/// Neither end may lie on the edge. What is crossed exactly at a corner counts once for its two edges, or not at all.
+bool EdgeIndex::crossed(const Point& from, const Point& to, std::uint32_t edge) const {
+  const Edge& e = edges_[edge];
+  if ((orientation(from, to, e.a) > 0) == (orientation(from, to, e.b) > 0)) return false;
+  return orientation(e.a, e.b, from) * orientation(e.a, e.b, to) < 0;
+}
+
+void EdgeIndex::look_about() {
+  look_out_.assign(static_cast<std::size_t>(grid_.columns()) * static_cast<std::size_t>(grid_.rows()), 0);
+  const auto on_edge = [&](std::size_t c) {
+    const Point p = look_out(c);
+    return std::any_of(grid_.begin(c), grid_.end(c),
+                       [&](std::uint32_t e) { return on_segment(p, edges_[e].a, edges_[e].b); });
+  };
+  std::vector<std::uint32_t> near;
+  for (int j = 0; j < grid_.rows(); ++j) {
+    Point last = grid_.low() + grid_.cell() * Point(-1, j + 0.5);  // outside
+    bool inside = false;
+    for (int i = 0; i < grid_.columns(); ++i) {
+      const std::size_t c = grid_.index(i, j);
+      while (on_edge(c)) {
+        if (++look_out_[c] == kLookOutInside)
+          throw std::invalid_argument("a region's edges lie too close together to tell inside from outside");
+      }
+      const Point here = look_out(c);
+      near.assign(grid_.begin(c), grid_.end(c));
+      if (i > 0) near.insert(near.end(), grid_.begin(c - 1), grid_.end(c - 1));
+      std::sort(near.begin(), near.end());
+      near.erase(std::unique(near.begin(), near.end()), near.end());
+      for (const std::uint32_t e : near) inside ^= crossed(last, here, e);
+      if (inside) look_out_[c] |= kLookOutInside;
+      last = here;
+    }
+  }
+}
+
 bool EdgeIndex::contains(const Point& p) const {
   if (grid_.empty() || !(p.x() >= grid_.low().x() && p.x() <= grid_.high().x() && p.y() >= grid_.low().y() &&
                          p.y() <= grid_.high().y())) {
     return false;
   }
-  const int ci = grid_.column(p.x()), j = grid_.row(p.y());
-  const std::size_t home = grid_.index(ci, j);
-  for (const std::uint32_t* e = grid_.begin(home); e != grid_.end(home); ++e) {
+  const std::size_t c = grid_.index(grid_.column(p.x()), grid_.row(p.y()));
+  bool inside = (look_out_[c] & kLookOutInside) != 0;
+  const Point from = look_out(c);
+  for (const std::uint32_t* e = grid_.begin(c); e != grid_.end(c); ++e) {
     if (on_segment(p, edges_[*e].a, edges_[*e].b)) return true;
+    inside ^= crossed(from, p, *e);
   }
-  // Parity of the edges crossed on the way to the nearer end of the row.
-  const bool right = ci >= grid_.columns() / 2;
-  std::vector<std::uint32_t> crossed;
-  for (int i = ci; i >= 0 && i < grid_.columns(); i += right ? 1 : -1) {
-    const std::size_t c = grid_.index(i, j);
-    for (const std::uint32_t* e = grid_.begin(c); e != grid_.end(c); ++e) {
-      const Edge& edge = edges_[*e];
-      const bool up = edge.a.y() <= p.y();
-      if (up == (edge.b.y() <= p.y())) continue;
-      const int side = up ? orientation(edge.a, edge.b, p) : orientation(edge.b, edge.a, p);
-      if (right ? side > 0 : side < 0) crossed.push_back(*e);
-    }
-  }
-  std::sort(crossed.begin(), crossed.end());
-  crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
-  return crossed.size() % 2 == 1;
+  return inside;
 }
 
 bool EdgeIndex::contains(const Point& a, const Point& b) const {

@@ -47,8 +47,12 @@ class EdgeIndex {
 
  private:
   void collect(const Box& box, std::vector<std::uint32_t>& out) const;  // sorted, unique
+  Point look_out(std::size_t cell) const;
+  bool crossed(const Point& from, const Point& to, std::uint32_t edge) const;
+  void look_about();
   std::vector<Edge> edges_;
   CellGrid grid_;
+  std::vector<std::uint8_t> look_out_;  // of each cell: which place, and whether it is inside
 };
 
 }  // namespace oxturn

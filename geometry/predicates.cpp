@@ -61,13 +61,7 @@ bool in_box(const Point& p, const Point& a, const Point& b) {
 
 }  // namespace
 
-int orientation(const Point& a, const Point& b, const Point& c) {
-  const double left = (a.x() - c.x()) * (b.y() - c.y());
-  const double right = (a.y() - c.y()) * (b.x() - c.x());
-  const double det = left - right;
-  const double bound = 3.3306690738754716e-16 * (std::abs(left) + std::abs(right));
-  if (det > bound && det > 1e-280) return 1;  // below that, products may have underflowed
-  if (-det > bound && -det > 1e-280) return -1;
+int orientation_unfiltered(const Point& a, const Point& b, const Point& c) {
   if (a == b || b == c || a == c) return 0;
   if (a.x() == b.x() && b.x() == c.x()) return 0;
   if (a.y() == b.y() && b.y() == c.y()) return 0;

@@ -12,7 +12,9 @@
 //                start, then from there.
 //             5. `untangle` looks for the place to leave the way back at its corners and at 64 or more places between,
 //                then halves the last step ten times.
-//             6. A goal outside the cut space has no such bound: if the budget does not do, back to the start and from
+//             6. The way to a goal outside the cut space is looked for from the last place of the goal's geodesic where
+//                the robot can stand, and pulled taut; if that is not it, from the start.
+//             7. A goal outside the cut space has no such bound: if the budget does not do, back to the start and from
 //                there by the class of the geodesic, looked for among ways along which the string is little longer.
 #include "geometry/tethered_path.hpp"
 
@@ -125,33 +127,58 @@ std::optional<Way> way_untangled(const TetheredWorld::Impl& world, const TautStr
   return way_of_geodesic(world, string, shadow, goal, false);
 }
 
+/// Along `line` from where `string` is: by how much the string is longer than the geodesic, at most and at the end.
+std::pair<double, double> excess(const TetheredWorld::Impl& world, TautString string, const Polyline& line) {
+  double most = 0, last = 0;
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    string.drive(line[k]);
+    last = string.length() - world.field.distance(line[k]);
+    most = std::max(most, last);
+  }
+  return {most, last};
+}
+
+/// Through the cut space to the last place on the goal's geodesic (looked for in steps of `step`) that is part of it.
+std::optional<Polyline> way_towards(const TetheredWorld::Impl& world, const Point& start, const Point& goal,
+                                    double step) {
+  const Polyline string = world.field.path(goal);
+  for (std::size_t k = string.size(); k-- > 1;) {
+    const double n = std::ceil(distance(string[k - 1], string[k]) / step);
+    for (double i = 1; i <= n; ++i)
+      if (auto way = world.cut_paths.path(start, lerp(string[k], string[k - 1], i / n))) return way;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Polyline> geodesic_way(const TetheredWorld& world, const Point& start, const Point& goal, double slack,
                                      std::size_t budget) {
   const TetheredWorld::Impl& w = world.impl();
   if (auto inside = w.cut_paths.path(start, goal)) return inside;
-  TautString at_start(w.free, w.field.anchor());
-  at_start.drive(w.field.path(start));
-  std::optional<Polyline> found;
-  const auto excess = [&](const Polyline& line) {
-    TautString string = at_start;
-    double most = 0;
-    for (std::size_t k = 1; k < line.size(); ++k) {
-      string.drive(line[k]);
-      most = std::max(most, string.length() - w.field.distance(line[k]));
-    }
-    return std::pair(most, string.length() - w.field.distance(goal));
+  const auto search = [&](const Point& from) {
+    TautString at_from(w.free, w.field.anchor());
+    at_from.drive(w.field.path(from));
+    std::optional<Polyline> found;
+    w.paths.for_each_taut_path(
+        from, goal, std::numeric_limits<double>::infinity(), budget,
+        [&](const Polyline& line) {
+          const auto [most, last] = excess(w, at_from, line);
+          if (most <= slack && last <= w.tolerance) found = line;
+          return !found;
+        },
+        [&](const Polyline& beginning) { return excess(w, at_from, beginning).first <= slack; });
+    return found;
   };
-  w.paths.for_each_taut_path(
-      start, goal, std::numeric_limits<double>::infinity(), budget,
-      [&](const Polyline& line) {
-        const auto [most, last] = excess(line);
-        if (most <= slack && last <= w.tolerance) found = line;
-        return !found;
-      },
-      [&](const Polyline& beginning) { return excess(beginning).first <= slack; });
-  return found;
+  if (const auto first = way_towards(w, start, goal, slack / 24))
+    if (const auto second = search(first->back())) {
+      Polyline whole = taut(w.space, joined(*first, *second));
+      TautString at_start(w.free, w.field.anchor());
+      at_start.drive(w.field.path(start));
+      const auto [most, last] = excess(w, at_start, whole);
+      if (most <= slack && last <= w.tolerance) return whole;
+    }
+  return search(start);
 }
 
 Polyline pulled_taut(const TetheredWorld& world, const Polyline& line) { return taut(world.impl().space, line); }

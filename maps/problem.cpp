@@ -145,7 +145,7 @@ double convex_turning(const Region& region) {
 }
 
 /// Across every gap that the robot cannot pass; see Decision 3.
-std::vector<Polyline> closed_gaps(const Region& free, const Robot& robot, const Region& space) {
+std::vector<Polyline> gaps_to_close(const Region& free, const Robot& robot, const Region& space) {
   if (robot.radius <= 0) return {};
   std::vector<Polyline> gaps = barriers(free, 2 * robot.radius + robot.tool_width / 250);
   const EdgeIndex walls(space);
@@ -209,6 +209,7 @@ struct ProblemBasis {
   std::shared_ptr<const Region> space;
   // Tethered robots only.
   std::shared_ptr<const Region> robot_space;
+  std::vector<Polyline> closed_gaps;
   std::unique_ptr<const GeodesicField> geodesics;
   double lost = 0;  // m^2 that `space` may be smaller than what the leash reaches
 
@@ -297,8 +298,8 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
 
   const Region& free = basis->map.free;
   basis->robot_space = basis->space;
-  basis->geodesics = std::make_unique<const GeodesicField>(free, basis->anchor,
-                                                           closed_gaps(free, basis->robot, *basis->space), tolerance);
+  basis->closed_gaps = gaps_to_close(free, basis->robot, *basis->space);
+  basis->geodesics = std::make_unique<const GeodesicField>(free, basis->anchor, basis->closed_gaps, tolerance);
   const GeodesicField& field = *basis->geodesics;
   const double away = field.distance(basis->start);
   if (!std::isfinite(away))
@@ -347,6 +348,10 @@ const Region& Problem::space_of_robot() const {
   return *impl_->basis->robot_space;
 }
 
+const std::vector<Polyline>& Problem::closed_gaps() const {
+  if (!robot().tether) no_tether(robot());
+  return impl_->basis->closed_gaps;
+}
 const GeodesicField& Problem::geodesics() const {
   if (!robot().tether) no_tether(robot());
   return *impl_->basis->geodesics;

@@ -40,7 +40,9 @@ class Problem {
   // --- tethered robots only (else std::logic_error); each built at the first call (thread-safe) ---
   /// Where the robot's centre might be if its tether were endless.
   const Region& space_of_robot() const;
-  /// Distances from the anchor in free space, closed at gaps that the robot cannot pass (barriers).
+  /// Lines across the gaps of free space that the robot cannot pass.
+  const std::vector<Polyline>& closed_gaps() const;
+  /// Distances from the anchor in free space less the closed gaps.
   const GeodesicField& geodesics() const;
   /// What a taut string of this map can bend about (no barriers: a driven way has its class).
   const TautSpace& taut_space() const;

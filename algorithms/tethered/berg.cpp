@@ -199,16 +199,6 @@ class Drive {
   int last_ = -1;
 };
 
-/// Gaps of free space that the robot cannot pass; the same as the problem's geodesics are closed by.
-std::vector<Polyline> closed_gaps(const Problem& problem) {
-  const Robot& robot = problem.robot();
-  if (robot.radius <= 0) return {};
-  std::vector<Polyline> gaps = barriers(problem.map().free, 2 * robot.radius + robot.tool_width / 250);
-  const EdgeIndex space(problem.space_of_robot());
-  std::erase_if(gaps, [&](const Polyline& gap) { return space.contains(lerp(gap.front(), gap.back(), 0.5)); });
-  return gaps;
-}
-
 class Berg final : public CoveragePlanner {
  public:
   explicit Berg(Params p) : p_(std::move(p)) {}
@@ -225,8 +215,8 @@ class Berg final : public CoveragePlanner {
     const double spacing = p_.sampling > 0 ? p_.sampling : step / 4;
     const EdgeIndex& space = problem.walls();
     const EdgeIndex walls(problem.map().free);
-    const std::vector<Polyline> gaps = closed_gaps(problem);
-    const BergBoundary boundary(problem.map().free, walls, gaps, problem.anchor(), longest, problem.tolerance());
+    const BergBoundary boundary(problem.map().free, walls, problem.closed_gaps(), problem.anchor(), longest,
+                                problem.tolerance());
     const bool trim = p_.trim == "geodesic";
     const double slack = 1e-6 * robot.tool_width + 1e-9 * longest;
     const auto keep = [&](const Point& p, double length) {

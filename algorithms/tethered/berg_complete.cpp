@@ -84,12 +84,22 @@ class BergComplete final : public CoveragePlanner {
             return with_rings(part.within, share.rings, wind_laps(part.within, share.laps, outward, connector, inner),
                               w, connector, inner);
           // Lanes save the steps between short laps, but an odd number of them leaves the robot at the wrong end.
-          Path best = with_rings(part.within, share.rings, drive_laps(part.within, share, outward, 0, connector, inner),
-                                 w, connector, inner);
-          if (p_.lanes == 0 || p_.min_tether_angle > 0 || p_.order == "bfs" || inner.cancelled()) return best;
-          Path other =
-              with_rings(part.within, share.rings, drive_laps(part.within, share, outward, p_.lanes, connector, inner),
-                         w, connector, inner);
+          const auto drive = [&](std::vector<Strip> strips) {
+            strips.insert(strips.end(), share.chains.begin(), share.chains.end());
+            return with_rings(part.within, share.rings,
+                              drive_strips(part.within, strips, order_of_strips(), connector, inner), w, connector,
+                              inner);
+          };
+          const bool by_level = p_.order == "bfs";
+          const auto strips = [&](int lanes) {
+            return strips_of(share.laps, outward, part.within.walls(), w, lanes, by_level);
+          };
+          const std::vector<Strip> across = strips(0);
+          Path best = drive(across);
+          if (p_.lanes == 0 || p_.min_tether_angle > 0 || by_level || inner.cancelled()) return best;
+          const std::vector<Strip> along = strips(p_.lanes);
+          if (lanes_in(along) == lanes_in(across)) return best;  // no run of laps took to lanes
+          Path other = drive(along);
           return !inner.cancelled() && other.length() < best.length() ? other : best;
         },
         p_.return_home, context);
@@ -106,14 +116,12 @@ class BergComplete final : public CoveragePlanner {
     }
   }
 
-  Path drive_laps(const Problem& within, const Share& share, const std::vector<std::vector<std::size_t>>& outward,
-                  int lanes, const Connector& connector, Context& context) const {
-    const bool by_level = p_.order == "bfs";
-    const std::string order = by_level ? "given" : p_.order == "dfs" ? "dfs" : "improved";
-    std::vector<Strip> strips =
-        strips_of(share.laps, outward, within.walls(), within.robot().tool_width, lanes, by_level);
-    strips.insert(strips.end(), share.chains.begin(), share.chains.end());
-    return drive_strips(within, strips, order, connector, context);
+  std::string order_of_strips() const { return p_.order == "bfs" ? "given" : p_.order == "dfs" ? "dfs" : "improved"; }
+  /// A run of laps swept along the string counts as one lane.
+  static std::size_t lanes_in(const std::vector<Strip>& strips) {
+    std::size_t count = 0;
+    for (const Strip& strip : strips) count += strip.lanes.size();
+    return count;
   }
 
   /// Depth-first (or by level), each lap in the one direction.

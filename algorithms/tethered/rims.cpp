@@ -11,6 +11,7 @@
 #include "geometry/boolean.hpp"
 #include "geometry/cell_grid.hpp"
 #include "geometry/offset.hpp"
+#include "geometry/raster.hpp"
 #include "geometry/slit.hpp"
 
 namespace oxturn {
@@ -35,6 +36,13 @@ Pieces pieces_of(const Leash& leash, bool open) {
   const double w = leash.problem().robot().tool_width;
   const EdgeIndex& walls = leash.problem().walls();
   Pieces pieces;
+  // Pieces of one kind that follow each other on one segment are one: fewer strips to unite.
+  const auto add = [](std::vector<Polyline>& list, bool goes_on, const Point& a, const Point& b) {
+    if (goes_on && !list.empty() && list.back()[1] == a)
+      list.back()[1] = b;
+    else
+      list.push_back({a, b});
+  };
   for (const Polyline& line : leash.cut())
     for (std::size_t i = 1; i < line.size(); ++i) {
       const double n = std::max(1.0, std::ceil(distance(line[i - 1], line[i]) / (w / 4)));
@@ -42,14 +50,35 @@ Pieces pieces_of(const Leash& leash, bool open) {
         const Point a = lerp(line[i - 1], line[i], k / n), b = lerp(line[i - 1], line[i], (k + 1) / n);
         if (a == b || (!walls.contains(a) && !walls.contains(b))) continue;
         if (open && half_angle(leash.field(), a, b, 2 * leash.slit_width()) < kShallow)
-          pieces.shallow.push_back({a, b});
+          add(pieces.shallow, k > 0, a, b);
         else if (walls.contains(a) && walls.contains(b) && !walls.nearest(a, b, 0.7 * w))
-          pieces.wide.push_back({a, b});
+          add(pieces.wide, k > 0, a, b);
         else
-          pieces.thin.push_back({a, b});
+          add(pieces.thin, k > 0, a, b);
       }
     }
   return pieces;
+}
+
+/// Squares of side `cell` that hold all places within `reach` of the segments.
+Region about(const std::vector<Polyline>& segments, double reach, double cell) {
+  Box box;
+  for (const Polyline& segment : segments)
+    for (const Point& p : segment) box.add(p);
+  box.grow(reach + cell);
+  const Point size = box.size() / cell;
+  BitGrid grid(box.low, cell, static_cast<int>(std::ceil(size.x())), static_cast<int>(std::ceil(size.y())));
+  const int around = static_cast<int>(std::ceil(reach / cell)) + 1;
+  for (const Polyline& segment : segments) {
+    const double n = std::max(1.0, std::ceil(distance(segment[0], segment[1]) / cell));
+    for (double k = 0; k <= n; ++k) {
+      const Point at = (lerp(segment[0], segment[1], k / n) - grid.origin) / cell;
+      const int i = static_cast<int>(at.x()), j = static_cast<int>(at.y());
+      for (int y = std::max(0, j - around); y <= std::min(grid.rows - 1, j + around); ++y)
+        for (int x = std::max(0, i - around); x <= std::min(grid.columns - 1, i + around); ++x) grid.set(x, y, true);
+    }
+  }
+  return trace(grid);
 }
 
 /// Segments in a grid, for "is this place on one of them?".
@@ -195,7 +224,9 @@ Rims rims_of(const Leash& leash, bool open) {
     for (const Polyline& chain : parted.chains) part_at_turns(chain, leash.field(), 3 * w, rims.chains);
   }
   if (!pieces.wide.empty()) {
-    const Region pockets = subtract(rims.space, dilate(rimmed, w / 2, w / 200, Bound::inside));
+    // What lies farther off than this is nobody's pocket.
+    const Region near = intersect(rims.space, about(pieces.wide, 1.3 * w, w));
+    const Region pockets = subtract(near, dilate(slit(near, pieces.wide, passes), w / 2, w / 200, Bound::inside));
     for_each_ring(pockets, [&](const Ring& ring) { rims.rings.polygons.push_back({ring, {}}); });
   }
   return rims;
