@@ -9,6 +9,8 @@ PlannerInfo zigzag();
 PlannerInfo stc();
 PlannerInfo rectangles();
 PlannerInfo bsa();
+PlannerInfo linked_spiral();
+PlannerInfo ba_star();
 PlannerInfo leashed();
 PlannerInfo berg();
 PlannerInfo berg_complete();
@@ -24,6 +26,8 @@ const std::vector<PlannerInfo>& zoo() {
       stc(),
       rectangles(),
       bsa(),
+      linked_spiral(),
+      ba_star(),
       leashed(),
       with_sensing(berg()),
       with_sensing(berg_complete()),

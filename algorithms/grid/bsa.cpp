@@ -10,6 +10,7 @@ namespace {
 struct Params {
   double cell_size = 0;
   std::string backtrack = "nearest";
+  std::string align = "axes";
   std::string sensing = "map";
 };
 
@@ -96,12 +97,10 @@ class Bsa final : public CoveragePlanner {
  public:
   explicit Bsa(Params p) : p_(std::move(p)) {}
   Path plan(const Problem& problem, Context& context) const override {
-    const double side = cell_side_of(p_.cell_size, problem.robot());
-    return walk_cells(problem, context, side, p_.sensing, 1, [&](CellRobot& robot) {
+    return walk_cells(problem, context, {p_.cell_size, p_.align, p_.sensing}, [&](CellRobot& robot) {
       CellWalk walk(robot, context);
       Spirals(walk, p_.backtrack == "latest").run();
-      context.report("cells", static_cast<double>(walk.cells()));
-      context.report("moves", static_cast<double>(robot.steps()));
+      walk.report();
     });
   }
 
@@ -122,8 +121,8 @@ PlannerInfo bsa() {
        .parameters = {
            {"cell_size", &Params::cell_size, Range{0, 1000}, "side of a cell, metres; 0: tool width / sqrt 2"},
            {"backtrack", &Params::backtrack, Choices{"nearest", "latest"}, "where to go when a spiral has ended"},
-           {"sensing", &Params::sensing, Choices{"map", "lidar"},
-            "the neighbour cells are felt on the map, or by lidar"}}});
+           {"align", &Params::align, Choices{"axes", "edges"}, kAlignHelp},
+           {"sensing", &Params::sensing, Choices{"map", "lidar"}, kSensingHelp}}});
 }
 
 }  // namespace oxturn

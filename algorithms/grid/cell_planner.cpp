@@ -1,17 +1,22 @@
 #include "algorithms/grid/cell_planner.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace oxturn {
 
-double cell_side_of(double given, const Robot& robot) { return given > 0 ? given : robot.tool_width / std::sqrt(2.0); }
-
-Path walk_cells(const Problem& problem, Context& context, double side, const std::string& sensing, int reach,
+Path walk_cells(const Problem& problem, Context& context, const CellSettings& settings,
                 const std::function<void(CellRobot&)>& walk) {
-  (void)context;
-  if (sensing == "lidar") throw Unsupported("sensing = lidar is not yet there");
-  const GridGraph graph = grid_about_start(problem, side);
-  CellRobot robot = robot_at_start(problem, graph, reach);
+  const double side = settings.cell_size > 0 ? settings.cell_size : problem.robot().tool_width / std::sqrt(2.0);
+  const bool edges = settings.align == "edges";
+  if (settings.sensing == "lidar") {
+    if (edges) throw std::invalid_argument("align = edges needs the map; sensing = lidar goes with align = axes");
+    (void)context;
+    throw Unsupported("sensing = lidar is not yet there");
+  }
+  GridGraph graph = grid_about_start(problem, side, edges ? dominant_direction(problem.map().free) : 0);
+  if (settings.straight_ways) graph.look_between(problem.configuration_space());
+  CellRobot robot = robot_at_start(problem, graph, settings.reach);
   walk(robot);
   return robot.take();
 }

@@ -67,6 +67,22 @@ class CellWalk {
     return std::nullopt;
   }
 
+  /// Walks a way; false if a step was refused. `smooth`: straight over the lattice where that is free.
+  bool walk(const std::vector<Direction>& way, bool tool, bool smooth = false) {
+    std::vector<Cell> cells{at()};
+    for (const Direction d : way) cells.push_back(neighbour(cells.back(), d));
+    for (std::size_t k = 0; k < way.size();) {
+      std::size_t to = k + 1;
+      while (smooth && to < way.size() && robot_.straight(cells[k], cells[to + 1])) ++to;
+      if (to == k + 1 || !leap(cells[to], tool)) {
+        if (!step(way[k], tool)) return false;
+        to = k + 1;
+      }
+      k = to;
+    }
+    return true;
+  }
+
   /// Walks there, by another way where one is refused; false if there is no way or somebody cancelled.
   template <class Goal>
   bool go_to(Goal goal, bool tool = false) {
@@ -101,7 +117,11 @@ class CellWalk {
     here_ = marks_[at()] = mark;
   }
 
-  std::size_t cells() const { return cells_; }
+  /// Reports how many cells were visited, in how many moves.
+  void report() {
+    context_.report("cells", static_cast<double>(cells_));
+    context_.report("moves", static_cast<double>(robot_.steps()));
+  }
   CellRobot& robot() { return robot_; }
   /// Looks at the clock now and then.
   bool cancelled() {
@@ -116,9 +136,9 @@ class CellWalk {
   static unsigned fresh_of(Mark mark) { return mark & ~(mark >> 8) & 0xfu; }
   static constexpr std::uint32_t kLastStamp = (1u << 30) - 1;
 
-  bool walk(const std::vector<Direction>& way, bool tool) {
-    for (const Direction d : way)
-      if (!step(d, tool)) return false;
+  bool leap(const Cell& to, bool tool) {
+    if (!robot_.go_straight(to, tool)) return false;
+    arrive();
     return true;
   }
   void refuse(Direction d) { here_ = marks_[at()] = static_cast<Mark>((here_ | 1 << (4 + d)) & ~(1 << d)); }
