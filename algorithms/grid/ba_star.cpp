@@ -92,7 +92,7 @@ class LanesAndPoints {
         }
         return looked > enough;
       });
-      if (!best && !other) return false;
+      if (!best && !other) return walk_.escape();  // for what has been learnt since
       if (!best) way = walk_.way_to([&](const Cell& c) { return c == *other; });
       if (walk_.walk(*way, false, smooth_)) return true;
     }

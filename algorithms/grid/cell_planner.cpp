@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "algorithms/online/lidar_cells.hpp"
+
 namespace oxturn {
 
 Path walk_cells(const Problem& problem, Context& context, const CellSettings& settings,
@@ -11,8 +13,14 @@ Path walk_cells(const Problem& problem, Context& context, const CellSettings& se
   const bool edges = settings.align == "edges";
   if (settings.sensing == "lidar") {
     if (edges) throw std::invalid_argument("align = edges needs the map; sensing = lidar goes with align = axes");
-    (void)context;
-    throw Unsupported("sensing = lidar is not yet there");
+    return drive_online(
+        problem,
+        [&](OnlineRobot& robot, Context&) {
+          LidarCells cells(robot, side);
+          CellRobot on_cells(cells, side, settings.reach);
+          walk(on_cells);
+        },
+        context);
   }
   GridGraph graph = grid_about_start(problem, side, edges ? dominant_direction(problem.map().free) : 0);
   if (settings.straight_ways) graph.look_between(problem.configuration_space());

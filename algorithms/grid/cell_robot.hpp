@@ -66,6 +66,9 @@ class CellRobot final {
     return graph_ ? graph_->passable(at_.i + i0_, at_.j + j0_, d) : world_->passable(at_, d);
   }
 
+  /// Does it know by now that this way is free, however far away? Only a robot that sees farther than it feels does.
+  bool learnt(const Cell& c, Direction d) const { return world_ != nullptr && world_->passable(c, d); }
+
   /// Drives to the neighbour's centre; false, and it stands where it stood, if that could not be.
   bool step(Direction d, bool tool = true) {
     if (!graph_) {

@@ -1,7 +1,8 @@
 // A robot's walk over a lattice, and what it remembers of it: the cells it has been in, the ways it has felt to be open.
 //
 // A wall that was felt may open later (by lidar what is unknown counts as wall): each time the robot comes through a
-// cell it feels anew. Only a step that was refused is not tried again.
+// cell it feels anew, and when it finds nothing left to do it asks what it has learnt since. A step that was refused is
+// tried again only if it has learnt better, and seven times at most.
 //
 // Complexity  a step O(1); a way O(cells it looks at), which are those nearer than the answer: marks are stamped, so
 //             nothing is ever reset. 6 bytes a cell of the window.
@@ -95,7 +96,8 @@ class CellWalk {
   }
   /// To the nearest visited cell beside an unvisited one: when a planner is closed in.
   bool escape() {
-    return go_to([this](const Cell& c) { return any_fresh(c); });
+    const auto fresh = [this](const Cell& c) { return any_fresh(c); };
+    return go_to(fresh) || (look_back() && go_to(fresh));
   }
 
   /// The robot stands in a cell that it was not stepped to: it has been driven off the lattice.
@@ -130,12 +132,28 @@ class CellWalk {
   }
 
  private:
-  // A bit for each direction: 0 to 3 open, 4 to 7 refused, 8 to 11 the robot has been in the cell there.
+  // A bit for each direction: 0 to 3 open, 4 to 7 refused, 8 to 11 the robot has been in the cell there. From bit 13 on:
+  // how often a step was refused here.
   using Mark = std::uint16_t;
-  static constexpr Mark kBeenBeside = 1 << 8, kVisited = 1 << 12;
+  static constexpr Mark kBeenBeside = 1 << 8, kVisited = 1 << 12, kMostRefusals = 7;
   static unsigned fresh_of(Mark mark) { return mark & ~(mark >> 8) & 0xfu; }
   static constexpr std::uint32_t kLastStamp = (1u << 30) - 1;
 
+  // After a search in vain, which has been everywhere: is any way open of which the robot did not know when it was there?
+  bool look_back() {
+    bool found = false;
+    for (const Cell& c : queue_) {
+      Mark& mark = marks_[c];
+      for (const Direction d : kAllDirections) {
+        const bool refused = (mark >> 4 >> d & 1) != 0;
+        if (((mark | mark >> 8) >> d & 1) || (refused && mark >> 13 == kMostRefusals) || !robot_.learnt(c, d)) continue;
+        mark = static_cast<Mark>((mark & ~(1 << (4 + d))) | 1 << d);
+        found = true;
+      }
+    }
+    here_ = marks_[at()];
+    return found;
+  }
   bool leap(const Cell& to, bool tool) {
     if (!robot_.go_straight(to, tool)) return false;
     arrive();

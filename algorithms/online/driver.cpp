@@ -110,6 +110,9 @@ class Drive {
     std::uint64_t lost = view_.belief_.lost();
     for (std::size_t k = 0; k < motion.points.size(); ++k) {
       const Point to = motion.points[k];
+      // Back over the stretch that it came by: free, whatever has come to be believed since.
+      const bool back = view_.pose_ == came_to_ && to == came_from_;
+      if (!back) came_from_ = view_.pose_;
       while (view_.pose_ != to) {
         if (context_.cancelled()) {
           view_.stopped_ = true;
@@ -117,13 +120,14 @@ class Drive {
         }
         const double left = distance(view_.pose_, to), stretch = scan_step_ - since_scan_;
         const Point at = stretch >= left ? to : lerp(view_.pose_, to, stretch / left);
-        if (!free_from_here(at)) return stop();
+        if (!back && !free_from_here(at)) return stop();
         move(at, motion.tool);
+        came_to_ = at;
         if (since_scan_ < scan_step_ * (1 - 1e-9)) continue;
         look();
         if (view_.belief_.lost() == lost) continue;
         lost = view_.belief_.lost();
-        if (!free_ahead(motion.points, k)) return stop();
+        if (!back && !free_ahead(motion.points, k)) return stop();
       }
       view_.reached_ = k + 1;
     }
@@ -163,6 +167,7 @@ class Drive {
   std::size_t replans_ = 0, scans_ = 0;
   std::map<std::pair<long long, long long>, int> looked_;  // times, by squares of half a scan step
   Point seen_from_{0, 0};
+  Point came_from_{0, 0}, came_to_{0, 0};  // the last stretch driven straight
 };
 
 const View& OnlineRobot::view() const { return drive_.view(); }

@@ -4,8 +4,8 @@
 // The robot scans at its start, every `scan_step` metres and at the end of every motion, but no place twice (with noise
 // ten times): the world stands still. Its pose is known exactly.
 // Before each stretch is driven it is checked against the newest belief; where the belief blocks what is left of a
-// motion, the robot stops there and the planner has to think again (a re-plan). Nothing of the true map is reachable
-// from it: it gets a View, which is made of scans.
+// motion, the robot stops there and the planner has to think again (a re-plan); it may always go straight back to the
+// point that it came from. Nothing of the true map is reachable from it: it gets a View, which is made of scans.
 #pragma once
 
 #include <functional>
