@@ -8,6 +8,7 @@ PlannerInfo boustrophedon();
 PlannerInfo zigzag();
 PlannerInfo stc();
 PlannerInfo rectangles();
+PlannerInfo wavefront();
 PlannerInfo bsa();
 PlannerInfo linked_spiral();
 PlannerInfo ba_star();
@@ -25,6 +26,7 @@ const std::vector<PlannerInfo>& zoo() {
       zigzag(),
       stc(),
       rectangles(),
+      wavefront(),
       bsa(),
       linked_spiral(),
       ba_star(),

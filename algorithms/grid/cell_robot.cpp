@@ -48,11 +48,29 @@ CellRobot robot_at_start(const Problem& problem, const GridGraph& graph, int rea
   return CellRobot(graph, i, j, PathBuilder(problem.start()), reach);
 }
 
+namespace {
+// Where no wall is near, one look at all of them is cheaper than an index, which may be larger than the lattice.
+bool surely_free(const Region& space, const Point& a, const Point& b) {
+  const Point low = a.cwiseMin(b), high = a.cwiseMax(b);
+  bool free = true;
+  for_each_ring(space, [&](const Ring& ring) {
+    for (std::size_t k = 0, last = ring.size() - 1; k < ring.size(); last = k++) {
+      const Point &p = ring[last], &q = ring[k];
+      free = free && (std::max(p.x(), q.x()) < low.x() || std::min(p.x(), q.x()) > high.x() ||
+                      std::max(p.y(), q.y()) < low.y() || std::min(p.y(), q.y()) > high.y());
+    }
+  });
+  return free;
+}
+}  // namespace
+
 std::optional<Entry> entry_from_start(const Problem& problem, const GridGraph& graph) {
   const Point at = graph.coordinates(problem.start());
   const int i = static_cast<int>(std::lround(at.x())), j = static_cast<int>(std::lround(at.y()));
-  if (graph.free(i, j) && problem.walls().contains(problem.start(), graph.centre(i, j)))
-    return Entry{i, j, {problem.start(), graph.centre(i, j)}};
+  const Point centre = graph.centre(i, j);
+  if (graph.free(i, j) && (surely_free(problem.configuration_space(), problem.start(), centre) ||
+                           problem.walls().contains(problem.start(), centre)))
+    return Entry{i, j, {problem.start(), centre}};
   NearestPart nearest(problem);
   for (int row = 0; row < graph.rows(); ++row)
     for (int column = 0; column < graph.columns(); ++column)
