@@ -12,6 +12,8 @@ PlannerInfo wavefront();
 PlannerInfo bsa();
 PlannerInfo linked_spiral();
 PlannerInfo ba_star();
+PlannerInfo smart_dfs();
+PlannerInfo cell_explore();
 PlannerInfo leashed();
 PlannerInfo berg();
 PlannerInfo berg_complete();
@@ -30,6 +32,8 @@ const std::vector<PlannerInfo>& zoo() {
       bsa(),
       linked_spiral(),
       ba_star(),
+      smart_dfs(),
+      cell_explore(),
       leashed(),
       with_sensing(berg()),
       with_sensing(berg_complete()),

@@ -94,10 +94,25 @@ class CellWalk {
     }
     return false;
   }
+  bool go_to_cell(const Cell& cell, bool tool = false) {
+    return at() == cell || go_to([&](const Cell& c) { return c == cell; }, tool);
+  }
   /// To the nearest visited cell beside an unvisited one: when a planner is closed in.
   bool escape() {
     const auto fresh = [this](const Cell& c) { return any_fresh(c); };
     return go_to(fresh) || (look_back() && go_to(fresh));
+  }
+
+  /// The direction that has a wall behind it, where explorers begin: first straight south to a wall if there is none.
+  Direction back_to_wall() {
+    const auto away = [&]() -> std::optional<Direction> {
+      for (const Direction d : kAllDirections)
+        if (!open(opposite(d))) return d;
+      return std::nullopt;
+    };
+    std::optional<Direction> found = away();
+    while (!found && step(kSouth)) found = away();
+    return found.value_or(kNorth);
   }
 
   /// The robot stands in a cell that it was not stepped to: it has been driven off the lattice.
@@ -119,6 +134,7 @@ class CellWalk {
     here_ = marks_[at()] = mark;
   }
 
+  std::size_t cells() const { return cells_; }
   /// Reports how many cells were visited, in how many moves.
   void report() {
     context_.report("cells", static_cast<double>(cells_));
