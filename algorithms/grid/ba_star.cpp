@@ -93,7 +93,7 @@ class LanesAndPoints {
         return looked > enough;
       });
       if (!best && !other) return walk_.escape();  // for what has been learnt since
-      if (!best) way = walk_.way_to([&](const Cell& c) { return c == *other; });
+      if (!best) way = walk_.way_to_cell(*other);
       if (walk_.walk(*way, false, smooth_)) return true;
     }
     return false;

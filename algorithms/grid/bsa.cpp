@@ -81,7 +81,7 @@ class Spirals {
     while (latest_ && !points_.empty()) {
       const Cell point = points_.back();
       points_.pop_back();
-      if (walk_.any_fresh(point) && walk_.go_to([&](const Cell& c) { return c == point; })) return true;
+      if (walk_.any_fresh(point) && walk_.go_to_cell(point)) return true;
     }
     return walk_.escape();
   }

@@ -9,7 +9,9 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "algorithms/coverage_planner.hpp"
@@ -46,10 +48,7 @@ class CellWalk {
   /// The shortest way over visited cells to one that is `goal`: breadth-first, neighbours counter-clockwise from east.
   template <class Goal>
   std::optional<std::vector<Direction>> way_to(Goal goal) {
-    if (++stamp_ > kLastStamp) {
-      reached_ = {};
-      stamp_ = 1;
-    }
+    new_stamp();
     queue_.assign(1, at());
     reached_[at()] = stamp_ << 2;
     for (std::size_t k = 0; k < queue_.size(); ++k) {
@@ -63,6 +62,30 @@ class CellWalk {
         if (reached >> 2 == stamp_) continue;
         reached = stamp_ << 2 | static_cast<std::uint32_t>(d);
         queue_.push_back(to);
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The shortest way over visited cells to that one: A*, which looks at little more than the way where nothing is in it.
+  std::optional<std::vector<Direction>> way_to_cell(const Cell& goal) {
+    new_stamp();
+    // Each step brings the goal nearer (the same sum of driven and left), or two farther: two heaps of cells will do.
+    const auto left = [&](const Cell& c) { return std::abs(c.i - goal.i) + std::abs(c.j - goal.j); };
+    now_.assign(1, {at(), kEast});
+    later_.clear();
+    while (!now_.empty() || !later_.empty()) {
+      if (now_.empty()) now_.swap(later_);
+      const auto [c, came] = now_.back();
+      now_.pop_back();
+      std::uint32_t& reached = reached_[c];
+      if (reached >> 2 == stamp_) continue;
+      reached = stamp_ << 2 | static_cast<std::uint32_t>(came);
+      if (c == goal) return way_back_from(c);
+      for (const Direction d : kAllDirections) {
+        const Cell to = neighbour(c, d);
+        if (!open(c, d) || !visited(to) || reached_.get(to) >> 2 == stamp_) continue;
+        (left(to) < left(c) ? now_ : later_).push_back({to, d});
       }
     }
     return std::nullopt;
@@ -95,7 +118,12 @@ class CellWalk {
     return false;
   }
   bool go_to_cell(const Cell& cell, bool tool = false) {
-    return at() == cell || go_to([&](const Cell& c) { return c == cell; }, tool);
+    while (!cancelled()) {
+      const auto way = way_to_cell(cell);
+      if (!way) return false;
+      if (walk(*way, tool)) return true;
+    }
+    return false;
   }
   /// To the nearest visited cell beside an unvisited one: when a planner is closed in.
   bool escape() {
@@ -170,6 +198,11 @@ class CellWalk {
     here_ = marks_[at()];
     return found;
   }
+  void new_stamp() {
+    if (++stamp_ <= kLastStamp) return;
+    reached_ = {};
+    stamp_ = 1;
+  }
   bool leap(const Cell& to, bool tool) {
     if (!robot_.go_straight(to, tool)) return false;
     arrive();
@@ -192,6 +225,7 @@ class CellWalk {
   Mark here_ = 0;                   // of the robot's cell
   CellMap<std::uint32_t> reached_;  // by the search of that stamp, in that direction
   std::vector<Cell> queue_;
+  std::vector<std::pair<Cell, Direction>> now_, later_;
   std::uint32_t stamp_ = 0;
   std::size_t cells_ = 0, asked_ = 0;
   bool cancelled_ = false;
