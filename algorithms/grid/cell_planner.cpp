@@ -13,6 +13,8 @@ Path walk_cells(const Problem& problem, Context& context, const CellSettings& se
   const bool edges = settings.align == "edges";
   if (settings.sensing == "lidar") {
     if (edges) throw std::invalid_argument("align = edges needs the map; sensing = lidar goes with align = axes");
+    if (settings.follows_walls)
+      throw std::invalid_argument("partial = true needs the map; sensing = lidar goes with partial = false");
     return drive_online(
         problem,
         [&](OnlineRobot& robot, Context&) {

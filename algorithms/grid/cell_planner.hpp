@@ -16,6 +16,7 @@ struct CellSettings {
       "map";                   // map: cells are felt on the true map (the papers' model); lidar: as the robot sees them
   int reach = 1;               // how far the robot feels, in cells
   bool straight_ways = false;  // the walk asks for ways off the lattice
+  bool follows_walls = false;  // the walk uses a WallFollower; needs sensing = map
 };
 inline constexpr const char* kAlignHelp = "edges: turn the grid to the direction most walls run in (sensing = map)";
 inline constexpr const char* kSensingHelp =

@@ -31,6 +31,11 @@ bool CellRobot::go_straight(const Cell& to, bool tool) {
   return true;
 }
 
+CellRobot::Lattice CellRobot::lattice() const {
+  if (!graph_) throw std::logic_error("only on the true map is a robot's lattice known");
+  return {*graph_, i0_, j0_};
+}
+
 Path CellRobot::take() {
   if (graph_) reach_turn();
   return path_.take();

@@ -92,6 +92,13 @@ class CellRobot final {
   /// Leaves the lattice along `points`, which end in the centre of `end` (true map only). The caller knows it is free.
   void drive(const Polyline& points, const Cell& end, bool tool = true);
 
+  /// The lattice it drives on, and where its cell {0, 0} is in that: for what is driven off the lattice (true map only).
+  struct Lattice {
+    const GridGraph& graph;
+    int column, row;
+  };
+  Lattice lattice() const;
+
   /// The path, straight runs of steps being one segment. The robot is done with then.
   Path take();
 

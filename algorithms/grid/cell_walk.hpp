@@ -131,6 +131,12 @@ class CellWalk {
     return go_to(fresh) || (look_back() && go_to(fresh));
   }
 
+  /// Leaves the lattice and comes back to it (CellRobot::drive).
+  void drive(const Polyline& points, const Cell& end) {
+    robot_.drive(points, end);
+    arrive();
+  }
+
   /// The direction that has a wall behind it, where explorers begin: first straight south to a wall if there is none.
   Direction back_to_wall() {
     const auto away = [&]() -> std::optional<Direction> {

@@ -12,28 +12,32 @@
 //                first that has an unvisited neighbour; the robot goes there. Its new spiral begins along what is covered:
 //                with a wall or a visited cell on the side away from the turning side, if that can be.
 //             3. "Map coordinate assignment" turns the grid with the walls: `align = edges`, known from the map.
-//             4. The lattice hangs on the start. Links are driven with the tool off.
+//             4. partial = true (by map only): from each cell beside walls through cells that the robot cannot stand in the
+//                middle of, their contour is followed once, as `bsa` does it, when the spiral has ended.
+//             5. The lattice hangs on the start. Links are driven with the tool off.
 #include "algorithms/grid/cell_planner.hpp"
 #include "algorithms/grid/cell_walk.hpp"
+#include "algorithms/grid/wall_follower.hpp"
 
 namespace oxturn {
 namespace {
 
 struct Params {
   double cell_size = 0;
+  bool partial = false;
   std::string align = "axes";
   std::string sensing = "map";
 };
 
 class LinkedSpirals {
  public:
-  explicit LinkedSpirals(CellWalk& walk) : walk_(walk) {}
+  LinkedSpirals(CellWalk& walk, WallFollower* walls) : walk_(walk), walls_(walls) {}
 
   void run() {
     do {
       if (walk_.any_fresh()) begin();
       while (step()) {}
-    } while (walk_.escape());
+    } while (link());
   }
 
  private:
@@ -63,7 +67,18 @@ class LinkedSpirals {
     return false;
   }
 
+  bool link() {
+    if (!walls_) return walk_.escape();
+    const auto left_over = [&](const Cell& c) { return walk_.any_fresh(c) || walls_->any_left(c); };
+    while (walk_.go_to(left_over)) {
+      walls_->follow_all(walk_, false);
+      if (walk_.any_fresh()) return true;
+    }
+    return false;
+  }
+
   CellWalk& walk_;
+  WallFollower* walls_;
   Direction heading_ = kEast;
   std::optional<bool> turns_;  // to the left
 };
@@ -72,11 +87,15 @@ class LinkedSpiral final : public CoveragePlanner {
  public:
   explicit LinkedSpiral(Params p) : p_(std::move(p)) {}
   Path plan(const Problem& problem, Context& context) const override {
-    return walk_cells(problem, context, {p_.cell_size, p_.align, p_.sensing}, [&](CellRobot& robot) {
-      CellWalk walk(robot, context);
-      LinkedSpirals(walk).run();
-      walk.report();
-    });
+    return walk_cells(problem, context, {p_.cell_size, p_.align, p_.sensing, 1, false, p_.partial},
+                      [&](CellRobot& robot) {
+                        CellWalk walk(robot, context);
+                        std::optional<WallFollower> walls;
+                        if (p_.partial) walls.emplace(problem, robot);
+                        LinkedSpirals(walk, walls ? &*walls : nullptr).run();
+                        if (walls) context.report("along_walls_m", walls->length());
+                        walk.report();
+                      });
   }
 
  private:
@@ -95,6 +114,7 @@ PlannerInfo linked_spiral() {
        .guarantee = "visits every free cell that free lattice steps join to the start",
        .parameters = {
            {"cell_size", &Params::cell_size, Range{0, 1000}, "side of a cell, metres; 0: tool width / sqrt 2"},
+           {"partial", &Params::partial, "follow walls through cells that are not wholly free (sensing = map)"},
            {"align", &Params::align, Choices{"axes", "edges"}, kAlignHelp},
            {"sensing", &Params::sensing, Choices{"map", "lidar"}, kSensingHelp}}});
 }
