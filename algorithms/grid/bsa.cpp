@@ -54,7 +54,8 @@ class Spirals {
       if (!chosen_) choose_side();
       if (walls_ && chosen_)
         for (const Direction d : {reference(), heading_})
-          if (!walk_.open(d)) walls_->follow(walk_, neighbour(walk_.at(), d), left_);
+          if (!walk_.open(d))
+            for (const Cell& c : {neighbour(walk_.at(), d), walk_.at()}) walls_->follow(walk_, c, left_);
       const Direction side = reference(), away = opposite(side);
       Direction next;
       if (chosen_ && walk_.fresh(side))

@@ -7,6 +7,7 @@ namespace oxturn {
 namespace {
 
 constexpr std::size_t kDetour = 4;  // steps on the lattice for one stretch of wall
+constexpr double kWorth = 0.05;     // cells that a wall is away from the lane beside it
 
 Cell cell_of(const Point& at) {
   return {static_cast<int>(std::floor(at.x() + 0.5)), static_cast<int>(std::floor(at.y() + 0.5))};
@@ -36,7 +37,10 @@ void WallFollower::add_ring(const Ring& ring) {
   const auto ring_begin = static_cast<std::uint32_t>(stretches_.size());
   bool going_on = false;  // the last piece was in a partial cell, stretches_.back()
   const auto add = [&](const Point& a, const Point& b, const Cell& cell) {
-    if (!partial(cell)) {
+    // In a free cell a wall is worth it unless the lane through the centre runs along it anyway.
+    const Point along = b - a, out = robot_.centre(cell) - a;
+    const double away = std::abs(along.x() * out.y() - along.y() * out.x()) / along.norm();
+    if (!partial(cell) && !(away > kWorth * robot_.side())) {
       going_on = false;
       return;
     }
@@ -69,7 +73,7 @@ void WallFollower::add_ring(const Ring& ring) {
     }
     std::sort(cuts.begin(), cuts.end());
     for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
-      if (cuts[c + 1] <= cuts[c]) continue;
+      if (cuts[c + 1] <= cuts[c] || a == b) continue;
       const double middle = (cuts[c] + cuts[c + 1]) / 2;
       add(cuts[c] == 0 ? a : lerp(a, b, cuts[c]), cuts[c + 1] == 1 ? b : lerp(a, b, cuts[c + 1]),
           cell_of(u + middle * (v - u)));

@@ -1,8 +1,9 @@
-// Follows walls through partial cells: those that meet configuration space, but in whose centre the robot cannot stand.
+// Follows walls where driving from cell to cell leaves something beside them: through partial cells, those that meet
+// free space but in whose centre the robot cannot stand, and through free cells whose centre is away from the wall.
 //
 // The walls here are the edges of configuration space, so the robot touches the real ones all the way. They are cut at
-// cell borders into stretches. From a cell beside one the robot drives straight to it and along it, from partial cell to
-// partial cell, as long as there are free cells beside by which it can come back on the lattice; and so it comes back.
+// cell borders into stretches. From a cell beside one the robot drives straight to it and along it, from cell to cell,
+// as long as there are free cells beside by which it can come back on the lattice; and so it comes back.
 //
 // Complexity  O(corners + cells that walls cross) to build; following costs what is driven
 #pragma once
@@ -32,7 +33,7 @@ class WallFollower {
   struct Stretch {
     std::uint32_t begin, end;  // of points_
     Cell cell;
-    std::uint32_t next = kNone, previous = kNone;  // along the wall, if that goes on in a partial cell
+    std::uint32_t next = kNone, previous = kNone;  // along the wall, if that goes on there
     std::uint32_t next_in_cell = kNone;
     bool followed = false;
   };
