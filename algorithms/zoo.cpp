@@ -8,6 +8,12 @@ PlannerInfo boustrophedon();
 PlannerInfo zigzag();
 PlannerInfo stc();
 PlannerInfo rectangles();
+PlannerInfo wavefront();
+PlannerInfo bsa();
+PlannerInfo linked_spiral();
+PlannerInfo ba_star();
+PlannerInfo smart_dfs();
+PlannerInfo cell_explore();
 PlannerInfo leashed();
 PlannerInfo berg();
 PlannerInfo berg_complete();
@@ -22,6 +28,12 @@ const std::vector<PlannerInfo>& zoo() {
       zigzag(),
       stc(),
       rectangles(),
+      wavefront(),
+      bsa(),
+      linked_spiral(),
+      ba_star(),
+      smart_dfs(),
+      cell_explore(),
       leashed(),
       with_sensing(berg()),
       with_sensing(berg_complete()),

@@ -1,0 +1,362 @@
+// Planners that walk from cell to cell, on thousands of small drawn maps: nothing reachable is left out, paths are valid,
+// explorers keep their bounds. The oracle is the drawing: letters, a flood fill, counts of cells, edges and holes.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "algorithms/coverage_planner.hpp"
+#include "maps/generators.hpp"
+#include "metrics/score.hpp"
+#include "tests/support/drawn.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+using Place = std::pair<int, int>;  // column, row
+const std::vector<Place> kFour{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+
+// A robot much smaller than a letter, a tool as wide as its diagonal: free cells are the letters, exactly.
+Drawing small_robot() {
+  Robot robot;
+  robot.radius = 0.2;
+  robot.tool_width = 1.42;
+  return {.robot = robot};
+}
+
+struct Plan {
+  Path path;
+  std::map<std::string, double> figures;
+};
+Plan plan(const std::string& name, const Problem& problem, Settings settings = {}) {
+  Plan result;
+  Context::Sinks sinks;
+  sinks.report = [&](const std::string& figure, double value) { result.figures[figure] = value; };
+  Context context(1, 1e9, sinks);
+  result.path = find_planner(zoo(), name).make(settings)->plan(problem, context);
+  return result;
+}
+// Wavefront's lattice hangs on the walls, which are 0.2 m off; the others' on the start.
+Settings on_letters(const std::string& name) {
+  if (name != "wavefront") return {{"cell_size", 1.0}};
+  return {{"cell_size", 1.0}, {"shift_x", 0.3}, {"shift_y", 0.3}};
+}
+
+struct Drawn {
+  std::vector<std::string> rows;
+  bool free(const Place& p) const {
+    const int n = static_cast<int>(rows.size());
+    return p.second >= 0 && p.second < n && p.first >= 0 && p.first < static_cast<int>(rows[0].size()) &&
+           rows[static_cast<std::size_t>(n - 1 - p.second)][static_cast<std::size_t>(p.first)] != '#';
+  }
+  void set(const Place& p, char letter) {
+    rows[rows.size() - 1 - static_cast<std::size_t>(p.second)][static_cast<std::size_t>(p.first)] = letter;
+  }
+  Place start() const {
+    const Point at = *drawn_place(rows, 'S');
+    return {static_cast<int>(at.x()), static_cast<int>(at.y())};
+  }
+  std::set<Place> reachable() const {
+    std::set<Place> seen{start()};
+    std::vector<Place> queue{start()};
+    for (std::size_t k = 0; k < queue.size(); ++k)
+      for (const Place& d : kFour) {
+        const Place to{queue[k].first + d.first, queue[k].second + d.second};
+        if (free(to) && seen.insert(to).second) queue.push_back(to);
+      }
+    return seen;
+  }
+  std::string text() const {
+    std::string all;
+    for (const std::string& row : rows) all += "\n" + row;
+    return all;
+  }
+};
+
+Drawn random_drawing(std::uint64_t seed, int most) {
+  Rng rng(seed);
+  const int columns = rng.between(2, most), rows = rng.between(2, most);
+  const double walls = rng.between(0.0, 0.5);
+  Drawn drawn{
+      std::vector<std::string>(static_cast<std::size_t>(rows), std::string(static_cast<std::size_t>(columns), '.'))};
+  for (std::string& row : drawn.rows)
+    for (char& letter : row)
+      if (rng.chance(walls)) letter = '#';
+  drawn.set({rng.between(0, columns - 1), rng.between(0, rows - 1)}, 'S');
+  return drawn;
+}
+
+// The cells whose middle a tool-on leg passes.
+std::set<Place> cells_under(const Path& path, const Place& start) {
+  std::set<Place> cells{start};
+  for (const Leg& leg : path.legs) {
+    if (!leg.tool) continue;
+    for (std::size_t k = 0; k + 1 < leg.points.size(); ++k) {
+      const Point a = leg.points[k], d = leg.points[k + 1] - a;
+      const int n = std::max(1, static_cast<int>(std::lround(d.cwiseAbs().maxCoeff())));
+      for (int s = 0; s <= n; ++s) {
+        const Point at = a + d * (double(s) / n);
+        const Place cell{static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
+        if (distance(at, {cell.first + 0.5, cell.second + 0.5}) < 1e-3) cells.insert(cell);
+      }
+    }
+  }
+  return cells;
+}
+
+struct Variant {
+  std::string name;
+  Settings settings = {};
+};
+const std::vector<Variant>& complete_planners() {
+  static const std::vector<Variant> all{{"bsa"},
+                                        {"bsa", {{"backtrack", std::string("latest")}}},
+                                        {"bsa", {{"partial", true}}},
+                                        {"linked-spiral"},
+                                        {"linked-spiral", {{"partial", true}}},
+                                        {"ba-star"},
+                                        {"ba-star", {{"smooth", false}}},
+                                        {"smart-dfs"},
+                                        {"cell-explore"},
+                                        {"wavefront"},
+                                        {"wavefront", {{"goal", std::string("farthest")}}},
+                                        {"wavefront", {{"transform", std::string("path")}}}};
+  return all;
+}
+
+TEST(CellPlanners, LeaveNoReachableCellOut) {
+  for (const auto seed : seeds(1200)) {
+    const Drawn drawn_map = random_drawing(seed, 12);
+    const std::set<Place> reachable = drawn_map.reachable();
+    if (reachable.size() < 2) continue;
+    SCOPED_TRACE(fmt::format("seed {}{}", seed, drawn_map.text()));
+    const Problem problem = drawn(drawn_map.rows, small_robot());
+    for (const Variant& variant : complete_planners()) {
+      Settings settings = on_letters(variant.name);
+      settings.insert(variant.settings.begin(), variant.settings.end());
+      const Plan result = plan(variant.name, problem, settings);
+      ASSERT_EQ(cells_under(result.path, drawn_map.start()), reachable) << variant.name;
+      ASSERT_EQ(result.figures.at("cells"), static_cast<double>(reachable.size())) << variant.name;
+      if (seed % 8 == 0) ASSERT_EQ(find_flaw(problem, result.path), "") << variant.name;
+    }
+  }
+}
+
+// --- bounds of the explorers ---
+
+// Walls that hang together over corners with the world outside; the rest are holes.
+std::set<Place> outside(const Drawn& map, const std::set<Place>& cells) {
+  const int columns = static_cast<int>(map.rows[0].size()), rows = static_cast<int>(map.rows.size());
+  std::set<Place> seen{{-1, -1}};
+  std::vector<Place> queue{{-1, -1}};
+  for (std::size_t k = 0; k < queue.size(); ++k)
+    for (int di = -1; di <= 1; ++di)
+      for (int dj = -1; dj <= 1; ++dj) {
+        const Place to{queue[k].first + di, queue[k].second + dj};
+        if (to.first < -1 || to.second < -1 || to.first > columns || to.second > rows || cells.count(to)) continue;
+        if (seen.insert(to).second) queue.push_back(to);
+      }
+  return seen;
+}
+
+struct Counts {
+  int cells = 0, edges = 0, holes = 0, reflex = 0;
+};
+Counts count(const Drawn& map, const std::set<Place>& cells) {
+  Counts counts;
+  std::set<Place> outer = outside(map, cells), known = outer;
+  for (const Place& c : cells) {
+    ++counts.cells;
+    for (const Place& d : kFour) counts.edges += !cells.count({c.first + d.first, c.second + d.second});
+  }
+  for (int i = 0; i < static_cast<int>(map.rows[0].size()); ++i)
+    for (int j = 0; j < static_cast<int>(map.rows.size()); ++j) {
+      if (cells.count({i, j}) || !known.insert({i, j}).second) continue;
+      ++counts.holes;
+      std::vector<Place> queue{{i, j}};
+      for (std::size_t k = 0; k < queue.size(); ++k)
+        for (int di = -1; di <= 1; ++di)
+          for (int dj = -1; dj <= 1; ++dj) {
+            const Place to{queue[k].first + di, queue[k].second + dj};
+            if (!cells.count(to) && known.insert(to).second) queue.push_back(to);
+          }
+    }
+  // A reflex corner of the outer wall: one wall cell among the four about a lattice point, or two across it.
+  for (const Place& w : outer)
+    for (const int di : {-1, 1})
+      for (const int dj : {-1, 1})
+        counts.reflex += cells.count({w.first + di, w.second}) && cells.count({w.first, w.second + dj});
+  return counts;
+}
+
+// A random drawing with the start at its outer wall, at the reachable cell that the seed picks; without holes on demand.
+std::optional<Drawn> explorers_world(std::uint64_t seed, bool holes) {
+  Drawn map = random_drawing(seed, 11);
+  std::set<Place> cells = map.reachable();
+  std::set<Place> outer = outside(map, cells);
+  const int columns = static_cast<int>(map.rows[0].size()), rows = static_cast<int>(map.rows.size());
+  map.set(map.start(), '.');
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < rows; ++j) {
+      if (!holes && !outer.count({i, j})) cells.insert({i, j});
+      map.set({i, j}, cells.count({i, j}) ? '.' : '#');
+    }
+  std::vector<Place> rim;
+  for (const Place& c : cells)
+    if (std::any_of(kFour.begin(), kFour.end(), [&](const Place& d) {
+          return outer.count({c.first + d.first, c.second + d.second});
+        }))
+      rim.push_back(c);
+  if (cells.size() < 2) return std::nullopt;
+  Rng rng(seed);
+  map.set(rim[rng.below(rim.size())], 'S');
+  return map;
+}
+
+int moves(const Plan& result, const Drawn& map) {
+  EXPECT_EQ(cells_under(result.path, map.start()), map.reachable());
+  const Point end = result.path.legs.back().points.back();
+  EXPECT_LT(distance(end, *drawn_place(map.rows, 'S')), 1e-9) << "not home";
+  return static_cast<int>(std::lround(result.path.length()));
+}
+
+TEST(SmartDfs, KeepsItsBoundWithoutHoles) {
+  for (const auto seed : seeds(3000)) {
+    const auto map = explorers_world(seed, false);
+    if (!map) continue;
+    const Counts n = count(*map, map->reachable());
+    ASSERT_EQ(n.holes, 0);
+    const Problem problem = drawn(map->rows, small_robot());
+    ASSERT_LE(2 * moves(plan("smart-dfs", problem, {{"cell_size", 1.0}}), *map), 2 * n.cells + n.edges - 6)
+        << "seed " << seed << map->text();
+  }
+}
+
+TEST(CellExplore, KeepsItsBoundWithHoles) {
+  int with_holes = 0;
+  for (const auto seed : seeds(3000)) {
+    const auto map = explorers_world(seed, true);
+    if (!map) continue;
+    const Counts n = count(*map, map->reachable());
+    const Problem problem = drawn(map->rows, small_robot());
+    ASSERT_LE(2 * moves(plan("cell-explore", problem, {{"cell_size", 1.0}}), *map),
+              2 * n.cells + n.edges + 6 * n.holes + 2 * n.reflex - 4)
+        << "seed " << seed << map->text();
+    with_holes += n.holes > 0;
+  }
+  EXPECT_GT(with_holes, 300);
+}
+
+// --- single rules ---
+
+TEST(Wavefront, StopsWhereItIsClosedInIfTold) {
+  const Drawn map{{"......", "......", "..S...", "......"}};
+  const Problem problem = drawn(map.rows, small_robot());
+  Settings settings = on_letters("wavefront");
+  settings["stop"] = std::string("closed");
+  EXPECT_LT(cells_under(plan("wavefront", problem, settings).path, map.start()).size(), 24u);
+}
+
+TEST(Wavefront, GoesOnToPartsThatNoStepLeadsTo) {
+  // The right room's cells are half a cell off: the way through the slanted door is none of the lattice.
+  Polygon rooms;
+  rooms.outer = {{0, 0},  {4, 0}, {4, 1.2}, {6, 1.7}, {6, 0}, {10, 0},
+                 {10, 4}, {6, 4}, {6, 2.3}, {4, 1.8}, {4, 4}, {0, 4}};
+  const Problem problem({"rooms", {{rooms}}, "test", ""}, Robot{}, Point(2, 2));
+  const auto covered = [&](const char* components) {
+    return score(problem,
+                 plan("wavefront", problem, {{"cell_size", 0.6}, {"components", std::string(components)}}).path)
+        .value("coverage")
+        .value();
+  };
+  EXPECT_GT(covered("all"), 1.5 * covered("start"));
+}
+
+TEST(Bsa, StepsPerCellAmongScatteredObstacles) {
+  Rng rng(3);
+  Drawn map{std::vector<std::string>(60, std::string(60, '.'))};
+  for (std::string& row : map.rows)
+    for (char& letter : row)
+      if (rng.chance(0.1)) letter = '#';
+  map.set({30, 30}, 'S');
+  const Problem problem = drawn(map.rows, small_robot());
+  const double cells = static_cast<double>(map.reachable().size());
+  EXPECT_LE(plan("bsa", problem, {{"cell_size", 1.0}}).path.length() / cells, 1.28);
+}
+
+TEST(CellPlanners, FollowingWallsCoversWhatCellsLeave) {
+  for (const char* generator : {"polygon", "clutter", "cave"}) {
+    const Problem problem(generate(generator, {}, 5), Robot{});
+    for (const char* name : {"bsa", "linked-spiral"}) {
+      SCOPED_TRACE(fmt::format("{} on {}", name, generator));
+      const Path without = plan(name, problem).path, with = plan(name, problem, {{"partial", true}}).path;
+      const Score plain = score(problem, without), walls = score(problem, with);
+      EXPECT_EQ(plain.flaw, "");
+      EXPECT_EQ(walls.flaw, "");
+      EXPECT_GT(walls.value("coverage").value(), 0.99);
+      EXPECT_GT(walls.value("coverage").value(), plain.value("coverage").value());
+    }
+  }
+}
+
+TEST(CellPlanners, AreDeterministicAndTurnWithTheWalls) {
+  const Region room = box_region({0, 0}, {7.3, 5.1});
+  for (const char* name : {"bsa", "linked-spiral", "ba-star", "smart-dfs", "cell-explore"}) {
+    const Problem straight({"room", room, "test", ""}, Robot{}, Point(1, 1));
+    const Path once = plan(name, straight).path;
+    const Path again = plan(name, straight).path;
+    ASSERT_EQ(once.legs.size(), again.legs.size());
+    for (std::size_t k = 0; k < once.legs.size(); ++k) ASSERT_EQ(once.legs[k].points, again.legs[k].points);
+    const Problem turned({"room", transformed(room, 0.6, {3, -8}), "test", ""}, Robot{},
+                         Point(rotated({1, 1}, 0.6) + Point(3, -8)));
+    EXPECT_NEAR(plan(name, turned, {{"align", std::string("edges")}}).path.length(), once.length(), 1e-6) << name;
+  }
+}
+
+TEST(CellPlanners, BoxedInIsASentence) {
+  const Problem problem = drawn({"S"}, small_robot());
+  for (const char* name : {"bsa", "linked-spiral", "ba-star", "smart-dfs", "cell-explore"})
+    EXPECT_THAT(
+        [&] {
+          plan(name, problem, {{"cell_size", 1.0}});
+        },
+        testing::ThrowsMessage<Infeasible>(testing::HasSubstr("smaller cell_size")))
+        << name;
+}
+
+TEST(CellPlanners, ByLidarTheSameCellsAsOnTheMap) {
+  Robot robot;
+  robot.lidar = Lidar{6, 360, 0};
+  for (const char* generator : {"rectangle", "cave"})
+    for (const char* name : {"bsa", "linked-spiral", "ba-star", "smart-dfs", "cell-explore"}) {
+      SCOPED_TRACE(fmt::format("{} on {}", name, generator));
+      const Problem problem(generate(generator, {{"width", 3.5}, {"height", 3.0}}, 2), robot);
+      const Plan seen = plan(name, problem, {{"sensing", std::string("lidar")}, {"cell_size", 0.4}});
+      EXPECT_EQ(find_flaw(problem, seen.path), "");
+      // A cell that the robot fits in by a hair may be unsure.
+      EXPECT_GE(seen.figures.at("cells"), 0.98 * plan(name, problem, {{"cell_size", 0.4}}).figures.at("cells"));
+    }
+}
+
+TEST(CellPlanners, LidarNeedsALidarAndNoMap) {
+  const Problem problem(generate("rectangle", {}, 1), Robot{});
+  const std::string lidar = "lidar";
+  EXPECT_THROW(plan("bsa", problem, {{"sensing", lidar}}), Unsupported);
+  EXPECT_THAT(
+      [&] {
+        plan("bsa", problem, {{"sensing", lidar}, {"align", std::string("edges")}});
+      },
+      testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("align = axes")));
+  EXPECT_THAT(
+      [&] {
+        plan("bsa", problem, {{"sensing", lidar}, {"partial", true}});
+      },
+      testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("partial = false")));
+}
+
+}  // namespace
+}  // namespace oxturn
