@@ -7,6 +7,7 @@ namespace oxturn {
 PlannerInfo boustrophedon();
 PlannerInfo zigzag();
 PlannerInfo stc();
+PlannerInfo stc_loops();
 PlannerInfo rectangles();
 PlannerInfo leashed();
 PlannerInfo berg();
@@ -21,6 +22,7 @@ const std::vector<PlannerInfo>& zoo() {
       boustrophedon(),
       zigzag(),
       stc(),
+      stc_loops(),
       rectangles(),
       leashed(),
       with_sensing(berg()),
