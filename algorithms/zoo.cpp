@@ -7,8 +7,13 @@ namespace oxturn {
 PlannerInfo boustrophedon();
 PlannerInfo zigzag();
 PlannerInfo stc();
+PlannerInfo stc_spiral();
+PlannerInfo stc_scan();
 PlannerInfo stc_loops();
 PlannerInfo rectangles();
+PlannerInfo bsa();
+PlannerInfo linked_spiral();
+PlannerInfo ba_star();
 PlannerInfo leashed();
 PlannerInfo berg();
 PlannerInfo berg_complete();
@@ -22,8 +27,13 @@ const std::vector<PlannerInfo>& zoo() {
       boustrophedon(),
       zigzag(),
       stc(),
+      stc_spiral(),
+      stc_scan(),
       stc_loops(),
       rectangles(),
+      bsa(),
+      linked_spiral(),
+      ba_star(),
       leashed(),
       with_sensing(berg()),
       with_sensing(berg_complete()),

@@ -24,13 +24,20 @@ void CellRobot::drive(const Polyline& points, const Cell& end, bool tool) {
   ++steps_;
 }
 
+bool CellRobot::go_straight(const Cell& to, bool tool) {
+  if (!graph_) return world_->go_straight(at_, to, tool) && (at_ = to, ++steps_, true);
+  if (!straight(at_, to)) return false;
+  drive({centre(to)}, to, tool);
+  return true;
+}
+
 Path CellRobot::take() {
   if (graph_) reach_turn();
   return path_.take();
 }
 
-GridGraph grid_about_start(const Problem& problem, double side) {
-  return make_grid_graph_at(problem.configuration_space(), problem.map().name, problem.start(), side);
+GridGraph grid_about_start(const Problem& problem, double side, double angle) {
+  return make_grid_graph_at(problem.configuration_space(), problem.map().name, problem.start(), side, angle);
 }
 
 CellRobot robot_at_start(const Problem& problem, const GridGraph& graph, int reach) {

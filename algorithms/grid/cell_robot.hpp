@@ -29,6 +29,9 @@ class CellWorld {
   virtual bool passable(const Cell& c, Direction d) = 0;
   /// Drives from the centre of c to its neighbour's; false if that was not to be (it stands in c's centre again).
   virtual bool step(const Cell& c, Direction d, bool tool) = 0;
+  /// The same between cells that are not neighbours, over squares between cells of which all is known to be free.
+  virtual bool straight(const Cell& from, const Cell& to) = 0;
+  virtual bool go_straight(const Cell& from, const Cell& to, bool tool) = 0;
   virtual Point centre(const Cell& c) const = 0;
 };
 
@@ -63,6 +66,9 @@ class CellRobot final {
     return graph_ ? graph_->passable(at_.i + i0_, at_.j + j0_, d) : world_->passable(at_, d);
   }
 
+  /// Does it know by now that this way is free, however far away? Only a robot that sees farther than it feels does.
+  bool learnt(const Cell& c, Direction d) const { return world_ != nullptr && world_->passable(c, d); }
+
   /// Drives to the neighbour's centre; false, and it stands where it stood, if that could not be.
   bool step(Direction d, bool tool = true) {
     if (!graph_) {
@@ -76,6 +82,13 @@ class CellRobot final {
     return true;
   }
 
+  /// The straight way between two centres, and all of every square between centres that it meets, is free. Not a
+  /// question of feeling: for ways among cells where the robot has been. On the true map after graph.look_between().
+  bool straight(const Cell& from, const Cell& to) const {
+    return graph_ ? graph_->straight(from.i + i0_, from.j + j0_, to.i + i0_, to.j + j0_) : world_->straight(from, to);
+  }
+  /// Drives there; false if that could not be.
+  bool go_straight(const Cell& to, bool tool);
   /// Leaves the lattice along `points`, which end in the centre of `end` (true map only). The caller knows it is free.
   void drive(const Polyline& points, const Cell& end, bool tool = true);
 
@@ -110,7 +123,7 @@ class CellRobot final {
 };
 
 /// On the true map, on a lattice that hangs on the start.
-GridGraph grid_about_start(const Problem& problem, double side);
+GridGraph grid_about_start(const Problem& problem, double side, double angle = 0);
 /// The robot in the start's cell of such a lattice. Throws Infeasible if it cannot step anywhere.
 CellRobot robot_at_start(const Problem& problem, const GridGraph& graph, int reach = 1);
 

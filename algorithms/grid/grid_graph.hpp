@@ -5,6 +5,7 @@
 // Complexity: O(nodes + lattice edges crossed by walls), 10^6 nodes in about 50 ms; 1 byte a node.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -46,6 +47,17 @@ class GridGraph {
         return j > 0 && (cells_[at(i, j - 1)] & kNorthOpen) != 0;
     }
   }
+  /// Learns what lies between the nodes, for the two questions below: O(nodes + lattice diagonals crossed by walls).
+  void look_between(const Region& configuration_space);
+  /// The straight way from (i, j) to (i + di, j + dj), both of them 1 or -1, is free.
+  bool diagonal(int i, int j, int di, int dj) const {
+    if (!inside(i, j) || !inside(i + di, j + dj)) return false;
+    const std::uint8_t square = cells_[at(std::min(i, i + di), std::min(j, j + dj))];
+    return (square & (di == dj ? kRisingOpen : kFallingOpen)) != 0;
+  }
+  /// The straight way between two nodes is free, and so is all of every square between nodes that it meets.
+  bool straight(int i, int j, int i2, int j2) const;
+
   Point centre(double i, double j) const {  // of cell (i, j); fractions address points between centres
     return origin_ + side_ * ((i + 0.5) * across_ + (j + 0.5) * up_);
   }
@@ -62,6 +74,9 @@ class GridGraph {
 
  private:
   static constexpr std::uint8_t kFree = 1, kEastOpen = 2, kNorthOpen = 4;
+  // Of the square between (i, j) and (i + 1, j + 1): its diagonals are free; all of it is.
+  static constexpr std::uint8_t kRisingOpen = 8, kFallingOpen = 16, kClear = 32;
+  bool clear(int i, int j) const { return inside(i, j) && (cells_[at(i, j)] & kClear) != 0; }
   double side_;
   Point origin_, across_, up_;
   int columns_, rows_;
@@ -83,9 +98,10 @@ struct GridSettings {
 GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, double side, int multiple,
                           int margin = 0);
 
-/// A lattice over `space` along the axes, of which one node, an even number of cells from the lower left, stands at
+/// A lattice over `space`, turned by `angle`, of which one node, an even number of cells from the lower left, stands at
 /// `place`. Throws as make_grid_graph does.
-GridGraph make_grid_graph_at(const Region& space, const std::string& map_name, const Point& place, double side);
+GridGraph make_grid_graph_at(const Region& space, const std::string& map_name, const Point& place, double side,
+                             double angle = 0);
 
 /// Direction (radians, in [0, pi/2)) that most of the walls' length runs in, modulo a quarter turn.
 double dominant_direction(const Region& region);

@@ -15,10 +15,13 @@
 //             5. The tree: breadth-first (counter-clockwise from east), depth-first, `minimum-turn` (depth-first
 //                that goes straight on while it can), `random`, `weighted` (minimum spanning tree, vertical edges
 //                dearer: long horizontal lanes).
+//             6. `partial = true` (after the same authors, 2002/2003): partly occupied coarse cells are entered, too; every
+//                sub-cell that free steps join to the first is visited, length <= (n + m) D (sub_cell_tree.hpp).
 #include <cmath>
 
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/grid/coarse_parts.hpp"
+#include "algorithms/grid/partial_stc.hpp"
 
 namespace oxturn {
 namespace {
@@ -29,6 +32,7 @@ struct Params {
   std::string components = "all";
   std::string align = "axes";
   double shift_x = 0, shift_y = 0;
+  bool partial = false;
 };
 
 class Stc final : public CoveragePlanner {
@@ -38,6 +42,7 @@ class Stc final : public CoveragePlanner {
   Path plan(const Problem& problem, Context& context) const override {
     const double side = p_.cell_size > 0 ? p_.cell_size : problem.robot().tool_width / std::sqrt(2.0);
     const GridGraph fine = make_grid_graph(problem, {p_.cell_size, p_.align, p_.shift_x, p_.shift_y}, side, 2);
+    if (p_.partial) return go_round_partial(problem, fine, p_.tree, p_.components == "all", context);
     CoarseCells cells(fine);
     const CoarseParts parts = parts_of(cells);
     if (parts.count == 0) throw Infeasible("no coarse cell of twice the cell size fits; a smaller cell_size may");
@@ -79,7 +84,8 @@ PlannerInfo stc() {
            {"align", &Params::align, Choices{"axes", "edges"},
             "edges: turn the grid to the direction most walls run in"},
            {"shift_x", &Params::shift_x, Range{-1, 1}, "shift of the grid, in cells"},
-           {"shift_y", &Params::shift_y, Range{-1, 1}, "shift of the grid, in cells"}}});
+           {"shift_y", &Params::shift_y, Range{-1, 1}, "shift of the grid, in cells"},
+           {"partial", &Params::partial, "also enter coarse cells of which only some sub-cells are free"}}});
 }
 
 }  // namespace oxturn

@@ -79,6 +79,7 @@ TEST(BisectorNodes, OffBothEdgesByTheOffset) {
         const double d1 = cross((v - previous).normalized(), node.at - v),
                      d2 = cross((next - v).normalized(), node.at - v);
         const double far = distance(node.at, v);
+        if (far > std::max(distance(v, next), distance(v, previous)) + 2 * offset - 1e-9) continue;  // a cleft
         if (far < limit * offset * (1 - 1e-9) || cross(v - previous, next - v) < 0) {
           EXPECT_NEAR(d1, -offset, 1e-9);
           EXPECT_NEAR(d2, -offset, 1e-9);
@@ -270,9 +271,11 @@ TEST(StcLoops, ValidOnThousandsOfDrawnMaps) {
 
 TEST(StcLoops, CoversMoreThanStcWhereverThatMissedSomething) {
   for (const char* generator : {"rectangle", "polygon", "clutter", "rooms", "maze", "cave", "comb", "spiral"})
-    for (const auto seed : seeds(6)) {
+    for (const auto seed : seeds(3)) {
       SCOPED_TRACE(fmt::format("{} --seed {}", generator, seed));
-      const Problem problem(generate(generator, {{"width", 7.0}, {"height", 6.0}}, seed), Robot{});
+      Settings size{{"width", 10.0}, {"height", 8.0}};
+      if (generator == std::string("polygon")) size["corners"] = std::int64_t{30};
+      const Problem problem(generate(generator, size, seed), Robot{});
       double before = 0;
       try {
         before = score(problem, plan_with("stc", problem).path).value("coverage_upper").value();
