@@ -7,6 +7,9 @@ namespace oxturn {
 PlannerInfo boustrophedon();
 PlannerInfo zigzag();
 PlannerInfo stc();
+PlannerInfo stc_spiral();
+PlannerInfo stc_scan();
+PlannerInfo stc_loops();
 PlannerInfo rectangles();
 PlannerInfo wavefront();
 PlannerInfo bsa();
@@ -27,6 +30,9 @@ const std::vector<PlannerInfo>& zoo() {
       boustrophedon(),
       zigzag(),
       stc(),
+      stc_spiral(),
+      stc_scan(),
+      stc_loops(),
       rectangles(),
       wavefront(),
       bsa(),

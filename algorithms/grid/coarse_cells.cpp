@@ -52,7 +52,7 @@ std::vector<std::size_t> grow_breadth_first(CoarseCells& cells, std::size_t root
 // Round the tree, counter-clockwise inside each coarse cell unless a tree edge leads out: the tree stays at the
 // left. Sub-cell (x, y) in {0,1}^2; the next one counter-clockwise is reached by `along`; the way out of the cell on
 // the robot's right side at that corner is `out`.
-Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, int i0, int j0) {
+Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, int i0, int j0, bool every_cell) {
   // Standing at a corner of the coarse cell, first try to leave over the cell's side to the right of the way round.
   const auto out_of = [](int x, int y) { return y == 0 ? (x == 0 ? kSouth : kEast) : (x == 1 ? kNorth : kWest); };
   const auto along = [](int x, int y) { return y == 0 ? (x == 0 ? kEast : kNorth) : (x == 1 ? kWest : kSouth); };
@@ -66,7 +66,7 @@ Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, int i0, int
     const Direction d = cells.in_tree(cell, out) ? out : along(x, y);
     i += kColumnStep[d];
     j += kRowStep[d];
-    if (d == last)
+    if (d == last && !every_cell)
       line.back() = fine.centre(i, j);  // straight on
     else
       line.push_back(fine.centre(i, j));

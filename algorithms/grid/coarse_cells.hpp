@@ -52,7 +52,8 @@ std::vector<std::size_t> grow_breadth_first(CoarseCells& cells, std::size_t root
                                             std::size_t deepest = std::numeric_limits<std::size_t>::max());
 
 /// The closed way round the tree from sub-cell (i0, j0), counter-clockwise: each sub-cell of the tree's cells once.
-Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, int i0, int j0);
+/// `every_cell`: a point for each, not only where the way turns.
+Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, int i0, int j0, bool every_cell = false);
 
 /// A segment for every tree edge: for pictures.
 std::vector<Polyline> tree_lines(const CoarseCells& cells);

@@ -1,0 +1,149 @@
+#include "algorithms/grid/branch_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/predicates.hpp"
+
+namespace oxturn {
+
+BranchTree::BranchTree(const Problem& problem, double spacing) : problem_(problem) {
+  const Box box = bounding_box(problem.configuration_space());
+  const Point size = box.size();
+  low_ = box.low;
+  side_ = std::max({spacing, std::sqrt(size.x() * size.y() / 1e6), size.maxCoeff() / 1e6});
+  columns_ = static_cast<int>(size.x() / side_) + 1;
+  rows_ = static_cast<int>(size.y() / side_) + 1;
+  buckets_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+}
+
+namespace {
+int clamped(double v, int n) { return static_cast<int>(std::clamp(v, 0.0, n - 1.0)); }
+}  // namespace
+
+std::uint32_t BranchTree::add(const Polyline& piece, Kind kind, std::uint32_t parent) {
+  const bool once = kind == Kind::round && piece.size() > 1;
+  const auto first = static_cast<std::uint32_t>(vertices_.size());
+  vertices_.insert(vertices_.end(), piece.begin(), once ? piece.end() - 1 : piece.end());
+  const auto end = static_cast<std::uint32_t>(vertices_.size());
+  first_hung_.resize(end, kNone);
+  for (std::uint32_t v = first; v < end; ++v) {
+    const Point at = (vertices_[v] - low_) / side_;
+    buckets_[bucket(clamped(at.x(), columns_), clamped(at.y(), rows_))].push_back(v);
+  }
+  const auto id = static_cast<std::uint32_t>(pieces_.size());
+  pieces_.push_back({first, end, parent, once, kNone});
+  if (parent != kNone) {
+    pieces_.back().next = first_hung_[parent];
+    first_hung_[parent] = id;
+  }
+  return end - 1;
+}
+
+void BranchTree::begin(const Polyline& piece, Kind kind) { add(piece, kind, kNone); }
+
+// Rings of buckets outwards; what lies nearer than the next ring is looked at in order of distance.
+std::uint32_t BranchTree::nearest_visible(const Point& p) const {
+  const EdgeIndex& walls = problem_.walls();
+  const Point at = (p - low_) / side_;
+  const int ci = clamped(at.x(), columns_), cj = clamped(at.y(), rows_);
+  std::vector<std::pair<double, std::uint32_t>> waiting;
+  const auto later = [](const auto& a, const auto& b) { return a > b; };
+  const int last = std::max(columns_, rows_);
+  for (int ring = 0; ring <= last; ++ring) {
+    const auto collect = [&](int i, int j) {
+      if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return;
+      for (const std::uint32_t v : buckets_[bucket(i, j)]) {
+        waiting.emplace_back((vertices_[v] - p).squaredNorm(), v);
+        std::push_heap(waiting.begin(), waiting.end(), later);
+      }
+    };
+    if (ring == 0) collect(ci, cj);
+    for (int k = -ring; ring > 0 && k <= ring; ++k) {
+      collect(ci + k, cj - ring);
+      collect(ci + k, cj + ring);
+      if (k == -ring || k == ring) continue;
+      collect(ci - ring, cj + k);
+      collect(ci + ring, cj + k);
+    }
+    const double sure = ring < last ? ring * side_ : std::numeric_limits<double>::infinity();
+    while (!waiting.empty() && waiting.front().first <= sure * sure) {
+      const std::uint32_t v = waiting.front().second;
+      if (walls.contains(p, vertices_[v])) return v;
+      std::pop_heap(waiting.begin(), waiting.end(), later);
+      waiting.pop_back();
+    }
+  }
+  return kNone;
+}
+
+BranchTree::Hung BranchTree::hang(const Polyline& piece, Kind kind) {
+  const std::uint32_t visible = nearest_visible(piece.front());
+  if (visible != kNone) {
+    add(piece, kind, visible);
+    return Hung::straight;
+  }
+  if (!by_way_) by_way_ = std::make_unique<NearestPart>(problem_);
+  for (; known_ < vertices_.size(); ++known_) by_way_->add(vertices_[known_], static_cast<int>(known_), known_);
+  const auto found = by_way_->from(piece.front());
+  if (!found) return Hung::not_at_all;
+  // Seen from the tree: the way's corners are a chain of their own, at whose end the piece hangs.
+  Polyline corners(found->way.rbegin() + 1, found->way.rend() - 1);
+  auto parent = static_cast<std::uint32_t>(found->id);
+  if (!corners.empty()) parent = add(corners, Kind::chain, parent);
+  add(piece, kind, parent);
+  return Hung::by_shortest_way;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> BranchTree::edges() const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+  for (const Piece& piece : pieces_) {
+    if (piece.parent != kNone) all.emplace_back(piece.parent, piece.first);
+    for (std::uint32_t v = piece.first; v + 1 < piece.end; ++v) all.emplace_back(v, v + 1);
+  }
+  return all;
+}
+
+Polyline BranchTree::way_round() const {
+  Polyline way;
+  const auto drive = [&](const Point& p) {
+    if (!way.empty() && way.back() == p) return;
+    const std::size_t n = way.size();
+    if (n >= 2 && (way[n - 1] - way[n - 2]).dot(p - way[n - 1]) > 0 && orientation(way[n - 2], way[n - 1], p) == 0)
+      way.back() = p;
+    else
+      way.push_back(p);
+  };
+  struct Visit {
+    std::uint32_t piece, vertex, hung;  // where it stands, and the next branch to take there
+  };
+  std::vector<Visit> open;
+  const auto enter = [&](std::uint32_t piece) {
+    const std::uint32_t first = pieces_[piece].first;
+    drive(vertices_[first]);
+    open.push_back({piece, first, first_hung_[first]});
+  };
+  if (!pieces_.empty()) enter(0);
+  while (!open.empty()) {
+    Visit& here = open.back();
+    const Piece& piece = pieces_[here.piece];
+    if (here.hung != kNone) {
+      const std::uint32_t branch = here.hung;
+      here.hung = pieces_[branch].next;
+      enter(branch);  // `here` is stale now
+    } else if (here.vertex + 1 < piece.end) {
+      drive(vertices_[++here.vertex]);
+      here.hung = first_hung_[here.vertex];
+    } else {
+      if (piece.once)
+        drive(vertices_[piece.first]);
+      else
+        for (std::uint32_t v = piece.end - 1; v-- > piece.first;) drive(vertices_[v]);
+      if (piece.parent != kNone) drive(vertices_[piece.parent]);
+      open.pop_back();
+    }
+  }
+  return way;
+}
+
+}  // namespace oxturn

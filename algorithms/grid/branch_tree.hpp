@@ -1,0 +1,82 @@
+// A tree of pieces in configuration space and the way round it: closed rounds and chains of nodes, each hung by a
+// branch on the nearest visible vertex of those before it.
+//
+// Source      slides "Improving Coverage" (seed improving-spanning-tree-coverage), "Merged Spanning Tree"
+// Guarantee   always a tree: a piece adds its vertices, the edges between them, and one branch
+// Complexity  hanging O(vertices nearer than the one that is visible), usually O(1); the way round O(vertices)
+// Decisions   1. "Closest" is the nearest vertex from which the straight way is free. If none is, the piece hangs by the
+//                shortest way to a vertex; the corners on it become vertices.
+//             2. The nearest by that way is sought by a wave over the transit mesh (nearest_part.hpp).
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "algorithms/grid/nearest_part.hpp"
+#include "maps/problem.hpp"
+
+namespace oxturn {
+
+class BranchTree {
+ public:
+  /// `spacing`: about how far neighbouring vertices are from one another. `problem` must outlive it.
+  BranchTree(const Problem& problem, double spacing);
+
+  enum class Kind {
+    chain,  // driven there and back
+    round,  // driven once; its last point repeats its first and is the same vertex
+    loop    // the slides' loop: the same, but the last point is a vertex of its own, and it is driven there and back
+  };
+  /// The piece that the tree begins with.
+  void begin(const Polyline& piece, Kind kind);
+  enum class Hung { straight, by_shortest_way, not_at_all };
+  /// Hangs the piece by its first point. Not at all: no vertex can be reached from there.
+  Hung hang(const Polyline& piece, Kind kind);
+
+  const std::vector<Point>& vertices() const { return vertices_; }
+  /// Pairs of vertices. The closing edges of rounds are left out.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges() const;
+  /// Round the tree from its first vertex and back to it. Every branch is left for where the vertex it hangs on is
+  /// first come to. Straight-on points are left out.
+  Polyline way_round() const;
+  /// Calls f(a, b) for every segment that way_round() drives and that was hung since the last call.
+  template <class F>
+  void for_each_new_segment(F f) {
+    for (; seen_ < pieces_.size(); ++seen_) {
+      const Piece& piece = pieces_[seen_];
+      if (piece.parent != kNone) f(vertices_[piece.parent], vertices_[piece.first]);
+      for (std::uint32_t v = piece.first; v + 1 < piece.end; ++v) f(vertices_[v], vertices_[v + 1]);
+      if (piece.once) f(vertices_[piece.end - 1], vertices_[piece.first]);
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  struct Piece {
+    std::uint32_t first, end;  // its vertices
+    std::uint32_t parent;      // the vertex it hangs on
+    bool once;                 // ends where it began; else back the same way
+    std::uint32_t next;        // piece on the same vertex
+  };
+  std::uint32_t add(const Polyline& piece, Kind kind, std::uint32_t parent);
+  std::uint32_t nearest_visible(const Point& p) const;
+  std::size_t bucket(int i, int j) const {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
+  }
+
+  const Problem& problem_;
+  std::vector<Point> vertices_;
+  std::vector<std::uint32_t> first_hung_;  // on each vertex, newest first
+  std::vector<Piece> pieces_;
+  std::size_t seen_ = 0;
+  Point low_;
+  double side_;
+  int columns_, rows_;
+  std::vector<std::vector<std::uint32_t>> buckets_;
+  std::unique_ptr<NearestPart> by_way_;  // made at the first question; then it knows the first `known_` vertices
+  std::uint32_t known_ = 0;
+};
+
+}  // namespace oxturn

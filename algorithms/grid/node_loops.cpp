@@ -1,0 +1,85 @@
+#include "algorithms/grid/node_loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace oxturn {
+namespace {
+
+NodeLoop closed_loop(Polyline nodes) {
+  nodes.push_back(nodes.front());
+  NodeLoop loop{std::move(nodes), {}};
+  loop.edges.resize(loop.at.size());
+  for (std::size_t k = 0; k + 1 < loop.at.size(); ++k) {
+    loop.edges[k].push_back(k + 1);
+    loop.edges[k + 1].push_back(k);
+  }
+  return loop;
+}
+
+}  // namespace
+
+std::vector<NodeLoop> node_loops(const std::vector<Point>& corners, double d_node) {
+  Polyline nodes;
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point &a = corners[i], &b = corners[(i + 1) % n];
+    const double dist = distance(a, b);
+    if (!(dist > 0)) continue;
+    nodes.push_back(a);
+    const double count = std::max(0.0, std::ceil(dist / d_node - 1));
+    const double gap = dist / (count + 1);
+    for (double k = 1; k <= count; ++k) nodes.push_back(a + (b - a) * (gap / dist * k));
+  }
+  std::vector<NodeLoop> loops;
+  Polyline part;
+  for (const Point& p : nodes) {
+    if (!part.empty() && p == part.front()) {
+      if (part.size() > 1) loops.push_back(closed_loop(part));
+      part.clear();
+    }
+    part.push_back(p);
+  }
+  if (part.size() > 1) loops.push_back(closed_loop(std::move(part)));
+  return loops;
+}
+
+std::vector<std::size_t> invalid_nodes(const NodeLoop& loop, std::size_t start,
+                                       const std::function<bool(std::size_t)>& invalid) {
+  constexpr std::size_t kNull = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> bad;
+  std::size_t previous = kNull, current = start, next = loop.edges[start].front();
+  while (previous == kNull || loop.at[current] != loop.at[start]) {
+    if (invalid(current)) bad.push_back(current);
+    previous = current;
+    current = next;
+    next = loop.edges[current].front();
+    if (next == previous && loop.edges[current].size() > 1) next = loop.edges[current][1];
+  }
+  if (invalid(current)) bad.push_back(current);
+  return bad;
+}
+
+std::vector<NodeChain> chains_of(const NodeLoop& loop, const std::vector<std::size_t>& bad) {
+  if (bad.empty()) return {{loop.at, true}};
+  const std::size_t n = loop.at.size() - 1;  // less the duplicate
+  std::vector<bool> gone(n, false);
+  for (const std::size_t k : bad) gone[k % n] = true;  // the duplicate goes with its start
+  const auto first_gone = static_cast<std::size_t>(std::find(gone.begin(), gone.end(), true) - gone.begin());
+  std::vector<NodeChain> chains;
+  bool in_chain = false;
+  for (std::size_t step = 1; step < n; ++step) {  // once round, from the first gap on
+    const std::size_t k = (first_gone + step) % n;
+    if (gone[k]) {
+      in_chain = false;
+      continue;
+    }
+    if (!in_chain) chains.push_back({{}, false});
+    in_chain = true;
+    chains.back().nodes.push_back(loop.at[k]);
+  }
+  return chains;
+}
+
+}  // namespace oxturn

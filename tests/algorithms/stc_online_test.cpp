@@ -1,0 +1,235 @@
+// stc-spiral, stc-scan and partial cells: on drawings whose letters are the sub-cells, so that a flood fill of the letters
+// is all the truth there is.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "algorithms/coverage_planner.hpp"
+#include "geometry/random.hpp"
+#include "maps/generators.hpp"
+#include "metrics/score.hpp"
+#include "tests/support/drawn.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+using Place = std::pair<int, int>;
+using Drawing2 = std::vector<std::string>;
+
+constexpr Place kSteps[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+
+bool free_at(const Drawing2& rows, const Place& p) {
+  const int n = static_cast<int>(rows.size());
+  if (p.first < 0 || p.second < 0 || p.second >= n || p.first >= static_cast<int>(rows[0].size())) return false;
+  return rows[static_cast<std::size_t>(n - 1 - p.second)][static_cast<std::size_t>(p.first)] != '#';
+}
+
+// Letters are sub-cells of 1 m; the robot is just narrower, so free letters that share a side can be driven between.
+Problem on_letters(const Drawing2& rows) {
+  Robot robot;
+  robot.radius = 0.45;
+  robot.tool_width = std::sqrt(2.0);
+  return drawn(rows, {.robot = robot});
+}
+
+Drawing2 random_drawing(Rng& rng) {
+  const std::size_t columns = 3 + rng.below(9), rows = 3 + rng.below(9);
+  const double blocked = 0.4 * rng.unit();
+  const bool blocks = rng.chance(0.4);  // of two by two letters: whole coarse cells are many
+  const std::size_t shift = rng.below(2);
+  Drawing2 drawing(rows, std::string(columns, '.'));
+  std::map<Place, bool> wall;
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i) {
+      const Place key = blocks ? Place((i + shift) / 2, (j + shift) / 2) : Place(i, j);
+      if (!wall.count(key)) wall[key] = rng.chance(blocked);
+      if (wall[key]) drawing[j][i] = '#';
+    }
+  drawing[rng.below(rows)][rng.below(columns)] = 'S';
+  return drawing;
+}
+
+Place start_of(const Drawing2& rows) {
+  const Point p = *drawn_place(rows, 'S');
+  return {static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))};
+}
+
+std::set<Place> flood(const Place& from, const std::function<bool(const Place&)>& free) {
+  std::set<Place> seen;
+  if (free(from)) seen.insert(from);
+  std::vector<Place> queue(seen.begin(), seen.end());
+  for (std::size_t k = 0; k < queue.size(); ++k)
+    for (const Place& step : kSteps)
+      if (const Place next{queue[k].first + step.first, queue[k].second + step.second};
+          free(next) && seen.insert(next).second)
+        queue.push_back(next);
+  return seen;
+}
+
+// How often the path's tool-on legs come to each letter (the first place does not count as come to).
+std::map<Place, int> visits(const Path& path, double& length) {
+  std::map<Place, int> all;
+  length = 0;
+  for (const Leg& leg : path.legs) {
+    if (!leg.tool) continue;
+    for (std::size_t k = 1; k < leg.points.size(); ++k) {
+      const Point d = leg.points[k] - leg.points[k - 1];
+      const int steps = static_cast<int>(std::lround(d.norm()));
+      EXPECT_NEAR(d.norm(), steps, 1e-2);
+      for (int s = 1; s <= steps; ++s) {
+        const Point at = leg.points[k - 1] + d * (double(s) / steps);
+        ++all[{static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))}];
+      }
+      length += steps;
+    }
+  }
+  return all;
+}
+
+std::set<Place> places(const std::map<Place, int>& visits) {
+  std::set<Place> all;
+  for (const auto& visit : visits) all.insert(visit.first);
+  return all;
+}
+
+std::size_t beside_a_wall(const Drawing2& rows, const std::set<Place>& cells) {
+  std::size_t m = 0;
+  for (const Place& c : cells) {
+    bool touches = false;
+    for (int di = -1; di <= 1; ++di)
+      for (int dj = -1; dj <= 1; ++dj) touches = touches || !free_at(rows, {c.first + di, c.second + dj});
+    m += touches;
+  }
+  return m;
+}
+
+Path plan(const char* name, const Problem& problem, const Settings& settings = {}) {
+  Context context(1);
+  return find_planner(zoo(), name).make(settings)->plan(problem, context);
+}
+
+// The sub-cells of the wholly free coarse cells about the start; empty if it is in none. Which of the four sub-cells the
+// start is: the first choice that is wholly free (lower left, lower right, upper left, upper right).
+std::set<Place> whole_cells(const Drawing2& rows) {
+  const Place s = start_of(rows);
+  for (const Place& choice : {Place{0, 0}, Place{-1, 0}, Place{0, -1}, Place{-1, -1}}) {
+    const auto whole = [&](const Place& coarse) {
+      const Place low{s.first + choice.first + 2 * coarse.first, s.second + choice.second + 2 * coarse.second};
+      return free_at(rows, low) && free_at(rows, {low.first + 1, low.second}) &&
+             free_at(rows, {low.first, low.second + 1}) && free_at(rows, {low.first + 1, low.second + 1});
+    };
+    if (!whole({0, 0})) continue;
+    std::set<Place> cells;
+    for (const Place& coarse : flood({0, 0}, whole))
+      for (int k = 0; k < 4; ++k)
+        cells.insert(
+            {s.first + choice.first + 2 * coarse.first + k % 2, s.second + choice.second + 2 * coarse.second + k / 2});
+    return cells;
+  }
+  return {};
+}
+
+TEST(StcOnline, EachSubCellOfTheWhollyFreePartExactlyOnce) {
+  int planned = 0;
+  for (const auto seed : seeds(3000)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Drawing2 rows = random_drawing(rng);
+    const std::set<Place> expected = whole_cells(rows);
+    if (expected.empty()) continue;
+    const Problem problem = on_letters(rows);
+    ++planned;
+    for (const char* name : {"stc-spiral", "stc-scan"}) {
+      SCOPED_TRACE(name);
+      const Path path = plan(name, problem);
+      double length = 0;
+      const auto come_to = visits(path, length);
+      EXPECT_EQ(places(come_to), expected);
+      for (const auto& [place, times] : come_to) EXPECT_EQ(times, 1) << place.first << ", " << place.second;
+      EXPECT_EQ(length, static_cast<double>(expected.size()));
+      EXPECT_LT(distance(path.legs.back().points.back(), problem.start()), 1e-9) << "not closed";
+      EXPECT_EQ(find_flaw(problem, path), "");
+    }
+  }
+  EXPECT_GT(planned, 1000);
+}
+
+TEST(StcOnline, PartialVisitsAllThatCanBeReachedWithinTheBound) {
+  for (const auto seed : seeds(3000)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Drawing2 rows = random_drawing(rng);
+    const std::set<Place> expected = flood(start_of(rows), [&](const Place& p) { return free_at(rows, p); });
+    if (expected.size() < 2) continue;
+    const Problem problem = on_letters(rows);
+    const double bound = static_cast<double>(expected.size() + beside_a_wall(rows, expected));
+    for (const char* name : {"stc-spiral", "stc-scan"}) {
+      SCOPED_TRACE(name);
+      const Path path = plan(name, problem, {{"partial", true}});
+      double length = 0;
+      EXPECT_EQ(places(visits(path, length)), expected);
+      EXPECT_LE(length, bound);
+      EXPECT_LT(distance(path.legs.back().points.back(), problem.start()), 1e-9) << "not closed";
+      EXPECT_EQ(find_flaw(problem, path), "");
+    }
+    for (const char* tree : {"bfs", "dfs", "minimum-turn", "random", "weighted"}) {
+      SCOPED_TRACE(tree);
+      const Path path = plan("stc", problem, {{"partial", true}, {"cell_size", 1.0}, {"tree", std::string(tree)}});
+      double length = 0;
+      auto seen = places(visits(path, length));
+      EXPECT_EQ(seen, expected);
+      EXPECT_LE(length, bound);
+      EXPECT_EQ(find_flaw(problem, path), "");
+    }
+  }
+}
+
+TEST(StcOnline, PartialOnPaper) {
+  const auto length = [](const Drawing2& rows) {
+    return plan("stc-spiral", on_letters(rows), {{"partial", true}}).length();
+  };
+  EXPECT_NEAR(length({"S......"}), 12, 1e-9);                       // there and back
+  EXPECT_NEAR(length({"S.", ".#"}), 4, 1e-9);                       // three sub-cells of one coarse cell
+  EXPECT_NEAR(length({"....", "....", "....", "S..."}), 16, 1e-9);  // all whole: each once
+  // A ring one letter wide about a pillar of four by four letters.
+  EXPECT_LE(length({"......", ".####.", ".####.", ".####.", ".####.", "S....."}), 40);
+}
+
+TEST(StcOnline, ScanDrivesLanes) {
+  const Problem room({"room", box_region({0, 0}, {12, 9}), "test", ""}, Robot{}, Point(6, 4));
+  const auto turns = [&](const char* name) { return score(room, plan(name, room)).value("turns").value(); };
+  // 42 x 32 sub-cells: lanes of the height of the room, but for what lies between them.
+  EXPECT_LT(turns("stc-scan"), 120);
+  EXPECT_LT(plan("stc-scan", room).length(), plan("stc-spiral", room).length() + 1e-6);
+  // A pillar catches the spiral; lanes only go round it.
+  Polygon hall = box_region({0, 0}, {12, 9}).polygons.front();
+  hall.holes.push_back({{3, 3}, {3, 4}, {4, 4}, {4, 3}});
+  EXPECT_EQ(find_flaw(room, plan("stc-scan", room)), "");
+}
+
+TEST(StcOnline, ByLidarTheyAreValidAsWell) {
+  Robot robot;
+  robot.lidar = Lidar{6, 360};
+  for (const char* name : {"stc-spiral", "stc-scan"})
+    for (const bool partial : {false, true}) {
+      SCOPED_TRACE(name);
+      const Problem problem({"room", box_region({0, 0}, {4, 3}), "test", ""}, robot, Point(1.5, 1.5));
+      const Path path = plan(name, problem, {{"partial", partial}, {"sensing", std::string("lidar")}});
+      const Score result = score(problem, path);
+      EXPECT_EQ(result.flaw, "");
+      EXPECT_GT(result.value("coverage_lower").value(), partial ? 0.75 : 0.6);
+    }
+}
+
+TEST(StcOnline, NoCellFittingIsASentence) {
+  EXPECT_THAT([] { plan("stc-spiral", on_letters({"S...."})); },
+              testing::ThrowsMessage<Infeasible>(testing::HasSubstr("partial = true may help")));
+}
+
+}  // namespace
+}  // namespace oxturn
