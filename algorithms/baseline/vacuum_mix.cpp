@@ -16,7 +16,7 @@ namespace {
 
 struct Params : StopRule {
   double pitch = 0.9, away = 16, follow = 60;
-  int bounces = 3;
+  int bounces = 10;
 };
 
 class VacuumMix final : public CoveragePlanner {
