@@ -118,7 +118,8 @@ void check_size(double cells, double side, const std::string& map_name) {
 }  // namespace
 
 GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, double side, int multiple, int margin) {
-  const double angle = settings.align == "edges" ? dominant_direction(problem.map().free) : 0;
+  const double angle =
+      settings.align == "edges" ? dominant_direction(problem.map().free) + settings.turn : settings.turn;
   Box box;
   for (const Point& p : problem.configuration_space().polygons.front().outer) box.add(rotated(p, -angle));
   // Half a cell out, less a hair: the first cell centres stand just inside configuration space. Where a room is a
@@ -142,14 +143,21 @@ GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, 
 }
 
 GridGraph make_grid_graph_at(const Region& space, const std::string& map_name, const Point& place, double side) {
-  const Box box = bounding_box(space);
+  return make_grid_graph_at(space, map_name, place, side, 0);
+}
+
+GridGraph make_grid_graph_at(const Region& space, const std::string& map_name, const Point& place, double side,
+                             double angle) {
+  const Box box = bounding_box(angle == 0 ? space : transformed(space, -angle, Point(0, 0)));
+  const Point at = angle == 0 ? place : rotated(place, -angle);
   // Whole pairs of cells on each side; one more, so that rounding leaves none out.
   const auto pairs = [&](double extent) { return std::ceil(std::max(0.0, extent) / (2 * side)) + 1; };
-  const Point before(2 * pairs(place.x() - box.low.x()), 2 * pairs(place.y() - box.low.y()));
-  const Point cells = before + 2 * Point(pairs(box.high.x() - place.x()), pairs(box.high.y() - place.y()));
+  const Point before(2 * pairs(at.x() - box.low.x()), 2 * pairs(at.y() - box.low.y()));
+  const Point cells = before + 2 * Point(pairs(box.high.x() - at.x()), pairs(box.high.y() - at.y()));
   check_size(cells.x() * cells.y(), side, map_name);
-  const Point origin = place - side * (before + Point(0.5, 0.5));
-  return GridGraph(space, side, 0, origin, static_cast<int>(cells.x()), static_cast<int>(cells.y()));
+  const Point low = at - side * (before + Point(0.5, 0.5));
+  return GridGraph(space, side, angle, angle == 0 ? low : rotated(low, angle), static_cast<int>(cells.x()),
+                   static_cast<int>(cells.y()));
 }
 
 }  // namespace oxturn

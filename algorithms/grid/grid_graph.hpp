@@ -73,6 +73,7 @@ struct GridSettings {
   double cell_size = 0;             // metres; 0: the planner's default
   std::string align = "axes";       // axes: with the map's coordinates; edges: with the direction most walls run in
   double shift_x = 0, shift_y = 0;  // of the grid's origin, in cells
+  double turn = 0;                  // radians, on top of what `align` says
 };
 
 /// A lattice over the problem's configuration space with `multiple` x `multiple` cells to a block; columns and rows
@@ -86,6 +87,10 @@ GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, 
 /// A lattice over `space` along the axes, of which one node, an even number of cells from the lower left, stands at
 /// `place`. Throws as make_grid_graph does.
 GridGraph make_grid_graph_at(const Region& space, const std::string& map_name, const Point& place, double side);
+
+/// The same, with the lattice turned by `angle`.
+GridGraph make_grid_graph_at(const Region& space, const std::string& map_name, const Point& place, double side,
+                             double angle);
 
 /// Direction (radians, in [0, pi/2)) that most of the walls' length runs in, modulo a quarter turn.
 double dominant_direction(const Region& region);

@@ -24,19 +24,29 @@ RectangleCleaner::RectangleCleaner(const RectangleSettings& settings, const Prob
 
 Path RectangleCleaner::clean() {
   const std::vector<Job> all = jobs();
-  if (!all.empty()) {
-    std::optional<std::size_t> node = ways_.node_near(problem_.start());
-    if (!node) {  // no node in sight: the shortest way to the first start
-      node = graph_.at(all.front().start.column, all.front().start.low);
-      if (const auto way = problem_.transit().path(problem_.start(), place(*node))) path_.drive(*way, false);
-    }
-    at_ = *node;
-    path_.drive(place(at_), false);
+  if (begin(all)) {
     clean_all(all);
     if (p_.revisit_skipped) revisit();
   }
   if (context_.wants_traces()) context_.trace("skipped", skipped_);
   return path_.take();
+}
+
+// From the start onto the lattice: to a node in sight, else the shortest way to the first node that has to be driven.
+bool RectangleCleaner::begin(const std::vector<Job>& jobs) {
+  if (jobs.empty() && !p_.revisit_skipped) return false;
+  if (const auto node = ways_.node_near(problem_.start())) {
+    at_ = *node;
+    path_.drive(place(at_), false);
+    return true;
+  }
+  if (!jobs.empty())
+    at_ = graph_.at(jobs.front().start.column, jobs.front().start.low);
+  else
+    while (at_ < graph_.size() && ways_.part(at_) < 0) ++at_;
+  if (at_ == graph_.size()) return false;
+  go_among_walls(0);
+  return true;
 }
 
 Point RectangleCleaner::place(std::size_t node) const {
@@ -142,8 +152,7 @@ void RectangleCleaner::clean(const Job& job) {
   const CellRectangle& r = job.rectangle;
   const int ci = (r.left + r.right) / 2, cj = (r.bottom + r.top) / 2;
   if (p_.via_centre && graph_.free(ci, cj)) go(graph_.at(ci, cj), false, 0);
-  const int step =
-      p_.columns == "tool" ? std::max(1, static_cast<int>(problem_.robot().tool_width / side_ + 1e-9)) : 1;
+  const int step = p_.columns == "tool" ? std::max(1, static_cast<int>(problem_.robot().tool_width / side_ + 1e-9)) : 1;
   bool up = true, first = true;
   for (int i = r.left;; i = std::min(i + step, r.right)) {
     // The first column counts from the start; cells below a shifted one stay (seed).
@@ -180,14 +189,16 @@ void RectangleCleaner::go(std::size_t node, bool may_work, double tail) {
     path_.drive(to, true);
   } else {
     Polyline way = ways_.way(at_, node);
-    if (way.empty()) {
-      auto among = problem_.transit().path(path_.at(), to);
-      if (!among) throw std::logic_error("two places in configuration space are not connected");
-      way = std::move(*among);
-    }
-    go_along(std::move(way), tail);
+    at_ = node;
+    way.empty() ? go_among_walls(tail) : go_along(std::move(way), tail);
   }
   at_ = node;
+}
+
+void RectangleCleaner::go_among_walls(double tail) {
+  auto way = problem_.transit().path(path_.at(), place(at_));
+  if (!way) throw std::logic_error("two places in configuration space are not connected");
+  go_along(std::move(*way), tail);
 }
 
 void RectangleCleaner::go_along(Polyline way, double tail) {

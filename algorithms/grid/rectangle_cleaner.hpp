@@ -56,10 +56,12 @@ class RectangleCleaner {
   std::vector<Stretch> stretches(int i, int bottom, int top) const;
   std::optional<Stretch> start_of(CellRectangle& r);
   std::vector<Job> jobs();
+  bool begin(const std::vector<Job>& jobs);
   void clean_all(const std::vector<Job>& jobs);
   void clean(const Job& job);
   void drive(const Stretch& stretch, bool up, bool may_work);
   void go(std::size_t node, bool may_work, double tail);
+  void go_among_walls(double tail);
   void go_along(Polyline way, double tail);
   void revisit();
   void skip(int column, int bottom, int top);
