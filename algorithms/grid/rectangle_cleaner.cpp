@@ -103,7 +103,7 @@ std::vector<RectangleCleaner::Job> RectangleCleaner::jobs() {
     const auto cells = static_cast<std::size_t>(whole.width() * whole.height());
     CellRectangle r = whole;
     const std::optional<Stretch> start = start_of(r);
-    if (!start || r.width() < 2 || r.height() < 2) {
+    if (!start || r.width() < p_.smallest || r.height() < p_.smallest) {
       counts_.small_cells += cells;
       continue;
     }

@@ -16,6 +16,7 @@ struct RectangleSettings {
   std::string columns = "each";
   std::string scan = "columns";
   std::string lanes = "straight";
+  int smallest = 2;
   int gap = 1;
   int small_obstacle = 4;
   int shift = 4;
@@ -36,7 +37,7 @@ class RectangleCleaner {
   Path clean();
 
   struct Counts {
-    std::size_t rectangles = 0;       // of at least 2 x 2 cells, driven
+    std::size_t rectangles = 0;       // that were driven
     std::size_t skipped_columns = 0;  // no place for the robot, in these
     std::size_t skipped_cells = 0;    // in skipped columns and below shifted starts
     std::size_t small_cells = 0;      // in rectangles that are too small to be driven

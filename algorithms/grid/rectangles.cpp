@@ -21,10 +21,13 @@
 //             6. `columns = tool` (ours) steps as many columns as the tool covers, instead of one.
 //             7. The outlooks: `choose = nearest` takes the start with the fewest planned steps, so a divided corridor is
 //                cleaned one side after the other; `lanes = diagonal` turns the grid by 45 degrees, for pillars set in
-//                staggered rows.
+//                staggered rows. Beside slanted walls rectangles are strips one cell wide, which the source does not drive:
+//                `smallest = 1` (ours) does.
 //             8. Online: scan (world_scan.hpp), then the same on what is believed, on a lattice that hangs on the start.
 //                Driven nodes are done. The world is partitioned anew where an obstacle stops the robot, and after a
 //                rectangle if more than four cells' area has been seen since. Ends when nothing new is seen.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "algorithms/coverage_planner.hpp"
@@ -43,8 +46,7 @@ constexpr int kMostPartitions = 2000;
 
 double turn_of(const Params& p) { return p.lanes == "diagonal" ? kPi / 4 : 0; }
 
-void report(Context& context, const RectangleCleaner::Counts& counts) {
-  context.report("rectangles", static_cast<double>(counts.rectangles));
+void report_left(Context& context, const RectangleCleaner::Counts& counts) {
   context.report("skipped_columns", static_cast<double>(counts.skipped_columns));
   context.report("skipped_cells", static_cast<double>(counts.skipped_cells));
   context.report("small_cells", static_cast<double>(counts.small_cells));
@@ -56,7 +58,8 @@ Path clean_known(const Params& p, const Problem& problem, Context& context) {
                                           static_cast<int>(std::ceil(problem.robot().radius / side)) + 1);
   RectangleCleaner cleaner(p, problem, graph, std::vector<bool>(graph.size(), false), context);
   Path path = cleaner.clean();
-  report(context, cleaner.counts());
+  context.report("rectangles", static_cast<double>(cleaner.counts().rectangles));
+  report_left(context, cleaner.counts());
   return path;
 }
 
@@ -72,7 +75,7 @@ class Discovery {
       if (context_.cancelled()) return;
     }
     context_.report("scan_m", view().driven());
-    RectangleCleaner::Counts last;
+    RectangleCleaner::Counts last;  // what stays skipped is what the last partition skips
     std::size_t partitions = 0;
     double before = -1;
     while (partitions < kMostPartitions && !context_.cancelled()) {
@@ -87,7 +90,7 @@ class Discovery {
       if (!on || (whole && view().belief().revision() == seen)) break;
     }
     context_.report("partitions", static_cast<double>(partitions));
-    report(context_, last);
+    report_left(context_, last);
   }
 
  private:
@@ -162,7 +165,8 @@ class Rectangles final : public CoveragePlanner {
             : drive_online(
                   problem, [&](OnlineRobot& robot, Context& inside) { Discovery(p_, robot, inside).run(); }, context);
     if (path.legs.empty())
-      throw Infeasible("no rectangle of at least 2 x 2 cells can be driven; a smaller cell_size may help");
+      throw Infeasible(fmt::format("no rectangle of at least {} x {} cells can be driven; a smaller cell_size may help",
+                                   p_.smallest, p_.smallest));
     return path;
   }
 
@@ -189,6 +193,8 @@ PlannerInfo rectangles() {
            {"scan", &Params::scan, Choices{"columns", "rows"}, "how the first cell from the lower left is looked for"},
            {"lanes", &Params::lanes, Choices{"straight", "diagonal"},
             "diagonal: the grid turned by 45 degrees, for staggered pillars"},
+           {"smallest", &Params::smallest, Range{1, 1000},
+            "rectangles with fewer cells a side are not driven; 1: strips beside slanted walls are"},
            {"gap", &Params::gap, Range{0, 100}, "gaps in walls up to so many cells are closed"},
            {"small_obstacle", &Params::small_obstacle, Range{0, 100},
             "obstacles up to so many cells a side get their missing corners"},

@@ -1,6 +1,7 @@
-// A hall full of pillars in staggered rows: ways along the rows are narrow, ways aslant are wide. O(pillars).
+// A hall full of pillars in staggered rows: ways along the rows are shut, ways aslant are open. O(pillars).
 //
 // The weakness that MyCarbot's rectangles admit ("sehr viele kleine Hindernisse ... versetzt angeordnet").
+#include <algorithm>
 #include <cmath>
 
 #include "maps/generators/shape.hpp"
@@ -10,10 +11,10 @@ namespace {
 
 struct Params : Site {
   Params() { width = 12, height = 12; }
-  double pillar = 0.2;
+  double pillar = 0.6;
   double spacing = 0;
   double jitter = 0;
-  int chords = 8;
+  int chords = 4;
 };
 
 Region make(const Params& p, Rng& rng) {
@@ -22,7 +23,7 @@ Region make(const Params& p, Rng& rng) {
   // Neighbours aslant are spacing * sqrt 2 apart, and so are the ways between them wide, less a pillar; jitter takes up
   // to half of what is to spare on either side.
   const double least = (gap + 2 * p.pillar) / std::sqrt(2.0);
-  const double spacing = p.spacing > 0 ? p.spacing : 1.15 * least;
+  const double spacing = p.spacing > 0 ? p.spacing : std::max(1.15 * least, 2.15 * p.pillar);
   if (spacing < least)
     refuse("pillars", "spacing is " + number(p.spacing) + " m, expected at least " + number(least) +
                           " m for a robot between pillars of radius " + number(p.pillar) + " m");
@@ -47,11 +48,12 @@ GeneratorInfo pillars() {
   return describe_generator<Params>(
       "pillars", "a hall with pillars in staggered rows",
       "disjoint convex holes at least `passage` robot diameters from each other and from the border: connected",
-      with_site<Params>({{"pillar", &Params::pillar, Range{0.001, 10000}, "metres; radius of a pillar"},
-                         {"spacing", &Params::spacing, Range{0, 10000},
-                          "metres between rows, and between columns; 0: aslant just wide enough, and 15 % more"},
-                         {"jitter", &Params::jitter, Range{0, 1}, "how far pillars are off their places"},
-                         {"chords", &Params::chords, Range{3, 1000}, "corners of a pillar"}}),
+      with_site<Params>(
+          {{"pillar", &Params::pillar, Range{0.001, 10000}, "metres; radius of a pillar"},
+           {"spacing", &Params::spacing, Range{0, 10000},
+            "metres between rows, and between columns; 0: so that ways aslant are open and those along rows are not"},
+           {"jitter", &Params::jitter, Range{0, 1}, "how far pillars are off their places"},
+           {"chords", &Params::chords, Range{3, 1000}, "corners of a pillar"}}),
       make);
 }
 

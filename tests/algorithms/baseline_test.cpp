@@ -65,7 +65,7 @@ TEST(Bumper, StopsAHairBeforeTheFirstWall) {
       Rng rng(seed);
       Bumper robot(problem);
       for (int k = 0; k < 100; ++k) {
-        const double angle = 2 * kPi * rng.unit(), far = rng.between(0.1, 8);
+        const double angle = 2 * kPi * rng.unit(), far = rng.between(0.1, 8.0);
         const Point from = robot.at(), to = from + far * Point(std::cos(angle), std::sin(angle));
         const double wall = first_wall(problem, from, to);
         const auto contact = robot.drive(to);

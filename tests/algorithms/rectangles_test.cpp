@@ -233,16 +233,15 @@ TEST(Rectangles, InADividedCorridorTheNearestChoiceDoesNotShuttle) {
   }
 }
 
-// The seed's 5.2: between staggered pillars straight lanes find no rectangles, those at 45 degrees do.
-TEST(Rectangles, BetweenStaggeredPillarsDiagonalLanesCoverMore) {
+// The seed's 5.2: between staggered pillars straight lanes find few rectangles that can be driven. Lanes at 45 degrees do
+// better, with the strips along the hall's walls, which are aslant to them.
+TEST(Rectangles, BetweenStaggeredPillarsDiagonalLanesDoBetter) {
   for (const auto seed : seeds(4)) {
     SCOPED_TRACE(fmt::format("pillars --seed {}", seed));
-    const Problem problem(generate("pillars", {{"width", 8.0}, {"height", 8.0}, {"jitter", 0.5}}, seed), Robot{});
-    const Path straight = plan_rectangles(problem),
-               diagonal = plan_rectangles(problem, {{"lanes", std::string("diagonal")}});
-    const double before = coverage_of(problem, straight), after = coverage_of(problem, diagonal);
-    EXPECT_GT(after, before + 0.02);
-    EXPECT_LT(diagonal.length() / after, straight.length() / before);
+    const Problem problem(generate("pillars", {{"width", 9.0}, {"height", 9.0}, {"jitter", 0.3}}, seed), Robot{});
+    const Settings mended{{"lanes", std::string("diagonal")}, {"smallest", std::int64_t{1}}};
+    const Path straight = plan_rectangles(problem), diagonal = plan_rectangles(problem, mended);
+    EXPECT_GT(coverage_of(problem, diagonal), coverage_of(problem, straight) + 0.1);
   }
 }
 
