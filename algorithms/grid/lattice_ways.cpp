@@ -9,12 +9,24 @@ namespace {
 
 constexpr int kNear = 8;  // cells about a place in which a node is looked for
 
-/// Corners left out wherever the straight way is free.
-Polyline pulled(const Polyline& way, const EdgeIndex& walls) {
+/// No node that is not free lies on the straight way, or next to it: a cheap guess, before walls are asked.
+bool seems_free(const GridGraph& graph, const Point& a, const Point& b) {
+  const Point p = graph.coordinates(a), d = graph.coordinates(b) - p;
+  const int steps = 2 * static_cast<int>(std::ceil(d.cwiseAbs().maxCoeff() - 1e-9));
+  for (int s = 1; s < steps; ++s) {
+    const Point at = p + d * (static_cast<double>(s) / steps);
+    if (!graph.free(static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y())))) return false;
+  }
+  return true;
+}
+
+/// Corners left out wherever the straight way is free. Exactly; but only where the lattice says it may be.
+Polyline pulled(const Polyline& way, const GridGraph& graph, const EdgeIndex& walls) {
   Polyline straight{way.front()};
   for (std::size_t k = 0; k + 1 < way.size();) {
     std::size_t next = k + 1;
-    while (next + 1 < way.size() && walls.contains(way[k], way[next + 1])) ++next;
+    while (next + 1 < way.size() && seems_free(graph, way[k], way[next + 1])) ++next;
+    while (next > k + 1 && !walls.contains(way[k], way[next])) --next;
     straight.push_back(way[next]);
     k = next;
   }
@@ -79,7 +91,7 @@ Polyline LatticeWays::traced_back(std::size_t to) const {
     way.push_back(place(at));
   }
   std::reverse(way.begin(), way.end());
-  return pulled(way, walls_);
+  return pulled(way, graph_, walls_);
 }
 
 Polyline LatticeWays::way(std::size_t from, std::size_t to) {
