@@ -24,6 +24,10 @@ PlannerInfo shnaps_rimon();
 PlannerInfo shnaps_rimon_banded();
 PlannerInfo tether_tree();
 PlannerInfo tethered_stc();
+PlannerInfo random_walk();
+PlannerInfo spiral_out();
+PlannerInfo wall_follow();
+PlannerInfo vacuum_mix();
 
 const std::vector<PlannerInfo>& zoo() {
   static const std::vector<PlannerInfo> planners{
@@ -47,6 +51,10 @@ const std::vector<PlannerInfo>& zoo() {
       with_sensing(shnaps_rimon_banded()),
       with_sensing(tether_tree()),
       tethered_stc(),
+      random_walk(),
+      spiral_out(),
+      wall_follow(),
+      vacuum_mix(),
   };
   return planners;
 }

@@ -88,6 +88,7 @@ struct GridSettings {
   double cell_size = 0;             // metres; 0: the planner's default
   std::string align = "axes";       // axes: with the map's coordinates; edges: with the direction most walls run in
   double shift_x = 0, shift_y = 0;  // of the grid's origin, in cells
+  double turn = 0;                  // radians, on top of what `align` says
 };
 
 /// A lattice over the problem's configuration space with `multiple` x `multiple` cells to a block; columns and rows

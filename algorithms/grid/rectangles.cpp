@@ -1,236 +1,172 @@
 // Cuts the world into rectangles of cells and cleans them one by one, column by column.
 //
-// Source      MyCarbot, "Rechteck-Partitionierungs-Strategie" (TH Nuernberg), sections 2.2 to 2.4 and 5
-// Model       grid, offline (the known world; the scan of an unknown one is not needed here), disc footprint
+// Source      MyCarbot, "Rechteck-Partitionierungs-Strategie" (TH Nuernberg), sections 2 and 5
+// Model       grid, offline, or online by lidar (`sensing = lidar`), disc footprint
 // Guarantee   every cell of a drivable rectangle of at least 2 x 2 cells is cleaned, except skipped columns and cells
 //             below a shifted start; with `revisit_skipped` every lattice point that the robot can reach is driven
-// Complexity  n cells: time and memory O(n) for world and partition, plus a shortest path for each rectangle
+// Complexity  n cells: world and partition O(n), a way between rectangles O(cells nearer than its end); some 60 bytes a
+//             cell. `choose = first` goes back to the lower end after each column of rectangles: O(n^1.5) driven at worst
 // Decisions   1. Cells default to half the robot's width (its robot is larger than a cell). A cell is wall unless it
 //                lies wholly in free space.
 //             2. "First from the lower left" may run row by row or column by column (`scan`); the
 //                source does not say. Columns is the default: it covered more on six of seven maps tried.
-//             3. The source partitions anew after each rectangle and each skipped column, with done cells as
-//                obstacles. That leaves all other rectangles as they are (rectangle_world.hpp), so the partition is
-//                made once, and a rectangle loses its skipped columns.
-//             4. A column is driven where the robot's centre fits, all of its stretches, up and down by turns; ways
-//                between stretches and columns that are not straight are shortest paths.
+//             3. The source mends gaps and partitions anew after each rectangle and each skipped column, with done cells
+//                as obstacles. Done cells are no wall that a gap could be in, and taking them away leaves all other
+//                rectangles as they are (rectangle_world.hpp): so both are done once, and a rectangle loses its skipped
+//                columns.
+//             4. A column is driven where the robot's centre fits, all of its stretches, up and down by turns. Ways
+//                between stretches and columns that are not straight are planned on the lattice and pulled straight;
+//                where the lattice does not lead on they are shortest paths among the walls.
 //             5. The centre is visited on the way (seed 2.3) if the robot fits there.
 //             6. `columns = tool` (ours) steps as many columns as the tool covers, instead of one.
-#include <algorithm>
+//             7. The outlooks: `choose = nearest` takes the start with the fewest planned steps, so a divided corridor is
+//                cleaned one side after the other; `lanes = diagonal` turns the grid by 45 degrees, for pillars set in
+//                staggered rows. Beside slanted walls rectangles are strips one cell wide, which the source does not drive:
+//                `smallest = 1` (ours) does.
+//             8. Online: scan (world_scan.hpp), then the same on what is believed, on a lattice that hangs on the start.
+//                Driven nodes are done. The world is partitioned anew where an obstacle stops the robot, and after a
+//                rectangle if more than four cells' area has been seen since. Ends when nothing new is seen.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/grid_graph.hpp"
-#include "algorithms/grid/nearest_part.hpp"
-#include "algorithms/grid/rectangle_world.hpp"
+#include "algorithms/grid/rectangle_cleaner.hpp"
+#include "algorithms/grid/world_scan.hpp"
 
 namespace oxturn {
 namespace {
 
-struct Params {
-  double cell_size = 0;
-  std::string choose = "first";
-  std::string columns = "each";
-  std::string scan = "columns";
-  int gap = 1;
-  int small_obstacle = 4;
-  int shift = 4;
-  bool via_centre = true;
-  bool revisit_skipped = false;
-  std::string align = "axes";
+struct Params : RectangleSettings {
+  std::string sensing = "map";
 };
 
-// A run of lattice nodes in one column that can be driven without leaving it.
-struct Stretch {
-  int column, low, high;
-};
+constexpr int kLevel = 2;  // of the belief: radius / 24
+constexpr int kMostPartitions = 2000;
 
-class Cleaner {
+double turn_of(const Params& p) { return p.lanes == "diagonal" ? kPi / 4 : 0; }
+
+void report_left(Context& context, const RectangleCleaner::Counts& counts) {
+  context.report("skipped_columns", static_cast<double>(counts.skipped_columns));
+  context.report("skipped_cells", static_cast<double>(counts.skipped_cells));
+  context.report("small_cells", static_cast<double>(counts.small_cells));
+}
+
+Path clean_known(const Params& p, const Problem& problem, Context& context) {
+  const double side = p.side(problem.robot());
+  const GridGraph graph = make_grid_graph(problem, {p.cell_size, p.align, 0, 0, turn_of(p)}, side, 1,
+                                          static_cast<int>(std::ceil(problem.robot().radius / side)) + 1);
+  RectangleCleaner cleaner(p, problem, graph, std::vector<bool>(graph.size(), false), context);
+  Path path = cleaner.clean();
+  context.report("rectangles", static_cast<double>(cleaner.counts().rectangles));
+  report_left(context, cleaner.counts());
+  return path;
+}
+
+/// The robot in a world that it sees by lidar.
+class Discovery {
  public:
-  Cleaner(const Params& p, const Problem& problem, Context& context)
-      : p_(p),
-        problem_(problem),
-        context_(context),
-        graph_(make_grid_graph(problem, {p.cell_size, p.align, 0, 0}, side_of(p, problem), 1,
-                               static_cast<int>(std::ceil(problem.robot().radius / side_of(p, problem))) + 1)),
-        side_(graph_.side()),
-        driven_(graph_.size(), false),
-        path_(problem.start()) {}
+  Discovery(const Params& p, OnlineRobot& robot, Context& context) : p_(p), robot_(robot), context_(context) {}
 
-  Path clean() {
-    const BitGrid world = without_gaps(dirty_cells(), p_.gap, p_.small_obstacle);
-    const std::vector<CellRectangle> all = rectangles_of(world, p_.scan == "rows");
-    if (context_.wants_traces()) context_.trace("rectangles", outlines(all));
-
-    std::vector<CellRectangle> drivable;
-    std::vector<Stretch> starts;
-    for (CellRectangle r : all) {
-      const std::optional<Stretch> start = start_of(r);
-      if (!start || r.width() < 2 || r.height() < 2) continue;
-      drivable.push_back(r);
-      starts.push_back(*start);
+  void run() {
+    WorldScan scan;
+    while (const auto motion = scan.next(view())) {
+      robot_.go(*motion);
+      if (context_.cancelled()) return;
     }
-    NearestPart nearest(problem_);
-    if (p_.choose == "nearest")
-      for (std::size_t k = 0; k < drivable.size(); ++k)
-        nearest.add(node(starts[k].column, starts[k].low), static_cast<int>(k), k);
-    for (std::size_t n = 0; n < drivable.size() && !context_.cancelled(); ++n) {
-      std::size_t k = n;
-      if (p_.choose == "nearest") {
-        const auto found = nearest.from(path_.at());
-        if (!found) break;
-        k = found->id;
-        nearest.drop(static_cast<int>(k));
-      }
-      clean(drivable[k], starts[k]);
-      context_.progress(double(n + 1) / static_cast<double>(drivable.size()));
+    context_.report("scan_m", view().driven());
+    RectangleCleaner::Counts last;  // what stays skipped is what the last partition skips
+    std::size_t partitions = 0;
+    double before = -1;
+    while (partitions < kMostPartitions && !context_.cancelled()) {
+      const std::uint64_t seen = view().belief().revision();
+      const auto path = partition(last);
+      if (!path || path->legs.empty()) break;
+      ++partitions;
+      const bool whole = clean(*path);
+      // The same plan again would end the same way.
+      const bool on = view().driven() > before;
+      before = view().driven();
+      if (!on || (whole && view().belief().revision() == seen)) break;
     }
-    if (p_.revisit_skipped) revisit();
-    if (context_.wants_traces()) context_.trace("skipped", skipped_);
-    return path_.take();
+    context_.report("partitions", static_cast<double>(partitions));
+    report_left(context_, last);
   }
 
  private:
-  static double side_of(const Params& p, const Problem& problem) {
-    if (p.cell_size > 0) return p.cell_size;
-    return problem.robot().radius > 0 ? problem.robot().radius : problem.robot().tool_width / 2;
-  }
-  Point node(int i, int j) const { return graph_.centre(i, j); }
+  const View& view() const { return robot_.view(); }
 
-  // The cells that lie wholly in free space, in the frame of the lattice.
-  BitGrid dirty_cells() const {
-    const Point corner = graph_.centre(-0.5, -0.5);
-    const Point across = graph_.centre(0.5, -0.5) - corner;
-    const double angle = std::atan2(across.y(), across.x());
-    return rasterise(transformed(problem_.map().free, -angle, Point(0, 0)), rotated(corner, -angle), side_,
-                     graph_.columns(), graph_.rows(), CellRule::inside);
+  std::optional<Problem> world() const {
+    for (int level = kLevel; level > 0; --level)
+      if (auto believed = believed_problem(view(), view().pose(), level)) return believed;
+    return believed_problem(view(), view().pose(), 0);
   }
 
-  std::vector<Stretch> stretches(int i, int bottom, int top) const {
-    std::vector<Stretch> found;
-    for (int j = bottom; j <= top; ++j) {
-      if (!graph_.free(i, j)) continue;
-      int end = j;
-      while (end < top && graph_.passable(i, end, kNorth)) ++end;
-      found.push_back({i, j, end});
-      j = end;
-    }
-    return found;
+  std::optional<Path> partition(RectangleCleaner::Counts& counts) {
+    const std::optional<Problem> believed = world();
+    if (!believed) return std::nullopt;
+    if (!angle_) angle_ = (p_.align == "edges" ? dominant_direction(believed->map().free) : 0) + turn_of(p_);
+    const GridGraph graph =
+        make_grid_graph_at(believed->configuration_space(), "belief", view().start(), p_.side(view().robot()), *angle_);
+    // Its own context: only the partition is shown.
+    Context::Sinks sinks;
+    if (context_.wants_traces()) sinks.trace = [&](const Trace& trace) { context_.trace(trace.name, trace.lines); };
+    Context inside(1, context_.seconds_left(), sinks);
+    RectangleCleaner cleaner(p_, *believed, graph, done(graph), inside);
+    Path path = cleaner.clean();
+    counts = cleaner.counts();
+    if (!path.legs.empty() && believed->start() != view().pose())
+      robot_.go({{view().pose(), believed->start()}, false});
+    return path;
   }
 
-  // Seed 2.3: as near to the lower left as possible; up to `shift` cells up, then the next column. Columns without a
-  // place are skipped: the rectangle loses them.
-  std::optional<Stretch> start_of(CellRectangle& r) {
-    for (; r.left <= r.right; ++r.left) {
-      const std::vector<Stretch> runs = stretches(r.left, r.bottom, std::min(r.top, r.bottom + p_.shift));
-      if (!runs.empty()) return runs.front();
-      if (context_.wants_traces()) skipped_.push_back({node(r.left, r.bottom), node(r.left, r.top)});
-    }
-    return std::nullopt;
-  }
-
-  void clean(const CellRectangle& r, const Stretch& start) {
-    const Point middle = graph_.centre((r.left + r.right) / 2.0, (r.bottom + r.top) / 2.0);
-    if (p_.via_centre && problem_.walls().contains(middle)) go(middle, false);
-    const int step =
-        p_.columns == "tool" ? std::max(1, static_cast<int>(problem_.robot().tool_width / side_ + 1e-9)) : 1;
-    bool up = true, first = true;
-    for (int i = r.left;; i = std::min(i + step, r.right)) {
-      // The first column counts from the start; cells below a shifted one stay (seed).
-      std::vector<Stretch> runs = stretches(i, i == r.left ? start.low : r.bottom, r.top);
-      if (runs.empty() && context_.wants_traces()) skipped_.push_back({node(i, r.bottom), node(i, r.top)});
-      if (!up) std::reverse(runs.begin(), runs.end());
-      for (const Stretch& s : runs) {
-        drive(s, up, !first);
-        first = false;
+  /// The nodes that have been driven with the tool on, along lanes or across them.
+  std::vector<bool> done(const GridGraph& graph) const {
+    std::vector<bool> nodes(graph.size(), false);
+    constexpr double kOff = 1e-3;
+    for (const Leg& leg : view().path().legs)
+      for (std::size_t k = 1; leg.tool && k < leg.points.size(); ++k) {
+        const Point a = graph.coordinates(leg.points[k - 1]), b = graph.coordinates(leg.points[k]);
+        const int i = static_cast<int>(std::lround(a.x()));
+        if (std::abs(a.x() - i) > kOff || std::abs(b.x() - i) > kOff) continue;
+        const int low = static_cast<int>(std::ceil(std::min(a.y(), b.y()) - kOff));
+        const int high = static_cast<int>(std::floor(std::max(a.y(), b.y()) + kOff));
+        for (int j = low; j <= high; ++j)
+          if (graph.inside(i, j)) nodes[graph.at(i, j)] = true;
       }
-      if (!runs.empty()) up = !up;
-      if (i == r.right) break;
-    }
+    return nodes;
   }
 
-  void drive(const Stretch& s, bool up, bool may_work) {
-    // A stretch of one node has no length to sweep: there the tool comes down for the last bit of the way.
-    go(node(s.column, up ? s.low : s.high), may_work, s.low == s.high ? side_ : 0);
-    path_.drive(node(s.column, up ? s.high : s.low), true);
-    for (int j = s.low; j <= s.high; ++j) driven_[graph_.at(s.column, j)] = true;
-  }
-
-  // Straight with the tool on for the short step to the next column, else the shortest way with the tool off but for
-  // its last `tail` metres.
-  void go(const Point& to, bool may_work, double tail = 0) {
-    if (distance(path_.at(), to) == 0) return;
-    if (may_work && distance(path_.at(), to) <= 2 * std::max(side_, problem_.robot().tool_width) &&
-        problem_.walls().contains(path_.at(), to)) {
-      path_.drive(to, true);
-      return;
+  /// False if the world has to be partitioned anew before the end.
+  bool clean(const Path& path) {
+    const double cell = view().belief().cell(), side = p_.side(view().robot());
+    const auto enough = static_cast<std::uint64_t>(4 * side * side / (cell * cell));
+    const std::uint64_t before = view().belief().gained();
+    for (const Leg& leg : path.legs) {
+      if (!robot_.go({leg.points, leg.tool})) return false;
+      if (leg.tool && view().belief().gained() > before + enough) return false;
     }
-    auto way = problem_.transit().path(path_.at(), to);
-    if (!way) throw std::logic_error("two places in configuration space are not connected");
-    Polyline last{way->back()};
-    while (way->size() > 1 && tail > 0) {
-      const Point end = way->back();
-      way->pop_back();
-      const double step = distance(way->back(), end);
-      if (step > tail) way->push_back(lerp(end, way->back(), tail / step));
-      last.insert(last.begin(), way->back());
-      tail -= step;
-    }
-    path_.drive(*way, false);
-    if (last.size() > 1) path_.drive(last, true);
-  }
-
-  // Ours: whatever lattice node the robot can reach and has not driven.
-  void revisit() {
-    std::vector<Stretch> open;
-    for (int i = 0; i < graph_.columns(); ++i)
-      for (const Stretch& s : stretches(i, 0, graph_.rows() - 1))
-        for (int j = s.low; j <= s.high; ++j) {
-          if (driven_[graph_.at(i, j)]) continue;
-          int end = j;
-          while (end < s.high && !driven_[graph_.at(i, end + 1)]) ++end;
-          open.push_back({i, j, end});
-          j = end;
-        }
-    NearestPart nearest(problem_);
-    for (std::size_t k = 0; k < open.size(); ++k)
-      for (const bool up : {true, false})
-        nearest.add(node(open[k].column, up ? open[k].low : open[k].high), static_cast<int>(k), 2 * k + (up ? 0 : 1));
-    while (!context_.cancelled()) {
-      const auto found = nearest.from(path_.at());
-      if (!found) return;
-      drive(open[found->id / 2], found->id % 2 == 0, true);
-      nearest.drop(static_cast<int>(found->id / 2));
-    }
-  }
-
-  std::vector<Polyline> outlines(const std::vector<CellRectangle>& rectangles) const {
-    std::vector<Polyline> lines;
-    for (const CellRectangle& r : rectangles) {
-      const Point a = graph_.centre(r.left - 0.5, r.bottom - 0.5), b = graph_.centre(r.right + 0.5, r.bottom - 0.5);
-      const Point c = graph_.centre(r.right + 0.5, r.top + 0.5), d = graph_.centre(r.left - 0.5, r.top + 0.5);
-      lines.push_back({a, b, c, d, a});
-    }
-    return lines;
+    return true;
   }
 
   const Params& p_;
-  const Problem& problem_;
+  OnlineRobot& robot_;
   Context& context_;
-  GridGraph graph_;
-  double side_;
-  std::vector<bool> driven_;
-  std::vector<Polyline> skipped_;
-  PathBuilder path_;
+  std::optional<double> angle_;
 };
 
 class Rectangles final : public CoveragePlanner {
  public:
   explicit Rectangles(Params p) : p_(std::move(p)) {}
   Path plan(const Problem& problem, Context& context) const override {
-    Path path = Cleaner(p_, problem, context).clean();
+    Path path =
+        p_.sensing == "map"
+            ? clean_known(p_, problem, context)
+            : drive_online(
+                  problem, [&](OnlineRobot& robot, Context& inside) { Discovery(p_, robot, inside).run(); }, context);
     if (path.legs.empty())
-      throw Infeasible("no rectangle of at least 2 x 2 cells can be driven; a smaller cell_size may help");
+      throw Infeasible(fmt::format("no rectangle of at least {} x {} cells can be driven; a smaller cell_size may help",
+                                   p_.smallest, p_.smallest));
     return path;
   }
 
@@ -246,15 +182,19 @@ PlannerInfo rectangles() {
        .family = "grid",
        .title = "rectangle partition, column by column",
        .citation = "MyCarbot (TH Nuernberg)",
-       .capabilities = {Capability::holes},
+       .capabilities = {Capability::online, Capability::holes},
        .guarantee = "every cell of a drivable rectangle of at least 2 x 2 cells, except skipped columns",
        .parameters = {
            {"cell_size", &Params::cell_size, Range{0, 1000}, "side of a cell, metres; 0: half the robot's width"},
            {"choose", &Params::choose, Choices{"first", "nearest"},
-            "next rectangle: first from the lower left, or the one with the shortest way to its start"},
+            "next rectangle: first from the lower left, or the one with the shortest planned way to its start"},
            {"columns", &Params::columns, Choices{"each", "tool"},
             "drive each column, or step as far as the tool covers"},
            {"scan", &Params::scan, Choices{"columns", "rows"}, "how the first cell from the lower left is looked for"},
+           {"lanes", &Params::lanes, Choices{"straight", "diagonal"},
+            "diagonal: the grid turned by 45 degrees, for staggered pillars"},
+           {"smallest", &Params::smallest, Range{1, 1000},
+            "rectangles with fewer cells a side are not driven; 1: strips beside slanted walls are"},
            {"gap", &Params::gap, Range{0, 100}, "gaps in walls up to so many cells are closed"},
            {"small_obstacle", &Params::small_obstacle, Range{0, 100},
             "obstacles up to so many cells a side get their missing corners"},
@@ -263,7 +203,9 @@ PlannerInfo rectangles() {
            {"via_centre", &Params::via_centre, "go to the rectangle's centre first, then to its lower left"},
            {"revisit_skipped", &Params::revisit_skipped, "in the end, drive what was skipped"},
            {"align", &Params::align, Choices{"axes", "edges"},
-            "edges: turn the grid to the direction most walls run in"}}});
+            "edges: turn the grid to the direction most walls run in"},
+           {"sensing", &Params::sensing, Choices{"map", "lidar"},
+            "map: known beforehand; lidar: seen by the robot's lidar, its outer wall scanned first"}}});
 }
 
 }  // namespace oxturn

@@ -2,6 +2,7 @@
 // blocked at random: all linear in the cells.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -98,6 +99,52 @@ OXTURN_SCATTERED(cell_explore, "cell-explore", Settings{});
 OXTURN_SCATTERED(wavefront, "wavefront", (Settings{{"shift_x", 0.3}, {"shift_y", 0.3}}));
 OXTURN_SCATTERED(wavefront_path, "wavefront",
                  (Settings{{"shift_x", 0.3}, {"shift_y", 0.3}, {"transform", std::string("path")}}));
+// Rectangles where they are smallest: a tenth of the cells blocked at random, a robot as wide as a cell.
+Problem speckled_floor(std::int64_t cells) {
+  const int n = static_cast<int>(std::sqrt(static_cast<double>(cells) / 0.9));
+  BitGrid grid({0, 0}, 0.4, n, n);
+  for (auto& bit : grid.bits) bit = rng.chance(0.9);
+  robot.radius = 0;
+  Region free = trace(grid);
+  const auto largest =
+      std::max_element(free.polygons.begin(), free.polygons.end(),
+                       [](const Polygon& a, const Polygon& b) { return a.holes.size() < b.holes.size(); });
+  return Problem({"speckled", {{*largest}}, "bench", ""}, robot);
+void plan_speckled(benchmark::State& state, const Settings& more) {
+  Settings settings{{"cell_size", 0.4}};
+  settings.insert(more.begin(), more.end());
+  const Problem problem = speckled_floor(state.range(0));
+  benchmark::DoNotOptimize(problem.walls());
+  plan(state, "rectangles", problem, settings);
+void BM_RectanglesSpeckled(benchmark::State& state) { plan_speckled(state, {}); }
+void BM_RectanglesSpeckledNearest(benchmark::State& state) {
+  plan_speckled(state, {{"choose", std::string("nearest")}});
+void BM_RectanglesSpeckledRevisit(benchmark::State& state) {
+  plan_speckled(state, {{"choose", std::string("nearest")}, {"revisit_skipped", true}});
+BENCHMARK(BM_RectanglesSpeckled)
+    ->RangeMultiplier(4)
+    ->Range(1 << 14, 1 << 20)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_RectanglesSpeckledNearest)
+    ->RangeMultiplier(4)
+    ->Range(1 << 14, 1 << 20)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_RectanglesSpeckledRevisit)
+    ->RangeMultiplier(4)
+    ->Range(1 << 14, 1 << 20)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+// Habits: linear in the length driven.
+void BM_Habit(benchmark::State& state, const char* name) {
+  const Problem problem(generate("rooms", {}, 1), Robot{});
+  benchmark::DoNotOptimize(problem.walls());
+  plan(state, name, problem, {{"length_limit", static_cast<double>(state.range(0))}, {"passes", 1000.0}});
+BENCHMARK_CAPTURE(BM_Habit, random_walk, "random-walk")->RangeMultiplier(8)->Range(1 << 9, 1 << 15)->Complexity();
+BENCHMARK_CAPTURE(BM_Habit, spiral_out, "spiral-out")->RangeMultiplier(8)->Range(1 << 9, 1 << 15)->Complexity();
+BENCHMARK_CAPTURE(BM_Habit, wall_follow, "wall-follow")->RangeMultiplier(8)->Range(1 << 9, 1 << 15)->Complexity();
+BENCHMARK_CAPTURE(BM_Habit, vacuum_mix, "vacuum-mix")->RangeMultiplier(8)->Range(1 << 9, 1 << 15)->Complexity();
 
 }  // namespace
 }  // namespace oxturn

@@ -2,12 +2,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/grid/grid_graph.hpp"
+#include "algorithms/grid/lattice_ways.hpp"
 #include "algorithms/grid/rectangle_world.hpp"
 #include "maps/generators.hpp"
+#include "metrics/score.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
@@ -153,6 +157,122 @@ TEST(Rectangles, RevisitingLeavesNoReachableNode) {
       for (int i = 0; i < graph.columns(); ++i)
         if (graph.free(i, j)) { EXPECT_TRUE(driven.count({i, j})) << i << " " << j; }
   }
+}
+
+// Against a flood fill of its own, and the shortest paths among the walls.
+TEST(LatticeWays, LeadWhereAFloodFillDoesAndAreNoLongerThanItsSteps) {
+  Robot robot;
+  robot.radius = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    SCOPED_TRACE(seed);
+    const Region free = trace(noise(seed, 0.05 + 0.001 * double(seed % 300)));
+    if (free.polygons.empty()) continue;
+    const Problem problem({"noise", {{free.polygons.front()}}, "test", ""}, robot);
+    const GridGraph graph = make_grid_graph(problem, {}, 1, 1, 1);
+    LatticeWays ways(graph, problem.walls());
+    Rng rng(seed);
+    std::vector<std::size_t> nodes;
+    for (std::size_t c = 0; c < graph.size(); ++c)
+      if (ways.part(c) >= 0) nodes.push_back(c);
+    const auto i_of = [&](std::size_t c) { return static_cast<int>(c % static_cast<std::size_t>(graph.columns())); };
+    const auto j_of = [&](std::size_t c) { return static_cast<int>(c / static_cast<std::size_t>(graph.columns())); };
+    if (nodes.empty()) continue;
+    const std::size_t from = nodes[rng.below(nodes.size())];
+    std::vector<int> steps(graph.size(), -1);
+    std::vector<std::size_t> queue{from};
+    steps[from] = 0;
+    for (std::size_t k = 0; k < queue.size(); ++k)
+      for (const Direction d : kAllDirections) {
+        const int i = i_of(queue[k]) + kColumnStep[d], j = j_of(queue[k]) + kRowStep[d];
+        if (!graph.free(i, j) || steps[graph.at(i, j)] >= 0) continue;
+        if (!problem.walls().contains(graph.centre(i_of(queue[k]), j_of(queue[k])), graph.centre(i, j))) continue;
+        steps[graph.at(i, j)] = steps[queue[k]] + 1;
+        queue.push_back(graph.at(i, j));
+      }
+    for (int k = 0; k < 5; ++k) {
+      const std::size_t to = nodes[rng.below(nodes.size())];
+      const Polyline way = ways.way(from, to);
+      EXPECT_EQ(way.empty(), steps[to] < 0);
+      const auto found = ways.nearest(from, [&](std::size_t c) { return c == to; });
+      EXPECT_EQ(found.has_value(), steps[to] >= 0);
+      if (way.empty()) continue;
+      const Point a = graph.centre(i_of(from), j_of(from)), b = graph.centre(i_of(to), j_of(to));
+      EXPECT_EQ(way.front(), a);
+      EXPECT_EQ(way.back(), b);
+      for (const Polyline& w : {way, found->way}) {
+        EXPECT_LE(length(w), steps[to] * graph.side() + 1e-9);
+        EXPECT_GE(length(w), length(*problem.transit().path(a, b)) - 1e-9);
+        for (std::size_t m = 1; m < w.size(); ++m) ASSERT_TRUE(problem.walls().contains(w[m - 1], w[m]));
+      }
+    }
+    const auto nearest = ways.nearest(from, [&](std::size_t c) { return c % 7 == 3; });
+    int least = -1;
+    for (const std::size_t c : queue)
+      if (c % 7 == 3 && (least < 0 || steps[c] < least)) least = steps[c];
+    EXPECT_EQ(nearest ? steps[nearest->node] : -1, least);
+  }
+}
+
+double coverage_of(const Problem& problem, const Path& path) {
+  const Score scored = score(problem, path);
+  EXPECT_EQ(scored.flaw, "");
+  return scored.value("coverage").value_or(0);
+}
+
+// The seed's 5.1: the literal choice shuttles between both sides; the nearest planned way does not.
+TEST(Rectangles, InADividedCorridorTheNearestChoiceDoesNotShuttle) {
+  for (const auto seed : seeds(5)) {
+    SCOPED_TRACE(fmt::format("divided-corridor --seed {}", seed));
+    const Problem problem(generate("divided-corridor", {}, seed), Robot{});
+    const Settings literal{{"scan", std::string("rows")}, {"choose", std::string("first")}};
+    const Settings mended{{"scan", std::string("rows")}, {"choose", std::string("nearest")}};
+    const Path a = plan_rectangles(problem, literal), b = plan_rectangles(problem, mended);
+    EXPECT_LT(b.length(false), 0.5 * a.length(false));
+    EXPECT_LT(b.length(), 0.8 * a.length());
+    EXPECT_GT(coverage_of(problem, b), coverage_of(problem, a) - 0.01);
+  }
+}
+
+// The seed's 5.2: between staggered pillars straight lanes find few rectangles that can be driven. Lanes at 45 degrees do
+// better, with the strips along the hall's walls, which are aslant to them.
+TEST(Rectangles, BetweenStaggeredPillarsDiagonalLanesDoBetter) {
+  for (const auto seed : seeds(4)) {
+    SCOPED_TRACE(fmt::format("pillars --seed {}", seed));
+    const Problem problem(generate("pillars", {{"width", 9.0}, {"height", 9.0}, {"jitter", 0.3}}, seed), Robot{});
+    const Settings mended{{"lanes", std::string("diagonal")}, {"smallest", std::int64_t{1}}};
+    const Path straight = plan_rectangles(problem), diagonal = plan_rectangles(problem, mended);
+    EXPECT_GT(coverage_of(problem, diagonal), coverage_of(problem, straight) + 0.1);
+  }
+}
+
+TEST(Rectangles, OnlineScansTheOuterWallThenCleansWhatOfflineDoes) {
+  Robot robot;
+  robot.lidar = Lidar{8, 360, 0};
+  for (const auto& [generator, settings] : std::vector<std::pair<std::string, Settings>>{
+           {"rectangle", {{"width", 4.0}, {"height", 3.0}}},
+           {"rooms", {{"width", 5.0}, {"height", 4.0}, {"rooms", std::int64_t{2}}}},
+           {"clutter", {{"width", 4.0}, {"height", 4.0}}}}) {
+    SCOPED_TRACE(generator);
+    const Problem problem(generate(generator, settings, 1), robot);
+    std::map<std::string, double> reports;
+    Context::Sinks sinks;
+    sinks.report = [&](const std::string& figure, double value) { reports[figure] = value; };
+    Context context(1, 1e9, sinks);
+    const Path path =
+        find_planner(zoo(), "rectangles").make({{"sensing", std::string("lidar")}})->plan(problem, context);
+    EXPECT_GT(coverage_of(problem, path), 0.85 * coverage_of(problem, plan_rectangles(problem)));
+    EXPECT_GT(reports.at("explored_share"), 0.98);
+    EXPECT_GE(reports.at("partitions"), 1);
+  }
+}
+
+TEST(Rectangles, OnlineWithoutALidarIsASentence) {
+  const Problem problem({"room", box_region({0, 0}, {4, 3}), "test", ""}, Robot{});
+  EXPECT_THAT(
+      [&] {
+        plan_rectangles(problem, {{"sensing", std::string("lidar")}});
+      },
+      testing::ThrowsMessage<Unsupported>(testing::HasSubstr("has no lidar")));
 }
 
 TEST(Rectangles, NoRectangleIsASentence) {

@@ -62,6 +62,10 @@ std::vector<Case> cases() {
       {"berg-rooms", size(10, 8)},
       {"berg-rooms", with(size(18, 14), {{"branches", 1.0}, {"doors", std::int64_t{3}}, {"rotation", -21.0}})},
       {"berg-rooms", with(size(12, 12), {{"jitter", 1.0}, {"loops", 0.0}, {"wall", 0.1}, {"door", 0.52}})},
+      {"divided-corridor", size(5, 14)},
+      {"divided-corridor", with(size(4, 12), {{"jitter", 1.0}, {"obstacles", std::int64_t{3}}, {"rotation", 15.0}})},
+      {"pillars", size(6, 6), false},
+      {"pillars", with(size(8, 6), {{"jitter", 1.0}, {"spacing", 1.0}, {"rotation", -30.0}})},
   };
 }
 
@@ -401,6 +405,10 @@ TEST(Generators, RefuseInOneSentence) {
       {"berg-rooms", {{"rows", I{9}}}, "rows is 9, but only"},
       {"berg-rooms", {{"door", 0.3}}, "door is 0.3 m, expected at least 0.5"},
       {"berg-rooms", {{"wall", 30.0}}, "wall is 30 m"},
+      {"divided-corridor", {{"width", 1.0}}, "leave no passages of"},
+      {"divided-corridor", {{"obstacles", I{100}}}, "100 obstacles on each side"},
+      {"pillars", {{"spacing", 0.3}}, "spacing is 0.3 m, expected at least"},
+      {"pillars", {{"width", 100000.0}, {"height", 100000.0}}, "larger spacing"},
   };
   for (const auto& [name, settings, words] : all) {
     const std::string said = refusal(name, settings);

@@ -1,0 +1,146 @@
+#include "algorithms/grid/lattice_ways.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace oxturn {
+namespace {
+
+constexpr int kNear = 8;  // cells about a place in which a node is looked for
+
+/// No node that is not free lies on the straight way, or next to it: a cheap guess, before walls are asked.
+bool seems_free(const GridGraph& graph, const Point& a, const Point& b) {
+  const Point p = graph.coordinates(a), d = graph.coordinates(b) - p;
+  const int steps = 2 * static_cast<int>(std::ceil(d.cwiseAbs().maxCoeff() - 1e-9));
+  for (int s = 1; s < steps; ++s) {
+    const Point at = p + d * (static_cast<double>(s) / steps);
+    if (!graph.free(static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y())))) return false;
+  }
+  return true;
+}
+
+/// Corners left out wherever the straight way is free. Exactly; but only where the lattice says it may be.
+Polyline pulled(const Polyline& way, const GridGraph& graph, const EdgeIndex& walls) {
+  Polyline straight{way.front()};
+  for (std::size_t k = 0; k + 1 < way.size();) {
+    std::size_t next = k + 1;
+    while (next + 1 < way.size() && seems_free(graph, way[k], way[next + 1])) ++next;
+    while (next > k + 1 && !walls.contains(way[k], way[next])) --next;
+    straight.push_back(way[next]);
+    k = next;
+  }
+  return straight;
+}
+
+}  // namespace
+
+LatticeWays::LatticeWays(const GridGraph& graph, const EdgeIndex& walls)
+    : graph_(graph), walls_(walls), part_(graph.size(), -1), came_(graph.size(), kUnseen) {
+  std::vector<std::uint32_t> queue;
+  std::int32_t parts = 0;
+  for (std::size_t c = 0; c < graph_.size(); ++c) {
+    if (part_[c] >= 0 || !graph_.free(column(c), row(c))) continue;
+    queue.assign(1, static_cast<std::uint32_t>(c));
+    part_[c] = parts;
+    while (!queue.empty()) {
+      const std::size_t at = queue.back();
+      queue.pop_back();
+      for (const Direction d : kAllDirections) {
+        if (!graph_.passable(column(at), row(at), d)) continue;
+        const std::size_t to = neighbour(at, d);
+        if (part_[to] >= 0) continue;
+        part_[to] = parts;
+        queue.push_back(static_cast<std::uint32_t>(to));
+      }
+    }
+    ++parts;
+  }
+}
+
+std::optional<std::size_t> LatticeWays::node_near(const Point& p) const {
+  const Point at = graph_.coordinates(p);
+  const int ci = static_cast<int>(std::lround(at.x())), cj = static_cast<int>(std::lround(at.y()));
+  std::optional<std::size_t> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int j = cj - kNear; j <= cj + kNear; ++j)
+    for (int i = ci - kNear; i <= ci + kNear; ++i) {
+      if (!graph_.free(i, j)) continue;
+      const double off = std::hypot(i - at.x(), j - at.y());
+      if (off >= least || !walls_.contains(p, graph_.centre(i, j))) continue;
+      least = off;
+      best = graph_.at(i, j);
+    }
+  return best;
+}
+
+void LatticeWays::forget() {
+  for (const std::uint32_t node : seen_) came_[node] = kUnseen;
+  seen_.clear();
+}
+
+Polyline LatticeWays::traced_back(std::size_t to) const {
+  const auto place = [&](std::size_t node) { return graph_.centre(column(node), row(node)); };
+  Polyline way{place(to)};
+  std::uint8_t last = kUnseen;
+  for (std::size_t at = to; came_[at] != kRoot;) {
+    const auto came = static_cast<Direction>(came_[at]);
+    if (came_[at] == last) way.pop_back();
+    last = came_[at];
+    at = neighbour(at, opposite(came));
+    way.push_back(place(at));
+  }
+  std::reverse(way.begin(), way.end());
+  return pulled(way, graph_, walls_);
+}
+
+Polyline LatticeWays::way(std::size_t from, std::size_t to) {
+  if (part_[from] < 0 || part_[from] != part_[to]) return {};
+  struct Step {
+    std::uint32_t node;
+    std::uint8_t came;
+  };
+  // A step towards the goal keeps the estimate, one away adds two: only two estimates are ever waiting.
+  std::vector<Step> now{{static_cast<std::uint32_t>(from), kRoot}}, later;
+  const auto away = [&](std::size_t node) {
+    return std::abs(column(node) - column(to)) + std::abs(row(node) - row(to));
+  };
+  while (!now.empty() || !later.empty()) {
+    if (now.empty()) std::swap(now, later);
+    const Step step = now.back();
+    now.pop_back();
+    const std::size_t at = step.node;
+    if (came_[at] != kUnseen) continue;
+    see(at, step.came);
+    if (at == to) break;
+    for (const Direction d : kAllDirections) {
+      if (!graph_.passable(column(at), row(at), d)) continue;
+      const std::size_t next = neighbour(at, d);
+      if (came_[next] != kUnseen) continue;
+      (away(next) < away(at) ? now : later).push_back({static_cast<std::uint32_t>(next), static_cast<std::uint8_t>(d)});
+    }
+  }
+  Polyline found = traced_back(to);
+  forget();
+  return found;
+}
+
+std::optional<LatticeWays::Found> LatticeWays::nearest(std::size_t from,
+                                                       const std::function<bool(std::size_t)>& wanted) {
+  std::optional<Found> found;
+  see(from, kRoot);
+  for (std::size_t k = 0; k < seen_.size(); ++k) {
+    const std::size_t at = seen_[k];
+    if (wanted(at)) {
+      found = Found{at, traced_back(at)};
+      break;
+    }
+    for (const Direction d : kAllDirections)
+      if (graph_.passable(column(at), row(at), d) && came_[neighbour(at, d)] == kUnseen)
+        see(neighbour(at, d), static_cast<std::uint8_t>(d));
+  }
+  forget();
+  return found;
+}
+
+}  // namespace oxturn
