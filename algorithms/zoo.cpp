@@ -8,6 +8,7 @@ PlannerInfo boustrophedon();
 PlannerInfo zigzag();
 PlannerInfo stc();
 PlannerInfo rectangles();
+PlannerInfo hyun();
 PlannerInfo leashed();
 PlannerInfo berg();
 PlannerInfo berg_complete();
@@ -22,6 +23,7 @@ const std::vector<PlannerInfo>& zoo() {
       zigzag(),
       stc(),
       rectangles(),
+      hyun(),
       leashed(),
       with_sensing(berg()),
       with_sensing(berg_complete()),

@@ -23,13 +23,14 @@ GeneratorInfo spiral();
 GeneratorInfo field();
 GeneratorInfo berg_rectangle();
 GeneratorInfo berg_rooms();
+GeneratorInfo hyun();
 }  // namespace generator
 
 const std::vector<GeneratorInfo>& generators() {
-  static const std::vector<GeneratorInfo> all{generator::rectangle(),      generator::polygon(),   generator::clutter(),
-                                              generator::rooms(),          generator::maze(),      generator::cave(),
-                                              generator::comb(),           generator::spiral(),    generator::field(),
-                                              generator::berg_rectangle(), generator::berg_rooms()};
+  static const std::vector<GeneratorInfo> all{
+      generator::rectangle(), generator::polygon(),        generator::clutter(),    generator::rooms(),
+      generator::maze(),      generator::cave(),           generator::comb(),       generator::spiral(),
+      generator::field(),     generator::berg_rectangle(), generator::berg_rooms(), generator::hyun()};
   return all;
 }
 
