@@ -10,8 +10,10 @@
 //                letter: one side only on each pass.
 //             2. The source's steps 3, 5 and 6 contradict each other. Here: the other end of the own interval; else the
 //                nearest untracked point on the line onwards, in the direction of the last such step, then on the line on
-//                the other side, if the way there is straight and crosses no earlier link; else the nearest of all, by
-//                the planner if the straight way is blocked. `rules = literal` is the steps as printed: right contacts
+//                the other side, if a step leads there that crosses no earlier link; else the nearest of all, by the
+//                planner if the straight way is blocked. A step is straight (along a wall: to a contact of the same
+//                side), or straight across with x fixed, as in the source's pass, and along one of the two lines, which
+//                gets it round what bulges between two lines without diagonals. `rules = literal` is the steps as printed: right contacts
 //                are sought from the left wall and the reverse, but from an obstacle's contact those on the same side of
 //                the same obstacle; own line, line onwards, line back, all.
 //             3. Obstacles are the holes of configuration space, numbered: what the robot cannot pass between is one.
@@ -28,6 +30,7 @@
 //             9. `outline` (ours) drives the border of configuration space as well: between lines, slanted walls keep
 //                slivers.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -142,35 +145,37 @@ class Scan {
   std::size_t go_on(std::size_t at) {
     if (p_.rules == "literal") {
       for (const int by : {0, 1, -1})
-        if (const auto next = nearest_on(at, by, true)) return link(at, *next);
+        if (const auto next = nearest_on(at, by); next && connector_.straight(places_[at], places_[*next]))
+          return link(*next, {places_[at], places_[*next]});
     } else {
-      if (!tracked(at ^ 1)) return link(at, at ^ 1);  // the other end of the same interval
+      if (!tracked(at ^ 1)) return link(at ^ 1, {places_[at], places_[at ^ 1]});  // the own interval's other end
       for (const int by : {direction_, -direction_}) {
-        const auto next = nearest_on(at, by, false);
-        if (!next || !fits(at, *next)) continue;
+        const auto next = nearest_on(at, by);
+        if (!next) continue;
+        const Polyline way = step(at, *next);
+        if (way.empty()) continue;
         direction_ = by;
-        return link(at, *next);
+        return link(*next, way);
       }
     }
     return jump(at);
   }
 
-  /// The nearest untracked point of the line so many onwards that the rules ask for, if the way there is straight.
-  std::optional<std::size_t> nearest_on(std::size_t at, int by, bool literal) const {
+  /// The nearest untracked point of the line so many onwards that the rules ask for.
+  std::optional<std::size_t> nearest_on(std::size_t at, int by) const {
     const int line = point(at).line + by;
     if (line < 0 || line >= static_cast<int>(on_line_.size())) return std::nullopt;
     const auto& left = on_line_[static_cast<std::size_t>(line)];
     std::optional<std::size_t> best;
     const double x = places_[at].x();
     const auto look = [&](std::size_t i) {
-      if (literal && !wanted(point(at), point(i))) return false;
+      if (p_.rules == "literal" && !wanted(point(at), point(i))) return false;
       if (!best || std::abs(places_[i].x() - x) < std::abs(places_[*best].x() - x)) best = i;
       return true;
     };
     const auto middle = left.lower_bound({x, 0});
     for (auto i = middle; i != left.end() && !look(i->second);) ++i;
     for (auto i = middle; i != left.begin() && !look((--i)->second);) {}
-    if (!best || !connector_.straight(places_[at], places_[*best])) return std::nullopt;
     return best;
   }
   static bool wanted(const TrackingPoint& from, const TrackingPoint& to) {
@@ -178,25 +183,30 @@ class Scan {
     return is_left(from.status) == is_left(to.status) && from.obstacle == to.obstacle;
   }
 
-  std::pair<double, double> ends(std::size_t a, std::size_t b) const {  // on the upper and on the lower line
-    if (point(a).line > point(b).line) std::swap(a, b);
-    return {places_[a].x(), places_[b].x()};
-  }
-  Steps& steps(std::size_t a, std::size_t b) {
-    return steps_[static_cast<std::size_t>(std::min(point(a).line, point(b).line))];
-  }
-  bool fits(std::size_t a, std::size_t b) {
-    const auto [upper, lower] = ends(a, b);
-    return steps(a, b).fits(upper, lower);
+  /// A way to a point of a neighbouring line that crosses no earlier one, and is then taken: straight, or along one of the
+  /// two lines and straight across. Empty if there is none.
+  Polyline step(std::size_t from, std::size_t to) {
+    const Point &a = places_[from], &b = places_[to];
+    const Polyline straight{a, b}, across_first{a, {a.x(), b.y()}, b}, along_first{a, {b.x(), a.y()}, b};
+    const bool same_side = is_left(point(from).status) == is_left(point(to).status);
+    const std::array<const Polyline*, 3> ways = same_side ? std::array{&straight, &across_first, &along_first}
+                                                          : std::array{&across_first, &along_first, &straight};
+    Steps& steps = steps_[static_cast<std::size_t>(std::min(point(from).line, point(to).line))];
+    for (const Polyline* way : ways) {
+      double upper = way == &along_first ? b.x() : a.x(), lower = way == &across_first ? a.x() : b.x();
+      if (point(from).line > point(to).line) std::swap(upper, lower);
+      bool free = steps.fits(upper, lower);
+      for (std::size_t i = 1; free && i < way->size(); ++i) free = connector_.straight((*way)[i - 1], (*way)[i]);
+      if (!free) continue;
+      steps.add(upper, lower);
+      return *way;
+    }
+    return {};
   }
 
-  std::size_t link(std::size_t from, std::size_t to) {
-    if (point(from).line != point(to).line) {
-      const auto [upper, lower] = ends(from, to);
-      steps(from, to).add(upper, lower);
-    }
-    links_.push_back({places_[from], places_[to]});
-    path_.drive(places_[to], true);
+  std::size_t link(std::size_t to, const Polyline& way) {
+    links_.push_back(way);
+    path_.drive(way, true);
     return to;
   }
 
@@ -214,12 +224,10 @@ class Scan {
         to = i;
         return false;
       });
-    if (connector_.straight(places_[from], places_[to])) {
-      const bool beside = std::abs(point(from).line - point(to).line) == 1 &&
-                          distance(places_[from], places_[to]) <= problem_.robot().tool_width;
-      if (beside && fits(from, to)) return link(from, to);
-      return drive_off({places_[from], places_[to]}, to);
-    }
+    if (std::abs(point(from).line - point(to).line) == 1 &&
+        distance(places_[from], places_[to]) <= problem_.robot().tool_width)
+      if (const Polyline way = step(from, to); !way.empty()) return link(to, way);
+    if (connector_.straight(places_[from], places_[to])) return drive_off({places_[from], places_[to]}, to);
     ++planned_;
     std::optional<Polyline> way;
     if (p_.transit == "tlppa") {

@@ -37,7 +37,8 @@ LinkCrossings count_crossings(const std::vector<Polyline>& links, const std::vec
       const std::size_t c = grid.index(column, row);
       for (const std::uint32_t* i = grid.begin(c); i != grid.end(c); ++i)
         for (const std::uint32_t* j = i + 1; j != grid.end(c); ++j) {
-          const auto& [a, b] = segments[*i], &[ p, q ] = segments[*j];
+          const auto& [a, b] = segments[*i];
+          const auto& [p, q] = segments[*j];
           if (crossing(a, b, p, q) == Crossing::proper) pairs.emplace_back(std::min(*i, *j), std::max(*i, *j));
         }
     }
