@@ -10,39 +10,52 @@ namespace {
 
 constexpr int kBlock = 8;
 constexpr int kReach = 4;
-constexpr double kMostCells = 1 << 24;
+constexpr double kMostCells = 1 << 22;
 constexpr int kSteps[8][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
 
-/// A* over the eight neighbours of grid cells; `may(from i, j, to i, j)` tells which steps there are. Equal costs: the
-/// lower cell first. Empty if there is no way.
+/// Columns left .. right and rows bottom .. top of a grid.
+struct Window {
+  int left, bottom, right, top;
+};
+
+/// A* over the eight neighbours of the set cells in a window; `may(from i, j, to i, j)` tells which steps there are. Equal
+/// costs: the lower cell first. Empty if there is no way. Memory for the window alone.
 template <class May>
-std::vector<std::size_t> search(const BitGrid& grid, std::size_t from, std::size_t to, May may) {
+std::vector<std::size_t> search(const BitGrid& grid, const Window& w, std::size_t from, std::size_t to, May may) {
   constexpr double kFar = 1e300;
-  std::vector<double> cost(grid.bits.size(), kFar);
-  std::vector<std::int8_t> came(grid.bits.size(), -1);
-  const auto column = [&](std::size_t c) { return static_cast<int>(c % static_cast<std::size_t>(grid.columns)); };
-  const auto row = [&](std::size_t c) { return static_cast<int>(c / static_cast<std::size_t>(grid.columns)); };
+  const auto columns = static_cast<std::size_t>(w.right - w.left + 1);
+  const auto local = [&](int i, int j) {
+    return static_cast<std::size_t>(j - w.bottom) * columns + static_cast<std::size_t>(i - w.left);
+  };
+  const auto column = [&](std::size_t c) { return static_cast<int>(c % columns) + w.left; };
+  const auto row = [&](std::size_t c) { return static_cast<int>(c / columns) + w.bottom; };
+  const auto all = columns * static_cast<std::size_t>(w.top - w.bottom + 1);
+  const auto wide = static_cast<std::size_t>(grid.columns);
+  const std::size_t begin = local(static_cast<int>(from % wide), static_cast<int>(from / wide));
+  const std::size_t end = local(static_cast<int>(to % wide), static_cast<int>(to / wide));
+
+  std::vector<double> cost(all, kFar);
+  std::vector<std::int8_t> came(all, -1);
+  std::vector<std::uint8_t> closed(all, 0);
   const auto ahead = [&](int i, int j) {  // the least that eight directions allow
-    const int dx = std::abs(i - column(to)), dy = std::abs(j - row(to));
+    const int dx = std::abs(i - column(end)), dy = std::abs(j - row(end));
     return std::max(dx, dy) + (std::sqrt(2.0) - 1) * std::min(dx, dy);
   };
   using Item = std::pair<double, std::size_t>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> open;
-  cost[from] = 0;
-  open.push({ahead(column(from), row(from)), from});
-  std::vector<std::uint8_t> closed(grid.bits.size(), 0);
-  while (!open.empty()) {
+  cost[begin] = 0;
+  open.push({ahead(column(begin), row(begin)), begin});
+  while (!open.empty() && !closed[end]) {
     const std::size_t at = open.top().second;
     open.pop();
     if (closed[at]) continue;
     closed[at] = 1;
-    if (at == to) break;
     const int i = column(at), j = row(at);
     for (int k = 0; k < 8; ++k) {
       const int x = i + kSteps[k][0], y = j + kSteps[k][1];
-      if (!grid.get(x, y) || !may(i, j, x, y)) continue;
+      if (x < w.left || x > w.right || y < w.bottom || y > w.top || !grid.get(x, y) || !may(i, j, x, y)) continue;
       const double longer = cost[at] + (k < 4 ? 1 : std::sqrt(2.0));
-      const std::size_t next = grid.at(x, y);
+      const std::size_t next = local(x, y);
       if (closed[next] || longer >= cost[next]) continue;
       cost[next] = longer;
       came[next] = static_cast<std::int8_t>(k);
@@ -50,14 +63,16 @@ std::vector<std::size_t> search(const BitGrid& grid, std::size_t from, std::size
     }
   }
   std::vector<std::size_t> way;
-  if (cost[to] >= kFar) return way;
-  for (std::size_t at = to;; at = grid.at(column(at) - kSteps[came[at]][0], row(at) - kSteps[came[at]][1])) {
-    way.push_back(at);
-    if (at == from) break;
+  if (!closed[end]) return way;
+  for (std::size_t at = end;; at = local(column(at) - kSteps[came[at]][0], row(at) - kSteps[came[at]][1])) {
+    way.push_back(grid.at(column(at), row(at)));
+    if (at == begin) break;
   }
   std::reverse(way.begin(), way.end());
   return way;
 }
+
+Window whole(const BitGrid& grid) { return {0, 0, grid.columns - 1, grid.rows - 1}; }
 
 }  // namespace
 
@@ -114,7 +129,7 @@ std::vector<std::uint8_t> Tlppa::corridor(std::size_t from, std::size_t to) cons
       }
     return false;
   };
-  const std::vector<std::size_t> way = search(coarse_, block(from), block(to), across);
+  const std::vector<std::size_t> way = search(coarse_, whole(coarse_), block(from), block(to), across);
   std::vector<std::uint8_t> may(way.empty() ? 0 : coarse_.bits.size(), 0);
   for (const std::size_t b : way) {
     const int i = static_cast<int>(b % static_cast<std::size_t>(coarse_.columns));
@@ -130,10 +145,19 @@ std::optional<Polyline> Tlppa::path(const Point& a, const Point& b) const {
   const auto from = join(a), to = join(b);
   if (!from || !to) return std::nullopt;
   std::vector<std::size_t> way;
-  if (const std::vector<std::uint8_t> may = corridor(*from, *to); !may.empty())
-    way =
-        search(fine_, *from, *to, [&](int, int, int x, int y) { return may[coarse_.at(x / kBlock, y / kBlock)] != 0; });
-  if (way.empty()) way = search(fine_, *from, *to, [](int, int, int, int) { return true; });
+  if (const std::vector<std::uint8_t> may = corridor(*from, *to); !may.empty()) {
+    Window window{fine_.columns, fine_.rows, 0, 0};
+    for (int j = 0; j < coarse_.rows; ++j)
+      for (int i = 0; i < coarse_.columns; ++i)
+        if (may[coarse_.at(i, j)])
+          window = {std::min(window.left, i * kBlock), std::min(window.bottom, j * kBlock),
+                    std::max(window.right, i * kBlock + kBlock - 1), std::max(window.top, j * kBlock + kBlock - 1)};
+    window.right = std::min(window.right, fine_.columns - 1);
+    window.top = std::min(window.top, fine_.rows - 1);
+    way = search(fine_, window, *from, *to,
+                 [&](int, int, int x, int y) { return may[coarse_.at(x / kBlock, y / kBlock)] != 0; });
+  }
+  if (way.empty()) way = search(fine_, whole(fine_), *from, *to, [](int, int, int, int) { return true; });
   if (way.empty()) return std::nullopt;
   Polyline line{a};
   for (std::size_t k = 0; k < way.size(); ++k) {

@@ -2,8 +2,8 @@
 //
 // Source      after W. K. Hyun, "A hierarchical collision-free path planning algorithm for robots", IROS 1995, as cited
 //             and outlined in his sweeping paper; the IROS paper itself was not at hand
-// Complexity  N fine cells: build O(N + edges of the space); a way O(N) for its tables and O(c log c) for the c cells opened,
-//             at worst O(N log N). Memory 1 byte a fine cell, 10 more during a search.
+// Complexity  N fine cells: build O(N + edges of the space); a way O(N / 64 + W + c log c) for a corridor of W cells, box
+//             and all, and c cells opened; O(N log N) if the corridor fails. Memory 1 byte a fine cell, 10 a cell searched.
 // Guarantee   every way lies in configuration space. None is found where the only passages are narrower than two or three
 //             fine cells: the cells are what it knows (resolution-complete).
 // Decisions   1. A fine cell is free if it lies wholly in configuration space; so does then a step to any of its eight
@@ -28,7 +28,7 @@ namespace oxturn {
 
 class Tlppa {
  public:
-  /// `cell`: side of a fine cell, metres; made larger where the space would take more than 2^24 of them.
+  /// `cell`: side of a fine cell, metres; made larger where the space would take more than 2^22 of them.
   Tlppa(const Problem& problem, double cell);
   /// From a to b, both included. nullopt if the cells show none.
   std::optional<Polyline> path(const Point& a, const Point& b) const;
