@@ -44,6 +44,8 @@ std::string missing_capability(const PlannerInfo& planner, const Problem& proble
     return lacks(Capability::tether, "a tethered robot asks for");
   if (problem.robot().min_turn_radius > 0 && !planner.has(Capability::curvature))
     return lacks(Capability::curvature, "a robot that cannot turn on the spot asks for");
+  if (!problem.robot().footprint.empty() && !planner.has(Capability::footprint))
+    return lacks(Capability::footprint, "a robot that is no disc asks for");
   if (hole_count(problem.configuration_space()) > 0 && !planner.has(Capability::holes))
     return lacks(Capability::holes, "a map with obstacles inside asks for");
   return {};

@@ -17,6 +17,7 @@ PlannerInfo linked_spiral();
 PlannerInfo ba_star();
 PlannerInfo smart_dfs();
 PlannerInfo cell_explore();
+PlannerInfo hyun();
 PlannerInfo leashed();
 PlannerInfo berg();
 PlannerInfo berg_complete();
@@ -44,6 +45,7 @@ const std::vector<PlannerInfo>& zoo() {
       ba_star(),
       smart_dfs(),
       cell_explore(),
+      hyun(),
       leashed(),
       with_sensing(berg()),
       with_sensing(berg_complete()),

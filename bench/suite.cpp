@@ -29,13 +29,20 @@ constexpr double kMost = 1e15;
 
 using Choice = std::pair<std::string, const toml::node*>;
 
+// A list of lists is one polygon, no list of alternatives.
+bool is_ring(const toml::node& node) {
+  const toml::array* list = node.as_array();
+  return list != nullptr && !list->empty() && (*list)[0].is_array();
+}
+
 // Every combination of one alternative of each key.
 std::vector<std::vector<Choice>> product(const std::string& file, const std::vector<Choice>& keys) {
   std::vector<std::vector<Choice>> all{{}};
   for (const auto& [key, node] : keys) {
     std::vector<std::vector<Choice>> longer;
     for (const auto& chosen : all) {
-      for (const toml::node* value : alternatives(file, *node, key)) {
+      for (const toml::node* value :
+           key == "footprint" && is_ring(*node) ? std::vector{node} : alternatives(file, *node, key)) {
         longer.push_back(chosen);
         longer.back().emplace_back(key, value);
       }
@@ -94,6 +101,24 @@ std::vector<Choice> robot_keys(const std::string& file, TomlTable& table) {
   return keys;
 }
 
+/// [[0.5, 0], [0, 0.5], [-0.5, 0], [0, -0.5]] or "octagon:1".
+Ring footprint_of(const std::string& file, const toml::node& node) {
+  Ring ring;
+  if (const auto* name = node.as_string()) {
+    at_place(file, node, [&] { ring = named_footprint(name->get()); });
+    return ring;
+  }
+  const char* const expected = "footprint is neither \"square:WIDTH\", \"octagon:WIDTH\" nor a list of corners [x, y]";
+  const toml::array* corners = node.as_array();
+  if (corners == nullptr || corners->empty()) refuse(file, node, expected);
+  for (const toml::node& corner : *corners) {
+    const toml::array* xy = corner.as_array();
+    if (xy == nullptr || xy->size() != 2) refuse(file, corner, expected);
+    ring.emplace_back(real(file, (*xy)[0], "footprint"), real(file, (*xy)[1], "footprint"));
+  }
+  return ring;
+}
+
 Robot robot_of(const std::string& file, const std::string& name, const std::vector<Choice>& chosen,
                const toml::node& place) {
   Robot robot;
@@ -104,6 +129,8 @@ Robot robot_of(const std::string& file, const std::string& name, const std::vect
     const auto number = [&, k = key, n = node] { return real(file, *n, k); };
     if (key == "radius")
       robot.radius = number();
+    else if (key == "footprint")
+      robot.footprint = footprint_of(file, *node);
     else if (key == "tool_width")
       robot.tool_width = number();
     else if (key == "speed")
@@ -130,13 +157,19 @@ Robot robot_of(const std::string& file, const std::string& name, const std::vect
     } else if (key == "lidar.noise") {
       lidar().noise = number();
     } else {
-      refuse(file, *node,
-             fmt::format("unknown key '{}' in robot '{}'; expected: radius, tool_width, speed, acceleration, "
-                         "turn_rate, min_turn_radius, tether.length, tether.reach, tether.sharp_angle, lidar.range, "
-                         "lidar.rays, lidar.noise",
-                         key, name));
+      refuse(
+          file, *node,
+          fmt::format("unknown key '{}' in robot '{}'; expected: radius, footprint, tool_width, speed, acceleration, "
+                      "turn_rate, min_turn_radius, tether.length, tether.reach, tether.sharp_angle, lidar.range, "
+                      "lidar.rays, lidar.noise",
+                      key, name));
     }
   }
+  const auto given = [&](const char* key) {
+    return std::any_of(chosen.begin(), chosen.end(), [&](const Choice& c) { return c.first == key; });
+  };
+  if (given("radius") && given("footprint"))
+    refuse(file, place, fmt::format("robot '{}' has a radius and a footprint, expected one of the two", name));
   at_place(file, place, [&] { check(robot); });
   return robot;
 }
@@ -156,7 +189,8 @@ std::vector<Robot> read_robots(const std::string& file, const toml::node* node, 
       // What varies goes into the name.
       Settings varied;
       for (std::size_t i = 0; i < keys.size(); ++i) {
-        if (keys[i].second->is_array()) varied[keys[i].first] = value_of(file, *chosen[i].second, keys[i].first);
+        if (keys[i].second != chosen[i].second)
+          varied[keys[i].first] = value_of(file, *chosen[i].second, keys[i].first);
       }
       const std::string full = varied.empty() ? name : fmt::format("{}[{}]", name, settings_text(varied));
       robots.push_back(robot_of(file, full, chosen, *body));

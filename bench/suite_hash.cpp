@@ -33,6 +33,8 @@ std::string content_hash(const Suite& suite) {
       text += fmt::format(" lidar {} {}", to_decimal(r.lidar->range), r.lidar->rays);
       if (r.lidar->noise != 0) text += fmt::format(" noise {}", to_decimal(r.lidar->noise));
     }
+    if (!r.footprint.empty()) text += " footprint";
+    for (const Point& p : r.footprint) text += fmt::format(" {} {}", to_decimal(p.x()), to_decimal(p.y()));
     text += '\n';
   }
   for (const MapSpec& m : suite.maps) {

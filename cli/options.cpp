@@ -88,7 +88,7 @@ constexpr RobotKey kRobotKeys[] = {
 };
 
 void change_robot(Robot& robot, const std::string& text) {
-  std::vector<std::string> names{"name"};
+  std::vector<std::string> names{"name", "footprint"};
   for (const RobotKey& key : kRobotKeys) names.emplace_back(key.name);
   bool lengthened = false;
   for (const std::string& part : split(text, ',')) {
@@ -102,6 +102,15 @@ void change_robot(Robot& robot, const std::string& text) {
       robot.name = value;
       continue;
     }
+    if (name == "footprint") {
+      try {
+        robot.footprint = value == "disc" ? Ring{} : named_footprint(value);
+      } catch (const std::invalid_argument& e) {
+        throw std::invalid_argument(fmt::format("--robot: {}, or disc", e.what()));
+      }
+      continue;
+    }
+    if (name == "radius") robot.footprint.clear();
     const RobotKey* found = nullptr;
     for (const RobotKey& key : kRobotKeys)
       if (name == key.name) found = &key;
@@ -249,7 +258,8 @@ void say_remarks(const MapFile& file) {
 
 void add_problem_options(CLI::App& app, ProblemOptions& options) {
   app.add_option("--robot", options.robot,
-                 "name, radius, tool_width, speed, acceleration, turn_rate, min_turn_radius, tether (metres) "
+                 "name, radius or footprint (square:WIDTH, octagon:WIDTH; disc: as its radius says), tool_width, "
+                 "speed, acceleration, turn_rate, min_turn_radius, tether (metres) "
                  "or tether_reach (times the distance of the farthest place), sharp_angle (of the tether, radians), "
                  "lidar_range, lidar_rays, lidar_noise; those not given "
                  "stay as the map's file or the default has them")
@@ -275,7 +285,10 @@ Problem load_problem(const ProblemOptions& options) {
   MapFile file = load_map(options.map, options.read);
   Robot robot = file.robot.value_or(Robot{});
   if (!options.robot.empty()) change_robot(robot, options.robot);
-  if (options.radius) robot.radius = *options.radius;
+  if (options.radius) {
+    robot.radius = *options.radius;
+    robot.footprint.clear();
+  }
   if (options.tool_width) robot.tool_width = *options.tool_width;
   const bool robot_given = file.robot || !options.robot.empty() || (options.radius && options.tool_width);
   check(robot);

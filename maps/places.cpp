@@ -34,8 +34,15 @@ std::optional<double> number(std::string_view text) {
 }
 
 Point lower_left(const Map& map, Robot robot) {
-  robot.tether.reset();                    // where it could be, were there no leash
-  robot.radius += robot.tool_width / 100;  // lanes and grids that begin there are not to graze the walls
+  robot.tether.reset();  // where it could be, were there no leash
+  // Lanes and grids that begin there are not to graze the walls.
+  const double spare = robot.tool_width / 100;
+  if (robot.footprint.empty()) {
+    robot.radius += spare;
+  } else {
+    const double larger = 1 + spare / in_radius(robot.footprint);  // moves every side out by as much at least
+    for (Point& p : robot.footprint) p *= larger;
+  }
   const Problem loose(map, robot);
   std::optional<Point> best;
   const auto key = [](const Point& p) { return std::tuple(p.x() + p.y(), p.x()); };

@@ -11,7 +11,10 @@
 //                lost counts in target_excess. What the leash reaches only past places that it does not reach is no
 //                part of configuration space.
 //             5. A tethered robot whose anchor is given and whose start is not starts as near to the anchor as it fits.
-//             6. The place offered to a start in a wall has as few decimals as still lie inside, to be typed again.
+//             6. A polygonal footprint keeps its orientation, so configuration space is a plane region: free space less the
+//                Minkowski sum of walls and reflected footprint (minkowski.hpp). Its `radius` becomes that of the largest
+//                disc inside, so that what planners conclude from the radius (a tool that cannot reach over walls) holds.
+//             7. The place offered to a start in a wall has as few decimals as still lie inside, to be typed again.
 #include "maps/problem.hpp"
 
 #include <fmt/format.h>
@@ -23,6 +26,7 @@
 
 #include "geometry/boolean.hpp"
 #include "geometry/mesh.hpp"
+#include "geometry/minkowski.hpp"
 #include "geometry/offset.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/slit.hpp"
@@ -55,13 +59,20 @@ Region repaired_or_named(const Map& map) {
   return free;
 }
 
+std::string size_of(const Robot& robot) {
+  if (robot.footprint.empty()) return "radius " + to_decimal(robot.radius);
+  return fmt::format("footprint of {} corners", robot.footprint.size());
+}
+
 /// Everywhere the robot fits, in all connected parts.
 Region eroded(const Map& map, const Region& free, const Robot& robot) {
-  Region all = robot.radius > 0 ? erode(free, robot.radius, robot.tool_width / 1000, Bound::inside) : free;
+  Region all = !robot.footprint.empty() ? erode(free, robot.footprint, Bound::inside)
+               : robot.radius > 0       ? erode(free, robot.radius, robot.tool_width / 1000, Bound::inside)
+                                        : free;
   if (all.empty())
     throw std::invalid_argument(
-        fmt::format("robot '{}' (radius {}) fits nowhere in map '{}'; its widest passage is too narrow", robot.name,
-                    to_decimal(robot.radius), map.name));
+        fmt::format("robot '{}' ({}) fits nowhere in map '{}'; its widest passage is too narrow", robot.name,
+                    size_of(robot), map.name));
   return all;
 }
 
@@ -262,6 +273,7 @@ struct Problem::Impl {
 
 Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional<Point> anchor) {
   check(robot);
+  if (!robot.footprint.empty()) robot.radius = in_radius(robot.footprint);
   const auto basis = std::make_shared<ProblemBasis>();
   map.free = repaired_or_named(map);
   if (start && !finite(*start))
@@ -282,8 +294,8 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
       throw std::invalid_argument(fmt::format("start {} is inside a wall of '{}'; nearest place the robot fits: {}",
                                               text(basis->start), map.name, place));
     throw std::invalid_argument(
-        fmt::format("start {} is too near a wall of '{}' for robot '{}' (radius {}); nearest place the robot fits: {}",
-                    text(basis->start), map.name, robot.name, to_decimal(robot.radius), place));
+        fmt::format("start {} is too near a wall of '{}' for robot '{}' ({}); nearest place the robot fits: {}",
+                    text(basis->start), map.name, robot.name, size_of(robot), place));
   }
   basis->anchor = anchor ? *anchor : basis->start;
   if (anchor && !holds(map.free, *anchor, tolerance))
@@ -397,6 +409,10 @@ std::string Problem::content_hash() const {
     append_canonical(bytes, value);
   if (r.tether) append_canonical(bytes, r.tether->sharp_angle);
   if (r.lidar && r.lidar->noise != 0) append_canonical(bytes, r.lidar->noise);
+  for (const Point& p : r.footprint) {
+    append_canonical(bytes, p.x());
+    append_canonical(bytes, p.y());
+  }
   return sha256(bytes);
 }
 

@@ -15,8 +15,9 @@ namespace oxturn {
 
 class Problem {
  public:
-  /// Erodes the map by the robot (inside bound, chord error tool_width / 1000) and keeps the connected part that
-  /// holds the start. A passage must be wider than 2 radius + tool_width / 500 to count as open.
+  /// Erodes the map by the robot (inside bound; of a disc, chord error tool_width / 1000) and keeps the connected part
+  /// that holds the start. A passage must be wider than 2 radius + tool_width / 500 to count as open; for a polygonal
+  /// footprint, than the robot is, across it, plus some 2^-25 of the map's extent.
   /// No start: `default_start`. Throws std::invalid_argument in one sentence: a bad robot, an invalid or empty
   /// map, no place for the robot at all, "start (2, 3) is inside a wall of 'rooms-7'; nearest place the robot
   /// fits: (2.14, 3.31)", a start that is not finite, an anchor outside free space.

@@ -1,5 +1,6 @@
 // Smallest distance from the centre line to the boundary of configuration space: distance to the walls less the
-// robot's radius. Measured against the map itself, not the eroded space. Negative when outside.
+// robot's radius, or distance from a polygonal footprint to the walls. Measured against the map itself, not the eroded
+// space. Negative when outside: by how much the radius, or the footprint's nearest side, would have to be less.
 #include "metrics/score.hpp"
 
 namespace oxturn {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/place_outside.hpp"
+#include "metrics/footprint.hpp"
 #include "metrics/score.hpp"
 #include "metrics/walls.hpp"
 
@@ -44,6 +45,12 @@ std::string find_flaw(const Problem& problem, const Path& path, const EdgeIndex&
   const double tolerance = problem.tolerance(), radius = problem.robot().radius;
   const Point& start = path.legs.front().points.front();
   if (!nearly_contains(walls, start, tolerance)) return fmt::format("starts at {}, inside a wall", text(start));
+  if (const Ring& footprint = problem.robot().footprint; !footprint.empty()) {
+    const auto hit = first_hit(path, footprint, tolerance, walls);
+    return hit ? fmt::format("leaves configuration space at {}: the footprint reaches {:.3g} m into a wall",
+                             text(hit->at), hit->depth)
+               : "";
+  }
   for (const Leg& leg : path.legs) {
     for (std::size_t i = 1; i < leg.points.size(); ++i) {
       const Point &a = leg.points[i - 1], &b = leg.points[i];
@@ -65,6 +72,7 @@ std::string find_flaw(const Problem& problem, const Path& path, const EdgeIndex&
 }
 
 double clearance(const Problem& problem, const Path& path, const EdgeIndex& walls) {
+  if (!problem.robot().footprint.empty()) return footprint_clearance(path, problem.robot().footprint, walls);
   double least = std::numeric_limits<double>::infinity();
   bool suspect = false;  // somewhere it may be outside
   const Point* last = nullptr;

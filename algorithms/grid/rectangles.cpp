@@ -182,7 +182,7 @@ PlannerInfo rectangles() {
        .family = "grid",
        .title = "rectangle partition, column by column",
        .citation = "MyCarbot (TH Nuernberg)",
-       .capabilities = {Capability::online, Capability::holes},
+       .capabilities = {Capability::online, Capability::holes, Capability::footprint},
        .guarantee = "every cell of a drivable rectangle of at least 2 x 2 cells, except skipped columns",
        .parameters = {
            {"cell_size", &Params::cell_size, Range{0, 1000}, "side of a cell, metres; 0: half the robot's width"},

@@ -74,7 +74,7 @@ PlannerInfo stc() {
        .family = "grid",
        .title = "spanning tree coverage, offline",
        .citation = "Gabriely & Rimon 2001",
-       .capabilities = {Capability::holes},
+       .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "each sub-cell of the wholly free coarse cells exactly once, in a closed round",
        .parameters = {
            {"cell_size", &Params::cell_size, Range{0, 1000}, "side D of a sub-cell, metres; 0: tool width / sqrt 2"},

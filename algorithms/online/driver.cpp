@@ -178,6 +178,11 @@ Path drive_online(const Problem& truth, const std::function<void(OnlineRobot&, C
   if (!truth.robot().lidar)
     throw Unsupported(fmt::format("robot '{}' has no lidar, which an online planner sees by; give it range and rays",
                                   truth.robot().name));
+  if (!truth.robot().footprint.empty())
+    throw Unsupported(
+        fmt::format("robot '{}' has a polygonal footprint; what a lidar shows is judged for discs only, so "
+                    "give it a radius instead",
+                    truth.robot().name));
   return Drive(truth, context, settings).run(program);
 }
 

@@ -274,7 +274,7 @@ PlannerInfo boustrophedon() {
        .family = "polygon",
        .title = "Boustrophedon decomposition",
        .citation = "Choset, Pignon 1998",
-       .capabilities = {Capability::holes},
+       .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (with outline)",
        .parameters = {
            {"sweep", &Params::sweep, {"best", "given"}, "lane direction: the cheapest of up to 16, or `angle`"},

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/boolean.hpp"
+#include "geometry/minkowski.hpp"
 #include "geometry/offset.hpp"
 
 namespace oxturn {
@@ -37,9 +38,12 @@ Region Frame::to(const Region& region) const {
 
 Region lane_region(const Problem& problem, double inset, double chord) {
   // A point at least `inset` from the boundary of C is at least radius + inset from every wall. The intersection keeps
-  // the part that holds the start, and obeys a restricted C.
-  const Region& space = problem.configuration_space();
-  const Region inner = erode(problem.map().free, problem.robot().radius + inset, chord, Bound::outside);
+  // the part that holds the start, and obeys a restricted C. The C of a polygonal robot has no arcs: nothing is lost there.
+  const Region &space = problem.configuration_space(), &free = problem.map().free;
+  const Robot& robot = problem.robot();
+  const Region inner = robot.footprint.empty()
+                           ? erode(free, robot.radius + inset, chord, Bound::outside)
+                           : erode(erode(free, robot.footprint, Bound::outside), inset, chord, Bound::outside);
   // A border that is no wall (a leash, a cut) is known to C alone.
   return problem.limited() ? intersect(inner, erode(space, inset, chord, Bound::outside)) : intersect(inner, space);
 }

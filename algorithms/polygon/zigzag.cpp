@@ -309,7 +309,7 @@ PlannerInfo zigzag() {
        .family = "polygon",
        .title = "Zig zag filling",
        .citation = "BeachBot thesis, 2.2.4; Greene 1983",
-       .capabilities = {Capability::holes},
+       .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (fit cover, with outline, slivers merged, margin up to half a tool width)",
        .parameters = {
            {"partition",

@@ -88,7 +88,7 @@ void BM_Scattered(benchmark::State& state, const char* name, Settings settings) 
       ->Arg(1 << 13)                                  \
       ->Arg(1 << 16)                                  \
       ->Arg(1000000)                                  \
-      ->Complexity(benchmark::oN)                                \
+      ->Complexity(benchmark::oN)                     \
       ->Unit(benchmark::kMillisecond)
 OXTURN_SCATTERED(bsa, "bsa", Settings{});
 OXTURN_SCATTERED(bsa_latest, "bsa", Settings{{"backtrack", std::string("latest")}});
@@ -103,24 +103,31 @@ OXTURN_SCATTERED(wavefront_path, "wavefront",
 Problem speckled_floor(std::int64_t cells) {
   const int n = static_cast<int>(std::sqrt(static_cast<double>(cells) / 0.9));
   BitGrid grid({0, 0}, 0.4, n, n);
+  Rng rng(1);
   for (auto& bit : grid.bits) bit = rng.chance(0.9);
+  Robot robot;
   robot.radius = 0;
   Region free = trace(grid);
   const auto largest =
       std::max_element(free.polygons.begin(), free.polygons.end(),
                        [](const Polygon& a, const Polygon& b) { return a.holes.size() < b.holes.size(); });
   return Problem({"speckled", {{*largest}}, "bench", ""}, robot);
+}
+
 void plan_speckled(benchmark::State& state, const Settings& more) {
   Settings settings{{"cell_size", 0.4}};
   settings.insert(more.begin(), more.end());
   const Problem problem = speckled_floor(state.range(0));
   benchmark::DoNotOptimize(problem.walls());
   plan(state, "rectangles", problem, settings);
+}
 void BM_RectanglesSpeckled(benchmark::State& state) { plan_speckled(state, {}); }
 void BM_RectanglesSpeckledNearest(benchmark::State& state) {
   plan_speckled(state, {{"choose", std::string("nearest")}});
+}
 void BM_RectanglesSpeckledRevisit(benchmark::State& state) {
   plan_speckled(state, {{"choose", std::string("nearest")}, {"revisit_skipped", true}});
+}
 BENCHMARK(BM_RectanglesSpeckled)
     ->RangeMultiplier(4)
     ->Range(1 << 14, 1 << 20)
@@ -136,15 +143,57 @@ BENCHMARK(BM_RectanglesSpeckledRevisit)
     ->Range(1 << 14, 1 << 20)
     ->Complexity()
     ->Unit(benchmark::kMillisecond);
+
 // Habits: linear in the length driven.
 void BM_Habit(benchmark::State& state, const char* name) {
   const Problem problem(generate("rooms", {}, 1), Robot{});
   benchmark::DoNotOptimize(problem.walls());
   plan(state, name, problem, {{"length_limit", static_cast<double>(state.range(0))}, {"passes", 1000.0}});
+}
 BENCHMARK_CAPTURE(BM_Habit, random_walk, "random-walk")->RangeMultiplier(8)->Range(1 << 9, 1 << 15)->Complexity();
 BENCHMARK_CAPTURE(BM_Habit, spiral_out, "spiral-out")->RangeMultiplier(8)->Range(1 << 9, 1 << 15)->Complexity();
 BENCHMARK_CAPTURE(BM_Habit, wall_follow, "wall-follow")->RangeMultiplier(8)->Range(1 << 9, 1 << 15)->Complexity();
 BENCHMARK_CAPTURE(BM_Habit, vacuum_mix, "vacuum-mix")->RangeMultiplier(8)->Range(1 << 9, 1 << 15)->Complexity();
+// Hyun: on lines alone (range = lines), on a field of obstacles (range = obstacles), and in the world of the paper.
+void plan_hyun(benchmark::State& state, const Problem& problem, const Settings& settings = {}) {
+  benchmark::DoNotOptimize(problem.transit());
+  benchmark::DoNotOptimize(problem.walls());
+  plan(state, "hyun", problem, settings);
+}
+
+void BM_HyunLines(benchmark::State& state) {
+  const double height = static_cast<double>(state.range(0)) * 0.2 + 0.4;
+  plan_hyun(state, Problem({"floor", box_region({0, 0}, {20, height}), "bench", ""}, Robot{}, Point(1, 1)));
+}
+BENCHMARK(BM_HyunLines)->RangeMultiplier(4)->Range(1 << 8, 1 << 14)->Complexity()->Unit(benchmark::kMillisecond);
+
+void BM_HyunObstacles(benchmark::State& state) {
+  const int n = static_cast<int>(std::lround(std::sqrt(static_cast<double>(state.range(0)))));
+  Region free = box_region({0, 0}, {2.0 * n, 2.0 * n});
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const Point at(2 * i + 1 + 0.1 * (j % 3), 2 * j + 1 + 0.1 * (i % 3));
+      free.polygons[0].holes.push_back(
+          {at + Point(-0.3, 0), at + Point(0, 0.3), at + Point(0.3, 0), at + Point(0, -0.3)});
+    }
+  plan_hyun(state, Problem({"field", free, "bench", ""}, Robot{}), {{"transit", std::string("visibility")}});
+}
+BENCHMARK(BM_HyunObstacles)->RangeMultiplier(4)->Range(1 << 4, 1 << 12)->Complexity()->Unit(benchmark::kMillisecond);
+
+void BM_HyunWorld(benchmark::State& state) {
+  Robot robot;
+  robot.footprint = named_footprint("octagon:1");
+  robot.tool_width = 1;
+  const char* const transits[] = {"tlppa", "visibility"};
+  const auto planner = find_planner(zoo(), "hyun").make({{"transit", std::string(transits[state.range(0)])}});
+  for (auto _ : state) {  // all of it: configuration space, triangulation, plan
+    const Problem problem(generate("hyun", {}, 1), robot);
+    Context context;
+    benchmark::DoNotOptimize(planner->plan(problem, context));
+  }
+  state.SetLabel(transits[state.range(0)]);
+}
+BENCHMARK(BM_HyunWorld)->DenseRange(0, 1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace oxturn

@@ -95,8 +95,8 @@ void only_keys(const JsonAt& object, const std::vector<std::string>& keys) {
 }
 
 Robot read_robot(const JsonAt& at, const std::string& file) {
-  only_keys(
-      at, {"name", "radius", "tool_width", "speed", "acceleration", "turn_rate", "min_turn_radius", "tether", "lidar"});
+  only_keys(at, {"name", "radius", "tool_width", "speed", "acceleration", "turn_rate", "min_turn_radius", "tether",
+                 "lidar", "footprint"});
   Robot robot;
   const auto read = [&](const char* key, double& member) {
     if (const Json* v = at.find(key)) member = JsonAt{*v, fmt::format("{}: robot.{}", file, key)}.number();
@@ -131,7 +131,20 @@ Robot read_robot(const JsonAt& at, const std::string& file) {
     robot.lidar = Lidar{member(lidar, "range").number(), rays.value.get<int>(), 0};
     if (lidar.find("noise") != nullptr) robot.lidar->noise = member(lidar, "noise").number();
   }
+  if (const Json* v = at.find("footprint")) {
+    const JsonAt footprint{*v, file + ": robot.footprint"};
+    if (at.find("radius") != nullptr)
+      throw std::invalid_argument(fmt::format("{} has a radius and a footprint, expected one of the two", at.place));
+    if (v->is_array())
+      for (std::size_t i = 0; i < v->size(); ++i)
+        robot.footprint.push_back(JsonAt{(*v)[i], fmt::format("{}, corner {}", footprint.place, i + 1)}.point());
+    else if (!v->is_string())
+      footprint.refuse("a list of corners [x, y], or \"square:WIDTH\" or \"octagon:WIDTH\"");
+    if (v->is_array() && v->empty()) footprint.refuse("at least 3 corners");
+  }
   try {
+    if (const Json* v = at.find("footprint"); v != nullptr && v->is_string())
+      robot.footprint = named_footprint(v->get<std::string>());
     check(robot);
   } catch (const std::invalid_argument& e) { throw std::invalid_argument(fmt::format("{}: {}", file, e.what())); }
   return robot;
@@ -184,11 +197,17 @@ std::string geometry_text(const Region& region) {
 }
 
 std::string robot_text(const Robot& r) {
+  std::string size = "\"radius\": " + json_number(r.radius);
+  if (!r.footprint.empty()) {
+    size = "\"footprint\": [";
+    for (std::size_t i = 0; i < r.footprint.size(); ++i) size += (i > 0 ? ", " : "") + json_point(r.footprint[i]);
+    size += "]";
+  }
   std::string text = fmt::format(
-      "{{\"name\": {}, \"radius\": {}, \"tool_width\": {}, \"speed\": {}, \"acceleration\": {}, \"turn_rate\": {}, "
+      "{{\"name\": {}, {}, \"tool_width\": {}, \"speed\": {}, \"acceleration\": {}, \"turn_rate\": {}, "
       "\"min_turn_radius\": {}",
-      json_text(r.name), json_number(r.radius), json_number(r.tool_width), json_number(r.speed),
-      json_number(r.acceleration), json_number(r.turn_rate), json_number(r.min_turn_radius));
+      json_text(r.name), size, json_number(r.tool_width), json_number(r.speed), json_number(r.acceleration),
+      json_number(r.turn_rate), json_number(r.min_turn_radius));
   if (r.tether)
     text += fmt::format(", \"tether\": {{\"{}\": {}, \"sharp_angle\": {}}}", r.tether->reach > 0 ? "reach" : "length",
                         json_number(r.tether->reach > 0 ? r.tether->reach : r.tether->length),

@@ -324,6 +324,10 @@ void append_marks(std::string& out, const View& view, const Problem& problem, co
         px(end.x() - 0.8 * r), px(end.y() - 0.8 * r), px(1.6 * r), px(1.6 * r));
   }
   const Point start = view(problem.start());
+  if (const Ring& footprint = problem.robot().footprint; !footprint.empty())
+    out += fmt::format(
+        "<path id=\"footprint\" fill=\"none\" stroke=\"#0a7d2c\" stroke-width=\"1.2\" d=\"{}\"/>\n",
+        region_data(view, transformed({{{footprint, {}}}}, 0, problem.start())));
   out += fmt::format(
       "<g id=\"start\"><title>start</title><circle cx=\"{0}\" cy=\"{1}\" r=\"{2}\" fill=\"none\" stroke=\"#0a7d2c\" "
       "stroke-width=\"1.6\"/><circle cx=\"{0}\" cy=\"{1}\" r=\"{3}\" fill=\"#12a33d\" stroke=\"#fff\" "

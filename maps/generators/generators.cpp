@@ -25,14 +25,16 @@ GeneratorInfo berg_rectangle();
 GeneratorInfo berg_rooms();
 GeneratorInfo divided_corridor();
 GeneratorInfo pillars();
+GeneratorInfo hyun();
 }  // namespace generator
 
 const std::vector<GeneratorInfo>& generators() {
   static const std::vector<GeneratorInfo> all{
-      generator::rectangle(), generator::polygon(),        generator::clutter(),    generator::rooms(),
-      generator::maze(),      generator::cave(),           generator::comb(),       generator::spiral(),
-      generator::field(),     generator::berg_rectangle(), generator::berg_rooms(), generator::divided_corridor(),
-      generator::pillars()};
+      generator::rectangle(),      generator::polygon(),    generator::clutter(),
+      generator::rooms(),          generator::maze(),       generator::cave(),
+      generator::comb(),           generator::spiral(),     generator::field(),
+      generator::berg_rectangle(), generator::berg_rooms(), generator::divided_corridor(),
+      generator::pillars(),        generator::hyun()};
   return all;
 }
 

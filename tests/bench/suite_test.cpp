@@ -103,6 +103,20 @@ TEST(Suite, ListsMultiplyInFileOrder) {
   EXPECT_EQ(suite.robots[1].radius, 0.2);
 }
 
+TEST(Suite, FootprintsAreNamedOrListed) {
+  const std::string rest = std::string(kMap) + kPlanner;
+  const Suite named =
+      suite_of(fmt::format("{}[robots.r]\nfootprint = [\"octagon:1\", \"square:0.5\"]\n{}", kHead, rest));
+  ASSERT_EQ(named.robots.size(), 2u);
+  EXPECT_EQ(named.robots[0].name, "r[footprint=octagon:1]");
+  EXPECT_EQ(named.robots[1].footprint, named_footprint("square:0.5"));
+  const Suite listed = suite_of(fmt::format("{}[robots.r]\nfootprint = [[1, 0], [0, 1], [-1, -1.5]]\n{}", kHead, rest));
+  ASSERT_EQ(listed.robots.size(), 1u);
+  EXPECT_EQ(listed.robots[0].name, "r");
+  EXPECT_EQ(listed.robots[0].footprint, (Ring{{1, 0}, {0, 1}, {-1, -1.5}}));
+  EXPECT_NE(content_hash(named), content_hash(listed));
+}
+
 TEST(Suite, TheStarNamesThoseNotNamed) {
   const std::string start = fmt::format("{}{}{}", kHead, kRobot, kMap);
   EXPECT_THAT(variants(suite_of(start + "[[planners]]\nname = \"*\"\n")), ElementsAre("test", "other"));
@@ -221,6 +235,13 @@ TEST(Suite, MistakesAreOneSentenceWithTheirLine) {
       {std::string(kHead) + "[robots.r]\ntool_width = 0\n", "t.toml:3: ", "tool_width is 0"},
       {std::string(kHead) + "[robots.r]\nwidth = 0\n", "t.toml:4: ", "unknown key 'width' in robot 'r'"},
       {std::string(kHead) + "[robots.r]\nradius = \"thin\"\n", "t.toml:4: ", "radius is not a number"},
+      {std::string(kHead) + "[robots.r]\nradius = 1\nfootprint = \"square:1\"\n",
+       "t.toml:3: ", "a radius and a footprint, expected one of the two"},
+      {std::string(kHead) + "[robots.r]\nfootprint = \"star:1\"\n", "t.toml:4: ", "footprint is 'star:1'"},
+      {std::string(kHead) + "[robots.r]\nfootprint = [[1, 0], [0]]\n", "t.toml:4: ", "nor a list of corners"},
+      {std::string(kHead) + "[robots.r]\nfootprint = [[1, 0], [0, 1]]\n", "t.toml:3: ", "has 2 corners"},
+      {std::string(kHead) + "[robots.r]\nfootprint = \"square:1\"\ntether = { length = 3 }\n",
+       "t.toml:3: ", "a tether asks for a round robot"},
       {std::string(kHead) + "[robots.r]\ntether = { reach = 1, length = 2 }\n", "t.toml:3: ", "a length and a reach"},
       {std::string(kHead) + "[robots.r]\ntether = { reach = -1 }\n", "t.toml:3: ", "tether.reach is -1"},
       {std::string(kHead) + "[robots.r]\ntether = { sharp_angle = 1 }\n", "t.toml:3: ", "tether.length is 0"},

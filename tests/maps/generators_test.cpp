@@ -300,6 +300,24 @@ TEST(Generators, MakeAMillionCellsInSeconds) {
   }
 }
 
+TEST(HyunWorld, HasFiveObstaclesThatTheRobotPasses) {
+  const Region fixed = oxturn::generate("hyun", {}, 1).free;
+  EXPECT_EQ(hole_count(fixed), 5u);
+  EXPECT_EQ(bounding_box(fixed).size(), Point(50, 50));
+  EXPECT_EQ(content_hash(oxturn::generate("hyun", {}, 1)), content_hash(oxturn::generate("hyun", {}, 2)));
+  std::set<std::string> hashes;
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const Map map = oxturn::generate("hyun", {{"jitter", 1.0}}, seed);
+    hashes.insert(content_hash(map));
+    // All the way round each obstacle, and still five: nowhere narrower than the promise.
+    const Region space = erode(map.free, 0.98 * 1.25 * 0.5, 0.001, Bound::inside);
+    ASSERT_EQ(space.polygons.size(), 1u);
+    EXPECT_EQ(hole_count(space), 5u);
+  }
+  EXPECT_EQ(hashes.size(), kSeeds);
+  EXPECT_THROW(oxturn::generate("hyun", {{"robot", 3.0}}, 1), std::invalid_argument);
+}
+
 TEST(BergRectangle, HasItsObstacleWhereItIsAskedFor) {
   const Settings sized{{"width", 10.0}, {"height", 8.0}, {"obstacle_width", 3.0}, {"obstacle_height", 2.0}};
   const auto obstacle = [&](double across, double up) {

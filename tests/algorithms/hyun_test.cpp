@@ -1,0 +1,408 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "algorithms/coverage_planner.hpp"
+#include "algorithms/grid/link_crossings.hpp"
+#include "algorithms/grid/tracking_points.hpp"
+#include "algorithms/transit/tlppa.hpp"
+#include "maps/generators.hpp"
+#include "metrics/score.hpp"
+#include "tests/support/drawn.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+using Reports = std::map<std::string, double>;
+
+Path plan_with(const char* planner, const Problem& problem, const Settings& settings = {}, Reports* reports = nullptr) {
+  Context::Sinks sinks;
+  if (reports != nullptr) sinks.report = [reports](const std::string& name, double v) { (*reports)[name] = v; };
+  Context context(1, 1e9, std::move(sinks));
+  return find_planner(zoo(), planner).make(settings)->plan(problem, context);
+}
+
+Path plan_hyun(const Problem& problem, const Settings& settings = {}, Reports* reports = nullptr) {
+  return plan_with("hyun", problem, settings, reports);
+}
+
+Settings said(const std::string& name, const std::string& value) { return {{name, value}}; }
+
+/// A convex polygon about the origin.
+Ring random_footprint(Rng& rng, double radius) {
+  Ring ring;
+  const int corners = rng.between(3, 8);
+  const double turn = rng.between(0.0, 2 * kPi);
+  for (int k = 0; k < corners; ++k)
+    ring.push_back(rotated({radius, 0}, turn + 2 * kPi * (k + 0.4 * rng.unit()) / corners));
+  return ring;
+}
+
+/// Caves of squares, and boxes of random triangles: small, and seldom of one piece.
+Problem small_map(std::uint64_t seed) {
+  Rng rng(mix(seed, "hyun"));
+  Robot robot;
+  if (rng.chance(0.5)) robot.footprint = random_footprint(rng, rng.between(0.15, 0.4));
+  robot.tool_width = rng.between(0.3, 0.7);
+  if (rng.chance(0.5)) {
+    const int n = rng.between(4, 7);
+    std::vector<std::string> rows(static_cast<std::size_t>(n), std::string(static_cast<std::size_t>(n), '.'));
+    for (std::string& row : rows)
+      for (char& c : row) c = rng.chance(0.25) ? '#' : '.';
+    rows[0][0] = '.';
+    return drawn(rows, {1, robot, {}, {}, "cave"});
+  }
+  Region free = box_region({0, 0}, {6, 5});
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 2; ++i) {
+      if (rng.chance(0.2)) continue;
+      Ring hole = random_footprint(rng, rng.between(0.2, 0.9));
+      std::reverse(hole.begin(), hole.end());
+      for (Point& p : hole) p += Point(1.5 + 3 * i, 1.25 + 2.5 * j);
+      free.polygons[0].holes.push_back(std::move(hole));
+    }
+  return Problem({"triangles", std::move(free), "test", ""}, robot);
+}
+
+double separation_of(const Problem& problem) {
+  return std::min(height(problem.robot()), problem.robot().tool_width) / 2;
+}
+
+TEST(Hyun, EveryPathIsValidAndEveryPointIsVisitedOnce) {
+  int polygonal = 0;
+  for (const std::uint64_t seed : seeds(1500)) {
+    SCOPED_TRACE(fmt::format("small map {}", seed));
+    std::optional<Problem> made;
+    try {
+      made.emplace(small_map(seed));
+    } catch (const std::invalid_argument&) { continue; }  // the robot fits nowhere
+    const Problem& problem = *made;
+    polygonal += problem.robot().footprint.empty() ? 0 : 1;
+    Reports reports;
+    const Path path = plan_hyun(problem, said("transit", seed % 2 == 0 ? "tlppa" : "visibility"), &reports);
+    ASSERT_EQ(find_flaw(problem, path), "");
+
+    const double spare = 1e-6 * problem.robot().tool_width;
+    const TrackingLines lines = tracking_lines(problem.configuration_space(), separation_of(problem), spare, 0);
+    EXPECT_EQ(reports["tracking_points"], static_cast<double>(lines.points.size()));
+    std::map<std::pair<double, double>, int> left;
+    for (const TrackingPoint& t : lines.points) ++left[{t.at.x(), t.at.y()}];
+    std::optional<Point> last;
+    for (const Leg& leg : path.legs)
+      for (const Point& p : leg.points) {
+        if (last && *last == p) continue;
+        last = p;
+        const auto found = left.find({p.x(), p.y()});
+        if (found == left.end()) continue;
+        EXPECT_GE(--found->second, 0) << "twice at " << p.transpose();
+      }
+    for (const auto& [at, times] : left)
+      EXPECT_LE(times, 1) << "never at " << at.first << " " << at.second;  // an interval without length is one place
+    for (const TrackingPoint& t : lines.points)
+      if (lines.points[static_cast<std::size_t>(&t - lines.points.data()) ^ 1].at != t.at) {
+        const int times = left[{t.at.x(), t.at.y()}];
+        EXPECT_EQ(times, 0) << "never at " << t.at.transpose();
+      }
+  }
+  EXPECT_GT(polygonal, 300);
+}
+
+bool crosses(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const auto side = [](const Point& p, const Point& q, const Point& r) {
+    const double s = cross(q - p, r - p);
+    return s > 1e-12 ? 1 : s < -1e-12 ? -1 : 0;
+  };
+  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+TEST(Hyun, LinksNeverCross) {
+  for (const std::uint64_t seed : seeds(600)) {
+    SCOPED_TRACE(fmt::format("small map {}", seed));
+    std::optional<Problem> made;
+    try {
+      made.emplace(small_map(seed));
+    } catch (const std::invalid_argument&) { continue; }
+    Reports reports;
+    const Path path = plan_hyun(*made, said("nearest", seed % 2 == 0 ? "air" : "way"), &reports);
+    EXPECT_EQ(reports["links_crossing"], 0);
+    std::vector<std::pair<Point, Point>> on;
+    for (const Leg& leg : path.legs)
+      for (std::size_t i = 1; leg.tool && i < leg.points.size(); ++i) on.emplace_back(leg.points[i - 1], leg.points[i]);
+    for (std::size_t i = 0; i < on.size(); ++i)
+      for (std::size_t j = i + 2; j < on.size(); ++j)
+        ASSERT_FALSE(crosses(on[i].first, on[i].second, on[j].first, on[j].second))
+            << on[i].first.transpose() << " - " << on[i].second.transpose() << " and " << on[j].first.transpose();
+  }
+}
+
+TEST(LinkCrossings, AreCountedByTheDefinition) {
+  for (const std::uint64_t seed : seeds(300)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const auto lines = [&] {
+      std::vector<Polyline> all;
+      for (int k = rng.between(0, 8); k > 0; --k) {
+        Polyline line;
+        for (int i = rng.between(2, 5); i > 0; --i) line.emplace_back(rng.between(0, 12), rng.between(0, 12));
+        all.push_back(line);
+      }
+      return all;
+    };
+    const std::vector<Polyline> links = lines(), transits = lines();
+    std::vector<std::pair<Point, Point>> segments;
+    for (const auto& all : {links, transits})
+      for (const Polyline& line : all)
+        for (std::size_t i = 1; i < line.size(); ++i) segments.emplace_back(line[i - 1], line[i]);
+    std::size_t of_links = 0;
+    for (const Polyline& line : links) of_links += line.size() - 1;
+    std::size_t among = 0, others = 0;
+    for (std::size_t j = 0; j < segments.size(); ++j)
+      for (std::size_t i = 0; i < j; ++i)
+        if (crosses(segments[i].first, segments[i].second, segments[j].first, segments[j].second))
+          ++(j < of_links ? among : others);
+    const LinkCrossings count = count_crossings(links, transits);
+    EXPECT_EQ(count.links, among);
+    EXPECT_EQ(count.transits, others);
+  }
+}
+
+// Intervals by point location alone: inside an interval everything is free, outside nothing; ends touch what they say.
+TEST(TrackingPoints, AreTheEndsOfWhatIsFree) {
+  for (const std::uint64_t seed : seeds(500)) {
+    SCOPED_TRACE(fmt::format("small map {}", seed));
+    std::optional<Problem> made;
+    try {
+      made.emplace(small_map(seed));
+    } catch (const std::invalid_argument&) { continue; }
+    const Region& space = made->configuration_space();
+    const Box box = bounding_box(space);
+    const double spare = 1e-7;
+    const TrackingLines lines = tracking_lines(space, 0.17, spare, 0);
+    EXPECT_EQ(lines.first.back(), lines.points.size());
+    Rng rng(seed);
+    for (std::size_t k = 0; k + 1 < lines.first.size(); ++k) {
+      const double y = lines.points.empty() ? 0 : lines.points[lines.first[k]].at.y();
+      if (lines.first[k] == lines.first[k + 1]) continue;
+      if (k + 2 < lines.first.size()) EXPECT_NEAR(y, box.high.y() - spare - static_cast<double>(k) * 0.17, 1e-9);
+      for (int n = 0; n < 12; ++n) {
+        const double x = rng.between(box.low.x() - 0.1, box.high.x() + 0.1);
+        bool in = false, near = false;
+        for (std::size_t i = lines.first[k]; i < lines.first[k + 1]; i += 2) {
+          const Point &a = lines.points[i].at, &b = lines.points[i + 1].at;
+          in = in || (x > a.x() && x < b.x());
+          near = near || std::abs(x - a.x()) < 1e-5 || std::abs(x - b.x()) < 1e-5;
+        }
+        if (!near) { EXPECT_EQ(in, contains(space, {x, y})) << x << " " << y; }
+      }
+      for (std::size_t i = lines.first[k]; i < lines.first[k + 1]; ++i) {
+        const TrackingPoint& t = lines.points[i];
+        EXPECT_EQ(is_left(t.status), i % 2 == 0);
+        EXPECT_EQ(t.obstacle == 0, t.status == Contact::left_wall || t.status == Contact::right_wall);
+        const Ring& touched = t.obstacle == 0 ? space.polygons[0].outer
+                                              : space.polygons[0].holes[static_cast<std::size_t>(t.obstacle - 1)];
+        double away = 1e300;
+        for (std::size_t e = 0; e < touched.size(); ++e)
+          away = std::min(away, distance_to_segment(t.at, touched[e], touched[(e + 1) % touched.size()]));
+        EXPECT_LE(away, 2 * spare);
+      }
+    }
+  }
+}
+
+TEST(TrackingPoints, OnARasterTheyStayInside) {
+  const Region space = box_region({0.03, 0}, {9.97, 1});
+  const TrackingLines lines = tracking_lines(space, 0.5, 1e-7, 0.25);
+  ASSERT_EQ(lines.points.size(), 6u);
+  EXPECT_NEAR(lines.points[0].at.x(), 0.28, 1e-12);
+  EXPECT_NEAR(lines.points[1].at.x(), 9.78, 1e-12);
+}
+
+TEST(Tlppa, EveryWayIsFree) {
+  int found = 0;
+  for (const std::uint64_t seed : seeds(400)) {
+    SCOPED_TRACE(fmt::format("small map {}", seed));
+    std::optional<Problem> made;
+    try {
+      made.emplace(small_map(seed));
+    } catch (const std::invalid_argument&) { continue; }
+    const Tlppa tlppa(*made, 0.06);
+    Rng rng(seed);
+    const Box box = bounding_box(made->configuration_space());
+    for (int k = 0; k < 5; ++k) {
+      const Point a(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
+      if (!made->walls().contains(a)) continue;
+      const auto way = tlppa.path(a, made->start());
+      const auto shortest = made->transit().path(a, made->start());
+      ASSERT_TRUE(shortest);
+      if (!way) continue;
+      ++found;
+      EXPECT_EQ(way->front(), a);
+      EXPECT_EQ(way->back(), made->start());
+      for (std::size_t i = 1; i < way->size(); ++i) EXPECT_TRUE(made->walls().contains((*way)[i - 1], (*way)[i]));
+      EXPECT_GE(length(*way), length(*shortest) - 1e-9);
+    }
+  }
+  EXPECT_GT(found, 900);
+}
+
+// Where nothing is in the way, eight directions cost at most 1 / cos(22.5 degrees) more, and the ends some cells.
+TEST(Tlppa, IsAsShortAsEightDirectionsAllow) {
+  const Problem problem({"hall", box_region({0, 0}, {20, 10}), "test", ""}, Robot{}, Point(1, 1));
+  const Tlppa tlppa(problem, 0.1);
+  for (const Point& to : {Point(19, 1), Point(19, 9), Point(7, 8.5), Point(0.2, 9.8)}) {
+    const auto way = tlppa.path({1, 1}, to);
+    ASSERT_TRUE(way);
+    EXPECT_LE(length(*way), distance({1, 1}, to) / std::cos(kPi / 8) + 0.4);
+  }
+}
+
+TEST(Tlppa, APassageNarrowerThanItsCellsIsNotSeen) {
+  const Problem problem = drawn({"S....#....", "..........", ".....#...."}, {1, [] {
+                                                                               Robot r;
+                                                                               r.radius = 0.48;
+                                                                               return r;
+                                                                             }()});
+  EXPECT_FALSE(Tlppa(problem, 0.1).path(problem.start(), {9.5, 1.5}));
+  EXPECT_TRUE(Tlppa(problem, 0.01).path(problem.start(), {9.5, 1.5}));
+  EXPECT_TRUE(problem.transit().path(problem.start(), {9.5, 1.5}));
+  Reports reports;  // the planner says so, and gets there all the same
+  const Path path = plan_hyun(problem, {{"cell_size", 0.1}}, &reports);
+  EXPECT_EQ(find_flaw(problem, path), "");
+}
+
+TEST(Hyun, AnEmptyRoomIsLanesOnly) {
+  Robot robot;
+  robot.footprint = named_footprint("octagon:1");
+  robot.tool_width = 1;
+  const Problem problem({"hall", box_region({0, 0}, {11, 8}), "test", ""}, robot, Point(5, 4));
+  Reports reports;
+  const Path path = plan_hyun(problem, {}, &reports);
+  EXPECT_EQ(reports["links_planned"], 0);
+  EXPECT_EQ(reports["transits_crossing"], 0);
+  EXPECT_EQ(reports["tracking_points"], 30);  // 7 m, lines half a metre apart, both ends
+  EXPECT_NEAR(path.length(true), 15 * 10 + 7, 1e-4);
+  const Score s = score(problem, path);
+  EXPECT_EQ(s.flaw, "");
+  EXPECT_GT(*s.value("coverage"), 0.999);
+}
+
+Robot octagonal() {
+  Robot robot;
+  robot.name = "octagon";
+  robot.footprint = named_footprint("octagon:1");
+  robot.tool_width = 1;
+  return robot;
+}
+
+TEST(Hyun, TheWorldOfThePaper) {
+  for (const std::uint64_t seed : seeds(20)) {
+    SCOPED_TRACE(seed);
+    const Problem problem(generate("hyun", {{"jitter", seed == 1 ? 0.0 : 1.0}}, seed), octagonal());
+    Reports reports;
+    const Path path = plan_hyun(problem, {}, &reports);
+    const Score s = score(problem, path);
+    EXPECT_EQ(s.flaw, "");
+    EXPECT_GT(*s.value("coverage"), 0.99);
+    EXPECT_EQ(reports["links_crossing"], 0);
+    EXPECT_EQ(reports["tlppa_failed"], 0);
+    EXPECT_GE(reports["links_planned"], 1);
+    EXPECT_LE(reports["links_planned"], 8);
+    // Back and forth: what is driven with the tool on is level, or leads to the next line along a wall.
+    for (const Leg& leg : path.legs)
+      for (std::size_t i = 1; leg.tool && i < leg.points.size(); ++i) {
+        const Point d = leg.points[i] - leg.points[i - 1];
+        EXPECT_TRUE(d.y() == 0 || d.norm() < 6) << leg.points[i - 1].transpose() << " to " << leg.points[i].transpose();
+        EXPECT_LE(std::abs(d.y()), 0.5 + 1e-6);
+      }
+  }
+}
+
+TEST(Hyun, TheRulesAsPrintedEndToo) {
+  for (const std::uint64_t seed : seeds(150)) {
+    SCOPED_TRACE(fmt::format("small map {}", seed));
+    std::optional<Problem> made;
+    try {
+      made.emplace(small_map(seed));
+    } catch (const std::invalid_argument&) { continue; }
+    for (const char* passes : {"both", "alternate"}) {
+      const Path path = plan_hyun(*made, {{"rules", std::string("literal")}, {"passes", std::string(passes)}});
+      EXPECT_EQ(find_flaw(*made, path), "") << passes;
+    }
+  }
+  // In the paper's world they are longer by diagonals and cross themselves.
+  const Problem problem(generate("hyun", {}, 1), octagonal());
+  Reports resolved, literal;
+  const double ours = plan_hyun(problem, {}, &resolved).length();
+  const double printed =
+      plan_hyun(problem, {{"rules", std::string("literal")}, {"passes", std::string("alternate")}}, &literal).length();
+  EXPECT_GT(literal["links_crossing"] + literal["transits_crossing"], resolved["transits_crossing"]);
+  EXPECT_GT(printed, 0.5 * ours);
+}
+
+// Two halls back to back, and the door far away: the nearest point as the crow flies is on the other side of the wall.
+TEST(Hyun, ByWayItDoesNotCommuteThroughAThinWall) {
+  Region free = box_region({0, 0}, {12, 10});
+  free.polygons[0].holes.push_back({{5.9, 1}, {5.9, 5}, {2, 5}, {2, 5.1}, {5.9, 5.1}, {5.9, 9}, {6, 9}, {6, 1}});
+  Robot robot;
+  const Problem problem({"halls", free, "test", ""}, robot, Point(1, 9));
+  const Path air = plan_hyun(problem), way = plan_hyun(problem, said("nearest", "way"));
+  EXPECT_EQ(find_flaw(problem, air), "");
+  EXPECT_EQ(find_flaw(problem, way), "");
+  EXPECT_LE(way.length(false), air.length(false));
+}
+
+TEST(Hyun, OutlineRaisesCoverage) {
+  const Problem problem(generate("cave", {{"width", 12.0}, {"height", 10.0}}, 3), Robot{});
+  const Path plain = plan_hyun(problem), outlined = plan_hyun(problem, {{"outline", true}});
+  const Score a = score(problem, plain), b = score(problem, outlined);
+  EXPECT_EQ(a.flaw, "");
+  EXPECT_EQ(b.flaw, "");
+  EXPECT_GT(*b.value("coverage"), *a.value("coverage"));
+  EXPECT_GT(*b.value("coverage"), 0.995);
+}
+
+TEST(Hyun, WithoutAnyPointItSaysSo) {
+  const Problem problem({"hall", box_region({0, 0}, {3, 2}), "test", ""}, Robot{}, Point(1, 1));
+  EXPECT_THAT(complaint([&] {
+                plan_hyun(problem, {{"delta_x", 50.0}, {"separation", 0.2}});
+              }),
+              testing::HasSubstr("no sweep line has a tracking point"));
+  const Path path = plan_hyun(problem, {{"delta_x", 0.1}});
+  EXPECT_EQ(find_flaw(problem, path), "");
+}
+
+// Who says `footprint` is given polygonal robots, and keeps them in configuration space.
+TEST(Footprints, EveryPlannerThatTakesThemIsValid) {
+  for (const PlannerInfo& planner : zoo()) {
+    if (!planner.has(Capability::footprint) || planner.has(Capability::tether)) continue;
+    for (const char* generator : {"hyun", "polygon", "clutter", "rooms", "cave", "comb", "field"}) {
+      SCOPED_TRACE(fmt::format("{} on {}", planner.name, generator));
+      Settings size{{"width", 14.0}, {"height", 11.0}};
+      if (std::string(generator) == "hyun") size["robot"] = 0.2;
+      Robot robot;
+      robot.footprint = {{0.2, -0.15}, {0.25, 0.1}, {-0.1, 0.2}, {-0.25, 0}, {-0.1, -0.2}};
+      robot.tool_width = 0.3;
+      const Problem problem(generate(generator, size, 2), robot);
+      EXPECT_EQ(missing_capability(planner, problem), "");
+      Context context(1);
+      const Score s = score(problem, planner.make({})->plan(problem, context));
+      EXPECT_EQ(s.flaw, "");
+      EXPECT_GT(*s.value("coverage"), 0.5);
+    }
+  }
+}
+
+TEST(Footprints, OthersAreUnsupported) {
+  const Problem problem({"hall", box_region({0, 0}, {11, 8}), "test", ""}, octagonal());
+  EXPECT_EQ(missing_capability(find_planner(zoo(), "berg"), problem),
+            "planner 'berg' has no capability 'footprint', which a robot that is no disc asks for");
+}
+
+}  // namespace
+}  // namespace oxturn
