@@ -160,7 +160,7 @@ class StcLoops final : public CoveragePlanner {
     const double d_node = p_.d_node > 0 ? p_.d_node : side;
     const EdgeIndex& space = problem.walls();
     std::vector<NodeChain> chains;
-    std::vector<Polyline> bisectors, broken;
+    std::vector<Polyline> bisectors, whole, broken;
     std::vector<Point> valid_nodes, invalid;
     for (const Ring& wall : walls_of(problem)) {
       if (context.cancelled()) break;
@@ -178,12 +178,14 @@ class StcLoops final : public CoveragePlanner {
         ++figures.loops;
         figures.broken += !bad.empty();
         for (NodeChain& chain : chains_of(loop, bad)) chains.push_back(std::move(chain));
-        if (context.wants_traces())
-          for (std::size_t k = 0; k < loop.at.size(); ++k) (out[k] ? invalid : valid_nodes).push_back(loop.at[k]);
+        if (!context.wants_traces()) continue;
+        whole.push_back(loop.at);
+        for (std::size_t k = 0; k < loop.at.size(); ++k) (out[k] ? invalid : valid_nodes).push_back(loop.at[k]);
       }
     }
     if (context.wants_traces()) {
       context.trace("bisectors", std::move(bisectors));
+      context.trace("all loops", std::move(whole));
       context.trace("nodes", crosses(valid_nodes, side / 10));
       context.trace("invalid nodes", crosses(invalid, side / 10));
       for (const NodeChain& chain : chains) broken.push_back(chain.nodes);

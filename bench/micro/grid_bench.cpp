@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <memory>
 
 #include "algorithms/coverage_planner.hpp"
+#include "geometry/random.hpp"
 #include "geometry/raster.hpp"
 #include "maps/generators.hpp"
 
@@ -194,6 +196,45 @@ void BM_HyunWorld(benchmark::State& state) {
   state.SetLabel(transits[state.range(0)]);
 }
 BENCHMARK(BM_HyunWorld)->DenseRange(0, 1)->Unit(benchmark::kMillisecond);
+// --- the spanning trees on cells of which a tenth is blocked at random; range = cells ---
+
+// Cells of 0.4 m, the robot a little narrower; five by five cells about the middle, where it starts, are free.
+const Problem& tenth_blocked(std::int64_t cells) {
+  static std::map<std::int64_t, std::unique_ptr<Problem>> made;
+  std::unique_ptr<Problem>& problem = made[cells];
+  if (problem) return *problem;
+  const int n = static_cast<int>(std::lround(std::sqrt(static_cast<double>(cells) / 0.9)));
+  BitGrid grid({0, 0}, 0.4, n, n);
+  Rng rng(1);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      grid.set(i, j, !rng.chance(0.1) || std::max(std::abs(i - n / 2), std::abs(j - n / 2)) <= 2);
+  Robot robot;
+  robot.radius = 0.19;
+  problem = std::make_unique<Problem>(Map{"tenth", trace(grid), "bench", ""}, robot, grid.centre(n / 2, n / 2));
+  benchmark::DoNotOptimize(problem->transit());
+  benchmark::DoNotOptimize(problem->walls());
+  return *problem;
+}
+
+void BM_TenthBlocked(benchmark::State& state, const char* name, Settings settings) {
+  settings["cell_size"] = 0.4;
+  plan(state, name, tenth_blocked(state.range(0)), settings);
+}
+#define OXTURN_TENTH_BLOCKED(label, ...)                 \
+  BENCHMARK_CAPTURE(BM_TenthBlocked, label, __VA_ARGS__) \
+      ->RangeMultiplier(8)                               \
+      ->Range(1 << 14, 1 << 20)                          \
+      ->Complexity()                                     \
+      ->Unit(benchmark::kMillisecond)
+OXTURN_TENTH_BLOCKED(stc, "stc", {{"components", std::string("start")}});
+OXTURN_TENTH_BLOCKED(stc_partial, "stc", {{"components", std::string("start")}, {"partial", true}});
+OXTURN_TENTH_BLOCKED(stc_spiral, "stc-spiral", {});
+OXTURN_TENTH_BLOCKED(stc_spiral_partial, "stc-spiral", {{"partial", true}});
+OXTURN_TENTH_BLOCKED(stc_scan, "stc-scan", {});
+OXTURN_TENTH_BLOCKED(stc_scan_partial, "stc-scan", {{"partial", true}});
+OXTURN_TENTH_BLOCKED(stc_loops, "stc-loops", {});
+#undef OXTURN_TENTH_BLOCKED
 
 }  // namespace
 }  // namespace oxturn

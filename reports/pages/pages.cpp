@@ -12,10 +12,12 @@ namespace oxturn {
 
 std::string berg_table_page(const Results& results);
 std::string leash_page(const Results& results);
+std::string stc_loops_page(const Results& results);
 
 const std::vector<Page>& pages() {
   static const std::vector<Page> all{{"berg-table-4-1", "Table 4.1 of Berg's thesis again", berg_table_page},
-                                     {"leash", "What a leash does, and what it costs to respect it", leash_page}};
+                                     {"leash", "What a leash does, and what it costs to respect it", leash_page},
+                                     {"stc-loops", "Loops round obstacles: coverage next to walls", stc_loops_page}};
   return all;
 }
 

@@ -122,8 +122,38 @@ TEST(LeashPage, FiguresWorkedOutOnPaper) {
   EXPECT_THAT(page, HasSubstr("error: no \\| way"));
 }
 
+Results stc_loops() {
+  const std::string s = "stc-loops", slides = "close_loops=false;epsilon=0.05;fill=none";
+  Results results{"out", {}};
+  const auto add = [&](const std::string& map, const std::string& planner, const std::string& params,
+                       const std::string& outcome, const std::string& coverage, const std::string& metres) {
+    Cells more{{"coverage", coverage}, {"path_m", metres}, {"length_ratio", "1.5"}};
+    more["variant"] = params.empty() ? planner : planner + "[" + params + "]";
+    results.rows.push_back(row(s, map, planner, params, outcome, more));
+  };
+  add("m1", "stc", "", "partial", "0.8", "80");
+  add("m1", "stc-loops", slides, "partial", "0.95", "120");
+  add("m1", "stc-loops", "", "ok", "0.996", "130");
+  add("m2", "stc", "", "infeasible", "", "");
+  add("m2", "stc-loops", slides, "partial", "0.97", "20");
+  add("m2", "stc-loops", "", "ok", "0.998", "25");
+  return results;
+}
+
+TEST(StcLoopsPage, FiguresWorkedOutOnPaper) {
+  const std::string page = page_text(find_page("stc-loops"), stc_loops());
+  using Line = std::vector<std::string>;
+  // variant, valid, least coverage, median, 0.99 or more, above stc, length ratio
+  EXPECT_EQ(line(page, "stc", 0), (Line{"stc", "1 of 2", "0.8000", "0.8000", "0 of 2", "0 of 2", "1.500"}));
+  EXPECT_EQ(line(page, "slides", 0), (Line{"slides", "2 of 2", "0.9500", "0.9600", "0 of 2", "2 of 2", "1.500"}));
+  EXPECT_EQ(line(page, "stc-loops", 0), (Line{"stc-loops", "2 of 2", "0.9960", "0.9970", "2 of 2", "2 of 2", "1.500"}));
+  EXPECT_EQ(line(page, "m1", 0), (Line{"m1", "0.8000", "0.9500", "", "", "0.9960"}));
+  EXPECT_EQ(line(page, "m2", 1), (Line{"m2", "infeasible", "20.0", "", "", "25.0"}));
+}
+
 TEST(Pages, HoldNoTimesAndSayHowTheyAreMade) {
-  for (const auto& [name, results] : {std::pair{"berg-table-4-1", berg()}, std::pair{"leash", leash()}}) {
+  for (const auto& [name, results] :
+       {std::pair{"berg-table-4-1", berg()}, std::pair{"leash", leash()}, std::pair{"stc-loops", stc_loops()}}) {
     const std::string page = page_text(find_page(name), results);
     EXPECT_THAT(page, Not(HasSubstr("123.4")));
     EXPECT_THAT(page, HasSubstr(std::string("scripts/pages ") + name));
@@ -141,7 +171,7 @@ TEST(Pages, EachHasItsSuite) {
 
 TEST(Pages, RefuseInOneSentence) {
   EXPECT_EQ(complaint([] { find_page("leashes"); }),
-            "no page 'leashes'; did you mean 'leash'? There are: berg-table-4-1, leash");
+            "no page 'leashes'; did you mean 'leash'? There are: berg-table-4-1, leash, stc-loops");
   EXPECT_EQ(complaint([] { page_text(find_page("leash"), berg()); }),
             "page 'leash' is made from the results of suite 'leash', but 'out' holds rows of suite 'berg-table-4-1'");
   EXPECT_EQ(complaint([] {
