@@ -87,7 +87,7 @@ void BM_Scattered(benchmark::State& state, const char* name, Settings settings) 
       ->Arg(1 << 13)                                  \
       ->Arg(1 << 16)                                  \
       ->Arg(1000000)                                  \
-      ->Complexity(benchmark::oN)                                \
+      ->Complexity(benchmark::oN)                     \
       ->Unit(benchmark::kMillisecond)
 OXTURN_SCATTERED(bsa, "bsa", Settings{});
 OXTURN_SCATTERED(bsa_latest, "bsa", Settings{{"backtrack", std::string("latest")}});
