@@ -51,16 +51,16 @@ class LanesAndPoints {
     return false;
   }
 
-  // Of the eight ways "one step in d, then one across": a bit for each that is open.
+  // Of the ways "one step in d, then one across": a bit for each that is open, d being unvisited yet.
   void feel_corners() {
-    std::uint8_t& corners = corners_[walk_.at()];
-    corners = 0;
-    for (const Direction d : kAllDirections) {
-      if (!walk_.open(d)) continue;
+    std::uint8_t corners = 0;
+    for (const Direction d : {kEast, kWest, kSouth}) {
+      if (!walk_.fresh(d)) continue;
       const Cell beside = neighbour(walk_.at(), d);
       if (walk_.robot().passable(beside, left_of(d))) corners |= static_cast<std::uint8_t>(1 << 2 * d);
       if (walk_.robot().passable(beside, right_of(d))) corners |= static_cast<std::uint8_t>(2 << 2 * d);
     }
+    if (corners != 0) corners_[walk_.at()] = corners;
   }
 
   bool back_track_point(const Cell& c) const {
