@@ -317,7 +317,8 @@ TEST(Hyun, TheWorldOfThePaper) {
     for (const Leg& leg : path.legs)
       for (std::size_t i = 1; leg.tool && i < leg.points.size(); ++i) {
         const Point d = leg.points[i] - leg.points[i - 1];
-        EXPECT_TRUE(d.y() == 0 || d.norm() < 6) << leg.points[i - 1].transpose() << " to " << leg.points[i].transpose();
+        EXPECT_TRUE(d.y() == 0 || d.norm() < 10)
+            << leg.points[i - 1].transpose() << " to " << leg.points[i].transpose();
         EXPECT_LE(std::abs(d.y()), 0.5 + 1e-6);
       }
   }
@@ -335,26 +336,23 @@ TEST(Hyun, TheRulesAsPrintedEndToo) {
       EXPECT_EQ(find_flaw(*made, path), "") << passes;
     }
   }
-  // In the paper's world they are longer by diagonals and cross themselves.
+  // In the paper's world they leave much undone: walls' contacts are linked across, obstacles' on one side.
   const Problem problem(generate("hyun", {}, 1), octagonal());
   Reports resolved, literal;
-  const double ours = plan_hyun(problem, {}, &resolved).length();
-  const double printed =
-      plan_hyun(problem, {{"rules", std::string("literal")}, {"passes", std::string("alternate")}}, &literal).length();
-  EXPECT_GT(literal["links_crossing"] + literal["transits_crossing"], resolved["transits_crossing"]);
-  EXPECT_GT(printed, 0.5 * ours);
+  const Path ours = plan_hyun(problem, {}, &resolved);
+  const Path printed = plan_hyun(problem, said("rules", "literal"), &literal);
+  EXPECT_EQ(literal["tracking_points"], resolved["tracking_points"]);
+  EXPECT_GT(literal["links_planned"], resolved["links_planned"]);
+  EXPECT_LT(*score(problem, printed).value("coverage"), *score(problem, ours).value("coverage") - 0.1);
 }
 
-// Two halls back to back, and the door far away: the nearest point as the crow flies is on the other side of the wall.
-TEST(Hyun, ByWayItDoesNotCommuteThroughAThinWall) {
-  Region free = box_region({0, 0}, {12, 10});
-  free.polygons[0].holes.push_back({{5.9, 1}, {5.9, 5}, {2, 5}, {2, 5.1}, {5.9, 5.1}, {5.9, 9}, {6, 9}, {6, 1}});
-  Robot robot;
-  const Problem problem({"halls", free, "test", ""}, robot, Point(1, 9));
+// The arms of a spiral: the nearest point as the crow flies is behind the wall, and the way there goes round.
+TEST(Hyun, ByWayItDoesNotCommuteThroughThinWalls) {
+  const Problem problem(generate("spiral", {{"width", 12.0}, {"height", 12.0}}, 3), Robot{});
   const Path air = plan_hyun(problem), way = plan_hyun(problem, said("nearest", "way"));
   EXPECT_EQ(find_flaw(problem, air), "");
   EXPECT_EQ(find_flaw(problem, way), "");
-  EXPECT_LE(way.length(false), air.length(false));
+  EXPECT_LT(way.length(false), 0.5 * air.length(false));
 }
 
 TEST(Hyun, OutlineRaisesCoverage) {
