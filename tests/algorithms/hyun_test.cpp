@@ -371,6 +371,7 @@ TEST(Hyun, WithoutAnyPointItSaysSo) {
                 plan_hyun(problem, {{"delta_x", 50.0}, {"separation", 0.2}});
               }),
               testing::HasSubstr("no sweep line has a tracking point"));
+  EXPECT_THAT(complaint([&] { plan_hyun(problem, {{"separation", 1e-9}}); }), testing::HasSubstr("sweep lines"));
   const Path path = plan_hyun(problem, {{"delta_x", 0.1}});
   EXPECT_EQ(find_flaw(problem, path), "");
 }
