@@ -76,7 +76,7 @@ double separation_of(const Problem& problem) {
 
 TEST(Hyun, EveryPathIsValidAndEveryPointIsVisitedOnce) {
   int polygonal = 0;
-  for (const std::uint64_t seed : seeds(1500)) {
+  for (const std::uint64_t seed : seeds(1000)) {
     SCOPED_TRACE(fmt::format("small map {}", seed));
     std::optional<Problem> made;
     try {
@@ -92,23 +92,21 @@ TEST(Hyun, EveryPathIsValidAndEveryPointIsVisitedOnce) {
     const TrackingLines lines = tracking_lines(problem.configuration_space(), separation_of(problem), spare, 0);
     EXPECT_EQ(reports["tracking_points"], static_cast<double>(lines.points.size()));
     std::map<std::pair<double, double>, int> left;
-    for (const TrackingPoint& t : lines.points) ++left[{t.at.x(), t.at.y()}];
-    std::optional<Point> last;
-    for (const Leg& leg : path.legs)
-      for (const Point& p : leg.points) {
-        if (last && *last == p) continue;
-        last = p;
-        const auto found = left.find({p.x(), p.y()});
-        if (found == left.end()) continue;
-        EXPECT_GE(--found->second, 0) << "twice at " << p.transpose();
-      }
-    for (const auto& [at, times] : left)
-      EXPECT_LE(times, 1) << "never at " << at.first << " " << at.second;  // an interval without length is one place
     for (const TrackingPoint& t : lines.points)
-      if (lines.points[static_cast<std::size_t>(&t - lines.points.data()) ^ 1].at != t.at) {
-        const int times = left[{t.at.x(), t.at.y()}];
-        EXPECT_EQ(times, 0) << "never at " << t.at.transpose();
-      }
+      left[{t.at.x(), t.at.y()}] = 1;  // a stretch without length is one place
+    Polyline way;
+    for (const Leg& leg : path.legs)
+      for (const Point& p : leg.points)
+        if (way.empty() || way.back() != p) way.push_back(p);
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      const auto found = left.find({way[i].x(), way[i].y()});
+      if (found == left.end() || --found->second >= 0) continue;
+      // Again only in passing, where a step turns from level to upright.
+      ASSERT_TRUE(i > 0 && i + 1 < way.size()) << "twice at " << way[i].transpose();
+      EXPECT_EQ(way[i - 1].y(), way[i].y()) << "twice at " << way[i].transpose();
+      EXPECT_EQ(way[i + 1].x(), way[i].x()) << "twice at " << way[i].transpose();
+    }
+    for (const auto& [at, times] : left) EXPECT_LE(times, 0) << "never at " << at.first << " " << at.second;
   }
   EXPECT_GT(polygonal, 300);
 }
@@ -189,7 +187,7 @@ TEST(TrackingPoints, AreTheEndsOfWhatIsFree) {
     for (std::size_t k = 0; k + 1 < lines.first.size(); ++k) {
       const double y = lines.points.empty() ? 0 : lines.points[lines.first[k]].at.y();
       if (lines.first[k] == lines.first[k + 1]) continue;
-      if (k + 2 < lines.first.size()) EXPECT_NEAR(y, box.high.y() - spare - static_cast<double>(k) * 0.17, 1e-9);
+      if (k + 2 < lines.first.size()) { EXPECT_NEAR(y, box.high.y() - spare - static_cast<double>(k) * 0.17, 1e-9); }
       for (int n = 0; n < 12; ++n) {
         const double x = rng.between(box.low.x() - 0.1, box.high.x() + 0.1);
         bool in = false, near = false;
