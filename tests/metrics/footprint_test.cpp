@@ -69,7 +69,7 @@ TEST(FootprintClearance, ARoundPolygonIsADisc) {
   const Problem disc = problem_in(two_holes(), {1, 1}), polygon = with(two_holes(), round, {1, 1});
   const double coarse = 0.2 * (1 - std::cos(kPi / 96));
   int valid = 0;
-  for (const std::uint64_t seed : seeds(60)) {
+  for (const std::uint64_t seed : seeds(100)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
     Path path = random_walk(rng, {{0.2, 0.2}, {9.8, 7.8}}, 1, 3, 1.5);
@@ -83,7 +83,7 @@ TEST(FootprintClearance, ARoundPolygonIsADisc) {
     EXPECT_EQ(find_flaw(disc, path).empty(), find_flaw(polygon, path).empty());
     valid += find_flaw(disc, path).empty() ? 1 : 0;
   }
-  EXPECT_GT(valid, 4);
+  EXPECT_GT(valid, 2);
 }
 
 }  // namespace
