@@ -29,12 +29,15 @@
 //             8. Where TLPPA's cells show no way, the shortest path is taken, and counted (`tlppa_failed`).
 //             9. `outline` (ours) drives the border of configuration space as well: between lines, slanted walls keep
 //                slivers.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "algorithms/coverage_planner.hpp"
@@ -48,6 +51,8 @@
 
 namespace oxturn {
 namespace {
+
+constexpr int kMostLines = 1000000;
 
 struct Params {
   double separation = 0;
@@ -287,6 +292,12 @@ class Hyun final : public CoveragePlanner {
   Path plan(const Problem& problem, Context& context) const override {
     const double tool = problem.robot().tool_width, robot = height(problem.robot());
     const double separation = p_.separation > 0 ? p_.separation : (robot > 0 ? std::min(robot, tool) : tool) / 2;
+    const double lines = bounding_box(problem.configuration_space()).size().y() / separation;
+    if (lines > kMostLines)
+      throw std::invalid_argument(
+          fmt::format("planner 'hyun': separation {} m makes {:.0f} sweep lines, expected at most "
+                      "{}; a larger separation or a wider tool mends it",
+                      separation, lines, kMostLines));
     Path path = Scan(p_, problem, context, separation).run();
     if (!p_.outline || context.cancelled()) return path;
     context.publish(path);

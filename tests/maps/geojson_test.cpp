@@ -131,7 +131,7 @@ TEST(GeoJson, BadPropertiesAreNamed) {
   EXPECT_EQ(
       with(R"({"robot":{"radius":0.2,"toolwidth":0.4}})"),
       "m.geojson: robot has an unknown key 'toolwidth'; it may have: name, radius, tool_width, speed, acceleration, "
-      "turn_rate, min_turn_radius, tether, lidar");
+      "turn_rate, min_turn_radius, tether, lidar, footprint");
   EXPECT_EQ(with(R"({"robot":{"radius":"0.2"}})"), "m.geojson: robot.radius is \"0.2\", expected a finite number");
   EXPECT_EQ(with(R"({"robot":{"tool_width":0}})"), "m.geojson: robot 'disc': tool_width is 0, expected metres above 0");
   EXPECT_EQ(with(R"({"robot":{"tether":40}})"), "m.geojson: robot.tether is 40, expected an object");
