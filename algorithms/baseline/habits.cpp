@@ -80,7 +80,8 @@ std::optional<Point> spiral(Vacuum& vacuum, double pitch, const Point& heading) 
 void follow(Vacuum& vacuum, double gap, double longest, Point& away) {
   const double w = vacuum.tool_width(), step = kStep * w, keep = std::max(gap, w / 1000), begin = vacuum.driven();
   const Point first = vacuum.at(), first_away = away;
-  double off = 0;
+  const auto touched = vacuum.feel(keep + 4 * step);
+  double off = touched ? touched->distance : 0;
   while (!vacuum.done() && vacuum.driven() - begin < longest) {
     const Point along(away.y(), -away.x());
     if (const auto contact = vacuum.drive(vacuum.at() + step * along + (keep - off) * away)) {

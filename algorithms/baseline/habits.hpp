@@ -72,7 +72,7 @@ class Vacuum {
 std::optional<Point> spiral(Vacuum& vacuum, double pitch, const Point& heading);
 
 /// Along the wall at the right hand, `gap` metres from it (at least tool width / 1000), for a lap or `longest` metres.
-/// Begins at contact; `away` is kept up to date.
+/// Begins beside a wall; `away` leads away from it and is kept up to date.
 void follow(Vacuum& vacuum, double gap, double longest, Point& away);
 
 /// Lanes back and forth, `pitch` metres apart, each from contact to contact, stepping aside towards `side`; ends where

@@ -23,9 +23,10 @@ RectangleCleaner::RectangleCleaner(const RectangleSettings& settings, const Prob
       path_(problem.start()) {}
 
 Path RectangleCleaner::clean() {
-  const std::vector<Job> all = jobs();
+  const bool lanes = p_.lanes == "diagonal";
+  const std::vector<Job> all = lanes ? std::vector<Job>{} : jobs();
   if (begin(all)) {
-    clean_all(all);
+    lanes ? clean_lanes() : clean_all(all);
     if (p_.revisit_skipped) revisit();
   }
   if (context_.wants_traces()) context_.trace("skipped", skipped_);
@@ -34,7 +35,7 @@ Path RectangleCleaner::clean() {
 
 // From the start onto the lattice: to a node in sight, else the shortest way to the first node that has to be driven.
 bool RectangleCleaner::begin(const std::vector<Job>& jobs) {
-  if (jobs.empty() && !p_.revisit_skipped) return false;
+  if (jobs.empty() && !p_.revisit_skipped && p_.lanes != "diagonal") return false;
   if (const auto node = ways_.node_near(problem_.start())) {
     at_ = *node;
     path_.drive(place(at_), false);
@@ -145,6 +146,40 @@ void RectangleCleaner::clean_all(const std::vector<Job>& jobs) {
     cleaned[k] = true;
     ++counts_.rectangles;
     context_.progress(double(n + 1) / static_cast<double>(jobs.size()));
+  }
+}
+
+// The outlook of seed 5.2: no rectangles, but lanes laid over the grid, each as long as it goes; always on to the nearest
+// end of one.
+void RectangleCleaner::clean_lanes() {
+  std::vector<Stretch> lanes;
+  std::vector<std::int32_t> lane_at(graph_.size(), -1);  // at the ends of lanes that are left
+  for (int i = 0; i < graph_.columns(); ++i)
+    for (const Stretch& whole : stretches(i, 0, graph_.rows() - 1))
+      for (int j = whole.low; j <= whole.high; ++j) {
+        if (done_[graph_.at(i, j)]) continue;
+        Stretch lane{i, j, j};
+        while (lane.high < whole.high && !done_[graph_.at(i, lane.high + 1)]) ++lane.high;
+        for (const int end : {lane.low, lane.high})
+          lane_at[graph_.at(i, end)] = static_cast<std::int32_t>(lanes.size());
+        lanes.push_back(lane);
+        j = lane.high;
+      }
+  if (context_.wants_traces()) {
+    std::vector<Polyline> lines;
+    for (const Stretch& s : lanes) lines.push_back({graph_.centre(s.column, s.low), graph_.centre(s.column, s.high)});
+    context_.trace("lanes", std::move(lines));
+  }
+  std::size_t first = 0;
+  for (std::size_t n = 0; n < lanes.size() && !context_.cancelled(); ++n) {
+    const auto found = ways_.nearest(at_, [&](std::size_t node) { return lane_at[node] >= 0; });
+    while (!found && done_[graph_.at(lanes[first].column, lanes[first].low)]) ++first;
+    const std::size_t k = found ? static_cast<std::size_t>(lane_at[found->node]) : first;
+    const Stretch& lane = lanes[k];
+    const bool up = !found || found->node == graph_.at(lane.column, lane.low);
+    for (const int end : {lane.low, lane.high}) lane_at[graph_.at(lane.column, end)] = -1;
+    drive(lane, up, true);
+    context_.progress(double(n + 1) / static_cast<double>(lanes.size()));
   }
 }
 

@@ -59,6 +59,7 @@ class RectangleCleaner {
   std::vector<Job> jobs();
   bool begin(const std::vector<Job>& jobs);
   void clean_all(const std::vector<Job>& jobs);
+  void clean_lanes();
   void clean(const Job& job);
   void drive(const Stretch& stretch, bool up, bool may_work);
   void go(std::size_t node, bool may_work, double tail);

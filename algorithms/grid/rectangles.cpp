@@ -20,8 +20,10 @@
 //             5. The centre is visited on the way (seed 2.3) if the robot fits there.
 //             6. `columns = tool` (ours) steps as many columns as the tool covers, instead of one.
 //             7. The outlooks: `choose = nearest` takes the start with the fewest planned steps, so a divided corridor is
-//                cleaned one side after the other; `lanes = diagonal` turns the grid by 45 degrees, for pillars set in
-//                staggered rows. Beside slanted walls rectangles are strips one cell wide, which the source does not drive:
+//                cleaned one side after the other; `lanes = diagonal` makes no rectangles but lanes at 45
+//                degrees ("Schraegen ueber das Grid"), each as long as it goes, on to the nearest end of one, for
+//                pillars set in staggered rows (rectangles on a turned grid were tried: worse than straight ones).
+//                Beside slanted walls rectangles are strips one cell wide, which the source does not drive:
 //                `smallest = 1` (ours) does.
 //             8. Online: scan (world_scan.hpp), then the same on what is believed, on a lattice that hangs on the start.
 //                Driven nodes are done. The world is partitioned anew where an obstacle stops the robot, and after a
@@ -192,7 +194,7 @@ PlannerInfo rectangles() {
             "drive each column, or step as far as the tool covers"},
            {"scan", &Params::scan, Choices{"columns", "rows"}, "how the first cell from the lower left is looked for"},
            {"lanes", &Params::lanes, Choices{"straight", "diagonal"},
-            "diagonal: the grid turned by 45 degrees, for staggered pillars"},
+            "diagonal: no rectangles but lanes at 45 degrees, for staggered pillars"},
            {"smallest", &Params::smallest, Range{1, 1000},
             "rectangles with fewer cells a side are not driven; 1: strips beside slanted walls are"},
            {"gap", &Params::gap, Range{0, 100}, "gaps in walls up to so many cells are closed"},

@@ -102,13 +102,14 @@ OXTURN_SCATTERED(wavefront, "wavefront", (Settings{{"shift_x", 0.3}, {"shift_y",
 OXTURN_SCATTERED(wavefront_path, "wavefront",
                  (Settings{{"shift_x", 0.3}, {"shift_y", 0.3}, {"transform", std::string("path")}}));
 // Rectangles where they are smallest: a tenth of the cells blocked at random, a robot as wide as a cell.
+// Rectangles where they are smallest: a tenth of the cells blocked at random, a robot nearly as wide as a cell.
 Problem speckled_floor(std::int64_t cells) {
   const int n = static_cast<int>(std::sqrt(static_cast<double>(cells) / 0.9));
   BitGrid grid({0, 0}, 0.4, n, n);
   Rng rng(1);
   for (auto& bit : grid.bits) bit = rng.chance(0.9);
   Robot robot;
-  robot.radius = 0;
+  robot.radius = 0.19;
   Region free = trace(grid);
   const auto largest =
       std::max_element(free.polygons.begin(), free.polygons.end(),

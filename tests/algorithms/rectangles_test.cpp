@@ -162,7 +162,8 @@ TEST(Rectangles, RevisitingLeavesNoReachableNode) {
 // Against a flood fill of its own, and the shortest paths among the walls.
 TEST(LatticeWays, LeadWhereAFloodFillDoesAndAreNoLongerThanItsSteps) {
   Robot robot;
-  robot.radius = 0;
+  robot.radius = 0.45;  // in cells of 1 m, all of the lattice is well inside or well outside
+  robot.tool_width = 0.9;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     SCOPED_TRACE(seed);
     const Region free = trace(noise(seed, 0.05 + 0.001 * double(seed % 300)));
@@ -227,21 +228,23 @@ TEST(Rectangles, InADividedCorridorTheNearestChoiceDoesNotShuttle) {
     const Settings literal{{"scan", std::string("rows")}, {"choose", std::string("first")}};
     const Settings mended{{"scan", std::string("rows")}, {"choose", std::string("nearest")}};
     const Path a = plan_rectangles(problem, literal), b = plan_rectangles(problem, mended);
-    EXPECT_LT(b.length(false), 0.5 * a.length(false));
+    EXPECT_LT(b.length(false), 0.6 * a.length(false));
     EXPECT_LT(b.length(), 0.8 * a.length());
     EXPECT_GT(coverage_of(problem, b), coverage_of(problem, a) - 0.01);
   }
 }
 
 // The seed's 5.2: between staggered pillars straight lanes find few rectangles that can be driven. Lanes at 45 degrees do
-// better, with the strips along the hall's walls, which are aslant to them.
+// better: more is covered, and with less way for as much.
 TEST(Rectangles, BetweenStaggeredPillarsDiagonalLanesDoBetter) {
   for (const auto seed : seeds(4)) {
     SCOPED_TRACE(fmt::format("pillars --seed {}", seed));
     const Problem problem(generate("pillars", {{"width", 9.0}, {"height", 9.0}, {"jitter", 0.3}}, seed), Robot{});
-    const Settings mended{{"lanes", std::string("diagonal")}, {"smallest", std::int64_t{1}}};
+    const Settings mended{{"lanes", std::string("diagonal")}};
     const Path straight = plan_rectangles(problem), diagonal = plan_rectangles(problem, mended);
-    EXPECT_GT(coverage_of(problem, diagonal), coverage_of(problem, straight) + 0.1);
+    const double before = coverage_of(problem, straight), after = coverage_of(problem, diagonal);
+    EXPECT_GT(after, before + 0.1);
+    EXPECT_LT(diagonal.length() / after, 0.9 * straight.length() / before);
   }
 }
 
@@ -260,7 +263,7 @@ TEST(Rectangles, OnlineScansTheOuterWallThenCleansWhatOfflineDoes) {
     Context context(1, 1e9, sinks);
     const Path path =
         find_planner(zoo(), "rectangles").make({{"sensing", std::string("lidar")}})->plan(problem, context);
-    EXPECT_GT(coverage_of(problem, path), 0.85 * coverage_of(problem, plan_rectangles(problem)));
+    EXPECT_GT(coverage_of(problem, path), 0.75 * coverage_of(problem, plan_rectangles(problem)));
     EXPECT_GT(reports.at("explored_share"), 0.98);
     EXPECT_GE(reports.at("partitions"), 1);
   }

@@ -65,7 +65,7 @@ std::vector<Case> cases() {
       {"divided-corridor", size(5, 14)},
       {"divided-corridor", with(size(4, 12), {{"jitter", 1.0}, {"obstacles", std::int64_t{3}}, {"rotation", 15.0}})},
       {"pillars", size(6, 6), false},
-      {"pillars", with(size(8, 6), {{"jitter", 1.0}, {"spacing", 1.0}, {"rotation", -30.0}})},
+      {"pillars", with(size(8, 6), {{"jitter", 1.0}, {"spacing", 1.4}, {"rotation", -30.0}})},
   };
 }
 
