@@ -159,7 +159,7 @@ TEST(Habits, InAClosetTheyEndToo) {
 
 TEST(SpiralOut, ItsFirstSpiralIsArchimedes) {
   const Problem problem({"hall", box_region({0, 0}, {20, 20}), "test", ""}, Robot{}, Point(10, 10));
-  const Path path = plan("spiral-out", problem, {{"length_limit", 500.0}, {"passes", 100.0}}).path;
+  const Path path = plan("spiral-out", problem, {{"length_limit", 900.0}, {"passes", 100.0}}).path;
   const Polyline& line = path.legs[0].points;
   const double pitch = 0.9 * 0.4;
   const auto turned = [](const Point& p) { return p.norm() * 2 * kPi / (0.9 * 0.4); };  // by the radius
