@@ -42,6 +42,8 @@ std::uint32_t BranchTree::add(const Polyline& piece, Kind kind, std::uint32_t pa
 
 void BranchTree::begin(const Polyline& piece, Kind kind) { add(piece, kind, kNone); }
 
+constexpr int kFarthest = 24;  // rings
+
 // Rings of buckets outwards; what lies nearer than the next ring is looked at in order of distance.
 std::uint32_t BranchTree::nearest_visible(const Point& p) const {
   const EdgeIndex& walls = problem_.walls();
@@ -49,7 +51,7 @@ std::uint32_t BranchTree::nearest_visible(const Point& p) const {
   const int ci = clamped(at.x(), columns_), cj = clamped(at.y(), rows_);
   std::vector<std::pair<double, std::uint32_t>> waiting;
   const auto later = [](const auto& a, const auto& b) { return a > b; };
-  const int last = std::max(columns_, rows_);
+  const int last = std::min(std::max(columns_, rows_), kFarthest);
   for (int ring = 0; ring <= last; ++ring) {
     const auto collect = [&](int i, int j) {
       if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return;
@@ -66,7 +68,7 @@ std::uint32_t BranchTree::nearest_visible(const Point& p) const {
       collect(ci - ring, cj + k);
       collect(ci + ring, cj + k);
     }
-    const double sure = ring < last ? ring * side_ : std::numeric_limits<double>::infinity();
+    const double sure = ring * side_;
     while (!waiting.empty() && waiting.front().first <= sure * sure) {
       const std::uint32_t v = waiting.front().second;
       if (walls.contains(p, vertices_[v])) return v;

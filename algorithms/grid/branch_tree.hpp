@@ -3,10 +3,10 @@
 //
 // Source      slides "Improving Coverage" (seed improving-spanning-tree-coverage), "Merged Spanning Tree"
 // Guarantee   always a tree: a piece adds its vertices, the edges between them, and one branch
-// Complexity  hanging O(vertices nearer than the one that is visible), usually O(1), all of them if none is; the way round
-//             O(vertices)
-// Decisions   1. "Closest" is the nearest vertex from which the straight way is free. If none is, the piece hangs by the
-//                shortest way to a vertex; the corners on it become vertices.
+// Complexity  hanging O(vertices within 24 spacings), usually O(1), and one shortest way if none of these is visible; the
+//             way round O(vertices)
+// Decisions   1. "Closest" is the nearest vertex from which the straight way is free. If none within 24 spacings is, the
+//                piece hangs by the shortest way to a vertex; the corners on it become vertices.
 //             2. The nearest by that way is sought by a wave over the transit mesh (nearest_part.hpp).
 #pragma once
 

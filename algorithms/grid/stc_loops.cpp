@@ -4,9 +4,7 @@
 // Model       grid of coarse cells 2D x 2D and polygonal walls, offline, disc footprint
 // Guarantee   what `stc` sweeps is swept; every stretch of a loop that the robot can drive is driven; the path is one
 //             round of a tree, closed
-// Complexity  n sub-cells and nodes: O(n) where what is hung sees a vertex nearby. A piece that sees none has looked at all
-//             of them, O(n), before its shortest way is sought: on mazes hardly wider than the robot that is quadratic
-//             (a tenth of the cells blocked at random: 0.3 s at 16 000 cells, 1.1 s at 33 000)
+// Complexity  n sub-cells and nodes: O(n), and a shortest way for each piece that sees no vertex nearby
 // Decisions   1. The slides offset the map's walls, so this does, too; whatever of a loop is not in configuration space is
 //                invalid: a node that is outside, or an edge of which goes outside. That holds for the loop's own
 //                obstacle as well (notches narrower than the robot, walls traced from pixels).
