@@ -16,6 +16,7 @@ namespace {
 constexpr int kMostRefusals = 3;
 constexpr double kLooksAhead = 10;  // scan steps
 constexpr int kMostLooks = 10;      // at one place, with noise
+constexpr double kGrown = 1.02;     // times its length when last published: the path is published again
 
 }  // namespace
 
@@ -39,24 +40,30 @@ class Drive {
     radius_ = std::max(0.0, robot.radius - truth.tolerance());
   }
 
-  Path run(Policy& policy) {
+  Path run(const std::function<void(OnlineRobot&, Context&)>& program) {
     look();
-    int refusals = 0;
-    while (refusals < kMostRefusals && !context_.cancelled()) {
-      const auto motion = policy.next(view_, context_);
-      if (!motion) break;
-      const double before = length_;
-      drive(*motion);
-      refusals = length_ > before ? 0 : refusals + 1;
-      context_.publish(view_.path());
-    }
+    OnlineRobot robot(*this);
+    program(robot, context_);
+    const Path& path = view_.path_;
+    if (view_.driven_ > published_) context_.publish(path);
     context_.report("explored_share", explored());
     context_.report("replans", static_cast<double>(replans_));
     context_.report("scans", static_cast<double>(scans_));
-    if (view_.path().legs.empty())
+    if (path.legs.empty())
       throw Infeasible(fmt::format("the lidar shows robot '{}' no place to go from its start ({:.6g}, {:.6g})",
                                    truth_.robot().name, truth_.start().x(), truth_.start().y()));
-    return view_.path();
+    return path;
+  }
+
+  const View& view() const { return view_; }
+
+  bool go(const Motion& motion) {
+    drive(motion);
+    if (view_.driven_ > kGrown * published_) {
+      context_.publish(view_.path_);
+      published_ = view_.driven_;
+    }
+    return !view_.stopped_;
   }
 
  private:
@@ -104,11 +111,14 @@ class Drive {
     for (std::size_t k = 0; k < motion.points.size(); ++k) {
       const Point to = motion.points[k];
       while (view_.pose_ != to) {
-        if (context_.cancelled()) return;
+        if (context_.cancelled()) {
+          view_.stopped_ = true;
+          return;
+        }
         const double left = distance(view_.pose_, to), stretch = scan_step_ - since_scan_;
         const Point at = stretch >= left ? to : lerp(view_.pose_, to, stretch / left);
         if (!free_from_here(at)) return stop();
-        go(at, motion.tool);
+        move(at, motion.tool);
         if (since_scan_ < scan_step_ * (1 - 1e-9)) continue;
         look();
         if (view_.belief_.lost() == lost) continue;
@@ -125,10 +135,10 @@ class Drive {
     ++replans_;
   }
 
-  void go(const Point& to, bool tool) {
+  void move(const Point& to, bool tool) {
     const double far = distance(view_.pose_, to);
     since_scan_ += far;
-    length_ += far;
+    view_.driven_ += far;
     Path& path = view_.path_;
     const Point from = view_.pose_;
     view_.pose_ = to;
@@ -149,17 +159,35 @@ class Drive {
   LidarSimulator lidar_;
   Rng noise_;
   View view_;
-  double scan_step_, radius_, since_scan_ = 0, length_ = 0;
+  double scan_step_, radius_, since_scan_ = 0, published_ = 0;
   std::size_t replans_ = 0, scans_ = 0;
   std::map<std::pair<long long, long long>, int> looked_;  // times, by squares of half a scan step
   Point seen_from_{0, 0};
 };
 
-Path drive_online(const Problem& truth, Policy& policy, Context& context, const OnlineSettings& settings) {
+const View& OnlineRobot::view() const { return drive_.view(); }
+bool OnlineRobot::go(const Motion& motion) { return drive_.go(motion); }
+
+Path drive_online(const Problem& truth, const std::function<void(OnlineRobot&, Context&)>& program, Context& context,
+                  const OnlineSettings& settings) {
   if (!truth.robot().lidar)
     throw Unsupported(fmt::format("robot '{}' has no lidar, which an online planner sees by; give it range and rays",
                                   truth.robot().name));
-  return Drive(truth, context, settings).run(policy);
+  return Drive(truth, context, settings).run(program);
+}
+
+Path drive_online(const Problem& truth, Policy& policy, Context& context, const OnlineSettings& settings) {
+  const auto ask = [&](OnlineRobot& robot, Context& inner) {
+    const View& view = robot.view();
+    for (int refusals = 0; refusals < kMostRefusals && !inner.cancelled();) {
+      const auto motion = policy.next(view, inner);
+      if (!motion) return;
+      const double before = view.driven();
+      robot.go(*motion);
+      refusals = view.driven() > before ? 0 : refusals + 1;
+    }
+  };
+  return drive_online(truth, ask, context, settings);
 }
 
 std::optional<Problem> believed_problem(const View& view, const Point& start, int level) {

@@ -1,14 +1,14 @@
-// Drives a robot through a world that it only learns by lidar: simulates motion and scans, keeps the belief, asks a
-// policy where to go next. Any online planner is a Policy.
+// Drives a robot through a world that it only learns by lidar: simulates motion and scans, and keeps the belief.
+// An online planner is a Policy, which is asked where to go next, or a function that drives an OnlineRobot.
 //
 // The robot scans at its start, every `scan_step` metres and at the end of every motion, but no place twice (with noise
 // ten times): the world stands still. Its pose is known exactly.
 // Before each stretch is driven it is checked against the newest belief; where the belief blocks what is left of a
-// motion, the robot stops there and the policy is asked again (a re-plan). Nothing of the true map is reachable from
-// a policy: it gets a View, which is made of scans.
+// motion, the robot stops there and the planner has to think again (a re-plan). Nothing of the true map is reachable
+// from it: it gets a View, which is made of scans.
 #pragma once
 
-#include <memory>
+#include <functional>
 #include <optional>
 
 #include "algorithms/coverage_planner.hpp"
@@ -16,7 +16,9 @@
 
 namespace oxturn {
 
-/// All that a policy may know.
+class Drive;
+
+/// All that a planner may know.
 class View {
  public:
   View(Robot robot, const Point& start, const Point& anchor)
@@ -29,7 +31,8 @@ class View {
   const Belief& belief() const { return belief_; }
   /// What has been driven so far.
   const Path& path() const { return path_; }
-  Polyline way() const;  // its points, from the start to the pose
+  Polyline way() const;                      // its points, from the start to the pose
+  double driven() const { return driven_; }  // metres
   /// The last motion was stopped before its end.
   bool stopped() const { return stopped_; }
   /// How many points of the last motion were reached.
@@ -41,6 +44,7 @@ class View {
   Point start_, anchor_, pose_;
   Belief belief_;
   Path path_;
+  double driven_ = 0;
   bool stopped_ = false;
   std::size_t reached_ = 0;
 };
@@ -61,9 +65,27 @@ struct OnlineSettings {
   double scan_step = 0;  // metres between scans; 0: the robot's radius (half its tool's width if it has none)
 };
 
-/// Ends when the policy does, when cancelled, or when three motions in a row cannot even begin. Publishes what has been
-/// driven at the end of every motion, and reports `explored_share` (the part of the true target that is believed free)
-/// and `replans`. Throws Unsupported for a robot without a lidar, Infeasible if it cannot move at all.
+/// What a program steers: sees what a policy sees, and goes.
+class OnlineRobot {
+ public:
+  const View& view() const;
+  /// Drives the motion, scanning on the way. False if it was stopped before its end: by what has come to be believed,
+  /// or because the run is cancelled.
+  bool go(const Motion& motion);
+
+ private:
+  friend class Drive;
+  explicit OnlineRobot(Drive& drive) : drive_(drive) {}
+  Drive& drive_;
+};
+
+/// Runs the program until it returns; when cancelled the robot goes nowhere any more, and the program should return.
+/// Publishes what has been driven, as often as it has grown by a fiftieth, and reports `explored_share` (the part of the
+/// true target that is believed free), `replans` and `scans`. Throws Unsupported for a robot without a lidar, Infeasible
+/// if it never moved.
+Path drive_online(const Problem& truth, const std::function<void(OnlineRobot&, Context&)>& program, Context& context,
+                  const OnlineSettings& settings = {});
+/// The same, asking a policy. Ends also when three motions in a row cannot even begin.
 Path drive_online(const Problem& truth, Policy& policy, Context& context, const OnlineSettings& settings = {});
 
 /// The world as believed, at a belief's level (belief.hpp), as a problem to plan on. It starts at `start`, or, where

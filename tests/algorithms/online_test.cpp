@@ -306,6 +306,66 @@ TEST(DriveOnline, APolicyThatOnlyEverAsksForWallsEnds) {
   EXPECT_LT(policy.asked, 10);
 }
 
+// The same drive, asked for and steered; motion by motion or all at once.
+TEST(DriveOnline, AProgramSteersAsAPolicyIsAsked) {
+  const Problem p = drawn({"S...#...", "....#..."}, {.robot = with_lidar()});
+  const std::vector<Motion> motions{{{{2.5, 0.5}, {2.5, 1.5}}, true}, {{{7.5, 1.5}}, true}, {{{0.5, 0.5}}, false}};
+  Scripted policy;
+  policy.motions = motions;
+  Context context(1), same(1);
+  const Path asked = drive_online(p, policy, context);
+  std::vector<bool> arrived;
+  const Path steered = drive_online(
+      p,
+      [&](OnlineRobot& robot, Context&) {
+        for (const Motion& motion : motions) arrived.push_back(robot.go(motion));
+        EXPECT_EQ(robot.view().pose(), Point(0.5, 0.5));
+        EXPECT_DOUBLE_EQ(robot.view().driven(), robot.view().path().length());
+      },
+      same);
+  EXPECT_THAT(arrived, testing::ElementsAre(true, false, true));
+  ASSERT_EQ(asked.legs.size(), steered.legs.size());
+  for (std::size_t i = 0; i < asked.legs.size(); ++i) EXPECT_EQ(asked.legs[i].points, steered.legs[i].points);
+}
+
+// A path of very many small motions is not copied at every one of them.
+TEST(DriveOnline, PublishesSeldomButNearlyAll) {
+  const Problem p = drawn({"....", "S..."}, {.robot = with_lidar()});
+  Context::Sinks sinks;
+  std::size_t times = 0;
+  double published = 0;
+  sinks.publish = [&](const Path& path) {
+    ++times;
+    published = path.length();
+  };
+  Context context(1, 1e9, sinks);
+  const Path path = drive_online(
+      p,
+      [&](OnlineRobot& robot, Context&) {
+        for (int k = 0; k < 5000; ++k) {
+          ASSERT_TRUE(robot.go({{Point(k % 2 == 0 ? 0.7 : 0.5, 0.5)}, true}));
+          ASSERT_GE(published, 0.98 * robot.view().driven());
+        }
+      },
+      context);
+  EXPECT_EQ(published, path.length());
+  EXPECT_LT(times, 500u);
+}
+
+TEST(DriveOnline, ACancelledRobotGoesNowhere) {
+  const Problem p = drawn({"....", "S..."}, {.robot = with_lidar()});
+  Context context(1);
+  const Path path = drive_online(
+      p,
+      [&](OnlineRobot& robot, Context& inner) {
+        EXPECT_TRUE(robot.go({{Point(1.5, 0.5)}, true}));
+        inner.cancel();
+        EXPECT_FALSE(robot.go({{Point(2.5, 0.5)}, true}));
+      },
+      context);
+  EXPECT_DOUBLE_EQ(path.length(), 1);
+}
+
 TEST(DriveOnline, NoLidarAndTooShortALidarAreSentences) {
   const auto boustrophedon = [](const Problem& believed, Context& c) {
     return find_planner(zoo(), "boustrophedon").make({})->plan(believed, c);
