@@ -201,16 +201,23 @@ std::optional<Problem> believed_problem(const View& view, const Point& start, in
     const auto hit = edges.nearest(p, near);
     return hit ? std::optional(hit->place) : std::nullopt;
   };
+  std::optional<Point> anchor;
+  if (robot.tether) {
+    anchor = nearest(map.free, view.anchor());
+    if (!anchor) return std::nullopt;
+    robot.tether->length -= distance(*anchor, view.anchor());
+    if (robot.tether->length <= 0) return std::nullopt;
+  }
+  try {
+    return Problem(map, robot, start, anchor);
+  } catch (const std::invalid_argument&) {
+    // The start is too near a believed wall, or there is no room at all.
+  }
   const Region space =
       robot.radius > 0 ? erode(map.free, robot.radius, robot.tool_width / 1000, Bound::inside) : map.free;
   if (space.empty()) return std::nullopt;
   const auto from = nearest(space, start);
   if (!from) return std::nullopt;
-  if (!robot.tether) return Problem(std::move(map), robot, from);
-  const auto anchor = nearest(map.free, view.anchor());
-  if (!anchor) return std::nullopt;
-  robot.tether->length -= distance(*anchor, view.anchor());
-  if (robot.tether->length <= 0) return std::nullopt;
   try {
     return Problem(std::move(map), robot, from, anchor);
   } catch (const std::invalid_argument&) {

@@ -165,6 +165,7 @@ std::optional<Polyline> way_to_view(const BitGrid& free, const BitGrid& room, co
 
 // Only ever finer: the way driven so far must lie in the world that it is judged in.
 std::optional<Problem> Explorer::world(const View& view, const Point& base) {
+  while (level_ > 0 && view.belief().cell() * (1 << level_) > size_of(view.robot()) / 7) --level_;
   for (; level_ > 0; --level_)
     if (auto believed = believed_problem(view, base, level_)) return believed;
   return believed_problem(view, base, 0);

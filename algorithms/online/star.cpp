@@ -22,10 +22,11 @@ class Star {
     cut_ = std::min(scan.lidar.range, rules.apart / (2 * std::sin(half))) * std::cos(half);
   }
 
-  Ring ring() const {
+  Ring ring(std::vector<Point>* corners) const {
     Ring ring;
     for (std::size_t i = 0; i < n_; ++i) {
       const Wedge wedge = wedge_after(i);
+      if (corners != nullptr && wedge.count == 3 && wedge.points[1].norm() < cut_) corners->push_back(wedge.points[1]);
       const Point across = (direction_[i] + direction_[next(i)]).normalized();
       add_cut(ring, wedge, i, across);
     }
@@ -157,9 +158,9 @@ constexpr std::size_t kFewestRays = 5;
 
 }  // namespace
 
-Ring star(const Scan& scan, const std::vector<Point>& directions, const StarRules& rules) {
+Ring star(const Scan& scan, const std::vector<Point>& directions, const StarRules& rules, std::vector<Point>* corners) {
   if (scan.reading.size() < kFewestRays) return {};
-  return Star(scan, directions, rules).ring();
+  return Star(scan, directions, rules).ring(corners);
 }
 
 Ring noisy_star(const Scan& scan, const std::vector<Point>& directions, const StarRules& rules, double margin) {

@@ -37,6 +37,7 @@ class SurveyThenPlan final : public Policy {
         case Stage::plan:
           if (!plan(view, context)) return std::nullopt;
           planned_ = true;
+          survey_m_ = view.driven();
           stage_ = Stage::sweep;
           break;
         case Stage::sweep:
@@ -52,6 +53,7 @@ class SurveyThenPlan final : public Policy {
             if (auto motion = explorer_.next(view)) return motion;
           }
           stage_ = Stage::leftover;
+          swept_m_ = view.driven();
           break;
         case Stage::leftover:
           if (auto motion = leftover_.next(view)) {
@@ -64,6 +66,12 @@ class SurveyThenPlan final : public Policy {
           return std::nullopt;
       }
     }
+  }
+
+  /// Figures of the run: how long the survey was (with the way home), and what came after the plan.
+  void report(Context& context, double driven) const {
+    context.report("survey_m", planned_ ? survey_m_ : driven);
+    context.report("leftover_m", swept_m_ < 0 ? 0 : driven - swept_m_);
   }
 
  private:
@@ -137,6 +145,7 @@ class SurveyThenPlan final : public Policy {
   std::deque<Motion> legs_;
   Motion rest_;
   bool planned_ = false, sweeping_ = false, left_home_ = false;
+  double survey_m_ = 0, swept_m_ = -1;
   int surveys_ = 0, homings_ = 0, mended_ = 0;
 };
 
@@ -144,7 +153,9 @@ class SurveyThenPlan final : public Policy {
 
 Path plan_online(const Problem& truth, Context& context, const OfflinePlan& plan, const OnlineSettings& settings) {
   SurveyThenPlan policy(plan);
-  return drive_online(truth, policy, context, settings);
+  Path path = drive_online(truth, policy, context, settings);
+  policy.report(context, path.length());
+  return path;
 }
 
 }  // namespace oxturn
