@@ -66,7 +66,7 @@ void Belief::stand(const Point& pose) {
   Ring disc;
   for (const Point& d : ray_directions(kCorners)) disc.push_back(radius_ * d);
   for (int times = 0; times < (lidar_.noise > 0 ? kMost / kFor : 1); ++times) fill(disc, pose, kNear);
-  if (outline_) outline_->add(disc, pose);
+  if (outline_) outline_->add(disc, pose, kCorners);
 }
 
 // Makes the window hold the box, with room to spare, so that growing is rare.
@@ -375,7 +375,8 @@ void Belief::add(const Scan& scan) {
   const bool wrong = outline_ && outline_->add_walls(walls, corners, scan.eye);
   lost_ += wrong ? 1 : 0;
   for (const auto& [ring, mark] : stars)
-    if ((fill(ring, scan.eye, mark) || wrong) && outline_ && mark == kFar) outline_->add(ring, scan.eye);
+    if ((fill(ring, scan.eye, mark) || wrong) && outline_ && mark == kFar)
+      outline_->add(ring, scan.eye, scan.reading.size());
   walls.insert(walls.end(), corners.begin(), corners.end());
   mark_hits(scan, walls);
   mark_walls(scan);

@@ -55,7 +55,7 @@ class Belief {
   };
   /// Cells of a coarser level are free if all of their cells are. Valid until the next add().
   const Cells& cells(int level) const;
-  /// Without noise the outline, less up to radius / 128 at its walls (radius / 16 at coarser levels); else the free cells
+  /// Without noise the outline, less up to radius / 128 at its walls (radius / 32 at coarser levels); else the free cells
   /// with fewer corners, less up to 1.1 cells.
   const Region& region(int level) const;
   double free_area() const;

@@ -10,11 +10,10 @@ namespace oxturn {
 namespace {
 
 constexpr double kShrink = 5e-7;
-constexpr double kSimpler[] = {1.0 / 128, 1.0 / 16};  // of the size
+constexpr double kSimpler[] = {1.0 / 128, 1.0 / 32};  // of the size
 constexpr double kAbout = 1.0 / 8;  // of the size: half the side of the square about a wall point that was overlooked
 constexpr double kNear = 8;         // sizes: wall points from nearer are kept on a fine lattice
 constexpr double kExact = 1e-3, kFine = 1.0 / 128, kCoarse = 1.0 / 16;  // of the size: squares with one point each
-constexpr double kNoFarther = 1.25;  // times as far: stars that are still trusted about such a point
 constexpr std::size_t kMostPending = 64;
 
 double angle_of(const Point& p) {
@@ -31,20 +30,32 @@ std::uint64_t square_of(const Point& p, double side, double size) {
 
 }  // namespace
 
-/// The corner behind p, counter-clockwise.
-std::size_t Outline::Star::after(const Point& p) const {
-  return static_cast<std::size_t>(std::upper_bound(angle.begin(), angle.end(), angle_of(p - eye)) - angle.begin());
-}
-
 bool Outline::Star::contains(const Point& p) const {
   if ((p - eye).squaredNorm() >= reach2) return false;
-  const std::size_t k = after(p), n = ring.size();
+  const auto after = std::upper_bound(angle.begin(), angle.end(), angle_of(p - eye)) - angle.begin();
+  const std::size_t k = static_cast<std::size_t>(after), n = ring.size();
   const Point &a = ring[(k + n - 1) % n], &b = ring[k % n];
   return cross(b - a, p - a) > 0;
 }
 
-/// A part of the star that holds all that it has in the box (which the eye is not in).
+bool Outline::Star::says_free(const Point& p) const {
+  if (!contains(p)) return false;
+  for (std::size_t k = 0; k < cut.size(); ++k)
+    if (cut_box[k].contains(p) && oxturn::contains(cut[k], p)) return false;
+  return true;
+}
+
+void Outline::Star::refute(const Point& p, const Box& box) {
+  const double first = std::floor(angle_of(p - eye) / step) * step, far = 2 * std::sqrt(reach2);
+  const Point u(std::cos(first), std::sin(first)), v(std::cos(first + step), std::sin(first + step));
+  const Region wedge{{Polygon{{eye, eye + far * u, eye + far * v}, {}}}};
+  cut_box.push_back(box);
+  cut.push_back(intersect(wedge, box_region(box.low, box.high)));
+}
+
+/// A part of the star that holds all that it has in the box.
 Region Outline::Star::sector(const Box& box) const {
+  if (box.contains(eye)) return {{Polygon{ring, {}}}};
   const Point middle = box.centre() - eye;
   const double half = std::atan2(box.size().norm() / 2, middle.norm()), at = angle_of(middle);
   if (at - half < 0 || at + half > 2 * kPi) return {{Polygon{ring, {}}}};
@@ -66,7 +77,7 @@ Box Outline::about(const Point& p) const {
 bool Outline::is_free(const Point& p) const {
   if (edges_ && edges_->contains(p)) return true;
   return std::any_of(stars_.end() - static_cast<std::ptrdiff_t>(pending_.size()), stars_.end(),
-                     [&](const Star& star) { return star.contains(p); });
+                     [&](const Star& star) { return star.says_free(p); });
 }
 
 void Outline::merge() const {
@@ -77,25 +88,20 @@ void Outline::merge() const {
   edges_.emplace(free_);
 }
 
-void Outline::add(const Ring& ring, const Point& eye) {
-  Star star{eye, {}, {}};
+void Outline::add(const Ring& ring, const Point& eye, std::size_t rays) {
+  Star star;
+  star.eye = eye;
+  star.step = 2 * kPi / static_cast<double>(rays);
   for (const Point& p : ring) {
     const Point q = (1 - kShrink) * p;
     star.ring.push_back(eye + q);
     star.angle.push_back(std::max(star.angle.empty() ? 0 : star.angle.back(), angle_of(p)));
     star.reach2 = std::max(star.reach2, q.squaredNorm());
   }
-  std::vector<Region> overlooked;
-  Box last;
   for (const Point& p : walls_)
-    if (star.contains(p) && !last.contains(p)) {
-      last = about(p);
-      overlooked.push_back(box_region(last.low, last.high));
-      last.grow(-last.size().x() / 4);
-    }
+    if (star.says_free(p)) star.refute(p, about(p));
   Region region{{Polygon{star.ring, {}}}};
-  star.cut = !overlooked.empty();
-  if (star.cut) region = subtract(region, unite(overlooked));
+  if (!star.cut.empty()) region = subtract(region, unite(star.cut));
   stars_.push_back(std::move(star));
   pending_.push_back(std::move(region));
   simple_ = {};
@@ -103,33 +109,42 @@ void Outline::add(const Ring& ring, const Point& eye) {
 }
 
 bool Outline::add_walls(const std::vector<Point>& hits, const std::vector<Point>& corners, const Point& eye) {
-  std::vector<Point> wrong;
-  Box last;
+  std::vector<Box> boxes;
   const auto add = [&](const Point& p, double side) {
     if (!seen_.insert(square_of(p, side, size_)).second) return;
     walls_.push_back(p);
-    if (last.contains(p) || !is_free(p)) return;
-    wrong.push_back(p);
-    last = about(p);
-    last.grow(-last.size().x() / 4);
+    if (!is_free(p)) return;
+    bool wrong = false;
+    for (Star& star : stars_)
+      if (star.says_free(p)) {
+        star.refute(p, about(p));
+        wrong = true;
+      }
+    if (wrong) boxes.push_back(about(p));
   };
   for (const Point& p : hits) add(p, distance(p, eye) < kNear * size_ ? kFine : kCoarse);
   for (const Point& p : corners) add(p, kExact);
-  if (wrong.empty()) return false;
+  if (boxes.empty()) return false;
 
+  // In the boxes all is united anew.
   merge();
-  std::vector<Region> boxes, patches;
-  for (const Point& p : wrong) {
-    const Box box = about(p);
-    boxes.push_back(box_region(box.low, box.high));
+  std::vector<Region> squares, patches;
+  for (const Box& box : boxes) {
+    squares.push_back(box_region(box.low, box.high));
     std::vector<Region> sectors;
-    for (const Star& star : stars_)
-      if (!star.cut && distance(star.eye, p) <= kNoFarther * distance(eye, p) && !box.contains(star.eye) &&
-          !star.contains(p))
-        sectors.push_back(star.sector(box));
-    patches.push_back(intersect(unite(sectors), boxes.back()));
+    for (const Star& star : stars_) {
+      const double away = std::max(0.0, distance(star.eye, box.centre()) - box.size().norm() / 2);
+      if (away * away >= star.reach2) continue;
+      Region sector = star.sector(box);
+      std::vector<Region> cut;
+      for (std::size_t k = 0; k < star.cut.size(); ++k)
+        if (star.cut_box[k].overlaps(box)) cut.push_back(star.cut[k]);
+      if (!cut.empty()) sector = subtract(sector, unite(cut));
+      sectors.push_back(std::move(sector));
+    }
+    patches.push_back(intersect(unite(sectors), squares.back()));
   }
-  patches.push_back(subtract(free_, unite(boxes)));
+  patches.push_back(subtract(free_, unite(squares)));
   free_ = unite(patches);
   edges_.emplace(free_);
   simple_ = {};

@@ -26,7 +26,7 @@ class Star {
     Ring ring;
     for (std::size_t i = 0; i < n_; ++i) {
       const Wedge wedge = wedge_after(i);
-      if (corners != nullptr && wedge.count == 3 && wedge.points[1].norm() < cut_) corners->push_back(wedge.points[1]);
+      if (corners != nullptr && wedge.count == 3 && known_corner(wedge)) corners->push_back(wedge.points[1]);
       const Point across = (direction_[i] + direction_[next(i)]).normalized();
       add_cut(ring, wedge, i, across);
     }
@@ -64,6 +64,11 @@ class Star {
     return Wall{hit_[i], hit_[next(next(i))] - hit_[i]};
   }
 
+  bool known_corner(const Wedge& wedge) const {
+    const Point& corner = wedge.points[1];
+    const double away = std::max(distance(corner, wedge.points[0]), distance(corner, wedge.points[2]));
+    return corner.norm() < cut_ && away <= 2 * rules_.apart;
+  }
   bool on(const Wall& wall, const Point& p) const {
     const double length = wall.along.norm();
     return std::abs(cross(wall.along, p - wall.at)) <= rules_.tolerance * length && reaches(wall, p);

@@ -24,7 +24,7 @@ struct StarRules {
 };
 
 /// Counter-clockwise, relative to the eye; empty with fewer than 5 rays (wedges of more than a right angle say nothing).
-/// `corners`: gets the corners between the rays that poke into a wedge.
+/// `corners`: gets the corners that poke into a wedge, not farther than 2 * apart from the hits at both sides.
 Ring star(const Scan& scan, const std::vector<Point>& directions, const StarRules& rules,
           std::vector<Point>* corners = nullptr);
 

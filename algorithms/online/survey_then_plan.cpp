@@ -77,14 +77,24 @@ class SurveyThenPlan final : public Policy {
  private:
   enum class Stage { survey, home, plan, sweep, leftover };
 
+  // Pulled taut if that is free all along; else back by the way that was driven. Finest world first: it holds the way.
   std::optional<Motion> homewards(const View& view) const {
-    for (int level = Belief::kCoarsest; level >= 0; --level) {
+    const Robot& robot = view.robot();
+    const double radius = std::max(0.0, robot.radius - 2e-6 * robot.tool_width);
+    const auto is_free = [&](const Polyline& line) {
+      for (std::size_t k = 1; k < line.size(); ++k)
+        if (!view.belief().free_for(line[k - 1], line[k], radius)) return false;
+      return true;
+    };
+    for (const int level : {0, 1, Belief::kCoarsest}) {
       const auto believed = believed_problem(view, view.start(), level);
       if (!believed) continue;
       const StringWays ways(*believed, view.way());
-      if (auto way = ways.home()) return Motion{std::move(*way), true};
+      if (auto way = ways.home(); way && is_free(*way)) return Motion{std::move(*way), true};
     }
-    return std::nullopt;
+    Polyline back = view.way();
+    std::reverse(back.begin(), back.end());
+    return Motion{std::move(back), true};
   }
 
   bool plan(const View& view, Context& context) {
