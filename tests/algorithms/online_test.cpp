@@ -568,7 +568,7 @@ TEST(SurveyThenPlan, TetheredPlannersKeepTheLeashAndTheirCoverage) {
     ++planners;
     std::vector<double> ratios;
     for (const auto& [generator, size, reach] :
-         {std::tuple{"rectangle", 5.0, 1.1}, std::tuple{"clutter", 4.0, 0.6}, std::tuple{"polygon", 5.0, 0.8}}) {
+         {std::tuple{"rectangle", 5.0, 1.1}, std::tuple{"clutter", 4.0, 0.6}, std::tuple{"cave", 5.0, 0.8}}) {
       Robot robot = with_lidar(6, 720);
       robot.tether = Tether{};
       robot.tether->reach = reach;
