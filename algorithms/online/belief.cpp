@@ -16,7 +16,7 @@ constexpr std::uint8_t kFar = 1, kNear = 2, kHit = 4, kWall = 8;  // kWall: on a
 constexpr std::uint8_t kAsked =
     16;  // with noise: a hit so near by has been dealt with. There kHit means: far does not count
 
-constexpr double kCellsARadius = 96, kCellsWithNoise = 32;
+constexpr double kCellsARadius = 16, kCellsWithNoise = 32;
 constexpr std::int64_t kMostCells = std::int64_t{1} << 26;
 constexpr int kBlock = 64;         // cells, in a row, that are looked at together
 constexpr int kAlign = kBlock;     // windows begin and end at multiples, so that coarse cells and halving fit
@@ -55,6 +55,7 @@ Belief::Belief(const Robot& robot, const Point& start) {
   const Point reach(2 * radius_ + 8 * cell_, 2 * radius_ + 8 * cell_);
   grow(start - reach, start + reach);
 
+  if (lidar_.noise == 0) outline_.emplace(size_);
   stand(start);
 }
 
@@ -65,6 +66,7 @@ void Belief::stand(const Point& pose) {
   Ring disc;
   for (const Point& d : ray_directions(kCorners)) disc.push_back(radius_ * d);
   for (int times = 0; times < (lidar_.noise > 0 ? kMost / kFor : 1); ++times) fill(disc, pose, kNear);
+  if (outline_) outline_->add(disc, pose, kCorners);
 }
 
 // Makes the window hold the box, with room to spare, so that growing is rare.
@@ -200,21 +202,25 @@ bool Belief::set_marks(std::size_t begin, std::size_t end, std::uint8_t mark) {
     std::uint64_t eight;
     std::memcpy(&eight, mark_.data() + c, 8);
     if ((eight & marks) == marks) continue;
+    marked_anew_ = true;
     const std::uint64_t known = (eight | eight >> 1 | eight >> 2) & kEveryByte;  // far, near or hit
     gained_ += 8 - static_cast<std::uint64_t>(std::popcount(known));
     eight |= marks;
     std::memcpy(mark_.data() + c, &eight, 8);
   }
   for (; c < end; ++c) {
+    marked_anew_ = marked_anew_ || (mark_[c] & mark) == 0;
     gained_ += (mark_[c] & (kFar | kNear | kHit)) == 0 ? 1 : 0;
     mark_[c] = static_cast<std::uint8_t>(mark_[c] | mark);
   }
   return true;
 }
 
-// Cells wholly inside the ring: those whose centre is, less those that an edge comes near.
-void Belief::fill(const Ring& ring, const Point& eye, std::uint8_t mark) {
-  if (ring.size() < 3) return;
+// Cells wholly inside the ring: those whose centre is, less those that an edge comes near. Returns whether any had not
+// been marked so before.
+bool Belief::fill(const Ring& ring, const Point& eye, std::uint8_t mark) {
+  marked_anew_ = false;
+  if (ring.size() < 3) return false;
   std::vector<Point> corner;
   corner.reserve(ring.size());
   for (const Point& p : ring) corner.push_back((eye + p - low_) / cell_);
@@ -225,7 +231,7 @@ void Belief::fill(const Ring& ring, const Point& eye, std::uint8_t mark) {
   }
   const int first = std::max(0, static_cast<int>(std::floor(bottom - kKeepOff)));
   const int last = std::min(rows_ - 1, static_cast<int>(std::floor(top + kKeepOff)));
-  if (last < first) return;
+  if (last < first) return false;
   if (scratch_.size() < static_cast<std::size_t>(last - first + 1))
     scratch_.resize(static_cast<std::size_t>(last - first + 1));
 
@@ -271,6 +277,7 @@ void Belief::fill(const Ring& ring, const Point& eye, std::uint8_t mark) {
     row.crossings.clear();
     row.cuts.clear();
   }
+  return marked_anew_;
 }
 
 // Something narrow was overlooked, or may be: cells about it that were only seen from afar must be seen from near.
@@ -291,12 +298,10 @@ void Belief::distrust(int i, int j) {
     }
 }
 
-void Belief::mark_hits(const Scan& scan) {
+void Belief::mark_hits(const Scan& scan, const std::vector<Point>& walls) {
   const double near = near_apart() / scan.step();
-  for (std::size_t k = 0; k < scan.reading.size(); ++k) {
-    if (!std::isfinite(scan.reading[k])) continue;
-    const Point p = scan.eye + scan.reading[k] * direction_[k];
-    const int i = column(p.x()), j = row(p.y());
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const int i = column(walls[k].x()), j = row(walls[k].y());
     if (!inside(i, j)) continue;
     const std::size_t c = at(i, j);
     if (lidar_.noise == 0) {
@@ -316,7 +321,7 @@ void Belief::mark_hits(const Scan& scan) {
         done_[block_at(x, y)] = 0;
         if (was && !is_free(about)) ++lost_;
       }
-    if (scan.reading[k] <= near && (mark_[c] & kAsked) == 0) distrust(i, j);
+    if (distance(walls[k], scan.eye) <= near && (mark_[c] & kAsked) == 0) distrust(i, j);
   }
 }
 
@@ -341,6 +346,9 @@ void Belief::mark_walls(const Scan& scan) {
 void Belief::add(const Scan& scan) {
   StarRules rules;
   rules.tolerance = tolerance_;
+  std::vector<Point> walls, corners;
+  for (std::size_t k = 0; k < scan.reading.size(); ++k)
+    if (std::isfinite(scan.reading[k])) walls.push_back(scan.eye + scan.reading[k] * direction_[k]);
   std::vector<std::pair<Ring, std::uint8_t>> stars;
   if (lidar_.noise > 0) {
     rules.caution = 3;
@@ -351,9 +359,8 @@ void Belief::add(const Scan& scan) {
   } else {
     rules.caution = 2;
     rules.apart = near_apart();
-    stars.emplace_back(star(scan, direction_, rules), kNear);
-    last_star_ = stars.front().first;
-    for (Point& p : last_star_) p += scan.eye;
+    stars.emplace_back(star(scan, direction_, rules, &corners), kNear);
+    for (Point& p : corners) p += scan.eye;
     rules.apart = far_apart();
     stars.emplace_back(star(scan, direction_, rules), kFar);
   }
@@ -365,8 +372,13 @@ void Belief::add(const Scan& scan) {
   if (box.empty()) return;
   box.grow(2 * cell_);
   grow(box.low, box.high);
-  for (const auto& [ring, mark] : stars) fill(ring, scan.eye, mark);
-  mark_hits(scan);
+  const bool wrong = outline_ && outline_->add_walls(walls, corners, scan.eye);
+  lost_ += wrong ? 1 : 0;
+  for (const auto& [ring, mark] : stars)
+    if ((fill(ring, scan.eye, mark) || wrong) && outline_ && mark == kFar)
+      outline_->add(ring, scan.eye, scan.reading.size());
+  walls.insert(walls.end(), corners.begin(), corners.end());
+  mark_hits(scan, walls);
   mark_walls(scan);
   if (lidar_.noise > 0) stand(scan.eye);
 }
@@ -421,22 +433,8 @@ bool Belief::free_for(const Point& a, const Point& b, double radius) const {
     return true;
   };
   if (by_cells()) return true;
-  // Where the robot begins at a wall, cells that the wall cuts are in its way: the last scan knows better.
-  const auto& star = last_star_;
-  if (star.size() < 3) return false;
-  Box box;
-  box.add(a);
-  box.add(b);
-  for (std::size_t k = 0; k < star.size(); ++k) {
-    const Point &p = star[k], &q = star[k + 1 < star.size() ? k + 1 : 0];
-    if (p == q) continue;
-    const double nearest = std::min({distance_to_segment(a, p, q), distance_to_segment(b, p, q),
-                                     distance_to_segment(p, a, b), distance_to_segment(q, a, b)});
-    if (nearest < radius) return false;
-    const double o1 = cross(b - a, p - a), o2 = cross(b - a, q - a), o3 = cross(q - p, a - p), o4 = cross(q - p, b - p);
-    if (o1 * o2 < 0 && o3 * o4 < 0) return false;
-  }
-  return contains(Region{{Polygon{star, {}}}}, a);
+  // Cells that a wall cuts are in the way of a robot that touches it.
+  return outline_ && outline_->free_for(a, b, radius);
 }
 
 // Eight cells a word, one byte each: 1 if free.
@@ -485,6 +483,7 @@ const Belief::Cells& Belief::cells(int level) const {
 }
 
 const Region& Belief::region(int level) const {
+  if (outline_) return outline_->region(level > 0);
   auto& known = regions_[static_cast<std::size_t>(level)];
   if (!known) {
     const BitGrid& grid = cells(level).free;

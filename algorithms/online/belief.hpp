@@ -1,4 +1,5 @@
-// What an online robot believes of the world: an occupancy grid (free, occupied, unknown), grown as the robot goes.
+// What an online robot believes of the world, grown as the robot goes: an occupancy grid (free, occupied, unknown) and,
+// without noise, the outline of what is free (outline.hpp), to which the grid is the quick answer.
 //
 // Without noise a cell is free when all of it lies in the star that one scan makes certain (star.hpp), in one of two
 // degrees: `near`, where rays are so close together that nothing is overlooked, and `far`, where something as narrow as
@@ -9,9 +10,10 @@
 // Certainty needs rays close enough together for two radii about the robot to be near: 200 of them. With fewer,
 // details narrower than the rays are apart may be touched.
 // The lattice hangs on the start, so it says nothing of the map's extent; the window grows with what is seen.
-// Resolution   radius / 96 (noise: half its standard deviation, from radius / 32 to radius / 4); twice as coarse each time
+// Resolution   radius / 16 (noise: half its standard deviation, from radius / 32 to radius / 4); twice as coarse each time
 //              the window would exceed 2^26 cells.
-// Complexity   a scan O(cells that it sees), a few bytes each; region() O(window)
+// Complexity   a scan O(cells that it sees), a few bytes each; region() O(window), or one union of the stars since the
+//              last call
 #pragma once
 
 #include <array>
@@ -20,6 +22,7 @@
 #include <vector>
 
 #include "algorithms/online/lidar.hpp"
+#include "algorithms/online/outline.hpp"
 #include "geometry/raster.hpp"
 #include "maps/map.hpp"
 
@@ -40,7 +43,7 @@ class Belief {
   std::uint64_t gained() const { return gained_; }
 
   double cell() const { return cell_; }
-  /// The disc of `radius`, moved from a to b, touches free cells only (or what the last scan shows is free, exactly).
+  /// The disc of `radius`, moved from a to b, touches free cells only, or stays within the outline.
   /// With noise cells at its rim (one and a half) do not count: they flicker, and the stars' margin is larger.
   bool free_for(const Point& a, const Point& b, double radius) const;
 
@@ -52,8 +55,8 @@ class Belief {
   };
   /// Cells of a coarser level are free if all of their cells are. Valid until the next add().
   const Cells& cells(int level) const;
-  /// The free cells as a region with fewer corners (it is smaller by up to 1.1 cells), the places where two rays of one
-  /// scan hit one wall being the walls.
+  /// Without noise the outline, less up to radius / 128 at its walls (radius / 32 at coarser levels); else the free cells
+  /// with fewer corners, less up to 1.1 cells.
   const Region& region(int level) const;
   double free_area() const;
   /// What is farther off than this, no scan makes free: there rays are more than half a radius apart.
@@ -67,10 +70,10 @@ class Belief {
     std::vector<std::pair<int, int>> cuts;
   };
   void grow(const Point& low, const Point& high);
-  void fill(const Ring& ring, const Point& eye, std::uint8_t mark);
+  bool fill(const Ring& ring, const Point& eye, std::uint8_t mark);
   void mark_span(int j, int from, int to, std::uint8_t mark);
   void stand(const Point& pose);
-  void mark_hits(const Scan& scan);
+  void mark_hits(const Scan& scan, const std::vector<Point>& walls);
   void mark_walls(const Scan& scan);
   void distrust(int i, int j);
   bool weigh(std::size_t begin, std::size_t end);
@@ -100,7 +103,8 @@ class Belief {
   std::vector<Row> scratch_;
   mutable std::array<std::optional<Cells>, kCoarsest + 1> cells_;
   mutable std::array<std::optional<Region>, kCoarsest + 1> regions_;
-  Ring last_star_;  // of the last scan, in the world; without noise
+  std::optional<Outline> outline_;  // without noise
+  bool marked_anew_ = false;        // by the star that is being filled in
 };
 
 }  // namespace oxturn

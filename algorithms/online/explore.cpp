@@ -98,6 +98,19 @@ std::vector<Frontier> groups_of(BitGrid open, double least) {
   return all;
 }
 
+/// A frontier that the tether does not reach through what is known matters to nobody: whoever comes to what lies behind
+/// it within the tether's length crosses another one that is nearer.
+void drop_out_of_reach(std::vector<Frontier>& frontiers, const BitGrid& free, const Problem& believed) {
+  const Robot& robot = believed.robot();
+  const double limit = robot.tether->length + robot.tool_width / 2 + 2 * free.cell;
+  for (Frontier& f : frontiers)
+    std::erase_if(f.cells, [&](const Cell& c) {
+      const double away = believed.geodesics().distance(free.centre(c.i, c.j));
+      return std::isfinite(away) && away > limit;
+    });
+  std::erase_if(frontiers, [](const Frontier& f) { return f.cells.empty(); });
+}
+
 /// Is more than `share` of a frontier in sight, and near enough?
 bool sees_one(const BitGrid& free, const Cell& at, const std::vector<Frontier>& frontiers, double share) {
   for (const Frontier& f : frontiers) {
@@ -165,6 +178,7 @@ std::optional<Polyline> way_to_view(const BitGrid& free, const BitGrid& room, co
 
 // Only ever finer: the way driven so far must lie in the world that it is judged in.
 std::optional<Problem> Explorer::world(const View& view, const Point& base) {
+  while (level_ > 0 && view.belief().cell() * (1 << level_) > size_of(view.robot()) / 7) --level_;
   for (; level_ > 0; --level_)
     if (auto believed = believed_problem(view, base, level_)) return believed;
   return believed_problem(view, base, 0);
@@ -212,6 +226,7 @@ std::optional<Motion> Explorer::next(const View& view) {
   const double size = size_of(robot), farthest = 0.9 * view.belief().trusted_range();
   std::vector<Frontier> frontiers =
       groups_of(open_cells(view, cells), settings_.least > 0 ? settings_.least : size / 2);
+  if (robot.tether) drop_out_of_reach(frontiers, free, *believed);
   if (frontiers.empty()) return std::nullopt;
   for (Frontier& f : frontiers)
     for (const Cell& c : f.cells) f.from.push_back(look_from(free, c.i, c.j, farthest));

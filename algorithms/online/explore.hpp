@@ -6,7 +6,8 @@
 // has been next to it: so exploring ends.
 // Decisions   1. Cells of radius / 8 and one world of that resolution (finer where the robot would not fit into it).
 //             2. A frontier shorter than `least` is left to the sweep, which passes it anyway.
-//             3. The nearest viewpoint is one whole motion, so the robot does not run to and fro.
+//             3. Frontiers beyond the tether's reach are left alone.
+//             4. The nearest viewpoint is one whole motion, so the robot does not run to and fro.
 // Complexity  a call O(cells of the window) and, without a tether, one shortest path
 #pragma once
 

@@ -22,10 +22,11 @@ class Star {
     cut_ = std::min(scan.lidar.range, rules.apart / (2 * std::sin(half))) * std::cos(half);
   }
 
-  Ring ring() const {
+  Ring ring(std::vector<Point>* corners) const {
     Ring ring;
     for (std::size_t i = 0; i < n_; ++i) {
       const Wedge wedge = wedge_after(i);
+      if (corners != nullptr && wedge.count == 3 && known_corner(wedge)) corners->push_back(wedge.points[1]);
       const Point across = (direction_[i] + direction_[next(i)]).normalized();
       add_cut(ring, wedge, i, across);
     }
@@ -63,6 +64,11 @@ class Star {
     return Wall{hit_[i], hit_[next(next(i))] - hit_[i]};
   }
 
+  bool known_corner(const Wedge& wedge) const {
+    const Point& corner = wedge.points[1];
+    const double away = std::max(distance(corner, wedge.points[0]), distance(corner, wedge.points[2]));
+    return corner.norm() < cut_ && away <= 2 * rules_.apart;
+  }
   bool on(const Wall& wall, const Point& p) const {
     const double length = wall.along.norm();
     return std::abs(cross(wall.along, p - wall.at)) <= rules_.tolerance * length && reaches(wall, p);
@@ -157,9 +163,9 @@ constexpr std::size_t kFewestRays = 5;
 
 }  // namespace
 
-Ring star(const Scan& scan, const std::vector<Point>& directions, const StarRules& rules) {
+Ring star(const Scan& scan, const std::vector<Point>& directions, const StarRules& rules, std::vector<Point>* corners) {
   if (scan.reading.size() < kFewestRays) return {};
-  return Star(scan, directions, rules).ring();
+  return Star(scan, directions, rules).ring(corners);
 }
 
 Ring noisy_star(const Scan& scan, const std::vector<Point>& directions, const StarRules& rules, double margin) {

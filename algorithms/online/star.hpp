@@ -24,7 +24,9 @@ struct StarRules {
 };
 
 /// Counter-clockwise, relative to the eye; empty with fewer than 5 rays (wedges of more than a right angle say nothing).
-Ring star(const Scan& scan, const std::vector<Point>& directions, const StarRules& rules);
+/// `corners`: gets the corners that poke into a wedge, not farther than 2 * apart from the hits at both sides.
+Ring star(const Scan& scan, const std::vector<Point>& directions, const StarRules& rules,
+          std::vector<Point>* corners = nullptr);
 
 /// For a scan with noise: each reading counts as the least of itself and its two neighbours, less `margin` and
 /// `caution` times the rays' distance. One or two readings that are too long do no harm.

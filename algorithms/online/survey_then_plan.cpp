@@ -37,6 +37,7 @@ class SurveyThenPlan final : public Policy {
         case Stage::plan:
           if (!plan(view, context)) return std::nullopt;
           planned_ = true;
+          survey_m_ = view.driven();
           stage_ = Stage::sweep;
           break;
         case Stage::sweep:
@@ -52,6 +53,7 @@ class SurveyThenPlan final : public Policy {
             if (auto motion = explorer_.next(view)) return motion;
           }
           stage_ = Stage::leftover;
+          swept_m_ = view.driven();
           break;
         case Stage::leftover:
           if (auto motion = leftover_.next(view)) {
@@ -66,17 +68,33 @@ class SurveyThenPlan final : public Policy {
     }
   }
 
+  /// Figures of the run: how long the survey was (with the way home), and what came after the plan.
+  void report(Context& context, double driven) const {
+    context.report("survey_m", planned_ ? survey_m_ : driven);
+    context.report("leftover_m", swept_m_ < 0 ? 0 : driven - swept_m_);
+  }
+
  private:
   enum class Stage { survey, home, plan, sweep, leftover };
 
+  // Pulled taut if that is free all along; else back by the way that was driven. Finest world first: it holds the way.
   std::optional<Motion> homewards(const View& view) const {
-    for (int level = Belief::kCoarsest; level >= 0; --level) {
+    const Robot& robot = view.robot();
+    const double radius = std::max(0.0, robot.radius - 2e-6 * robot.tool_width);
+    const auto is_free = [&](const Polyline& line) {
+      for (std::size_t k = 1; k < line.size(); ++k)
+        if (!view.belief().free_for(line[k - 1], line[k], radius)) return false;
+      return true;
+    };
+    for (const int level : {0, 1, Belief::kCoarsest}) {
       const auto believed = believed_problem(view, view.start(), level);
       if (!believed) continue;
       const StringWays ways(*believed, view.way());
-      if (auto way = ways.home()) return Motion{std::move(*way), true};
+      if (auto way = ways.home(); way && is_free(*way)) return Motion{std::move(*way), true};
     }
-    return std::nullopt;
+    Polyline back = view.way();
+    std::reverse(back.begin(), back.end());
+    return Motion{std::move(back), true};
   }
 
   bool plan(const View& view, Context& context) {
@@ -137,6 +155,7 @@ class SurveyThenPlan final : public Policy {
   std::deque<Motion> legs_;
   Motion rest_;
   bool planned_ = false, sweeping_ = false, left_home_ = false;
+  double survey_m_ = 0, swept_m_ = -1;
   int surveys_ = 0, homings_ = 0, mended_ = 0;
 };
 
@@ -144,7 +163,9 @@ class SurveyThenPlan final : public Policy {
 
 Path plan_online(const Problem& truth, Context& context, const OfflinePlan& plan, const OnlineSettings& settings) {
   SurveyThenPlan policy(plan);
-  return drive_online(truth, policy, context, settings);
+  Path path = drive_online(truth, policy, context, settings);
+  policy.report(context, path.length());
+  return path;
 }
 
 }  // namespace oxturn

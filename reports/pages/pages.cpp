@@ -13,11 +13,13 @@ namespace oxturn {
 std::string berg_table_page(const Results& results);
 std::string leash_page(const Results& results);
 std::string stc_loops_page(const Results& results);
+std::string tether_online_page(const Results& results);
 
 const std::vector<Page>& pages() {
   static const std::vector<Page> all{{"berg-table-4-1", "Table 4.1 of Berg's thesis again", berg_table_page},
                                      {"leash", "What a leash does, and what it costs to respect it", leash_page},
-                                     {"stc-loops", "Loops round obstacles: coverage next to walls", stc_loops_page}};
+                                     {"stc-loops", "Loops round obstacles: coverage next to walls", stc_loops_page},
+                                     {"tether-online", "On a leash, by lidar only", tether_online_page}};
   return all;
 }
 

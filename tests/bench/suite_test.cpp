@@ -349,5 +349,16 @@ TEST(Suite, LeashHasTheRobotsAndMapsOfTether) {
   EXPECT_EQ(content_hash(leash), content_hash(tether));
 }
 
+// And so is docs/tether-online.md, but its robots have a lidar besides.
+TEST(Suite, TetherOnlineHasTheMapsAndLeashesOfTether) {
+  Suite online = shipped("tether-online"), tether = shipped("tether");
+  for (Suite* suite : {&online, &tether}) {
+    suite->name = "";
+    suite->planners.clear();
+    for (auto& robot : suite->robots) robot.lidar.reset();
+  }
+  EXPECT_EQ(content_hash(online), content_hash(tether));
+}
+
 }  // namespace
 }  // namespace oxturn

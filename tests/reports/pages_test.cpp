@@ -149,11 +149,38 @@ TEST(StcLoopsPage, FiguresWorkedOutOnPaper) {
   EXPECT_EQ(line(page, "stc-loops", 0), (Line{"stc-loops", "2 of 2", "0.9960", "0.9970", "2 of 2", "2 of 2", "1.500"}));
   EXPECT_EQ(line(page, "m1", 0), (Line{"m1", "0.8000", "0.9500", "", "", "0.9960"}));
   EXPECT_EQ(line(page, "m2", 1), (Line{"m2", "infeasible", "20.0", "", "", "25.0"}));
+/// On m1 both runs are good, on m2 the one by lidar is invalid, m3 has none with the map.
+Results online() {
+  const std::string s = "tether-online", lidar = "sensing=lidar";
+  const auto run = [](const std::string& metres, const std::string& coverage) {
+    Cells cells = driven(metres, coverage, "20", "9");
+    cells["coverage_lower"] = coverage;
+    return cells;
+  };
+  Cells bad = run("100", "0.5");
+  bad["reason"] = "a | wall";
+  return {"out",
+          {row(s, "m1", "berg", "order=dfs", "ok", run("100", "1")),
+           row(s, "m1", "berg", "order=dfs;" + lidar, "ok", run("130", "0.997")),
+           row(s, "m1", "berg", lidar, "ok", run("90", "1")), row(s, "m2", "berg", "order=dfs", "ok", run("100", "1")),
+           row(s, "m2", "berg", "order=dfs;" + lidar, "invalid", bad)}};
+}
+
+TEST(Pages, TetherOnlinePairsRowsThatDifferInSensingOnly) {
+  const std::string page = page_text(find_page("tether-online"), online());
+  // planner, valid, least coverage, loss, greatest loss, times as long, at most:
+  EXPECT_THAT(line(page, "berg(order=dfs)", 0),
+              testing::ElementsAre("berg(order=dfs)", "1 of 2", "0.5000", "0.0030", "0.0030", "1.300", "1.300"));
+  EXPECT_THAT(line(page, "berg", 0), testing::ElementsAre("berg", "1 of 1", "1.0000", "", "", "", ""));
+  EXPECT_THAT(line(page, "m1", 0),
+              testing::ElementsAre("m1", "1.0000", "0.9970", "100.0", "130.0", "1.300", "9.00", "10.00", ""));
+  EXPECT_THAT(line(page, "m2", 0)[8], HasSubstr("invalid: a"));
 }
 
 TEST(Pages, HoldNoTimesAndSayHowTheyAreMade) {
   for (const auto& [name, results] :
        {std::pair{"berg-table-4-1", berg()}, std::pair{"leash", leash()}, std::pair{"stc-loops", stc_loops()}}) {
+       {std::pair{"berg-table-4-1", berg()}, std::pair{"leash", leash()}, std::pair{"tether-online", online()}}) {
     const std::string page = page_text(find_page(name), results);
     EXPECT_THAT(page, Not(HasSubstr("123.4")));
     EXPECT_THAT(page, HasSubstr(std::string("scripts/pages ") + name));
@@ -172,6 +199,7 @@ TEST(Pages, EachHasItsSuite) {
 TEST(Pages, RefuseInOneSentence) {
   EXPECT_EQ(complaint([] { find_page("leashes"); }),
             "no page 'leashes'; did you mean 'leash'? There are: berg-table-4-1, leash, stc-loops");
+            "no page 'leashes'; did you mean 'leash'? There are: berg-table-4-1, leash, tether-online");
   EXPECT_EQ(complaint([] { page_text(find_page("leash"), berg()); }),
             "page 'leash' is made from the results of suite 'leash', but 'out' holds rows of suite 'berg-table-4-1'");
   EXPECT_EQ(complaint([] {
