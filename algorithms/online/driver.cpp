@@ -38,6 +38,9 @@ class Drive {
     const Robot& robot = truth.robot();
     scan_step_ = settings.scan_step > 0 ? settings.scan_step : robot.radius > 0 ? robot.radius : robot.tool_width / 2;
     radius_ = std::max(0.0, robot.radius - truth.tolerance());
+    if (!robot.tether) return;
+    string_.emplace(truth.taut_space(), truth.anchor());
+    string_->drive(truth.geodesics().path(truth.start()));
   }
 
   Path run(const std::function<void(OnlineRobot&, Context&)>& program) {
@@ -88,6 +91,16 @@ class Drive {
     return free(view_.pose_, to);
   }
 
+  /// The string is pulled along as far as it goes.
+  bool leash_allows(const Point& to) {
+    if (!string_) return true;
+    TautString pulled = *string_;
+    pulled.drive(to);
+    if (pulled.length() > truth_.robot().tether->length + truth_.tolerance()) return false;
+    string_ = std::move(pulled);
+    return true;
+  }
+
   bool free(const Point& a, const Point& b) const { return view_.belief_.free_for(a, b, radius_); }
 
   /// Is the motion free from the pose on, as far as is worth a look?
@@ -121,6 +134,7 @@ class Drive {
         const double left = distance(view_.pose_, to), stretch = scan_step_ - since_scan_;
         const Point at = stretch >= left ? to : lerp(view_.pose_, to, stretch / left);
         if (!back && !free_from_here(at)) return stop();
+        if (!leash_allows(at)) return stop();
         move(at, motion.tool);
         came_to_ = at;
         if (since_scan_ < scan_step_ * (1 - 1e-9)) continue;
@@ -167,6 +181,7 @@ class Drive {
   std::size_t replans_ = 0, scans_ = 0;
   std::map<std::pair<long long, long long>, int> looked_;  // times, by squares of half a scan step
   Point seen_from_{0, 0};
+  std::optional<TautString> string_;       // of a robot on a leash, in truth
   Point came_from_{0, 0}, came_to_{0, 0};  // the last stretch driven straight
 };
 
@@ -211,16 +226,23 @@ std::optional<Problem> believed_problem(const View& view, const Point& start, in
     const auto hit = edges.nearest(p, near);
     return hit ? std::optional(hit->place) : std::nullopt;
   };
+  std::optional<Point> anchor;
+  if (robot.tether) {
+    anchor = nearest(map.free, view.anchor());
+    if (!anchor) return std::nullopt;
+    robot.tether->length -= distance(*anchor, view.anchor());
+    if (robot.tether->length <= 0) return std::nullopt;
+  }
+  try {
+    return Problem(map, robot, start, anchor);
+  } catch (const std::invalid_argument&) {
+    // The start is too near a believed wall, or there is no room at all.
+  }
   const Region space =
       robot.radius > 0 ? erode(map.free, robot.radius, robot.tool_width / 1000, Bound::inside) : map.free;
   if (space.empty()) return std::nullopt;
   const auto from = nearest(space, start);
   if (!from) return std::nullopt;
-  if (!robot.tether) return Problem(std::move(map), robot, from);
-  const auto anchor = nearest(map.free, view.anchor());
-  if (!anchor) return std::nullopt;
-  robot.tether->length -= distance(*anchor, view.anchor());
-  if (robot.tether->length <= 0) return std::nullopt;
   try {
     return Problem(std::move(map), robot, from, anchor);
   } catch (const std::invalid_argument&) {

@@ -149,6 +149,8 @@ TEST(StcLoopsPage, FiguresWorkedOutOnPaper) {
   EXPECT_EQ(line(page, "stc-loops", 0), (Line{"stc-loops", "2 of 2", "0.9960", "0.9970", "2 of 2", "2 of 2", "1.500"}));
   EXPECT_EQ(line(page, "m1", 0), (Line{"m1", "0.8000", "0.9500", "", "", "0.9960"}));
   EXPECT_EQ(line(page, "m2", 1), (Line{"m2", "infeasible", "20.0", "", "", "25.0"}));
+}
+
 /// On m1 both runs are good, on m2 the one by lidar is invalid, m3 has none with the map.
 Results online() {
   const std::string s = "tether-online", lidar = "sensing=lidar";
@@ -178,9 +180,8 @@ TEST(Pages, TetherOnlinePairsRowsThatDifferInSensingOnly) {
 }
 
 TEST(Pages, HoldNoTimesAndSayHowTheyAreMade) {
-  for (const auto& [name, results] :
-       {std::pair{"berg-table-4-1", berg()}, std::pair{"leash", leash()}, std::pair{"stc-loops", stc_loops()}}) {
-       {std::pair{"berg-table-4-1", berg()}, std::pair{"leash", leash()}, std::pair{"tether-online", online()}}) {
+  for (const auto& [name, results] : {std::pair{"berg-table-4-1", berg()}, std::pair{"leash", leash()},
+                                      std::pair{"stc-loops", stc_loops()}, std::pair{"tether-online", online()}}) {
     const std::string page = page_text(find_page(name), results);
     EXPECT_THAT(page, Not(HasSubstr("123.4")));
     EXPECT_THAT(page, HasSubstr(std::string("scripts/pages ") + name));
@@ -198,8 +199,7 @@ TEST(Pages, EachHasItsSuite) {
 
 TEST(Pages, RefuseInOneSentence) {
   EXPECT_EQ(complaint([] { find_page("leashes"); }),
-            "no page 'leashes'; did you mean 'leash'? There are: berg-table-4-1, leash, stc-loops");
-            "no page 'leashes'; did you mean 'leash'? There are: berg-table-4-1, leash, tether-online");
+            "no page 'leashes'; did you mean 'leash'? There are: berg-table-4-1, leash, stc-loops, tether-online");
   EXPECT_EQ(complaint([] { page_text(find_page("leash"), berg()); }),
             "page 'leash' is made from the results of suite 'leash', but 'out' holds rows of suite 'berg-table-4-1'");
   EXPECT_EQ(complaint([] {
