@@ -5,7 +5,8 @@
 // ten times): the world stands still. Its pose is known exactly.
 // Before each stretch is driven it is checked against the newest belief; where the belief blocks what is left of a
 // motion, the robot stops there and the planner has to think again (a re-plan); it may always go straight back to the
-// point that it came from. A leash stops it where it is pulled tight. Nothing of the true map is reachable from it: it gets a View, which is made of scans.
+// point that it came from. A leash stops it where it is pulled tight. Nothing of the true map is reachable from it: it
+// gets a View, which is made of scans.
 #pragma once
 
 #include <functional>

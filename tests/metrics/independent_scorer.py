@@ -61,7 +61,8 @@ class Task:
         self.walls = self.free.boundary
 
     def covered(self, path):
-        swath = [g.buffer(self.tool / 2, resolution=QUARTER) for on, points in legs_of(path) if on
+        # buffer(0) mends what GEOS itself finds invalid about a buffer of lines that run along one another.
+        swath = [g.buffer(self.tool / 2, resolution=QUARTER).buffer(0) for on, points in legs_of(path) if on
                  for g in pieces(points)]
         # United cell by cell: one union of everything is far dearer, and areas add up.
         low_x, low_y, high_x, high_y = self.target.bounds
