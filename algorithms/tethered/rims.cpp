@@ -68,7 +68,7 @@ Region about(const std::vector<Polyline>& segments, double reach, double cell) {
   box.grow(reach + cell);
   const Point size = box.size() / cell;
   BitGrid grid(box.low, cell, static_cast<int>(std::ceil(size.x())), static_cast<int>(std::ceil(size.y())));
-  const int around = static_cast<int>(std::ceil(reach / cell)) + 1;
+  const int around = static_cast<int>(std::ceil(reach / cell + 0.5));  // places are looked at half a cell apart
   for (const Polyline& segment : segments) {
     const double n = std::max(1.0, std::ceil(distance(segment[0], segment[1]) / cell));
     for (double k = 0; k <= n; ++k) {
@@ -225,7 +225,7 @@ Rims rims_of(const Leash& leash, bool open) {
   }
   if (!pieces.wide.empty()) {
     // What lies farther off than this is nobody's pocket.
-    const Region near = intersect(rims.space, about(pieces.wide, 1.3 * w, w));
+    const Region near = intersect(rims.space, about(pieces.wide, 1.2 * w, w / 2));
     const Region pockets = subtract(near, dilate(slit(near, pieces.wide, passes), w / 2, w / 200, Bound::inside));
     for_each_ring(pockets, [&](const Ring& ring) { rims.rings.polygons.push_back({ring, {}}); });
   }
