@@ -7,8 +7,10 @@
 #include <map>
 #include <stdexcept>
 
+#include "algorithms/tethered/leash.hpp"
 #include "geometry/boolean.hpp"
 #include "geometry/offset.hpp"
+#include "maps/tethered_way.hpp"
 
 namespace oxturn {
 namespace {
@@ -26,6 +28,21 @@ Polyline View::way() const {
   return way;
 }
 
+/// From the start back along the string, as near to the anchor as the robot gets. Empty if it stands there.
+Polyline along_line(const Problem& truth) {
+  try {
+    const Leash leash(truth, "an online planner");
+    const EdgeIndex& walls = leash.within().walls();
+    Point end = truth.anchor();
+    if (!walls.contains(end))
+      if (const auto hit = walls.nearest(end)) end = hit->place;
+    auto way = leash.within().transit().path(truth.start(), end);  // keeps the string equal to the geodesic
+    return way && length(*way) > 0 ? std::move(*way) : Polyline{};
+  } catch (const Infeasible&) {
+    return {};  // the start has two strings
+  }
+}
+
 /// One run. The only place that knows both the truth and the view.
 class Drive {
  public:
@@ -39,8 +56,8 @@ class Drive {
     scan_step_ = settings.scan_step > 0 ? settings.scan_step : robot.radius > 0 ? robot.radius : robot.tool_width / 2;
     radius_ = std::max(0.0, robot.radius - truth.tolerance());
     if (!robot.tether) return;
-    string_.emplace(truth.taut_space(), truth.anchor());
-    string_->drive(truth.geodesics().path(truth.start()));
+    string_ = string_at_start(truth);
+    if (truth.anchor() != truth.start()) view_.line_ = along_line(truth);
   }
 
   Path run(const std::function<void(OnlineRobot&, Context&)>& program) {

@@ -28,6 +28,9 @@ class View {
   const Robot& robot() const { return robot_; }
   const Point& start() const { return start_; }
   const Point& anchor() const { return anchor_; }  // of the tether; the start if there is none
+  /// A robot on a leash knows how its line lies at the start: a way for it along that line, from the start to the place
+  /// nearest to the anchor. Empty if that is the start.
+  const Polyline& line() const { return line_; }
   const Point& pose() const { return pose_; }
   const Belief& belief() const { return belief_; }
   /// What has been driven so far.
@@ -43,6 +46,7 @@ class View {
   friend class Drive;
   Robot robot_;
   Point start_, anchor_, pose_;
+  Polyline line_;
   Belief belief_;
   Path path_;
   double driven_ = 0;

@@ -44,23 +44,21 @@ struct StringWays::Strings {
 StringWays::StringWays(const Problem& believed, const Polyline& way) : believed_(believed), driven_(way) {
   if (!believed.robot().tether) return;
   strings_.reset(new Strings{TautSpace(believed.configuration_space()), {}, {}, {}, believed.robot().tether->length});
-  // Believed walls move by a cell or so from one time to the next: the way is put where it fits today.
+  // Believed walls move by a cell or so from one time to the next: the way is put where it fits today. The string lies
+  // in free space, of which there is more: it went where the robot went, unless not even that is free today.
+  const EdgeIndex free(believed.map().free);
   Polyline& fitted = strings_->way;
-  for (const Point& p : way) {
-    const Point to = inside(p);
-    if (fitted.empty())
-      fitted.push_back(to);
-    else if (const auto round = path(fitted.back(), to); round && !believed.walls().contains(fitted.back(), to))
-      append(fitted, *round);
-    else
-      append(fitted, {to});
-  }
   TautString string = string_at_start(believed);
-  const std::size_t n = fitted.size(), every = std::max<std::size_t>(1, n / kTurns);
+  const std::size_t n = way.size(), every = std::max<std::size_t>(1, n / kTurns);
   for (std::size_t k = 0; k < n; ++k) {
-    string.drive(fitted[k]);
+    Polyline on{inside(way[k])};
+    if (!fitted.empty() && !believed.walls().contains(fitted.back(), on.back()))
+      if (auto round = path(fitted.back(), on.back())) on = std::move(*round);
+    append(fitted, on);
+    if (free.contains(string.robot(), way[k])) on = {way[k]};
+    for (const Point& p : on) string.drive(p);
     if (k % every != 0 && k + 1 != n) continue;
-    strings_->at.push_back(k);
+    strings_->at.push_back(fitted.size() - 1);
     strings_->strings.push_back(string);
   }
 }
@@ -103,7 +101,7 @@ std::optional<Polyline> StringWays::to(const Point& goal) const {
     append(whole, *on);
     Polyline line = strings_->taut(whole);
     if (!holds(line)) line = std::move(whole);  // rounding: as it comes, along the way driven
-    if (length(line) >= least) continue;
+    if (length(line) >= least || !holds(line)) continue;
     least = length(line);
     best = std::move(line);
   }

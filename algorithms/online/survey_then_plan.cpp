@@ -22,6 +22,15 @@ class SurveyThenPlan final : public Policy {
     for (;;) {
       if (context.cancelled()) return std::nullopt;
       switch (stage_) {
+        case Stage::line:
+          // Until its line's corridor has been seen, another one may seem to be the way that the string takes.
+          stage_ = Stage::survey;
+          if (!view.line().empty()) {
+            Polyline there_and_back = view.line();
+            there_and_back.insert(there_and_back.end(), view.line().rbegin() + 1, view.line().rend());
+            return Motion{std::move(there_and_back), true};
+          }
+          break;
         case Stage::survey:
           if (auto motion = explorer_.next(view)) return motion;
           stage_ = Stage::home;
@@ -75,7 +84,7 @@ class SurveyThenPlan final : public Policy {
   }
 
  private:
-  enum class Stage { survey, home, plan, sweep, leftover };
+  enum class Stage { line, survey, home, plan, sweep, leftover };
 
   // Pulled taut if that is free all along; else back by the way that was driven. Finest world first: it holds the way.
   std::optional<Motion> homewards(const View& view) const {
@@ -151,7 +160,7 @@ class SurveyThenPlan final : public Policy {
   const OfflinePlan& plan_;
   Explorer explorer_;
   Leftover leftover_;
-  Stage stage_ = Stage::survey;
+  Stage stage_ = Stage::line;
   std::deque<Motion> legs_;
   Motion rest_;
   bool planned_ = false, sweeping_ = false, left_home_ = false;
