@@ -195,7 +195,8 @@ void check_size(double cells, double side, const std::string& map_name) {
 }  // namespace
 
 GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, double side, int multiple, int margin) {
-  const double angle = settings.align == "edges" ? dominant_direction(problem.map().free) : 0;
+  const double angle =
+      settings.align == "edges" ? dominant_direction(problem.map().free) + settings.turn : settings.turn;
   Box box;
   for (const Point& p : problem.configuration_space().polygons.front().outer) box.add(rotated(p, -angle));
   // Half a cell out, less a hair: the first cell centres stand just inside configuration space. Where a room is a

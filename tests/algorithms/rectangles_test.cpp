@@ -245,6 +245,15 @@ TEST(Rectangles, BetweenStaggeredPillarsDiagonalLanesDoBetter) {
     const double before = coverage_of(problem, straight), after = coverage_of(problem, diagonal);
     EXPECT_GT(after, before + 0.1);
     EXPECT_LT(diagonal.length() / after, 0.9 * straight.length() / before);
+    // Most of what is driven at work runs at 45 degrees.
+    double at_work = 0, slanted = 0;
+    for (const Leg& leg : diagonal.legs)
+      for (std::size_t k = 1; leg.tool && k < leg.points.size(); ++k) {
+        const Point d = leg.points[k] - leg.points[k - 1];
+        at_work += d.norm();
+        if (std::abs(std::abs(d.x()) - std::abs(d.y())) < 1e-6) slanted += d.norm();
+      }
+    EXPECT_GT(slanted, 0.7 * at_work);
   }
 }
 
