@@ -5,6 +5,8 @@
 // Guarantee   each sub-cell (side D) of the free coarse cells connected to the first one exactly once; the round
 //             is closed and its length is the number of sub-cells times D
 // Complexity  n sub-cells: time and memory O(n); `weighted` and `minimum-turn` O(n log n)
+//             (`components = all`: for each further part a wave to the nearest, O(n) at worst; 5 s for 260 000 cells of
+//             which a tenth is blocked at random)
 // Decisions   1. A coarse cell is free if the square through its four sub-cell centres, which is all that is driven
 //                inside it, lies in configuration space; two are adjacent if both ways between them do.
 //             2. D defaults to w / sqrt 2, so that a disc tool covers each sub-cell from its centre line; the
