@@ -272,6 +272,16 @@ Box finite_box(const Region& region) {
   return bounding_box(region);
 }
 
+std::vector<Site> snapped(const Ring& ring, const Lattice& lattice) {
+  std::vector<Site> sites;
+  for (const Point& p : ring) {
+    const Site s = lattice.snap(p);
+    if (sites.empty() || sites.back() != s) sites.push_back(s);
+  }
+  while (sites.size() > 1 && sites.back() == sites.front()) sites.pop_back();
+  return sites;
+}
+
 void add_ring(std::vector<OverlayEdge>& edges, const std::vector<Site>& ring, int first, int second) {
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) append(edges, ring[j], ring[i], first, second);
 }

@@ -52,6 +52,8 @@ struct RimEdge {
 
 using Inside = bool (*)(int first, int second);
 
+/// The ring on the lattice, points that fall together once.
+std::vector<Site> snapped(const Ring& ring, const Lattice& lattice);
 /// Adds the closed ring with the given weights (1: counts as it runs, -1: as if reversed).
 void add_ring(std::vector<OverlayEdge>& edges, const std::vector<Site>& ring, int first, int second);
 /// Adds a region, outer rings counted counter-clockwise and holes clockwise, however they run.

@@ -122,12 +122,7 @@ Region erode(const Region& region, const Ring& body, Bound bound) {
 
   std::vector<OverlayEdge> edges;
   const auto add = [&](const Ring& ring, double sign) {
-    std::vector<Site> sites;
-    for (const Point& p : ring) {
-      const Site s = lattice.snap(p);
-      if (sites.empty() || sites.back() != s) sites.push_back(s);
-    }
-    while (sites.size() > 1 && sites.back() == sites.front()) sites.pop_back();
+    std::vector<Site> sites = snapped(ring, lattice);
     if (sites.size() < 2) {  // smaller than the lattice resolves: no room inside, but still in the way
       if (sign < 0) add_ring(edges, grown.about(sites[0]), 1, 0);
       return;

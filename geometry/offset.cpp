@@ -140,12 +140,7 @@ Region shifted(const Region& region, double radius, double chord_error, bool out
 
   std::vector<OverlayEdge> edges;
   const auto add = [&](const Ring& ring, double sign) {
-    std::vector<Site> sites;
-    for (const Point& p : ring) {
-      const Site s = lattice.snap(p);
-      if (sites.empty() || sites.back() != s) sites.push_back(s);
-    }
-    while (sites.size() > 1 && sites.back() == sites.front()) sites.pop_back();
+    std::vector<Site> sites = snapped(ring, lattice);
     if (sites.empty()) return;
     if (signed_area(ring) * sign < 0) std::reverse(sites.begin(), sites.end());
     runner.run(sites, edges);

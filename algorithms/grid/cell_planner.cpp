@@ -27,7 +27,7 @@ std::vector<Polyline> lattice_lines(const GridGraph& graph) {
 
 Path walk_cells(const Problem& problem, Context& context, const CellSettings& settings,
                 const std::function<void(CellRobot&)>& walk) {
-  const double side = settings.cell_size > 0 ? settings.cell_size : problem.robot().tool_width / std::sqrt(2.0);
+  const double side = cell_side(settings.cell_size, problem.robot());
   const bool edges = settings.align == "edges";
   if (settings.sensing == "lidar") {
     if (edges) throw std::invalid_argument("align = edges needs the map; sensing = lidar goes with align = axes");

@@ -25,6 +25,13 @@ CoarseParts parts_of(const CoarseCells& cells) {
   return parts;
 }
 
+std::array<Direction, 4> depth_first_order(Direction came, bool straight, Rng* shuffled) {
+  std::array<Direction, 4> order = kAllDirections;
+  if (straight) order = {came, left_of(came), right_of(came), opposite(came)};
+  if (shuffled) shuffled->shuffle(order);
+  return order;
+}
+
 namespace {
 
 // Depth-first without recursion: a million cells are a deep tree. `straight`: go on as one came, if possible.
@@ -34,12 +41,7 @@ void grow_depth_first(CoarseCells& cells, std::size_t root, bool straight, Rng* 
     std::array<Direction, 4> order;
     int next;
   };
-  const auto order_from = [&](Direction came) {
-    std::array<Direction, 4> order = kAllDirections;
-    if (straight) order = {came, left_of(came), right_of(came), opposite(came)};
-    if (shuffled) shuffled->shuffle(order);
-    return order;
-  };
+  const auto order_from = [&](Direction came) { return depth_first_order(came, straight, shuffled); };
   std::vector<bool> seen(cells.size(), false);
   std::vector<Step> stack{{root, order_from(kEast), 0}};
   seen[root] = true;

@@ -3,6 +3,7 @@
 // Complexity  parts, and the trees together, O(cells); `weighted` with near-constant factors more
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,10 @@ struct CoarseParts {
   int count = 0;
 };
 CoarseParts parts_of(const CoarseCells& cells);
+
+/// In which order depth-first growth tries the neighbours of a cell come to in direction `came`: `straight`, on as one
+/// came if possible; else counter-clockwise from east; `shuffled` (may be null) decides anew.
+std::array<Direction, 4> depth_first_order(Direction came, bool straight, Rng* shuffled);
 
 /// Links the part that holds `root` to a tree: bfs, dfs, minimum-turn, random, weighted.
 void grow_tree(CoarseCells& cells, std::size_t root, const CoarseParts& parts, const std::string& kind, Rng& rng);

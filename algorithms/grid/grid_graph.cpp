@@ -194,6 +194,8 @@ void check_size(double cells, double side, const std::string& map_name) {
 }
 }  // namespace
 
+double cell_side(double given, const Robot& robot) { return given > 0 ? given : robot.tool_width / std::sqrt(2.0); }
+
 GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, double side, int multiple, int margin) {
   const double angle =
       settings.align == "edges" ? dominant_direction(problem.map().free) + settings.turn : settings.turn;

@@ -91,6 +91,9 @@ struct GridSettings {
   double turn = 0;                  // radians, on top of what `align` says
 };
 
+/// Side of a cell: `given`, or by default tool width / sqrt 2, so that a disc tool on the centre lines covers cells.
+double cell_side(double given, const Robot& robot);
+
 /// A lattice over the problem's configuration space with `multiple` x `multiple` cells to a block; columns and rows
 /// are whole numbers of blocks. Unshifted, the first cell centres stand on the lower left edges of configuration
 /// space: the closest that the robot gets to a wall (with cells as wide as the robot that is the grid aligned to the

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "algorithms/grid/cell_robot.hpp"
+#include "algorithms/grid/coarse_parts.hpp"
 #include "algorithms/grid/nearest_part.hpp"
 #include "algorithms/grid/sub_cell_tree.hpp"
 
@@ -51,12 +52,7 @@ void grow_depth_first(Tree& tree, const Cell& root, bool straight, Rng* shuffled
     std::array<Direction, 4> order;
     int next;
   };
-  const auto order_from = [&](Direction came) {
-    std::array<Direction, 4> order = kAllDirections;
-    if (straight) order = {came, left_of(came), right_of(came), opposite(came)};
-    if (shuffled) shuffled->shuffle(order);
-    return order;
-  };
+  const auto order_from = [&](Direction came) { return depth_first_order(came, straight, shuffled); };
   std::vector<Visit> stack{{tree.base(root), order_from(kEast), 0}};
   while (!stack.empty()) {
     Visit& top = stack.back();

@@ -84,7 +84,7 @@ class StcLoops final : public CoveragePlanner {
   explicit StcLoops(Params p) : p_(std::move(p)) {}
 
   Path plan(const Problem& problem, Context& context) const override {
-    const double side = p_.cell_size > 0 ? p_.cell_size : problem.robot().tool_width / std::sqrt(2.0);
+    const double side = cell_side(p_.cell_size, problem.robot());
     const GridGraph fine = make_grid_graph(problem, {p_.cell_size, p_.align, p_.shift_x, p_.shift_y}, side, 2);
     CoarseCells cells(fine);
     BranchTree tree(problem, side);

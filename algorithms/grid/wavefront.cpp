@@ -243,7 +243,7 @@ class Wavefront final : public CoveragePlanner {
   explicit Wavefront(Params p) : p_(std::move(p)) {}
 
   Path plan(const Problem& problem, Context& context) const override {
-    const double side = p_.cell_size > 0 ? p_.cell_size : problem.robot().tool_width / std::sqrt(2.0);
+    const double side = cell_side(p_.cell_size, problem.robot());
     GridGraph graph = make_grid_graph(problem, {p_.cell_size, p_.align, p_.shift_x, p_.shift_y}, side, 1);
     graph.look_between(problem.configuration_space());
     const std::optional<Entry> entry = entry_from_start(problem, graph);

@@ -100,8 +100,11 @@ std::optional<Polyline> StringWays::to(const Point& goal) const {
     Polyline whole = back;
     append(whole, *on);
     Polyline line = strings_->taut(whole);
-    if (!holds(line)) line = std::move(whole);  // rounding: as it comes, along the way driven
-    if (length(line) >= least || !holds(line)) continue;
+    if (!holds(line)) {  // rounding: as it comes, along the way driven
+      if (!holds(whole)) continue;
+      line = std::move(whole);
+    }
+    if (length(line) >= least) continue;
     least = length(line);
     best = std::move(line);
   }

@@ -29,8 +29,6 @@ std::vector<bool> joined_to(const GridGraph& graph, int i0, int j0) {
 
 }  // namespace
 
-double cell_side(double given, const Robot& robot) { return given > 0 ? given : robot.tool_width / std::sqrt(2.0); }
-
 TetherCells::TetherCells(const Problem& problem, const Region& space, double side, CellKind kind) : side_(side) {
   const GridGraph graph = make_grid_graph_at(space, problem.map().name, problem.start(), side);
   const Point at = graph.coordinates(problem.start());

@@ -15,9 +15,6 @@
 
 namespace oxturn {
 
-/// Side of a cell: `given`, or by default tool width / sqrt 2, so that a disc tool on the centre lines covers cells.
-double cell_side(double given, const Robot& robot);
-
 enum class CellKind {
   joined,  // centre free, joined to the start's cell by free edges of the lattice
   any,     // and every other cell in which the robot can stand at that free place which is nearest to the centre
