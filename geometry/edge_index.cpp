@@ -169,7 +169,7 @@ Point EdgeIndex::look_out(std::size_t cell) const {
   const int columns = grid_.columns(), k = look_out_[cell] & ~kLookOutInside;
   const auto i = static_cast<double>(cell % static_cast<std::size_t>(columns));
   const auto j = static_cast<double>(cell / static_cast<std::size_t>(columns));
-  const double up = std::fmod(0.5 + 0.6180339887498949 * k, 1.0);  // spread over the cell
+  const double up = k == 0 ? 0.5 : std::fmod(0.5 + 0.6180339887498949 * k, 1.0);  // spread over the cell
   return grid_.low() + grid_.cell() * Point(i + (k + 0.5) / kLookOutInside, j + up);
 }
 

@@ -2,24 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
 
-BranchTree::BranchTree(const Problem& problem, double spacing) : problem_(problem) {
+BranchTree::BranchTree(const Problem& problem, double spacing, LatticeWays& ways) : problem_(problem), ways_(ways) {
   const Box box = bounding_box(problem.configuration_space());
   const Point size = box.size();
   low_ = box.low;
   side_ = std::max({spacing, std::sqrt(size.x() * size.y() / 1e6), size.maxCoeff() / 1e6});
   columns_ = static_cast<int>(size.x() / side_) + 1;
   rows_ = static_cast<int>(size.y() / side_) + 1;
-  buckets_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  newest_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kNone);
 }
 
 namespace {
 int clamped(double v, int n) { return static_cast<int>(std::clamp(v, 0.0, n - 1.0)); }
 }  // namespace
+
+std::size_t BranchTree::bucket(const Point& p) const {
+  const Point at = (p - low_) / side_;
+  return bucket(clamped(at.x(), columns_), clamped(at.y(), rows_));
+}
 
 std::uint32_t BranchTree::add(const Polyline& piece, Kind kind, std::uint32_t parent) {
   const bool once = kind == Kind::round && piece.size() > 1;
@@ -27,10 +33,7 @@ std::uint32_t BranchTree::add(const Polyline& piece, Kind kind, std::uint32_t pa
   vertices_.insert(vertices_.end(), piece.begin(), once ? piece.end() - 1 : piece.end());
   const auto end = static_cast<std::uint32_t>(vertices_.size());
   first_hung_.resize(end, kNone);
-  for (std::uint32_t v = first; v < end; ++v) {
-    const Point at = (vertices_[v] - low_) / side_;
-    buckets_[bucket(clamped(at.x(), columns_), clamped(at.y(), rows_))].push_back(v);
-  }
+  for (std::uint32_t v = first; v < end; ++v) older_.push_back(std::exchange(newest_[bucket(vertices_[v])], v));
   const auto id = static_cast<std::uint32_t>(pieces_.size());
   pieces_.push_back({first, end, parent, once, kNone});
   if (parent != kNone) {
@@ -55,7 +58,7 @@ std::uint32_t BranchTree::nearest_visible(const Point& p) const {
   for (int ring = 0; ring <= last; ++ring) {
     const auto collect = [&](int i, int j) {
       if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return;
-      for (const std::uint32_t v : buckets_[bucket(i, j)]) {
+      for (std::uint32_t v = newest_[bucket(i, j)]; v != kNone; v = older_[v]) {
         waiting.emplace_back((vertices_[v] - p).squaredNorm(), v);
         std::push_heap(waiting.begin(), waiting.end(), later);
       }
@@ -85,16 +88,38 @@ BranchTree::Hung BranchTree::hang(const Polyline& piece, Kind kind) {
     add(piece, kind, visible);
     return Hung::straight;
   }
-  if (!by_way_) by_way_ = std::make_unique<NearestPart>(problem_);
-  for (; known_ < vertices_.size(); ++known_) by_way_->add(vertices_[known_], static_cast<int>(known_), known_);
-  const auto found = by_way_->from(piece.front());
-  if (!found) return Hung::not_at_all;
+  std::optional<Way> way = way_over_lattice(piece.front());
+  if (!way) way = way_among_walls(piece.front());
+  if (!way) return Hung::not_at_all;
   // Seen from the tree: the way's corners are a chain of their own, at whose end the piece hangs.
-  Polyline corners(found->way.rbegin() + 1, found->way.rend() - 1);
-  auto parent = static_cast<std::uint32_t>(found->id);
+  Polyline corners(way->from.rbegin() + 1, way->from.rend() - 1);
+  std::uint32_t parent = way->vertex;
   if (!corners.empty()) parent = add(corners, Kind::chain, parent);
   add(piece, kind, parent);
-  return Hung::by_shortest_way;
+  return Hung::by_way;
+}
+
+std::uint32_t BranchTree::vertex_at(const Point& p) const {
+  std::uint32_t v = newest_[bucket(p)];
+  while (v != kNone && vertices_[v] != p) v = older_[v];
+  return v;
+}
+
+std::optional<BranchTree::Way> BranchTree::way_over_lattice(const Point& p) {
+  const auto node = ways_.node_near(p);
+  if (!node) return std::nullopt;
+  auto found = ways_.nearest(*node, [this](std::size_t at) { return vertex_at(ways_.place(at)) != kNone; });
+  if (!found) return std::nullopt;
+  if (found->way.front() != p) found->way.insert(found->way.begin(), p);
+  return Way{vertex_at(ways_.place(found->node)), std::move(found->way)};
+}
+
+std::optional<BranchTree::Way> BranchTree::way_among_walls(const Point& p) {
+  if (!by_way_) by_way_ = std::make_unique<NearestPart>(problem_);
+  for (; known_ < vertices_.size(); ++known_) by_way_->add(vertices_[known_], static_cast<int>(known_), known_);
+  auto found = by_way_->from(p);
+  if (!found) return std::nullopt;
+  return Way{static_cast<std::uint32_t>(found->id), std::move(found->way)};
 }
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> BranchTree::edges() const {
@@ -106,12 +131,16 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> BranchTree::edges() const {
   return all;
 }
 
+bool BranchTree::straight_on(const Point& a, const Point& b, const Point& c) {
+  return (b - a).dot(c - b) > 0 && orientation(a, b, c) == 0;
+}
+
 Polyline BranchTree::way_round() const {
   Polyline way;
   const auto drive = [&](const Point& p) {
     if (!way.empty() && way.back() == p) return;
     const std::size_t n = way.size();
-    if (n >= 2 && (way[n - 1] - way[n - 2]).dot(p - way[n - 1]) > 0 && orientation(way[n - 2], way[n - 1], p) == 0)
+    if (n >= 2 && straight_on(way[n - 2], way[n - 1], p))
       way.back() = p;
     else
       way.push_back(p);

@@ -30,16 +30,15 @@ bool CoarseCells::adjacent(std::size_t c, Direction d) const {
 }
 
 std::vector<std::size_t> grow_breadth_first(CoarseCells& cells, std::size_t root, std::size_t deepest) {
-  std::vector<bool> seen(cells.size(), false);
   std::vector<std::size_t> queue{root};
-  seen[root] = true;
   std::size_t depth = 0, end_of_depth = 1;
   for (std::size_t k = 0; k < queue.size() && depth < deepest; ++k) {
     for (const Direction d : kAllDirections) {
-      if (!cells.adjacent(queue[k], d) || seen[cells.neighbour(queue[k], d)]) continue;
+      if (!cells.adjacent(queue[k], d)) continue;
+      const std::size_t to = cells.neighbour(queue[k], d);
+      if (to == root || cells.linked(to)) continue;
       cells.link(queue[k], d);
-      queue.push_back(cells.neighbour(queue[k], d));
-      seen[queue.back()] = true;
+      queue.push_back(to);
     }
     if (k + 1 == end_of_depth) {
       ++depth;
@@ -49,21 +48,21 @@ std::vector<std::size_t> grow_breadth_first(CoarseCells& cells, std::size_t root
   return queue;
 }
 
-// Round the tree, counter-clockwise inside each coarse cell unless a tree edge leads out: the tree stays at the
-// left. Sub-cell (x, y) in {0,1}^2; the next one counter-clockwise is reached by `along`; the way out of the cell on
-// the robot's right side at that corner is `out`.
-Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, int i0, int j0, bool every_cell) {
+// Counter-clockwise inside each coarse cell unless a tree edge leads out: the tree stays at the left.
+Direction round_step(const CoarseCells& cells, int i, int j) {
+  const int x = i % 2, y = j % 2;
   // Standing at a corner of the coarse cell, first try to leave over the cell's side to the right of the way round.
-  const auto out_of = [](int x, int y) { return y == 0 ? (x == 0 ? kSouth : kEast) : (x == 1 ? kNorth : kWest); };
-  const auto along = [](int x, int y) { return y == 0 ? (x == 0 ? kEast : kNorth) : (x == 1 ? kWest : kSouth); };
+  const Direction out = y == 0 ? (x == 0 ? kSouth : kEast) : (x == 1 ? kNorth : kWest);
+  const Direction along = y == 0 ? (x == 0 ? kEast : kNorth) : (x == 1 ? kWest : kSouth);
+  return cells.in_tree(cells.at(i / 2, j / 2), out) ? out : along;
+}
+
+Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, int i0, int j0, bool every_cell) {
   Polyline line{fine.centre(i0, j0)};
   int i = i0, j = j0;
   int last = -1;
   do {
-    const int x = i % 2, y = j % 2;
-    const std::size_t cell = cells.at(i / 2, j / 2);
-    const Direction out = out_of(x, y);
-    const Direction d = cells.in_tree(cell, out) ? out : along(x, y);
+    const Direction d = round_step(cells, i, j);
     i += kColumnStep[d];
     j += kRowStep[d];
     if (d == last && !every_cell)

@@ -26,6 +26,8 @@ class CoarseCells {
   int column(std::size_t c) const { return static_cast<int>(c % static_cast<std::size_t>(columns_)); }
   int row(std::size_t c) const { return static_cast<int>(c / static_cast<std::size_t>(columns_)); }
   bool free(std::size_t c) const { return free_[c]; }
+  /// Some tree edge ends here.
+  bool linked(std::size_t c) const { return tree_[c] != 0; }
   bool in_tree(std::size_t c, Direction d) const { return (tree_[c] >> d & 1) != 0; }
 
   /// Adjacent: both neighbours free, and both ways between their sub-cells.
@@ -47,10 +49,12 @@ class CoarseCells {
 };
 
 /// Links all cells that hang together with `root`, no deeper than `deepest`, to a breadth-first tree (neighbours
-/// counter-clockwise from east). Returns them, nearest first.
+/// counter-clockwise from east). Returns them, nearest first. None of them may be linked before. O(cells linked).
 std::vector<std::size_t> grow_breadth_first(CoarseCells& cells, std::size_t root,
                                             std::size_t deepest = std::numeric_limits<std::size_t>::max());
 
+/// Round the tree, counter-clockwise: where the way goes on from sub-cell (i, j).
+Direction round_step(const CoarseCells& cells, int i, int j);
 /// The closed way round the tree from sub-cell (i0, j0), counter-clockwise: each sub-cell of the tree's cells once.
 /// `every_cell`: a point for each, not only where the way turns.
 Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, int i0, int j0, bool every_cell = false);

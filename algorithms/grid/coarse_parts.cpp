@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace oxturn {
 
@@ -42,9 +41,7 @@ void grow_depth_first(CoarseCells& cells, std::size_t root, bool straight, Rng* 
     int next;
   };
   const auto order_from = [&](Direction came) { return depth_first_order(came, straight, shuffled); };
-  std::vector<bool> seen(cells.size(), false);
   std::vector<Step> stack{{root, order_from(kEast), 0}};
-  seen[root] = true;
   while (!stack.empty()) {
     Step& top = stack.back();
     if (top.next == 4) {
@@ -54,85 +51,50 @@ void grow_depth_first(CoarseCells& cells, std::size_t root, bool straight, Rng* 
     const Direction d = top.order[static_cast<std::size_t>(top.next++)];
     if (!cells.adjacent(top.cell, d)) continue;
     const std::size_t to = cells.neighbour(top.cell, d);
-    if (seen[to]) continue;
-    seen[to] = true;
+    if (to == root || cells.linked(to)) continue;
     cells.link(top.cell, d);
     stack.push_back({to, order_from(d), 0});
   }
 }
 
+}  // namespace
+
+TreeGrower::TreeGrower(CoarseCells& cells, const std::string& kind, Rng& rng)
+    : cells_(cells), kind_(kind), rng_(rng), parent_(kind == "weighted" ? cells.size() : 0, kAlone) {}
+
+void TreeGrower::grow(std::size_t root) {
+  if (kind_ == "bfs")
+    grow_breadth_first(cells_, root);
+  else if (kind_ == "weighted")
+    grow_weighted(root);
+  else
+    grow_depth_first(cells_, root, kind_ == "minimum-turn", kind_ == "random" ? &rng_ : nullptr);
+}
+
 // Kruskal over the part with two weights: all horizontal edges first, then vertical ones.
-void grow_weighted(CoarseCells& cells, const std::vector<int>& part, int which) {
-  std::vector<std::uint32_t> parent(cells.size());
-  std::iota(parent.begin(), parent.end(), 0u);
+void TreeGrower::grow_weighted(std::size_t root) {
+  std::vector<std::uint32_t> part;
+  const auto take = [&](std::size_t c) {
+    if (parent_[c] != kAlone) return;
+    part.push_back(parent_[c] = static_cast<std::uint32_t>(c));
+  };
+  take(root);
+  for (std::size_t k = 0; k < part.size(); ++k)
+    for (const Direction d : kAllDirections)
+      if (cells_.adjacent(part[k], d)) take(cells_.neighbour(part[k], d));
+  std::sort(part.begin(), part.end());
   const auto find = [&](std::size_t c) {
-    while (parent[c] != c) c = parent[c] = parent[parent[c]];
-    return c;
+    while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
+    return static_cast<std::uint32_t>(c);
   };
   for (const Direction d : {kEast, kNorth})
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      if (part[c] != which || !cells.adjacent(c, d)) continue;
-      const std::size_t a = find(c), b = find(cells.neighbour(c, d));
+    for (const std::uint32_t c : part) {
+      if (!cells_.adjacent(c, d)) continue;
+      const std::uint32_t a = find(c), b = find(cells_.neighbour(c, d));
       if (a == b) continue;
-      parent[b] = static_cast<std::uint32_t>(a);
-      cells.link(c, d);
+      parent_[b] = a;
+      cells_.link(c, d);
     }
-}
-
-}  // namespace
-
-void grow_tree(CoarseCells& cells, std::size_t root, const CoarseParts& parts, const std::string& kind, Rng& rng) {
-  if (kind == "bfs")
-    grow_breadth_first(cells, root);
-  else if (kind == "weighted")
-    grow_weighted(cells, parts.of, parts.of[root]);
-  else
-    grow_depth_first(cells, root, kind == "minimum-turn", kind == "random" ? &rng : nullptr);
-}
-
-namespace {
-
-Point sub_cell(const GridGraph& fine, const CoarseCells& cells, std::size_t c, int k) {
-  return fine.centre(2 * cells.column(c) + k % 2, 2 * cells.row(c) + k / 2);
-}
-
-// Only cells at the edge of their part can be where a way from another part first comes in.
-bool on_rim(const CoarseCells& cells, std::size_t c) {
-  return std::any_of(kAllDirections.begin(), kAllDirections.end(), [&](Direction d) { return !cells.adjacent(c, d); });
-}
-
-}  // namespace
-
-PartsInOrder::PartsInOrder(const Problem& problem, const GridGraph& fine, const CoarseCells& cells,
-                           const CoarseParts& parts)
-    : problem_(problem), fine_(fine), cells_(cells), parts_(parts), nearest_(problem) {
-  for (std::size_t c = 0; c < cells.size(); ++c)
-    if (parts.of[c] >= 0 && on_rim(cells, c))
-      for (int k = 0; k < 4; ++k)
-        nearest_.add(sub_cell(fine, cells, c, k), parts.of[c], c * 4 + static_cast<std::size_t>(k));
-}
-
-std::optional<NearestPart::Found> PartsInOrder::under(const Point& p) const {
-  const Point at = fine_.coordinates(p);
-  const int i = static_cast<int>(std::lround(at.x())), j = static_cast<int>(std::lround(at.y()));
-  if (!fine_.inside(i, j)) return std::nullopt;
-  const std::size_t c = cells_.at(i / 2, j / 2);
-  const int k = i % 2 + 2 * (j % 2);
-  if (parts_.of[c] < 0) return std::nullopt;
-  auto way = problem_.transit().path(p, sub_cell(fine_, cells_, c, k));
-  if (!way) return std::nullopt;
-  return NearestPart::Found{c * 4 + static_cast<std::size_t>(k), std::move(*way)};
-}
-
-std::optional<PartsInOrder::Entry> PartsInOrder::next(const Point& from, bool first) {
-  std::optional<NearestPart::Found> found;
-  if (first) found = under(from);
-  if (!found) found = nearest_.from(from);
-  if (!found) return std::nullopt;
-  const std::size_t c = found->id / 4;
-  const int k = static_cast<int>(found->id % 4);
-  nearest_.drop(parts_.of[c]);
-  return Entry{2 * cells_.column(c) + k % 2, 2 * cells_.row(c) + k / 2, c, std::move(found->way)};
 }
 
 }  // namespace oxturn

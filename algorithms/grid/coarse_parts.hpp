@@ -1,15 +1,14 @@
-// The connected parts of the free coarse cells, the tree in each, and in which order they are come to.
+// The connected parts of the free coarse cells, and the tree in each.
 //
-// Complexity  parts, and the trees together, O(cells); `weighted` with near-constant factors more
+// Complexity  parts, and the trees together, O(cells), `weighted` O(cells log cells)
 #pragma once
 
 #include <array>
-#include <optional>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "algorithms/grid/coarse_cells.hpp"
-#include "algorithms/grid/nearest_part.hpp"
 #include "geometry/random.hpp"
 
 namespace oxturn {
@@ -25,29 +24,21 @@ CoarseParts parts_of(const CoarseCells& cells);
 /// came if possible; else counter-clockwise from east; `shuffled` (may be null) decides anew.
 std::array<Direction, 4> depth_first_order(Direction came, bool straight, Rng* shuffled);
 
-/// Links the part that holds `root` to a tree: bfs, dfs, minimum-turn, random, weighted.
-void grow_tree(CoarseCells& cells, std::size_t root, const CoarseParts& parts, const std::string& kind, Rng& rng);
-
-/// The parts, nearest first, each by the sub-cell where it is come to.
-class PartsInOrder {
+/// Links one part after another to trees: bfs, dfs, minimum-turn, random, weighted.
+class TreeGrower {
  public:
-  PartsInOrder(const Problem& problem, const GridGraph& fine, const CoarseCells& cells, const CoarseParts& parts);
-  struct Entry {
-    int i, j;            // sub-cell
-    std::size_t coarse;  // cell
-    Polyline way;        // to it, from where was asked
-  };
-  /// The nearest part not yet come to; it then is. The start may stand in the middle of a part: `first` looks for the
-  /// sub-cell under it. nullopt if none can be reached.
-  std::optional<Entry> next(const Point& from, bool first);
+  /// All must outlive it.
+  TreeGrower(CoarseCells& cells, const std::string& kind, Rng& rng);
+  /// Links the part that holds `root`, once. O(cells of the part); `weighted` with a sort.
+  void grow(std::size_t root);
 
  private:
-  std::optional<NearestPart::Found> under(const Point& p) const;
-  const Problem& problem_;
-  const GridGraph& fine_;
-  const CoarseCells& cells_;
-  const CoarseParts& parts_;
-  NearestPart nearest_;
+  static constexpr std::uint32_t kAlone = std::numeric_limits<std::uint32_t>::max();
+  void grow_weighted(std::size_t root);
+  CoarseCells& cells_;
+  const std::string& kind_;
+  Rng& rng_;
+  std::vector<std::uint32_t> parent_;  // weighted: the forest of sets that are joined
 };
 
 }  // namespace oxturn

@@ -23,6 +23,7 @@ void for_each_line(const Edge& e, bool swap, int lines, F f) {
   const auto x = [&](const Point& p) { return swap ? p.y() : p.x(); };
   const auto y = [&](const Point& p) { return swap ? p.x() : p.y(); };
   const double low = std::min(x(e.a), x(e.b)), high = std::max(x(e.a), x(e.b));
+  if (const int before = static_cast<int>(low); low > before && high < before + 1 && low > 0) return;  // most do
   const int first = std::max(0, static_cast<int>(std::ceil(low)));
   const int last = std::min(lines - 1, static_cast<int>(std::floor(high)));
   for (int k = first; k <= last; ++k) {

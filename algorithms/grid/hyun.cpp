@@ -92,10 +92,10 @@ class Scan {
         lines_(tracking_lines(problem.configuration_space(), separation, 1e-6 * problem.robot().tool_width, p.delta_x)),
         places_(places_of(lines_)),
         left_(places_),
-        by_way_(problem),
         on_line_(lines_.first.size() - 1),
         steps_(lines_.first.size() - 1),
         path_(problem.start()) {
+    if (p.nearest == "way") by_way_.emplace(problem);
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const TrackingPoint& t = lines_.points[i];
       if (p.passes == "alternate" && !met(t)) {
@@ -103,7 +103,7 @@ class Scan {
         continue;
       }
       on_line_[static_cast<std::size_t>(t.line)].insert({t.at.x(), i});
-      if (p.nearest == "way") by_way_.add(t.at, static_cast<int>(i), i);
+      if (by_way_) by_way_->add(t.at, static_cast<int>(i), i);
     }
   }
 
@@ -143,7 +143,7 @@ class Scan {
   void track(std::size_t i) {
     on_line_[line_of(i)].erase({places_[i].x(), i});
     left_.remove(i);
-    by_way_.drop(static_cast<int>(i));
+    if (by_way_) by_way_->drop(static_cast<int>(i));
   }
 
   /// Drives to the next point, by the rules.
@@ -218,12 +218,11 @@ class Scan {
   std::size_t jump(std::size_t from) {
     std::size_t to = from;
     std::optional<Polyline> shortest;
-    if (p_.nearest == "way") {
-      if (auto found = by_way_.from(places_[from])) {
+    if (by_way_)
+      if (auto found = by_way_->from(places_[from])) {
         to = found->id;
         shortest = std::move(found->way);
       }
-    }
     if (to == from)
       left_.visit(places_[from], [&](std::size_t i, double) {
         to = i;
@@ -236,7 +235,7 @@ class Scan {
     ++planned_;
     std::optional<Polyline> way;
     if (p_.transit == "tlppa") {
-      if (!tlppa_) tlppa_ = std::make_unique<const Tlppa>(problem_, p_.cell_size > 0 ? p_.cell_size : separation_ / 2);
+      if (!tlppa_) tlppa_ = std::make_unique<Tlppa>(problem_, p_.cell_size > 0 ? p_.cell_size : separation_ / 2);
       way = tlppa_->path(places_[from], places_[to]);
       if (!way) ++failed_;
     }
@@ -275,10 +274,10 @@ class Scan {
   TrackingLines lines_;
   std::vector<Point> places_;
   PointGrid left_;  // untracked
-  NearestPart by_way_;
+  std::optional<NearestPart> by_way_;
   std::vector<std::set<std::pair<double, std::size_t>>> on_line_;  // untracked, from left to right
   std::vector<Steps> steps_;                                       // below each line
-  std::unique_ptr<const Tlppa> tlppa_;
+  std::unique_ptr<Tlppa> tlppa_;
   int direction_ = 1;
   PathBuilder path_;
   std::vector<Polyline> links_, transits_, planned_ways_;

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace oxturn {
 namespace {
 
 constexpr int kNear = 8;  // cells about a place in which a node is looked for
+
+int nearest_int(double v) { return static_cast<int>(v + 1.5) - 1; }  // of -1.5 and more
 
 /// No node that is not free lies on the straight way, or next to it: a cheap guess, before walls are asked.
 bool seems_free(const GridGraph& graph, const Point& a, const Point& b) {
@@ -15,7 +16,7 @@ bool seems_free(const GridGraph& graph, const Point& a, const Point& b) {
   const int steps = 2 * static_cast<int>(std::ceil(d.cwiseAbs().maxCoeff() - 1e-9));
   for (int s = 1; s < steps; ++s) {
     const Point at = p + d * (static_cast<double>(s) / steps);
-    if (!graph.free(static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y())))) return false;
+    if (!graph.free(nearest_int(at.x()), nearest_int(at.y()))) return false;
   }
   return true;
 }
@@ -36,7 +37,17 @@ Polyline pulled(const Polyline& way, const GridGraph& graph, const EdgeIndex& wa
 }  // namespace
 
 LatticeWays::LatticeWays(const GridGraph& graph, const EdgeIndex& walls)
-    : graph_(graph), walls_(walls), part_(graph.size(), -1), came_(graph.size(), kUnseen) {
+    : graph_(graph),
+      walls_(walls),
+      columns_(static_cast<std::uint32_t>(graph.columns())),
+      step_{1, graph.columns(), -1, -graph.columns()},
+      open_(graph.size(), 0),
+      part_(graph.size(), -1),
+      came_(graph.size(), kUnseen) {
+  for (int j = 0; j < graph.rows(); ++j)
+    for (int i = 0; i < graph.columns(); ++i)
+      for (const Direction d : kAllDirections)
+        if (graph.passable(i, j, d)) open_[graph.at(i, j)] |= static_cast<std::uint8_t>(1 << d);
   std::vector<std::uint32_t> queue;
   std::int32_t parts = 0;
   for (std::size_t c = 0; c < graph_.size(); ++c) {
@@ -47,7 +58,7 @@ LatticeWays::LatticeWays(const GridGraph& graph, const EdgeIndex& walls)
       const std::size_t at = queue.back();
       queue.pop_back();
       for (const Direction d : kAllDirections) {
-        if (!graph_.passable(column(at), row(at), d)) continue;
+        if (!open(at, d)) continue;
         const std::size_t to = neighbour(at, d);
         if (part_[to] >= 0) continue;
         part_[to] = parts;
@@ -79,19 +90,20 @@ void LatticeWays::forget() {
   seen_.clear();
 }
 
-Polyline LatticeWays::traced_back(std::size_t to) const {
-  const auto place = [&](std::size_t node) { return graph_.centre(column(node), row(node)); };
-  Polyline way{place(to)};
-  std::uint8_t last = kUnseen;
-  for (std::size_t at = to; came_[at] != kRoot;) {
-    const auto came = static_cast<Direction>(came_[at]);
-    if (came_[at] == last) way.pop_back();
-    last = came_[at];
-    at = neighbour(at, opposite(came));
-    way.push_back(place(at));
-  }
-  std::reverse(way.begin(), way.end());
+Polyline LatticeWays::along(const std::vector<std::size_t>& nodes) const {
+  Polyline way;
+  for (std::size_t k = 0; k < nodes.size(); ++k)  // numbers step by a constant along a straight run
+    if (k == 0 || k + 1 == nodes.size() || nodes[k + 1] - nodes[k] != nodes[k] - nodes[k - 1])
+      way.push_back(place(nodes[k]));
   return pulled(way, graph_, walls_);
+}
+
+Polyline LatticeWays::traced_back(std::size_t to) const {
+  std::vector<std::size_t> nodes{to};
+  while (came_[nodes.back()] != kRoot)
+    nodes.push_back(neighbour(nodes.back(), opposite(static_cast<Direction>(came_[nodes.back()]))));
+  std::reverse(nodes.begin(), nodes.end());
+  return along(nodes);
 }
 
 Polyline LatticeWays::way(std::size_t from, std::size_t to) {
@@ -102,9 +114,7 @@ Polyline LatticeWays::way(std::size_t from, std::size_t to) {
   };
   // A step towards the goal keeps the estimate, one away adds two: only two estimates are ever waiting.
   std::vector<Step> now{{static_cast<std::uint32_t>(from), kRoot}}, later;
-  const auto away = [&](std::size_t node) {
-    return std::abs(column(node) - column(to)) + std::abs(row(node) - row(to));
-  };
+  const int i2 = column(to), j2 = row(to);
   while (!now.empty() || !later.empty()) {
     if (now.empty()) std::swap(now, later);
     const Step step = now.back();
@@ -113,11 +123,14 @@ Polyline LatticeWays::way(std::size_t from, std::size_t to) {
     if (came_[at] != kUnseen) continue;
     see(at, step.came);
     if (at == to) break;
+    const int i = column(at), j = row(at);
+    const std::array<bool, 4> nearer{i<i2, j<j2, i> i2, j> j2};
     for (const Direction d : kAllDirections) {
-      if (!graph_.passable(column(at), row(at), d)) continue;
+      if (!open(at, d)) continue;
       const std::size_t next = neighbour(at, d);
       if (came_[next] != kUnseen) continue;
-      (away(next) < away(at) ? now : later).push_back({static_cast<std::uint32_t>(next), static_cast<std::uint8_t>(d)});
+      (nearer[static_cast<std::size_t>(d)] ? now : later)
+          .push_back({static_cast<std::uint32_t>(next), static_cast<std::uint8_t>(d)});
     }
   }
   Polyline found = traced_back(to);
@@ -125,6 +138,7 @@ Polyline LatticeWays::way(std::size_t from, std::size_t to) {
   return found;
 }
 
+// Breadth first.
 std::optional<LatticeWays::Found> LatticeWays::nearest(std::size_t from,
                                                        const std::function<bool(std::size_t)>& wanted) {
   std::optional<Found> found;
@@ -136,8 +150,7 @@ std::optional<LatticeWays::Found> LatticeWays::nearest(std::size_t from,
       break;
     }
     for (const Direction d : kAllDirections)
-      if (graph_.passable(column(at), row(at), d) && came_[neighbour(at, d)] == kUnseen)
-        see(neighbour(at, d), static_cast<std::uint8_t>(d));
+      if (open(at, d) && came_[neighbour(at, d)] == kUnseen) see(neighbour(at, d), static_cast<std::uint8_t>(d));
   }
   forget();
   return found;

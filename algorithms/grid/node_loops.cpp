@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace oxturn {
 namespace {
@@ -12,8 +11,8 @@ NodeLoop closed_loop(Polyline nodes) {
   NodeLoop loop{std::move(nodes), {}};
   loop.edges.resize(loop.at.size());
   for (std::size_t k = 0; k + 1 < loop.at.size(); ++k) {
-    loop.edges[k].push_back(k + 1);
-    loop.edges[k + 1].push_back(k);
+    (k == 0 ? loop.edges[k].first : loop.edges[k].second) = k + 1;
+    loop.edges[k + 1].first = k;
   }
   return loop;
 }
@@ -47,15 +46,14 @@ std::vector<NodeLoop> node_loops(const std::vector<Point>& corners, double d_nod
 
 std::vector<std::size_t> invalid_nodes(const NodeLoop& loop, std::size_t start,
                                        const std::function<bool(std::size_t)>& invalid) {
-  constexpr std::size_t kNull = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> bad;
-  std::size_t previous = kNull, current = start, next = loop.edges[start].front();
-  while (previous == kNull || loop.at[current] != loop.at[start]) {
+  std::size_t previous = NodeLoop::kNone, current = start, next = loop.edges[start].first;
+  while (previous == NodeLoop::kNone || loop.at[current] != loop.at[start]) {
     if (invalid(current)) bad.push_back(current);
     previous = current;
     current = next;
-    next = loop.edges[current].front();
-    if (next == previous && loop.edges[current].size() > 1) next = loop.edges[current][1];
+    const auto [first, second] = loop.edges[current];
+    next = first == previous && second != NodeLoop::kNone ? second : first;
   }
   if (invalid(current)) bad.push_back(current);
   return bad;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "geometry/point.hpp"
@@ -15,8 +16,12 @@ namespace oxturn {
 /// A loop as the slides keep it: an open chain of nodes whose last has the coordinates of the first. Each node lists
 /// its edges; an edge is the number of the node at the other end.
 struct NodeLoop {
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  struct Edges {
+    std::size_t first = kNone, second = kNone;
+  };
   std::vector<Point> at;
-  std::vector<std::vector<std::size_t>> edges;
+  std::vector<Edges> edges;  // nodes at the ends of the loop have one each
 };
 
 /// The given corners in a loop, with ceil(dist / d_node - 1) nodes between two neighbours, evenly. The first node's

@@ -4,8 +4,7 @@
 // Model       grid of coarse cells 2D x 2D and polygonal walls, offline, disc footprint
 // Guarantee   what `stc` sweeps is swept; every stretch of a loop that the robot can drive is driven; the path is one
 //             round of a tree, closed
-// Complexity  n sub-cells and nodes: O(n), a shortest way for each piece that sees no vertex nearby, and the order of
-//             parts as in stc.cpp (6 s for 260 000 cells of which a tenth is blocked at random)
+// Complexity  n sub-cells and nodes: O(n), and a way for each piece that sees no vertex nearby (branch_tree.hpp)
 // Decisions   1. The slides offset the map's walls, so this does, too; whatever of a loop is not in configuration space is
 //                invalid: a node that is outside, or an edge of which goes outside. That holds for the loop's own
 //                obstacle as well (notches narrower than the robot, walls traced from pixels).
@@ -19,9 +18,9 @@
 //             6. The round passes the four sub-cell centres about a coarse cell, never its centre. So a branch hangs on the
 //                nearest visible sub-cell centre of the round (or node of a branch hung before), and is an excursion
 //                from there: all of it lies in configuration space.
-//             7. No vertex visible: by the shortest way to one, whose corners become vertices (reported as
-//                `branches_by_way`). The parts of coarse cells that `stc` drives one after another hang on the tree
-//                likewise, so there is one tree.
+//             7. No vertex visible: by a way to one, whose corners become vertices (reported as `branches_by_way`). The
+//                parts of coarse cells that `stc` drives one after another hang on the tree likewise, so there is one
+//                tree; each is hung where it is nearest to what is in the tree.
 //             8. No coarse cell fits: the tree is the start alone, and loops hang on it.
 //             9. One lap along the walls leaves bands up to 2D wide bare between it and the coarse cells. `fill = none` is
 //                the slides; `cells` (ours) also hangs every free sub-cell that is not yet swept as a branch of one
@@ -36,11 +35,12 @@
 #include <cmath>
 
 #include "algorithms/coverage_planner.hpp"
+#include "algorithms/grid/bare_samples.hpp"
 #include "algorithms/grid/bisector_nodes.hpp"
 #include "algorithms/grid/branch_tree.hpp"
 #include "algorithms/grid/coarse_parts.hpp"
-#include "algorithms/grid/near_lines.hpp"
 #include "algorithms/grid/node_loops.hpp"
+#include "algorithms/grid/part_order.hpp"
 
 namespace oxturn {
 namespace {
@@ -87,10 +87,11 @@ class StcLoops final : public CoveragePlanner {
     const double side = cell_side(p_.cell_size, problem.robot());
     const GridGraph fine = make_grid_graph(problem, {p_.cell_size, p_.align, p_.shift_x, p_.shift_y}, side, 2);
     CoarseCells cells(fine);
-    BranchTree tree(problem, side);
+    LatticeWays ways(fine, problem.walls());
+    BranchTree tree(problem, side, ways);
     PathBuilder path(problem.start());
     Figures figures;
-    const std::vector<bool> in_tree = hang_parts(problem, fine, cells, tree, path, figures, context);
+    const std::vector<bool> in_tree = hang_parts(problem, fine, cells, ways, tree, path, figures, context);
     const std::vector<NodeChain> chains = make_chains(problem, side, figures, context);
     hang_chains(chains, tree, figures, context);
     if (p_.fill != "none") fill(problem, fine, cells, in_tree, tree, figures, context);
@@ -119,33 +120,39 @@ class StcLoops final : public CoveragePlanner {
 
   static bool hang(BranchTree& tree, const Polyline& piece, BranchTree::Kind kind, Figures& figures) {
     const BranchTree::Hung how = tree.hang(piece, kind);
-    figures.by_way += how == BranchTree::Hung::by_shortest_way;
+    figures.by_way += how == BranchTree::Hung::by_way;
     figures.lost += how == BranchTree::Hung::not_at_all;
     return how != BranchTree::Hung::not_at_all;
   }
 
-  // stc's parts in stc's order; the first is where the robot drives from its start. Tells which cells the tree has.
-  std::vector<bool> hang_parts(const Problem& problem, const GridGraph& fine, CoarseCells& cells, BranchTree& tree,
-                               PathBuilder& path, Figures& figures, Context& context) const {
+  // The part that stc begins with is where the robot drives from its start; the others hang in the order in which a wave
+  // from there comes to them. Tells which cells the tree has.
+  std::vector<bool> hang_parts(const Problem& problem, const GridGraph& fine, CoarseCells& cells, LatticeWays& ways,
+                               BranchTree& tree, PathBuilder& path, Figures& figures, Context& context) const {
     std::vector<bool> in_tree(cells.size(), false);
     const CoarseParts parts = parts_of(cells);
     std::vector<bool> hung(static_cast<std::size_t>(parts.count), false);
-    PartsInOrder order(problem, fine, cells, parts);
-    Point from = problem.start();
-    for (int done = 0; done < parts.count && !context.cancelled(); ++done) {
-      const auto entry = order.next(from, done == 0);
-      if (!entry) break;
-      grow_tree(cells, entry->coarse, parts, p_.tree, context.rng());
-      const Polyline round = round_tree(fine, cells, entry->i, entry->j, true);
-      if (done == 0) {
-        path.drive(entry->way, false);
+    PartOrder order(problem, fine, cells, parts, ways);
+    TreeGrower grower(cells, p_.tree, context.rng());
+    const auto hang_part = [&](const PartOrder::Entry& entry) {
+      grower.grow(entry.coarse);
+      const Polyline round = round_tree(fine, cells, entry.i, entry.j, true);
+      if (tree.vertices().empty())
         tree.begin(round, BranchTree::Kind::round);
-      } else if (!hang(tree, round, BranchTree::Kind::round, figures)) {
-        continue;
-      }
-      hung[static_cast<std::size_t>(parts.of[entry->coarse])] = true;
-      from = round.front();
+      else if (!hang(tree, round, BranchTree::Kind::round, figures))
+        return;
+      hung[static_cast<std::size_t>(parts.of[entry.coarse])] = true;
+    };
+    std::optional<PartOrder::Entry> entry = order.first();
+    if (entry) path.drive(entry->way, false);
+    while (entry && !context.cancelled()) {
+      hang_part(*entry);
       if (p_.components == "start") break;
+      for (const PartOrder::Entry& other : order.branches()) {
+        if (context.cancelled()) break;
+        hang_part(other);
+      }
+      entry = order.next(problem.start());
     }
     if (tree.vertices().empty()) tree.begin({problem.start()}, BranchTree::Kind::chain);
     for (std::size_t c = 0; c < cells.size(); ++c)
@@ -209,44 +216,40 @@ class StcLoops final : public CoveragePlanner {
   void fill(const Problem& problem, const GridGraph& fine, const CoarseCells& cells, const std::vector<bool>& in_tree,
             BranchTree& tree, Figures& figures, Context& context) const {
     const double reach = problem.robot().tool_width / 2;
-    Box box = bounding_box(problem.configuration_space());
-    box.grow(2 * reach);
-    NearLines swept(box, reach);
-    const auto note = [&] { tree.for_each_new_segment([&](const Point& a, const Point& b) { swept.add(a, b); }); };
+    BareSamples samples(fine, problem.map().free, reach);
+    const auto note = [&] { tree.for_each_new_segment([&](const Point& a, const Point& b) { samples.sweep(a, b); }); };
     note();
-    if (tree.vertices().size() == 1) swept.add(tree.vertices().front(), tree.vertices().front());
+    if (tree.vertices().size() == 1) samples.sweep(tree.vertices().front(), tree.vertices().front());
     const EdgeIndex& space = problem.walls();
-    std::optional<EdgeIndex> free;  // a tool wider than the robot reaches into walls
-    if (reach > problem.robot().radius) free.emplace(problem.map().free);
 
-    // The place from which a bare point of the target is swept; nullopt: it is swept already, or no target.
+    // The place from which a bare point is swept; nullopt: it is no target.
     const auto place_for = [&](const Point& q) -> std::optional<Point> {
-      if (swept.within_reach(q)) return std::nullopt;
       if (space.contains(q)) return q;
       const auto hit = space.nearest(q, reach * (1 - 1e-3));
-      if (!hit || (free && !free->contains(q))) return std::nullopt;
+      if (!hit) return std::nullopt;
       return space.contains(hit->place) ? std::optional<Point>(hit->place) : inner_place(space, hit->place, problem);
     };
     const auto visit = [&](const Point& place) {
       ++figures.places;
-      const bool done = hang(tree, {place}, BranchTree::Kind::chain, figures);
+      hang(tree, {place}, BranchTree::Kind::chain, figures);
       note();
-      return done;
     };
     for (int j = -1; j <= fine.rows(); ++j) {
       if (context.cancelled()) return;
       for (int i = -1; i <= fine.columns(); ++i) {
         if (fine.inside(i, j) && in_tree[cells.at(i / 2, j / 2)]) continue;
+        if (!samples.any_bare(i, j)) continue;
         bool centre_tried = !fine.free(i, j);
-        for (int k = 0; k < 16; ++k) {
-          const Point q = fine.centre(i + (k % 4 - 1.5) / 4, j + (k / 4 - 1.5) / 4);
-          std::optional<Point> place = place_for(q);
-          if (place && !centre_tried) {
+        for (int k = 0; k < BareSamples::kPerCell; ++k) {
+          if (!samples.bare(i, j, k)) continue;
+          std::optional<Point> place = place_for(samples.place(i, j, k));
+          if (!place) continue;
+          if (!centre_tried) {
             centre_tried = true;
             visit(fine.centre(i, j));
-            place = place_for(q);
+            if (!samples.bare(i, j, k)) continue;
           }
-          if (place && p_.fill == "spots") visit(*place);
+          if (p_.fill == "spots") visit(*place);
         }
       }
     }

@@ -13,16 +13,13 @@ constexpr int kReach = 4;
 constexpr double kMostCells = 1 << 22;
 constexpr int kSteps[8][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
 
-/// Columns left .. right and rows bottom .. top of a grid.
-struct Window {
-  int left, bottom, right, top;
-};
+}  // namespace
 
 /// A* over the eight neighbours of the set cells in a window; `may(from i, j, to i, j)` tells which steps there are. Equal
-/// costs: the lower cell first. Empty if there is no way. Memory for the window alone.
+/// costs: the lower cell first. Empty if there is no way.
 template <class May>
-std::vector<std::size_t> search(const BitGrid& grid, const Window& w, std::size_t from, std::size_t to, May may) {
-  constexpr double kFar = 1e300;
+std::vector<std::size_t> Tlppa::search(const BitGrid& grid, const Window& w, std::size_t from, std::size_t to,
+                                       Notes& notes, May may) {
   const auto columns = static_cast<std::size_t>(w.right - w.left + 1);
   const auto local = [&](int i, int j) {
     return static_cast<std::size_t>(j - w.bottom) * columns + static_cast<std::size_t>(i - w.left);
@@ -34,47 +31,43 @@ std::vector<std::size_t> search(const BitGrid& grid, const Window& w, std::size_
   const std::size_t begin = local(static_cast<int>(from % wide), static_cast<int>(from / wide));
   const std::size_t end = local(static_cast<int>(to % wide), static_cast<int>(to / wide));
 
-  std::vector<double> cost(all, kFar);
-  std::vector<std::int8_t> came(all, -1);
-  std::vector<std::uint8_t> closed(all, 0);
+  if (notes.of.size() < all) notes.of.resize(all, {0, 0, -1, false});
+  const std::uint32_t now = ++notes.search;
+  std::vector<Notes::Note>& of = notes.of;
+  const auto closed = [&](std::size_t c) { return of[c].search == now && of[c].closed; };
   const auto ahead = [&](int i, int j) {  // the least that eight directions allow
     const int dx = std::abs(i - column(end)), dy = std::abs(j - row(end));
     return std::max(dx, dy) + (std::sqrt(2.0) - 1) * std::min(dx, dy);
   };
   using Item = std::pair<double, std::size_t>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> open;
-  cost[begin] = 0;
+  of[begin] = {0, now, -1, false};
   open.push({ahead(column(begin), row(begin)), begin});
-  while (!open.empty() && !closed[end]) {
+  while (!open.empty() && !closed(end)) {
     const std::size_t at = open.top().second;
     open.pop();
-    if (closed[at]) continue;
-    closed[at] = 1;
+    if (of[at].closed) continue;
+    of[at].closed = true;
     const int i = column(at), j = row(at);
     for (int k = 0; k < 8; ++k) {
       const int x = i + kSteps[k][0], y = j + kSteps[k][1];
       if (x < w.left || x > w.right || y < w.bottom || y > w.top || !grid.get(x, y) || !may(i, j, x, y)) continue;
-      const double longer = cost[at] + (k < 4 ? 1 : std::sqrt(2.0));
+      const double longer = of[at].cost + (k < 4 ? 1 : std::sqrt(2.0));
       const std::size_t next = local(x, y);
-      if (closed[next] || longer >= cost[next]) continue;
-      cost[next] = longer;
-      came[next] = static_cast<std::int8_t>(k);
+      if (of[next].search == now && (of[next].closed || longer >= of[next].cost)) continue;
+      of[next] = {longer, now, static_cast<std::int8_t>(k), false};
       open.push({longer + ahead(x, y), next});
     }
   }
   std::vector<std::size_t> way;
-  if (!closed[end]) return way;
-  for (std::size_t at = end;; at = local(column(at) - kSteps[came[at]][0], row(at) - kSteps[came[at]][1])) {
+  if (!closed(end)) return way;
+  for (std::size_t at = end;; at = local(column(at) - kSteps[of[at].came][0], row(at) - kSteps[of[at].came][1])) {
     way.push_back(grid.at(column(at), row(at)));
     if (at == begin) break;
   }
   std::reverse(way.begin(), way.end());
   return way;
 }
-
-Window whole(const BitGrid& grid) { return {0, 0, grid.columns - 1, grid.rows - 1}; }
-
-}  // namespace
 
 Tlppa::Tlppa(const Problem& problem, double cell) : problem_(problem) {
   const Region& space = problem.configuration_space();
@@ -87,6 +80,32 @@ Tlppa::Tlppa(const Problem& problem, double cell) : problem_(problem) {
   for (int j = 0; j < fine_.rows; ++j)
     for (int i = 0; i < fine_.columns; ++i)
       if (fine_.get(i, j)) coarse_.set(i / kBlock, j / kBlock, true);
+  may_.assign(coarse_.bits.size(), 0);
+  number_parts();
+}
+
+void Tlppa::number_parts() {
+  part_.assign(fine_.bits.size(), -1);
+  std::int32_t parts = 0;
+  std::vector<std::uint32_t> queue;
+  for (std::size_t c = 0; c < part_.size(); ++c) {
+    if (part_[c] >= 0 || fine_.bits[c] == 0) continue;
+    part_[c] = parts;
+    queue.assign(1, static_cast<std::uint32_t>(c));
+    while (!queue.empty()) {
+      const int i = static_cast<int>(queue.back() % static_cast<std::uint32_t>(fine_.columns));
+      const int j = static_cast<int>(queue.back() / static_cast<std::uint32_t>(fine_.columns));
+      queue.pop_back();
+      for (const auto& step : kSteps) {
+        if (!fine_.get(i + step[0], j + step[1])) continue;
+        const std::size_t next = fine_.at(i + step[0], j + step[1]);
+        if (part_[next] >= 0) continue;
+        part_[next] = parts;
+        queue.push_back(static_cast<std::uint32_t>(next));
+      }
+    }
+    ++parts;
+  }
 }
 
 std::optional<std::size_t> Tlppa::join(const Point& p) const {
@@ -105,8 +124,8 @@ std::optional<std::size_t> Tlppa::join(const Point& p) const {
   return std::nullopt;
 }
 
-/// The blocks that the fine search may enter; none if the coarse search finds no way.
-std::vector<std::uint8_t> Tlppa::corridor(std::size_t from, std::size_t to) const {
+/// The blocks of the coarse way; none if there is none.
+std::vector<std::size_t> Tlppa::corridor(std::size_t from, std::size_t to) {
   const auto block = [&](std::size_t c) {
     const int i = static_cast<int>(c % static_cast<std::size_t>(fine_.columns));
     const int j = static_cast<int>(c / static_cast<std::size_t>(fine_.columns));
@@ -129,35 +148,34 @@ std::vector<std::uint8_t> Tlppa::corridor(std::size_t from, std::size_t to) cons
       }
     return false;
   };
-  const std::vector<std::size_t> way = search(coarse_, whole(coarse_), block(from), block(to), across);
-  std::vector<std::uint8_t> may(way.empty() ? 0 : coarse_.bits.size(), 0);
-  for (const std::size_t b : way) {
-    const int i = static_cast<int>(b % static_cast<std::size_t>(coarse_.columns));
-    const int j = static_cast<int>(b / static_cast<std::size_t>(coarse_.columns));
-    for (int y = j - 1; y <= j + 1; ++y)
-      for (int x = i - 1; x <= i + 1; ++x)
-        if (coarse_.inside(x, y)) may[coarse_.at(x, y)] = 1;
-  }
-  return may;
+  return search(coarse_, {0, 0, coarse_.columns - 1, coarse_.rows - 1}, block(from), block(to), on_coarse_, across);
 }
 
-std::optional<Polyline> Tlppa::path(const Point& a, const Point& b) const {
+std::optional<Polyline> Tlppa::path(const Point& a, const Point& b) {
   const auto from = join(a), to = join(b);
-  if (!from || !to) return std::nullopt;
+  if (!from || !to || part_[*from] != part_[*to]) return std::nullopt;
   std::vector<std::size_t> way;
-  if (const std::vector<std::uint8_t> may = corridor(*from, *to); !may.empty()) {
+  if (const std::vector<std::size_t> blocks = corridor(*from, *to); !blocks.empty()) {
     Window window{fine_.columns, fine_.rows, 0, 0};
-    for (int j = 0; j < coarse_.rows; ++j)
-      for (int i = 0; i < coarse_.columns; ++i)
-        if (may[coarse_.at(i, j)])
-          window = {std::min(window.left, i * kBlock), std::min(window.bottom, j * kBlock),
-                    std::max(window.right, i * kBlock + kBlock - 1), std::max(window.top, j * kBlock + kBlock - 1)};
+    ++ways_;
+    for (const std::size_t block : blocks) {
+      const int i = static_cast<int>(block % static_cast<std::size_t>(coarse_.columns));
+      const int j = static_cast<int>(block / static_cast<std::size_t>(coarse_.columns));
+      for (int y = std::max(0, j - 1); y <= std::min(coarse_.rows - 1, j + 1); ++y)
+        for (int x = std::max(0, i - 1); x <= std::min(coarse_.columns - 1, i + 1); ++x) {
+          may_[coarse_.at(x, y)] = ways_;
+          window = {std::min(window.left, x * kBlock), std::min(window.bottom, y * kBlock),
+                    std::max(window.right, x * kBlock + kBlock - 1), std::max(window.top, y * kBlock + kBlock - 1)};
+        }
+    }
     window.right = std::min(window.right, fine_.columns - 1);
     window.top = std::min(window.top, fine_.rows - 1);
-    way = search(fine_, window, *from, *to,
-                 [&](int, int, int x, int y) { return may[coarse_.at(x / kBlock, y / kBlock)] != 0; });
+    way = search(fine_, window, *from, *to, on_fine_,
+                 [&](int, int, int x, int y) { return may_[coarse_.at(x / kBlock, y / kBlock)] == ways_; });
   }
-  if (way.empty()) way = search(fine_, whole(fine_), *from, *to, [](int, int, int, int) { return true; });
+  if (way.empty())
+    way = search(fine_, {0, 0, fine_.columns - 1, fine_.rows - 1}, *from, *to, on_fine_,
+                 [](int, int, int, int) { return true; });
   if (way.empty()) return std::nullopt;
   Polyline line{a};
   for (std::size_t k = 0; k < way.size(); ++k) {

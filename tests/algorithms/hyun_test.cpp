@@ -229,7 +229,7 @@ TEST(Tlppa, EveryWayIsFree) {
     try {
       made.emplace(small_map(seed));
     } catch (const std::invalid_argument&) { continue; }
-    const Tlppa tlppa(*made, 0.06);
+    Tlppa tlppa(*made, 0.06);
     Rng rng(seed);
     const Box box = bounding_box(made->configuration_space());
     for (int k = 0; k < 5; ++k) {
@@ -252,7 +252,7 @@ TEST(Tlppa, EveryWayIsFree) {
 // Where nothing is in the way, eight directions cost at most 1 / cos(22.5 degrees) more, and the ends some cells.
 TEST(Tlppa, IsAsShortAsEightDirectionsAllow) {
   const Problem problem({"hall", box_region({0, 0}, {20, 10}), "test", ""}, Robot{}, Point(1, 1));
-  const Tlppa tlppa(problem, 0.1);
+  Tlppa tlppa(problem, 0.1);
   for (const Point& to : {Point(19, 1), Point(19, 9), Point(7, 8.5), Point(0.3, 9.7)}) {
     const auto way = tlppa.path({1, 1}, to);
     ASSERT_TRUE(way);

@@ -159,6 +159,47 @@ TEST(StcOnline, EachSubCellOfTheWhollyFreePartExactlyOnce) {
   EXPECT_GT(planned, 1000);
 }
 
+// Offline, all parts: the lattice begins at the lower left of what the robot can reach.
+TEST(StcOffline, EachSubCellOfEveryPartExactlyOnceInOneRound) {
+  int of_many_parts = 0;
+  for (const auto seed : seeds(3000)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Drawing2 rows = random_drawing(rng);
+    const std::set<Place> reach = flood(start_of(rows), [&](const Place& p) { return free_at(rows, p); });
+    Place low = *reach.begin();
+    for (const Place& p : reach) low = {std::min(low.first, p.first), std::min(low.second, p.second)};
+    std::set<Place> corners, expected;
+    for (const Place& p : reach) {
+      if ((p.first - low.first) % 2 != 0 || (p.second - low.second) % 2 != 0) continue;
+      std::vector<Place> quarters;
+      for (int k = 0; k < 4; ++k) quarters.emplace_back(p.first + k % 2, p.second + k / 2);
+      if (!std::all_of(quarters.begin(), quarters.end(), [&](const Place& q) { return reach.count(q) > 0; })) continue;
+      corners.insert(p);
+      expected.insert(quarters.begin(), quarters.end());
+    }
+    if (expected.empty()) continue;
+    const std::set<Place> first = flood(*corners.begin(), [&](const Place& p) { return expected.count(p) > 0; });
+    of_many_parts += first.size() < expected.size();
+    const Problem problem = on_letters(rows);
+    for (const char* tree : {"bfs", "dfs", "minimum-turn", "random", "weighted"}) {
+      SCOPED_TRACE(tree);
+      const Path path = plan("stc", problem, {{"tree", std::string(tree)}});
+      double length = 0;
+      const auto come_to = visits(path, length);
+      EXPECT_EQ(places(come_to), expected);
+      for (const auto& [place, times] : come_to) EXPECT_EQ(times, 1) << place.first << ", " << place.second;
+      EXPECT_EQ(length, static_cast<double>(expected.size()));
+      EXPECT_EQ(find_flaw(problem, path), "");
+      // Closed: back to where the round began, which the way from the start leads to, or over.
+      const Polyline& begin = path.legs.front().points;
+      const Point end = path.legs.back().points.back();
+      EXPECT_TRUE(std::any_of(begin.begin(), begin.end(), [&](const Point& p) { return distance(p, end) < 1e-9; }));
+    }
+  }
+  EXPECT_GT(of_many_parts, 500);
+}
+
 TEST(StcOnline, PartialVisitsAllThatCanBeReachedWithinTheBound) {
   for (const auto seed : seeds(3000)) {
     SCOPED_TRACE(seed);
