@@ -1,5 +1,8 @@
 #include "geometry/path.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace oxturn {
 
 double Path::length() const {
@@ -29,6 +32,15 @@ void PathBuilder::drive(const Polyline& points, bool tool) {
     path_.legs.back().points.push_back(p);
     at_ = p;
   }
+}
+
+void PathBuilder::drive(Polyline&& points, bool tool) {
+  const bool new_leg = path_.legs.empty() || path_.legs.back().tool != tool;
+  if (!new_leg || points.size() < 2 || points.front() != at_ ||
+      std::adjacent_find(points.begin(), points.end()) != points.end())
+    return drive(static_cast<const Polyline&>(points), tool);
+  at_ = points.back();
+  path_.legs.push_back({tool, std::move(points)});
 }
 
 }  // namespace oxturn

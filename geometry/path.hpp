@@ -27,6 +27,7 @@ class PathBuilder {
   const Point& at() const { return at_; }
   /// Drives `points` in order from where the path ends now (a first point equal to it is dropped).
   void drive(const Polyline& points, bool tool);
+  void drive(Polyline&& points, bool tool);  // a long leg is not copied
   void drive(const Point& to, bool tool) { drive(Polyline{to}, tool); }
   Path take() { return std::move(path_); }
 

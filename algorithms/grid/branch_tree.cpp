@@ -137,6 +137,7 @@ bool BranchTree::straight_on(const Point& a, const Point& b, const Point& c) {
 
 Polyline BranchTree::way_round() const {
   Polyline way;
+  way.reserve(vertices_.size());  // about as many
   const auto drive = [&](const Point& p) {
     if (!way.empty() && way.back() == p) return;
     const std::size_t n = way.size();

@@ -92,8 +92,7 @@ class StcLoops final : public CoveragePlanner {
     PathBuilder path(problem.start());
     Figures figures;
     const std::vector<bool> in_tree = hang_parts(problem, fine, cells, ways, tree, path, figures, context);
-    const std::vector<NodeChain> chains = make_chains(problem, side, figures, context);
-    hang_chains(chains, tree, figures, context);
+    hang_chains(make_chains(problem, side, figures, context), tree, figures, context);
     if (p_.fill != "none") fill(problem, fine, cells, in_tree, tree, figures, context);
     path.drive(tree.way_round(), true);
     if (path.at() == problem.start() && tree.vertices().size() < 2)
@@ -106,7 +105,7 @@ class StcLoops final : public CoveragePlanner {
     }
     context.report("loops", figures.loops);
     context.report("broken_loops", figures.broken);
-    context.report("chains", static_cast<double>(chains.size()));
+    context.report("chains", figures.chains);
     context.report("branches_by_way", figures.by_way);
     context.report("branches_lost", figures.lost);
     context.report("fill_places", figures.places);
@@ -115,7 +114,7 @@ class StcLoops final : public CoveragePlanner {
 
  private:
   struct Figures {
-    int loops = 0, broken = 0, by_way = 0, lost = 0, places = 0;
+    int loops = 0, broken = 0, chains = 0, by_way = 0, lost = 0, places = 0;
   };
 
   static bool hang(BranchTree& tree, const Polyline& piece, BranchTree::Kind kind, Figures& figures) {
@@ -203,6 +202,7 @@ class StcLoops final : public CoveragePlanner {
   }
 
   void hang_chains(const std::vector<NodeChain>& chains, BranchTree& tree, Figures& figures, Context& context) const {
+    figures.chains = static_cast<int>(chains.size());
     for (const NodeChain& chain : chains) {
       if (context.cancelled()) return;
       const auto kind = !chain.closed    ? BranchTree::Kind::chain
