@@ -52,6 +52,10 @@ void DualTree::portals(std::int32_t from, std::int32_t to, std::vector<Portal>& 
 Polyline DualTree::path(const Point& start, std::int32_t from, const Point& goal, std::int32_t to) const {
   thread_local std::vector<Portal> sleeve;
   portals(from, to, sleeve);
+  // A start that lies on the first portals has passed them: from there such a portal spans 180 degrees, which
+  // orientations cannot tell from none.
+  sleeve.erase(sleeve.begin(), std::find_if(sleeve.begin(), sleeve.end(),
+                                            [&](const Portal& p) { return orientation(p.right, p.left, start) > 0; }));
   sleeve.push_back({goal, goal});
   Polyline line{start};
   // The funnel: an apex and the narrowest view of the portals so far. Where one side crosses the other, that one is a

@@ -243,6 +243,10 @@ class Search {
     if (node.root == left_id || node.root == right_id) return distance(r, goal_);
     const Point &vl = at(left_id), &vr = at(right_id);
     const Point edge = vr - vl;
+    // All but in line with the edge: rounding would choose the place on it, so only the straight distance is certain.
+    const double height = cross(edge, vl - r);
+    if (height * height < 1e-12 * edge.squaredNorm() * std::max(edge.squaredNorm(), (vl - r).squaredNorm()))
+      return distance(r, goal_);
     Point goal = goal_;
     const double beyond = cross(edge, goal - vl);
     if (beyond < 0) goal = vl + (goal - vl) - perpendicular(edge) * (2 * beyond / edge.squaredNorm());

@@ -17,13 +17,16 @@ namespace oxturn {
 
 class ShortestPaths {
  public:
-  /// `tolerance`: ends that lie outside the region by no more than this are taken as on its boundary.
+  /// `tolerance`: ends that lie outside the region by no more than this are taken as at the nearest place of its
+  /// boundary.
   ShortestPaths(const Region& region, double tolerance);
   ~ShortestPaths();
   ShortestPaths(ShortestPaths&&) noexcept;
 
-  /// From a to b, both included, bending only at reflex corners of the region. nullopt if an end is outside, the
-  /// two are not connected, or the length exceeds `longest`. Deterministic; safe to call from several threads.
+  /// From a to b, both included, bending only at reflex corners of the region: no way is shorter but for the rounding of
+  /// lengths. It may run along walls, but not through a place where free space hangs together in a point only (an end
+  /// may lie there). nullopt if an end is outside, the two are not connected, or the length exceeds `longest`.
+  /// Deterministic; safe to call from several threads.
   std::optional<Polyline> path(const Point& a, const Point& b,
                                double longest = std::numeric_limits<double>::infinity()) const;
   /// Every taut (locally shortest) path from a to b no longer than `longest`, which is one for each homotopy class, by

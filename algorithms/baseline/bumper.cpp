@@ -59,12 +59,24 @@ std::optional<Point> Bumper::drive(const Point& to) {
   return hit->away;
 }
 
-std::optional<Bumper::Wall> Bumper::feel(double reach) const {
-  const auto near = walls_.nearest(at_, reach);
-  if (!near) return std::nullopt;
-  // Touching, the direction to the wall's nearest place is rounding alone.
-  if (near->distance < 16 * hair_) return Wall{near->distance, normal(near->edge)};
-  return Wall{near->distance, Point((at_ - near->place) / near->distance)};
+std::optional<Bumper::Wall> Bumper::feel(double reach, const Point& towards, double cosine) const {
+  Box box;
+  box.add(at_);
+  box.grow(reach);
+  std::optional<Wall> nearest;
+  walls_.for_each_near(box, [&](std::size_t edge) {
+    const EdgeIndex::Edge& e = walls_.edges()[edge];
+    const Point place = nearest_on_segment(at_, e.a, e.b);
+    const double off = oxturn::distance(at_, place);
+    if (off >= (nearest ? nearest->distance : reach)) return;
+    // Touching, the direction to the wall's nearest place is rounding alone.
+    const Point away = off < 16 * hair_ ? normal(edge) : Point((at_ - place) / off);
+    // What lies past the end of an edge is not its wall but a neighbour's: else the end of a wall that bends away beside
+    // the robot would be one ahead.
+    if (away.dot(normal(edge)) < 0.7) return;
+    if (-away.dot(towards) >= cosine) nearest = Wall{off, away};
+  });
+  return nearest;
 }
 
 void Bumper::go(const Point& to) {

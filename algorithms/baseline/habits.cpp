@@ -79,23 +79,45 @@ std::optional<Point> spiral(Vacuum& vacuum, double pitch, const Point& heading) 
 
 void follow(Vacuum& vacuum, double gap, double longest, Point& away) {
   const double w = vacuum.tool_width(), step = kStep * w, keep = std::max(gap, w / 1000), begin = vacuum.driven();
-  const Point first = vacuum.at(), first_away = away;
-  const auto touched = vacuum.feel(keep + 4 * step);
+  struct Mark {
+    Point at, away;
+    double driven;
+  };
+  const auto here = [&] { return Mark{vacuum.at(), away, vacuum.driven()}; };
+  const auto back_at = [&](const Mark& m) {
+    return vacuum.driven() - m.driven > 2 * w && distance(vacuum.at(), m.at) < keep + w / 8 && away.dot(m.away) > 0.5;
+  };
+  // A lap ends where it began. Yet the robot may come upon another wall whose lap does not lead back there; that one ends
+  // at a later mark, each twice as far as the last.
+  const Mark first = here();
+  Mark later = first;
+  // What lies to the left is across a passage: no wall to follow, it only narrows the passage.
+  const auto at_right = [&] { return vacuum.feel(keep + 4 * step, -away, -0.1); };
+  const auto touched = at_right();
   double off = touched ? touched->distance : 0;
   while (!vacuum.done() && vacuum.driven() - begin < longest) {
-    const Point along(away.y(), -away.x());
-    if (const auto contact = vacuum.drive(vacuum.at() + step * along + (keep - off) * away)) {
+    const Point along(away.y(), -away.x()), from = vacuum.at();
+    const auto across = vacuum.feel(2 * keep - off, away, 0.5);
+    const double aim = across ? (off + across->distance) / 2 : keep;
+    auto contact = vacuum.drive(from + step * along + (aim - off) * away);
+    if (contact && contact->dot(away) < -0.5) {
+      // Pressed to the wall at the right there is most room to pass. If that does not help, round and back.
+      vacuum.drive(vacuum.at() - 2 * keep * away);
+      vacuum.drive(vacuum.at() + step * along);
+      if ((vacuum.at() - from).dot(along) > w / 10000) contact.reset();
+    }
+    if (contact) {
       away = *contact;
       off = 0;
-    } else if (const auto wall = vacuum.feel(keep + 4 * step)) {
+    } else if (const auto wall = at_right()) {
       away = wall->away;
       off = wall->distance;
     } else {
       away = along;  // the wall is gone: round its corner
       off = keep;
     }
-    const bool back = distance(vacuum.at(), first) < keep + w / 8 && away.dot(first_away) > 0.5;
-    if (back && vacuum.driven() - begin > 2 * w) return;
+    if (back_at(first) || back_at(later)) return;
+    if (vacuum.driven() - begin > 2 * (later.driven - begin) + 2 * w) later = here();
   }
 }
 

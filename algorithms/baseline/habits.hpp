@@ -39,7 +39,9 @@ class Vacuum {
   const Point& at() const { return bumper_.at(); }
   double tool_width() const { return bumper_.tool_width(); }
   double driven() const { return bumper_.driven(); }
-  std::optional<Bumper::Wall> feel(double reach) const { return bumper_.feel(reach); }
+  std::optional<Bumper::Wall> feel(double reach, const Point& towards, double cosine) const {
+    return bumper_.feel(reach, towards, cosine);
+  }
   /// As Bumper::drive, but no farther than the rule allows: a stop there is no contact.
   std::optional<Point> drive(const Point& to);
   /// Straight on until contact; nullopt: done.
@@ -72,7 +74,8 @@ class Vacuum {
 std::optional<Point> spiral(Vacuum& vacuum, double pitch, const Point& heading);
 
 /// Along the wall at the right hand, `gap` metres from it (at least tool width / 1000), for a lap or `longest` metres.
-/// Begins beside a wall; `away` leads away from it and is kept up to date.
+/// Between walls that are nearer to each other it keeps to the middle, and turns round where it is stuck. Begins beside a
+/// wall; `away` leads away from it and is kept up to date.
 void follow(Vacuum& vacuum, double gap, double longest, Point& away);
 
 /// Lanes back and forth, `pitch` metres apart, each from contact to contact, stepping aside towards `side`; ends where

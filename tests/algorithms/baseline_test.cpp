@@ -8,6 +8,7 @@
 #include "algorithms/baseline/bumper.hpp"
 #include "algorithms/baseline/swept_cells.hpp"
 #include "algorithms/coverage_planner.hpp"
+#include "geometry/boolean.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/seeds.hpp"
@@ -201,6 +202,65 @@ TEST(WallFollow, KeepsItsDistanceAllRound) {
     for (std::size_t i = 2; i < line.size(); ++i)
       EXPECT_LT(problem.walls().nearest(line[i])->distance, gap + 0.03) << gap;
   }
+}
+
+// Rooms in a row; the doors leave the robot half a millimetre to a tenth of a metre.
+Region rooms_with_narrow_doors(Rng& rng, const Robot& robot) {
+  std::vector<Region> parts;
+  double x = 0;
+  const int rooms = rng.between(2, 4);
+  for (int k = 0; k < rooms; ++k) {
+    const double width = rng.between(0.8, 2.0);
+    parts.push_back(box_region({x, 0}, {x + width, 2}));
+    x += width;
+    if (k + 1 == rooms) break;
+    const double door = 2 * robot.radius + std::pow(10, rng.between(-3.3, -1.0)), thick = rng.between(0.01, 0.8);
+    const double y = rng.between(0.0, 2 - door);
+    parts.push_back(box_region({x - 0.01, y}, {x + thick + 0.01, y + door}));
+    x += thick;
+  }
+  return transformed(unite(parts), rng.between(0.0, 6.0), {0, 0});
+}
+
+// Regression: the wall across turned the robot round, and that one's wall across again, for ever. Contact is kept at 0.4
+// mm, so the narrowest doors cannot have it on both sides. (At a larger distance it passes by such doors.)
+TEST(WallFollow, GoesOnThroughPassagesHardlyWiderThanItself) {
+  for (const auto seed : seeds(200)) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Rng rng(seed);
+    const Robot robot;
+    const Problem problem({"rooms", rooms_with_narrow_doors(rng, robot), "test", ""}, robot);
+    const Region& space = problem.configuration_space();
+    const Settings settings{
+        {"laps", std::int64_t{0}}, {"length_limit", 2 + 1.5 * perimeter(space)}, {"passes", 1000.0}};
+    const Path path = plan("wall-follow", problem, settings).path;
+    const Polyline& line = path.legs[0].points;
+    for_each_ring(space, [&](const Ring& wall) {
+      for (std::size_t k = 0; k < wall.size(); ++k) {
+        const Point p = (wall[k] + wall[(k + 1) % wall.size()]) / 2;
+        double off = 1e9;
+        for (std::size_t i = 1; i < line.size(); ++i) off = std::min(off, distance_to_segment(p, line[i - 1], line[i]));
+        EXPECT_LT(off, 0.05) << "at " << p.transpose();
+      }
+    });
+  }
+}
+
+// `pillars` showed it: at its rim the gaps between pillars and wall leave the robot 0.5 mm. At larger distances it comes
+// upon islands on its way, and must notice that it goes round and round them.
+TEST(WallFollow, FindsMoreThanOnePlaceBetweenCloseObstacles) {
+  Robot robot;
+  robot.radius = 0.25;
+  for (const char* generator : {"pillars", "clutter", "cave"})
+    for (const auto seed : seeds(4)) {
+      SCOPED_TRACE(fmt::format("{} --seed {}", generator, seed));
+      const Problem problem(generate(generator, {{"width", 8.0}, {"height", 8.0}}, seed), robot);
+      for (const double gap : {0.0, 0.1, 0.3}) {
+        const auto found =
+            plan("wall-follow", problem, {{"distance", gap}, {"length_limit", 120.0}, {"passes", 1000.0}});
+        EXPECT_GT(found.reports.at("swept_m2"), 0.1 * area(problem.target())) << gap;
+      }
+    }
 }
 
 // Hasan's claim: no single habit wins, a combination does. At four times the length that lanes would need.
