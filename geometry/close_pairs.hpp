@@ -1,8 +1,9 @@
 // Which pairs of segments come near each other? Private to geometry: not installed.
 //
-// Space is halved again and again at the mean of what it holds, segments are clipped to the halves, and small
-// cells are searched pair by pair. Unlike a uniform grid this does not mind that all detail lies in one corner of
-// the map. O(n log n + pairs) for usual data.
+// Many segments are dealt out to the cells of a grid over their box, clipped to them; the cells are searched in the
+// same way, small ones pair by pair. Where a grid does not help (all detail lies in one corner, or segments are long for
+// their number), space is halved at the mean of what it holds. O(n + pairs) for segments that are spread evenly,
+// O(n log n + pairs) for other usual data.
 #pragma once
 
 #include <algorithm>
@@ -33,6 +34,8 @@ class ClosePairs {
 
  private:
   static constexpr std::size_t kLeaf = 24;
+  static constexpr std::size_t kMany = 256;   // worth a grid
+  static constexpr std::size_t kDeal = 1024;  // per cell of the first grid, so that a cell fits into the cache
 
   bool is_loud(const Stretch& s) const { return loud_.empty() || loud_[s.id] != 0; }
 
@@ -50,43 +53,111 @@ class ClosePairs {
     }
   }
 
+  /// The part of s, which comes to it, between two lines upright or level.
+  static void clip_x(Stretch& s, double low, double high) {
+    const double slope = (s.y1 - s.y0) / (s.x1 - s.x0), x = s.x0, y = s.y0;
+    if (s.x1 > high) {
+      s.x1 = high;
+      s.y1 = y + (high - x) * slope;
+    }
+    if (s.x0 < low) {
+      s.x0 = low;
+      s.y0 = y + (low - x) * slope;
+    }
+  }
+  static void clip_y(Stretch& s, double low, double high) {
+    const double slope = (s.x1 - s.x0) / (s.y1 - s.y0), x = s.x0, y = s.y0;
+    const bool up = s.y0 < s.y1;
+    double &x_low = up ? s.x0 : s.x1, &y_low = up ? s.y0 : s.y1, &x_high = up ? s.x1 : s.x0, &y_high = up ? s.y1 : s.y0;
+    if (y_high > high) {
+      x_high = x + (high - y) * slope;
+      y_high = high;
+    }
+    if (y_low < low) {
+      x_low = x + (low - y) * slope;
+      y_low = low;
+    }
+  }
+
   /// Splits the stretches at `m` across axis; appends the wanted half. Cuts are widened by the slack, so that what
   /// is near the border is in both halves.
   void append_half(std::size_t begin, std::size_t end, bool by_x, double m, bool upper) {
+    const double low = upper ? m - slack_ : -1e300, high = upper ? 1e300 : m + slack_;
     for (std::size_t i = begin; i < end; ++i) {
       Stretch s = arena_[i];
       if (by_x) {
-        if (upper ? s.x1 < m - slack_ : s.x0 > m + slack_) continue;
-        const double cut = upper ? m - slack_ : m + slack_;
-        if (s.x0 < cut && cut < s.x1) {
-          const double t = (cut - s.x0) / (s.x1 - s.x0);
-          const double y = s.y0 + t * (s.y1 - s.y0);
-          if (upper) {
-            s.x0 = cut;
-            s.y0 = y;
-          } else {
-            s.x1 = cut;
-            s.y1 = y;
-          }
-        }
+        if (s.x1 < low || s.x0 > high) continue;
+        clip_x(s, low, high);
       } else {
-        const double low = std::min(s.y0, s.y1), high = std::max(s.y0, s.y1);
-        if (upper ? high < m - slack_ : low > m + slack_) continue;
-        const double cut = upper ? m - slack_ : m + slack_;
-        if (low < cut && cut < high) {
-          const double t = (cut - s.y0) / (s.y1 - s.y0);
-          const double x = s.x0 + t * (s.x1 - s.x0);
-          if ((s.y0 < s.y1) == upper) {
-            s.x0 = x;
-            s.y0 = cut;
-          } else {
-            s.x1 = x;
-            s.y1 = cut;
-          }
-        }
+        if (std::max(s.y0, s.y1) < low || std::min(s.y0, s.y1) > high) continue;
+        clip_y(s, low, high);
       }
       arena_.push_back(s);
     }
+  }
+
+  /// One axis of a grid.
+  struct Bands {
+    double low, width, per_width;
+    std::size_t count;
+    Bands(double from, double to, double bands)
+        : low(from),
+          width((to - from) / std::max(1.0, std::floor(bands))),
+          per_width(width > 0 ? 1 / width : 0),
+          count(static_cast<std::size_t>(std::max(1.0, std::floor(bands)))) {}
+    std::size_t at(double v) const {
+      return static_cast<std::size_t>(std::clamp((v - low) * per_width, 0.0, static_cast<double>(count - 1)));
+    }
+    double border(std::size_t k) const { return low + static_cast<double>(k) * width; }
+  };
+
+  /// Deals the stretches out to a grid over their box and visits its cells; false if that would not help.
+  bool deal(std::size_t begin, std::size_t end, double x_low, double x_high, double y_low, double y_high, int depth) {
+    const std::size_t n = end - begin, most = n + n / 2;
+    const double wide = x_high - x_low + slack_, high = y_high - y_low + slack_;
+    const double cells = static_cast<double>(n) / static_cast<double>(n > 8 * kDeal ? kDeal : kLeaf / 3);
+    const double across = std::clamp(std::sqrt(cells * wide / high), 1.0, cells);
+    const Bands columns(x_low, x_low + wide, across), rows(y_low, y_low + high, cells / across);
+    // f(cell, stretch clipped to its column, row, is it in several rows?)
+    const auto each = [&](std::size_t i, auto f) {
+      const Stretch& s = arena_[i];
+      const std::size_t c0 = columns.at(s.x0 - slack_), c1 = columns.at(s.x1 + slack_);
+      for (std::size_t c = c0; c <= c1; ++c) {
+        Stretch part = s;
+        if (c0 != c1) clip_x(part, columns.border(c) - 2 * slack_, columns.border(c + 1) + 2 * slack_);
+        const std::size_t r0 = rows.at(std::min(part.y0, part.y1) - slack_);
+        const std::size_t r1 = rows.at(std::max(part.y0, part.y1) + slack_);
+        for (std::size_t r = r0; r <= r1; ++r) f(c * rows.count + r, part, r, r0 != r1);
+      }
+    };
+    std::vector<std::uint32_t> start(columns.count * rows.count + 1, 0);
+    std::vector<std::uint8_t> loud(columns.count * rows.count, 0);
+    std::size_t sum = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint8_t is = is_loud(arena_[i]) ? 1 : 0;
+      each(i, [&](std::size_t cell, const Stretch&, std::size_t, bool) {
+        ++start[cell + 1];
+        loud[cell] |= is;
+        ++sum;
+      });
+      if (sum > most) return false;
+    }
+    for (std::size_t cell = 0; cell < loud.size(); ++cell) {
+      if (start[cell + 1] > n / 2) return false;
+      start[cell + 1] = start[cell] + (loud[cell] != 0 ? start[cell + 1] : 0);
+    }
+    const std::size_t top = arena_.size();
+    arena_.resize(top + start.back());
+    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+    for (std::size_t i = begin; i < end; ++i)
+      each(i, [&](std::size_t cell, Stretch part, std::size_t r, bool several) {
+        if (loud[cell] == 0) return;
+        if (several) clip_y(part, rows.border(r) - 2 * slack_, rows.border(r + 1) + 2 * slack_);
+        arena_[top + next[cell]++] = part;
+      });
+    for (std::size_t cell = 0; cell < loud.size(); ++cell) visit(top + start[cell], top + start[cell + 1], depth + 1);
+    arena_.resize(top);
+    return true;
   }
 
   void visit(std::size_t begin, std::size_t end, int depth) {
@@ -108,6 +179,7 @@ class ClosePairs {
       loud = loud || is_loud(s);
     }
     if (!loud) return;
+    if (n >= kMany && deal(begin, end, x_low, x_high, y_low, y_high, depth)) return;
     const double count = 2 * static_cast<double>(n);
     bool by_x = x_high - x_low >= y_high - y_low;
     for (int attempt = 0; attempt < 2; ++attempt, by_x = !by_x) {
