@@ -91,15 +91,14 @@ std::vector<Piece> merged(const std::vector<Piece>& quiet, std::vector<Piece>& l
 }
 
 std::vector<Cut> find_cuts(const std::vector<Piece>& pieces) {
-  std::vector<Stretch> stretches(pieces.size());
   std::vector<std::uint8_t> loud(pieces.size());
-  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+  for (std::size_t i = 0; i < pieces.size(); ++i) loud[i] = pieces[i].loud ? 1 : 0;
+  const auto stretch = [&](std::size_t i) {
     const OverlayEdge& e = pieces[i].edge;
-    stretches[i] = {double(e.a.x), double(e.a.y), double(e.b.x), double(e.b.y), i};
-    loud[i] = pieces[i].loud ? 1 : 0;
-  }
+    return Stretch{double(e.a.x), double(e.a.y), double(e.b.x), double(e.b.y), static_cast<std::uint32_t>(i)};
+  };
   std::vector<Cut> cuts;
-  for_close_pairs(std::move(stretches), 1.0, loud,
+  for_close_pairs(pieces.size(), stretch, 1.0, loud,
                   [&](std::uint32_t i, std::uint32_t j) { split_pair(pieces, std::min(i, j), std::max(i, j), cuts); });
   spread_sort(
       cuts, [](const Cut& c) { return std::uint64_t{c.edge}; },
@@ -167,22 +166,29 @@ void resolve(std::vector<OverlayEdge>& edges) {
 struct Fans {
   std::vector<std::uint32_t> start, half, tail;  // fan of v: half[start[v] .. start[v+1]); tail: vertex of half-edge
 
-  template <class Ends>  // Ends(h): {vertex, other end} of half-edge h
-  Fans(std::size_t half_edges, Ends ends) : tail(half_edges) {
+  template <class Ends>  // Ends(h): {vertex, other end} of half-edge h; edges in the order of their western ends
+  Fans(std::size_t half_edges, Ends ends) : half(half_edges), tail(half_edges) {
     struct End {
       std::uint64_t site;
       std::uint32_t half;
     };
-    std::vector<End> all(half_edges);
-    for (std::uint32_t h = 0; h < half_edges; ++h) all[h] = {packed(ends(h).first), h};
+    std::vector<End> west(half_edges / 2), east(half_edges / 2);
+    for (std::uint32_t h = 0; h < half_edges; h += 2) {
+      const auto [a, b] = ends(h);
+      const bool eastwards = a < b;
+      west[h / 2] = {packed(eastwards ? a : b), eastwards ? h : h + 1};
+      east[h / 2] = {packed(eastwards ? b : a), eastwards ? h + 1 : h};
+    }
     spread_sort(
-        all, [](const End& e) { return e.site; },
+        east, [](const End& e) { return e.site; },
         [](const End& e, const End& f) { return e.site != f.site ? e.site < f.site : e.half < f.half; });
-    half.resize(half_edges);
-    for (std::uint32_t k = 0; k < half_edges; ++k) {
-      if (k == 0 || all[k].site != all[k - 1].site) start.push_back(k);
-      half[k] = all[k].half;
-      tail[all[k].half] = static_cast<std::uint32_t>(start.size()) - 1;
+    std::uint64_t site = 0;
+    for (std::uint32_t k = 0, w = 0, e = 0; k < half_edges; ++k) {
+      const End& end = e == east.size() || (w < west.size() && west[w].site <= east[e].site) ? west[w++] : east[e++];
+      if (k == 0 || end.site != site) start.push_back(k);
+      site = end.site;
+      half[k] = end.half;
+      tail[end.half] = static_cast<std::uint32_t>(start.size()) - 1;
     }
     start.push_back(static_cast<std::uint32_t>(half_edges));
     const auto angle = [&](std::uint32_t g, std::uint32_t h) {

@@ -21,15 +21,18 @@ struct Stretch {
   std::uint32_t id;
 };
 
-template <class F>
+template <class At, class F>
 class ClosePairs {
  public:
-  /// f(i, j) is called for ids of stretches whose boxes, grown by `slack`, meet; a pair may come several times.
-  /// Pairs of two quiet stretches (loud[id] == 0) are left out; an empty `loud` means all are loud.
-  ClosePairs(std::vector<Stretch> stretches, double slack, const std::vector<std::uint8_t>& loud, F f)
-      : arena_(std::move(stretches)), slack_(slack), loud_(loud), f_(std::move(f)) {
-    arena_.reserve(arena_.size() * 3);
-    visit(0, arena_.size(), 0);
+  /// at(k): the k-th of n stretches. f(i, j) is called for ids of stretches whose boxes, grown by `slack`, meet; a pair
+  /// may come several times. Pairs of two quiet stretches (loud[id] == 0) are left out; an empty `loud` means all are
+  /// loud.
+  ClosePairs(std::size_t n, At at, double slack, const std::vector<std::uint8_t>& loud, F f)
+      : slack_(slack), loud_(loud), f_(std::move(f)) {
+    if (n >= kMany && deal(n, at, extent(n, at), 0)) return;
+    arena_.reserve(3 * n);
+    for (std::size_t k = 0; k < n; ++k) arena_.push_back(at(k));
+    visit(0, n, 0);
   }
 
  private:
@@ -100,27 +103,47 @@ class ClosePairs {
   struct Bands {
     double low, width, per_width;
     std::size_t count;
-    Bands(double from, double to, double bands)
+    Bands(double from, double size, double bands)
         : low(from),
-          width((to - from) / std::max(1.0, std::floor(bands))),
+          width(size / std::floor(bands)),
           per_width(width > 0 ? 1 / width : 0),
-          count(static_cast<std::size_t>(std::max(1.0, std::floor(bands)))) {}
+          count(static_cast<std::size_t>(bands)) {}
     std::size_t at(double v) const {
       return static_cast<std::size_t>(std::clamp((v - low) * per_width, 0.0, static_cast<double>(count - 1)));
     }
     double border(std::size_t k) const { return low + static_cast<double>(k) * width; }
   };
 
-  /// Deals the stretches out to a grid over their box and visits its cells; false if that would not help.
-  bool deal(std::size_t begin, std::size_t end, double x_low, double x_high, double y_low, double y_high, int depth) {
-    const std::size_t n = end - begin, most = n + n / 2;
-    const double wide = x_high - x_low + slack_, high = y_high - y_low + slack_;
-    const double cells = static_cast<double>(n) / static_cast<double>(n > 8 * kDeal ? kDeal : kLeaf / 3);
+  struct Extent {
+    double x_low = 1e300, x_high = -1e300, y_low = 1e300, y_high = -1e300, x_sum = 0, y_sum = 0;
+    std::size_t loud = 0;
+  };
+  template <class Source>
+  Extent extent(std::size_t n, Source source) const {
+    Extent e;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Stretch s = source(k);
+      e.x_sum += s.x0 + s.x1;
+      e.y_sum += s.y0 + s.y1;
+      e.x_low = std::min(e.x_low, s.x0);
+      e.x_high = std::max(e.x_high, s.x1);
+      e.y_low = std::min({e.y_low, s.y0, s.y1});
+      e.y_high = std::max({e.y_high, s.y0, s.y1});
+      e.loud += is_loud(s) ? 1u : 0u;
+    }
+    return e;
+  }
+
+  /// Deals n stretches out to a grid over their box and visits its cells; false if that would not help.
+  template <class Source>
+  bool deal(std::size_t n, Source source, const Extent& e, int depth) {
+    const double wide = e.x_high - e.x_low + slack_, high = e.y_high - e.y_low + slack_;
+    const std::size_t per_cell = n > 8 * kDeal && e.loud > n / 8 ? kDeal : kLeaf / 3;
+    const double cells = static_cast<double>(n) / static_cast<double>(per_cell);
     const double across = std::clamp(std::sqrt(cells * wide / high), 1.0, cells);
-    const Bands columns(x_low, x_low + wide, across), rows(y_low, y_low + high, cells / across);
+    const Bands columns(e.x_low, wide, across), rows(e.y_low, high, cells / across);
     // f(cell, stretch clipped to its column, row, is it in several rows?)
-    const auto each = [&](std::size_t i, auto f) {
-      const Stretch& s = arena_[i];
+    const auto each = [&](const Stretch& s, auto f) {
       const std::size_t c0 = columns.at(s.x0 - slack_), c1 = columns.at(s.x1 + slack_);
       for (std::size_t c = c0; c <= c1; ++c) {
         Stretch part = s;
@@ -133,14 +156,15 @@ class ClosePairs {
     std::vector<std::uint32_t> start(columns.count * rows.count + 1, 0);
     std::vector<std::uint8_t> loud(columns.count * rows.count, 0);
     std::size_t sum = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::uint8_t is = is_loud(arena_[i]) ? 1 : 0;
-      each(i, [&](std::size_t cell, const Stretch&, std::size_t, bool) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const Stretch s = source(k);
+      const std::uint8_t is = is_loud(s) ? 1 : 0;
+      each(s, [&](std::size_t cell, const Stretch&, std::size_t, bool) {
         ++start[cell + 1];
         loud[cell] |= is;
         ++sum;
       });
-      if (sum > most) return false;
+      if (sum > 2 * n) return false;
     }
     for (std::size_t cell = 0; cell < loud.size(); ++cell) {
       if (start[cell + 1] > n / 2) return false;
@@ -149,12 +173,14 @@ class ClosePairs {
     const std::size_t top = arena_.size();
     arena_.resize(top + start.back());
     std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-    for (std::size_t i = begin; i < end; ++i)
-      each(i, [&](std::size_t cell, Stretch part, std::size_t r, bool several) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const Stretch s = source(k);
+      each(s, [&](std::size_t cell, Stretch part, std::size_t r, bool several) {
         if (loud[cell] == 0) return;
         if (several) clip_y(part, rows.border(r) - 2 * slack_, rows.border(r + 1) + 2 * slack_);
         arena_[top + next[cell]++] = part;
       });
+    }
     for (std::size_t cell = 0; cell < loud.size(); ++cell) visit(top + start[cell], top + start[cell + 1], depth + 1);
     arena_.resize(top);
     return true;
@@ -164,26 +190,13 @@ class ClosePairs {
     const std::size_t n = end - begin;
     if (n < 2) return;
     if (n <= kLeaf || depth > 60) return leaf(begin, end);
-    double x_sum = 0, y_sum = 0;
-    double x_low = 1e300, x_high = -1e300, y_low = 1e300, y_high = -1e300;
-    bool loud = false;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Stretch& s = arena_[i];
-      const double x0 = s.x0, x1 = s.x1, y0 = s.y0, y1 = s.y1;
-      x_sum += x0 + x1;
-      y_sum += y0 + y1;
-      x_low = std::min(x_low, x0);
-      x_high = std::max(x_high, x1);
-      y_low = std::min({y_low, y0, y1});
-      y_high = std::max({y_high, y0, y1});
-      loud = loud || is_loud(s);
-    }
-    if (!loud) return;
-    if (n >= kMany && deal(begin, end, x_low, x_high, y_low, y_high, depth)) return;
+    const auto at = [&](std::size_t k) { return arena_[begin + k]; };
+    const Extent e = extent(n, at);
+    if (e.loud == 0 || (n >= kMany && deal(n, at, e, depth))) return;
     const double count = 2 * static_cast<double>(n);
-    bool by_x = x_high - x_low >= y_high - y_low;
+    bool by_x = e.x_high - e.x_low >= e.y_high - e.y_low;
     for (int attempt = 0; attempt < 2; ++attempt, by_x = !by_x) {
-      const double m = by_x ? x_sum / count : y_sum / count;
+      const double m = by_x ? e.x_sum / count : e.y_sum / count;
       std::size_t lower = 0, upper = 0;
       for (std::size_t i = begin; i < end; ++i) {
         const Stretch& s = arena_[i];
@@ -210,9 +223,9 @@ class ClosePairs {
   F f_;
 };
 
-template <class F>
-void for_close_pairs(std::vector<Stretch> stretches, double slack, const std::vector<std::uint8_t>& loud, F f) {
-  ClosePairs<F>(std::move(stretches), slack, loud, std::move(f));
+template <class At, class F>
+void for_close_pairs(std::size_t n, At at, double slack, const std::vector<std::uint8_t>& loud, F f) {
+  ClosePairs<At, F>(n, at, slack, loud, std::move(f));
 }
 
 }  // namespace oxturn

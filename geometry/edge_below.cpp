@@ -25,12 +25,11 @@ bool higher(const EdgeBelow::Edge& e, const EdgeBelow::Edge& f, std::int32_t x) 
 EdgeBelow::EdgeBelow(std::vector<Edge> edges) : edges_(std::move(edges)) {
   const std::size_t n = edges_.size();
   if (n == 0) return;
-  std::vector<std::int32_t> left(n);
-  for (std::size_t i = 0; i < n; ++i) left[i] = edges_[i].a.x;
-  std::sort(left.begin(), left.end());
+  const auto west = [](const Edge& e, const Edge& f) { return e.a.x < f.a.x; };
+  if (!std::is_sorted(edges_.begin(), edges_.end(), west)) std::sort(edges_.begin(), edges_.end(), west);
   const std::size_t columns = std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(static_cast<double>(n))));
   for (std::size_t c = 0; c < columns; ++c) {
-    const std::int32_t x = left[c * n / columns];
+    const std::int32_t x = edges_[c * n / columns].a.x;
     if (borders_.empty() || x > borders_.back()) borders_.push_back(x);
   }
   std::int32_t lowest = edges_[0].a.y, highest = lowest;
@@ -45,11 +44,12 @@ EdgeBelow::EdgeBelow(std::vector<Edge> edges) : edges_(std::move(edges)) {
   start_.assign(borders_.size() * levels_ + 1, 0);
   top_.assign(borders_.size() * levels_, std::numeric_limits<std::int32_t>::min());
   const auto each = [&](auto f) {
+    std::size_t first = 0;
     for (std::uint32_t i = 0; i < n; ++i) {
       const Edge& e = edges_[i];
       const std::size_t l = level(std::min(e.a.y, e.b.y));
-      for (std::size_t c = column(e.a.x + 1); c < borders_.size() && (borders_[c] < e.b.x || c == 0); ++c)
-        f(c * levels_ + l, i);
+      while (first + 1 < borders_.size() && borders_[first + 1] <= e.a.x) ++first;
+      for (std::size_t c = first; c < borders_.size() && (borders_[c] < e.b.x || c == 0); ++c) f(c * levels_ + l, i);
     }
   };
   each([&](std::size_t cell, std::uint32_t i) {
