@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <stdexcept>
 
@@ -100,9 +101,15 @@ Point middle(const Region& all) {
   return (corner(*best, 0) + corner(*best, 1) + corner(*best, 2)) / 3;
 }
 
-bool holds(const Region& region, const Point& p, double tolerance) {
-  const EdgeIndex edges(region);
-  return edges.contains(p) || edges.nearest(p, tolerance).has_value();
+/// How far p is from a closed polygon. By a scan: one question does not pay for an EdgeIndex.
+double distance_to(const Polygon& polygon, const Point& p) {
+  const Region region{{polygon}};
+  double least = std::numeric_limits<double>::infinity();
+  for_each_ring(region, [&](const Ring& ring) {
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+      least = on_segment(p, ring[j], ring[i]) ? 0 : std::min(least, distance_to_segment(p, ring[j], ring[i]));
+  });
+  return contains(region, p) ? 0 : least;
 }
 
 /// The polygon that holds p, or the nearest of those within the tolerance; nullptr if there is none.
@@ -114,14 +121,18 @@ const Polygon* part_with(const Region& all, const Point& p, double tolerance) {
     for (const Point& q : polygon.outer) box.add(q);
     box.grow(tolerance);
     if (!box.contains(p)) continue;
-    const EdgeIndex edges(Region{{polygon}});
-    if (edges.contains(p)) return &polygon;
-    if (const auto hit = edges.nearest(p); hit && hit->distance <= least) {
-      least = hit->distance;
+    const double away = distance_to(polygon, p);
+    if (away == 0) return &polygon;
+    if (away <= least) {
+      least = away;
       nearest = &polygon;
     }
   }
   return nearest;
+}
+
+bool holds(const Region& region, const Point& p, double tolerance) {
+  return part_with(region, p, tolerance) != nullptr;
 }
 
 /// A place of `all` next to the one nearest to p, with as few decimals as keep it inside.
