@@ -145,6 +145,29 @@ Walk::Walk(const std::vector<Site>& sites, double side_) : ring(sites), side(sid
   for (std::size_t i = 0; i < n; ++i) bend[i] = side * cross(along[before(i)], along[i]);
 }
 
+std::vector<Site> straightened(const std::vector<Site>& ring) {
+  constexpr std::size_t kMostDropped = 8;  // at a time
+  const std::size_t n = ring.size();
+  const auto dispensable = [&](std::size_t from, std::size_t to) {
+    const Point chord = difference(ring[to % n], ring[from]);
+    const double length = chord.norm();
+    for (std::size_t k = from + 1; k < to; ++k) {
+      const Point d = difference(ring[k], ring[from]);
+      const double along = chord.dot(d) / length;
+      if (!(std::abs(cross(chord, d)) <= length && along > 0 && along < length)) return false;
+    }
+    return true;
+  };
+  std::vector<Site> out;
+  for (std::size_t i = 0; i < n;) {
+    out.push_back(ring[i]);
+    std::size_t next = i + 1;
+    while (next < n && next - i <= kMostDropped && dispensable(i, next + 1)) ++next;
+    i = next;
+  }
+  return out.size() > 2 ? out : ring;
+}
+
 Dent longest_dent(const Walk& walk, std::size_t begin, std::size_t limit, double reach) {
   const Point origin(walk.ring[begin].x, walk.ring[begin].y);
   const Point shift = reach * walk.inwards(begin);

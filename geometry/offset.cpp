@@ -187,7 +187,7 @@ Region shifted(const Region& region, double radius, double chord_error, bool out
     std::vector<Site> sites = snapped(ring, lattice);
     if (sites.empty()) return;
     if (signed_area(ring) * sign < 0) std::reverse(sites.begin(), sites.end());
-    runner.run(sites, edges);
+    runner.run(outwards ? straightened(sites) : sites, edges);
   };
   for (const Polygon& p : region.polygons) {
     add(p.outer, 1);
