@@ -38,8 +38,7 @@ class Trial {
     for (std::size_t j = 1; j < k; ++j)
       if (height(j, apex) < height(lowest, apex)) lowest = j;
     far_.clear();
-    if (height(lowest, apex) < reach_) {
-      if (std::max(height(lowest, corner_[0]), height(lowest, corner_[k])) > reach_) return false;
+    if (height(lowest, apex) < reach_) {  // no corner is higher above that line than the apex: all of T is near it
       far_.push_back(apex);
       return overlaps(to_apex, from_apex);
     }
@@ -145,14 +144,14 @@ Walk::Walk(const std::vector<Site>& sites, double side_) : ring(sites), side(sid
   for (std::size_t i = 0; i < n; ++i) bend[i] = side * cross(along[before(i)], along[i]);
 }
 
-std::vector<Site> straightened(const std::vector<Site>& ring) {
+std::vector<Site> straightened(const std::vector<Site>& corners, bool ring) {
   constexpr std::size_t kMostDropped = 8;  // at a time
-  const std::size_t n = ring.size();
+  const std::size_t n = corners.size(), end = ring ? n : n - 1;
   const auto dispensable = [&](std::size_t from, std::size_t to) {
-    const Point chord = difference(ring[to % n], ring[from]);
+    const Point chord = difference(corners[to % n], corners[from]);
     const double length = chord.norm();
     for (std::size_t k = from + 1; k < to; ++k) {
-      const Point d = difference(ring[k], ring[from]);
+      const Point d = difference(corners[k], corners[from]);
       const double along = chord.dot(d) / length;
       if (!(std::abs(cross(chord, d)) <= length && along > 0 && along < length)) return false;
     }
@@ -160,12 +159,12 @@ std::vector<Site> straightened(const std::vector<Site>& ring) {
   };
   std::vector<Site> out;
   for (std::size_t i = 0; i < n;) {
-    out.push_back(ring[i]);
+    out.push_back(corners[i]);
     std::size_t next = i + 1;
-    while (next < n && next - i <= kMostDropped && dispensable(i, next + 1)) ++next;
+    while (next < end && next - i <= kMostDropped && dispensable(i, next + 1)) ++next;
     i = next;
   }
-  return out.size() > 2 ? out : ring;
+  return ring && out.size() < 3 ? corners : out;
 }
 
 Dent longest_dent(const Walk& walk, std::size_t begin, std::size_t limit, double reach) {

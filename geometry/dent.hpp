@@ -40,9 +40,9 @@ struct Dent {
   std::vector<Point> far;  // the dent's other side, from corner `begin` to corner `end`, in lattice units
 };
 
-/// The ring without corners that lie within a quantum of the line between those that are left: rounding put them there,
-/// and made a bend of a straight wall.
-std::vector<Site> straightened(const std::vector<Site>& ring);
+/// The ring, or line, without corners that lie within a quantum of the way between those that are left: rounding put
+/// them there and made bends of straight walls.
+std::vector<Site> straightened(const std::vector<Site>& corners, bool ring);
 
 /// The longest dent found from edge `begin` on, before edge `limit`. The corners begin .. limit all bend inwards. One
 /// edge's dent is its strip.

@@ -3,9 +3,13 @@
 // the region plus (dilate) or minus (erode) the number of strips and sectors that cover a point, so "above zero" is
 // the answer exactly, for whatever overlaps. Walls are shifted exactly; only arcs carry the chord error.
 //
-// Along a fine dent (the arc an earlier offset left) n strips would cross n^2 times: there the strips are united by
-// halves first and enter as one.
+// Along a fine dent (the arc an earlier offset left) n strips would cross n^2 times. Growing, most dents are written
+// down as one polygon (dent.hpp), a few edges for a whole arc. Crowds of short
+// strips that are left are united by halves first and enters as one; shrinking, all dents are: paths hang on
+// the last bits of configuration space, so those were left as they are.
 //
+// Complexity  n corners: O(n) for the curves (O(k^2) for a dent of k <= 64 edges), O(m log m) for crowds of m strips, and
+//             the overlay (arrangement.hpp) of what comes to O(n) edges and k crossings.
 // Source      McMains, Chen: Polygon offsetting by computing winding numbers, 2005.
 #include "geometry/offset.hpp"
 
@@ -21,9 +25,10 @@ namespace oxturn {
 namespace {
 
 // Corners and offset points are rounded (0.7 quanta each), intersections too, and edges bend by half a quantum, in
-// each of up to five unions of halves and the last overlay: this many quanta cover the sum and keep bounds certain.
+// each of up to five unions of halves (four where rings and dents are straightened, by a quantum each) and the last
+// overlay: this many quanta cover the sum and keep bounds certain.
 constexpr double kSlack = 10;
-constexpr std::size_t kLargestCrowd = 32;  // five unions of halves
+constexpr std::size_t kLargestCrowd = 32, kLargestCrowdOfDents = 16;
 constexpr std::size_t kLeastCrowd = 4;
 
 bool positive(int winding, int) { return winding > 0; }
@@ -123,7 +128,7 @@ class Runner {
       Detour d = trimmed_ ? dent(walk, begin, end) : strip(walk, begin);
       begin = d.end;
       const bool apart = trimmed_ && far_apart(walk.ring[d.begin], walk.ring[d.end]);
-      if (apart || crowd.size() == kLargestCrowd) add_crowd();
+      if (apart || crowd.size() == (trimmed_ ? kLargestCrowdOfDents : kLargestCrowd)) add_crowd();
       (apart ? out : crowd).push_back(std::move(d));
     }
     add_crowd();
@@ -138,6 +143,8 @@ class Runner {
     if (dent.end == begin + 1) return strip(walk, begin);
     Detour out{begin, dent.end, {}};
     for (const Point& p : dent.far) out.between.push_back(rounded(p.x(), p.y()));
+    out.between.erase(std::unique(out.between.begin(), out.between.end()), out.between.end());
+    out.between = straightened(out.between, false);
     return out;
   }
   bool far_apart(const Site& a, const Site& b) const {
@@ -187,7 +194,7 @@ Region shifted(const Region& region, double radius, double chord_error, bool out
     std::vector<Site> sites = snapped(ring, lattice);
     if (sites.empty()) return;
     if (signed_area(ring) * sign < 0) std::reverse(sites.begin(), sites.end());
-    runner.run(outwards ? straightened(sites) : sites, edges);
+    runner.run(outwards ? straightened(sites, true) : sites, edges);
   };
   for (const Polygon& p : region.polygons) {
     add(p.outer, 1);
