@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace oxturn {
 namespace {
 
 constexpr std::size_t kLongestDent = 64;
-constexpr double kLeastBend = 1e-3;  // lines that cross at less cross too vaguely
+constexpr double kLeastBend = 3e-5;  // lines that cross at less cross too vaguely
 constexpr double kLeastCosine = 0.01;
 constexpr double kMargin = 4;  // quanta
 
@@ -21,31 +20,21 @@ class Trial {
  public:
   Trial(const Walk& walk, std::size_t begin, double reach) : w_(walk), begin_(begin), reach_(reach) { add_edge(); }
 
-  /// One edge more; false if the dent then cannot be written down.
+  /// One edge more; if the dent then cannot be written down, nothing changes and the answer is false.
   bool grow() {
     add_edge();
-    const std::size_t k = size(), last = k - 1;
-    const double bend = w_.bend[begin_ + last], turned = normal_[0].dot(normal_[last]);
-    if (bend < kLeastBend || normal_[last - 1].dot(normal_[last]) <= 0 || turned < kLeastCosine) return false;
-    if (!clear_before(last)) return false;
-    for (std::size_t i = 0; i < last; ++i)
-      if (!clear_past(i)) return false;
-
-    const double sine = normal_[0].dot(along(last));
-    const double to_apex = corner_[k].dot(along(last)) / sine, from_apex = corner_[k].dot(along(0)) / sine;
-    const Point apex = to_apex * normal_[0];
-    std::size_t lowest = 0;
-    for (std::size_t j = 1; j < k; ++j)
-      if (height(j, apex) < height(lowest, apex)) lowest = j;
-    far_.clear();
-    if (height(lowest, apex) < reach_) {  // no corner is higher above that line than the apex: all of T is near it
-      far_.push_back(apex);
-      return overlaps(to_apex, from_apex);
-    }
-    return shifted_lines();
+    if (fits()) return true;
+    corner_.pop_back();
+    normal_.pop_back();
+    return false;
   }
 
-  const std::vector<Point>& far() const { return far_; }
+  std::vector<Point> far() const {
+    if (size() == 1) return {reach_ * normal_[0], corner_[1] + reach_ * normal_[0]};
+    const Point apex = crossing();
+    if (height(lowest(apex), apex) < reach_) return {apex};
+    return shifted_lines();
+  }
 
  private:
   std::size_t size() const { return normal_.size(); }
@@ -66,9 +55,47 @@ class Trial {
     return std::min(high * half, w_.length[next_edge]);
   }
 
+  /// What is to be held against a way along normal j, so that it comes to be as far from line i as it is long.
+  double half_turn(std::size_t i, std::size_t j) const { return (normal_[i] - normal_[j]).squaredNorm() / 2; }
+
+  bool fits() const {
+    const std::size_t last = size() - 1;
+    if (w_.bend[begin_ + last] < kLeastBend || normal_[last - 1].dot(normal_[last]) <= 0 ||
+        normal_[0].dot(normal_[last]) < kLeastCosine || !clear_before(last))
+      return false;
+    for (std::size_t i = 0; i < last; ++i)
+      if (!clear_past(i)) return false;
+    const Point apex = crossing();
+    if (height(lowest(apex), apex) < reach_) return overlaps(apex.norm(), distance(apex, corner_[last + 1]));
+    return overlaps(depth(0, corner_[0]), depth(last, corner_[last + 1]));
+  }
+
+  /// Where the perpendiculars at the two ends cross. No corner is higher above any of the lines.
+  Point crossing() const {
+    const std::size_t last = size() - 1;
+    return corner_[last + 1].dot(along(last)) / normal_[0].dot(along(last)) * normal_[0];
+  }
+  std::size_t lowest(const Point& p) const {
+    std::size_t least = 0;
+    for (std::size_t j = 1; j < size(); ++j)
+      if (height(j, p) < height(least, p)) least = j;
+    return least;
+  }
+  /// How far it is from p along the normal of an edge until all lines are `reach` behind; the last of them.
+  double depth(std::size_t edge, const Point& p, std::size_t* line = nullptr) const {
+    double most = -1e300;
+    for (std::size_t j = 0; j < size(); ++j) {
+      const double s = (reach_ - height(j, p)) / normal_[edge].dot(normal_[j]);
+      if (s <= most) continue;
+      most = s;
+      if (line != nullptr) *line = j;
+    }
+    return most;
+  }
+
   /// No point before the start, nearer to edge i than to the start, has its nearest place there.
   bool clear_before(std::size_t i) const {
-    const double high = height(i, corner_[0]) / (1 - normal_[0].dot(normal_[i]));  // where both are as near
+    const double high = height(i, corner_[0]) / half_turn(0, i);  // where both are as near
     if (high > reach_ + 1) return true;
     const std::size_t corner = (begin_ + i + 1) % w_.ring.size();
     return (corner_[i + 1] - high * normal_[0]).dot(along(i)) <= next_takes_over(corner, corner, high);
@@ -76,14 +103,14 @@ class Trial {
   bool clear_past(std::size_t i) const {
     const std::size_t last = size() - 1, corner = begin_ + i;
     const Point& end = corner_[last + 1];
-    const double high = height(i, end) / (1 - normal_[last].dot(normal_[i]));
+    const double high = height(i, end) / half_turn(i, last);
     if (high > reach_ + 1) return true;
     return (end + high * normal_[last] - corner_[i]).dot(along(i)) <= next_takes_over(corner, w_.before(corner), high);
   }
 
   /// Along the dent's two ends (so long), does the neighbouring edge take over some quanta before them?
   bool overlaps(double first, double last) const {
-    const std::size_t n = w_.ring.size(), head = (begin_ + size()) % n;
+    const std::size_t head = (begin_ + size()) % w_.ring.size();
     const auto gain = [&](double end, double sine, double neighbour) {
       return std::min(neighbour, end * sine) * sine / 2 > kMargin;
     };
@@ -91,42 +118,31 @@ class Trial {
   }
 
   /// The lower border of what lies beyond all lines shifted by the reach, from the first perpendicular to the last.
-  bool shifted_lines() {
+  std::vector<Point> shifted_lines() const {
     const std::size_t k = size(), last = k - 1;
     std::size_t line = 0;
-    double first = 0;
-    for (std::size_t j = 0; j < k; ++j) {
-      const double s = (reach_ - height(j, corner_[0])) / normal_[0].dot(normal_[j]);
-      if (j == 0 || s > first) {
-        first = s;
-        line = j;
-      }
-    }
-    Point at = first * normal_[0];
-    far_.push_back(at);
-    while (true) {
-      const double to_end = (corner_[k] - at).dot(along(last)) / normal_[line].dot(normal_[last]);
-      double step = to_end;
+    Point at = depth(0, corner_[0], &line) * normal_[0];
+    std::vector<Point> out{at};
+    while (line < k) {
+      double step = (corner_[k] - at).dot(along(last)) / normal_[line].dot(normal_[last]);
       std::size_t next = k;
       for (std::size_t l = line + 1; l < k; ++l) {
         const double s = (height(l, at) - reach_) / normal_[line].dot(along(l));
-        if (s <= step) {
-          step = s;
-          next = l;
-        }
+        if (s > step) continue;
+        step = s;
+        next = l;
       }
       at += std::max(step, 0.0) * along(line);
-      far_.push_back(at);
-      if (next == k) break;
+      out.push_back(at);
       line = next;
     }
-    return overlaps(first, (at - corner_[k]).norm());
+    return out;
   }
 
   const Walk& w_;
   std::size_t begin_;
   double reach_;
-  std::vector<Point> corner_, normal_, far_;
+  std::vector<Point> corner_, normal_;
 };
 
 }  // namespace
@@ -168,15 +184,11 @@ std::vector<Site> straightened(const std::vector<Site>& corners, bool ring) {
 }
 
 Dent longest_dent(const Walk& walk, std::size_t begin, std::size_t limit, double reach) {
-  const Point origin(walk.ring[begin].x, walk.ring[begin].y);
-  const Point shift = reach * walk.inwards(begin);
-  Dent dent{begin, begin + 1, {shift, walk.length[begin] * walk.along[begin] + shift}};
   Trial trial(walk, begin, reach);
-  for (std::size_t end = begin + 2; end <= std::min(limit, begin + kLongestDent) && trial.grow(); ++end) {
-    dent.end = end;
-    dent.far = trial.far();
-  }
-  for (Point& p : dent.far) p += origin;
+  std::size_t end = begin + 1;
+  while (end < std::min(limit, begin + kLongestDent) && trial.grow()) ++end;
+  Dent dent{begin, end, trial.far()};
+  for (Point& p : dent.far) p += Point(walk.ring[begin].x, walk.ring[begin].y);
   return dent;
 }
 
