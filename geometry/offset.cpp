@@ -3,10 +3,10 @@
 // the region plus (dilate) or minus (erode) the number of strips and sectors that cover a point, so "above zero" is
 // the answer exactly, for whatever overlaps. Walls are shifted exactly; only arcs carry the chord error.
 //
-// Along a fine dent (the arc an earlier offset left) n strips would cross n^2 times. Growing, most dents are written
-// down as one polygon (dent.hpp), a few edges for a whole arc. Crowds of short
-// strips that are left are united by halves first and enters as one; shrinking, all dents are: paths hang on
-// the last bits of configuration space, so those were left as they are.
+// Along a fine dent (the arc an earlier offset left) n strips would cross n^2 times. Growing, a dent is written down as
+// one polygon of a few edges where that can be done (dent.hpp), and crowds of short strips that are left are united by
+// halves first and enter as one. Shrinking, all dents are united by halves: paths hang on the last bits of configuration
+// space, so those were left as they are.
 //
 // Complexity  n corners: O(n) for the curves (O(k^2) for a dent of k <= 64 edges), O(m log m) for crowds of m strips, and
 //             the overlay (arrangement.hpp) of what comes to O(n) edges and k crossings.

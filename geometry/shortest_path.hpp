@@ -19,6 +19,8 @@ class ShortestPaths {
  public:
   /// `tolerance`: ends that lie outside the region by no more than this are taken as on its boundary.
   ShortestPaths(const Region& region, double tolerance);
+  /// The same for a region that is meshed already.
+  ShortestPaths(Mesh mesh, double tolerance);
   ~ShortestPaths();
   ShortestPaths(ShortestPaths&&) noexcept;
 
