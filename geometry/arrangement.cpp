@@ -6,16 +6,29 @@
 
 #include "geometry/close_pairs.hpp"
 #include "geometry/edge_below.hpp"
+#include "geometry/spread_sort.hpp"
 #include "geometry/straight_corners.hpp"
 
 namespace oxturn {
 namespace {
+
+/// An edge while it is being split. Loud: it has not met all others yet.
+struct Piece {
+  OverlayEdge edge;
+  bool loud = true;
+};
 
 struct Cut {
   std::uint32_t edge;
   Site at;
   friend bool operator==(const Cut&, const Cut&) = default;
 };
+
+/// In the order of sites.
+std::uint64_t packed(const Site& s) {
+  return (std::uint64_t{static_cast<std::uint32_t>(s.x) ^ 0x80000000u} << 32) |
+         (static_cast<std::uint32_t>(s.y) ^ 0x80000000u);
+}
 
 bool edge_order(const OverlayEdge& e, const OverlayEdge& f) { return e.a != f.a ? e.a < f.a : e.b < f.b; }
 
@@ -29,8 +42,8 @@ bool passes(const Site& a, const Site& b, const Site& p, std::int64_t twice_area
 }
 
 /// Where do two edges have to be split for each other's sake?
-void split_pair(const std::vector<OverlayEdge>& edges, std::uint32_t i, std::uint32_t j, std::vector<Cut>& cuts) {
-  const OverlayEdge &e = edges[i], &f = edges[j];
+void split_pair(const std::vector<Piece>& pieces, std::uint32_t i, std::uint32_t j, std::vector<Cut>& cuts) {
+  const OverlayEdge &e = pieces[i].edge, &f = pieces[j].edge;
   const std::int64_t ea = turn(f.a, f.b, e.a), eb = turn(f.a, f.b, e.b);
   const std::int64_t fa = turn(e.a, e.b, f.a), fb = turn(e.a, e.b, f.b);
   const std::size_t had = cuts.size();
@@ -47,43 +60,51 @@ void split_pair(const std::vector<OverlayEdge>& edges, std::uint32_t i, std::uin
   if (p != f.a && p != f.b) cuts.push_back({j, p});
 }
 
-/// Equal edges become one, edges without weight vanish. `loud` follows.
-void merge(std::vector<OverlayEdge>& edges, std::vector<std::uint8_t>& loud) {
-  std::vector<std::uint32_t> order(edges.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t i, std::uint32_t j) { return edge_order(edges[i], edges[j]); });
-  std::vector<OverlayEdge> merged;
-  std::vector<std::uint8_t> merged_loud;
-  merged.reserve(edges.size());
-  merged_loud.reserve(edges.size());
-  for (std::size_t i = 0; i < order.size();) {
-    OverlayEdge e = edges[order[i]];
-    bool quiet = loud[order[i]] == 0;
-    for (++i; i < order.size() && edges[order[i]].a == e.a && edges[order[i]].b == e.b; ++i) {
-      e.first += edges[order[i]].first;
-      e.second += edges[order[i]].second;
-      quiet = quiet || loud[order[i]] == 0;  // a quiet edge there has met everything already
+/// Quiet pieces, in order, and loud ones in any order: equal edges become one, edges without weight vanish.
+std::vector<Piece> merged(const std::vector<Piece>& quiet, std::vector<Piece>& loud) {
+  spread_sort(
+      loud, [](const Piece& p) { return packed(p.edge.a); },
+      [](const Piece& p, const Piece& q) { return edge_order(p.edge, q.edge); });
+  std::vector<Piece> out;
+  out.reserve(quiet.size() + loud.size());
+  const auto settle = [&] {
+    if (!out.empty() && out.back().edge.first == 0 && out.back().edge.second == 0) out.pop_back();
+  };
+  const auto add = [&](const Piece& p) {
+    if (!out.empty() && out.back().edge.a == p.edge.a && out.back().edge.b == p.edge.b) {
+      out.back().edge.first += p.edge.first;
+      out.back().edge.second += p.edge.second;
+      out.back().loud = out.back().loud && p.loud;  // a quiet edge there has met everything already
+    } else {
+      settle();
+      out.push_back(p);
     }
-    if (e.first == 0 && e.second == 0) continue;
-    merged.push_back(e);
-    merged_loud.push_back(quiet ? 0 : 1);
+  };
+  auto q = quiet.begin();
+  for (const Piece& p : loud) {
+    for (; q != quiet.end() && !edge_order(p.edge, q->edge); ++q) add(*q);
+    add(p);
   }
-  edges.swap(merged);
-  loud.swap(merged_loud);
+  for (; q != quiet.end(); ++q) add(*q);
+  settle();
+  return out;
 }
 
-void find_cuts(const std::vector<OverlayEdge>& edges, const std::vector<std::uint8_t>& loud, std::vector<Cut>& cuts) {
-  std::vector<Stretch> stretches(edges.size());
-  for (std::uint32_t i = 0; i < edges.size(); ++i) {
-    const OverlayEdge& e = edges[i];
-    stretches[i] = {double(e.a.x), double(e.a.y), double(e.b.x), double(e.b.y), i};
-  }
-  for_close_pairs(std::move(stretches), 1.0, loud,
-                  [&](std::uint32_t i, std::uint32_t j) { split_pair(edges, std::min(i, j), std::max(i, j), cuts); });
-  std::sort(cuts.begin(), cuts.end(),
-            [](const Cut& c, const Cut& d) { return c.edge != d.edge ? c.edge < d.edge : c.at < d.at; });
+std::vector<Cut> find_cuts(const std::vector<Piece>& pieces) {
+  std::vector<std::uint8_t> loud(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) loud[i] = pieces[i].loud ? 1 : 0;
+  const auto stretch = [&](std::size_t i) {
+    const OverlayEdge& e = pieces[i].edge;
+    return Stretch{double(e.a.x), double(e.a.y), double(e.b.x), double(e.b.y), static_cast<std::uint32_t>(i)};
+  };
+  std::vector<Cut> cuts;
+  for_close_pairs(pieces.size(), stretch, 1.0, loud,
+                  [&](std::uint32_t i, std::uint32_t j) { split_pair(pieces, std::min(i, j), std::max(i, j), cuts); });
+  spread_sort(
+      cuts, [](const Cut& c) { return std::uint64_t{c.edge}; },
+      [](const Cut& c, const Cut& d) { return c.edge != d.edge ? c.edge < d.edge : c.at < d.at; });
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  return cuts;
 }
 
 void append(std::vector<OverlayEdge>& edges, const Site& from, const Site& to, int first, int second) {
@@ -95,27 +116,26 @@ void append(std::vector<OverlayEdge>& edges, const Site& from, const Site& to, i
 
 /// Splits until edges meet at common ends only.
 void resolve(std::vector<OverlayEdge>& edges) {
-  std::vector<std::uint8_t> loud(edges.size(), 1);
-  merge(edges, loud);
+  std::vector<Piece> pieces, quiet, loud;
+  loud.reserve(edges.size());
+  for (const OverlayEdge& e : edges) loud.push_back({e, true});
+  pieces = merged(quiet, loud);
   for (int round = 0;; ++round) {
     // Each round moves edges by under a quantum and only next to lattice points already there; three rounds are
     // usual, more than ten unheard of.
     if (round == 200) throw std::runtime_error("overlay of regions does not settle on its lattice");
-    std::vector<Cut> cuts;
-    find_cuts(edges, loud, cuts);
-    if (cuts.empty()) return;
-    std::vector<OverlayEdge> pieces;
-    std::vector<std::uint8_t> pieces_loud;
-    pieces.reserve(edges.size() + cuts.size());
-    pieces_loud.reserve(edges.size() + cuts.size());
+    const std::vector<Cut> cuts = find_cuts(pieces);
+    if (cuts.empty()) break;
+    quiet.clear();
+    loud.clear();
     std::vector<Site> stops;
-    for (std::size_t i = 0, c = 0; i < edges.size(); ++i) {
-      const OverlayEdge e = edges[i];
+    std::vector<OverlayEdge> parts;
+    for (std::size_t i = 0, c = 0; i < pieces.size(); ++i) {
+      const OverlayEdge e = pieces[i].edge;
       stops.clear();
       for (; c < cuts.size() && cuts[c].edge == i; ++c) stops.push_back(cuts[c].at);
       if (stops.empty()) {
-        pieces.push_back(e);
-        pieces_loud.push_back(0);
+        quiet.push_back({e, false});
         continue;
       }
       const auto along = [&](const Site& s) {
@@ -128,21 +148,17 @@ void resolve(std::vector<OverlayEdge>& edges) {
       });
       Site at = e.a;
       stops.push_back(e.b);
+      parts.clear();
       for (const Site& s : stops) {
-        append(pieces, at, s, e.first, e.second);
+        append(parts, at, s, e.first, e.second);
         at = s;
       }
-      pieces_loud.resize(pieces.size(), 1);
+      for (const OverlayEdge& part : parts) loud.push_back({part, true});
     }
-    edges.swap(pieces);
-    loud.swap(pieces_loud);
-    merge(edges, loud);
+    pieces = merged(quiet, loud);
   }
-}
-
-std::uint64_t packed(const Site& s) {
-  return (std::uint64_t{static_cast<std::uint32_t>(s.x) ^ 0x80000000u} << 32) |
-         (static_cast<std::uint32_t>(s.y) ^ 0x80000000u);
+  edges.clear();
+  for (const Piece& p : pieces) edges.push_back(p.edge);
 }
 
 /// Half-edges round each vertex, counter-clockwise from straight down (exclusive). Half-edge 2e leaves edge e's a,
@@ -150,22 +166,31 @@ std::uint64_t packed(const Site& s) {
 struct Fans {
   std::vector<std::uint32_t> start, half, tail;  // fan of v: half[start[v] .. start[v+1]); tail: vertex of half-edge
 
-  template <class Ends>  // Ends(h): {vertex, other end} of half-edge h
-  Fans(std::size_t half_edges, Ends ends) : tail(half_edges) {
-    std::vector<std::uint64_t> keys(half_edges);
-    for (std::size_t h = 0; h < half_edges; ++h) keys[h] = packed(ends(h).first);
-    std::vector<std::uint64_t> sites = keys;
-    std::sort(sites.begin(), sites.end());
-    sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
-    start.assign(sites.size() + 1, 0);
-    for (std::size_t h = 0; h < half_edges; ++h) {
-      tail[h] = static_cast<std::uint32_t>(std::lower_bound(sites.begin(), sites.end(), keys[h]) - sites.begin());
-      ++start[tail[h] + 1];
+  template <class Ends>  // Ends(h): {vertex, other end} of half-edge h; edges in the order of their western ends
+  Fans(std::size_t half_edges, Ends ends) : half(half_edges), tail(half_edges) {
+    struct End {
+      std::uint64_t site;
+      std::uint32_t half;
+    };
+    std::vector<End> west(half_edges / 2), east(half_edges / 2);
+    for (std::uint32_t h = 0; h < half_edges; h += 2) {
+      const auto [a, b] = ends(h);
+      const bool eastwards = a < b;
+      west[h / 2] = {packed(eastwards ? a : b), eastwards ? h : h + 1};
+      east[h / 2] = {packed(eastwards ? b : a), eastwards ? h + 1 : h};
     }
-    for (std::size_t v = 0; v < sites.size(); ++v) start[v + 1] += start[v];
-    half.resize(half_edges);
-    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-    for (std::uint32_t h = 0; h < half_edges; ++h) half[next[tail[h]]++] = h;
+    spread_sort(
+        east, [](const End& e) { return e.site; },
+        [](const End& e, const End& f) { return e.site != f.site ? e.site < f.site : e.half < f.half; });
+    std::uint64_t site = 0;
+    for (std::uint32_t k = 0, w = 0, e = 0; k < half_edges; ++k) {
+      const End& end = e == east.size() || (w < west.size() && west[w].site <= east[e].site) ? west[w++] : east[e++];
+      if (k == 0 || end.site != site) start.push_back(k);
+      site = end.site;
+      half[k] = end.half;
+      tail[end.half] = static_cast<std::uint32_t>(start.size()) - 1;
+    }
+    start.push_back(static_cast<std::uint32_t>(half_edges));
     const auto angle = [&](std::uint32_t g, std::uint32_t h) {
       const auto [v, p] = ends(g);
       const auto [w, q] = ends(h);
@@ -173,8 +198,7 @@ struct Fans {
       if (east_p != east_q) return east_p;
       return turn(v, p, q) > 0;
     };
-    for (std::size_t v = 0; v < sites.size(); ++v)
-      std::sort(half.begin() + start[v], half.begin() + start[v + 1], angle);
+    for (std::size_t v = 0; v < vertices(); ++v) std::sort(half.begin() + start[v], half.begin() + start[v + 1], angle);
   }
   std::size_t vertices() const { return start.size() - 1; }
 };

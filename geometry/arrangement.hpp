@@ -10,7 +10,10 @@
 //             by computing winding numbers, 2005.
 // Why not Clipper 6: its union is quadratic in the number of edges that a scan line meets (10^4 capsules: 2 s),
 //             and rounded results may cross themselves. Here every sign is an integer sign, and results are valid.
-// Complexity  O((n + k) log n) for n edges meeting k times, usual data.
+// Complexity  O((n + k) log n) for n edges meeting k times, usual data; nearly O(n + k) where edges are short and spread
+//             evenly over the map: sorting (spread_sort.hpp), the search for meetings (close_pairs.hpp) and for what lies
+//             below a component (edge_below.hpp) are then linear. Pieces that met everything in one round are not sorted
+//             again, and only cells with a new piece are searched.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +65,8 @@ void add_region(std::vector<OverlayEdge>& edges, const Region& region, const Lat
 std::vector<RimEdge> rim(std::vector<OverlayEdge> edges, Inside inside);
 /// Rims as operands of another overlay.
 void add_rim(std::vector<OverlayEdge>& edges, const std::vector<RimEdge>& rim, int first, int second);
-/// A rim's rings, nested, exactly collinear corners dropped; rings touch in points at most. Canonical order.
+/// A rim's rings, nested, exactly collinear corners dropped; rings touch in points at most. Canonical order. The rim's
+/// edges come in the order in which rim() gives them.
 Region to_region(const std::vector<RimEdge>& rim, const Lattice& lattice);
 
 /// Straight corners dropped, the least corner first.

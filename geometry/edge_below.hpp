@@ -14,7 +14,8 @@ inline std::int64_t turn(const Site& a, const Site& b, const Site& c) {
 }
 
 /// Looks down along the line just left of a point. Edges (a < b) meet at common ends only. Columns at quantiles of
-/// the edges' left ends; a question costs about sqrt(n).
+/// the edges' left ends, their edges in levels by lowest point: a question searches levels downwards until no edge
+/// further down comes up to the best. O(1) for edges spread evenly, O(sqrt(n)) where they crowd on a few levels.
 class EdgeBelow {
  public:
   struct Edge {
@@ -28,9 +29,13 @@ class EdgeBelow {
 
  private:
   std::size_t column(std::int32_t x) const;
+  std::size_t level(std::int32_t y) const;
   std::vector<Edge> edges_;
   std::vector<std::int32_t> borders_;
-  std::vector<std::uint32_t> start_, index_;
+  std::int64_t low_ = 0, height_ = 1;  // of the lowest level; of each
+  std::size_t levels_ = 1;
+  std::vector<std::uint32_t> start_, index_;  // column by column, level by level
+  std::vector<std::int32_t> top_;             // the highest point of any edge of that column on this level or below
 };
 
 }  // namespace oxturn

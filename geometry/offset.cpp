@@ -3,9 +3,13 @@
 // the region plus (dilate) or minus (erode) the number of strips and sectors that cover a point, so "above zero" is
 // the answer exactly, for whatever overlaps. Walls are shifted exactly; only arcs carry the chord error.
 //
-// Along a fine dent (the arc an earlier offset left) n strips would cross n^2 times: there the strips are united by
-// halves first and enter as one.
+// Along a fine dent (the arc an earlier offset left) n strips would cross n^2 times. Growing, a dent is written down as
+// one polygon of a few edges where that can be done (dent.hpp), and crowds of short strips that are left are united by
+// halves first and enter as one. Shrinking, all dents are united by halves: paths hang on the last bits of configuration
+// space, so those were left as they are.
 //
+// Complexity  n corners: O(n) for the curves (O(k^2) for a dent of k <= 64 edges), O(m log m) for crowds of m strips, and
+//             the overlay (arrangement.hpp) of what comes to O(n) edges and k crossings.
 // Source      McMains, Chen: Polygon offsetting by computing winding numbers, 2005.
 #include "geometry/offset.hpp"
 
@@ -15,24 +19,27 @@
 #include <string>
 
 #include "geometry/arrangement.hpp"
+#include "geometry/dent.hpp"
 
 namespace oxturn {
 namespace {
 
 // Corners and offset points are rounded (0.7 quanta each), intersections too, and edges bend by half a quantum, in
-// each of up to five unions of halves and the last overlay: this many quanta cover the sum and keep bounds certain.
+// each of up to five unions of halves (four where rings and dents are straightened, by a quantum each) and the last
+// overlay: this many quanta cover the sum and keep bounds certain.
 constexpr double kSlack = 10;
-constexpr std::size_t kLongestDent = 32;  // strips in one dent: five unions of halves
-constexpr std::size_t kShortestDent = 4;
+constexpr std::size_t kLargestCrowd = 32, kLargestCrowdOfDents = 16;
+constexpr std::size_t kLeastCrowd = 4;
 
 bool positive(int winding, int) { return winding > 0; }
 
 /// One ring's raw offset curve, in lattice units.
 class Runner {
  public:
-  /// side: +1 left of the ring, -1 right. circumscribed: arcs by tangents, otherwise by chords.
-  Runner(double reach, double half_step, double side, bool circumscribed)
-      : reach_(reach), half_step_(half_step), side_(side), circumscribed_(circumscribed) {}
+  /// side: +1 left of the ring, -1 right. circumscribed: arcs by tangents, otherwise by chords. trimmed: dents are
+  /// written down (dent.hpp) where that can be done.
+  Runner(double reach, double half_step, double side, bool circumscribed, bool trimmed)
+      : reach_(reach), half_step_(half_step), side_(side), circumscribed_(circumscribed), trimmed_(trimmed) {}
 
   /// Adds the curve to an overlay.
   void run(const std::vector<Site>& ring, std::vector<OverlayEdge>& edges) const {
@@ -43,34 +50,42 @@ class Runner {
       arc(out, ring[0], {-1, 0}, kPi);
       return add_ring(edges, out, 1, 0);
     }
-    std::vector<Point> along(n);
-    std::vector<double> bend(n);
-    for (std::size_t i = 0; i < n; ++i) along[i] = direction(ring[i], ring[i + 1 == n ? 0 : i + 1]);
-    for (std::size_t i = 0; i < n; ++i) bend[i] = side_ * cross(along[i == 0 ? n - 1 : i - 1], along[i]);
-    const std::vector<std::uint8_t> in_dent = dents(ring, along, bend, edges);
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t last = i == 0 ? n - 1 : i - 1;
-      const double ahead = along[last].dot(along[i]);
-      const Point from = side_ * perpendicular(along[last]), to = side_ * perpendicular(along[i]);
-      if (!in_dent[last]) out.push_back(at(ring[i], reach_ * from));
-      if (in_dent[last] || in_dent[i] || bend[i] > 0)
+    const Walk walk(ring, side_);
+    const std::vector<Detour> detours = detours_of(walk, edges);
+    auto detour = detours.begin();
+    bool from_detour = false;
+    for (std::size_t i = 0; i < n;) {
+      const std::size_t last = walk.before(i);
+      const bool to_detour = detour != detours.end() && detour->begin == i;
+      const double bend = walk.bend[i], ahead = walk.along[last].dot(walk.along[i]);
+      const Point from = walk.inwards(last), to = walk.inwards(i);
+      if (!from_detour) out.push_back(at(ring[i], reach_ * from));
+      if (from_detour || to_detour || bend > 0)
         out.push_back(ring[i]);
-      else if (bend[i] < 0 || ahead < 0)
-        arc(out, ring[i], from, bend[i] < 0 ? std::atan2(-bend[i], ahead) : kPi);
-      if (!in_dent[i]) out.push_back(at(ring[i], reach_ * to));
+      else if (bend < 0 || ahead < 0)
+        arc(out, ring[i], from, bend < 0 ? std::atan2(-bend, ahead) : kPi);
+      from_detour = to_detour;
+      if (to_detour) {
+        out.insert(out.end(), detour->between.begin(), detour->between.end());
+        i = detour++->end;  // before the ring's last edge
+      } else {
+        out.push_back(at(ring[i++], reach_ * to));
+      }
     }
     add_ring(edges, out, 1, 0);
   }
 
  private:
-  static Point direction(const Site& a, const Site& b) {
-    const Point d(static_cast<double>(b.x) - a.x, static_cast<double>(b.y) - a.y);
-    return d / d.norm();
+  /// How the curve gets from corner `begin` to corner `end`, both bent inwards.
+  struct Detour {
+    std::size_t begin, end;
+    std::vector<Site> between;
+  };
+
+  static Site rounded(double x, double y) {
+    return {static_cast<std::int32_t>(std::floor(x + 0.5)), static_cast<std::int32_t>(std::floor(y + 0.5))};
   }
-  static Site at(const Site& s, const Point& shift) {
-    return {static_cast<std::int32_t>(std::floor(s.x + shift.x() + 0.5)),
-            static_cast<std::int32_t>(std::floor(s.y + shift.y() + 0.5))};
-  }
+  static Site at(const Site& s, const Point& shift) { return rounded(s.x + shift.x(), s.y + shift.y()); }
   /// The arc's points between its two ends.
   void arc(std::vector<Site>& out, const Site& centre, const Point& from, double angle) const {
     const int steps = std::max(1, static_cast<int>(std::ceil(angle / (2 * half_step_) - 1e-9)));
@@ -83,44 +98,80 @@ class Runner {
     }
   }
 
-  /// Marks the edges that lie in dents, and adds their strips, united.
-  std::vector<std::uint8_t> dents(const std::vector<Site>& ring, const std::vector<Point>& along,
-                                  const std::vector<double>& bend, std::vector<OverlayEdge>& edges) const {
-    const std::size_t n = ring.size();
-    std::vector<std::uint8_t> marked(n, 0);
-    std::vector<std::vector<Site>> strips;
-    for (std::size_t i = 0; i + 1 < n;) {  // edges i .. end-1, both ends of each bend inwards
+  /// All edges whose two ends bend inwards, in detours; `edges` gets what crowds of them cover.
+  std::vector<Detour> detours_of(const Walk& walk, std::vector<OverlayEdge>& edges) const {
+    std::vector<Detour> out;
+    for (std::size_t i = 0; i + 1 < walk.ring.size(); ++i) {
       std::size_t end = i;
-      while (end + 1 < n && end - i < kLongestDent && bend[end] > 0 && bend[end + 1] > 0) ++end;
-      if (end - i >= kShortestDent) {
-        strips.clear();
-        for (std::size_t k = i; k < end; ++k) {
-          marked[k] = 1;
-          const Point shift = reach_ * side_ * perpendicular(along[k]);
-          strips.push_back({ring[k], ring[k + 1], at(ring[k + 1], shift), at(ring[k], shift)});
-          if (side_ < 0) std::reverse(strips.back().begin(), strips.back().end());
-        }
-        add_rim(edges, united(strips, 0, strips.size()), side_ < 0 ? 1 : -1, 0);
-      }
-      i = std::max(end, i + 1);
+      while (end + 1 < walk.ring.size() && walk.bend[end] > 0 && walk.bend[end + 1] > 0) ++end;
+      add_detours(walk, i, end, out, edges);
+      i = std::max(i, end);
     }
-    return marked;
+    return out;
   }
 
-  static std::vector<RimEdge> united(const std::vector<std::vector<Site>>& strips, std::size_t begin, std::size_t end) {
+  void add_detours(const Walk& walk, std::size_t begin, std::size_t end, std::vector<Detour>& out,
+                   std::vector<OverlayEdge>& edges) const {
+    std::vector<Detour> crowd;
+    const auto add_crowd = [&] {
+      if (crowd.size() >= kLeastCrowd) {
+        std::vector<std::vector<Site>> parts;
+        for (const Detour& d : crowd) parts.push_back(closed(walk.ring, d));
+        add_rim(edges, united(parts, 0, parts.size()), side_ < 0 ? 1 : -1, 0);
+        const std::size_t first = crowd.front().begin, last = crowd.back().end;
+        crowd.assign(1, {first, last, std::vector<Site>(&walk.ring[first + 1], &walk.ring[last])});
+      }
+      out.insert(out.end(), crowd.begin(), crowd.end());
+      crowd.clear();
+    };
+    while (begin < end) {
+      Detour d = trimmed_ ? dent(walk, begin, end) : strip(walk, begin);
+      begin = d.end;
+      const bool apart = trimmed_ && far_apart(walk.ring[d.begin], walk.ring[d.end]);
+      if (apart || crowd.size() == (trimmed_ ? kLargestCrowdOfDents : kLargestCrowd)) add_crowd();
+      (apart ? out : crowd).push_back(std::move(d));
+    }
+    add_crowd();
+  }
+
+  Detour strip(const Walk& walk, std::size_t k) const {
+    const Point shift = reach_ * walk.inwards(k);
+    return {k, k + 1, {at(walk.ring[k], shift), at(walk.ring[k + 1], shift)}};
+  }
+  Detour dent(const Walk& walk, std::size_t begin, std::size_t limit) const {
+    const Dent dent = longest_dent(walk, begin, limit, reach_);
+    if (dent.end == begin + 1) return strip(walk, begin);
+    Detour out{begin, dent.end, {}};
+    for (const Point& p : dent.far) out.between.push_back(rounded(p.x(), p.y()));
+    out.between.erase(std::unique(out.between.begin(), out.between.end()), out.between.end());
+    out.between = straightened(out.between, false);
+    return out;
+  }
+  bool far_apart(const Site& a, const Site& b) const {
+    return std::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y) > reach_ / 4;
+  }
+
+  std::vector<Site> closed(const std::vector<Site>& ring, const Detour& d) const {
+    std::vector<Site> out(&ring[d.begin], &ring[d.end] + 1);
+    out.insert(out.end(), d.between.rbegin(), d.between.rend());
+    if (side_ < 0) std::reverse(out.begin(), out.end());
+    return out;
+  }
+
+  static std::vector<RimEdge> united(const std::vector<std::vector<Site>>& parts, std::size_t begin, std::size_t end) {
     std::vector<OverlayEdge> edges;
     if (end - begin <= 2) {
-      for (std::size_t k = begin; k < end; ++k) add_ring(edges, strips[k], 1, 0);
+      for (std::size_t k = begin; k < end; ++k) add_ring(edges, parts[k], 1, 0);
     } else {
       const std::size_t middle = begin + (end - begin) / 2;
-      add_rim(edges, united(strips, begin, middle), 1, 0);
-      add_rim(edges, united(strips, middle, end), 1, 0);
+      add_rim(edges, united(parts, begin, middle), 1, 0);
+      add_rim(edges, united(parts, middle, end), 1, 0);
     }
     return rim(std::move(edges), positive);
   }
 
   double reach_, half_step_, side_;
-  bool circumscribed_;
+  bool circumscribed_, trimmed_;
 };
 
 Region shifted(const Region& region, double radius, double chord_error, bool outwards, bool more) {
@@ -136,14 +187,14 @@ Region shifted(const Region& region, double radius, double chord_error, bool out
   if (reach <= 0) return region;  // a smaller radius than the lattice resolves, on the side where none is certain
   const double error = std::max(chord_error / lattice.quantum(), 1.0);
   const double half_step = std::min(std::acos(reach / (reach + error)), kPi / 4);
-  const Runner runner(reach, half_step, outwards ? -1 : 1, more);
+  const Runner runner(reach, half_step, outwards ? -1 : 1, more, outwards);
 
   std::vector<OverlayEdge> edges;
   const auto add = [&](const Ring& ring, double sign) {
     std::vector<Site> sites = snapped(ring, lattice);
     if (sites.empty()) return;
     if (signed_area(ring) * sign < 0) std::reverse(sites.begin(), sites.end());
-    runner.run(sites, edges);
+    runner.run(outwards ? straightened(sites, true) : sites, edges);
   };
   for (const Polygon& p : region.polygons) {
     add(p.outer, 1);

@@ -11,7 +11,8 @@ enum class Bound {
   outside,  // result is a superset of the true set
 };
 
-/// region (+) disc(radius): all points within `radius` of it. Chord error at most `chord_error` (> 0).
+/// region (+) disc(radius): all points within `radius` of it. Chord error at most `chord_error` (> 0). O(n log n) for
+/// usual data, also over the fine arcs that an erosion left: 10^6 corners in about a second (offset.cpp, dent.hpp).
 Region dilate(const Region& region, double radius, double chord_error, Bound bound);
 
 /// region (-) disc(radius): all points whose distance to the complement is at least `radius`. With

@@ -379,8 +379,7 @@ class Search {
 }  // namespace
 
 struct ShortestPaths::Impl {
-  Impl(const Region& region, double within)
-      : mesh(region), part(components(mesh)), tree(mesh, part), tolerance(within) {}
+  Impl(Mesh of, double within) : mesh(std::move(of)), part(components(mesh)), tree(mesh, part), tolerance(within) {}
 
   /// One triangle for each group of `all` that hangs together by edges: where walls touch in a point, a place there
   /// has several.
@@ -455,9 +454,10 @@ static bool meet(const std::vector<std::int32_t>& from, const std::vector<std::i
                      [&](std::int32_t t) { return std::binary_search(to.begin(), to.end(), t); });
 }
 
-ShortestPaths::ShortestPaths(const Region& region, double tolerance) {
+ShortestPaths::ShortestPaths(const Region& region, double tolerance) : ShortestPaths(Mesh(region), tolerance) {}
+ShortestPaths::ShortestPaths(Mesh mesh, double tolerance) {
   if (!(tolerance >= 0)) throw std::invalid_argument("tolerance of shortest paths must be 0 or more metres");
-  impl_ = std::make_unique<const Impl>(region, tolerance);
+  impl_ = std::make_unique<const Impl>(std::move(mesh), tolerance);
 }
 ShortestPaths::~ShortestPaths() = default;
 ShortestPaths::ShortestPaths(ShortestPaths&&) noexcept = default;

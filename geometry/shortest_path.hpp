@@ -20,6 +20,8 @@ class ShortestPaths {
   /// `tolerance`: ends that lie outside the region by no more than this are taken as at the nearest place of its
   /// boundary.
   ShortestPaths(const Region& region, double tolerance);
+  /// The same for a region that is meshed already.
+  ShortestPaths(Mesh mesh, double tolerance);
   ~ShortestPaths();
   ShortestPaths(ShortestPaths&&) noexcept;
 

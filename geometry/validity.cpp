@@ -39,18 +39,16 @@ Point meeting(const Edge& e, const Edge& f) {
 }
 
 std::optional<Flaw> find_crossing(const std::vector<Edge>& edges) {
-  std::vector<Stretch> stretches;
-  stretches.reserve(edges.size());
   double size = 0;
-  for (std::uint32_t i = 0; i < edges.size(); ++i) {
-    const auto [a, b] = edges[i];
+  for (const auto& [a, b] : edges) size = std::max({size, a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()});
+  const auto stretch = [&](std::size_t i) {
+    const auto& [a, b] = edges[i];
     const bool east = a.x() <= b.x();
     const Point &west = east ? a : b, &other = east ? b : a;
-    stretches.push_back({west.x(), west.y(), other.x(), other.y(), i});
-    size = std::max({size, a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()});
-  }
+    return Stretch{west.x(), west.y(), other.x(), other.y(), static_cast<std::uint32_t>(i)};
+  };
   std::pair<std::uint32_t, std::uint32_t> first{0xffffffffu, 0};  // the least pair: independent of search order
-  for_close_pairs(std::move(stretches), size * 1e-14, {}, [&](std::uint32_t i, std::uint32_t j) {
+  for_close_pairs(edges.size(), stretch, size * 1e-14, {}, [&](std::uint32_t i, std::uint32_t j) {
     const std::pair pair(std::min(i, j), std::max(i, j));
     if (pair < first && crossing(edges[i].a, edges[i].b, edges[j].a, edges[j].b) == Crossing::proper) first = pair;
   });

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <stdexcept>
 
@@ -76,8 +77,14 @@ Region eroded(const Map& map, const Region& free, const Robot& robot) {
   return all;
 }
 
-/// The centroid of the largest triangle of the largest part; the first of equals.
-Point middle(const Region& all) {
+/// The largest part of configuration space and the centroid of its largest triangle; the first of equals.
+struct Middle {
+  Point place;
+  const Polygon* part;
+  Mesh mesh;
+};
+
+Middle middle(const Region& all) {
   const Polygon* largest = nullptr;
   double most = -1;
   for (const Polygon& polygon : all.polygons)
@@ -85,7 +92,7 @@ Point middle(const Region& all) {
       most = a;
       largest = &polygon;
     }
-  const Mesh mesh(Region{{*largest}});
+  Mesh mesh(Region{{*largest}});
   const auto corner = [&](const Mesh::Triangle& t, std::size_t k) -> const Point& {
     return mesh.points()[static_cast<std::size_t>(t.corner[k])];
   };
@@ -96,13 +103,21 @@ Point middle(const Region& all) {
       widest = a;
       best = &t;
     }
-  if (best == nullptr) return largest->outer.front();  // thinner than any triangle: its boundary is all there is
-  return (corner(*best, 0) + corner(*best, 1) + corner(*best, 2)) / 3;
+  // thinner than any triangle: its boundary is all there is
+  const Point place =
+      best == nullptr ? largest->outer.front() : Point((corner(*best, 0) + corner(*best, 1) + corner(*best, 2)) / 3);
+  return {place, largest, std::move(mesh)};
 }
 
-bool holds(const Region& region, const Point& p, double tolerance) {
-  const EdgeIndex edges(region);
-  return edges.contains(p) || edges.nearest(p, tolerance).has_value();
+/// How far p is from a closed polygon. By a scan: one question does not pay for an EdgeIndex.
+double distance_to(const Polygon& polygon, const Point& p) {
+  const Region region{{polygon}};
+  double least = std::numeric_limits<double>::infinity();
+  for_each_ring(region, [&](const Ring& ring) {
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+      least = on_segment(p, ring[j], ring[i]) ? 0 : std::min(least, distance_to_segment(p, ring[j], ring[i]));
+  });
+  return contains(region, p) ? 0 : least;
 }
 
 /// The polygon that holds p, or the nearest of those within the tolerance; nullptr if there is none.
@@ -114,14 +129,18 @@ const Polygon* part_with(const Region& all, const Point& p, double tolerance) {
     for (const Point& q : polygon.outer) box.add(q);
     box.grow(tolerance);
     if (!box.contains(p)) continue;
-    const EdgeIndex edges(Region{{polygon}});
-    if (edges.contains(p)) return &polygon;
-    if (const auto hit = edges.nearest(p); hit && hit->distance <= least) {
-      least = hit->distance;
+    const double away = distance_to(polygon, p);
+    if (away == 0) return &polygon;
+    if (away <= least) {
+      least = away;
       nearest = &polygon;
     }
   }
   return nearest;
+}
+
+bool holds(const Region& region, const Point& p, double tolerance) {
+  return part_with(region, p, tolerance) != nullptr;
 }
 
 /// A place of `all` next to the one nearest to p, with as few decimals as keep it inside.
@@ -264,6 +283,7 @@ struct Problem::Impl {
   std::shared_ptr<const Region> space;
   Point start;
   mutable std::once_flag transit_once, walls_once;
+  mutable std::optional<Mesh> mesh;  // of the space, if the search for a start made it; shortest paths take it
   mutable std::unique_ptr<const ShortestPaths> transit;
   mutable std::unique_ptr<const EdgeIndex> walls;
 
@@ -283,10 +303,12 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
 
   const Region all = eroded(map, map.free, robot);
   const double tolerance = tolerance_of(map.free, robot);
-  basis->start = start ? *start
-                 : robot.tether && anchor
-                     ? (holds(all, *anchor, 0) ? *anchor : nearest_place(all, *anchor, robot.tool_width))
-                     : middle(all);
+  std::optional<Middle> found;
+  if (!start && !(robot.tether && anchor)) found = middle(all);
+  basis->start = start                    ? *start
+                 : found                  ? found->place
+                 : holds(all, *anchor, 0) ? *anchor
+                                          : nearest_place(all, *anchor, robot.tool_width);
   const Polygon* part = part_with(all, basis->start, tolerance);
   if (part == nullptr) {
     const std::string place = text(nearest_place(all, basis->start, robot.tool_width));
@@ -305,7 +327,9 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
   basis->tolerance = tolerance;
   basis->map = std::move(map);
   basis->robot = std::move(robot);
+  const bool meshed = found && found->part == part;
   impl_ = std::make_shared<const Impl>(basis, basis->space, basis->start);
+  if (meshed) impl_->mesh = std::move(found->mesh);
   if (!basis->robot.tether) return;
 
   const Region& free = basis->map.free;
@@ -377,8 +401,11 @@ const TautSpace& Problem::taut_space() const {
 }
 
 const ShortestPaths& Problem::transit() const {
-  std::call_once(impl_->transit_once,
-                 [this] { impl_->transit = std::make_unique<const ShortestPaths>(*impl_->space, tolerance()); });
+  std::call_once(impl_->transit_once, [this] {
+    Mesh mesh = impl_->mesh ? std::move(*impl_->mesh) : Mesh(*impl_->space);
+    impl_->mesh.reset();
+    impl_->transit = std::make_unique<const ShortestPaths>(std::move(mesh), tolerance());
+  });
   return *impl_->transit;
 }
 
@@ -418,7 +445,7 @@ std::string Problem::content_hash() const {
 
 Point default_start(const Map& map, const Robot& robot) {
   check(robot);
-  return middle(eroded(map, repaired_or_named(map), robot));
+  return middle(eroded(map, repaired_or_named(map), robot)).place;
 }
 
 }  // namespace oxturn

@@ -7,8 +7,10 @@
 #include "geometry/edge_index.hpp"
 #include "geometry/geodesic_field.hpp"
 #include "geometry/mesh.hpp"
+#include "geometry/offset.hpp"
 #include "geometry/partition.hpp"
 #include "geometry/random.hpp"
+#include "geometry/raster.hpp"
 #include "geometry/shortest_path.hpp"
 #include "geometry/slit.hpp"
 #include "geometry/taut_string.hpp"
@@ -324,6 +326,41 @@ void BM_Slit(benchmark::State& state) {  // along the whole cut
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(BM_Slit)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity()->Unit(benchmark::kMillisecond);
+
+/// Cells of 0.4 m, a tenth of them blocked at random: a laser map at its worst.
+Region speckled(std::int64_t cells) {
+  Rng rng(1);
+  const int n = static_cast<int>(std::lround(std::sqrt(static_cast<double>(cells))));
+  BitGrid grid({0, 0}, 0.4, n, n);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) grid.set(i, j, !rng.chance(0.1));
+  return trace(grid);
+}
+
+void BM_ErodeSpeckled(benchmark::State& state) {  // to configuration space
+  const Region free = speckled(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(erode(free, 0.19, 0.4e-3, Bound::inside));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_ErodeSpeckled)->RangeMultiplier(4)->Range(1 << 10, 1 << 18)->Complexity()->Unit(benchmark::kMillisecond);
+
+void BM_DilateSpeckled(benchmark::State& state) {  // configuration space to target: holes made of fine arcs
+  const Region space = erode(speckled(state.range(0)), 0.19, 0.4e-3, Bound::inside);
+  for (auto _ : state) benchmark::DoNotOptimize(dilate(space, 0.2, 0.02e-3, Bound::inside));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_DilateSpeckled)->RangeMultiplier(4)->Range(1 << 10, 1 << 18)->Complexity()->Unit(benchmark::kMillisecond);
+
+void BM_DilateOneArc(benchmark::State& state) {  // a round hole of so many corners, grown by about its radius
+  Polygon ring{{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{}}};
+  for (std::int64_t k = 0; k < state.range(0); ++k) {
+    const double angle = -2 * kPi * static_cast<double>(k) / static_cast<double>(state.range(0));
+    ring.holes[0].push_back(Point(1.5, 1.5) + Point(std::cos(angle), std::sin(angle)));
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(dilate({{ring}}, 0.99, 1e-5, Bound::inside));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_DilateOneArc)->RangeMultiplier(4)->Range(1 << 6, 1 << 14)->Complexity()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace oxturn

@@ -120,6 +120,83 @@ TEST(Offset, BoundsAreCertainOnArcs) {
   EXPECT_LT(area(subtract(dilate(config, 0.2, 4e-4, Bound::inside), map)), 1e-9);
 }
 
+/// A hall with obstacles of many kinds: stars, round ones, uneven convex ones, cells that touch at corners.
+Region small_hall(Rng& rng) {
+  Region map = box_region({0, 0}, {4, 4});
+  const int obstacles = rng.between(1, 4);
+  for (int k = 0; k < obstacles; ++k) {
+    const Point at(rng.between(0.5, 3.5), rng.between(0.5, 3.5));
+    const double size = rng.between(0.02, 0.6);
+    Ring ring;
+    switch (rng.between(0, 3)) {
+      case 0:
+        ring = samples::star(rng, at, size / 3, size, rng.between(5, 9));
+        break;
+      case 1:
+        ring = samples::star(rng, at, size, size, rng.between(8, 60));
+        break;
+      case 2:
+        for (const Point& p : samples::star(rng, {0, 0}, size, size, rng.between(5, 30)))
+          ring.push_back(at + Point(p.x(), 0.3 * p.y()));
+        break;
+      default:
+        map = subtract(map, box_region(at, at + Point(size, size)));
+        ring = {at + Point(size, size), at + Point(2 * size, size), at + Point(2 * size, 2 * size)};
+    }
+    map = subtract(map, {{Polygon{ring, {}}}});
+  }
+  return map;
+}
+
+TEST(Offset, BoundsAreCertainOnManySmallHalls) {
+  Rng rng(35);
+  for (int round = 0; round < 60; ++round) {
+    SCOPED_TRACE(round);
+    const double r = rng.between(0.05, 0.35), error = r * std::pow(10.0, rng.between(-3.0, -1.5));
+    const Region space = erode(small_hall(rng), r, error, rng.chance(0.8) ? Bound::inside : Bound::outside);
+    const double again = rng.chance(0.5) ? r : r * rng.between(0.3, 1.5);
+    if (!space.empty()) expect_bounds(space, again, error, rng, 20);
+  }
+}
+
+/// The region and everything within r of its rim, as a union of its edges' rectangles and its corners' polygons, which
+/// lie inside of their discs or round them.
+Region swept_rim(const Region& region, double r, int corners, bool outside) {
+  std::vector<Region> parts{region};
+  for_each_ring(region, [&](const Ring& ring) {
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+      const Point across = r * perpendicular((ring[i] - ring[j]).normalized());
+      parts.push_back({{Polygon{{ring[j] - across, ring[i] - across, ring[i] + across, ring[j] + across}, {}}}});
+      Ring disc;
+      for (int k = 0; k < corners; ++k)
+        disc.push_back(ring[i] + (outside ? r / std::cos(kPi / corners) : r) *
+                                     Point(std::cos(2 * kPi * k / corners), std::sin(2 * kPi * k / corners)));
+      parts.push_back({{Polygon{disc, {}}}});
+    }
+  });
+  return unite(parts);
+}
+
+TEST(Offset, GrownAreasAgreeWithASweptRim) {
+  Rng rng(36);
+  for (int round = 0; round < 20; ++round) {
+    SCOPED_TRACE(round);
+    const double r = rng.between(0.05, 0.35);
+    const Region space = erode(small_hall(rng), r, 2e-3, Bound::inside);
+    if (space.empty()) continue;
+    const double again = rng.chance(0.5) ? r : r * rng.between(0.3, 1.5), error = 1e-4;
+    const Region in = dilate(space, again, error, Bound::inside), out = dilate(space, again, error, Bound::outside);
+    const Region swept_in = swept_rim(space, again, 48, false), swept_out = swept_rim(space, again, 48, true);
+    const double snap = 1e-6 * perimeter(swept_out);
+    EXPECT_LE(area(swept_in), area(out) + snap);
+    EXPECT_GE(area(swept_out), area(in) - snap);
+    EXPECT_LT(area(subtract(in, swept_out)), snap);
+    EXPECT_LT(area(subtract(swept_in, out)), snap);
+    EXPECT_GE(area(out), area(in));
+    EXPECT_LE(area(out), area(in) + error * perimeter(out) + snap);
+  }
+}
+
 TEST(Offset, DoesNotDependOnPlaceOrDirection) {
   Rng rng(34);
   const Region map = samples::holed_star(rng, {0, 0}, 2);

@@ -1,0 +1,42 @@
+// Sorting by a number that takes values all over its range: places, indices. Private to geometry: not installed.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace oxturn {
+
+/// Sorts by `less`; key(item), 64 bits, must not fall where `less` rises. O(n) if the keys are spread over their range
+/// (one pass into n / 4 buckets, each sorted by itself), O(n log n) if they crowd.
+template <class T, class Key, class Less>
+void spread_sort(std::vector<T>& items, Key key, Less less) {
+  constexpr std::size_t kFew = 64;
+  if (items.size() <= kFew) return std::sort(items.begin(), items.end(), less);
+  std::uint64_t low = key(items[0]), high = low;
+  for (const T& item : items) {
+    const std::uint64_t k = key(item);
+    low = std::min(low, k);
+    high = std::max(high, k);
+  }
+  int shift = 0;
+  while ((high - low) >> shift >= items.size() / 4) ++shift;
+  const std::size_t buckets = static_cast<std::size_t>((high - low) >> shift) + 1;
+  std::vector<std::uint32_t> start(buckets + 1, 0);
+  for (const T& item : items) ++start[static_cast<std::size_t>((key(item) - low) >> shift) + 1];
+  for (std::size_t b = 0; b < buckets; ++b) start[b + 1] += start[b];
+  std::vector<T> spread(items.size());
+  {
+    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+    for (const T& item : items) spread[next[static_cast<std::size_t>((key(item) - low) >> shift)]++] = item;
+  }
+  items.swap(spread);
+  for (std::size_t b = 0; b < buckets; ++b) {
+    const auto begin = items.begin() + static_cast<std::ptrdiff_t>(start[b]);
+    const auto end = items.begin() + static_cast<std::ptrdiff_t>(start[b + 1]);
+    if (end - begin > 1) std::sort(begin, end, less);
+  }
+}
+
+}  // namespace oxturn

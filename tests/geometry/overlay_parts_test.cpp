@@ -1,0 +1,130 @@
+// What overlays are made of, by brute force: sorting by spreading, close pairs, the edge below.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "geometry/close_pairs.hpp"
+#include "geometry/edge_below.hpp"
+#include "geometry/random.hpp"
+#include "geometry/spread_sort.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+TEST(SpreadSort, SortsEvenCrowdedAndEqualKeys) {
+  for (const auto seed : seeds(60)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    using Item = std::pair<std::uint64_t, int>;
+    std::vector<Item> items(static_cast<std::size_t>(rng.between(0, 3000)));
+    const int bits = rng.between(1, 63), kind = rng.between(0, 2);
+    for (Item& item : items) {
+      item.first = static_cast<std::uint64_t>(rng.unit() * std::ldexp(1.0, bits));
+      if (kind == 1 && rng.chance(0.9)) item.first = 7;
+      if (kind == 2) item.first >>= rng.between(0, 60);
+      item.second = rng.between(0, 5);
+    }
+    std::vector<Item> sorted = items;
+    std::sort(sorted.begin(), sorted.end());
+    spread_sort(
+        items, [](const Item& i) { return i.first; }, std::less<>());
+    EXPECT_EQ(items, sorted);
+  }
+}
+
+std::vector<Stretch> stretches(Rng& rng) {
+  const int kind = rng.between(0, 4), n = rng.between(2, 1500);
+  std::vector<Stretch> out;
+  for (int k = 0; k < n; ++k) {
+    double x = rng.between(0.0, 1e6), y = rng.between(0.0, 1e6), reach = 2e4;
+    if (kind == 1 && k > 9) x /= 1e3, y /= 1e3, reach /= 1e3;  // all in one corner
+    if (kind == 2) reach = rng.chance(0.02) ? 1e6 : 1e4;       // a few long ones
+    if (kind == 3) y = std::floor(y / 1e5) * 1e5;              // on a few lines
+    if (kind == 4) x = 5e5;
+    const double dx = rng.chance(0.3) ? 0 : rng.unit() * reach, dy = rng.chance(0.3) ? 0 : rng.between(-reach, reach);
+    out.push_back(
+        {std::round(x), std::round(y), std::round(x + dx), std::round(y + dy), static_cast<std::uint32_t>(k)});
+  }
+  return out;
+}
+
+/// Segments nearer to each other than the slack, by a bound that is certain from below.
+bool near(const Stretch& s, const Stretch& t, double slack) {
+  const Point a(s.x0, s.y0), b(s.x1, s.y1), c(t.x0, t.y0), d(t.x1, t.y1);
+  const auto side = [](const Point& p, const Point& q, const Point& r) { return cross(q - p, r - p); };
+  if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return true;
+  return std::min({distance_to_segment(a, c, d), distance_to_segment(b, c, d), distance_to_segment(c, a, b),
+                   distance_to_segment(d, a, b)}) <= slack;
+}
+
+TEST(ClosePairs, NoneIsForgotten) {
+  for (const auto seed : seeds(60)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const std::vector<Stretch> all = stretches(rng);
+    std::vector<std::uint8_t> loud;
+    const double share = rng.chance(0.3) ? 1 : rng.chance(0.5) ? 0.02 : 0.5;
+    for (std::size_t k = 0; k < all.size(); ++k) loud.push_back(rng.chance(share) ? 1 : 0);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> found;
+    for_close_pairs(
+        all.size(), [&](std::size_t k) { return all[k]; }, 1.0, loud,
+        [&](std::uint32_t i, std::uint32_t j) {
+          found.insert({std::min(i, j), std::max(i, j)});
+        });
+    std::size_t wanted = 0;
+    for (std::uint32_t i = 0; i < all.size(); ++i)
+      for (std::uint32_t j = i + 1; j < all.size(); ++j) {
+        if ((loud[i] == 0 && loud[j] == 0) || !near(all[i], all[j], 1.0)) continue;
+        ++wanted;
+        EXPECT_TRUE(found.count({i, j})) << i << " " << j;
+      }
+    EXPECT_LE(wanted, found.size());
+    for (const auto& [i, j] : found) EXPECT_TRUE(loud[i] != 0 || loud[j] != 0);
+  }
+}
+
+TEST(EdgeBelow, IsTheHighestOfThoseBelow) {
+  for (const auto seed : seeds(200)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    // Edges that do not cross: one above the other, some of them long, each cut into pieces.
+    std::vector<EdgeBelow::Edge> edges;
+    const int lines = rng.between(1, 30);
+    for (int l = 0; l < lines; ++l) {
+      int x = rng.between(-1000, 900);
+      const int pieces = rng.between(1, 30);
+      for (int k = 0; k < pieces && x < 1000; ++k) {
+        const int to = x + rng.between(1, rng.chance(0.2) ? 1000 : 60), low = 100 * l, high = 100 * l + 99;
+        const int from_y = k == 0 ? rng.between(low, high) : edges.back().b.y;
+        edges.push_back({{x, from_y}, {to, rng.between(low, high)}, static_cast<std::uint32_t>(edges.size())});
+        x = to;
+      }
+    }
+    std::vector<EdgeBelow::Edge> shuffled = edges;
+    for (std::size_t k = shuffled.size(); k > 1; --k)
+      std::swap(shuffled[k - 1], shuffled[static_cast<std::size_t>(rng.between(0, static_cast<int>(k) - 1))]);
+    const EdgeBelow below(shuffled);
+    for (int q = 0; q < 100; ++q) {
+      const Site p{rng.between(-1100, 2000), rng.between(-100, 3100)};
+      std::uint32_t best = EdgeBelow::kNone;
+      double top = -1e9;
+      bool on_edge = false;
+      for (const EdgeBelow::Edge& e : edges) {
+        if (e.a.x >= p.x || e.b.x < p.x) continue;
+        const double y = e.a.y + (e.b.y - e.a.y) * ((p.x - e.a.x) / (double(e.b.x) - e.a.x));
+        on_edge = on_edge || std::abs(y - p.y) < 1e-6;
+        if (y < p.y && y > top) {
+          top = y;
+          best = e.id;
+        }
+      }
+      if (!on_edge) { EXPECT_EQ(below.below(p), best); }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace oxturn
