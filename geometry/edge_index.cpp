@@ -243,10 +243,13 @@ bool EdgeIndex::contains(const Point& a, const Point& b) const {
     }
     return nullptr;
   };
+  const Point least = a.cwiseMin(b), most = a.cwiseMax(b);
   const bool blocked = grid_.visit(ends, 2, 0, [&](std::size_t c) {
     for (const std::uint32_t* i = grid_.begin(c); i != grid_.end(c); ++i) {
       const Edge& e = edges_[*i];
-      if (box_gap(a, b, e) > 0) continue;
+      if (std::max(e.a.x(), e.b.x()) < least.x() || std::min(e.a.x(), e.b.x()) > most.x() ||
+          std::max(e.a.y(), e.b.y()) < least.y() || std::min(e.a.y(), e.b.y()) > most.y())
+        continue;
       const int sa = orientation(a, b, e.a), sb = orientation(a, b, e.b);
       if (sa * sb > 0) continue;
       const int ta = orientation(e.a, e.b, a), tb = orientation(e.a, e.b, b);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace oxturn {
 namespace {
@@ -41,13 +42,12 @@ LatticeWays::LatticeWays(const GridGraph& graph, const EdgeIndex& walls)
       walls_(walls),
       columns_(static_cast<std::uint32_t>(graph.columns())),
       step_{1, graph.columns(), -1, -graph.columns()},
-      open_(graph.size(), 0),
-      part_(graph.size(), -1),
-      came_(graph.size(), kUnseen) {
+      state_(graph.size(), kUnseen << 4),
+      part_(graph.size(), -1) {
   for (int j = 0; j < graph.rows(); ++j)
     for (int i = 0; i < graph.columns(); ++i)
       for (const Direction d : kAllDirections)
-        if (graph.passable(i, j, d)) open_[graph.at(i, j)] |= static_cast<std::uint8_t>(1 << d);
+        if (graph.passable(i, j, d)) state_[graph.at(i, j)] |= static_cast<std::uint8_t>(1 << d);
   std::vector<std::uint32_t> queue;
   std::int32_t parts = 0;
   for (std::size_t c = 0; c < graph_.size(); ++c) {
@@ -86,7 +86,7 @@ std::optional<std::size_t> LatticeWays::node_near(const Point& p) const {
 }
 
 void LatticeWays::forget() {
-  for (const std::uint32_t node : seen_) came_[node] = kUnseen;
+  for (const std::uint32_t node : seen_) note(node, kUnseen);
   seen_.clear();
 }
 
@@ -100,39 +100,49 @@ Polyline LatticeWays::along(const std::vector<std::size_t>& nodes) const {
 
 Polyline LatticeWays::traced_back(std::size_t to) const {
   std::vector<std::size_t> nodes{to};
-  while (came_[nodes.back()] != kRoot)
-    nodes.push_back(neighbour(nodes.back(), opposite(static_cast<Direction>(came_[nodes.back()]))));
+  while (came(nodes.back()) != kRoot)
+    nodes.push_back(neighbour(nodes.back(), opposite(static_cast<Direction>(came(nodes.back())))));
   std::reverse(nodes.begin(), nodes.end());
   return along(nodes);
 }
 
+// Weighted A*: what has been driven counts kDriven a step, what is left, as the crow walks, kLeft. A step towards the goal
+// lowers that sum by one, one away raises it by seventeen; among equals the last comes first.
 Polyline LatticeWays::way(std::size_t from, std::size_t to) {
   if (part_[from] < 0 || part_[from] != part_[to]) return {};
-  struct Step {
-    std::uint32_t node;
-    std::uint8_t came;
-  };
-  // A step towards the goal keeps the estimate, one away adds two: only two estimates are ever waiting.
-  std::vector<Step> now{{static_cast<std::uint32_t>(from), kRoot}}, later;
   const int i2 = column(to), j2 = row(to);
-  while (!now.empty() || !later.empty()) {
-    if (now.empty()) std::swap(now, later);
-    const Step step = now.back();
-    now.pop_back();
+  // By the sum, less what it is at least: kDriven times the straight steps.
+  std::size_t level =
+      static_cast<std::size_t>(std::abs(column(from) - i2) + std::abs(row(from) - j2)) * (kLeft - kDriven);
+  std::size_t highest = level;
+  const auto push = [&](std::size_t node, std::uint8_t came, std::size_t sum) {
+    if (waiting_.size() <= sum) waiting_.resize(sum + 1);
+    highest = std::max(highest, sum);
+    waiting_[sum].push_back({static_cast<std::uint32_t>(node), came});
+  };
+  push(from, kRoot, level);
+  for (;;) {
+    while (waiting_[level].empty()) ++level;
+    const Step step = waiting_[level].back();
+    waiting_[level].pop_back();
     const std::size_t at = step.node;
-    if (came_[at] != kUnseen) continue;
+    if (came(at) != kUnseen) continue;
     see(at, step.came);
     if (at == to) break;
     const int i = column(at), j = row(at);
     const std::array<bool, 4> nearer{i<i2, j<j2, i> i2, j> j2};
+    bool any_nearer = false;
     for (const Direction d : kAllDirections) {
       if (!open(at, d)) continue;
       const std::size_t next = neighbour(at, d);
-      if (came_[next] != kUnseen) continue;
-      (nearer[static_cast<std::size_t>(d)] ? now : later)
-          .push_back({static_cast<std::uint32_t>(next), static_cast<std::uint8_t>(d)});
+      if (came(next) != kUnseen) continue;
+      const bool towards = nearer[static_cast<std::size_t>(d)];
+      any_nearer = any_nearer || towards;
+      push(next, static_cast<std::uint8_t>(d), towards ? level + kDriven - kLeft : level + kDriven + kLeft);
     }
+    if (any_nearer) --level;
   }
+  for (; level <= highest; ++level) waiting_[level].clear();
   Polyline found = traced_back(to);
   forget();
   return found;
@@ -150,7 +160,7 @@ std::optional<LatticeWays::Found> LatticeWays::nearest(std::size_t from,
       break;
     }
     for (const Direction d : kAllDirections)
-      if (open(at, d) && came_[neighbour(at, d)] == kUnseen) see(neighbour(at, d), static_cast<std::uint8_t>(d));
+      if (open(at, d) && came(neighbour(at, d)) == kUnseen) see(neighbour(at, d), static_cast<std::uint8_t>(d));
   }
   forget();
   return found;

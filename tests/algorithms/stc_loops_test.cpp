@@ -219,7 +219,7 @@ TEST(BranchTree, IsATreeWhateverIsHungOnItAndIsWalkedRound) {
         EXPECT_TRUE(space.contains(a, b));
         if (edges[e].first < before || hung == BranchTree::Hung::by_way) {
           const bool branch = edges[e].first < before || edges[e].second != edges[e].first + 1;
-          if (branch && hung == BranchTree::Hung::straight) EXPECT_DOUBLE_EQ(distance(a, b), least);
+          if (branch && hung == BranchTree::Hung::straight) { EXPECT_DOUBLE_EQ(distance(a, b), least); }
         }
       }
     }
@@ -291,7 +291,7 @@ TEST(StcLoops, CoversMoreThanStcWhereverThatMissedSomething) {
       const Score whole = score(problem, plan_with("stc-loops", problem).path);
       EXPECT_EQ(slides.flaw, "");
       EXPECT_EQ(whole.flaw, "");
-      if (before < 0.97) EXPECT_GT(slides.value("coverage_lower").value(), before);
+      if (before < 0.97) { EXPECT_GT(slides.value("coverage_lower").value(), before); }
       EXPECT_GE(whole.value("coverage_lower").value(), std::max(0.99, slides.value("coverage_lower").value()));
     }
 }
