@@ -135,7 +135,9 @@ bool BranchTree::straight_on(const Point& a, const Point& b, const Point& c) {
   return (b - a).dot(c - b) > 0 && orientation(a, b, c) == 0;
 }
 
-Polyline BranchTree::way_round() const {
+Polyline BranchTree::way_round() {
+  newest_ = {};
+  older_ = {};
   Polyline way;
   way.reserve(vertices_.size());  // about as many
   const auto drive = [&](const Point& p) {

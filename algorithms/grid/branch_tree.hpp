@@ -43,8 +43,8 @@ class BranchTree {
   /// Pairs of vertices. The closing edges of rounds are left out.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges() const;
   /// Round the tree from its first vertex and back to it. Every branch is left for where the vertex it hangs on is
-  /// first come to. Straight-on points are left out.
-  Polyline way_round() const;
+  /// first come to. Straight-on points are left out. Nothing can be hung afterwards: what that takes is given back first.
+  Polyline way_round();
   /// Calls f(a, b) for every straight run that way_round() drives and that was hung since the last call.
   template <class F>
   void for_each_new_segment(F f) {

@@ -52,10 +52,8 @@ std::optional<PartOrder::Entry> PartOrder::under(const Point& p) const {
   const int i = static_cast<int>(std::lround(at.x())), j = static_cast<int>(std::lround(at.y()));
   if (!fine_.inside(i, j) || !left(fine_.at(i, j))) return std::nullopt;
   const Point to = fine_.centre(i, j);
-  if (problem_.walls().contains(p, to)) return entry_at(fine_.at(i, j), {p, to});
-  auto way = problem_.transit().path(p, to);
-  if (!way) return std::nullopt;
-  return entry_at(fine_.at(i, j), std::move(*way));
+  if (!problem_.walls().contains(p, to)) return std::nullopt;
+  return entry_at(fine_.at(i, j), {p, to});
 }
 
 std::optional<PartOrder::Entry> PartOrder::over_lattice(const Point& p) {

@@ -27,7 +27,7 @@ class PartOrder {
     Polyline way;        // to it
     std::size_t from;    // of a branch: the sub-cell, by number, where the way begins
   };
-  /// The part under the start if there is one, else the nearest to it. nullopt if none can be reached.
+  /// The part under the start if it sees the sub-cell there, else the nearest to it. nullopt if none can be reached.
   std::optional<Entry> first();
   /// All parts that hang together over the lattice with the last one, the nearest to what is in the tree first.
   std::vector<Entry> branches();
