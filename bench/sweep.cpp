@@ -319,7 +319,7 @@ class Sweep {
   const SweepOptions& options_;
   Session session_;
   MetricsFile metrics_;
-  std::vector<Cell> cells_;
+  std::vector<SuiteCell> cells_;
   std::vector<Run> runs_;
   std::map<std::string, Earlier> earlier_;
   Work work_;

@@ -57,7 +57,7 @@ struct Setting {
   std::string problem_file;
 };
 
-Setting set_up(const Work& work, const Cell& cell) {
+Setting set_up(const Work& work, const SuiteCell& cell) {
   Setting s;
   const MapSpec& spec = work.suite.maps[cell.map];
   const Robot& robot = work.suite.robots[cell.robot];
@@ -114,7 +114,7 @@ const Problem& given(const Setting& setting, const PlannerSpec& spec) {
 }
 
 Row row_of(const Work& work, std::size_t index, const Setting& setting) {
-  const Cell& cell = work.cells[index];
+  const SuiteCell& cell = work.cells[index];
   const PlannerSpec& spec = work.suite.planners[cell.planner];
   const PlannerInfo& planner = find_planner(work.planners, spec.name);
   const std::string& robot = work.suite.robots[cell.robot].name;
@@ -249,8 +249,8 @@ void tell(int fd, char type, std::size_t index, const std::string& text) {
   if (!wire::send(fd, type, message)) throw std::runtime_error("the sweep is gone");
 }
 
-std::vector<Cell> cells_of(const Suite& suite) {
-  std::vector<Cell> cells;
+std::vector<SuiteCell> cells_of(const Suite& suite) {
+  std::vector<SuiteCell> cells;
   for (std::size_t m = 0; m < suite.maps.size(); ++m) {
     for (std::size_t r = 0; r < suite.robots.size(); ++r) {
       for (std::size_t p = 0; p < suite.planners.size(); ++p) {
@@ -268,7 +268,7 @@ Row blank_row(const Work& work, std::size_t index) {
 }
 
 void run_unit(const Work& work, const Unit& unit, int fd) {
-  const Cell& first = work.cells[unit.first];
+  const SuiteCell& first = work.cells[unit.first];
   const Setting setting = set_up(work, first);
   for (std::size_t index = unit.first; index < unit.last; ++index) {
     Row row = row_of(work, index, setting);

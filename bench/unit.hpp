@@ -19,11 +19,11 @@ struct Unit {
 };
 
 /// One cell of a suite. The list is map by map, robot by robot, planner by planner, repeat by repeat.
-struct Cell {
+struct SuiteCell {
   std::size_t map = 0, robot = 0, planner = 0;
   int repeat = 1;
 };
-std::vector<Cell> cells_of(const Suite& suite);
+std::vector<SuiteCell> cells_of(const Suite& suite);
 
 /// What a resumed folder holds.
 struct Earlier {
@@ -35,14 +35,15 @@ struct Work {
   const Suite& suite;
   const std::vector<PlannerInfo>& planners;
   const SweepOptions& options;
-  const std::vector<Cell>& cells;
+  const std::vector<SuiteCell>& cells;
   const std::map<std::string, Earlier>& earlier;  // by run_id
 };
 
 /// What a worker says about run `index`. Frames: [index u64][text].
 namespace news {
-inline constexpr char kBegun = 'B';   // row so far, as a CSV line
-inline constexpr char kReports = 'V';  // [value f64, name] for each report of the planner, before kDone; only if there are any
+inline constexpr char kBegun = 'B';  // row so far, as a CSV line
+inline constexpr char kReports =
+    'V';  // [value f64, name] for each report of the planner, before kDone; only if there are any
 inline constexpr char kDone = 'D';    // row, as a CSV line
 inline constexpr char kKept = 'K';    // run_id of a row that an earlier sweep left
 inline constexpr char kBroken = 'X';  // why the worker gives up

@@ -95,7 +95,7 @@ std::vector<Cut> find_cuts(const std::vector<Piece>& pieces) {
   for (std::size_t i = 0; i < pieces.size(); ++i) loud[i] = pieces[i].loud ? 1 : 0;
   const auto stretch = [&](std::size_t i) {
     const OverlayEdge& e = pieces[i].edge;
-    return Stretch{double(e.a.x), double(e.a.y), double(e.b.x), double(e.b.y), static_cast<std::uint32_t>(i)};
+    return SegmentPart{double(e.a.x), double(e.a.y), double(e.b.x), double(e.b.y), static_cast<std::uint32_t>(i)};
   };
   std::vector<Cut> cuts;
   for_close_pairs(pieces.size(), stretch, 1.0, loud,

@@ -16,7 +16,7 @@
 namespace oxturn {
 
 /// A segment, or the part of it inside a cell.
-struct Stretch {
+struct SegmentPart {
   double x0, y0, x1, y1;  // x0 <= x1; y0 is the height at x0
   std::uint32_t id;
 };
@@ -40,16 +40,16 @@ class ClosePairs {
   static constexpr std::size_t kMany = 256;   // worth a grid
   static constexpr std::size_t kDeal = 1024;  // per cell of the first grid, so that a cell fits into the cache
 
-  bool is_loud(const Stretch& s) const { return loud_.empty() || loud_[s.id] != 0; }
+  bool is_loud(const SegmentPart& s) const { return loud_.empty() || loud_[s.id] != 0; }
 
   void leaf(std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Stretch& a = arena_[i];
+      const SegmentPart& a = arena_[i];
       const double low = std::min(a.y0, a.y1) - slack_, high = std::max(a.y0, a.y1) + slack_;
       const double west = a.x0 - slack_, east = a.x1 + slack_;
       const bool loud = is_loud(a);
       for (std::size_t j = i + 1; j < end; ++j) {
-        const Stretch& b = arena_[j];
+        const SegmentPart& b = arena_[j];
         if (b.x0 > east || b.x1 < west || std::min(b.y0, b.y1) > high || std::max(b.y0, b.y1) < low) continue;
         if (loud || is_loud(b)) f_(a.id, b.id);
       }
@@ -57,7 +57,7 @@ class ClosePairs {
   }
 
   /// The part of s, which comes to it, between two lines upright or level.
-  static void clip_x(Stretch& s, double low, double high) {
+  static void clip_x(SegmentPart& s, double low, double high) {
     const double slope = (s.y1 - s.y0) / (s.x1 - s.x0), x = s.x0, y = s.y0;
     if (s.x1 > high) {
       s.x1 = high;
@@ -68,7 +68,7 @@ class ClosePairs {
       s.y0 = y + (low - x) * slope;
     }
   }
-  static void clip_y(Stretch& s, double low, double high) {
+  static void clip_y(SegmentPart& s, double low, double high) {
     const double slope = (s.x1 - s.x0) / (s.y1 - s.y0), x = s.x0, y = s.y0;
     const bool up = s.y0 < s.y1;
     double &x_low = up ? s.x0 : s.x1, &y_low = up ? s.y0 : s.y1, &x_high = up ? s.x1 : s.x0, &y_high = up ? s.y1 : s.y0;
@@ -87,7 +87,7 @@ class ClosePairs {
   void append_half(std::size_t begin, std::size_t end, bool by_x, double m, bool upper) {
     const double low = upper ? m - slack_ : -1e300, high = upper ? 1e300 : m + slack_;
     for (std::size_t i = begin; i < end; ++i) {
-      Stretch s = arena_[i];
+      SegmentPart s = arena_[i];
       if (by_x) {
         if (s.x1 < low || s.x0 > high) continue;
         clip_x(s, low, high);
@@ -122,7 +122,7 @@ class ClosePairs {
   Extent extent(std::size_t n, Source source) const {
     Extent e;
     for (std::size_t k = 0; k < n; ++k) {
-      const Stretch s = source(k);
+      const SegmentPart s = source(k);
       e.x_sum += s.x0 + s.x1;
       e.y_sum += s.y0 + s.y1;
       e.x_low = std::min(e.x_low, s.x0);
@@ -143,10 +143,10 @@ class ClosePairs {
     const double across = std::clamp(std::sqrt(cells * wide / high), 1.0, cells);
     const Bands columns(e.x_low, wide, across), rows(e.y_low, high, cells / across);
     // f(cell, stretch clipped to its column, row, is it in several rows?)
-    const auto each = [&](const Stretch& s, auto f) {
+    const auto each = [&](const SegmentPart& s, auto f) {
       const std::size_t c0 = columns.at(s.x0 - slack_), c1 = columns.at(s.x1 + slack_);
       for (std::size_t c = c0; c <= c1; ++c) {
-        Stretch part = s;
+        SegmentPart part = s;
         if (c0 != c1) clip_x(part, columns.border(c) - 2 * slack_, columns.border(c + 1) + 2 * slack_);
         const std::size_t r0 = rows.at(std::min(part.y0, part.y1) - slack_);
         const std::size_t r1 = rows.at(std::max(part.y0, part.y1) + slack_);
@@ -157,9 +157,9 @@ class ClosePairs {
     std::vector<std::uint8_t> loud(columns.count * rows.count, 0);
     std::size_t sum = 0;
     for (std::size_t k = 0; k < n; ++k) {
-      const Stretch s = source(k);
+      const SegmentPart s = source(k);
       const std::uint8_t is = is_loud(s) ? 1 : 0;
-      each(s, [&](std::size_t cell, const Stretch&, std::size_t, bool) {
+      each(s, [&](std::size_t cell, const SegmentPart&, std::size_t, bool) {
         ++start[cell + 1];
         loud[cell] |= is;
         ++sum;
@@ -174,8 +174,8 @@ class ClosePairs {
     arena_.resize(top + start.back());
     std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
     for (std::size_t k = 0; k < n; ++k) {
-      const Stretch s = source(k);
-      each(s, [&](std::size_t cell, Stretch part, std::size_t r, bool several) {
+      const SegmentPart s = source(k);
+      each(s, [&](std::size_t cell, SegmentPart part, std::size_t r, bool several) {
         if (loud[cell] == 0) return;
         if (several) clip_y(part, rows.border(r) - 2 * slack_, rows.border(r + 1) + 2 * slack_);
         arena_[top + next[cell]++] = part;
@@ -199,7 +199,7 @@ class ClosePairs {
       const double m = by_x ? e.x_sum / count : e.y_sum / count;
       std::size_t lower = 0, upper = 0;
       for (std::size_t i = begin; i < end; ++i) {
-        const Stretch& s = arena_[i];
+        const SegmentPart& s = arena_[i];
         const double low = by_x ? s.x0 : std::min(s.y0, s.y1), high = by_x ? s.x1 : std::max(s.y0, s.y1);
         lower += low <= m + slack_ ? 1u : 0u;
         upper += high >= m - slack_ ? 1u : 0u;
@@ -217,7 +217,7 @@ class ClosePairs {
     leaf(begin, end);
   }
 
-  std::vector<Stretch> arena_;
+  std::vector<SegmentPart> arena_;
   double slack_;
   const std::vector<std::uint8_t>& loud_;
   F f_;

@@ -45,7 +45,7 @@ std::optional<Flaw> find_crossing(const std::vector<Edge>& edges) {
     const auto& [a, b] = edges[i];
     const bool east = a.x() <= b.x();
     const Point &west = east ? a : b, &other = east ? b : a;
-    return Stretch{west.x(), west.y(), other.x(), other.y(), static_cast<std::uint32_t>(i)};
+    return SegmentPart{west.x(), west.y(), other.x(), other.y(), static_cast<std::uint32_t>(i)};
   };
   std::pair<std::uint32_t, std::uint32_t> first{0xffffffffu, 0};  // the least pair: independent of search order
   for_close_pairs(edges.size(), stretch, size * 1e-14, {}, [&](std::uint32_t i, std::uint32_t j) {

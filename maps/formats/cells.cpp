@@ -50,15 +50,15 @@ Dropped drop_specks(BitGrid& free, double most) {
 
 }  // namespace
 
-MapFile map_from_cells(const std::string& file, int columns, int rows, std::vector<Cell> cells,
+MapFile map_from_cells(const std::string& file, int columns, int rows, std::vector<Occupancy> cells,
                        const Placement& placement, const ReadOptions& options) {
   MapFile result;
   BitGrid free({0, 0}, 1, columns, rows);
   std::size_t occupied = 0, unknown = 0;
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    occupied += cells[k] == Cell::occupied ? 1 : 0;
-    unknown += cells[k] == Cell::unknown ? 1 : 0;
-    free.bits[k] = cells[k] == Cell::free || (options.unknown_is_free && cells[k] == Cell::unknown) ? 1 : 0;
+    occupied += cells[k] == Occupancy::occupied ? 1 : 0;
+    unknown += cells[k] == Occupancy::unknown ? 1 : 0;
+    free.bits[k] = cells[k] == Occupancy::free || (options.unknown_is_free && cells[k] == Occupancy::unknown) ? 1 : 0;
   }
   if (free.count() == 0)
     throw std::invalid_argument(

@@ -196,7 +196,7 @@ MapFile read_plain_image(const std::string& file, const ReadOptions& options) {
   if (options.metres_per_pixel <= 0)
     throw std::invalid_argument(fmt::format("{}: a plain image needs a scale; give --scale METRES_PER_PIXEL", file));
   const GreyImage image = read_image(file);
-  std::vector<Cell> cells(image.grey.size());
+  std::vector<Occupancy> cells(image.grey.size());
   const std::size_t width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
   for (std::size_t row = 0; row < height; ++row)
     for (std::size_t i = 0; i < width; ++i) {
@@ -205,10 +205,10 @@ MapFile read_plain_image(const std::string& file, const ReadOptions& options) {
       // ROS' usual free_thresh: only what is nearly white is free, so that the grey of unknown is not.
       const bool white = (255.0 - static_cast<double>(image.grey[from])) / 255.0 < 0.196;
       const bool black = (255.0 - static_cast<double>(image.grey[from])) / 255.0 > 0.65;
-      cells[(height - 1 - row) * width + i] = !seen   ? Cell::unknown
-                                              : white ? Cell::free
-                                              : black ? Cell::occupied
-                                                      : Cell::unknown;
+      cells[(height - 1 - row) * width + i] = !seen   ? Occupancy::unknown
+                                              : white ? Occupancy::free
+                                              : black ? Occupancy::occupied
+                                                      : Occupancy::unknown;
     }
   return map_from_cells(file, image.width, image.height, std::move(cells), {{0, 0}, 0, options.metres_per_pixel},
                         options);

@@ -25,9 +25,9 @@ struct Placement {
   double yaw = 0;
   double resolution = 1;  // metres per pixel
 };
-enum class Cell : std::uint8_t { free, occupied, unknown };
+enum class Occupancy : std::uint8_t { free, occupied, unknown };
 /// Cells (row 0 at the bottom) to a map: unknown by option, speckle dropped, traced, simplified. O(cells).
-MapFile map_from_cells(const std::string& file, int columns, int rows, std::vector<Cell> cells,
+MapFile map_from_cells(const std::string& file, int columns, int rows, std::vector<Occupancy> cells,
                        const Placement& placement, const ReadOptions& options);
 
 MapFile read_ros(const std::string& file, const ReadOptions& options);

@@ -126,7 +126,7 @@ MapFile read_ros(const std::string& file, const ReadOptions& options) {
   } catch (const std::invalid_argument& e) { yaml.refuse(yaml.at("image", ""), e.what()); }
 
   const int least_alpha = mode == Mode::scale ? 255 : 128;
-  std::vector<Cell> cells(image.grey.size());
+  std::vector<Occupancy> cells(image.grey.size());
   const std::size_t width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
   std::size_t transparent = 0;
   for (std::size_t row = 0; row < height; ++row)
@@ -134,14 +134,14 @@ MapFile read_ros(const std::string& file, const ReadOptions& options) {
       const std::size_t from = row * width + i;
       const double grey = static_cast<double>(image.grey[from]), shade = negate ? 255 - grey : grey;
       const double p = mode == Mode::raw ? shade / 100 : (255 - shade) / 255;
-      Cell& cell = cells[(height - 1 - row) * width + i];
+      Occupancy& cell = cells[(height - 1 - row) * width + i];
       if (!image.alpha.empty() && image.alpha[from] < least_alpha) {
-        cell = Cell::unknown;
+        cell = Occupancy::unknown;
         ++transparent;
       } else if (mode == Mode::raw && shade > 100) {
-        cell = Cell::unknown;
+        cell = Occupancy::unknown;
       } else {
-        cell = p > occupied ? Cell::occupied : p < free ? Cell::free : Cell::unknown;
+        cell = p > occupied ? Occupancy::occupied : p < free ? Occupancy::free : Occupancy::unknown;
       }
     }
   MapFile result = map_from_cells(file, image.width, image.height, std::move(cells), placement, options);

@@ -11,7 +11,7 @@
 namespace oxturn::generator {
 namespace {
 
-struct Params : Site {
+struct Params : SiteSettings {
   Params() { width = 12, height = 8; }
   double obstacle_width = 0;
   double obstacle_height = 0;

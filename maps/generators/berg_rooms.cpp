@@ -21,7 +21,7 @@
 namespace oxturn::generator {
 namespace {
 
-struct Params : Site {
+struct Params : SiteSettings {
   Params() { width = 20, height = 15; }
   int columns = 4;
   int rows = 3;

@@ -18,7 +18,7 @@
 namespace oxturn::generator {
 namespace {
 
-struct Params : Site {
+struct Params : SiteSettings {
   double rock = 0.45;
   double grain = 0;
   int rounds = 4;

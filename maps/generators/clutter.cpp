@@ -13,7 +13,7 @@
 namespace oxturn::generator {
 namespace {
 
-struct Params : Site {
+struct Params : SiteSettings {
   double density = 0.15;
   double least = 0.3;
   double most = 1.2;

@@ -7,7 +7,7 @@
 namespace oxturn::generator {
 namespace {
 
-struct Params : Site {
+struct Params : SiteSettings {
   Params() { height = 12; }
   int aisles = 8;
   double wall = 0.6;

@@ -10,7 +10,7 @@
 namespace oxturn::generator {
 namespace {
 
-struct Params : Site {
+struct Params : SiteSettings {
   Params() { width = 5, height = 20; }
   double wall = 0.3;
   double opening = 0;

@@ -16,7 +16,7 @@
 namespace oxturn::generator {
 namespace {
 
-struct Params : Site {
+struct Params : SiteSettings {
   Params() { width = 60, height = 40; }
   int corners = 6;
   double roughness = 0.5;

@@ -13,7 +13,7 @@
 namespace oxturn::generator {
 namespace {
 
-struct Params : Site {
+struct Params : SiteSettings {
   Params() { width = height = 50, robot = 0.5; }
   double jitter = 0;
   int disc_chords = 64;

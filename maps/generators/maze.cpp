@@ -15,7 +15,7 @@
 namespace oxturn::generator {
 namespace {
 
-struct Params : Site {
+struct Params : SiteSettings {
   double corridor = 0;
   double wall = 0.2;
   double loops = 0.05;

@@ -9,7 +9,7 @@
 namespace oxturn::generator {
 namespace {
 
-struct Params : Site {
+struct Params : SiteSettings {
   Params() { width = 12, height = 12; }
   double pillar = 0.6;
   double spacing = 0;

@@ -17,7 +17,7 @@
 namespace oxturn::generator {
 namespace {
 
-struct Params : Site {
+struct Params : SiteSettings {
   int corners = 40;
   double winding = 0.3;
   double compactness = 0.2;

@@ -5,7 +5,7 @@
 namespace oxturn::generator {
 namespace {
 
-struct Params : Site {};
+struct Params : SiteSettings {};
 
 Region make(const Params& p, Rng&) {
   check_site("rectangle", p);

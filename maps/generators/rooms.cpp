@@ -19,7 +19,7 @@
 namespace oxturn::generator {
 namespace {
 
-struct Params : Site {
+struct Params : SiteSettings {
   Params() { width = 15, height = 12; }
   int rooms = 9;
   double wall = 0.15;

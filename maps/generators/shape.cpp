@@ -11,7 +11,7 @@
 
 namespace oxturn::generator {
 
-double narrowest(const Site& site) { return 2 * site.robot * site.passage * (1 + 1.0 / 1024); }
+double narrowest(const SiteSettings& site) { return 2 * site.robot * site.passage * (1 + 1.0 / 1024); }
 
 void refuse(const std::string& name, const std::string& sentence) {
   throw std::invalid_argument(fmt::format("generator '{}': {}", name, sentence));
@@ -19,7 +19,7 @@ void refuse(const std::string& name, const std::string& sentence) {
 
 std::string number(double value) { return fmt::format("{:.4g}", value); }
 
-void check_site(const std::string& name, const Site& site, double passages) {
+void check_site(const std::string& name, const SiteSettings& site, double passages) {
   const double least = passages * narrowest(site);
   for (const auto& [side, metres] : {std::pair{"width", site.width}, std::pair{"height", site.height}})
     if (metres < least)
@@ -30,7 +30,7 @@ void check_site(const std::string& name, const Site& site, double passages) {
 }
 
 double passage_width(const std::string& name, const std::string& what, double value, double diameters,
-                     const Site& site) {
+                     const SiteSettings& site) {
   if (value <= 0) return std::max(narrowest(site), diameters * 2 * site.robot);
   // The thousandth to spare is ours to give, not the user's to ask for.
   if (value < 2 * site.robot * site.passage)
@@ -185,7 +185,7 @@ bool Groups::join(int a, int b) {
 namespace {
 
 /// Largest power of two not above the narrowest passage / 4096, and not above 2^-16 m.
-double quantum(const Site& site) {
+double quantum(const SiteSettings& site) {
   double q = 1.0 / 65536;
   while (q > narrowest(site) / 4096) q /= 2;
   return q;
@@ -193,7 +193,7 @@ double quantum(const Site& site) {
 
 }  // namespace
 
-Region finished(Region region, const Site& site) {
+Region finished(Region region, const SiteSettings& site) {
   const double q = quantum(site);
   const Point d = direction(site.rotation / 360);
   const Point centre(site.width / 2, site.height / 2);

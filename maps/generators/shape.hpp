@@ -16,7 +16,7 @@
 namespace oxturn::generator {
 
 /// The parameters every generator has.
-struct Site {
+struct SiteSettings {
   double width = 20, height = 20;  // metres, before rotation
   double robot = 0.2;              // metres, radius
   double passage = 1.25;           // narrowest passage, in robot diameters
@@ -37,15 +37,15 @@ std::vector<Parameter<P>> with_site(const std::vector<Parameter<P>>& own) {
 }
 
 /// The narrowest passage in metres, with a thousandth to spare for the final snapping.
-double narrowest(const Site& site);
+double narrowest(const SiteSettings& site);
 /// Throws std::invalid_argument("generator 'NAME': SENTENCE").
 [[noreturn]] void refuse(const std::string& name, const std::string& sentence);
 /// Refuses a site narrower than `passages` of its narrowest passages.
-void check_site(const std::string& name, const Site& site, double passages = 1);
+void check_site(const std::string& name, const SiteSettings& site, double passages = 1);
 /// `value`, or `diameters` robot diameters (never under the narrowest passage) if it is 0. Refuses a value under
 /// the narrowest passage; `what` is the parameter's name.
 double passage_width(const std::string& name, const std::string& what, double value, double diameters,
-                     const Site& site);
+                     const SiteSettings& site);
 /// "1.25" for sentences.
 std::string number(double value);
 
@@ -112,6 +112,6 @@ class Groups {
 
 /// The last step of every generator: turned about the site's centre, snapped to a grid of 2^-16 m (finer for
 /// robots under 0.1 m), rings oriented and without straight corners.
-Region finished(Region region, const Site& site);
+Region finished(Region region, const SiteSettings& site);
 
 }  // namespace oxturn::generator

@@ -9,7 +9,7 @@
 namespace oxturn::generator {
 namespace {
 
-struct Params : Site {
+struct Params : SiteSettings {
   double corridor = 0;
   double wall = 0.3;
   double jitter = 0;

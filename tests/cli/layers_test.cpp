@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <map>
 #include <regex>
 #include <string>
 #include <vector>
@@ -71,6 +73,30 @@ TEST(Layers, CgalAndClipperStayInGeometrysSources) {
     EXPECT_TRUE(include.room() == "geometry" && include.file.ends_with(".cpp"))
         << include.file << " includes <" << include.name << ">";
   }
+}
+
+// Two types of one name share their templates' code as far as the linker sees: vectors of one would run on the other's size.
+TEST(Layers, NoTypeNameIsTakenTwice) {
+  static const std::regex type(R"(^(struct|class|enum class|enum) (\w+)( final)?( :[^:].*)?( \{.*)?$)");
+  const fs::path root = OXTURN_SOURCE_DIR;
+  std::map<std::string, std::string> taken;
+  for (const std::string& room : kRooms)
+    for (const auto& entry : fs::recursive_directory_iterator(root / room)) {
+      const std::string suffix = entry.path().extension().string();
+      if (suffix != ".hpp" && suffix != ".cpp") continue;
+      const std::string file = fs::relative(entry.path(), root).generic_string();
+      std::ifstream in(entry.path());
+      std::smatch found;
+      bool anonymous = false;
+      for (std::string line; std::getline(in, line);) {
+        if (line == "namespace {") anonymous = true;
+        if (line == "}  // namespace") anonymous = false;
+        if (anonymous || !std::regex_search(line, found, type)) continue;
+        const auto [other, first] = taken.emplace(found[2], file);
+        EXPECT_TRUE(first) << found[2] << " in " << file << " and in " << other->second;
+      }
+    }
+  EXPECT_GT(taken.size(), 150u);
 }
 
 // What is installed: the headers that each room's CMakeLists names. Internal headers may know more.

@@ -35,9 +35,9 @@ TEST(SpreadSort, SortsEvenCrowdedAndEqualKeys) {
   }
 }
 
-std::vector<Stretch> stretches(Rng& rng) {
+std::vector<SegmentPart> stretches(Rng& rng) {
   const int kind = rng.between(0, 4), n = rng.between(2, 1500);
-  std::vector<Stretch> out;
+  std::vector<SegmentPart> out;
   for (int k = 0; k < n; ++k) {
     double x = rng.between(0.0, 1e6), y = rng.between(0.0, 1e6), reach = 2e4;
     if (kind == 1 && k > 9) x /= 1e3, y /= 1e3, reach /= 1e3;  // all in one corner
@@ -52,7 +52,7 @@ std::vector<Stretch> stretches(Rng& rng) {
 }
 
 /// Segments nearer to each other than the slack, by a bound that is certain from below.
-bool near(const Stretch& s, const Stretch& t, double slack) {
+bool near(const SegmentPart& s, const SegmentPart& t, double slack) {
   const Point a(s.x0, s.y0), b(s.x1, s.y1), c(t.x0, t.y0), d(t.x1, t.y1);
   const auto side = [](const Point& p, const Point& q, const Point& r) { return cross(q - p, r - p); };
   if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return true;
@@ -64,7 +64,7 @@ TEST(ClosePairs, NoneIsForgotten) {
   for (const auto seed : seeds(60)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
-    const std::vector<Stretch> all = stretches(rng);
+    const std::vector<SegmentPart> all = stretches(rng);
     std::vector<std::uint8_t> loud;
     const double share = rng.chance(0.3) ? 1 : rng.chance(0.5) ? 0.02 : 0.5;
     for (std::size_t k = 0; k < all.size(); ++k) loud.push_back(rng.chance(share) ? 1 : 0);
