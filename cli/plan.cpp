@@ -67,6 +67,7 @@ int plan(const Options& options) {
     verdict.outcome = Outcome::unsupported;
     return tell(verdict, problem, options.json);
   }
+  problem.walls();  // as in a sweep: scoring needs them, so they are no cost of the planner's
   const Planned planned = plan_isolated(planner, settings, problem, options.isolation);
   verdict.outcome = planned.outcome;
   verdict.reason = planned.reason;
