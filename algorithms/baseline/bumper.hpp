@@ -29,10 +29,8 @@ class Bumper {
     Point away;       // unit vector from the wall to the robot
   };
   /// The nearest wall if it is nearer than `reach` metres from the robot's rim, of those whose direction makes at most the
-  /// angle with this `cosine` with the unit vector `towards`.
+  /// angle with this `cosine` with the unit vector `towards` (-2: all round).
   std::optional<Wall> feel(double reach, const Point& towards, double cosine) const;
-  /// All round.
-  std::optional<Wall> feel(double reach) const { return feel(reach, {1, 0}, -2); }
 
   /// What has been driven, straight stretches in one piece.
   const Polyline& way() const { return way_; }

@@ -7,13 +7,7 @@
 namespace oxturn {
 
 BareSamples::BareSamples(const GridGraph& cells, const Region& free, double reach)
-    : cells_(cells), reach_(4 * reach / cells.side()) {
-  const Point corner = cells.centre(-1.5, -1.5);
-  const Point across = cells.centre(-0.5, -1.5) - corner;
-  const double angle = std::atan2(across.y(), across.x());
-  bits_ = rasterise(transformed(free, -angle, Point(0, 0)), rotated(corner, -angle), cells.side() / 4,
-                    4 * (cells.columns() + 2), 4 * (cells.rows() + 2), CellRule::centre);
-}
+    : cells_(cells), reach_(4 * reach / cells.side()), bits_(rasterise(free, cells, 4, 1, CellRule::centre)) {}
 
 // A row of samples meets the capsule in one interval. Its right end lies on the right flank, at the foot t of the normal n
 // that points there, or on the disc about the end of the segment that is nearest to that foot; the left end likewise.

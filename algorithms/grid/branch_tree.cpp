@@ -106,11 +106,8 @@ std::uint32_t BranchTree::vertex_at(const Point& p) const {
 }
 
 std::optional<BranchTree::Way> BranchTree::way_over_lattice(const Point& p) {
-  const auto node = ways_.node_near(p);
-  if (!node) return std::nullopt;
-  auto found = ways_.nearest(*node, [this](std::size_t at) { return vertex_at(ways_.place(at)) != kNone; });
+  auto found = ways_.nearest(p, [this](std::size_t at) { return vertex_at(ways_.place(at)) != kNone; });
   if (!found) return std::nullopt;
-  if (found->way.front() != p) found->way.insert(found->way.begin(), p);
   return Way{vertex_at(ways_.place(found->node)), std::move(found->way)};
 }
 

@@ -170,6 +170,14 @@ bool GridGraph::straight(int i, int j, int i2, int j2) const {
   return true;
 }
 
+BitGrid rasterise(const Region& region, const GridGraph& lattice, int parts, int margin, CellRule rule) {
+  const double first = -0.5 - margin;  // the corner of the first cell
+  const Point corner = lattice.centre(first, first), across = lattice.centre(first + 1, first) - corner;
+  const double angle = std::atan2(across.y(), across.x());
+  return rasterise(transformed(region, -angle, Point(0, 0)), rotated(corner, -angle), lattice.side() / parts,
+                   parts * (lattice.columns() + 2 * margin), parts * (lattice.rows() + 2 * margin), rule);
+}
+
 double dominant_direction(const Region& region) {
   // Length-weighted mean of the edges' directions on the circle of quarter turns.
   Point sum{0, 0};

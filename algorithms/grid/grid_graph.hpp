@@ -107,6 +107,10 @@ GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, 
 GridGraph make_grid_graph_at(const Region& space, const std::string& map_name, const Point& place, double side,
                              double angle = 0);
 
+/// The cells of a lattice that a region sets, or all cells of a lattice over it: `parts` x `parts` of them to a cell, and
+/// `margin` of the lattice's cells more on every side.
+BitGrid rasterise(const Region& region, const GridGraph& lattice, int parts, int margin, CellRule rule);
+
 /// Direction (radians, in [0, pi/2)) that most of the walls' length runs in, modulo a quarter turn.
 double dominant_direction(const Region& region);
 

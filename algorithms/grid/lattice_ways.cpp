@@ -98,14 +98,6 @@ Polyline LatticeWays::along(const std::vector<std::size_t>& nodes) const {
   return pulled(way, graph_, walls_);
 }
 
-Polyline LatticeWays::traced_back(std::size_t to) const {
-  std::vector<std::size_t> nodes{to};
-  while (came(nodes.back()) != kRoot)
-    nodes.push_back(neighbour(nodes.back(), opposite(static_cast<Direction>(came(nodes.back())))));
-  std::reverse(nodes.begin(), nodes.end());
-  return along(nodes);
-}
-
 // Weighted A*: what has been driven counts kDriven a step, what is left, as the crow walks, kLeft. A step towards the goal
 // lowers that sum by one, one away raises it by seventeen; among equals the last comes first.
 Polyline LatticeWays::way(std::size_t from, std::size_t to) {
@@ -163,6 +155,15 @@ std::optional<LatticeWays::Found> LatticeWays::nearest(std::size_t from,
       if (open(at, d) && came(neighbour(at, d)) == kUnseen) see(neighbour(at, d), static_cast<std::uint8_t>(d));
   }
   forget();
+  return found;
+}
+
+std::optional<LatticeWays::Found> LatticeWays::nearest(const Point& from,
+                                                       const std::function<bool(std::size_t)>& wanted) {
+  const auto node = node_near(from);
+  if (!node) return std::nullopt;
+  auto found = nearest(*node, wanted);
+  if (found && found->way.front() != from) found->way.insert(found->way.begin(), from);
   return found;
 }
 

@@ -7,6 +7,7 @@
 // Complexity  build O(nodes), 9 bytes a node; a question O(nodes nearer than the answer)
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -43,13 +44,28 @@ class LatticeWays {
   };
   /// The fewest steps from a node to one that is `wanted`.
   std::optional<Found> nearest(std::size_t from, const std::function<bool(std::size_t)>& wanted);
+  /// The same from a place, by the node near it.
+  std::optional<Found> nearest(const Point& from, const std::function<bool(std::size_t)>& wanted);
+
+  static constexpr std::uint8_t kRoot = 4;
+  /// The nodes by which a search came to that one; came(node): in which direction, kRoot where it began.
+  template <class Came>
+  std::vector<std::size_t> nodes_to(std::size_t to, Came came) const {
+    std::vector<std::size_t> nodes{to};
+    while (came(nodes.back()) != kRoot)
+      nodes.push_back(neighbour(nodes.back(), opposite(static_cast<Direction>(came(nodes.back())))));
+    std::reverse(nodes.begin(), nodes.end());
+    return nodes;
+  }
 
  private:
-  static constexpr std::uint8_t kUnseen = 5, kRoot = 4;
+  static constexpr std::uint8_t kUnseen = 5;
   static constexpr std::size_t kDriven = 8, kLeft = 9;
   int column(std::size_t node) const { return static_cast<int>(static_cast<std::uint32_t>(node) % columns_); }
   int row(std::size_t node) const { return static_cast<int>(static_cast<std::uint32_t>(node) / columns_); }
-  Polyline traced_back(std::size_t to) const;
+  Polyline traced_back(std::size_t to) const {
+    return along(nodes_to(to, [this](std::size_t node) { return came(node); }));
+  }
   void forget();
   std::uint8_t came(std::size_t node) const { return static_cast<std::uint8_t>(state_[node] >> 4); }
   void note(std::size_t node, std::uint8_t came) {

@@ -18,7 +18,7 @@ PartOrder::PartOrder(const Problem& problem, const GridGraph& fine, const Coarse
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (parts.of[c] < 0 || counted[static_cast<std::size_t>(parts.of[c])]) continue;
     counted[static_cast<std::size_t>(parts.of[c])] = true;
-    const auto whole = static_cast<std::size_t>(ways_.part(fine.at(2 * cells.column(c), 2 * cells.row(c))));
+    const auto whole = static_cast<std::size_t>(ways_.part(sub_cell(c)));
     if (left_.size() <= whole) left_.resize(whole + 1, 0);
     ++left_[whole];
   }
@@ -57,13 +57,8 @@ std::optional<PartOrder::Entry> PartOrder::under(const Point& p) const {
 }
 
 std::optional<PartOrder::Entry> PartOrder::over_lattice(const Point& p) {
-  const auto node = ways_.node_near(p);
-  if (!node) return std::nullopt;
-  const auto whole = static_cast<std::size_t>(ways_.part(*node));
-  if (whole >= left_.size() || left_[whole] == 0) return std::nullopt;
-  auto found = ways_.nearest(*node, [this](std::size_t n) { return left(n); });
+  auto found = ways_.nearest(p, [this](std::size_t node) { return left(node); });
   if (!found) return std::nullopt;
-  found->way.insert(found->way.begin(), p);
   return entry_at(found->node, std::move(found->way));
 }
 
@@ -77,11 +72,8 @@ std::optional<PartOrder::Entry> PartOrder::among_walls(const Point& p) {
                          [&](Direction d) { return !cells_.adjacent(c, d); });
     };
     for (std::size_t c = 0; c < cells_.size(); ++c) {
-      const std::size_t corner = fine_.at(2 * cells_.column(c), 2 * cells_.row(c));
-      if (!left(corner) || !on_rim(c)) continue;
-      for (const std::size_t node : {corner, corner + 1, fine_.at(column(corner), row(corner) + 1),
-                                     fine_.at(column(corner) + 1, row(corner) + 1)})
-        walls_->add(ways_.place(node), parts_.of[c], node);
+      if (!left(sub_cell(c)) || !on_rim(c)) continue;
+      for (int k = 0; k < 4; ++k) walls_->add(ways_.place(sub_cell(c, k)), parts_.of[c], sub_cell(c, k));
     }
   }
   auto found = walls_->from(p);
@@ -93,18 +85,17 @@ std::optional<PartOrder::Entry> PartOrder::among_walls(const Point& p) {
 // wave meets another part, that part's sub-cells are beginnings too, and the wave goes on from there.
 std::vector<PartOrder::Entry> PartOrder::branches() {
   constexpr std::uint32_t kFar = std::numeric_limits<std::uint32_t>::max();
-  constexpr std::uint8_t kBeginning = 4;
   std::vector<std::uint32_t> steps(fine_.size(), kFar);
-  std::vector<std::uint8_t> came(fine_.size(), kBeginning);
+  std::vector<std::uint8_t> came(fine_.size(), LatticeWays::kRoot);
   std::vector<std::vector<std::uint32_t>> buckets(1);
   std::vector<std::size_t> part;
   const auto begin_at = [&](std::size_t c) {  // a part's cells
     part.assign(1, c);
     const auto take = [&](std::size_t cell) {
       for (int k = 0; k < 4; ++k) {
-        const std::size_t node = fine_.at(2 * cells_.column(cell) + k % 2, 2 * cells_.row(cell) + k / 2);
+        const std::size_t node = sub_cell(cell, k);
         steps[node] = 0;
-        came[node] = kBeginning;
+        came[node] = LatticeWays::kRoot;
         buckets[0].push_back(static_cast<std::uint32_t>(node));
       }
     };
@@ -113,7 +104,7 @@ std::vector<PartOrder::Entry> PartOrder::branches() {
       for (const Direction d : kAllDirections) {
         if (!cells_.adjacent(part[k], d)) continue;
         const std::size_t cell = cells_.neighbour(part[k], d);
-        if (steps[fine_.at(2 * cells_.column(cell), 2 * cells_.row(cell))] == 0) continue;
+        if (steps[sub_cell(cell)] == 0) continue;
         part.push_back(cell);
         take(cell);
       }
@@ -122,7 +113,6 @@ std::vector<PartOrder::Entry> PartOrder::branches() {
   std::vector<Entry> found;
   if (left_[whole] == 0) return found;
   begin_at(coarse(at_));
-  std::vector<std::size_t> nodes;
   for (std::size_t b = 0; b < buckets.size() && left_[whole] > 0;) {
     if (buckets[b].empty()) {
       ++b;
@@ -136,10 +126,8 @@ std::vector<PartOrder::Entry> PartOrder::branches() {
       if (!ways_.open(at, d)) continue;
       const std::size_t to = ways_.neighbour(at, d);
       if (left(to)) {
-        nodes.assign({to, at});
-        while (came[nodes.back()] != kBeginning)
-          nodes.push_back(ways_.neighbour(nodes.back(), opposite(static_cast<Direction>(came[nodes.back()]))));
-        std::reverse(nodes.begin(), nodes.end());
+        std::vector<std::size_t> nodes = ways_.nodes_to(at, [&](std::size_t node) { return came[node]; });
+        nodes.push_back(to);
         found.push_back(*come_to(entry_at(to, ways_.along(nodes), nodes.front())));
         begin_at(coarse(to));
         met = true;

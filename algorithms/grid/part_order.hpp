@@ -42,6 +42,9 @@ class PartOrder {
   Entry entry_at(std::size_t node, Polyline way, std::size_t from = 0) const;
   int column(std::size_t node) const { return static_cast<int>(node % static_cast<std::size_t>(fine_.columns())); }
   int row(std::size_t node) const { return static_cast<int>(node / static_cast<std::size_t>(fine_.columns())); }
+  std::size_t sub_cell(std::size_t cell, int k = 0) const {
+    return fine_.at(2 * cells_.column(cell) + k % 2, 2 * cells_.row(cell) + k / 2);
+  }
   std::size_t coarse(std::size_t node) const { return cells_.at(column(node) / 2, row(node) / 2); }
   bool left(std::size_t node) const {  // in a part that has not been come to
     const int part = parts_.of[coarse(node)];

@@ -57,12 +57,8 @@ Point RectangleCleaner::place(std::size_t node) const {
 
 // The cells that lie wholly in free space, in the frame of the lattice, less those that are done.
 BitGrid RectangleCleaner::dirty_cells() const {
-  const Point corner = graph_.centre(-0.5, -0.5);
-  const Point across = graph_.centre(0.5, -0.5) - corner;
-  const double angle = std::atan2(across.y(), across.x());
-  BitGrid free = rasterise(transformed(problem_.map().free, -angle, Point(0, 0)), rotated(corner, -angle), side_,
-                           graph_.columns(), graph_.rows(), CellRule::inside);
-  free = without_gaps(free, p_.gap, p_.small_obstacle);
+  BitGrid free =
+      without_gaps(rasterise(problem_.map().free, graph_, 1, 0, CellRule::inside), p_.gap, p_.small_obstacle);
   for (std::size_t c = 0; c < done_.size(); ++c)
     if (done_[c]) free.bits[c] = 0;
   return free;

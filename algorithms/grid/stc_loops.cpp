@@ -124,8 +124,8 @@ class StcLoops final : public CoveragePlanner {
     return how != BranchTree::Hung::not_at_all;
   }
 
-  // The part that stc begins with is where the robot drives from its start; the others hang in the order in which a wave
-  // from there comes to them. Tells which cells the tree has.
+  // The part that stc begins with is where the robot drives from its start; of the others always the one nearest to the
+  // tree comes next. Tells which cells the tree has.
   std::vector<bool> hang_parts(const Problem& problem, const GridGraph& fine, CoarseCells& cells, LatticeWays& ways,
                                BranchTree& tree, PathBuilder& path, Figures& figures, Context& context) const {
     std::vector<bool> in_tree(cells.size(), false);

@@ -86,13 +86,13 @@ TEST(Bumper, StopsAHairBeforeTheFirstWall) {
 TEST(Bumper, SlidesAlongAWallAndFeelsItNoFartherThanAsked) {
   const Problem problem({"room", box_region({0, 0}, {4, 3}), "test", ""}, Robot{}, Point(1, 1));
   Bumper robot(problem);
-  EXPECT_FALSE(robot.feel(0.7));
+  EXPECT_FALSE(robot.feel(0.7, {1, 0}, -2));
   const auto contact = robot.drive({1, -5});
   ASSERT_TRUE(contact);
   EXPECT_LT(distance(*contact, {0, 1}), 1e-9);
   EXPECT_NEAR(robot.at().y(), 0.2, 1e-3);
   EXPECT_FALSE(robot.drive({3, robot.at().y()})) << "along a wall is no contact";
-  const auto wall = robot.feel(0.1);
+  const auto wall = robot.feel(0.1, {1, 0}, -2);
   ASSERT_TRUE(wall);
   EXPECT_LT(distance(wall->away, {0, 1}), 1e-9);
 }

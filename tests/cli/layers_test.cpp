@@ -24,20 +24,26 @@ struct Include {
   std::string room() const { return file.substr(0, file.find('/')); }
 };
 
-std::vector<Include> includes() {
-  static const std::regex pattern(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"])re");
+/// f(file, line) for every line of every source.
+template <class F>
+void for_each_line(F f) {
   const fs::path root = OXTURN_SOURCE_DIR;
-  std::vector<Include> all;
   for (const std::string& room : kRooms)
     for (const auto& entry : fs::recursive_directory_iterator(root / room)) {
       const std::string suffix = entry.path().extension().string();
       if (suffix != ".hpp" && suffix != ".cpp") continue;
+      const std::string file = fs::relative(entry.path(), root).generic_string();
       std::ifstream in(entry.path());
-      std::smatch found;
-      for (std::string line; std::getline(in, line);)
-        if (std::regex_search(line, found, pattern))
-          all.push_back({fs::relative(entry.path(), root).generic_string(), found[2], found[1] == "\""});
+      for (std::string line; std::getline(in, line);) f(file, line);
     }
+}
+
+std::vector<Include> includes() {
+  static const std::regex pattern(R"re(^\s*#\s*include\s*([<"])([^>"]+)[>"])re");
+  std::vector<Include> all;
+  for_each_line([&](const std::string& file, const std::string& line) {
+    if (std::smatch found; std::regex_search(line, found, pattern)) all.push_back({file, found[2], found[1] == "\""});
+  });
   return all;
 }
 
@@ -78,24 +84,16 @@ TEST(Layers, CgalAndClipperStayInGeometrysSources) {
 // Two types of one name share their templates' code as far as the linker sees: vectors of one would run on the other's size.
 TEST(Layers, NoTypeNameIsTakenTwice) {
   static const std::regex type(R"(^(struct|class|enum class|enum) (\w+)( final)?( :[^:].*)?( \{.*)?$)");
-  const fs::path root = OXTURN_SOURCE_DIR;
   std::map<std::string, std::string> taken;
-  for (const std::string& room : kRooms)
-    for (const auto& entry : fs::recursive_directory_iterator(root / room)) {
-      const std::string suffix = entry.path().extension().string();
-      if (suffix != ".hpp" && suffix != ".cpp") continue;
-      const std::string file = fs::relative(entry.path(), root).generic_string();
-      std::ifstream in(entry.path());
-      std::smatch found;
-      bool anonymous = false;
-      for (std::string line; std::getline(in, line);) {
-        if (line == "namespace {") anonymous = true;
-        if (line == "}  // namespace") anonymous = false;
-        if (anonymous || !std::regex_search(line, found, type)) continue;
-        const auto [other, first] = taken.emplace(found[2], file);
-        EXPECT_TRUE(first) << found[2] << " in " << file << " and in " << other->second;
-      }
-    }
+  bool anonymous = false;  // its end is at the end of the file at the latest
+  for_each_line([&](const std::string& file, const std::string& line) {
+    if (line == "namespace {") anonymous = true;
+    if (line == "}  // namespace" || line == "namespace oxturn {") anonymous = false;
+    std::smatch found;
+    if (anonymous || !std::regex_search(line, found, type)) return;
+    const auto [other, first] = taken.emplace(found[2], file);
+    EXPECT_TRUE(first) << found[2] << " in " << file << " and in " << other->second;
+  });
   EXPECT_GT(taken.size(), 150u);
 }
 
