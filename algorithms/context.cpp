@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algorithms/coverage_planner.hpp"
+#include "geometry/trace.hpp"
 
 namespace oxturn {
 namespace {

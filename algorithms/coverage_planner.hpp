@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "geometry/path.hpp"
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "maps/formats.hpp"
-#include "maps/parameters.hpp"
+#include "base/parameters.hpp"
 #include "maps/problem.hpp"
+#include "geometry/trace.hpp"
 
 namespace oxturn {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "algorithms/coverage_planner.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 

@@ -29,8 +29,9 @@
 #include <stdexcept>
 
 #include "bench/planner_process.hpp"
-#include "bench/sweep.hpp"
+#include "bench/run_suite.hpp"
 #include "bench/wire.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 
@@ -181,7 +182,7 @@ class Supervisor {
       case frames::kTrace:
         planned_.traces.push_back(wire::trace_from(payload));
         break;
-      case frames::kReported: {
+      case frames::kRecorded: {
         const double value = wire::take<double>(payload);
         planned_.report(std::string(payload), value);
         break;

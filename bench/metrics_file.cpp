@@ -10,13 +10,16 @@
 
 #include "bench/results.hpp"
 #include "maps/formats.hpp"
+#include "base/csv.hpp"
+#include "base/files.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 namespace {
 
 const char* const kHeader = "run_id,metric,value\n";
 
-std::string lines_of(const std::string& run_id, const Reports& reports) {
+std::string lines_of(const std::string& run_id, const Records& reports) {
   std::string lines;
   // Empty means not applicable; a figure that is not finite is none.
   for (const auto& [name, value] : reports)
@@ -41,7 +44,7 @@ MetricsFile::MetricsFile(const std::string& folder) : file_(folder + "/metrics.c
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
     if (!number.empty() && (error != std::errc() || end != number.data() + number.size()))
       throw std::invalid_argument(fmt::format("{}: '{}' is no number", file_, number));
-    Reports& reports = all_[cells[0]];
+    Records& reports = all_[cells[0]];
     // A later attempt follows other runs' lines, or its own with a name that was there.
     bool again = last != cells[0];
     for (const auto& [name, known] : reports) again = again || name == cells[1];
@@ -51,7 +54,7 @@ MetricsFile::MetricsFile(const std::string& folder) : file_(folder + "/metrics.c
   }
 }
 
-void MetricsFile::append(const std::string& run_id, const Reports& reports) {
+void MetricsFile::append(const std::string& run_id, const Records& reports) {
   all_[run_id] = reports;
   if (reports.empty()) return;
   const bool fresh = !std::filesystem::exists(file_);

@@ -16,6 +16,7 @@
 #include <stdexcept>
 
 #include "bench/wire.hpp"
+#include "geometry/trace.hpp"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define OXTURN_SANITIZED 1
@@ -128,7 +129,7 @@ void plan_and_send(int fd, const PlannerInfo& planner, const Settings& settings,
   sinks.report = [fd](const std::string& name, double value) {
     std::string message;
     wire::put(message, value);
-    wire::send(fd, frames::kReported, message + name);
+    wire::send(fd, frames::kRecorded, message + name);
   };
   if (options.traces) sinks.trace = [fd](const Trace& trace) { wire::send(fd, frames::kTrace, wire::pack(trace)); };
 

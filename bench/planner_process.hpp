@@ -3,7 +3,7 @@
 
 #include <sys/types.h>
 
-#include "bench/sweep.hpp"
+#include "bench/run_suite.hpp"
 
 namespace oxturn {
 
@@ -16,7 +16,7 @@ inline constexpr char kPublished = 'P';  // path
 inline constexpr char kResult = 'R';     // path
 inline constexpr char kMeasures = 'M';   // wall s, cpu s, growth of resident memory in bytes: plan() is over
 inline constexpr char kTrace = 'T';
-inline constexpr char kReported = 'V';    // value, name: Context::report
+inline constexpr char kRecorded = 'V';    // value, name: Context::report
 inline constexpr char kProgressed = 'G';  // fraction
 inline constexpr char kFailed = 'X';      // outcome (one byte), text
 inline constexpr char kEnd = 'E';

@@ -11,7 +11,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "maps/formats.hpp"
+#include "base/csv.hpp"
+#include "base/files.hpp"
 #include "metrics/score.hpp"
 
 namespace oxturn {
@@ -142,6 +143,18 @@ Outcome Row::outcome() const {
     throw std::invalid_argument(fmt::format("unknown outcome '{}' of run {}", get("outcome"), get("run_id")));
   }
   return *outcome;
+}
+
+std::string csv_header() {
+  std::vector<std::string> names;
+  for (const Column& column : columns()) names.push_back(column.name);
+  return csv_line(names);
+}
+
+std::string csv_line(const Row& row) {
+  std::vector<std::string> cells;
+  for (const Column& column : columns()) cells.push_back(row.get(column.name));
+  return csv_line(cells);
 }
 
 Results read_results(const std::string& folder) {

@@ -50,8 +50,6 @@ struct Results {
 Results read_results(const std::string& folder);
 
 std::string csv_header();
-std::string csv_line(const Row& row);  // RFC 4180
-/// Parses RFC 4180 text (quotes, commas, line breaks in quotes).
-std::vector<std::vector<std::string>> parse_csv(const std::string& text, const std::string& source);
+std::string csv_line(const Row& row);
 
 }  // namespace oxturn

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/sha256.hpp"
+
 namespace oxturn {
 
 std::string settings_text(const Settings& settings) {

@@ -17,6 +17,8 @@
 #include <thread>
 
 #include "maps/formats.hpp"
+#include "base/csv.hpp"
+#include "base/files.hpp"
 
 namespace oxturn {
 
@@ -50,7 +52,7 @@ std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error
 
 }  // namespace
 
-Session::Session(const Suite& suite, const SweepOptions& options)
+Session::Session(const Suite& suite, const SuiteRunOptions& options)
     : folder_(options.folder), file_(options.folder + "/runs.csv") {
   const std::string hash = content_hash(suite);
   const bool there = fs::exists(file_);
@@ -135,7 +137,7 @@ void Session::append(const std::string& line) {
 
 void Session::rewrite(const std::string& lines) { write_file(file_, csv_header() + lines); }
 
-void Session::describe(const Suite& suite, const SweepOptions& options, const std::string& suite_hash) {
+void Session::describe(const Suite& suite, const SuiteRunOptions& options, const std::string& suite_hash) {
   const std::string file = folder_ + "/session.json";
   Json json{{"schema", 1}, {"suite", suite.name}, {"suite_file", suite.file}, {"suite_sha256", suite_hash}};
   json["limits"] = {{"wall_s", suite.limits.wall_s}, {"memory_mb", suite.limits.memory_mb}};

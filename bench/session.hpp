@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "bench/sweep.hpp"
+#include "bench/run_suite.hpp"
 #include "bench/wire.hpp"
 
 namespace oxturn {
 
 /// Writes session.json (what ran, where, when; one entry a session) and columns.json; makes the subfolders.
-/// Refuses what sweep() promises to refuse, before anything is written.
+/// Refuses what run_suite() promises to refuse, before anything is written.
 class Session {
  public:
-  Session(const Suite& suite, const SweepOptions& options);
+  Session(const Suite& suite, const SuiteRunOptions& options);
 
   /// Rows that an earlier session left, by run_id, attempts in order.
   const std::map<std::string, std::vector<Row>>& earlier() const { return earlier_; }
@@ -26,7 +26,7 @@ class Session {
  private:
   void open();
   void take_up(const std::string& suite_hash);
-  void describe(const Suite& suite, const SweepOptions& options, const std::string& suite_hash);
+  void describe(const Suite& suite, const SuiteRunOptions& options, const std::string& suite_hash);
 
   std::string folder_, file_;
   std::map<std::string, std::vector<Row>> earlier_;

@@ -20,6 +20,7 @@
 #include "bench/run_id.hpp"
 #include "bench/toml_reader.hpp"
 #include "maps/generators.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 
@@ -218,33 +219,33 @@ bool is_point(const toml::node& node) {
 }
 
 /// [x, y], a name, or a list of such; one empty place if the key is missing.
-std::vector<std::optional<Place>> read_places(const std::string& file, TomlTable& table, const char* key, PlaceOf of) {
+std::vector<std::optional<Location>> read_locations(const std::string& file, TomlTable& table, const char* key, LocationKind of) {
   const toml::node* node = table.find(key);
   if (node == nullptr) return {std::nullopt};
   const auto place = [&](const toml::node& n) {
-    Place found;
+    Location found;
     if (is_point(n)) {
       const toml::array& pair = *n.as_array();
       found.point = {*pair[0].value<double>(), *pair[1].value<double>()};
     } else if (const auto* name = n.as_string()) {
-      at_place(file, n, [&] { found = named_place(of, name->get()); });
+      at_place(file, n, [&] { found = named_location(of, name->get()); });
     } else {
       std::string names;
-      for (const std::string& known : place_names(of)) names += fmt::format(", \"{}\"", known);
+      for (const std::string& known : location_names(of)) names += fmt::format(", \"{}\"", known);
       refuse(file, n,
              fmt::format("{} is neither [x, y] in metres nor one of{}, nor a list of such", key, names.substr(1)));
     }
     return found;
   };
   if (is_point(*node)) return {place(*node)};
-  std::vector<std::optional<Place>> places;
+  std::vector<std::optional<Location>> places;
   for (const toml::node* item : alternatives(file, *node, key)) places.emplace_back(place(*item));
   return places;
 }
 
 /// `spec` once for each start and anchor.
-void add_placed(MapSpec spec, const std::vector<std::optional<Place>>& starts,
-                const std::vector<std::optional<Place>>& anchors, std::vector<MapSpec>& maps) {
+void add_placed(MapSpec spec, const std::vector<std::optional<Location>>& starts,
+                const std::vector<std::optional<Location>>& anchors, std::vector<MapSpec>& maps) {
   for (const auto& start : starts) {
     spec.start = start;
     for (const auto& anchor : anchors) {
@@ -255,8 +256,8 @@ void add_placed(MapSpec spec, const std::vector<std::optional<Place>>& starts,
 }
 
 void read_generated(const std::string& file, TomlTable& table, std::vector<MapSpec>& maps) {
-  const auto starts = read_places(file, table, "start", PlaceOf::start);
-  const auto anchors = read_places(file, table, "anchor", PlaceOf::anchor);
+  const auto starts = read_locations(file, table, "start", LocationKind::start);
+  const auto anchors = read_locations(file, table, "anchor", LocationKind::anchor);
   std::vector<std::uint64_t> seeds{1};
   if (const toml::node* node = table.find("seeds")) {
     seeds.clear();
@@ -287,8 +288,8 @@ void read_generated(const std::string& file, TomlTable& table, std::vector<MapSp
 }
 
 void read_files(const std::string& file, TomlTable& table, std::vector<MapSpec>& maps) {
-  const auto starts = read_places(file, table, "start", PlaceOf::start);
-  const auto anchors = read_places(file, table, "anchor", PlaceOf::anchor);
+  const auto starts = read_locations(file, table, "start", LocationKind::start);
+  const auto anchors = read_locations(file, table, "anchor", LocationKind::anchor);
   const toml::node& patterns = table.need("file");
   std::vector<Choice> keys;
   for (const char* key : {"drop_speckle", "simplify", "metres_per_pixel", "unknown_is_free"}) {

@@ -10,7 +10,7 @@
 #include "algorithms/coverage_planner.hpp"
 #include "maps/formats.hpp"
 #include "maps/map.hpp"
-#include "maps/places.hpp"
+#include "maps/locations.hpp"
 
 namespace oxturn {
 
@@ -29,7 +29,7 @@ struct MapSpec {
   std::uint64_t seed = 1;
   std::string file;
   ReadOptions read;
-  std::optional<Place> start, anchor;      // empty: the file's, or the problem's default
+  std::optional<Location> start, anchor;      // empty: the file's, or the problem's default
   std::shared_ptr<const MapFile> content;  // of `file`
 };
 struct PlannerSpec {

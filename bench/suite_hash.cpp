@@ -3,6 +3,8 @@
 
 #include "bench/run_id.hpp"
 #include "bench/suite.hpp"
+#include "base/sha256.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 

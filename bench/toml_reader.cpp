@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "maps/formats.hpp"
+#include "base/files.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "maps/parameters.hpp"
+#include "base/parameters.hpp"
 
 namespace oxturn {
 

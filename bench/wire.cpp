@@ -9,6 +9,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "geometry/trace.hpp"
+
 namespace oxturn::wire {
 
 namespace {

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "maps/formats.hpp"
+#include "geometry/path.hpp"
+#include "geometry/trace.hpp"
 
 namespace oxturn::wire {
 

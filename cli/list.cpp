@@ -15,6 +15,7 @@
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
 #include "reports/pages/pages.hpp"
+#include "base/text.hpp"
 
 namespace oxturn::cli {
 namespace {

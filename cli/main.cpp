@@ -13,7 +13,8 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "maps/parameters.hpp"
+#include "base/parameters.hpp"
+#include "base/text.hpp"
 
 namespace {
 

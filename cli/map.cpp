@@ -8,8 +8,10 @@
 
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
-#include "maps/formats/svg.hpp"
 #include "maps/generators.hpp"
+#include "base/files.hpp"
+#include "maps/path_file.hpp"
+#include "maps/picture.hpp"
 
 namespace oxturn::cli {
 namespace {
@@ -47,7 +49,7 @@ int map(const Options& options) {
   say_remarks(file);
   write_file(options.output, has_suffix(options.output, ".svg") ? to_svg(file.map) : to_geojson(file));
   fmt::print("{}: '{}', {:.6g} m2 free, {} corners, {} holes\n", options.output, file.map.name, area(file.map.free),
-             corner_count(file.map.free), hole_count(file.map.free));
+             vertex_count(file.map.free), hole_count(file.map.free));
   return 0;
 }
 

@@ -15,8 +15,10 @@
 #include <system_error>
 
 #include "maps/generators.hpp"
-#include "maps/places.hpp"
+#include "maps/locations.hpp"
 #include "metrics/tether_trace.hpp"
+#include "base/files.hpp"
+#include "base/text.hpp"
 
 namespace oxturn::cli {
 namespace {
@@ -124,10 +126,10 @@ void change_robot(Robot& robot, const std::string& text) {
 }
 
 /// What an option says, else what the map's file does.
-std::optional<Place> place_of(PlaceOf of, const std::string& text, const std::optional<Point>& in_file) {
-  if (text.empty()) return in_file ? std::optional<Place>({"", *in_file}) : std::nullopt;
+std::optional<Location> place_of(LocationKind of, const std::string& text, const std::optional<Point>& in_file) {
+  if (text.empty()) return in_file ? std::optional<Location>({"", *in_file}) : std::nullopt;
   try {
-    return parse_place(of, text);
+    return parse_location(of, text);
   } catch (const std::invalid_argument& e) {
     throw std::invalid_argument(fmt::format("--{}", e.what()));  // which begins with the option's name
   }
@@ -292,9 +294,9 @@ Problem load_problem(const ProblemOptions& options) {
   if (options.tool_width) robot.tool_width = *options.tool_width;
   const bool robot_given = file.robot || !options.robot.empty() || (options.radius && options.tool_width);
   check(robot);
-  const auto start = place_of(PlaceOf::start, options.start, file.start);
-  const auto anchor = place_of(PlaceOf::anchor, options.anchor, file.anchor);
-  const Places places = resolve(file.map, robot, start, anchor);
+  const auto start = place_of(LocationKind::start, options.start, file.start);
+  const auto anchor = place_of(LocationKind::anchor, options.anchor, file.anchor);
+  const StartAndAnchor places = resolve(file.map, robot, start, anchor);
   Problem problem(std::move(file.map), robot, places.start, places.anchor);
   say_remarks(file);
   if (!robot_given)

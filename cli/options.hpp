@@ -9,7 +9,7 @@
 #include "bench/suite.hpp"
 #include "geometry/path.hpp"
 #include "maps/formats.hpp"
-#include "maps/parameters.hpp"
+#include "base/parameters.hpp"
 #include "maps/problem.hpp"
 
 namespace oxturn::cli {

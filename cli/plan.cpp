@@ -5,11 +5,14 @@
 #include <utility>
 
 #include "algorithms/coverage_planner.hpp"
-#include "bench/sweep.hpp"
+#include "bench/run_suite.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/verdict.hpp"
 #include "maps/formats.hpp"
+#include "base/files.hpp"
+#include "maps/path_file.hpp"
+#include "maps/picture.hpp"
 
 namespace oxturn::cli {
 namespace {

@@ -10,6 +10,7 @@
 #include "cli/options.hpp"
 #include "maps/formats.hpp"
 #include "reports/pages/pages.hpp"
+#include "base/files.hpp"
 
 namespace oxturn::cli {
 namespace {

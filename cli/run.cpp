@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bench/suite.hpp"
-#include "bench/sweep.hpp"
+#include "bench/run_suite.hpp"
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/suites.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 struct Options {
   std::string suite;
-  SweepOptions sweep;
+  SuiteRunOptions sweep;
   bool quiet = false;
 };
 
@@ -33,18 +33,18 @@ std::vector<std::string> command_line() {
 
 int run(const Options& options) {
   const Suite suite = read_suite(find_suite(options.suite), zoo());
-  SweepOptions sweep_options = options.sweep;
-  sweep_options.progress = !options.quiet;
-  sweep_options.command_line = command_line();
+  SuiteRunOptions run_options = options.sweep;
+  run_options.progress = !options.quiet;
+  run_options.command_line = command_line();
   Results results;
   try {
-    results = sweep(suite, zoo(), sweep_options);
+    results = run_suite(suite, zoo(), run_options);
   } catch (const Interrupted& interrupted) {  // not done, but no bad input either
     fmt::print(stderr, "oxturn: {}\n", interrupted.what());
     return 1;
   }
-  write_report(results, sweep_options.folder);
-  const std::filesystem::path folder = sweep_options.folder;
+  write_report(results, run_options.folder);
+  const std::filesystem::path folder = run_options.folder;
   fmt::print("{}\ntable     {}\nrows      {}\npictures  {}\n", comparison_table(results),
              (folder / "report.md").string(), (folder / "runs.csv").string(), (folder / "gallery.html").string());
   return 0;

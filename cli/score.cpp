@@ -5,6 +5,9 @@
 #include "cli/options.hpp"
 #include "cli/verdict.hpp"
 #include "maps/formats.hpp"
+#include "base/files.hpp"
+#include "maps/path_file.hpp"
+#include "maps/picture.hpp"
 
 namespace oxturn::cli {
 namespace {

@@ -10,7 +10,9 @@
 #include <system_error>
 
 #include "maps/formats.hpp"
-#include "maps/parameters.hpp"
+#include "base/parameters.hpp"
+#include "base/files.hpp"
+#include "base/text.hpp"
 
 namespace oxturn::cli {
 namespace {

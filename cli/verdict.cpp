@@ -63,7 +63,7 @@ void print_table(const Verdict& verdict, const Problem& problem) {
   const Region& free = problem.map().free;
   lines.push_back({"map",
                    fmt::format("{} ({:.6g} m2 free, {} corners, {} holes)", problem.map().name, area(free),
-                               corner_count(free), hole_count(free)),
+                               vertex_count(free), hole_count(free)),
                    ""});
   if (verdict.score)
     for (std::size_t i = 0; i < metrics().size() && i < verdict.score->values.size(); ++i) {

@@ -6,7 +6,7 @@ add_library(oxturn_all INTERFACE)
 add_library(oxturn::oxturn ALIAS oxturn_all)
 set_target_properties(oxturn_all PROPERTIES EXPORT_NAME oxturn)
 target_link_libraries(oxturn_all INTERFACE oxturn::reports oxturn::bench oxturn::metrics oxturn::algorithms oxturn::maps
-                      oxturn::geometry)
+                      oxturn::geometry oxturn::base)
 install(TARGETS oxturn_all EXPORT oxturn)
 install(EXPORT oxturn NAMESPACE oxturn:: FILE oxturnTargets.cmake DESTINATION lib/cmake/oxturn)
 configure_package_config_file(cmake/oxturnConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/oxturnConfig.cmake

@@ -88,7 +88,7 @@ EdgeIndex::EdgeIndex(const Region& region) {
       total += distance(a, b);
     }
   });
-  grid_ = CellGrid(box, edges_.size(), total);
+  grid_ = UniformGrid(box, edges_.size(), total);
   grid_.fill(edges_.size(), [&](std::size_t i, auto enter) {
     const Point ends[2] = {edges_[i].a, edges_[i].b};
     grid_.visit(ends, 2, 0, enter);

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/cell_grid.hpp"
+#include "geometry/uniform_grid.hpp"
 #include "geometry/region.hpp"
 
 namespace oxturn {
@@ -51,7 +51,7 @@ class EdgeIndex {
   bool crossed(const Point& from, const Point& to, std::uint32_t edge) const;
   void look_about();
   std::vector<Edge> edges_;
-  CellGrid grid_;
+  UniformGrid grid_;
   std::vector<std::uint8_t> look_out_;  // of each cell: which place, and whether it is inside
 };
 

@@ -38,7 +38,7 @@ Box bounding_box(const Region& region) {
   return box;
 }
 
-std::size_t corner_count(const Region& region) {
+std::size_t vertex_count(const Region& region) {
   std::size_t n = 0;
   for_each_ring(region, [&](const Ring& r) { n += r.size(); });
   return n;

@@ -31,7 +31,7 @@ double area(const Region& region);
 /// Length of all rings.
 double perimeter(const Region& region);
 Box bounding_box(const Region& region);
-std::size_t corner_count(const Region& region);
+std::size_t vertex_count(const Region& region);
 std::size_t hole_count(const Region& region);
 /// Calls f(ring) for every ring, outer first, in stored order.
 template <class F>

@@ -1,11 +1,8 @@
 // One form of a region for all its ways of being written down, and its address by content.
-#include <openssl/evp.h>
-
 #include <algorithm>
-#include <bit>
 #include <cstdint>
-#include <stdexcept>
 
+#include "base/sha256.hpp"
 #include "maps/map.hpp"
 
 namespace oxturn {
@@ -46,10 +43,6 @@ std::string bytes_of(const Ring& ring) {
 
 }  // namespace
 
-void append_canonical(std::string& bytes, double value) {
-  append(bytes, std::bit_cast<std::uint64_t>(value == 0 ? 0.0 : value));
-}
-
 std::string canonical_bytes(const Region& region) {
   std::vector<std::string> polygons;
   for (const Polygon& polygon : region.polygons) {
@@ -66,20 +59,6 @@ std::string canonical_bytes(const Region& region) {
   append(all, static_cast<std::uint64_t>(polygons.size()));
   for (const std::string& polygon : polygons) all += polygon;
   return all;
-}
-
-std::string sha256(const std::string& bytes) {
-  unsigned char digest[EVP_MAX_MD_SIZE];
-  unsigned int size = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest, &size, EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("OpenSSL cannot compute SHA-256");
-  static constexpr char kHex[] = "0123456789abcdef";
-  std::string text;
-  for (unsigned int i = 0; i < size; ++i) {
-    text.push_back(kHex[digest[i] >> 4]);
-    text.push_back(kHex[digest[i] & 15]);
-  }
-  return text;
 }
 
 std::string content_hash(const Map& map) { return sha256(canonical_bytes(map.free)); }

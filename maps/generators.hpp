@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "maps/map.hpp"
 
 namespace oxturn {

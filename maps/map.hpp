@@ -5,7 +5,7 @@
 #include <string>
 
 #include "geometry/region.hpp"
-#include "maps/parameters.hpp"
+#include "base/parameters.hpp"
 
 namespace oxturn {
 
@@ -58,10 +58,6 @@ void check(const Robot& robot);
 /// Canonical bytes of a region: rings rotated to their smallest corner, polygons and holes sorted, doubles as
 /// big-endian bits (-0 as 0). Equal point sets in equal rings give equal bytes however they were written down.
 std::string canonical_bytes(const Region& region);
-/// One double as canonical_bytes writes it: eight big-endian bytes, -0 as 0.
-void append_canonical(std::string& bytes, double value);
-/// Lower-case hex SHA-256.
-std::string sha256(const std::string& bytes);
 /// Content address of a map: sha256 of the canonical bytes of its free space (name and source do not count).
 std::string content_hash(const Map& map);
 

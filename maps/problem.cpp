@@ -25,14 +25,16 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "geometry/boolean.hpp"
-#include "geometry/mesh.hpp"
-#include "geometry/minkowski.hpp"
-#include "geometry/offset.hpp"
+#include "geometry/overlay/boolean.hpp"
+#include "geometry/mesh/mesh.hpp"
+#include "geometry/overlay/minkowski.hpp"
+#include "geometry/overlay/offset.hpp"
 #include "geometry/predicates.hpp"
-#include "geometry/slit.hpp"
-#include "geometry/validity.hpp"
+#include "geometry/overlay/cut_along.hpp"
+#include "geometry/overlay/validity.hpp"
 #include "maps/formats.hpp"
+#include "base/sha256.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 namespace {
@@ -144,7 +146,7 @@ bool holds(const Region& region, const Point& p, double tolerance) {
 }
 
 /// A place of `all` next to the one nearest to p, with as few decimals as keep it inside.
-Point nearest_place(const Region& all, const Point& p, double tool_width) {
+Point nearest_point_inside(const Region& all, const Point& p, double tool_width) {
   const EdgeIndex edges(all);
   const auto hit = edges.nearest(p);
   const Point place = hit ? hit->place : all.polygons.front().outer.front();
@@ -201,7 +203,7 @@ double farthest_in(const Region& space, const GeodesicField& field, double chord
 }
 
 /// The part of `space` that holds the start and that the tether reaches. `lost` grows by the area that may be missing.
-Region within_leash(const Region& space, const GeodesicField& field, const Problem& problem, double& lost) {
+Region within_tether(const Region& space, const GeodesicField& field, const Problem& problem, double& lost) {
   const double limit = problem.robot().tether->length, w = problem.robot().tool_width;
   const Point extent = bounding_box(space).size();
   const double strip = std::max(w / 10000, std::ldexp(extent.maxCoeff(), -24));
@@ -308,10 +310,10 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
   basis->start = start                    ? *start
                  : found                  ? found->place
                  : holds(all, *anchor, 0) ? *anchor
-                                          : nearest_place(all, *anchor, robot.tool_width);
+                                          : nearest_point_inside(all, *anchor, robot.tool_width);
   const Polygon* part = part_with(all, basis->start, tolerance);
   if (part == nullptr) {
-    const std::string place = text(nearest_place(all, basis->start, robot.tool_width));
+    const std::string place = text(nearest_point_inside(all, basis->start, robot.tool_width));
     if (!holds(map.free, basis->start, tolerance))
       throw std::invalid_argument(fmt::format("start {} is inside a wall of '{}'; nearest place the robot fits: {}",
                                               text(basis->start), map.name, place));
@@ -352,7 +354,7 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
         to_decimal(tether.length), text(basis->start), fmt::format("{:.4g}", away), text(basis->anchor)));
   // Between two places looked at on the cut the distance may be a little larger.
   if (most + basis->robot.tool_width / 5 <= tether.length) return;
-  basis->space = std::make_shared<const Region>(within_leash(*basis->robot_space, field, *this, basis->lost));
+  basis->space = std::make_shared<const Region>(within_tether(*basis->robot_space, field, *this, basis->lost));
   impl_ = std::make_shared<const Impl>(basis, basis->space, basis->start);
 }
 

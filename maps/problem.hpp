@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "geometry/edge_index.hpp"
-#include "geometry/geodesic_field.hpp"
+#include "geometry/tether/geodesic_field.hpp"
 #include "geometry/region.hpp"
-#include "geometry/shortest_path.hpp"
-#include "geometry/taut_string.hpp"
+#include "geometry/paths/shortest_path.hpp"
+#include "geometry/tether/taut_tether.hpp"
 #include "maps/map.hpp"
 
 namespace oxturn {

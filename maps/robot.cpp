@@ -10,6 +10,7 @@
 #include "geometry/predicates.hpp"
 #include "maps/formats.hpp"
 #include "maps/map.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 namespace {

@@ -51,9 +51,9 @@ Score score(const Problem& problem, const Path& path, const ScoreOptions& option
   std::optional<TetherRun> tether;
   if (problem.robot().tether) {
     tether = tether_run(problem, path, walls);
-    if (result.flaw.empty() && options.tether_counts) result.flaw = find_leash_flaw(problem, tether);
+    if (result.flaw.empty() && options.tether_counts) result.flaw = find_tether_flaw(problem, tether);
   }
-  const Swept swept = sweep(problem.target(), problem.target_excess(), problem.robot().tool_width, path);
+  const SweptArea swept = swept_area(problem.target(), problem.target_excess(), problem.robot().tool_width, path);
   const Scored scored{problem, path, swept, clearance(problem, path, walls), tether ? &*tether : nullptr};
   for (std::size_t i = 0; i < metrics().size(); ++i) result.values[i] = metrics()[i]->compute(scored);
   return result;
@@ -63,7 +63,7 @@ std::string find_flaw(const Problem& problem, const Path& path, const ScoreOptio
   const EdgeIndex walls(problem.map().free);
   const std::string flaw = find_flaw(problem, path, walls);
   if (!flaw.empty() || !options.tether_counts || !problem.robot().tether) return flaw;
-  return find_leash_flaw(problem, tether_run(problem, path, walls));
+  return find_tether_flaw(problem, tether_run(problem, path, walls));
 }
 
 }  // namespace oxturn

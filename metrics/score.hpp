@@ -7,7 +7,7 @@
 
 #include "geometry/path.hpp"
 #include "maps/problem.hpp"
-#include "metrics/swept.hpp"
+#include "metrics/swept_area.hpp"
 #include "metrics/tether.hpp"
 
 namespace oxturn {
@@ -16,7 +16,7 @@ namespace oxturn {
 struct Scored {
   const Problem& problem;
   const Path& path;
-  const Swept& swept;
+  const SweptArea& swept;
   double clearance;                   // metres, see clearance.cpp
   const TetherRun* tether = nullptr;  // none: no tether, or no string can follow the path
 };

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "maps/tethered_way.hpp"
-#include "metrics/own_line.hpp"
+#include "maps/followed_path.hpp"
+#include "metrics/tether_crossings.hpp"
 #include "metrics/score.hpp"
 
 namespace oxturn {
@@ -33,7 +33,7 @@ double sharp_metres(const TetherStretch& t, double limit) {
 }  // namespace
 
 void drive_tether(const Problem& problem, const Polyline& way, const TetherVisitor& visitor) {
-  TautString string = string_at_start(problem);
+  TautTether string = tether_at_start(problem);
   OwnLine own_line;
   double driven = 0;
   for (const Point& to : way) {
@@ -43,7 +43,7 @@ void drive_tether(const Problem& problem, const Polyline& way, const TetherVisit
     if (visitor.crossing)
       for (const Point& at : own_line.crossed(string, to)) visitor.crossing({driven + distance(from, at), at});
     const Point heading = (to - from) / length;
-    string.drive(to, [&](const TautString::Swing& swing) {
+    string.drive(to, [&](const TautTether::Swing& swing) {
       if (!visitor.stretch) return;
       TetherStretch stretch{swing, heading, driven + distance(from, swing.from), 0, 0, 0};
       stretch.begin = (swing.from - swing.pivot).dot(heading);
@@ -52,14 +52,14 @@ void drive_tether(const Problem& problem, const Polyline& way, const TetherVisit
       visitor.stretch(stretch);
     });
     driven += length;
-    if (visitor.way_point) visitor.way_point(string, driven);
+    if (visitor.waypoint) visitor.waypoint(string, driven);
   }
 }
 
 std::optional<TetherRun> tether_run(const Problem& problem, const Path& path, const EdgeIndex& walls) {
-  const TetheredWay way = tethered_way(problem, path, walls);
+  const FollowedPath way = followed_path(problem, path, walls);
   if (!way.whole) return std::nullopt;
-  const TautString first = string_at_start(problem);
+  const TautTether first = tether_at_start(problem);
   TetherRun run;
   run.longest_m = run.end_m = first.length();
   run.longest_at = problem.start();
@@ -81,7 +81,7 @@ std::optional<TetherRun> tether_run(const Problem& problem, const Path& path, co
                   run.angle_sum += angle_integral(t);
                   run.sharp_m += sharp_metres(t, limit);
                 },
-                [&](const TautString& string, double path_m) {
+                [&](const TautTether& string, double path_m) {
                   lengthen(string.length(), string.robot());
                   run.bends_max = std::max(run.bends_max, string.bends().size());
                   run.path_m = path_m;
@@ -91,7 +91,7 @@ std::optional<TetherRun> tether_run(const Problem& problem, const Path& path, co
   return run;
 }
 
-std::string find_leash_flaw(const Problem& problem, const std::optional<TetherRun>& run) {
+std::string find_tether_flaw(const Problem& problem, const std::optional<TetherRun>& run) {
   if (!run) return "leaves free space, no tether can follow it";
   const double limit = problem.robot().tether->length;
   if (run->longest_m <= limit + problem.tolerance() + 1e-9 * limit) return "";

@@ -21,14 +21,14 @@
 
 #include "geometry/edge_index.hpp"
 #include "geometry/path.hpp"
-#include "geometry/taut_string.hpp"
+#include "geometry/tether/taut_tether.hpp"
 #include "maps/problem.hpp"
 
 namespace oxturn {
 
 /// A stretch of the way with one pivot.
 struct TetherStretch {
-  TautString::Swing swing;
+  TautTether::Swing swing;
   Point heading{1, 0};        // unit vector
   double path_m = 0;          // driven up to its begin
   double begin = 0, end = 0;  // metres along the heading from the pivot's foot, begin <= end
@@ -46,9 +46,9 @@ struct TetherCrossing {
 struct TetherVisitor {
   std::function<void(const TetherCrossing&)> crossing;
   std::function<void(const TetherStretch&)> stretch;
-  std::function<void(const TautString&, double path_m)> way_point;  // at the end of each segment
+  std::function<void(const TautTether&, double path_m)> waypoint;  // at the end of each segment
 };
-/// Drives the string along `way`, which begins at the problem's start (maps/tethered_way.hpp).
+/// Drives the string along `way`, which begins at the problem's start (maps/followed_path.hpp).
 void drive_tether(const Problem& problem, const Polyline& way, const TetherVisitor& visitor);
 
 struct TetherRun {
@@ -68,6 +68,6 @@ std::optional<TetherRun> tether_run(const Problem& problem, const Path& path, co
 
 /// "pulls its tether to 12.3 m at (3, 4), 0.3 m over its limit 12 m", or "" if the limit is kept (within the problem's
 /// tolerance and 1e-9 of it).
-std::string find_leash_flaw(const Problem& problem, const std::optional<TetherRun>& run);
+std::string find_tether_flaw(const Problem& problem, const std::optional<TetherRun>& run);
 
 }  // namespace oxturn

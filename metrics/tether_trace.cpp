@@ -9,9 +9,10 @@
 #include <utility>
 
 #include "maps/formats.hpp"
-#include "maps/tethered_way.hpp"
+#include "maps/followed_path.hpp"
 #include "metrics/mission.hpp"
 #include "metrics/tether.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 namespace {
@@ -21,7 +22,7 @@ using Event = TetherRow::Event;
 class Tracer {
  public:
   Tracer(const Problem& problem, const Polyline& way, double step) : clock_(problem, Path{{{true, way}}}), step_(step) {
-    const TautString string = string_at_start(problem);
+    const TautTether string = tether_at_start(problem);
     bends_ = string.bends().size();
     pivot_ = string.pivot();
     rows_.push_back({0, 0, problem.start(), string.length(), bends_, {}, Event::start});
@@ -29,7 +30,7 @@ class Tracer {
     drive_tether(problem, way,
                  {[&](const TetherCrossing& crossing) { crossings_.push_back(crossing.path_m); },
                   [&](const TetherStretch& stretch) { add(stretch); },
-                  [&](const TautString& reached, double path_m) { end_segment(reached, path_m); }});
+                  [&](const TautTether& reached, double path_m) { end_segment(reached, path_m); }});
   }
   std::vector<TetherRow> take() { return std::move(rows_); }
 
@@ -54,12 +55,12 @@ class Tracer {
     last_ = t;
   }
 
-  void end_segment(const TautString& string, double path_m) {
+  void end_segment(const TautTether& string, double path_m) {
     for (; !crossings_.empty(); crossings_.pop_front())  // beyond the last stretch by rounding
       rows_.push_back({crossings_.front(), clock_.at(crossings_.front()), string.robot(), string.length(), bends_,
                        last_.angle_at(last_.end), Event::crossing});
     rows_.push_back({path_m, clock_.at(path_m), string.robot(), string.length(), string.bends().size(),
-                     last_.angle_at(last_.end), Event::way_point});
+                     last_.angle_at(last_.end), Event::waypoint});
   }
 
   MissionClock clock_;
@@ -77,8 +78,8 @@ std::string to_text(Event event) {
   switch (event) {
     case Event::start:
       return "start";
-    case Event::way_point:
-      return "way_point";
+    case Event::waypoint:
+      return "waypoint";
     case Event::sample:
       return "sample";
     case Event::bend_gained:
@@ -94,7 +95,7 @@ std::string to_text(Event event) {
 std::vector<TetherRow> tether_trace(const Problem& problem, const Path& path, double step) {
   if (!(step > 0)) throw std::invalid_argument(fmt::format("tether trace: step is {}, expected metres above 0", step));
   const EdgeIndex walls(problem.map().free);
-  return Tracer(problem, tethered_way(problem, path, walls).points, step).take();
+  return Tracer(problem, followed_path(problem, path, walls).points, step).take();
 }
 
 std::string to_csv(const std::vector<TetherRow>& rows) {

@@ -11,7 +11,7 @@
 namespace oxturn {
 
 struct TetherRow {
-  enum class Event { start, way_point, sample, bend_gained, bend_lost, crossing };
+  enum class Event { start, waypoint, sample, bend_gained, bend_lost, crossing };
   double path_m = 0;     // driven
   double mission_s = 0;  // when, as the metric mission_s tells time; before turning on the spot
   Point at{0, 0};
@@ -25,7 +25,7 @@ std::string to_text(TetherRow::Event event);
 
 /// A row for the start, each way point, each bend gained or lost (both at once: gained) and each crossing of the own
 /// line; between them samples so that rows are at most `step` metres apart (> 0, else std::invalid_argument). Ends where
-/// no string can follow (maps/tethered_way.hpp). Tethered problems only (else std::logic_error). O(rows) beside the
+/// no string can follow (maps/followed_path.hpp). Tethered problems only (else std::logic_error). O(rows) beside the
 /// string's cost.
 std::vector<TetherRow> tether_trace(const Problem& problem, const Path& path, double step);
 

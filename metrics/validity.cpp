@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/place_outside.hpp"
+#include "geometry/point_outside.hpp"
 #include "metrics/footprint.hpp"
 #include "metrics/score.hpp"
 #include "metrics/walls.hpp"
@@ -61,7 +61,7 @@ std::string find_flaw(const Problem& problem, const Path& path, const EdgeIndex&
                            hit->distance > 0 ? fmt::format("{:.6g} m from a wall", hit->distance) : "in a wall",
                            radius);
       }
-      if (const auto out = place_outside(walls, a, b, tolerance)) {
+      if (const auto out = point_outside(walls, a, b, tolerance)) {
         const auto depth = walls.nearest(*out);
         return fmt::format("leaves configuration space at {}: {:.3g} m inside a wall", text(*out),
                            depth ? depth->distance : 0.0);

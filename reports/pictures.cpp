@@ -10,6 +10,10 @@
 
 #include "maps/formats.hpp"
 #include "maps/problem.hpp"
+#include "base/files.hpp"
+#include "geometry/trace.hpp"
+#include "maps/path_file.hpp"
+#include "maps/picture.hpp"
 
 namespace oxturn {
 namespace {

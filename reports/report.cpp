@@ -13,6 +13,7 @@
 #include "reports/pictures.hpp"
 #include "reports/tables/tables.hpp"
 #include "reports/text.hpp"
+#include "base/files.hpp"
 
 namespace oxturn {
 namespace {

@@ -18,7 +18,7 @@
 //             5. The lattice hangs on the start; the robot feels the diagonal cells as well.
 //             6. Ways over visited cells are driven with the tool off.
 #include "algorithms/grid/cell_planner.hpp"
-#include "algorithms/grid/cell_walk.hpp"
+#include "algorithms/lattice/cell_walk.hpp"
 
 namespace oxturn {
 namespace {
@@ -81,7 +81,7 @@ class LanesAndPoints {
       std::size_t looked = 0, enough = 0;
       std::optional<Cell> other;
       bool best = false;
-      auto way = walk_.way_to([&](const Cell& c) {
+      auto way = walk_.path_to([&](const Cell& c) {
         ++looked;
         if (!walk_.any_fresh(c)) return other && looked > enough;
         best = back_track_point(c);
@@ -93,7 +93,7 @@ class LanesAndPoints {
         return looked > enough;
       });
       if (!best && !other) return walk_.escape();  // for what has been learnt since
-      if (!best) way = walk_.way_to_cell(*other);
+      if (!best) way = walk_.path_to_cell(*other);
       if (walk_.walk(*way, false, smooth_)) return true;
     }
     return false;

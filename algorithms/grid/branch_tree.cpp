@@ -8,7 +8,7 @@
 
 namespace oxturn {
 
-BranchTree::BranchTree(const Problem& problem, double spacing, LatticeWays& ways) : problem_(problem), ways_(ways) {
+BranchTree::BranchTree(const Problem& problem, double spacing, LatticePaths& ways) : problem_(problem), ways_(ways) {
   const Box box = bounding_box(problem.configuration_space());
   const Point size = box.size();
   low_ = box.low;
@@ -32,13 +32,13 @@ std::uint32_t BranchTree::add(const Polyline& piece, Kind kind, std::uint32_t pa
   const auto first = static_cast<std::uint32_t>(vertices_.size());
   vertices_.insert(vertices_.end(), piece.begin(), once ? piece.end() - 1 : piece.end());
   const auto end = static_cast<std::uint32_t>(vertices_.size());
-  first_hung_.resize(end, kNone);
+  first_attached_.resize(end, kNone);
   for (std::uint32_t v = first; v < end; ++v) older_.push_back(std::exchange(newest_[bucket(vertices_[v])], v));
   const auto id = static_cast<std::uint32_t>(pieces_.size());
   pieces_.push_back({first, end, parent, once, kNone});
   if (parent != kNone) {
-    pieces_.back().next = first_hung_[parent];
-    first_hung_[parent] = id;
+    pieces_.back().next = first_attached_[parent];
+    first_attached_[parent] = id;
   }
   return end - 1;
 }
@@ -88,15 +88,15 @@ BranchTree::Hung BranchTree::hang(const Polyline& piece, Kind kind) {
     add(piece, kind, visible);
     return Hung::straight;
   }
-  std::optional<Way> way = way_over_lattice(piece.front());
-  if (!way) way = way_among_walls(piece.front());
+  std::optional<Way> way = path_over_lattice(piece.front());
+  if (!way) way = path_among_walls(piece.front());
   if (!way) return Hung::not_at_all;
   // Seen from the tree: the way's corners are a chain of their own, at whose end the piece hangs.
   Polyline corners(way->from.rbegin() + 1, way->from.rend() - 1);
   std::uint32_t parent = way->vertex;
   if (!corners.empty()) parent = add(corners, Kind::chain, parent);
   add(piece, kind, parent);
-  return Hung::by_way;
+  return Hung::by_path;
 }
 
 std::uint32_t BranchTree::vertex_at(const Point& p) const {
@@ -105,16 +105,16 @@ std::uint32_t BranchTree::vertex_at(const Point& p) const {
   return v;
 }
 
-std::optional<BranchTree::Way> BranchTree::way_over_lattice(const Point& p) {
+std::optional<BranchTree::Way> BranchTree::path_over_lattice(const Point& p) {
   auto found = ways_.nearest(p, [this](std::size_t at) { return vertex_at(ways_.place(at)) != kNone; });
   if (!found) return std::nullopt;
   return Way{vertex_at(ways_.place(found->node)), std::move(found->way)};
 }
 
-std::optional<BranchTree::Way> BranchTree::way_among_walls(const Point& p) {
-  if (!by_way_) by_way_ = std::make_unique<NearestPart>(problem_);
-  for (; known_ < vertices_.size(); ++known_) by_way_->add(vertices_[known_], static_cast<int>(known_), known_);
-  auto found = by_way_->from(p);
+std::optional<BranchTree::Way> BranchTree::path_among_walls(const Point& p) {
+  if (!by_path_) by_path_ = std::make_unique<NearestComponent>(problem_);
+  for (; known_ < vertices_.size(); ++known_) by_path_->add(vertices_[known_], static_cast<int>(known_), known_);
+  auto found = by_path_->from(p);
   if (!found) return std::nullopt;
   return Way{static_cast<std::uint32_t>(found->id), std::move(found->way)};
 }
@@ -152,7 +152,7 @@ Polyline BranchTree::way_round() {
   const auto enter = [&](std::uint32_t piece) {
     const std::uint32_t first = pieces_[piece].first;
     drive(vertices_[first]);
-    open.push_back({piece, first, first_hung_[first]});
+    open.push_back({piece, first, first_attached_[first]});
   };
   if (!pieces_.empty()) enter(0);
   while (!open.empty()) {
@@ -164,7 +164,7 @@ Polyline BranchTree::way_round() {
       enter(branch);  // `here` is stale now
     } else if (here.vertex + 1 < piece.end) {
       drive(vertices_[++here.vertex]);
-      here.hung = first_hung_[here.vertex];
+      here.hung = first_attached_[here.vertex];
     } else {
       if (piece.once)
         drive(vertices_[piece.first]);

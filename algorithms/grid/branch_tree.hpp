@@ -17,8 +17,8 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/grid/lattice_ways.hpp"
-#include "algorithms/grid/nearest_part.hpp"
+#include "algorithms/lattice/lattice_paths.hpp"
+#include "algorithms/transit/nearest_component.hpp"
 #include "maps/problem.hpp"
 
 namespace oxturn {
@@ -26,7 +26,7 @@ namespace oxturn {
 class BranchTree {
  public:
   /// `spacing`: about how far neighbouring vertices are from one another. `problem` and `ways` must outlive it.
-  BranchTree(const Problem& problem, double spacing, LatticeWays& ways);
+  BranchTree(const Problem& problem, double spacing, LatticePaths& ways);
 
   enum class Kind {
     chain,  // driven there and back
@@ -35,7 +35,7 @@ class BranchTree {
   };
   /// The piece that the tree begins with.
   void begin(const Polyline& piece, Kind kind);
-  enum class Hung { straight, by_way, not_at_all };
+  enum class Hung { straight, by_path, not_at_all };
   /// Hangs the piece by its first point. Not at all: no vertex can be reached from there.
   Hung hang(const Polyline& piece, Kind kind);
 
@@ -77,24 +77,24 @@ class BranchTree {
     std::uint32_t vertex;
     Polyline from;  // from the asking point to the vertex
   };
-  std::optional<Way> way_over_lattice(const Point& p);
-  std::optional<Way> way_among_walls(const Point& p);
+  std::optional<Way> path_over_lattice(const Point& p);
+  std::optional<Way> path_among_walls(const Point& p);
   std::size_t bucket(const Point& p) const;
   std::size_t bucket(int i, int j) const {
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
   }
 
   const Problem& problem_;
-  LatticeWays& ways_;
+  LatticePaths& ways_;
   std::vector<Point> vertices_;
-  std::vector<std::uint32_t> first_hung_;  // on each vertex, newest first
+  std::vector<std::uint32_t> first_attached_;  // on each vertex, newest first
   std::vector<Piece> pieces_;
   std::size_t seen_ = 0;
   Point low_;
   double side_;
   int columns_, rows_;
   std::vector<std::uint32_t> newest_, older_;  // vertex in each bucket, and the one before each vertex in its bucket
-  std::unique_ptr<NearestPart> by_way_;        // made at the first question; then it knows the first `known_` vertices
+  std::unique_ptr<NearestComponent> by_path_;        // made at the first question; then it knows the first `known_` vertices
   std::uint32_t known_ = 0;
 };
 

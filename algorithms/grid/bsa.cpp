@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "algorithms/grid/cell_planner.hpp"
-#include "algorithms/grid/cell_walk.hpp"
+#include "algorithms/lattice/cell_walk.hpp"
 #include "algorithms/grid/wall_follower.hpp"
 
 namespace oxturn {

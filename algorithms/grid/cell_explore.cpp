@@ -17,7 +17,7 @@
 #include <algorithm>
 
 #include "algorithms/grid/cell_planner.hpp"
-#include "algorithms/grid/cell_walk.hpp"
+#include "algorithms/lattice/cell_walk.hpp"
 
 namespace oxturn {
 namespace {

@@ -46,7 +46,7 @@ Path walk_cells(const Problem& problem, Context& context, const CellSettings& se
         context);
   }
   GridGraph graph = grid_about_start(problem, side, edges ? dominant_direction(problem.map().free) : 0);
-  if (settings.straight_ways) graph.look_between(problem.configuration_space());
+  if (settings.straight_paths) graph.look_between(problem.configuration_space());
   CellRobot robot = robot_at_start(problem, graph, settings.reach);
   if (context.wants_traces()) context.trace("lattice", lattice_lines(graph));
   walk(robot);

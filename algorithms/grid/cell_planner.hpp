@@ -5,7 +5,7 @@
 #include <string>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/cell_robot.hpp"
+#include "algorithms/lattice/cell_robot.hpp"
 
 namespace oxturn {
 
@@ -15,7 +15,7 @@ struct CellSettings {
   std::string sensing =
       "map";                   // map: cells are felt on the true map (the papers' model); lidar: as the robot sees them
   int reach = 1;               // how far the robot feels, in cells
-  bool straight_ways = false;  // the walk asks for ways off the lattice
+  bool straight_paths = false;  // the walk asks for ways off the lattice
   bool follows_walls = false;  // the walk uses a WallFollower; needs sensing = map
 };
 inline constexpr const char* kAlignHelp = "edges: turn the grid to the direction most walls run in (sensing = map)";

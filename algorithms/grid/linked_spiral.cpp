@@ -16,7 +16,7 @@
 //                middle of, their contour is followed once, as `bsa` does it, when the spiral has ended.
 //             5. The lattice hangs on the start. Links are driven with the tool off.
 #include "algorithms/grid/cell_planner.hpp"
-#include "algorithms/grid/cell_walk.hpp"
+#include "algorithms/lattice/cell_walk.hpp"
 #include "algorithms/grid/wall_follower.hpp"
 
 namespace oxturn {

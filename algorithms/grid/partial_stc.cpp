@@ -4,9 +4,9 @@
 #include <array>
 #include <numeric>
 
-#include "algorithms/grid/cell_robot.hpp"
-#include "algorithms/grid/coarse_parts.hpp"
-#include "algorithms/grid/nearest_part.hpp"
+#include "algorithms/lattice/cell_robot.hpp"
+#include "algorithms/grid/coarse_components.hpp"
+#include "algorithms/transit/nearest_component.hpp"
 #include "algorithms/grid/sub_cell_tree.hpp"
 
 namespace oxturn {
@@ -118,7 +118,7 @@ Path go_round_partial(const Problem& problem, const GridGraph& fine, const std::
   Tree tree(Ways{&fine}, {0, 0});
   std::vector<std::uint32_t> parent(kind == "weighted" ? fine.size() : 0);
   std::iota(parent.begin(), parent.end(), 0u);
-  std::optional<NearestPart> nearest;
+  std::optional<NearestComponent> nearest;
   PathBuilder path(problem.start());
   for (std::size_t done = 0; entry && !context.cancelled();) {
     const Cell root{entry->column, entry->row};

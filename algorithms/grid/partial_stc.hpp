@@ -4,7 +4,7 @@
 #include <string>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/grid_graph.hpp"
+#include "algorithms/lattice/grid_graph.hpp"
 
 namespace oxturn {
 

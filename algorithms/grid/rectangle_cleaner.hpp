@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/lattice_ways.hpp"
+#include "algorithms/lattice/lattice_paths.hpp"
 #include "algorithms/grid/rectangle_world.hpp"
 
 namespace oxturn {
@@ -74,7 +74,7 @@ class RectangleCleaner {
   const Problem& problem_;
   const GridGraph& graph_;
   Context& context_;
-  LatticeWays ways_;
+  LatticePaths ways_;
   double side_;
   std::vector<bool> done_;
   std::size_t at_ = 0;  // the node where the path ends

@@ -35,6 +35,7 @@
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/grid/rectangle_cleaner.hpp"
 #include "algorithms/grid/world_scan.hpp"
+#include "geometry/trace.hpp"
 
 namespace oxturn {
 namespace {

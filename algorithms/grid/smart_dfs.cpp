@@ -23,7 +23,7 @@
 #include <array>
 
 #include "algorithms/grid/cell_planner.hpp"
-#include "algorithms/grid/cell_walk.hpp"
+#include "algorithms/lattice/cell_walk.hpp"
 
 namespace oxturn {
 namespace {

@@ -24,8 +24,8 @@
 #include <utility>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/coarse_parts.hpp"
-#include "algorithms/grid/part_order.hpp"
+#include "algorithms/grid/coarse_components.hpp"
+#include "algorithms/grid/component_order.hpp"
 #include "algorithms/grid/partial_stc.hpp"
 
 namespace oxturn {
@@ -52,7 +52,7 @@ class Stc final : public CoveragePlanner {
     const CoarseParts parts = parts_of(cells);
     if (parts.count == 0) throw Infeasible("no coarse cell of twice the cell size fits; a smaller cell_size may");
 
-    LatticeWays ways(fine, problem.walls());
+    LatticePaths ways(fine, problem.walls());
     PartOrder order(problem, fine, cells, parts, ways);
     TreeGrower grower(cells, p_.tree, context.rng());
     PathBuilder path(problem.start());

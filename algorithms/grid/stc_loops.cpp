@@ -18,7 +18,7 @@
 //             6. The round passes the four sub-cell centres about a coarse cell, never its centre. So a branch hangs on the
 //                nearest visible sub-cell centre of the round (or node of a branch hung before), and is an excursion
 //                from there: all of it lies in configuration space.
-//             7. No vertex visible: by a way to one, whose corners become vertices (reported as `branches_by_way`). The
+//             7. No vertex visible: by a way to one, whose corners become vertices (reported as `branches_by_path`). The
 //                parts of coarse cells that `stc` drives one after another hang on the tree likewise, so there is one
 //                tree; each is hung where it is nearest to what is in the tree.
 //             8. No coarse cell fits: the tree is the start alone, and loops hang on it.
@@ -35,12 +35,12 @@
 #include <cmath>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/bare_samples.hpp"
+#include "algorithms/grid/uncovered_samples.hpp"
 #include "algorithms/grid/bisector_nodes.hpp"
 #include "algorithms/grid/branch_tree.hpp"
-#include "algorithms/grid/coarse_parts.hpp"
+#include "algorithms/grid/coarse_components.hpp"
 #include "algorithms/grid/node_loops.hpp"
-#include "algorithms/grid/part_order.hpp"
+#include "algorithms/grid/component_order.hpp"
 
 namespace oxturn {
 namespace {
@@ -87,12 +87,12 @@ class StcLoops final : public CoveragePlanner {
     const double side = cell_side(p_.cell_size, problem.robot());
     const GridGraph fine = make_grid_graph(problem, {p_.cell_size, p_.align, p_.shift_x, p_.shift_y}, side, 2);
     CoarseCells cells(fine);
-    LatticeWays ways(fine, problem.walls());
+    LatticePaths ways(fine, problem.walls());
     BranchTree tree(problem, side, ways);
     PathBuilder path(problem.start());
     Figures figures;
-    const std::vector<bool> in_tree = hang_parts(problem, fine, cells, ways, tree, path, figures, context);
-    hang_chains(make_chains(problem, side, figures, context), tree, figures, context);
+    const std::vector<bool> in_tree = attach_parts(problem, fine, cells, ways, tree, path, figures, context);
+    attach_chains(make_chains(problem, side, figures, context), tree, figures, context);
     if (p_.fill != "none") fill(problem, fine, cells, in_tree, tree, figures, context);
     path.drive(tree.way_round(), true);
     if (path.at() == problem.start() && tree.vertices().size() < 2)
@@ -106,7 +106,7 @@ class StcLoops final : public CoveragePlanner {
     context.report("loops", figures.loops);
     context.report("broken_loops", figures.broken);
     context.report("chains", figures.chains);
-    context.report("branches_by_way", figures.by_way);
+    context.report("branches_by_path", figures.by_path);
     context.report("branches_lost", figures.lost);
     context.report("fill_places", figures.places);
     return path.take();
@@ -114,26 +114,26 @@ class StcLoops final : public CoveragePlanner {
 
  private:
   struct Figures {
-    int loops = 0, broken = 0, chains = 0, by_way = 0, lost = 0, places = 0;
+    int loops = 0, broken = 0, chains = 0, by_path = 0, lost = 0, places = 0;
   };
 
   static bool hang(BranchTree& tree, const Polyline& piece, BranchTree::Kind kind, Figures& figures) {
     const BranchTree::Hung how = tree.hang(piece, kind);
-    figures.by_way += how == BranchTree::Hung::by_way;
+    figures.by_path += how == BranchTree::Hung::by_path;
     figures.lost += how == BranchTree::Hung::not_at_all;
     return how != BranchTree::Hung::not_at_all;
   }
 
   // The part that stc begins with is where the robot drives from its start; of the others always the one nearest to the
   // tree comes next. Tells which cells the tree has.
-  std::vector<bool> hang_parts(const Problem& problem, const GridGraph& fine, CoarseCells& cells, LatticeWays& ways,
+  std::vector<bool> attach_parts(const Problem& problem, const GridGraph& fine, CoarseCells& cells, LatticePaths& ways,
                                BranchTree& tree, PathBuilder& path, Figures& figures, Context& context) const {
     std::vector<bool> in_tree(cells.size(), false);
     const CoarseParts parts = parts_of(cells);
     std::vector<bool> hung(static_cast<std::size_t>(parts.count), false);
     PartOrder order(problem, fine, cells, parts, ways);
     TreeGrower grower(cells, p_.tree, context.rng());
-    const auto hang_part = [&](const PartOrder::Entry& entry) {
+    const auto attach_part = [&](const PartOrder::Entry& entry) {
       grower.grow(entry.coarse);
       const Polyline round = round_tree(fine, cells, entry.i, entry.j, true);
       if (tree.vertices().empty())
@@ -145,11 +145,11 @@ class StcLoops final : public CoveragePlanner {
     std::optional<PartOrder::Entry> entry = order.first();
     if (entry) path.drive(entry->way, false);
     while (entry && !context.cancelled()) {
-      hang_part(*entry);
+      attach_part(*entry);
       if (p_.components == "start") break;
       for (const PartOrder::Entry& other : order.branches()) {
         if (context.cancelled()) break;
-        hang_part(other);
+        attach_part(other);
       }
       entry = order.next(problem.start());
     }
@@ -201,7 +201,7 @@ class StcLoops final : public CoveragePlanner {
     return chains;
   }
 
-  void hang_chains(const std::vector<NodeChain>& chains, BranchTree& tree, Figures& figures, Context& context) const {
+  void attach_chains(const std::vector<NodeChain>& chains, BranchTree& tree, Figures& figures, Context& context) const {
     figures.chains = static_cast<int>(chains.size());
     for (const NodeChain& chain : chains) {
       if (context.cancelled()) return;
@@ -216,7 +216,7 @@ class StcLoops final : public CoveragePlanner {
   void fill(const Problem& problem, const GridGraph& fine, const CoarseCells& cells, const std::vector<bool>& in_tree,
             BranchTree& tree, Figures& figures, Context& context) const {
     const double reach = problem.robot().tool_width / 2;
-    BareSamples samples(fine, problem.map().free, reach);
+    UncoveredSamples samples(fine, problem.map().free, reach);
     const auto note = [&] { tree.for_each_new_segment([&](const Point& a, const Point& b) { samples.sweep(a, b); }); };
     note();
     if (tree.vertices().size() == 1) samples.sweep(tree.vertices().front(), tree.vertices().front());
@@ -227,7 +227,7 @@ class StcLoops final : public CoveragePlanner {
       if (space.contains(q)) return q;
       const auto hit = space.nearest(q, reach * (1 - 1e-3));
       if (!hit) return std::nullopt;
-      return space.contains(hit->place) ? std::optional<Point>(hit->place) : inner_place(space, hit->place, problem);
+      return space.contains(hit->place) ? std::optional<Point>(hit->place) : inner_point(space, hit->place, problem);
     };
     const auto visit = [&](const Point& place) {
       ++figures.places;
@@ -238,9 +238,9 @@ class StcLoops final : public CoveragePlanner {
       if (context.cancelled()) return;
       for (int i = -1; i <= fine.columns(); ++i) {
         if (fine.inside(i, j) && in_tree[cells.at(i / 2, j / 2)]) continue;
-        if (!samples.any_bare(i, j)) continue;
+        if (!samples.any_uncovered(i, j)) continue;
         bool centre_tried = !fine.free(i, j);
-        for (int k = 0; k < BareSamples::kPerCell; ++k) {
+        for (int k = 0; k < UncoveredSamples::kPerCell; ++k) {
           if (!samples.bare(i, j, k)) continue;
           std::optional<Point> place = place_for(samples.place(i, j, k));
           if (!place) continue;
@@ -256,7 +256,7 @@ class StcLoops final : public CoveragePlanner {
   }
 
   // A place on the border of configuration space is outside it by rounding as often as not: a hair further in.
-  static std::optional<Point> inner_place(const EdgeIndex& space, const Point& p, const Problem& problem) {
+  static std::optional<Point> inner_point(const EdgeIndex& space, const Point& p, const Problem& problem) {
     const double hair = problem.robot().tool_width / 1000;
     for (int k = 0; k < 16; ++k) {
       const Point q = p + hair * Point(std::cos(k * kPi / 8), std::sin(k * kPi / 8));

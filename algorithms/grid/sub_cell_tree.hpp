@@ -21,7 +21,7 @@
 #include <array>
 #include <cstdint>
 
-#include "algorithms/grid/cell_map.hpp"
+#include "algorithms/lattice/cell_map.hpp"
 
 namespace oxturn {
 

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "algorithms/grid/cell_walk.hpp"
+#include "algorithms/lattice/cell_walk.hpp"
 
 namespace oxturn {
 

@@ -25,8 +25,8 @@
 #include <vector>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/cell_robot.hpp"
-#include "algorithms/grid/nearest_part.hpp"
+#include "algorithms/lattice/cell_robot.hpp"
+#include "algorithms/transit/nearest_component.hpp"
 
 namespace oxturn {
 namespace {
@@ -171,7 +171,7 @@ class Climb {
       }
       path.drive(centre(c), true);
       if (p_.stop == "closed") return;
-      const auto way = way_out(c);
+      const auto way = path_out(c);
       if (!way) return;
       for (const std::size_t k : *way) path.drive(centre(k), false);
       if (!way->empty()) c = way->back();
@@ -194,7 +194,7 @@ class Climb {
   }
 
   // To the nearest visited cell beside an unvisited one; stamped marks, with the direction the search came by.
-  std::optional<std::vector<std::size_t>> way_out(std::size_t from) {
+  std::optional<std::vector<std::size_t>> path_out(std::size_t from) {
     if (++stamp_ > kLastStamp) {
       for (std::uint32_t& f : found_) f &= kVisited;
       stamp_ = 1;
@@ -269,7 +269,7 @@ class Wavefront final : public CoveragePlanner {
       if (graph.free(cell(c).first, cell(c).second) && !climb.visited(c)) left.push_back(c);
     if (left.empty()) return;
     // Each cell is a part of its own: most parts are single cells, and those of larger ones are dropped as they are met.
-    NearestPart nearest(problem);
+    NearestComponent nearest(problem);
     for (std::size_t k = 0; k < left.size(); ++k)
       nearest.add(graph.centre(cell(left[k]).first, cell(left[k]).second), static_cast<int>(k), k);
     while (!climb.cancelled()) {

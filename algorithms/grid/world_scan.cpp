@@ -48,7 +48,7 @@ bool clear(const BitGrid& room, const std::pair<int, int>& a, const std::pair<in
 }
 
 /// Breadth first to the window's border; empty if it cannot be reached.
-Polyline way_out(const BitGrid& room, const Point& pose) {
+Polyline path_out(const BitGrid& room, const Point& pose) {
   const Point at = (pose - room.origin) / room.cell;
   const int ci = static_cast<int>(std::floor(at.x())), cj = static_cast<int>(std::floor(at.y()));
   std::vector<std::int32_t> from(room.bits.size(), -1);
@@ -126,7 +126,7 @@ std::optional<Motion> WorldScan::next(const View& view) {
   const double radius = std::max(0.0, robot.radius - 5e-7 * robot.tool_width);
   while (refused_.size() < kMost) {
     const BitGrid room = room_of(view.belief().cells(Belief::kCoarsest), robot.radius, refused_);
-    const Polyline way = way_out(room, view.pose());
+    const Polyline way = path_out(room, view.pose());
     if (way.empty()) return std::nullopt;
     Polyline part = known_part(view.belief(), way, radius, size / 8);
     if (length(part) > size / 4) return Motion{std::move(part), false};

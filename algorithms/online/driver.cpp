@@ -7,10 +7,10 @@
 #include <map>
 #include <stdexcept>
 
-#include "algorithms/tethered/leash.hpp"
-#include "geometry/boolean.hpp"
-#include "geometry/offset.hpp"
-#include "maps/tethered_way.hpp"
+#include "algorithms/transit/tether_space.hpp"
+#include "geometry/overlay/boolean.hpp"
+#include "geometry/overlay/offset.hpp"
+#include "maps/followed_path.hpp"
 
 namespace oxturn {
 namespace {
@@ -31,7 +31,7 @@ Polyline View::way() const {
 /// From the start back along the string, as near to the anchor as the robot gets. Empty if it stands there.
 Polyline along_line(const Problem& truth) {
   try {
-    const Leash leash(truth, "an online planner");
+    const TetherSpace leash(truth, "an online planner");
     const EdgeIndex& walls = leash.within().walls();
     Point end = truth.anchor();
     if (!walls.contains(end))
@@ -56,7 +56,7 @@ class Drive {
     scan_step_ = settings.scan_step > 0 ? settings.scan_step : robot.radius > 0 ? robot.radius : robot.tool_width / 2;
     radius_ = std::max(0.0, robot.radius - truth.tolerance());
     if (!robot.tether) return;
-    string_ = string_at_start(truth);
+    string_ = tether_at_start(truth);
     if (truth.anchor() != truth.start()) view_.line_ = along_line(truth);
   }
 
@@ -109,9 +109,9 @@ class Drive {
   }
 
   /// The string is pulled along as far as it goes.
-  bool leash_allows(const Point& to) {
+  bool tether_allows(const Point& to) {
     if (!string_) return true;
-    TautString pulled = *string_;
+    TautTether pulled = *string_;
     pulled.drive(to);
     if (pulled.length() > truth_.robot().tether->length + truth_.tolerance()) return false;
     string_ = std::move(pulled);
@@ -151,7 +151,7 @@ class Drive {
         const double left = distance(view_.pose_, to), stretch = scan_step_ - since_scan_;
         const Point at = stretch >= left ? to : lerp(view_.pose_, to, stretch / left);
         if (!back && !free_from_here(at)) return stop();
-        if (!leash_allows(at)) return stop();
+        if (!tether_allows(at)) return stop();
         move(at, motion.tool);
         came_to_ = at;
         if (since_scan_ < scan_step_ * (1 - 1e-9)) continue;
@@ -198,7 +198,7 @@ class Drive {
   std::size_t replans_ = 0, scans_ = 0;
   std::map<std::pair<long long, long long>, int> looked_;  // times, by squares of half a scan step
   Point seen_from_{0, 0};
-  std::optional<TautString> string_;       // of a robot on a leash, in truth
+  std::optional<TautTether> string_;       // of a robot on a leash, in truth
   Point came_from_{0, 0}, came_to_{0, 0};  // the last stretch driven straight
 };
 

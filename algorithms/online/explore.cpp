@@ -4,7 +4,7 @@
 #include <cmath>
 #include <queue>
 
-#include "algorithms/online/string_ways.hpp"
+#include "algorithms/online/believed_paths.hpp"
 
 namespace oxturn {
 namespace {
@@ -133,8 +133,8 @@ struct Viewing {
 
 /// Outwards from the robot over the cells where it can stand (`room`), to the first viewpoint. With a tether the way
 /// there may be a long one, back along the way driven: then others are tried as long as they may be shorter.
-std::optional<Polyline> way_to_view(const BitGrid& free, const BitGrid& room, const Point& pose,
-                                    const std::vector<Frontier>& frontiers, const StringWays& ways,
+std::optional<Polyline> path_to_view(const BitGrid& free, const BitGrid& room, const Point& pose,
+                                    const std::vector<Frontier>& frontiers, const BelievedPaths& ways,
                                     const Viewing& viewing) {
   const double cell = room.cell;
   using Item = std::pair<double, std::size_t>;
@@ -233,10 +233,10 @@ std::optional<Motion> Explorer::next(const View& view) {
 
   const BitGrid room =
       rasterise(believed->configuration_space(), free.origin, free.cell, free.columns, free.rows, CellRule::centre);
-  const StringWays ways(*believed, robot.tether ? view.way() : Polyline{view.pose()});
+  const BelievedPaths ways(*believed, robot.tether ? view.way() : Polyline{view.pose()});
   // Half of a frontier, and not just round the corner; or else anything.
   for (const auto& [share, nearest] : {std::pair(0.5, 3 * size), std::pair(0.0, free.cell)})
-    if (auto way = way_to_view(free, room, view.pose(), frontiers, ways, {share, nearest, size}))
+    if (auto way = path_to_view(free, room, view.pose(), frontiers, ways, {share, nearest, size}))
       return Motion{std::move(*way), true};
   return std::nullopt;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/online/string_ways.hpp"
+#include "algorithms/online/believed_paths.hpp"
 
 namespace oxturn {
 namespace {
@@ -103,7 +103,7 @@ std::optional<Motion> Leftover::next(const View& view) {
       static_cast<std::size_t>(kWorth * robot.tool_width * robot.tool_width / (window.cell * window.cell)) + 1;
   if (static_cast<double>(drop_small(bare, least)) <= kShare * target) return std::nullopt;
 
-  const StringWays ways(*believed, robot.tether ? view.way() : Polyline{view.pose()});
+  const BelievedPaths ways(*believed, robot.tether ? view.way() : Polyline{view.pose()});
   Polyline tour{view.pose()};
   while (const auto cell = nearest(bare, tour.back())) {
     const Point place = bare.centre(cell->first, cell->second);

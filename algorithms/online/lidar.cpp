@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "maps/formats.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 namespace {
@@ -49,7 +50,7 @@ LidarSimulator::LidarSimulator(const Region& free, const Lidar& lidar) : lidar_(
       total += distance(a, b);
     }
   });
-  grid_ = CellGrid(box, edges_.size(), total);
+  grid_ = UniformGrid(box, edges_.size(), total);
   grid_.fill(edges_.size(), [&](std::size_t i, auto enter) {
     const Point ends[2] = {edges_[i].a, edges_[i].b};
     grid_.visit(ends, 2, 0, enter);

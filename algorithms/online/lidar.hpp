@@ -7,9 +7,9 @@
 
 #include <vector>
 
-#include "geometry/cell_grid.hpp"
+#include "geometry/uniform_grid.hpp"
 #include "geometry/edge_index.hpp"
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "maps/map.hpp"
 
 namespace oxturn {
@@ -39,7 +39,7 @@ class LidarSimulator {
   Lidar lidar_;
   std::vector<Point> direction_;
   std::vector<EdgeIndex::Edge> edges_;
-  CellGrid grid_;
+  UniformGrid grid_;
 };
 
 }  // namespace oxturn

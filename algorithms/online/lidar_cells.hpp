@@ -4,7 +4,7 @@
 // may open when more has been seen. Complexity: a question is one to the belief.
 #pragma once
 
-#include "algorithms/grid/cell_robot.hpp"
+#include "algorithms/lattice/cell_robot.hpp"
 #include "algorithms/online/driver.hpp"
 
 namespace oxturn {

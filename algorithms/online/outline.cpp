@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/boolean.hpp"
+#include "geometry/overlay/boolean.hpp"
 #include "geometry/raster.hpp"
 
 namespace oxturn {

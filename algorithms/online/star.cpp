@@ -30,7 +30,7 @@ class Star {
       const Point across = (direction_[i] + direction_[next(i)]).normalized();
       add_cut(ring, wedge, i, across);
     }
-    return without_straight_corners(ring);
+    return without_straight_vertices(ring);
   }
 
  private:
@@ -133,7 +133,7 @@ class Star {
   }
 
   /// Hits along one wall are one edge.
-  Ring without_straight_corners(const Ring& ring) const {
+  Ring without_straight_vertices(const Ring& ring) const {
     Ring kept;
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Point& p = ring[k];

@@ -6,7 +6,8 @@
 
 #include "algorithms/online/explore.hpp"
 #include "algorithms/online/leftover.hpp"
-#include "algorithms/online/string_ways.hpp"
+#include "algorithms/online/believed_paths.hpp"
+#include "geometry/trace.hpp"
 
 namespace oxturn {
 namespace {
@@ -98,7 +99,7 @@ class SurveyThenPlan final : public Policy {
     for (const int level : {0, 1, Belief::kCoarsest}) {
       const auto believed = believed_problem(view, view.start(), level);
       if (!believed) continue;
-      const StringWays ways(*believed, view.way());
+      const BelievedPaths ways(*believed, view.way());
       if (auto way = ways.home(); way && is_free(*way)) return Motion{std::move(*way), true};
     }
     Polyline back = view.way();
@@ -130,7 +131,7 @@ class SurveyThenPlan final : public Policy {
     if (++mended_ > kMostMended) return;
     const auto believed = believed_problem(view, view.robot().tether ? view.start() : view.pose(), 0);
     if (!believed) return;
-    const StringWays ways(*believed, view.robot().tether ? view.way() : Polyline{view.pose()});
+    const BelievedPaths ways(*believed, view.robot().tether ? view.way() : Polyline{view.pose()});
     const EdgeIndex& walls = believed->walls();
     Polyline& stopped = left.front().points;
     stopped.erase(stopped.begin(), stopped.begin() + static_cast<std::ptrdiff_t>(view.reached()));

@@ -22,12 +22,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "algorithms/polygon/lanes.hpp"
-#include "algorithms/polygon/outline.hpp"
-#include "algorithms/polygon/strips.hpp"
-#include "algorithms/polygon/sweep_direction.hpp"
-#include "geometry/boolean.hpp"
-#include "geometry/partition.hpp"
+#include "algorithms/lanes/lanes.hpp"
+#include "algorithms/lanes/outline.hpp"
+#include "algorithms/lanes/strips.hpp"
+#include "algorithms/lanes/lane_direction.hpp"
+#include "geometry/overlay/boolean.hpp"
+#include "geometry/mesh/partition.hpp"
 
 namespace oxturn {
 namespace {
@@ -246,7 +246,7 @@ class Boustrophedon final : public CoveragePlanner {
     Path path;
     if (!region.empty()) {
       const double step = p_.spacing * w;
-      const Frame frame(p_.sweep == "given" ? p_.angle : best_sweep_direction(region, step));
+      const Frame frame(p_.sweep == "given" ? p_.angle : best_lane_direction(region, step));
       const Region turned = frame.to(region);
       const EdgeIndex room(frame.to(c));
       const Field field{frame, turned, room, step, w, 2 * problem.tolerance()};

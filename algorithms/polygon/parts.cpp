@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "geometry/edge_index.hpp"
-#include "geometry/partition.hpp"
+#include "geometry/mesh/partition.hpp"
 
 namespace oxturn {
 namespace {
@@ -89,7 +89,7 @@ std::vector<Part> cut_into_parts(const Region& region, const std::string& partit
     all.area = area(region);
     return {all};
   }
-  const std::size_t corners = corner_count(region);
+  const std::size_t corners = vertex_count(region);
   if (partition == "convex" && corners > kMostConvex)
     throw std::invalid_argument(
         fmt::format("planner 'zigzag': partition 'convex' takes up to {} corners, the area to fill "

@@ -26,11 +26,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "algorithms/polygon/lanes.hpp"
-#include "algorithms/polygon/outline.hpp"
+#include "algorithms/lanes/lanes.hpp"
+#include "algorithms/lanes/outline.hpp"
 #include "algorithms/polygon/parts.hpp"
-#include "algorithms/polygon/strips.hpp"
-#include "algorithms/polygon/sweep_direction.hpp"
+#include "algorithms/lanes/strips.hpp"
+#include "algorithms/lanes/lane_direction.hpp"
 #include "geometry/raster.hpp"
 
 namespace oxturn {
@@ -71,7 +71,7 @@ std::vector<Segment> turned_edges(const Part& part, const Frame& frame) {
 
 double least_sum_of_widths(const Region& region, const std::vector<Part>& parts) {
   double best = std::numeric_limits<double>::infinity(), direction = 0;
-  for (const double d : sweep_candidates(region)) {
+  for (const double d : lane_directions(region)) {
     const Frame frame(d);
     double sum = 0;
     for (const Part& p : parts) {
@@ -261,7 +261,7 @@ class Zigzag final : public CoveragePlanner {
       if (parts.size() > 1) parts = without_slivers(std::move(parts), w, p_.small_parts == "merge");
       if (context.wants_traces()) trace_parts(parts, context);
       const double angle = p_.sweep == "given"      ? p_.angle
-                           : p_.partition == "none" ? best_sweep_direction(filled, w)
+                           : p_.partition == "none" ? best_lane_direction(filled, w)
                                                     : least_sum_of_widths(filled, parts);
       const Frame frame(angle);
       const EdgeIndex room(frame.to(c));

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "geometry/predicates.hpp"
-#include "geometry/visibility.hpp"
+#include "geometry/paths/visibility.hpp"
 
 namespace oxturn {
 namespace {
@@ -359,8 +359,8 @@ class BergBoundary::Walk {
   void arc(const BergNode& node, double from, double to, bool with_from, bool with_to) {
     const double radius = length_ - node.before;
     if (radius > node.reach + b_.tolerance_) return;
-    const bool one_place = radius * (to - from) <= b_.tolerance_;
-    if (one_place && !(with_from && with_to)) return;
+    const bool one_point = radius * (to - from) <= b_.tolerance_;
+    if (one_point && !(with_from && with_to)) return;
     const double steps = std::max(1.0, std::ceil(radius * (to - from) / spacing_));
     for (double k = with_from ? 0 : 1; k <= (with_to ? steps : steps - 1); ++k) {
       const double angle = node.begin + from + (to - from) * (k / steps);

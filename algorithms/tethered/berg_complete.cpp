@@ -27,9 +27,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/polygon/outline.hpp"
-#include "algorithms/tethered/laps.hpp"
-#include "algorithms/tethered/rims.hpp"
+#include "algorithms/lanes/outline.hpp"
+#include "algorithms/tethered/level_sets.hpp"
+#include "algorithms/tethered/needed_boundary.hpp"
 #include "algorithms/tethered/tacking.hpp"
 
 namespace oxturn {
@@ -45,14 +45,14 @@ struct Params {
 
 /// What of all this lies in one part.
 struct Share {
-  std::vector<Lap> laps;
+  std::vector<LevelSet> laps;
   Region rings;
   std::vector<Strip> chains;
 };
-Share share_of(const EdgeIndex& part, const std::vector<Lap>& laps, const Rims& rims, double tolerance) {
+Share share_of(const EdgeIndex& part, const std::vector<LevelSet>& laps, const NeededBoundary& rims, double tolerance) {
   const auto inside = [&](const Point& p) { return part.contains(p) || part.nearest(p, tolerance); };
   Share share;
-  for (const Lap& lap : laps)
+  for (const LevelSet& lap : laps)
     if (inside(lap.line[lap.line.size() / 2])) share.laps.push_back(lap);
   for (const Polygon& ring : rims.rings.polygons)
     if (inside(ring.outer.front())) share.rings.polygons.push_back(ring);
@@ -66,22 +66,22 @@ class BergComplete final : public CoveragePlanner {
   explicit BergComplete(Params p) : p_(std::move(p)) {}
 
   Path plan(const Problem& problem, Context& context) const override {
-    const Leash leash(problem, "berg-complete");
+    const TetherSpace leash(problem, "berg-complete");
     const double w = problem.robot().tool_width;
     const bool open = p_.order == "tour" && p_.winding == "any";
-    const Rims rims = rims_of(leash, open);
-    const std::vector<Lap> all = laps(leash, rims.space, rims.inner, w, w / 1000);
+    const NeededBoundary rims = needed_boundary(leash, open);
+    const std::vector<LevelSet> all = laps(leash, rims.space, rims.inner, w, w / 1000);
     if (context.wants_traces()) show(leash, rims, all, context);
 
-    Path path = sweep_parts(
+    Path path = cover_parts(
         leash,
-        [&](const Leash::Part& part, Context& inner) {
+        [&](const TetherSpace::Part& part, Context& inner) {
           Share share = share_of(part.within.walls(), all, rims, problem.tolerance());
           if (p_.winding == "right") reverse(share.rings);
           const auto outward = outward_neighbours(share.laps, leash.field(), w);
           const Connector connector(part.within);
           if (p_.winding != "any")
-            return with_rings(part.within, share.rings, wind_laps(part.within, share.laps, outward, connector, inner),
+            return with_rings(part.within, share.rings, wind_level_sets(part.within, share.laps, outward, connector, inner),
                               w, connector, inner);
           // Lanes save the steps between short laps, but an odd number of them leaves the robot at the wrong end.
           const auto drive = [&](std::vector<Strip> strips) {
@@ -125,7 +125,7 @@ class BergComplete final : public CoveragePlanner {
   }
 
   /// Depth-first (or by level), each lap in the one direction.
-  Path wind_laps(const Problem& within, const std::vector<Lap>& all,
+  Path wind_level_sets(const Problem& within, const std::vector<LevelSet>& all,
                  const std::vector<std::vector<std::size_t>>& outward, const Connector& connector,
                  Context& context) const {
     std::vector<std::size_t> sequence;
@@ -156,7 +156,7 @@ class BergComplete final : public CoveragePlanner {
     return path.take();
   }
 
-  static void show(const Leash& leash, const Rims& rims, const std::vector<Lap>& all, Context& context) {
+  static void show(const TetherSpace& leash, const NeededBoundary& rims, const std::vector<LevelSet>& all, Context& context) {
     const auto outward = outward_neighbours(all, leash.field(), leash.problem().robot().tool_width);
     context.trace("cut", leash.cut());
     context.trace("rings", rims.rings);

@@ -12,7 +12,7 @@
 //             3. Parts that the cut isolates (leash.hpp) are swept one after the other, each by a call of the planner.
 #include <fmt/format.h>
 
-#include "algorithms/tethered/leash.hpp"
+#include "algorithms/transit/tether_space.hpp"
 
 namespace oxturn {
 namespace {
@@ -25,10 +25,10 @@ class Leashed final : public CoveragePlanner {
       : inner_(std::move(inner)), return_home_(return_home) {}
 
   Path plan(const Problem& problem, Context& context) const override {
-    const Leash leash(problem, "leashed");
+    const TetherSpace leash(problem, "leashed");
     if (context.wants_traces()) context.trace("cut", leash.cut());
-    return sweep_parts(
-        leash, [&](const Leash::Part& part, Context& inner) { return inner_->plan(part.within, inner); }, return_home_,
+    return cover_parts(
+        leash, [&](const TetherSpace::Part& part, Context& inner) { return inner_->plan(part.within, inner); }, return_home_,
         context);
   }
 

@@ -26,9 +26,9 @@
 #include <limits>
 #include <utility>
 
-#include "algorithms/tethered/leash.hpp"
+#include "algorithms/transit/tether_space.hpp"
 #include "algorithms/tethered/tether_cells.hpp"
-#include "algorithms/tethered/visit_places.hpp"
+#include "algorithms/tethered/visit_points.hpp"
 
 namespace oxturn {
 namespace {
@@ -193,7 +193,7 @@ class ShnapsRimon final : public CoveragePlanner {
   explicit ShnapsRimon(Params p) : p_(std::move(p)) {}
 
   Path plan(const Problem& problem, Context& context) const override {
-    const Leash leash(problem, "shnaps-rimon");
+    const TetherSpace leash(problem, "shnaps-rimon");
     const TetherCells cells(problem, problem.configuration_space(), cell_side(p_.cell_size, problem.robot()),
                             p_.cells == "any" ? CellKind::any : CellKind::joined);
     Cells order;
@@ -207,7 +207,7 @@ class ShnapsRimon final : public CoveragePlanner {
     }
     std::vector<Point> places;
     for (const std::size_t c : order) places.push_back(cells[c].place);
-    return visit_places(leash, places,
+    return visit_points(leash, places,
                         {p_.retraction == "untangle" ? Retraction::untangle : Retraction::automatic,
                          static_cast<std::size_t>(p_.budget), p_.return_home},
                         context);

@@ -13,9 +13,9 @@
 #include <cmath>
 #include <tuple>
 
-#include "algorithms/tethered/leash.hpp"
+#include "algorithms/transit/tether_space.hpp"
 #include "algorithms/tethered/tether_cells.hpp"
-#include "algorithms/tethered/visit_places.hpp"
+#include "algorithms/tethered/visit_points.hpp"
 
 namespace oxturn {
 namespace {
@@ -36,7 +36,7 @@ class ShnapsRimonBanded final : public CoveragePlanner {
   explicit ShnapsRimonBanded(Params p) : p_(std::move(p)) {}
 
   Path plan(const Problem& problem, Context& context) const override {
-    const Leash leash(problem, "shnaps-rimon-banded");
+    const TetherSpace leash(problem, "shnaps-rimon-banded");
     const TetherCells cells(problem, problem.configuration_space(), cell_side(p_.cell_size, problem.robot()),
                             p_.cells == "any" ? CellKind::any : CellKind::joined);
     struct Entry {
@@ -67,7 +67,7 @@ class ShnapsRimonBanded final : public CoveragePlanner {
     });
     std::vector<Point> places;
     for (const Entry& entry : order) places.push_back(cells[entry.cell].place);
-    return visit_places(leash, places,
+    return visit_points(leash, places,
                         {p_.retraction == "untangle" ? Retraction::untangle : Retraction::automatic,
                          static_cast<std::size_t>(p_.budget), p_.return_home},
                         context);

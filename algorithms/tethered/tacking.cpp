@@ -16,7 +16,7 @@ constexpr double kSpare = 0.01;  // radians
 
 class Tacker {
  public:
-  Tacker(const Leash& leash, double angle, double width)
+  Tacker(const TetherSpace& leash, double angle, double width)
       : leash_(leash),
         walls_(leash.within().walls()),
         connector_(leash.within()),
@@ -73,7 +73,7 @@ class Tacker {
     return std::nullopt;
   }
 
-  const Leash& leash_;
+  const TetherSpace& leash_;
   const EdgeIndex& walls_;
   const Connector connector_;
   double angle_, width_;
@@ -82,7 +82,7 @@ class Tacker {
 
 }  // namespace
 
-Path tacked(const Leash& leash, const Path& path, double angle, double width) {
+Path tacked(const TetherSpace& leash, const Path& path, double angle, double width) {
   Tacker tacker(leash, angle, width);
   PathBuilder out(leash.problem().start());
   for (const Leg& leg : path.legs)

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/grid/grid_graph.hpp"
+#include "algorithms/lattice/grid_graph.hpp"
 
 namespace oxturn {
 

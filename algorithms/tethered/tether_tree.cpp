@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/tethered/leash.hpp"
+#include "algorithms/transit/tether_space.hpp"
 #include "algorithms/tethered/tether_cells.hpp"
 
 namespace oxturn {
@@ -32,7 +32,7 @@ class TetherTree final : public CoveragePlanner {
   explicit TetherTree(Params p) : p_(std::move(p)) {}
 
   Path plan(const Problem& problem, Context& context) const override {
-    const Leash leash(problem, "tether-tree");
+    const TetherSpace leash(problem, "tether-tree");
     const bool geodesic = p_.reach == "geodesic";
     const TetherCells cells(problem, geodesic ? leash.cut_space() : problem.configuration_space(),
                             cell_side(p_.cell_size, problem.robot()), CellKind::joined);

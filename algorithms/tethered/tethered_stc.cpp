@@ -15,8 +15,8 @@
 //                configuration space ends at the leash.
 #include <cmath>
 
-#include "algorithms/grid/coarse_cells.hpp"
-#include "algorithms/tethered/leash.hpp"
+#include "algorithms/lattice/coarse_cells.hpp"
+#include "algorithms/transit/tether_space.hpp"
 #include "algorithms/tethered/tether_cells.hpp"
 
 namespace oxturn {
@@ -32,7 +32,7 @@ class TetheredStc final : public CoveragePlanner {
   explicit TetheredStc(Params p) : p_(std::move(p)) {}
 
   Path plan(const Problem& problem, Context& context) const override {
-    const Leash leash(problem, "tethered-stc");
+    const TetherSpace leash(problem, "tethered-stc");
     const double side = cell_side(p_.cell_size, problem.robot());
     const double left = leash.longest() - leash.field().distance(problem.start()) - std::sqrt(2.0) * side;
     if (p_.reach == "depth" && left < 0)

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "bench/sweep.hpp"
+#include "bench/run_suite.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
 
@@ -43,11 +43,11 @@ void BM_SweepOverhead(benchmark::State& state) {
   if (::mkdtemp(folder.data()) == nullptr) return state.SkipWithError("no temporary folder");
   double beyond = 0, runs = 0;
   for (auto _ : state) {
-    SweepOptions options;
+    SuiteRunOptions options;
     options.folder = folder + "/out";
     options.progress = false;
     const auto before = std::chrono::steady_clock::now();
-    const Results results = sweep(suite, planners, options);
+    const Results results = run_suite(suite, planners, options);
     beyond += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
     for (const Row& row : results.rows)
       beyond -= row.number("plan_wall_s").value_or(0) + row.number("score_s").value_or(0);

@@ -5,16 +5,16 @@
 #include <cmath>
 
 #include "geometry/edge_index.hpp"
-#include "geometry/geodesic_field.hpp"
-#include "geometry/mesh.hpp"
-#include "geometry/offset.hpp"
-#include "geometry/partition.hpp"
-#include "geometry/random.hpp"
+#include "geometry/tether/geodesic_field.hpp"
+#include "geometry/mesh/mesh.hpp"
+#include "geometry/overlay/offset.hpp"
+#include "geometry/mesh/partition.hpp"
+#include "base/random.hpp"
 #include "geometry/raster.hpp"
-#include "geometry/shortest_path.hpp"
-#include "geometry/slit.hpp"
-#include "geometry/taut_string.hpp"
-#include "geometry/visibility.hpp"
+#include "geometry/paths/shortest_path.hpp"
+#include "geometry/overlay/cut_along.hpp"
+#include "geometry/tether/taut_tether.hpp"
+#include "geometry/paths/visibility.hpp"
 
 namespace oxturn {
 namespace {
@@ -57,7 +57,7 @@ Region meander(std::int64_t corners) {
   return {{p}};
 }
 
-Point free_place(Rng& rng, const EdgeIndex& index, const Box& box) {
+Point free_point(Rng& rng, const EdgeIndex& index, const Box& box) {
   while (true) {
     const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
     if (index.contains(p)) return p;
@@ -111,7 +111,7 @@ void BM_ShortestPathNear(benchmark::State& state) {  // ends about three metres 
   Rng rng(2);
   std::vector<std::pair<Point, Point>> ends;
   while (ends.size() < 256) {
-    const Point a = free_place(rng, index, bounding_box(region));
+    const Point a = free_point(rng, index, bounding_box(region));
     const double angle = rng.between(0.0, 2 * kPi);
     const Point b = a + 3 * Point(std::cos(angle), std::sin(angle));
     if (index.contains(b)) ends.emplace_back(a, b);
@@ -158,7 +158,7 @@ void BM_Visibility(benchmark::State& state) {  // what is seen between blocks do
   const Visibility visibility(region);
   Rng rng(3);
   std::vector<Point> eyes;
-  while (eyes.size() < 256) eyes.push_back(free_place(rng, index, bounding_box(region)));
+  while (eyes.size() < 256) eyes.push_back(free_point(rng, index, bounding_box(region)));
   std::size_t i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(visibility.from(eyes[i++ % eyes.size()]));
   state.SetComplexityN(state.range(0));
@@ -168,7 +168,7 @@ BENCHMARK(BM_Visibility)->RangeMultiplier(4)->Range(1 << 9, 1 << 17)->Complexity
 /// A walk of `moves` straight pieces at random, up to `step` metres each, that keeps its heading where it can.
 Polyline walk(const EdgeIndex& index, const Box& box, int moves, double step) {
   Rng rng(4);
-  Polyline way{free_place(rng, index, box)};
+  Polyline way{free_point(rng, index, box)};
   double heading = 0;
   while (static_cast<int>(way.size()) <= moves) {
     const Point to = way.back() + step * rng.unit() * Point(std::cos(heading), std::sin(heading));
@@ -182,7 +182,7 @@ Polyline walk(const EdgeIndex& index, const Box& box, int moves, double step) {
 }
 
 /// range(1): metres of a piece at most, in tenths. Simulated whole in each iteration.
-void BM_TautString(benchmark::State& state) {
+void BM_TautTether(benchmark::State& state) {
   const Region region = hall(state.range(0));
   const TautSpace space(region);
   constexpr int kMoves = 100000;
@@ -190,7 +190,7 @@ void BM_TautString(benchmark::State& state) {
   const Polyline way = walk(EdgeIndex(region), bounding_box(region), kMoves, step);
   std::size_t bends = 0, most = 0;
   for (auto _ : state) {
-    TautString string(space, way[0]);
+    TautTether string(space, way[0]);
     bends = most = 0;
     for (const Point& p : way) {
       string.drive(p);
@@ -199,32 +199,32 @@ void BM_TautString(benchmark::State& state) {
     }
     benchmark::DoNotOptimize(string.length());
   }
-  state.counters["corners"] = static_cast<double>(corner_count(region));
+  state.counters["corners"] = static_cast<double>(vertex_count(region));
   state.counters["bends_mean"] = static_cast<double>(bends) / kMoves;
   state.counters["bends_max"] = static_cast<double>(most);
   state.counters["per_move"] =
       benchmark::Counter(kMoves, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(BM_TautString)->Args({2000, 3})->Args({2000, 30})->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_TautString)
+BENCHMARK(BM_TautTether)->Args({2000, 3})->Args({2000, 30})->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_TautTether)
     ->ArgsProduct({benchmark::CreateRange(1 << 9, 1 << 17, 4), {10}})
     ->Complexity()
     ->Unit(benchmark::kMillisecond);
 
 /// The worst for the index: an empty aisle between rows of blocks, and the string as long as the aisle in each move.
-void BM_TautStringAcross(benchmark::State& state) {
+void BM_TautTetherAcross(benchmark::State& state) {
   Region region = hall(state.range(0));
   const double side = bounding_box(region).high.x(), middle = std::floor(side / 2);
   std::erase_if(region.polygons[0].holes, [&](const Ring& r) { return std::floor(r[0].y()) == middle; });
   const TautSpace space(region);
-  TautString string(space, {0.5, middle + 0.5});
+  TautTether string(space, {0.5, middle + 0.5});
   string.drive(Point(side - 0.5, middle + 0.5));
   Rng rng(5);
   for (auto _ : state) string.drive(Point(side - rng.unit(), middle + rng.unit()));
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(BM_TautStringAcross)->RangeMultiplier(4)->Range(1 << 9, 1 << 17)->Complexity();
+BENCHMARK(BM_TautTetherAcross)->RangeMultiplier(4)->Range(1 << 9, 1 << 17)->Complexity();
 
 void BM_BoustrophedonCells(benchmark::State& state) {
   const Region region = hall(state.range(0));
@@ -295,7 +295,7 @@ void BM_GeodesicDistance(benchmark::State& state) {
   const EdgeIndex index(region);
   Rng rng(3);
   std::vector<Point> places(1024);
-  for (Point& p : places) p = free_place(rng, index, bounding_box(region));
+  for (Point& p : places) p = free_point(rng, index, bounding_box(region));
   std::size_t i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(field.distance(places[i++ % places.size()]));
   state.SetComplexityN(state.range(0));
@@ -319,13 +319,13 @@ void BM_GeodesicCut(benchmark::State& state) {
 }
 BENCHMARK(BM_GeodesicCut)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity()->Unit(benchmark::kMillisecond);
 
-void BM_Slit(benchmark::State& state) {  // along the whole cut
+void BM_CutAlong(benchmark::State& state) {  // along the whole cut
   const Region region = hall(state.range(0));
   const std::vector<Polyline> lines = GeodesicField(region, {0.01, 0.02}, {}, 1e-9).cut(1e-3);
   for (auto _ : state) benchmark::DoNotOptimize(slit(region, lines, 2e-3));
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(BM_Slit)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity()->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_CutAlong)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity()->Unit(benchmark::kMillisecond);
 
 /// Cells of 0.4 m, a tenth of them blocked at random: a laser map at its worst.
 Region speckled(std::int64_t cells) {

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "algorithms/coverage_planner.hpp"
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "geometry/raster.hpp"
 #include "maps/generators.hpp"
 

@@ -26,7 +26,7 @@ void BM_Generate(benchmark::State& state, const std::string& name) {
   std::size_t corners = 0;
   for (auto _ : state) {
     const Map map = oxturn::generate(name, settings, 1);
-    corners = corner_count(map.free);
+    corners = vertex_count(map.free);
     benchmark::DoNotOptimize(corners);
   }
   state.SetComplexityN(state.range(0));

@@ -1,7 +1,7 @@
 // Scoring: near-linear in the path's segments.
 #include <benchmark/benchmark.h>
 
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "metrics/score.hpp"
 
 namespace oxturn {
@@ -55,7 +55,7 @@ Polyline random_line(std::size_t n, double side) {
 void run(benchmark::State& state, const Polyline& line, double side) {
   const Region target = floor_with_pillars(side);
   const Path path{{Leg{true, line}}};
-  for (auto _ : state) benchmark::DoNotOptimize(sweep(target, 1e-6, kTool, path));
+  for (auto _ : state) benchmark::DoNotOptimize(swept_area(target, 1e-6, kTool, path));
   state.SetComplexityN(state.range(0));
 }
 

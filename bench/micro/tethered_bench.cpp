@@ -28,7 +28,7 @@ void plan_hall(benchmark::State& state, const std::string& name, const Settings&
     Context context(1);
     benchmark::DoNotOptimize(planner->plan(problem, context));
   }
-  const auto n = static_cast<std::int64_t>(corner_count(problem.map().free));
+  const auto n = static_cast<std::int64_t>(vertex_count(problem.map().free));
   state.SetComplexityN(n);
   state.counters["corners"] = static_cast<double>(n);
 }

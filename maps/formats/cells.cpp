@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "maps/formats/readers.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 namespace {
@@ -76,9 +77,9 @@ MapFile map_from_cells(const std::string& file, int columns, int rows, std::vect
   }
   Region region = trace(free);
   if (options.simplify_m > 0) {
-    const std::size_t corners = corner_count(region);
+    const std::size_t corners = vertex_count(region);
     region = simplify_inward(region, options.simplify_m / placement.resolution);
-    result.remarks.push_back(fmt::format("{} corners simplified to {}", corners, corner_count(region)));
+    result.remarks.push_back(fmt::format("{} corners simplified to {}", corners, vertex_count(region)));
     if (region.empty())
       throw std::invalid_argument(
           fmt::format("{}: nothing is left when simplified by {} m, give less", file, to_decimal(options.simplify_m)));

@@ -11,9 +11,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "geometry/validity.hpp"
+#include "geometry/overlay/validity.hpp"
 #include "maps/formats/json.hpp"
 #include "maps/formats/readers.hpp"
+#include "base/files.hpp"
 
 namespace oxturn {
 namespace {
@@ -275,8 +276,8 @@ MapFile read_geojson(const std::string& file, const ReadOptions& options) {
     result.remarks.push_back(fmt::format(
         "repaired: {} holes became {} (those that touch each other are united, those that touch the border cut out)",
         hole_count(written), hole_count(free)));
-  if (corner_count(written) != corner_count(free))
-    result.remarks.push_back(fmt::format("repaired: {} corners became {}", corner_count(written), corner_count(free)));
+  if (vertex_count(written) != vertex_count(free))
+    result.remarks.push_back(fmt::format("repaired: {} corners became {}", vertex_count(written), vertex_count(free)));
   if (options.metres_per_pixel > 0 || options.unknown_is_free || options.drop_speckle_m2 > 0 || options.simplify_m > 0)
     result.remarks.push_back("scale, unknown, speckle and simplify are for pictures and not used here");
   return result;

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "maps/formats/readers.hpp"
+#include "base/files.hpp"
 
 namespace oxturn {
 namespace {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "maps/formats.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 

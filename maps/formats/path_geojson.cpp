@@ -8,6 +8,8 @@
 
 #include "maps/formats.hpp"
 #include "maps/formats/json.hpp"
+#include "base/files.hpp"
+#include "maps/path_file.hpp"
 
 namespace oxturn {
 namespace {

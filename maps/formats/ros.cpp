@@ -16,6 +16,8 @@
 #include <stdexcept>
 
 #include "maps/formats/readers.hpp"
+#include "base/files.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 namespace {

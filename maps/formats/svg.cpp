@@ -10,7 +10,6 @@
 //                for walls); the picture does not change, the file stays small.
 //             4. The way is cut into at most kPieces stretches of equal length, one colour and one element each.
 // Complexity  O(n)
-#include "maps/formats/svg.hpp"
 
 #include <fmt/format.h>
 
@@ -24,6 +23,8 @@
 
 #include "maps/formats.hpp"
 #include "maps/formats/tether_moments.hpp"
+#include "geometry/trace.hpp"
+#include "maps/picture.hpp"
 
 namespace oxturn {
 namespace {

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "maps/tethered_way.hpp"
+#include "maps/followed_path.hpp"
 
 namespace oxturn {
 namespace {
 
 /// Metres driven where the tether is longest.
 double longest_after(const Problem& problem, const Polyline& way) {
-  TautString string = string_at_start(problem);
+  TautTether string = tether_at_start(problem);
   double most = string.length(), driven = 0, where = 0;
   const auto lengthen = [&](double length, double path_m) {
     if (length <= most) return;
@@ -18,7 +18,7 @@ double longest_after(const Problem& problem, const Polyline& way) {
   };
   for (const Point& to : way) {
     const Point from = string.robot();
-    string.drive(to, [&](const TautString::Swing& swing) {
+    string.drive(to, [&](const TautTether::Swing& swing) {
       lengthen(swing.before + distance(swing.pivot, swing.to), driven + distance(from, swing.to));
     });
     driven += distance(from, to);
@@ -30,7 +30,7 @@ double longest_after(const Problem& problem, const Polyline& way) {
 }  // namespace
 
 std::vector<TetherMoment> tether_moments(const Problem& problem, const Path& path, int count) {
-  const Polyline way = tethered_way(problem, path, EdgeIndex(problem.map().free)).points;
+  const Polyline way = followed_path(problem, path, EdgeIndex(problem.map().free)).points;
   const double total = length(way);
   std::vector<TetherMoment> moments;
   if (!(total > 0) || count <= 0) return moments;
@@ -46,7 +46,7 @@ std::vector<TetherMoment> tether_moments(const Problem& problem, const Path& pat
   std::stable_sort(moments.begin(), moments.end(),
                    [](const TetherMoment& a, const TetherMoment& b) { return a.path_m < b.path_m; });
 
-  TautString string = string_at_start(problem);
+  TautTether string = tether_at_start(problem);
   double driven = 0;
   std::size_t next = 0;
   const auto keep = [&] {

@@ -16,7 +16,7 @@ struct TetherMoment {
 };
 
 /// At `count` places equally far apart along the way, the last at its end, and where the tether is longest; in driving
-/// order. Up to where a tether can follow (maps/tethered_way.hpp). Tethered problems only. Twice the string's cost.
+/// order. Up to where a tether can follow (maps/followed_path.hpp). Tethered problems only. Twice the string's cost.
 std::vector<TetherMoment> tether_moments(const Problem& problem, const Path& path, int count);
 
 }  // namespace oxturn

@@ -169,9 +169,9 @@ Region make(const Params& p, Rng& rng) {
   Region region = trace(squares(at, k));
   const Point shift((p.width - columns * grain) / 2, (p.height - rows * grain) / 2);
   const auto carve = [&](Ring& ring) {
-    ring = without_straight_corners(ring);
-    if (p.smoothing >= 1) ring = cut_corners(ring, 0.5, 0.5);
-    if (p.smoothing >= 2) ring = cut_corners(ring, 0.25, 0.25);
+    ring = without_straight_vertices(ring);
+    if (p.smoothing >= 1) ring = cut_vertices(ring, 0.5, 0.5);
+    if (p.smoothing >= 2) ring = cut_vertices(ring, 0.25, 0.25);
     for (Point& q : ring) q = shift + grain * q;
   };
   for (Polygon& polygon : region.polygons) {

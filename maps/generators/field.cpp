@@ -36,7 +36,7 @@ Ring outline(const Params& p, Rng& rng) {
     ring.push_back(radius * direction(turns + 0.125));
   }
   // Ever smaller cuts, so that the sides stay straight between the rounded corners.
-  for (double k = 0, most = 0.18; k < p.rounding; ++k, most *= 0.4) ring = cut_corners(ring, 0.3, most);
+  for (double k = 0, most = 0.18; k < p.rounding; ++k, most *= 0.4) ring = cut_vertices(ring, 0.3, most);
   Box box;
   for (const Point& q : ring) box.add(q);
   for (Point& q : ring)

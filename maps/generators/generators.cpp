@@ -6,7 +6,8 @@
 
 #include <stdexcept>
 
-#include "geometry/validity.hpp"
+#include "geometry/overlay/validity.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 

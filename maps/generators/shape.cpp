@@ -109,7 +109,7 @@ void Spacing::add(const Point& centre, double radius) {
       {centre, radius, count_++});
 }
 
-Ring without_straight_corners(const Ring& ring) {
+Ring without_straight_vertices(const Ring& ring) {
   Ring kept;
   for (const Point& p : ring) {
     if (!kept.empty() && kept.back() == p) continue;
@@ -133,7 +133,7 @@ Ring without_straight_corners(const Ring& ring) {
   return kept;
 }
 
-Ring cut_corners(const Ring& ring, double share, double most) {
+Ring cut_vertices(const Ring& ring, double share, double most) {
   Ring result;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point& p = ring[i];
@@ -142,7 +142,7 @@ Ring cut_corners(const Ring& ring, double share, double most) {
       result.push_back(p + (to - p) * (std::min(share * length, most) / length));
     }
   }
-  return without_straight_corners(result);
+  return without_straight_vertices(result);
 }
 
 Region placed(const Region& lattice, const std::vector<double>& xs, const std::vector<double>& ys) {
@@ -198,13 +198,13 @@ Region finished(Region region, const SiteSettings& site) {
   const Point d = direction(site.rotation / 360);
   const Point centre(site.width / 2, site.height / 2);
   const auto finish = [&](Ring& ring, bool counter_clockwise) {
-    ring = without_straight_corners(ring);
+    ring = without_straight_vertices(ring);
     for (Point& p : ring) {
       const Point v = p - centre;
       if (site.rotation != 0) p = centre + Point(d.x() * v.x() - d.y() * v.y(), d.y() * v.x() + d.x() * v.y());
       p = {std::floor(p.x() / q + 0.5) * q, std::floor(p.y() / q + 0.5) * q};
     }
-    ring = without_straight_corners(ring);
+    ring = without_straight_vertices(ring);
     if ((signed_area(ring) > 0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
   };
   for (Polygon& polygon : region.polygons) {

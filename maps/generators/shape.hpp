@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "geometry/region.hpp"
 #include "maps/generators.hpp"
 
@@ -90,9 +90,9 @@ class Spacing {
 };
 
 /// Corners repeated or exactly straight on are dropped.
-Ring without_straight_corners(const Ring& ring);
+Ring without_straight_vertices(const Ring& ring);
 /// Every corner becomes two, `share` of the edge away from it but no more than `most` (share <= 0.5).
-Ring cut_corners(const Ring& ring, double share, double most);
+Ring cut_vertices(const Ring& ring, double share, double most);
 /// Lattice corners (whole numbers) looked up in tables of coordinates.
 Region placed(const Region& lattice, const std::vector<double>& xs, const std::vector<double>& ys);
 /// Where the lines of a lattice of so many cells are, stretched to `size`.

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "reports/groups.hpp"
-#include "reports/leash.hpp"
+#include "reports/tether_rows.hpp"
 #include "reports/text.hpp"
 
 namespace oxturn {

@@ -5,7 +5,7 @@
 //             2. A heedless path does not depend on the leash, so it is scored once for each. What it sweeps is taken
 //                from the row with the largest target: the others count only what their leash reaches.
 //             3. Only runs with a length each have a price; the others stay in the table with their reason.
-#include "reports/leash.hpp"
+#include "reports/tether_rows.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,8 @@
 
 #include <stdexcept>
 
-#include "maps/parameters.hpp"
+#include "base/parameters.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 

@@ -1,9 +1,9 @@
 // gallery.html: the pictures side by side.
 #include <fmt/format.h>
 
-#include "maps/formats/svg.hpp"
 #include "reports/tables/tables.hpp"
 #include "reports/text.hpp"
+#include "maps/picture.hpp"
 
 namespace oxturn {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "reports/groups.hpp"
-#include "reports/leash.hpp"
+#include "reports/tether_rows.hpp"
 #include "reports/report.hpp"
 #include "reports/text.hpp"
 

@@ -8,7 +8,7 @@
 #include "algorithms/baseline/bumper.hpp"
 #include "algorithms/baseline/swept_cells.hpp"
 #include "algorithms/coverage_planner.hpp"
-#include "geometry/boolean.hpp"
+#include "geometry/overlay/boolean.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/seeds.hpp"

@@ -9,10 +9,11 @@
 
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/tethered/berg_tree.hpp"
-#include "geometry/taut_string.hpp"
+#include "geometry/tether/taut_tether.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/seeds.hpp"
+#include "geometry/trace.hpp"
 
 namespace oxturn {
 namespace {
@@ -25,7 +26,7 @@ using testing::UnorderedElementsAre;
 constexpr double kTolerance = 4e-7;
 constexpr double kFar = 1e9;
 
-Robot leashed_robot(double length) {
+Robot tethered_robot(double length) {
   Robot robot;
   robot.tether = Tether{length};
   return robot;
@@ -76,7 +77,7 @@ Region blocks(std::uint64_t seed, int columns, int rows) {
   return {{p}};
 }
 
-Point free_place(Rng& rng, const EdgeIndex& walls, const Box& box, double room = 0.05) {
+Point free_point(Rng& rng, const EdgeIndex& walls, const Box& box, double room = 0.05) {
   while (true) {
     const double x = rng.between(box.low.x(), box.high.x());
     const Point p(x, rng.between(box.low.y(), box.high.y()));
@@ -169,7 +170,7 @@ TEST(BergBoundary, NodesLieOnShortestWays) {
     Rng rng(seed);
     const Region free = blocks(seed, 3, 2);
     const EdgeIndex walls(free);
-    const Point anchor = free_place(rng, walls, bounding_box(free));
+    const Point anchor = free_point(rng, walls, bounding_box(free));
     const Scene s(free, anchor);
     const AllCorners oracle(free, walls, anchor);
     EXPECT_GE(s.boundary.nodes().size(), 10u);
@@ -183,11 +184,11 @@ TEST(BergBoundary, EveryPlaceWithinReachLiesOnTheBoundaryOfItsDistance) {
     Rng rng(seed + 100);
     const Region free = blocks(seed, 3, 2);
     const EdgeIndex walls(free);
-    const Point anchor = free_place(rng, walls, bounding_box(free));
+    const Point anchor = free_point(rng, walls, bounding_box(free));
     const Scene s(free, anchor);
     const AllCorners oracle(free, walls, anchor);
     for (int k = 0; k < 25; ++k) {
-      const Point p = free_place(rng, walls, bounding_box(free));
+      const Point p = free_point(rng, walls, bounding_box(free));
       double nearest = 1e300;
       for (const BergBoundary::Piece& piece : s.boundary.at(oracle.to(p), 0.02))
         for (const Point& q : piece.points) nearest = std::min(nearest, distance(p, q));
@@ -236,7 +237,7 @@ TEST(BergBoundary, NodesLieOnTheProblemsGeodesicsWhereGapsAreClosed) {
   for (const char* generator : {"cave", "clutter"})
     for (const auto seed : seeds(6)) {
       SCOPED_TRACE(fmt::format("{} --seed {}", generator, seed));
-      const Problem problem(generate(generator, {{"width", 12.0}, {"height", 10.0}}, seed), leashed_robot(kFar));
+      const Problem problem(generate(generator, {{"width", 12.0}, {"height", 10.0}}, seed), tethered_robot(kFar));
       const Region& free = problem.map().free;
       const std::vector<Polyline> closed = barriers(free, 1.2);
       gaps += static_cast<int>(closed.size());
@@ -283,7 +284,7 @@ TEST(BergDividers, AreTheLocalMinimaOfTheWallsDistanceOverTheAngle) {
     Rng rng(seed + 7);
     const Region free = blocks(seed, 3, 2);
     const EdgeIndex walls(free);
-    const Point anchor = free_place(rng, walls, bounding_box(free), 0.3);
+    const Point anchor = free_point(rng, walls, bounding_box(free), 0.3);
     const Scene s(free, anchor);
     std::vector<double> graph(kRays, 1e300);
     for (int k = 0; k < kRays; ++k) {
@@ -325,7 +326,7 @@ TEST(BergDividers, APieceIsNeverBroken) {
     Rng rng(seed + 50);
     const Region free = blocks(seed, 3, 3);
     const EdgeIndex walls(free);
-    const Scene s(free, free_place(rng, walls, bounding_box(free)));
+    const Scene s(free, free_point(rng, walls, bounding_box(free)));
     for (double l = 0.37; l < s.boundary.farthest(); l += 0.613) {
       SCOPED_TRACE(fmt::format("seed {} length {}", seed, l));
       const auto pieces = s.boundary.at(l, 0.05);
@@ -366,7 +367,7 @@ TEST(BergTree, PiecesGrowFromThePieceTheyWereCutFrom) {
     Rng rng(seed + 9);
     const Region free = blocks(seed, 2, 2);
     const EdgeIndex walls(free);
-    const Scene s(free, free_place(rng, walls, bounding_box(free)));
+    const Scene s(free, free_point(rng, walls, bounding_box(free)));
     const BergTree tree(
         s.boundary, 0.1, kFar, 0.025, [](const Point&, double) { return true; }, [] { return false; });
     std::size_t driven = 0;
@@ -426,7 +427,7 @@ TEST(BergTree, TheWayPastADividerComesCloser) {
 TEST(Berg, OrdersDriveTheSamePieces) {
   for (const auto seed : seeds(3)) {
     SCOPED_TRACE(fmt::format("clutter --seed {}", seed));
-    const Problem problem(generate("clutter", {{"width", 8.0}, {"height", 6.0}}, seed), leashed_robot(7));
+    const Problem problem(generate("clutter", {{"width", 8.0}, {"height", 6.0}}, seed), tethered_robot(7));
     std::vector<std::vector<Polyline>> laps;
     for (const char* order : {"bfs", "bfs-per-divider", "dfs"}) {
       Context::Sinks sinks;
@@ -450,7 +451,7 @@ TEST(Berg, OrdersDriveTheSamePieces) {
 
 TEST(Berg, ARectangularRoomCostsAboutTwiceTheLeastLength) {
   // The thesis: 94.1 % covered in its rectangle room. Laps a radius apart overlap by half.
-  const Problem problem({"room", box_region({0, 0}, {9, 7}), "test", ""}, leashed_robot(20), Point(4.03, 3.11));
+  const Problem problem({"room", box_region({0, 0}, {9, 7}), "test", ""}, tethered_robot(20), Point(4.03, 3.11));
   const Score result = score(problem, plan_berg(problem));
   EXPECT_EQ(result.flaw, "");
   EXPECT_GE(result.value("coverage_upper").value_or(0), 0.90);
@@ -462,7 +463,7 @@ TEST(Berg, ARectangularRoomCostsAboutTwiceTheLeastLength) {
 TEST(Berg, TrimKeepsWhatLiesAtItsGeodesicDistance) {
   for (const auto seed : seeds(4)) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
-    const Problem problem({"blocks", blocks(seed, 3, 2), "test", ""}, leashed_robot(9));
+    const Problem problem({"blocks", blocks(seed, 3, 2), "test", ""}, tethered_robot(9));
     const EdgeIndex walls(problem.map().free);
     const AllCorners oracle(problem.map().free, walls, problem.anchor());
     std::size_t all = 0, kept = 0;
@@ -496,10 +497,10 @@ TEST(Berg, StaysInConfigurationSpaceAndBreaksTheLeashOnlyWhereItMay) {
     for (const auto seed : seeds(2))
       for (const char* order : {"bfs-per-divider", "dfs"}) {
         SCOPED_TRACE(fmt::format("{} --seed {} order={}", generator, seed, order));
-        const Problem problem(generate(generator, {}, seed), leashed_robot(7));
+        const Problem problem(generate(generator, {}, seed), tethered_robot(7));
         const Path path = plan_berg(problem, {{"order", std::string(order)}});
         EXPECT_EQ(find_flaw(problem, path, {.tether_counts = false}), "");
-        TautString string(problem.taut_space(), problem.anchor());
+        TautTether string(problem.taut_space(), problem.anchor());
         double longest = 0;
         string.drive(problem.start());
         for (const Leg& leg : path.legs)
@@ -523,7 +524,7 @@ TEST(Berg, StaysInConfigurationSpaceAndBreaksTheLeashOnlyWhereItMay) {
 }
 
 TEST(Berg, SameInputSamePath) {
-  const Problem problem(generate("rooms", {}, 3), leashed_robot(10));
+  const Problem problem(generate("rooms", {}, 3), tethered_robot(10));
   const Path a = plan_berg(problem), b = plan_berg(problem);
   ASSERT_EQ(a.legs.size(), b.legs.size());
   for (std::size_t i = 0; i < a.legs.size(); ++i) {
@@ -539,10 +540,10 @@ TEST(Berg, WhatItCannotDoIsASentence) {
         plan_berg(Problem({"room", room, "test", ""}, Robot{}));
       },
       ThrowsMessage<Unsupported>(HasSubstr("has no tether")));
-  const Problem closet({"closet", box_region({0, 0}, {0.5, 0.5}), "test", ""}, leashed_robot(3), Point(0.25, 0.25));
+  const Problem closet({"closet", box_region({0, 0}, {0.5, 0.5}), "test", ""}, tethered_robot(3), Point(0.25, 0.25));
   EXPECT_THAT([&] { plan_berg(closet); }, ThrowsMessage<Infeasible>(HasSubstr("smaller step")));
   EXPECT_GT(plan_berg(closet, {{"step", 0.02}}).length(), 0);
-  const Problem big({"room", room, "test", ""}, leashed_robot(3));
+  const Problem big({"room", room, "test", ""}, tethered_robot(3));
   Context context;
   context.cancel();
   EXPECT_NO_THROW(find_planner(zoo(), "berg").make({})->plan(big, context));

@@ -1,9 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sweep_oracle.hpp"
+#include "coverage_oracle.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/seeds.hpp"
+#include "geometry/trace.hpp"
 
 namespace oxturn {
 namespace {

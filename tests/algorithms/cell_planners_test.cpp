@@ -17,8 +17,8 @@
 namespace oxturn {
 namespace {
 
-using Place = std::pair<int, int>;  // column, row
-const std::vector<Place> kFour{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+using Location = std::pair<int, int>;  // column, row
+const std::vector<Location> kFour{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
 
 // A robot much smaller than a letter, a tool as wide as its diagonal: free cells are the letters, exactly.
 Drawing small_robot() {
@@ -48,24 +48,24 @@ Settings on_letters(const std::string& name) {
 
 struct Drawn {
   std::vector<std::string> rows;
-  bool free(const Place& p) const {
+  bool free(const Location& p) const {
     const int n = static_cast<int>(rows.size());
     return p.second >= 0 && p.second < n && p.first >= 0 && p.first < static_cast<int>(rows[0].size()) &&
            rows[static_cast<std::size_t>(n - 1 - p.second)][static_cast<std::size_t>(p.first)] != '#';
   }
-  void set(const Place& p, char letter) {
+  void set(const Location& p, char letter) {
     rows[rows.size() - 1 - static_cast<std::size_t>(p.second)][static_cast<std::size_t>(p.first)] = letter;
   }
-  Place start() const {
+  Location start() const {
     const Point at = *drawn_place(rows, 'S');
     return {static_cast<int>(at.x()), static_cast<int>(at.y())};
   }
-  std::set<Place> reachable() const {
-    std::set<Place> seen{start()};
-    std::vector<Place> queue{start()};
+  std::set<Location> reachable() const {
+    std::set<Location> seen{start()};
+    std::vector<Location> queue{start()};
     for (std::size_t k = 0; k < queue.size(); ++k)
-      for (const Place& d : kFour) {
-        const Place to{queue[k].first + d.first, queue[k].second + d.second};
+      for (const Location& d : kFour) {
+        const Location to{queue[k].first + d.first, queue[k].second + d.second};
         if (free(to) && seen.insert(to).second) queue.push_back(to);
       }
     return seen;
@@ -91,8 +91,8 @@ Drawn random_drawing(std::uint64_t seed, int most) {
 }
 
 // The cells whose middle a tool-on leg passes.
-std::set<Place> cells_under(const Path& path, const Place& start) {
-  std::set<Place> cells{start};
+std::set<Location> cells_under(const Path& path, const Location& start) {
+  std::set<Location> cells{start};
   for (const Leg& leg : path.legs) {
     if (!leg.tool) continue;
     for (std::size_t k = 0; k + 1 < leg.points.size(); ++k) {
@@ -100,7 +100,7 @@ std::set<Place> cells_under(const Path& path, const Place& start) {
       const int n = std::max(1, static_cast<int>(std::lround(d.cwiseAbs().maxCoeff())));
       for (int s = 0; s <= n; ++s) {
         const Point at = a + d * (double(s) / n);
-        const Place cell{static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
+        const Location cell{static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
         if (distance(at, {cell.first + 0.5, cell.second + 0.5}) < 1e-3) cells.insert(cell);
       }
     }
@@ -131,7 +131,7 @@ const std::vector<Variant>& complete_planners() {
 TEST(CellPlanners, LeaveNoReachableCellOut) {
   for (const auto seed : seeds(1200)) {
     const Drawn drawn_map = random_drawing(seed, 12);
-    const std::set<Place> reachable = drawn_map.reachable();
+    const std::set<Location> reachable = drawn_map.reachable();
     if (reachable.size() < 2) continue;
     SCOPED_TRACE(fmt::format("seed {}{}", seed, drawn_map.text()));
     const Problem problem = drawn(drawn_map.rows, small_robot());
@@ -149,14 +149,14 @@ TEST(CellPlanners, LeaveNoReachableCellOut) {
 // --- bounds of the explorers ---
 
 // Walls that hang together over corners with the world outside; the rest are holes.
-std::set<Place> outside(const Drawn& map, const std::set<Place>& cells) {
+std::set<Location> outside(const Drawn& map, const std::set<Location>& cells) {
   const int columns = static_cast<int>(map.rows[0].size()), rows = static_cast<int>(map.rows.size());
-  std::set<Place> seen{{-1, -1}};
-  std::vector<Place> queue{{-1, -1}};
+  std::set<Location> seen{{-1, -1}};
+  std::vector<Location> queue{{-1, -1}};
   for (std::size_t k = 0; k < queue.size(); ++k)
     for (int di = -1; di <= 1; ++di)
       for (int dj = -1; dj <= 1; ++dj) {
-        const Place to{queue[k].first + di, queue[k].second + dj};
+        const Location to{queue[k].first + di, queue[k].second + dj};
         if (to.first < -1 || to.second < -1 || to.first > columns || to.second > rows || cells.count(to)) continue;
         if (seen.insert(to).second) queue.push_back(to);
       }
@@ -166,27 +166,27 @@ std::set<Place> outside(const Drawn& map, const std::set<Place>& cells) {
 struct Counts {
   int cells = 0, edges = 0, holes = 0, reflex = 0;
 };
-Counts count(const Drawn& map, const std::set<Place>& cells) {
+Counts count(const Drawn& map, const std::set<Location>& cells) {
   Counts counts;
-  std::set<Place> outer = outside(map, cells), known = outer;
-  for (const Place& c : cells) {
+  std::set<Location> outer = outside(map, cells), known = outer;
+  for (const Location& c : cells) {
     ++counts.cells;
-    for (const Place& d : kFour) counts.edges += !cells.count({c.first + d.first, c.second + d.second});
+    for (const Location& d : kFour) counts.edges += !cells.count({c.first + d.first, c.second + d.second});
   }
   for (int i = 0; i < static_cast<int>(map.rows[0].size()); ++i)
     for (int j = 0; j < static_cast<int>(map.rows.size()); ++j) {
       if (cells.count({i, j}) || !known.insert({i, j}).second) continue;
       ++counts.holes;
-      std::vector<Place> queue{{i, j}};
+      std::vector<Location> queue{{i, j}};
       for (std::size_t k = 0; k < queue.size(); ++k)
         for (int di = -1; di <= 1; ++di)
           for (int dj = -1; dj <= 1; ++dj) {
-            const Place to{queue[k].first + di, queue[k].second + dj};
+            const Location to{queue[k].first + di, queue[k].second + dj};
             if (!cells.count(to) && known.insert(to).second) queue.push_back(to);
           }
     }
   // A reflex corner of the outer wall: one wall cell among the four about a lattice point, or two across it.
-  for (const Place& w : outer)
+  for (const Location& w : outer)
     for (const int di : {-1, 1})
       for (const int dj : {-1, 1})
         counts.reflex += cells.count({w.first + di, w.second}) && cells.count({w.first, w.second + dj});
@@ -196,8 +196,8 @@ Counts count(const Drawn& map, const std::set<Place>& cells) {
 // A random drawing with the start at its outer wall, at the reachable cell that the seed picks; without holes on demand.
 std::optional<Drawn> explorers_world(std::uint64_t seed, bool holes) {
   Drawn map = random_drawing(seed, 11);
-  std::set<Place> cells = map.reachable();
-  std::set<Place> outer = outside(map, cells);
+  std::set<Location> cells = map.reachable();
+  std::set<Location> outer = outside(map, cells);
   const int columns = static_cast<int>(map.rows[0].size()), rows = static_cast<int>(map.rows.size());
   map.set(map.start(), '.');
   for (int i = 0; i < columns; ++i)
@@ -205,9 +205,9 @@ std::optional<Drawn> explorers_world(std::uint64_t seed, bool holes) {
       if (!holes && !outer.count({i, j})) cells.insert({i, j});
       map.set({i, j}, cells.count({i, j}) ? '.' : '#');
     }
-  std::vector<Place> rim;
-  for (const Place& c : cells)
-    if (std::any_of(kFour.begin(), kFour.end(), [&](const Place& d) {
+  std::vector<Location> rim;
+  for (const Location& c : cells)
+    if (std::any_of(kFour.begin(), kFour.end(), [&](const Location& d) {
           return outer.count({c.first + d.first, c.second + d.second});
         }))
       rim.push_back(c);

@@ -1,4 +1,4 @@
-#include "algorithms/grid/cell_robot.hpp"
+#include "algorithms/lattice/cell_robot.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <map>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/cell_map.hpp"
+#include "algorithms/lattice/cell_map.hpp"
 #include "tests/support/drawn.hpp"
 
 namespace oxturn {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/coverage_planner.hpp"
-#include "geometry/boolean.hpp"
+#include "geometry/overlay/boolean.hpp"
 #include "metrics/score.hpp"
 
 namespace oxturn {

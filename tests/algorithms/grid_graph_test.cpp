@@ -1,4 +1,4 @@
-#include "algorithms/grid/grid_graph.hpp"
+#include "algorithms/lattice/grid_graph.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

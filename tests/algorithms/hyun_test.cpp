@@ -7,8 +7,8 @@
 #include <map>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/link_crossings.hpp"
-#include "algorithms/grid/tracking_points.hpp"
+#include "algorithms/polygon/link_crossings.hpp"
+#include "algorithms/polygon/tracking_points.hpp"
 #include "algorithms/transit/tlppa.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
@@ -19,16 +19,16 @@
 namespace oxturn {
 namespace {
 
-using Reports = std::map<std::string, double>;
+using Records = std::map<std::string, double>;
 
-Path plan_with(const char* planner, const Problem& problem, const Settings& settings = {}, Reports* reports = nullptr) {
+Path plan_with(const char* planner, const Problem& problem, const Settings& settings = {}, Records* reports = nullptr) {
   Context::Sinks sinks;
   if (reports != nullptr) sinks.report = [reports](const std::string& name, double v) { (*reports)[name] = v; };
   Context context(1, 1e9, std::move(sinks));
   return find_planner(zoo(), planner).make(settings)->plan(problem, context);
 }
 
-Path plan_hyun(const Problem& problem, const Settings& settings = {}, Reports* reports = nullptr) {
+Path plan_hyun(const Problem& problem, const Settings& settings = {}, Records* reports = nullptr) {
   return plan_with("hyun", problem, settings, reports);
 }
 
@@ -84,7 +84,7 @@ TEST(Hyun, EveryPathIsValidAndEveryPointIsVisitedOnce) {
     } catch (const std::invalid_argument&) { continue; }  // the robot fits nowhere
     const Problem& problem = *made;
     polygonal += problem.robot().footprint.empty() ? 0 : 1;
-    Reports reports;
+    Records reports;
     const Path path = plan_hyun(problem, said("transit", seed % 2 == 0 ? "tlppa" : "visibility"), &reports);
     ASSERT_EQ(find_flaw(problem, path), "");
 
@@ -126,7 +126,7 @@ TEST(Hyun, LinksNeverCross) {
     try {
       made.emplace(small_map(seed));
     } catch (const std::invalid_argument&) { continue; }
-    Reports reports;
+    Records reports;
     const Path path = plan_hyun(*made, said("nearest", seed % 2 == 0 ? "air" : "way"), &reports);
     EXPECT_EQ(reports["links_crossing"], 0);
     std::vector<std::pair<Point, Point>> on;
@@ -269,7 +269,7 @@ TEST(Tlppa, APassageNarrowerThanItsCellsIsNotSeen) {
   EXPECT_FALSE(Tlppa(problem, 0.1).path(problem.start(), {9.5, 1.5}));
   EXPECT_TRUE(Tlppa(problem, 0.01).path(problem.start(), {9.5, 1.5}));
   EXPECT_TRUE(problem.transit().path(problem.start(), {9.5, 1.5}));
-  Reports reports;  // the planner says so, and gets there all the same
+  Records reports;  // the planner says so, and gets there all the same
   const Path path = plan_hyun(problem, {{"cell_size", 0.1}}, &reports);
   EXPECT_EQ(find_flaw(problem, path), "");
 }
@@ -279,7 +279,7 @@ TEST(Hyun, AnEmptyRoomIsLanesOnly) {
   robot.footprint = named_footprint("octagon:1");
   robot.tool_width = 1;
   const Problem problem({"hall", box_region({0, 0}, {11, 8}), "test", ""}, robot, Point(5, 4));
-  Reports reports;
+  Records reports;
   const Path path = plan_hyun(problem, {}, &reports);
   EXPECT_EQ(reports["links_planned"], 0);
   EXPECT_EQ(reports["transits_crossing"], 0);
@@ -302,7 +302,7 @@ TEST(Hyun, TheWorldOfThePaper) {
   for (const std::uint64_t seed : seeds(8)) {
     SCOPED_TRACE(seed);
     const Problem problem(generate("hyun", {{"jitter", seed == 1 ? 0.0 : 1.0}}, seed), octagonal());
-    Reports reports;
+    Records reports;
     const Path path = plan_hyun(problem, {}, &reports);
     const Score s = score(problem, path);
     EXPECT_EQ(s.flaw, "");
@@ -336,7 +336,7 @@ TEST(Hyun, TheRulesAsPrintedEndToo) {
   }
   // In the paper's world they leave much undone: walls' contacts are linked across, obstacles' on one side.
   const Problem problem(generate("hyun", {}, 1), octagonal());
-  Reports resolved, literal;
+  Records resolved, literal;
   const Path ours = plan_hyun(problem, {}, &resolved);
   const Path printed = plan_hyun(problem, said("rules", "literal"), &literal);
   EXPECT_EQ(literal["tracking_points"], resolved["tracking_points"]);

@@ -1,10 +1,10 @@
-#include "algorithms/polygon/lanes.hpp"
+#include "algorithms/lanes/lanes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "algorithms/polygon/sweep_direction.hpp"
+#include "algorithms/lanes/lane_direction.hpp"
 #include "maps/generators.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/seeds.hpp"
@@ -99,7 +99,7 @@ TEST(ClipVertical, AgreesWithSampling) {
 TEST(SweepDirection, FollowsALongHall) {
   for (const double degrees : {0.0, 17.0, 90.0, 141.5}) {
     const Region hall = transformed(box_region({0, 0}, {20, 3}), degrees * kPi / 180, {3, 4});
-    EXPECT_NEAR(std::remainder(best_sweep_direction(hall, 0.4) - degrees, 180), 0, 0.2) << degrees;
+    EXPECT_NEAR(std::remainder(best_lane_direction(hall, 0.4) - degrees, 180), 0, 0.2) << degrees;
   }
 }
 

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "algorithms/grid/grid_graph.hpp"
+#include "algorithms/lattice/grid_graph.hpp"
 #include "geometry/edge_index.hpp"
 #include "maps/generators.hpp"
 

@@ -8,10 +8,10 @@
 #include "algorithms/online/outline.hpp"
 #include "algorithms/online/star.hpp"
 #include "algorithms/online/survey_then_plan.hpp"
-#include "geometry/boolean.hpp"
-#include "maps/tethered_way.hpp"
+#include "geometry/overlay/boolean.hpp"
+#include "maps/followed_path.hpp"
 #include "metrics/score.hpp"
-#include "sweep_oracle.hpp"
+#include "coverage_oracle.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/seeds.hpp"
@@ -44,7 +44,7 @@ std::vector<Problem> small_problems(std::uint64_t seed, const Robot& robot) {
 
 double lanes_needed(const Problem& p) { return area(p.target()) / p.robot().tool_width; }
 
-Point random_place(const Problem& problem, Rng& rng) {
+Point random_point(const Problem& problem, Rng& rng) {
   const Box box = bounding_box(problem.configuration_space());
   for (;;) {
     const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
@@ -97,7 +97,7 @@ TEST(Lidar, AgreesWithBruteForceOnAllFamilies) {
       const LidarSimulator lidar(p.map().free, *p.robot().lidar);
       Rng rng(seed), unused(1);
       for (int n = 0; n < 8; ++n) {
-        const Point eye = random_place(p, rng);
+        const Point eye = random_point(p, rng);
         const Scan scan = lidar.scan(eye, unused);
         for (std::size_t k = 0; k < scan.reading.size(); ++k) {
           const double truth = cast_by_brute_force(p.map().free, eye, 2 * kPi * static_cast<double>(k) / 181, 4);
@@ -163,7 +163,7 @@ void wander(Belief& belief, const Problem& problem, std::uint64_t seed, int goal
   Rng rng(seed), noise(seed);
   Polyline way{problem.start()};
   for (int goal = 0; goal < goals; ++goal) {
-    const auto leg = problem.transit().path(way.back(), random_place(problem, rng));
+    const auto leg = problem.transit().path(way.back(), random_point(problem, rng));
     way.insert(way.end(), leg->begin() + 1, leg->end());
   }
   for (std::size_t k = 1; k < way.size(); ++k) {
@@ -244,7 +244,7 @@ TEST(Outline, ARoomSeenFromThreePlacesIsTheRoom) {
     belief.add(lidar.scan(room.start() + aside, unused));
   EXPECT_LT(beyond_truth(belief, room, 0), 1e-9);
   EXPECT_GT(area(belief.region(0)), area(room.map().free) - 5e-3);
-  EXPECT_LT(corner_count(belief.region(0)), 30u);
+  EXPECT_LT(vertex_count(belief.region(0)), 30u);
   // The robot may touch a wall.
   const auto wall = EdgeIndex(room.map().free).nearest(room.start());
   const Point by = wall->place + 0.2 * (room.start() - wall->place).normalized();
@@ -287,7 +287,7 @@ TEST(Outline, HoldsNoWallPoint) {
       Rng rng(seed), unused(1);
       std::vector<Point> all;
       for (int n = 0; n < 12; ++n) {
-        const Scan scan = lidar.scan(random_place(p, rng), unused);
+        const Scan scan = lidar.scan(random_point(p, rng), unused);
         std::vector<Point> hits, corners;
         for (std::size_t k = 0; k < 60; ++k)
           if (std::isfinite(scan.reading[k])) hits.push_back(scan.eye + scan.reading[k] * directions[k]);
@@ -524,7 +524,7 @@ TEST(Explorer, KeepsTheLeash) {
         }
         ++explored;
         expect_valid(p, path);
-        TautString string = string_at_start(p);
+        TautTether string = tether_at_start(p);
         for (const Leg& leg : path.legs)
           for (const Point& q : leg.points) {
             string.drive(q);

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/grid_graph.hpp"
-#include "algorithms/grid/lattice_ways.hpp"
+#include "algorithms/lattice/grid_graph.hpp"
+#include "algorithms/lattice/lattice_paths.hpp"
 #include "algorithms/grid/rectangle_world.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
@@ -160,7 +160,7 @@ TEST(Rectangles, RevisitingLeavesNoReachableNode) {
 }
 
 // Against a flood fill of its own.
-TEST(LatticeWays, LeadWhereAFloodFillDoesAndAreHardlyLongerThanItsSteps) {
+TEST(LatticePaths, LeadWhereAFloodFillDoesAndAreHardlyLongerThanItsSteps) {
   Robot robot;
   robot.radius = 0.45;  // in cells of 1 m, all of the lattice is well inside or well outside
   robot.tool_width = 0.9;
@@ -170,7 +170,7 @@ TEST(LatticeWays, LeadWhereAFloodFillDoesAndAreHardlyLongerThanItsSteps) {
     if (free.polygons.empty()) continue;
     const Problem problem({"noise", {{free.polygons.front()}}, "test", ""}, robot);
     const GridGraph graph = make_grid_graph(problem, {}, 1, 1, 1);
-    LatticeWays ways(graph, problem.walls());
+    LatticePaths ways(graph, problem.walls());
     Rng rng(seed);
     std::vector<std::size_t> nodes;
     for (std::size_t c = 0; c < graph.size(); ++c)

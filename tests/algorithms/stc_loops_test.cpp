@@ -13,11 +13,12 @@
 #include "algorithms/grid/bisector_nodes.hpp"
 #include "algorithms/grid/branch_tree.hpp"
 #include "algorithms/grid/node_loops.hpp"
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/seeds.hpp"
+#include "geometry/trace.hpp"
 
 namespace oxturn {
 namespace {
@@ -192,7 +193,7 @@ TEST(BranchTree, IsATreeWhateverIsHungOnItAndIsWalkedRound) {
     };
     // Ways over a lattice, coarse enough to lead to no vertex on many maps.
     const GridGraph lattice = make_grid_graph_at(problem.configuration_space(), "drawn", problem.start(), 0.5);
-    LatticeWays ways(lattice, problem.walls());
+    LatticePaths ways(lattice, problem.walls());
     BranchTree tree(problem, 0.5, ways);
     tree.begin({problem.start()}, BranchTree::Kind::chain);
     double once = 0, twice = 0;
@@ -211,13 +212,13 @@ TEST(BranchTree, IsATreeWhateverIsHungOnItAndIsWalkedRound) {
         if (space.contains(v, piece.front())) least = std::min(least, distance(v, piece.front()));
       const std::size_t before = tree.vertices().size(), edges_before = tree.edges().size();
       const auto hung = tree.hang(piece, kind);
-      EXPECT_EQ(hung, std::isfinite(least) ? BranchTree::Hung::straight : BranchTree::Hung::by_way);
+      EXPECT_EQ(hung, std::isfinite(least) ? BranchTree::Hung::straight : BranchTree::Hung::by_path);
       (kind == BranchTree::Kind::round ? once : twice) += length(piece);
       const auto edges = tree.edges();
       for (std::size_t e = edges_before; e < edges.size(); ++e) {  // the branch: between old and new, or along the way
         const Point &a = tree.vertices()[edges[e].first], &b = tree.vertices()[edges[e].second];
         EXPECT_TRUE(space.contains(a, b));
-        if (edges[e].first < before || hung == BranchTree::Hung::by_way) {
+        if (edges[e].first < before || hung == BranchTree::Hung::by_path) {
           const bool branch = edges[e].first < before || edges[e].second != edges[e].first + 1;
           if (branch && hung == BranchTree::Hung::straight) { EXPECT_DOUBLE_EQ(distance(a, b), least); }
         }

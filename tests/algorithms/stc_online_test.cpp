@@ -9,7 +9,7 @@
 #include <set>
 
 #include "algorithms/coverage_planner.hpp"
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/drawn.hpp"
@@ -18,12 +18,12 @@
 namespace oxturn {
 namespace {
 
-using Place = std::pair<int, int>;
+using Location = std::pair<int, int>;
 using Drawing2 = std::vector<std::string>;
 
-constexpr Place kSteps[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+constexpr Location kSteps[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
 
-bool free_at(const Drawing2& rows, const Place& p) {
+bool free_at(const Drawing2& rows, const Location& p) {
   const int n = static_cast<int>(rows.size());
   if (p.first < 0 || p.second < 0 || p.second >= n || p.first >= static_cast<int>(rows[0].size())) return false;
   return rows[static_cast<std::size_t>(n - 1 - p.second)][static_cast<std::size_t>(p.first)] != '#';
@@ -43,10 +43,10 @@ Drawing2 random_drawing(Rng& rng) {
   const bool blocks = rng.chance(0.4);  // of two by two letters: whole coarse cells are many
   const std::size_t shift = rng.below(2);
   Drawing2 drawing(rows, std::string(columns, '.'));
-  std::map<Place, bool> wall;
+  std::map<Location, bool> wall;
   for (std::size_t j = 0; j < rows; ++j)
     for (std::size_t i = 0; i < columns; ++i) {
-      const Place key = blocks ? Place((i + shift) / 2, (j + shift) / 2) : Place(i, j);
+      const Location key = blocks ? Location((i + shift) / 2, (j + shift) / 2) : Location(i, j);
       if (!wall.count(key)) wall[key] = rng.chance(blocked);
       if (wall[key]) drawing[j][i] = '#';
     }
@@ -54,26 +54,26 @@ Drawing2 random_drawing(Rng& rng) {
   return drawing;
 }
 
-Place start_of(const Drawing2& rows) {
+Location start_of(const Drawing2& rows) {
   const Point p = *drawn_place(rows, 'S');
   return {static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))};
 }
 
-std::set<Place> flood(const Place& from, const std::function<bool(const Place&)>& free) {
-  std::set<Place> seen;
+std::set<Location> flood(const Location& from, const std::function<bool(const Location&)>& free) {
+  std::set<Location> seen;
   if (free(from)) seen.insert(from);
-  std::vector<Place> queue(seen.begin(), seen.end());
+  std::vector<Location> queue(seen.begin(), seen.end());
   for (std::size_t k = 0; k < queue.size(); ++k)
-    for (const Place& step : kSteps)
-      if (const Place next{queue[k].first + step.first, queue[k].second + step.second};
+    for (const Location& step : kSteps)
+      if (const Location next{queue[k].first + step.first, queue[k].second + step.second};
           free(next) && seen.insert(next).second)
         queue.push_back(next);
   return seen;
 }
 
 // How often the path's tool-on legs come to each letter (the first place does not count as come to).
-std::map<Place, int> visits(const Path& path, double& length) {
-  std::map<Place, int> all;
+std::map<Location, int> visits(const Path& path, double& length) {
+  std::map<Location, int> all;
   length = 0;
   for (const Leg& leg : path.legs) {
     if (!leg.tool) continue;
@@ -91,15 +91,15 @@ std::map<Place, int> visits(const Path& path, double& length) {
   return all;
 }
 
-std::set<Place> places(const std::map<Place, int>& visits) {
-  std::set<Place> all;
+std::set<Location> places(const std::map<Location, int>& visits) {
+  std::set<Location> all;
   for (const auto& visit : visits) all.insert(visit.first);
   return all;
 }
 
-std::size_t beside_a_wall(const Drawing2& rows, const std::set<Place>& cells) {
+std::size_t beside_a_wall(const Drawing2& rows, const std::set<Location>& cells) {
   std::size_t m = 0;
-  for (const Place& c : cells) {
+  for (const Location& c : cells) {
     bool touches = false;
     for (int di = -1; di <= 1; ++di)
       for (int dj = -1; dj <= 1; ++dj) touches = touches || !free_at(rows, {c.first + di, c.second + dj});
@@ -115,17 +115,17 @@ Path plan(const char* name, const Problem& problem, const Settings& settings = {
 
 // The sub-cells of the wholly free coarse cells about the start; empty if it is in none. Which of the four sub-cells the
 // start is: the first choice that is wholly free (lower left, lower right, upper left, upper right).
-std::set<Place> whole_cells(const Drawing2& rows) {
-  const Place s = start_of(rows);
-  for (const Place& choice : {Place{0, 0}, Place{-1, 0}, Place{0, -1}, Place{-1, -1}}) {
-    const auto whole = [&](const Place& coarse) {
-      const Place low{s.first + choice.first + 2 * coarse.first, s.second + choice.second + 2 * coarse.second};
+std::set<Location> whole_cells(const Drawing2& rows) {
+  const Location s = start_of(rows);
+  for (const Location& choice : {Location{0, 0}, Location{-1, 0}, Location{0, -1}, Location{-1, -1}}) {
+    const auto whole = [&](const Location& coarse) {
+      const Location low{s.first + choice.first + 2 * coarse.first, s.second + choice.second + 2 * coarse.second};
       return free_at(rows, low) && free_at(rows, {low.first + 1, low.second}) &&
              free_at(rows, {low.first, low.second + 1}) && free_at(rows, {low.first + 1, low.second + 1});
     };
     if (!whole({0, 0})) continue;
-    std::set<Place> cells;
-    for (const Place& coarse : flood({0, 0}, whole))
+    std::set<Location> cells;
+    for (const Location& coarse : flood({0, 0}, whole))
       for (int k = 0; k < 4; ++k)
         cells.insert(
             {s.first + choice.first + 2 * coarse.first + k % 2, s.second + choice.second + 2 * coarse.second + k / 2});
@@ -140,7 +140,7 @@ TEST(StcOnline, EachSubCellOfTheWhollyFreePartExactlyOnce) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
     const Drawing2 rows = random_drawing(rng);
-    const std::set<Place> expected = whole_cells(rows);
+    const std::set<Location> expected = whole_cells(rows);
     if (expected.empty()) continue;
     const Problem problem = on_letters(rows);
     ++planned;
@@ -166,20 +166,20 @@ TEST(StcOffline, EachSubCellOfEveryPartExactlyOnceInOneRound) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
     const Drawing2 rows = random_drawing(rng);
-    const std::set<Place> reach = flood(start_of(rows), [&](const Place& p) { return free_at(rows, p); });
-    Place low = *reach.begin();
-    for (const Place& p : reach) low = {std::min(low.first, p.first), std::min(low.second, p.second)};
-    std::set<Place> corners, expected;
-    for (const Place& p : reach) {
+    const std::set<Location> reach = flood(start_of(rows), [&](const Location& p) { return free_at(rows, p); });
+    Location low = *reach.begin();
+    for (const Location& p : reach) low = {std::min(low.first, p.first), std::min(low.second, p.second)};
+    std::set<Location> corners, expected;
+    for (const Location& p : reach) {
       if ((p.first - low.first) % 2 != 0 || (p.second - low.second) % 2 != 0) continue;
-      std::vector<Place> quarters;
+      std::vector<Location> quarters;
       for (int k = 0; k < 4; ++k) quarters.emplace_back(p.first + k % 2, p.second + k / 2);
-      if (!std::all_of(quarters.begin(), quarters.end(), [&](const Place& q) { return reach.count(q) > 0; })) continue;
+      if (!std::all_of(quarters.begin(), quarters.end(), [&](const Location& q) { return reach.count(q) > 0; })) continue;
       corners.insert(p);
       expected.insert(quarters.begin(), quarters.end());
     }
     if (expected.empty()) continue;
-    const std::set<Place> first = flood(*corners.begin(), [&](const Place& p) { return expected.count(p) > 0; });
+    const std::set<Location> first = flood(*corners.begin(), [&](const Location& p) { return expected.count(p) > 0; });
     of_many_parts += first.size() < expected.size();
     const Problem problem = on_letters(rows);
     for (const char* tree : {"bfs", "dfs", "minimum-turn", "random", "weighted"}) {
@@ -205,7 +205,7 @@ TEST(StcOnline, PartialVisitsAllThatCanBeReachedWithinTheBound) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
     const Drawing2 rows = random_drawing(rng);
-    const std::set<Place> expected = flood(start_of(rows), [&](const Place& p) { return free_at(rows, p); });
+    const std::set<Location> expected = flood(start_of(rows), [&](const Location& p) { return free_at(rows, p); });
     if (expected.size() < 2) continue;
     const Problem problem = on_letters(rows);
     const double bound = static_cast<double>(expected.size() + beside_a_wall(rows, expected));

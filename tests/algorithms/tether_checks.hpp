@@ -9,7 +9,7 @@
 
 #include "algorithms/coverage_planner.hpp"
 #include "geometry/predicates.hpp"
-#include "geometry/taut_string.hpp"
+#include "geometry/tether/taut_tether.hpp"
 #include "maps/generators.hpp"
 
 namespace oxturn {
@@ -26,7 +26,7 @@ struct TetherReport {
 /// the last.
 inline TetherReport drive_tethered(const Problem& problem, const Path& path, double step) {
   TetherReport report;
-  TautString string(problem.taut_space(), problem.anchor());
+  TautTether string(problem.taut_space(), problem.anchor());
   string.drive(problem.geodesics().path(problem.start()));
   const auto look = [&](bool tool) {
     report.longest = std::max(report.longest, string.length());
@@ -44,7 +44,7 @@ inline TetherReport drive_tethered(const Problem& problem, const Path& path, dou
         const Point from = string.robot(), to = k == n ? b : lerp(a, b, double(k) / n);
         for (std::size_t s = 1; s + 1 < line.size(); ++s)
           if (crossing(from, to, line[s - 1], line[s]) == Crossing::proper) ++report.crossings;
-        string.drive(to, [&](const TautString::Swing& swing) {
+        string.drive(to, [&](const TautTether::Swing& swing) {
           report.longest = std::max({report.longest, swing.before + distance(swing.pivot, swing.from),
                                      swing.before + distance(swing.pivot, swing.to)});
         });
@@ -55,7 +55,7 @@ inline TetherReport drive_tethered(const Problem& problem, const Path& path, dou
   return report;
 }
 
-inline Robot leashed_robot(double reach, double radius = 0.2, double tool_width = 0.4) {
+inline Robot tethered_robot(double reach, double radius = 0.2, double tool_width = 0.4) {
   Robot robot;
   robot.radius = radius;
   robot.tool_width = tool_width;

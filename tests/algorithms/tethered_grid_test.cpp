@@ -5,12 +5,13 @@
 #include <map>
 #include <set>
 
-#include "algorithms/tethered/leash.hpp"
+#include "algorithms/transit/tether_space.hpp"
 #include "metrics/score.hpp"
-#include "sweep_oracle.hpp"
+#include "coverage_oracle.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/seeds.hpp"
 #include "tether_checks.hpp"
+#include "maps/path_file.hpp"
 
 namespace oxturn {
 namespace {
@@ -123,7 +124,7 @@ void expect_every_cell(const std::string& planner, const Problem& problem, const
   EXPECT_LE(path.length(), 2 * problem.robot().tether->length * static_cast<double>(places.size()));
   EXPECT_EQ(path.legs.back().points.back(), problem.start());
   // At the end the string is as it was at the start.
-  TautString string(problem.taut_space(), problem.anchor());
+  TautTether string(problem.taut_space(), problem.anchor());
   string.drive(problem.geodesics().path(problem.start()));
   for (const Leg& leg : path.legs) string.drive(leg.points);
   EXPECT_NEAR(string.length(), problem.geodesics().distance(problem.start()), 1e-9);
@@ -135,7 +136,7 @@ TEST(ShnapsRimon, VisitsEveryCellWithinTheBoundAndTheLeash) {
     for (const Map& map : tether_maps(seed))
       for (const double reach : {0.5, 0.8, 1.3, 2.0}) {
         SCOPED_TRACE(fmt::format("{} reach {}", map.source, reach));
-        const Problem problem(map, leashed_robot(reach));
+        const Problem problem(map, tethered_robot(reach));
         const std::string retraction = n % 2 == 0 ? "automatic" : "untangle";
         switch (n++ % 4) {
           case 0:
@@ -157,9 +158,9 @@ TEST(ShnapsRimon, VisitsEveryCellWithinTheBoundAndTheLeash) {
 TEST(ShnapsRimon, AnAnchorElsewhere) {
   for (const auto seed : seeds(4)) {
     const Map map = generate("clutter", {{"width", 8.0}, {"height", 6.0}}, seed);
-    Robot robot = leashed_robot(0.7);
+    Robot robot = tethered_robot(0.7);
     const Point anchor = map.free.polygons.front().outer.front();
-    const Point start = Problem(map, leashed_robot(1)).start();
+    const Point start = Problem(map, tethered_robot(1)).start();
     robot.tether = Tether{1.05 * GeodesicField(map.free, anchor, {}, 1e-6).distance(start) + 1};
     const Problem problem(map, robot, start, anchor);
     expect_every_cell("shnaps-rimon", problem, {}, 0.5);
@@ -174,7 +175,7 @@ TEST(ShnapsRimon, SplitFinishesOneSideFirst) {
   const std::vector<std::string> rows{"...........", "...........", "...##S##...", "...........",
                                       "...........", "...#####...", "...#####...", "...#####..."};
   Drawing drawing;
-  drawing.robot = leashed_robot(1.1);
+  drawing.robot = tethered_robot(1.1);
   const Problem problem = drawn(rows, drawing);
   const auto changes = [&](const std::string& order) {
     int count = 0, side = 0;
@@ -191,7 +192,7 @@ TEST(ShnapsRimon, SplitFinishesOneSideFirst) {
 }
 
 TEST(ShnapsRimonBanded, BandsAreNeverTakenBackAndAngleGrowsInEach) {
-  const Problem problem(generate("rectangle", {{"width", 6.0}, {"height", 5.0}}, 1), leashed_robot(1.1));
+  const Problem problem(generate("rectangle", {{"width", 6.0}, {"height", 5.0}}, 1), tethered_robot(1.1));
   const Path path = plan("shnaps-rimon-banded", problem, {{"return_home", false}, {"cells", std::string("joined")}});
   long long band = 0;
   double angle = -1;
@@ -213,10 +214,10 @@ TEST(TetherTree, ThereAndBackOverEveryEdgeAndNoDeeperThanTheLeash) {
     for (const Map& map : tether_maps(seed))
       for (const double reach : {0.5, 1.0, 2.0}) {
         SCOPED_TRACE(fmt::format("{} reach {}", map.source, reach));
-        const Problem problem(map, leashed_robot(reach));
+        const Problem problem(map, tethered_robot(reach));
         const double longest = problem.robot().tether->length;
         for (const bool geodesic : {false, true}) {
-          const Leash leash(problem, "test");
+          const TetherSpace leash(problem, "test");
           const std::map<Cell, int> depth =
               flood(geodesic ? leash.cut_space() : problem.configuration_space(), problem.start(), kSide);
           std::set<Cell> wanted;
@@ -228,7 +229,7 @@ TEST(TetherTree, ThereAndBackOverEveryEdgeAndNoDeeperThanTheLeash) {
           EXPECT_EQ(cells_driven(path, problem.start(), kSide), wanted);
           EXPECT_NEAR(path.length(), 2 * kSide * static_cast<double>(wanted.size() - 1), 1e-6);
           EXPECT_EQ(path.legs.back().points.back(), problem.start());
-          TautString string(problem.taut_space(), problem.anchor());
+          TautTether string(problem.taut_space(), problem.anchor());
           for (const Leg& leg : path.legs)
             for (const Point& p : leg.points) {
               string.drive(p);
@@ -251,7 +252,7 @@ TEST(TetheredStc, EachSubCellOnceAndTheStringIsTheGeodesic) {
       for (const double reach : {0.5, 1.0, 2.0})
         for (const char* measure : {"depth", "geodesic"}) {
           SCOPED_TRACE(fmt::format("{} reach {} by {}", map.source, reach, measure));
-          const Problem problem(map, leashed_robot(reach, 0.1, 0.2));
+          const Problem problem(map, tethered_robot(reach, 0.1, 0.2));
           const double side = kSide / 2;
           const Path path = expect_sound("tethered-stc", problem, {{"reach", std::string(measure)}});
           if (path.legs.empty()) continue;
@@ -272,8 +273,8 @@ TEST(TetheredStc, EachSubCellOnceAndTheStringIsTheGeodesic) {
             if (std::any_of(quarters.begin(), quarters.end(), [](const auto& q) { return q.second != 4; })) continue;
             ++fits;
             const Point root = problem.start() + side * Point(corner.first + 0.5, corner.second + 0.5);
-            TautString string(problem.taut_space(), problem.anchor());
-            std::map<Cell, int> depth = flood(Leash(problem, "test").cut_space(), root, 2 * side);
+            TautTether string(problem.taut_space(), problem.anchor());
+            std::map<Cell, int> depth = flood(TetherSpace(problem, "test").cut_space(), root, 2 * side);
             for (const Point& p : path.legs.front().points) {
               string.drive(p);
               const Point at = (p - root) / (2 * side);
@@ -294,12 +295,12 @@ TEST(TetheredStc, EachSubCellOnceAndTheStringIsTheGeodesic) {
 
 // On open ground depth is |i| + |j|: the bound can be told from where the robot stands.
 TEST(TetheredStc, StringWithinDepthTimesTwoCellsAndADiagonal) {
-  const Problem problem(Map{"square", box_region({0, 0}, {8, 8}), "", ""}, leashed_robot(0.6), Point(4, 4));
+  const Problem problem(Map{"square", box_region({0, 0}, {8, 8}), "", ""}, tethered_robot(0.6), Point(4, 4));
   const double longest = problem.robot().tether->length;
   const Path path = plan("tethered-stc", problem);
   // Which corner of its coarse cell the start is: all four are equal here, so the first is taken.
   std::set<Cell> coarse;
-  TautString string(problem.taut_space(), problem.anchor());
+  TautTether string(problem.taut_space(), problem.anchor());
   for (const Cell& c : cells_driven(path, problem.start(), kSide)) coarse.insert({c.first >> 1, c.second >> 1});
   for (const Point& p : path.legs.front().points) {
     string.drive(p);
@@ -319,7 +320,7 @@ TEST(TetheredStc, StringWithinDepthTimesTwoCellsAndADiagonal) {
 
 TEST(TetheredGrid, SameBytesTwiceAndARobotWithoutTetherIsOneSentence) {
   const Map map = generate("clutter", {{"width", 8.0}, {"height", 6.0}}, 5);
-  const Problem problem(map, leashed_robot(0.9)), loose(map, Robot{});
+  const Problem problem(map, tethered_robot(0.9)), loose(map, Robot{});
   for (const char* planner : {"shnaps-rimon", "shnaps-rimon-banded", "tether-tree", "tethered-stc"}) {
     SCOPED_TRACE(planner);
     EXPECT_EQ(to_geojson(plan(planner, problem)), to_geojson(plan(planner, problem)));
@@ -329,7 +330,7 @@ TEST(TetheredGrid, SameBytesTwiceAndARobotWithoutTetherIsOneSentence) {
 }
 
 TEST(TetheredGrid, NoRoomForASecondCellIsInfeasible) {
-  const Problem problem(Map{"closet", box_region({0, 0}, {0.5, 0.5}), "", ""}, leashed_robot(1.2));
+  const Problem problem(Map{"closet", box_region({0, 0}, {0.5, 0.5}), "", ""}, tethered_robot(1.2));
   for (const char* planner : {"shnaps-rimon", "shnaps-rimon-banded", "tether-tree", "tethered-stc"})
     EXPECT_THAT([&] { plan(planner, problem); }, testing::ThrowsMessage<Infeasible>(HasSubstr("smaller cell_size")))
         << planner;

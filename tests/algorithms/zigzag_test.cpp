@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/polygon/parts.hpp"
-#include "sweep_oracle.hpp"
+#include "coverage_oracle.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/seeds.hpp"
 

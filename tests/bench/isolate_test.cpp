@@ -9,8 +9,10 @@
 #include <csignal>
 #include <filesystem>
 
-#include "bench/sweep.hpp"
+#include "bench/run_suite.hpp"
 #include "test_planners.hpp"
+#include "base/files.hpp"
+#include "maps/path_file.hpp"
 
 namespace oxturn {
 namespace {

@@ -5,6 +5,8 @@
 
 #include "maps/formats.hpp"
 #include "test_planners.hpp"
+#include "base/csv.hpp"
+#include "base/files.hpp"
 
 namespace oxturn {
 namespace {

@@ -9,6 +9,8 @@
 #include "bench/run_id.hpp"
 #include "maps/generators.hpp"
 #include "test_planners.hpp"
+#include "base/files.hpp"
+#include "maps/path_file.hpp"
 
 namespace oxturn {
 namespace {

@@ -227,7 +227,7 @@ TEST_F(Planned, ARunKeepsTheTether) {
   std::size_t traces = 0;
   for (const auto& entry : std::filesystem::directory_iterator(out / "r/tethers")) {
     ++traces;
-    EXPECT_THAT(content(entry.path().string()), HasSubstr(",way_point\n"));
+    EXPECT_THAT(content(entry.path().string()), HasSubstr(",waypoint\n"));
     EXPECT_TRUE(std::filesystem::exists(out / ("r/gallery/" + entry.path().stem().string() + ".svg")));
     EXPECT_THAT(content(out / ("r/gallery/" + entry.path().stem().string() + ".svg")), HasSubstr("id=\"tether\""));
   }

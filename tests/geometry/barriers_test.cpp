@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "geometry/edge_index.hpp"
-#include "geometry/geodesic_field.hpp"
-#include "geometry/mesh.hpp"
-#include "geometry/offset.hpp"
+#include "geometry/tether/geodesic_field.hpp"
+#include "geometry/mesh/mesh.hpp"
+#include "geometry/overlay/offset.hpp"
 #include "random_region.hpp"
 
 namespace oxturn {
@@ -167,7 +167,7 @@ TEST(MeshWithBarriers, IsTheSameAreaWithWallsOnBothSidesOfThem) {
       for (std::size_t k = 0; k < 3; ++k) walls += t.neighbour[k] == Mesh::kWall ? 1u : 0u;
     }
     // Every ring edge once, every barrier from both sides; a point inside an edge makes two edges of it.
-    EXPECT_EQ(walls, corner_count(region) + splits + 2 * lines.size());
+    EXPECT_EQ(walls, vertex_count(region) + splits + 2 * lines.size());
     for (std::size_t i = 0; i < mesh.points().size(); ++i) {
       const bool fresh = i >= plain.points().size();
       const auto id = static_cast<std::int32_t>(i);

@@ -1,9 +1,9 @@
-#include "geometry/boolean.hpp"
+#include "geometry/overlay/boolean.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/validity.hpp"
+#include "geometry/overlay/validity.hpp"
 #include "tests/geometry/samples.hpp"
 
 namespace oxturn {
@@ -39,7 +39,7 @@ TEST(Boolean, AgreesWithPointsAndWithItself) {
     EXPECT_NEAR(area(only_a) + area(only_b) + area(both), area(either), 1e-6);
     for (int k = 0; k < 200; ++k) {
       const Point p(rng.between(-2.5, 3.5), rng.between(-2.5, 3.5));
-      if (std::min(samples::distance_to_rim(a, p), samples::distance_to_rim(b, p)) < 1e-7) continue;
+      if (std::min(samples::distance_to_boundary(a, p), samples::distance_to_boundary(b, p)) < 1e-7) continue;
       const bool in_a = samples::sees_all_round(a, p), in_b = samples::sees_all_round(b, p);
       EXPECT_EQ(contains(both, p), in_a && in_b);
       EXPECT_EQ(contains(either, p), in_a || in_b);
@@ -73,7 +73,7 @@ TEST(Boolean, EmptyOperands) {
 
 TEST(Boolean, SharedWallsVanishExactly) {
   const Region r = unite({box_region({0, 0}, {0.3, 1}), box_region({0.3, 0}, {1, 1})});
-  ASSERT_EQ(corner_count(r), 4u);
+  ASSERT_EQ(vertex_count(r), 4u);
   EXPECT_NEAR(area(r), 1, 1e-8);
 }
 
@@ -93,7 +93,7 @@ TEST(Boolean, ATurnedCheckerboardGrowsTogether) {
 TEST(Boolean, CornersThatTouchStaySeparateRings) {
   const Region r = unite({box_region({0, 0}, {1, 1}), box_region({1, 1}, {2, 2})});
   ASSERT_EQ(r.polygons.size(), 2u);
-  EXPECT_EQ(corner_count(r), 8u);
+  EXPECT_EQ(vertex_count(r), 8u);
   // A ring of boxes whose court touches the outside in a point: outer ring and hole.
   const Region court =
       subtract(box_region({0, 0}, {3, 3}), unite({box_region({0, 0}, {1, 1}), box_region({1, 1}, {2, 2})}));
@@ -155,7 +155,7 @@ TEST(Boolean, ManyPartsStackedDeep) {
   EXPECT_LT(distance(bounding_box(u).low, box.low), 1e-8);
   for (int k = 0; k < 1000; ++k) {
     const Point p(rng.between(-0.3, 1.3), rng.between(-0.3, 1.3));
-    if (samples::distance_to_rim(u, p) < 1e-7) continue;
+    if (samples::distance_to_boundary(u, p) < 1e-7) continue;
     EXPECT_EQ(contains(u, p), std::any_of(parts.begin(), parts.end(), [&](const Region& r) { return contains(r, p); }));
   }
 }

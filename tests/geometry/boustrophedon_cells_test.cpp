@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "geometry/edge_index.hpp"
-#include "geometry/mesh.hpp"
-#include "geometry/partition.hpp"
+#include "geometry/mesh/mesh.hpp"
+#include "geometry/mesh/partition.hpp"
 #include "random_region.hpp"
 
 namespace oxturn {

@@ -1,4 +1,4 @@
-#include "geometry/geodesic_field.hpp"
+#include "geometry/tether/geodesic_field.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "geodesic_oracle.hpp"
-#include "geometry/shortest_path.hpp"
-#include "geometry/slit.hpp"
+#include "geometry/paths/shortest_path.hpp"
+#include "geometry/overlay/cut_along.hpp"
 #include "random_region.hpp"
 #include "samples.hpp"
 #include "tests/support/seeds.hpp"
@@ -332,7 +332,7 @@ TEST(GeodesicField, ChainsHangTogetherAndEndWhereTheyMay) {
     const double near = 1e-7;
     const auto first = [](const auto& c) { return c.front().at(c.front().begin); };
     const auto last = [](const auto& c) { return c.back().at(c.back().end); };
-    const auto on_wall = [&](const Point& p) { return samples::distance_to_rim(scene.region, p) < near; };
+    const auto on_wall = [&](const Point& p) { return samples::distance_to_boundary(scene.region, p) < near; };
     for (const auto& chain : chains) {
       ++chains_seen;
       ASSERT_FALSE(chain.empty());

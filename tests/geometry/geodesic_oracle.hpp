@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/edge_index.hpp"
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "geometry/region.hpp"
 
 namespace oxturn {

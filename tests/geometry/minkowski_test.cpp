@@ -1,9 +1,9 @@
-#include "geometry/minkowski.hpp"
+#include "geometry/overlay/minkowski.hpp"
 
 #include <gtest/gtest.h>
 
-#include "geometry/boolean.hpp"
-#include "geometry/validity.hpp"
+#include "geometry/overlay/boolean.hpp"
+#include "geometry/overlay/validity.hpp"
 #include "tests/geometry/random_region.hpp"
 #include "tests/geometry/samples.hpp"
 #include "tests/support/seeds.hpp"
@@ -77,7 +77,7 @@ Region less_swept_edges(const Region& region, const Ring& body) {
 
 TEST(Minkowski, ABoxAndAnOctagonByTheBook) {
   const Region in = erode(box_region({1, 1}, {6, 4}), octagon(1), Bound::inside);
-  EXPECT_EQ(corner_count(in), 4u);
+  EXPECT_EQ(vertex_count(in), 4u);
   EXPECT_NEAR(area(in), 4 * 2, 1e-6);
   EXPECT_LE(area(in), 8);
   EXPECT_GE(area(erode(box_region({1, 1}, {6, 4}), octagon(1), Bound::outside)), 8);
@@ -116,7 +116,7 @@ TEST(Minkowski, BoundsHoldByBruteForce) {
       if (g > 1 + 1e-5) { EXPECT_TRUE(contains(in, p)) << p.transpose(); }
       if (g < 1 - 1e-5) { EXPECT_FALSE(contains(out, p)) << p.transpose(); }
     }
-    for (const Point& p : samples::rim_points(in, 2)) EXPECT_GE(gauge(body, p, map), 1) << p.transpose();
+    for (const Point& p : samples::boundary_points(in, 2)) EXPECT_GE(gauge(body, p, map), 1) << p.transpose();
   }
 }
 

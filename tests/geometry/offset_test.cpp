@@ -1,9 +1,9 @@
-#include "geometry/offset.hpp"
+#include "geometry/overlay/offset.hpp"
 
 #include <gtest/gtest.h>
 
-#include "geometry/boolean.hpp"
-#include "geometry/validity.hpp"
+#include "geometry/overlay/boolean.hpp"
+#include "geometry/overlay/validity.hpp"
 #include "tests/geometry/samples.hpp"
 
 namespace oxturn {
@@ -19,7 +19,7 @@ TEST(Offset, BoxGrowsAndShrinksByTheBook) {
   EXPECT_LE(area(dilate(box, r, 1e-2, Bound::inside)), round);
   EXPECT_GE(area(dilate(box, r, 1e-2, Bound::outside)), round);
   const Region in = erode(box, r, 1e-3, Bound::inside);
-  EXPECT_EQ(corner_count(in), 4u);  // straight walls carry no chord error
+  EXPECT_EQ(vertex_count(in), 4u);  // straight walls carry no chord error
   EXPECT_NEAR(area(in), 2.5 * 1.5, kSnap * 8);
   EXPECT_LE(area(in), 2.5 * 1.5);
   EXPECT_GE(area(erode(box, r, 1e-3, Bound::outside)), 2.5 * 1.5);
@@ -47,7 +47,7 @@ TEST(Offset, RefusesSenselessLengths) {
 
 /// Points certain by brute force: the region and its distance to p.
 double depth(const Region& r, const Point& p) {  // positive inside
-  const double d = samples::distance_to_rim(r, p);
+  const double d = samples::distance_to_boundary(r, p);
   return contains(r, p) ? d : -d;
 }
 
@@ -56,19 +56,19 @@ void expect_bounds(const Region& map, double r, double error, Rng& rng, int poin
   const Region grown_in = dilate(map, r, error, Bound::inside), grown_out = dilate(map, r, error, Bound::outside);
   for (const Region* x : {&in, &out, &grown_in, &grown_out}) EXPECT_FALSE(find_flaw(*x));
   // Every corner keeps its promise: that is where bounds break first.
-  for (const Point& p : samples::rim_points(in, 2)) {
+  for (const Point& p : samples::boundary_points(in, 2)) {
     EXPECT_GE(depth(map, p), r) << p.transpose();
     EXPECT_LE(depth(map, p), r + error + kSnap) << p.transpose();
   }
-  for (const Point& p : samples::rim_points(out, 2)) {
+  for (const Point& p : samples::boundary_points(out, 2)) {
     EXPECT_LE(depth(map, p), r) << p.transpose();
     EXPECT_GE(depth(map, p), r - error - kSnap) << p.transpose();
   }
-  for (const Point& p : samples::rim_points(grown_in, 2)) {
+  for (const Point& p : samples::boundary_points(grown_in, 2)) {
     EXPECT_GE(depth(map, p), -r) << p.transpose();
     EXPECT_LE(depth(map, p), -r + error + kSnap) << p.transpose();
   }
-  for (const Point& p : samples::rim_points(grown_out, 2)) {
+  for (const Point& p : samples::boundary_points(grown_out, 2)) {
     EXPECT_LE(depth(map, p), -r) << p.transpose();
     EXPECT_GE(depth(map, p), -r - error - kSnap) << p.transpose();
   }
@@ -161,7 +161,7 @@ TEST(Offset, BoundsAreCertainOnManySmallHalls) {
 
 /// The region and everything within r of its rim, as a union of its edges' rectangles and its corners' polygons, which
 /// lie inside of their discs or round them.
-Region swept_rim(const Region& region, double r, int corners, bool outside) {
+Region swept_boundary(const Region& region, double r, int corners, bool outside) {
   std::vector<Region> parts{region};
   for_each_ring(region, [&](const Ring& ring) {
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
@@ -186,7 +186,7 @@ TEST(Offset, GrownAreasAgreeWithASweptRim) {
     if (space.empty()) continue;
     const double again = rng.chance(0.5) ? r : r * rng.between(0.3, 1.5), error = 1e-4;
     const Region in = dilate(space, again, error, Bound::inside), out = dilate(space, again, error, Bound::outside);
-    const Region swept_in = swept_rim(space, again, 48, false), swept_out = swept_rim(space, again, 48, true);
+    const Region swept_in = swept_boundary(space, again, 48, false), swept_out = swept_boundary(space, again, 48, true);
     const double snap = 1e-6 * perimeter(swept_out);
     EXPECT_LE(area(swept_in), area(out) + snap);
     EXPECT_GE(area(swept_out), area(in) - snap);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <set>
 
-#include "geometry/close_pairs.hpp"
-#include "geometry/edge_below.hpp"
-#include "geometry/random.hpp"
-#include "geometry/spread_sort.hpp"
+#include "geometry/overlay/close_pairs.hpp"
+#include "geometry/overlay/edge_below.hpp"
+#include "base/random.hpp"
+#include "base/spread_sort.hpp"
 #include "tests/support/seeds.hpp"
 
 namespace oxturn {

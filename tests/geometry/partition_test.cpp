@@ -1,4 +1,4 @@
-#include "geometry/partition.hpp"
+#include "geometry/mesh/partition.hpp"
 
 #include <gtest/gtest.h>
 
@@ -194,7 +194,7 @@ TEST(Partition, TrapezoidsHaveVerticalSidesAndFitTogether) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Rng more(seed);
     const Region region = transformed(clutter_box(more, 4, 4, false), 0.3, {0, 0});
-    EXPECT_EQ(trapezoid_partition(region).size(), corner_count(region) + hole_count(region) - 1);
+    EXPECT_EQ(trapezoid_partition(region).size(), vertex_count(region) + hole_count(region) - 1);
   }
 }
 
@@ -209,7 +209,7 @@ TEST(Partition, BridgedRingsAreTheRegionInOneStroke) {
       corners += r.size();
       for (std::size_t i = 0; i < r.size(); ++i) EXPECT_TRUE(index.contains(r[i], r[(i + 1) % r.size()]));
     }
-    EXPECT_EQ(corners, corner_count(region) + 2 * hole_count(region));
+    EXPECT_EQ(corners, vertex_count(region) + 2 * hole_count(region));
     own_corners_only(region, rings);
   };
   on_samples(6, check);

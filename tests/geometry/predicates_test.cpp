@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 
 namespace oxturn {
 namespace {

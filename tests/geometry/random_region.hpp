@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "geometry/region.hpp"
 
 namespace oxturn {

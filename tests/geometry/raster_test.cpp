@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/boolean.hpp"
+#include "geometry/overlay/boolean.hpp"
 #include "tests/geometry/samples.hpp"
 
 namespace oxturn {
@@ -29,8 +29,8 @@ TEST(Rasterise, AgreesWithTheAreaOfEveryCell) {
         if (inside.get(i, j)) { EXPECT_NEAR(filled, 1, 1e-6) << i << ' ' << j; }
         if (!touches.get(i, j)) { EXPECT_NEAR(filled, 0, 1e-6) << i << ' ' << j; }
         const Point c = centre.centre(i, j);
-        if (samples::distance_to_rim(r, c) > 1e-9) { EXPECT_EQ(centre.get(i, j), samples::sees_all_round(r, c)); }
-        if (samples::distance_to_rim(r, c) > cell) { EXPECT_EQ(inside.get(i, j), touches.get(i, j)); }
+        if (samples::distance_to_boundary(r, c) > 1e-9) { EXPECT_EQ(centre.get(i, j), samples::sees_all_round(r, c)); }
+        if (samples::distance_to_boundary(r, c) > cell) { EXPECT_EQ(inside.get(i, j), touches.get(i, j)); }
       }
   }
 }

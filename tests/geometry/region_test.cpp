@@ -12,7 +12,7 @@ TEST(Region, AreaAndLengthOfADrawnShape) {
   r.polygons[0].holes.push_back({{1, 1}, {1, 2}, {2, 2}, {2, 1}});
   EXPECT_EQ(area(r), 11);
   EXPECT_EQ(perimeter(r), 18);
-  EXPECT_EQ(corner_count(r), 8u);
+  EXPECT_EQ(vertex_count(r), 8u);
   EXPECT_EQ(hole_count(r), 1u);
   EXPECT_EQ(signed_area(r.polygons[0].holes[0]), -1);
   EXPECT_TRUE(bounding_box(Region{}).empty());
@@ -40,7 +40,7 @@ TEST(Region, ContainsAgreesWithSumOfAngles) {
     const Region r = samples::holed_star(rng, {rng.between(-3.0, 3.0), 1}, 2);
     for (int i = 0; i < 200; ++i) {
       const Point p{rng.between(-6.0, 6.0), rng.between(-2.0, 4.0)};
-      if (samples::distance_to_rim(r, p) < 1e-9) continue;
+      if (samples::distance_to_boundary(r, p) < 1e-9) continue;
       EXPECT_EQ(contains(r, p), samples::sees_all_round(r, p)) << p.transpose();
     }
   }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "geometry/raster.hpp"
 #include "geometry/region.hpp"
 
@@ -50,7 +50,7 @@ inline BitGrid speckled(Rng& rng, int n, double cell, int boxes, int largest) {
 }
 
 /// Distance to the nearest edge, by trying them all.
-inline double distance_to_rim(const Region& region, const Point& p) {
+inline double distance_to_boundary(const Region& region, const Point& p) {
   double best = 1e300;
   for_each_ring(region, [&](const Ring& r) {
     for (std::size_t i = 0, j = r.size() - 1; i < r.size(); j = i++)
@@ -70,7 +70,7 @@ inline bool sees_all_round(const Region& region, const Point& p) {
 }
 
 /// Corners and points along the edges.
-inline std::vector<Point> rim_points(const Region& region, int per_edge) {
+inline std::vector<Point> boundary_points(const Region& region, int per_edge) {
   std::vector<Point> out;
   for_each_ring(region, [&](const Ring& r) {
     for (std::size_t i = 0, j = r.size() - 1; i < r.size(); j = i++)

@@ -1,4 +1,4 @@
-#include "geometry/shortest_path.hpp"
+#include "geometry/paths/shortest_path.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,12 +10,12 @@
 #include <string>
 
 #include "geometry/edge_index.hpp"
-#include "geometry/offset.hpp"
+#include "geometry/overlay/offset.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/raster.hpp"
 #include "random_region.hpp"
 #include "taut_paths.hpp"
-#include "ways_oracle.hpp"
+#include "paths_oracle.hpp"
 
 namespace oxturn {
 namespace {
@@ -37,7 +37,7 @@ void expect_valid(const Polyline& path, const Point& a, const Point& b, const Ed
 }
 
 /// Ends anywhere, at corners, on walls, and on edges of the mesh.
-Point any_end(Rng& rng, const WaysOracle& oracle, const Mesh& mesh, const Box& box) {
+Point any_end(Rng& rng, const PathsOracle& oracle, const Mesh& mesh, const Box& box) {
   for (int k = 0; k < 10; ++k) {
     const auto on = [&](const Point& p, const Point& q) { return lerp(p, q, rng.chance(0.5) ? 0.5 : rng.unit()); };
     const auto corner = [&] { return oracle.corners()[rng.below(oracle.corners().size())]; };
@@ -72,7 +72,7 @@ Point any_end(Rng& rng, const WaysOracle& oracle, const Mesh& mesh, const Box& b
 /// One way from each of `starts` places to six, against the oracle: as long, in the region, and none where there is none.
 void compare(const Region& region, Rng& rng, int starts) {
   if (region.empty()) return;
-  const WaysOracle oracle(region);
+  const PathsOracle oracle(region);
   const ShortestPaths paths(region, 1e-9);
   const Box box = bounding_box(region);
   for (int q = 0; q < 6 * starts;) {
@@ -83,7 +83,7 @@ void compare(const Region& region, Rng& rng, int starts) {
       SCOPED_TRACE(testing::Message() << "query " << q << " from " << a.transpose() << " to " << b.transpose());
       const double best = oracle.between(far, a, b);
       const auto path = paths.path(a, b), back = paths.path(b, a);
-      ASSERT_EQ(path.has_value(), best < WaysOracle::kFar);
+      ASSERT_EQ(path.has_value(), best < PathsOracle::kFar);
       ASSERT_EQ(back.has_value(), path.has_value());
       if (!path) continue;
       expect_valid(*path, a, b, oracle.index());

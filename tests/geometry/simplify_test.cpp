@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "geometry/boolean.hpp"
+#include "geometry/overlay/boolean.hpp"
 #include "geometry/raster.hpp"
-#include "geometry/validity.hpp"
+#include "geometry/overlay/validity.hpp"
 #include "tests/geometry/samples.hpp"
 
 namespace oxturn {
@@ -11,7 +11,7 @@ namespace {
 void expect_promises(const Region& old, double tolerance) {
   const Region now = simplify_inward(old, tolerance);
   EXPECT_LE(area(now), area(old) + 1e-12);
-  EXPECT_LE(corner_count(now), corner_count(old));
+  EXPECT_LE(vertex_count(now), vertex_count(old));
   EXPECT_LT(area(subtract(now, old)), 1e-7 * (1 + perimeter(old)));
   EXPECT_FALSE(find_flaw(now));
   ASSERT_EQ(now.polygons.size(), old.polygons.size());
@@ -20,7 +20,7 @@ void expect_promises(const Region& old, double tolerance) {
     const auto near = [&](const Ring& before, const Ring& after) {
       EXPECT_GE(after.size(), 3u);
       for (const Point& p : before)
-        EXPECT_LE(samples::distance_to_rim({{Polygon{after, {}}}}, p), tolerance + 1e-12) << p.transpose();
+        EXPECT_LE(samples::distance_to_boundary({{Polygon{after, {}}}}, p), tolerance + 1e-12) << p.transpose();
     };
     near(old.polygons[k].outer, now.polygons[k].outer);
     for (std::size_t h = 0; h < old.polygons[k].holes.size(); ++h)
@@ -49,13 +49,13 @@ TEST(SimplifyInward, StairsBecomeRamps) {
   for (int j = 0; j < stairs.rows; ++j)
     for (int i = 0; i < stairs.columns; ++i) stairs.set(i, j, j < 5 + i / 3);
   const Region r = trace(stairs), s = simplify_inward(r, 1.0);
-  EXPECT_GT(corner_count(r), 190u);
-  EXPECT_LT(corner_count(s), 110u);  // each step's convex corner goes, its inner corner cannot
+  EXPECT_GT(vertex_count(r), 190u);
+  EXPECT_LT(vertex_count(s), 110u);  // each step's convex corner goes, its inner corner cannot
   BitGrid disc({0, 0}, 1, 101, 101);
   for (int j = 0; j < 101; ++j)
     for (int i = 0; i < 101; ++i) disc.set(i, j, std::hypot(i - 50, j - 50) < 50);
   const Region d = trace(disc), round = simplify_inward(d, 1.0);
-  EXPECT_LT(corner_count(round) * 2, corner_count(d));
+  EXPECT_LT(vertex_count(round) * 2, vertex_count(d));
   expect_promises(d, 1.0);
   expect_promises(r, 1.0);
 }

@@ -1,5 +1,5 @@
 // Oracle for the taut string, after Hershberger & Snoeyink 1994: the word of triangles that the whole way runs through,
-// reduced, and the funnel in what is left of it. Shares nothing with TautString but Mesh and the predicates.
+// reduced, and the funnel in what is left of it. Shares nothing with TautTether but Mesh and the predicates.
 #pragma once
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/mesh.hpp"
+#include "geometry/mesh/mesh.hpp"
 #include "geometry/predicates.hpp"
-#include "geometry/taut_string.hpp"
+#include "geometry/tether/taut_tether.hpp"
 
 namespace oxturn {
 
@@ -71,8 +71,8 @@ class TautOracle {
     return out;
   }
 
-  static std::vector<TautString::Bend> bends(const Polyline& line) {
-    std::vector<TautString::Bend> out;
+  static std::vector<TautTether::Bend> bends(const Polyline& line) {
+    std::vector<TautTether::Bend> out;
     for (std::size_t i = 1; i + 1 < line.size(); ++i)
       out.push_back({line[i], orientation(line[i - 1], line[i], line[i + 1])});
     return out;

@@ -1,4 +1,4 @@
-#include "geometry/tethered_path.hpp"
+#include "geometry/tether/tethered_path.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "geometry/edge_index.hpp"
-#include "geometry/offset.hpp"
-#include "geometry/slit.hpp"
+#include "geometry/overlay/offset.hpp"
+#include "geometry/overlay/cut_along.hpp"
 #include "random_region.hpp"
 #include "taut_paths.hpp"
 #include "tests/support/seeds.hpp"
@@ -94,7 +94,7 @@ Point free_point(Rng& rng, const EdgeIndex& index, const Box& box) {
 
 void expect_within(const Region& space, const TetheredRobot& robot, const Polyline& way, double longest) {
   const EdgeIndex walls(space);
-  TautString string = robot.string();
+  TautTether string = robot.string();
   ASSERT_EQ(way.front(), robot.at());
   for (std::size_t k = 1; k < way.size(); ++k) {
     EXPECT_TRUE(walls.contains(way[k - 1], way[k]) || walls.nearest(lerp(way[k - 1], way[k], 0.5), 1e-9));
@@ -124,7 +124,7 @@ TEST(TetheredPath, ShortestOfAllClassesThatTheLeashAllows) {
     for (int k = 0; k < 6; ++k) {
       const Point goal = free_point(rng, index, box);
       SCOPED_TRACE(fmt::format("goal {} at ({}, {})", k, goal.x(), goal.y()));
-      const auto way = world.robot.way_to(goal, Retraction::automatic, 100000);
+      const auto way = world.robot.path_to(goal, Retraction::automatic, 100000);
       std::vector<std::pair<Word, double>> states;
       for (const Polyline& line : oracle.from(anchor, goal, longest)) states.push_back({words.of(line), length(line)});
       ASSERT_EQ(way.has_value(), !states.empty());
@@ -165,7 +165,7 @@ TEST(TetheredPath, AnEndlessLeashLeavesThePlainShortestPath) {
     World world(free, free, start, start, kInf);
     for (int k = 0; k < 10; ++k) {
       const Point goal = free_point(rng, index, bounding_box(free));
-      const auto way = world.robot.way_to(goal);
+      const auto way = world.robot.path_to(goal);
       ASSERT_TRUE(way);
       EXPECT_EQ(way->points, *paths.path(world.robot.at(), goal));
       world.robot.drive(way->points);
@@ -189,7 +189,7 @@ TEST(TetheredPath, ADiscNeverBreaksTheLeashAndStaysInItsSpace) {
     World world(free, part, anchor, start, longest);
     for (int k = 0; k < 8; ++k) {
       const Point goal = free_point(rng, index, box);
-      const auto way = world.robot.way_to(goal, k % 3 == 2 ? Retraction::untangle : Retraction::automatic, 500);
+      const auto way = world.robot.path_to(goal, k % 3 == 2 ? Retraction::untangle : Retraction::automatic, 500);
       EXPECT_EQ(way.has_value(), world.field.distance(goal) <= longest) << "goal " << k;
       if (!way) continue;
       EXPECT_EQ(way->points.back(), goal);
@@ -214,7 +214,7 @@ TEST(TetheredPath, TheOtherWayRoundIfTheLeashIsTooShort) {
   EXPECT_NEAR(world.robot.string().length(), std::sqrt(10.0) + 2 + distance({6, 4}, {8, 4.9}), 1e-12);
   // Up past the pillar's right side the string would be 9.66 m long.
   const Point goal(6, 8.5);
-  const auto way = world.robot.way_to(goal);
+  const auto way = world.robot.path_to(goal);
   ASSERT_TRUE(way);
   EXPECT_TRUE(way->shortest);
   EXPECT_EQ(way->points, (Polyline{{8, 4.9}, {6, 4}, {4, 4}, {4, 6}, goal}));
@@ -223,7 +223,7 @@ TEST(TetheredPath, TheOtherWayRoundIfTheLeashIsTooShort) {
   // With a little more it is the short way.
   World longer(pillar(), pillar(), anchor, anchor, 10.7);
   longer.robot.drive({{5, 2}, {8, 4.9}});
-  EXPECT_EQ(longer.robot.way_to(goal)->points, (Polyline{{8, 4.9}, goal}));
+  EXPECT_EQ(longer.robot.path_to(goal)->points, (Polyline{{8, 4.9}, goal}));
 }
 
 TEST(TetheredPath, WoundTwiceItUnwindsAsFarAsItMust) {
@@ -233,10 +233,10 @@ TEST(TetheredPath, WoundTwiceItUnwindsAsFarAsItMust) {
   world.robot.drive(lap);
   world.robot.drive(lap);
   EXPECT_NEAR(world.robot.string().length(), std::sqrt(10.0) + 14 + std::sqrt(5.0), 1e-9);
-  EXPECT_EQ(world.robot.way_to({4, 2})->points, (Polyline{{2, 5}, {4, 2}}));
+  EXPECT_EQ(world.robot.path_to({4, 2})->points, (Polyline{{2, 5}, {4, 2}}));
   world.robot.drive({{5, 2}, {8, 5}, {5, 8}});
   EXPECT_NEAR(world.robot.string().length(), std::sqrt(10.0) + 20 + std::sqrt(5.0), 1e-9);
-  const auto way = world.robot.way_to({1.5, 3});
+  const auto way = world.robot.path_to({1.5, 3});
   ASSERT_TRUE(way);
   EXPECT_GT(way->tether_max, 24);
   EXPECT_LE(way->tether_max, 30);
@@ -245,7 +245,7 @@ TEST(TetheredPath, WoundTwiceItUnwindsAsFarAsItMust) {
   shorter.robot.drive(lap);
   shorter.robot.drive({{5, 2}, {8, 5}, {5, 8}});
   // Onwards by the left side would take sqrt(10) + 22 m up to (4, 6), 29.1 m in all: back by the right side.
-  const auto back = shorter.robot.way_to({1.5, 3});
+  const auto back = shorter.robot.path_to({1.5, 3});
   ASSERT_TRUE(back);
   EXPECT_EQ(back->points, (Polyline{{5, 8}, {6, 6}, {6, 4}, {1.5, 3}}));
 }
@@ -254,7 +254,7 @@ TEST(TetheredPath, UntangledIsBackUntilStraightInReach) {
   const Point anchor(1, 5), goal(6, 8.5);
   World world(pillar(), pillar(), anchor, anchor, 9.5);
   world.robot.drive({{5, 2}, {8, 4.9}});
-  const auto way = world.robot.way_to(goal, Retraction::untangle);
+  const auto way = world.robot.path_to(goal, Retraction::untangle);
   ASSERT_TRUE(way);
   // Back along (8, 4.9), (6, 4), (4, 4), (1, 5): from the last stretch, where (4, 6) no longer hides the goal.
   ASSERT_EQ(way->points.size(), 5u);
@@ -268,15 +268,15 @@ TEST(TetheredPath, UntangledIsBackUntilStraightInReach) {
   // In straight reach at once.
   World longer(pillar(), pillar(), anchor, anchor, 10.7);
   longer.robot.drive({{5, 2}, {8, 4.9}});
-  EXPECT_EQ(longer.robot.way_to(goal, Retraction::untangle)->points, (Polyline{{8, 4.9}, goal}));
+  EXPECT_EQ(longer.robot.path_to(goal, Retraction::untangle)->points, (Polyline{{8, 4.9}, goal}));
 }
 
 TEST(TetheredPath, OutOfReachIsNoWay) {
   World world(pillar(), pillar(), {1, 5}, {1, 5}, 5);
-  EXPECT_FALSE(world.robot.way_to({9, 5}));
-  EXPECT_FALSE(world.robot.way_to({9, 5}, Retraction::untangle));
-  EXPECT_FALSE(world.robot.way_to({5, 5}));
-  EXPECT_TRUE(world.robot.way_to({1, 9.9}));
+  EXPECT_FALSE(world.robot.path_to({9, 5}));
+  EXPECT_FALSE(world.robot.path_to({9, 5}, Retraction::untangle));
+  EXPECT_FALSE(world.robot.path_to({5, 5}));
+  EXPECT_TRUE(world.robot.path_to({1, 9.9}));
   EXPECT_THROW(World(pillar(), pillar(), {1, 5}, {1, 5}, -1), std::invalid_argument);
 }
 

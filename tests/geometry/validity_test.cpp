@@ -1,9 +1,9 @@
-#include "geometry/validity.hpp"
+#include "geometry/overlay/validity.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/boolean.hpp"
+#include "geometry/overlay/boolean.hpp"
 #include "tests/geometry/samples.hpp"
 
 namespace oxturn {
@@ -63,7 +63,7 @@ TEST(FindFlaw, FindsWhatAllPairsFind) {
       }
     const auto flaw = find_flaw(polygon(ring));
     EXPECT_EQ(flaw.has_value(), crosses);
-    if (flaw) { EXPECT_LT(samples::distance_to_rim(polygon(ring), flaw->place), 1e-12); }
+    if (flaw) { EXPECT_LT(samples::distance_to_boundary(polygon(ring), flaw->place), 1e-12); }
     flawed += crosses ? 1 : 0;
   }
   EXPECT_GT(flawed, 50);
@@ -93,7 +93,7 @@ TEST(Repaired, ALineOfTenThousandCornersIsOneEdge) {
   for (int k = 0; k < 10000; ++k) ring.push_back({k * 0.25, 0});
   ring.push_back({0, 7});
   const Region r = repaired(polygon(ring));
-  EXPECT_EQ(corner_count(r), 3u);
+  EXPECT_EQ(vertex_count(r), 3u);
   EXPECT_EQ(area(r), 9999 * 0.25 * 7 / 2);
 }
 

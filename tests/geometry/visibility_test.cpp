@@ -1,4 +1,4 @@
-#include "geometry/visibility.hpp"
+#include "geometry/paths/visibility.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ double area_by_rays(const Region& region, const Point& eye, int rays) {
   return sum;
 }
 
-Point free_place(Rng& rng, const EdgeIndex& index, const Box& box) {
+Point free_point(Rng& rng, const EdgeIndex& index, const Box& box) {
   while (true) {
     const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
     if (index.contains(p)) return p;
@@ -51,14 +51,14 @@ void compare(const Region& region, Rng& rng, int eyes, int points) {
   const Box box = bounding_box(region);
   for (int k = 0; k < eyes; ++k) {
     const EdgeIndex::Edge& e = index.edges()[rng.below(index.edges().size())];
-    Point eye = k % 3 == 0 ? free_place(rng, index, box) : k % 3 == 1 ? e.a : Point((e.a + e.b) / 2);
+    Point eye = k % 3 == 0 ? free_point(rng, index, box) : k % 3 == 1 ? e.a : Point((e.a + e.b) / 2);
     if (!index.contains(eye)) continue;  // a rounded middle of an edge may lie outside by 1e-16
     SCOPED_TRACE(testing::Message() << "eye " << eye.transpose());
     const Region seen{{{visibility.from(eye), {}}}};
     ASSERT_GE(seen.polygons[0].outer.size(), 3u);
     for (int q = 0; q < points; ++q) {
       const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
-      if (samples::distance_to_rim(seen, p) < 1e-9) continue;
+      if (samples::distance_to_boundary(seen, p) < 1e-9) continue;
       const bool sees = index.contains(eye, p);
       EXPECT_EQ(samples::sees_all_round(seen, p), sees) << p.transpose();
     }
@@ -134,7 +134,7 @@ TEST(Visibility, AnEyeWherePartsTouchSeesBoth) {
 TEST(Visibility, ScalesTurnsAndShiftsWithTheRegion) {
   Rng rng(5);
   const Region region = clutter_box(rng, 4, 3, false);
-  const Point eye = free_place(rng, EdgeIndex(region), bounding_box(region));
+  const Point eye = free_point(rng, EdgeIndex(region), bounding_box(region));
   const double seen = signed_area(Visibility(region).from(eye));
   for (const double angle : {0.3, 1.7, 4.0}) {
     const Point shift(1e4, -2e3);

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "maps/formats.hpp"
 #include "maps/map.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/seeds.hpp"
+#include "base/files.hpp"
+#include "base/sha256.hpp"
+#include "base/text.hpp"
 
 namespace oxturn {
 namespace {

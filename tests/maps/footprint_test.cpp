@@ -2,9 +2,11 @@
 #include <gmock/gmock.h>
 
 #include "maps/formats.hpp"
-#include "maps/places.hpp"
+#include "maps/locations.hpp"
 #include "maps/problem.hpp"
 #include "tests/support/files.hpp"
+#include "base/files.hpp"
+#include "maps/path_file.hpp"
 
 namespace oxturn {
 namespace {
@@ -79,7 +81,7 @@ TEST(Footprint, CountsForTheHash) {
 
 TEST(Footprint, ACornerStartHasSomethingToSpare) {
   const Robot robot = shaped({{0.5, -0.25}, {0.5, 0.25}, {-1, 0.25}, {-1, -0.25}});
-  const Places places = resolve(hall(), robot, Place{"corner", {0, 0}}, {});
+  const StartAndAnchor places = resolve(hall(), robot, Location{"corner", {0, 0}}, {});
   ASSERT_TRUE(places.start);
   EXPECT_GE(places.start->x(), 1.004);
   EXPECT_GE(places.start->y(), 0.254);

@@ -10,9 +10,10 @@
 #include <set>
 
 #include "geometry/edge_index.hpp"
-#include "geometry/offset.hpp"
+#include "geometry/overlay/offset.hpp"
 #include "geometry/raster.hpp"
-#include "geometry/validity.hpp"
+#include "geometry/overlay/validity.hpp"
+#include "base/sha256.hpp"
 
 namespace oxturn {
 namespace {
@@ -191,7 +192,7 @@ TEST(Generators, ScaleWithTheRobot) {
       twice[p] = 2 * std::get<double>(find_parameter("test", g.parameters, p).fallback);
     if (name == "spiral") twice["wall"] = 0.6;
     const Region small = oxturn::generate(name, {}, 3).free, large = oxturn::generate(name, twice, 3).free;
-    EXPECT_EQ(corner_count(small), corner_count(large)) << name;
+    EXPECT_EQ(vertex_count(small), vertex_count(large)) << name;
     EXPECT_NEAR(area(large), 4 * area(small), 1e-3 * area(large)) << name;
   }
 }
@@ -204,14 +205,14 @@ TEST(Generators, MakeImpassableMapsWhenAsked) {
 
 TEST(Rectangle, IsARectangle) {
   const Region r = oxturn::generate("rectangle", {{"width", 4.0}, {"height", 3.0}}, 0).free;
-  EXPECT_EQ(corner_count(r), 4u);
+  EXPECT_EQ(vertex_count(r), 4u);
   EXPECT_DOUBLE_EQ(area(r), 12);
 }
 
 TEST(Polygon, HasTheCornersAskedFor) {
   for (const std::int64_t n : {3, 4, 17, 100}) {
     const Region r = oxturn::generate("polygon", {{"corners", n}}, 2).free;
-    EXPECT_EQ(corner_count(r), static_cast<std::size_t>(n));
+    EXPECT_EQ(vertex_count(r), static_cast<std::size_t>(n));
   }
 }
 
@@ -262,7 +263,7 @@ TEST(Rooms, LoopsAddDoors) {
 TEST(Comb, HasItsTeeth) {
   const Region r = oxturn::generate("comb", {{"aisles", std::int64_t{6}}, {"jitter", 0.0}}, 0).free;
   // 6 aisles and 5 walls: four corners a wall's end and aisle's end pair, less what falls together.
-  EXPECT_EQ(corner_count(r), 4u + 4u * 5u);
+  EXPECT_EQ(vertex_count(r), 4u + 4u * 5u);
   EXPECT_NEAR(area(r), 20 * 1.2 + (20 - 5 * 0.6) * (12 - 1.2), 1e-3);
 }
 

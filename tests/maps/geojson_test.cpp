@@ -2,11 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "maps/formats.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/seeds.hpp"
+#include "base/files.hpp"
+#include "maps/path_file.hpp"
 
 namespace oxturn {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <thread>
 
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/seeds.hpp"

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <map>
 
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "maps/formats.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/seeds.hpp"
+#include "base/files.hpp"
 
 namespace oxturn {
 namespace {
@@ -193,7 +194,7 @@ TEST(Ros, SimplifyingNeverGrowsFreeSpace) {
   ReadOptions options;
   options.simplify_m = 0.5;
   const MapFile simple = f.read(options);
-  EXPECT_LT(corner_count(simple.map.free), corner_count(exact.map.free) / 2);
+  EXPECT_LT(vertex_count(simple.map.free), vertex_count(exact.map.free) / 2);
   EXPECT_EQ(hole_count(simple.map.free), 1u);
   Rng rng(1);
   for (int k = 0; k < 4000; ++k) {

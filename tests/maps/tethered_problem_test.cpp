@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/boolean.hpp"
+#include "geometry/overlay/boolean.hpp"
 #include "maps/generators.hpp"
 #include "maps/problem.hpp"
 #include "tests/support/seeds.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-Robot on_leash(double length, double radius = 0.2, double tool_width = 0.4) {
+Robot tethered(double length, double radius = 0.2, double tool_width = 0.4) {
   Robot robot;
   robot.radius = radius;
   robot.tool_width = tool_width;
@@ -32,7 +32,7 @@ std::string complaint(F f) {
 }
 
 TEST(TetheredProblem, ReachesADiscInTheOpen) {
-  const Problem p(hall(), on_leash(3), Point(5, 5));
+  const Problem p(hall(), tethered(3), Point(5, 5));
   EXPECT_NEAR(area(p.configuration_space()), kPi * 9, 0.01);
   EXPECT_LE(area(p.configuration_space()), kPi * 9);
   EXPECT_NEAR(area(p.target()), kPi * 3.2 * 3.2, 0.02);
@@ -42,14 +42,14 @@ TEST(TetheredProblem, ReachesADiscInTheOpen) {
 }
 
 TEST(TetheredProblem, ALongLeashLimitsNothing) {
-  const Problem p(hall(), on_leash(20), Point(5, 5));
+  const Problem p(hall(), tethered(20), Point(5, 5));
   EXPECT_EQ(&p.space_of_robot(), &p.configuration_space());
   EXPECT_FALSE(p.limited());
   EXPECT_EQ(area(Problem(hall(), Robot{}, Point(5, 5)).configuration_space()), area(p.configuration_space()));
 }
 
 TEST(TetheredProblem, ReachIsAMultipleOfTheFarthestPlace) {
-  Robot robot = on_leash(0);
+  Robot robot = tethered(0);
   robot.tether = Tether{0, 0.5};
   const Problem p(hall(), robot, Point(5, 5));
   EXPECT_NEAR(p.robot().tether->length, 0.5 * std::hypot(4.8, 4.8), 1e-3);
@@ -58,7 +58,7 @@ TEST(TetheredProblem, ReachIsAMultipleOfTheFarthestPlace) {
 
 // Behind the pillar the string goes round a corner: distances by hand.
 TEST(TetheredProblem, GoesRoundCorners) {
-  const Problem p(hall_with_pillar(), on_leash(5), Point(5, 2));
+  const Problem p(hall_with_pillar(), tethered(5), Point(5, 2));
   const double to_corner = std::hypot(1, 2) + 2;  // (5, 2) - (6, 4) - (6, 6)
   EXPECT_NEAR(p.geodesics().distance({6, 6}), to_corner, 1e-12);
   const double left = 5 - to_corner;
@@ -72,11 +72,11 @@ TEST(TetheredProblem, GapsNarrowerThanTheRobotAreClosed) {
                 subtract(box_region({0, 0}, {10, 10}),
                          unite({box_region({4.9, 0}, {5.1, 4.9}), box_region({4.9, 5.1}, {5.1, 9})})),
                 "test", "test"};
-  const Problem p(map, on_leash(30), Point(4, 5));
+  const Problem p(map, tethered(30), Point(4, 5));
   const double round = distance({4, 5}, {4.9, 9}) + 0.2 + distance({5.1, 9}, {6, 5});
   EXPECT_NEAR(p.geodesics().distance({6, 5}), round, 1e-7);
   // A smaller robot passes.
-  const Problem small(map, on_leash(30, 0.05, 0.1), Point(4, 5));
+  const Problem small(map, tethered(30, 0.05, 0.1), Point(4, 5));
   EXPECT_NEAR(small.geodesics().distance({6, 5}), 2, 1e-7);
 }
 
@@ -85,7 +85,7 @@ TEST(TetheredProblem, SpaceIsWhereTheGeodesicIsShortEnough) {
     for (const char* name : {"rooms", "clutter", "cave", "maze"})
       for (const double reach : {0.4, 0.8}) {
         SCOPED_TRACE(std::string(name) + std::to_string(seed));
-        Robot robot = on_leash(0);
+        Robot robot = tethered(0);
         robot.tether = Tether{0, reach};
         const double size = std::string(name) == "rooms" ? 12 : 8;
         const Problem p(oxturn::generate(name, {{"width", size}, {"height", size}}, seed), robot);
@@ -108,29 +108,29 @@ TEST(TetheredProblem, SpaceIsWhereTheGeodesicIsShortEnough) {
 }
 
 TEST(TetheredProblem, AnchorInAWallSocketStartsNextToIt) {
-  const Problem p(hall(), on_leash(4), {}, Point(0, 5));
+  const Problem p(hall(), tethered(4), {}, Point(0, 5));
   EXPECT_NEAR(p.start().x(), 0.2, 0.02);
   EXPECT_NEAR(p.start().y(), 5, 0.02);
   EXPECT_EQ(p.anchor(), Point(0, 5));
-  const Problem corner(hall(), on_leash(4), {}, Point(10, 10));
+  const Problem corner(hall(), tethered(4), {}, Point(10, 10));
   EXPECT_NEAR(distance(corner.start(), {9.8, 9.8}), 0, 0.05);
 }
 
 TEST(TetheredProblem, BadLeashesAreOneSentence) {
-  EXPECT_THAT(complaint([] { Problem(hall(), on_leash(1), Point(5, 5), Point(2, 5)); }),
+  EXPECT_THAT(complaint([] { Problem(hall(), tethered(1), Point(5, 5), Point(2, 5)); }),
               testing::AllOf(HasSubstr("too short for the start (5, 5)"), HasSubstr("3 m from the anchor (2, 5)")));
-  EXPECT_THAT(complaint([] { Problem(hall_with_pillar(), on_leash(9), Point(1, 1), Point(5, 5)); }),
+  EXPECT_THAT(complaint([] { Problem(hall_with_pillar(), tethered(9), Point(1, 1), Point(5, 5)); }),
               HasSubstr("anchor (5, 5) is inside a wall of 'pillar'"));
   const Map two{"two", unite({box_region({0, 0}, {4, 4}), box_region({6, 0}, {10, 4})}), "test", "test"};
-  EXPECT_THAT(complaint([&] { Problem(two, on_leash(30), Point(1, 1), Point(8, 2)); }),
+  EXPECT_THAT(complaint([&] { Problem(two, tethered(30), Point(1, 1), Point(8, 2)); }),
               HasSubstr("anchor (8, 2) is out of reach"));
-  EXPECT_THAT(complaint([] { Problem(hall(), on_leash(0), Point(5, 5)); }), HasSubstr("tether.length is 0"));
-  EXPECT_THAT(complaint([] { Problem(hall(), on_leash(std::nan("")), Point(5, 5)); }),
+  EXPECT_THAT(complaint([] { Problem(hall(), tethered(0), Point(5, 5)); }), HasSubstr("tether.length is 0"));
+  EXPECT_THAT(complaint([] { Problem(hall(), tethered(std::nan("")), Point(5, 5)); }),
               HasSubstr("tether.length is nan"));
-  Robot both = on_leash(3);
+  Robot both = tethered(3);
   both.tether->reach = 2;
   EXPECT_THAT(complaint([&] { Problem(hall(), both, Point(5, 5)); }), HasSubstr("expected one of the two"));
-  EXPECT_THAT(complaint([] { Problem(hall(), on_leash(3), Point(5, 5), Point(std::nan(""), 1)); }),
+  EXPECT_THAT(complaint([] { Problem(hall(), tethered(3), Point(5, 5), Point(std::nan(""), 1)); }),
               HasSubstr("anchor (nan, 1) is not finite"));
   EXPECT_THROW(Problem(hall(), Robot{}).geodesics(), std::logic_error);
 }

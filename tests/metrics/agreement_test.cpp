@@ -9,6 +9,8 @@
 #include "maps/formats.hpp"
 #include "metrics/score.hpp"
 #include "shapes.hpp"
+#include "base/files.hpp"
+#include "maps/path_file.hpp"
 
 namespace oxturn {
 namespace {

@@ -1,7 +1,7 @@
 // Polygonal footprints against the map's walls: where, by how much, and nothing borrowed from the erosion.
 #include <gmock/gmock.h>
 
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "metrics/score.hpp"
 #include "shapes.hpp"
 #include "tests/support/seeds.hpp"

@@ -16,7 +16,7 @@ Problem plain() { return problem_in(box_region({-100, -100}, {100, 100}), {0, 0}
 double value(const std::string& metric, const Path& path, const Problem& p) {
   for (const Metric* m : metrics()) {
     if (m->name != metric) continue;
-    const Swept none;
+    const SweptArea none;
     return m->compute(Scored{p, path, none, 0}).value();
   }
   throw std::logic_error("no metric " + metric);

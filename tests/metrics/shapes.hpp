@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "geometry/path.hpp"
-#include "geometry/random.hpp"
+#include "base/random.hpp"
 #include "geometry/region.hpp"
 #include "maps/problem.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "leashed.hpp"
+#include "tethered.hpp"
 #include "metrics/tether.hpp"
 #include "tests/support/seeds.hpp"
 

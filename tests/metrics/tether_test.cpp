@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "leashed.hpp"
+#include "tethered.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/seeds.hpp"
 

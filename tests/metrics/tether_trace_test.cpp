@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "leashed.hpp"
+#include "tethered.hpp"
 #include "metrics/mission.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/files.hpp"
@@ -15,26 +15,26 @@ namespace {
 using Event = TetherRow::Event;
 
 // Round the pillar from the left and over the own line at (3, 5 - 2/3).
-const Polyline kLap{{1, 5}, {3, 5}, {3, 3}, {7, 3}, {7, 7}, {3, 7}, {3, 3}};
+const Polyline kLevelSet{{1, 5}, {3, 5}, {3, 3}, {7, 3}, {7, 7}, {3, 7}, {3, 3}};
 
 TEST(TetherTrace, EventsOfALap) {
   const Problem p = leashed(pillar_room(), {1, 5});
   std::vector<Event> events;
   std::vector<std::size_t> bends;
-  for (const TetherRow& row : tether_trace(p, work(kLap), 100)) {
+  for (const TetherRow& row : tether_trace(p, work(kLevelSet), 100)) {
     events.push_back(row.event);
     bends.push_back(row.bends);
   }
   // (4, 4) is gained where (1, 5), (4, 4) and the robot are in line: that is the way point (7, 3).
-  EXPECT_THAT(events, testing::ElementsAre(Event::start, Event::way_point, Event::way_point, Event::way_point,
-                                           Event::bend_gained, Event::bend_gained, Event::way_point, Event::bend_gained,
-                                           Event::way_point, Event::bend_gained, Event::crossing, Event::way_point));
+  EXPECT_THAT(events, testing::ElementsAre(Event::start, Event::waypoint, Event::waypoint, Event::waypoint,
+                                           Event::bend_gained, Event::bend_gained, Event::waypoint, Event::bend_gained,
+                                           Event::waypoint, Event::bend_gained, Event::crossing, Event::waypoint));
   EXPECT_THAT(bends, testing::ElementsAre(0, 0, 0, 0, 1, 2, 2, 3, 3, 4, 4, 4));
 }
 
 TEST(TetherTrace, RowsByHand) {
   const Problem p = leashed(pillar_room(), {1, 5});
-  const std::vector<TetherRow> rows = tether_trace(p, work(kLap), 100);
+  const std::vector<TetherRow> rows = tether_trace(p, work(kLevelSet), 100);
   EXPECT_FALSE(rows[0].angle_rad);
   EXPECT_EQ(rows[1].angle_rad, 0);
   EXPECT_EQ(rows[2].at, Point(3, 3));
@@ -71,7 +71,7 @@ TEST(TetherTrace, DenseEnoughInOrderAndConsistentWithTheMetrics) {
       EXPECT_GE(rows[i].mission_s, rows[i - 1].mission_s - 1e-9);
       EXPECT_LE(distance(rows[i].at, rows[i - 1].at), metres + 1e-12);
       // After a way point the heading is another: the row before does not tell it.
-      const bool turned = rows[i - 1].event == Event::way_point || !rows[i - 1].angle_rad;
+      const bool turned = rows[i - 1].event == Event::waypoint || !rows[i - 1].angle_rad;
       angle += metres * (turned ? *rows[i].angle_rad : (*rows[i].angle_rad + *rows[i - 1].angle_rad) / 2);
     }
     EXPECT_NEAR(longest, *s.value("tether_max_m"), 1e-12);
@@ -96,13 +96,13 @@ TEST(TetherTrace, Csv) {
             "path_m,mission_s,x,y,length_m,bends,angle_rad,event\n"
             "0,0,1,5,0,0,,start\n"
             "0.5,1.5,1.5,5,0.5,0,0,sample\n"
-            "1,3,2,5,1,0,0,way_point\n");
+            "1,3,2,5,1,0,0,waypoint\n");
 }
 
 TEST(TetherTrace, BadStepIsOneSentence) {
   const Problem p = leashed(pillar_room(), {1, 5});
   for (const double step : {0.0, -1.0, std::nan("")})
-    EXPECT_THAT(complaint([&] { tether_trace(p, work(kLap), step); }), testing::StartsWith("tether trace: step is "));
+    EXPECT_THAT(complaint([&] { tether_trace(p, work(kLevelSet), step); }), testing::StartsWith("tether trace: step is "));
 }
 
 // A metre: 0.5 m/s^2 up to 0.5 m/s takes 1 s and 0.25 m, the same down, 0.5 m in between.

@@ -5,7 +5,8 @@
 #include <regex>
 
 #include "maps/formats.hpp"
-#include "maps/formats/svg.hpp"
+#include "geometry/trace.hpp"
+#include "maps/picture.hpp"
 
 namespace oxturn {
 namespace {
@@ -84,7 +85,7 @@ std::size_t count(const std::string& svg, const std::string& what) {
 }
 
 /// Round a pillar from (4, 4) to (6, 6).
-Problem leashed_box() {
+Problem tethered_box() {
   Region room = box_region({0, 0}, {10, 10});
   room.polygons[0].holes.push_back({{4, 4}, {4, 6}, {6, 6}, {6, 4}});
   Robot robot;
@@ -96,7 +97,7 @@ TEST(Picture, TetherAtChosenMoments) {
   PathBuilder builder({3, 3});
   for (const Point& p : {Point(7, 3), Point(7, 7), Point(3, 7), Point(7, 7)}) builder.drive(p, true);
   const Path path = builder.take();
-  const Problem problem = leashed_box();
+  const Problem problem = tethered_box();
   const std::string svg = to_svg(problem, &path);
   EXPECT_THAT(svg, HasSubstr("id=\"anchor\""));
   EXPECT_EQ(count(svg, " m of tether after "), 8u) << "the longest, at (3, 7), is one of the eight";
@@ -114,7 +115,7 @@ TEST(Picture, TetherAtChosenMoments) {
 
 TEST(Picture, TetherIsDrawnUpToWhereItCanFollow) {
   const Path path{{{true, {{3, 3}, {7, 3}, {5, 5}, {7, 3}}}}};
-  const std::string svg = to_svg(leashed_box(), &path);
+  const std::string svg = to_svg(tethered_box(), &path);
   EXPECT_THAT(svg, HasSubstr("after 4 m: the longest"));
 }
 

@@ -9,6 +9,8 @@
 #include <sstream>
 
 #include "maps/formats.hpp"
+#include "base/files.hpp"
+#include "maps/path_file.hpp"
 
 namespace oxturn {
 namespace {

@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "maps/formats/svg.hpp"
+#include "maps/picture.hpp"
+
 
 namespace oxturn {
 namespace {

@@ -1,0 +1,61 @@
+// A value for each cell of a lattice whose extent nobody knows: a window that grows where it is written to.
+//
+// Complexity  reading O(1); writing O(1) amortised over the window's cells
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "algorithms/lattice/cell_robot.hpp"
+
+namespace oxturn {
+
+template <class T>
+class CellMap {
+ public:
+  /// T{} where nothing was ever written.
+  T get(const Cell& c) const { return inside(c) ? values_[at(c)] : T{}; }
+  /// Grows the window if it must; valid until the next one does.
+  T& operator[](const Cell& c) {
+    if (!inside(c)) [[unlikely]]
+      grow(c);
+    return values_[at(c)];
+  }
+
+ private:
+  bool inside(const Cell& c) const {
+    return static_cast<unsigned>(c.i - low_.i) < static_cast<unsigned>(columns_) &&
+           static_cast<unsigned>(c.j - low_.j) < static_cast<unsigned>(rows_);
+  }
+  std::size_t at(const Cell& c) const {
+    return static_cast<std::size_t>(c.j - low_.j) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(c.i - low_.i);
+  }
+  // By half of what there is, on that side only: copies add up to a few times the window.
+  void grow(const Cell& c) {
+    Cell low = low_, high{low_.i + columns_, low_.j + rows_};
+    if (values_.empty()) low = high = c;
+    const int more_i = std::max(8, columns_ / 2), more_j = std::max(8, rows_ / 2);
+    if (c.i < low.i || values_.empty()) low.i = std::min(c.i, low.i - more_i);
+    if (c.j < low.j || values_.empty()) low.j = std::min(c.j, low.j - more_j);
+    if (c.i >= high.i) high.i = std::max(c.i + 1, high.i + more_i);
+    if (c.j >= high.j) high.j = std::max(c.j + 1, high.j + more_j);
+    CellMap larger;
+    larger.low_ = low;
+    larger.columns_ = high.i - low.i;
+    larger.rows_ = high.j - low.j;
+    larger.values_.resize(static_cast<std::size_t>(larger.columns_) * static_cast<std::size_t>(larger.rows_));
+    for (int j = 0; j < rows_; ++j) {
+      const auto row = values_.begin() + static_cast<std::ptrdiff_t>(j) * columns_;
+      std::copy(row, row + columns_,
+                larger.values_.begin() + static_cast<std::ptrdiff_t>(larger.at({low_.i, low_.j + j})));
+    }
+    *this = std::move(larger);
+  }
+
+  Cell low_;
+  int columns_ = 0, rows_ = 0;
+  std::vector<T> values_;
+};
+
+}  // namespace oxturn

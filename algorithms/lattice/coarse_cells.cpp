@@ -1,0 +1,85 @@
+#include "algorithms/lattice/coarse_cells.hpp"
+
+namespace oxturn {
+
+CoarseCells::CoarseCells(const GridGraph& fine)
+    : fine_(fine),
+      columns_(fine.columns() / 2),
+      rows_(fine.rows() / 2),
+      free_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
+      tree_(free_.size(), 0) {
+  for (int j = 0; j < rows_; ++j)
+    for (int i = 0; i < columns_; ++i)
+      free_[at(i, j)] = fine.passable(2 * i, 2 * j, kEast) && fine.passable(2 * i, 2 * j, kNorth) &&
+                        fine.passable(2 * i + 1, 2 * j, kNorth) && fine.passable(2 * i, 2 * j + 1, kEast);
+}
+
+bool CoarseCells::adjacent(std::size_t c, Direction d) const {
+  const int i = column(c), j = row(c), i2 = i + kColumnStep[d], j2 = j + kRowStep[d];
+  if (i2 < 0 || j2 < 0 || i2 >= columns_ || j2 >= rows_ || !free_[c] || !free_[at(i2, j2)]) return false;
+  switch (d) {
+    case kEast:
+      return fine_.passable(2 * i + 1, 2 * j, kEast) && fine_.passable(2 * i + 1, 2 * j + 1, kEast);
+    case kNorth:
+      return fine_.passable(2 * i, 2 * j + 1, kNorth) && fine_.passable(2 * i + 1, 2 * j + 1, kNorth);
+    case kWest:
+      return fine_.passable(2 * i, 2 * j, kWest) && fine_.passable(2 * i, 2 * j + 1, kWest);
+    default:
+      return fine_.passable(2 * i, 2 * j, kSouth) && fine_.passable(2 * i + 1, 2 * j, kSouth);
+  }
+}
+
+std::vector<std::size_t> grow_breadth_first(CoarseCells& cells, std::size_t root, std::size_t deepest) {
+  std::vector<std::size_t> queue{root};
+  std::size_t depth = 0, end_of_depth = 1;
+  for (std::size_t k = 0; k < queue.size() && depth < deepest; ++k) {
+    for (const Direction d : kAllDirections) {
+      if (!cells.adjacent(queue[k], d)) continue;
+      const std::size_t to = cells.neighbour(queue[k], d);
+      if (to == root || cells.linked(to)) continue;
+      cells.link(queue[k], d);
+      queue.push_back(to);
+    }
+    if (k + 1 == end_of_depth) {
+      ++depth;
+      end_of_depth = queue.size();
+    }
+  }
+  return queue;
+}
+
+// Counter-clockwise inside each coarse cell unless a tree edge leads out: the tree stays at the left.
+Direction round_step(const CoarseCells& cells, int i, int j) {
+  const int x = i % 2, y = j % 2;
+  // Standing at a corner of the coarse cell, first try to leave over the cell's side to the right of the way round.
+  const Direction out = y == 0 ? (x == 0 ? kSouth : kEast) : (x == 1 ? kNorth : kWest);
+  const Direction along = y == 0 ? (x == 0 ? kEast : kNorth) : (x == 1 ? kWest : kSouth);
+  return cells.in_tree(cells.at(i / 2, j / 2), out) ? out : along;
+}
+
+Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, int i0, int j0, bool every_cell) {
+  Polyline line{fine.centre(i0, j0)};
+  int i = i0, j = j0;
+  int last = -1;
+  do {
+    const Direction d = round_step(cells, i, j);
+    i += kColumnStep[d];
+    j += kRowStep[d];
+    if (d == last && !every_cell)
+      line.back() = fine.centre(i, j);  // straight on
+    else
+      line.push_back(fine.centre(i, j));
+    last = d;
+  } while (i != i0 || j != j0);
+  return line;
+}
+
+std::vector<Polyline> tree_lines(const CoarseCells& cells) {
+  std::vector<Polyline> lines;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (const Direction d : {kEast, kNorth})
+      if (cells.free(c) && cells.in_tree(c, d)) lines.push_back({cells.centre(c), cells.centre(cells.neighbour(c, d))});
+  return lines;
+}
+
+}  // namespace oxturn

@@ -1,0 +1,120 @@
+// Texts, checks and error sentences of parameters, once for planners, generators and robots' suites.
+#include "base/parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "base/text.hpp"
+
+namespace oxturn {
+namespace {
+
+const char* type_name(const Value& value) {
+  switch (value.index()) {
+    case 0:
+      return "true or false";
+    case 1:
+      return "a whole number";
+    case 2:
+      return "a number";
+    default:
+      return "a text";
+  }
+}
+
+[[noreturn]] void refuse(const std::string& owner, const ParameterInfo& parameter, const std::string& given,
+                         const std::string& expected) {
+  throw std::invalid_argument(
+      fmt::format("parameter '{}' of {} is {}, expected {}", parameter.name, owner, given, expected));
+}
+
+std::string range_text(const ParameterInfo& parameter) {
+  const bool low = std::isfinite(parameter.range.least), high = std::isfinite(parameter.range.most);
+  const std::string type = type_name(parameter.fallback);
+  if (low && high)
+    return fmt::format("{} from {} to {}", type, to_decimal(parameter.range.least), to_decimal(parameter.range.most));
+  if (low) return fmt::format("{} of at least {}", type, to_decimal(parameter.range.least));
+  if (high) return fmt::format("{} of at most {}", type, to_decimal(parameter.range.most));
+  return type;
+}
+
+}  // namespace
+
+std::string to_text(const Value& value) {
+  if (const bool* b = std::get_if<bool>(&value)) return *b ? "true" : "false";
+  if (const std::int64_t* i = std::get_if<std::int64_t>(&value)) return std::to_string(*i);
+  if (const std::string* s = std::get_if<std::string>(&value)) return *s;
+  return to_decimal(std::get<double>(value));
+}
+
+Value parse_value(const std::string& owner, const ParameterInfo& parameter, std::string_view text) {
+  const std::string given = fmt::format("'{}'", text);
+  const auto whole_text = [&](auto& result) {  // from_chars knows no leading '+'
+    std::string_view digits = text;
+    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), result);
+    if (error != std::errc() || end != digits.data() + digits.size())
+      refuse(owner, parameter, given, range_text(parameter));
+  };
+  if (std::holds_alternative<bool>(parameter.fallback)) {
+    if (text == "true" || text == "yes" || text == "on" || text == "1") return true;
+    if (text == "false" || text == "no" || text == "off" || text == "0") return false;
+    refuse(owner, parameter, given, "true or false");
+  }
+  if (std::holds_alternative<std::int64_t>(parameter.fallback)) {
+    std::int64_t whole = 0;
+    whole_text(whole);
+    return checked(owner, parameter, whole);
+  }
+  if (std::holds_alternative<double>(parameter.fallback)) {
+    double real = 0;
+    whole_text(real);
+    return checked(owner, parameter, real);
+  }
+  return checked(owner, parameter, std::string(text));
+}
+
+Value checked(const std::string& owner, const ParameterInfo& parameter, const Value& value) {
+  const std::string given =
+      std::holds_alternative<std::string>(value) ? fmt::format("'{}'", to_text(value)) : to_text(value);
+  Value result = value;
+  if (std::holds_alternative<double>(parameter.fallback) && std::holds_alternative<std::int64_t>(value))
+    result = static_cast<double>(std::get<std::int64_t>(value));
+  if (result.index() != parameter.fallback.index()) refuse(owner, parameter, given, range_text(parameter));
+
+  if (const double* real = std::get_if<double>(&result)) {
+    if (!std::isfinite(*real)) refuse(owner, parameter, given, "a finite number");
+    if (*real < parameter.range.least || *real > parameter.range.most)
+      refuse(owner, parameter, given, range_text(parameter));
+  } else if (const std::int64_t* whole = std::get_if<std::int64_t>(&result)) {
+    if (static_cast<double>(*whole) < parameter.range.least || static_cast<double>(*whole) > parameter.range.most)
+      refuse(owner, parameter, given, range_text(parameter));
+    // The structs hold int: what does not fit there is refused, not cut off.
+    if (*whole < std::numeric_limits<int>::min() || *whole > std::numeric_limits<int>::max())
+      refuse(owner, parameter, given, "a whole number of at most 2147483647 in size");
+  } else if (const std::string* text = std::get_if<std::string>(&result); text && !parameter.choices.empty()) {
+    if (std::find(parameter.choices.begin(), parameter.choices.end(), *text) == parameter.choices.end())
+      refuse(owner, parameter, given, fmt::format("one of: {}", fmt::join(parameter.choices, ", ")));
+  }
+  return result;
+}
+
+const ParameterInfo& find_parameter(const std::string& owner, const std::vector<ParameterInfo>& all,
+                                    const std::string& name) {
+  std::vector<std::string> names;
+  for (const ParameterInfo& parameter : all) {
+    if (parameter.name == name) return parameter;
+    names.push_back(parameter.name);
+  }
+  if (names.empty())
+    throw std::invalid_argument(fmt::format("unknown parameter '{}' of {}; it has no parameters", name, owner));
+  throw std::invalid_argument(
+      fmt::format("unknown parameter '{}' of {}; it has: {}", name, owner, fmt::join(names, ", ")));
+}
+
+}  // namespace oxturn

@@ -1,0 +1,22 @@
+/// Numbers and names as text, the same on every machine and in every locale.
+///
+///   to_decimal(0.1)                              // "0.1"
+///   nearest_name("room", {"rooms", "maze"})      // "rooms"
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace oxturn {
+
+/// Shortest decimal that reads back as the same double; -0 is written as 0.
+std::string to_decimal(double value);
+
+/// The candidate with the least edit distance to `word` (the first of equals); empty only if there are no candidates.
+/// O(|word| * sum of candidates' lengths).
+std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);
+
+/// "no planner 'stk'; did you mean 'stc'? There are: boustrophedon, stc": the sentence for an unknown name.
+std::string unknown_name(const std::string& kind, const std::string& name, const std::vector<std::string>& known);
+
+}  // namespace oxturn

@@ -1,0 +1,348 @@
+// The parent of a sweep: hands units of work to forked workers, and writes the rows they report in suite order.
+//
+// Decisions  1. One thread. Workers are processes, so a defect of ours (a map maker or scorer that dies) costs the
+//               run at hand, which says `infrastructure`; a new worker takes up the rest of the unit.
+//            2. A row is held back until all rows before it are there, so the file does not depend on -j.
+//            3. There are as many units as problems (the map is made and eroded once), or, with fewer problems than
+//               jobs, each problem's runs in as many parts as there are jobs.
+//            4. Resuming appends new rows as they come (nothing that was there can be lost) and puts the file in
+//               suite order at the end.
+#include "bench/run_suite.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <deque>
+#include <list>
+
+#include "bench/metrics_file.hpp"
+#include "bench/planner_process.hpp"
+#include "bench/progress.hpp"
+#include "bench/session.hpp"
+#include "bench/worker.hpp"
+#include "bench/wire.hpp"
+#include "base/csv.hpp"
+
+namespace oxturn {
+
+namespace {
+
+constexpr std::uint64_t kLongestMessage = 1 << 24;
+
+volatile std::sig_atomic_t interrupted = 0;
+extern "C" void note_interrupt(int) { interrupted = 1; }
+extern "C" void end_worker(int) {
+  kill_running_planner();
+  ::_exit(1);
+}
+
+// Ctrl-C and kill end a sweep in good order while this lives.
+class Interrupts {
+ public:
+  Interrupts() {
+    interrupted = 0;
+    struct sigaction action {};
+    action.sa_handler = note_interrupt;
+    sigemptyset(&action.sa_mask);
+    ::sigaction(SIGINT, &action, &old_int_);
+    ::sigaction(SIGTERM, &action, &old_term_);
+  }
+  ~Interrupts() {
+    ::sigaction(SIGINT, &old_int_, nullptr);
+    ::sigaction(SIGTERM, &old_term_, nullptr);
+  }
+  Interrupts(const Interrupts&) = delete;
+
+ private:
+  struct sigaction old_int_ {
+  }, old_term_{};
+};
+
+std::vector<Unit> units_of(const Suite& suite, std::size_t cells, int jobs) {
+  const std::size_t problems = suite.maps.size() * suite.robots.size();
+  const std::size_t runs = problems > 0 ? cells / problems : 0;  // of one problem
+  const std::size_t wanted = problems < static_cast<std::size_t>(jobs) ? static_cast<std::size_t>(jobs) : 1;
+  const std::size_t parts = std::max<std::size_t>(1, std::min(wanted, runs));
+  std::vector<Unit> units;
+  for (std::size_t p = 0; p < problems; ++p) {
+    for (std::size_t k = 0; k < parts; ++k)
+      units.push_back({p * runs + runs * k / parts, p * runs + runs * (k + 1) / parts});
+  }
+  return units;
+}
+
+struct Worker {
+  pid_t pid = 0;
+  wire::Descriptor fd;
+  Unit rest;  // what it has not finished
+  Unit given;
+  std::string trouble;  // what it said when it gave up
+  wire::FrameReader frames{kLongestMessage};
+};
+
+class SuiteRun {
+ public:
+  SuiteRun(const Suite& suite, const std::vector<PlannerInfo>& planners, const SuiteRunOptions& options)
+      : options_(options),
+        session_(suite, options),
+        metrics_(options.folder),
+        cells_(cells_of(suite)),
+        runs_(cells_.size()),
+        earlier_(summary(session_)),
+        work_{suite, planners, options_, cells_, earlier_},
+        progress_(cells_.size(), options.progress) {
+    for (const MapSpec& map : suite.maps) {
+      if (!map.content) continue;
+      for (const std::string& remark : map.content->remarks) progress_.remark(fmt::format("{}: {}", map.file, remark));
+    }
+    for (const Unit& unit : units_of(suite, cells_.size(), options.jobs)) waiting_.push_back(unit);
+  }
+
+  ~SuiteRun() { stop(); }
+  SuiteRun(const SuiteRun&) = delete;
+
+  void run() {
+    const Interrupts guard;
+    while ((!waiting_.empty() || !workers_.empty()) && interrupted == 0) {
+      while (!waiting_.empty() && workers_.size() < static_cast<std::size_t>(options_.jobs)) start_worker();
+      listen();
+      write_ready();
+    }
+    if (interrupted != 0) give_up();
+    if (!session_.earlier().empty()) put_in_order();
+  }
+
+ private:
+  struct Run {
+    bool begun = false, done = false, kept = false;
+    std::string id, line;  // line: the row so far, or the whole
+    Records reports;
+  };
+
+  static std::map<std::string, Earlier> summary(const Session& session) {
+    std::map<std::string, Earlier> all;
+    for (const auto& [id, rows] : session.earlier()) {
+      const Outcome last = rows.back().outcome();
+      all[id] = {static_cast<int>(rows.size()), last != Outcome::cancelled && last != Outcome::infrastructure};
+    }
+    return all;
+  }
+
+  void start_worker() {
+    const Unit unit = waiting_.front();
+    wire::Pipe pipe = wire::make_pipe();
+    std::fflush(nullptr);
+    const pid_t parent = ::getpid();
+    // A SIGTERM that comes before the child has its own handler must wait for it.
+    sigset_t term, before;
+    sigemptyset(&term);
+    sigaddset(&term, SIGTERM);
+    ::sigprocmask(SIG_BLOCK, &term, &before);
+    const pid_t pid = ::fork();
+    if (pid == 0) std::signal(SIGTERM, end_worker);
+    ::sigprocmask(SIG_SETMASK, &before, nullptr);
+    if (pid < 0) throw std::runtime_error(fmt::format("cannot start a process: {}", std::strerror(errno)));
+    if (pid == 0) {
+      std::signal(SIGINT, SIG_IGN);  // the parent decides
+      ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+      if (::getppid() != parent) ::_exit(1);
+      const int fd = pipe.write.number();
+      ::close_range(3, static_cast<unsigned>(fd) - 1, 0);
+      ::close_range(static_cast<unsigned>(fd) + 1, ~0U, 0);
+      int code = 0;
+      try {
+        run_unit(work_, unit, fd);
+      } catch (const std::exception& e) {
+        code = 1;
+        try {
+          tell(fd, messages::kBroken, 0, e.what());
+        } catch (const std::exception&) {
+          code = 2;  // nobody listens: the exit code is all that is left to say
+        }
+      }
+      ::_exit(code);
+    }
+    waiting_.pop_front();
+    Worker& worker = workers_.emplace_back();
+    worker.pid = pid;
+    worker.fd = std::move(pipe.read);
+    worker.rest = worker.given = unit;
+  }
+
+  void listen() {
+    std::vector<pollfd> fds;
+    for (const Worker& worker : workers_) fds.push_back({worker.fd.number(), POLLIN, 0});
+    if (::poll(fds.data(), fds.size(), 1000) <= 0) return;  // time to look for an interrupt
+    std::size_t i = 0;
+    for (auto worker = workers_.begin(); worker != workers_.end(); ++i) {
+      const bool ready = fds[i].revents != 0;
+      if (ready && hear(*worker) == wire::FrameReader::State::closed) {
+        bury(*worker);
+        worker = workers_.erase(worker);
+      } else {
+        ++worker;
+      }
+    }
+  }
+
+  wire::FrameReader::State hear(Worker& worker) {
+    return worker.frames.read(worker.fd.number(), [&](char type, std::string_view payload) {
+      const auto index = static_cast<std::size_t>(wire::take<std::uint64_t>(payload));
+      if (type == messages::kBroken) {
+        worker.trouble = payload;
+        return;
+      }
+      Run& run = runs_.at(index);
+      if (type == messages::kBegun) {
+        run.begun = true;
+        run.line = payload;
+        return;
+      }
+      if (type == messages::kRecords) {
+        while (!payload.empty()) {
+          const double value = wire::take<double>(payload);
+          run.reports.emplace_back(wire::take_text(payload), value);
+        }
+        return;
+      }
+      run.done = true;
+      worker.rest.first = index + 1;
+      if (type == messages::kKept) {
+        run.kept = true;
+        run.id = payload;
+        progress_.kept();
+      } else {
+        run.line = payload;
+        const Row row = row_of(run.line);
+        run.id = row.get("run_id");
+        progress_.ran(row.outcome());
+      }
+    });
+  }
+
+  // The worker has shut its pipe: it is done, or it died.
+  void bury(Worker& worker) {
+    int status = 0;
+    while (::waitpid(worker.pid, &status, 0) < 0 && errno == EINTR) {}
+    worker.pid = 0;
+    if (worker.rest.first >= worker.rest.last) return;
+    std::string reason = "oxturn's own process ended early";
+    if (WIFSIGNALED(status)) reason = fmt::format("oxturn's own process was killed by signal {}", WTERMSIG(status));
+    if (WIFEXITED(status)) reason = fmt::format("oxturn's own process exited with code {}", WEXITSTATUS(status));
+    if (!worker.trouble.empty()) reason += ": " + worker.trouble;
+    const bool in_a_run = runs_[worker.rest.first].begun;
+    // Died before its first run: making the problem did it, and would do it again.
+    const bool hopeless = !in_a_run && worker.rest.first == worker.given.first;
+    const std::size_t lost = hopeless ? worker.rest.last : worker.rest.first + 1;
+    for (; worker.rest.first < lost; ++worker.rest.first) finish(worker.rest.first, Outcome::infrastructure, reason);
+    if (worker.rest.first < worker.rest.last) waiting_.push_front(worker.rest);
+  }
+
+  void finish(std::size_t index, Outcome outcome, const std::string& reason) {
+    Run& run = runs_[index];
+    Row row = run.begun ? row_of(run.line) : blank_row(work_, index);
+    row.cells["outcome"] = to_text(outcome);
+    row.cells["reason"] = reason;
+    run.done = true;
+    run.id = row.get("run_id");
+    run.line = csv_line(row);
+    progress_.ran(outcome);
+  }
+
+  static Row row_of(const std::string& line) {
+    const auto cells = parse_csv(line, "a worker's row").at(0);
+    Row row;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (!cells[i].empty()) row.cells[columns().at(i).name] = cells[i];
+    }
+    return row;
+  }
+
+  void append(const Run& run) {
+    metrics_.append(run.id, run.reports);
+    session_.append(run.line);
+  }
+
+  void write_ready() {
+    for (; next_ < runs_.size() && runs_[next_].done; ++next_) {
+      if (!runs_[next_].kept) append(runs_[next_]);
+    }
+  }
+
+  void stop() {
+    for (Worker& worker : workers_) ::kill(worker.pid, SIGTERM);
+    for (Worker& worker : workers_) {
+      while (::waitpid(worker.pid, nullptr, 0) < 0 && errno == EINTR) {}
+    }
+    workers_.clear();
+  }
+
+  [[noreturn]] void give_up() {
+    stop();
+    std::size_t written = 0;
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      Run& run = runs_[i];
+      if (run.done) ++written;
+      if (i < next_) continue;
+      if (!run.done && run.begun) finish(i, Outcome::cancelled, "interrupted");
+      if (run.done && !run.kept) append(run);
+    }
+    throw Interrupted(fmt::format("interrupted after {} of {} runs; the same command with --resume does the rest",
+                                  written, runs_.size()));
+  }
+
+  void put_in_order() {
+    std::string lines;
+    std::size_t lost = 0;
+    for (const auto& [id, earlier] : earlier_) lost += earlier.done ? 1 : 0;
+    for (const Run& run : runs_) {
+      const auto before = session_.earlier().find(run.id);
+      if (before != session_.earlier().end()) {
+        if (earlier_.at(run.id).done) --lost;
+        for (const Row& row : before->second) lines += csv_line(row);
+      }
+      if (!run.kept) lines += run.line;
+    }
+    if (lost > 0) progress_.remark(fmt::format("dropped the rows of {} runs whose maps have changed since", lost));
+    session_.rewrite(lines);
+    std::vector<std::string> ids;
+    for (const Run& run : runs_) ids.push_back(run.id);
+    metrics_.put_in_order(ids);
+  }
+
+  const SuiteRunOptions& options_;
+  Session session_;
+  MetricsFile metrics_;
+  std::vector<SuiteCell> cells_;
+  std::vector<Run> runs_;
+  std::map<std::string, Earlier> earlier_;
+  Work work_;
+  Progress progress_;
+  std::deque<Unit> waiting_;
+  std::list<Worker> workers_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+Results run_suite(const Suite& suite, const std::vector<PlannerInfo>& planners, const SuiteRunOptions& options) {
+  if (options.jobs < 1) throw std::invalid_argument(fmt::format("jobs is {}, expected 1 or more", options.jobs));
+  if (options.folder.empty()) throw std::invalid_argument("no folder for the results; name one with -o");
+  Suite named = suite;
+  name_maps(named.maps);
+  for (const PlannerSpec& spec : named.planners) find_planner(planners, spec.name);
+  {
+    SuiteRun all(named, planners, options);
+    all.run();
+  }
+  return read_results(options.folder);
+}
+
+}  // namespace oxturn

@@ -1,0 +1,39 @@
+#include "geometry/point_outside.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace oxturn {
+
+bool nearly_contains(const EdgeIndex& walls, const Point& p, double tolerance) {
+  return walls.contains(p) || walls.nearest(p, tolerance).has_value();
+}
+
+std::optional<Point> point_outside(const EdgeIndex& walls, const Point& a, const Point& b, double tolerance) {
+  if (walls.contains(a, b)) return std::nullopt;
+  const Point d = b - a;
+  std::vector<double> cuts{0, 1};
+  Box box;
+  box.add(a);
+  box.add(b);
+  walls.for_each_near(box, [&](std::size_t e) {
+    const EdgeIndex::Edge& edge = walls.edges()[e];
+    const Point side = edge.b - edge.a;
+    const double turn = cross(d, side);
+    if (turn != 0) cuts.push_back(cross(edge.a - a, side) / turn);
+    if (d.squaredNorm() > 0)
+      for (const Point& p : {edge.a, edge.b}) cuts.push_back((p - a).dot(d) / d.squaredNorm());
+  });
+  std::erase_if(cuts, [](double t) { return !(t >= 0 && t <= 1); });
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    const Point end = lerp(a, b, cuts[i]);
+    if (!nearly_contains(walls, end, tolerance)) return end;
+    if (i == 0) continue;
+    const Point middle = lerp(a, b, (cuts[i - 1] + cuts[i]) / 2);
+    if (!nearly_contains(walls, middle, tolerance)) return middle;
+  }
+  return std::nullopt;
+}
+
+}  // namespace oxturn

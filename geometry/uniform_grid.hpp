@@ -1,0 +1,123 @@
+// A uniform grid of square cells over a box, with the items that meet each cell, in compressed rows.
+// Shared by EdgeIndex and Mesh. Cells are entered with a slack of kSlack cells, so a point and an item that meet
+// always find one another in spite of rounding; what the grid yields are candidates, never answers.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/point.hpp"
+
+namespace oxturn {
+
+class UniformGrid {
+ public:
+  UniformGrid() = default;
+  /// About two cells an item, larger where the items are long (`total_length` is the sum of their lengths), so
+  /// that cells and entries both stay O(items). O(1).
+  UniformGrid(const Box& box, std::size_t items, double total_length) {
+    if (items == 0 || box.empty()) return;
+    low_ = box.low;
+    high_ = box.high;
+    const Point size = box.size();
+    const double n = static_cast<double>(items);
+    cell_ = std::max(
+        {std::sqrt(size.x() * size.y() / (2 * n)), total_length / (4 * n), (size.x() + size.y()) / (2 * n), 1e-300});
+    columns_ = static_cast<int>(size.x() / cell_) + 1;
+    rows_ = static_cast<int>(size.y() / cell_) + 1;
+  }
+
+  /// Puts item i into every cell that visit_item(i, enter) enters; called twice for each item.
+  template <class Visit>
+  void fill(std::size_t items, Visit visit_item) {
+    first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
+    for (std::size_t i = 0; i < items; ++i)
+      visit_item(i, [&](std::size_t c) {
+        ++first_[c + 1];
+        return false;
+      });
+    for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
+    items_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t i = 0; i < items; ++i) {
+      visit_item(i, [&](std::size_t c) {
+        items_[next[c]++] = static_cast<std::uint32_t>(i);
+        return false;
+      });
+    }
+  }
+
+  bool empty() const { return columns_ == 0; }
+  double cell() const { return cell_; }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  const Point& low() const { return low_; }
+  const Point& high() const { return high_; }
+  int column(double x) const { return clamped((x - low_.x()) / cell_, columns_); }
+  int row(double y) const { return clamped((y - low_.y()) / cell_, rows_); }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
+  const std::uint32_t* begin(std::size_t c) const { return items_.data() + first_[c]; }
+  const std::uint32_t* end(std::size_t c) const { return items_.data() + first_[c + 1]; }
+
+  /// Calls f(cell) for every cell within `pad` of the convex polygon (a segment, for n = 2), by rows, until f
+  /// returns true; tells whether it did. Cells somewhat farther off are visited too.
+  template <class F>
+  bool visit(const Point* corner, int n, double pad, F f) const {
+    if (empty()) return false;
+    const double reach = pad / cell_ + kSlack;
+    double bottom = 1e300, top = -1e300;
+    for (int i = 0; i < n; ++i) {
+      const double v = (corner[i].y() - low_.y()) / cell_;
+      bottom = std::min(bottom, v);
+      top = std::max(top, v);
+    }
+    if (!(top + reach >= 0 && bottom - reach <= rows_)) return false;
+    const int last = clamped(top + reach, rows_);
+    for (int j = clamped(bottom - reach, rows_); j <= last; ++j) {
+      double left = 1e300, right = -1e300;
+      for (int i = 0; i < n; ++i) {
+        clip(corner[i], corner[i + 1 < n ? i + 1 : 0], j - reach, j + 1 + reach, left, right);
+        if (n == 2) break;
+      }
+      left -= reach;
+      right += reach;
+      if (!(left <= columns_ && right >= 0)) continue;
+      const int end = clamped(right, columns_);
+      for (int i = clamped(left, columns_); i <= end; ++i) {
+        if (f(index(i, j))) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  static constexpr double kSlack = 1e-7;
+  static int clamped(double v, int n) { return v > 0 ? static_cast<int>(std::min(v, static_cast<double>(n - 1))) : 0; }
+  /// Widens [left, right] by the columns of ab between the rows v0 and v1.
+  void clip(const Point& a, const Point& b, double v0, double v1, double& left, double& right) const {
+    const Point p = (a - low_) / cell_, q = (b - low_) / cell_;
+    if (std::max(p.y(), q.y()) < v0 || std::min(p.y(), q.y()) > v1) return;
+    double s = 0, t = 1;
+    const double dv = q.y() - p.y();
+    if (dv != 0) {
+      s = std::clamp((v0 - p.y()) / dv, 0.0, 1.0);
+      t = std::clamp((v1 - p.y()) / dv, 0.0, 1.0);
+    }
+    for (const double at : {s, t}) {
+      const double u = at == 1 ? q.x() : p.x() + at * (q.x() - p.x());
+      left = std::min(left, u);
+      right = std::max(right, u);
+    }
+  }
+
+  Point low_{0, 0}, high_{0, 0};
+  double cell_ = 1;
+  int columns_ = 0, rows_ = 0;
+  std::vector<std::uint32_t> first_, items_;
+};
+
+}  // namespace oxturn

@@ -1,0 +1,24 @@
+// What a tether goes through while its robot drives a path: where the string lies at the start, and how far it can
+// follow.
+#pragma once
+
+#include "geometry/edge_index.hpp"
+#include "geometry/path.hpp"
+#include "geometry/tether/taut_tether.hpp"
+#include "maps/problem.hpp"
+
+namespace oxturn {
+
+/// The string before the first move: from the anchor to the start along the geodesic. Tethered problems only (else
+/// std::logic_error). The problem must outlive it.
+TautTether tether_at_start(const Problem& problem);
+
+struct FollowedPath {
+  Polyline points;    // from the problem's start, transit included
+  bool whole = true;  // false: the path jumps, starts elsewhere, leaves free space or is not finite; then `points` go
+                      // up to there
+};
+/// `walls`: edges of the map's free space. Joints and walls are judged within the problem's tolerance. O(n).
+FollowedPath followed_path(const Problem& problem, const Path& path, const EdgeIndex& walls);
+
+}  // namespace oxturn

@@ -1,0 +1,219 @@
+// The cut makes any order of sweeping tether-safe: leashed, berg-complete, and the cut space itself.
+#include "algorithms/transit/tether_space.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "metrics/score.hpp"
+#include "coverage_oracle.hpp"
+#include "tests/support/seeds.hpp"
+#include "tether_checks.hpp"
+#include "maps/path_file.hpp"
+
+namespace oxturn {
+namespace {
+
+using testing::HasSubstr;
+
+/// The string equals the geodesic all along; on ways into parts that the cut isolates it may be a little longer.
+void expect_geodesic(const Problem& problem, const Path& path) {
+  const TetherReport report = drive_tethered(problem, path, 0.5);
+  const bool one_part = TetherSpace(problem, "test").parts().size() == 1;
+  EXPECT_LE(report.longest, problem.robot().tether->length + problem.tolerance());
+  EXPECT_LE(report.excess_at_work, 1e-7);
+  EXPECT_LE(report.excess, one_part ? 1e-7 : 6.1 * problem.robot().radius);
+  EXPECT_EQ(report.crossings, 0);
+  const Score result = score(problem, path);
+  EXPECT_EQ(result.flaw, "");
+}
+
+// --------------------------------------------------------------------------------------------------- the cut
+
+TEST(TetherSpace, CutSpaceHasNoHolesAndItsShortestPathsAreGeodesics) {
+  for (const auto seed : seeds(3))
+    for (const Map& map : tether_maps(seed)) {
+      SCOPED_TRACE(map.source);
+      const Problem problem(map, tethered_robot(1.1));
+      const TetherSpace leash(problem, "test");
+      double lost = area(problem.configuration_space()) - area(leash.slivers());
+      for (const TetherSpace::Part& part : leash.parts()) {
+        EXPECT_EQ(hole_count(part.within.configuration_space()), 0u);
+        EXPECT_EQ(part.within.configuration_space().polygons.size(), 1u);
+        lost -= area(part.within.configuration_space());
+      }
+      double cut = 0;
+      for (const Polyline& line : leash.cut()) cut += length(line);
+      EXPECT_GE(lost, -1e-6);
+      EXPECT_LE(lost, (cut + 1) * leash.cut_width() * 1.2);
+      EXPECT_LE(area(leash.slivers()), 0.001 * area(problem.configuration_space()));
+    }
+}
+
+TEST(TetherSpace, WanderingInTheCutSpaceKeepsTheStringGeodesic) {
+  for (const auto seed : seeds(4))
+    for (const Map& map : tether_maps(seed)) {
+      SCOPED_TRACE(map.source);
+      const Problem problem(map, tethered_robot(0.8));
+      const TetherSpace leash(problem, "test");
+      Rng rng(seed);
+      const Box box = bounding_box(leash.cut_space());
+      PathBuilder path(problem.start());
+      for (int n = 0; n < 40;) {
+        const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
+        if (!contains(leash.cut_space(), p)) continue;
+        ++n;
+        const auto way = leash.within().transit().path(path.at(), p);
+        ASSERT_TRUE(way);
+        path.drive(*way, true);
+      }
+      expect_geodesic(problem, path.take());
+    }
+}
+
+TEST(TetherSpace, ARobotWithoutTetherIsOneSentence) {
+  const Problem problem(generate("rectangle", {}, 1), Robot{});
+  for (const char* name : {"leashed", "berg-complete"}) {
+    Context context;
+    try {
+      find_planner(zoo(), name).make({})->plan(problem, context);
+      FAIL() << name;
+    } catch (const Unsupported& e) { EXPECT_THAT(e.what(), HasSubstr("needs a robot with a tether")); }
+  }
+}
+
+// --------------------------------------------------------------------------------------------------- leashed
+
+TEST(Leashed, AnyPlannerStaysGeodesicAndComesHome) {
+  for (const auto seed : seeds(2))
+    for (const Map& map : tether_maps(seed))
+      for (const double reach : {0.5, 1.2})
+        for (const char* inner : {"boustrophedon", "zigzag", "stc"}) {
+          SCOPED_TRACE(fmt::format("{} reach {} {}", map.source, reach, inner));
+          const Problem problem(map, tethered_robot(reach));
+          Path path;
+          try {
+            path = plan("leashed", problem, {{"planner", std::string(inner)}});
+          } catch (const Infeasible&) {
+            EXPECT_EQ(std::string(inner), "stc");  // no coarse cell fits
+            continue;
+          }
+          expect_geodesic(problem, path);
+          EXPECT_LE(distance(path.legs.back().points.back(), problem.start()), 1e-9);
+        }
+}
+
+TEST(Leashed, TakesThePlannersOwnParameters) {
+  const Problem problem(generate("clutter", {{"width", 8.0}, {"height", 6.0}}, 1), tethered_robot(1.1));
+  const Path slab = plan("leashed", problem), exact = plan("leashed", problem, {{"cells", std::string("exact")}});
+  EXPECT_NE(slab.length(), exact.length());
+  EXPECT_THAT(
+      [&] {
+        plan("leashed", problem, {{"tree", std::string("bfs")}});
+      },
+      testing::ThrowsMessage<std::invalid_argument>(HasSubstr("unknown parameter 'tree' of planner 'leashed'")));
+  EXPECT_NO_THROW(plan("leashed", problem, {{"planner", std::string("stc")}, {"tree", std::string("dfs")}}));
+  EXPECT_THAT(
+      [&] {
+        plan("leashed", problem, {{"planner", std::string("leashed")}});
+      },
+      testing::ThrowsMessage<std::invalid_argument>(HasSubstr("knows the tether by itself")));
+  EXPECT_THAT(
+      [&] {
+        plan("leashed", problem, {{"planner", std::string("zigzac")}});
+      },
+      testing::ThrowsMessage<std::invalid_argument>(HasSubstr("did you mean 'zigzag'")));
+}
+
+// --------------------------------------------------------------------------------------------- berg-complete
+
+TEST(BergComplete, CoversWhatTheLeashReachesAndStaysGeodesic) {
+  for (const auto seed : seeds(2))
+    for (const Map& map : tether_maps(seed))
+      for (const double reach : {0.6, 1.2}) {
+        SCOPED_TRACE(fmt::format("{} reach {}", map.source, reach));
+        const Problem problem(map, tethered_robot(reach));
+        const Path path = plan("berg-complete", problem);
+        expect_geodesic(problem, path);
+        EXPECT_GE(score(problem, path).value("coverage_upper").value_or(0), 0.995);
+      }
+}
+
+TEST(BergComplete, EveryOrderAndWindingCoversTheSame) {
+  for (const char* name : {"clutter", "field"}) {
+    const Problem problem(oxturn::generate(name, {{"width", 10.0}, {"height", 7.0}}, 3), tethered_robot(1.1));
+    for (const char* order : {"tour", "dfs", "bfs"})
+      for (const char* winding : {"any", "left", "right"}) {
+        SCOPED_TRACE(fmt::format("{} {} {}", name, order, winding));
+        const Path path =
+            plan("berg-complete", problem, {{"order", std::string(order)}, {"winding", std::string(winding)}});
+        expect_geodesic(problem, path);
+        EXPECT_GE(score(problem, path).value("coverage_upper").value_or(0), 0.995);
+      }
+  }
+}
+
+// In an empty disc-like room laps are circles: the string stays at the side asked for on every lap.
+TEST(BergComplete, WindingKeepsTheStringAtOneSideOnLaps) {
+  Ring wall;
+  for (int k = 0; k < 200; ++k) wall.push_back(4 * Point(std::cos(k * kPi / 100), std::sin(k * kPi / 100)));
+  const Problem problem(Map{"disc", Region{{{wall, {}}}}, "", ""}, tethered_robot(1.1), Point(0, 0));
+  for (const char* winding : {"left", "right"}) {
+    const Path path = plan("berg-complete", problem, {{"winding", std::string(winding)}});
+    double wrong = 0, right = 0;
+    for (const Leg& leg : path.legs)
+      for (std::size_t i = 1; leg.tool && i < leg.points.size(); ++i) {
+        const Point &a = leg.points[i - 1], &b = leg.points[i];
+        const double turn = cross(a, b) * (std::string(winding) == "left" ? 1 : -1);
+        (turn > 0 ? right : wrong) += std::abs(cross(a, b)) > 1e-6 ? distance(a, b) : 0;
+      }
+    EXPECT_GT(right, 90);  // about pi 3.8^2 / 0.4 metres
+    EXPECT_LT(wrong, 0.02 * right) << winding;
+  }
+}
+
+TEST(BergComplete, TackingKeepsTheHeadingFromThePull) {
+  for (const char* name : {"cave", "polygon"}) {
+    const Problem problem(oxturn::generate(name, {{"width", 10.0}, {"height", 8.0}}, 2), tethered_robot(1.1));
+    const auto sharp = [&](const Path& path) {
+      double sum = 0;
+      for (const Leg& leg : path.legs)
+        for (std::size_t i = 1; i < leg.points.size(); ++i) {
+          const Point &a = leg.points[i - 1], &b = leg.points[i];
+          const Point pull = problem.geodesics().sight(lerp(a, b, 0.5)).from - lerp(a, b, 0.5);
+          if ((b - a).dot(pull) > std::cos(kPi / 4) * (b - a).norm() * pull.norm()) sum += distance(a, b);
+        }
+      return sum / path.length();
+    };
+    const Path free = plan("berg-complete", problem),
+               kept = plan("berg-complete", problem, {{"min_tether_angle", 0.8}});
+    expect_geodesic(problem, kept);
+    EXPECT_LT(sharp(kept), 0.5 * sharp(free)) << name;
+    EXPECT_LT(sharp(kept), 0.05) << name;
+    EXPECT_LT(kept.length(), 1.5 * free.length()) << name;
+  }
+}
+
+// The map by lidar only.
+TEST(BergComplete, SeesByLidarWhatItSweeps) {
+  for (const char* name : {"rectangle", "clutter"}) {
+    SCOPED_TRACE(name);
+    Robot robot = tethered_robot(1.2);
+    robot.lidar = Lidar{6, 180};
+    const Problem problem(oxturn::generate(name, {{"width", 4.0}, {"height", 3.5}}, 2), robot);
+    const Path path = plan("berg-complete", problem, {{"sensing", std::string("lidar")}});
+    const TetherReport report = drive_tethered(problem, path, 0.5);
+    EXPECT_LE(report.longest, problem.robot().tether->length + problem.tolerance());
+    const Score result = score(problem, path);
+    EXPECT_EQ(result.flaw, "");
+    EXPECT_GE(result.value("coverage_upper").value_or(0), 0.99);
+    EXPECT_LE(path.length(), 2 * plan("berg-complete", problem).length());
+  }
+}
+
+TEST(BergComplete, SameBytesTwice) {
+  const Problem problem(generate("rooms", {}, 5), tethered_robot(0.9));
+  EXPECT_EQ(to_geojson(plan("berg-complete", problem)), to_geojson(plan("berg-complete", problem)));
+}
+
+}  // namespace
+}  // namespace oxturn

@@ -1,0 +1,127 @@
+#include "base/parameters.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "maps/map.hpp"
+#include "tests/support/files.hpp"
+#include "base/text.hpp"
+
+namespace oxturn {
+namespace {
+
+struct Params {
+  bool diagonal = false;
+  int teeth = 8;
+  double cell_size = 0.5;
+  std::string order = "nearest";
+};
+
+std::vector<Parameter<Params>> lines() {
+  return {{"diagonal", &Params::diagonal, "also step across corners"},
+          {"teeth", &Params::teeth, Range{1, 100}, "how many"},
+          {"cell_size", &Params::cell_size, Range{0, 10}, "metres"},
+          {"order", &Params::order, Choices{"nearest", "sweep"}, "next piece"}};
+}
+
+Params with(const Settings& settings) { return with_settings<Params>("planner 'x'", lines(), settings); }
+std::string why(const Settings& settings) {
+  return complaint([&] { with(settings); });
+}
+
+TEST(Parameters, FallbacksAreTheStructsOwn) {
+  const auto infos = to_infos(lines());
+  ASSERT_EQ(infos.size(), 4u);
+  EXPECT_EQ(infos[0].fallback, Value(false));
+  EXPECT_EQ(infos[1].fallback, Value(std::int64_t{8}));
+  EXPECT_EQ(infos[2].fallback, Value(0.5));
+  EXPECT_EQ(infos[3].fallback, Value(std::string("nearest")));
+}
+
+TEST(Parameters, SettingsAreWrittenOverThem) {
+  const Params p = with({{"teeth", std::int64_t{3}}, {"cell_size", std::int64_t{2}}, {"order", std::string("sweep")}});
+  EXPECT_FALSE(p.diagonal);
+  EXPECT_EQ(p.teeth, 3);
+  EXPECT_EQ(p.cell_size, 2.0);  // a whole number passes as a real
+  EXPECT_EQ(p.order, "sweep");
+}
+
+TEST(Parameters, EveryRefusalNamesParameterOwnerAndMend) {
+  EXPECT_EQ(why({{"cel_size", 1.0}}),
+            "unknown parameter 'cel_size' of planner 'x'; it has: diagonal, teeth, cell_size, order");
+  EXPECT_EQ(why({{"teeth", std::int64_t{0}}}),
+            "parameter 'teeth' of planner 'x' is 0, expected a whole number from 1 to 100");
+  EXPECT_EQ(why({{"teeth", 2.5}}), "parameter 'teeth' of planner 'x' is 2.5, expected a whole number from 1 to 100");
+  EXPECT_EQ(why({{"cell_size", 11.0}}), "parameter 'cell_size' of planner 'x' is 11, expected a number from 0 to 10");
+  EXPECT_EQ(why({{"cell_size", std::nan("")}}),
+            "parameter 'cell_size' of planner 'x' is nan, expected a finite number");
+  EXPECT_EQ(why({{"cell_size", std::string("1")}}),
+            "parameter 'cell_size' of planner 'x' is '1', expected a number from 0 to 10");
+  EXPECT_EQ(why({{"diagonal", std::int64_t{1}}}), "parameter 'diagonal' of planner 'x' is 1, expected true or false");
+  EXPECT_EQ(why({{"order", std::string("far")}}),
+            "parameter 'order' of planner 'x' is 'far', expected one of: nearest, sweep");
+}
+
+TEST(Parameters, WholeNumbersThatDoNotFitAreRefused) {
+  const ParameterInfo unbounded{"n", std::int64_t{1}, {}, {}, ""};
+  EXPECT_THROW(checked("x", unbounded, std::int64_t{1} << 40), std::invalid_argument);
+  EXPECT_THROW(parse_value("x", unbounded, "99999999999999999999"), std::invalid_argument);
+}
+
+TEST(Parameters, TextsAreReadInTheParametersType) {
+  const auto infos = to_infos(lines());
+  const auto read = [&](std::size_t i, const char* text) { return parse_value("x", infos[i], text); };
+  EXPECT_EQ(read(0, "true"), Value(true));
+  EXPECT_EQ(read(0, "off"), Value(false));
+  EXPECT_EQ(read(1, "+12"), Value(std::int64_t{12}));
+  EXPECT_EQ(read(2, "1e-3"), Value(0.001));
+  EXPECT_EQ(read(3, "sweep"), Value(std::string("sweep")));
+  for (const char* bad : {"", " ", "1 ", "x", "1,5", "0x10", "--1", "+-1"}) {
+    SCOPED_TRACE(bad);
+    EXPECT_THROW(read(1, bad), std::invalid_argument);
+    EXPECT_THROW(read(2, bad), std::invalid_argument);
+  }
+  EXPECT_THROW(read(2, "nan"), std::invalid_argument);
+  EXPECT_THROW(read(2, "inf"), std::invalid_argument);
+  EXPECT_THROW(read(0, "maybe"), std::invalid_argument);
+}
+
+TEST(Parameters, TextOfAValueReadsBackTheSame) {
+  const ParameterInfo real{"r", 1.0, {}, {}, ""};
+  for (const double d : {0.1, 1.0 / 3, 1e300, 5e-324, -2.0, 0.35})
+    EXPECT_EQ(parse_value("x", real, to_text(d)), Value(d));
+  EXPECT_EQ(to_text(Value(0.35)), "0.35");
+  EXPECT_EQ(to_text(Value(-0.0)), "0");
+  EXPECT_EQ(to_text(Value(true)), "true");
+}
+
+TEST(Parameters, NearestNameIsNearest) {
+  const std::vector<std::string> planners{"boustrophedon", "zigzag", "stc", "rectangles"};
+  EXPECT_EQ(nearest_name("boustrofedon", planners), "boustrophedon");
+  EXPECT_EQ(nearest_name("sct", planners), "stc");
+  EXPECT_EQ(nearest_name("zig-zag", planners), "zigzag");
+  EXPECT_EQ(nearest_name("", {"only"}), "only");
+  EXPECT_EQ(nearest_name("x", {}), "");
+}
+
+TEST(RobotCheck, EachNumberIsLookedAt) {
+  const auto why_not = [](auto change) {
+    Robot r;
+    change(r);
+    return complaint([&] { check(r); });
+  };
+  EXPECT_EQ(why_not([](Robot&) {}), "");
+  EXPECT_EQ(why_not([](Robot& r) { r.radius = 0; }), "");
+  EXPECT_EQ(why_not([](Robot& r) { r.tool_width = 0; }), "robot 'disc': tool_width is 0, expected metres above 0");
+  EXPECT_EQ(why_not([](Robot& r) { r.radius = -1; }), "robot 'disc': radius is -1, expected metres of at least 0");
+  EXPECT_THAT(why_not([](Robot& r) { r.speed = std::nan(""); }), testing::HasSubstr("speed is nan"));
+  EXPECT_THAT(why_not([](Robot& r) { r.acceleration = 0; }), testing::HasSubstr("acceleration is 0"));
+  EXPECT_THAT(why_not([](Robot& r) { r.turn_rate = INFINITY; }), testing::HasSubstr("turn_rate is inf"));
+  EXPECT_THAT(why_not([](Robot& r) { r.min_turn_radius = -2; }), testing::HasSubstr("min_turn_radius is -2"));
+  EXPECT_THAT(why_not([](Robot& r) { r.tether = Tether{0}; }), testing::HasSubstr("tether.length is 0"));
+  EXPECT_THAT(why_not([](Robot& r) { r.lidar = Lidar{5, 0}; }), testing::HasSubstr("lidar.rays is 0"));
+}
+
+}  // namespace
+}  // namespace oxturn

@@ -1,0 +1,400 @@
+#include "bench/run_suite.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "metrics/score.hpp"
+#include "test_planners.hpp"
+#include "base/csv.hpp"
+#include "base/files.hpp"
+#include "base/sha256.hpp"
+#include "maps/path_file.hpp"
+
+namespace oxturn {
+namespace {
+
+using testing::Folder;
+using ::testing::HasSubstr;
+using testing::test_planners;
+using ::testing::ThrowsMessage;
+
+Suite rectangles(const std::vector<std::string>& hows, int maps = 1) {
+  Suite suite;
+  suite.name = "test, of \"quotes\"";
+  suite.limits = {0.5, 200};
+  suite.robots.push_back(Robot{});
+  for (int i = 0; i < maps; ++i) {
+    MapSpec map;
+    map.generator = "rectangle";
+    map.settings = {{"width", 3.0 + i}, {"height", 2.0}};
+    suite.maps.push_back(map);
+  }
+  for (const std::string& how : hows) suite.planners.push_back({"test", {{"how", how}}});
+  return suite;
+}
+
+SuiteRunOptions into(const std::string& folder, int jobs = 1, bool resume = false) {
+  SuiteRunOptions options;
+  options.folder = folder;
+  options.jobs = jobs;
+  options.resume = resume;
+  options.progress = false;
+  return options;
+}
+
+// Every cell but those of timing columns.
+std::string untimed(const Results& results) {
+  std::string text;
+  for (const Row& row : results.rows) {
+    for (const Column& c : columns()) {
+      if (!c.timing) text += row.get(c.name) + "|";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+TEST(SuiteRun, WhateverThePlannerDoesCostsOneRow) {
+  const Folder folder;
+  const std::vector<std::pair<std::string, Outcome>> expected{{"good", Outcome::ok},
+                                                              {"null", Outcome::crash},
+                                                              {"abort", Outcome::crash},
+                                                              {"spin", Outcome::timeout},
+                                                              {"hoard", Outcome::out_of_memory},
+                                                              {"wall", Outcome::invalid},
+                                                              {"nan", Outcome::invalid},
+                                                              {"throw", Outcome::error},
+                                                              {"throw_int", Outcome::error},
+                                                              {"exit", Outcome::error},
+                                                              {"publish", Outcome::timeout},
+                                                              {"babble", Outcome::ok},
+                                                              {"empty", Outcome::invalid},
+                                                              {"infeasible", Outcome::infeasible},
+                                                              {"unsupported", Outcome::unsupported},
+                                                              {"partial", Outcome::partial},
+                                                              {"leave_child", Outcome::ok},
+                                                              {"good2", Outcome::ok}};
+  std::vector<std::string> hows;
+  for (const auto& [how, outcome] : expected) hows.push_back(how);
+  Suite suite = rectangles(hows);
+  suite.limits.wall_s = 2;  // the hoarder needs its time under a sanitizer
+  const Results results = run_suite(suite, test_planners(), into(folder.file("out"), 2));
+  ASSERT_EQ(results.rows.size(), expected.size());
+  std::set<std::string> ids;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const Row& row = results.rows[i];
+    SCOPED_TRACE(expected[i].first);
+    EXPECT_EQ(row.get("params"), "how=" + expected[i].first);
+    EXPECT_EQ(row.get("outcome"), to_text(expected[i].second)) << row.get("reason");
+    EXPECT_EQ(row.get("reason").empty(), expected[i].second == Outcome::ok);
+    EXPECT_EQ(row.get("reason").find('\n'), std::string::npos);
+    EXPECT_EQ(row.get("attempt"), "1");
+    EXPECT_EQ(row.get("suite"), suite.name);
+    ids.insert(row.get("run_id"));
+  }
+  EXPECT_EQ(ids.size(), expected.size());
+  const auto row = [&](const std::string& how) -> const Row& {
+    for (const Row& r : results.rows) {
+      if (r.get("params") == "how=" + how) return r;
+    }
+    throw std::logic_error("no such row");
+  };
+  EXPECT_EQ(row("null").get("signal"), std::to_string(SIGSEGV));
+  EXPECT_EQ(row("exit").get("exit_code"), "3");
+  EXPECT_NEAR(row("publish").number("path_m").value(), 1.0, 1e-12);
+  EXPECT_THAT(row("publish").get("reason"), HasSubstr("published"));
+  EXPECT_THAT(row("partial").get("reason"), HasSubstr("is below 0.99"));
+  EXPECT_EQ(row("nan").get("path_file"), "");
+  EXPECT_EQ(row("spin").get("path_m"), "");
+  EXPECT_EQ(row("throw").get("reason"), "my tour is broken");
+  EXPECT_EQ(row("good").get("signal") + row("good").get("exit_code"), "");
+  EXPECT_TRUE(std::filesystem::exists(folder.file("out/logs/" + row("babble").get("run_id") + ".log")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("out/logs/" + row("good").get("run_id") + ".log")));
+  errno = 0;
+  EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);
+}
+
+TEST(SuiteRun, APathFileScoresAsTheRowSays) {
+  const Folder folder;
+  const Results results = run_suite(rectangles({"good"}), test_planners(), into(folder.file("out")));
+  const Row& row = results.rows.at(0);
+  const std::string file = folder.file("out/" + row.get("path_file"));
+  const std::string problem_file = nlohmann::json::parse(read_file(file)).at("problem").get<std::string>();
+  const MapFile map = read_map(folder.file("out/" + problem_file));
+  const Path path = read_path(file);
+  const Problem problem(map.map, *map.robot, map.start, map.anchor);
+  EXPECT_EQ("maps/" + problem.content_hash() + ".geojson", problem_file);
+  const Score again = score(problem, path);
+  EXPECT_EQ(again.flaw, "");
+  for (std::size_t i = 0; i < metrics().size(); ++i)
+    EXPECT_EQ(row.number(metrics()[i]->name), again.values[i]) << metrics()[i]->name;
+  EXPECT_EQ(row.get("path_sha256"), sha256(to_geojson(path)));
+  EXPECT_EQ(row.get("map_sha256"), content_hash(map.map));
+}
+
+TEST(SuiteRun, SameRowsWhateverTheJobsAndAgain) {
+  const std::vector<std::string> hows{"random", "good", "partial", "null", "throw", "wall"};
+  for (const int maps : {1, 3}) {
+    Suite suite = rectangles(hows, maps);
+    suite.repeats = 2;
+    const Folder folder;
+    const std::string one = untimed(run_suite(suite, test_planners(), into(folder.file("1"), 1)));
+    EXPECT_EQ(one, untimed(run_suite(suite, test_planners(), into(folder.file("2"), 2))));
+    EXPECT_EQ(one, untimed(run_suite(suite, test_planners(), into(folder.file("3"), 5))));
+    EXPECT_EQ(one, untimed(run_suite(suite, test_planners(), into(folder.file("4"), 1))));
+    EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), static_cast<long>(hows.size()) * maps * 2);
+  }
+}
+
+TEST(SuiteRun, RepeatsDifferInLuckVariantsShareIt) {
+  const Folder folder;
+  Suite suite = rectangles({"random"});
+  suite.planners.push_back({"test", {{"how", "random"}, {"amount", 1.0}}});
+  suite.repeats = 2;
+  const auto rows = run_suite(suite, test_planners(), into(folder.file("out"))).rows;
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_NE(rows[0].get("seed"), rows[1].get("seed"));
+  EXPECT_NE(rows[0].get("path_sha256"), rows[1].get("path_sha256"));
+  EXPECT_EQ(rows[0].get("path_sha256"), rows[2].get("path_sha256"));
+  EXPECT_NE(rows[0].get("run_id"), rows[2].get("run_id"));
+}
+
+TEST(SuiteRun, ResumeAfterACutDoesOnlyTheRest) {
+  const Suite suite = rectangles({"good", "random", "null", "partial"}, 2);
+  const Folder folder;
+  const std::string out = folder.file("out");
+  const std::string whole = untimed(run_suite(suite, test_planners(), into(out)));
+  const std::string text = read_file(out + "/runs.csv");
+  std::size_t third = 0;
+  for (int i = 0; i < 4; ++i) third = text.find('\n', third) + 1;
+  for (const std::size_t cut : {text.size(), text.size() - 1, third, third + 20, csv_header().size(), std::size_t{5}}) {
+    SCOPED_TRACE(cut);
+    write_file(out + "/runs.csv", text.substr(0, cut));
+    EXPECT_EQ(untimed(run_suite(suite, test_planners(), into(out, 2, true))), whole);
+    const std::string now = read_file(out + "/runs.csv");
+    // Rows that were whole are kept to the byte, timing and all; that is only the case if they were not run again.
+    const std::size_t kept = text.rfind('\n', cut - 1);
+    if (kept != std::string::npos && cut > csv_header().size()) {
+      EXPECT_EQ(now.substr(0, kept), text.substr(0, kept));
+    }
+  }
+}
+
+// metrics.csv: what planners report of themselves, in suite order, whatever the jobs; nobody reports, no file.
+TEST(SuiteRun, KeepsWhatPlannersReport) {
+  const Folder folder;
+  const Suite suite = rectangles({"report", "good"}, 3);
+  std::string expected = "run_id,metric,value\n";
+  for (const Row& row : run_suite(suite, test_planners(), into(folder.file("1"))).rows)
+    if (row.get("variant").find("report") != std::string::npos)
+      for (const char* line : {"laps,4", "share,0.25", "nothing,"}) expected += row.get("run_id") + "," + line + "\n";
+  EXPECT_EQ(read_file(folder.file("1/metrics.csv")), expected);
+  run_suite(suite, test_planners(), into(folder.file("2"), 3));
+  EXPECT_EQ(read_file(folder.file("2/metrics.csv")), expected);
+
+  const std::string rows = read_file(folder.file("1/runs.csv"));
+  std::size_t two = 0;
+  for (int i = 0; i < 3; ++i) two = rows.find('\n', two) + 1;
+  write_file(folder.file("1/runs.csv"), rows.substr(0, two));
+  write_file(folder.file("1/metrics.csv"), expected.substr(0, expected.size() - 3));  // cut off as well
+  run_suite(suite, test_planners(), into(folder.file("1"), 2, true));
+  EXPECT_EQ(read_file(folder.file("1/metrics.csv")), expected);
+
+  run_suite(rectangles({"good"}), test_planners(), into(folder.file("3")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("3/metrics.csv")));
+}
+
+TEST(SuiteRun, ResumeRetriesCancelledAndInfrastructure) {
+  const Suite suite = rectangles({"good", "null", "partial"});
+  const Folder folder;
+  const std::string out = folder.file("out");
+  run_suite(suite, test_planners(), into(out));
+  Results results = read_results(out);
+  std::string text = csv_header();
+  for (Row& row : results.rows) {
+    if (row.get("params") == "how=good") row.cells["outcome"] = "cancelled";
+    if (row.get("params") == "how=partial") row.cells["outcome"] = "infrastructure";
+    text += csv_line(row);
+  }
+  write_file(out + "/runs.csv", text);
+  const Results again = run_suite(suite, test_planners(), into(out, 1, true));
+  ASSERT_EQ(again.rows.size(), 3u);
+  EXPECT_EQ(again.rows[0].outcome(), Outcome::ok);
+  EXPECT_EQ(again.rows[0].get("attempt"), "2");
+  EXPECT_EQ(again.rows[1].get("attempt"), "1");
+  EXPECT_EQ(again.rows[2].outcome(), Outcome::partial);
+  EXPECT_EQ(parse_csv(read_file(out + "/runs.csv"), "t").size(), 1u + 5u);  // one row an attempt
+}
+
+TEST(SuiteRun, RefusesWhatItWouldSpoil) {
+  const Folder folder;
+  const std::string out = folder.file("out");
+  run_suite(rectangles({"good"}), test_planners(), into(out));
+  EXPECT_THAT([&] { run_suite(rectangles({"good"}), test_planners(), into(out)); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("already holds results")));
+  EXPECT_THAT([&] { run_suite(rectangles({"null"}), test_planners(), into(out, 1, true)); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("another suite")));
+  write_file(folder.file("file"), "x");
+  EXPECT_THAT([&] { run_suite(rectangles({"good"}), test_planners(), into(folder.file("file/out"))); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("cannot write")));
+}
+
+TEST(SuiteRun, NoPlaceForTheRobotIsInfeasible) {
+  const Folder folder;
+  Suite suite = rectangles({"good", "null"});
+  suite.robots[0].radius = 5;
+  MapSpec in_a_wall = suite.maps[0];
+  in_a_wall.start = Location{"", {50, 50}};
+  suite.maps.push_back(in_a_wall);
+  const Results results = run_suite(suite, test_planners(), into(folder.file("out")));
+  ASSERT_EQ(results.rows.size(), 4u);
+  for (const Row& row : results.rows) {
+    EXPECT_EQ(row.outcome(), Outcome::infeasible) << row.get("reason");
+    EXPECT_FALSE(row.get("reason").empty());
+  }
+}
+
+TEST(SuiteRun, ALackingCapabilityIsUnsupported) {
+  const Folder folder;
+  Suite suite = rectangles({"good"});
+  suite.robots[0].tether = Tether{10};
+  const Results results = run_suite(suite, test_planners(), into(folder.file("out")));
+  EXPECT_EQ(results.rows.at(0).outcome(), Outcome::unsupported);
+  EXPECT_THAT(results.rows[0].get("reason"), HasSubstr("tether"));
+}
+
+// The string in an empty rectangle is straight, so its greatest length is taken at a corner of the path.
+TEST(SuiteRun, AnIgnoredTetherIsMeasuredAndDoesNotCount) {
+  const Folder folder;
+  std::vector<PlannerInfo> planners = test_planners();
+  planners.push_back(planners.front());
+  planners.back().name = "tied";
+  planners.back().capabilities = {Capability::tether};
+  Suite suite = rectangles({"good", "wall"});
+  const Results free = run_suite(suite, planners, into(folder.file("free")));
+  suite.robots[0].tether = Tether{1.2};
+  for (const char* how : {"good", "wall"}) suite.planners.push_back({"test", {{"how", how}}, true});
+  suite.planners.push_back({"tied", {{"how", "good"}}});
+  const Results held = run_suite(suite, planners, into(folder.file("held")));
+  ASSERT_EQ(held.rows.size(), 5u);
+  EXPECT_EQ(held.rows[0].outcome(), Outcome::unsupported);
+  EXPECT_EQ(held.rows[1].outcome(), Outcome::unsupported);
+
+  // As if there were no tether, but measured.
+  const Row& row = held.rows[2];
+  EXPECT_EQ(row.outcome(), Outcome::ok) << row.get("reason");
+  EXPECT_EQ(row.get("variant"), "test[how=good;ignore_tether=true]");
+  EXPECT_EQ(row.get("params"), "how=good;ignore_tether=true");
+  EXPECT_EQ(row.get("path_sha256"), free.rows[0].get("path_sha256"));
+  EXPECT_EQ(row.get("path_m"), free.rows[0].get("path_m"));
+  const std::string file = folder.file("held/" + row.get("path_file"));
+  const Path path = read_path(file);
+  double farthest = 0;
+  for (const Leg& leg : path.legs)
+    for (const Point& p : leg.points) farthest = std::max(farthest, distance(p, path.legs[0].points[0]));
+  EXPECT_EQ(row.number("tether_limit_m"), 1.2);
+  EXPECT_NEAR(row.number("tether_max_m").value(), farthest, 1e-9);
+  EXPECT_GT(farthest, 1.2);
+  // The problem that stands beside it is the tethered one: scored again as it is, the path breaks the leash.
+  const MapFile map =
+      read_map(folder.file("held/" + nlohmann::json::parse(read_file(file)).at("problem").get<std::string>()));
+  const Problem problem(map.map, *map.robot, map.start, map.anchor);
+  EXPECT_THAT(find_flaw(problem, path), HasSubstr("tether"));
+  EXPECT_EQ(find_flaw(problem, path, {.tether_counts = false}), "");
+  EXPECT_LT(row.number("target_m2").value(), free.rows[0].number("target_m2").value());
+
+  EXPECT_EQ(held.rows[3].outcome(), Outcome::invalid);  // walls count for everyone
+  EXPECT_EQ(held.rows[4].outcome(), Outcome::invalid);  // who minds the tether is judged by it
+  EXPECT_THAT(held.rows[4].get("reason"), HasSubstr("tether"));
+  std::set<std::string> ids;
+  for (const Row& r : held.rows) ids.insert(r.get("run_id"));
+  EXPECT_EQ(ids.size(), 5u);
+  EXPECT_EQ(held.rows[0].get("seed"), held.rows[2].get("seed"));
+}
+
+TEST(SuiteRun, NamedPlacesAreWorkedOutForEachRobot) {
+  const Folder folder;
+  Suite suite = rectangles({"good"});
+  suite.robots.push_back(Robot{});
+  suite.robots.back().name = "thin";
+  suite.robots.back().radius = 0.1;
+  suite.maps[0].start = Location{"corner"};
+  suite.maps[0].anchor = Location{"wall"};
+  const Results results = run_suite(suite, test_planners(), into(folder.file("out")));
+  ASSERT_EQ(results.rows.size(), 2u);
+  for (const Row& row : results.rows) {
+    const std::string path = read_file(folder.file("out/" + row.get("path_file")));
+    const MapFile map = read_map(folder.file("out/" + nlohmann::json::parse(path).at("problem").get<std::string>()));
+    const double r = map.robot->radius;
+    EXPECT_NEAR(distance(*map.start, {r + 0.004, r + 0.004}), 0, 1e-3);
+    EXPECT_EQ(std::min(map.anchor->x(), map.anchor->y()), 0);
+    EXPECT_NEAR(distance(*map.start, *map.anchor), r + 0.004, 1e-3);
+  }
+}
+
+TEST(SuiteRun, SessionAndColumnsDescribeTheFolder) {
+  const Folder folder;
+  SuiteRunOptions options = into(folder.file("out"));
+  options.traces = true;
+  options.command_line = {"oxturn", "run"};
+  const Results results = run_suite(rectangles({"good"}), test_planners(), options);
+  const auto session = nlohmann::json::parse(read_file(folder.file("out/session.json")));
+  EXPECT_EQ(session.at("limits").at("memory_mb"), 200);
+  EXPECT_EQ(session.at("sessions").at(0).at("command_line").at(1), "run");
+  const auto described = nlohmann::json::parse(read_file(folder.file("out/columns.json")));
+  ASSERT_EQ(described.size(), columns().size());
+  EXPECT_EQ(described[1].at("name"), "run_id");
+  const auto traces =
+      nlohmann::json::parse(read_file(folder.file("out/traces/" + results.rows[0].get("run_id") + ".json")));
+  EXPECT_EQ(traces.at(0).at("name"), "box");
+}
+
+// Ctrl-C in the middle: whole lines stay, and --resume does the rest.
+TEST(SuiteRun, InterruptKeepsWhatIsThere) {
+  Suite suite = rectangles({"good", "spin", "partial"});
+  suite.limits.wall_s = 1;
+  const Folder folder;
+  const std::string out = folder.file("out");
+  const pid_t pid = ::fork();
+  if (pid == 0) {
+    int code = 1;
+    try {
+      run_suite(suite, test_planners(), into(out));
+    } catch (const Interrupted& e) {
+      code = std::string(e.what()).find("interrupted after 1 of 3 runs") == 0 ? 42 : 2;
+    } catch (...) { code = 3; }
+    ::_exit(code);
+  }
+  const auto lines = [&] {
+    std::ifstream in(out + "/runs.csv");
+    return std::count(std::istreambuf_iterator<char>(in), {}, '\n');
+  };
+  for (int i = 0; i < 200 && lines() < 2; ++i) ::usleep(20000);
+  ::usleep(200000);  // into the second run
+  ::kill(pid, SIGINT);
+  int status = 0;
+  ASSERT_EQ(::waitpid(pid, &status, 0), pid);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 42);
+  const Results cut = read_results(out);
+  ASSERT_EQ(cut.rows.size(), 2u);
+  EXPECT_EQ(cut.rows[0].outcome(), Outcome::ok);
+  EXPECT_EQ(cut.rows[1].outcome(), Outcome::cancelled);
+  const Results whole = run_suite(suite, test_planners(), into(out, 1, true));
+  ASSERT_EQ(whole.rows.size(), 3u);
+  EXPECT_EQ(whole.rows[1].outcome(), Outcome::timeout);
+  EXPECT_EQ(whole.rows[1].get("attempt"), "2");
+  EXPECT_EQ(whole.rows[2].outcome(), Outcome::partial);
+}
+
+}  // namespace
+}  // namespace oxturn

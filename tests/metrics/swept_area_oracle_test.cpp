@@ -1,0 +1,139 @@
+// Areas and visits by brute force: a grid of points, and a walk along the path for each of them.
+#include <gtest/gtest.h>
+
+#include "metrics/swept_area.hpp"
+#include "shapes.hpp"
+
+namespace oxturn {
+namespace {
+
+struct Counts {
+  double target = 0, covered = 0, visits = 0, swept = 0, legs = 0;
+};  // m^2
+
+/// Visits of one point: follows the path in time, segment by segment, by the roots of |p(t) - x| = r.
+int visits_of(const Path& path, const Point& x, double r) {
+  int visits = 0;
+  bool on = false, under = false;
+  Point last(0, 0);
+  for (const Leg& leg : path.legs) {
+    if (!leg.tool) {
+      on = under = false;
+      continue;
+    }
+    if (!on || last != leg.points.front()) under = distance(x, leg.points.front()) <= r, visits += under;
+    on = true;
+    for (std::size_t i = 1; i < leg.points.size(); ++i) {
+      const bool touches = distance_to_segment(x, leg.points[i - 1], leg.points[i]) <= r;
+      if (touches && !under) ++visits;
+      under = distance(x, leg.points[i]) <= r;
+    }
+    last = leg.points.back();
+  }
+  return visits;
+}
+
+Counts count(const Region& target, const Path& path, double width, double pitch) {
+  Counts c;
+  Box box = bounding_box(target);
+  box.grow(width);
+  Rng rng(99);  // one random point a cell: a plain grid errs by a whole row along a straight wall
+  for (double y = box.low.y(); y < box.high.y(); y += pitch) {
+    for (double x = box.low.x(); x < box.high.x(); x += pitch) {
+      const double dx = rng.unit(), dy = rng.unit();
+      const Point p = Point(x, y) + pitch * Point(dx, dy);
+      const bool wanted = contains(target, p);
+      int legs = 0;
+      for (const Leg& leg : path.legs) {
+        bool hit = false;
+        for (std::size_t i = 1; leg.tool && !hit && i < leg.points.size(); ++i)
+          hit = distance_to_segment(p, leg.points[i - 1], leg.points[i]) <= width / 2;
+        legs += hit;
+      }
+      c.legs += legs;
+      c.swept += legs > 0;
+      if (!wanted) continue;
+      c.target += 1;
+      c.covered += legs > 0;
+      c.visits += visits_of(path, p, width / 2);
+    }
+  }
+  for (double* v : {&c.target, &c.covered, &c.visits, &c.swept, &c.legs}) *v *= pitch * pitch;
+  return c;
+}
+
+void compare(const Region& target, const Path& path, double width) {
+  const double pitch = width / 12;
+  const Counts truth = count(target, path, width, pitch);
+  const SweptArea s = swept_area(target, 0, width, path);
+  // The grid errs by pitch^2 times half the root of the cells on the boundary; this is some four times that.
+  const double slack = 0.004 * (truth.swept + width * width) + 0.002 * truth.target;
+  EXPECT_NEAR(s.covered_m2, truth.covered, slack);
+  EXPECT_NEAR(s.seen_m2, truth.covered, slack);
+  EXPECT_NEAR(s.coverage.middle() * area(target), truth.covered, slack);
+  EXPECT_NEAR(s.union_m2, truth.swept, slack);
+  EXPECT_NEAR(s.legs_m2, truth.legs, 0.004 * truth.legs + slack);
+  EXPECT_NEAR(s.visits_m2, truth.visits, 0.006 * truth.visits + slack);
+  EXPECT_LE(s.coverage.upper - s.coverage.lower, 0.001);
+  EXPECT_LE(s.coverage.lower, s.coverage.upper);
+}
+
+TEST(SweptOracle, RandomWalks) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const double angle = seed % 3 ? rng.between(0.0, 6.0) : 0;
+    const Region target = transformed(two_holes(), angle, {rng.between(-3.0, 3.0), 1});
+    const double width = seed % 2 ? 0.8 : 1.7;
+    Box box = bounding_box(target);
+    box.grow(-0.3);
+    compare(target, random_walk(rng, box, 1 + static_cast<int>(seed % 4), 12, seed % 4 == 0 ? 0.4 : 3.0), width);
+  }
+}
+
+TEST(SweptOracle, RightAnglesOnALattice) {
+  // Everything on the tiles' own lines: the case where parity could slip.
+  Region target = box_region({0, 0}, {6, 4});
+  target.polygons[0].holes.push_back({{1, 1}, {1, 2}, {2, 2}, {2, 1}});
+  target.polygons[0].holes.push_back({{2, 2}, {2, 3}, {4, 3}, {4, 2}});
+  target.polygons.push_back({{{7, 1}, {8, 1}, {8, 3}, {7, 3}}, {}});
+  compare(target, work({{0, 0}, {6, 0}, {6, 4}, {0, 4}, {0, 0}}), 1);
+  compare(target, work({{0, 1}, {8, 1}, {8, 2}, {3, 2}, {3, 4}, {3, 2}}), 1);
+}
+
+TEST(SweptOracle, CurvesOfShortChords) {
+  Polyline spiral;
+  for (int k = 0; k < 400; ++k) spiral.push_back(Point(5, 4) + rotated({0.008 * k, 0}, 0.1 * k));
+  compare(two_holes(), work(spiral), 0.7);
+}
+
+// The bracket of a coarse answer holds the middle of a fine one.
+TEST(SweptOracle, FineLiesInCoarse) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Path path = random_walk(rng, bounding_box(two_holes()), 4, 40, 1.0);
+    const SweptArea fine = swept_area(two_holes(), 0, 0.3, path, 1e-5), coarse = swept_area(two_holes(), 0, 0.3, path, 0.01);
+    EXPECT_LE(fine.coverage.upper - fine.coverage.lower, 1e-5);
+    EXPECT_LE(coarse.coverage.lower, fine.coverage.upper);
+    EXPECT_GE(coarse.coverage.upper, fine.coverage.lower);
+    EXPECT_NEAR(coarse.seen_m2 / area(two_holes()), fine.coverage.middle(), 2e-4);
+  }
+}
+
+// No path sweeps more than length * width + a disc.
+TEST(SweptOracle, NeverMoreThanItsLengthCanSweep) {
+  Rng rng(3);
+  for (int k = 0; k < 200; ++k) {
+    Path path = random_walk(rng, bounding_box(two_holes()), 1, 1 + k % 9, k % 2 ? 0.2 : 4);
+    for (Leg& leg : path.legs) leg.tool = true;
+    const double w = 0.3 + 0.01 * (k % 50);
+    const SweptArea s = swept_area(two_holes(), 0, w, path);
+    EXPECT_LE(s.covered_m2, path.length() * w + kPi * w * w / 4);
+    EXPECT_LE(s.union_m2, (path.length() * w + kPi * w * w / 4) * 1.0003);
+    EXPECT_GE(s.visits_m2, s.seen_m2 * 0.998);
+  }
+}
+
+}  // namespace
+}  // namespace oxturn
