@@ -1,11 +1,11 @@
-// What a planner is given besides the problem: randomness, time, and a way to be heard.
+#include "algorithms/context.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
-#include "algorithms/coverage_planner.hpp"
 #include "geometry/trace.hpp"
 
 namespace oxturn {
@@ -54,12 +54,12 @@ void Context::trace(std::string name, const Region& region) {
   trace(std::move(name), std::move(lines));
 }
 
-void Context::report(const std::string& name, double value) {
+void Context::record(const std::string& name, double value) {
   const auto good = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
   if (name.empty() || !std::all_of(name.begin(), name.end(), good))
     throw std::invalid_argument(
-        fmt::format("a report is named '{}', expected small letters, digits and underscores", name));
-  if (sinks_.report) sinks_.report(name, value);
+        fmt::format("a recorded figure is named '{}', expected small letters, digits and underscores", name));
+  if (sinks_.record) sinks_.record(name, value);
 }
 
 }  // namespace oxturn

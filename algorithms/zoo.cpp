@@ -1,6 +1,5 @@
 // The one list of built-in planners. A new one is its own file, one declaration here and one line below.
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/online/sensing.hpp"
 
 namespace oxturn {
 
@@ -30,35 +29,14 @@ PlannerInfo spiral_out();
 PlannerInfo wall_follow();
 PlannerInfo vacuum_mix();
 
-const std::vector<PlannerInfo>& zoo() {
-  static const std::vector<PlannerInfo> planners{
-      boustrophedon(),
-      zigzag(),
-      stc(),
-      stc_spiral(),
-      stc_scan(),
-      stc_loops(),
-      rectangles(),
-      wavefront(),
-      bsa(),
-      linked_spiral(),
-      ba_star(),
-      smart_dfs(),
-      cell_explore(),
-      hyun(),
-      leashed(),
-      with_sensing(berg()),
-      with_sensing(berg_complete()),
-      with_sensing(shnaps_rimon()),
-      with_sensing(shnaps_rimon_banded()),
-      with_sensing(tether_tree()),
-      tethered_stc(),
-      random_walk(),
-      spiral_out(),
-      wall_follow(),
-      vacuum_mix(),
-  };
-  return planners;
+Planners built_in_planners() {
+  return Planners(
+      "planner",
+      {boustrophedon(),       zigzag(),      stc(),          stc_spiral(),    stc_scan(),      stc_loops(),
+       rectangles(),          wavefront(),   bsa(),          linked_spiral(), ba_star(),       smart_dfs(),
+       cell_explore(),        hyun(),        leashed(),      berg(),          berg_complete(), shnaps_rimon(),
+       shnaps_rimon_banded(), tether_tree(), tethered_stc(), random_walk(),   spiral_out(),    wall_follow(),
+       vacuum_mix()});
 }
 
 }  // namespace oxturn

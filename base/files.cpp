@@ -11,7 +11,6 @@
 #include <cstring>
 #include <stdexcept>
 
-
 namespace oxturn {
 namespace {
 

@@ -1,4 +1,3 @@
-// Texts, checks and error sentences of parameters, once for planners, generators and robots' suites.
 #include "base/parameters.hpp"
 
 #include <fmt/format.h>
@@ -34,13 +33,20 @@ const char* type_name(const Value& value) {
 }
 
 std::string range_text(const ParameterInfo& parameter) {
-  const bool low = std::isfinite(parameter.range.least), high = std::isfinite(parameter.range.most);
+  const Range& range = parameter.range;
   const std::string type = type_name(parameter.fallback);
+  const std::string least = to_decimal(range.least), most = to_decimal(range.most);
+  const bool low = std::isfinite(range.least), high = std::isfinite(range.most);
   if (low && high)
-    return fmt::format("{} from {} to {}", type, to_decimal(parameter.range.least), to_decimal(parameter.range.most));
-  if (low) return fmt::format("{} of at least {}", type, to_decimal(parameter.range.least));
-  if (high) return fmt::format("{} of at most {}", type, to_decimal(parameter.range.most));
+    return fmt::format("{} {} {}{} {}", type, range.above ? "above" : "from", least, range.above ? ", at most" : " to",
+                       most);
+  if (low) return fmt::format("{} {} {}", type, range.above ? "above" : "of at least", least);
+  if (high) return fmt::format("{} of at most {}", type, most);
   return type;
+}
+
+bool within(const Range& range, double value) {
+  return value <= range.most && (range.above ? value > range.least : value >= range.least);
 }
 
 }  // namespace
@@ -50,6 +56,13 @@ std::string to_text(const Value& value) {
   if (const std::int64_t* i = std::get_if<std::int64_t>(&value)) return std::to_string(*i);
   if (const std::string* s = std::get_if<std::string>(&value)) return *s;
   return to_decimal(std::get<double>(value));
+}
+
+std::string to_text(const Settings& settings) {
+  std::string out;
+  for (const auto& [name, value] : settings)
+    out += fmt::format("{}{}={}", out.empty() ? "" : ";", name, to_text(value));
+  return out;
 }
 
 Value parse_value(const std::string& owner, const ParameterInfo& parameter, std::string_view text) {
@@ -89,11 +102,9 @@ Value checked(const std::string& owner, const ParameterInfo& parameter, const Va
 
   if (const double* real = std::get_if<double>(&result)) {
     if (!std::isfinite(*real)) refuse(owner, parameter, given, "a finite number");
-    if (*real < parameter.range.least || *real > parameter.range.most)
-      refuse(owner, parameter, given, range_text(parameter));
+    if (!within(parameter.range, *real)) refuse(owner, parameter, given, range_text(parameter));
   } else if (const std::int64_t* whole = std::get_if<std::int64_t>(&result)) {
-    if (static_cast<double>(*whole) < parameter.range.least || static_cast<double>(*whole) > parameter.range.most)
-      refuse(owner, parameter, given, range_text(parameter));
+    if (!within(parameter.range, static_cast<double>(*whole))) refuse(owner, parameter, given, range_text(parameter));
     // The structs hold int: what does not fit there is refused, not cut off.
     if (*whole < std::numeric_limits<int>::min() || *whole > std::numeric_limits<int>::max())
       refuse(owner, parameter, given, "a whole number of at most 2147483647 in size");
@@ -115,6 +126,12 @@ const ParameterInfo& find_parameter(const std::string& owner, const std::vector<
     throw std::invalid_argument(fmt::format("unknown parameter '{}' of {}; it has no parameters", name, owner));
   throw std::invalid_argument(
       fmt::format("unknown parameter '{}' of {}; it has: {}", name, owner, fmt::join(names, ", ")));
+}
+
+Settings checked(const std::string& owner, const std::vector<ParameterInfo>& parameters, const Settings& settings) {
+  Settings all;
+  for (const auto& [name, value] : settings) all[name] = checked(owner, find_parameter(owner, parameters, name), value);
+  return all;
 }
 
 }  // namespace oxturn

@@ -1,11 +1,17 @@
-// Parameters as data: a plain struct, and one line of description for each member. From that one description
-// come listing, help, suites, checks and error sentences, for planners and generators alike.
+/// Parameters as data: a plain struct, and one line of description for each member. Command line, suites, files, hashes,
+/// listings and error messages are made from that one description.
+///
+///   struct Params { double cell_size = 0; Order order = Order::nearest; };
+///   const std::vector<Parameter<Params>> lines{
+///       {"cell_size", &Params::cell_size, Range{0, 100}, "metres; 0: tool width / sqrt 2"},
+///       {"order", &Params::order, Choices{"nearest", "improved"}, "of the cells"}};
+///   const Params p = with_settings("planner 'stc'", lines, {{"cell_size", 0.2}});
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -19,13 +25,15 @@ using Value = std::variant<bool, std::int64_t, double, std::string>;
 /// name -> value, as a suite or `--set` gives them. Ordered, so that iteration is deterministic.
 using Settings = std::map<std::string, Value>;
 
+/// Of a number. `above`: `least` itself is excluded.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
+  bool above = false;
 };
 using Choices = std::vector<std::string>;
 
-/// What the outside sees of a parameter. The alternative held by `fallback` is its type.
+/// What users see of a parameter. The alternative held by `fallback` is its type.
 struct ParameterInfo {
   std::string name;
   Value fallback;
@@ -34,74 +42,90 @@ struct ParameterInfo {
   std::string help;
 };
 
-/// One line of a description.
+/// One line of a description: the member of P that it describes, and what users see of it.
 template <class P>
 struct Parameter {
-  using Member = std::variant<bool P::*, int P::*, double P::*, std::string P::*>;
-  Parameter(std::string n, bool P::*m, std::string h) : name(std::move(n)), member(m), help(std::move(h)) {}
-  Parameter(std::string n, int P::*m, Range r, std::string h)
-      : name(std::move(n)), member(m), range(r), help(std::move(h)) {}
-  Parameter(std::string n, double P::*m, Range r, std::string h)
-      : name(std::move(n)), member(m), range(r), help(std::move(h)) {}
-  Parameter(std::string n, std::string P::*m, Choices c, std::string h)
-      : name(std::move(n)), member(m), choices(std::move(c)), help(std::move(h)) {}
-  std::string name;
-  Member member;
-  Range range;
-  Choices choices;
-  std::string help;
+  std::function<Value(const P&)> get;
+  std::function<void(P&, const Value&)> set;  // the value has the parameter's type and keeps its range
+  ParameterInfo info;                         // `fallback` is filled in by infos_of
+
+  Parameter(std::string name, bool P::*member, std::string help) { plain(member, {name, {}, {}, {}, help}); }
+  Parameter(std::string name, double P::*member, Range range, std::string help) {
+    plain(member, {name, {}, range, {}, help});
+  }
+  Parameter(std::string name, std::string P::*member, Choices choices, std::string help) {
+    plain(member, {name, {}, {}, choices, help});
+  }
+  Parameter(std::string name, int P::*member, Range range, std::string help) {
+    get = [member](const P& p) -> Value { return static_cast<std::int64_t>(p.*member); };
+    set = [member](P& p, const Value& v) { p.*member = static_cast<int>(std::get<std::int64_t>(v)); };
+    info = {std::move(name), {}, range, {}, std::move(help)};
+  }
+  /// An enum class, its enumerators named by `choices` in their order.
+  template <class E, class Base, class = std::enable_if_t<std::is_enum_v<E> && std::is_base_of_v<Base, P>>>
+  Parameter(std::string name, E Base::*member, Choices choices, std::string help) {
+    get = [member, choices](const P& p) -> Value { return choices.at(static_cast<std::size_t>(p.*member)); };
+    set = [member, choices](P& p, const Value& v) {
+      for (std::size_t i = 0; i < choices.size(); ++i)
+        if (choices[i] == std::get<std::string>(v)) p.*member = static_cast<E>(i);
+    };
+    info = {std::move(name), {}, {}, std::move(choices), std::move(help)};
+  }
+  /// Anything else: `getter` returns a Value of the parameter's type, `setter` takes one.
+  Parameter(ParameterInfo about, std::function<Value(const P&)> getter, std::function<void(P&, const Value&)> setter)
+      : get(std::move(getter)), set(std::move(setter)), info(std::move(about)) {}
+
+ private:
+  template <class T>
+  void plain(T P::*member, ParameterInfo about) {
+    get = [member](const P& p) -> Value { return p.*member; };
+    set = [member](P& p, const Value& v) { p.*member = std::get<T>(v); };
+    info = std::move(about);
+  }
 };
 
 /// Shortest round-trip text: "0.35", "true", "3", "convex".
 std::string to_text(const Value& value);
+/// "k=v;k=v" in the order of names; "" for none.
+std::string to_text(const Settings& settings);
 /// Reads `text` as the parameter's type. Throws std::invalid_argument in one sentence; `owner` is for instance
 /// "planner 'stc'".
 Value parse_value(const std::string& owner, const ParameterInfo& parameter, std::string_view text);
-/// Checks type (whole numbers pass as reals), range, choice and NaN; returns the value in the parameter's type.
+/// Checks type (whole numbers pass as reals), range, choice and NaN; returns the value in the parameter's type. Throws
+/// std::invalid_argument "parameter 'cell_size' of planner 'stc' is -1, expected a number from 0 to 100".
 Value checked(const std::string& owner, const ParameterInfo& parameter, const Value& value);
 /// The parameter called `name`; throws "unknown parameter 'lane_width' of planner 'stc'; it has: ...".
 const ParameterInfo& find_parameter(const std::string& owner, const std::vector<ParameterInfo>& all,
                                     const std::string& name);
+/// Every setting checked and in its parameter's type; throws as find_parameter and checked do.
+Settings checked(const std::string& owner, const std::vector<ParameterInfo>& parameters, const Settings& settings);
 
+/// What users see of each line, with the struct's defaults.
 template <class P>
-std::vector<ParameterInfo> to_infos(const std::vector<Parameter<P>>& lines) {
+std::vector<ParameterInfo> infos_of(const std::vector<Parameter<P>>& lines) {
   const P defaults{};
   std::vector<ParameterInfo> infos;
   for (const Parameter<P>& line : lines) {
-    Value fallback = std::visit(
-        [&](auto member) -> Value {
-          using T = std::decay_t<decltype(defaults.*member)>;
-          if constexpr (std::is_same_v<T, int>)
-            return static_cast<std::int64_t>(defaults.*member);
-          else
-            return defaults.*member;
-        },
-        line.member);
-    infos.push_back({line.name, std::move(fallback), line.range, line.choices, line.help});
+    infos.push_back(line.info);
+    infos.back().fallback = line.get(defaults);
   }
   return infos;
 }
 
-/// The struct with `settings` written over its defaults. Throws one sentence for an unknown name, a wrong type,
-/// a value out of range or not among the choices.
+/// Writes checked settings over the members of `target`.
+template <class P>
+void apply_settings(const std::string& owner, const std::vector<Parameter<P>>& lines, const Settings& settings,
+                    P& target) {
+  const Settings all = checked(owner, infos_of(lines), settings);
+  for (const Parameter<P>& line : lines)
+    if (const auto given = all.find(line.info.name); given != all.end()) line.set(target, given->second);
+}
+
+/// The struct with `settings` written over its defaults.
 template <class P>
 P with_settings(const std::string& owner, const std::vector<Parameter<P>>& lines, const Settings& settings) {
-  const std::vector<ParameterInfo> infos = to_infos(lines);
   P result{};
-  for (const auto& [name, given] : settings) {
-    const ParameterInfo& info = find_parameter(owner, infos, name);
-    const Value value = checked(owner, info, given);
-    const Parameter<P>& line = lines[static_cast<std::size_t>(&info - infos.data())];
-    std::visit(
-        [&](auto member) {
-          using T = std::decay_t<decltype(result.*member)>;
-          if constexpr (std::is_same_v<T, int>)
-            result.*member = static_cast<int>(std::get<std::int64_t>(value));
-          else
-            result.*member = std::get<T>(value);
-        },
-        line.member);
-  }
+  apply_settings(owner, lines, settings, result);
   return result;
 }
 

@@ -4,13 +4,21 @@
 ///   nearest_name("room", {"rooms", "maze"})      // "rooms"
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace oxturn {
 
 /// Shortest decimal that reads back as the same double; -0 is written as 0.
 std::string to_decimal(double value);
+
+/// The finite number that the whole text is ("2.5", "+1e-3"); nothing for anything else.
+std::optional<double> parse_number(std::string_view text);
+/// Digits only: the whole number from 0 to 2^64 - 1 that the text is.
+std::optional<std::uint64_t> parse_whole(std::string_view text);
 
 /// The candidate with the least edit distance to `word` (the first of equals); empty only if there are no candidates.
 /// O(|word| * sum of candidates' lengths).

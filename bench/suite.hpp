@@ -10,6 +10,7 @@
 #include "algorithms/coverage_planner.hpp"
 #include "maps/formats.hpp"
 #include "maps/map.hpp"
+#include "maps/robot.hpp"
 #include "maps/locations.hpp"
 
 namespace oxturn {

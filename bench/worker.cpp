@@ -84,7 +84,7 @@ Setting set_up(const Work& work, const SuiteCell& cell) {
     // Scoring needs these, and would build them for the second planner but not for the first.
     s.problem->walls();
     s.problem->target();
-    if (robot.tether) s.problem->taut_space();
+    if (robot.tether) s.problem->tether()->taut_space();
     s.problem_file = fmt::format("maps/{}.geojson", s.hash);
     const std::string file = fmt::format("{}/{}", work.options.folder, s.problem_file);
     if (!std::filesystem::exists(file)) write_file(file, to_geojson(*s.problem));

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace oxturn {
@@ -21,6 +22,9 @@ inline Point lerp(const Point& a, const Point& b, double t) { return a + t * (b 
 inline Point perpendicular(const Point& v) { return {-v.y(), v.x()}; }
 /// Lexicographic order, for sets and deterministic sorting.
 inline bool before(const Point& a, const Point& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); }
+
+/// "(2, 3)", shortest round-trip numbers: for messages.
+std::string to_text(const Point& p);
 
 /// Nearest point to p on the segment ab (a == b is allowed).
 inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b) {

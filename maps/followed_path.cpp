@@ -7,9 +7,9 @@
 namespace oxturn {
 
 TautTether tether_at_start(const Problem& problem) {
-  TautTether string(problem.taut_space(), problem.anchor());
+  TautTether string(problem.tether()->taut_space(), problem.anchor());
   if (problem.anchor() == problem.start()) return string;
-  const Polyline geodesic = problem.geodesics().path(problem.start());
+  const Polyline geodesic = problem.tether()->geodesics().path(problem.start());
   if (geodesic.empty()) throw std::logic_error("a tethered problem whose anchor has no way to its start");
   for (std::size_t i = 1; i + 1 < geodesic.size(); ++i) string.drive(geodesic[i]);
   string.drive(problem.start());

@@ -1,26 +1,25 @@
-// Files in and out. Readers and writers are listed in maps/formats/formats.cpp and nowhere else.
-//
-// All readers throw std::invalid_argument with "FILE[:LINE]: what is wrong, what was expected". Writers write to
-// a temporary file beside the target and rename it, so nothing half-written is ever left; they throw
-// std::runtime_error("cannot write 'out/x.svg': Permission denied").
+/// Map files in and out.
+///
+///   const MapFormats formats = built_in_map_formats();
+///   MapFile file = read_map("kitchen.yaml", {{"drop_speckle", 0.02}}, formats);
+///   write_map("kitchen.geojson", file, formats);
+///
+/// Readers throw std::invalid_argument "FILE[:LINE]: what is wrong, what was expected".
 #pragma once
 
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/named_list.hpp"
+#include "base/parameters.hpp"
 #include "maps/map.hpp"
 #include "maps/problem.hpp"
+#include "maps/robot.hpp"
 
 namespace oxturn {
-
-struct ReadOptions {
-  double metres_per_pixel = 0;   // plain images; 0: not given
-  bool unknown_is_free = false;  // rasters: unknown counts as wall unless told otherwise
-  double drop_speckle_m2 = 0;    // rasters: obstacles up to this area are dropped (and said); 0: none
-  double simplify_m = 0;         // rasters: simplify_inward with this tolerance; 0: exact cell boundaries
-};
 
 /// What a file holds: the map, and whatever else of a problem it says.
 struct MapFile {
@@ -30,19 +29,50 @@ struct MapFile {
   std::vector<std::string> remarks;  // what the reader did that the user should know, one sentence each
 };
 
+/// A kind of file. Maps of this kind can be read, written, or both.
 struct MapFormat {
   std::string name;  // "ros", "geojson"
   std::string title;
-  std::vector<std::string> suffixes;  // ".yaml", ...
-  std::function<MapFile(const std::string& file, const ReadOptions&)> read;
+  std::vector<std::string> suffixes;                                               // ".yaml", ...
+  std::vector<ParameterInfo> parameters;                                           // of reading
+  std::function<MapFile(const std::string& file, const Settings& settings)> read;  // empty: cannot be read
+  std::function<std::string(const MapFile& file)> write;                           // empty: cannot be written
 };
-const std::vector<MapFormat>& map_formats();
+using MapFormats = NamedList<MapFormat>;
 
-/// By the file's suffix. Throws for a missing file, an unknown suffix (with the list), or bad content.
-MapFile read_map(const std::string& file, const ReadOptions& options = {});
+/// The formats that come with oxturn; maps/formats/formats.cpp lists them.
+MapFormats built_in_map_formats();
 
-/// GeoJSON Feature with name, start, anchor, robot, source (design.md section 5).
+/// The parameters of all readers, each name once.
+std::vector<ParameterInfo> reader_parameters(const MapFormats& formats);
+
+/// Reads the file in the format that its suffix names. A setting that this format does not have but another one has
+/// becomes a remark. Throws for a missing file, an unknown suffix (with the list), a bad setting or bad content.
+MapFile read_map(const std::string& file, const Settings& settings, const MapFormats& formats);
+
+/// Writes the file in the format that its suffix names. Throws std::invalid_argument for a suffix that cannot be written
+/// (with the list), std::runtime_error if the file cannot be written.
+void write_map(const std::string& file, const MapFile& map, const MapFormats& formats);
+/// Throws as write_map does for the suffix, without writing.
+const MapFormat& format_to_write(const std::string& file, const MapFormats& formats);
+
+/// GeoJSON Feature with name, start, anchor, robot and source.
 std::string to_geojson(const Problem& problem);
 std::string to_geojson(const MapFile& map);
+
+/// The description of a format that is read with the parameters of P.
+template <class P>
+MapFormat describe_format(std::string name, std::string title, std::vector<std::string> suffixes,
+                          std::vector<Parameter<P>> lines, MapFile (*read)(const std::string&, const P&),
+                          std::string (*write)(const MapFile&) = nullptr) {
+  MapFormat format{name, std::move(title), std::move(suffixes), infos_of(lines), {}, {}};
+  if (read != nullptr)
+    format.read = [owner = "format '" + name + "'", lines = std::move(lines), read](const std::string& file,
+                                                                                    const Settings& settings) {
+      return read(file, with_settings<P>(owner, lines, settings));
+    };
+  if (write != nullptr) format.write = write;
+  return format;
+}
 
 }  // namespace oxturn

@@ -1,10 +1,16 @@
-// Seeded families of maps. Same parameters and seed, same bytes, on every machine.
+/// Seeded families of maps. Same parameters and seed, same bytes, on every machine.
+///
+///   const Generators generators = built_in_generators();
+///   const Map map = generate("rooms", {{"rooms", 9}}, 7, generators);
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "base/named_list.hpp"
+#include "base/parameters.hpp"
 #include "base/random.hpp"
 #include "maps/map.hpp"
 
@@ -17,18 +23,19 @@ struct GeneratorInfo {
   std::function<Region(const Settings&, Rng&)> make;
 };
 
-/// Generators are listed in maps/generators/generators.cpp and nowhere else.
-const std::vector<GeneratorInfo>& generators();
-/// Throws "no generator 'room'; did you mean 'rooms'? There are: ...".
-const GeneratorInfo& find_generator(const std::string& name);
+using Generators = NamedList<GeneratorInfo>;
+
+/// The generators that come with oxturn; maps/generators/generators.cpp lists them.
+Generators built_in_generators();
 /// A named map ("rooms-7"); throws std::invalid_argument for bad settings.
-Map generate(const std::string& generator, const Settings& settings, std::uint64_t seed);
+Map generate(const GeneratorInfo& generator, const Settings& settings, std::uint64_t seed);
+Map generate(const std::string& generator, const Settings& settings, std::uint64_t seed, const Generators& generators);
 
 /// Helper for generator files, as describe<> is for planners.
 template <class P>
 GeneratorInfo describe_generator(std::string name, std::string title, std::string guarantee,
                                  std::vector<Parameter<P>> lines, Region (*make)(const P&, Rng&)) {
-  GeneratorInfo info{name, std::move(title), std::move(guarantee), to_infos(lines), {}};
+  GeneratorInfo info{name, std::move(title), std::move(guarantee), infos_of(lines), {}};
   info.make = [owner = "generator '" + name + "'", lines = std::move(lines), make](const Settings& s, Rng& rng) {
     return make(with_settings<P>(owner, lines, s), rng);
   };

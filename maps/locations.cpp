@@ -4,16 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <tuple>
 
-#include "geometry/edge_index.hpp"
-#include "maps/formats.hpp"
-#include "maps/problem.hpp"
 #include "base/text.hpp"
+#include "geometry/edge_index.hpp"
+#include "maps/problem.hpp"
 
 namespace oxturn {
 namespace {
@@ -23,15 +21,6 @@ const char* word(LocationKind of) { return of == LocationKind::start ? "start" :
 [[noreturn]] void refuse(LocationKind of, const std::string& text) {
   throw std::invalid_argument(fmt::format("{} is '{}', expected X,Y: two finite numbers in metres, or one of: {}",
                                           word(of), text, fmt::join(location_names(of), ", ")));
-}
-
-std::optional<double> number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
 }
 
 Point lower_left(const Map& map, Robot robot) {
@@ -92,7 +81,7 @@ Location parse_location(LocationKind of, const std::string& text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) return named_location(of, text);
   const std::string_view all = text;
-  const auto x = number(all.substr(0, comma)), y = number(all.substr(comma + 1));
+  const auto x = parse_number(all.substr(0, comma)), y = parse_number(all.substr(comma + 1));
   if (!x || !y) refuse(of, text);
   return {"", {*x, *y}};
 }
@@ -103,7 +92,7 @@ std::string to_text(const Location& place) {
 }
 
 StartAndAnchor resolve(const Map& map, const Robot& robot, const std::optional<Location>& start,
-               const std::optional<Location>& anchor) {
+                       const std::optional<Location>& anchor) {
   StartAndAnchor found;
   if (start) {
     found.start = start->name.empty()       ? start->point

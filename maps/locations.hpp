@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "maps/map.hpp"
+#include "maps/robot.hpp"
 
 namespace oxturn {
 
@@ -39,6 +40,6 @@ struct StartAndAnchor {
 /// is none, it is the middle. A named anchor lies in the closed free space, exactly. Throws std::invalid_argument
 /// where the robot fits nowhere; whether given points are good is for Problem to say.
 StartAndAnchor resolve(const Map& map, const Robot& robot, const std::optional<Location>& start,
-               const std::optional<Location>& anchor);
+                       const std::optional<Location>& anchor);
 
 }  // namespace oxturn

@@ -1,45 +1,35 @@
 // Map + robot + start -> configuration space and target.
 //
-// Complexity  n corners: repair, erosion and dilation O(n log n) each; target, its excess, shortest paths and walls
-//             are made at the first question, once, whichever thread asks.
+// Complexity  n vertices: repair, erosion and dilation O(n log n) each; target, its excess, shortest paths and edge
+//             indexes are built at the first call, once, whichever thread asks.
 // Decisions   1. Configuration space errs inside by at most tool_width / 1000 (erode, Bound::inside): what it calls
 //                free is free. `target` is what can be covered from that space, not from the ideal one.
 //             2. A tool no wider than the robot never leaves free space, so nothing is intersected then.
-//             3. A tether's classes are those of robot paths: gaps that the robot cannot pass are closed by barriers. A gap
-//                counts as open if configuration space reaches through it, whatever its width says.
-//             4. {distance <= tether length} is cut out along its border by a strip w / 10^4 wide, inside of it; the area
-//                lost counts in target_excess. What the leash reaches only past places that it does not reach is no
-//                part of configuration space.
-//             5. A tethered robot whose anchor is given and whose start is not starts as near to the anchor as it fits.
-//             6. A polygonal footprint keeps its orientation, so configuration space is a plane region: free space less the
+//             3. A tethered robot whose anchor is given and whose start is not starts as near to the anchor as it fits.
+//             4. A polygonal footprint keeps its orientation, so configuration space is a plane region: free space less the
 //                Minkowski sum of walls and reflected footprint (minkowski.hpp). Its `radius` becomes that of the largest
 //                disc inside, so that what planners conclude from the radius (a tool that cannot reach over walls) holds.
-//             7. The place offered to a start in a wall has as few decimals as still lie inside, to be typed again.
 #include "maps/problem.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 
-#include "geometry/overlay/boolean.hpp"
-#include "geometry/mesh/mesh.hpp"
-#include "geometry/overlay/minkowski.hpp"
-#include "geometry/overlay/offset.hpp"
-#include "geometry/predicates.hpp"
-#include "geometry/overlay/cut_along.hpp"
-#include "geometry/overlay/validity.hpp"
-#include "maps/formats.hpp"
 #include "base/sha256.hpp"
 #include "base/text.hpp"
+#include "geometry/mesh/mesh.hpp"
+#include "geometry/overlay/boolean.hpp"
+#include "geometry/overlay/offset.hpp"
+#include "geometry/overlay/validity.hpp"
+#include "geometry/predicates.hpp"
+#include "maps/configuration_space.hpp"
 
 namespace oxturn {
 namespace {
-
-std::string text(const Point& p) { return fmt::format("({}, {})", to_decimal(p.x()), to_decimal(p.y())); }
 
 double largest_coordinate(const Region& region) {
   const Box box = bounding_box(region);
@@ -62,107 +52,6 @@ Region repaired_or_named(const Map& map) {
   return free;
 }
 
-std::string size_of(const Robot& robot) {
-  if (robot.footprint.empty()) return "radius " + to_decimal(robot.radius);
-  return fmt::format("footprint of {} corners", robot.footprint.size());
-}
-
-/// Everywhere the robot fits, in all connected parts.
-Region eroded(const Map& map, const Region& free, const Robot& robot) {
-  Region all = !robot.footprint.empty() ? erode(free, robot.footprint, Bound::inside)
-               : robot.radius > 0       ? erode(free, robot.radius, robot.tool_width / 1000, Bound::inside)
-                                        : free;
-  if (all.empty())
-    throw std::invalid_argument(
-        fmt::format("robot '{}' ({}) fits nowhere in map '{}'; its widest passage is too narrow", robot.name,
-                    size_of(robot), map.name));
-  return all;
-}
-
-/// The largest part of configuration space and the centroid of its largest triangle; the first of equals.
-struct Middle {
-  Point place;
-  const Polygon* part;
-  Mesh mesh;
-};
-
-Middle middle(const Region& all) {
-  const Polygon* largest = nullptr;
-  double most = -1;
-  for (const Polygon& polygon : all.polygons)
-    if (const double a = area(polygon); a > most) {
-      most = a;
-      largest = &polygon;
-    }
-  Mesh mesh(Region{{*largest}});
-  const auto corner = [&](const Mesh::Triangle& t, std::size_t k) -> const Point& {
-    return mesh.points()[static_cast<std::size_t>(t.corner[k])];
-  };
-  const Mesh::Triangle* best = nullptr;
-  double widest = -1;
-  for (const Mesh::Triangle& t : mesh.triangles())
-    if (const double a = cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0)); a > widest) {
-      widest = a;
-      best = &t;
-    }
-  // thinner than any triangle: its boundary is all there is
-  const Point place =
-      best == nullptr ? largest->outer.front() : Point((corner(*best, 0) + corner(*best, 1) + corner(*best, 2)) / 3);
-  return {place, largest, std::move(mesh)};
-}
-
-/// How far p is from a closed polygon. By a scan: one question does not pay for an EdgeIndex.
-double distance_to(const Polygon& polygon, const Point& p) {
-  const Region region{{polygon}};
-  double least = std::numeric_limits<double>::infinity();
-  for_each_ring(region, [&](const Ring& ring) {
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
-      least = on_segment(p, ring[j], ring[i]) ? 0 : std::min(least, distance_to_segment(p, ring[j], ring[i]));
-  });
-  return contains(region, p) ? 0 : least;
-}
-
-/// The polygon that holds p, or the nearest of those within the tolerance; nullptr if there is none.
-const Polygon* part_with(const Region& all, const Point& p, double tolerance) {
-  const Polygon* nearest = nullptr;
-  double least = tolerance;
-  for (const Polygon& polygon : all.polygons) {
-    Box box;
-    for (const Point& q : polygon.outer) box.add(q);
-    box.grow(tolerance);
-    if (!box.contains(p)) continue;
-    const double away = distance_to(polygon, p);
-    if (away == 0) return &polygon;
-    if (away <= least) {
-      least = away;
-      nearest = &polygon;
-    }
-  }
-  return nearest;
-}
-
-bool holds(const Region& region, const Point& p, double tolerance) {
-  return part_with(region, p, tolerance) != nullptr;
-}
-
-/// A place of `all` next to the one nearest to p, with as few decimals as keep it inside.
-Point nearest_point_inside(const Region& all, const Point& p, double tool_width) {
-  const EdgeIndex edges(all);
-  const auto hit = edges.nearest(p);
-  const Point place = hit ? hit->place : all.polygons.front().outer.front();
-  for (const double unit : {1e2, 1e3, 1e4, 1e5, 1e6}) {
-    std::optional<Point> best;
-    for (const int i : {0, -1, 1})
-      for (const int j : {0, -1, 1}) {
-        const Point q((std::round(place.x() * unit) + i) / unit, (std::round(place.y() * unit) + j) / unit);
-        if (distance(q, place) > tool_width / 5 || !edges.contains(q)) continue;
-        if (!best || distance(q, p) < distance(*best, p)) best = q;
-      }
-    if (best) return *best;
-  }
-  return place;
-}
-
 /// Sum of the angles by which the boundary turns left: each such radian becomes an arc when dilated.
 double convex_turning(const Region& region) {
   double sum = 0;
@@ -176,58 +65,20 @@ double convex_turning(const Region& region) {
   return sum;
 }
 
-/// Across every gap that the robot cannot pass; see Decision 3.
-std::vector<Polyline> gaps_to_close(const Region& free, const Robot& robot, const Region& space) {
-  if (robot.radius <= 0) return {};
-  std::vector<Polyline> gaps = barriers(free, 2 * robot.radius + robot.tool_width / 250);
-  const EdgeIndex walls(space);
-  std::erase_if(gaps, [&](const Polyline& gap) { return walls.contains(lerp(gap.front(), gap.back(), 0.5)); });
-  return gaps;
+void require_finite(const char* what, const std::optional<Point>& p) {
+  if (p && !finite(*p))
+    throw std::invalid_argument(fmt::format("{} {} is not finite, expected metres", what, to_text(*p)));
 }
 
-/// The largest distance within `space`: it is taken at a corner, or where two ways round an obstacle meet.
-double farthest_in(const Region& space, const GeodesicField& field, double chord) {
-  double most = 0;
-  const auto add = [&](const Point& p) {
-    if (const double d = field.distance(p); std::isfinite(d)) most = std::max(most, d);
-  };
-  for_each_ring(space, [&](const Ring& ring) { std::for_each(ring.begin(), ring.end(), add); });
-  const EdgeIndex walls(space);
-  for (const Polyline& curve : field.cut(chord))
-    for (std::size_t i = 1; i < curve.size(); ++i) {
-      const double n = std::max(1.0, std::ceil(distance(curve[i - 1], curve[i]) / (5 * chord)));
-      for (double k = 0; k <= n; ++k)
-        if (const Point p = lerp(curve[i - 1], curve[i], k / n); walls.contains(p)) add(p);
-    }
-  return most;
-}
-
-/// The part of `space` that holds the start and that the tether reaches. `lost` grows by the area that may be missing.
-Region within_tether(const Region& space, const GeodesicField& field, const Problem& problem, double& lost) {
-  const double limit = problem.robot().tether->length, w = problem.robot().tool_width;
-  const Point extent = bounding_box(space).size();
-  const double strip = std::max(w / 10000, std::ldexp(extent.maxCoeff(), -24));
-  std::vector<Polyline> border;
-  for (const std::vector<GeodesicField::Arc>& chain : field.level(limit)) {
-    Polyline line = sampled(chain, strip);
-    if (line.size() < 2) continue;
-    lost += 2 * strip * length(line);
-    // Where the robot has no size, free space ends where the chain does: the strip must not leave a hair open.
-    const Point first = line[0] - line[1], last = line[line.size() - 1] - line[line.size() - 2];
-    if (line.front() != line.back()) {
-      line.insert(line.begin(), line.front() + first.normalized() * 4 * strip);
-      line.push_back(line.back() + last.normalized() * 4 * strip);
-    }
-    border.push_back(std::move(line));
-  }
-  if (border.empty()) return space;
-  const Region parts = slit(space, border, strip);
-  const Polygon* part = part_with(parts, problem.start(), 2 * strip);
-  if (part == nullptr)
-    throw std::invalid_argument(
-        fmt::format("tether of robot '{}' ({} m) only just reaches the start {}; a longer one is needed to move",
-                    problem.robot().name, to_decimal(limit), text(problem.start())));
-  return Region{{*part}};
+[[noreturn]] void refuse_start(const Map& map, const Robot& robot, const Point& start, const Region& all,
+                               double tolerance) {
+  const std::string nearest = to_text(nearest_point_inside(all, start, robot.tool_width));
+  if (!holds(map.free, start, tolerance))
+    throw std::invalid_argument(fmt::format("start {} is inside a wall of '{}'; nearest point where the robot fits: {}",
+                                            to_text(start), map.name, nearest));
+  throw std::invalid_argument(
+      fmt::format("start {} is too near a wall of '{}' for robot '{}' ({}); nearest point where the robot fits: {}",
+                  to_text(start), map.name, robot.name, size_text(robot), nearest));
 }
 
 }  // namespace
@@ -239,16 +90,11 @@ struct ProblemBasis {
   Point start{0, 0}, anchor{0, 0};
   double tolerance = 0;
   std::shared_ptr<const Region> space;
-  // Tethered robots only.
-  std::shared_ptr<const Region> robot_space;
-  std::vector<Polyline> closed_gaps;
-  std::unique_ptr<const GeodesicField> geodesics;
-  double lost = 0;  // m^2 that `space` may be smaller than what the leash reaches
+  std::unique_ptr<const TetherModel> tether;  // nullptr: no tether
+  double lost_m2 = 0;                         // area by which `space` may be smaller than what the tether reaches
 
-  mutable std::once_flag taut_once;
-  mutable std::unique_ptr<const TautSpace> taut;
-
-  mutable std::once_flag target_once, excess_once;
+  mutable std::once_flag target_once, excess_once, edges_once;
+  mutable std::unique_ptr<const EdgeIndex> edges;
   mutable Region target_region;
   mutable double excess = 0;
 
@@ -271,12 +117,17 @@ struct ProblemBasis {
   double target_excess() const {
     std::call_once(excess_once, [this] {
       const Region outer = intersect(dilate(*space, robot.tool_width / 2, target_chord(), Bound::outside), map.free);
-      // Both operands of a boolean are snapped to 2^-30 of their extent: as much may be lost along the boundary.
+      // A boolean snaps its operands to 2^-30 of their extent, so as much may be lost along the boundary.
       const Box box = bounding_box(map.free);
       const double snapping = perimeter(outer) * box.size().maxCoeff() * std::ldexp(1.0, -29);
-      excess = std::max(0.0, area(outer) - area(target())) + snapping + lost;
+      excess = std::max(0.0, area(outer) - area(target())) + snapping + lost_m2;
     });
     return excess;
+  }
+
+  const EdgeIndex& map_edges() const {
+    std::call_once(edges_once, [this] { edges = std::make_unique<const EdgeIndex>(map.free); });
+    return *edges;
   }
 };
 
@@ -293,69 +144,68 @@ struct Problem::Impl {
       : basis(std::move(b)), space(std::move(s)), start(from) {}
 };
 
+namespace {
+
+/// Configuration space is smaller than without the tether.
+bool limited_by_tether(const ProblemBasis& basis) {
+  return basis.tether && &basis.tether->robot_space() != basis.space.get();
+}
+
+/// Adds the tether to a basis whose space is still that of the robot alone, and cuts the space down to its reach.
+void attach_tether(ProblemBasis& basis) {
+  basis.tether =
+      std::make_unique<const TetherModel>(basis.map.free, basis.space, basis.robot, basis.anchor, basis.tolerance);
+  const TetherModel& model = *basis.tether;
+  const double away = model.geodesics().distance(basis.start);
+  if (!std::isfinite(away))
+    throw std::invalid_argument(
+        fmt::format("anchor {} is out of reach: no path wide enough for robot '{}' leads there from the start {}; "
+                    "expected a point in the same part of '{}'",
+                    to_text(basis.anchor), basis.robot.name, to_text(basis.start), basis.map.name));
+  Tether& tether = *basis.robot.tether;
+  if (tether.reach > 0) tether = {tether.reach * model.farthest(), 0, tether.sharp_angle};
+  if (away > tether.length)
+    throw std::invalid_argument(fmt::format(
+        "tether of robot '{}' is {} m long, too short for the start {}, {} m from the anchor {}", basis.robot.name,
+        to_decimal(tether.length), to_text(basis.start), fmt::format("{:.4g}", away), to_text(basis.anchor)));
+  // Between two samples of the cut the distance may be a little larger than at both.
+  if (model.farthest() + basis.robot.tool_width / 5 <= tether.length) return;
+  TetherReach reach = within_tether(model, basis.robot, basis.start);
+  basis.lost_m2 = reach.lost_m2;
+  basis.space = std::make_shared<const Region>(std::move(reach.space));
+}
+
+}  // namespace
+
 Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional<Point> anchor) {
   check(robot);
   if (!robot.footprint.empty()) robot.radius = in_radius(robot.footprint);
-  const auto basis = std::make_shared<ProblemBasis>();
   map.free = repaired_or_named(map);
-  if (start && !finite(*start))
-    throw std::invalid_argument(fmt::format("start {} is not finite, expected metres", text(*start)));
-  if (anchor && !finite(*anchor))
-    throw std::invalid_argument(fmt::format("anchor {} is not finite, expected metres", text(*anchor)));
+  require_finite("start", start);
+  require_finite("anchor", anchor);
 
   const Region all = eroded(map, map.free, robot);
-  const double tolerance = tolerance_of(map.free, robot);
-  std::optional<Middle> found;
-  if (!start && !(robot.tether && anchor)) found = middle(all);
+  const auto basis = std::make_shared<ProblemBasis>();
+  basis->tolerance = tolerance_of(map.free, robot);
+  std::optional<DefaultStart> found;
+  if (!start && !(robot.tether && anchor)) found = find_default_start(all);
   basis->start = start                    ? *start
-                 : found                  ? found->place
+                 : found                  ? found->point
                  : holds(all, *anchor, 0) ? *anchor
                                           : nearest_point_inside(all, *anchor, robot.tool_width);
-  const Polygon* part = part_with(all, basis->start, tolerance);
-  if (part == nullptr) {
-    const std::string place = text(nearest_point_inside(all, basis->start, robot.tool_width));
-    if (!holds(map.free, basis->start, tolerance))
-      throw std::invalid_argument(fmt::format("start {} is inside a wall of '{}'; nearest place the robot fits: {}",
-                                              text(basis->start), map.name, place));
-    throw std::invalid_argument(
-        fmt::format("start {} is too near a wall of '{}' for robot '{}' ({}); nearest place the robot fits: {}",
-                    text(basis->start), map.name, robot.name, size_of(robot), place));
-  }
+  const Polygon* component = component_at(all, basis->start, basis->tolerance);
+  if (component == nullptr) refuse_start(map, robot, basis->start, all, basis->tolerance);
   basis->anchor = anchor ? *anchor : basis->start;
-  if (anchor && !holds(map.free, *anchor, tolerance))
+  if (anchor && !holds(map.free, *anchor, basis->tolerance))
     throw std::invalid_argument(
-        fmt::format("anchor {} is inside a wall of '{}', expected a place in free space", text(*anchor), map.name));
-  basis->space = std::make_shared<const Region>(Region{{*part}});
-  basis->tolerance = tolerance;
+        fmt::format("anchor {} is inside a wall of '{}', expected a point in free space", to_text(*anchor), map.name));
+  basis->space = std::make_shared<const Region>(Region{{*component}});
   basis->map = std::move(map);
   basis->robot = std::move(robot);
-  const bool meshed = found && found->part == part;
+  if (basis->robot.tether) attach_tether(*basis);
+  const bool meshed = found && found->component == component && !limited_by_tether(*basis);
   impl_ = std::make_shared<const Impl>(basis, basis->space, basis->start);
   if (meshed) impl_->mesh = std::move(found->mesh);
-  if (!basis->robot.tether) return;
-
-  const Region& free = basis->map.free;
-  basis->robot_space = basis->space;
-  basis->closed_gaps = gaps_to_close(free, basis->robot, *basis->space);
-  basis->geodesics = std::make_unique<const GeodesicField>(free, basis->anchor, basis->closed_gaps, tolerance);
-  const GeodesicField& field = *basis->geodesics;
-  const double away = field.distance(basis->start);
-  if (!std::isfinite(away))
-    throw std::invalid_argument(
-        fmt::format("anchor {} is out of reach: no way wide enough for robot '{}' leads there from the start {}; "
-                    "expected a place in the same part of '{}'",
-                    text(basis->anchor), basis->robot.name, text(basis->start), basis->map.name));
-  const double most = farthest_in(*basis->robot_space, field, basis->robot.tool_width / 100);
-  Tether& tether = *basis->robot.tether;
-  if (tether.reach > 0) tether = {tether.reach * most, 0, tether.sharp_angle};
-  if (away > tether.length)
-    throw std::invalid_argument(fmt::format(
-        "tether of robot '{}' is {} m long, too short for the start {}, {} m from the anchor {}", basis->robot.name,
-        to_decimal(tether.length), text(basis->start), fmt::format("{:.4g}", away), text(basis->anchor)));
-  // Between two places looked at on the cut the distance may be a little larger.
-  if (most + basis->robot.tool_width / 5 <= tether.length) return;
-  basis->space = std::make_shared<const Region>(within_tether(*basis->robot_space, field, *this, basis->lost));
-  impl_ = std::make_shared<const Impl>(basis, basis->space, basis->start);
 }
 
 Problem::Problem(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
@@ -367,40 +217,12 @@ const Robot& Problem::robot() const { return impl_->basis->robot; }
 const Point& Problem::start() const { return impl_->start; }
 const Point& Problem::anchor() const { return impl_->basis->anchor; }
 const Region& Problem::configuration_space() const { return *impl_->space; }
-bool Problem::limited() const {
-  const ProblemBasis& basis = *impl_->basis;
-  return impl_->space != basis.space || (basis.robot_space && basis.robot_space != basis.space);
-}
+bool Problem::limited() const { return impl_->space != impl_->basis->space || limited_by_tether(*impl_->basis); }
+const TetherModel* Problem::tether() const { return impl_->basis->tether.get(); }
 const Region& Problem::target() const { return impl_->basis->target(); }
 double Problem::target_excess() const { return impl_->basis->target_excess(); }
 double Problem::tolerance() const { return impl_->basis->tolerance; }
-
-namespace {
-[[noreturn]] void no_tether(const Robot& robot) {
-  throw std::logic_error(fmt::format("robot '{}' has no tether, but its tether was asked for", robot.name));
-}
-}  // namespace
-
-const Region& Problem::space_of_robot() const {
-  if (!robot().tether) no_tether(robot());
-  return *impl_->basis->robot_space;
-}
-
-const std::vector<Polyline>& Problem::closed_gaps() const {
-  if (!robot().tether) no_tether(robot());
-  return impl_->basis->closed_gaps;
-}
-const GeodesicField& Problem::geodesics() const {
-  if (!robot().tether) no_tether(robot());
-  return *impl_->basis->geodesics;
-}
-
-const TautSpace& Problem::taut_space() const {
-  if (!robot().tether) no_tether(robot());
-  const ProblemBasis& basis = *impl_->basis;
-  std::call_once(basis.taut_once, [&] { basis.taut = std::make_unique<const TautSpace>(basis.map.free); });
-  return *basis.taut;
-}
+const EdgeIndex& Problem::map_edges() const { return impl_->basis->map_edges(); }
 
 const ShortestPaths& Problem::transit() const {
   std::call_once(impl_->transit_once, [this] {
@@ -423,31 +245,20 @@ Problem Problem::restricted(Region configuration_space) const {
 Problem Problem::restricted(Region configuration_space, const Point& start) const {
   if (!holds(configuration_space, start, tolerance()))
     throw std::invalid_argument(
-        fmt::format("restricted configuration space of '{}' does not hold the start {}", map().name, text(start)));
+        fmt::format("restricted configuration space of '{}' does not hold the start {}", map().name, to_text(start)));
   return Problem(std::make_shared<const Impl>(impl_->basis,
                                               std::make_shared<const Region>(std::move(configuration_space)), start));
 }
 
 std::string Problem::content_hash() const {
-  std::string bytes = canonical_bytes(map().free);
-  const Robot& r = robot();
-  for (const double value :
-       {r.radius, r.tool_width, r.speed, r.acceleration, r.turn_rate, r.min_turn_radius, r.tether ? 1.0 : 0.0,
-        r.tether ? r.tether->length : 0.0, r.lidar ? 1.0 : 0.0, r.lidar ? r.lidar->range : 0.0,
-        r.lidar ? static_cast<double>(r.lidar->rays) : 0.0, start().x(), start().y(), anchor().x(), anchor().y()})
-    append_canonical(bytes, value);
-  if (r.tether) append_canonical(bytes, r.tether->sharp_angle);
-  if (r.lidar && r.lidar->noise != 0) append_canonical(bytes, r.lidar->noise);
-  for (const Point& p : r.footprint) {
-    append_canonical(bytes, p.x());
-    append_canonical(bytes, p.y());
-  }
+  std::string bytes = canonical_bytes(map().free) + canonical_text(robot());
+  for (const double value : {start().x(), start().y(), anchor().x(), anchor().y()}) append_canonical(bytes, value);
   return sha256(bytes);
 }
 
 Point default_start(const Map& map, const Robot& robot) {
   check(robot);
-  return middle(eroded(map, repaired_or_named(map), robot)).place;
+  return find_default_start(eroded(map, repaired_or_named(map), robot)).point;
 }
 
 }  // namespace oxturn

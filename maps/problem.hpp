@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "geometry/edge_index.hpp"
-#include "geometry/tether/geodesic_field.hpp"
-#include "geometry/region.hpp"
 #include "geometry/paths/shortest_path.hpp"
-#include "geometry/tether/taut_tether.hpp"
+#include "geometry/region.hpp"
 #include "maps/map.hpp"
+#include "maps/robot.hpp"
+#include "maps/tether_model.hpp"
 
 namespace oxturn {
 
@@ -30,28 +30,23 @@ class Problem {
   const Point& start() const;
   const Point& anchor() const;  // by default the start
 
-  /// Where the robot's centre may be: one polygon with holes. Closed. With a tether: that part of space_of_robot() to
-  /// which the tether reaches along the shortest way (geodesics().distance <= length) and which holds the start.
+  /// Where the robot's centre may be: one polygon with holes. Closed. With a tether: that part of
+  /// tether()->robot_space() which the tether reaches (geodesics().distance <= length) and which holds the start.
   const Region& configuration_space() const;
   /// What can be covered: configuration space (+) disc(tool_width / 2), within free space; `target` errs
   /// inside, and `target_excess` bounds from above the area by which the true target is larger (m^2).
   const Region& target() const;
   double target_excess() const;
 
-  // --- tethered robots only (else std::logic_error); each built at the first call (thread-safe) ---
-  /// Where the robot's centre might be if its tether were endless.
-  const Region& space_of_robot() const;
-  /// Lines across the gaps of free space that the robot cannot pass.
-  const std::vector<Polyline>& closed_gaps() const;
-  /// Distances from the anchor in free space less the closed gaps.
-  const GeodesicField& geodesics() const;
-  /// What a taut string of this map can bend about (no barriers: a driven way has its class).
-  const TautSpace& taut_space() const;
+  /// Geodesic distances from the anchor and all else that a tether brings along; nullptr for robots without one.
+  const TetherModel* tether() const;
 
   /// Shortest paths in configuration space; built at the first call (thread-safe).
   const ShortestPaths& transit() const;
   /// Edges of configuration space; built at the first call (thread-safe).
   const EdgeIndex& walls() const;
+  /// Edges of the map's free space; built at the first call (thread-safe), shared with restricted problems.
+  const EdgeIndex& map_edges() const;
   /// How far outside configuration space a point may lie by rounding alone: 1e-6 of the tool width plus
   /// 1e-12 of the largest coordinate.
   double tolerance() const;

@@ -6,6 +6,7 @@
 
 #include "geometry/predicates.hpp"
 #include "maps/map.hpp"
+#include "maps/robot.hpp"
 
 namespace oxturn {
 namespace {

@@ -12,19 +12,17 @@ extern const Metric kTurns, kTurnRad, kClearanceM, kMissionS;
 extern const Metric kTetherLimit, kTetherMax, kTetherBendsMax, kTetherAngleMin, kTetherAngleMean, kTetherSharp;
 extern const Metric kTetherCrossings, kTetherEntangled;
 
-const std::vector<const Metric*>& metrics() {
-  static const std::vector<const Metric*> all{
-      &kCoverage,       &kCoverageLower,   &kCoverageUpper, &kCoverageOfFree,  &kTargetM2,        &kPathM,
-      &kWorkM,          &kTransitM,        &kLengthRatio,   &kOverlap,         &kRevisits,        &kTurns,
-      &kTurnRad,        &kClearanceM,      &kMissionS,      &kTetherLimit,     &kTetherMax,       &kTetherBendsMax,
-      &kTetherAngleMin, &kTetherAngleMean, &kTetherSharp,   &kTetherCrossings, &kTetherEntangled,
-  };
-  return all;
+Metrics built_in_metrics() {
+  return Metrics("metric", {kCoverage, kCoverageLower, kCoverageUpper, kCoverageOfFree, kTargetM2, kPathM, kWorkM, kTransitM, kLengthRatio, kOverlap, kRevisits, kTurns, kTurnRad, kClearanceM, kMissionS, kTetherLimit, kTetherMax, kTetherBendsMax, kTetherAngleMin, kTetherAngleMean, kTetherSharp, kTetherCrossings, kTetherEntangled});
+}
+
+std::string to_text(Better better) {
+  return better == Better::lower ? "lower" : better == Better::higher ? "higher" : "neither";
 }
 
 std::optional<double> Score::value(const std::string& metric) const {
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (metrics()[i]->name == metric) return values[i];
+  for (const MetricValue& value : values)
+    if (value.name == metric) return value.value;
   return std::nullopt;
 }
 
@@ -42,10 +40,10 @@ bool measurable(const Path& path) {
 
 }  // namespace
 
-Score score(const Problem& problem, const Path& path, const ScoreOptions& options) {
+Score score(const Problem& problem, const Path& path, const Metrics& metrics, const ScoreOptions& options) {
   Score result;
-  result.values.resize(metrics().size());
-  const EdgeIndex walls(problem.map().free);
+  for (const Metric& metric : metrics) result.values.push_back({metric.name, std::nullopt});
+  const EdgeIndex& walls = problem.map_edges();
   result.flaw = find_flaw(problem, path, walls);
   if (!measurable(path)) return result;
   std::optional<TetherRun> tether;
@@ -55,12 +53,17 @@ Score score(const Problem& problem, const Path& path, const ScoreOptions& option
   }
   const SweptArea swept = swept_area(problem.target(), problem.target_excess(), problem.robot().tool_width, path);
   const Scored scored{problem, path, swept, clearance(problem, path, walls), tether ? &*tether : nullptr};
-  for (std::size_t i = 0; i < metrics().size(); ++i) result.values[i] = metrics()[i]->compute(scored);
+  std::size_t i = 0;
+  for (const Metric& metric : metrics) result.values[i++].value = metric.compute(scored);
   return result;
 }
 
+Score score(const Problem& problem, const Path& path, const ScoreOptions& options) {
+  return score(problem, path, built_in_metrics(), options);
+}
+
 std::string find_flaw(const Problem& problem, const Path& path, const ScoreOptions& options) {
-  const EdgeIndex walls(problem.map().free);
+  const EdgeIndex& walls = problem.map_edges();
   const std::string flaw = find_flaw(problem, path, walls);
   if (!flaw.empty() || !options.tether_counts || !problem.robot().tether) return flaw;
   return find_tether_flaw(problem, tether_run(problem, path, walls));

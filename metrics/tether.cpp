@@ -87,7 +87,7 @@ std::optional<TetherRun> tether_run(const Problem& problem, const Path& path, co
                   run.path_m = path_m;
                   run.end_m = string.length();
                 }});
-  run.geodesic_m = problem.geodesics().distance(way.points.back());
+  run.geodesic_m = problem.tether()->geodesics().distance(way.points.back());
   return run;
 }
 

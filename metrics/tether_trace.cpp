@@ -94,7 +94,7 @@ std::string to_text(Event event) {
 
 std::vector<TetherRow> tether_trace(const Problem& problem, const Path& path, double step) {
   if (!(step > 0)) throw std::invalid_argument(fmt::format("tether trace: step is {}, expected metres above 0", step));
-  const EdgeIndex walls(problem.map().free);
+  const EdgeIndex& walls = problem.map_edges();
   return Tracer(problem, followed_path(problem, path, walls).points, step).take();
 }
 

@@ -56,8 +56,8 @@ Point Vacuum::heading_off(const Point& away) {
 }
 
 Path Vacuum::finish() {
-  context_.report("swept_m2", swept_.area());
-  context_.report("bumps", static_cast<double>(bumps_));
+  context_.record("swept_m2", swept_.area());
+  context_.record("bumps", static_cast<double>(bumps_));
   if (bumper_.way().size() < 2)
     throw Infeasible(fmt::format("robot '{}' touches walls on all sides of its start ({:.6g}, {:.6g})",
                                  problem_.robot().name, problem_.start().x(), problem_.start().y()));

@@ -134,7 +134,7 @@ class Bsa final : public CoveragePlanner {
                         std::optional<WallFollower> walls;
                         if (p_.partial) walls.emplace(problem, robot);
                         Spirals(walk, p_.backtrack == "latest", walls ? &*walls : nullptr).run();
-                        if (walls) context.report("along_walls_m", walls->length());
+                        if (walls) context.record("along_walls_m", walls->length());
                         walk.report();
                       });
   }

@@ -93,7 +93,7 @@ class LinkedSpiral final : public CoveragePlanner {
                         std::optional<WallFollower> walls;
                         if (p_.partial) walls.emplace(problem, robot);
                         LinkedSpirals(walk, walls ? &*walls : nullptr).run();
-                        if (walls) context.report("along_walls_m", walls->length());
+                        if (walls) context.record("along_walls_m", walls->length());
                         walk.report();
                       });
   }

@@ -50,9 +50,9 @@ constexpr int kMostPartitions = 2000;
 double turn_of(const Params& p) { return p.lanes == "diagonal" ? kPi / 4 : 0; }
 
 void report_left(Context& context, const RectangleCleaner::Counts& counts) {
-  context.report("skipped_columns", static_cast<double>(counts.skipped_columns));
-  context.report("skipped_cells", static_cast<double>(counts.skipped_cells));
-  context.report("small_cells", static_cast<double>(counts.small_cells));
+  context.record("skipped_columns", static_cast<double>(counts.skipped_columns));
+  context.record("skipped_cells", static_cast<double>(counts.skipped_cells));
+  context.record("small_cells", static_cast<double>(counts.small_cells));
 }
 
 Path clean_known(const Params& p, const Problem& problem, Context& context) {
@@ -61,7 +61,7 @@ Path clean_known(const Params& p, const Problem& problem, Context& context) {
                                           static_cast<int>(std::ceil(problem.robot().radius / side)) + 1);
   RectangleCleaner cleaner(p, problem, graph, std::vector<bool>(graph.size(), false), context);
   Path path = cleaner.clean();
-  context.report("rectangles", static_cast<double>(cleaner.counts().rectangles));
+  context.record("rectangles", static_cast<double>(cleaner.counts().rectangles));
   report_left(context, cleaner.counts());
   return path;
 }
@@ -77,7 +77,7 @@ class Discovery {
       robot_.go(*motion);
       if (context_.cancelled()) return;
     }
-    context_.report("scan_m", view().driven());
+    context_.record("scan_m", view().driven());
     RectangleCleaner::Counts last;  // what stays skipped is what the last partition skips
     std::size_t partitions = 0;
     double before = -1;
@@ -92,7 +92,7 @@ class Discovery {
       before = view().driven();
       if (!on || (whole && view().belief().revision() == seen)) break;
     }
-    context_.report("partitions", static_cast<double>(partitions));
+    context_.record("partitions", static_cast<double>(partitions));
     report_left(context_, last);
   }
 

@@ -103,12 +103,12 @@ class StcLoops final : public CoveragePlanner {
       for (const auto& [a, b] : tree.edges()) merged.push_back({tree.vertices()[a], tree.vertices()[b]});
       context.trace("merged tree", std::move(merged));
     }
-    context.report("loops", figures.loops);
-    context.report("broken_loops", figures.broken);
-    context.report("chains", figures.chains);
-    context.report("branches_by_path", figures.by_path);
-    context.report("branches_lost", figures.lost);
-    context.report("fill_places", figures.places);
+    context.record("loops", figures.loops);
+    context.record("broken_loops", figures.broken);
+    context.record("chains", figures.chains);
+    context.record("branches_by_path", figures.by_path);
+    context.record("branches_lost", figures.lost);
+    context.record("fill_places", figures.places);
     return path.take();
   }
 

@@ -87,7 +87,7 @@ Path grow_and_go_round(const Problem& problem, Context& context, const OnlineStc
     tree.add_node({0, 0});
     tree.round({0, 0}, Growth<Tree>(tree, params.partial, scan),
                [&](Direction d) { return !((robot.steps() & 1023) == 0 && context.cancelled()) && robot.step(d); });
-    context.report("steps", static_cast<double>(robot.steps()));
+    context.record("steps", static_cast<double>(robot.steps()));
   });
 }
 

@@ -254,7 +254,7 @@ class Wavefront final : public CoveragePlanner {
     Climb climb(p_, graph, context);
     climb.cover_part(graph.at(entry->column, entry->row), path);
     if (p_.components == "all" && p_.stop == "backtrack") cover_others(problem, graph, climb, path);
-    context.report("cells", static_cast<double>(climb.cells()));
+    context.record("cells", static_cast<double>(climb.cells()));
     return path.take();
   }
 

@@ -171,8 +171,8 @@ class CellWalk {
   std::size_t cells() const { return cells_; }
   /// Reports how many cells were visited, in how many moves.
   void report() {
-    context_.report("cells", static_cast<double>(cells_));
-    context_.report("moves", static_cast<double>(robot_.steps()));
+    context_.record("cells", static_cast<double>(cells_));
+    context_.record("moves", static_cast<double>(robot_.steps()));
   }
   CellRobot& robot() { return robot_; }
   /// Looks at the clock now and then.

@@ -25,6 +25,7 @@
 #include "algorithms/online/outline.hpp"
 #include "geometry/raster.hpp"
 #include "maps/map.hpp"
+#include "maps/robot.hpp"
 
 namespace oxturn {
 

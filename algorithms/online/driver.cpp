@@ -66,9 +66,9 @@ class Drive {
     program(robot, context_);
     const Path& path = view_.path_;
     if (view_.driven_ > published_) context_.publish(path);
-    context_.report("explored_share", explored());
-    context_.report("replans", static_cast<double>(replans_));
-    context_.report("scans", static_cast<double>(scans_));
+    context_.record("explored_share", explored());
+    context_.record("replans", static_cast<double>(replans_));
+    context_.record("scans", static_cast<double>(scans_));
     if (path.legs.empty())
       throw Infeasible(fmt::format("the lidar shows robot '{}' no place to go from its start ({:.6g}, {:.6g})",
                                    truth_.robot().name, truth_.start().x(), truth_.start().y()));

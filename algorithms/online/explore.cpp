@@ -105,7 +105,7 @@ void drop_out_of_reach(std::vector<Frontier>& frontiers, const BitGrid& free, co
   const double limit = robot.tether->length + robot.tool_width / 2 + 2 * free.cell;
   for (Frontier& f : frontiers)
     std::erase_if(f.cells, [&](const Cell& c) {
-      const double away = believed.geodesics().distance(free.centre(c.i, c.j));
+      const double away = believed.tether()->geodesics().distance(free.centre(c.i, c.j));
       return std::isfinite(away) && away > limit;
     });
   std::erase_if(frontiers, [](const Frontier& f) { return f.cells.empty(); });

@@ -11,6 +11,7 @@
 #include "geometry/edge_index.hpp"
 #include "base/random.hpp"
 #include "maps/map.hpp"
+#include "maps/robot.hpp"
 
 namespace oxturn {
 

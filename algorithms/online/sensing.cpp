@@ -27,13 +27,13 @@ PlannerInfo with_sensing(PlannerInfo planner) {
                               "map: known beforehand; lidar: seen by the robot's lidar, explored first"};
   planner.capabilities.push_back(Capability::online);
   planner.parameters.push_back(sensing);
-  planner.make = [make = std::move(planner.make), owner = "planner '" + planner.name + "'",
-                  sensing](Settings settings) -> std::unique_ptr<CoveragePlanner> {
+  planner.make = [make = std::move(planner.make), owner = "planner '" + planner.name + "'", sensing](
+                     Settings settings, const Planners& planners) -> std::unique_ptr<CoveragePlanner> {
     const auto given = settings.find("sensing");
     const bool lidar =
         given != settings.end() && std::get<std::string>(checked(owner, sensing, given->second)) == "lidar";
     settings.erase("sensing");
-    auto offline = make(settings);
+    auto offline = make(settings, planners);
     if (!lidar) return offline;
     return std::make_unique<Surveyed>(std::move(offline));
   };

@@ -80,8 +80,8 @@ class SurveyThenPlan final : public Policy {
 
   /// Figures of the run: how long the survey was (with the way home), and what came after the plan.
   void report(Context& context, double driven) const {
-    context.report("survey_m", planned_ ? survey_m_ : driven);
-    context.report("leftover_m", swept_m_ < 0 ? 0 : driven - swept_m_);
+    context.record("survey_m", planned_ ? survey_m_ : driven);
+    context.record("leftover_m", swept_m_ < 0 ? 0 : driven - swept_m_);
   }
 
  private:

@@ -251,11 +251,11 @@ class Scan {
 
   void report(std::size_t all) {
     const LinkCrossings crossings = count_crossings(links_, transits_);
-    context_.report("tracking_points", static_cast<double>(all));
-    context_.report("links_planned", static_cast<double>(planned_));
-    context_.report("links_crossing", static_cast<double>(crossings.links));
-    context_.report("transits_crossing", static_cast<double>(crossings.transits));
-    if (p_.transit == "tlppa") context_.report("tlppa_failed", static_cast<double>(failed_));
+    context_.record("tracking_points", static_cast<double>(all));
+    context_.record("links_planned", static_cast<double>(planned_));
+    context_.record("links_crossing", static_cast<double>(crossings.links));
+    context_.record("transits_crossing", static_cast<double>(crossings.transits));
+    if (p_.transit == "tlppa") context_.record("tlppa_failed", static_cast<double>(failed_));
     if (!context_.wants_traces()) return;
     std::vector<Polyline> marks;
     const double r = separation_ / 8;

@@ -30,6 +30,7 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/online/sensing.hpp"
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/tethered/berg_tree.hpp"
 #include "algorithms/transit/connector.hpp"
@@ -214,13 +215,13 @@ class Berg final : public CoveragePlanner {
     const double step = p_.step > 0 ? p_.step : robot.radius > 0 ? robot.radius : robot.tool_width / 2;
     const double spacing = p_.sampling > 0 ? p_.sampling : step / 4;
     const EdgeIndex& space = problem.walls();
-    const EdgeIndex walls(problem.map().free);
-    const BergBoundary boundary(problem.map().free, walls, problem.closed_gaps(), problem.anchor(), longest,
+    const EdgeIndex& walls = problem.map_edges();
+    const BergBoundary boundary(problem.map().free, walls, problem.tether()->closed_gaps(), problem.anchor(), longest,
                                 problem.tolerance());
     const bool trim = p_.trim == "geodesic";
     const double slack = 1e-6 * robot.tool_width + 1e-9 * longest;
     const auto keep = [&](const Point& p, double length) {
-      return space.contains(p) && (!trim || std::abs(problem.geodesics().distance(p) - length) <= slack);
+      return space.contains(p) && (!trim || std::abs(problem.tether()->geodesics().distance(p) - length) <= slack);
     };
     const BergTree tree(boundary, step, longest, spacing, keep, [&] { return context.cancelled(); });
     if (context.wants_traces()) show(boundary, tree, context);
@@ -266,7 +267,7 @@ class Berg final : public CoveragePlanner {
 }  // namespace
 
 PlannerInfo berg() {
-  return describe<Berg, Params>(
+  return with_sensing(describe<Berg, Params>(
       {.name = "berg",
        .family = "tethered",
        .title = "Berg's laps of equal tether length",
@@ -280,7 +281,7 @@ PlannerInfo berg() {
             "area by area between dividers, lap by lap, or to the end of each branch first"},
            {"trim", &Params::trim, {"none", "geodesic"}, "geodesic: without what a shorter tether reaches"},
            {"step", &Params::step, Range{0, 100}, "metres between laps; 0: the robot's radius"},
-           {"sampling", &Params::sampling, Range{0, 100}, "metres between samples of a lap; 0: a quarter step"}}});
+           {"sampling", &Params::sampling, Range{0, 100}, "metres between samples of a lap; 0: a quarter step"}}}));
 }
 
 }  // namespace oxturn

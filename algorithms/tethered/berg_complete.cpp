@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/online/sensing.hpp"
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/tethered/level_sets.hpp"
 #include "algorithms/tethered/needed_boundary.hpp"
@@ -177,7 +178,7 @@ class BergComplete final : public CoveragePlanner {
 }  // namespace
 
 PlannerInfo berg_complete() {
-  return describe<BergComplete, Params>(
+  return with_sensing(describe<BergComplete, Params>(
       {.name = "berg-complete",
        .family = "tethered",
        .title = "laps of equal tether length, complete",
@@ -194,7 +195,7 @@ PlannerInfo berg_complete() {
             "radians that the heading keeps from the string's pull, by tacking; 0: none"},
            {"lanes", &Params::lanes, Range{0, 20},
             "short laps (up to so many tool widths) are swept by that many lanes along the string; 0: laps only"},
-           {"return_home", &Params::return_home, "drive back to the start at the end"}}});
+           {"return_home", &Params::return_home, "drive back to the start at the end"}}}));
 }
 
 }  // namespace oxturn

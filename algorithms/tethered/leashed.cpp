@@ -28,8 +28,8 @@ class Leashed final : public CoveragePlanner {
     const TetherSpace leash(problem, "leashed");
     if (context.wants_traces()) context.trace("cut", leash.cut());
     return cover_parts(
-        leash, [&](const TetherSpace::Part& part, Context& inner) { return inner_->plan(part.within, inner); }, return_home_,
-        context);
+        leash, [&](const TetherSpace::Part& part, Context& inner) { return inner_->plan(part.within, inner); },
+        return_home_, context);
   }
 
  private:
@@ -37,10 +37,10 @@ class Leashed final : public CoveragePlanner {
   bool return_home_;
 };
 
-const PlannerInfo& inner_of(const Settings& settings) {
+const PlannerInfo& inner_of(const Settings& settings, const Planners& planners) {
   const auto given = settings.find("planner");
   const std::string* name = given == settings.end() ? nullptr : std::get_if<std::string>(&given->second);
-  const PlannerInfo& inner = find_planner(zoo(), name != nullptr ? *name : "boustrophedon");
+  const PlannerInfo& inner = planners.find(name != nullptr ? *name : "boustrophedon");
   if (inner.has(Capability::tether))
     throw std::invalid_argument(
         fmt::format("{}: planner '{}' knows the tether by itself; expected one that does not", kOwner, inner.name));
@@ -60,17 +60,19 @@ PlannerInfo leashed() {
   info.parameters = {
       {"planner", std::string("boustrophedon"), {}, {}, "name of the planner; its own parameters go beside it"},
       {"return_home", true, {}, {}, "drive back to the start at the end"}};
-  info.more_parameters = [](const Settings& settings) { return inner_of(settings).parameters; };
-  info.make = [](const Settings& settings) -> std::unique_ptr<CoveragePlanner> {
-    const PlannerInfo& inner = inner_of(settings);
-    const PlannerInfo self = leashed();
+  info.more_parameters = [](const Settings& settings, const Planners& planners) {
+    return inner_of(settings, planners).parameters;
+  };
+  info.make = [](const Settings& settings, const Planners& planners) -> std::unique_ptr<CoveragePlanner> {
+    const PlannerInfo& inner = inner_of(settings, planners);
+    const std::vector<ParameterInfo> parameters = parameters_of(leashed(), settings, planners);
     Settings own, its;
     for (const auto& [name, value] : settings) {
       const bool mine = name == "planner" || name == "return_home";
-      (mine ? own : its)[name] = checked(kOwner, find_parameter(kOwner, parameters_of(self, settings), name), value);
+      (mine ? own : its)[name] = checked(kOwner, find_parameter(kOwner, parameters, name), value);
     }
     const bool home = own.count("return_home") == 0 || std::get<bool>(own["return_home"]);
-    return std::make_unique<Leashed>(inner.make(its), home);
+    return std::make_unique<Leashed>(inner.make(its, planners), home);
   };
   return info;
 }

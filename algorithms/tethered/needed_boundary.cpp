@@ -201,13 +201,13 @@ NeededBoundary needed_boundary(const TetherSpace& leash, bool open) {
     rims.space.polygons.push_back(part.within.configuration_space().polygons.front());
   const Pieces pieces = pieces_of(leash, open);
   const double passes = 0.98 * w;
-  const Region rimmed = pieces.wide.empty() ? rims.space : slit(rims.space, pieces.wide, passes);
+  const Region rimmed = pieces.wide.empty() ? rims.space : cut_along(rims.space, pieces.wide, passes);
   if (pieces.shallow.empty()) {
     rims.inner = rimmed;
   } else {
     rims.inner = leash.problem().configuration_space();
-    if (!pieces.thin.empty()) rims.inner = slit(rims.inner, pieces.thin, width);
-    if (!pieces.wide.empty()) rims.inner = slit(rims.inner, pieces.wide, passes);
+    if (!pieces.thin.empty()) rims.inner = cut_along(rims.inner, pieces.thin, width);
+    if (!pieces.wide.empty()) rims.inner = cut_along(rims.inner, pieces.wide, passes);
   }
   const Nearby shallow(pieces.shallow);
   for_each_ring(rimmed, [&](const Ring& ring) { sort_out(ring, shallow, 2 * width, w / 4, rims); });
@@ -226,7 +226,7 @@ NeededBoundary needed_boundary(const TetherSpace& leash, bool open) {
   if (!pieces.wide.empty()) {
     // What lies farther off than this is nobody's pocket.
     const Region near = intersect(rims.space, about(pieces.wide, 1.2 * w, w / 2));
-    const Region pockets = subtract(near, dilate(slit(near, pieces.wide, passes), w / 2, w / 200, Bound::inside));
+    const Region pockets = subtract(near, dilate(cut_along(near, pieces.wide, passes), w / 2, w / 200, Bound::inside));
     for_each_ring(pockets, [&](const Ring& ring) { rims.rings.polygons.push_back({ring, {}}); });
   }
   return rims;

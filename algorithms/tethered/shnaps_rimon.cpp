@@ -26,6 +26,7 @@
 #include <limits>
 #include <utility>
 
+#include "algorithms/online/sensing.hpp"
 #include "algorithms/transit/tether_space.hpp"
 #include "algorithms/tethered/tether_cells.hpp"
 #include "algorithms/tethered/visit_points.hpp"
@@ -220,7 +221,7 @@ class ShnapsRimon final : public CoveragePlanner {
 }  // namespace
 
 PlannerInfo shnaps_rimon() {
-  return describe<ShnapsRimon, Params>(
+  return with_sensing(describe<ShnapsRimon, Params>(
       {.name = "shnaps-rimon",
        .family = "tethered",
        .title = "cell after cell by distance along the tether",
@@ -236,7 +237,7 @@ PlannerInfo shnaps_rimon() {
            {"retraction", &Params::retraction, Choices{"automatic", "untangle"},
             "untangle: back along the way driven until the next cell is in straight reach"},
            {"budget", &Params::budget, Range{0, 1e9}, "expansions a way, of the search for another class"},
-           {"return_home", &Params::return_home, "drive back to the start at the end, tether taken in"}}});
+           {"return_home", &Params::return_home, "drive back to the start at the end, tether taken in"}}}));
 }
 
 }  // namespace oxturn

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "algorithms/online/sensing.hpp"
 #include "algorithms/transit/tether_space.hpp"
 #include "algorithms/tethered/tether_cells.hpp"
 #include "algorithms/tethered/visit_points.hpp"
@@ -80,7 +81,7 @@ class ShnapsRimonBanded final : public CoveragePlanner {
 }  // namespace
 
 PlannerInfo shnaps_rimon_banded() {
-  return describe<ShnapsRimonBanded, Params>(
+  return with_sensing(describe<ShnapsRimonBanded, Params>(
       {.name = "shnaps-rimon-banded",
        .family = "tethered",
        .title = "cells in bands of like tether distance, by angle",
@@ -97,7 +98,7 @@ PlannerInfo shnaps_rimon_banded() {
            {"retraction", &Params::retraction, Choices{"automatic", "untangle"},
             "untangle: back along the way driven until the next cell is in straight reach"},
            {"budget", &Params::budget, Range{0, 1e9}, "expansions a way, of the search for another class"},
-           {"return_home", &Params::return_home, "drive back to the start at the end, tether taken in"}}});
+           {"return_home", &Params::return_home, "drive back to the start at the end, tether taken in"}}}));
 }
 
 }  // namespace oxturn

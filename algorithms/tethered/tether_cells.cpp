@@ -52,7 +52,7 @@ TetherCells::TetherCells(const Problem& problem, const Region& space, double sid
       if (const auto place = place_in(i, j)) {
         index[graph.at(i, j)] = cells_.size();
         if (i == i0 && j == j0) root_ = cells_.size();
-        cells_.push_back({i, j, *place, problem.geodesics().distance(*place)});
+        cells_.push_back({i, j, *place, problem.tether()->geodesics().distance(*place)});
       }
   if (cells_.size() == 1)
     throw Infeasible("no cell beside the start's own can be driven to; a smaller cell_size may help");

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/online/sensing.hpp"
 #include "algorithms/transit/tether_space.hpp"
 #include "algorithms/tethered/tether_cells.hpp"
 
@@ -96,7 +97,7 @@ class TetherTree final : public CoveragePlanner {
 }  // namespace
 
 PlannerInfo tether_tree() {
-  return describe<TetherTree, Params>(
+  return with_sensing(describe<TetherTree, Params>(
       {.name = "tether-tree",
        .family = "tethered",
        .title = "there and back along a shortest-path tree of cells",
@@ -106,7 +107,7 @@ PlannerInfo tether_tree() {
        .parameters = {
            {"cell_size", &Params::cell_size, Range{0, 1000}, "side D of a cell, metres; 0: tool width / sqrt 2"},
            {"reach", &Params::reach, Choices{"depth", "geodesic"},
-            "depth: the leash is measured along the tree; geodesic: along the string, in the cut space"}}});
+            "depth: the leash is measured along the tree; geodesic: along the string, in the cut space"}}}));
 }
 
 }  // namespace oxturn

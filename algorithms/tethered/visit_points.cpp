@@ -27,8 +27,8 @@ Path visit_points(const TetherSpace& leash, const std::vector<Point>& places, co
   }
   if (settings.return_home && !context.cancelled())
     if (const auto home = robot.path_home()) path.drive(home->points, false);
-  context.report("cells_missed", static_cast<double>(missed.size()));
-  context.report("paths_unproven", static_cast<double>(unproven));
+  context.record("cells_missed", static_cast<double>(missed.size()));
+  context.record("paths_unproven", static_cast<double>(unproven));
   if (context.wants_traces() && !missed.empty()) context.trace("missed", std::move(missed));
   return path.take();
 }

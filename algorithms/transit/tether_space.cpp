@@ -34,7 +34,7 @@ std::vector<Polyline> near_cut(const Problem& problem, double width) {
   Box box = bounding_box(problem.configuration_space());
   box.grow(width);
   std::vector<Polyline> kept;
-  for (Polyline& line : problem.geodesics().cut(width / 8)) {
+  for (Polyline& line : problem.tether()->geodesics().cut(width / 8)) {
     Box around;
     for (const Point& p : line) around.add(p);
     if (line.size() < 2 || !around.overlaps(box)) continue;
@@ -63,7 +63,7 @@ TetherSpace::~TetherSpace() = default;
 
 void TetherSpace::cut_open() {
   const Region& space = problem_.configuration_space();
-  Region all = cut_.empty() ? space : slit(space, cut_, width_);
+  Region all = cut_.empty() ? space : cut_along(space, cut_, width_);
   const auto home = std::find_if(all.polygons.begin(), all.polygons.end(), [&](const Polygon& part) {
     return holds(part, problem_.start(), problem_.tolerance());
   });
@@ -111,7 +111,7 @@ std::optional<Polyline> TetherSpace::path_into(const Polygon& part, Point& entry
   entry = *std::min_element(part.outer.begin(), part.outer.end(), nearer);
   auto way = geodesic_path(world(), problem_.start(), entry, 6 * problem_.robot().radius + width_);
   if (!way) return std::nullopt;
-  TautTether string(problem_.taut_space(), problem_.anchor());
+  TautTether string(problem_.tether()->taut_space(), problem_.anchor());
   string.drive(field().path(problem_.start()));
   for (std::size_t k = 1; k < way->size(); ++k) {
     string.drive((*way)[k]);
@@ -143,7 +143,7 @@ Polyline TetherSpace::way(const Part& from_part, const Point& from, const Part& 
   append(inside(to_part, to_part.within.start(), to));
   Polyline taut = pulled_taut(world(), whole);
   // The pulled way keeps the class; on it the string may be longer than the leash for a moment, on the other one never.
-  TautTether string(problem_.taut_space(), problem_.anchor());
+  TautTether string(problem_.tether()->taut_space(), problem_.anchor());
   string.drive(field().path(from));
   for (std::size_t k = 1; k < taut.size(); ++k) {
     string.drive(taut[k]);

@@ -29,7 +29,7 @@ class TetherSpace {
   ~TetherSpace();
 
   const Problem& problem() const { return problem_; }
-  const GeodesicField& field() const { return problem_.geodesics(); }
+  const GeodesicField& field() const { return problem_.tether()->geodesics(); }
   double longest() const { return problem_.robot().tether->length; }  // metres
 
   /// Where shortest ways meet, as far as that is of interest, with the slit's width.

@@ -8,6 +8,8 @@
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/online/survey_then_plan.hpp"
 #include "maps/generators.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -26,7 +28,7 @@ void plan_field(benchmark::State& state, const std::string& name, const Settings
   const Problem problem = field_with(state.range(0));
   problem.transit();  // belongs to the problem, not to the planner
   problem.walls();
-  const auto planner = find_planner(zoo(), name).make(settings);
+  const auto planner = built_in_planner(name, settings);
   for (auto _ : state) {
     Context context(1);
     benchmark::DoNotOptimize(planner->plan(problem, context));
@@ -83,7 +85,7 @@ void BM_BeliefAdd(benchmark::State& state) {
 
 void BM_BoustrophedonOnline(benchmark::State& state) {
   const Problem problem = rooms_with_lidar(state.range(0));
-  const auto planner = find_planner(zoo(), "boustrophedon").make({});
+  const auto planner = built_in_planner("boustrophedon", {});
   for (auto _ : state) {
     Context context(1);
     benchmark::DoNotOptimize(plan_online(

@@ -9,6 +9,7 @@
 #include "bench/run_suite.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {

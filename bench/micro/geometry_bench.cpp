@@ -322,7 +322,7 @@ BENCHMARK(BM_GeodesicCut)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexit
 void BM_CutAlong(benchmark::State& state) {  // along the whole cut
   const Region region = hall(state.range(0));
   const std::vector<Polyline> lines = GeodesicField(region, {0.01, 0.02}, {}, 1e-9).cut(1e-3);
-  for (auto _ : state) benchmark::DoNotOptimize(slit(region, lines, 2e-3));
+  for (auto _ : state) benchmark::DoNotOptimize(cut_along(region, lines, 2e-3));
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(BM_CutAlong)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity()->Unit(benchmark::kMillisecond);

@@ -12,6 +12,8 @@
 #include "base/random.hpp"
 #include "geometry/raster.hpp"
 #include "maps/generators.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -24,7 +26,7 @@ Problem open_floor(std::int64_t cells, double side) {
 }
 
 void plan(benchmark::State& state, const char* name, const Problem& problem, const Settings& settings) {
-  const auto planner = find_planner(zoo(), name).make(settings);
+  const auto planner = built_in_planner(name, settings);
   for (auto _ : state) {
     Context context;
     benchmark::DoNotOptimize(planner->plan(problem, context));
@@ -71,11 +73,11 @@ const Problem& scattered(std::int64_t cells) {
 void BM_Scattered(benchmark::State& state, const char* name, Settings settings) {
   const Problem& problem = scattered(state.range(0));
   settings["cell_size"] = 1.0;
-  const auto planner = find_planner(zoo(), name).make(settings);
+  const auto planner = built_in_planner(name, settings);
   double cells = 0, length = 0;
   for (auto _ : state) {
     Context::Sinks sinks;
-    sinks.report = [&](const std::string& figure, double value) {
+    sinks.record = [&](const std::string& figure, double value) {
       if (figure == "cells") cells = value;
     };
     Context context(1, 1e9, sinks);
@@ -184,10 +186,10 @@ BENCHMARK(BM_HyunObstacles)->RangeMultiplier(4)->Range(1 << 4, 1 << 12)->Complex
 
 void BM_HyunWorld(benchmark::State& state) {
   Robot robot;
-  robot.footprint = named_footprint("octagon:1");
+  robot.footprint = parse_footprint("octagon:1");
   robot.tool_width = 1;
   const char* const transits[] = {"tlppa", "visibility"};
-  const auto planner = find_planner(zoo(), "hyun").make({{"transit", std::string(transits[state.range(0)])}});
+  const auto planner = built_in_planner("hyun", {{"transit", std::string(transits[state.range(0)])}});
   for (auto _ : state) {  // all of it: configuration space, triangulation, plan
     const Problem problem(generate("hyun", {}, 1), robot);
     Context context;

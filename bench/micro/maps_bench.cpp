@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "maps/generators.hpp"
+#include "tests/support/maps.hpp"
 
 namespace {
 
@@ -35,7 +36,7 @@ void BM_Generate(benchmark::State& state, const std::string& name) {
 
 // Listed from the generators' own list, so a new one is measured without a line here.
 [[maybe_unused]] const bool kRegistered = [] {
-  for (const GeneratorInfo& g : generators())
+  for (const GeneratorInfo& g : built_in_maps())
     benchmark::RegisterBenchmark(("BM_Generate/" + g.name).c_str(),
                                  [name = g.name](benchmark::State& state) { BM_Generate(state, name); })
         ->RangeMultiplier(10)

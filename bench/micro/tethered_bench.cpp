@@ -7,6 +7,8 @@
 
 #include "algorithms/coverage_planner.hpp"
 #include "maps/generators.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -23,7 +25,7 @@ void plan_hall(benchmark::State& state, const std::string& name, const Settings&
   const Problem problem = hall_with(state.range(0));
   problem.walls();  // belongs to the problem, not to the planner
   problem.transit();
-  const auto planner = find_planner(zoo(), name).make(settings);
+  const auto planner = built_in_planner(name, settings);
   for (auto _ : state) {
     Context context(1);
     benchmark::DoNotOptimize(planner->plan(problem, context));
@@ -43,7 +45,7 @@ BENCHMARK(BM_BergCompleteDepthFirst)->RangeMultiplier(2)->Range(250, 4000)->Unit
 BENCHMARK(BM_Leashed)->RangeMultiplier(2)->Range(250, 4000)->Unit(benchmark::kMillisecond)->Complexity();
 
 void BM_TetheredProblem(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(hall_with(state.range(0)).geodesics().farthest());
+  for (auto _ : state) benchmark::DoNotOptimize(hall_with(state.range(0)).tether()->geodesics().farthest());
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(BM_TetheredProblem)->RangeMultiplier(2)->Range(250, 4000)->Unit(benchmark::kMillisecond)->Complexity();

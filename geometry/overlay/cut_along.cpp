@@ -7,7 +7,7 @@
 
 namespace oxturn {
 
-Region slit(const Region& region, const std::vector<Polyline>& lines, double width) {
+Region cut_along(const Region& region, const std::vector<Polyline>& lines, double width) {
   const Box box = bounding_box(region);
   if (box.empty()) return region;
   if (!(width > std::ldexp(box.size().maxCoeff(), -26)))

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "maps/formats/readers.hpp"
 #include "base/text.hpp"
+#include "maps/formats/readers.hpp"
 
 namespace oxturn {
 namespace {
@@ -52,14 +52,14 @@ Dropped drop_specks(BitGrid& free, double most) {
 }  // namespace
 
 MapFile map_from_cells(const std::string& file, int columns, int rows, std::vector<Occupancy> cells,
-                       const Placement& placement, const ReadOptions& options) {
+                       const Placement& placement, const RasterOptions& options) {
   MapFile result;
   BitGrid free({0, 0}, 1, columns, rows);
   std::size_t occupied = 0, unknown = 0;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     occupied += cells[k] == Occupancy::occupied ? 1 : 0;
     unknown += cells[k] == Occupancy::unknown ? 1 : 0;
-    free.bits[k] = cells[k] == Occupancy::free || (options.unknown_is_free && cells[k] == Occupancy::unknown) ? 1 : 0;
+    free.bits[k] = cells[k] == Occupancy::free || (options.unknown_free && cells[k] == Occupancy::unknown) ? 1 : 0;
   }
   if (free.count() == 0)
     throw std::invalid_argument(
@@ -67,22 +67,22 @@ MapFile map_from_cells(const std::string& file, int columns, int rows, std::vect
                     occupied, unknown));
   if (unknown > 0)
     result.remarks.push_back(
-        fmt::format("{} cells are unknown and count as {}", unknown, options.unknown_is_free ? "free" : "wall"));
+        fmt::format("{} cells are unknown and count as {}", unknown, options.unknown_free ? "free" : "wall"));
   const double cell_area = placement.resolution * placement.resolution;
-  if (options.drop_speckle_m2 > 0) {
+  if (options.drop_speckle > 0) {
     // The allowance keeps an area given as exactly n cells at n cells.
-    const Dropped dropped = drop_specks(free, options.drop_speckle_m2 / cell_area * (1 + 1e-9));
+    const Dropped dropped = drop_specks(free, options.drop_speckle / cell_area * (1 + 1e-9));
     result.remarks.push_back(fmt::format("{} specks of at most {} m2 dropped ({} cells)", dropped.specks,
-                                         to_decimal(options.drop_speckle_m2), dropped.cells));
+                                         to_decimal(options.drop_speckle), dropped.cells));
   }
   Region region = trace(free);
-  if (options.simplify_m > 0) {
+  if (options.simplify > 0) {
     const std::size_t corners = vertex_count(region);
-    region = simplify_inward(region, options.simplify_m / placement.resolution);
+    region = simplify_inward(region, options.simplify / placement.resolution);
     result.remarks.push_back(fmt::format("{} corners simplified to {}", corners, vertex_count(region)));
     if (region.empty())
       throw std::invalid_argument(
-          fmt::format("{}: nothing is left when simplified by {} m, give less", file, to_decimal(options.simplify_m)));
+          fmt::format("{}: nothing is left when simplified by {} m, give less", file, to_decimal(options.simplify)));
   }
   const auto place = [&](Ring& ring) {
     for (Point& p : ring) {

@@ -1,56 +1,102 @@
 // The one list of map formats.
+#include "maps/formats.hpp"
+
 #include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
-#include "maps/formats/readers.hpp"
 #include "base/files.hpp"
-#include "base/text.hpp"
+#include "maps/formats/readers.hpp"
 
 namespace oxturn {
+
+MapFormat ros_format();
+MapFormat geojson_format();
+MapFormat image_format();
+MapFormat svg_format();
+
+MapFormats built_in_map_formats() {
+  return MapFormats("map format", {ros_format(), geojson_format(), image_format(), svg_format()});
+}
+
 namespace {
 
-void check(const ReadOptions& options) {
-  const auto refuse_negative = [](const char* name, double value, const char* unit) {
-    if (!std::isfinite(value) || value < 0)
-      throw std::invalid_argument(fmt::format("{} is {}, expected {} of at least 0", name, to_decimal(value), unit));
-  };
-  refuse_negative("scale", options.metres_per_pixel, "metres per pixel");
-  refuse_negative("speckle", options.drop_speckle_m2, "square metres");
-  refuse_negative("simplify", options.simplify_m, "metres");
+std::string suffix_of(const std::string& file) {
+  std::string suffix = std::filesystem::path(file).extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return suffix;
+}
+
+/// The format of this suffix among those for which `usable` holds; `known` collects all their suffixes.
+template <class F>
+const MapFormat* format_with(const std::string& suffix, const MapFormats& formats, F usable,
+                             std::vector<std::string>& known) {
+  const MapFormat* found = nullptr;
+  for (const MapFormat& format : formats) {
+    if (!usable(format)) continue;
+    known.insert(known.end(), format.suffixes.begin(), format.suffixes.end());
+    if (found == nullptr && std::find(format.suffixes.begin(), format.suffixes.end(), suffix) != format.suffixes.end())
+      found = &format;
+  }
+  return found;
+}
+
+bool has_parameter(const MapFormat& format, const std::string& name) {
+  return std::any_of(format.parameters.begin(), format.parameters.end(),
+                     [&](const ParameterInfo& parameter) { return parameter.name == name; });
 }
 
 }  // namespace
 
-const std::vector<MapFormat>& map_formats() {
-  static const std::vector<MapFormat> formats{
-      {"ros", "ROS map_server: YAML with a PNG or PGM picture", {".yaml", ".yml"}, read_ros},
-      {"geojson", "GeoJSON: Polygon or MultiPolygon in planar metres", {".geojson", ".json"}, read_geojson},
-      {"image", "plain PNG or PGM with a scale: white is free", {".png", ".pgm"}, read_plain_image},
-  };
-  return formats;
+std::vector<ParameterInfo> reader_parameters(const MapFormats& formats) {
+  std::vector<ParameterInfo> all;
+  for (const MapFormat& format : formats)
+    for (const ParameterInfo& parameter : format.parameters)
+      if (std::none_of(all.begin(), all.end(), [&](const ParameterInfo& p) { return p.name == parameter.name; }))
+        all.push_back(parameter);
+  return all;
 }
 
-MapFile read_map(const std::string& file, const ReadOptions& options) {
-  check(options);
+MapFile read_map(const std::string& file, const Settings& settings, const MapFormats& formats) {
   struct stat about {};
-  if (::stat(file.c_str(), &about) != 0 || S_ISDIR(about.st_mode)) (void)read_file(file);  // says why, by throwing
-  std::string suffix = std::filesystem::path(file).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (::stat(file.c_str(), &about) != 0 || S_ISDIR(about.st_mode)) (void)read_file(file);  // throws the reason
+  const Settings all = checked("a map reader", reader_parameters(formats), settings);
   std::vector<std::string> known;
-  for (const MapFormat& format : map_formats())
-    for (const std::string& one : format.suffixes) {
-      if (one == suffix) return format.read(file, options);
-      known.push_back(one);
-    }
-  throw std::invalid_argument(
-      fmt::format("{}: unknown kind of map '{}', expected one of: {}", file, suffix, fmt::join(known, ", ")));
+  const std::string suffix = suffix_of(file);
+  const MapFormat* format = format_with(
+      suffix, formats, [](const MapFormat& f) { return bool(f.read); }, known);
+  if (format == nullptr)
+    throw std::invalid_argument(
+        fmt::format("{}: unknown kind of map '{}', expected one of: {}", file, suffix, fmt::join(known, ", ")));
+  Settings own;
+  std::vector<std::string> unused;
+  for (const auto& [name, value] : all)
+    if (has_parameter(*format, name))
+      own[name] = value;
+    else
+      unused.push_back(fmt::format("'{}' is not a parameter of format '{}' and is not used", name, format->name));
+  MapFile result = format->read(file, own);
+  result.remarks.insert(result.remarks.end(), unused.begin(), unused.end());
+  return result;
+}
+
+const MapFormat& format_to_write(const std::string& file, const MapFormats& formats) {
+  std::vector<std::string> known;
+  const MapFormat* format = format_with(
+      suffix_of(file), formats, [](const MapFormat& f) { return bool(f.write); }, known);
+  if (format == nullptr)
+    throw std::invalid_argument(
+        fmt::format("cannot write '{}': its name must end in one of: {}", file, fmt::join(known, ", ")));
+  return *format;
+}
+
+void write_map(const std::string& file, const MapFile& map, const MapFormats& formats) {
+  write_file(file, format_to_write(file, formats).write(map));
 }
 
 std::string stem_of(const std::string& file) { return std::filesystem::path(file).stem().string(); }

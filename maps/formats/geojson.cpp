@@ -4,17 +4,18 @@
 // Decisions  1. Rings may run either way and may or may not repeat their first point.
 //            2. The region is repaired here, so that a flaw is named with the file; what changed is a remark.
 //            3. Coordinates that look like degrees are taken as metres all the same: there is no telling them apart.
-//            4. Foreign properties are let through, foreign keys of `robot` are not: a typing error there would
+//            4. Foreign properties are let through, unknown keys of `robot` are not: a typing error there would
 //               silently plan for another robot.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/files.hpp"
+#include "base/text.hpp"
 #include "geometry/overlay/validity.hpp"
 #include "maps/formats/json.hpp"
 #include "maps/formats/readers.hpp"
-#include "base/files.hpp"
 
 namespace oxturn {
 namespace {
@@ -86,66 +87,42 @@ Region read_geometry(const JsonAt& at, const std::string& file) {
   return region;
 }
 
-/// `object` has only keys from the list.
-void only_keys(const JsonAt& object, const std::vector<std::string>& keys) {
-  if (!object.value.is_object()) object.refuse("an object");
-  for (const auto& item : object.value.items())
-    if (std::find(keys.begin(), keys.end(), item.key()) == keys.end())
-      throw std::invalid_argument(
-          fmt::format("{} has an unknown key '{}'; it may have: {}", object.place, item.key(), fmt::join(keys, ", ")));
+/// A plain value as a parameter's; a list of points [x, y] as "x y; x y".
+Value value_of(const JsonAt& at) {
+  if (at.value.is_boolean()) return at.value.get<bool>();
+  if (at.value.is_number_integer()) return at.value.get<std::int64_t>();
+  if (at.value.is_number()) return at.number();
+  if (at.value.is_string()) return at.text();
+  if (!at.value.is_array()) at.refuse("a number, a text, true, false or a list of points");
+  std::string text;
+  for (std::size_t i = 0; i < at.value.size(); ++i) {
+    const Point p = JsonAt{at.value[i], fmt::format("{}, point {}", at.place, i + 1)}.point();
+    text += fmt::format("{}{} {}", i > 0 ? "; " : "", to_decimal(p.x()), to_decimal(p.y()));
+  }
+  return text;
+}
+
+/// Members of groups ("tether": {"length": 40}) become tether_length and the like.
+Settings settings_in(const JsonAt& at, const std::string& prefix) {
+  if (!at.value.is_object() || (at.value.empty() && !prefix.empty())) at.refuse("an object with members");
+  Settings settings;
+  for (const auto& [key, value] : at.value.items()) {
+    if (value.is_null()) continue;
+    const JsonAt member{value, at.place + "." + key};
+    const std::string name = prefix + key;
+    if (prefix.empty() && std::count(robot_groups().begin(), robot_groups().end(), key) > 0)
+      settings.merge(settings_in(member, key + "_"));
+    else
+      settings[name] = value_of(member);
+  }
+  return settings;
 }
 
 Robot read_robot(const JsonAt& at, const std::string& file) {
-  only_keys(at, {"name", "radius", "tool_width", "speed", "acceleration", "turn_rate", "min_turn_radius", "tether",
-                 "lidar", "footprint"});
   Robot robot;
-  const auto read = [&](const char* key, double& member) {
-    if (const Json* v = at.find(key)) member = JsonAt{*v, fmt::format("{}: robot.{}", file, key)}.number();
-  };
-  if (const Json* v = at.find("name")) robot.name = JsonAt{*v, file + ": robot.name"}.text();
-  read("radius", robot.radius);
-  read("tool_width", robot.tool_width);
-  read("speed", robot.speed);
-  read("acceleration", robot.acceleration);
-  read("turn_rate", robot.turn_rate);
-  read("min_turn_radius", robot.min_turn_radius);
-  const auto member = [&](const JsonAt& object, const char* key) -> JsonAt {
-    const Json* v = object.find(key);
-    if (v == nullptr) throw std::invalid_argument(fmt::format("{} has no {}", object.place, key));
-    return {*v, fmt::format("{}.{}", object.place, key)};
-  };
-  if (const Json* v = at.find("tether")) {
-    const JsonAt tether{*v, file + ": robot.tether"};
-    only_keys(tether, {"length", "reach", "sharp_angle"});
-    Tether& read_into = robot.tether.emplace();
-    if (tether.find("reach") != nullptr) read_into.reach = member(tether, "reach").number();
-    if (tether.find("length") != nullptr || tether.find("reach") == nullptr)
-      read_into.length = member(tether, "length").number();
-    if (tether.find("sharp_angle") != nullptr) read_into.sharp_angle = member(tether, "sharp_angle").number();
-  }
-  if (const Json* v = at.find("lidar")) {
-    const JsonAt lidar{*v, file + ": robot.lidar"};
-    only_keys(lidar, {"range", "rays", "noise"});
-    const JsonAt rays = member(lidar, "rays");
-    if (!rays.value.is_number_integer() || rays.value < 1 || rays.value > 1000000)
-      rays.refuse("a whole number from 1 to 1000000");
-    robot.lidar = Lidar{member(lidar, "range").number(), rays.value.get<int>(), 0};
-    if (lidar.find("noise") != nullptr) robot.lidar->noise = member(lidar, "noise").number();
-  }
-  if (const Json* v = at.find("footprint")) {
-    const JsonAt footprint{*v, file + ": robot.footprint"};
-    if (at.find("radius") != nullptr)
-      throw std::invalid_argument(fmt::format("{} has a radius and a footprint, expected one of the two", at.place));
-    if (v->is_array())
-      for (std::size_t i = 0; i < v->size(); ++i)
-        robot.footprint.push_back(JsonAt{(*v)[i], fmt::format("{}, corner {}", footprint.place, i + 1)}.point());
-    else if (!v->is_string())
-      footprint.refuse("a list of corners [x, y], or \"square:WIDTH\" or \"octagon:WIDTH\"");
-    if (v->is_array() && v->empty()) footprint.refuse("at least 3 corners");
-  }
+  const Settings settings = settings_in(at, "");
   try {
-    if (const Json* v = at.find("footprint"); v != nullptr && v->is_string())
-      robot.footprint = named_footprint(v->get<std::string>());
+    change(robot, settings);
     check(robot);
   } catch (const std::invalid_argument& e) { throw std::invalid_argument(fmt::format("{}: {}", file, e.what())); }
   return robot;
@@ -197,26 +174,35 @@ std::string geometry_text(const Region& region) {
   return text + "]}";
 }
 
-std::string robot_text(const Robot& r) {
-  std::string size = "\"radius\": " + json_number(r.radius);
-  if (!r.footprint.empty()) {
-    size = "\"footprint\": [";
-    for (std::size_t i = 0; i < r.footprint.size(); ++i) size += (i > 0 ? ", " : "") + json_point(r.footprint[i]);
-    size += "]";
+std::string value_text(const std::string& name, const Value& value, const Robot& robot) {
+  if (name == "footprint") {
+    std::string text = "[";
+    for (const Point& p : robot.footprint) text += (text.size() > 1 ? ", " : "") + json_point(p);
+    return text + "]";
   }
-  std::string text = fmt::format(
-      "{{\"name\": {}, {}, \"tool_width\": {}, \"speed\": {}, \"acceleration\": {}, \"turn_rate\": {}, "
-      "\"min_turn_radius\": {}",
-      json_text(r.name), size, json_number(r.tool_width), json_number(r.speed), json_number(r.acceleration),
-      json_number(r.turn_rate), json_number(r.min_turn_radius));
-  if (r.tether)
-    text += fmt::format(", \"tether\": {{\"{}\": {}, \"sharp_angle\": {}}}", r.tether->reach > 0 ? "reach" : "length",
-                        json_number(r.tether->reach > 0 ? r.tether->reach : r.tether->length),
-                        json_number(r.tether->sharp_angle));
-  if (r.lidar)
-    text += fmt::format(", \"lidar\": {{\"range\": {}, \"rays\": {}, \"noise\": {}}}", json_number(r.lidar->range),
-                        r.lidar->rays, json_number(r.lidar->noise));
-  return text + "}";
+  return std::holds_alternative<std::string>(value) ? json_text(std::get<std::string>(value)) : to_text(value);
+}
+
+/// The members of one group, or those of none.
+std::string members_text(const Robot& robot, const Settings& settings, const std::string& group) {
+  std::string text;
+  for (const Parameter<Robot>& parameter : robot_parameters()) {
+    const std::string& name = parameter.info.name;
+    const auto value = settings.find(name);
+    if (robot_group(name) != group || value == settings.end()) continue;
+    const std::string key = group.empty() ? name : name.substr(group.size() + 1);
+    text += fmt::format("{}\"{}\": {}", text.empty() ? "" : ", ", key, value_text(name, value->second, robot));
+  }
+  return text;
+}
+
+std::string robot_text(const Robot& robot) {
+  const Settings settings = settings_of(robot);
+  std::string text = members_text(robot, settings, "");
+  for (const std::string& group : robot_groups())
+    if (const std::string members = members_text(robot, settings, group); !members.empty())
+      text += fmt::format(", \"{}\": {{{}}}", group, members);
+  return "{" + text + "}";
 }
 
 std::string feature_text(const Map& map, const Point* start, const Point* anchor, const Robot* robot) {
@@ -228,9 +214,9 @@ std::string feature_text(const Map& map, const Point* start, const Point* anchor
   return text + "},\n\"geometry\": " + geometry_text(map.free) + "}\n";
 }
 
-}  // namespace
+struct NoOptions {};
 
-MapFile read_geojson(const std::string& file, const ReadOptions& options) {
+MapFile read_geojson(const std::string& file, const NoOptions&) {
   const Json root = parse_json(read_file(file), file);
   MapFile result;
   const JsonAt top{root, file};
@@ -278,9 +264,14 @@ MapFile read_geojson(const std::string& file, const ReadOptions& options) {
         hole_count(written), hole_count(free)));
   if (vertex_count(written) != vertex_count(free))
     result.remarks.push_back(fmt::format("repaired: {} corners became {}", vertex_count(written), vertex_count(free)));
-  if (options.metres_per_pixel > 0 || options.unknown_is_free || options.drop_speckle_m2 > 0 || options.simplify_m > 0)
-    result.remarks.push_back("scale, unknown, speckle and simplify are for pictures and not used here");
   return result;
+}
+
+}  // namespace
+
+MapFormat geojson_format() {
+  return describe_format<NoOptions>("geojson", "GeoJSON: Polygon or MultiPolygon in planar metres",
+                                    {".geojson", ".json"}, {}, read_geojson, to_geojson);
 }
 
 std::string to_geojson(const Problem& problem) {

@@ -10,8 +10,8 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "maps/formats/readers.hpp"
 #include "base/files.hpp"
+#include "maps/formats/readers.hpp"
 
 namespace oxturn {
 namespace {
@@ -193,9 +193,15 @@ GreyImage read_image(const std::string& file) {
       fmt::format("{}: neither a PNG nor a PGM (P2, P5) picture, convert it to one of them", file));
 }
 
-MapFile read_plain_image(const std::string& file, const ReadOptions& options) {
-  if (options.metres_per_pixel <= 0)
-    throw std::invalid_argument(fmt::format("{}: a plain image needs a scale; give --scale METRES_PER_PIXEL", file));
+namespace {
+
+struct ImageOptions : RasterOptions {
+  double scale = 0;
+};
+
+MapFile read_plain_image(const std::string& file, const ImageOptions& options) {
+  if (options.scale <= 0)
+    throw std::invalid_argument(fmt::format("{}: a plain image needs a scale; give scale = METRES_PER_PIXEL", file));
   const GreyImage image = read_image(file);
   std::vector<Occupancy> cells(image.grey.size());
   const std::size_t width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
@@ -211,8 +217,17 @@ MapFile read_plain_image(const std::string& file, const ReadOptions& options) {
                                               : black ? Occupancy::occupied
                                                       : Occupancy::unknown;
     }
-  return map_from_cells(file, image.width, image.height, std::move(cells), {{0, 0}, 0, options.metres_per_pixel},
-                        options);
+  return map_from_cells(file, image.width, image.height, std::move(cells), {{0, 0}, 0, options.scale}, options);
+}
+
+}  // namespace
+
+MapFormat image_format() {
+  return describe_format<ImageOptions>(
+      "image", "plain PNG or PGM with a scale: white is free", {".png", ".pgm"},
+      with_raster_options<ImageOptions>(
+          {{"scale", &ImageOptions::scale, Range{0, 1e9}, "metres per pixel; a plain image does not say"}}),
+      read_plain_image);
 }
 
 }  // namespace oxturn

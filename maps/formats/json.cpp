@@ -7,8 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "maps/formats.hpp"
 #include "base/text.hpp"
+#include "maps/formats.hpp"
 
 namespace oxturn {
 

@@ -6,9 +6,9 @@
 
 #include <stdexcept>
 
+#include "base/files.hpp"
 #include "maps/formats.hpp"
 #include "maps/formats/json.hpp"
-#include "base/files.hpp"
 #include "maps/path_file.hpp"
 
 namespace oxturn {

@@ -26,13 +26,25 @@ struct Placement {
   double resolution = 1;  // metres per pixel
 };
 enum class Occupancy : std::uint8_t { free, occupied, unknown };
+/// What readers of rasters have in common.
+struct RasterOptions {
+  bool unknown_free = false;  // unknown counts as wall unless told otherwise
+  double drop_speckle = 0;    // square metres
+  double simplify = 0;        // metres
+};
+/// Their description, for a reader's own options P that derive from them.
+template <class P>
+std::vector<Parameter<P>> with_raster_options(std::vector<Parameter<P>> own) {
+  own.push_back({"unknown_free", &P::unknown_free, "unknown counts as free (otherwise as wall)"});
+  own.push_back({"drop_speckle", &P::drop_speckle, Range{0, 1e9},
+                 "square metres: obstacles up to this area are dropped; 0: none"});
+  own.push_back({"simplify", &P::simplify, Range{0, 1e9},
+                 "metres: fewer vertices; walls may grow by this, never shrink; 0: exact cell boundaries"});
+  return own;
+}
 /// Cells (row 0 at the bottom) to a map: unknown by option, speckle dropped, traced, simplified. O(cells).
 MapFile map_from_cells(const std::string& file, int columns, int rows, std::vector<Occupancy> cells,
-                       const Placement& placement, const ReadOptions& options);
-
-MapFile read_ros(const std::string& file, const ReadOptions& options);
-MapFile read_plain_image(const std::string& file, const ReadOptions& options);
-MapFile read_geojson(const std::string& file, const ReadOptions& options);
+                       const Placement& placement, const RasterOptions& options);
 
 /// "dir/kitchen.yaml" -> "kitchen".
 std::string stem_of(const std::string& file);

@@ -15,9 +15,9 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "maps/formats/readers.hpp"
 #include "base/files.hpp"
 #include "base/text.hpp"
+#include "maps/formats/readers.hpp"
 
 namespace oxturn {
 namespace {
@@ -108,9 +108,7 @@ Placement placement_of(const RosYaml& yaml) {
   return placement;
 }
 
-}  // namespace
-
-MapFile read_ros(const std::string& file, const ReadOptions& options) {
+MapFile read_ros(const std::string& file, const RasterOptions& options) {
   const RosYaml yaml(file);
   const std::string name = yaml.text("image", "the picture's file, relative to this one");
   const Placement placement = placement_of(yaml);
@@ -149,10 +147,14 @@ MapFile read_ros(const std::string& file, const ReadOptions& options) {
   MapFile result = map_from_cells(file, image.width, image.height, std::move(cells), placement, options);
   if (transparent > 0)
     result.remarks.push_back(fmt::format("{} pixels are transparent and count as unknown", transparent));
-  if (options.metres_per_pixel > 0)
-    result.remarks.push_back(fmt::format("the scale given is not used: the file says {} metres per pixel",
-                                         to_decimal(placement.resolution)));
   return result;
+}
+
+}  // namespace
+
+MapFormat ros_format() {
+  return describe_format<RasterOptions>("ros", "ROS map_server: YAML with a PNG or PGM picture", {".yaml", ".yml"},
+                                        with_raster_options<RasterOptions>({}), read_ros);
 }
 
 }  // namespace oxturn

@@ -21,9 +21,9 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/trace.hpp"
 #include "maps/formats.hpp"
 #include "maps/formats/tether_moments.hpp"
-#include "geometry/trace.hpp"
 #include "maps/picture.hpp"
 
 namespace oxturn {
@@ -326,9 +326,8 @@ void append_marks(std::string& out, const View& view, const Problem& problem, co
   }
   const Point start = view(problem.start());
   if (const Ring& footprint = problem.robot().footprint; !footprint.empty())
-    out += fmt::format(
-        "<path id=\"footprint\" fill=\"none\" stroke=\"#0a7d2c\" stroke-width=\"1.2\" d=\"{}\"/>\n",
-        region_data(view, transformed({{{footprint, {}}}}, 0, problem.start())));
+    out += fmt::format("<path id=\"footprint\" fill=\"none\" stroke=\"#0a7d2c\" stroke-width=\"1.2\" d=\"{}\"/>\n",
+                       region_data(view, transformed({{{footprint, {}}}}, 0, problem.start())));
   out += fmt::format(
       "<g id=\"start\"><title>start</title><circle cx=\"{0}\" cy=\"{1}\" r=\"{2}\" fill=\"none\" stroke=\"#0a7d2c\" "
       "stroke-width=\"1.6\"/><circle cx=\"{0}\" cy=\"{1}\" r=\"{3}\" fill=\"#12a33d\" stroke=\"#fff\" "
@@ -401,6 +400,12 @@ std::string to_svg(const Map& map, const PictureOptions& options) {
   std::string out = head(view, map.name, map.free);
   append_footer(out, view, false);
   return out + "</svg>\n";
+}
+
+MapFormat svg_format() {
+  MapFormat format{"svg", "picture of a map", {".svg"}, {}, {}, {}};
+  format.write = [](const MapFile& file) { return to_svg(file.map); };
+  return format;
 }
 
 }  // namespace oxturn

@@ -2,12 +2,11 @@
 #include "maps/generators.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <stdexcept>
 
-#include "geometry/overlay/validity.hpp"
 #include "base/text.hpp"
+#include "geometry/overlay/validity.hpp"
 
 namespace oxturn {
 
@@ -29,28 +28,19 @@ GeneratorInfo pillars();
 GeneratorInfo hyun();
 }  // namespace generator
 
-const std::vector<GeneratorInfo>& generators() {
-  static const std::vector<GeneratorInfo> all{
-      generator::rectangle(),      generator::polygon(),    generator::clutter(),
-      generator::rooms(),          generator::maze(),       generator::cave(),
-      generator::comb(),           generator::spiral(),     generator::field(),
-      generator::berg_rectangle(), generator::berg_rooms(), generator::divided_corridor(),
-      generator::pillars(),        generator::hyun()};
-  return all;
+Generators built_in_generators() {
+  return Generators(
+      "generator",
+      {generator::rectangle(), generator::polygon(), generator::clutter(), generator::rooms(), generator::maze(),
+       generator::cave(), generator::comb(), generator::spiral(), generator::field(), generator::berg_rectangle(),
+       generator::berg_rooms(), generator::divided_corridor(), generator::pillars(), generator::hyun()});
 }
 
-const GeneratorInfo& find_generator(const std::string& name) {
-  std::vector<std::string> names;
-  for (const GeneratorInfo& g : generators()) {
-    if (g.name == name) return g;
-    names.push_back(g.name);
-  }
-  throw std::invalid_argument(fmt::format("no generator '{}'; did you mean '{}'? There are: {}", name,
-                                          nearest_name(name, names), fmt::join(names, ", ")));
+Map generate(const std::string& generator, const Settings& settings, std::uint64_t seed, const Generators& generators) {
+  return generate(generators.find(generator), settings, seed);
 }
 
-Map generate(const std::string& generator, const Settings& settings, std::uint64_t seed) {
-  const GeneratorInfo& info = find_generator(generator);
+Map generate(const GeneratorInfo& info, const Settings& settings, std::uint64_t seed) {
   // The name is mixed in, so that maps of two families with the same seed are not made of the same draws.
   Rng rng(mix(seed, info.name));
   Map map;

@@ -12,6 +12,8 @@
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/seeds.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -26,9 +28,9 @@ struct Planned {
 Planned plan(const std::string& name, const Problem& problem, const Settings& settings = {}, std::uint64_t seed = 1) {
   Planned out;
   Context::Sinks sinks;
-  sinks.report = [&](const std::string& figure, double value) { out.reports[figure] = value; };
+  sinks.record = [&](const std::string& figure, double value) { out.reports[figure] = value; };
   Context context(seed, 1e9, sinks);
-  out.path = find_planner(zoo(), name).make(settings)->plan(problem, context);
+  out.path = built_in_planner(name, settings)->plan(problem, context);
   return out;
 }
 

@@ -14,6 +14,8 @@
 #include "metrics/score.hpp"
 #include "tests/support/seeds.hpp"
 #include "geometry/trace.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -34,7 +36,7 @@ Robot tethered_robot(double length) {
 
 Path plan_berg(const Problem& problem, const Settings& settings = {}, Context::Sinks sinks = {}) {
   Context context(1, 1e9, std::move(sinks));
-  return find_planner(zoo(), "berg").make(settings)->plan(problem, context);
+  return built_in_planner("berg", settings)->plan(problem, context);
 }
 
 /// A boundary with what it refers to.
@@ -500,7 +502,7 @@ TEST(Berg, StaysInConfigurationSpaceAndBreaksTheLeashOnlyWhereItMay) {
         const Problem problem(generate(generator, {}, seed), tethered_robot(7));
         const Path path = plan_berg(problem, {{"order", std::string(order)}});
         EXPECT_EQ(find_flaw(problem, path, {.tether_counts = false}), "");
-        TautTether string(problem.taut_space(), problem.anchor());
+        TautTether string(problem.tether()->taut_space(), problem.anchor());
         double longest = 0;
         string.drive(problem.start());
         for (const Leg& leg : path.legs)
@@ -546,7 +548,7 @@ TEST(Berg, WhatItCannotDoIsASentence) {
   const Problem big({"room", room, "test", ""}, tethered_robot(3));
   Context context;
   context.cancel();
-  EXPECT_NO_THROW(find_planner(zoo(), "berg").make({})->plan(big, context));
+  EXPECT_NO_THROW(built_in_planner("berg")->plan(big, context));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include "tests/support/drawn.hpp"
 #include "tests/support/seeds.hpp"
 #include "geometry/trace.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -136,7 +138,7 @@ TEST(Boustrophedon, ACancelledRunReturnsAValidBeginning) {
   const Problem p(generate("clutter", {{"width", 8.0}, {"height", 8.0}}, 5), Robot{});
   Context context(1);
   context.cancel();
-  const Path path = find_planner(zoo(), "boustrophedon").make({})->plan(p, context);
+  const Path path = built_in_planner("boustrophedon")->plan(p, context);
   EXPECT_LT(path.length(), plan("boustrophedon", p).length());
 }
 
@@ -146,14 +148,14 @@ TEST(Boustrophedon, TracesWhatItDrives) {
   Context::Sinks sinks;
   sinks.trace = [&](const Trace& t) { names.push_back(t.name); };
   Context context(1, 1e9, sinks);
-  find_planner(zoo(), "boustrophedon").make({{"cells", std::string("exact")}})->plan(p, context);
+  built_in_planner("boustrophedon", {{"cells", std::string("exact")}})->plan(p, context);
   EXPECT_THAT(names, testing::ElementsAre("cells", "lanes"));
 }
 
 TEST(Boustrophedon, AnUnknownOrderIsOneSentence) {
   EXPECT_THAT(
       [] {
-        find_planner(zoo(), "boustrophedon").make({{"order", std::string("random")}});
+        built_in_planner("boustrophedon", {{"order", std::string("random")}});
       },
       testing::ThrowsMessage<std::invalid_argument>(HasSubstr("order")));
 }

@@ -13,6 +13,8 @@
 #include "metrics/score.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/seeds.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -35,9 +37,9 @@ struct Plan {
 Plan plan(const std::string& name, const Problem& problem, Settings settings = {}) {
   Plan result;
   Context::Sinks sinks;
-  sinks.report = [&](const std::string& figure, double value) { result.figures[figure] = value; };
+  sinks.record = [&](const std::string& figure, double value) { result.figures[figure] = value; };
   Context context(1, 1e9, sinks);
-  result.path = find_planner(zoo(), name).make(settings)->plan(problem, context);
+  result.path = built_in_planner(name, settings)->plan(problem, context);
   return result;
 }
 // Wavefront's lattice hangs on the walls, which are 0.2 m off; the others' on the start.

@@ -12,12 +12,14 @@
 #include "algorithms/coverage_planner.hpp"
 #include "base/random.hpp"
 #include "maps/generators.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 
 inline Path plan(const std::string& planner, const Problem& problem, const Settings& settings = {}) {
   Context context(1);
-  return find_planner(zoo(), planner).make(settings)->plan(problem, context);
+  return built_in_planner(planner, settings)->plan(problem, context);
 }
 
 inline Robot disc(double radius, double tool_width) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "maps/generators.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {

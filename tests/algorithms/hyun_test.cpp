@@ -15,6 +15,8 @@
 #include "tests/support/drawn.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/seeds.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -23,9 +25,9 @@ using Records = std::map<std::string, double>;
 
 Path plan_with(const char* planner, const Problem& problem, const Settings& settings = {}, Records* reports = nullptr) {
   Context::Sinks sinks;
-  if (reports != nullptr) sinks.report = [reports](const std::string& name, double v) { (*reports)[name] = v; };
+  if (reports != nullptr) sinks.record = [reports](const std::string& name, double v) { (*reports)[name] = v; };
   Context context(1, 1e9, std::move(sinks));
-  return find_planner(zoo(), planner).make(settings)->plan(problem, context);
+  return built_in_planner(planner, settings)->plan(problem, context);
 }
 
 Path plan_hyun(const Problem& problem, const Settings& settings = {}, Records* reports = nullptr) {
@@ -276,7 +278,7 @@ TEST(Tlppa, APassageNarrowerThanItsCellsIsNotSeen) {
 
 TEST(Hyun, AnEmptyRoomIsLanesOnly) {
   Robot robot;
-  robot.footprint = named_footprint("octagon:1");
+  robot.footprint = parse_footprint("octagon:1");
   robot.tool_width = 1;
   const Problem problem({"hall", box_region({0, 0}, {11, 8}), "test", ""}, robot, Point(5, 4));
   Records reports;
@@ -293,7 +295,7 @@ TEST(Hyun, AnEmptyRoomIsLanesOnly) {
 Robot octagonal() {
   Robot robot;
   robot.name = "octagon";
-  robot.footprint = named_footprint("octagon:1");
+  robot.footprint = parse_footprint("octagon:1");
   robot.tool_width = 1;
   return robot;
 }
@@ -376,7 +378,7 @@ TEST(Hyun, WithoutAnyPointItSaysSo) {
 
 // Who says `footprint` is given polygonal robots, and keeps them in configuration space.
 TEST(Footprints, EveryPlannerThatTakesThemIsValid) {
-  for (const PlannerInfo& planner : zoo()) {
+  for (const PlannerInfo& planner : built_in()) {
     if (!planner.has(Capability::footprint) || planner.has(Capability::tether)) continue;
     for (const char* generator : {"hyun", "polygon", "clutter", "rooms", "cave", "comb", "field"}) {
       SCOPED_TRACE(fmt::format("{} on {}", planner.name, generator));
@@ -388,7 +390,7 @@ TEST(Footprints, EveryPlannerThatTakesThemIsValid) {
       const Problem problem(generate(generator, size, 2), robot);
       EXPECT_EQ(missing_capability(planner, problem), "");
       Context context(1);
-      const Score s = score(problem, planner.make({})->plan(problem, context));
+      const Score s = score(problem, planner.make({}, built_in())->plan(problem, context));
       EXPECT_EQ(s.flaw, "");
       EXPECT_GT(*s.value("coverage"), 0.5);
     }
@@ -397,7 +399,7 @@ TEST(Footprints, EveryPlannerThatTakesThemIsValid) {
 
 TEST(Footprints, OthersAreUnsupported) {
   const Problem problem({"hall", box_region({0, 0}, {11, 8}), "test", ""}, octagonal());
-  EXPECT_EQ(missing_capability(find_planner(zoo(), "berg"), problem),
+  EXPECT_EQ(missing_capability(built_in().find("berg"), problem),
             "planner 'berg' has no capability 'footprint', which a robot that is no disc asks for");
 }
 

@@ -8,6 +8,7 @@
 #include "maps/generators.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/seeds.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {

@@ -5,6 +5,7 @@
 #include "algorithms/lattice/grid_graph.hpp"
 #include "geometry/edge_index.hpp"
 #include "maps/generators.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {

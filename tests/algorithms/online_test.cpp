@@ -15,6 +15,8 @@
 #include "tests/support/drawn.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/seeds.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -146,9 +148,9 @@ TEST(Lidar, BadInputIsOneSentence) {
       },
       ThrowsMessage<std::invalid_argument>("lidar.noise is -0.1, expected metres of at least 0"));
   Robot robot = with_lidar(5, 0);
-  EXPECT_EQ(complaint([&] { check(robot); }), "robot 'disc': lidar.rays is 0, expected at least 1");
+  EXPECT_EQ(complaint([&] { check(robot); }), "parameter 'lidar_rays' of robot 'disc' is 0, expected a whole number from 1 to 1e+06");
   robot = with_lidar(5, 8, -1);
-  EXPECT_EQ(complaint([&] { check(robot); }), "robot 'disc': lidar.noise is -1, expected metres of at least 0");
+  EXPECT_EQ(complaint([&] { check(robot); }), "parameter 'lidar_noise' of robot 'disc' is -1, expected a number from 0 to 1e+09");
 }
 
 // ----------------------------------------------------------------------------------------------------- belief
@@ -316,7 +318,7 @@ TEST(Belief, APoleThinnerThanTheRaysAreApartIsNeverHit) {
   const Problem p(Map{"poles", hall, "", ""}, with_lidar(8, 180), Point(0.5, 1.5));
   Context context(1);
   const Path path = plan_online(p, context, [](const Problem& believed, Context& c) {
-    return find_planner(zoo(), "boustrophedon").make({})->plan(believed, c);
+    return built_in_planner("boustrophedon")->plan(believed, c);
   });
   expect_valid(p, path);
   EXPECT_GT(*score(p, path).value("coverage_lower"), 0.97);
@@ -441,7 +443,7 @@ TEST(DriveOnline, ACancelledRobotGoesNowhere) {
 
 TEST(DriveOnline, NoLidarAndTooShortALidarAreSentences) {
   const auto boustrophedon = [](const Problem& believed, Context& c) {
-    return find_planner(zoo(), "boustrophedon").make({})->plan(believed, c);
+    return built_in_planner("boustrophedon")->plan(believed, c);
   };
   Context context(1);
   EXPECT_THAT(
@@ -459,12 +461,12 @@ TEST(DriveOnline, NoLidarAndTooShortALidarAreSentences) {
 TEST(DriveOnline, AReportHasAPlainName) {
   std::vector<std::string> heard;
   Context::Sinks sinks;
-  sinks.report = [&](const std::string& name, double) { heard.push_back(name); };
+  sinks.record = [&](const std::string& name, double) { heard.push_back(name); };
   Context context(1, 1e9, sinks);
-  context.report("explored_share", 1);
+  context.record("explored_share", 1);
   EXPECT_THAT(heard, testing::ElementsAre("explored_share"));
   for (const char* bad : {"", "a,b", "Share", "a b", "x\n"})
-    EXPECT_THAT([&] { context.report(bad, 1); },
+    EXPECT_THAT([&] { context.record(bad, 1); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("expected small letters")));
 }
 
@@ -539,7 +541,7 @@ TEST(Explorer, KeepsTheLeash) {
 
 Path boustrophedon_online(const Problem& problem, Context& context) {
   return plan_online(problem, context, [](const Problem& believed, Context& c) {
-    return find_planner(zoo(), "boustrophedon").make({})->plan(believed, c);
+    return built_in_planner("boustrophedon")->plan(believed, c);
   });
 }
 
@@ -563,7 +565,7 @@ TEST(SurveyThenPlan, CoversAsTheMapWouldLetItAtHalfAsMuchAgainAtMost) {
 // On a leash: survey, home along the string, then a tethered planner on what is believed. Each that can.
 TEST(SurveyThenPlan, TetheredPlannersKeepTheLeashAndTheirCoverage) {
   std::size_t planners = 0;
-  for (const PlannerInfo& info : zoo()) {
+  for (const PlannerInfo& info : built_in()) {
     if (!info.has(Capability::online) || !info.has(Capability::tether)) continue;
     ++planners;
     std::vector<double> ratios;
@@ -575,7 +577,7 @@ TEST(SurveyThenPlan, TetheredPlannersKeepTheLeashAndTheirCoverage) {
       const Problem p(generate(generator, {{"width", size}, {"height", size}}, 3), robot);
       SCOPED_TRACE(fmt::format("{} {} reach {}", info.name, p.map().source, reach));
       Context context(1);
-      const Path path = info.make({{"sensing", std::string("lidar")}})->plan(p, context);
+      const Path path = info.make({{"sensing", std::string("lidar")}}, built_in())->plan(p, context);
       const Path known = plan(info.name, p);
       const Score online = score(p, path), offline = score(p, known);
       if (offline.flaw.empty()) { EXPECT_EQ(online.flaw, ""); }
@@ -607,7 +609,7 @@ TEST(SurveyThenPlan, SameSeedSamePathAndReports) {
   Path paths[2];
   for (int k = 0; k < 2; ++k) {
     Context::Sinks sinks;
-    sinks.report = [&](const std::string& name, double value) { reports[k][name] = value; };
+    sinks.record = [&](const std::string& name, double value) { reports[k][name] = value; };
     Context context(7, 1e9, sinks);
     paths[k] = boustrophedon_online(p, context);
   }

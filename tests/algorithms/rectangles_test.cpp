@@ -12,6 +12,8 @@
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/seeds.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -103,7 +105,7 @@ TEST(RectangleWorld, FillsTheCornersOfSmallObstaclesOnly) {
 
 Path plan_rectangles(const Problem& problem, const Settings& settings = {}) {
   Context context(1);
-  return find_planner(zoo(), "rectangles").make(settings)->plan(problem, context);
+  return built_in_planner("rectangles", settings)->plan(problem, context);
 }
 
 TEST(Rectangles, AnEmptyRoomIsOneRectangleDrivenColumnByColumn) {
@@ -269,10 +271,10 @@ TEST(Rectangles, OnlineScansTheOuterWallThenCleansWhatOfflineDoes) {
     const Problem problem(generate(generator, settings, 1), robot);
     std::map<std::string, double> reports;
     Context::Sinks sinks;
-    sinks.report = [&](const std::string& figure, double value) { reports[figure] = value; };
+    sinks.record = [&](const std::string& figure, double value) { reports[figure] = value; };
     Context context(1, 1e9, sinks);
     const Path path =
-        find_planner(zoo(), "rectangles").make({{"sensing", std::string("lidar")}})->plan(problem, context);
+        built_in_planner("rectangles", {{"sensing", std::string("lidar")}})->plan(problem, context);
     EXPECT_GT(coverage_of(problem, path), 0.75 * coverage_of(problem, plan_rectangles(problem)));
     EXPECT_GT(reports.at("explored_share"), 0.98);
     EXPECT_GE(reports.at("partitions"), 1);

@@ -19,6 +19,8 @@
 #include "tests/support/drawn.hpp"
 #include "tests/support/seeds.hpp"
 #include "geometry/trace.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -32,10 +34,10 @@ struct Planned {
 Planned plan_with(const char* name, const Problem& problem, const Settings& settings = {}) {
   Planned result;
   Context::Sinks sinks;
-  sinks.report = [&](const std::string& figure, double value) { result.figures[figure] = value; };
+  sinks.record = [&](const std::string& figure, double value) { result.figures[figure] = value; };
   sinks.trace = [&](const Trace& trace) { result.traces.insert(trace.name); };
   Context context(1, 1e9, sinks);
-  result.path = find_planner(zoo(), name).make(settings)->plan(problem, context);
+  result.path = built_in_planner(name, settings)->plan(problem, context);
   return result;
 }
 

@@ -14,6 +14,7 @@
 #include "metrics/score.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/seeds.hpp"
+#include "tests/support/planners.hpp"
 
 namespace oxturn {
 namespace {
@@ -110,7 +111,7 @@ std::size_t beside_a_wall(const Drawing2& rows, const std::set<Location>& cells)
 
 Path plan(const char* name, const Problem& problem, const Settings& settings = {}) {
   Context context(1);
-  return find_planner(zoo(), name).make(settings)->plan(problem, context);
+  return built_in_planner(name, settings)->plan(problem, context);
 }
 
 // The sub-cells of the wholly free coarse cells about the start; empty if it is in none. Which of the four sub-cells the

@@ -8,6 +8,8 @@
 
 #include "algorithms/coverage_planner.hpp"
 #include "maps/generators.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -16,7 +18,7 @@ using Cell = std::pair<int, int>;
 
 Path plan_stc(const Problem& problem, const Settings& settings = {}) {
   Context context(1);
-  return find_planner(zoo(), "stc").make(settings)->plan(problem, context);
+  return built_in_planner("stc", settings)->plan(problem, context);
 }
 
 // The sub-cells that a tool-on leg stands on, in driving order, counted along the leg from its own first point: shares

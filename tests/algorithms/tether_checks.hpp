@@ -11,6 +11,7 @@
 #include "geometry/predicates.hpp"
 #include "geometry/tether/taut_tether.hpp"
 #include "maps/generators.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 
@@ -26,11 +27,11 @@ struct TetherReport {
 /// the last.
 inline TetherReport drive_tethered(const Problem& problem, const Path& path, double step) {
   TetherReport report;
-  TautTether string(problem.taut_space(), problem.anchor());
-  string.drive(problem.geodesics().path(problem.start()));
+  TautTether string(problem.tether()->taut_space(), problem.anchor());
+  string.drive(problem.tether()->geodesics().path(problem.start()));
   const auto look = [&](bool tool) {
     report.longest = std::max(report.longest, string.length());
-    const double excess = string.length() - problem.geodesics().distance(string.robot());
+    const double excess = string.length() - problem.tether()->geodesics().distance(string.robot());
     report.excess = std::max(report.excess, excess);
     if (tool) report.excess_at_work = std::max(report.excess_at_work, excess);
   };

@@ -9,6 +9,8 @@
 #include "tests/support/seeds.hpp"
 #include "tether_checks.hpp"
 #include "maps/path_file.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -75,7 +77,7 @@ TEST(TetherSpace, ARobotWithoutTetherIsOneSentence) {
   for (const char* name : {"leashed", "berg-complete"}) {
     Context context;
     try {
-      find_planner(zoo(), name).make({})->plan(problem, context);
+      built_in_planner(name)->plan(problem, context);
       FAIL() << name;
     } catch (const Unsupported& e) { EXPECT_THAT(e.what(), HasSubstr("needs a robot with a tether")); }
   }
@@ -179,7 +181,7 @@ TEST(BergComplete, TackingKeepsTheHeadingFromThePull) {
       for (const Leg& leg : path.legs)
         for (std::size_t i = 1; i < leg.points.size(); ++i) {
           const Point &a = leg.points[i - 1], &b = leg.points[i];
-          const Point pull = problem.geodesics().sight(lerp(a, b, 0.5)).from - lerp(a, b, 0.5);
+          const Point pull = problem.tether()->geodesics().sight(lerp(a, b, 0.5)).from - lerp(a, b, 0.5);
           if ((b - a).dot(pull) > std::cos(kPi / 4) * (b - a).norm() * pull.norm()) sum += distance(a, b);
         }
       return sum / path.length();

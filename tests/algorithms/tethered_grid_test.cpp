@@ -12,6 +12,7 @@
 #include "tests/support/seeds.hpp"
 #include "tether_checks.hpp"
 #include "maps/path_file.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -124,10 +125,10 @@ void expect_every_cell(const std::string& planner, const Problem& problem, const
   EXPECT_LE(path.length(), 2 * problem.robot().tether->length * static_cast<double>(places.size()));
   EXPECT_EQ(path.legs.back().points.back(), problem.start());
   // At the end the string is as it was at the start.
-  TautTether string(problem.taut_space(), problem.anchor());
-  string.drive(problem.geodesics().path(problem.start()));
+  TautTether string(problem.tether()->taut_space(), problem.anchor());
+  string.drive(problem.tether()->geodesics().path(problem.start()));
   for (const Leg& leg : path.legs) string.drive(leg.points);
-  EXPECT_NEAR(string.length(), problem.geodesics().distance(problem.start()), 1e-9);
+  EXPECT_NEAR(string.length(), problem.tether()->geodesics().distance(problem.start()), 1e-9);
 }
 
 TEST(ShnapsRimon, VisitsEveryCellWithinTheBoundAndTheLeash) {
@@ -229,7 +230,7 @@ TEST(TetherTree, ThereAndBackOverEveryEdgeAndNoDeeperThanTheLeash) {
           EXPECT_EQ(cells_driven(path, problem.start(), kSide), wanted);
           EXPECT_NEAR(path.length(), 2 * kSide * static_cast<double>(wanted.size() - 1), 1e-6);
           EXPECT_EQ(path.legs.back().points.back(), problem.start());
-          TautTether string(problem.taut_space(), problem.anchor());
+          TautTether string(problem.tether()->taut_space(), problem.anchor());
           for (const Leg& leg : path.legs)
             for (const Point& p : leg.points) {
               string.drive(p);
@@ -273,7 +274,7 @@ TEST(TetheredStc, EachSubCellOnceAndTheStringIsTheGeodesic) {
             if (std::any_of(quarters.begin(), quarters.end(), [](const auto& q) { return q.second != 4; })) continue;
             ++fits;
             const Point root = problem.start() + side * Point(corner.first + 0.5, corner.second + 0.5);
-            TautTether string(problem.taut_space(), problem.anchor());
+            TautTether string(problem.tether()->taut_space(), problem.anchor());
             std::map<Cell, int> depth = flood(TetherSpace(problem, "test").cut_space(), root, 2 * side);
             for (const Point& p : path.legs.front().points) {
               string.drive(p);
@@ -300,7 +301,7 @@ TEST(TetheredStc, StringWithinDepthTimesTwoCellsAndADiagonal) {
   const Path path = plan("tethered-stc", problem);
   // Which corner of its coarse cell the start is: all four are equal here, so the first is taken.
   std::set<Cell> coarse;
-  TautTether string(problem.taut_space(), problem.anchor());
+  TautTether string(problem.tether()->taut_space(), problem.anchor());
   for (const Cell& c : cells_driven(path, problem.start(), kSide)) coarse.insert({c.first >> 1, c.second >> 1});
   for (const Point& p : path.legs.front().points) {
     string.drive(p);

@@ -5,6 +5,7 @@
 #include "coverage_oracle.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/seeds.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {

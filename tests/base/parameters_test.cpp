@@ -4,9 +4,8 @@
 
 #include <cmath>
 
-#include "maps/map.hpp"
-#include "tests/support/files.hpp"
 #include "base/text.hpp"
+#include "tests/support/files.hpp"
 
 namespace oxturn {
 namespace {
@@ -31,7 +30,7 @@ std::string why(const Settings& settings) {
 }
 
 TEST(Parameters, FallbacksAreTheStructsOwn) {
-  const auto infos = to_infos(lines());
+  const auto infos = infos_of(lines());
   ASSERT_EQ(infos.size(), 4u);
   EXPECT_EQ(infos[0].fallback, Value(false));
   EXPECT_EQ(infos[1].fallback, Value(std::int64_t{8}));
@@ -70,7 +69,7 @@ TEST(Parameters, WholeNumbersThatDoNotFitAreRefused) {
 }
 
 TEST(Parameters, TextsAreReadInTheParametersType) {
-  const auto infos = to_infos(lines());
+  const auto infos = infos_of(lines());
   const auto read = [&](std::size_t i, const char* text) { return parse_value("x", infos[i], text); };
   EXPECT_EQ(read(0, "true"), Value(true));
   EXPECT_EQ(read(0, "off"), Value(false));
@@ -103,24 +102,6 @@ TEST(Parameters, NearestNameIsNearest) {
   EXPECT_EQ(nearest_name("zig-zag", planners), "zigzag");
   EXPECT_EQ(nearest_name("", {"only"}), "only");
   EXPECT_EQ(nearest_name("x", {}), "");
-}
-
-TEST(RobotCheck, EachNumberIsLookedAt) {
-  const auto why_not = [](auto change) {
-    Robot r;
-    change(r);
-    return complaint([&] { check(r); });
-  };
-  EXPECT_EQ(why_not([](Robot&) {}), "");
-  EXPECT_EQ(why_not([](Robot& r) { r.radius = 0; }), "");
-  EXPECT_EQ(why_not([](Robot& r) { r.tool_width = 0; }), "robot 'disc': tool_width is 0, expected metres above 0");
-  EXPECT_EQ(why_not([](Robot& r) { r.radius = -1; }), "robot 'disc': radius is -1, expected metres of at least 0");
-  EXPECT_THAT(why_not([](Robot& r) { r.speed = std::nan(""); }), testing::HasSubstr("speed is nan"));
-  EXPECT_THAT(why_not([](Robot& r) { r.acceleration = 0; }), testing::HasSubstr("acceleration is 0"));
-  EXPECT_THAT(why_not([](Robot& r) { r.turn_rate = INFINITY; }), testing::HasSubstr("turn_rate is inf"));
-  EXPECT_THAT(why_not([](Robot& r) { r.min_turn_radius = -2; }), testing::HasSubstr("min_turn_radius is -2"));
-  EXPECT_THAT(why_not([](Robot& r) { r.tether = Tether{0}; }), testing::HasSubstr("tether.length is 0"));
-  EXPECT_THAT(why_not([](Robot& r) { r.lidar = Lidar{5, 0}; }), testing::HasSubstr("lidar.rays is 0"));
 }
 
 }  // namespace

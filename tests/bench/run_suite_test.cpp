@@ -18,6 +18,7 @@
 #include "base/files.hpp"
 #include "base/sha256.hpp"
 #include "maps/path_file.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {

@@ -11,6 +11,8 @@
 #include "test_planners.hpp"
 #include "base/files.hpp"
 #include "maps/path_file.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -111,7 +113,7 @@ TEST(Suite, FootprintsAreNamedOrListed) {
       suite_of(fmt::format("{}[robots.r]\nfootprint = [\"octagon:1\", \"square:0.5\"]\n{}", kHead, rest));
   ASSERT_EQ(named.robots.size(), 2u);
   EXPECT_EQ(named.robots[0].name, "r[footprint=octagon:1]");
-  EXPECT_EQ(named.robots[1].footprint, named_footprint("square:0.5"));
+  EXPECT_EQ(named.robots[1].footprint, parse_footprint("square:0.5"));
   const Suite listed = suite_of(fmt::format("{}[robots.r]\nfootprint = [[1, 0], [0, 1], [-1, -1.5]]\n{}", kHead, rest));
   ASSERT_EQ(listed.robots.size(), 1u);
   EXPECT_EQ(listed.robots[0].name, "r");
@@ -299,20 +301,20 @@ TEST(Suite, HashKnowsPlacesAndTethers) {
 }
 
 TEST(Suite, QuickIsWellFormed) {
-  const Suite quick = read_suite(std::string(OXTURN_SOURCE_DIR) + "/bench/suites/quick.toml", zoo());
+  const Suite quick = read_suite(std::string(OXTURN_SOURCE_DIR) + "/bench/suites/quick.toml", built_in());
   std::set<std::string> families;
   for (const MapSpec& m : quick.maps) families.insert(m.generator);
   EXPECT_EQ(families.size(), 9u);
   // Every planner but those for robots on a leash, which `tether` has, and vacuum habits, which `grid` has.
   std::set<std::string> wanted, listed;
-  for (const PlannerInfo& p : zoo())
+  for (const PlannerInfo& p : built_in())
     if (!p.has(Capability::tether) && p.family != "baseline") wanted.insert(p.name);
   for (const PlannerSpec& p : quick.planners) listed.insert(p.name);
   EXPECT_EQ(listed, wanted);
 }
 
 Suite shipped(const std::string& name) {
-  return read_suite(std::string(OXTURN_SOURCE_DIR) + "/bench/suites/" + name + ".toml", zoo());
+  return read_suite(std::string(OXTURN_SOURCE_DIR) + "/bench/suites/" + name + ".toml", built_in());
 }
 
 TEST(Suite, AllThatComeWithOxturnAreWellFormed) {
@@ -337,9 +339,9 @@ TEST(Suite, TetherHasEveryFamilyAndEveryTetheredPlanner) {
   for (const PlannerSpec& p : tether.planners) planners.insert(p.name);
   // Three are made for one planner each, that knows nothing of tethers.
   const std::set<std::string> for_one{"hyun", "divided-corridor", "pillars"};
-  for (const GeneratorInfo& g : generators())
+  for (const GeneratorInfo& g : built_in_maps())
     EXPECT_TRUE(families.contains(g.name) || for_one.contains(g.name)) << g.name;
-  for (const PlannerInfo& p : zoo())
+  for (const PlannerInfo& p : built_in())
     if (p.has(Capability::tether)) { EXPECT_TRUE(planners.contains(p.name)) << p.name; }
   EXPECT_TRUE(anchors.contains("start") && anchors.contains("wall"));
 }

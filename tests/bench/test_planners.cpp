@@ -108,10 +108,10 @@ class TestPlanner final : public CoveragePlanner {
       std::fprintf(stderr, "and more\n");
     }
     if (how == "report") {
-      context.report("laps", 3);
-      context.report("share", 0.25);
-      context.report("laps", 4);  // the last one counts
-      context.report("nothing", std::nan(""));
+      context.record("laps", 3);
+      context.record("share", 0.25);
+      context.record("laps", 4);  // the last one counts
+      context.record("nothing", std::nan(""));
     }
     if (how == "partial") {
       PathBuilder path(start);

@@ -7,6 +7,7 @@
 
 #include "maps/formats.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {

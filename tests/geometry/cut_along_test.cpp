@@ -14,12 +14,12 @@ namespace {
 const Region kBox = box_region({0, 0}, {10, 10});
 
 TEST(Slit, NoLinesLeaveTheRegion) {
-  EXPECT_EQ(area(slit(kBox, {}, 0.1)), 100);
-  EXPECT_TRUE(slit(Region{}, {{{0, 0}, {1, 1}}}, 0.1).empty());
+  EXPECT_EQ(area(cut_along(kBox, {}, 0.1)), 100);
+  EXPECT_TRUE(cut_along(Region{}, {{{0, 0}, {1, 1}}}, 0.1).empty());
 }
 
 TEST(Slit, AStripReachesHalfItsWidthPastItsEnds) {
-  const Region r = slit(kBox, {{{2, 5}, {8, 5}}}, 0.5);
+  const Region r = cut_along(kBox, {{{2, 5}, {8, 5}}}, 0.5);
   ASSERT_EQ(r.polygons.size(), 1u);
   ASSERT_EQ(hole_count(r), 1u);
   EXPECT_NEAR(area(r), 100 - 6.5 * 0.5, 1e-6);
@@ -31,7 +31,7 @@ TEST(Slit, WallToWallCutsInTwoWhateverTheDirection) {
     const Point d(std::cos(angle), std::sin(angle));
     // To the walls exactly, rounded: the ends may lie a little inside.
     const double far = 5 / std::max(std::abs(d.x()), std::abs(d.y()));
-    const Region r = slit(kBox, {{Point(5, 5) - far * d, Point(5, 5) + far * d}}, 1e-5);
+    const Region r = cut_along(kBox, {{Point(5, 5) - far * d, Point(5, 5) + far * d}}, 1e-5);
     EXPECT_EQ(r.polygons.size(), 2u) << angle;
     EXPECT_NEAR(area(r), 100, 1e-3);
   }
@@ -52,7 +52,7 @@ TEST(Slit, StripsThatShareAPointLeaveNoGap) {
       if (rng.chance(0.5)) std::reverse(lines.back().begin(), lines.back().end());
       if (rng.chance(0.3)) lines.push_back(lines.back());  // repeated
     }
-    const Region r = slit(kBox, lines, 1e-4);
+    const Region r = cut_along(kBox, lines, 1e-4);
     EXPECT_EQ(r.polygons.size(), static_cast<std::size_t>(spokes));
     EXPECT_EQ(hole_count(r), 0u);
   }
@@ -65,7 +65,7 @@ TEST(Slit, WhatIsTakenAwayIsWithinTheWidthOfTheLines) {
     Polyline line;
     for (int k = 0; k < 6; ++k) line.push_back({rng.between(-0.5, 3.5), rng.between(-0.5, 3.5)});
     const double width = 0.05;
-    const Region r = slit(region, {line}, width);
+    const Region r = cut_along(region, {line}, width);
     const EdgeIndex before(region), after(r);
     for (int q = 0; q < 200; ++q) {
       Point p(rng.between(0.0, 3.0), rng.between(0.0, 3.0));
@@ -89,17 +89,17 @@ TEST(Slit, RefusesWhatItCannotCut) {
   using testing::ThrowsMessage;
   EXPECT_THAT(
       [] {
-        slit(kBox, {{{0, 0}, {1, 1}}}, 1e-8);
+        cut_along(kBox, {{{0, 0}, {1, 1}}}, 1e-8);
       },
       ThrowsMessage<std::invalid_argument>(HasSubstr("too narrow")));
   EXPECT_THAT(
       [] {
-        slit(kBox, {{{0, 0}, {1, 1}}}, std::nan(""));
+        cut_along(kBox, {{{0, 0}, {1, 1}}}, std::nan(""));
       },
       ThrowsMessage<std::invalid_argument>(HasSubstr("too narrow")));
   EXPECT_THAT(
       [] {
-        slit(kBox, {{{0, 0}, {std::nan(""), 1}}}, 0.1);
+        cut_along(kBox, {{{0, 0}, {std::nan(""), 1}}}, 0.1);
       },
       ThrowsMessage<std::invalid_argument>(HasSubstr("not finite")));
 }

@@ -107,7 +107,7 @@ TEST(GeodesicField, DistancesWithBarriersAgreeWithAVisibilityGraph) {
   for_each_scene(40, {0, 1, 3}, [](const Scene& scene, Rng& rng) {
     const std::vector<Polyline> lines = barriers(scene.region, rng.between(0.1, 0.6));
     const Point anchor = scene.open(rng);
-    const Region walled = slit(scene.region, lines, 1e-5);
+    const Region walled = cut_along(scene.region, lines, 1e-5);
     const GeodesicOracle oracle(walled, anchor);
     const GeodesicField field(scene.region, anchor, lines, 1e-9);
     if (!oracle.index().contains(anchor)) return;
@@ -184,7 +184,7 @@ TEST(GeodesicField, NoWayLeadsThroughAPointWhereRingsTouch) {
   const GeodesicField field(region, {1.5, 2.5}, {}, 1e-9);
   EXPECT_EQ(field.sight({1.5, 2.5}).corners, 0u);
   EXPECT_GT(field.distance({2.5, 1.5}), 3);
-  const GeodesicOracle oracle(slit(region, {{{2, 2}, {2.001, 2.001}}}, 1e-5), {1.5, 2.5});
+  const GeodesicOracle oracle(cut_along(region, {{{2, 2}, {2.001, 2.001}}}, 1e-5), {1.5, 2.5});
   EXPECT_NEAR(field.distance({2.5, 1.5}), oracle.distance({2.5, 1.5}), 1e-3);
 }
 
@@ -435,7 +435,7 @@ TEST(GeodesicField, FarFromTheOriginAndInMillimetres) {
       const double l = rng.between(0.2, 0.9) * field.farthest(), width = 1e-5 * scale * scene.box.size().norm();
       EXPECT_NEAR(total_length(arcs_of(other.level(scale * l))), scale * total_length(arcs_of(field.level(l))),
                   1e-4 * scale);
-      EXPECT_EQ(hole_count(slit(region, other.cut(width), width)), 0u);
+      EXPECT_EQ(hole_count(cut_along(region, other.cut(width), width)), 0u);
     }
   });
 }
@@ -493,7 +493,7 @@ TEST(GeodesicField, SpaceCutOpenHasNoHolesAndTheSameDistances) {
     const Point anchor = scene.open(rng);
     const GeodesicField field(scene.region, anchor, {}, 1e-9);
     const double width = 1e-5 * scene.box.size().norm();
-    const Region open = slit(scene.region, field.cut(width), width);
+    const Region open = cut_along(scene.region, field.cut(width), width);
     EXPECT_EQ(hole_count(open), 0u);
     const ShortestPaths paths(open, 2 * width);
     const EdgeIndex index(open);
@@ -515,7 +515,7 @@ TEST(GeodesicField, TheCutRespectsBarriers) {
     const double width = 1e-5 * scene.box.size().norm();
     std::vector<Polyline> cut = field.cut(width);
     cut.insert(cut.end(), lines.begin(), lines.end());
-    const Region open = slit(scene.region, cut, width);
+    const Region open = cut_along(scene.region, cut, width);
     const ShortestPaths paths(open, 2 * width);
     const EdgeIndex index(open);
     if (!index.contains(anchor)) return;

@@ -30,7 +30,7 @@ Region cut_open(const Region& space, const GeodesicField& field, const Point& st
     if (last.norm() > 0) line.push_back(line.back() + last.normalized() * 2 * kWidth);
   }
   if (lines.empty()) return space;
-  for (const Polygon& part : slit(space, lines, kWidth).polygons)
+  for (const Polygon& part : cut_along(space, lines, kWidth).polygons)
     if (EdgeIndex(Region{{part}}).contains(start)) return {{part}};
   return {};
 }

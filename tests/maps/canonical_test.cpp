@@ -5,6 +5,7 @@
 #include "base/random.hpp"
 #include "maps/formats.hpp"
 #include "maps/map.hpp"
+#include "maps/robot.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/seeds.hpp"
 #include "base/files.hpp"

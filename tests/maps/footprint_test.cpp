@@ -7,6 +7,7 @@
 #include "tests/support/files.hpp"
 #include "base/files.hpp"
 #include "maps/path_file.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -25,32 +26,32 @@ std::string flaw_of(const Robot& robot) {
 Map hall() { return {"hall", box_region({0, 0}, {10, 8}), "test", ""}; }
 
 TEST(Footprint, NamedShapes) {
-  const Ring octagon = named_footprint("octagon:1");
+  const Ring octagon = parse_footprint("octagon:1");
   ASSERT_EQ(octagon.size(), 8u);
   EXPECT_EQ(flaw_of(shaped(octagon)), "");
   EXPECT_NEAR(in_radius(octagon), 0.5, 1e-12);
   EXPECT_NEAR(signed_area(octagon), 2 * (std::sqrt(2.0) - 1), 1e-12);  // of width 1
   EXPECT_DOUBLE_EQ(height(shaped(octagon)), 1);
-  EXPECT_EQ(named_footprint("square:0.5"), (Ring{{.25, -.25}, {.25, .25}, {-.25, .25}, {-.25, -.25}}));
+  EXPECT_EQ(parse_footprint("square:0.5"), (Ring{{.25, -.25}, {.25, .25}, {-.25, .25}, {-.25, -.25}}));
   for (const char* bad : {"octagon", "octagon:", "octagon:-1", "octagon:0", "octagon:1m", "octagon:inf", "star:1", ""})
-    EXPECT_THAT(complaint([&] { named_footprint(bad); }), HasSubstr("expected square:WIDTH or octagon:WIDTH")) << bad;
+    EXPECT_THAT(complaint([&] { parse_footprint(bad); }), HasSubstr("expected disc, square:WIDTH or octagon:WIDTH")) << bad;
 }
 
 TEST(Footprint, EachFlawIsASentence) {
-  EXPECT_EQ(flaw_of(shaped({{1, 0}, {0, 1}})), "robot 'r': footprint has 2 corners, expected at least 3");
-  EXPECT_THAT(flaw_of(shaped({{1, 0}, {0, std::nan("")}, {-1, -1}})), HasSubstr("corner 2 is not finite"));
+  EXPECT_EQ(flaw_of(shaped({{1, 0}, {0, 1}})), "robot 'r': footprint has 2 vertices, expected at least 3");
+  EXPECT_THAT(flaw_of(shaped({{1, 0}, {0, std::nan("")}, {-1, -1}})), HasSubstr("vertex 2 is not finite"));
   EXPECT_THAT(flaw_of(shaped({{1, 0}, {-1, -1}, {0, 1}})), HasSubstr("runs clockwise"));
-  EXPECT_THAT(flaw_of(shaped({{1, -1}, {1, 1}, {0, 0.2}, {-1, 1}, {-1, -1}})), HasSubstr("not convex at corner 3"));
-  EXPECT_THAT(flaw_of(shaped({{1, -1}, {1, 0}, {1, 1}, {-1, 1}, {-1, -1}})), HasSubstr("not convex at corner 2"));
+  EXPECT_THAT(flaw_of(shaped({{1, -1}, {1, 1}, {0, 0.2}, {-1, 1}, {-1, -1}})), HasSubstr("not convex at vertex 3"));
+  EXPECT_THAT(flaw_of(shaped({{1, -1}, {1, 0}, {1, 1}, {-1, 1}, {-1, -1}})), HasSubstr("not convex at vertex 2"));
   EXPECT_THAT(flaw_of(shaped({{2, 0}, {3, 0}, {3, 1}})), HasSubstr("does not hold the robot's centre"));
   EXPECT_THAT(flaw_of(shaped({{0, 0}, {1, 0}, {0, 1}})), HasSubstr("does not hold the robot's centre"));
   Ring star;  // five points, twice round
   for (int k = 0; k < 5; ++k) star.push_back(rotated({1, 0}, 4 * kPi * k / 5));
   EXPECT_THAT(flaw_of(shaped(star)), HasSubstr("more than once"));
-  Robot leashed = shaped(named_footprint("square:1"));
+  Robot leashed = shaped(parse_footprint("square:1"));
   leashed.tether = Tether{5};
-  EXPECT_THAT(flaw_of(leashed), HasSubstr("a tether asks for a round robot"));
-  Robot turning = shaped(named_footprint("square:1"));
+  EXPECT_THAT(flaw_of(leashed), HasSubstr("a tether needs a round robot"));
+  Robot turning = shaped(parse_footprint("square:1"));
   turning.min_turn_radius = 1;
   EXPECT_THAT(flaw_of(turning), HasSubstr("never turns"));
 }
@@ -63,8 +64,8 @@ TEST(Footprint, ConfigurationSpaceAndTarget) {
   EXPECT_NEAR(box.low.y(), 0.25, 1e-6);
   EXPECT_NEAR(box.high.y(), 7.75, 1e-6);
   EXPECT_EQ(p.robot().radius, 0.25);  // the largest disc inside
-  EXPECT_THAT(complaint([&] { Problem(hall(), shaped(named_footprint("square:9"))); }),
-              HasSubstr("robot 'r' (footprint of 4 corners) fits nowhere"));
+  EXPECT_THAT(complaint([&] { Problem(hall(), shaped(parse_footprint("square:9"))); }),
+              HasSubstr("robot 'r' (footprint of 4 vertices) fits nowhere"));
   EXPECT_THAT(complaint([&] { Problem(hall(), p.robot(), Point(0.5, 4)); }), HasSubstr("too near a wall"));
 }
 
@@ -73,8 +74,8 @@ TEST(Footprint, CountsForTheHash) {
   Robot disc;
   disc.radius = 0.5;
   const std::string round = Problem(hall(), disc, at).content_hash();
-  const std::string octagon = Problem(hall(), shaped(named_footprint("octagon:1")), at).content_hash();
-  const std::string square = Problem(hall(), shaped(named_footprint("square:1")), at).content_hash();
+  const std::string octagon = Problem(hall(), shaped(parse_footprint("octagon:1")), at).content_hash();
+  const std::string square = Problem(hall(), shaped(parse_footprint("square:1")), at).content_hash();
   EXPECT_NE(round, octagon);
   EXPECT_NE(square, octagon);
 }
@@ -98,7 +99,7 @@ TEST(Footprint, GeoJsonThereAndBack) {
   };
   const MapFile named = read(R"({"footprint":"octagon:1.5","tool_width":1})");
   ASSERT_TRUE(named.robot);
-  EXPECT_EQ(named.robot->footprint, named_footprint("octagon:1.5"));
+  EXPECT_EQ(named.robot->footprint, parse_footprint("octagon:1.5"));
   const MapFile listed = read(R"({"footprint":[[1,0],[0,1],[-1,-1]]})");
   EXPECT_EQ(listed.robot->footprint, (Ring{{1, 0}, {0, 1}, {-1, -1}}));
   const Problem p(listed.map, *listed.robot);
@@ -109,9 +110,9 @@ TEST(Footprint, GeoJsonThereAndBack) {
 
   EXPECT_THAT(complaint([&] { read(R"({"footprint":"octagon:1","radius":1})"); }),
               HasSubstr("a radius and a footprint, expected one of the two"));
-  EXPECT_THAT(complaint([&] { read(R"({"footprint":3})"); }), HasSubstr("robot.footprint is 3, expected a list"));
-  EXPECT_THAT(complaint([&] { read(R"({"footprint":[]})"); }), HasSubstr("at least 3 corners"));
-  EXPECT_THAT(complaint([&] { read(R"({"footprint":[[1,0],[0,"x"],[0,0]]})"); }), HasSubstr("footprint, corner 2"));
+  EXPECT_THAT(complaint([&] { read(R"({"footprint":3})"); }), HasSubstr("'footprint' of robot 'disc' is 3, expected a text"));
+  EXPECT_THAT(complaint([&] { read(R"({"footprint":[]})"); }), HasSubstr("footprint is '', expected disc"));
+  EXPECT_THAT(complaint([&] { read(R"({"footprint":[[1,0],[0,"x"],[0,0]]})"); }), HasSubstr("footprint, point 2"));
   EXPECT_THAT(complaint([&] { read(R"({"footprint":"star:1"})"); }), HasSubstr("footprint is 'star:1'"));
 }
 

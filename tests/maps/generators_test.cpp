@@ -14,6 +14,7 @@
 #include "geometry/raster.hpp"
 #include "geometry/overlay/validity.hpp"
 #include "base/sha256.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -74,7 +75,7 @@ template <class T>
 T setting(const Case& c, const std::string& name) {
   const auto found = c.settings.find(name);
   if (found != c.settings.end()) return std::get<T>(found->second);
-  const GeneratorInfo& info = find_generator(c.name);
+  const GeneratorInfo& info = built_in_maps().find(c.name);
   return std::get<T>(find_parameter("test", info.parameters, name).fallback);
 }
 
@@ -168,7 +169,7 @@ TEST(Generators, GiveTheSameBytesOnEveryMachine) {
 }
 
 TEST(Generators, TurningChangesNothingButTheAngle) {
-  for (const GeneratorInfo& g : generators()) {
+  for (const GeneratorInfo& g : built_in_maps()) {
     SCOPED_TRACE(g.name);
     const Region straight = oxturn::generate(g.name, {}, 5).free,
                  turned = oxturn::generate(g.name, {{"rotation", 29.0}}, 5).free;
@@ -187,7 +188,7 @@ TEST(Generators, ScaleWithTheRobot) {
   // length is relative.
   for (const std::string name : {"polygon", "cave", "spiral"}) {
     Settings twice;
-    const GeneratorInfo& g = find_generator(name);
+    const GeneratorInfo& g = built_in_maps().find(name);
     for (const std::string p : {"width", "height", "robot"})
       twice[p] = 2 * std::get<double>(find_parameter("test", g.parameters, p).fallback);
     if (name == "spiral") twice["wall"] = 0.6;
@@ -286,7 +287,7 @@ TEST(Field, HasTheHolesOfThePublishedExample) {
 // 400 m x 400 m and a tool of 0.4 m: 10^6 cells. The limit is loose (sanitizers); measured times are in
 // bench/micro/maps_bench.cpp.
 TEST(Generators, MakeAMillionCellsInSeconds) {
-  for (const GeneratorInfo& g : generators()) {
+  for (const GeneratorInfo& g : built_in_maps()) {
     SCOPED_TRACE(g.name);
     Settings settings{{"width", 400.0}, {"height", 400.0}};
     if (g.name == "rooms") settings["rooms"] = std::int64_t{3000};
@@ -442,7 +443,7 @@ TEST(Generators, RefuseInOneSentence) {
 TEST(Generators, AnySettingIsAMapOrASentence) {
   Rng rng(99);
   int maps = 0, sentences = 0;
-  for (const GeneratorInfo& g : generators())
+  for (const GeneratorInfo& g : built_in_maps())
     for (int k = 0; k < 60; ++k) {
       Settings settings;
       for (const ParameterInfo& p : g.parameters) {

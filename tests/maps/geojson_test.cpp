@@ -9,6 +9,7 @@
 #include "tests/support/seeds.hpp"
 #include "base/files.hpp"
 #include "maps/path_file.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -132,15 +133,16 @@ TEST(GeoJson, BadPropertiesAreNamed) {
   const auto with = [](const std::string& properties) { return why(feature(kSquare, properties)); };
   EXPECT_EQ(
       with(R"({"robot":{"radius":0.2,"toolwidth":0.4}})"),
-      "m.geojson: robot has an unknown key 'toolwidth'; it may have: name, radius, tool_width, speed, acceleration, "
-      "turn_rate, min_turn_radius, tether, lidar, footprint");
-  EXPECT_EQ(with(R"({"robot":{"radius":"0.2"}})"), "m.geojson: robot.radius is \"0.2\", expected a finite number");
-  EXPECT_EQ(with(R"({"robot":{"tool_width":0}})"), "m.geojson: robot 'disc': tool_width is 0, expected metres above 0");
-  EXPECT_EQ(with(R"({"robot":{"tether":40}})"), "m.geojson: robot.tether is 40, expected an object");
-  EXPECT_EQ(with(R"({"robot":{"tether":{}}})"), "m.geojson: robot.tether has no length");
+      "m.geojson: unknown parameter 'toolwidth' of robot 'disc'; it has: name, radius, footprint, tool_width, speed, "
+      "acceleration, turn_rate, min_turn_radius, tether_length, tether_reach, tether_sharp_angle, lidar_range, "
+      "lidar_rays, lidar_noise");
+  EXPECT_EQ(with(R"({"robot":{"radius":"0.2"}})"), "m.geojson: parameter 'radius' of robot 'disc' is '0.2', expected a number from 0 to 1e+09");
+  EXPECT_EQ(with(R"({"robot":{"tool_width":0}})"), "m.geojson: parameter 'tool_width' of robot 'disc' is 0, expected a number above 0, at most 1e+09");
+  EXPECT_EQ(with(R"({"robot":{"tether":40}})"), "m.geojson: robot.tether is 40, expected an object with members");
+  EXPECT_EQ(with(R"({"robot":{"tether":{}}})"), "m.geojson: robot.tether is {}, expected an object with members");
   EXPECT_EQ(with(R"({"robot":{"lidar":{"range":3,"rays":0.5}}})"),
-            "m.geojson: robot.lidar.rays is 0.5, expected a whole number from 1 to 1000000");
-  EXPECT_EQ(with(R"({"robot":[1]})"), "m.geojson: robot is [1], expected an object");
+            "m.geojson: parameter 'lidar_rays' of robot 'disc' is 0.5, expected a whole number from 1 to 1e+06");
+  EXPECT_EQ(with(R"({"robot":[1]})"), "m.geojson: robot is [1], expected an object with members");
   EXPECT_EQ(with(R"({"start":[1]})"), "m.geojson: start is [1], expected [x, y], two numbers in metres");
   EXPECT_EQ(with(R"({"start":"here"})"), "m.geojson: start is \"here\", expected [x, y], two numbers in metres");
   EXPECT_EQ(with(R"({"name":7})"), "m.geojson: name is 7, expected a text");

@@ -11,6 +11,7 @@
 #include "tests/support/drawn.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/seeds.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {

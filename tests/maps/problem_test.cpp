@@ -188,7 +188,7 @@ TEST(Problem, StartInAWallIsOneSentenceWithAPlaceThatWorks) {
     return p;
   };
   EXPECT_THAT(complaint([&] { drawn(rows, {.start = Point(2.5, 2.25)}); }),
-              HasSubstr("start (2.5, 2.25) is inside a wall of 'drawn'; nearest place the robot fits: (2.5, 1.79"));
+              HasSubstr("start (2.5, 2.25) is inside a wall of 'drawn'; nearest point where the robot fits: (2.5, 1.79"));
   EXPECT_THAT(complaint([&] { drawn(rows, {.start = Point(1.1, 1.1)}); }),
               HasSubstr("start (1.1, 1.1) is too near a wall of 'drawn' for robot 'disc' (radius 0.2)"));
   Rng rng(3);
@@ -215,12 +215,12 @@ TEST(Problem, HostileInputIsOneSentence) {
   EXPECT_EQ(why({"void", {}, "test", ""}, disc(0.1, 0.2)), "map 'void' has no free space at all");
   EXPECT_EQ(why(square(1), disc(0.5, 1)),
             "robot 'disc' (radius 0.5) fits nowhere in map 'square'; its widest passage is too narrow");
-  EXPECT_EQ(why(square(1), disc(0.1, 0)), "robot 'disc': tool_width is 0, expected metres above 0");
+  EXPECT_EQ(why(square(1), disc(0.1, 0)), "parameter 'tool_width' of robot 'disc' is 0, expected a number above 0, at most 1e+09");
   EXPECT_EQ(why(square(4), disc(0.1, 1), Point(std::nan(""), 1)), "start (nan, 1) is not finite, expected metres");
   EXPECT_EQ(why(square(4), disc(0.1, 1), Point(1, 1), Point(1, INFINITY)),
             "anchor (1, inf) is not finite, expected metres");
   EXPECT_EQ(why(square(4), disc(0.1, 1), Point(1, 1), Point(9, 1)),
-            "anchor (9, 1) is inside a wall of 'square', expected a place in free space");
+            "anchor (9, 1) is inside a wall of 'square', expected a point in free space");
 }
 
 TEST(Problem, DefaultStartIsInsideAndTheLargestRoomsOwn) {

@@ -10,6 +10,7 @@
 #include "tests/support/files.hpp"
 #include "tests/support/seeds.hpp"
 #include "base/files.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -25,13 +26,13 @@ class RosFolder {
   std::map<std::string, std::string> keys{{"image", "map.pgm"}, {"resolution", "0.5"},       {"origin", "[0, 0, 0]"},
                                           {"negate", "0"},      {"occupied_thresh", "0.65"}, {"free_thresh", "0.196"}};
   void picture(const std::string& bytes, const std::string& name = "map.pgm") { write_file(folder_.file(name), bytes); }
-  MapFile read(const ReadOptions& options = {}) const {
+  MapFile read(const Settings& options = {}) const {
     std::string yaml;
     for (const auto& [key, value] : keys) yaml += key + ": " + value + "\n";
     write_file(folder_.file("map.yaml"), yaml);
     return read_map(folder_.file("map.yaml"), options);
   }
-  std::string why(const ReadOptions& options = {}) const {
+  std::string why(const Settings& options = {}) const {
     std::string text = complaint([&] { read(options); });
     EXPECT_EQ(text.find('\n'), std::string::npos) << text;
     const std::string prefix = folder_.path().string() + "/";
@@ -86,23 +87,23 @@ TEST(Ros, CornersAreWholePixelsFromTheOrigin) {
 }
 
 TEST(Ros, UnknownIsFreeOnlyIfToldSo) {
-  ReadOptions options;
-  options.unknown_is_free = true;
+  Settings options;
+  options["unknown_free"] = true;
   const MapFile m = read_map(sample("small.yaml"), options);
   EXPECT_NEAR(area(m.map.free), 21 * 0.0025, 1e-12);
   EXPECT_THAT(m.remarks, ElementsAre("3 cells are unknown and count as free"));
 }
 
 TEST(Ros, SpeckleIsDroppedUpToTheAreaAndSaid) {
-  ReadOptions options;
-  options.drop_speckle_m2 = 0.0025;  // exactly one cell
+  Settings options;
+  options["drop_speckle"] = 0.0025;  // exactly one cell
   const MapFile m = read_map(sample("small.yaml"), options);
   EXPECT_EQ(hole_count(m.map.free), 0u);
   EXPECT_NEAR(area(m.map.free), 19 * 0.0025, 1e-12);
   EXPECT_THAT(m.remarks, testing::Contains("1 specks of at most 0.0025 m2 dropped (1 cells)"));
-  options.drop_speckle_m2 = 0.0024;
+  options["drop_speckle"] = 0.0024;
   EXPECT_EQ(hole_count(read_map(sample("small.yaml"), options).map.free), 1u);
-  options.drop_speckle_m2 = 1e6;  // walls that reach the border are no specks
+  options["drop_speckle"] = 1e6;  // walls that reach the border are no specks
   EXPECT_NEAR(area(read_map(sample("small.yaml"), options).map.free), 19 * 0.0025, 1e-12);
 }
 
@@ -110,8 +111,8 @@ TEST(Ros, DiagonalCellsAreOneSpeck) {
   RosFolder f;
   f.picture(pgm(6, 4, {255, 255, 255, 255, 255, 255, 255, 0,   255, 255, 0,   255,
                        255, 255, 0,   255, 255, 255, 255, 255, 255, 255, 255, 255}));
-  ReadOptions options;
-  options.drop_speckle_m2 = 0.25;  // one cell of 0.5 m: takes the single one, leaves the pair
+  Settings options;
+  options["drop_speckle"] = 0.25;  // one cell of 0.5 m: takes the single one, leaves the pair
   const MapFile m = f.read(options);
   EXPECT_DOUBLE_EQ(area(m.map.free), 22 * 0.25);
   EXPECT_THAT(m.remarks, ElementsAre("1 specks of at most 0.25 m2 dropped (1 cells)"));
@@ -134,8 +135,8 @@ TEST(Ros, ThresholdsAsMapServerHasThem) {
         (occ < 0.196 ? free : unknown) += 0.25;
       }
       EXPECT_DOUBLE_EQ(area(f.read().map.free), free);
-      ReadOptions options;
-      options.unknown_is_free = true;
+      Settings options;
+      options["unknown_free"] = true;
       EXPECT_DOUBLE_EQ(area(f.read(options).map.free), free + unknown);
     }
 }
@@ -145,8 +146,8 @@ TEST(Ros, RawValuesArePercent) {
   f.keys["mode"] = "raw";
   f.picture(pgm(5, 1, {0, 19, 50, 100, 255}));
   EXPECT_THAT(cells_of(f.read().map.free, {0, 0}, 0.5, 5, 1), ElementsAre("..###"));
-  ReadOptions options;
-  options.unknown_is_free = true;
+  Settings options;
+  options["unknown_free"] = true;
   EXPECT_THAT(cells_of(f.read(options).map.free, {0, 0}, 0.5, 5, 1), ElementsAre("...#."));
 }
 
@@ -191,8 +192,8 @@ TEST(Ros, SimplifyingNeverGrowsFreeSpace) {
       values.push_back(std::hypot(i - 20, j - 20) < 18 && std::hypot(i - 25, j - 22) > 5 ? 255 : 0);
   f.picture(pgm(40, 40, values));
   const MapFile exact = f.read();
-  ReadOptions options;
-  options.simplify_m = 0.5;
+  Settings options;
+  options["simplify"] = 0.5;
   const MapFile simple = f.read(options);
   EXPECT_LT(vertex_count(simple.map.free), vertex_count(exact.map.free) / 2);
   EXPECT_EQ(hole_count(simple.map.free), 1u);
@@ -267,9 +268,9 @@ TEST(PlainImage, NeedsAScaleAndThenIsAMap) {
   const TemporaryFolder folder;
   write_file(folder.file("plan.pgm"), pgm(3, 2, {255, 255, 0, 0, 255, 205}));
   EXPECT_EQ(complaint([&] { read_map(folder.file("plan.pgm")); }),
-            folder.file("plan.pgm") + ": a plain image needs a scale; give --scale METRES_PER_PIXEL");
-  ReadOptions options;
-  options.metres_per_pixel = 2;
+            folder.file("plan.pgm") + ": a plain image needs a scale; give scale = METRES_PER_PIXEL");
+  Settings options;
+  options["scale"] = 2.0;
   EXPECT_THAT(cells_of(read_map(folder.file("plan.pgm"), options).map.free, {0, 0}, 2, 3, 2),
               ElementsAre("..#", "#.#"));
 }
@@ -365,10 +366,10 @@ TEST(ReadMap, MissingFileUnknownSuffixAndBadOptions) {
       complaint([&] { read_map(folder.file("a.dwg")); }),
       folder.file("a.dwg") + ": unknown kind of map '.dwg', expected one of: .yaml, .yml, .geojson, .json, .png, .pgm");
   EXPECT_THAT(complaint([&] { read_map(folder.path().string()); }), HasSubstr("it is a folder"));
-  ReadOptions options;
-  options.simplify_m = std::nan("");
+  Settings options;
+  options["simplify"] = std::nan("");
   EXPECT_EQ(complaint([&] { read_map(sample("small.yaml"), options); }),
-            "simplify is nan, expected metres of at least 0");
+            "parameter 'simplify' of a map reader is nan, expected a finite number");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "maps/generators.hpp"
 #include "maps/problem.hpp"
 #include "tests/support/seeds.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -37,13 +38,13 @@ TEST(TetheredProblem, ReachesADiscInTheOpen) {
   EXPECT_LE(area(p.configuration_space()), kPi * 9);
   EXPECT_NEAR(area(p.target()), kPi * 3.2 * 3.2, 0.02);
   EXPECT_GE(area(p.target()) + p.target_excess(), kPi * 3.2 * 3.2);
-  EXPECT_NEAR(area(p.space_of_robot()), 9.6 * 9.6, 1e-3);
+  EXPECT_NEAR(area(p.tether()->robot_space()), 9.6 * 9.6, 1e-3);
   EXPECT_TRUE(p.limited());
 }
 
 TEST(TetheredProblem, ALongLeashLimitsNothing) {
   const Problem p(hall(), tethered(20), Point(5, 5));
-  EXPECT_EQ(&p.space_of_robot(), &p.configuration_space());
+  EXPECT_EQ(&p.tether()->robot_space(), &p.configuration_space());
   EXPECT_FALSE(p.limited());
   EXPECT_EQ(area(Problem(hall(), Robot{}, Point(5, 5)).configuration_space()), area(p.configuration_space()));
 }
@@ -60,7 +61,7 @@ TEST(TetheredProblem, ReachIsAMultipleOfTheFarthestPlace) {
 TEST(TetheredProblem, GoesRoundCorners) {
   const Problem p(hall_with_pillar(), tethered(5), Point(5, 2));
   const double to_corner = std::hypot(1, 2) + 2;  // (5, 2) - (6, 4) - (6, 6)
-  EXPECT_NEAR(p.geodesics().distance({6, 6}), to_corner, 1e-12);
+  EXPECT_NEAR(p.tether()->geodesics().distance({6, 6}), to_corner, 1e-12);
   const double left = 5 - to_corner;
   EXPECT_TRUE(contains(p.configuration_space(), Point(6 - 0.6 * left, 6 + 0.7 * left)));
   EXPECT_FALSE(contains(p.configuration_space(), Point(6 - 0.75 * left, 6 + 0.75 * left)));
@@ -74,10 +75,10 @@ TEST(TetheredProblem, GapsNarrowerThanTheRobotAreClosed) {
                 "test", "test"};
   const Problem p(map, tethered(30), Point(4, 5));
   const double round = distance({4, 5}, {4.9, 9}) + 0.2 + distance({5.1, 9}, {6, 5});
-  EXPECT_NEAR(p.geodesics().distance({6, 5}), round, 1e-7);
+  EXPECT_NEAR(p.tether()->geodesics().distance({6, 5}), round, 1e-7);
   // A smaller robot passes.
   const Problem small(map, tethered(30, 0.05, 0.1), Point(4, 5));
-  EXPECT_NEAR(small.geodesics().distance({6, 5}), 2, 1e-7);
+  EXPECT_NEAR(small.tether()->geodesics().distance({6, 5}), 2, 1e-7);
 }
 
 TEST(TetheredProblem, SpaceIsWhereTheGeodesicIsShortEnough) {
@@ -90,13 +91,13 @@ TEST(TetheredProblem, SpaceIsWhereTheGeodesicIsShortEnough) {
         const double size = std::string(name) == "rooms" ? 12 : 8;
         const Problem p(oxturn::generate(name, {{"width", size}, {"height", size}}, seed), robot);
         const double limit = p.robot().tether->length;
-        const Box box = bounding_box(p.space_of_robot());
+        const Box box = bounding_box(p.tether()->robot_space());
         Rng rng(seed);
         for (int n = 0; n < 200;) {
           const Point q(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
-          if (!contains(p.space_of_robot(), q)) continue;
+          if (!contains(p.tether()->robot_space(), q)) continue;
           ++n;
-          const double d = p.geodesics().distance(q);
+          const double d = p.tether()->geodesics().distance(q);
           if (contains(p.configuration_space(), q)) {
             EXPECT_LE(d, limit + p.tolerance());
           } else if (d < limit - 1e-3) {
@@ -124,15 +125,15 @@ TEST(TetheredProblem, BadLeashesAreOneSentence) {
   const Map two{"two", unite({box_region({0, 0}, {4, 4}), box_region({6, 0}, {10, 4})}), "test", "test"};
   EXPECT_THAT(complaint([&] { Problem(two, tethered(30), Point(1, 1), Point(8, 2)); }),
               HasSubstr("anchor (8, 2) is out of reach"));
-  EXPECT_THAT(complaint([] { Problem(hall(), tethered(0), Point(5, 5)); }), HasSubstr("tether.length is 0"));
+  EXPECT_THAT(complaint([] { Problem(hall(), tethered(0), Point(5, 5)); }), HasSubstr("tether has no length"));
   EXPECT_THAT(complaint([] { Problem(hall(), tethered(std::nan("")), Point(5, 5)); }),
-              HasSubstr("tether.length is nan"));
+              HasSubstr("'tether_length' of robot 'disc' is nan"));
   Robot both = tethered(3);
   both.tether->reach = 2;
   EXPECT_THAT(complaint([&] { Problem(hall(), both, Point(5, 5)); }), HasSubstr("expected one of the two"));
   EXPECT_THAT(complaint([] { Problem(hall(), tethered(3), Point(5, 5), Point(std::nan(""), 1)); }),
               HasSubstr("anchor (nan, 1) is not finite"));
-  EXPECT_THROW(Problem(hall(), Robot{}).geodesics(), std::logic_error);
+  EXPECT_EQ(Problem(hall(), Robot{}).tether(), nullptr);
 }
 
 }  // namespace

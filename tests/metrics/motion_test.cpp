@@ -14,10 +14,10 @@ constexpr double kTool = 0.4;  // speed 0.5 m/s, acceleration 0.5 m/s^2, turn ra
 Problem plain() { return problem_in(box_region({-100, -100}, {100, 100}), {0, 0}, 0.2, kTool); }
 
 double value(const std::string& metric, const Path& path, const Problem& p) {
-  for (const Metric* m : metrics()) {
-    if (m->name != metric) continue;
+  for (const Metric& m : built_in_metrics()) {
+    if (m.name != metric) continue;
     const SweptArea none;
-    return m->compute(Scored{p, path, none, 0}).value();
+    return m.compute(Scored{p, path, none, 0}).value();
   }
   throw std::logic_error("no metric " + metric);
 }

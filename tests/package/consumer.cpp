@@ -8,7 +8,7 @@ int main() {
   using namespace oxturn;
   const Problem problem({"room", box_region({0, 0}, {4, 3}), "test", "test"}, Robot{});
   Context context;
-  const Path path = find_planner(zoo(), "boustrophedon").make({})->plan(problem, context);
+  const Path path = built_in_planner("boustrophedon")->plan(problem, context);
   const Score result = score(problem, path);
   std::printf("coverage %f %s\n", result.value("coverage").value_or(0), result.flaw.c_str());
   return result.flaw.empty() && result.value("coverage").value_or(0) > 0.99 ? 0 : 1;

@@ -1,10 +1,8 @@
-// Descriptions as data: what a planner can do, whether it fits a problem, and finding one by name.
+#include "algorithms/planner_info.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-
-#include "algorithms/coverage_planner.hpp"
-#include "base/text.hpp"
 
 namespace oxturn {
 
@@ -28,13 +26,30 @@ bool PlannerInfo::has(Capability capability) const {
   return std::find(capabilities.begin(), capabilities.end(), capability) != capabilities.end();
 }
 
-std::vector<ParameterInfo> parameters_of(const PlannerInfo& planner, const Settings& settings) {
+std::vector<ParameterInfo> parameters_of(const PlannerInfo& planner, const Settings& settings,
+                                         const Planners& planners) {
   std::vector<ParameterInfo> all = planner.parameters;
   if (planner.more_parameters) {
-    const std::vector<ParameterInfo> more = planner.more_parameters(settings);
+    const std::vector<ParameterInfo> more = planner.more_parameters(settings, planners);
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
+}
+
+ParameterInfo variant_parameter(const Settings& published) {
+  return {"variant",
+          std::string("improved"),
+          {},
+          {"improved", "published"},
+          fmt::format("published: what the source says, no more ({})", to_text(published))};
+}
+
+Settings with_variant(const PlannerInfo& planner, Settings settings) {
+  const auto variant = settings.find("variant");
+  if (planner.published.empty() || variant == settings.end() || variant->second != Value(std::string("published")))
+    return settings;
+  settings.insert(planner.published.begin(), planner.published.end());
+  return settings;
 }
 
 std::string missing_capability(const PlannerInfo& planner, const Problem& problem) {
@@ -50,17 +65,6 @@ std::string missing_capability(const PlannerInfo& planner, const Problem& proble
   if (hole_count(problem.configuration_space()) > 0 && !planner.has(Capability::holes))
     return lacks(Capability::holes, "a map with obstacles inside asks for");
   return {};
-}
-
-const PlannerInfo& find_planner(const std::vector<PlannerInfo>& planners, const std::string& name) {
-  std::vector<std::string> names;
-  for (const PlannerInfo& planner : planners) {
-    if (planner.name == name) return planner;
-    names.push_back(planner.name);
-  }
-  if (names.empty()) throw std::invalid_argument(fmt::format("no planner '{}': there are none", name));
-  throw std::invalid_argument(fmt::format("no planner '{}'; did you mean '{}'? There are: {}", name,
-                                          nearest_name(name, names), fmt::join(names, ", ")));
 }
 
 }  // namespace oxturn

@@ -1,0 +1,69 @@
+/// What a run gives its planner besides the problem: randomness, a deadline, and channels for what it finds.
+///
+///   Context context(seed, 20.0);                     // 20 s
+///   while (!context.cancelled()) improve(path, context.rng());
+///   context.record("rounds", n);                     // a figure of this run
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/random.hpp"
+#include "geometry/path.hpp"
+#include "geometry/region.hpp"
+#include "geometry/trace.hpp"
+
+namespace oxturn {
+
+/// The planner can prove, or is certain, that it cannot solve this problem. Outcome `infeasible`.
+struct Infeasible : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+/// The planner lacks what the problem asks for. Outcome `unsupported`.
+struct Unsupported : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Not copyable; one per call of plan().
+class Context {
+ public:
+  struct Sinks {  // all optional
+    std::function<void(const Path&)> publish;
+    std::function<void(double)> progress;
+    std::function<void(const Trace&)> trace;
+    std::function<void(const std::string&, double)> record;
+  };
+  using Clock = std::chrono::steady_clock;
+  /// `wall_s`: seconds from now to the deadline.
+  explicit Context(std::uint64_t seed = 1, double wall_s = 1e9, Sinks sinks = {});
+  Context(const Context&) = delete;
+
+  /// The only source of randomness.
+  Rng& rng() { return rng_; }
+  /// True once the deadline has passed or cancel() was called: stop soon and return the best path so far.
+  bool cancelled() const;
+  double seconds_left() const;
+  void cancel() { cancelled_ = true; }
+  /// The best path so far: it survives a timeout.
+  void publish(const Path& path);
+  /// Share of the work that is done, 0 to 1.
+  void progress(double fraction);
+  /// A drawing of the planner's inside. wants_traces() tells whether making one is of use.
+  void trace(std::string name, std::vector<Polyline> lines);
+  void trace(std::string name, const Region& region);
+  bool wants_traces() const { return static_cast<bool>(sinks_.trace); }
+  /// A figure of the run that the path does not show ("explored_share"): a row of metrics.csv. Metrics, in contrast,
+  /// judge the path alone. Throws std::invalid_argument for a name that is not [a-z0-9_]+.
+  void record(const std::string& name, double value);
+
+ private:
+  Rng rng_;
+  Clock::time_point deadline_;
+  Sinks sinks_;
+  bool cancelled_ = false;
+};
+
+}  // namespace oxturn

@@ -1,0 +1,85 @@
+/// What a planner is, as data: name, source, capabilities, promise and parameters, and how to make one.
+///
+///   PlannerInfo wavefront() {
+///     return describe<Wavefront, Params>({.name = "wavefront", .family = "grid", ...});
+///   }
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/named_list.hpp"
+#include "base/parameters.hpp"
+#include "maps/problem.hpp"
+
+namespace oxturn {
+
+class CoveragePlanner;
+struct PlannerInfo;
+using Planners = NamedList<PlannerInfo>;
+
+/// What a problem may ask for that not every planner can do.
+enum class Capability { tether, online, holes, curvature, footprint };
+std::string to_text(Capability capability);
+
+struct PlannerInfo {
+  std::string name, family, title, citation;
+  std::vector<Capability> capabilities;
+  std::string guarantee;
+  std::vector<ParameterInfo> parameters;
+  /// Settings that make the planner do what its source says, no more: what `variant = published` stands for. Empty: the
+  /// planner has no such parameter.
+  Settings published;
+  /// Checks the settings; throws std::invalid_argument. `planners`: those that a planner which runs another one may run.
+  std::function<std::unique_ptr<CoveragePlanner>(const Settings&, const Planners& planners)> make;
+  /// For planners that run another one: the parameters of that one, which the settings name. Empty for most.
+  std::function<std::vector<ParameterInfo>(const Settings&, const Planners& planners)> more_parameters = {};
+
+  bool has(Capability capability) const;
+};
+
+/// All parameters that the planner takes beside these settings. Throws as `make` does if they name a planner that does
+/// not exist.
+std::vector<ParameterInfo> parameters_of(const PlannerInfo& planner, const Settings& settings,
+                                         const Planners& planners);
+
+/// `settings` completed by those that `variant = published` stands for; given ones stay.
+Settings with_variant(const PlannerInfo& planner, Settings settings);
+
+/// Why this planner cannot take this problem at all ("planner 'stc' has no capability 'tether', ..."), or "".
+std::string missing_capability(const PlannerInfo& planner, const Problem& problem);
+
+/// The planners that come with oxturn; algorithms/zoo.cpp lists them.
+Planners built_in_planners();
+
+/// The description of a planner with its parameters, in one literal.
+template <class P>
+struct Description {
+  std::string name, family, title, citation;
+  std::vector<Capability> capabilities;
+  std::string guarantee;
+  std::vector<Parameter<P>> parameters;
+  Settings published = {};
+};
+
+/// The parameter `variant`, which describe() adds to planners with a published form.
+ParameterInfo variant_parameter(const Settings& published);
+
+template <class Planner, class P>
+PlannerInfo describe(Description<P> d) {
+  PlannerInfo info{d.name,      d.family, d.title, d.citation, d.capabilities, d.guarantee, infos_of(d.parameters),
+                   d.published, {},       {}};
+  if (!d.published.empty()) info.parameters.push_back(variant_parameter(d.published));
+  info.make = [self = info, lines = std::move(d.parameters)](const Settings& settings, const Planners&) {
+    const std::string owner = "planner '" + self.name + "'";
+    Settings all = with_variant(self, checked(owner, self.parameters, settings));
+    all.erase("variant");
+    return std::make_unique<Planner>(with_settings<P>(owner, lines, all));
+  };
+  return info;
+}
+
+}  // namespace oxturn

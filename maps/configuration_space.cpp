@@ -1,0 +1,113 @@
+#include "maps/configuration_space.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include "base/text.hpp"
+#include "geometry/edge_index.hpp"
+#include "geometry/overlay/minkowski.hpp"
+#include "geometry/overlay/offset.hpp"
+#include "geometry/predicates.hpp"
+
+namespace oxturn {
+namespace {
+
+/// Distance of p from a closed polygon. By a scan: a single query does not pay for an EdgeIndex.
+double distance_to(const Polygon& polygon, const Point& p) {
+  const Region region{{polygon}};
+  double least = std::numeric_limits<double>::infinity();
+  for_each_ring(region, [&](const Ring& ring) {
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+      least = on_segment(p, ring[j], ring[i]) ? 0 : std::min(least, distance_to_segment(p, ring[j], ring[i]));
+  });
+  return contains(region, p) ? 0 : least;
+}
+
+}  // namespace
+
+std::string size_text(const Robot& robot) {
+  if (robot.footprint.empty()) return "radius " + to_decimal(robot.radius);
+  return fmt::format("footprint of {} vertices", robot.footprint.size());
+}
+
+Region eroded(const Map& map, const Region& free, const Robot& robot) {
+  Region all = !robot.footprint.empty() ? erode(free, robot.footprint, Bound::inside)
+               : robot.radius > 0       ? erode(free, robot.radius, robot.tool_width / 1000, Bound::inside)
+                                        : free;
+  if (all.empty())
+    throw std::invalid_argument(
+        fmt::format("robot '{}' ({}) fits nowhere in map '{}'; its widest passage is too narrow", robot.name,
+                    size_text(robot), map.name));
+  return all;
+}
+
+const Polygon* component_at(const Region& all, const Point& p, double tolerance) {
+  const Polygon* nearest = nullptr;
+  double least = tolerance;
+  for (const Polygon& polygon : all.polygons) {
+    Box box;
+    for (const Point& q : polygon.outer) box.add(q);
+    box.grow(tolerance);
+    if (!box.contains(p)) continue;
+    const double away = distance_to(polygon, p);
+    if (away == 0) return &polygon;
+    if (away <= least) {
+      least = away;
+      nearest = &polygon;
+    }
+  }
+  return nearest;
+}
+
+bool holds(const Region& region, const Point& p, double tolerance) {
+  return component_at(region, p, tolerance) != nullptr;
+}
+
+Point nearest_point_inside(const Region& all, const Point& p, double tool_width) {
+  const EdgeIndex edges(all);
+  const auto hit = edges.nearest(p);
+  const Point nearest = hit ? hit->place : all.polygons.front().outer.front();
+  for (const double unit : {1e2, 1e3, 1e4, 1e5, 1e6}) {
+    std::optional<Point> best;
+    for (const int i : {0, -1, 1})
+      for (const int j : {0, -1, 1}) {
+        const Point q((std::round(nearest.x() * unit) + i) / unit, (std::round(nearest.y() * unit) + j) / unit);
+        if (distance(q, nearest) > tool_width / 5 || !edges.contains(q)) continue;
+        if (!best || distance(q, p) < distance(*best, p)) best = q;
+      }
+    if (best) return *best;
+  }
+  return nearest;
+}
+
+DefaultStart find_default_start(const Region& all) {
+  const Polygon* largest = nullptr;
+  double most = -1;
+  for (const Polygon& polygon : all.polygons)
+    if (const double a = area(polygon); a > most) {
+      most = a;
+      largest = &polygon;
+    }
+  Mesh mesh(Region{{*largest}});
+  const auto vertex = [&](const Mesh::Triangle& t, std::size_t k) -> const Point& {
+    return mesh.points()[static_cast<std::size_t>(t.corner[k])];
+  };
+  const Mesh::Triangle* best = nullptr;
+  double widest = -1;
+  for (const Mesh::Triangle& t : mesh.triangles())
+    if (const double a = cross(vertex(t, 1) - vertex(t, 0), vertex(t, 2) - vertex(t, 0)); a > widest) {
+      widest = a;
+      best = &t;
+    }
+  // A component thinner than any triangle is all boundary.
+  const Point point =
+      best == nullptr ? largest->outer.front() : Point((vertex(*best, 0) + vertex(*best, 1) + vertex(*best, 2)) / 3);
+  return {point, largest, std::move(mesh)};
+}
+
+}  // namespace oxturn

@@ -1,0 +1,92 @@
+// Decisions   1. A gap counts as open if configuration space reaches through it, whatever its width says.
+//             2. {distance <= tether length} is cut out along its boundary by a strip w / 10^4 wide, inside of it; the area
+//                lost counts in Problem::target_excess. What the tether reaches only through points that it does not
+//                reach is no part of configuration space.
+#include "maps/tether_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/text.hpp"
+#include "geometry/edge_index.hpp"
+#include "geometry/overlay/cut_along.hpp"
+#include "maps/configuration_space.hpp"
+
+namespace oxturn {
+namespace {
+
+/// A segment across every gap of free space that the robot cannot pass; see Decision 1.
+std::vector<Polyline> gaps_to_close(const Region& free, const Robot& robot, const Region& space) {
+  if (robot.radius <= 0) return {};
+  std::vector<Polyline> gaps = barriers(free, 2 * robot.radius + robot.tool_width / 250);
+  const EdgeIndex walls(space);
+  std::erase_if(gaps, [&](const Polyline& gap) { return walls.contains(lerp(gap.front(), gap.back(), 0.5)); });
+  return gaps;
+}
+
+/// The largest geodesic distance within `space`: it is taken at a vertex, or where two shortest paths round an obstacle meet.
+double farthest_in(const Region& space, const GeodesicField& field, double chord) {
+  double most = 0;
+  const auto add = [&](const Point& p) {
+    if (const double d = field.distance(p); std::isfinite(d)) most = std::max(most, d);
+  };
+  for_each_ring(space, [&](const Ring& ring) { std::for_each(ring.begin(), ring.end(), add); });
+  const EdgeIndex walls(space);
+  for (const Polyline& curve : field.cut(chord))
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      const double n = std::max(1.0, std::ceil(distance(curve[i - 1], curve[i]) / (5 * chord)));
+      for (double k = 0; k <= n; ++k)
+        if (const Point p = lerp(curve[i - 1], curve[i], k / n); walls.contains(p)) add(p);
+    }
+  return most;
+}
+
+}  // namespace
+
+TetherModel::TetherModel(const Region& free, std::shared_ptr<const Region> robot_space, const Robot& robot,
+                         const Point& anchor, double tolerance)
+    : free_(free),
+      robot_space_(std::move(robot_space)),
+      closed_gaps_(gaps_to_close(free, robot, *robot_space_)),
+      geodesics_(std::make_unique<const GeodesicField>(free, anchor, closed_gaps_, tolerance)),
+      farthest_(farthest_in(*robot_space_, *geodesics_, robot.tool_width / 100)) {}
+
+const TautSpace& TetherModel::taut_space() const {
+  std::call_once(taut_once_, [this] { taut_ = std::make_unique<const TautSpace>(free_); });
+  return *taut_;
+}
+
+TetherReach within_tether(const TetherModel& model, const Robot& robot, const Point& start) {
+  const Region& space = model.robot_space();
+  const double limit = robot.tether->length, w = robot.tool_width;
+  TetherReach reach;
+  const Point extent = bounding_box(space).size();
+  const double strip = std::max(w / 10000, std::ldexp(extent.maxCoeff(), -24));
+  std::vector<Polyline> border;
+  for (const std::vector<GeodesicField::Arc>& chain : model.geodesics().level(limit)) {
+    Polyline line = sampled(chain, strip);
+    if (line.size() < 2) continue;
+    reach.lost_m2 += 2 * strip * length(line);
+    // Where the robot has no size, free space ends where the chain does: the strip must close it completely.
+    const Point first = line[0] - line[1], last = line[line.size() - 1] - line[line.size() - 2];
+    if (line.front() != line.back()) {
+      line.insert(line.begin(), line.front() + first.normalized() * 4 * strip);
+      line.push_back(line.back() + last.normalized() * 4 * strip);
+    }
+    border.push_back(std::move(line));
+  }
+  if (border.empty()) return {space, 0};
+  const Region parts = cut_along(space, border, strip);
+  const Polygon* part = component_at(parts, start, 2 * strip);
+  if (part == nullptr)
+    throw std::invalid_argument(
+        fmt::format("tether of robot '{}' ({} m) only just reaches the start {}; a longer one is needed to move",
+                    robot.name, to_decimal(limit), to_text(start)));
+  reach.space = Region{{*part}};
+  return reach;
+}
+
+}  // namespace oxturn
