@@ -28,8 +28,9 @@
 #include <new>
 #include <stdexcept>
 
+#include "bench/isolate.hpp"
 #include "bench/planner_process.hpp"
-#include "bench/run_suite.hpp"
+
 #include "bench/wire.hpp"
 #include "base/text.hpp"
 
@@ -184,7 +185,7 @@ class Supervisor {
         break;
       case frames::kRecorded: {
         const double value = wire::take<double>(payload);
-        planned_.report(std::string(payload), value);
+        planned_.record(std::string(payload), value);
         break;
       }
       case frames::kProgressed:
@@ -245,20 +246,20 @@ class Supervisor {
 
 }  // namespace
 
-void Planned::report(const std::string& name, double value) {
-  for (auto& [known, old] : reports)
+void Planned::record(const std::string& name, double value) {
+  for (auto& [known, old] : records)
     if (known == name) {
       old = value;
       return;
     }
-  reports.emplace_back(name, value);
+  records.emplace_back(name, value);
 }
 
 void kill_running_planner() {
   if (running_group > 0) ::kill(-static_cast<pid_t>(running_group), SIGKILL);
 }
 
-Planned plan_isolated(const PlannerInfo& planner, const Settings& settings, const Problem& problem,
+Planned plan_isolated(const std::function<std::unique_ptr<CoveragePlanner>()>& make, const Problem& problem,
                       const IsolationOptions& options) {
   const Log log(options.log_file);
   wire::Pipe pipe = wire::make_pipe();
@@ -267,7 +268,7 @@ Planned plan_isolated(const PlannerInfo& planner, const Settings& settings, cons
   const double rss_before = statm_bytes("/proc/self/statm", true);
   const pid_t pid = ::fork();
   if (pid < 0) throw std::runtime_error(fmt::format("cannot start a process: {}", std::strerror(errno)));
-  if (pid == 0) { be_planner(planner, settings, problem, options, {parent, log.number(), pipe.write.number()}); }
+  if (pid == 0) { be_planner(make, problem, options, {parent, log.number(), pipe.write.number()}); }
   ::setpgid(pid, pid);  // in both processes, so that no kill comes too early
   running_group = static_cast<std::sig_atomic_t>(pid);
   pipe.write.close();

@@ -8,8 +8,6 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "bench/results.hpp"
-#include "maps/formats.hpp"
 #include "base/csv.hpp"
 #include "base/files.hpp"
 #include "base/text.hpp"
@@ -19,10 +17,10 @@ namespace {
 
 const char* const kHeader = "run_id,metric,value\n";
 
-std::string lines_of(const std::string& run_id, const Records& reports) {
+std::string lines_of(const std::string& run_id, const Records& records) {
   std::string lines;
   // Empty means not applicable; a figure that is not finite is none.
-  for (const auto& [name, value] : reports)
+  for (const auto& [name, value] : records)
     lines += fmt::format("{},{},{}\n", run_id, name, std::isfinite(value) ? to_decimal(value) : "");
   return lines;
 }
@@ -44,22 +42,22 @@ MetricsFile::MetricsFile(const std::string& folder) : file_(folder + "/metrics.c
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
     if (!number.empty() && (error != std::errc() || end != number.data() + number.size()))
       throw std::invalid_argument(fmt::format("{}: '{}' is no number", file_, number));
-    Records& reports = all_[cells[0]];
+    Records& records = all_[cells[0]];
     // A later attempt follows other runs' lines, or its own with a name that was there.
     bool again = last != cells[0];
-    for (const auto& [name, known] : reports) again = again || name == cells[1];
-    if (again) reports.clear();
+    for (const auto& [name, known] : records) again = again || name == cells[1];
+    if (again) records.clear();
     last = cells[0];
-    reports.emplace_back(cells[1], value);
+    records.emplace_back(cells[1], value);
   }
 }
 
-void MetricsFile::append(const std::string& run_id, const Records& reports) {
-  all_[run_id] = reports;
-  if (reports.empty()) return;
+void MetricsFile::append(const std::string& run_id, const Records& records) {
+  all_[run_id] = records;
+  if (records.empty()) return;
   const bool fresh = !std::filesystem::exists(file_);
   std::ofstream out(file_, std::ios::app | std::ios::binary);
-  out << (fresh ? kHeader : "") << lines_of(run_id, reports);
+  out << (fresh ? kHeader : "") << lines_of(run_id, records);
   out.flush();
   if (!out) throw std::runtime_error(fmt::format("cannot write '{}'", file_));
 }

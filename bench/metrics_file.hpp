@@ -1,22 +1,21 @@
-// metrics.csv: figures that planners report of themselves (Context::report), which no path shows. One line
-// `run_id,metric,value` each, in suite order; no file if no planner reports anything. Internal to bench/.
+/// metrics.csv: figures that planners recorded (Context::record), which the path does not show. One line
+/// `run_id,metric,value` each, in suite order; no file if no planner recorded any. Internal to bench/.
 #pragma once
 
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
-namespace oxturn {
+#include "bench/isolate.hpp"
 
-using Records = std::vector<std::pair<std::string, double>>;  // name, value
+namespace oxturn {
 
 class MetricsFile {
  public:
   /// Reads what an earlier session left in `folder`, if anything; a last line that was cut off is dropped.
   explicit MetricsFile(const std::string& folder);
   /// Takes the place of what was known of the run, and appends it to the file at once.
-  void append(const std::string& run_id, const Records& reports);
+  void append(const std::string& run_id, const Records& records);
   /// Writes the whole anew, in this order, without runs that are not listed.
   void put_in_order(const std::vector<std::string>& run_ids);
 

@@ -113,7 +113,7 @@ void fail(int fd, Outcome outcome, const char* what) {
   wire::send(fd, frames::kFailed, {message, 1 + size});
 }
 
-void plan_and_send(int fd, const PlannerInfo& planner, const Settings& settings, const Problem& problem,
+void plan_and_send(int fd, const std::function<std::unique_ptr<CoveragePlanner>()>& make, const Problem& problem,
                    const IsolationOptions& options) {
   Context::Sinks sinks;
   sinks.publish = [fd](const Path& path) { wire::send_path(fd, frames::kPublished, path); };
@@ -126,14 +126,14 @@ void plan_and_send(int fd, const PlannerInfo& planner, const Settings& settings,
       wire::send(fd, frames::kProgressed, message);
     };
   }
-  sinks.report = [fd](const std::string& name, double value) {
+  sinks.record = [fd](const std::string& name, double value) {
     std::string message;
     wire::put(message, value);
     wire::send(fd, frames::kRecorded, message + name);
   };
   if (options.traces) sinks.trace = [fd](const Trace& trace) { wire::send(fd, frames::kTrace, wire::pack(trace)); };
 
-  const auto made = planner.make(settings);
+  const auto planner = make();
   Context context(options.seed, 0.95 * options.limits.wall_s, std::move(sinks));
   reset_peak();
   const double rss_before = status_bytes("VmRSS:");
@@ -149,7 +149,7 @@ void plan_and_send(int fd, const PlannerInfo& planner, const Settings& settings,
     wire::send(fd, frames::kMeasures, {message, sizeof message});
   };
   try {
-    const Path path = made->plan(problem, context);
+    const Path path = planner->plan(problem, context);
     measure();
     wire::send_path(fd, frames::kResult, path);
   } catch (...) {
@@ -167,12 +167,12 @@ double statm_bytes(const char* file, bool resident) {
   return static_cast<double>(resident ? rss : size) * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-void be_planner(const PlannerInfo& planner, const Settings& settings, const Problem& problem,
+void be_planner(const std::function<std::unique_ptr<CoveragePlanner>()>& make, const Problem& problem,
                 const IsolationOptions& options, const Birth& birth) {
   prepare(options.limits, birth);
   const int fd = birth.pipe;
   try {
-    plan_and_send(fd, planner, settings, problem, options);
+    plan_and_send(fd, make, problem, options);
   } catch (const Infeasible& e) { fail(fd, Outcome::infeasible, e.what()); } catch (const Unsupported& e) {
     fail(fd, Outcome::unsupported, e.what());
   } catch (const std::bad_alloc&) { fail(fd, Outcome::out_of_memory, ""); } catch (const std::exception& e) {

@@ -3,7 +3,10 @@
 
 #include <sys/types.h>
 
-#include "bench/run_suite.hpp"
+#include <functional>
+#include <memory>
+
+#include "bench/isolate.hpp"
 
 namespace oxturn {
 
@@ -31,7 +34,7 @@ struct Birth {
   int pipe = -1;  // takes the frames
 };
 /// Everything a child does, from just after the fork.
-[[noreturn]] void be_planner(const PlannerInfo& planner, const Settings& settings, const Problem& problem,
+[[noreturn]] void be_planner(const std::function<std::unique_ptr<CoveragePlanner>()>& make, const Problem& problem,
                              const IsolationOptions& options, const Birth& birth);
 
 /// Kills the process group of the planner that this process is running, if any. Safe in a signal handler.

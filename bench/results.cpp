@@ -1,13 +1,12 @@
-// The columns of runs.csv, listed here and nowhere else, and reading them back.
 #include "bench/results.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <filesystem>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -31,10 +30,6 @@ constexpr std::array<std::pair<Outcome, const char*>, 11> kOutcomes{{{Outcome::o
                                                                      {Outcome::cancelled, "cancelled"},
                                                                      {Outcome::infrastructure, "infrastructure"}}};
 
-std::string to_text(Better better) {
-  return better == Better::lower ? "lower" : better == Better::higher ? "higher" : "";
-}
-
 Column text(std::string name, std::string help, std::string empty = "") {
   return {std::move(name), "text", "", "", std::move(help), std::move(empty)};
 }
@@ -51,8 +46,10 @@ Column timing(std::string name, std::string unit, std::string help) {
           true};
 }
 
-std::vector<Column> list_columns() {
-  std::vector<Column> all{
+}  // namespace
+
+Columns run_columns(const Metrics& metrics) {
+  Columns all{
       whole("schema", "version of this table"),
       text("run_id", "hash of everything that determines the run"),
       whole("attempt", "1, and one more for each time the run was taken up again"),
@@ -71,11 +68,10 @@ std::vector<Column> list_columns() {
       text("reason", "why it ended so, one sentence", "outcome is ok"),
       whole("exit_code", "of the planner's process", "it did not exit by itself with a code other than 0"),
       whole("signal", "that ended the planner's process", "no signal did")};
-  // Metrics describe themselves; `columns` follows their list, so a new metric needs no line here.
-  for (const Metric* metric : metrics()) {
-    const std::string type = metric->unit == "count" ? "integer" : "real";
-    all.push_back(
-        {metric->name, type, metric->unit, to_text(metric->better), metric->help, "no path, or not applicable"});
+  for (const Metric& metric : metrics) {
+    const std::string type = metric.unit == "count" ? "integer" : "real";
+    const std::string better = metric.better == Better::neither ? "" : to_text(metric.better);
+    all.push_back({metric.name, type, metric.unit, better, metric.help, "no path, or not applicable"});
   }
   all.push_back(timing("plan_wall_s", "s", "time that plan() took"));
   all.push_back(timing("plan_cpu_s", "s", "processor time that plan() took"));
@@ -86,17 +82,6 @@ std::vector<Column> list_columns() {
   all.push_back(text("path_file", "path within the results folder", "no path that could be written"));
   return all;
 }
-
-const std::set<std::string>& column_names() {
-  static const std::set<std::string> names = [] {
-    std::set<std::string> all;
-    for (const Column& column : columns()) all.insert(column.name);
-    return all;
-  }();
-  return names;
-}
-
-}  // namespace
 
 std::string to_text(Outcome outcome) {
   for (const auto& [value, name] : kOutcomes) {
@@ -112,17 +97,10 @@ std::optional<Outcome> outcome_from(const std::string& name) {
   return std::nullopt;
 }
 
-const std::vector<Column>& columns() {
-  static const std::vector<Column> all = list_columns();
-  return all;
-}
-
 const std::string& Row::get(const std::string& column) const {
   static const std::string kEmpty;
   const auto cell = cells.find(column);
-  if (cell != cells.end()) return cell->second;
-  if (!column_names().contains(column)) throw std::out_of_range(fmt::format("runs.csv has no column '{}'", column));
-  return kEmpty;
+  return cell == cells.end() ? kEmpty : cell->second;
 }
 
 std::optional<double> Row::number(const std::string& column) const {
@@ -145,56 +123,84 @@ Outcome Row::outcome() const {
   return *outcome;
 }
 
-std::string csv_header() {
+std::string csv_header(const Columns& columns) {
   std::vector<std::string> names;
-  for (const Column& column : columns()) names.push_back(column.name);
+  for (const Column& column : columns) names.push_back(column.name);
   return csv_line(names);
 }
 
-std::string csv_line(const Row& row) {
+std::string csv_line(const Row& row, const Columns& columns) {
   std::vector<std::string> cells;
-  for (const Column& column : columns()) cells.push_back(row.get(column.name));
+  for (const Column& column : columns) cells.push_back(row.get(column.name));
   return csv_line(cells);
+}
+
+namespace {
+
+// What every report needs of a row; all else may be missing from a file of another version.
+const char* const kNeeded[] = {"run_id", "suite", "map", "planner", "variant", "robot", "repeat", "outcome", "reason"};
+
+Row row_of(const std::vector<std::string>& header, const std::vector<std::string>& cells, const std::string& source,
+           std::size_t line) {
+  if (cells.size() != header.size())
+    throw std::invalid_argument(fmt::format(
+        "{}: row {} has {} cells, expected {}; `oxturn run --resume` mends a file that was cut off", source, line,
+        cells.size(), header.size()));
+  Row row;
+  for (std::size_t k = 0; k < header.size(); ++k)
+    if (!cells[k].empty()) row.cells[header[k]] = cells[k];
+  if (!outcome_from(row.get("outcome")))
+    throw std::invalid_argument(
+        fmt::format("{}: row {} has outcome '{}', which is none", source, line, row.get("outcome")));
+  return row;
+}
+
+void require_columns(const std::vector<std::string>& header, const std::string& source) {
+  for (const char* name : kNeeded)
+    if (std::find(header.begin(), header.end(), name) == header.end())
+      throw std::invalid_argument(
+          fmt::format("{}:1: there is no column '{}'; expected a file that `oxturn run` wrote", source, name));
+}
+
+}  // namespace
+
+std::vector<Row> rows_from_csv(const std::string& text, const std::string& source) {
+  const auto lines = parse_csv(text, source);
+  if (lines.empty()) throw std::invalid_argument(fmt::format("{}: empty, expected a header line", source));
+  require_columns(lines[0], source);
+  std::vector<Row> rows;
+  for (std::size_t i = 1; i < lines.size(); ++i) rows.push_back(row_of(lines[0], lines[i], source, i));
+  return rows;
+}
+
+std::string picture_name(const std::string& run_id) {
+  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
+  if (run_id.empty() || !std::all_of(run_id.begin(), run_id.end(), plain))
+    throw std::invalid_argument(fmt::format("run_id '{}' is not made of letters, digits, - and _", run_id));
+  return "pictures/" + run_id + ".svg";
 }
 
 Results read_results(const std::string& folder) {
   const std::string file = folder + "/runs.csv";
-  if (!std::filesystem::is_directory(folder)) {
+  if (!std::filesystem::is_directory(folder))
     throw std::invalid_argument(fmt::format("no such folder: '{}'; expected one that `oxturn run -o` made", folder));
-  }
-  if (!std::filesystem::exists(file)) {
+  if (!std::filesystem::exists(file))
     throw std::invalid_argument(
         fmt::format("no runs.csv in '{}'; expected a folder that `oxturn run -o` made", folder));
-  }
-  const auto lines = parse_csv(read_file(file), file);
-  const auto& expected = columns();
-  const auto same = [](const std::string& name, const Column& column) { return name == column.name; };
-  if (lines.empty() || !std::equal(lines[0].begin(), lines[0].end(), expected.begin(), expected.end(), same)) {
-    throw std::invalid_argument(fmt::format("{}:1: the header is not that of this version of oxturn (schema 1)", file));
-  }
-  Results results{folder, {}};
+  const std::string text = read_file(file);
+  Results results{folder, {}, {}, {}};
   std::map<std::string, std::size_t> seen;  // run_id -> index in rows
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    if (lines[i].size() != expected.size()) {
-      throw std::invalid_argument(
-          fmt::format("{}: row {} has {} cells, expected {}; `oxturn run --resume` mends a file "
-                      "that was cut off",
-                      file, i, lines[i].size(), expected.size()));
-    }
-    Row row;
-    for (std::size_t k = 0; k < expected.size(); ++k) {
-      if (!lines[i][k].empty()) row.cells[expected[k].name] = lines[i][k];
-    }
-    if (!outcome_from(row.get("outcome"))) {
-      throw std::invalid_argument(
-          fmt::format("{}: row {} has outcome '{}', which is none", file, i, row.get("outcome")));
-    }
+  for (Row& row : rows_from_csv(text, file)) {
     const auto [place, fresh] = seen.emplace(row.get("run_id"), results.rows.size());
     if (fresh)
       results.rows.push_back(std::move(row));
     else
       results.rows[place->second] = std::move(row);
   }
+  for (const Row& row : results.rows)
+    if (const std::string name = picture_name(row.get("run_id")); std::filesystem::exists(folder + "/" + name))
+      results.pictures[row.get("run_id")] = name;
+  results.columns = parse_csv(text.substr(0, text.find('\n') + 1), file).at(0);
   return results;
 }
 

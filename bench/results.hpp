@@ -1,4 +1,7 @@
-// The results folder: what a sweep leaves and reports read.
+/// The results folder: what a benchmark run leaves and reports read.
+///
+///   const Results results = read_results("out/quick");
+///   results.rows.front().number("coverage");
 #pragma once
 
 #include <map>
@@ -6,9 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "metrics/score.hpp"
+
 namespace oxturn {
 
-/// Outcome names of design.md section 6.
+/// How a run ended. docs/method.md tells what each means.
 enum class Outcome {
   ok,
   partial,
@@ -25,31 +30,44 @@ enum class Outcome {
 std::string to_text(Outcome outcome);
 std::optional<Outcome> outcome_from(const std::string& text);
 
-/// One column of runs.csv. Listed once, in results.cpp; metrics' columns come from metrics().
+/// One column of runs.csv.
 struct Column {
   std::string name, type, unit, better, help, empty;
   bool timing = false;  // differs from run to run: plan_wall_s, plan_cpu_s, peak_rss_bytes, score_s
 };
-const std::vector<Column>& columns();
+using Columns = std::vector<Column>;
+/// The columns of runs.csv in their order. Those of `metrics` stand in the middle; the others are listed in results.cpp.
+Columns run_columns(const Metrics& metrics);
 /// The same as JSON text: what columns.json holds.
-std::string columns_json();
+std::string to_json(const Columns& columns);
 
 /// One line of runs.csv, by column name. A missing name is an empty cell.
 struct Row {
   std::map<std::string, std::string> cells;
-  const std::string& get(const std::string& column) const;  // "" if empty; throws std::out_of_range for no such column
+  const std::string& get(const std::string& column) const;  // "" if empty
+  /// Throws std::invalid_argument if the cell holds something else than a number.
   std::optional<double> number(const std::string& column) const;
   Outcome outcome() const;
 };
 
 struct Results {
   std::string folder;
-  std::vector<Row> rows;  // in suite order; of several attempts the last
+  std::vector<Row> rows;             // in suite order; of several attempts the last
+  std::vector<std::string> columns;  // as the file has them
+  /// run_id -> its picture, relative to the folder; runs without one are missing.
+  std::map<std::string, std::string> pictures;
 };
-/// Throws std::invalid_argument for a folder that is none ("no runs.csv in 'out'"), a wrong header, a bad line.
+/// Accepts columns that it does not know. Throws std::invalid_argument for a folder that is none ("no runs.csv in
+/// 'out'"), a header without a column that reports need, a bad line.
 Results read_results(const std::string& folder);
 
-std::string csv_header();
-std::string csv_line(const Row& row);
+/// Where a run's picture lies, relative to the results folder. Throws std::invalid_argument for an id that could lead out of
+/// the folder.
+std::string picture_name(const std::string& run_id);
+
+std::string csv_header(const Columns& columns);
+std::string csv_line(const Row& row, const Columns& columns);
+/// The rows of a file that csv_header and csv_line have written, attempt by attempt; `source` names it in errors.
+std::vector<Row> rows_from_csv(const std::string& text, const std::string& source);
 
 }  // namespace oxturn

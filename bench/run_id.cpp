@@ -6,27 +6,17 @@
 
 namespace oxturn {
 
-std::string settings_text(const Settings& settings) {
-  std::string out;
-  for (const auto& [name, value] : settings)
-    out += fmt::format("{}{}={}", out.empty() ? "" : ";", name, to_text(value));
-  return out;
-}
-
-Settings full_settings(const PlannerInfo& planner, const Settings& settings) {
-  Settings all = settings;
-  for (const ParameterInfo& parameter : parameters_of(planner, settings))
+Settings full_settings(const PlannerInfo& planner, const Settings& settings, const Planners& planners) {
+  Settings all = with_variant(planner, settings);
+  for (const ParameterInfo& parameter : parameters_of(planner, settings, planners))
     all.emplace(parameter.name, parameter.fallback);
   return all;
 }
 
 std::string run_id(const std::string& map, const std::string& robot, const std::string& problem,
-                   const PlannerInfo& planner, const Settings& settings, std::uint64_t seed, int repeat,
-                   bool ignore_tether) {
-  Settings all = full_settings(planner, settings);
-  if (ignore_tether) all[kIgnoreTether] = true;
+                   const std::string& planner, const Settings& settings, std::uint64_t seed, int repeat) {
   return sha256(fmt::format("schema 1\nmap {}\nrobot {}\nproblem {}\nplanner {}\nsettings {}\nseed {}\nrepeat {}\n",
-                            map, robot, problem, planner.name, settings_text(all), seed, repeat))
+                            map, robot, problem, planner, to_text(settings), seed, repeat))
       .substr(0, 16);
 }
 

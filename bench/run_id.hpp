@@ -11,17 +11,14 @@ namespace oxturn {
 /// The suite key that is no parameter of any planner.
 inline constexpr const char* kIgnoreTether = "ignore_tether";
 
-/// "k=v;k=v" in the order of names; "" for none.
-std::string settings_text(const Settings& settings);
-
-/// Every parameter of the planner: `settings` over the defaults.
-Settings full_settings(const PlannerInfo& planner, const Settings& settings);
+/// Every parameter of the planner: `settings` over the defaults (those of `variant = published`, if that is set).
+Settings full_settings(const PlannerInfo& planner, const Settings& settings, const Planners& planners);
 
 /// First 16 hex digits of a SHA-256. Limits do not count: they may end a run, they do not make it another one.
 /// `problem` is Problem::content_hash(), or any text that stands for a problem that cannot be built.
+/// `settings`: all that the planner takes (full_settings).
 std::string run_id(const std::string& map, const std::string& robot, const std::string& problem,
-                   const PlannerInfo& planner, const Settings& settings, std::uint64_t seed, int repeat,
-                   bool ignore_tether = false);
+                   const std::string& planner, const Settings& settings, std::uint64_t seed, int repeat);
 
 /// The planner's seed: equal for all variants of a planner, so that they are compared on equal luck. Below 2^53,
 /// so that every reader of the CSV keeps it exactly.

@@ -1,7 +1,7 @@
-// The parent of a sweep: hands units of work to forked workers, and writes the rows they report in suite order.
+// The parent process of a suite: hands units of work to forked workers, and writes the rows they send in suite order.
 //
-// Decisions  1. One thread. Workers are processes, so a defect of ours (a map maker or scorer that dies) costs the
-//               run at hand, which says `infrastructure`; a new worker takes up the rest of the unit.
+// Decisions  1. One thread. Workers are processes, so a defect of the harness (a generator or metric that crashes) costs
+//               the run at hand, which becomes `infrastructure`; a new worker takes over the rest of the unit.
 //            2. A row is held back until all rows before it are there, so the file does not depend on -j.
 //            3. There are as many units as problems (the map is made and eroded once), or, with fewer problems than
 //               jobs, each problem's runs in as many parts as there are jobs.
@@ -89,14 +89,15 @@ struct Worker {
 
 class SuiteRun {
  public:
-  SuiteRun(const Suite& suite, const std::vector<PlannerInfo>& planners, const SuiteRunOptions& options)
+  SuiteRun(const Suite& suite, const Registry& registry, const SuiteRunOptions& options)
       : options_(options),
-        session_(suite, options),
+        columns_(run_columns(registry.metrics)),
+        session_(suite, columns_, options),
         metrics_(options.folder),
         cells_(cells_of(suite)),
         runs_(cells_.size()),
         earlier_(summary(session_)),
-        work_{suite, planners, options_, cells_, earlier_},
+        work_{suite, registry, options_, cells_, earlier_},
         progress_(cells_.size(), options.progress) {
     for (const MapSpec& map : suite.maps) {
       if (!map.content) continue;
@@ -122,8 +123,9 @@ class SuiteRun {
  private:
   struct Run {
     bool begun = false, done = false, kept = false;
-    std::string id, line;  // line: the row so far, or the whole
-    Records reports;
+    std::string id;
+    Row row;  // what is known of it so far
+    Records records;
   };
 
   static std::map<std::string, Earlier> summary(const Session& session) {
@@ -162,9 +164,9 @@ class SuiteRun {
       } catch (const std::exception& e) {
         code = 1;
         try {
-          tell(fd, messages::kBroken, 0, e.what());
+          send_message(fd, messages::kBroken, 0, e.what());
         } catch (const std::exception&) {
-          code = 2;  // nobody listens: the exit code is all that is left to say
+          code = 2;  // the pipe is closed: only the exit code is left
         }
       }
       ::_exit(code);
@@ -183,8 +185,8 @@ class SuiteRun {
     std::size_t i = 0;
     for (auto worker = workers_.begin(); worker != workers_.end(); ++i) {
       const bool ready = fds[i].revents != 0;
-      if (ready && hear(*worker) == wire::FrameReader::State::closed) {
-        bury(*worker);
+      if (ready && receive(*worker) == wire::FrameReader::State::closed) {
+        reap(*worker);
         worker = workers_.erase(worker);
       } else {
         ++worker;
@@ -192,43 +194,42 @@ class SuiteRun {
     }
   }
 
-  wire::FrameReader::State hear(Worker& worker) {
+  wire::FrameReader::State receive(Worker& worker) {
     return worker.frames.read(worker.fd.number(), [&](char type, std::string_view payload) {
       const auto index = static_cast<std::size_t>(wire::take<std::uint64_t>(payload));
-      if (type == messages::kBroken) {
+      if (type == messages::kBroken)
         worker.trouble = payload;
-        return;
-      }
-      Run& run = runs_.at(index);
-      if (type == messages::kBegun) {
-        run.begun = true;
-        run.line = payload;
-        return;
-      }
-      if (type == messages::kRecords) {
-        while (!payload.empty()) {
-          const double value = wire::take<double>(payload);
-          run.reports.emplace_back(wire::take_text(payload), value);
-        }
-        return;
-      }
-      run.done = true;
-      worker.rest.first = index + 1;
-      if (type == messages::kKept) {
-        run.kept = true;
-        run.id = payload;
-        progress_.kept();
-      } else {
-        run.line = payload;
-        const Row row = row_of(run.line);
-        run.id = row.get("run_id");
-        progress_.ran(row.outcome());
-      }
+      else
+        take(worker, index, type, payload);
     });
   }
 
-  // The worker has shut its pipe: it is done, or it died.
-  void bury(Worker& worker) {
+  void take(Worker& worker, std::size_t index, char type, std::string_view payload) {
+    Run& run = runs_.at(index);
+    if (type == messages::kBegun) {
+      run.begun = true;
+      run.row = row_from(payload);
+    } else if (type == messages::kRecords) {
+      while (!payload.empty()) {
+        const double value = wire::take<double>(payload);
+        run.records.emplace_back(wire::take_text(payload), value);
+      }
+    } else if (type == messages::kKept) {
+      run.done = run.kept = true;
+      run.id = payload;
+      worker.rest.first = index + 1;
+      progress_.kept();
+    } else {
+      run.done = true;
+      run.row = row_from(payload);
+      run.id = run.row.get("run_id");
+      worker.rest.first = index + 1;
+      progress_.ran(run.row.outcome());
+    }
+  }
+
+  // The worker has closed its pipe: it has finished, or it died.
+  void reap(Worker& worker) {
     int status = 0;
     while (::waitpid(worker.pid, &status, 0) < 0 && errno == EINTR) {}
     worker.pid = 0;
@@ -247,27 +248,17 @@ class SuiteRun {
 
   void finish(std::size_t index, Outcome outcome, const std::string& reason) {
     Run& run = runs_[index];
-    Row row = run.begun ? row_of(run.line) : blank_row(work_, index);
-    row.cells["outcome"] = to_text(outcome);
-    row.cells["reason"] = reason;
+    if (!run.begun) run.row = blank_row(work_, index);
+    run.row.cells["outcome"] = to_text(outcome);
+    run.row.cells["reason"] = reason;
     run.done = true;
-    run.id = row.get("run_id");
-    run.line = csv_line(row);
+    run.id = run.row.get("run_id");
     progress_.ran(outcome);
   }
 
-  static Row row_of(const std::string& line) {
-    const auto cells = parse_csv(line, "a worker's row").at(0);
-    Row row;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (!cells[i].empty()) row.cells[columns().at(i).name] = cells[i];
-    }
-    return row;
-  }
-
   void append(const Run& run) {
-    metrics_.append(run.id, run.reports);
-    session_.append(run.line);
+    metrics_.append(run.id, run.records);
+    session_.append(csv_line(run.row, columns_));
   }
 
   void write_ready() {
@@ -306,9 +297,9 @@ class SuiteRun {
       const auto before = session_.earlier().find(run.id);
       if (before != session_.earlier().end()) {
         if (earlier_.at(run.id).done) --lost;
-        for (const Row& row : before->second) lines += csv_line(row);
+        for (const Row& row : before->second) lines += csv_line(row, columns_);
       }
-      if (!run.kept) lines += run.line;
+      if (!run.kept) lines += csv_line(run.row, columns_);
     }
     if (lost > 0) progress_.remark(fmt::format("dropped the rows of {} runs whose maps have changed since", lost));
     session_.rewrite(lines);
@@ -318,6 +309,7 @@ class SuiteRun {
   }
 
   const SuiteRunOptions& options_;
+  Columns columns_;
   Session session_;
   MetricsFile metrics_;
   std::vector<SuiteCell> cells_;
@@ -332,14 +324,14 @@ class SuiteRun {
 
 }  // namespace
 
-Results run_suite(const Suite& suite, const std::vector<PlannerInfo>& planners, const SuiteRunOptions& options) {
+Results run_suite(const Suite& suite, const Registry& registry, const SuiteRunOptions& options) {
   if (options.jobs < 1) throw std::invalid_argument(fmt::format("jobs is {}, expected 1 or more", options.jobs));
   if (options.folder.empty()) throw std::invalid_argument("no folder for the results; name one with -o");
   Suite named = suite;
   name_maps(named.maps);
-  for (const PlannerSpec& spec : named.planners) find_planner(planners, spec.name);
+  for (const PlannerSpec& spec : named.planners) registry.planners.find(spec.name);
   {
-    SuiteRun all(named, planners, options);
+    SuiteRun all(named, registry, options);
     all.run();
   }
   return read_results(options.folder);

@@ -52,8 +52,8 @@ std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error
 
 }  // namespace
 
-Session::Session(const Suite& suite, const SuiteRunOptions& options)
-    : folder_(options.folder), file_(options.folder + "/runs.csv") {
+Session::Session(const Suite& suite, const Columns& columns, const SuiteRunOptions& options)
+    : columns_(columns), folder_(options.folder), file_(options.folder + "/runs.csv") {
   const std::string hash = content_hash(suite);
   const bool there = fs::exists(file_);
   if (there && !options.resume) {
@@ -64,12 +64,15 @@ Session::Session(const Suite& suite, const SuiteRunOptions& options)
   }
   if (there) take_up(hash);
   std::error_code error;
-  const bool tethers = std::any_of(suite.robots.begin(), suite.robots.end(), [](const Robot& r) { return r.tether.has_value(); });
-  for (const char* sub : {"", "/paths", "/maps", "/logs", "/traces", "/tethers"}) {
-    if (sub == std::string("/traces") && !options.traces) continue;
-    if (sub == std::string("/tethers") && !tethers) continue;
-    fs::create_directories(folder_ + sub, error);
-    if (error) cannot_write(folder_ + sub, error.value());
+  const bool tethers =
+      std::any_of(suite.robots.begin(), suite.robots.end(), [](const Robot& r) { return r.tether.has_value(); });
+  std::vector<std::string> folders{"", "/paths", "/maps", "/logs"};
+  if (options.pictures) folders.push_back("/pictures");
+  if (options.traces) folders.push_back("/traces");
+  if (tethers) folders.push_back("/tethers");
+  for (const std::string& folder : folders) {
+    fs::create_directories(folder_ + folder, error);
+    if (error) cannot_write(folder_ + folder, error.value());
   }
   open();
   describe(suite, options, hash);
@@ -82,7 +85,7 @@ void Session::open() {
     throw std::invalid_argument(fmt::format("another sweep is writing to '{}'; choose another folder", folder_));
   }
   struct stat about {};
-  if (::fstat(out_.number(), &about) == 0 && about.st_size == 0) append(csv_header());
+  if (::fstat(out_.number(), &about) == 0 && about.st_size == 0) append(csv_header(columns_));
 }
 
 void Session::take_up(const std::string& suite_hash) {
@@ -104,19 +107,10 @@ void Session::take_up(const std::string& suite_hash) {
   const std::string whole = whole_lines(text);
   if (whole.size() != text.size()) { write_file(file_, whole); }
   if (whole.empty()) return;
-  for (const auto& cells : parse_csv(whole, file_)) {
-    if (cells.size() != columns().size()) {
-      throw std::invalid_argument(fmt::format("{}: a row has {} cells, expected {}; choose another folder", file_,
-                                              cells.size(), columns().size()));
-    }
-    Row row;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (!cells[i].empty()) row.cells[columns()[i].name] = cells[i];
-    }
-    if (row.get("run_id") == "run_id") continue;  // the header
-    row.outcome();                                // throws for none
-    earlier_[row.get("run_id")].push_back(std::move(row));
-  }
+  if (whole.substr(0, whole.find('\n') + 1) != csv_header(columns_))
+    throw std::invalid_argument(
+        fmt::format("{}: its columns are not those of this version of oxturn; choose another folder", file_));
+  for (Row& row : rows_from_csv(whole, file_)) earlier_[row.get("run_id")].push_back(std::move(row));
 }
 
 void Session::append(const std::string& line) {
@@ -135,7 +129,7 @@ void Session::append(const std::string& line) {
   }
 }
 
-void Session::rewrite(const std::string& lines) { write_file(file_, csv_header() + lines); }
+void Session::rewrite(const std::string& lines) { write_file(file_, csv_header(columns_) + lines); }
 
 void Session::describe(const Suite& suite, const SuiteRunOptions& options, const std::string& suite_hash) {
   const std::string file = folder_ + "/session.json";
@@ -160,12 +154,12 @@ void Session::describe(const Suite& suite, const SuiteRunOptions& options, const
                               {"jobs", options.jobs},
                               {"command_line", options.command_line}});
   write_file(file, dump(json));
-  write_file(folder_ + "/columns.json", columns_json());
+  write_file(folder_ + "/columns.json", to_json(columns_));
 }
 
-std::string columns_json() {
+std::string to_json(const Columns& columns) {
   Json all = Json::array();
-  for (const Column& c : columns()) {
+  for (const Column& c : columns) {
     all.push_back({{"name", c.name},
                    {"type", c.type},
                    {"unit", c.unit},

@@ -14,7 +14,7 @@ namespace oxturn {
 /// Refuses what run_suite() promises to refuse, before anything is written.
 class Session {
  public:
-  Session(const Suite& suite, const SuiteRunOptions& options);
+  Session(const Suite& suite, const Columns& columns, const SuiteRunOptions& options);
 
   /// Rows that an earlier session left, by run_id, attempts in order.
   const std::map<std::string, std::vector<Row>>& earlier() const { return earlier_; }
@@ -28,6 +28,7 @@ class Session {
   void take_up(const std::string& suite_hash);
   void describe(const Suite& suite, const SuiteRunOptions& options, const std::string& suite_hash);
 
+  const Columns& columns_;
   std::string folder_, file_;
   std::map<std::string, std::vector<Row>> earlier_;
   wire::Descriptor out_;

@@ -1,4 +1,6 @@
-// A suite: planners x parameters x maps x robots x seeds x repeats, read from TOML (design.md section 5).
+/// A suite: planners x parameters x maps x robots x seeds x repeats, read from TOML.
+///
+///   const Suite suite = read_suite("bench/suites/quick.toml", built_in_registry());
 #pragma once
 
 #include <cstdint>
@@ -7,18 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/coverage_planner.hpp"
+#include "bench/isolate.hpp"
+#include "bench/registry.hpp"
 #include "maps/formats.hpp"
 #include "maps/map.hpp"
 #include "maps/robot.hpp"
 #include "maps/locations.hpp"
 
 namespace oxturn {
-
-struct Limits {
-  double wall_s = 60;
-  double memory_mb = 4096;
-};
 
 /// One map of a suite: a generator with settings and seed, not yet made, or a file, read once when the suite is
 /// (so that a bad file is a sentence at the start and not a row in the night). A robot that the file names is
@@ -29,7 +27,7 @@ struct MapSpec {
   Settings settings;
   std::uint64_t seed = 1;
   std::string file;
-  ReadOptions read;
+  Settings read;  // of the file's reader
   std::optional<Location> start, anchor;      // empty: the file's, or the problem's default
   std::shared_ptr<const MapFile> content;  // of `file`
 };
@@ -58,7 +56,7 @@ struct Suite {
 /// capability `tether` run as always). Everything is checked here: names
 /// against `planners` and the generators, parameters, types, files. Throws std::invalid_argument
 /// "quick.toml:12: ..." for each kind of mistake. File patterns are relative to the suite's folder.
-Suite read_suite(const std::string& file, const std::vector<PlannerInfo>& planners);
+Suite read_suite(const std::string& file, const Registry& registry);
 
 /// Gives a name to every map that has none. Throws std::invalid_argument if a map is listed twice.
 void name_maps(std::vector<MapSpec>& maps);

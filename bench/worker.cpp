@@ -9,17 +9,17 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "bench/run_id.hpp"
-#include "bench/wire.hpp"
-#include "maps/formats.hpp"
-#include "maps/generators.hpp"
-#include "metrics/score.hpp"
-#include "metrics/tether_trace.hpp"
 #include "base/files.hpp"
 #include "base/sha256.hpp"
 #include "base/text.hpp"
+#include "bench/isolate.hpp"
+#include "bench/run_id.hpp"
+#include "bench/verdict.hpp"
+#include "bench/wire.hpp"
 #include "geometry/trace.hpp"
 #include "maps/path_file.hpp"
+#include "maps/picture.hpp"
+#include "metrics/tether_trace.hpp"
 
 namespace oxturn {
 
@@ -27,14 +27,14 @@ namespace {
 
 constexpr std::size_t kLongestReason = 500;
 
-// One line, printable, not endless: it comes from anybody's exception.
+// One printable line of bounded length: the text may come from any exception.
 std::string as_reason(const std::string& text) {
   std::string out;
   for (const char c : text) out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
   while (!out.empty() && out.back() == ' ') out.pop_back();
   if (out.size() > kLongestReason) {
     std::size_t end = kLongestReason;
-    while (end > 0 && (static_cast<unsigned char>(out[end]) & 0xC0) == 0x80) --end;  // not within a UTF-8 letter
+    while (end > 0 && (static_cast<unsigned char>(out[end]) & 0xC0) == 0x80) --end;  // not within a UTF-8 sequence
     out = out.substr(0, end) + " ...";
   }
   return out;
@@ -54,13 +54,21 @@ bool is_finite(const Path& path) {
 struct Setting {
   std::optional<Map> map;
   std::optional<Problem> problem;
-  mutable std::optional<Problem> loose;  // without the tether, for who ignores it; made for the first of them
+  mutable std::optional<Problem> loose;  // without the tether, for planners that ignore it; made for the first of them
   std::string map_hash;
   std::string hash;  // of the problem, or what stands for it
   Outcome outcome = Outcome::ok;
   std::string reason;  // why there is no problem
   std::string problem_file;
 };
+
+/// Scoring needs these parts of a problem and would build them for the second planner but not for the first.
+void build_shared_parts(const Problem& problem) {
+  problem.walls();
+  problem.map_edges();
+  problem.target();
+  if (problem.tether()) problem.tether()->taut_space();
+}
 
 Setting set_up(const Work& work, const SuiteCell& cell) {
   Setting s;
@@ -69,22 +77,19 @@ Setting set_up(const Work& work, const SuiteCell& cell) {
   try {
     std::optional<Location> start = spec.start, anchor = spec.anchor;
     if (spec.generator.empty()) {
-      const MapFile content = spec.content ? *spec.content : read_map(spec.file, spec.read);
+      const MapFile content = spec.content ? *spec.content : read_map(spec.file, spec.read, work.registry.formats);
       s.map = content.map;
       if (!start && content.start) start = Location{"", *content.start};
       if (!anchor && content.anchor) anchor = Location{"", *content.anchor};
     } else {
-      s.map = generate(spec.generator, spec.settings, spec.seed);
+      s.map = generate(spec.generator, spec.settings, spec.seed, work.registry.generators);
     }
     s.map->name = spec.name;
     s.map_hash = content_hash(*s.map);
-    const StartAndAnchor places = resolve(*s.map, robot, start, anchor);
-    s.problem.emplace(*s.map, robot, places.start, places.anchor);
+    const StartAndAnchor located = resolve(*s.map, robot, start, anchor);
+    s.problem.emplace(*s.map, robot, located.start, located.anchor);
     s.hash = s.problem->content_hash();
-    // Scoring needs these, and would build them for the second planner but not for the first.
-    s.problem->walls();
-    s.problem->target();
-    if (robot.tether) s.problem->tether()->taut_space();
+    build_shared_parts(*s.problem);
     s.problem_file = fmt::format("maps/{}.geojson", s.hash);
     const std::string file = fmt::format("{}/{}", work.options.folder, s.problem_file);
     if (!std::filesystem::exists(file)) write_file(file, to_geojson(*s.problem));
@@ -111,9 +116,7 @@ const Problem& given(const Setting& setting, const PlannerSpec& spec) {
     Robot robot = setting.problem->robot();
     robot.tether.reset();
     setting.loose.emplace(*setting.map, robot, setting.problem->start(), setting.problem->anchor());
-    // As the problem itself: all planners find the same things built.
-    setting.loose->walls();
-    setting.loose->target();
+    build_shared_parts(*setting.loose);
   }
   return *setting.loose;
 }
@@ -121,21 +124,23 @@ const Problem& given(const Setting& setting, const PlannerSpec& spec) {
 Row row_of(const Work& work, std::size_t index, const Setting& setting) {
   const SuiteCell& cell = work.cells[index];
   const PlannerSpec& spec = work.suite.planners[cell.planner];
-  const PlannerInfo& planner = find_planner(work.planners, spec.name);
+  const PlannerInfo& planner = work.registry.planners.find(spec.name);
   const std::string& robot = work.suite.robots[cell.robot].name;
   const std::uint64_t seed = run_seed(work.suite.seed, spec.name, setting.hash, cell.repeat);
+  Settings settings = full_settings(planner, spec.settings, work.registry.planners);
+  if (spec.ignore_tether) settings[kIgnoreTether] = true;
   Row row;
   const std::string& map = work.suite.maps[cell.map].name;
   row.cells = {
       {"schema", "1"},
-      {"run_id", run_id(map, robot, setting.hash, planner, spec.settings, seed, cell.repeat, spec.ignore_tether)},
+      {"run_id", run_id(map, robot, setting.hash, spec.name, settings, seed, cell.repeat)},
       {"attempt", "1"},
       {"suite", work.suite.name},
       {"map", map},
       {"planner", spec.name},
       {"planner_family", planner.family},
       {"variant", spec.variant()},
-      {"params", settings_text(spec.said())},
+      {"params", to_text(spec.said())},
       {"robot", robot},
       {"repeat", std::to_string(cell.repeat)}};
   if (setting.problem) row.cells["seed"] = std::to_string(seed);
@@ -160,98 +165,116 @@ void write_traces(const Work& work, const std::string& id, const std::vector<Tra
   write_file(fmt::format("{}/traces/{}.json", work.options.folder, id), json.dump() + "\n");
 }
 
-// Writes the path with the name of its problem as a foreign member (RFC 7946, 6.1), so that it can be drawn and
-// scored again by itself.
-void keep_path(const Work& work, const Setting& setting, const Path& path, Row& row) {
+/// Writes the path with the name of its problem, so that it can be drawn and scored again by itself.
+void write_path(const Work& work, const Setting& setting, const Path& path, Row& row) {
   if (path.legs.empty() || !is_finite(path)) return;  // JSON has no NaN; `reason` says what was wrong
-  std::string text = to_geojson(path);
-  row.cells["path_sha256"] = sha256(text);
+  row.cells["path_sha256"] = sha256(to_geojson(path));
   row.cells["path_file"] = fmt::format("paths/{}.geojson", row.get("run_id"));
-  text.insert(text.find('{') + 1, fmt::format("\"problem\":\"{}\",", setting.problem_file));
-  write_file(fmt::format("{}/{}", work.options.folder, row.get("path_file")), text);
+  write_file(fmt::format("{}/{}", work.options.folder, row.get("path_file")), to_geojson(path, setting.problem_file));
 }
 
-// The tether's length, bends and angle along the path, beside it.
-void keep_tether(const Work& work, const Problem& problem, const Path& path, const Row& row) {
-  if (!problem.robot().tether) return;
+void write_picture(const Work& work, const Problem& problem, const Planned& planned, const Row& row) {
+  if (!work.options.pictures || row.get("path_file").empty()) return;
+  PictureOptions options;
+  options.traces = &planned.traces;
+  write_file(fmt::format("{}/{}", work.options.folder, picture_name(row.get("run_id"))),
+             to_svg(problem, &*planned.path, options));
+}
+
+/// The tether's length, bends and angle along the path.
+void write_tether(const Work& work, const Problem& problem, const Path& path, const Row& row) {
+  if (!problem.tether()) return;
   write_file(fmt::format("{}/tethers/{}.csv", work.options.folder, row.get("run_id")),
              to_csv(tether_trace(problem, path, problem.robot().tool_width)));
 }
 
-// Adds the score to the row; returns the flaw ("" if the path is valid).
-std::string score_into(const Problem& problem, const Path& path, bool tether_counts, Row& row) {
+Score score_into(const Work& work, const Problem& problem, const Path& path, bool tether_counts, Row& row) {
   const auto before = std::chrono::steady_clock::now();
   ScoreOptions options;
   options.tether_counts = tether_counts;
-  const Score result = score(problem, path, options);
+  Score result = score(problem, path, work.registry.metrics, options);
   row.cells["score_s"] = to_decimal(std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count());
-  for (std::size_t i = 0; i < metrics().size() && i < result.values.size(); ++i) {
-    if (result.values[i]) row.cells[metrics()[i]->name] = to_decimal(*result.values[i]);
-  }
-  return result.flaw;
+  for (const MetricValue& metric : result.values)
+    if (metric.value) row.cells[metric.name] = to_decimal(*metric.value);
+  return result;
 }
 
-void judge(const Work& work, const Setting& setting, const Planned& planned, bool tether_counts, Row& row) {
-  end(row, planned.outcome, planned.reason);
+void write_process(const Planned& planned, Row& row) {
   if (planned.exit_code != 0) row.cells["exit_code"] = std::to_string(planned.exit_code);
   if (planned.signal != 0) row.cells["signal"] = std::to_string(planned.signal);
-  if (planned.wall_s > 0) {
-    row.cells["plan_wall_s"] = to_decimal(planned.wall_s);
-    row.cells["plan_cpu_s"] = to_decimal(planned.cpu_s);
-    row.cells["peak_rss_bytes"] = to_decimal(planned.peak_rss_bytes);
-  }
-  const bool scored = planned.path && (planned.outcome == Outcome::ok || planned.outcome == Outcome::timeout);
-  if (!scored) return;
-  keep_path(work, setting, *planned.path, row);
-  const std::string flaw = score_into(*setting.problem, *planned.path, tether_counts, row);
-  keep_tether(work, *setting.problem, *planned.path, row);
-  if (planned.outcome == Outcome::timeout) {
-    end(row, Outcome::timeout,
-        flaw.empty() ? planned.reason + "; scored is the last path it published"
-                     : fmt::format("{}; the last path it published is invalid: {}", planned.reason, flaw));
-    return;
-  }
-  if (!flaw.empty()) return end(row, Outcome::invalid, flaw);
-  const double covered = row.number("coverage_lower").value_or(0);
-  if (covered >= work.suite.target_coverage) return end(row, Outcome::ok, "");
-  end(row, Outcome::partial,
-      fmt::format("coverage {:.4f} is below {}", covered, to_decimal(work.suite.target_coverage)));
+  if (planned.wall_s <= 0) return;
+  row.cells["plan_wall_s"] = to_decimal(planned.wall_s);
+  row.cells["plan_cpu_s"] = to_decimal(planned.cpu_s);
+  row.cells["peak_rss_bytes"] = to_decimal(planned.peak_rss_bytes);
 }
 
-/// `reports` takes what the planner reported of itself, packed.
-void run_one(const Work& work, const Setting& setting, std::size_t index, Row& row, std::string& reports) {
+/// Scores and stores what came of planning.
+void finish_run(const Work& work, const Setting& setting, const Planned& planned, bool tether_counts, Row& row) {
+  write_process(planned, row);
+  std::optional<Score> result;
+  if (is_scored(planned)) {
+    write_path(work, setting, *planned.path, row);
+    result = score_into(work, *setting.problem, *planned.path, tether_counts, row);
+    write_picture(work, *setting.problem, planned, row);
+    write_tether(work, *setting.problem, *planned.path, row);
+  }
+  const Verdict verdict = judge(planned, result, work.suite.target_coverage);
+  end(row, verdict.outcome, verdict.reason);
+  if (!planned.traces.empty()) write_traces(work, row.get("run_id"), planned.traces);
+}
+
+/// `records` takes the figures that the planner recorded, packed.
+void run_one(const Work& work, const Setting& setting, std::size_t index, Row& row, std::string& records) {
   const PlannerSpec& spec = work.suite.planners[work.cells[index].planner];
-  const PlannerInfo& planner = find_planner(work.planners, spec.name);
+  const PlannerInfo& planner = work.registry.planners.find(spec.name);
   if (!setting.problem) return end(row, setting.outcome, setting.reason);
   try {
-    const std::string lacking = missing_capability(planner, given(setting, spec));
-    if (!lacking.empty()) return end(row, Outcome::unsupported, lacking);
+    const Problem& problem = given(setting, spec);
+    const std::string missing = missing_capability(planner, problem);
+    if (!missing.empty()) return end(row, Outcome::unsupported, missing);
     IsolationOptions options;
     options.limits = work.suite.limits;
     options.seed = run_seed(work.suite.seed, spec.name, setting.hash, work.cells[index].repeat);
     options.traces = work.options.traces;
     options.log_file = fmt::format("{}/logs/{}.log", work.options.folder, row.get("run_id"));
-    const Planned planned = plan_isolated(planner, spec.settings, given(setting, spec), options);
-    judge(work, setting, planned, !spec.ignore_tether, row);
-    for (const auto& [name, value] : planned.reports) {
-      wire::put(reports, value);
-      wire::put_text(reports, name);
+    const auto make = [&] { return planner.make(spec.settings, work.registry.planners); };
+    const Planned planned = plan_isolated(make, problem, options);
+    for (const auto& [name, value] : planned.records) {
+      wire::put(records, value);
+      wire::put_text(records, name);
     }
-    if (!planned.traces.empty()) write_traces(work, row.get("run_id"), planned.traces);
+    finish_run(work, setting, planned, !spec.ignore_tether, row);
   } catch (const std::exception& e) {
-    // Ours: a full disk, no more processes, a scorer that throws.
+    // A defect or limit of the harness: a full disk, no more processes, a metric that throws.
     end(row, Outcome::infrastructure, e.what());
   }
 }
 
 }  // namespace
 
-void tell(int fd, char type, std::size_t index, const std::string& text) {
+void send_message(int fd, char type, std::size_t index, const std::string& payload) {
   std::string message;
   wire::put(message, static_cast<std::uint64_t>(index));
-  message += text;
-  // Nobody listens any more: the sweep is over.
-  if (!wire::send(fd, type, message)) throw std::runtime_error("the sweep is gone");
+  message += payload;
+  if (!wire::send(fd, type, message)) throw std::runtime_error("the parent process has closed the pipe");
+}
+
+std::string pack(const Row& row) {
+  std::string bytes;
+  for (const auto& [column, cell] : row.cells) {
+    wire::put_text(bytes, column);
+    wire::put_text(bytes, cell);
+  }
+  return bytes;
+}
+
+Row row_from(std::string_view bytes) {
+  Row row;
+  while (!bytes.empty()) {
+    const std::string column = wire::take_text(bytes);
+    row.cells[column] = wire::take_text(bytes);
+  }
+  return row;
 }
 
 std::vector<SuiteCell> cells_of(const Suite& suite) {
@@ -280,16 +303,16 @@ void run_unit(const Work& work, const Unit& unit, int fd) {
     const auto earlier = work.earlier.find(row.get("run_id"));
     if (earlier != work.earlier.end()) {
       if (earlier->second.done) {
-        tell(fd, messages::kKept, index, row.get("run_id"));
+        send_message(fd, messages::kKept, index, row.get("run_id"));
         continue;
       }
       row.cells["attempt"] = std::to_string(earlier->second.attempts + 1);
     }
-    tell(fd, messages::kBegun, index, csv_line(row));
-    std::string reports;
-    run_one(work, setting, index, row, reports);
-    if (!reports.empty()) tell(fd, messages::kRecords, index, reports);
-    tell(fd, messages::kDone, index, csv_line(row));
+    send_message(fd, messages::kBegun, index, pack(row));
+    std::string records;
+    run_one(work, setting, index, row, records);
+    if (!records.empty()) send_message(fd, messages::kRecords, index, records);
+    send_message(fd, messages::kDone, index, pack(row));
   }
 }
 

@@ -1,12 +1,13 @@
-// A worker's share of a sweep: some runs of one problem, one after the other, in a process of their own. The map is
-// made and the problem built once; each planner gets a process of its own; paths are scored here, outside of it.
-// Internal to bench/.
+/// A worker's share of a suite: some runs of one problem, one after the other, in a process of their own. The map is
+/// made and the problem built once; each planner gets a process of its own; paths are scored and drawn by the worker.
+/// Internal to bench/.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/run_suite.hpp"
@@ -33,28 +34,32 @@ struct Earlier {
 
 struct Work {
   const Suite& suite;
-  const std::vector<PlannerInfo>& planners;
+  const Registry& registry;
   const SuiteRunOptions& options;
   const std::vector<SuiteCell>& cells;
   const std::map<std::string, Earlier>& earlier;  // by run_id
 };
 
-/// What a worker says about run `index`. Frames: [index u64][text].
+/// What a worker sends about run `index`. Frames: [index u64][payload].
 namespace messages {
-inline constexpr char kBegun = 'B';  // row so far, as a CSV line
-inline constexpr char kRecords =
-    'V';  // [value f64, name] for each report of the planner, before kDone; only if there are any
-inline constexpr char kDone = 'D';    // row, as a CSV line
-inline constexpr char kKept = 'K';    // run_id of a row that an earlier sweep left
-inline constexpr char kBroken = 'X';  // why the worker gives up
-}  // namespace news
+inline constexpr char kBegun = 'B';    // the row so far, packed
+inline constexpr char kRecords = 'V';  // [value f64, name] for each figure the planner recorded; before kDone, if any
+inline constexpr char kDone = 'D';     // the row, packed
+inline constexpr char kKept = 'K';     // run_id of a row that an earlier session left
+inline constexpr char kBroken = 'X';   // why the worker gives up
+}  // namespace messages
 
-void tell(int fd, char type, std::size_t index, const std::string& text);
+/// Throws std::runtime_error if the parent has closed the pipe.
+void send_message(int fd, char type, std::size_t index, const std::string& payload);
+
+/// A row as bytes, and back.
+std::string pack(const Row& row);
+Row row_from(std::string_view bytes);
 
 /// The row of a run whose problem is not known (yet).
 Row blank_row(const Work& work, std::size_t index);
 
-/// Works through the unit and writes its news to `fd`.
+/// Works through the unit and sends messages to `fd`.
 void run_unit(const Work& work, const Unit& unit, int fd);
 
 }  // namespace oxturn

@@ -1,4 +1,4 @@
-// The commands of the program; listed in cli/commands.cpp and nowhere else.
+/// The commands of the program, listed in cli/commands.cpp.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,14 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "bench/registry.hpp"
+
 namespace oxturn::cli {
 
 struct Command {
   std::string name, title;
   std::string examples;  // one a line, shown by --help
-  /// Declares the command's options on `app`. The answer runs it and gives the exit code: 0 done, 1 a check
-  /// failed. Bad input is an exception, which main makes one line and exit code 2.
-  std::function<int()> (*attach)(CLI::App& app);
+  /// Declares the command's options on `app`. The function returned runs it and returns the exit code: 0 done, 1 a
+  /// check failed. Bad input is an exception, which main turns into one line and exit code 2. `registry` outlives both.
+  std::function<int()> (*attach)(CLI::App& app, const Registry& registry);
 };
 const std::vector<Command>& commands();
 

@@ -7,15 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "algorithms/coverage_planner.hpp"
+#include "base/text.hpp"
 #include "bench/results.hpp"
 #include "cli/commands.hpp"
 #include "cli/suites.hpp"
-#include "maps/formats.hpp"
-#include "maps/generators.hpp"
-#include "metrics/score.hpp"
-#include "reports/pages/pages.hpp"
-#include "base/text.hpp"
 
 namespace oxturn::cli {
 namespace {
@@ -45,15 +40,11 @@ Json to_json(const std::vector<ParameterInfo>& parameters) {
   return all;
 }
 
-std::string to_text(Better better) {
-  return better == Better::lower ? "lower" : better == Better::higher ? "higher" : "neither";
-}
-
-Json planners() {
+Json planners(const Registry& registry) {
   Json all = Json::array();
-  for (const PlannerInfo& p : zoo()) {
+  for (const PlannerInfo& p : registry.planners) {
     Json capabilities = Json::array();
-    for (const Capability c : p.capabilities) capabilities.push_back(oxturn::to_text(c));
+    for (const Capability c : p.capabilities) capabilities.push_back(to_text(c));
     all.push_back({{"name", p.name},
                    {"family", p.family},
                    {"title", p.title},
@@ -65,47 +56,49 @@ Json planners() {
   return all;
 }
 
-Json maps() {
+Json maps(const Registry& registry) {
   Json all = Json::array();
-  for (const GeneratorInfo& g : generators())
+  for (const GeneratorInfo& g : registry.generators)
     all.push_back(
         {{"name", g.name}, {"title", g.title}, {"guarantee", g.guarantee}, {"parameters", to_json(g.parameters)}});
   return all;
 }
 
-Json formats() {
+Json formats(const Registry& registry) {
   Json all = Json::array();
-  for (const MapFormat& f : map_formats())
-    all.push_back({{"name", f.name}, {"title", f.title}, {"suffixes", f.suffixes}, {"direction", "read"}});
-  all.push_back({{"name", "geojson"},
-                 {"title", "GeoJSON: maps, problems, paths"},
-                 {"suffixes", {".geojson", ".json"}},
-                 {"direction", "write"}});
-  all.push_back(
-      {{"name", "svg"}, {"title", "picture of a map or a path"}, {"suffixes", {".svg"}}, {"direction", "write"}});
+  for (const MapFormat& f : registry.formats) {
+    const std::string direction = f.read && f.write ? "read and write" : f.read ? "read" : "write";
+    all.push_back({{"name", f.name},
+                   {"title", f.title},
+                   {"suffixes", f.suffixes},
+                   {"direction", direction},
+                   {"parameters", to_json(f.parameters)}});
+  }
   return all;
 }
 
-Json all_metrics() {
+Json metrics(const Registry& registry) {
   Json all = Json::array();
-  for (const Metric* m : metrics())
-    all.push_back({{"name", m->name}, {"unit", m->unit}, {"better", to_text(m->better)}, {"help", m->help}});
+  for (const Metric& m : registry.metrics)
+    all.push_back({{"name", m.name}, {"unit", m.unit}, {"better", to_text(m.better)}, {"help", m.help}});
   return all;
 }
 
-Json suites() {
+Json tables(const Registry& registry) {
+  Json all = Json::array();
+  for (const ReportTable& t : registry.tables) all.push_back({{"name", t.name}, {"title", t.title}});
+  return all;
+}
+
+Json robot(const Registry&) { return to_json(infos_of(robot_parameters())); }
+
+Json suites(const Registry&) {
   Json all = Json::array();
   for (const SuiteFile& s : suite_files()) all.push_back({{"name", s.name}, {"file", s.file}, {"title", s.title}});
   return all;
 }
 
-Json all_pages() {
-  Json all = Json::array();
-  for (const Page& p : pages()) all.push_back({{"name", p.name}, {"title", p.title}});
-  return all;
-}
-
-Json all_columns() { return Json::parse(columns_json()); }
+Json columns(const Registry& registry) { return Json::parse(to_json(run_columns(registry.metrics))); }
 
 // --- for people ----------------------------------------------------------------------------------------------
 
@@ -125,14 +118,14 @@ std::string limits_of(const Json& parameter) {
   return "";
 }
 
-void print_parameters(const Json& parameters) {
+void print_parameters(const Json& parameters, const char* prefix) {
   std::size_t name_width = 0, limits_width = 0;
   for (const Json& p : parameters) {
     name_width = std::max(name_width, text_of(p["name"]).size() + 1 + text_of(p["default"]).size());
     limits_width = std::max(limits_width, limits_of(p).size());
   }
   for (const Json& p : parameters)
-    fmt::print("    --set {:{}}  {:{}}  {}\n", text_of(p["name"]) + "=" + text_of(p["default"]), name_width,
+    fmt::print("    {}{:{}}  {:{}}  {}\n", prefix, text_of(p["name"]) + "=" + text_of(p["default"]), name_width,
                limits_of(p), limits_width, text_of(p["help"]));
 }
 
@@ -150,7 +143,7 @@ void print_described(const Json& all) {
       fmt::print("    capabilities: {}\n", list);
     }
     fmt::print("    guarantee: {}\n", text_of(one["guarantee"]));
-    print_parameters(one["parameters"]);
+    print_parameters(one["parameters"], "--set ");
   }
 }
 
@@ -183,7 +176,7 @@ void print_aligned(const Json& all, const std::vector<std::string>& members) {
 
 struct Kind {
   const char* name;
-  Json (*all)();
+  Json (*all)(const Registry&);
   void (*print)(const Json&);
 };
 const Kind kKinds[] = {
@@ -193,7 +186,7 @@ const Kind kKinds[] = {
      [](const Json& j) {
        print_aligned(j, {"direction", "name", "suffixes", "title"});
      }},
-    {"metrics", all_metrics,
+    {"metrics", metrics,
      [](const Json& j) {
        print_aligned(j, {"name", "unit", "better", "help"});
      }},
@@ -201,11 +194,12 @@ const Kind kKinds[] = {
      [](const Json& j) {
        print_aligned(j, {"name", "file", "title"});
      }},
-    {"pages", all_pages,
+    {"tables", tables,
      [](const Json& j) {
        print_aligned(j, {"name", "title"});
      }},
-    {"columns", all_columns,
+    {"robot", robot, [](const Json& j) { print_parameters(j, ""); }},
+    {"columns", columns,
      [](const Json& j) {
        print_aligned(j, {"name", "type", "unit", "help"});
      }},
@@ -216,33 +210,32 @@ struct Options {
   bool json = false;
 };
 
-int list(const Options& options) {
+int list(const Options& options, const Registry& registry) {
   std::vector<std::string> names;
   for (const Kind& kind : kKinds) {
     names.emplace_back(kind.name);
     if (options.what != kind.name) continue;
-    const Json all = kind.all();
+    const Json all = kind.all(registry);
     if (options.json)
       fmt::print("{}\n", all.dump(2));
     else
       kind.print(all);
     return 0;
   }
-  throw std::invalid_argument(fmt::format("nothing to list called '{}'; did you mean '{}'? There are: {}", options.what,
-                                          nearest_name(options.what, names), fmt::join(names, ", ")));
+  throw std::invalid_argument(unknown_name("list", options.what, names));
 }
 
-std::function<int()> attach(CLI::App& app) {
+std::function<int()> attach(CLI::App& app, const Registry& registry) {
   const auto options = std::make_shared<Options>();
-  app.add_option("WHAT", options->what, "planners, maps, formats, metrics, suites, pages or columns")->required();
-  app.add_flag("--json", options->json, "for machines");
-  return [options] { return list(*options); };
+  app.add_option("WHAT", options->what, "planners, maps, formats, metrics, robot, suites, tables or columns")->required();
+  app.add_flag("--json", options->json, "print JSON");
+  return [options, &registry] { return list(*options, registry); };
 }
 
 }  // namespace
 
 Command list_command() {
-  return {"list", "what there is: planners, maps, formats, metrics, suites, pages, columns",
+  return {"list", "what there is: planners, maps, formats, metrics, robot, suites, tables, columns",
           "  oxturn list planners\n  oxturn list maps --json\n", attach};
 }
 

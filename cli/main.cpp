@@ -13,7 +13,8 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "base/parameters.hpp"
+#include "base/text.hpp"
+#include "reports/built_in_registry.hpp"
 #include "base/text.hpp"
 
 namespace {
@@ -61,6 +62,7 @@ std::string sentence_of(const CLI::ParseError& error, CLI::App& app) {
 }
 
 int run(int argc, char** argv) {
+  const Registry registry = built_in_registry();
   CLI::App app{"oxturn: plans, scores and compares coverage paths.", "oxturn"};
   app.set_version_flag("--version", std::string("oxturn ") + OXTURN_VERSION);
   app.require_subcommand(0, 1);
@@ -71,7 +73,7 @@ int run(int argc, char** argv) {
   for (const Command& command : commands()) {
     CLI::App* sub = app.add_subcommand(command.name, command.title);
     sub->footer("Examples:\n" + command.examples);
-    actions[sub] = command.attach(*sub);
+    actions[sub] = command.attach(*sub, registry);
   }
   if (argc < 2)
     return refuse(
@@ -80,8 +82,7 @@ int run(int argc, char** argv) {
   if (!word.empty() && word.front() != '-') {
     const auto names = command_names();
     if (std::find(names.begin(), names.end(), word) == names.end())
-      return refuse(fmt::format("no command '{}'; did you mean '{}'? There are: {}", word, nearest_name(word, names),
-                                fmt::join(names, ", ")));
+      return refuse(unknown_name("command", word, names));
   }
   try {
     app.parse(argc, argv);

@@ -10,7 +10,6 @@
 #include "bench/suite.hpp"
 #include "bench/run_suite.hpp"
 #include "cli/commands.hpp"
-#include "cli/options.hpp"
 #include "cli/suites.hpp"
 #include "reports/report.hpp"
 
@@ -19,7 +18,7 @@ namespace {
 
 struct Options {
   std::string suite;
-  SuiteRunOptions sweep;
+  SuiteRunOptions run;
   bool quiet = false;
 };
 
@@ -31,36 +30,36 @@ std::vector<std::string> command_line() {
   return words;
 }
 
-int run(const Options& options) {
-  const Suite suite = read_suite(find_suite(options.suite), zoo());
-  SuiteRunOptions run_options = options.sweep;
+int run(const Options& options, const Registry& registry) {
+  const Suite suite = read_suite(find_suite(options.suite), registry);
+  SuiteRunOptions run_options = options.run;
   run_options.progress = !options.quiet;
   run_options.command_line = command_line();
   Results results;
   try {
-    results = run_suite(suite, zoo(), run_options);
+    results = run_suite(suite, registry, run_options);
   } catch (const Interrupted& interrupted) {  // not done, but no bad input either
     fmt::print(stderr, "oxturn: {}\n", interrupted.what());
     return 1;
   }
-  write_report(results, run_options.folder);
+  write_report(results, registry.tables, run_options.folder);
   const std::filesystem::path folder = run_options.folder;
-  fmt::print("{}\ntable     {}\nrows      {}\npictures  {}\n", comparison_table(results),
+  fmt::print("{}\ntable     {}\nrows      {}\npictures  {}\n", registry.tables.find("comparison").markdown(results),
              (folder / "report.md").string(), (folder / "runs.csv").string(), (folder / "gallery.html").string());
   return 0;
 }
 
-std::function<int()> attach(CLI::App& app) {
+std::function<int()> attach(CLI::App& app, const Registry& registry) {
   const auto options = std::make_shared<Options>();
   app.add_option("SUITE", options->suite, "a suite's file, or the name of one that comes with oxturn")->required();
-  app.add_option("-o,--output", options->sweep.folder, "the results folder to make")->required()->type_name("DIR");
-  app.add_option("-j,--jobs", options->sweep.jobs, "runs at a time; 1 if not given")
+  app.add_option("-o,--output", options->run.folder, "the results folder to make")->required()->type_name("DIR");
+  app.add_option("-j,--jobs", options->run.jobs, "runs at a time; 1 if not given")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
-  app.add_flag("--resume", options->sweep.resume, "keep the rows that are there, run the missing ones");
-  app.add_flag("--traces", options->sweep.traces, "keep and draw the planners' insides too (costs them time)");
+  app.add_flag("--resume", options->run.resume, "keep the rows that are there, run the missing ones");
+  app.add_flag("--traces", options->run.traces, "keep and draw the planners' insides too (costs them time)");
   app.add_flag("-q,--quiet", options->quiet, "no progress");
-  return [options] { return run(*options); };
+  return [options, &registry] { return run(*options, registry); };
 }
 
 }  // namespace

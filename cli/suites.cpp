@@ -64,8 +64,7 @@ std::string find_suite(const std::string& name) {
     names.push_back(suite.name);
   }
   if (names.empty()) return name;
-  throw std::invalid_argument(fmt::format("no such file and no suite '{}'; did you mean '{}'? There are: {}", name,
-                                          nearest_name(name, names), fmt::join(names, ", ")));
+  throw std::invalid_argument(unknown_name("file and no suite", name, names));
 }
 
 }  // namespace oxturn::cli

@@ -1,5 +1,3 @@
-// reports/report.cpp
-// Same results, same bytes: nothing of the clock, of the machine or of the folder's name goes in.
 #include "reports/report.hpp"
 
 #include <fmt/format.h>
@@ -8,38 +6,30 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "maps/formats.hpp"
-#include "reports/groups.hpp"
-#include "reports/pictures.hpp"
-#include "reports/tables/tables.hpp"
-#include "reports/text.hpp"
 #include "base/files.hpp"
+#include "reports/groups.hpp"
+#include "reports/text.hpp"
 
 namespace oxturn {
+
+ReportTable comparison_table();
+ReportTable tether_table();
+ReportTable map_tables();
+
+ReportTables built_in_tables() { return ReportTables("report table", {comparison_table(), tether_table(), map_tables()}); }
+
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string report_page(const Results& results, const Pictures& pictures) {
+std::string report_page(const Results& results, const ReportTables& tables) {
   const std::string suite = results.rows.empty() ? "" : results.rows.front().get("suite");
   std::string out = fmt::format("# oxturn: {}\n\n", escape_markdown(suite));
-  const auto maps = by_map(results);
-  out += fmt::format("{} runs: {} planner variants on {} problems. Pictures: [gallery.html](gallery.html).\n\n",
-                     results.rows.size(), by_variant(results).size(), maps.size());
-  out += "## Planners compared\n\n" + comparison_table(results);
-  out +=
-      "\nA run without a valid path counts as coverage 0. Length ratio (path over the shortest conceivable), overlap, "
-      "revisits, turns and mission time are medians over runs with a valid path (ok or partial); plan_wall_s is the "
-      "median over all runs that were timed.\n";
-  if (const std::string tether = tether_table(results); !tether.empty())
-    out += "\n## Tether\n\n" + tether +
-           "\nOver the runs whose tether could be followed along their path, valid or not. Length ratio and crossings "
-           "(the "
-           "robot drives over its own line) are medians; within leash and entangled (the tether ends wound about "
-           "something) "
-           "are shares of these runs; worst over m is the farthest that any pulls it over its limit; most sharp is the "
-           "largest share of a path that any drives against the tether's pull.\n";
-  for (const RowGroup& map : maps) out += "\n## " + escape_markdown(map.title) + "\n\n" + map_table(map, pictures);
+  out += fmt::format("{} runs: {} planner variants on {} problems. Pictures: [gallery.html](gallery.html).\n",
+                     results.rows.size(), by_variant(results).size(), by_map(results).size());
+  for (const ReportTable& table : tables)
+    if (const std::string text = table.markdown(results); !text.empty())
+      out += fmt::format("\n## {}\n\n{}", table.title, text);
   return out;
 }
 
@@ -51,18 +41,22 @@ void make_folder(const fs::path& folder) {
 
 }  // namespace
 
-Written write_report(const Results& results, const std::string& folder) {
+Written write_report(const Results& results, const ReportTables& tables, const std::string& folder) {
   const fs::path root = folder;
-  make_folder(root / "gallery");
+  make_folder(root);
   Written written;
   const auto write = [&](const std::string& name, const std::string& content) {
     const std::string file = (root / name).string();
     write_file(file, content);
     written.files.push_back(file);
   };
-  const Pictures pictures = draw_runs(results, write);
-  write("gallery.html", gallery_page(results, pictures));
-  write("report.md", report_page(results, pictures));
+  std::error_code error;
+  if (!results.pictures.empty() && !fs::equivalent(results.folder, root, error)) {
+    make_folder(root / "pictures");
+    for (const auto& [run, name] : results.pictures) write(name, read_file((fs::path(results.folder) / name).string()));
+  }
+  write("gallery.html", gallery_page(results));
+  write("report.md", report_page(results, tables));
   return written;
 }
 

@@ -49,8 +49,10 @@ Leg read_leg(const JsonAt& feature) {
 
 }  // namespace
 
-std::string to_geojson(const Path& path) {
-  std::string text = "{\"type\": \"FeatureCollection\", \"features\": [";
+std::string to_geojson(const Path& path, const std::string& problem) {
+  std::string text = "{";
+  if (!problem.empty()) text += "\"problem\": " + json_text(problem) + ", ";
+  text += "\"type\": \"FeatureCollection\", \"features\": [";
   for (std::size_t i = 0; i < path.legs.size(); ++i) {
     const Leg& leg = path.legs[i];
     text += i > 0 ? ",\n" : "\n";

@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <map>
 
+#include "bench/registry.hpp"
 #include "reports/groups.hpp"
-#include "reports/report.hpp"
 #include "reports/text.hpp"
 
 namespace oxturn {
@@ -63,15 +63,21 @@ std::vector<std::string> comparison_row(const RowGroup& group) {
           seconds(median(numbers(group.rows, "plan_wall_s")))};
 }
 
-}  // namespace
-
-std::string comparison_table(const Results& results) {
+std::string markdown(const Results& results) {
+  if (results.rows.empty()) return "";
   std::vector<std::vector<std::string>> rows;
   for (const RowGroup& group : by_variant(results)) rows.push_back(comparison_row(group));
   return markdown_table("lrrrlrrrrrrrr",
                         {"planner", "runs", "ok", "partial", "other", "coverage min", "coverage mean", "length_ratio",
                          "overlap", "revisits", "turns", "mission_s", "plan_wall_s"},
-                        rows);
+                        rows) +
+         "\nA run without a valid path counts as coverage 0. Length ratio (path over the shortest conceivable), overlap, "
+         "revisits, turns and mission time are medians over runs with a valid path (ok or partial); plan_wall_s is the "
+         "median over all runs that were timed.\n";
 }
+
+}  // namespace
+
+ReportTable comparison_table() { return {"comparison", "Planners compared", markdown}; }
 
 }  // namespace oxturn

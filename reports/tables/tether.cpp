@@ -1,14 +1,14 @@
 // The tether table: one row a planner variant, over the runs whose tether could be followed.
 //
-// Decisions   1. Paths count whether valid or not: that a path breaks the leash is what the table is to show.
+// Decisions   1. Paths count whether valid or not: the table shows which paths break the tether's limit.
 //             2. The median of length_ratio is over these runs too, so that it belongs to the same paths.
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "bench/registry.hpp"
 #include "reports/groups.hpp"
 #include "reports/tether_rows.hpp"
-#include "reports/report.hpp"
 #include "reports/text.hpp"
 
 namespace oxturn {
@@ -40,17 +40,23 @@ std::vector<std::string> tether_row(const RowGroup& group) {
           fixed(figure(sharpest), 3)};
 }
 
-}  // namespace
-
-std::string tether_table(const Results& results) {
+std::string markdown(const Results& results) {
   if (std::none_of(results.rows.begin(), results.rows.end(), [](const Row& row) { return tether_followed(row); }))
     return "";
   std::vector<std::vector<std::string>> rows;
   for (const RowGroup& group : by_variant(results)) rows.push_back(tether_row(group));
   return markdown_table("lrrrrrrrr",
-                        {"planner", "runs", "followed", "length_ratio", "within leash", "worst over m", "crossings",
+                        {"planner", "runs", "followed", "length_ratio", "within limit", "worst over m", "crossings",
                          "entangled", "most sharp"},
-                        rows);
+                        rows) +
+         "\nOver the runs whose tether could be followed along their path, valid or not. Length ratio and crossings (the "
+         "robot drives over its own tether) are medians; within limit and entangled (the tether ends wound about "
+         "something) are shares of these runs; worst over m is the farthest that any pulls it over its limit; most sharp "
+         "is the largest share of a path that any drives against the tether's pull.\n";
 }
+
+}  // namespace
+
+ReportTable tether_table() { return {"tether", "Tether", markdown}; }
 
 }  // namespace oxturn

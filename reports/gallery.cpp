@@ -1,7 +1,8 @@
 // gallery.html: the pictures side by side.
 #include <fmt/format.h>
 
-#include "reports/tables/tables.hpp"
+#include "reports/groups.hpp"
+#include "reports/report.hpp"
 #include "reports/text.hpp"
 #include "maps/picture.hpp"
 
@@ -32,11 +33,11 @@ figcaption { padding: .4rem .6rem; font-size: .85rem; font-variant-numeric: tabu
 .reason { display: block; color: #8a1c16; margin-top: .2rem; }
 )css";
 
-std::string figure(const Row& row, const Pictures& pictures, bool show_repeat) {
+std::string figure(const Row& row, const Results& results, bool show_repeat) {
   const std::string outcome = to_text(row.outcome());
   const std::string label = row.get("variant") + " on " + row.get("map") + ": " + outcome;
   std::string out = fmt::format("<figure id=\"{}\">", escape_xml(row.get("run_id")));
-  if (const auto it = pictures.find(row.get("run_id")); it != pictures.end()) {
+  if (const auto it = results.pictures.find(row.get("run_id")); it != results.pictures.end()) {
     const std::string link = escape_xml(escape_url(it->second));
     out += fmt::format("<a href=\"{0}\"><img loading=\"lazy\" src=\"{0}\" alt=\"{1}\"></a>", link, escape_xml(label));
   } else {
@@ -53,7 +54,7 @@ std::string figure(const Row& row, const Pictures& pictures, bool show_repeat) {
 
 }  // namespace
 
-std::string gallery_page(const Results& results, const Pictures& pictures) {
+std::string gallery_page(const Results& results) {
   const std::string suite = results.rows.empty() ? "" : results.rows.front().get("suite");
   const auto variants = by_variant(results);
   std::string out = fmt::format(
@@ -74,7 +75,7 @@ std::string gallery_page(const Results& results, const Pictures& pictures) {
       for (const Row* row : map.rows)
         if (row->get("variant") == variant.title) cell.push_back(row);
       out += "<td>";
-      for (const Row* row : cell) out += figure(*row, pictures, cell.size() > 1);
+      for (const Row* row : cell) out += figure(*row, results, cell.size() > 1);
       out += "</td>\n";
     }
     out += "</tr>\n";

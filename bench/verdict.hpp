@@ -1,0 +1,28 @@
+/// How a run ended: the one place that turns a score into an outcome.
+///
+///   const Verdict verdict = judge(score(problem, path), 0.99);      // ok, partial or invalid
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "bench/isolate.hpp"
+#include "bench/results.hpp"
+#include "metrics/score.hpp"
+
+namespace oxturn {
+
+struct Verdict {
+  Outcome outcome = Outcome::ok;
+  std::string reason;  // one sentence; empty if ok
+};
+
+/// The paths of a run that returned one, or that published one before it timed out, are scored; no others.
+bool is_scored(const Planned& planned);
+
+/// A path by its score alone: ok if it is valid and certainly covers `target_coverage` of the target.
+Verdict judge(const Score& score, double target_coverage);
+/// A run by what became of its process and, if is_scored(), by the score of its path.
+Verdict judge(const Planned& planned, const std::optional<Score>& score, double target_coverage);
+
+}  // namespace oxturn

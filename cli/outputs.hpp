@@ -1,0 +1,29 @@
+/// What `plan` and `score` write beside their table: a picture, and the tether's trace.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "geometry/path.hpp"
+#include "geometry/trace.hpp"
+#include "maps/picture.hpp"
+#include "maps/problem.hpp"
+
+namespace oxturn::cli {
+
+struct OutputOptions {
+  std::string svg, tether_trace;
+  int tethers = PictureOptions{}.tethers;
+};
+/// --svg FILE, --tethers N, --tether-trace FILE.csv.
+void add_output_options(CLI::App& app, OutputOptions& options);
+/// Throws if a file's name is wrong or cannot be written.
+void check_outputs(const OutputOptions& options);
+/// Throws if a tether's trace is asked for and there is no tether.
+void check_outputs(const OutputOptions& options, const Robot& robot);
+/// Writes what was asked for. `path`: nullptr if there is none.
+void write_outputs(const OutputOptions& options, const Problem& problem, const Path* path,
+                   const std::vector<Trace>& traces);
+
+}  // namespace oxturn::cli

@@ -1,0 +1,35 @@
+/// Which problem a command is about: map, robot, start and anchor.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "bench/registry.hpp"
+#include "maps/problem.hpp"
+
+namespace oxturn::cli {
+
+/// Options of a reader, by parameter: `--drop-speckle 0.02` for drop_speckle, flags for those that are true or false.
+using ReaderOptions = std::map<std::string, std::string>;
+/// One option for each parameter of any format's reader.
+void add_reader_options(CLI::App& app, const MapFormats& formats, ReaderOptions& options);
+Settings reader_settings(const ReaderOptions& options, const MapFormats& formats);
+
+/// Prints each of the reader's remarks on standard error.
+void say_remarks(const MapFile& file);
+
+struct ProblemOptions {
+  std::string map;  // a file, or GENERATOR[:SEED]
+  ReaderOptions read;
+  std::string robot;  // "radius=0.2,speed=1"
+  std::optional<double> radius, tool_width;
+  std::string start, anchor;  // "X,Y" or a name (maps/locations.hpp)
+};
+/// MAP itself is declared by the command, since its position among the arguments differs.
+void add_problem_options(CLI::App& app, const Registry& registry, ProblemOptions& options);
+/// Reads or makes the map; what was not given (robot, start) is chosen and said on standard error.
+Problem load_problem(const ProblemOptions& options, const Registry& registry);
+
+}  // namespace oxturn::cli
