@@ -36,10 +36,10 @@ Value setting_of(const std::string& file, const toml::node& node, const std::str
   std::string text;
   for (const toml::node& item : *node.as_array()) {
     const toml::array* point = item.as_array();
-    const auto x = point != nullptr && point->size() == 2 ? (*point)[0].value<double>() : std::nullopt;
-    const auto y = x ? (*point)[1].value<double>() : std::nullopt;
-    if (!y) refuse(file, item, fmt::format("{} holds something that is not a point [x, y]", key));
-    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", to_decimal(*x), to_decimal(*y));
+    const bool pair = point != nullptr && point->size() == 2 && (*point)[0].is_number() && (*point)[1].is_number();
+    if (!pair) refuse(file, item, fmt::format("{} holds something that is not a point [x, y]", key));
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", to_decimal(*(*point)[0].value<double>()),
+                        to_decimal(*(*point)[1].value<double>()));
   }
   return text;
 }
@@ -48,17 +48,11 @@ Settings settings_of(const std::string& file, const std::string& owner, const st
                      const std::vector<Choice>& chosen, Defaults defaults) {
   Settings settings;
   for (const auto& [key, node] : chosen) {
-    at_place(file, *node, [&, name = key, value = node] {
-      const ParameterInfo& parameter = find_parameter(owner, parameters, name);
-      Value given;
-      try {
-        given = setting_of(file, *value, name);
-      } catch (const std::invalid_argument&) {
-        throw std::invalid_argument(fmt::format("{} is a table, list or date, expected one value", name));
-      }
-      given = checked(owner, parameter, given);
-      if (defaults == Defaults::keep || given != parameter.fallback) settings[name] = given;
-    });
+    const ParameterInfo* parameter = nullptr;
+    at_place(file, *node, [&, name = key] { parameter = &find_parameter(owner, parameters, name); });
+    Value given = setting_of(file, *node, key);
+    at_place(file, *node, [&] { given = checked(owner, *parameter, given); });
+    if (defaults == Defaults::keep || given != parameter->fallback) settings[key] = given;
   }
   return settings;
 }

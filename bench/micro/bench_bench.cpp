@@ -10,6 +10,7 @@
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/maps.hpp"
+#include "reports/built_in_registry.hpp"
 
 namespace oxturn {
 namespace {
@@ -20,17 +21,9 @@ class OneLeg final : public CoveragePlanner {
     return {{{true, {problem.start(), problem.start() + Point(0.1, 0)}}}};
   }
 };
-PlannerInfo named(std::string name, std::function<std::unique_ptr<CoveragePlanner>(const Settings&)> make) {
-  PlannerInfo info;
-  info.name = std::move(name);
-  info.family = "test";
-  info.make = std::move(make);
-  return info;
-}
-
-// Time of a sweep with n runs of a planner that does nothing, less planning and scoring, for each run. Includes
-// making the map, building the problem, starting processes and writing files. Must stay below 5 ms.
-void BM_SweepOverhead(benchmark::State& state) {
+// Time of a suite with n runs of a planner that does nothing, less planning and scoring, for each run. Includes
+// making the map, building the problem, starting processes, drawing and writing files. Must stay below 5 ms.
+void BM_SuiteOverhead(benchmark::State& state) {
   Suite suite;
   suite.name = "overhead";
   suite.repeats = static_cast<int>(state.range(0));
@@ -39,7 +32,11 @@ void BM_SweepOverhead(benchmark::State& state) {
   map.generator = "clutter";
   suite.maps.push_back(map);
   suite.planners.push_back({"one_leg", {}});
-  const std::vector<PlannerInfo> planners{named("one_leg", [](const Settings&) { return std::make_unique<OneLeg>(); })};
+  Registry registry = built_in_registry();
+  PlannerInfo planner;
+  planner.name = "one_leg";
+  planner.make = [](const Settings&, const Planners&) { return std::make_unique<OneLeg>(); };
+  registry.planners.add(planner);
   std::string folder = (std::filesystem::temp_directory_path() / "oxturn-XXXXXX").string();
   if (::mkdtemp(folder.data()) == nullptr) return state.SkipWithError("no temporary folder");
   double beyond = 0, runs = 0;
@@ -48,7 +45,7 @@ void BM_SweepOverhead(benchmark::State& state) {
     options.folder = folder + "/out";
     options.progress = false;
     const auto before = std::chrono::steady_clock::now();
-    const Results results = run_suite(suite, planners, options);
+    const Results results = run_suite(suite, registry, options);
     beyond += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
     for (const Row& row : results.rows)
       beyond -= row.number("plan_wall_s").value_or(0) + row.number("score_s").value_or(0);
@@ -60,7 +57,7 @@ void BM_SweepOverhead(benchmark::State& state) {
   std::filesystem::remove_all(folder);
   state.counters["ms_per_run"] = 1e3 * beyond / runs;
 }
-BENCHMARK(BM_SweepOverhead)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(BM_SuiteOverhead)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 // A process and back, with a path of so many points.
 class ManyPoints final : public CoveragePlanner {
@@ -74,11 +71,10 @@ class ManyPoints final : public CoveragePlanner {
   std::int64_t points_;
 };
 void BM_Isolated(benchmark::State& state) {
-  const PlannerInfo planner =
-      named("many", [n = state.range(0)](const Settings&) { return std::make_unique<ManyPoints>(n); });
+  const auto make = [n = state.range(0)] { return std::make_unique<ManyPoints>(n); };
   const Problem problem(generate("rectangle", {}, 1), Robot{});
   for (auto _ : state) {
-    const Planned planned = plan_isolated(planner, {}, problem, {});
+    const Planned planned = plan_isolated(make, problem, {});
     if (planned.outcome != Outcome::ok) state.SkipWithError(planned.reason.c_str());
   }
   state.SetComplexityN(state.range(0));

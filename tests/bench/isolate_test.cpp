@@ -19,7 +19,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using testing::small_problem;
-using testing::test_planners;
+using testing::test_planner;
 
 IsolationOptions short_limits() {
   IsolationOptions options;
@@ -29,7 +29,7 @@ IsolationOptions short_limits() {
 
 Planned run(const std::string& how, const IsolationOptions& options = short_limits()) {
   static const Problem problem = small_problem();
-  return plan_isolated(test_planners()[0], {{"how", how}}, problem, options);
+  return plan_isolated([&] { return test_planner({{"how", how}}); }, problem, options);
 }
 
 std::size_t open_descriptors() {
@@ -39,7 +39,7 @@ std::size_t open_descriptors() {
 
 TEST(Isolate, AGoodPathComesBackAsItWas) {
   Context context(1);
-  const Path expected = test_planners()[0].make({{"how", "good"}})->plan(small_problem(), context);
+  const Path expected = test_planner({{"how", "good"}})->plan(small_problem(), context);
   const Planned planned = run("good");
   ASSERT_EQ(planned.outcome, Outcome::ok);
   ASSERT_TRUE(planned.path);
@@ -101,7 +101,7 @@ TEST(Isolate, ExceptionsAndExits) {
 }
 
 TEST(Isolate, BadSettingsAreAnError) {
-  const Planned planned = plan_isolated(test_planners()[0], {{"nope", true}}, small_problem(), short_limits());
+  const Planned planned = plan_isolated([] { return test_planner({{"nope", true}}); }, small_problem(), short_limits());
   EXPECT_EQ(planned.outcome, Outcome::error);
   EXPECT_THAT(planned.reason, HasSubstr("unknown parameter 'nope'"));
 }

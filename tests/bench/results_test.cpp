@@ -14,10 +14,15 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-// The header as the contract (design.md, section 5) has it, typed off by hand.
+const Columns& all_columns() {
+  static const Columns all = run_columns(built_in_metrics());
+  return all;
+}
+
+// Typed by hand: a column that is renamed or moved breaks the scripts of users.
 TEST(Results, HeaderIsTheContract) {
   EXPECT_EQ(
-      csv_header(),
+      csv_header(all_columns()),
       "schema,run_id,attempt,suite,map,map_family,map_sha256,planner,planner_family,variant,params,robot,seed,repeat,"
       "outcome,reason,exit_code,signal,"
       "coverage,coverage_lower,coverage_upper,coverage_of_free,target_m2,"
@@ -28,7 +33,7 @@ TEST(Results, HeaderIsTheContract) {
 }
 
 TEST(Results, EveryColumnExplainsItself) {
-  for (const Column& c : columns()) {
+  for (const Column& c : all_columns()) {
     EXPECT_FALSE(c.type.empty()) << c.name;
     EXPECT_FALSE(c.help.empty()) << c.name;
   }
@@ -50,11 +55,11 @@ TEST(Results, CsvRoundTrip) {
     for (const std::string& b : hostile) {
       Row row;
       row.cells = {{"run_id", "x"}, {"reason", a}, {"path_file", b}, {"outcome", "ok"}};
-      const auto lines = parse_csv(csv_header() + csv_line(row) + csv_line(row), "t");
+      const auto lines = parse_csv(csv_header(all_columns()) + csv_line(row, all_columns()) + csv_line(row, all_columns()), "t");
       ASSERT_EQ(lines.size(), 3u);
       for (int k : {1, 2}) {
-        ASSERT_EQ(lines[k].size(), columns().size());
-        for (std::size_t i = 0; i < columns().size(); ++i) EXPECT_EQ(lines[k][i], row.get(columns()[i].name));
+        ASSERT_EQ(lines[k].size(), all_columns().size());
+        for (std::size_t i = 0; i < all_columns().size(); ++i) EXPECT_EQ(lines[k][i], row.get(all_columns()[i].name));
       }
     }
   }
@@ -77,18 +82,18 @@ TEST(Results, RowKnowsItsColumns) {
   row.cells["turns"] = "many";
   EXPECT_EQ(row.number("path_m"), 2.5);
   EXPECT_EQ(row.number("overlap"), std::nullopt);
-  EXPECT_THROW(row.get("lenght"), std::out_of_range);
+  EXPECT_EQ(row.get("no such column"), "");
   EXPECT_THROW(row.number("turns"), std::invalid_argument);
   EXPECT_THROW(row.outcome(), std::invalid_argument);
 }
 
 TEST(Results, TheLastAttemptCountsInThePlaceOfTheFirst) {
   const testing::Folder folder;
-  std::string text = csv_header();
+  std::string text = csv_header(all_columns());
   const auto add = [&](const char* id, const char* attempt, const char* outcome) {
     Row row;
     row.cells = {{"run_id", id}, {"attempt", attempt}, {"outcome", outcome}};
-    text += csv_line(row);
+    text += csv_line(row, all_columns());
   };
   add("a", "1", "cancelled");
   add("b", "1", "ok");
@@ -106,8 +111,8 @@ TEST(Results, BadFoldersAreOneSentence) {
   EXPECT_THAT([] { read_results("/nowhere"); }, ThrowsMessage<std::invalid_argument>(HasSubstr("no such folder")));
   EXPECT_THAT(reading, ThrowsMessage<std::invalid_argument>(HasSubstr("no runs.csv in")));
   write_file(folder.file("runs.csv"), "a,b\n");
-  EXPECT_THAT(reading, ThrowsMessage<std::invalid_argument>(HasSubstr("the header is not")));
-  write_file(folder.file("runs.csv"), csv_header() + "1,2\n");
+  EXPECT_THAT(reading, ThrowsMessage<std::invalid_argument>(HasSubstr("there is no column 'run_id'")));
+  write_file(folder.file("runs.csv"), csv_header(all_columns()) + "1,2\n");
   EXPECT_THAT(reading, ThrowsMessage<std::invalid_argument>(HasSubstr("row 1 has 2 cells")));
 }
 

@@ -25,7 +25,7 @@ namespace {
 
 using testing::Folder;
 using ::testing::HasSubstr;
-using testing::test_planners;
+using testing::test_registry;
 using ::testing::ThrowsMessage;
 
 Suite rectangles(const std::vector<std::string>& hows, int maps = 1) {
@@ -52,11 +52,16 @@ SuiteRunOptions into(const std::string& folder, int jobs = 1, bool resume = fals
   return options;
 }
 
+const Columns& all_columns() {
+  static const Columns all = run_columns(built_in_metrics());
+  return all;
+}
+
 // Every cell but those of timing columns.
 std::string untimed(const Results& results) {
   std::string text;
   for (const Row& row : results.rows) {
-    for (const Column& c : columns()) {
+    for (const Column& c : all_columns()) {
       if (!c.timing) text += row.get(c.name) + "|";
     }
     text += "\n";
@@ -88,7 +93,7 @@ TEST(SuiteRun, WhateverThePlannerDoesCostsOneRow) {
   for (const auto& [how, outcome] : expected) hows.push_back(how);
   Suite suite = rectangles(hows);
   suite.limits.wall_s = 2;  // the hoarder needs its time under a sanitizer
-  const Results results = run_suite(suite, test_planners(), into(folder.file("out"), 2));
+  const Results results = run_suite(suite, test_registry(), into(folder.file("out"), 2));
   ASSERT_EQ(results.rows.size(), expected.size());
   std::set<std::string> ids;
   for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -126,7 +131,7 @@ TEST(SuiteRun, WhateverThePlannerDoesCostsOneRow) {
 
 TEST(SuiteRun, APathFileScoresAsTheRowSays) {
   const Folder folder;
-  const Results results = run_suite(rectangles({"good"}), test_planners(), into(folder.file("out")));
+  const Results results = run_suite(rectangles({"good"}), test_registry(), into(folder.file("out")));
   const Row& row = results.rows.at(0);
   const std::string file = folder.file("out/" + row.get("path_file"));
   const std::string problem_file = nlohmann::json::parse(read_file(file)).at("problem").get<std::string>();
@@ -136,8 +141,7 @@ TEST(SuiteRun, APathFileScoresAsTheRowSays) {
   EXPECT_EQ("maps/" + problem.content_hash() + ".geojson", problem_file);
   const Score again = score(problem, path);
   EXPECT_EQ(again.flaw, "");
-  for (std::size_t i = 0; i < metrics().size(); ++i)
-    EXPECT_EQ(row.number(metrics()[i]->name), again.values[i]) << metrics()[i]->name;
+  for (const MetricValue& metric : again.values) EXPECT_EQ(row.number(metric.name), metric.value) << metric.name;
   EXPECT_EQ(row.get("path_sha256"), sha256(to_geojson(path)));
   EXPECT_EQ(row.get("map_sha256"), content_hash(map.map));
 }
@@ -148,10 +152,10 @@ TEST(SuiteRun, SameRowsWhateverTheJobsAndAgain) {
     Suite suite = rectangles(hows, maps);
     suite.repeats = 2;
     const Folder folder;
-    const std::string one = untimed(run_suite(suite, test_planners(), into(folder.file("1"), 1)));
-    EXPECT_EQ(one, untimed(run_suite(suite, test_planners(), into(folder.file("2"), 2))));
-    EXPECT_EQ(one, untimed(run_suite(suite, test_planners(), into(folder.file("3"), 5))));
-    EXPECT_EQ(one, untimed(run_suite(suite, test_planners(), into(folder.file("4"), 1))));
+    const std::string one = untimed(run_suite(suite, test_registry(), into(folder.file("1"), 1)));
+    EXPECT_EQ(one, untimed(run_suite(suite, test_registry(), into(folder.file("2"), 2))));
+    EXPECT_EQ(one, untimed(run_suite(suite, test_registry(), into(folder.file("3"), 5))));
+    EXPECT_EQ(one, untimed(run_suite(suite, test_registry(), into(folder.file("4"), 1))));
     EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), static_cast<long>(hows.size()) * maps * 2);
   }
 }
@@ -161,7 +165,7 @@ TEST(SuiteRun, RepeatsDifferInLuckVariantsShareIt) {
   Suite suite = rectangles({"random"});
   suite.planners.push_back({"test", {{"how", "random"}, {"amount", 1.0}}});
   suite.repeats = 2;
-  const auto rows = run_suite(suite, test_planners(), into(folder.file("out"))).rows;
+  const auto rows = run_suite(suite, test_registry(), into(folder.file("out"))).rows;
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_NE(rows[0].get("seed"), rows[1].get("seed"));
   EXPECT_NE(rows[0].get("path_sha256"), rows[1].get("path_sha256"));
@@ -173,18 +177,18 @@ TEST(SuiteRun, ResumeAfterACutDoesOnlyTheRest) {
   const Suite suite = rectangles({"good", "random", "null", "partial"}, 2);
   const Folder folder;
   const std::string out = folder.file("out");
-  const std::string whole = untimed(run_suite(suite, test_planners(), into(out)));
+  const std::string whole = untimed(run_suite(suite, test_registry(), into(out)));
   const std::string text = read_file(out + "/runs.csv");
   std::size_t third = 0;
   for (int i = 0; i < 4; ++i) third = text.find('\n', third) + 1;
-  for (const std::size_t cut : {text.size(), text.size() - 1, third, third + 20, csv_header().size(), std::size_t{5}}) {
+  for (const std::size_t cut : {text.size(), text.size() - 1, third, third + 20, csv_header(all_columns()).size(), std::size_t{5}}) {
     SCOPED_TRACE(cut);
     write_file(out + "/runs.csv", text.substr(0, cut));
-    EXPECT_EQ(untimed(run_suite(suite, test_planners(), into(out, 2, true))), whole);
+    EXPECT_EQ(untimed(run_suite(suite, test_registry(), into(out, 2, true))), whole);
     const std::string now = read_file(out + "/runs.csv");
     // Rows that were whole are kept to the byte, timing and all; that is only the case if they were not run again.
     const std::size_t kept = text.rfind('\n', cut - 1);
-    if (kept != std::string::npos && cut > csv_header().size()) {
+    if (kept != std::string::npos && cut > csv_header(all_columns()).size()) {
       EXPECT_EQ(now.substr(0, kept), text.substr(0, kept));
     }
   }
@@ -195,11 +199,11 @@ TEST(SuiteRun, KeepsWhatPlannersReport) {
   const Folder folder;
   const Suite suite = rectangles({"report", "good"}, 3);
   std::string expected = "run_id,metric,value\n";
-  for (const Row& row : run_suite(suite, test_planners(), into(folder.file("1"))).rows)
+  for (const Row& row : run_suite(suite, test_registry(), into(folder.file("1"))).rows)
     if (row.get("variant").find("report") != std::string::npos)
       for (const char* line : {"laps,4", "share,0.25", "nothing,"}) expected += row.get("run_id") + "," + line + "\n";
   EXPECT_EQ(read_file(folder.file("1/metrics.csv")), expected);
-  run_suite(suite, test_planners(), into(folder.file("2"), 3));
+  run_suite(suite, test_registry(), into(folder.file("2"), 3));
   EXPECT_EQ(read_file(folder.file("2/metrics.csv")), expected);
 
   const std::string rows = read_file(folder.file("1/runs.csv"));
@@ -207,10 +211,10 @@ TEST(SuiteRun, KeepsWhatPlannersReport) {
   for (int i = 0; i < 3; ++i) two = rows.find('\n', two) + 1;
   write_file(folder.file("1/runs.csv"), rows.substr(0, two));
   write_file(folder.file("1/metrics.csv"), expected.substr(0, expected.size() - 3));  // cut off as well
-  run_suite(suite, test_planners(), into(folder.file("1"), 2, true));
+  run_suite(suite, test_registry(), into(folder.file("1"), 2, true));
   EXPECT_EQ(read_file(folder.file("1/metrics.csv")), expected);
 
-  run_suite(rectangles({"good"}), test_planners(), into(folder.file("3")));
+  run_suite(rectangles({"good"}), test_registry(), into(folder.file("3")));
   EXPECT_FALSE(std::filesystem::exists(folder.file("3/metrics.csv")));
 }
 
@@ -218,16 +222,16 @@ TEST(SuiteRun, ResumeRetriesCancelledAndInfrastructure) {
   const Suite suite = rectangles({"good", "null", "partial"});
   const Folder folder;
   const std::string out = folder.file("out");
-  run_suite(suite, test_planners(), into(out));
+  run_suite(suite, test_registry(), into(out));
   Results results = read_results(out);
-  std::string text = csv_header();
+  std::string text = csv_header(all_columns());
   for (Row& row : results.rows) {
     if (row.get("params") == "how=good") row.cells["outcome"] = "cancelled";
     if (row.get("params") == "how=partial") row.cells["outcome"] = "infrastructure";
-    text += csv_line(row);
+    text += csv_line(row, all_columns());
   }
   write_file(out + "/runs.csv", text);
-  const Results again = run_suite(suite, test_planners(), into(out, 1, true));
+  const Results again = run_suite(suite, test_registry(), into(out, 1, true));
   ASSERT_EQ(again.rows.size(), 3u);
   EXPECT_EQ(again.rows[0].outcome(), Outcome::ok);
   EXPECT_EQ(again.rows[0].get("attempt"), "2");
@@ -239,13 +243,13 @@ TEST(SuiteRun, ResumeRetriesCancelledAndInfrastructure) {
 TEST(SuiteRun, RefusesWhatItWouldSpoil) {
   const Folder folder;
   const std::string out = folder.file("out");
-  run_suite(rectangles({"good"}), test_planners(), into(out));
-  EXPECT_THAT([&] { run_suite(rectangles({"good"}), test_planners(), into(out)); },
+  run_suite(rectangles({"good"}), test_registry(), into(out));
+  EXPECT_THAT([&] { run_suite(rectangles({"good"}), test_registry(), into(out)); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("already holds results")));
-  EXPECT_THAT([&] { run_suite(rectangles({"null"}), test_planners(), into(out, 1, true)); },
+  EXPECT_THAT([&] { run_suite(rectangles({"null"}), test_registry(), into(out, 1, true)); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("another suite")));
   write_file(folder.file("file"), "x");
-  EXPECT_THAT([&] { run_suite(rectangles({"good"}), test_planners(), into(folder.file("file/out"))); },
+  EXPECT_THAT([&] { run_suite(rectangles({"good"}), test_registry(), into(folder.file("file/out"))); },
               ThrowsMessage<std::runtime_error>(HasSubstr("cannot write")));
 }
 
@@ -256,7 +260,7 @@ TEST(SuiteRun, NoPlaceForTheRobotIsInfeasible) {
   MapSpec in_a_wall = suite.maps[0];
   in_a_wall.start = Location{"", {50, 50}};
   suite.maps.push_back(in_a_wall);
-  const Results results = run_suite(suite, test_planners(), into(folder.file("out")));
+  const Results results = run_suite(suite, test_registry(), into(folder.file("out")));
   ASSERT_EQ(results.rows.size(), 4u);
   for (const Row& row : results.rows) {
     EXPECT_EQ(row.outcome(), Outcome::infeasible) << row.get("reason");
@@ -268,7 +272,7 @@ TEST(SuiteRun, ALackingCapabilityIsUnsupported) {
   const Folder folder;
   Suite suite = rectangles({"good"});
   suite.robots[0].tether = Tether{10};
-  const Results results = run_suite(suite, test_planners(), into(folder.file("out")));
+  const Results results = run_suite(suite, test_registry(), into(folder.file("out")));
   EXPECT_EQ(results.rows.at(0).outcome(), Outcome::unsupported);
   EXPECT_THAT(results.rows[0].get("reason"), HasSubstr("tether"));
 }
@@ -276,16 +280,17 @@ TEST(SuiteRun, ALackingCapabilityIsUnsupported) {
 // The string in an empty rectangle is straight, so its greatest length is taken at a corner of the path.
 TEST(SuiteRun, AnIgnoredTetherIsMeasuredAndDoesNotCount) {
   const Folder folder;
-  std::vector<PlannerInfo> planners = test_planners();
-  planners.push_back(planners.front());
-  planners.back().name = "tied";
-  planners.back().capabilities = {Capability::tether};
+  Registry registry = testing::test_registry_copy();
+  PlannerInfo tied = registry.planners.find("test");
+  tied.name = "tied";
+  tied.capabilities = {Capability::tether};
+  registry.planners.add(tied);
   Suite suite = rectangles({"good", "wall"});
-  const Results free = run_suite(suite, planners, into(folder.file("free")));
+  const Results free = run_suite(suite, registry, into(folder.file("free")));
   suite.robots[0].tether = Tether{1.2};
   for (const char* how : {"good", "wall"}) suite.planners.push_back({"test", {{"how", how}}, true});
   suite.planners.push_back({"tied", {{"how", "good"}}});
-  const Results held = run_suite(suite, planners, into(folder.file("held")));
+  const Results held = run_suite(suite, registry, into(folder.file("held")));
   ASSERT_EQ(held.rows.size(), 5u);
   EXPECT_EQ(held.rows[0].outcome(), Outcome::unsupported);
   EXPECT_EQ(held.rows[1].outcome(), Outcome::unsupported);
@@ -330,7 +335,7 @@ TEST(SuiteRun, NamedPlacesAreWorkedOutForEachRobot) {
   suite.robots.back().radius = 0.1;
   suite.maps[0].start = Location{"corner"};
   suite.maps[0].anchor = Location{"wall"};
-  const Results results = run_suite(suite, test_planners(), into(folder.file("out")));
+  const Results results = run_suite(suite, test_registry(), into(folder.file("out")));
   ASSERT_EQ(results.rows.size(), 2u);
   for (const Row& row : results.rows) {
     const std::string path = read_file(folder.file("out/" + row.get("path_file")));
@@ -347,12 +352,12 @@ TEST(SuiteRun, SessionAndColumnsDescribeTheFolder) {
   SuiteRunOptions options = into(folder.file("out"));
   options.traces = true;
   options.command_line = {"oxturn", "run"};
-  const Results results = run_suite(rectangles({"good"}), test_planners(), options);
+  const Results results = run_suite(rectangles({"good"}), test_registry(), options);
   const auto session = nlohmann::json::parse(read_file(folder.file("out/session.json")));
   EXPECT_EQ(session.at("limits").at("memory_mb"), 200);
   EXPECT_EQ(session.at("sessions").at(0).at("command_line").at(1), "run");
   const auto described = nlohmann::json::parse(read_file(folder.file("out/columns.json")));
-  ASSERT_EQ(described.size(), columns().size());
+  ASSERT_EQ(described.size(), all_columns().size());
   EXPECT_EQ(described[1].at("name"), "run_id");
   const auto traces =
       nlohmann::json::parse(read_file(folder.file("out/traces/" + results.rows[0].get("run_id") + ".json")));
@@ -369,7 +374,7 @@ TEST(SuiteRun, InterruptKeepsWhatIsThere) {
   if (pid == 0) {
     int code = 1;
     try {
-      run_suite(suite, test_planners(), into(out));
+      run_suite(suite, test_registry(), into(out));
     } catch (const Interrupted& e) {
       code = std::string(e.what()).find("interrupted after 1 of 3 runs") == 0 ? 42 : 2;
     } catch (...) { code = 3; }
@@ -390,7 +395,7 @@ TEST(SuiteRun, InterruptKeepsWhatIsThere) {
   ASSERT_EQ(cut.rows.size(), 2u);
   EXPECT_EQ(cut.rows[0].outcome(), Outcome::ok);
   EXPECT_EQ(cut.rows[1].outcome(), Outcome::cancelled);
-  const Results whole = run_suite(suite, test_planners(), into(out, 1, true));
+  const Results whole = run_suite(suite, test_registry(), into(out, 1, true));
   ASSERT_EQ(whole.rows.size(), 3u);
   EXPECT_EQ(whole.rows[1].outcome(), Outcome::timeout);
   EXPECT_EQ(whole.rows[1].get("attempt"), "2");

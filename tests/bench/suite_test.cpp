@@ -13,6 +13,7 @@
 #include "maps/path_file.hpp"
 #include "tests/support/planners.hpp"
 #include "tests/support/maps.hpp"
+#include "reports/built_in_registry.hpp"
 
 namespace oxturn {
 namespace {
@@ -27,27 +28,28 @@ constexpr const char* kRobot = "[robots.disc]\nradius = 0.2\ntool_width = 0.4\n"
 constexpr const char* kMap = "[[maps]]\ngenerator = \"rectangle\"\nwidth = 3\nheight = 2\n";
 constexpr const char* kPlanner = "[[planners]]\nname = \"test\"\n";
 
-/// The test planners, and one that minds its tether.
-const std::vector<PlannerInfo>& planners_with_tied() {
-  static const std::vector<PlannerInfo> all = [] {
-    std::vector<PlannerInfo> list = testing::test_planners();
-    list.push_back(list.front());
-    list.back().name = "tied";
-    list.back().capabilities = {Capability::tether};
-    return list;
+/// The test planners, and one that plans for its tether.
+const Registry& registry_with_tied() {
+  static const Registry all = [] {
+    Registry registry = testing::test_registry_copy();
+    PlannerInfo tied = registry.planners.find("test");
+    tied.name = "tied";
+    tied.capabilities = {Capability::tether};
+    registry.planners.add(tied);
+    return registry;
   }();
   return all;
 }
 
-Suite suite_of(const std::string& text, const std::vector<PlannerInfo>& planners = testing::test_planners()) {
+Suite suite_of(const std::string& text, const Registry& registry = testing::test_registry()) {
   const testing::Folder folder;
   write_file(folder.file("t.toml"), text);
-  return read_suite(folder.file("t.toml"), planners);
+  return read_suite(folder.file("t.toml"), registry);
 }
 
-std::string sentence_of(const std::string& text, const std::vector<PlannerInfo>& planners = testing::test_planners()) {
+std::string sentence_of(const std::string& text, const Registry& registry = testing::test_registry()) {
   try {
-    suite_of(text, planners);
+    suite_of(text, registry);
   } catch (const std::invalid_argument& e) {
     const std::string what = e.what();
     return what.substr(what.find("t.toml"));
@@ -139,7 +141,7 @@ TEST(Suite, FilesByPattern) {
   for (const char* name : {"b.geojson", "a.geojson"}) write_file(folder.file(name), to_geojson(map));
   const auto read = [&](const std::string& maps) {
     write_file(folder.file("t.toml"), fmt::format("{}{}{}{}", kHead, kRobot, maps, kPlanner));
-    return read_suite(folder.file("t.toml"), testing::test_planners());
+    return read_suite(folder.file("t.toml"), testing::test_registry());
   };
   const Suite suite = read("[[maps]]\nfile = \"*.geojson\"\nstart = [1, 0.5]\n");
   EXPECT_THAT(map_names(suite), ElementsAre("a", "b"));
@@ -159,7 +161,7 @@ TEST(Suite, TethersByLengthOrReach) {
   };
   const auto reach = robots("tether = { reach = [0.6, 1.1], sharp_angle = 2.0 }");
   ASSERT_EQ(reach.size(), 2u);
-  EXPECT_EQ(reach[0].name, "r[tether.reach=0.6]");
+  EXPECT_EQ(reach[0].name, "r[tether_reach=0.6]");
   EXPECT_EQ(reach[1].tether->reach, 1.1);
   EXPECT_EQ(reach[1].tether->length, 0);
   EXPECT_EQ(reach[1].tether->sharp_angle, 2);
@@ -192,7 +194,7 @@ TEST(Suite, StartsAndAnchorsByNameOrPlace) {
 TEST(Suite, IgnoredTethersAreVariants) {
   const std::string start = fmt::format("{}{}{}", kHead, kRobot, kMap);
   const auto read = [&](const std::string& lines) {
-    return suite_of(start + "[[planners]]\n" + lines, planners_with_tied());
+    return suite_of(start + "[[planners]]\n" + lines, registry_with_tied());
   };
   const Suite both = read("name = \"test\"\nhow = \"x\"\nignore_tether = [true, false]\n");
   EXPECT_THAT(variants(both), ElementsAre("test[how=x;ignore_tether=true]", "test[how=x]"));
@@ -203,17 +205,18 @@ TEST(Suite, IgnoredTethersAreVariants) {
               ElementsAre("test[ignore_tether=true]", "test", "other[ignore_tether=true]", "other", "tied"));
   EXPECT_THAT(variants(read("name = \"tied\"\nignore_tether = false\n")), ElementsAre("tied"));
   EXPECT_NE(content_hash(read("name = \"test\"\nignore_tether = true\n")), content_hash(read("name = \"test\"\n")));
-  EXPECT_THAT(sentence_of(start + "[[planners]]\nname = \"tied\"\nignore_tether = true\n", planners_with_tied()),
-              StartsWith("t.toml:11: planner 'tied' minds the tether"));
+  EXPECT_THAT(sentence_of(start + "[[planners]]\nname = \"tied\"\nignore_tether = true\n", registry_with_tied()),
+              StartsWith("t.toml:11: planner 'tied' plans for the tether"));
   EXPECT_THAT(sentence_of(start + "[[planners]]\nname = \"test\"\nignore_tether = 1\n"),
               StartsWith("t.toml:12: ignore_tether is not true or false"));
 }
 
 TEST(Suite, RunsThatIgnoreTheTetherHaveNamesOfTheirOwn) {
-  const PlannerInfo& planner = testing::test_planners().front();
-  const auto id = [&](bool ignored) { return run_id("m", "r", "p", planner, {}, 7, 1, ignored); };
-  EXPECT_NE(id(true), id(false));
-  EXPECT_EQ(id(false), run_id("m", "r", "p", planner, {}, 7, 1));
+  const PlannerInfo& planner = testing::test_registry().planners.find("test");
+  Settings settings = full_settings(planner, {}, testing::test_registry().planners);
+  const std::string plain = run_id("m", "r", "p", planner.name, settings, 7, 1);
+  settings[kIgnoreTether] = true;
+  EXPECT_NE(run_id("m", "r", "p", planner.name, settings, 7, 1), plain);
 }
 
 // Every kind of mistake: one sentence, with the line.
@@ -236,20 +239,20 @@ TEST(Suite, MistakesAreOneSentenceWithTheirLine) {
        "t.toml:4: ", "unknown key 'wall' in [limits]; expected: wall_s, memory_mb"},
       {std::string(kHead) + "[limits]\nwall_s = -1\n", "t.toml:4: ", "wall_s is -1"},
       {std::string(kHead) + kMap + kPlanner, "t.toml:", "no [robots.NAME] table"},
-      {std::string(kHead) + "[robots.r]\ntool_width = 0\n", "t.toml:3: ", "tool_width is 0"},
-      {std::string(kHead) + "[robots.r]\nwidth = 0\n", "t.toml:4: ", "unknown key 'width' in robot 'r'"},
-      {std::string(kHead) + "[robots.r]\nradius = \"thin\"\n", "t.toml:4: ", "radius is not a number"},
+      {std::string(kHead) + "[robots.r]\ntool_width = 0\n", "t.toml:4: ", "parameter 'tool_width' of robot 'r' is 0"},
+      {std::string(kHead) + "[robots.r]\nwidth = 0\n", "t.toml:4: ", "unknown parameter 'width' of robot 'r'"},
+      {std::string(kHead) + "[robots.r]\nradius = \"thin\"\n", "t.toml:4: ", "parameter 'radius' of robot 'r' is 'thin'"},
       {std::string(kHead) + "[robots.r]\nradius = 1\nfootprint = \"square:1\"\n",
        "t.toml:3: ", "a radius and a footprint, expected one of the two"},
-      {std::string(kHead) + "[robots.r]\nfootprint = \"star:1\"\n", "t.toml:4: ", "footprint is 'star:1'"},
-      {std::string(kHead) + "[robots.r]\nfootprint = [[1, 0], [0]]\n", "t.toml:4: ", "nor a list of corners"},
-      {std::string(kHead) + "[robots.r]\nfootprint = [[1, 0], [0, 1]]\n", "t.toml:3: ", "has 2 corners"},
+      {std::string(kHead) + "[robots.r]\nfootprint = \"star:1\"\n", "t.toml:3: ", "footprint is 'star:1'"},
+      {std::string(kHead) + "[robots.r]\nfootprint = [[1, 0], [0]]\n", "t.toml:4: ", "not a point [x, y]"},
+      {std::string(kHead) + "[robots.r]\nfootprint = [[1, 0], [0, 1]]\n", "t.toml:3: ", "has 2 vertices"},
       {std::string(kHead) + "[robots.r]\nfootprint = \"square:1\"\ntether = { length = 3 }\n",
-       "t.toml:3: ", "a tether asks for a round robot"},
+       "t.toml:3: ", "a tether needs a round robot"},
       {std::string(kHead) + "[robots.r]\ntether = { reach = 1, length = 2 }\n", "t.toml:3: ", "a length and a reach"},
-      {std::string(kHead) + "[robots.r]\ntether = { reach = -1 }\n", "t.toml:3: ", "tether.reach is -1"},
-      {std::string(kHead) + "[robots.r]\ntether = { sharp_angle = 1 }\n", "t.toml:3: ", "tether.length is 0"},
-      {std::string(kHead) + "[robots.r]\ntether = { long = 1 }\n", "t.toml:4: ", "unknown key 'tether.long'"},
+      {std::string(kHead) + "[robots.r]\ntether = { reach = -1 }\n", "t.toml:4: ", "parameter 'tether_reach' of robot 'r' is -1"},
+      {std::string(kHead) + "[robots.r]\ntether = { sharp_angle = 1 }\n", "t.toml:3: ", "tether has no length"},
+      {std::string(kHead) + "[robots.r]\ntether = { long = 1 }\n", "t.toml:4: ", "unknown parameter 'tether_long'"},
       {std::string(kHead) + kRobot + kMap + "start = \"midle\"\n", "t.toml:10: ", "one of: middle, corner"},
       {std::string(kHead) + kRobot + kMap + "anchor = [\"wall\", [1]]\n",
        "t.toml:10: ", "anchor is neither [x, y] in metres nor one of \"start\", \"wall\", \"corner\""},
@@ -277,7 +280,7 @@ TEST(Suite, MistakesAreOneSentenceWithTheirLine) {
     EXPECT_THAT(sentence, AllOf(StartsWith(m.place), HasSubstr(m.says))) << m.text;
     EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
   }
-  EXPECT_THAT([] { read_suite("/nowhere/t.toml", testing::test_planners()); },
+  EXPECT_THAT([] { read_suite("/nowhere/t.toml", testing::test_registry()); },
               ::testing::ThrowsMessage<std::invalid_argument>(HasSubstr("no such file: '/nowhere/t.toml'")));
 }
 
@@ -300,8 +303,13 @@ TEST(Suite, HashKnowsPlacesAndTethers) {
   EXPECT_EQ(hashes.size(), 8u);
 }
 
+const Registry& shipped_registry() {
+  static const Registry registry = built_in_registry();
+  return registry;
+}
+
 TEST(Suite, QuickIsWellFormed) {
-  const Suite quick = read_suite(std::string(OXTURN_SOURCE_DIR) + "/bench/suites/quick.toml", built_in());
+  const Suite quick = read_suite(std::string(OXTURN_SOURCE_DIR) + "/bench/suites/quick.toml", shipped_registry());
   std::set<std::string> families;
   for (const MapSpec& m : quick.maps) families.insert(m.generator);
   EXPECT_EQ(families.size(), 9u);
@@ -314,7 +322,7 @@ TEST(Suite, QuickIsWellFormed) {
 }
 
 Suite shipped(const std::string& name) {
-  return read_suite(std::string(OXTURN_SOURCE_DIR) + "/bench/suites/" + name + ".toml", built_in());
+  return read_suite(std::string(OXTURN_SOURCE_DIR) + "/bench/suites/" + name + ".toml", shipped_registry());
 }
 
 TEST(Suite, AllThatComeWithOxturnAreWellFormed) {
@@ -346,9 +354,9 @@ TEST(Suite, TetherHasEveryFamilyAndEveryTetheredPlanner) {
   EXPECT_TRUE(anchors.contains("start") && anchors.contains("wall"));
 }
 
-// The page docs/leash.md is about the tether suite's maps.
+// The page docs/leashed.md is about the tether suite's maps.
 TEST(Suite, LeashHasTheRobotsAndMapsOfTether) {
-  Suite leash = shipped("leash"), tether = shipped("tether");
+  Suite leash = shipped("leashed"), tether = shipped("tether");
   for (Suite* suite : {&leash, &tether}) {
     suite->name = "";
     suite->planners.clear();

@@ -13,6 +13,7 @@
 #include <string>
 #include <thread>
 #include <vector>
+#include "reports/built_in_registry.hpp"
 
 namespace oxturn::testing {
 
@@ -142,10 +143,9 @@ class TestPlanner final : public CoveragePlanner {
 
 }  // namespace
 
-const std::vector<PlannerInfo>& test_planners() {
-  static const std::vector<PlannerInfo> all = [] {
-    std::vector<PlannerInfo> list;
-    list.push_back(describe<TestPlanner, Params>(
+Planners test_planners() {
+  Planners list("planner");
+    list.add(describe<TestPlanner, Params>(
         {.name = "test",
          .family = "test",
          .title = "does as told",
@@ -154,7 +154,7 @@ const std::vector<PlannerInfo>& test_planners() {
          .guarantee = "none",
          .parameters = {{"how", &Params::how, Choices{}, "what to do"},
                         {"amount", &Params::amount, Range{0, 10}, "metres of nothing"}}}));
-    list.push_back(
+    list.add(
         describe<TestPlanner, Params>({.name = "other",
                                        .family = "test",
                                        .title = "another",
@@ -163,9 +163,22 @@ const std::vector<PlannerInfo>& test_planners() {
                                        .guarantee = "none",
                                        .parameters = {{"how", &Params::how, Choices{}, "what to do"},
                                                       {"lanes", &Params::lanes, Range{0, 10}, "of nothing"}}}));
-    return list;
-  }();
-  return all;
+  return list;
+}
+
+Registry test_registry_copy() {
+  Registry registry = built_in_registry();
+  registry.planners = test_planners();
+  return registry;
+}
+
+const Registry& test_registry() {
+  static const Registry registry = test_registry_copy();
+  return registry;
+}
+
+std::unique_ptr<CoveragePlanner> test_planner(const Settings& settings) {
+  return test_registry().planners.find("test").make(settings, test_registry().planners);
 }
 
 Problem small_problem() {

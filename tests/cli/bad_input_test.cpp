@@ -59,7 +59,7 @@ TEST_F(BadInput, SelfCrossingPolygonWithThePlace) {
 }
 TEST_F(BadInput, StartInAWallWithTheNearestPlace) {
   expect_refused(oxturn("plan zigzag " + box + " --start 9,1" + to),
-                 AllOf(HasSubstr("start (9, 1)"), HasSubstr("nearest place"), HasSubstr("(3.")));
+                 AllOf(HasSubstr("start (9, 1)"), HasSubstr("nearest point"), HasSubstr("(3.")));
 }
 TEST_F(BadInput, NaN) {
   expect_refused(oxturn("plan zigzag " + box + " --start nan,1" + to), HasSubstr("nan"));
@@ -111,9 +111,9 @@ TEST_F(BadInput, Tethers) {
                  HasSubstr("--anchor is 'here', expected X,Y: two finite numbers in metres"));
   expect_refused(oxturn("plan stc " + box + " --robot tether=5,tether_reach=2" + to),
                  HasSubstr("tether has a length and a reach, expected one of the two"));
-  expect_refused(oxturn("plan stc " + box + " --robot tether=0" + to), HasSubstr("tether.length is 0"));
-  expect_refused(oxturn("plan stc " + box + " --robot sharp_angle=2" + to), HasSubstr("tether.length is 0"));
-  expect_refused(oxturn("plan stc " + box + " --robot tether=5,sharp_angle=4" + to), HasSubstr("sharp_angle is 4"));
+  expect_refused(oxturn("plan stc " + box + " --robot tether=0" + to), HasSubstr("tether has no length"));
+  expect_refused(oxturn("plan stc " + box + " --robot tether_sharp_angle=2" + to), HasSubstr("tether has no length"));
+  expect_refused(oxturn("plan stc " + box + " --robot tether=5,tether_sharp_angle=4" + to), HasSubstr("'tether_sharp_angle' of a robot is 4"));
   expect_refused(oxturn("plan stc " + box + " --robot tether=5 --anchor 9,9" + to), HasSubstr("anchor (9, 9)"));
   expect_refused(oxturn("plan stc " + box + " --robot tether=0.5 --anchor 3,1" + to), HasSubstr("too short"));
   expect_refused(oxturn("plan stc " + box + " --tether-trace " + (out / "t.csv") + to), HasSubstr("has no tether"));

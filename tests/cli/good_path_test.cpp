@@ -33,7 +33,7 @@ TEST(Program, SaysItsVersion) {
 }
 
 TEST(List, JsonParsesAndAgreesWithTheText) {
-  for (const std::string what : {"planners", "maps", "formats", "metrics", "suites", "pages", "columns"}) {
+  for (const std::string what : {"planners", "maps", "formats", "metrics", "robot", "suites", "tables", "columns"}) {
     const Said text = oxturn("list " + what), json = oxturn("list " + what + " --json");
     ASSERT_EQ(json.code, 0) << json.err;
     const Json all = Json::parse(json.out);
@@ -175,7 +175,7 @@ TEST_F(Planned, RunGivesRowsTableAndPictures) {
   const std::string csv = content(out / "r/runs.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 2);
   std::size_t pictures = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(out / "r/gallery"))
+  for (const auto& entry : std::filesystem::directory_iterator(out / "r/pictures"))
     pictures += entry.path().extension() == ".svg";
   EXPECT_EQ(pictures, 4u);
   // Again into the same folder: refused, in one line; as a resumption it has nothing to do.
@@ -183,9 +183,6 @@ TEST_F(Planned, RunGivesRowsTableAndPictures) {
   EXPECT_EQ(again.code, 2);
   EXPECT_EQ(oxturn("run " + suite + " -q --resume -o " + (out / "r")).code, 0);
   EXPECT_EQ(content(out / "r/runs.csv"), csv);
-  const Said page = oxturn("report " + (out / "r") + " --page leash -o " + (out / "r"));
-  EXPECT_EQ(page.code, 2);
-  EXPECT_THAT(page.err, HasSubstr("is made from the results of suite 'leash'"));
   // The report alone, elsewhere.
   ASSERT_EQ(oxturn("report " + (out / "r") + " -o " + (out / "elsewhere")).code, 0);
   EXPECT_EQ(content(out / "elsewhere/report.md"), content(out / "r/report.md"));
@@ -199,7 +196,7 @@ TEST_F(Planned, ATetherIsScoredTracedAndDrawn) {
       out.write("p.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"tool":true},)"
                              R"("geometry":{"type":"LineString","coordinates":[[1,1],[5,1],[5,5]]}}]})");
   const std::string problem = "score " + path + " " + map + " --start 1,1 --anchor 1,0 --json";
-  const Said said = oxturn(problem + " --robot tether=8,sharp_angle=2 --tether-trace " + (out / "t.csv") + " --svg " +
+  const Said said = oxturn(problem + " --robot tether=8,tether_sharp_angle=2 --tether-trace " + (out / "t.csv") + " --svg " +
                            (out / "t.svg"));
   EXPECT_EQ(said.code, 0) << said.err;
   const Json json = Json::parse(said.out);
@@ -229,8 +226,8 @@ TEST_F(Planned, ARunKeepsTheTether) {
   for (const auto& entry : std::filesystem::directory_iterator(out / "r/tethers")) {
     ++traces;
     EXPECT_THAT(content(entry.path().string()), HasSubstr(",waypoint\n"));
-    EXPECT_TRUE(std::filesystem::exists(out / ("r/gallery/" + entry.path().stem().string() + ".svg")));
-    EXPECT_THAT(content(out / ("r/gallery/" + entry.path().stem().string() + ".svg")), HasSubstr("id=\"tether\""));
+    EXPECT_TRUE(std::filesystem::exists(out / ("r/pictures/" + entry.path().stem().string() + ".svg")));
+    EXPECT_THAT(content(out / ("r/pictures/" + entry.path().stem().string() + ".svg")), HasSubstr("id=\"tether\""));
   }
   EXPECT_EQ(traces, 1u);
 }

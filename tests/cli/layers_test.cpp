@@ -1,4 +1,4 @@
-// Folders depend downwards only, told by reading the includes.
+// Folders depend downwards only: the includes are read.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,12 +16,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kRooms{"geometry", "maps", "algorithms", "metrics", "bench", "reports", "cli"};
+const std::vector<std::string> kRooms{"base", "geometry", "maps", "algorithms", "metrics", "bench", "reports", "cli"};
+
+/// Every folder of sources, in the order in which data flow: a folder includes only itself and those before it.
+const std::vector<std::string> kFolders{
+    "base", "geometry", "geometry/overlay", "geometry/mesh", "geometry/paths", "geometry/tether", "maps",
+    "maps/formats", "maps/generators", "algorithms", "algorithms/transit", "algorithms/tour", "algorithms/lanes",
+    "algorithms/lattice", "algorithms/smoothing", "algorithms/online", "algorithms/grid", "algorithms/polygon",
+    "algorithms/tethered", "algorithms/drawing", "algorithms/baseline", "metrics", "bench", "reports",
+    "reports/tables", "bench/micro", "cli"};
+/// They stand side by side: none includes another.
+const std::vector<std::vector<std::string>> kSiblings{
+    {"algorithms/grid", "algorithms/polygon", "algorithms/tethered", "algorithms/drawing", "algorithms/baseline"},
+    {"maps/formats", "maps/generators"}};
 
 struct Include {
   std::string file, name;  // "maps/problem.cpp", "geometry/region.hpp"
   bool quoted = false;
   std::string room() const { return file.substr(0, file.find('/')); }
+  std::string folder() const { return fs::path(file).parent_path().generic_string(); }
+  std::string included_folder() const { return fs::path(name).parent_path().generic_string(); }
 };
 
 /// f(file, line) for every line of every source.
@@ -47,20 +61,33 @@ std::vector<Include> includes() {
   return all;
 }
 
-long rank(const std::string& room) { return std::find(kRooms.begin(), kRooms.end(), room) - kRooms.begin(); }
-long unknown() { return static_cast<long>(kRooms.size()); }
+std::size_t rank(const std::string& folder) {
+  return static_cast<std::size_t>(std::find(kFolders.begin(), kFolders.end(), folder) - kFolders.begin());
+}
+
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 TEST(Layers, FindTheSources) { EXPECT_GT(includes().size(), 200u); }
 
 TEST(Layers, AFolderIncludesOnlyItselfAndThoseBeforeIt) {
   for (const Include& include : includes()) {
-    if (!include.quoted) continue;
-    const std::string room = include.name.substr(0, include.name.find('/'));
-    EXPECT_LT(rank(room), unknown()) << include.file << " includes \"" << include.name
-                                     << "\": write it from the project's root";
-    EXPECT_LE(rank(room), rank(include.room())) << include.file << " includes " << include.name;
-    EXPECT_TRUE(fs::exists(fs::path(OXTURN_SOURCE_DIR) / include.name)) << include.file << " includes " << include.name;
+    if (!include.quoted || include.name.starts_with("tests/")) continue;
+    const std::string said = include.file + " includes \"" + include.name + "\"";
+    EXPECT_LT(rank(include.folder()), kFolders.size()) << include.file << ": list its folder in kFolders";
+    EXPECT_LT(rank(include.included_folder()), kFolders.size()) << said << ": write it from the project's root";
+    EXPECT_LE(rank(include.included_folder()), rank(include.folder())) << said;
+    EXPECT_TRUE(fs::exists(fs::path(OXTURN_SOURCE_DIR) / include.name)) << said;
   }
+}
+
+TEST(Layers, FamiliesDoNotIncludeEachOther) {
+  for (const Include& include : includes())
+    for (const auto& siblings : kSiblings)
+      if (holds(siblings, include.folder()) && holds(siblings, include.included_folder())) {
+        EXPECT_EQ(include.folder(), include.included_folder()) << include.file << " includes " << include.name;
+      }
 }
 
 TEST(Layers, MetricsKnowNothingOfAlgorithms) {

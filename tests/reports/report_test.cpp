@@ -16,6 +16,12 @@ namespace oxturn {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::string table(const std::string& name, const Results& results) { return built_in_tables().find(name).markdown(results); }
+Written write(const Results& results, const std::string& folder) {
+  return write_report(results, built_in_tables(), folder);
+}
+
 using testing::HasSubstr;
 using testing::Not;
 
@@ -105,29 +111,29 @@ std::vector<std::string> cells_of(const std::string& table, const std::string& n
 }
 
 TEST(Comparison, FiguresWorkedOutOnPaper) {
-  const std::string table = comparison_table(hand_written());
-  EXPECT_EQ(cells_of(table, "good"), (std::vector<std::string>{"good", "3", "2", "1", "", "0.5000", "0.8317", "1.600",
+  const std::string text = table("comparison", hand_written());
+  EXPECT_EQ(cells_of(text, "good"), (std::vector<std::string>{"good", "3", "2", "1", "", "0.5000", "0.8317", "1.600",
                                                                "0.200", "0.300", "20", "200", "0.700"}));
 }
 
 // A run that gives nothing counts as nothing; it neither vanishes nor flatters the mean.
 TEST(Comparison, FailuresStayInTheDenominator) {
-  const std::string table = comparison_table(hand_written());
-  EXPECT_EQ(cells_of(table, "bad"), (std::vector<std::string>{"bad", "3", "1", "0", "1 invalid, 1 timeout", "0.0000",
+  const std::string text = table("comparison", hand_written());
+  EXPECT_EQ(cells_of(text, "bad"), (std::vector<std::string>{"bad", "3", "1", "0", "1 invalid, 1 timeout", "0.0000",
                                                               "0.3300", "2.000", "", "", "", "", "3.000"}));
 }
 
 TEST(Comparison, WhatTheHarnessLostIsNotThePlannersCoverage) {
   Results results;
   results.rows = {row("m1", "a", "ok", {{"coverage", "1"}}), row("m2", "a", "infrastructure")};
-  const auto cells = cells_of(comparison_table(results), "a");
+  const auto cells = cells_of(table("comparison", results), "a");
   ASSERT_GE(cells.size(), 7u);
   EXPECT_EQ(cells[1], "2");
   EXPECT_EQ(cells[4], "1 infrastructure");
   EXPECT_EQ(cells[5], "1.0000");
 }
 
-TEST(Comparison, NoRowsIsAHeadAlone) { EXPECT_THAT(comparison_table({}), HasSubstr("length_ratio")); }
+TEST(Comparison, NoRowsIsNothing) { EXPECT_EQ(table("comparison", Results{}), ""); }
 
 Row tied(const std::string& map, const std::string& variant, const std::string& outcome, const std::string& longest,
          const std::string& crossings, const std::string& wound, const std::string& ratio) {
@@ -148,27 +154,27 @@ TEST(Tether, FiguresWorkedOutOnPaper) {
                   row("m4", "a", "crash"),
                   tied("m5", "a", "ok", "9", "8", "1", "3"),
                   row("m1", "b", "unsupported")};
-  const std::string table = tether_table(results);
-  EXPECT_EQ(cells_of(table, "a"),
+  const std::string text = table("tether", results);
+  EXPECT_EQ(cells_of(text, "a"),
             (std::vector<std::string>{"a", "5", "4", "1.700", "0.75", "2.50", "2", "0.50", "0.250"}));
-  EXPECT_EQ(cells_of(table, "b"), (std::vector<std::string>{"b", "1", "0", "", "", "", "", "", ""}));
+  EXPECT_EQ(cells_of(text, "b"), (std::vector<std::string>{"b", "1", "0", "", "", "", "", "", ""}));
   const Folder out;
-  write_report(results, out.name());
-  EXPECT_THAT(read_file(out / "report.md"), HasSubstr("## Tether\n\n" + table));
+  write(results, out.name());
+  EXPECT_THAT(read_file(out / "report.md"), HasSubstr("## Tether\n\n" + text));
 }
 
 TEST(Tether, NoTableWithoutTethers) {
-  EXPECT_EQ(tether_table(hand_written()), "");
+  EXPECT_EQ(table("tether", hand_written()), "");
   const Folder out;
-  write_report(hand_written(), out.name());
+  write(hand_written(), out.name());
   EXPECT_THAT(read_file(out / "report.md"), Not(HasSubstr("## Tether")));
 }
 
 TEST(Report, OneTableAMapWithReasons) {
   const Folder out;
-  write_report(hand_written(), out.name());
+  write(hand_written(), out.name());
   const std::string report = read_file(out / "report.md");
-  for (const char* map : {"## m1", "## m2", "## m3"}) EXPECT_THAT(report, HasSubstr(map));
+  for (const char* map : {"### m1", "### m2", "### m3"}) EXPECT_THAT(report, HasSubstr(map));
   EXPECT_THAT(report, HasSubstr("wall time above 20 s"));
   EXPECT_THAT(report, HasSubstr("leaves \\| the &lt;map>"));
   const std::string page = read_file(out / "gallery.html");
@@ -182,7 +188,7 @@ TEST(Report, NamesCannotBecomeMarkup) {
   Results results;
   results.rows = {row("<img src=x>", "a\"><b>", "ok", {{"coverage", "1"}})};
   const Folder out;
-  write_report(results, out.name());
+  write(results, out.name());
   const std::string page = read_file(out / "gallery.html");
   EXPECT_THAT(page, Not(HasSubstr("<img src=x>")));
   EXPECT_THAT(page, Not(HasSubstr("<b>")));
@@ -194,64 +200,47 @@ TEST(Report, TwoMapsOfOneNameAreToldApart) {
   results.rows = {row("rooms-1", "a", "ok"),
                   row("rooms-1", "a", "ok", {{"map_sha256", "abcdef0123"}, {"run_id", "2"}})};
   const Folder out;
-  write_report(results, out.name());
-  EXPECT_THAT(read_file(out / "report.md"), HasSubstr("## rooms-1 (abcdef01)"));
+  write(results, out.name());
+  EXPECT_THAT(read_file(out / "report.md"), HasSubstr("### rooms-1 (abcdef01)"));
 }
 
-class WithAPath : public testing::Test {
+class WithAPicture : public testing::Test {
  protected:
   void SetUp() override {
-    fs::create_directories(out_ / "paths");
-    fs::create_directories(out_ / "maps");
-    MapFile map;
-    map.map = {"box", box_region({0, 0}, {4, 2}), "file", "hand"};
-    map.start = Point(0.5, 0.5);
-    map.robot = Robot{};
-    write_file(out_ / "maps/p.geojson", to_geojson(map));
-    PathBuilder builder({0.5, 0.5});
-    builder.drive({3.5, 0.5}, true);
-    builder.drive({3.5, 1.5}, false);
-    std::string text = to_geojson(builder.take());
-    text.insert(text.find('{') + 1, "\"problem\":\"maps/p.geojson\",");
-    write_file(out_ / "paths/r1.geojson", text);
-    results_.folder = out_.name();
-    results_.rows = {row("box", "a", "ok", {{"run_id", "r1"}, {"path_file", "paths/r1.geojson"}, {"coverage", "1"}}),
-                     row("box", "b", "crash", {{"run_id", "r2"}, {"reason", "signal 11"}})};
+    fs::create_directories(out_ / "pictures");
+    write_file(out_ / "pictures/r1.svg", "<svg/>");
+    write_file(out_ / "runs.csv",
+               "run_id,suite,map,planner,variant,robot,repeat,outcome,reason,coverage,new_column\n"
+               "r1,s,box,a,a,disc,1,ok,,1,7\n"
+               "r2,s,box,b,b,disc,1,crash,signal 11,,\n");
+    results_ = read_results(out_.name());
   }
   Folder out_;
   Results results_;
 };
 
-TEST_F(WithAPath, APictureForEachPathAndAnEmptyPlaceForTheOthers) {
-  const Written written = write_report(results_, out_.name());
-  EXPECT_EQ(written.files.size(), 3u);
-  EXPECT_TRUE(fs::exists(out_ / "gallery/r1.svg"));
-  EXPECT_FALSE(fs::exists(out_ / "gallery/r2.svg"));
+TEST_F(WithAPicture, APictureForEachPathAndAnEmptyFrameForTheOthers) {
+  const Written written = write(results_, out_.name());
+  EXPECT_EQ(written.files.size(), 2u);
   const std::string page = read_file(out_ / "gallery.html");
-  EXPECT_THAT(page, HasSubstr("src=\"gallery/r1.svg\""));
+  EXPECT_THAT(page, HasSubstr("src=\"pictures/r1.svg\""));
   EXPECT_THAT(page, HasSubstr("no path"));
-  EXPECT_THAT(read_file(out_ / "report.md"), HasSubstr("[a](gallery/r1.svg)"));
+  EXPECT_THAT(read_file(out_ / "report.md"), HasSubstr("[a](pictures/r1.svg)"));
 }
 
-TEST_F(WithAPath, TracesAreDrawn) {
-  fs::create_directories(out_ / "traces");
-  write_file(out_ / "traces/r1.json", R"([{"name":"cells","lines":[[[1,0],[1,2]]]}])");
-  write_report(results_, out_.name());
-  EXPECT_THAT(read_file(out_ / "gallery/r1.svg"), HasSubstr("<g id=\"cells\""));
-}
-
-TEST_F(WithAPath, SameResultsSameBytes) {
-  write_report(results_, out_.name());
+TEST_F(WithAPicture, ElsewhereThePicturesAreCopiedAndTheBytesAreTheSame) {
+  write(results_, out_.name());
   const Folder other;
-  write_report(results_, other.name());
-  for (const char* name : {"report.md", "gallery.html", "gallery/r1.svg"})
+  EXPECT_EQ(write(results_, other.name()).files.size(), 3u);
+  for (const char* name : {"report.md", "gallery.html", "pictures/r1.svg"})
     EXPECT_EQ(read_file(out_ / name), read_file(other / name)) << name;
 }
 
-TEST_F(WithAPath, APathWithoutItsProblemIsOneSentence) {
-  write_file(out_ / "paths/r1.geojson", to_geojson(Path{{{true, {{0.5, 0.5}, {1, 1}}}}}));
-  EXPECT_THAT([&] { write_report(results_, out_.name()); },
-              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("no member 'problem'")));
+TEST_F(WithAPicture, ARunIdThatLeadsOutOfTheFolderIsRefused) {
+  write_file(out_ / "runs.csv",
+             "run_id,suite,map,planner,variant,robot,repeat,outcome,reason\n../../x,s,box,a,a,disc,1,ok,\n");
+  EXPECT_THAT([&] { read_results(out_.name()); },
+              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("'../../x' is not made of letters")));
 }
 
 }  // namespace

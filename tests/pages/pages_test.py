@@ -1,0 +1,164 @@
+"""Pages from rows written by hand: every figure was worked out on paper. Usage: pages_test.py SOURCE_DIR"""
+import glob
+import importlib
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE = sys.argv.pop(1)
+sys.path.insert(0, os.path.join(SOURCE, "docs/pages"))
+import results  # noqa: E402
+
+
+def row(suite, map_name, planner, params, outcome, **more):
+    cells = {"suite": suite, "map": map_name, "map_sha256": map_name, "robot": "tied", "repeat": "1", "planner": planner,
+             "params": params, "outcome": outcome, "reason": "", "path_sha256": "", "plan_wall_s": "123.456",
+             "variant": f"{planner}[{params}]" if params else planner}
+    return results.Row(cells, **more)
+
+
+def driven(metres, coverage, target, longest, crossings="0", wound="0", **more):
+    return dict(path_m=metres, coverage=coverage, target_m2=target, tether_limit_m="10", tether_max_m=longest,
+                tether_crossings=crossings, tether_entangled=wound, length_ratio="1.5", **more)
+
+
+def page(name, rows):
+    return importlib.import_module(name.replace("-", "_")).page(rows)
+
+
+def line(text, name, n=0):
+    """The cells of the n-th table line whose first cell is `name`."""
+    lines = [[cell.strip() for cell in one.replace("\\|", "/").split("|")[1:-1]] for one in text.split("\n")]
+    return [cells for cells in lines if cells and cells[0] == name][n]
+
+
+def berg_rows():
+    s = "berg-table-4-1"
+    return [row(s, "room", "shnaps-rimon", "", "ok", **driven("1250", "0.98", "0.9", "10")),
+            row(s, "room", "berg", "", "invalid", **driven("100", "0.941", "0.9", "10.5", "2")),
+            row(s, "room", "berg", "order=dfs", "partial", **driven("110", "0.95", "0.9", "10")),
+            row(s, "hall", "shnaps-rimon", "", "ok", **driven("3000", "0.97", "0.9", "10")),
+            row(s, "hall", "berg", "", "partial", **driven("200", "0.93", "0.9", "9")),
+            row(s, "hall", "berg", "order=dfs", "crash")]
+
+
+def leashed_rows():
+    """Two tethers on m1, of which the second reaches half of the map; on m2 the leashed run fails."""
+    s = "leashed"
+    rows = [row(s, "m1", "zigzag", "ignore_tether=true", "ok", **driven("100", "1", "20", "14", "4", "1")),
+            row(s, "m1", "boustrophedon", "ignore_tether=true", "ok", **driven("80", "1", "20", "10")),
+            row(s, "m1", "leashed", "planner=zigzag", "ok", **driven("90", "0.75", "20", "10")),
+            row(s, "m1", "leashed", "", "ok", **driven("88", "1", "20", "9")),
+            row(s, "m1", "boustrophedon", "ignore_tether=true", "ok", **driven("80", "1", "10", "25")),
+            row(s, "m1", "leashed", "", "ok", **driven("60", "1", "10", "10")),
+            row(s, "m2", "zigzag", "ignore_tether=true;partition=none", "ok", **driven("50", "1", "20", "10")),
+            row(s, "m2", "leashed", "planner=zigzag", "error", reason="no | path")]
+    for i in (1, 4):
+        rows[i]["path_sha256"] = "same"
+    for i in (4, 5):
+        rows[i]["robot"] = "short"
+    return rows
+
+
+def stc_rows():
+    s, published = "stc-loops", "close_loops=false;epsilon=0.05;fill=none"
+    data = [("m1", "stc", "", "partial", "0.8", "80"), ("m1", "stc-loops", published, "partial", "0.95", "120"),
+            ("m1", "stc-loops", "", "ok", "0.996", "130"), ("m2", "stc", "", "infeasible", "", ""),
+            ("m2", "stc-loops", published, "partial", "0.97", "20"), ("m2", "stc-loops", "", "ok", "0.998", "25")]
+    return [row(s, m, p, params, outcome, coverage=c, path_m=metres, length_ratio="1.5")
+            for m, p, params, outcome, c, metres in data]
+
+
+def online_rows():
+    """On m1 both runs are valid, on m2 the one by lidar is not; the default order has no run with the map."""
+    s, lidar = "tether-online", "sensing=lidar"
+
+    def run(metres, coverage, **more):
+        return driven(metres, coverage, "20", "9", coverage_lower=coverage, **more)
+
+    return [row(s, "m1", "berg", "order=dfs", "ok", **run("100", "1")),
+            row(s, "m1", "berg", "order=dfs;" + lidar, "ok", **run("130", "0.997")),
+            row(s, "m1", "berg", lidar, "ok", **run("90", "1")),
+            row(s, "m2", "berg", "order=dfs", "ok", **run("100", "1")),
+            row(s, "m2", "berg", "order=dfs;" + lidar, "invalid", **run("100", "0.5", reason="a | wall"))]
+
+
+ALL = {"berg-table-4-1": berg_rows, "leashed": leashed_rows, "stc-loops": stc_rows, "tether-online": online_rows}
+
+
+class Figures(unittest.TestCase):
+    def test_berg_table(self):
+        text = page("berg-table-4-1", berg_rows())
+        self.assertIn("4743.68", text)
+        # planner, rooms, median and least coverage, times berg, length ratio, over limit, invalid
+        self.assertEqual(line(text, "shnaps-rimon"), ["shnaps-rimon", "2", "97.50", "97.00", "13.75", "1.50", "0", "0"])
+        self.assertEqual(line(text, "berg"), ["berg", "2", "93.55", "93.00", "1.00", "1.50", "1", "1"])
+        self.assertEqual(line(text, "berg\\[order=dfs\\]"),
+                         ["berg\\[order=dfs\\]", "2", "95.00", "95.00", "1.10", "1.50", "0", "0"])
+        # the room's own table: a breach keeps its figures
+        self.assertEqual(line(text, "berg", 1), ["berg", "invalid", "94.10", "100.0", "1.00", "1.50", "0.50", "2", ""])
+        self.assertEqual(line(text, "shnaps-rimon", 1),
+                         ["shnaps-rimon", "ok", "98.00", "1250.0", "12.50", "1.50", "", "0", ""])
+
+    def test_leashed(self):
+        text = page("leashed", leashed_rows())
+        # planner, robot, over limit, crossings, entangled, kept, least coverage, price, highest:
+        # (90 m / 15 m2) / (100 m / 20 m2) = 1.2; a run without a path covers nothing
+        self.assertEqual(line(text, "zigzag"),
+                         ["zigzag", "tied", "1 of 2", "2", "1 of 2", "1 of 2", "0.0000", "1.200", "1.200"])
+        self.assertEqual(line(text, "boustrophedon"),
+                         ["boustrophedon", "tied", "0 of 1", "0", "0 of 1", "1 of 1", "1.0000", "1.100", "1.100"])
+        # the unaware path covers 20 m2, though the short tether reaches 10 of them: (60 / 10) / (80 / 20)
+        self.assertEqual(line(text, "boustrophedon", 1),
+                         ["boustrophedon", "short", "1 of 1", "0", "0 of 1", "1 of 1", "1.0000", "1.500", "1.500"])
+        self.assertEqual(line(text, "zigzag", 1),
+                         ["zigzag", "100.0", "1.0000", "4.00", "4", "yes", "90.0", "0.7500", "1.200", ""])
+        self.assertIn("error: no \\| path", text)
+
+    def test_stc_loops(self):
+        text = page("stc-loops", stc_rows())
+        # variant, valid, least coverage, median, 0.99 or more, above stc, length ratio
+        self.assertEqual(line(text, "stc"), ["stc", "1 of 2", "0.8000", "0.8000", "0 of 2", "0 of 2", "1.500"])
+        self.assertEqual(line(text, "published"),
+                         ["published", "2 of 2", "0.9500", "0.9600", "0 of 2", "2 of 2", "1.500"])
+        self.assertEqual(line(text, "stc-loops"),
+                         ["stc-loops", "2 of 2", "0.9960", "0.9970", "2 of 2", "2 of 2", "1.500"])
+        self.assertEqual(line(text, "m1"), ["m1", "0.8000", "0.9500", "", "", "0.9960"])
+        self.assertEqual(line(text, "m2", 1), ["m2", "infeasible", "20.0", "", "", "25.0"])
+
+    def test_tether_online(self):
+        text = page("tether-online", online_rows())
+        # planner, valid, least coverage, loss, greatest loss, ratio, greatest ratio
+        self.assertEqual(line(text, "berg(order=dfs)"),
+                         ["berg(order=dfs)", "1 of 2", "0.5000", "0.0030", "0.0030", "1.300", "1.300"])
+        self.assertEqual(line(text, "berg"), ["berg", "1 of 1", "1.0000", "", "", "", ""])
+        self.assertEqual(line(text, "m1"), ["m1", "1.0000", "0.9970", "100.0", "130.0", "1.300", "9.00", "10.00", ""])
+        self.assertIn("invalid: a", line(text, "m2")[8])
+
+
+class Pages(unittest.TestCase):
+    def test_no_times(self):
+        for name, rows in ALL.items():
+            self.assertNotIn("123.4", page(name, rows()), name)
+
+    def test_each_has_its_suite(self):
+        modules = {os.path.basename(file)[:-3].replace("_", "-") for file in glob.glob(f"{SOURCE}/docs/pages/*.py")}
+        self.assertEqual(modules - {"results", "write-page"}, set(ALL))
+        for name in ALL:
+            self.assertTrue(os.path.exists(f"{SOURCE}/bench/suites/{name}.toml"), name)
+
+    def test_results_of_another_suite_are_refused_in_one_sentence(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "runs.csv"), "w") as file:
+                file.write("run_id,suite,outcome\n1,quick,ok\n")
+            program = f"{SOURCE}/docs/pages/write_page.py"
+            done = subprocess.run([sys.executable, program, "leashed", folder, folder], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 1)
+            self.assertEqual(done.stderr.strip(), f"page 'leashed' is made from the results of suite 'leashed', but "
+                                                  f"'{folder}' holds rows of suite 'quick'")
+            self.assertFalse(os.path.exists(os.path.join(folder, "leashed.md")))
+
+
+unittest.main()
