@@ -1,5 +1,5 @@
-/// Parameters as data: a plain struct, and one line of description for each member. Command line, suites, files, hashes,
-/// listings and error messages are made from that one description.
+/// Parameters as data: a plain struct, and one line of description for each member. Command line, suites, files,
+/// hashes, listings and error messages are made from that one description.
 ///
 ///   struct Params { double cell_size = 0; Order order = Order::nearest; };
 ///   const std::vector<Parameter<Params>> lines{

@@ -1,16 +1,16 @@
-// One call of plan() in a process of its own, under limits.
-//
 // The child is forked, so it has the problem at hand without reading or building anything. It leads a process
 // group, which is killed as a whole; it dies with its parent; it sees /dev/null as standard input and a log as its
 // output (at most 64 MiB of it). What it finds comes back through a pipe in frames (wire.hpp).
 //
 // Decisions  1. Time and memory are measured in the child around plan() alone.
-//            2. Memory is limited twice: address space by the kernel (so a hoarder gets bad_alloc and can say so),
-//               resident memory by the parent every 10 ms (for those that never see bad_alloc, and for sanitizers,
-//               which reserve terabytes of address space).
+//            2. Memory is limited twice: address space by the kernel (so that a planner which allocates too much gets
+//               bad_alloc and can report it), resident memory by the parent every 10 ms (for planners that never see
+//               bad_alloc, and for sanitizers, which reserve terabytes of address space).
 //            3. The wall limit counts from the start of the child until plan() has returned; the transfer of the
 //               result has the same time once more.
 //            4. The child ends by _exit: nothing of the parent (atexit, destructors, buffers) happens twice.
+#include "bench/isolate.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -28,11 +28,9 @@
 #include <new>
 #include <stdexcept>
 
-#include "bench/isolate.hpp"
-#include "bench/planner_process.hpp"
-
-#include "bench/wire.hpp"
 #include "base/text.hpp"
+#include "bench/planner_process.hpp"
+#include "bench/wire.hpp"
 
 namespace oxturn {
 
@@ -40,7 +38,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kWatch{10};  // how often resident memory is looked at
+constexpr std::chrono::milliseconds kWatch{10};  // how often resident memory is read
 
 volatile std::sig_atomic_t running_group = 0;
 
@@ -105,7 +103,7 @@ class Supervisor {
       if (!wait_and_read(now)) break;
     }
     if (!reaped_) {
-      ::kill(-pid_, SIGKILL);  // whatever the planner has left behind goes too
+      ::kill(-pid_, SIGKILL);  // processes that the planner has left behind, too
       reap(0);
     } else {
       ::kill(-pid_, SIGKILL);
@@ -130,7 +128,7 @@ class Supervisor {
     const auto left =
         std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - now) + std::chrono::milliseconds(1);
     const int patience = static_cast<int>(std::min<std::chrono::milliseconds>(left, kWatch).count());
-    if (closed_) {  // the child shut the pipe without a word: it is ending, or hides
+    if (closed_) {  // the child closed the pipe without an end frame: it is ending, or still running
       ::usleep(200);
       reap(WNOHANG);
       return true;
@@ -153,7 +151,7 @@ class Supervisor {
                 wire::FrameReader::State::closed;
       return true;
     } catch (const std::bad_alloc&) {
-      kill_with(Outcome::out_of_memory, "its path does not fit into memory beside the harness");
+      kill_with(Outcome::out_of_memory, "its path does not fit into the memory left beside the harness");
     } catch (const std::exception& e) { kill_with(Outcome::error, fmt::format("bad protocol: {}", e.what())); }
     return false;
   }
@@ -217,8 +215,8 @@ class Supervisor {
   }
 
   void judge() {
-    if (ended_ && (has_result_ || failed_)) return;  // how the child ended after that is our own doing
-    if (failed_) return;                             // killed by us
+    if (ended_ && (has_result_ || failed_)) return;  // how the child ended after that was caused by the parent
+    if (failed_) return;                             // killed by the parent
     planned_.path = has_result_ ? std::nullopt : std::move(planned_.path);
     if (signal_ != 0) {
       planned_.outcome = Outcome::crash;

@@ -19,7 +19,7 @@ const char* const kHeader = "run_id,metric,value\n";
 
 std::string lines_of(const std::string& run_id, const Records& records) {
   std::string lines;
-  // Empty means not applicable; a figure that is not finite is none.
+  // Empty means not applicable; a figure that is not finite is empty.
   for (const auto& [name, value] : records)
     lines += fmt::format("{},{},{}\n", run_id, name, std::isfinite(value) ? to_decimal(value) : "");
   return lines;
@@ -41,7 +41,7 @@ MetricsFile::MetricsFile(const std::string& folder) : file_(folder + "/metrics.c
     const std::string& number = cells[2];
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
     if (!number.empty() && (error != std::errc() || end != number.data() + number.size()))
-      throw std::invalid_argument(fmt::format("{}: '{}' is no number", file_, number));
+      throw std::invalid_argument(fmt::format("{}: '{}' is not a number", file_, number));
     Records& records = all_[cells[0]];
     // A later attempt follows other runs' lines, or its own with a name that was there.
     bool again = last != cells[0];

@@ -12,11 +12,11 @@ namespace oxturn {
 
 class MetricsFile {
  public:
-  /// Reads what an earlier session left in `folder`, if anything; a last line that was cut off is dropped.
+  /// Reads what an earlier session left in `folder`, if anything; an incomplete last line is dropped.
   explicit MetricsFile(const std::string& folder);
-  /// Takes the place of what was known of the run, and appends it to the file at once.
+  /// Replaces what was known of the run, and appends to the file at once.
   void append(const std::string& run_id, const Records& records);
-  /// Writes the whole anew, in this order, without runs that are not listed.
+  /// Writes the file again, in this order, without runs that are not listed.
   void put_in_order(const std::vector<std::string>& run_ids);
 
  private:

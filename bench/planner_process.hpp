@@ -1,4 +1,4 @@
-// The process that a planner runs in, and what the parent must know of it. Internal to bench/.
+/// The process that a planner runs in, and what the parent must know of it. Internal to bench/.
 #pragma once
 
 #include <sys/types.h>
@@ -30,7 +30,7 @@ double statm_bytes(const char* file, bool resident);
 
 struct Birth {
   pid_t parent = 0;
-  int log = -1;   // takes what the planner prints; -1: nobody does
+  int log = -1;   // takes what the planner prints; -1: it is dropped
   int pipe = -1;  // takes the frames
 };
 /// Everything a child does, from just after the fork.

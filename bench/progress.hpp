@@ -1,4 +1,4 @@
-// How far a sweep is, on standard error: a bar on a terminal, otherwise a line every tenth. Internal to bench/.
+/// How far a suite is, on standard error: a bar on a terminal, otherwise a line at every tenth. Internal to bench/.
 #pragma once
 
 #include <cstddef>

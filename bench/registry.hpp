@@ -1,4 +1,5 @@
-/// What there is to choose from: planners, metrics, map generators, map formats and report tables, each described as data.
+/// What there is to choose from: planners, metrics, map generators, map formats and report tables, each described as
+/// data.
 ///
 ///   Registry registry = built_in_registry();       // reports/built_in_registry.hpp
 ///   registry.planners.add(my_planner());

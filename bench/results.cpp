@@ -49,25 +49,24 @@ Column timing(std::string name, std::string unit, std::string help) {
 }  // namespace
 
 Columns run_columns(const Metrics& metrics) {
-  Columns all{
-      whole("schema", "version of this table"),
-      text("run_id", "hash of everything that determines the run"),
-      whole("attempt", "1, and one more for each time the run was taken up again"),
-      text("suite", "name of the suite"),
-      text("map", "name of the map, unique within the suite"),
-      text("map_family", "generator, or \"file\"", "the map could not be made"),
-      text("map_sha256", "content address of the map's free space", "the map could not be made"),
-      text("planner", "name of the planner"),
-      text("planner_family", "family of the planner"),
-      text("variant", "planner with the settings that are not the defaults"),
-      text("params", "those settings, k=v;k=v", "all defaults"),
-      text("robot", "name of the robot"),
-      whole("seed", "seed of the planner's random generator", "the problem could not be built"),
-      whole("repeat", "1 .. repeats"),
-      text("outcome", "how the run ended"),
-      text("reason", "why it ended so, one sentence", "outcome is ok"),
-      whole("exit_code", "of the planner's process", "it did not exit by itself with a code other than 0"),
-      whole("signal", "that ended the planner's process", "no signal did")};
+  Columns all{whole("schema", "version of this table"),
+              text("run_id", "hash of everything that determines the run"),
+              whole("attempt", "1, and one more for each time the run was taken up again"),
+              text("suite", "name of the suite"),
+              text("map", "name of the map, unique within the suite"),
+              text("map_family", "generator, or \"file\"", "the map could not be made"),
+              text("map_sha256", "content address of the map's free space", "the map could not be made"),
+              text("planner", "name of the planner"),
+              text("planner_family", "family of the planner"),
+              text("variant", "planner with the settings that are not the defaults"),
+              text("params", "those settings, k=v;k=v", "all defaults"),
+              text("robot", "name of the robot"),
+              whole("seed", "seed of the planner's random generator", "the problem could not be built"),
+              whole("repeat", "1 .. repeats"),
+              text("outcome", "how the run ended"),
+              text("reason", "why it ended so, one sentence", "outcome is ok"),
+              whole("exit_code", "of the planner's process", "it did not exit by itself with a code other than 0"),
+              whole("signal", "that ended the planner's process", "no signal did")};
   for (const Metric& metric : metrics) {
     const std::string type = metric.unit == "count" ? "integer" : "real";
     const std::string better = metric.better == Better::neither ? "" : to_text(metric.better);
@@ -143,9 +142,9 @@ const char* const kNeeded[] = {"run_id", "suite", "map", "planner", "variant", "
 Row row_of(const std::vector<std::string>& header, const std::vector<std::string>& cells, const std::string& source,
            std::size_t line) {
   if (cells.size() != header.size())
-    throw std::invalid_argument(fmt::format(
-        "{}: row {} has {} cells, expected {}; `oxturn run --resume` mends a file that was cut off", source, line,
-        cells.size(), header.size()));
+    throw std::invalid_argument(
+        fmt::format("{}: row {} has {} cells, expected {}; `oxturn run --resume` mends a file that was cut off", source,
+                    line, cells.size(), header.size()));
   Row row;
   for (std::size_t k = 0; k < header.size(); ++k)
     if (!cells[k].empty()) row.cells[header[k]] = cells[k];
@@ -191,11 +190,11 @@ Results read_results(const std::string& folder) {
   Results results{folder, {}, {}, {}};
   std::map<std::string, std::size_t> seen;  // run_id -> index in rows
   for (Row& row : rows_from_csv(text, file)) {
-    const auto [place, fresh] = seen.emplace(row.get("run_id"), results.rows.size());
+    const auto [known, fresh] = seen.emplace(row.get("run_id"), results.rows.size());
     if (fresh)
       results.rows.push_back(std::move(row));
     else
-      results.rows[place->second] = std::move(row);
+      results.rows[known->second] = std::move(row);
   }
   for (const Row& row : results.rows)
     if (const std::string name = picture_name(row.get("run_id")); std::filesystem::exists(folder + "/" + name))

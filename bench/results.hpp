@@ -36,7 +36,8 @@ struct Column {
   bool timing = false;  // differs from run to run: plan_wall_s, plan_cpu_s, peak_rss_bytes, score_s
 };
 using Columns = std::vector<Column>;
-/// The columns of runs.csv in their order. Those of `metrics` stand in the middle; the others are listed in results.cpp.
+/// The columns of runs.csv in their order. Those of `metrics` stand in the middle; the others are listed in
+/// results.cpp.
 Columns run_columns(const Metrics& metrics);
 /// The same as JSON text: what columns.json holds.
 std::string to_json(const Columns& columns);
@@ -61,8 +62,8 @@ struct Results {
 /// 'out'"), a header without a column that reports need, a bad line.
 Results read_results(const std::string& folder);
 
-/// Where a run's picture lies, relative to the results folder. Throws std::invalid_argument for an id that could lead out of
-/// the folder.
+/// Where a run's picture lies, relative to the results folder. Throws std::invalid_argument for an id that could lead
+/// out of the folder.
 std::string picture_name(const std::string& run_id);
 
 std::string csv_header(const Columns& columns);

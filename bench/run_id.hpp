@@ -1,4 +1,4 @@
-// What a run is: one cell of a suite, named by a hash of everything that determines it.
+/// The identity of a run: one combination of a suite, named by a hash of everything that determines it.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ inline constexpr const char* kIgnoreTether = "ignore_tether";
 Settings full_settings(const PlannerInfo& planner, const Settings& settings, const Planners& planners);
 
 /// First 16 hex digits of a SHA-256. Limits do not count: they may end a run, they do not make it another one.
-/// `problem` is Problem::content_hash(), or any text that stands for a problem that cannot be built.
+/// `problem` is Problem::content_hash(), or any text in place of a problem that cannot be built.
 /// `settings`: all that the planner takes (full_settings).
 std::string run_id(const std::string& map, const std::string& robot, const std::string& problem,
                    const std::string& planner, const Settings& settings, std::uint64_t seed, int repeat);
 
-/// The planner's seed: equal for all variants of a planner, so that they are compared on equal luck. Below 2^53,
-/// so that every reader of the CSV keeps it exactly.
+/// The planner's seed: equal for all variants of a planner, so that variants are compared on the same random numbers.
+/// Below 2^53, so that every reader of the CSV keeps it exactly.
 std::uint64_t run_seed(std::uint64_t suite_seed, const std::string& planner, const std::string& problem, int repeat);
 
 }  // namespace oxturn

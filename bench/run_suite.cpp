@@ -1,7 +1,7 @@
 // The parent process of a suite: hands units of work to forked workers, and writes the rows they send in suite order.
 //
-// Decisions  1. One thread. Workers are processes, so a defect of the harness (a generator or metric that crashes) costs
-//               the run at hand, which becomes `infrastructure`; a new worker takes over the rest of the unit.
+// Decisions  1. One thread. Workers are processes, so a defect of the harness (a generator or metric that crashes)
+//               costs the run at hand, which becomes `infrastructure`; a new worker takes over the rest of the unit.
 //            2. A row is held back until all rows before it are there, so the file does not depend on -j.
 //            3. There are as many units as problems (the map is made and eroded once), or, with fewer problems than
 //               jobs, each problem's runs in as many parts as there are jobs.
@@ -22,13 +22,13 @@
 #include <deque>
 #include <list>
 
+#include "base/csv.hpp"
 #include "bench/metrics_file.hpp"
 #include "bench/planner_process.hpp"
 #include "bench/progress.hpp"
 #include "bench/session.hpp"
-#include "bench/worker.hpp"
 #include "bench/wire.hpp"
-#include "base/csv.hpp"
+#include "bench/worker.hpp"
 
 namespace oxturn {
 

@@ -24,13 +24,13 @@ namespace oxturn {
 struct SuiteRunOptions {
   std::string folder;
   int jobs = 1;
-  bool resume = false;   // keep rows that are there (except cancelled and infrastructure), run the missing ones
+  bool resume = false;   // keep existing rows (except cancelled and infrastructure), run the missing ones
   bool traces = false;   // also ask planners for drawings of their inside (costs them time) and keep them
   bool pictures = true;  // draw every path
   bool progress = true;  // a bar on a terminal, plain lines otherwise, on standard error
   std::vector<std::string> command_line;  // for session.json
 };
-/// Somebody pressed Ctrl-C: the rows that were there are kept, the runs that were under way say `cancelled`.
+/// The user pressed Ctrl-C: finished rows are kept, runs in progress become `cancelled`.
 struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

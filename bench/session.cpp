@@ -16,9 +16,9 @@
 #include <stdexcept>
 #include <thread>
 
-#include "maps/formats.hpp"
 #include "base/csv.hpp"
 #include "base/files.hpp"
+#include "maps/formats.hpp"
 
 namespace oxturn {
 

@@ -1,4 +1,4 @@
-// The results folder around runs.csv: made, guarded, taken up again. Internal to bench/.
+/// The results folder around runs.csv: created, locked, resumed. Internal to bench/.
 #pragma once
 
 #include <map>
@@ -18,9 +18,9 @@ class Session {
 
   /// Rows that an earlier session left, by run_id, attempts in order.
   const std::map<std::string, std::vector<Row>>& earlier() const { return earlier_; }
-  /// Appends a whole line, or throws std::runtime_error and leaves none of it.
+  /// Appends a whole line, or throws std::runtime_error and leaves nothing of it.
   void append(const std::string& line);
-  /// Puts `lines` (with the header) in the place of all rows.
+  /// Replaces all rows by `lines`; the header is added.
   void rewrite(const std::string& lines);
 
  private:

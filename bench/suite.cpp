@@ -32,9 +32,7 @@ std::string content_hash(const Suite& suite) {
   for (const Robot& robot : suite.robots) text += fmt::format("robot {} {}\n", robot.name, canonical_text(robot));
   for (const MapSpec& m : suite.maps) {
     text += fmt::format("map {} {} {} {} {}", m.name, m.generator, to_text(m.settings), m.seed, m.file);
-    if (m.content) {
-      text += fmt::format(" {} {}", content_hash(m.content->map), to_text(m.read));
-    }
+    if (m.content) { text += fmt::format(" {} {}", content_hash(m.content->map), to_text(m.read)); }
     if (m.start) text += " start " + to_text(*m.start);
     if (m.anchor) text += " anchor " + to_text(*m.anchor);
     text += '\n';

@@ -12,9 +12,9 @@
 #include "bench/isolate.hpp"
 #include "bench/registry.hpp"
 #include "maps/formats.hpp"
+#include "maps/locations.hpp"
 #include "maps/map.hpp"
 #include "maps/robot.hpp"
-#include "maps/locations.hpp"
 
 namespace oxturn {
 
@@ -27,8 +27,8 @@ struct MapSpec {
   Settings settings;
   std::uint64_t seed = 1;
   std::string file;
-  Settings read;  // of the file's reader
-  std::optional<Location> start, anchor;      // empty: the file's, or the problem's default
+  Settings read;                           // of the file's reader
+  std::optional<Location> start, anchor;   // empty: the file's, or the problem's default
   std::shared_ptr<const MapFile> content;  // of `file`
 };
 struct PlannerSpec {

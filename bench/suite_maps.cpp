@@ -31,29 +31,30 @@ bool is_point(const toml::node& node) {
   return pair != nullptr && pair->size() == 2 && (*pair)[0].is_number() && (*pair)[1].is_number();
 }
 
-/// [x, y], a name, or a list of such; one empty place if the key is missing.
-std::vector<std::optional<Location>> read_locations(const std::string& file, TomlTable& table, const char* key, LocationKind of) {
+/// [x, y], a name, or a list of them; one empty location if the key is missing.
+std::vector<std::optional<Location>> read_locations(const std::string& file, TomlTable& table, const char* key,
+                                                    LocationKind of) {
   const toml::node* node = table.find(key);
   if (node == nullptr) return {std::nullopt};
-  const auto place = [&](const toml::node& n) {
+  const auto location = [&](const toml::node& n) {
     Location found;
     if (is_point(n)) {
       const toml::array& pair = *n.as_array();
       found.point = {*pair[0].value<double>(), *pair[1].value<double>()};
     } else if (const auto* name = n.as_string()) {
-      at_place(file, n, [&] { found = named_location(of, name->get()); });
+      at_position(file, n, [&] { found = named_location(of, name->get()); });
     } else {
       std::string names;
       for (const std::string& known : location_names(of)) names += fmt::format(", \"{}\"", known);
       refuse(file, n,
-             fmt::format("{} is neither [x, y] in metres nor one of{}, nor a list of such", key, names.substr(1)));
+             fmt::format("{} is neither [x, y] in metres nor one of{}, nor a list of them", key, names.substr(1)));
     }
     return found;
   };
-  if (is_point(*node)) return {place(*node)};
-  std::vector<std::optional<Location>> places;
-  for (const toml::node* item : alternatives(file, *node, key)) places.emplace_back(place(*item));
-  return places;
+  if (is_point(*node)) return {location(*node)};
+  std::vector<std::optional<Location>> all;
+  for (const toml::node* item : alternatives(file, *node, key)) all.emplace_back(location(*item));
+  return all;
 }
 
 /// `spec` once for each start and anchor.
@@ -87,12 +88,12 @@ void read_generated(const std::string& file, TomlTable& table, const Generators&
     const auto* name = name_node->as_string();
     if (name == nullptr) refuse(file, *name_node, "generator is not a text in quotes");
     const GeneratorInfo* generator = nullptr;
-    at_place(file, *name_node, [&] { generator = &generators.find(name->get()); });
+    at_position(file, *name_node, [&] { generator = &generators.find(name->get()); });
     for (const auto& chosen : product(file, table.rest())) {
       MapSpec spec;
       spec.generator = generator->name;
-      spec.settings =
-          settings_of(file, fmt::format("generator '{}'", generator->name), generator->parameters, chosen, Defaults::keep);
+      spec.settings = settings_of(file, fmt::format("generator '{}'", generator->name), generator->parameters, chosen,
+                                  Defaults::keep);
       for (const std::uint64_t seed : seeds) {
         spec.seed = seed;
         add_placed(spec, starts, anchors, maps);
@@ -122,8 +123,8 @@ void read_files(const std::string& file, TomlTable& table, const MapFormats& for
       spec.read = settings_of(file, "a map reader", parameters, chosen, Defaults::drop);
       for (const std::string& found : files) {
         spec.file = found;
-        at_place(file, *node,
-                 [&] { spec.content = std::make_shared<const MapFile>(read_map(found, spec.read, formats)); });
+        at_position(file, *node,
+                    [&] { spec.content = std::make_shared<const MapFile>(read_map(found, spec.read, formats)); });
         add_placed(spec, starts, anchors, maps);
       }
     }
@@ -148,7 +149,7 @@ std::vector<MapSpec> read_maps(const std::string& file, const toml::node* node, 
     else
       read_files(file, table, registry.formats, maps);
   }
-  at_place(file, *node, [&] { name_maps(maps); });
+  at_position(file, *node, [&] { name_maps(maps); });
   return maps;
 }
 

@@ -49,9 +49,9 @@ Settings settings_of(const std::string& file, const std::string& owner, const st
   Settings settings;
   for (const auto& [key, node] : chosen) {
     const ParameterInfo* parameter = nullptr;
-    at_place(file, *node, [&, name = key] { parameter = &find_parameter(owner, parameters, name); });
+    at_position(file, *node, [&, name = key] { parameter = &find_parameter(owner, parameters, name); });
     Value given = setting_of(file, *node, key);
-    at_place(file, *node, [&] { given = checked(owner, *parameter, given); });
+    at_position(file, *node, [&] { given = checked(owner, *parameter, given); });
     if (defaults == Defaults::keep || given != parameter->fallback) settings[key] = given;
   }
   return settings;

@@ -2,8 +2,8 @@
 //
 // Decisions  1. "*" means every planner that is not listed already with the same settings.
 //            2. A setting equal to the default is dropped: `zigzag[margin=0]` and `zigzag` are one variant.
-//            3. ignore_tether is a key of the suite, not a parameter: it says what the planner is given, and how its path
-//               is judged.
+//            3. ignore_tether is a key of the suite, not a parameter: it says what the planner is given, and how its
+//               path is judged.
 #include <fmt/format.h>
 
 #include <set>
@@ -22,13 +22,14 @@ std::vector<ParameterInfo> parameters_for(const std::string& file, const Planner
   for (const Choice& choice : chosen)
     for (const ParameterInfo& parameter : planner.parameters)
       if (choice.first == parameter.name) own.push_back(choice);
-  const Settings settings = settings_of(file, fmt::format("planner '{}'", planner.name), planner.parameters, own, Defaults::keep);
+  const Settings settings =
+      settings_of(file, fmt::format("planner '{}'", planner.name), planner.parameters, own, Defaults::keep);
   std::vector<ParameterInfo> all;
   const auto ask = [&] { all = parameters_of(planner, settings, planners); };
   if (own.empty())
     ask();
   else
-    at_place(file, *own.front().second, ask);
+    at_position(file, *own.front().second, ask);
   return all;
 }
 
@@ -74,7 +75,7 @@ class PlannerReader {
     if (entry.every)
       for (const PlannerInfo& planner : planners_) all.push_back(&planner);
     else
-      at_place(file_, entry.name, [&] { all.push_back(&planners_.find(name)); });
+      at_position(file_, entry.name, [&] { all.push_back(&planners_.find(name)); });
     return all;
   }
 
@@ -82,13 +83,14 @@ class PlannerReader {
                const std::vector<bool>& ignored) {
     const auto parameters = parameters_for(file_, planner, chosen, planners_);
     const bool tethered = planner.has(Capability::tether);
-    PlannerSpec spec{planner.name, settings_of(file_, fmt::format("planner '{}'", planner.name), parameters, chosen,
-                                               Defaults::drop)};
+    PlannerSpec spec{planner.name,
+                     settings_of(file_, fmt::format("planner '{}'", planner.name), parameters, chosen, Defaults::drop)};
     for (const bool ignore : ignored) {
       if (ignore && tethered && !entry.every)
-        refuse(file_, entry.name,
-               fmt::format("planner '{}' plans for the tether, so ignore_tether = true does not apply to it; leave it out",
-                           planner.name));
+        refuse(
+            file_, entry.name,
+            fmt::format("planner '{}' plans for the tether, so ignore_tether = true does not apply to it; leave it out",
+                        planner.name));
       spec.ignore_tether = ignore && !tethered;
       add(entry, spec);
     }

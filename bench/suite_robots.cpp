@@ -31,7 +31,7 @@ Robot robot_of(const std::string& file, const std::string& name, const std::vect
   robot.name = name;
   const std::vector<ParameterInfo> parameters = infos_of(robot_parameters());
   const Settings settings = settings_of(file, fmt::format("robot '{}'", name), parameters, chosen, Defaults::keep);
-  at_place(file, table, [&] {
+  at_position(file, table, [&] {
     change(robot, settings);
     check(robot);
   });

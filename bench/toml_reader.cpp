@@ -6,9 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "maps/formats.hpp"
 #include "base/files.hpp"
 #include "base/text.hpp"
+#include "maps/formats.hpp"
 
 namespace oxturn {
 
@@ -39,15 +39,15 @@ std::string bounds(Range range) {
 
 }  // namespace
 
-std::string place_of(const std::string& file, const toml::node& node) {
+std::string position_of(const std::string& file, const toml::node& node) {
   return fmt::format("{}:{}", file, static_cast<unsigned>(node.source().begin.line));
 }
 
 void refuse(const std::string& file, const toml::node& node, const std::string& sentence) {
-  throw std::invalid_argument(fmt::format("{}: {}", place_of(file, node), sentence));
+  throw std::invalid_argument(fmt::format("{}: {}", position_of(file, node), sentence));
 }
 
-void at_place(const std::string& file, const toml::node& node, const std::function<void()>& check) {
+void at_position(const std::string& file, const toml::node& node, const std::function<void()>& check) {
   try {
     check();
   } catch (const std::invalid_argument& e) { refuse(file, node, e.what()); }

@@ -1,4 +1,4 @@
-// TOML with sentences: every mistake names file, line, key and what was expected. Internal to bench/.
+/// TOML with error messages that name file, line, key and what was expected. Internal to bench/.
 #pragma once
 
 #include <toml++/toml.h>
@@ -13,18 +13,18 @@
 
 namespace oxturn {
 
-/// Where a node stands: "quick.toml:12".
-std::string place_of(const std::string& file, const toml::node& node);
+/// File and line of a node: "quick.toml:12".
+std::string position_of(const std::string& file, const toml::node& node);
 
 /// Throws std::invalid_argument "quick.toml:12: SENTENCE".
 [[noreturn]] void refuse(const std::string& file, const toml::node& node, const std::string& sentence);
 
-/// Runs `check` and puts the node's place in front of the sentence it throws.
-void at_place(const std::string& file, const toml::node& node, const std::function<void()>& check);
+/// Runs `check` and puts the node's file and line in front of the message that it throws.
+void at_position(const std::string& file, const toml::node& node, const std::function<void()>& check);
 
 toml::table parse_toml(const std::string& file);
 
-/// A table whose keys are taken one by one; those nobody takes are unknown. Keeps the file's order.
+/// A table whose keys are taken one by one; keys not taken are unknown. Keeps the file's order.
 class TomlTable {
  public:
   TomlTable(std::string file, const toml::table& table, std::string what);
@@ -35,7 +35,7 @@ class TomlTable {
   double number(const std::string& key, double fallback, Range range);
   std::int64_t whole(const std::string& key, std::int64_t fallback, Range range);
   std::string text(const std::string& key);  // must be there
-  /// Keys that nobody has taken, in file order.
+  /// Keys not taken so far, in file order.
   std::vector<std::pair<std::string, const toml::node*>> rest() const;
   /// Throws for the first of `rest()`: "unknown key 'planers'; expected: ...".
   void end() const;

@@ -1,4 +1,4 @@
-/// How a run ended: the one place that turns a score into an outcome.
+/// How a run ended: turns a score into an outcome, for every command.
 ///
 ///   const Verdict verdict = judge(score(problem, path), 0.99);      // ok, partial or invalid
 #pragma once

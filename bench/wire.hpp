@@ -1,5 +1,5 @@
-// Frames on a pipe between a process and the one that started it: [type u8][length u64][payload], in the
-// machine's own byte order (both ends are one program). Internal to bench/.
+/// Frames on a pipe between a process and its parent: [type u8][length u64][payload], in the machine's own byte order
+/// (both ends are one program). Internal to bench/.
 #pragma once
 
 #include <sys/types.h>
@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "maps/formats.hpp"
 #include "geometry/path.hpp"
 #include "geometry/trace.hpp"
+#include "maps/formats.hpp"
 
 namespace oxturn::wire {
 
@@ -49,17 +49,17 @@ struct Pipe {
 /// Close-on-exec, as large as the kernel grants. Throws std::runtime_error.
 Pipe make_pipe();
 
-/// Blocks until all is written; false if nobody reads any more.
+/// Blocks until all is written; false if the other end is closed.
 bool send(int fd, char type, std::string_view payload);
-/// The path is written from where it lies: no copy, so it works near the memory limit too.
+/// Writes the path without a copy, so that it works near the memory limit too.
 bool send_path(int fd, char type, const Path& path);
-/// Throws std::runtime_error for bytes that are no path.
+/// Throws std::runtime_error for bytes that are not a path.
 Path path_from(std::string_view payload);
 
 std::string pack(const Trace& trace);
 Trace trace_from(std::string_view payload);
 
-/// Plain values in a row, for short messages.
+/// Plain values one after the other, for short messages.
 template <class T>
 void put(std::string& out, const T& value) {
   out.append(reinterpret_cast<const char*>(&value), sizeof value);
@@ -75,15 +75,15 @@ T take(std::string_view& in) {
 }
 std::string take_text(std::string_view& in);
 
-/// Gathers bytes into frames.
+/// Assembles bytes into frames.
 class FrameReader {
  public:
   explicit FrameReader(std::uint64_t longest) : longest_(longest) {}
   enum class State { open, closed };
-  /// Reads what is there (blocks if nothing is, unless the descriptor does not) and hands out whole frames.
+  /// Reads what is there (blocks if nothing is, unless the descriptor does not) and passes complete frames to `frame`.
   /// Throws std::runtime_error for a frame that is too long.
   State read(int fd, const std::function<void(char type, std::string_view payload)>& frame);
-  /// Bytes of a frame that never became whole.
+  /// The last frame is incomplete.
   bool cut_off() const { return !buffer_.empty(); }
 
  private:

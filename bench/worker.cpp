@@ -131,18 +131,17 @@ Row row_of(const Work& work, std::size_t index, const Setting& setting) {
   if (spec.ignore_tether) settings[kIgnoreTether] = true;
   Row row;
   const std::string& map = work.suite.maps[cell.map].name;
-  row.cells = {
-      {"schema", "1"},
-      {"run_id", run_id(map, robot, setting.hash, spec.name, settings, seed, cell.repeat)},
-      {"attempt", "1"},
-      {"suite", work.suite.name},
-      {"map", map},
-      {"planner", spec.name},
-      {"planner_family", planner.family},
-      {"variant", spec.variant()},
-      {"params", to_text(spec.said())},
-      {"robot", robot},
-      {"repeat", std::to_string(cell.repeat)}};
+  row.cells = {{"schema", "1"},
+               {"run_id", run_id(map, robot, setting.hash, spec.name, settings, seed, cell.repeat)},
+               {"attempt", "1"},
+               {"suite", work.suite.name},
+               {"map", map},
+               {"planner", spec.name},
+               {"planner_family", planner.family},
+               {"variant", spec.variant()},
+               {"params", to_text(spec.said())},
+               {"robot", robot},
+               {"repeat", std::to_string(cell.repeat)}};
   if (setting.problem) row.cells["seed"] = std::to_string(seed);
   if (setting.map) {
     row.cells["map_family"] = setting.map->family;

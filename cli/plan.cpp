@@ -65,8 +65,8 @@ std::function<void(double)> progress_line() {
   };
 }
 
-Report run_planner(const Options& options, const PlannerInfo& planner, const Settings& settings,
-                   const Problem& problem, const Registry& registry) {
+Report run_planner(const Options& options, const PlannerInfo& planner, const Settings& settings, const Problem& problem,
+                   const Registry& registry) {
   Report report;
   report.about = {{"planner", variant_of(planner, settings, registry.planners)}};
   // Scoring needs these too, so they are no cost of the planner's.
@@ -74,8 +74,7 @@ Report run_planner(const Options& options, const PlannerInfo& planner, const Set
   problem.map_edges();
   IsolationOptions isolation = options.isolation;
   isolation.progress = progress_line();
-  const Planned planned =
-      plan_isolated([&] { return planner.make(settings, registry.planners); }, problem, isolation);
+  const Planned planned = plan_isolated([&] { return planner.make(settings, registry.planners); }, problem, isolation);
   if (planned.wall_s > 0)
     report.costs = {
         {"plan_wall_s", planned.wall_s}, {"plan_cpu_s", planned.cpu_s}, {"peak_rss_bytes", planned.peak_rss_bytes}};

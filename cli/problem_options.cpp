@@ -69,7 +69,8 @@ std::string option_name(std::string parameter) {
 }
 
 std::string robot_help() {
-  std::string text = "parameters of the robot, K=V,K=V...; those not given stay as the map's file or the default has them:";
+  std::string text =
+      "parameters of the robot, K=V,K=V...; those not given stay as the map's file or the default has them:";
   for (const ParameterInfo& parameter : infos_of(robot_parameters()))
     text += fmt::format("\n  {}: {}", parameter.name, parameter.help);
   return text + "\n(tether=25 is short for tether_length=25)";
@@ -81,7 +82,8 @@ void add_reader_options(CLI::App& app, const MapFormats& formats, ReaderOptions&
   for (const ParameterInfo& parameter : reader_parameters(formats)) {
     const std::string name = parameter.name;
     if (std::holds_alternative<bool>(parameter.fallback))
-      app.add_flag_callback(option_name(name), [&options, name] { options[name] = "true"; }, parameter.help);
+      app.add_flag_callback(
+          option_name(name), [&options, name] { options[name] = "true"; }, parameter.help);
     else
       app.add_option_function<std::string>(
              option_name(name), [&options, name](const std::string& text) { options[name] = text; }, parameter.help)

@@ -76,8 +76,7 @@ int run(int argc, const char* const* argv, const Registry& registry) {
   const std::string word = argv[1];
   if (!word.empty() && word.front() != '-') {
     const auto names = command_names();
-    if (std::find(names.begin(), names.end(), word) == names.end())
-      return refuse(unknown_name("command", word, names));
+    if (std::find(names.begin(), names.end(), word) == names.end()) return refuse(unknown_name("command", word, names));
   }
   try {
     app.parse(argc, argv);

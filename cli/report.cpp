@@ -19,9 +19,8 @@ int report(const Options& options, const Registry& registry) {
   const Results results = read_results(options.folder);
   const std::filesystem::path output = options.output.empty() ? options.folder : options.output;
   const Written written = write_report(results, registry.tables, output.string());
-  fmt::print("{}\ntable     {}\npictures  {} ({} files in all)\n",
-             registry.tables.find("comparison").markdown(results), (output / "report.md").string(),
-             (output / "gallery.html").string(), written.files.size());
+  fmt::print("{}\ntable     {}\npictures  {} ({} files in all)\n", registry.tables.find("comparison").markdown(results),
+             (output / "report.md").string(), (output / "gallery.html").string(), written.files.size());
   return 0;
 }
 
@@ -36,8 +35,8 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
 }  // namespace
 
 Command report_command() {
-  return {"report", "tables and pictures from a results folder",
-          "  oxturn report out\n  oxturn report out -o paper\n", attach};
+  return {"report", "tables and pictures from a results folder", "  oxturn report out\n  oxturn report out -o paper\n",
+          attach};
 }
 
 }  // namespace oxturn::cli

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/suite.hpp"
 #include "bench/run_suite.hpp"
+#include "bench/suite.hpp"
 #include "cli/commands.hpp"
 #include "cli/suites.hpp"
 #include "reports/report.hpp"

@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "maps/formats.hpp"
-#include "base/parameters.hpp"
 #include "base/files.hpp"
+#include "base/parameters.hpp"
 #include "base/text.hpp"
+#include "maps/formats.hpp"
 
 namespace oxturn::cli {
 namespace {

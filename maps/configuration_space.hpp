@@ -23,10 +23,12 @@ std::string size_text(const Robot& robot);
 const Polygon* component_at(const Region& all, const Point& p, double tolerance);
 bool holds(const Region& region, const Point& p, double tolerance);
 
-/// A point of `all` next to the one nearest to p, with as few decimals as keep it inside, so that it can be typed again.
+/// A point of `all` next to the one nearest to p, with as few decimals as keep it inside, so that it can be typed
+/// again.
 Point nearest_point_inside(const Region& all, const Point& p, double tool_width);
 
-/// Where a robot starts by default: the centroid of the largest triangle of the largest component (the first of equals).
+/// Where a robot starts by default: the centroid of the largest triangle of the largest component (the first of
+/// equals).
 struct DefaultStart {
   Point point;
   const Polygon* component;

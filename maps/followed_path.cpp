@@ -7,31 +7,31 @@
 namespace oxturn {
 
 TautTether tether_at_start(const Problem& problem) {
-  TautTether string(problem.tether()->taut_space(), problem.anchor());
-  if (problem.anchor() == problem.start()) return string;
+  TautTether tether(problem.tether()->taut_space(), problem.anchor());
+  if (problem.anchor() == problem.start()) return tether;
   const Polyline geodesic = problem.tether()->geodesics().path(problem.start());
-  if (geodesic.empty()) throw std::logic_error("a tethered problem whose anchor has no way to its start");
-  for (std::size_t i = 1; i + 1 < geodesic.size(); ++i) string.drive(geodesic[i]);
-  string.drive(problem.start());
-  return string;
+  if (geodesic.empty()) throw std::logic_error("a tethered problem whose anchor has no path to its start");
+  for (std::size_t i = 1; i + 1 < geodesic.size(); ++i) tether.drive(geodesic[i]);
+  tether.drive(problem.start());
+  return tether;
 }
 
 FollowedPath followed_path(const Problem& problem, const Path& path, const EdgeIndex& walls) {
   const double tolerance = problem.tolerance();
-  FollowedPath way{{problem.start()}, true};
+  FollowedPath followed{{problem.start()}, true};
   for (const Leg& leg : path.legs) {
     for (std::size_t i = 0; i < leg.points.size(); ++i) {
-      const Point &from = way.points.back(), &to = leg.points[i];
+      const Point &from = followed.points.back(), &to = leg.points[i];
       const bool follows =
           finite(to) && (i == 0 ? distance(from, to) <= tolerance : !point_outside(walls, from, to, tolerance));
       if (!follows) {
-        way.whole = false;
-        return way;
+        followed.whole = false;
+        return followed;
       }
-      if (to != from) way.points.push_back(to);
+      if (to != from) followed.points.push_back(to);
     }
   }
-  return way;
+  return followed;
 }
 
 }  // namespace oxturn

@@ -1,5 +1,8 @@
-// What a tether goes through while its robot drives a path: where the string lies at the start, and how far it can
-// follow.
+/// The path that a tether follows while its robot drives: where the tether lies at the start, and how far it can
+/// follow.
+///
+///   TautTether tether = tether_at_start(problem);
+///   tether.drive(followed_path(problem, path, problem.map_edges()).points);
 #pragma once
 
 #include "geometry/edge_index.hpp"
@@ -9,8 +12,8 @@
 
 namespace oxturn {
 
-/// The string before the first move: from the anchor to the start along the geodesic. Tethered problems only (else
-/// std::logic_error). The problem must outlive it.
+/// The tether before the first move: from the anchor to the start along the geodesic. Tethered problems only. The
+/// problem must outlive it.
 TautTether tether_at_start(const Problem& problem);
 
 struct FollowedPath {

@@ -50,8 +50,8 @@ std::vector<ParameterInfo> reader_parameters(const MapFormats& formats);
 /// becomes a remark. Throws for a missing file, an unknown suffix (with the list), a bad setting or bad content.
 MapFile read_map(const std::string& file, const Settings& settings, const MapFormats& formats);
 
-/// Writes the file in the format that its suffix names. Throws std::invalid_argument for a suffix that cannot be written
-/// (with the list), std::runtime_error if the file cannot be written.
+/// Writes the file in the format that its suffix names. Throws std::invalid_argument for a suffix that cannot be
+/// written (with the list), std::runtime_error if the file cannot be written.
 void write_map(const std::string& file, const MapFile& map, const MapFormats& formats);
 /// Throws as write_map does for the suffix, without writing.
 const MapFormat& format_to_write(const std::string& file, const MapFormats& formats);

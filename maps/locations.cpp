@@ -24,8 +24,8 @@ const char* word(LocationKind of) { return of == LocationKind::start ? "start" :
 }
 
 Point lower_left(const Map& map, Robot robot) {
-  robot.tether.reset();  // where it could be, were there no leash
-  // Lanes and grids that begin there are not to graze the walls.
+  robot.tether.reset();  // the robot without a tether
+  // So that lanes and grids that begin there do not touch the walls.
   const double spare = robot.tool_width / 100;
   if (robot.footprint.empty()) {
     robot.radius += spare;
@@ -43,12 +43,12 @@ Point lower_left(const Map& map, Robot robot) {
   return *best;
 }
 
-/// The nearest place rounds to either side of its wall: back towards the start by as little as brings it inside.
+/// The nearest point of a wall may be rounded to either side of it: moved back towards the start until it is inside.
 Point nearest_wall(const EdgeIndex& walls, const Point& start) {
-  const Point place = walls.nearest(start)->place;
-  Point inside = place;
+  const Point nearest = walls.nearest(start)->place;
+  Point inside = nearest;
   for (double share = std::numeric_limits<double>::epsilon(); share < 1 && !walls.contains(inside); share *= 2)
-    inside = lerp(place, start, share);
+    inside = lerp(nearest, start, share);
   return inside;
 }
 
@@ -86,9 +86,9 @@ Location parse_location(LocationKind of, const std::string& text) {
   return {"", {*x, *y}};
 }
 
-std::string to_text(const Location& place) {
-  if (!place.name.empty()) return place.name;
-  return fmt::format("{} {}", to_decimal(place.point.x()), to_decimal(place.point.y()));
+std::string to_text(const Location& location) {
+  if (!location.name.empty()) return location.name;
+  return fmt::format("{} {}", to_decimal(location.point.x()), to_decimal(location.point.y()));
 }
 
 StartAndAnchor resolve(const Map& map, const Robot& robot, const std::optional<Location>& start,

@@ -6,9 +6,10 @@
 //                free is free. `target` is what can be covered from that space, not from the ideal one.
 //             2. A tool no wider than the robot never leaves free space, so nothing is intersected then.
 //             3. A tethered robot whose anchor is given and whose start is not starts as near to the anchor as it fits.
-//             4. A polygonal footprint keeps its orientation, so configuration space is a plane region: free space less the
-//                Minkowski sum of walls and reflected footprint (minkowski.hpp). Its `radius` becomes that of the largest
-//                disc inside, so that what planners conclude from the radius (a tool that cannot reach over walls) holds.
+//             4. A polygonal footprint keeps its orientation, so configuration space is a plane region: free space less
+//                the Minkowski sum of walls and reflected footprint (minkowski.hpp). Its `radius` becomes that of the
+//                largest disc inside, so that what planners conclude from the radius (a tool that cannot reach over
+//                walls) holds.
 #include "maps/problem.hpp"
 
 #include <fmt/format.h>

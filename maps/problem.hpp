@@ -1,4 +1,8 @@
-// Map + robot + start: what a planner is given. Computes configuration space and target once and hands them out.
+/// Map + robot + start: what a planner is given. Computes configuration space and target once and hands them out.
+///
+///   const Problem problem(map, robot, Point(1, 1));
+///   problem.configuration_space();                       // where the robot's centre may be
+///   problem.transit().path(from, to);                    // shortest collision-free paths
 #pragma once
 
 #include <memory>
@@ -15,12 +19,12 @@ namespace oxturn {
 
 class Problem {
  public:
-  /// Erodes the map by the robot (inside bound; of a disc, chord error tool_width / 1000) and keeps the connected part
-  /// that holds the start. A passage must be wider than 2 radius + tool_width / 500 to count as open; for a polygonal
-  /// footprint, than the robot is, across it, plus some 2^-25 of the map's extent.
+  /// Erodes the map by the robot (inside bound; of a disc, chord error tool_width / 1000) and keeps the connected
+  /// component that contains the start. A passage must be wider than 2 radius + tool_width / 500 to count as open; for
+  /// a polygonal footprint, wider than the robot across the passage plus about 2^-25 of the map's extent.
   /// No start: `default_start`. Throws std::invalid_argument in one sentence: a bad robot, an invalid or empty
-  /// map, no place for the robot at all, "start (2, 3) is inside a wall of 'rooms-7'; nearest place the robot
-  /// fits: (2.14, 3.31)", a start that is not finite, an anchor outside free space.
+  /// map, a robot that fits nowhere, "start (2, 3) is inside a wall of 'rooms-7'; nearest point where the robot fits:
+  /// (2.14, 3.31)", a start that is not finite, an anchor outside free space.
   Problem(Map map, Robot robot, std::optional<Point> start = {}, std::optional<Point> anchor = {});
   ~Problem();
   Problem(Problem&&) noexcept;
@@ -54,10 +58,10 @@ class Problem {
   /// Configuration space ends elsewhere than near the map's walls: by a tether's length, or by restricted().
   bool limited() const;
 
-  /// The same problem with a smaller configuration space (which must hold the start); the target stays. How a
-  /// wrapper hands an ordinary planner less room.
+  /// The same problem with a smaller configuration space (which must hold the start); the target stays. A
+  /// wrapper gives an ordinary planner less room this way.
   Problem restricted(Region configuration_space) const;
-  /// As well, from another start.
+  /// The same with another start.
   Problem restricted(Region configuration_space, const Point& start) const;
 
   /// SHA-256 of map, robot, start and anchor in canonical form.
@@ -69,8 +73,8 @@ class Problem {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// Where a robot starts if nobody says: the centroid of the largest triangle (of a constrained Delaunay
-/// triangulation) of the largest part of configuration space. Always well inside, always the same.
+/// Where a robot starts by default: the centroid of the largest triangle (of a constrained Delaunay triangulation) of
+/// the largest component of configuration space. Always well inside, always the same.
 Point default_start(const Map& map, const Robot& robot);
 
 }  // namespace oxturn

@@ -25,7 +25,8 @@ std::string vertices_text(const Ring& ring) {
   return text;
 }
 
-/// A member of an optional group: reading it from a robot without the group gives its default, writing it makes the group.
+/// A member of an optional group: reading it from a robot without the group gives its default, writing it makes the
+/// group.
 template <class Group, class T>
 Parameter<Robot> grouped(std::string name, std::optional<Group> Robot::*group, T Group::*member, Range range,
                          std::string help) {

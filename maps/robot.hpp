@@ -43,8 +43,9 @@ struct Robot {
   Ring footprint = {};
 };
 
-/// The one description of a robot. Command line, suites, problem files, hashes and listings are made from it. Members of
-/// `tether` and `lidar` are called tether_length, lidar_range, ...: files may write them as a table of the group's name.
+/// The one description of a robot. Command line, suites, problem files, hashes and listings are made from it. Members
+/// of `tether` and `lidar` are called tether_length, lidar_range, ...: files may write them as a table of the group's
+/// name.
 const std::vector<Parameter<Robot>>& robot_parameters();
 /// Groups of parameters that a robot may lack as a whole: "tether", "lidar".
 const std::vector<std::string>& robot_groups();
@@ -62,8 +63,8 @@ void check(const Robot& robot);
 /// Canonical text of everything but the name: equal for robots that behave alike.
 std::string canonical_text(const Robot& robot);
 
-/// "disc" (an empty ring); "square:0.5" or "octagon:0.5": regular, two sides parallel to each axis, so wide; or vertices
-/// "0.5 0; 0 0.5; -0.5 0; 0 -0.5". Throws a sentence for anything else.
+/// "disc" (an empty ring); "square:0.5" or "octagon:0.5": regular, two sides parallel to each axis, so wide; or
+/// vertices "0.5 0; 0 0.5; -0.5 0; 0 -0.5". Throws a sentence for anything else.
 Ring parse_footprint(const std::string& text);
 /// The largest disc about the centre that lies inside the footprint.
 double in_radius(const Ring& footprint);

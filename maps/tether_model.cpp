@@ -1,7 +1,7 @@
 // Decisions   1. A gap counts as open if configuration space reaches through it, whatever its width says.
-//             2. {distance <= tether length} is cut out along its boundary by a strip w / 10^4 wide, inside of it; the area
-//                lost counts in Problem::target_excess. What the tether reaches only through points that it does not
-//                reach is no part of configuration space.
+//             2. {distance <= tether length} is cut out along its boundary by a strip w / 10^4 wide, inside of it; the
+//                area lost counts in Problem::target_excess. What the tether reaches only through points that it does
+//                not reach is no part of configuration space.
 #include "maps/tether_model.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,8 @@ std::vector<Polyline> gaps_to_close(const Region& free, const Robot& robot, cons
   return gaps;
 }
 
-/// The largest geodesic distance within `space`: it is taken at a vertex, or where two shortest paths round an obstacle meet.
+/// The largest geodesic distance within `space`: it is taken at a vertex, or where two shortest paths round an obstacle
+/// meet.
 double farthest_in(const Region& space, const GeodesicField& field, double chord) {
   double most = 0;
   const auto add = [&](const Point& p) {

@@ -47,8 +47,9 @@ class TetherModel {
   mutable std::unique_ptr<const TautSpace> taut_;
 };
 
-/// The part of robot_space() within `length` metres of tether that holds `start`, cut out by a strip as thin as rounding
-/// allows, inside of the level set. Throws std::invalid_argument if the start is at the very end of the tether.
+/// The part of robot_space() within `length` metres of tether that holds `start`, cut out by a strip as thin as
+/// rounding allows, inside of the level set. Throws std::invalid_argument if the start is at the very end of the
+/// tether.
 struct TetherReach {
   Region space;
   double lost_m2 = 0;  // area by which `space` may be smaller than what the tether reaches

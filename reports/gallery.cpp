@@ -1,10 +1,10 @@
 // gallery.html: the pictures side by side.
 #include <fmt/format.h>
 
+#include "maps/picture.hpp"
 #include "reports/groups.hpp"
 #include "reports/report.hpp"
 #include "reports/text.hpp"
-#include "maps/picture.hpp"
 
 namespace oxturn {
 namespace {
@@ -61,8 +61,8 @@ std::string gallery_page(const Results& results) {
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>oxturn: {0}</title>\n"
       "<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n"
-      "<p>Every run, one picture: walls grey, the robot's way from blue to red, transit dashed, start green, end red. "
-      "What is still sand-coloured could have been covered and was not. Click for the full size; "
+      "<p>Every run, one picture: walls grey, the robot's path from blue to red, transit dashed, start green, end red. "
+      "What remains sand-coloured could have been covered and was not. Click for the full size; "
       "the figures are in <a href=\"report.md\">report.md</a>.</p>\n"
       "<div class=\"scroll\"><table>\n<thead><tr><th></th>",
       escape_xml(suite), kStyle);

@@ -1,4 +1,3 @@
-// reports/groups.cpp
 #include "reports/groups.hpp"
 
 #include <array>
@@ -13,9 +12,9 @@ template <class Key>
 std::vector<RowGroup> grouped(const Results& results, Key key) {
   using K = decltype(key(results.rows.front()));
   std::vector<RowGroup> groups;
-  std::map<K, std::size_t> place;
+  std::map<K, std::size_t> index;
   for (const Row& row : results.rows) {
-    const auto [it, fresh] = place.try_emplace(key(row), groups.size());
+    const auto [it, fresh] = index.try_emplace(key(row), groups.size());
     if (fresh) groups.emplace_back();
     groups[it->second].rows.push_back(&row);
   }

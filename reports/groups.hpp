@@ -1,4 +1,4 @@
-// Rows of a results folder, grouped the ways reports need them. Everything keeps the order of the suite.
+/// Rows of a results folder in groups, for reports. Everything keeps the order of the suite.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ struct RowGroup {
   std::vector<const Row*> rows;
 };
 
-/// One group a planner variant.
+/// One group for each planner variant.
 std::vector<RowGroup> by_variant(const Results& results);
-/// One group a map and robot. The title is the map's name, followed by what is needed to tell it from others: the
-/// robot if there are several, the beginning of the hash if two maps bear one name.
+/// One group for each map and robot. The title is the map's name, followed by what distinguishes it: the robot if there
+/// are several, the beginning of the hash if two maps have the same name.
 std::vector<RowGroup> by_map(const Results& results);
 
 }  // namespace oxturn

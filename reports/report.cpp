@@ -16,7 +16,9 @@ ReportTable comparison_table();
 ReportTable tether_table();
 ReportTable map_tables();
 
-ReportTables built_in_tables() { return ReportTables("report table", {comparison_table(), tether_table(), map_tables()}); }
+ReportTables built_in_tables() {
+  return ReportTables("report table", {comparison_table(), tether_table(), map_tables()});
+}
 
 namespace {
 

@@ -1,4 +1,4 @@
-// What a row says of its leash.
+/// What a row says about its tether.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace oxturn {
 
-/// The tether was followed along the run's path, so that the other two have an answer.
+/// The tether could be followed along the run's path, so that the other two functions have an answer.
 bool tether_followed(const Row& row);
 /// Metres by which the tether was pulled over its limit, 0 within rounding (10^-6 of the limit). Empty if not followed.
 std::optional<double> over_limit(const Row& row);

@@ -1,4 +1,3 @@
-// reports/text.cpp
 #include "reports/text.hpp"
 
 #include <fmt/format.h>

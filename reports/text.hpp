@@ -1,4 +1,4 @@
-// Text and numbers for reports: escaping, rounding, medians.
+/// Text and numbers for reports: escaping, rounding, medians.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace oxturn {
 
-/// For a cell of a Markdown table: pipes, line breaks, angle brackets and emphasis lose their meaning.
+/// For a cell of a Markdown table: pipes, line breaks, angle brackets and emphasis are escaped.
 std::string escape_markdown(const std::string& text);
 /// For a relative link: everything but letters, digits and -._~/ as %XX.
 std::string escape_url(const std::string& text);
@@ -24,10 +24,10 @@ std::vector<double> numbers(const std::vector<const Row*>& rows, const std::stri
 /// The run gave a valid path: `ok` or `partial`.
 bool valid_path(const Row& row);
 
-/// A time as a table shows it: three figures or so, whether it is a millisecond or an hour.
+/// A time in seconds with about three significant digits.
 std::string seconds(std::optional<double> value);
 
-/// A Markdown table; cells are already escaped. `align` has a letter a column: 'l' or 'r'.
+/// A Markdown table; cells are already escaped. `align` has a letter for each column: 'l' or 'r'.
 std::string markdown_table(const std::string& align, const std::vector<std::string>& head,
                            const std::vector<std::vector<std::string>>& rows);
 

@@ -9,8 +9,8 @@
 #include "bench/run_suite.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
-#include "tests/support/maps.hpp"
 #include "reports/built_in_registry.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {

@@ -40,9 +40,10 @@ def room_table(problem):
         rows.append([escaped(row["variant"]), row["outcome"], fixed(percent(row.number("coverage")), 2),
                      fixed(row.number("path_m"), 1), fixed(times_berg(row, problem), 2),
                      fixed(row.number("length_ratio"), 2), fixed(over, 2) if over else "",
-                     fixed(row.number("tether_crossings"), 0), "" if row["outcome"] == "ok" else escaped(row["reason"])])
-    return table("llrrrrrrl", ["planner", "outcome", "coverage %", "path_m", "times berg", "length_ratio", "over limit m",
-                               "crossings", "reason"], rows)
+                     fixed(row.number("tether_crossings"), 0),
+                     "" if row["outcome"] == "ok" else escaped(row["reason"])])
+    return table("llrrrrrrl", ["planner", "outcome", "coverage %", "path_m", "times berg", "length_ratio",
+                               "over limit m", "crossings", "reason"], rows)
 
 
 def summary(rows, problems):
@@ -61,8 +62,8 @@ def summary(rows, problems):
 
 def page(rows):
     problems = by_problem(rows)
-    text = INTRODUCTION + ("\n## All rooms\n\nMedians; `least`: of coverage; `times berg`: length over that of `berg` in "
-                           "the same room; `over limit`: runs that pull the tether over its limit.\n\n")
+    text = INTRODUCTION + ("\n## All rooms\n\nMedians; `least`: of coverage; `times berg`: length over that of `berg` "
+                           "in the same room; `over limit`: runs that pull the tether over its limit.\n\n")
     text += summary(rows, problems)
     for title, problem in problems.items():
         text += f"\n## {escaped(title)}\n\n{room_table(problem)}"

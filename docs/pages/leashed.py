@@ -65,7 +65,8 @@ def map_table(pairs):
         failed = "; ".join(f"{row['outcome']}: {row['reason']}" for row in (unaware, leashed) if row and not row.valid)
         entangled = {None: "", True: "yes", False: "no"}[unaware.entangled() if unaware else None]
         lines.append([planner, number(unaware, "path_m", 1), number(unaware, "coverage", 4),
-                      fixed(unaware.over_limit(), 2) if unaware else "", number(unaware, "tether_crossings", 0), entangled,
+                      fixed(unaware.over_limit(), 2) if unaware else "", number(unaware, "tether_crossings", 0),
+                      entangled,
                       number(leashed, "path_m", 1), number(leashed, "coverage", 4), fixed(cost, 3), escaped(failed)])
     return table("lrrrrlrrrl", ["planner", "path_m", "coverage", "over limit m", "crossings", "entangled",
                                 "leashed path_m", "leashed coverage", "price", "what failed"], lines)

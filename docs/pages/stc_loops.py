@@ -1,7 +1,7 @@
 """Loops round obstacles: coverage next to walls
 
 The published form is the variant that says so in full: no fill, the source's epsilon on this robot, every loop driven
-there and back. A run without a valid path has no figures; its outcome stands in their place.
+there and back. A run without a valid path has no figures; its outcome is shown instead.
 """
 from results import by_problem, escaped, fixed, least, median, table
 
@@ -9,9 +9,9 @@ COLUMNS = [("stc", "stc"), ("stc-loops[close_loops=false;epsilon=0.05;fill=none]
            ("stc-loops[fill=none]", "fill=none"), ("stc-loops[fill=cells]", "fill=cells"), ("stc-loops", "stc-loops")]
 
 INTRODUCTION = """\
-What `stc` leaves uncovered next to walls, and what loops round the obstacles add. `published`: the loops as the source
-has them (`fill = none`, `epsilon = 0.05`, which is 0.01 m on this robot, `close_loops = false`). `fill=none`: the same a
-fifth as far off the walls, unbroken loops driven round once. `fill=cells`: uncovered sub-cells attached to the tree as
+What `stc` leaves uncovered next to walls, and what loops round the obstacles add. `published`: the loops as the
+source has them (`fill = none`, `epsilon = 0.05`, which is 0.01 m on this robot, `close_loops = false`).
+`fill=none`: the same a fifth as far off the walls, unbroken loops driven round once. `fill=cells`: uncovered sub-cells attached to the tree as
 well. `stc-loops`: the default, `fill = spots`, uncovered spots as well.
 """
 

@@ -18,7 +18,8 @@ def main():
                  + (f"rows of suite '{others.pop()}'" if others else "no rows"))
     title = module.__doc__.split("\n", 1)[0]
     with open(os.path.join(folder, name + ".md"), "w") as file:
-        file.write(f"# {title}\n\nMade by `scripts/pages {name}` from `bench/suites/{name}.toml`; do not edit by hand.\n\n"
+        file.write(f"# {title}\n\nMade by `scripts/pages {name}` from `bench/suites/{name}.toml`; do not edit by "
+                   "hand.\n\n"
                    + module.page(rows))
 
 

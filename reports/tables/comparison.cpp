@@ -71,7 +71,8 @@ std::string markdown(const Results& results) {
                         {"planner", "runs", "ok", "partial", "other", "coverage min", "coverage mean", "length_ratio",
                          "overlap", "revisits", "turns", "mission_s", "plan_wall_s"},
                         rows) +
-         "\nA run without a valid path counts as coverage 0. Length ratio (path over the shortest conceivable), overlap, "
+         "\nA run without a valid path counts as coverage 0. Length ratio (path over the shortest conceivable), "
+         "overlap, "
          "revisits, turns and mission time are medians over runs with a valid path (ok or partial); plan_wall_s is the "
          "median over all runs that were timed.\n";
 }

@@ -49,9 +49,11 @@ std::string markdown(const Results& results) {
                         {"planner", "runs", "followed", "length_ratio", "within limit", "worst over m", "crossings",
                          "entangled", "most sharp"},
                         rows) +
-         "\nOver the runs whose tether could be followed along their path, valid or not. Length ratio and crossings (the "
+         "\nOver the runs whose tether could be followed along their path, valid or not. Length ratio and crossings "
+         "(the "
          "robot drives over its own tether) are medians; within limit and entangled (the tether ends wound about "
-         "something) are shares of these runs; worst over m is the farthest that any pulls it over its limit; most sharp "
+         "something) are shares of these runs; worst over m is the farthest that any pulls it over its limit; most "
+         "sharp "
          "is the largest share of a path that any drives against the tether's pull.\n";
 }
 

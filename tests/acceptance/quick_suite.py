@@ -42,7 +42,8 @@ def main():
     check(strip(one) == strip(two), "-j1 and -j2 differ")
     problems = {(row["map"], row["robot"]) for row in one}
     planners = {row["variant"] for row in one}
-    check(len(one) == len(problems) * len(planners) > 0, f"{len(one)} rows for {len(planners)} planners on {len(problems)} problems")
+    check(len(one) == len(problems) * len(planners) > 0,
+          f"{len(one)} rows for {len(planners)} planners on {len(problems)} problems")
     for row in one:
         name = f"{row['variant']} on {row['map']}"
         check(row["outcome"] in ("ok", "partial"), f"{name}: {row['outcome']}: {row['reason']}")

@@ -9,10 +9,10 @@
 #include <csignal>
 #include <filesystem>
 
-#include "bench/run_suite.hpp"
-#include "test_planners.hpp"
 #include "base/files.hpp"
+#include "bench/run_suite.hpp"
 #include "maps/path_file.hpp"
+#include "test_planners.hpp"
 
 namespace oxturn {
 namespace {
@@ -72,16 +72,16 @@ TEST(Isolate, HangsEndAtTheWall) {
 
 TEST(Isolate, ThePoliteAreToldBeforeTheWall) { EXPECT_EQ(run("polite").outcome, Outcome::ok); }
 
-TEST(Isolate, HoardersAreStopped) {
+TEST(Isolate, AllocatingTooMuchIsStopped) {
   IsolationOptions options = short_limits();
   options.limits.wall_s = 10;
-  const Planned planned = run("hoard", options);
+  const Planned planned = run("allocate", options);
   EXPECT_EQ(planned.outcome, Outcome::out_of_memory);
   EXPECT_EQ(planned.reason, "needs more than 200 MB of memory");
   // One that does not hear the refusals hangs, and does not get more for it.
   options.limits.wall_s = 1.5;
-  const Outcome deaf = run("map_hoard", options).outcome;
-  EXPECT_TRUE(deaf == Outcome::timeout || deaf == Outcome::out_of_memory) << to_text(deaf);
+  const Outcome mapped = run("allocate_by_mmap", options).outcome;
+  EXPECT_TRUE(mapped == Outcome::timeout || mapped == Outcome::out_of_memory) << to_text(mapped);
 }
 
 TEST(Isolate, ExceptionsAndExits) {

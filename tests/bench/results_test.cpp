@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "maps/formats.hpp"
-#include "test_planners.hpp"
 #include "base/csv.hpp"
 #include "base/files.hpp"
+#include "maps/formats.hpp"
+#include "test_planners.hpp"
 
 namespace oxturn {
 namespace {
@@ -55,7 +55,8 @@ TEST(Results, CsvRoundTrip) {
     for (const std::string& b : hostile) {
       Row row;
       row.cells = {{"run_id", "x"}, {"reason", a}, {"path_file", b}, {"outcome", "ok"}};
-      const auto lines = parse_csv(csv_header(all_columns()) + csv_line(row, all_columns()) + csv_line(row, all_columns()), "t");
+      const auto lines =
+          parse_csv(csv_header(all_columns()) + csv_line(row, all_columns()) + csv_line(row, all_columns()), "t");
       ASSERT_EQ(lines.size(), 3u);
       for (int k : {1, 2}) {
         ASSERT_EQ(lines[k].size(), all_columns().size());
@@ -87,7 +88,7 @@ TEST(Results, RowKnowsItsColumns) {
   EXPECT_THROW(row.outcome(), std::invalid_argument);
 }
 
-TEST(Results, TheLastAttemptCountsInThePlaceOfTheFirst) {
+TEST(Results, TheLastAttemptReplacesTheFirst) {
   const testing::Folder folder;
   std::string text = csv_header(all_columns());
   const auto add = [&](const char* id, const char* attempt, const char* outcome) {

@@ -12,12 +12,12 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "metrics/score.hpp"
-#include "test_planners.hpp"
 #include "base/csv.hpp"
 #include "base/files.hpp"
 #include "base/sha256.hpp"
 #include "maps/path_file.hpp"
+#include "metrics/score.hpp"
+#include "test_planners.hpp"
 #include "tests/support/maps.hpp"
 
 namespace oxturn {
@@ -75,7 +75,7 @@ TEST(SuiteRun, WhateverThePlannerDoesCostsOneRow) {
                                                               {"null", Outcome::crash},
                                                               {"abort", Outcome::crash},
                                                               {"spin", Outcome::timeout},
-                                                              {"hoard", Outcome::out_of_memory},
+                                                              {"allocate", Outcome::out_of_memory},
                                                               {"wall", Outcome::invalid},
                                                               {"nan", Outcome::invalid},
                                                               {"throw", Outcome::error},
@@ -92,7 +92,7 @@ TEST(SuiteRun, WhateverThePlannerDoesCostsOneRow) {
   std::vector<std::string> hows;
   for (const auto& [how, outcome] : expected) hows.push_back(how);
   Suite suite = rectangles(hows);
-  suite.limits.wall_s = 2;  // the hoarder needs its time under a sanitizer
+  suite.limits.wall_s = 2;  // allocating needs its time under a sanitizer
   const Results results = run_suite(suite, test_registry(), into(folder.file("out"), 2));
   ASSERT_EQ(results.rows.size(), expected.size());
   std::set<std::string> ids;
@@ -181,7 +181,8 @@ TEST(SuiteRun, ResumeAfterACutDoesOnlyTheRest) {
   const std::string text = read_file(out + "/runs.csv");
   std::size_t third = 0;
   for (int i = 0; i < 4; ++i) third = text.find('\n', third) + 1;
-  for (const std::size_t cut : {text.size(), text.size() - 1, third, third + 20, csv_header(all_columns()).size(), std::size_t{5}}) {
+  for (const std::size_t cut :
+       {text.size(), text.size() - 1, third, third + 20, csv_header(all_columns()).size(), std::size_t{5}}) {
     SCOPED_TRACE(cut);
     write_file(out + "/runs.csv", text.substr(0, cut));
     EXPECT_EQ(untimed(run_suite(suite, test_registry(), into(out, 2, true))), whole);
@@ -253,7 +254,7 @@ TEST(SuiteRun, RefusesWhatItWouldSpoil) {
               ThrowsMessage<std::runtime_error>(HasSubstr("cannot write")));
 }
 
-TEST(SuiteRun, NoPlaceForTheRobotIsInfeasible) {
+TEST(SuiteRun, ARobotThatFitsNowhereIsInfeasible) {
   const Folder folder;
   Suite suite = rectangles({"good", "null"});
   suite.robots[0].radius = 5;
@@ -310,7 +311,7 @@ TEST(SuiteRun, AnIgnoredTetherIsMeasuredAndDoesNotCount) {
   EXPECT_EQ(row.number("tether_limit_m"), 1.2);
   EXPECT_NEAR(row.number("tether_max_m").value(), farthest, 1e-9);
   EXPECT_GT(farthest, 1.2);
-  // The problem that stands beside it is the tethered one: scored again as it is, the path breaks the leash.
+  // The stored problem has the tether: scored again, the path exceeds it.
   const MapFile map =
       read_map(folder.file("held/" + nlohmann::json::parse(read_file(file)).at("problem").get<std::string>()));
   const Problem problem(map.map, *map.robot, map.start, map.anchor);
@@ -327,7 +328,7 @@ TEST(SuiteRun, AnIgnoredTetherIsMeasuredAndDoesNotCount) {
   EXPECT_EQ(held.rows[0].get("seed"), held.rows[2].get("seed"));
 }
 
-TEST(SuiteRun, NamedPlacesAreWorkedOutForEachRobot) {
+TEST(SuiteRun, NamedLocationsAreResolvedForEachRobot) {
   const Folder folder;
   Suite suite = rectangles({"good"});
   suite.robots.push_back(Robot{});

@@ -6,14 +6,14 @@
 
 #include <filesystem>
 
+#include "base/files.hpp"
 #include "bench/run_id.hpp"
 #include "maps/generators.hpp"
-#include "test_planners.hpp"
-#include "base/files.hpp"
 #include "maps/path_file.hpp"
-#include "tests/support/planners.hpp"
-#include "tests/support/maps.hpp"
 #include "reports/built_in_registry.hpp"
+#include "test_planners.hpp"
+#include "tests/support/maps.hpp"
+#include "tests/support/planners.hpp"
 
 namespace oxturn {
 namespace {
@@ -171,7 +171,7 @@ TEST(Suite, TethersByLengthOrReach) {
   EXPECT_EQ(length[0].tether->sharp_angle, Tether{}.sharp_angle);
 }
 
-TEST(Suite, StartsAndAnchorsByNameOrPlace) {
+TEST(Suite, StartsAndAnchorsByNameOrPosition) {
   const auto maps = [](const std::string& lines) {
     return suite_of(fmt::format("{}{}{}{}{}", kHead, kRobot, kMap, lines, kPlanner)).maps;
   };
@@ -219,11 +219,11 @@ TEST(Suite, RunsThatIgnoreTheTetherHaveNamesOfTheirOwn) {
   EXPECT_NE(run_id("m", "r", "p", planner.name, settings, 7, 1), plain);
 }
 
-// Every kind of mistake: one sentence, with the line.
+// Every kind of mistake: one sentence, with the line. Long because it is a table.
 TEST(Suite, MistakesAreOneSentenceWithTheirLine) {
   const std::string start = fmt::format("{}{}{}", kHead, kRobot, kMap);  // 9 lines
   struct Mistake {
-    std::string text, place, says;
+    std::string text, line, says;
   };
   const std::vector<Mistake> mistakes{
       {"schema = 1\nname = \"t\n", "t.toml:2: ", "bad TOML"},
@@ -241,7 +241,8 @@ TEST(Suite, MistakesAreOneSentenceWithTheirLine) {
       {std::string(kHead) + kMap + kPlanner, "t.toml:", "no [robots.NAME] table"},
       {std::string(kHead) + "[robots.r]\ntool_width = 0\n", "t.toml:4: ", "parameter 'tool_width' of robot 'r' is 0"},
       {std::string(kHead) + "[robots.r]\nwidth = 0\n", "t.toml:4: ", "unknown parameter 'width' of robot 'r'"},
-      {std::string(kHead) + "[robots.r]\nradius = \"thin\"\n", "t.toml:4: ", "parameter 'radius' of robot 'r' is 'thin'"},
+      {std::string(kHead) + "[robots.r]\nradius = \"thin\"\n",
+       "t.toml:4: ", "parameter 'radius' of robot 'r' is 'thin'"},
       {std::string(kHead) + "[robots.r]\nradius = 1\nfootprint = \"square:1\"\n",
        "t.toml:3: ", "a radius and a footprint, expected one of the two"},
       {std::string(kHead) + "[robots.r]\nfootprint = \"star:1\"\n", "t.toml:3: ", "footprint is 'star:1'"},
@@ -250,7 +251,8 @@ TEST(Suite, MistakesAreOneSentenceWithTheirLine) {
       {std::string(kHead) + "[robots.r]\nfootprint = \"square:1\"\ntether = { length = 3 }\n",
        "t.toml:3: ", "a tether needs a round robot"},
       {std::string(kHead) + "[robots.r]\ntether = { reach = 1, length = 2 }\n", "t.toml:3: ", "a length and a reach"},
-      {std::string(kHead) + "[robots.r]\ntether = { reach = -1 }\n", "t.toml:4: ", "parameter 'tether_reach' of robot 'r' is -1"},
+      {std::string(kHead) + "[robots.r]\ntether = { reach = -1 }\n",
+       "t.toml:4: ", "parameter 'tether_reach' of robot 'r' is -1"},
       {std::string(kHead) + "[robots.r]\ntether = { sharp_angle = 1 }\n", "t.toml:3: ", "tether has no length"},
       {std::string(kHead) + "[robots.r]\ntether = { long = 1 }\n", "t.toml:4: ", "unknown parameter 'tether_long'"},
       {std::string(kHead) + kRobot + kMap + "start = \"midle\"\n", "t.toml:10: ", "one of: middle, corner"},
@@ -277,7 +279,7 @@ TEST(Suite, MistakesAreOneSentenceWithTheirLine) {
       {start + kPlanner + kPlanner, "t.toml:12: ", "planner variant 'test' is listed twice"}};
   for (const Mistake& m : mistakes) {
     const std::string sentence = sentence_of(m.text);
-    EXPECT_THAT(sentence, AllOf(StartsWith(m.place), HasSubstr(m.says))) << m.text;
+    EXPECT_THAT(sentence, AllOf(StartsWith(m.line), HasSubstr(m.says))) << m.text;
     EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
   }
   EXPECT_THAT([] { read_suite("/nowhere/t.toml", testing::test_registry()); },
@@ -290,7 +292,7 @@ TEST(Suite, HashKnowsMeaningFromLooks) {
   EXPECT_NE(content_hash(suite_of(a)), content_hash(suite_of(a + "how = \"x\"\n")));
 }
 
-TEST(Suite, HashKnowsPlacesAndTethers) {
+TEST(Suite, HashCoversLocationsAndTethers) {
   const std::string maps = fmt::format("{}{}{}{}", kHead, kRobot, kMap, kPlanner);
   std::set<std::string> hashes{content_hash(suite_of(maps))};
   const std::vector<std::string> robots{"tether.length = 4\n", "tether.reach = 4\n",
@@ -313,7 +315,7 @@ TEST(Suite, QuickIsWellFormed) {
   std::set<std::string> families;
   for (const MapSpec& m : quick.maps) families.insert(m.generator);
   EXPECT_EQ(families.size(), 9u);
-  // Every planner but those for robots on a leash, which `tether` has, and vacuum habits, which `grid` has.
+  // Every planner except those for tethered robots, which are in `tether`, and vacuum habits, which are in `grid`.
   std::set<std::string> wanted, listed;
   for (const PlannerInfo& p : built_in())
     if (!p.has(Capability::tether) && p.family != "baseline") wanted.insert(p.name);
@@ -355,17 +357,17 @@ TEST(Suite, TetherHasEveryFamilyAndEveryTetheredPlanner) {
 }
 
 // The page docs/leashed.md is about the tether suite's maps.
-TEST(Suite, LeashHasTheRobotsAndMapsOfTether) {
-  Suite leash = shipped("leashed"), tether = shipped("tether");
-  for (Suite* suite : {&leash, &tether}) {
+TEST(Suite, LeashedHasTheRobotsAndMapsOfTether) {
+  Suite leashed = shipped("leashed"), tether = shipped("tether");
+  for (Suite* suite : {&leashed, &tether}) {
     suite->name = "";
     suite->planners.clear();
   }
-  EXPECT_EQ(content_hash(leash), content_hash(tether));
+  EXPECT_EQ(content_hash(leashed), content_hash(tether));
 }
 
 // And so is docs/tether-online.md, but its robots have a lidar besides.
-TEST(Suite, TetherOnlineHasTheMapsAndLeashesOfTether) {
+TEST(Suite, TetherOnlineHasTheMapsAndTethersOfTether) {
   Suite online = shipped("tether-online"), tether = shipped("tether");
   for (Suite* suite : {&online, &tether}) {
     suite->name = "";

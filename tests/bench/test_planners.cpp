@@ -9,10 +9,12 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
+
 #include "reports/built_in_registry.hpp"
 
 namespace oxturn::testing {
@@ -60,15 +62,25 @@ class TestPlanner final : public CoveragePlanner {
   explicit TestPlanner(Params p) : p_(std::move(p)) {}
 
   Path plan(const Problem& problem, Context& context) const override {
+    die_if_told();
+    if (auto path = bad_path(problem, context)) return *path;
+    behave(problem, context);
+    context.progress(0.5);
+    context.trace("box", {{problem.start(), problem.start() + Point(1, 0)}});
+    return lanes(problem);
+  }
+
+ private:
+  /// Never returns: crashes, throws, exits or goes on for ever.
+  void die_if_told() const {
     const std::string& how = p_.how;
-    const Point start = problem.start();
     if (how == "null") write_nowhere();
     if (how == "abort") std::abort();
     if (how == "spin") spin();
-    if (how == "hoard") {
+    if (how == "allocate") {
       for (std::vector<std::string> all;;) all.emplace_back(std::size_t{1} << 20, 'x');
     }
-    if (how == "map_hoard") {
+    if (how == "allocate_by_mmap") {
       // Never asks operator new, and ignores refusals.
       for (;;) {
         void* page = ::mmap(nullptr, 1 << 20, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -81,10 +93,15 @@ class TestPlanner final : public CoveragePlanner {
     if (how == "unsupported") throw Unsupported("no rectangles, please");
     if (how == "exit") std::exit(3);
     if (how == "quiet_exit") ::_exit(0);
-    if (how == "hide") {  // shuts every descriptor and goes on
+    if (how == "hide") {  // closes every descriptor and goes on
       for (int fd = 0; fd < 64; ++fd) ::close(fd);
       spin();
     }
+  }
+
+  std::optional<Path> bad_path(const Problem& problem, Context& context) const {
+    const std::string& how = p_.how;
+    const Point start = problem.start();
     if (how == "leave_child") {
       if (::fork() == 0) {
         ::sleep(1000);
@@ -97,22 +114,12 @@ class TestPlanner final : public CoveragePlanner {
       path.drive(start + Point(100, 0), true);
       return path.take();
     }
-    if (how == "nan") return {{{true, {start, Point(std::numeric_limits<double>::quiet_NaN(), 1)}}}};
-    if (how == "empty") return {};
+    if (how == "nan") return Path{{{true, {start, Point(std::numeric_limits<double>::quiet_NaN(), 1)}}}};
+    if (how == "empty") return Path{};
     if (how == "publish") {
       context.publish({{{true, {start, start - Point(0.5, 0)}}}});
       context.publish({{{true, {start, start - Point(1, 0)}}}});
       spin();
-    }
-    if (how == "babble") {
-      for (int i = 0; i < 1000; ++i) std::printf("\x01\xff garbage \n");
-      std::fprintf(stderr, "and more\n");
-    }
-    if (how == "report") {
-      context.record("laps", 3);
-      context.record("share", 0.25);
-      context.record("laps", 4);  // the last one counts
-      context.record("nothing", std::nan(""));
     }
     if (how == "partial") {
       PathBuilder path(start);
@@ -124,6 +131,22 @@ class TestPlanner final : public CoveragePlanner {
       for (int i = 0; i < 20; ++i) path.drive(Point(0.3 + 2 * context.rng().unit(), 0.3 + context.rng().unit()), true);
       return path.take();
     }
+    return std::nullopt;
+  }
+
+  /// A good path, and something beside it.
+  void behave(const Problem&, Context& context) const {
+    const std::string& how = p_.how;
+    if (how == "babble") {
+      for (int i = 0; i < 1000; ++i) std::printf("\x01\xff garbage \n");
+      std::fprintf(stderr, "and more\n");
+    }
+    if (how == "report") {
+      context.record("laps", 3);
+      context.record("share", 0.25);
+      context.record("laps", 4);  // the last one counts
+      context.record("nothing", std::nan(""));
+    }
     if (how == "measure") {  // 50 MB resident for a tenth of a second of work
       std::vector<char> block(50'000'000, 1);
       const auto until = Context::Clock::now() + std::chrono::milliseconds(100);
@@ -132,12 +155,8 @@ class TestPlanner final : public CoveragePlanner {
     if (how == "polite") {  // stops at the deadline that it is told
       while (!context.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    context.progress(0.5);
-    context.trace("box", {{start, start + Point(1, 0)}});
-    return lanes(problem);
   }
 
- private:
   Params p_;
 };
 
@@ -145,24 +164,23 @@ class TestPlanner final : public CoveragePlanner {
 
 Planners test_planners() {
   Planners list("planner");
-    list.add(describe<TestPlanner, Params>(
-        {.name = "test",
-         .family = "test",
-         .title = "does as told",
-         .citation = "none",
-         .capabilities = {Capability::holes},
-         .guarantee = "none",
-         .parameters = {{"how", &Params::how, Choices{}, "what to do"},
-                        {"amount", &Params::amount, Range{0, 10}, "metres of nothing"}}}));
-    list.add(
-        describe<TestPlanner, Params>({.name = "other",
-                                       .family = "test",
-                                       .title = "another",
-                                       .citation = "none",
-                                       .capabilities = {},
-                                       .guarantee = "none",
-                                       .parameters = {{"how", &Params::how, Choices{}, "what to do"},
-                                                      {"lanes", &Params::lanes, Range{0, 10}, "of nothing"}}}));
+  list.add(
+      describe<TestPlanner, Params>({.name = "test",
+                                     .family = "test",
+                                     .title = "does as told",
+                                     .citation = "none",
+                                     .capabilities = {Capability::holes},
+                                     .guarantee = "none",
+                                     .parameters = {{"how", &Params::how, Choices{}, "what to do"},
+                                                    {"amount", &Params::amount, Range{0, 10}, "metres of nothing"}}}));
+  list.add(describe<TestPlanner, Params>({.name = "other",
+                                          .family = "test",
+                                          .title = "another",
+                                          .citation = "none",
+                                          .capabilities = {},
+                                          .guarantee = "none",
+                                          .parameters = {{"how", &Params::how, Choices{}, "what to do"},
+                                                         {"lanes", &Params::lanes, Range{0, 10}, "of nothing"}}}));
   return list;
 }
 

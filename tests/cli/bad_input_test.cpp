@@ -1,4 +1,4 @@
-// Every kind of bad input: one sentence that names thing, place and mend; exit code 2; no file left behind.
+// Every kind of bad input: one sentence that names the thing, the position and the remedy; exit code 2; no file left behind.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,12 +52,12 @@ TEST_F(BadInput, WrongType) {
   expect_refused(oxturn("map rooms --set rooms=many -o " + (out / "m.geojson")),
                  AllOf(HasSubstr("rooms"), HasSubstr("many")));
 }
-TEST_F(BadInput, SelfCrossingPolygonWithThePlace) {
+TEST_F(BadInput, SelfCrossingPolygonWithItsPosition) {
   const std::string bow =
       in.write("bow.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[4,4],[4,0],[0,4],[0,0]]]})");
   expect_refused(oxturn("plan zigzag " + bow + to), AllOf(HasSubstr("bow.geojson"), HasSubstr("(2, 2)")));
 }
-TEST_F(BadInput, StartInAWallWithTheNearestPlace) {
+TEST_F(BadInput, StartInAWallWithTheNearestPoint) {
   expect_refused(oxturn("plan zigzag " + box + " --start 9,1" + to),
                  AllOf(HasSubstr("start (9, 1)"), HasSubstr("nearest point"), HasSubstr("(3.")));
 }
@@ -113,7 +113,8 @@ TEST_F(BadInput, Tethers) {
                  HasSubstr("tether has a length and a reach, expected one of the two"));
   expect_refused(oxturn("plan stc " + box + " --robot tether=0" + to), HasSubstr("tether has no length"));
   expect_refused(oxturn("plan stc " + box + " --robot tether_sharp_angle=2" + to), HasSubstr("tether has no length"));
-  expect_refused(oxturn("plan stc " + box + " --robot tether=5,tether_sharp_angle=4" + to), HasSubstr("'tether_sharp_angle' of a robot is 4"));
+  expect_refused(oxturn("plan stc " + box + " --robot tether=5,tether_sharp_angle=4" + to),
+                 HasSubstr("'tether_sharp_angle' of a robot is 4"));
   expect_refused(oxturn("plan stc " + box + " --robot tether=5 --anchor 9,9" + to), HasSubstr("anchor (9, 9)"));
   expect_refused(oxturn("plan stc " + box + " --robot tether=0.5 --anchor 3,1" + to), HasSubstr("too short"));
   expect_refused(oxturn("plan stc " + box + " --tether-trace " + (out / "t.csv") + to), HasSubstr("has no tether"));

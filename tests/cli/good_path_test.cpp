@@ -196,8 +196,8 @@ TEST_F(Planned, ATetherIsScoredTracedAndDrawn) {
       out.write("p.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"tool":true},)"
                              R"("geometry":{"type":"LineString","coordinates":[[1,1],[5,1],[5,5]]}}]})");
   const std::string problem = "score " + path + " " + map + " --start 1,1 --anchor 1,0 --json";
-  const Said said = oxturn(problem + " --robot tether=8,tether_sharp_angle=2 --tether-trace " + (out / "t.csv") + " --svg " +
-                           (out / "t.svg"));
+  const Said said = oxturn(problem + " --robot tether=8,tether_sharp_angle=2 --tether-trace " + (out / "t.csv") +
+                           " --svg " + (out / "t.svg"));
   EXPECT_EQ(said.code, 0) << said.err;
   const Json json = Json::parse(said.out);
   EXPECT_EQ(json["anchor"], Json({1.0, 0.0}));
@@ -211,7 +211,7 @@ TEST_F(Planned, ATetherIsScoredTracedAndDrawn) {
   EXPECT_THAT(content(out / "t.svg"), HasSubstr("id=\"tether\""));
   EXPECT_THAT(oxturn(problem + " --robot tether=6").err,
               HasSubstr("invalid: pulls its tether to 6.76783 m at (5, 5), 0.768 m over its limit 6 m"));
-  // The farthest place is (5.8, 5.8), past the corner (4, 2) or (2, 4): twice that.
+  // The farthest point is (5.8, 5.8), past the corner (4, 2) or (2, 4): twice that.
   const Json reach = Json::parse(oxturn(problem + " --robot tether_reach=2").out);
   EXPECT_NEAR(reach["metrics"]["tether_limit_m"].get<double>(), 2 * (std::sqrt(13) + std::hypot(1.8, 3.8)), 0.05);
 }

@@ -19,12 +19,33 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kRooms{"base", "geometry", "maps", "algorithms", "metrics", "bench", "reports", "cli"};
 
 /// Every folder of sources, in the order in which data flow: a folder includes only itself and those before it.
-const std::vector<std::string> kFolders{
-    "base", "geometry", "geometry/overlay", "geometry/mesh", "geometry/paths", "geometry/tether", "maps",
-    "maps/formats", "maps/generators", "algorithms", "algorithms/transit", "algorithms/tour", "algorithms/lanes",
-    "algorithms/lattice", "algorithms/smoothing", "algorithms/online", "algorithms/grid", "algorithms/polygon",
-    "algorithms/tethered", "algorithms/drawing", "algorithms/baseline", "metrics", "bench", "reports",
-    "reports/tables", "bench/micro", "cli"};
+const std::vector<std::string> kFolders{"base",
+                                        "geometry",
+                                        "geometry/overlay",
+                                        "geometry/mesh",
+                                        "geometry/paths",
+                                        "geometry/tether",
+                                        "maps",
+                                        "maps/formats",
+                                        "maps/generators",
+                                        "algorithms",
+                                        "algorithms/transit",
+                                        "algorithms/tour",
+                                        "algorithms/lanes",
+                                        "algorithms/lattice",
+                                        "algorithms/smoothing",
+                                        "algorithms/online",
+                                        "algorithms/grid",
+                                        "algorithms/polygon",
+                                        "algorithms/tethered",
+                                        "algorithms/drawing",
+                                        "algorithms/baseline",
+                                        "metrics",
+                                        "bench",
+                                        "reports",
+                                        "reports/tables",
+                                        "bench/micro",
+                                        "cli"};
 /// They stand side by side: none includes another.
 const std::vector<std::vector<std::string>> kSiblings{
     {"algorithms/grid", "algorithms/polygon", "algorithms/tethered", "algorithms/drawing", "algorithms/baseline"},
@@ -108,7 +129,8 @@ TEST(Layers, CgalAndClipperStayInGeometrysSources) {
   }
 }
 
-// Two types of one name share their templates' code as far as the linker sees: vectors of one would run on the other's size.
+// Two types of one name share their templates' code as far as the linker sees: vectors of one would run on the other's
+// size.
 TEST(Layers, NoTypeNameIsTakenTwice) {
   static const std::regex type(R"(^(struct|class|enum class|enum) (\w+)( final)?( :[^:].*)?( \{.*)?$)");
   std::map<std::string, std::string> taken;

@@ -61,22 +61,22 @@ std::string write_size(const MapFile& file) {
 
 Registry extended() {
   Registry registry = built_in_registry();
-  registry.planners.add(describe<Snake, Params>({.name = "snake",
-                                                 .family = "mine",
-                                                 .title = "lanes over a rectangle",
-                                                 .citation = "none",
-                                                 .capabilities = {},
-                                                 .guarantee = "none",
-                                                 .parameters = {{"lane", &Params::lane, Range{0, 10, true}, "metres"}}}));
+  registry.planners.add(
+      describe<Snake, Params>({.name = "snake",
+                               .family = "mine",
+                               .title = "lanes over a rectangle",
+                               .citation = "none",
+                               .capabilities = {},
+                               .guarantee = "none",
+                               .parameters = {{"lane", &Params::lane, Range{0, 10, true}, "metres"}}}));
   registry.metrics.add({"legs", "count", Better::lower, "number of legs", [](const Scored& s) {
                           return std::optional<double>(static_cast<double>(s.path.legs.size()));
                         }});
-  registry.generators.add(
-      describe_generator<Size>("square", "a square", "one polygon", {{"side", &Size::side, Range{1, 10}, "metres"}}, square));
+  registry.generators.add(describe_generator<Size>("square", "a square", "one polygon",
+                                                   {{"side", &Size::side, Range{1, 10}, "metres"}}, square));
   registry.formats.add(describe_format<NoOptions>("size", "width and height", {".size"}, {}, read_size, write_size));
-  registry.tables.add({"count", "How many", [](const Results& results) {
-                         return std::to_string(results.rows.size()) + " rows in all\n";
-                       }});
+  registry.tables.add({"count", "How many",
+                       [](const Results& results) { return std::to_string(results.rows.size()) + " rows in all\n"; }});
   return registry;
 }
 

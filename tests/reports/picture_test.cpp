@@ -1,12 +1,13 @@
 // The SVG: what is drawn where, told by reading the file as text.
+#include "maps/picture.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <regex>
 
-#include "maps/formats.hpp"
 #include "geometry/trace.hpp"
-#include "maps/picture.hpp"
+#include "maps/formats.hpp"
 
 namespace oxturn {
 namespace {

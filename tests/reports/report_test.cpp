@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <sstream>
 
-#include "maps/formats.hpp"
 #include "base/files.hpp"
+#include "maps/formats.hpp"
 #include "maps/path_file.hpp"
 
 namespace oxturn {
@@ -17,7 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string table(const std::string& name, const Results& results) { return built_in_tables().find(name).markdown(results); }
+std::string table(const std::string& name, const Results& results) {
+  return built_in_tables().find(name).markdown(results);
+}
 Written write(const Results& results, const std::string& folder) {
   return write_report(results, built_in_tables(), folder);
 }
@@ -113,14 +115,14 @@ std::vector<std::string> cells_of(const std::string& table, const std::string& n
 TEST(Comparison, FiguresWorkedOutOnPaper) {
   const std::string text = table("comparison", hand_written());
   EXPECT_EQ(cells_of(text, "good"), (std::vector<std::string>{"good", "3", "2", "1", "", "0.5000", "0.8317", "1.600",
-                                                               "0.200", "0.300", "20", "200", "0.700"}));
+                                                              "0.200", "0.300", "20", "200", "0.700"}));
 }
 
 // A run that gives nothing counts as nothing; it neither vanishes nor flatters the mean.
 TEST(Comparison, FailuresStayInTheDenominator) {
   const std::string text = table("comparison", hand_written());
   EXPECT_EQ(cells_of(text, "bad"), (std::vector<std::string>{"bad", "3", "1", "0", "1 invalid, 1 timeout", "0.0000",
-                                                              "0.3300", "2.000", "", "", "", "", "3.000"}));
+                                                             "0.3300", "2.000", "", "", "", "", "3.000"}));
 }
 
 TEST(Comparison, WhatTheHarnessLostIsNotThePlannersCoverage) {

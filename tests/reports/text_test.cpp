@@ -5,7 +5,6 @@
 
 #include "maps/picture.hpp"
 
-
 namespace oxturn {
 namespace {
 

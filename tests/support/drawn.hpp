@@ -34,7 +34,7 @@ inline Region drawn_region(const std::vector<std::string>& rows, double cell = 1
 }
 
 /// The middle of the first such letter.
-inline std::optional<Point> drawn_place(const std::vector<std::string>& rows, char letter, double cell = 1) {
+inline std::optional<Point> drawn_point(const std::vector<std::string>& rows, char letter, double cell = 1) {
   for (std::size_t row = 0; row < rows.size(); ++row)
     if (const std::size_t i = rows[row].find(letter); i != std::string::npos)
       return Point(cell * (static_cast<double>(i) + 0.5), cell * (static_cast<double>(rows.size() - 1 - row) + 0.5));
@@ -43,8 +43,8 @@ inline std::optional<Point> drawn_place(const std::vector<std::string>& rows, ch
 
 inline Problem drawn(const std::vector<std::string>& rows, const Drawing& drawing = {}) {
   Map map{drawing.name, drawn_region(rows, drawing.cell), "drawn", "drawn"};
-  return Problem(std::move(map), drawing.robot, drawing.start ? drawing.start : drawn_place(rows, 'S', drawing.cell),
-                 drawing.anchor ? drawing.anchor : drawn_place(rows, 'A', drawing.cell));
+  return Problem(std::move(map), drawing.robot, drawing.start ? drawing.start : drawn_point(rows, 'S', drawing.cell),
+                 drawing.anchor ? drawing.anchor : drawn_point(rows, 'A', drawing.cell));
 }
 
 }  // namespace oxturn
