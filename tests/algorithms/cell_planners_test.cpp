@@ -59,7 +59,7 @@ struct Drawn {
     rows[rows.size() - 1 - static_cast<std::size_t>(p.second)][static_cast<std::size_t>(p.first)] = letter;
   }
   Location start() const {
-    const Point at = *drawn_place(rows, 'S');
+    const Point at = *drawn_point(rows, 'S');
     return {static_cast<int>(at.x()), static_cast<int>(at.y())};
   }
   std::set<Location> reachable() const {
@@ -222,7 +222,7 @@ std::optional<Drawn> explorers_world(std::uint64_t seed, bool holes) {
 int moves(const Plan& result, const Drawn& map) {
   EXPECT_EQ(cells_under(result.path, map.start()), map.reachable());
   const Point end = result.path.legs.back().points.back();
-  EXPECT_LT(distance(end, *drawn_place(map.rows, 'S')), 1e-9) << "not home";
+  EXPECT_LT(distance(end, *drawn_point(map.rows, 'S')), 1e-9) << "not home";
   return static_cast<int>(std::lround(result.path.length()));
 }
 

@@ -56,7 +56,7 @@ Drawing2 random_drawing(Rng& rng) {
 }
 
 Location start_of(const Drawing2& rows) {
-  const Point p = *drawn_place(rows, 'S');
+  const Point p = *drawn_point(rows, 'S');
   return {static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))};
 }
 

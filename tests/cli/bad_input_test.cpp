@@ -1,4 +1,5 @@
-// Every kind of bad input: one sentence that names the thing, the position and the remedy; exit code 2; no file left behind.
+// Every kind of bad input: one sentence that names the thing, the position and the remedy; exit code 2; no file left
+// behind.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
