@@ -11,8 +11,8 @@ COLUMNS = [("stc", "stc"), ("stc-loops[close_loops=false;epsilon=0.05;fill=none]
 INTRODUCTION = """\
 What `stc` leaves uncovered next to walls, and what loops round the obstacles add. `published`: the loops as the
 source has them (`fill = none`, `epsilon = 0.05`, which is 0.01 m on this robot, `close_loops = false`).
-`fill=none`: the same a fifth as far off the walls, unbroken loops driven round once. `fill=cells`: uncovered sub-cells attached to the tree as
-well. `stc-loops`: the default, `fill = spots`, uncovered spots as well.
+`fill=none`: the same a fifth as far off the walls, unbroken loops driven round once. `fill=cells`: uncovered sub-cells
+attached to the tree as well. `stc-loops`: the default, `fill = spots`, uncovered spots as well.
 """
 
 STEPS = """
