@@ -54,11 +54,15 @@ void Context::trace(std::string name, const Region& region) {
   trace(std::move(name), std::move(lines));
 }
 
+void Context::promise(const Region& region) {
+  if (sinks_.promise) sinks_.promise(region);
+}
+
 void Context::record(const std::string& name, double value) {
   const auto good = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
-  if (name.empty() || !std::all_of(name.begin(), name.end(), good))
-    throw std::invalid_argument(
-        fmt::format("a recorded figure is named '{}', expected small letters, digits and underscores", name));
+  if (name.empty() || name.size() > 64 || !std::all_of(name.begin(), name.end(), good))
+    throw std::invalid_argument(fmt::format(
+        "a recorded figure is named '{}', expected at most 64 small letters, digits and underscores", name));
   if (sinks_.record) sinks_.record(name, value);
 }
 

@@ -14,6 +14,8 @@
 namespace oxturn {
 namespace {
 
+constexpr off_t kLargestFile = off_t{4} << 30;
+
 struct Descriptor {
   explicit Descriptor(int n) : number(n) {}
   Descriptor(const Descriptor&) = delete;
@@ -33,6 +35,12 @@ std::string read_file(const std::string& file) {
     throw std::invalid_argument(fmt::format("cannot read '{}': {}", file, std::strerror(errno)));
   }
   if (S_ISDIR(about.st_mode)) throw std::invalid_argument(fmt::format("cannot read '{}': it is a folder", file));
+  // Devices and pipes may never end.
+  if (!S_ISREG(about.st_mode) && file != "/dev/stdin")
+    throw std::invalid_argument(fmt::format("cannot read '{}': it is not a regular file", file));
+  if (about.st_size > kLargestFile)
+    throw std::invalid_argument(
+        fmt::format("cannot read '{}': it has {} bytes, at most {} are read", file, about.st_size, kLargestFile));
   const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   if (in.number < 0) throw std::invalid_argument(fmt::format("cannot read '{}': {}", file, std::strerror(errno)));
   std::string content;

@@ -8,7 +8,8 @@
 
 namespace oxturn {
 
-/// The whole content. Throws std::invalid_argument "no such file: 'x'" or why it cannot be read.
+/// The whole content of a regular file of at most 4 GiB. Throws std::invalid_argument "no such file: 'x'" or why it cannot
+/// be read.
 std::string read_file(const std::string& file);
 
 /// Writes to a temporary file beside the target and renames it, so that nothing half-written is ever left; devices and

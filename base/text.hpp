@@ -20,6 +20,9 @@ std::optional<double> parse_number(std::string_view text);
 /// Digits only: the whole number from 0 to 2^64 - 1 that the text is.
 std::optional<std::uint64_t> parse_whole(std::string_view text);
 
+/// `text` with bytes that are not valid UTF-8 replaced by U+FFFD, and control characters by spaces.
+std::string printable(std::string_view text);
+
 /// The candidate with the least edit distance to `word` (the first of equals); empty only if there are no candidates.
 /// O(|word| * sum of candidates' lengths).
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);

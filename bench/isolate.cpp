@@ -1,278 +1,199 @@
-// The child is forked, so it has the problem at hand without reading or building anything. It leads a process
-// group, which is killed as a whole; it dies with its parent; it sees /dev/null as standard input and a log as its
-// output (at most 64 MiB of it). What it finds comes back through a pipe in frames (wire.hpp).
-//
-// Decisions  1. Time and memory are measured in the child around plan() alone.
-//            2. Memory is limited twice: address space by the kernel (so that a planner which allocates too much gets
-//               bad_alloc and can report it), resident memory by the parent every 10 ms (for planners that never see
-//               bad_alloc, and for sanitizers, which reserve terabytes of address space).
-//            3. The wall limit counts from the start of the child until plan() has returned; the transfer of the
-//               result has the same time once more.
-//            4. The child ends by _exit: nothing of the parent (atexit, destructors, buffers) happens twice.
 #include "bench/isolate.hpp"
 
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <poll.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cerrno>
 #include <chrono>
-#include <csignal>
-#include <cstdio>
-#include <cstring>
-#include <new>
 #include <stdexcept>
 
-#include "base/text.hpp"
-#include "bench/planner_process.hpp"
+#include "bench/process_info.hpp"
 #include "bench/wire.hpp"
 
 namespace oxturn {
-
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds kWatch{10};  // how often resident memory is read
+constexpr std::chrono::milliseconds kProgress{50};  // least time between two progress messages
 
-volatile std::sig_atomic_t running_group = 0;
+/// Types of the frames (wire.hpp) that a planning child sends.
+namespace frames {
+constexpr char kPublished = 'P';   // path
+constexpr char kResult = 'R';      // path
+constexpr char kMeasures = 'M';    // wall s, cpu s, growth of resident memory in bytes: plan() is over
+constexpr char kTrace = 'D';       // one trace
+constexpr char kRecorded = 'V';    // value, name: Context::record
+constexpr char kProgressed = 'G';  // fraction
+constexpr char kPromised = 'Q';    // region
+constexpr char kMapFile = 'F';     // a map's file
+}  // namespace frames
 
-std::string signal_text(int s) {
-  const char* name = ::sigabbrev_np(s);
-  const char* meaning = ::sigdescr_np(s);
-  std::string text = fmt::format("killed by SIG{}", name != nullptr ? name : std::to_string(s));
-  if (meaning != nullptr) {
-    std::string lower = meaning;
-    if (!lower.empty() && lower.size() > 1 && (lower[1] < 'A' || lower[1] > 'Z')) {
-      lower[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(lower[0])));
-    }
-    text += fmt::format(" ({})", lower);
-  }
-  if (s == SIGKILL) text += ", not by oxturn: perhaps the kernel ran out of memory";
-  return text;
-}
-
-// The log is kept only if the planner printed.
-class Log {
+/// A planner may record and draw without end; what goes beyond the bounds is not sent.
+class PlannerChild {
  public:
-  explicit Log(std::string file) : file_(std::move(file)) {
-    if (file_.empty()) return;
-    fd_ = wire::Descriptor(::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666));
-    if (!fd_.open()) throw std::runtime_error(fmt::format("cannot write '{}': {}", file_, std::strerror(errno)));
+  PlannerChild(int fd, const IsolationOptions& options) : fd_(fd), options_(options) {}
+
+  void run(const std::function<std::unique_ptr<CoveragePlanner>()>& make, const Problem& problem) {
+    const auto planner = make();
+    for (int i = 0; i < options_.warm_ups; ++i) {
+      Context context(options_.seed, deadline_s());
+      (void)planner->plan(problem, context);
+      wire::send(fd_, child_frames::kRestart, "");
+    }
+    Context context(options_.seed, deadline_s(), sinks());
+    reset_peak();
+    resident_before_ = resident_bytes(::getpid());
+    cpu_before_ = own_cpu_seconds();
+    wall_before_ = Clock::now();
+    try {
+      const Path path = planner->plan(problem, context);
+      send_measures();
+      wire::send_path(fd_, frames::kResult, path);
+    } catch (...) {
+      send_measures();
+      throw;
+    }
   }
-  Log(const Log&) = delete;
-  ~Log() {
-    struct stat about {};
-    if (fd_.open() && ::fstat(fd_.number(), &about) == 0 && about.st_size == 0) ::unlink(file_.c_str());
-  }
-  int number() const { return fd_.number(); }
 
  private:
-  std::string file_;
-  wire::Descriptor fd_;
+  double deadline_s() const { return 0.95 * options_.limits.wall_s; }
+
+  Context::Sinks sinks() {
+    Context::Sinks sinks;
+    sinks.publish = [this](const Path& path) { wire::send_path(fd_, frames::kPublished, path); };
+    sinks.record = [this](const std::string& name, double value) {
+      std::string message;
+      wire::put(message, value);
+      wire::send(fd_, frames::kRecorded, message + name);
+    };
+    if (options_.progress) sinks.progress = [this](double fraction) { send_progress(fraction); };
+    if (options_.traces) sinks.trace = [this](const Trace& trace) { send_trace(trace); };
+    sinks.promise = [this](const Region& region) { wire::send(fd_, frames::kPromised, wire::pack(region)); };
+    return sinks;
+  }
+
+  void send_progress(double fraction) {
+    if (Clock::now() - last_progress_ < kProgress) return;
+    last_progress_ = Clock::now();
+    std::string message;
+    wire::put(message, fraction);
+    wire::send(fd_, frames::kProgressed, message);
+  }
+
+  void send_trace(const Trace& trace) {
+    if (trace_bytes_ > kMostTraceBytes) return;
+    const std::string packed = wire::pack(trace);
+    trace_bytes_ += packed.size();
+    if (trace_bytes_ <= kMostTraceBytes) wire::send(fd_, frames::kTrace, packed);
+  }
+
+  void send_measures() {
+    const double wall = std::chrono::duration<double>(Clock::now() - wall_before_).count();
+    const double cpu = own_cpu_seconds() - cpu_before_;
+    const double growth = std::max(0.0, peak_bytes() - resident_before_);
+    const double values[3] = {wall, cpu, growth};
+    wire::send(fd_, frames::kMeasures, {reinterpret_cast<const char*>(values), sizeof values});
+    wire::send(fd_, child_frames::kRestart, "");
+  }
+
+  int fd_;
+  const IsolationOptions& options_;
+  Clock::time_point last_progress_, wall_before_;
+  std::size_t trace_bytes_ = 0;
+  double resident_before_ = 0, cpu_before_ = 0;
 };
 
-class Supervisor {
+/// The parent's side: gathers what the child sends.
+class PlannerParent {
  public:
-  Supervisor(pid_t pid, int fd, const IsolationOptions& options, double rss_before)
-      : pid_(pid),
-        fd_(fd),
-        options_(options),
-        statm_(fmt::format("/proc/{}/statm", pid)),
-        rss_limit_(rss_before + options.limits.memory_mb * kMega),
-        frames_(static_cast<std::uint64_t>(options.limits.memory_mb * kMega)),
-        deadline_(Clock::now() +
-                  std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.limits.wall_s))) {}
-
-  Planned watch() {
-    while (!ended_ && !reaped_) {
-      const auto now = Clock::now();
-      if (now >= deadline_) {
-        kill_with(Outcome::timeout, fmt::format("no result after {} s", to_decimal(options_.limits.wall_s)));
-        break;
-      }
-      if (statm_bytes(statm_.c_str(), true) > rss_limit_) {
-        kill_with(Outcome::out_of_memory, memory_text());
-        break;
-      }
-      if (!wait_and_read(now)) break;
-    }
-    if (!reaped_) {
-      ::kill(-pid_, SIGKILL);  // processes that the planner has left behind, too
-      reap(0);
-    } else {
-      ::kill(-pid_, SIGKILL);
-    }
-    judge();
-    return std::move(planned_);
-  }
-
- private:
-  std::string memory_text() const {
-    return fmt::format("needs more than {} MB of memory", to_decimal(options_.limits.memory_mb));
-  }
-
-  void kill_with(Outcome outcome, std::string reason) {
-    failed_ = true;
-    planned_.outcome = outcome;
-    planned_.reason = std::move(reason);
-  }
-
-  // False when the protocol is broken.
-  bool wait_and_read(Clock::time_point now) {
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - now) + std::chrono::milliseconds(1);
-    const int patience = static_cast<int>(std::min<std::chrono::milliseconds>(left, kWatch).count());
-    if (closed_) {  // the child closed the pipe without an end frame: it is ending, or still running
-      ::usleep(200);
-      reap(WNOHANG);
-      return true;
-    }
-    pollfd p{fd_, POLLIN, 0};
-    const int ready = ::poll(&p, 1, patience);
-    if (ready == 0) {
-      // A grandchild may hold the pipe open when the child is gone.
-      reap(WNOHANG);
-      if (reaped_) drain();
-      return true;
-    }
-    if (ready < 0) return true;  // EINTR
-    return read();
-  }
-
-  bool read() {
-    try {
-      closed_ = frames_.read(fd_, [this](char type, std::string_view payload) { take(type, payload); }) ==
-                wire::FrameReader::State::closed;
-      return true;
-    } catch (const std::bad_alloc&) {
-      kill_with(Outcome::out_of_memory, "its path does not fit into the memory left beside the harness");
-    } catch (const std::exception& e) { kill_with(Outcome::error, fmt::format("bad protocol: {}", e.what())); }
-    return false;
-  }
-
-  void drain() {
-    while (!closed_ && !ended_) {
-      pollfd p{fd_, POLLIN, 0};
-      if (::poll(&p, 1, 0) <= 0 || !read()) return;
-    }
-  }
+  explicit PlannerParent(const IsolationOptions& options) : options_(options) {}
 
   void take(char type, std::string_view payload) {
-    if (ended_) throw std::runtime_error("a message after the end");
     switch (type) {
       case frames::kPublished:
       case frames::kResult:
         planned_.path = wire::path_from(payload);
-        if (type == frames::kResult) has_result_ = true;
+        has_result_ = type == frames::kResult;
         break;
       case frames::kMeasures:
         planned_.wall_s = wire::take<double>(payload);
         planned_.cpu_s = wire::take<double>(payload);
         planned_.peak_rss_bytes = wire::take<double>(payload);
-        deadline_ = Clock::now() +
-                    std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.limits.wall_s));
         break;
       case frames::kTrace:
         planned_.traces.push_back(wire::trace_from(payload));
         break;
       case frames::kRecorded: {
         const double value = wire::take<double>(payload);
-        planned_.record(std::string(payload), value);
+        record(std::string(payload), value);
         break;
       }
       case frames::kProgressed:
         if (options_.progress) options_.progress(wire::take<double>(payload));
         break;
-      case frames::kFailed: {
-        const auto outcome = static_cast<Outcome>(wire::take<char>(payload));
-        kill_with(outcome, outcome == Outcome::out_of_memory ? memory_text() : std::string(payload));
-        break;
-      }
-      case frames::kEnd:
-        ended_ = true;
+      case frames::kPromised:
+        planned_.promised = wire::region_from(payload);
         break;
       default:
-        throw std::runtime_error(fmt::format("a message of unknown type {}", static_cast<int>(type)));
+        throw std::runtime_error("a message of unknown type " + std::to_string(static_cast<int>(type)));
     }
   }
 
-  void reap(int flags) {
-    int status = 0;
-    pid_t got = 0;
-    do got = ::waitpid(pid_, &status, flags);
-    while (got < 0 && errno == EINTR);
-    if (got == 0) return;
-    reaped_ = true;
-    if (got != pid_) return;
-    if (WIFEXITED(status)) exit_code_ = WEXITSTATUS(status);
-    if (WIFSIGNALED(status)) signal_ = WTERMSIG(status);
-  }
-
-  void judge() {
-    if (ended_ && (has_result_ || failed_)) return;  // how the child ended after that was caused by the parent
-    if (failed_) return;                             // killed by the parent
-    planned_.path = has_result_ ? std::nullopt : std::move(planned_.path);
-    if (signal_ != 0) {
-      planned_.outcome = Outcome::crash;
-      planned_.signal = signal_;
-      planned_.reason = signal_text(signal_);
-    } else {
+  Planned conclude(const ChildReport& report) {
+    planned_.outcome = report.outcome;
+    planned_.reason = report.reason;
+    planned_.exit_code = report.exit_code;
+    planned_.signal = report.signal;
+    if (report.outcome == Outcome::ok && !has_result_) {
       planned_.outcome = Outcome::error;
-      planned_.exit_code = exit_code_;
-      planned_.reason =
-          exit_code_ != 0 ? fmt::format("exited with code {}", exit_code_) : "its process ended without a result";
+      planned_.reason = "its process ended without a result";
+    }
+    const bool kept = planned_.outcome == Outcome::ok || planned_.outcome == Outcome::timeout;
+    if (!kept) planned_.path.reset();
+    return std::move(planned_);
+  }
+
+ private:
+  void record(std::string name, double value) {
+    const auto known = index_.find(name);
+    if (known != index_.end()) {
+      planned_.records[known->second].second = value;
+    } else if (planned_.records.size() < kMostRecords) {
+      index_.emplace(name, planned_.records.size());
+      planned_.records.emplace_back(std::move(name), value);
     }
   }
 
-  pid_t pid_;
-  int fd_;
   const IsolationOptions& options_;
-  std::string statm_;
-  double rss_limit_;
-  wire::FrameReader frames_;
-  Clock::time_point deadline_;
   Planned planned_;
-  bool closed_ = false, ended_ = false, reaped_ = false, failed_ = false, has_result_ = false;
-  int exit_code_ = 0, signal_ = 0;
+  bool has_result_ = false;
+  std::map<std::string, std::size_t> index_;  // of records
 };
 
 }  // namespace
 
-void Planned::record(const std::string& name, double value) {
-  for (auto& [known, old] : records)
-    if (known == name) {
-      old = value;
-      return;
-    }
-  records.emplace_back(name, value);
-}
-
-void kill_running_planner() {
-  if (running_group > 0) ::kill(-static_cast<pid_t>(running_group), SIGKILL);
-}
-
 Planned plan_isolated(const std::function<std::unique_ptr<CoveragePlanner>()>& make, const Problem& problem,
                       const IsolationOptions& options) {
-  const Log log(options.log_file);
-  wire::Pipe pipe = wire::make_pipe();
-  std::fflush(nullptr);
-  const pid_t parent = ::getpid();
-  const double rss_before = statm_bytes("/proc/self/statm", true);
-  const pid_t pid = ::fork();
-  if (pid < 0) throw std::runtime_error(fmt::format("cannot start a process: {}", std::strerror(errno)));
-  if (pid == 0) { be_planner(make, problem, options, {parent, log.number(), pipe.write.number()}); }
-  ::setpgid(pid, pid);  // in both processes, so that no kill comes too early
-  running_group = static_cast<std::sig_atomic_t>(pid);
-  pipe.write.close();
-  Planned planned = Supervisor(pid, pipe.read.number(), options, rss_before).watch();
-  running_group = 0;
-  return planned;
+  PlannerParent parent(options);
+  ChildTask task;
+  task.limits = options.limits;
+  task.log_file = options.log_file;
+  task.work = [&](int fd) { PlannerChild(fd, options).run(make, problem); };
+  task.receive = [&](char type, std::string_view payload) { parent.take(type, payload); };
+  return parent.conclude(run_child(task));
+}
+
+ReadResult read_map_isolated(const std::string& file, const Settings& settings, const MapFormats& formats,
+                             const Limits& limits) {
+  ReadResult result;
+  ChildTask task;
+  task.limits = limits;
+  task.what = "reading " + file;
+  task.work = [&](int fd) { wire::send(fd, frames::kMapFile, wire::pack(read_map(file, settings, formats))); };
+  task.receive = [&](char, std::string_view payload) { result.file = wire::map_file_from(payload); };
+  result.report = run_child(task);
+  if (result.report.outcome != Outcome::ok) result.file.reset();
+  return result;
 }
 
 }  // namespace oxturn

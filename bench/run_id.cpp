@@ -14,9 +14,11 @@ Settings full_settings(const PlannerInfo& planner, const Settings& settings, con
 }
 
 std::string run_id(const std::string& map, const std::string& robot, const std::string& problem,
-                   const std::string& planner, const Settings& settings, std::uint64_t seed, int repeat) {
-  return sha256(fmt::format("schema 1\nmap {}\nrobot {}\nproblem {}\nplanner {}\nsettings {}\nseed {}\nrepeat {}\n",
-                            map, robot, problem, planner, to_text(settings), seed, repeat))
+                   const std::string& planner, const Settings& settings, std::uint64_t seed, int repeat,
+                   const std::string& build) {
+  return sha256(fmt::format(
+                    "schema 1\nmap {}\nrobot {}\nproblem {}\nplanner {}\nsettings {}\nseed {}\nrepeat {}\nbuild {}\n",
+                    map, robot, problem, planner, to_text(settings), seed, repeat, build))
       .substr(0, 16);
 }
 

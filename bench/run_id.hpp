@@ -16,9 +16,10 @@ Settings full_settings(const PlannerInfo& planner, const Settings& settings, con
 
 /// First 16 hex digits of a SHA-256. Limits do not count: they may end a run, they do not make it another one.
 /// `problem` is Problem::content_hash(), or any text in place of a problem that cannot be built.
-/// `settings`: all that the planner takes (full_settings).
+/// `settings`: all that the planner takes (full_settings). `build`: build_identity().
 std::string run_id(const std::string& map, const std::string& robot, const std::string& problem,
-                   const std::string& planner, const Settings& settings, std::uint64_t seed, int repeat);
+                   const std::string& planner, const Settings& settings, std::uint64_t seed, int repeat,
+                   const std::string& build);
 
 /// The planner's seed: equal for all variants of a planner, so that variants are compared on the same random numbers.
 /// Below 2^53, so that every reader of the CSV keeps it exactly.

@@ -17,16 +17,22 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <deque>
 #include <list>
+#include <optional>
 
 #include "base/csv.hpp"
+#include "base/text.hpp"
+#include "bench/build_info.hpp"
+#include "bench/child_process.hpp"
 #include "bench/metrics_file.hpp"
-#include "bench/planner_process.hpp"
+#include "bench/process_info.hpp"
 #include "bench/progress.hpp"
 #include "bench/session.hpp"
+#include "bench/verdict.hpp"
 #include "bench/wire.hpp"
 #include "bench/worker.hpp"
 
@@ -39,7 +45,7 @@ constexpr std::uint64_t kLongestMessage = 1 << 24;
 volatile std::sig_atomic_t interrupted = 0;
 extern "C" void note_interrupt(int) { interrupted = 1; }
 extern "C" void end_worker(int) {
-  kill_running_planner();
+  kill_running_child();
   ::_exit(1);
 }
 
@@ -78,14 +84,23 @@ std::vector<Unit> units_of(const Suite& suite, std::size_t cells, int jobs) {
   return units;
 }
 
+using Clock = std::chrono::steady_clock;
+
 struct Worker {
   pid_t pid = 0;
   wire::Descriptor fd;
   Unit rest;  // what it has not finished
   Unit given;
-  std::string trouble;  // what it said when it gave up
+  bool ready = false;             // its problem is set up
+  Clock::time_point deadline;     // for setting it up
+  double resident_before = 0;     // bytes
+  std::optional<Verdict> breach;  // setting up the problem broke a limit
+  std::string trouble;            // what it said when it gave up
   wire::FrameReader frames{kLongestMessage};
 };
+
+constexpr int kWatchMs = 20;       // between two looks at workers that set up their problems
+constexpr int kPatienceMs = 1000;  // otherwise: time to notice an interrupt
 
 class SuiteRun {
  public:
@@ -103,6 +118,8 @@ class SuiteRun {
       if (!map.content) continue;
       for (const std::string& remark : map.content->remarks) progress_.remark(fmt::format("{}: {}", map.file, remark));
     }
+    if (const double load = load_average(); load > 0.5)
+      progress_.remark(fmt::format("the machine is busy (load {:.1f}): times will be less certain", load));
     for (const Unit& unit : units_of(suite, cells_.size(), options.jobs)) waiting_.push_back(unit);
   }
 
@@ -151,37 +168,62 @@ class SuiteRun {
     if (pid == 0) std::signal(SIGTERM, end_worker);
     ::sigprocmask(SIG_SETMASK, &before, nullptr);
     if (pid < 0) throw std::runtime_error(fmt::format("cannot start a process: {}", std::strerror(errno)));
-    if (pid == 0) {
-      std::signal(SIGINT, SIG_IGN);  // the parent decides
-      ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-      if (::getppid() != parent) ::_exit(1);
-      const int fd = pipe.write.number();
-      ::close_range(3, static_cast<unsigned>(fd) - 1, 0);
-      ::close_range(static_cast<unsigned>(fd) + 1, ~0U, 0);
-      int code = 0;
-      try {
-        run_unit(work_, unit, fd);
-      } catch (const std::exception& e) {
-        code = 1;
-        try {
-          send_message(fd, messages::kBroken, 0, e.what());
-        } catch (const std::exception&) {
-          code = 2;  // the pipe is closed: only the exit code is left
-        }
-      }
-      ::_exit(code);
-    }
+    if (pid == 0) be_worker(unit, parent, pipe.write.number());
     waiting_.pop_front();
     Worker& worker = workers_.emplace_back();
     worker.pid = pid;
     worker.fd = std::move(pipe.read);
     worker.rest = worker.given = unit;
+    worker.resident_before = resident_bytes(parent);
+    worker.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                         std::chrono::duration<double>(work_.suite.limits.wall_s));
+  }
+
+  [[noreturn]] void be_worker(const Unit& unit, pid_t parent, int fd) const {
+    std::signal(SIGINT, SIG_IGN);  // the parent decides
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (::getppid() != parent) ::_exit(1);
+    ::close_range(3, static_cast<unsigned>(fd) - 1, 0);
+    ::close_range(static_cast<unsigned>(fd) + 1, ~0U, 0);
+    int code = 0;
+    try {
+      run_unit(work_, unit, fd);
+    } catch (const std::exception& e) {
+      code = 1;
+      try {
+        send_message(fd, messages::kBroken, 0, e.what());
+      } catch (const std::exception&) {
+        code = 2;  // the pipe is closed: only the exit code is left
+      }
+    }
+    ::_exit(code);
+  }
+
+  /// Stops workers whose problem takes too long or too much memory to set up.
+  void check_limits() {
+    const Limits& limits = work_.suite.limits;
+    for (Worker& worker : workers_) {
+      if (worker.ready || worker.breach) continue;
+      const std::string what = "setting up the problem: ";
+      if (Clock::now() >= worker.deadline)
+        worker.breach = {Outcome::timeout, what + fmt::format("no result after {} s", to_decimal(limits.wall_s))};
+      else if (limits.cpu_s > 0 && cpu_seconds(worker.pid) > limits.cpu_s)
+        worker.breach = {Outcome::timeout,
+                         what + fmt::format("no result after {} s of processor time", to_decimal(limits.cpu_s))};
+      else if (resident_bytes(worker.pid) - worker.resident_before > limits.memory_mb * kMega)
+        worker.breach = {Outcome::out_of_memory,
+                         what + fmt::format("needs more than {} MB of memory", to_decimal(limits.memory_mb))};
+      if (worker.breach) ::kill(worker.pid, SIGKILL);  // its pipe closes then, which listen() notices
+    }
   }
 
   void listen() {
     std::vector<pollfd> fds;
     for (const Worker& worker : workers_) fds.push_back({worker.fd.number(), POLLIN, 0});
-    if (::poll(fds.data(), fds.size(), 1000) <= 0) return;  // time to look for an interrupt
+    const bool all_ready = std::all_of(workers_.begin(), workers_.end(), [](const Worker& w) { return w.ready; });
+    const int changed = ::poll(fds.data(), fds.size(), all_ready ? kPatienceMs : kWatchMs);
+    if (!all_ready) check_limits();
+    if (changed <= 0) return;
     std::size_t i = 0;
     for (auto worker = workers_.begin(); worker != workers_.end(); ++i) {
       const bool ready = fds[i].revents != 0;
@@ -199,6 +241,10 @@ class SuiteRun {
       const auto index = static_cast<std::size_t>(wire::take<std::uint64_t>(payload));
       if (type == messages::kBroken)
         worker.trouble = payload;
+      else if (type == messages::kRemark)
+        progress_.remark(std::string(payload));
+      else if (type == messages::kReady)
+        worker.ready = true;
       else
         take(worker, index, type, payload);
     });
@@ -233,6 +279,15 @@ class SuiteRun {
     int status = 0;
     while (::waitpid(worker.pid, &status, 0) < 0 && errno == EINTR) {}
     worker.pid = 0;
+    std::vector<pid_t> others;
+    for (const Worker& other : workers_)
+      if (other.pid > 0) others.push_back(other.pid);
+    orphans_.kill_all(others);
+    if (worker.breach) {
+      for (; worker.rest.first < worker.rest.last; ++worker.rest.first)
+        finish(worker.rest.first, worker.breach->outcome, worker.breach->reason);
+      return;
+    }
     if (worker.rest.first >= worker.rest.last) return;
     std::string reason = "oxturn's own process ended early";
     if (WIFSIGNALED(status)) reason = fmt::format("oxturn's own process was killed by signal {}", WTERMSIG(status));
@@ -273,6 +328,7 @@ class SuiteRun {
       while (::waitpid(worker.pid, nullptr, 0) < 0 && errno == EINTR) {}
     }
     workers_.clear();
+    orphans_.kill_all({});
   }
 
   [[noreturn]] void give_up() {
@@ -308,6 +364,7 @@ class SuiteRun {
     metrics_.put_in_order(ids);
   }
 
+  const Orphans orphans_;
   const SuiteRunOptions& options_;
   Columns columns_;
   Session session_;

@@ -14,10 +14,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <thread>
 
 #include "base/csv.hpp"
 #include "base/files.hpp"
+#include "bench/build_info.hpp"
 #include "maps/formats.hpp"
 
 namespace oxturn {
@@ -42,11 +42,6 @@ std::string whole_lines(const std::string& text) {
   return text.substr(0, end);
 }
 
-std::string host_name() {
-  char name[256] = {};
-  return ::gethostname(name, sizeof name - 1) == 0 ? name : "";
-}
-
 // What a planner prints may be in any encoding, and so may a command line: JSON is UTF-8.
 std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
@@ -54,15 +49,11 @@ std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error
 
 Session::Session(const Suite& suite, const Columns& columns, const SuiteRunOptions& options)
     : columns_(columns), folder_(options.folder), file_(options.folder + "/runs.csv") {
-  const std::string hash = content_hash(suite);
   const bool there = fs::exists(file_);
-  if (there && !options.resume) {
-    throw std::invalid_argument(
-        fmt::format("'{}' already holds results; choose another folder, or --resume to go on "
-                    "where they end",
-                    folder_));
-  }
-  if (there) take_up(hash);
+  if (there && !options.resume)
+    throw std::invalid_argument(fmt::format(
+        "'{}' already holds results; choose another folder, or --resume to complete or extend them", folder_));
+  if (there) take_up(suite);
   std::error_code error;
   const bool tethers =
       std::any_of(suite.robots.begin(), suite.robots.end(), [](const Robot& r) { return r.tether.has_value(); });
@@ -75,34 +66,38 @@ Session::Session(const Suite& suite, const Columns& columns, const SuiteRunOptio
     if (error) cannot_write(folder_ + folder, error.value());
   }
   open();
-  describe(suite, options, hash);
+  describe(suite, options);
 }
 
 void Session::open() {
   out_ = wire::Descriptor(::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
   if (!out_.open()) cannot_write(file_, errno);
   if (::flock(out_.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    throw std::invalid_argument(fmt::format("another sweep is writing to '{}'; choose another folder", folder_));
+    throw std::invalid_argument(fmt::format("another process is writing to '{}'; choose another folder", folder_));
   }
   struct stat about {};
   if (::fstat(out_.number(), &about) == 0 && about.st_size == 0) append(csv_header(columns_));
 }
 
-void Session::take_up(const std::string& suite_hash) {
+void Session::take_up(const Suite& suite) {
   const std::string session = folder_ + "/session.json";
-  std::string known;
+  std::string name, build;
   try {
-    known = Json::parse(read_file(session)).at("suite_sha256").get<std::string>();
+    const Json json = Json::parse(read_file(session));
+    name = json.at("suite").get<std::string>();
+    build = json.at("build").at("identity").get<std::string>();
   } catch (const Json::exception& e) {
     throw std::invalid_argument(
-        fmt::format("{}: not what a sweep writes ({}); choose another folder", session, e.what()));
+        fmt::format("{}: not what `oxturn run` writes ({}); choose another folder", session, e.what()));
   }
-  if (known != suite_hash) {
+  if (name != suite.name)
+    throw std::invalid_argument(fmt::format("'{}' holds results of the suite '{}', not of '{}'; choose another folder",
+                                            folder_, name, suite.name));
+  if (build != build_identity())
     throw std::invalid_argument(
-        fmt::format("'{}' holds results of another suite, or of this one before it or its "
-                    "planners were changed; choose another folder",
-                    folder_));
-  }
+        fmt::format("'{}' holds results of another build of oxturn ({}, this is {}); choose another folder, or "
+                    "`oxturn rescore` for new metrics of stored paths",
+                    folder_, build, build_identity()));
   const std::string text = read_file(file_);
   const std::string whole = whole_lines(text);
   if (whole.size() != text.size()) { write_file(file_, whole); }
@@ -131,26 +126,23 @@ void Session::append(const std::string& line) {
 
 void Session::rewrite(const std::string& lines) { write_file(file_, csv_header(columns_) + lines); }
 
-void Session::describe(const Suite& suite, const SuiteRunOptions& options, const std::string& suite_hash) {
+void Session::describe(const Suite& suite, const SuiteRunOptions& options) {
   const std::string file = folder_ + "/session.json";
-  Json json{{"schema", 1}, {"suite", suite.name}, {"suite_file", suite.file}, {"suite_sha256", suite_hash}};
-  json["limits"] = {{"wall_s", suite.limits.wall_s}, {"memory_mb", suite.limits.memory_mb}};
+  Json json{{"schema", 1}, {"suite", suite.name}, {"suite_file", suite.file}};
+  json["limits"] = {
+      {"wall_s", suite.limits.wall_s}, {"cpu_s", suite.limits.cpu_s}, {"memory_mb", suite.limits.memory_mb}};
+  json["warm_ups"] = suite.warm_ups;
   json["target_coverage"] = suite.target_coverage;
+  json["robots"] = Json::object();
+  for (const Robot& robot : suite.robots) json["robots"][robot.name] = canonical_text(robot);
+  json["build"] = build_description();
   json["sessions"] = Json::array();
   if (fs::exists(file)) {
     const Json before = Json::parse(read_file(file), nullptr, false);
     if (before.is_object() && before.contains("sessions")) json["sessions"] = before["sessions"];
   }
   json["sessions"].push_back({{"started", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
-                              {"oxturn", OXTURN_VERSION},
-                              {"compiler", __VERSION__},
-#ifdef NDEBUG
-                              {"checked_build", false},
-#else
-                              {"checked_build", true},
-#endif
-                              {"host", host_name()},
-                              {"cpus", std::thread::hardware_concurrency()},
+                              {"machine", machine_description()},
                               {"jobs", options.jobs},
                               {"command_line", options.command_line}});
   write_file(file, dump(json));

@@ -25,8 +25,8 @@ class Session {
 
  private:
   void open();
-  void take_up(const std::string& suite_hash);
-  void describe(const Suite& suite, const SuiteRunOptions& options, const std::string& suite_hash);
+  void take_up(const Suite& suite);
+  void describe(const Suite& suite, const SuiteRunOptions& options);
 
   const Columns& columns_;
   std::string folder_, file_;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "base/sha256.hpp"
 #include "base/text.hpp"
 #include "bench/run_id.hpp"
 #include "bench/suite_parts.hpp"
@@ -25,22 +24,6 @@ std::string PlannerSpec::variant() const {
   return all.empty() ? name : fmt::format("{}[{}]", name, to_text(all));
 }
 
-std::string content_hash(const Suite& suite) {
-  std::string text = fmt::format("schema 1\nname {}\nseed {}\nrepeats {}\ntarget {}\nwall_s {}\nmemory_mb {}\n",
-                                 suite.name, suite.seed, suite.repeats, to_decimal(suite.target_coverage),
-                                 to_decimal(suite.limits.wall_s), to_decimal(suite.limits.memory_mb));
-  for (const Robot& robot : suite.robots) text += fmt::format("robot {} {}\n", robot.name, canonical_text(robot));
-  for (const MapSpec& m : suite.maps) {
-    text += fmt::format("map {} {} {} {} {}", m.name, m.generator, to_text(m.settings), m.seed, m.file);
-    if (m.content) { text += fmt::format(" {} {}", content_hash(m.content->map), to_text(m.read)); }
-    if (m.start) text += " start " + to_text(*m.start);
-    if (m.anchor) text += " anchor " + to_text(*m.anchor);
-    text += '\n';
-  }
-  for (const PlannerSpec& p : suite.planners) text += fmt::format("planner {}\n", p.variant());
-  return sha256(text);
-}
-
 Suite read_suite(const std::string& file, const Registry& registry) {
   const toml::table root = parse_toml(file);
   TomlTable table(file, root, "the suite");
@@ -52,6 +35,7 @@ Suite read_suite(const std::string& file, const Registry& registry) {
   suite.name = table.text("name");
   suite.seed = static_cast<std::uint64_t>(table.whole("seed", 1, {0, kMost}));
   suite.repeats = static_cast<int>(table.whole("repeats", 1, {1, 1e6}));
+  suite.warm_ups = static_cast<int>(table.whole("warm_ups", 0, {0, 1000}));
   suite.target_coverage = table.number("target_coverage", 0.99, {0, 1});
   const toml::node* limits = table.find("limits");
   const toml::node* robots = table.find("robots");
@@ -62,11 +46,12 @@ Suite read_suite(const std::string& file, const Registry& registry) {
     if (!limits->is_table()) refuse(file, *limits, "limits is no table; write [limits]");
     TomlTable inner(file, *limits->as_table(), "[limits]");
     suite.limits.wall_s = inner.number("wall_s", suite.limits.wall_s, {0.001, 1e7});
+    suite.limits.cpu_s = inner.number("cpu_s", suite.limits.cpu_s, {0, 1e7});
     suite.limits.memory_mb = inner.number("memory_mb", suite.limits.memory_mb, {1, 1e9});
     inner.end();
   }
   suite.robots = read_robots(file, robots, root);
-  suite.maps = read_maps(file, maps, root, registry);
+  suite.maps = read_maps(file, maps, root, registry, suite.limits);
   suite.planners = read_planners(file, kinds, root, registry.planners);
   return suite;
 }

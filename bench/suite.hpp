@@ -29,7 +29,7 @@ struct MapSpec {
   std::string file;
   Settings read;                           // of the file's reader
   std::optional<Location> start, anchor;   // empty: the file's, or the problem's default
-  std::shared_ptr<const MapFile> content;  // of `file`
+  std::shared_ptr<const MapFile> content;  // of `file`; nullptr: reading it broke a limit, and will again
 };
 struct PlannerSpec {
   std::string name;
@@ -45,6 +45,7 @@ struct Suite {
   std::string name;
   std::uint64_t seed = 1;
   int repeats = 1;
+  int warm_ups = 0;  // calls of plan() before the one that is measured, in the same process
   double target_coverage = 0.99;
   Limits limits;
   std::vector<Robot> robots;
@@ -60,9 +61,5 @@ Suite read_suite(const std::string& file, const Registry& registry);
 
 /// Gives a name to every map that has none. Throws std::invalid_argument if a map is listed twice.
 void name_maps(std::vector<MapSpec>& maps);
-
-/// SHA-256 of everything above except the file's name: equal for suites that mean the same, whatever their
-/// comments and order of keys.
-std::string content_hash(const Suite& suite);
 
 }  // namespace oxturn

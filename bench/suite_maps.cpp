@@ -1,6 +1,6 @@
 // [[maps]]: generators with their parameters and seeds, or files, each with its starts and anchors.
 //
-// Map files are read here, so that a bad one stops the suite at the start.
+// Map files are read here, in processes of their own, so that a bad one stops the suite at the start.
 #include <fmt/format.h>
 #include <glob.h>
 
@@ -10,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "bench/isolate.hpp"
 #include "bench/suite_parts.hpp"
 
 namespace oxturn {
@@ -102,7 +103,17 @@ void read_generated(const std::string& file, TomlTable& table, const Generators&
   }
 }
 
-void read_files(const std::string& file, TomlTable& table, const MapFormats& formats, std::vector<MapSpec>& maps) {
+/// Under the suite's limits: bad content is refused at once, a file that breaks a limit becomes rows.
+std::shared_ptr<const MapFile> read_under_limits(const MapSpec& spec, const MapFormats& formats, const Limits& limits) {
+  ReadResult result = read_map_isolated(spec.file, spec.read, formats, limits);
+  if (result.file) return std::make_shared<const MapFile>(std::move(*result.file));
+  const Outcome outcome = result.report.outcome;
+  if (outcome == Outcome::timeout || outcome == Outcome::out_of_memory) return nullptr;
+  throw std::invalid_argument(result.report.reason);
+}
+
+void read_files(const std::string& file, TomlTable& table, const MapFormats& formats, const Limits& limits,
+                std::vector<MapSpec>& maps) {
   const auto starts = read_locations(file, table, "start", LocationKind::start);
   const auto anchors = read_locations(file, table, "anchor", LocationKind::anchor);
   const toml::node& patterns = table.need("file");
@@ -123,8 +134,7 @@ void read_files(const std::string& file, TomlTable& table, const MapFormats& for
       spec.read = settings_of(file, "a map reader", parameters, chosen, Defaults::drop);
       for (const std::string& found : files) {
         spec.file = found;
-        at_position(file, *node,
-                    [&] { spec.content = std::make_shared<const MapFile>(read_map(found, spec.read, formats)); });
+        at_position(file, *node, [&] { spec.content = read_under_limits(spec, formats, limits); });
         add_placed(spec, starts, anchors, maps);
       }
     }
@@ -134,7 +144,7 @@ void read_files(const std::string& file, TomlTable& table, const MapFormats& for
 }  // namespace
 
 std::vector<MapSpec> read_maps(const std::string& file, const toml::node* node, const toml::table& root,
-                               const Registry& registry) {
+                               const Registry& registry, const Limits& limits) {
   if (node == nullptr) refuse(file, root, "no [[maps]]; a suite needs at least one");
   const toml::array* list = node->as_array();
   if (list == nullptr || list->empty()) refuse(file, *node, "maps is no list of tables; write [[maps]]");
@@ -147,7 +157,7 @@ std::vector<MapSpec> read_maps(const std::string& file, const toml::node* node, 
     if (generated)
       read_generated(file, table, registry.generators, maps);
     else
-      read_files(file, table, registry.formats, maps);
+      read_files(file, table, registry.formats, limits, maps);
   }
   at_position(file, *node, [&] { name_maps(maps); });
   return maps;

@@ -32,7 +32,7 @@ bool truth(const std::string& file, const toml::node& node, const std::string& k
 /// `node` is the section, `root` the whole file; nullptr if the section is missing.
 std::vector<Robot> read_robots(const std::string& file, const toml::node* node, const toml::table& root);
 std::vector<MapSpec> read_maps(const std::string& file, const toml::node* node, const toml::table& root,
-                               const Registry& registry);
+                               const Registry& registry, const Limits& limits);
 std::vector<PlannerSpec> read_planners(const std::string& file, const toml::node* node, const toml::table& root,
                                        const Planners& planners);
 

@@ -46,6 +46,11 @@ bool send_points(int fd, const Polyline& points) {
          write_all(fd, reinterpret_cast<const char*>(points.data()), points.size() * sizeof(Point));
 }
 
+void put_points(std::string& out, const Polyline& points) {
+  put(out, static_cast<std::uint64_t>(points.size()));
+  out.append(reinterpret_cast<const char*>(points.data()), points.size() * sizeof(Point));
+}
+
 Polyline take_points(std::string_view& in) {
   const auto count = take<std::uint64_t>(in);
   if (count > in.size() / sizeof(Point)) throw std::runtime_error("fewer points than announced");
@@ -116,10 +121,7 @@ std::string pack(const Trace& trace) {
   std::string out;
   put_text(out, trace.name);
   put(out, static_cast<std::uint64_t>(trace.lines.size()));
-  for (const Polyline& line : trace.lines) {
-    put(out, static_cast<std::uint64_t>(line.size()));
-    out.append(reinterpret_cast<const char*>(line.data()), line.size() * sizeof(Point));
-  }
+  for (const Polyline& line : trace.lines) put_points(out, line);
   return out;
 }
 
@@ -127,6 +129,65 @@ Trace trace_from(std::string_view in) {
   Trace trace{take_text(in), {}};
   for (auto left = take<std::uint64_t>(in); left > 0; --left) trace.lines.push_back(take_points(in));
   return trace;
+}
+
+namespace {
+
+void put_region(std::string& out, const Region& region) {
+  put(out, static_cast<std::uint64_t>(region.polygons.size()));
+  for (const Polygon& polygon : region.polygons) {
+    put_points(out, polygon.outer);
+    put(out, static_cast<std::uint64_t>(polygon.holes.size()));
+    for (const Ring& hole : polygon.holes) put_points(out, hole);
+  }
+}
+
+Region take_region(std::string_view& in) {
+  Region region;
+  for (auto polygons = take<std::uint64_t>(in); polygons > 0; --polygons) {
+    Polygon polygon;
+    polygon.outer = take_points(in);
+    for (auto holes = take<std::uint64_t>(in); holes > 0; --holes) polygon.holes.push_back(take_points(in));
+    region.polygons.push_back(std::move(polygon));
+  }
+  return region;
+}
+
+void put_point(std::string& out, const std::optional<Point>& p) { put_points(out, p ? Polyline{*p} : Polyline{}); }
+
+std::optional<Point> take_point(std::string_view& in) {
+  const Polyline points = take_points(in);
+  return points.empty() ? std::nullopt : std::optional<Point>(points[0]);
+}
+
+}  // namespace
+
+std::string pack(const Region& region) {
+  std::string out;
+  put_region(out, region);
+  return out;
+}
+
+Region region_from(std::string_view in) { return take_region(in); }
+
+std::string pack(const MapFile& file) {
+  std::string out;
+  for (const std::string& text : {file.map.name, file.map.family, file.map.source}) put_text(out, text);
+  put_region(out, file.map.free);
+  put_point(out, file.start);
+  put_point(out, file.anchor);
+  for (const std::string& remark : file.remarks) put_text(out, remark);
+  return out;
+}
+
+MapFile map_file_from(std::string_view in) {
+  MapFile file;
+  for (std::string* text : {&file.map.name, &file.map.family, &file.map.source}) *text = take_text(in);
+  file.map.free = take_region(in);
+  file.start = take_point(in);
+  file.anchor = take_point(in);
+  while (!in.empty()) file.remarks.push_back(take_text(in));
+  return file;
 }
 
 void put_text(std::string& out, std::string_view text) {

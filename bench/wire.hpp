@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geometry/path.hpp"
+#include "geometry/region.hpp"
 #include "geometry/trace.hpp"
 #include "maps/formats.hpp"
 
@@ -58,6 +59,11 @@ Path path_from(std::string_view payload);
 
 std::string pack(const Trace& trace);
 Trace trace_from(std::string_view payload);
+std::string pack(const Region& region);
+Region region_from(std::string_view payload);
+/// Without the robot that the file names: suites have robots of their own.
+std::string pack(const MapFile& file);
+MapFile map_file_from(std::string_view payload);
 
 /// Plain values one after the other, for short messages.
 template <class T>

@@ -3,23 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <new>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "base/files.hpp"
 #include "base/sha256.hpp"
 #include "base/text.hpp"
+#include "bench/build_info.hpp"
+#include "bench/finish.hpp"
 #include "bench/isolate.hpp"
 #include "bench/run_id.hpp"
 #include "bench/verdict.hpp"
 #include "bench/wire.hpp"
-#include "geometry/trace.hpp"
-#include "maps/path_file.hpp"
-#include "maps/picture.hpp"
-#include "metrics/tether_trace.hpp"
 
 namespace oxturn {
 
@@ -29,26 +25,17 @@ constexpr std::size_t kLongestReason = 500;
 
 // One printable line of bounded length: the text may come from any exception.
 std::string as_reason(const std::string& text) {
-  std::string out;
-  for (const char c : text) out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+  std::string out = printable(text);
   while (!out.empty() && out.back() == ' ') out.pop_back();
-  if (out.size() > kLongestReason) {
-    std::size_t end = kLongestReason;
-    while (end > 0 && (static_cast<unsigned char>(out[end]) & 0xC0) == 0x80) --end;  // not within a UTF-8 sequence
-    out = out.substr(0, end) + " ...";
-  }
-  return out;
+  if (out.size() <= kLongestReason) return out;
+  std::size_t end = kLongestReason;
+  while (end > 0 && (static_cast<unsigned char>(out[end]) & 0xC0) == 0x80) --end;  // not within a UTF-8 sequence
+  return out.substr(0, end) + " ...";
 }
 
 void end(Row& row, Outcome outcome, const std::string& reason) {
   row.cells["outcome"] = to_text(outcome);
   row.cells["reason"] = as_reason(reason);
-}
-
-bool is_finite(const Path& path) {
-  return std::all_of(path.legs.begin(), path.legs.end(), [](const Leg& leg) {
-    return std::all_of(leg.points.begin(), leg.points.end(), [](const Point& p) { return finite(p); });
-  });
 }
 
 struct Setting {
@@ -98,8 +85,8 @@ Setting set_up(const Work& work, const SuiteCell& cell) {
     s.outcome = Outcome::infeasible;
     s.reason = e.what();
   } catch (const std::bad_alloc&) {
-    s.outcome = Outcome::infrastructure;
-    s.reason = "the problem does not fit into memory";
+    s.outcome = Outcome::out_of_memory;
+    s.reason = "setting up the problem: there is not enough memory";
   } catch (const std::exception& e) {
     s.outcome = Outcome::infrastructure;
     s.reason = fmt::format("the problem could not be set up: {}", e.what());
@@ -132,7 +119,7 @@ Row row_of(const Work& work, std::size_t index, const Setting& setting) {
   Row row;
   const std::string& map = work.suite.maps[cell.map].name;
   row.cells = {{"schema", "1"},
-               {"run_id", run_id(map, robot, setting.hash, spec.name, settings, seed, cell.repeat)},
+               {"run_id", run_id(map, robot, setting.hash, spec.name, settings, seed, cell.repeat, build_identity())},
                {"attempt", "1"},
                {"suite", work.suite.name},
                {"map", map},
@@ -150,54 +137,6 @@ Row row_of(const Work& work, std::size_t index, const Setting& setting) {
   return row;
 }
 
-void write_traces(const Work& work, const std::string& id, const std::vector<Trace>& traces) {
-  auto json = nlohmann::ordered_json::array();
-  for (const Trace& trace : traces) {
-    auto lines = nlohmann::ordered_json::array();
-    for (const Polyline& line : trace.lines) {
-      auto points = nlohmann::ordered_json::array();
-      for (const Point& p : line) points.push_back({p.x(), p.y()});
-      lines.push_back(std::move(points));
-    }
-    json.push_back({{"name", trace.name}, {"lines", std::move(lines)}});
-  }
-  write_file(fmt::format("{}/traces/{}.json", work.options.folder, id), json.dump() + "\n");
-}
-
-/// Writes the path with the name of its problem, so that it can be drawn and scored again by itself.
-void write_path(const Work& work, const Setting& setting, const Path& path, Row& row) {
-  if (path.legs.empty() || !is_finite(path)) return;  // JSON has no NaN; `reason` says what was wrong
-  row.cells["path_sha256"] = sha256(to_geojson(path));
-  row.cells["path_file"] = fmt::format("paths/{}.geojson", row.get("run_id"));
-  write_file(fmt::format("{}/{}", work.options.folder, row.get("path_file")), to_geojson(path, setting.problem_file));
-}
-
-void write_picture(const Work& work, const Problem& problem, const Planned& planned, const Row& row) {
-  if (!work.options.pictures || row.get("path_file").empty()) return;
-  PictureOptions options;
-  options.traces = &planned.traces;
-  write_file(fmt::format("{}/{}", work.options.folder, picture_name(row.get("run_id"))),
-             to_svg(problem, &*planned.path, options));
-}
-
-/// The tether's length, bends and angle along the path.
-void write_tether(const Work& work, const Problem& problem, const Path& path, const Row& row) {
-  if (!problem.tether()) return;
-  write_file(fmt::format("{}/tethers/{}.csv", work.options.folder, row.get("run_id")),
-             to_csv(tether_trace(problem, path, problem.robot().tool_width)));
-}
-
-Score score_into(const Work& work, const Problem& problem, const Path& path, bool tether_counts, Row& row) {
-  const auto before = std::chrono::steady_clock::now();
-  ScoreOptions options;
-  options.tether_counts = tether_counts;
-  Score result = score(problem, path, work.registry.metrics, options);
-  row.cells["score_s"] = to_decimal(std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count());
-  for (const MetricValue& metric : result.values)
-    if (metric.value) row.cells[metric.name] = to_decimal(*metric.value);
-  return result;
-}
-
 void write_process(const Planned& planned, Row& row) {
   if (planned.exit_code != 0) row.cells["exit_code"] = std::to_string(planned.exit_code);
   if (planned.signal != 0) row.cells["signal"] = std::to_string(planned.signal);
@@ -207,23 +146,23 @@ void write_process(const Planned& planned, Row& row) {
   row.cells["peak_rss_bytes"] = to_decimal(planned.peak_rss_bytes);
 }
 
-/// Scores and stores what came of planning.
-void finish_run(const Work& work, const Setting& setting, const Planned& planned, bool tether_counts, Row& row) {
+/// Scores and stores what came of planning, in a process of its own.
+void finish_run(const Work& work, const Setting& setting, const Planned& planned, bool tether_counts, int fd,
+                Row& row) {
   write_process(planned, row);
-  std::optional<Score> result;
-  if (is_scored(planned)) {
-    write_path(work, setting, *planned.path, row);
-    result = score_into(work, *setting.problem, *planned.path, tether_counts, row);
-    write_picture(work, *setting.problem, planned, row);
-    write_tether(work, *setting.problem, *planned.path, row);
-  }
-  const Verdict verdict = judge(planned, result, work.suite.target_coverage);
+  FinishTask task{*setting.problem,     planned,           work.registry.metrics, work.options,
+                  setting.problem_file, row.get("run_id"), tether_counts};
+  const Finished finished = finish_isolated(task, work.suite.limits);
+  for (const auto& [column, cell] : finished.cells) row.cells[column] = cell;
+  const Verdict verdict =
+      finished.breach ? *finished.breach : judge(planned, finished.score, work.suite.target_coverage);
   end(row, verdict.outcome, verdict.reason);
-  if (!planned.traces.empty()) write_traces(work, row.get("run_id"), planned.traces);
+  for (const std::string& remark : finished.remarks)
+    send_message(fd, messages::kRemark, 0, fmt::format("{} on {}: {}", row.get("variant"), row.get("map"), remark));
 }
 
 /// `records` takes the figures that the planner recorded, packed.
-void run_one(const Work& work, const Setting& setting, std::size_t index, Row& row, std::string& records) {
+void run_one(const Work& work, const Setting& setting, std::size_t index, int fd, Row& row, std::string& records) {
   const PlannerSpec& spec = work.suite.planners[work.cells[index].planner];
   const PlannerInfo& planner = work.registry.planners.find(spec.name);
   if (!setting.problem) return end(row, setting.outcome, setting.reason);
@@ -234,7 +173,9 @@ void run_one(const Work& work, const Setting& setting, std::size_t index, Row& r
     IsolationOptions options;
     options.limits = work.suite.limits;
     options.seed = run_seed(work.suite.seed, spec.name, setting.hash, work.cells[index].repeat);
+    options.warm_ups = work.suite.warm_ups;
     options.traces = work.options.traces;
+    row.cells["load"] = to_decimal(load_average());
     options.log_file = fmt::format("{}/logs/{}.log", work.options.folder, row.get("run_id"));
     const auto make = [&] { return planner.make(spec.settings, work.registry.planners); };
     const Planned planned = plan_isolated(make, problem, options);
@@ -242,7 +183,7 @@ void run_one(const Work& work, const Setting& setting, std::size_t index, Row& r
       wire::put(records, value);
       wire::put_text(records, name);
     }
-    finish_run(work, setting, planned, !spec.ignore_tether, row);
+    finish_run(work, setting, planned, !spec.ignore_tether, fd, row);
   } catch (const std::exception& e) {
     // A defect or limit of the harness: a full disk, no more processes, a metric that throws.
     end(row, Outcome::infrastructure, e.what());
@@ -297,6 +238,7 @@ Row blank_row(const Work& work, std::size_t index) {
 void run_unit(const Work& work, const Unit& unit, int fd) {
   const SuiteCell& first = work.cells[unit.first];
   const Setting setting = set_up(work, first);
+  send_message(fd, messages::kReady, unit.first, "");
   for (std::size_t index = unit.first; index < unit.last; ++index) {
     Row row = row_of(work, index, setting);
     const auto earlier = work.earlier.find(row.get("run_id"));
@@ -309,7 +251,7 @@ void run_unit(const Work& work, const Unit& unit, int fd) {
     }
     send_message(fd, messages::kBegun, index, pack(row));
     std::string records;
-    run_one(work, setting, index, row, records);
+    run_one(work, setting, index, fd, row, records);
     if (!records.empty()) send_message(fd, messages::kRecords, index, records);
     send_message(fd, messages::kDone, index, pack(row));
   }

@@ -42,10 +42,12 @@ struct Work {
 
 /// What a worker sends about run `index`. Frames: [index u64][payload].
 namespace messages {
+inline constexpr char kReady = 'S';    // the problem is set up, or cannot be
 inline constexpr char kBegun = 'B';    // the row so far, packed
 inline constexpr char kRecords = 'V';  // [value f64, name] for each figure the planner recorded; before kDone, if any
 inline constexpr char kDone = 'D';     // the row, packed
 inline constexpr char kKept = 'K';     // run_id of a row that an earlier session left
+inline constexpr char kRemark = 'N';   // a sentence for the user
 inline constexpr char kBroken = 'X';   // why the worker gives up
 }  // namespace messages
 

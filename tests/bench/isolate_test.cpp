@@ -23,7 +23,7 @@ using testing::test_planner;
 
 IsolationOptions short_limits() {
   IsolationOptions options;
-  options.limits = {0.5, 200};
+  options.limits = {.wall_s = 0.5, .memory_mb = 200};
   return options;
 }
 

@@ -31,7 +31,7 @@ using ::testing::ThrowsMessage;
 Suite rectangles(const std::vector<std::string>& hows, int maps = 1) {
   Suite suite;
   suite.name = "test, of \"quotes\"";
-  suite.limits = {0.5, 200};
+  suite.limits = {.wall_s = 0.5, .memory_mb = 200};
   suite.robots.push_back(Robot{});
   for (int i = 0; i < maps; ++i) {
     MapSpec map;

@@ -1,0 +1,186 @@
+#include "bench/finish.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "base/files.hpp"
+#include "base/sha256.hpp"
+#include "base/text.hpp"
+#include "bench/wire.hpp"
+#include "maps/path_file.hpp"
+#include "maps/picture.hpp"
+#include "metrics/tether_trace.hpp"
+
+namespace oxturn {
+namespace {
+
+/// Types of the frames that the child sends.
+namespace frames {
+constexpr char kStage = 'S';   // name of the stage that begins
+constexpr char kCell = 'C';    // column, cell
+constexpr char kScore = 'M';   // flaw, then name, has value, value of each metric
+constexpr char kRemark = 'N';  // a stage after scoring failed
+}  // namespace frames
+
+bool is_finite(const Path& path) {
+  return std::all_of(path.legs.begin(), path.legs.end(), [](const Leg& leg) {
+    return std::all_of(leg.points.begin(), leg.points.end(), [](const Point& p) { return finite(p); });
+  });
+}
+
+std::string pack(const Score& score) {
+  std::string bytes;
+  wire::put_text(bytes, score.flaw);
+  for (const MetricValue& metric : score.values) {
+    wire::put_text(bytes, metric.name);
+    wire::put(bytes, static_cast<char>(metric.value.has_value()));
+    wire::put(bytes, metric.value.value_or(0));
+  }
+  return bytes;
+}
+
+Score score_from(std::string_view bytes) {
+  Score score;
+  score.flaw = wire::take_text(bytes);
+  while (!bytes.empty()) {
+    std::string name = wire::take_text(bytes);
+    const bool has_value = wire::take<char>(bytes) != 0;
+    const double value = wire::take<double>(bytes);
+    score.values.push_back({std::move(name), has_value ? std::optional<double>(value) : std::nullopt});
+  }
+  return score;
+}
+
+std::string to_json(const std::vector<Trace>& traces) {
+  auto json = nlohmann::ordered_json::array();
+  for (const Trace& trace : traces) {
+    auto lines = nlohmann::ordered_json::array();
+    for (const Polyline& line : trace.lines) {
+      auto points = nlohmann::ordered_json::array();
+      for (const Point& p : line) points.push_back({p.x(), p.y()});
+      lines.push_back(std::move(points));
+    }
+    json.push_back({{"name", trace.name}, {"lines", std::move(lines)}});
+  }
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+/// The child's side: stage after stage.
+class FinishChild {
+ public:
+  FinishChild(const FinishTask& task, int fd) : task_(task), fd_(fd) {}
+
+  void run() {
+    if (is_scored(task_.planned)) {
+      const Path& path = *task_.planned.path;
+      begin("storing the path");
+      store(path);
+      begin("scoring");
+      score_path(path);
+      if (task_.problem.tether()) optional("following the tether", [&] { write_tether(path); });
+      if (stored_ && task_.options.pictures) optional("drawing", [&] { draw(path); });
+    }
+    if (!task_.planned.traces.empty())
+      optional("storing traces", [&] { write("traces", ".json", to_json(task_.planned.traces)); });
+  }
+
+ private:
+  void begin(const std::string& stage) {
+    wire::send(fd_, frames::kStage, stage);
+    wire::send(fd_, child_frames::kRestart, "");
+  }
+
+  template <class Work>
+  void optional(const std::string& stage, Work work) {
+    begin(stage);
+    try {
+      work();
+    } catch (const std::exception& e) { wire::send(fd_, frames::kRemark, stage + ": " + e.what()); }
+  }
+
+  void cell(const std::string& column, const std::string& text) {
+    std::string message;
+    wire::put_text(message, column);
+    wire::put_text(message, text);
+    wire::send(fd_, frames::kCell, message);
+  }
+
+  void write(const std::string& folder, const std::string& suffix, const std::string& content) const {
+    write_file(fmt::format("{}/{}/{}{}", task_.options.folder, folder, task_.run_id, suffix), content);
+  }
+
+  /// With the name of its problem, so that it can be drawn and scored again by itself.
+  void store(const Path& path) {
+    if (path.legs.empty() || !is_finite(path)) return;  // JSON has no NaN; the verdict says what is wrong
+    cell("path_sha256", sha256(to_geojson(path)));
+    write("paths", ".geojson", to_geojson(path, task_.problem_file));
+    cell("path_file", fmt::format("paths/{}.geojson", task_.run_id));
+    stored_ = true;
+  }
+
+  void score_path(const Path& path) {
+    const auto before = std::chrono::steady_clock::now();
+    ScoreOptions options;
+    options.tether_counts = task_.tether_counts;
+    const Score result = score(task_.problem, path, task_.metrics, options);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+    cell("score_s", to_decimal(seconds));
+    for (const MetricValue& metric : result.values)
+      if (metric.value) cell(metric.name, to_decimal(*metric.value));
+    wire::send(fd_, frames::kScore, pack(result));
+  }
+
+  /// The tether's length, bends and angle along the path.
+  void write_tether(const Path& path) const {
+    write("tethers", ".csv", to_csv(tether_trace(task_.problem, path, task_.problem.robot().tool_width)));
+  }
+
+  void draw(const Path& path) const {
+    PictureOptions options;
+    options.traces = &task_.planned.traces;
+    write_file(fmt::format("{}/{}", task_.options.folder, picture_name(task_.run_id)),
+               to_svg(task_.problem, &path, options));
+  }
+
+  const FinishTask& task_;
+  int fd_;
+  bool stored_ = false;
+};
+
+}  // namespace
+
+Finished finish_isolated(const FinishTask& task, const Limits& limits) {
+  Finished finished;
+  if (!is_scored(task.planned) && task.planned.traces.empty()) return finished;
+  std::string stage;
+  ChildTask child;
+  child.limits = limits;
+  child.work = [&](int fd) { FinishChild(task, fd).run(); };
+  child.receive = [&](char type, std::string_view payload) {
+    if (type == frames::kStage) {
+      stage = payload;
+    } else if (type == frames::kCell) {
+      const std::string column = wire::take_text(payload);
+      finished.cells[column] = wire::take_text(payload);
+    } else if (type == frames::kScore) {
+      finished.score = score_from(payload);
+    } else {
+      finished.remarks.emplace_back(payload);
+    }
+  };
+  const ChildReport report = run_child(child);
+  if (report.outcome == Outcome::ok) return finished;
+  const std::string reason = stage + ": " + report.reason;
+  if (is_scored(task.planned) && !finished.score) {
+    const bool limit = report.outcome == Outcome::timeout || report.outcome == Outcome::out_of_memory;
+    finished.breach = Verdict{limit ? report.outcome : Outcome::infrastructure, reason};
+  } else {
+    finished.remarks.push_back(reason);
+  }
+  return finished;
+}
+
+}  // namespace oxturn
