@@ -1,4 +1,4 @@
-// Method      Each boundary is walked with the set cell on the left. At a lattice point where two set cells share only
+// Method      Each boundary is walked with the set cell on the left. At a grid point where two set cells share only
 //             that corner, the walk turns left, so that they stay apart; where two clear cells do, the walk visits the
 //             point twice and is cut there into loops, so that no ring touches itself.
 #include <algorithm>
@@ -10,17 +10,17 @@
 namespace oxturn {
 namespace {
 
-struct LatticePoint {
+struct GridPoint {
   int x, y;
-  bool operator==(const LatticePoint&) const = default;
+  bool operator==(const GridPoint&) const = default;
 };
-using Loop = std::vector<LatticePoint>;
+using Loop = std::vector<GridPoint>;
 
 // Directions 0 to 3: east, north, west, south.
-constexpr std::array<LatticePoint, 4> kStep{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-// The cells ahead of a lattice point, on the left and on the right of the direction of the walk, relative to the point.
-constexpr std::array<LatticePoint, 4> kLeftAhead{{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
-constexpr std::array<LatticePoint, 4> kRightAhead{{{0, -1}, {0, 0}, {-1, 0}, {-1, -1}}};
+constexpr std::array<GridPoint, 4> kStep{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+// The cells ahead of a grid point, on the left and on the right of the direction of the walk, relative to the point.
+constexpr std::array<GridPoint, 4> kLeftAhead{{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
+constexpr std::array<GridPoint, 4> kRightAhead{{{0, -1}, {0, 0}, {-1, 0}, {-1, -1}}};
 
 /// 4-connected components of the set cells, numbered in row order.
 ConnectedComponents components(const BitGrid& grid) {
@@ -29,14 +29,14 @@ ConnectedComponents components(const BitGrid& grid) {
       grid.bits.size(), [&](std::size_t c) { return grid.bits[c] != 0; },
       [&](std::size_t c, auto reach) {
         const int i = static_cast<int>(c % columns), j = static_cast<int>(c / columns);
-        for (const LatticePoint& d : kStep)
+        for (const GridPoint& d : kStep)
           if (grid.inside(i + d.x, j + d.y)) reach(grid.at(i + d.x, j + d.y));
       });
 }
 
 /// Cuts a closed walk into loops that visit no point twice.
 std::vector<Loop> loops_of(const Loop& walk) {
-  const auto key = [](const LatticePoint& c) { return std::pair(c.y, c.x); };
+  const auto key = [](const GridPoint& c) { return std::pair(c.y, c.x); };
   std::vector<std::size_t> order(walk.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(walk[a]) < key(walk[b]); });
@@ -69,7 +69,7 @@ std::vector<Loop> loops_of(const Loop& walk) {
 bool counter_clockwise(const Loop& loop) {
   std::int64_t twice_area = 0;
   for (std::size_t k = 0; k < loop.size(); ++k) {
-    const LatticePoint &a = loop[k], &b = loop[k + 1 == loop.size() ? 0 : k + 1];
+    const GridPoint &a = loop[k], &b = loop[k + 1 == loop.size() ? 0 : k + 1];
     twice_area += std::int64_t{a.x} * b.y - std::int64_t{b.x} * a.y;
   }
   return twice_area > 0;
@@ -86,10 +86,10 @@ class Outliner {
   }
   /// The ring along the lower side of the cell, eastwards; several where it meets itself.
   std::vector<Loop> rings_from(int i, int j) {
-    const LatticePoint start{i, j};
+    const GridPoint start{i, j};
     Loop walk;
     bool meets_itself = false;
-    LatticePoint at = start;
+    GridPoint at = start;
     std::size_t direction = 0;
     do {
       if (direction == 0) passed_[grid_.at(at.x, at.y)] = 1;
@@ -114,7 +114,7 @@ class Outliner {
   }
 
  private:
-  bool set(const LatticePoint& at, const LatticePoint& offset) const {
+  bool set(const GridPoint& at, const GridPoint& offset) const {
     return grid_.get(at.x + offset.x, at.y + offset.y);
   }
 
@@ -136,7 +136,7 @@ Region trace(const BitGrid& grid) {
       Polygon& polygon = region.polygons[static_cast<std::size_t>(component.of[grid.at(i, j)])];
       for (const Loop& loop : outliner.rings_from(i, j)) {
         Ring ring;
-        for (const LatticePoint& c : loop) ring.push_back(grid.origin + grid.cell * Point(c.x, c.y));
+        for (const GridPoint& c : loop) ring.push_back(grid.origin + grid.cell * Point(c.x, c.y));
         if (counter_clockwise(loop))
           polygon.outer = std::move(ring);
         else
