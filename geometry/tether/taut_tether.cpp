@@ -17,8 +17,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "geometry/tether/corner_index.hpp"
 #include "geometry/predicates.hpp"
+#include "geometry/tether/corner_index.hpp"
 
 namespace oxturn {
 namespace {

@@ -80,8 +80,8 @@ Polyline taut(const TautSpace& space, const Polyline& line) {
 
 /// From `string`'s robot to the goal in the class of the geodesic: back along `shadow` to the start, then through the
 /// cut space. nullopt if the goal is no part of that.
-std::optional<Way> path_of_geodesic(const TetheredWorld::Impl& world, const TautTether& string, const TautTether& shadow,
-                                   const Point& goal, bool pulled) {
+std::optional<Way> path_of_geodesic(const TetheredWorld::Impl& world, const TautTether& string,
+                                    const TautTether& shadow, const Point& goal, bool pulled) {
   const auto out = world.cut_paths.path(shadow.anchor(), goal);
   if (!out) return std::nullopt;
   const Polyline whole = joined(reversed(shadow.polyline()), *out);
@@ -92,7 +92,7 @@ std::optional<Way> path_of_geodesic(const TetheredWorld::Impl& world, const Taut
 
 /// Back along `shadow` until `goal` is in straight reach.
 std::optional<Way> path_untangled(const TetheredWorld::Impl& world, const TautTether& string, const TautTether& shadow,
-                                 const Point& goal) {
+                                  const Point& goal) {
   const Polyline back = reversed(shadow.polyline());
   const double step = length(back) / 64;
   TautTether here = string;  // at back[k - 1]
@@ -140,7 +140,7 @@ std::pair<double, double> excess(const TetheredWorld::Impl& world, TautTether st
 
 /// Through the cut space to the last place on the goal's geodesic (looked for in steps of `step`) that is part of it.
 std::optional<Polyline> path_towards(const TetheredWorld::Impl& world, const Point& start, const Point& goal,
-                                    double step) {
+                                     double step) {
   const Polyline string = world.field.path(goal);
   for (std::size_t k = string.size(); k-- > 1;) {
     const double n = std::ceil(distance(string[k - 1], string[k]) / step);
@@ -153,7 +153,7 @@ std::optional<Polyline> path_towards(const TetheredWorld::Impl& world, const Poi
 }  // namespace
 
 std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& start, const Point& goal, double slack,
-                                     std::size_t budget) {
+                                      std::size_t budget) {
   const TetheredWorld::Impl& w = world.impl();
   if (auto inside = w.cut_paths.path(start, goal)) return inside;
   const auto search = [&](const Point& from) {
@@ -193,7 +193,7 @@ TetheredRobot::TetheredRobot(const TetheredWorld& world, const Point& start)
 }
 
 std::optional<TetheredRobot::Way> TetheredRobot::path_to(const Point& goal, Retraction retraction,
-                                                        std::size_t budget) const {
+                                                         std::size_t budget) const {
   const TetheredWorld::Impl& world = world_->impl();
   if (!(world.field.distance(goal) <= world.longest + world.tolerance)) return std::nullopt;
   if (retraction == Retraction::untangle) {

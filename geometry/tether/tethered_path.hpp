@@ -11,8 +11,8 @@
 #include <memory>
 #include <optional>
 
-#include "geometry/tether/geodesic_field.hpp"
 #include "geometry/paths/shortest_path.hpp"
+#include "geometry/tether/geodesic_field.hpp"
 #include "geometry/tether/taut_tether.hpp"
 
 namespace oxturn {
@@ -43,7 +43,7 @@ enum class Retraction {
 /// touches) the way crosses the cut and back; while it does, the string is at most `slack` metres longer than the
 /// geodesic. nullopt if there is none, or `budget` expansions find none.
 std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& start, const Point& goal, double slack,
-                                     std::size_t budget = 20000);
+                                      std::size_t budget = 20000);
 /// `line` pulled taut in `space`, ends fixed.
 Polyline pulled_taut(const TetheredWorld& world, const Polyline& line);
 
@@ -62,7 +62,7 @@ class TetheredRobot {
   /// out of reach). First the plain shortest path, then other classes by length, at last the class of the geodesic,
   /// which is admissible for every goal of the cut space. `budget`: expansions of the search for other classes.
   std::optional<Way> path_to(const Point& goal, Retraction retraction = Retraction::automatic,
-                            std::size_t budget = 2000) const;
+                             std::size_t budget = 2000) const;
   /// The shortest way back to the start that leaves the string as it was there; nullopt as above.
   std::optional<Way> path_home() const;
   /// Drives along `points` (a first point equal to the robot's place is skipped).
