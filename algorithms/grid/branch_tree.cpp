@@ -116,7 +116,7 @@ std::optional<BranchTree::Way> BranchTree::path_among_walls(const Point& p) {
   for (; known_ < vertices_.size(); ++known_) by_path_->add(vertices_[known_], static_cast<int>(known_), known_);
   auto found = by_path_->from(p);
   if (!found) return std::nullopt;
-  return Way{static_cast<std::uint32_t>(found->id), std::move(found->way)};
+  return Way{static_cast<std::uint32_t>(found->id), std::move(found->path)};
 }
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> BranchTree::edges() const {

@@ -33,7 +33,7 @@ std::optional<PartOrder::Entry> PartOrder::come_to(std::optional<Entry> entry) {
   at_ = fine_.at(entry->i, entry->j);
   done_[static_cast<std::size_t>(parts_.of[entry->coarse])] = true;
   --left_[static_cast<std::size_t>(ways_.part(at_))];
-  if (walls_) walls_->drop(parts_.of[entry->coarse]);
+  if (walls_) walls_->remove(parts_.of[entry->coarse]);
   return entry;
 }
 
@@ -78,7 +78,7 @@ std::optional<PartOrder::Entry> PartOrder::among_walls(const Point& p) {
   }
   auto found = walls_->from(p);
   if (!found) return std::nullopt;
-  return entry_at(found->id, std::move(found->way));
+  return entry_at(found->id, std::move(found->path));
 }
 
 // Prim's algorithm with a bucket for each number of steps. Sub-cells of parts in the tree are where ways begin; when the

@@ -157,11 +157,11 @@ Path go_round_partial(const Problem& problem, const GridGraph& fine, const std::
                           [&](Direction d) { return !fine.passable(c.i, c.j, d); }))
             nearest->add(fine.centre(c.i, c.j), part[fine.at(c.i, c.j)], fine.at(c.i, c.j));
     }
-    nearest->drop(number);
+    nearest->remove(number);
     const auto found = nearest->from(path.at());
     entry.reset();
     const auto columns = static_cast<std::size_t>(fine.columns());
-    if (found) entry = Entry{static_cast<int>(found->id % columns), static_cast<int>(found->id / columns), found->way};
+    if (found) entry = Entry{static_cast<int>(found->id % columns), static_cast<int>(found->id / columns), found->path};
   }
   return path.take();
 }

@@ -275,10 +275,10 @@ class Wavefront final : public CoveragePlanner {
     while (!climb.cancelled()) {
       const auto found = nearest.from(path.at());
       if (!found) return;
-      nearest.drop(static_cast<int>(found->id));
+      nearest.remove(static_cast<int>(found->id));
       const std::size_t c = left[found->id];
       if (climb.visited(c)) continue;
-      Polyline way = found->way;
+      Polyline way = found->path;
       const Point last = way.back();
       way.pop_back();
       path.drive(way, false);

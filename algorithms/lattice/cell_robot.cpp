@@ -83,7 +83,7 @@ std::optional<Entry> entry_from_start(const Problem& problem, const GridGraph& g
   auto found = nearest.from(problem.start());
   if (!found) return std::nullopt;
   const auto columns = static_cast<std::size_t>(graph.columns());
-  return Entry{static_cast<int>(found->id % columns), static_cast<int>(found->id / columns), std::move(found->way)};
+  return Entry{static_cast<int>(found->id % columns), static_cast<int>(found->id / columns), std::move(found->path)};
 }
 
 }  // namespace oxturn

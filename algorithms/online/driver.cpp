@@ -32,11 +32,11 @@ Polyline View::way() const {
 Polyline along_line(const Problem& truth) {
   try {
     const TetherSpace leash(truth, "an online planner");
-    const EdgeIndex& walls = leash.within().walls();
+    const EdgeIndex& walls = leash.cut_problem().walls();
     Point end = truth.anchor();
     if (!walls.contains(end))
       if (const auto hit = walls.nearest(end)) end = hit->place;
-    auto way = leash.within().transit().path(truth.start(), end);  // keeps the string equal to the geodesic
+    auto way = leash.cut_problem().transit().path(truth.start(), end);  // keeps the string equal to the geodesic
     return way && length(*way) > 0 ? std::move(*way) : Polyline{};
   } catch (const Infeasible&) {
     return {};  // the start has two strings

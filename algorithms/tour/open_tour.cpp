@@ -116,7 +116,7 @@ std::vector<TourStop> OpenTour::nearest(Context& context) const {
   std::vector<TourStop> tour;
   PointGrid grid(m.ports);
   std::size_t at = m.start_port;
-  while (grid.left() > 0 && !context.cancelled()) {
+  while (grid.remaining() > 0 && !context.cancelled()) {
     const TourStop next = m.stop_at(m.nearest_left(grid, at).port);
     m.take(grid, next.element);
     tour.push_back(next);
@@ -133,7 +133,7 @@ std::vector<TourStop> OpenTour::depth_first(const std::vector<std::vector<std::s
   std::vector<bool> visited(m.elements.size(), false);
   std::vector<std::size_t> stack;
   std::size_t at = m.start_port;
-  while (grid.left() > 0 && !context.cancelled()) {
+  while (grid.remaining() > 0 && !context.cancelled()) {
     Impl::Best best;
     std::size_t any = m.start_port;
     while (!stack.empty() && any == m.start_port) {

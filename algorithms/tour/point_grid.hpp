@@ -34,7 +34,7 @@ class PointGrid {
     auto& cell = cells_[cell_of(points_[i])];
     cell.erase(std::find(cell.begin(), cell.end(), static_cast<std::uint32_t>(i)));
   }
-  std::size_t left() const { return left_; }
+  std::size_t remaining() const { return left_; }
 
   /// Calls f(index, distance) for the points left, nearest first (equal: lower index first), until f says false.
   template <class F>

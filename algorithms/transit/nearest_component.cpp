@@ -34,7 +34,7 @@ void NearestComponent::add(const Point& p, int part, std::size_t id) {
   if (triangle != Mesh::kWall) entries_[static_cast<std::size_t>(triangle)].push_back({p, part, id});
 }
 
-void NearestComponent::drop(int part) {
+void NearestComponent::remove(int part) {
   if (dropped_.size() <= static_cast<std::size_t>(part)) dropped_.resize(static_cast<std::size_t>(part) + 1, false);
   dropped_[static_cast<std::size_t>(part)] = true;
 }

@@ -21,11 +21,11 @@ class NearestComponent {
   /// An entry point of a part, in configuration space; `id` is the caller's.
   void add(const Point& p, int part, std::size_t id);
   /// The part is done: its points no longer count.
-  void drop(int part);
+  void remove(int part);
 
   struct Found {
     std::size_t id;
-    Polyline way;  // from the asking point to the entry, both included
+    Polyline path;  // from the asking point to the entry, both included
   };
   /// nullopt if nothing that is left can be reached. Not safe from several threads.
   std::optional<Found> from(const Point& p);

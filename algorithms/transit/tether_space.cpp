@@ -115,7 +115,7 @@ std::optional<Polyline> TetherSpace::path_into(const Polygon& part, Point& entry
   string.drive(field().path(problem_.start()));
   for (std::size_t k = 1; k < way->size(); ++k) {
     string.drive((*way)[k]);
-    if (string.length() > longest() + problem_.tolerance()) return std::nullopt;
+    if (string.length() > tether_length() + problem_.tolerance()) return std::nullopt;
   }
   return way;
 }
@@ -123,38 +123,38 @@ std::optional<Polyline> TetherSpace::path_into(const Polygon& part, Point& entry
 const TetheredWorld& TetherSpace::world() const {
   if (!world_)
     world_ = std::make_unique<const TetheredWorld>(problem_.map().free, problem_.configuration_space(), cut_space(),
-                                                   field(), longest(), problem_.tolerance());
+                                                   field(), tether_length(), problem_.tolerance());
   return *world_;
 }
 
-Polyline TetherSpace::way(const Part& from_part, const Point& from, const Part& to_part, const Point& to) const {
-  const auto inside = [&](const Part& part, const Point& a, const Point& b) {
-    auto found = part.within.transit().path(a, b);
+Polyline TetherSpace::path(const Component& from_part, const Point& from, const Component& to_part, const Point& to) const {
+  const auto inside = [&](const Component& part, const Point& a, const Point& b) {
+    auto found = part.problem.transit().path(a, b);
     if (!found)
       throw std::logic_error(fmt::format(
           "no way from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) in one part of the cut space", a.x(), a.y(), b.x(), b.y()));
     return std::move(*found);
   };
   if (&from_part == &to_part) return inside(from_part, from, to);
-  Polyline whole = inside(from_part, from, from_part.within.start());
+  Polyline whole = inside(from_part, from, from_part.problem.start());
   const auto append = [&](const Polyline& line) { whole.insert(whole.end(), line.begin() + 1, line.end()); };
   append(Polyline(from_part.entry_path.rbegin(), from_part.entry_path.rend()));
   append(to_part.entry_path);
-  append(inside(to_part, to_part.within.start(), to));
+  append(inside(to_part, to_part.problem.start(), to));
   Polyline taut = pulled_taut(world(), whole);
   // The pulled way keeps the class; on it the string may be longer than the leash for a moment, on the other one never.
   TautTether string(problem_.tether()->taut_space(), problem_.anchor());
   string.drive(field().path(from));
   for (std::size_t k = 1; k < taut.size(); ++k) {
     string.drive(taut[k]);
-    if (string.length() > longest() + problem_.tolerance()) return whole;
+    if (string.length() > tether_length() + problem_.tolerance()) return whole;
   }
   return taut;
 }
 
-Path cover_parts(const TetherSpace& leash, const std::function<Path(const TetherSpace::Part&, Context&)>& sweep, bool return_home,
+Path cover_components(const TetherSpace& leash, const std::function<Path(const TetherSpace::Component&, Context&)>& sweep, bool return_home,
                  Context& context) {
-  const std::vector<TetherSpace::Part>& parts = leash.parts();
+  const std::vector<TetherSpace::Component>& parts = leash.components();
   Path whole;
   Point at = leash.problem().start();
   const auto drive = [&](const Polyline& way) {
@@ -172,11 +172,11 @@ Path cover_parts(const TetherSpace& leash, const std::function<Path(const Tether
     std::vector<std::size_t> left;
     for (std::size_t k = 0; k < parts.size(); ++k)
       if (!done[k] && (count > 0 || k == 0)) left.push_back(k);
-    const auto straight = [&](std::size_t k) { return distance(at, parts[k].within.start()); };
+    const auto straight = [&](std::size_t k) { return distance(at, parts[k].problem.start()); };
     std::stable_sort(left.begin(), left.end(), [&](std::size_t a, std::size_t b) { return straight(a) < straight(b); });
     for (const std::size_t k : left) {
       if (straight(k) >= least) break;
-      Polyline candidate = leash.way(parts[last], at, parts[k], parts[k].within.start());
+      Polyline candidate = leash.path(parts[last], at, parts[k], parts[k].problem.start());
       if (length(candidate) >= least) continue;
       least = length(candidate);
       next = k;
@@ -203,7 +203,7 @@ Path cover_parts(const TetherSpace& leash, const std::function<Path(const Tether
     }
   }
   if (swept == 0 && !refusal.empty()) throw Infeasible(refusal);
-  if (return_home && !context.cancelled()) drive(leash.way(parts[last], at, parts[0], leash.problem().start()));
+  if (return_home && !context.cancelled()) drive(leash.path(parts[last], at, parts[0], leash.problem().start()));
   return whole;
 }
 

@@ -30,28 +30,28 @@ class TetherSpace {
 
   const Problem& problem() const { return problem_; }
   const GeodesicField& field() const { return problem_.tether()->geodesics(); }
-  double longest() const { return problem_.robot().tether->length; }  // metres
+  double tether_length() const { return problem_.robot().tether->length; }  // metres
 
   /// Where shortest ways meet, as far as that is of interest, with the slit's width.
   const std::vector<Polyline>& cut() const { return cut_; }
   double cut_width() const { return width_; }
 
   /// A part of configuration space less the slit: simply connected.
-  struct Part {
-    Problem within;   // the problem with the part as configuration space; starts at its entry
+  struct Component {
+    Problem problem;   // the problem with the part as configuration space; starts at its entry
     Polyline entry_path;  // from the problem's start to the entry, in the class of the geodesic; the string keeps the leash
   };
   /// The start's part first, then those that the robot can enter, by the distance of their entries from the anchor.
-  const std::vector<Part>& parts() const { return parts_; }
+  const std::vector<Component>& components() const { return parts_; }
   /// The start's part: its space, and the problem for any planner.
-  const Region& cut_space() const { return within().configuration_space(); }
-  const Problem& within() const { return parts_.front().within; }
+  const Region& cut_space() const { return cut_problem().configuration_space(); }
+  const Problem& cut_problem() const { return parts_.front().problem; }
   /// What the cut isolates and the leash does not let the robot enter, and crumbs of no area.
   const Region& slivers() const { return slivers_; }
 
   /// From a place in one part to a place in another (or the same), string the geodesic at both ends and within the
   /// leash on the way.
-  Polyline way(const Part& from_part, const Point& from, const Part& to_part, const Point& to) const;
+  Polyline path(const Component& from_part, const Point& from, const Component& to_part, const Point& to) const;
 
   /// For ways of any class; built at the first call.
   const TetheredWorld& world() const;
@@ -63,7 +63,7 @@ class TetherSpace {
   const Problem& problem_;
   double width_;
   std::vector<Polyline> cut_;
-  std::vector<Part> parts_;
+  std::vector<Component> parts_;
   Region slivers_;
   mutable std::unique_ptr<const TetheredWorld> world_;
 };
@@ -71,7 +71,7 @@ class TetherSpace {
 /// Sweeps every part by `sweep` (which begins at the part's start) and joins the paths: the start's part first, then
 /// always the part whose entry is nearest by way; ways between are transit. A part for which `sweep` throws Infeasible
 /// is left out; if that is all of them, so is the answer.
-Path cover_parts(const TetherSpace& leash, const std::function<Path(const TetherSpace::Part&, Context&)>& sweep, bool return_home,
+Path cover_components(const TetherSpace& leash, const std::function<Path(const TetherSpace::Component&, Context&)>& sweep, bool return_home,
                  Context& context);
 
 }  // namespace oxturn
