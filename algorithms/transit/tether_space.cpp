@@ -34,7 +34,7 @@ std::vector<Polyline> near_cut(const Problem& problem, double width) {
   Box box = bounding_box(problem.configuration_space());
   box.grow(width);
   std::vector<Polyline> kept;
-  for (Polyline& line : problem.tether()->geodesics().cut(width / 8)) {
+  for (Polyline& line : problem.tether()->geodesics().cut_locus(width / 8)) {
     Box around;
     for (const Point& p : line) around.add(p);
     if (line.size() < 2 || !around.overlaps(box)) continue;

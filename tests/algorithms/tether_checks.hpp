@@ -41,7 +41,7 @@ inline TetherReport drive_tethered(const Problem& problem, const Path& path, dou
       const Point &a = leg.points[i - 1], &b = leg.points[i];
       const int n = std::max(1, static_cast<int>(std::ceil(distance(a, b) / step)));
       for (int k = 1; k <= n; ++k) {
-        const Polyline line = string.line();
+        const Polyline line = string.polyline();
         const Point from = string.robot(), to = k == n ? b : lerp(a, b, double(k) / n);
         for (std::size_t s = 1; s + 1 < line.size(); ++s)
           if (crossing(from, to, line[s - 1], line[s]) == Crossing::proper) ++report.crossings;
