@@ -58,6 +58,8 @@ class Context {
   /// A figure of the run that the path does not show ("explored_share"): a row of metrics.csv. Metrics, in contrast,
   /// judge the path alone. Throws std::invalid_argument for a name that is not [a-z0-9_]+.
   void record(const std::string& name, double value);
+  /// For the context of a planner that this one runs, if only its drawings are to be seen.
+  Sinks traces_only() const { return {{}, {}, sinks_.trace, {}}; }
 
  private:
   Rng rng_;
