@@ -97,7 +97,8 @@ class Nearby {
   bool on(const Point& a, const Point& b, double within, bool middle_only) const {
     const Point ends[2] = {a, b};
     return grid_.visit(ends, 2, within, [&](std::size_t cell) {
-      return std::any_of(grid_.begin(cell), grid_.end(cell), [&](std::uint32_t i) {
+      const auto items = grid_.items(cell);
+      return std::any_of(items.begin(), items.end(), [&](std::uint32_t i) {
         const Polyline& piece = pieces_[i];
         if (distance_to_segment(lerp(a, b, 0.5), piece[0], piece[1]) <= within) return true;
         return !middle_only &&

@@ -317,14 +317,14 @@ void Mesh::locate_all(const Point& p, std::vector<std::int32_t>& found) const {
   found.clear();
   if (grid_.empty() || !Box{grid_.low(), grid_.high()}.contains(p)) return;
   const std::size_t c = grid_.index(grid_.column(p.x()), grid_.row(p.y()));
-  for (const std::uint32_t* i = grid_.begin(c); i != grid_.end(c); ++i) {
-    const Triangle& t = triangles_[*i];
+  for (const std::uint32_t i : grid_.items(c)) {
+    const Triangle& t = triangles_[i];
     bool inside = true;
     for (std::size_t k = 0; k < 3 && inside; ++k) {
       inside = orientation(points_[static_cast<std::size_t>(t.vertex[k])],
                            points_[static_cast<std::size_t>(t.vertex[(k + 1) % 3])], p) >= 0;
     }
-    if (inside) found.push_back(static_cast<std::int32_t>(*i));
+    if (inside) found.push_back(static_cast<std::int32_t>(i));
   }
 }
 
@@ -355,8 +355,8 @@ std::int32_t Mesh::locate(const Point& p, double tolerance) const {
   std::int32_t best = kWall;
   double least = tolerance;
   grid_.visit(&p, 1, tolerance, [&](std::size_t c) {
-    for (const std::uint32_t* i = grid_.begin(c); i != grid_.end(c); ++i) {
-      const auto t = static_cast<std::int32_t>(*i);
+    for (const std::uint32_t i : grid_.items(c)) {
+      const auto t = static_cast<std::int32_t>(i);
       const double d = distance(p, nearest_in(t, p));
       if (d < least || (d == least && (best == kWall || t < best))) {
         least = d;

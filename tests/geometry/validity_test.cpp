@@ -29,8 +29,8 @@ TEST(FindFlaw, NamesReasonAndPlace) {
   EXPECT_EQ(bow->reason, "edges cross");
   EXPECT_LT(distance(bow->point, {1, 1}), 1e-12);
   EXPECT_EQ(find_flaw(polygon({{0, 0}, {1, std::nan("")}, {2, 0}}))->reason, "coordinate is not a finite number");
-  EXPECT_EQ(find_flaw(polygon({{0, 0}, {1, 1}, {0, 0}, {1, 1}}))->reason, "ring has fewer than 3 different corners");
-  EXPECT_EQ(find_flaw(polygon({}))->reason, "ring has fewer than 3 different corners");
+  EXPECT_EQ(find_flaw(polygon({{0, 0}, {1, 1}, {0, 0}, {1, 1}}))->reason, "ring has fewer than 3 different points");
+  EXPECT_EQ(find_flaw(polygon({}))->reason, "ring has fewer than 3 different points");
   EXPECT_EQ(find_flaw(polygon({{0, 0}, {1, 1}, {3, 3}, {2, 2}}))->reason, "ring has no area");
   EXPECT_EQ(find_flaw(polygon(square(0, 0, 4), {square(9, 9, 1)}))->reason, "hole lies outside its polygon");
   EXPECT_EQ(find_flaw(polygon(square(0, 0, 4), {square(4, 1, 1)}))->reason, "hole lies outside its polygon");
