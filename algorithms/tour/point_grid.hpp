@@ -56,9 +56,9 @@ class PointGrid {
       for_each_in_ring(ci, cj, ring, columns, rows, [&](int i, int j) {
         const std::size_t cell = grid_.index(i, j);
         if (remaining_in_[cell] == 0) return;
-        for (const std::uint32_t* k = grid_.begin(cell); k != grid_.end(cell); ++k) {
-          if (removed_[*k]) continue;
-          found.push({distance(p, points_[*k]), *k});
+        for (const std::uint32_t k : grid_.items(cell)) {
+          if (removed_[k]) continue;
+          found.push({distance(p, points_[k]), k});
           ++seen;
         }
       });
