@@ -454,7 +454,7 @@ TEST(DriveOnline, NoLidarAndTooShortALidarAreSentences) {
   for (const Robot& blind : {with_lidar(0.05), with_lidar(8, 1), with_lidar(8, 4)}) {
     const Problem p = drawn({"..", "S."}, {.robot = blind});
     EXPECT_THAT([&] { plan_online(p, context, boustrophedon); },
-                ThrowsMessage<Infeasible>(HasSubstr("shows robot 'disc' no place to go from its start (0.5, 0.5)")));
+                ThrowsMessage<Infeasible>(HasSubstr("shows robot 'disc' nowhere to go from its start (0.5, 0.5)")));
   }
 }
 
