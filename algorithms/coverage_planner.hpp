@@ -1,4 +1,4 @@
-/// The one interface that every strategy implements.
+/// The interface that every planner implements.
 ///
 ///   const Planners planners = built_in_planners();
 ///   const auto planner = planners.find("stc").make({{"tree", "dfs"}}, planners);
@@ -16,7 +16,7 @@ namespace oxturn {
 class CoveragePlanner {
  public:
   virtual ~CoveragePlanner() = default;
-  /// Throws Infeasible, Unsupported, std::invalid_argument. Const: no state between calls.
+  /// Throws Infeasible, Unsupported or std::invalid_argument. Keeps no state between calls.
   virtual Path plan(const Problem& problem, Context& context) const = 0;
 };
 

@@ -107,8 +107,7 @@ TEST(RectangleWorld, FillsTheCornersOfSmallObstaclesOnly) {
 }
 
 Path plan_rectangles(const Problem& problem, const Settings& settings = {}) {
-  Context context(1);
-  return built_in_planner("rectangles", settings)->plan(problem, context);
+  return plan_recorded("rectangles", problem, settings).path;
 }
 
 TEST(Rectangles, AnEmptyRoomIsOneRectangleDrivenColumnByColumn) {
@@ -270,11 +269,7 @@ TEST(Rectangles, OnlineScansTheOuterWallThenCleansWhatOfflineDoes) {
            {"clutter", {{"width", 4.0}, {"height", 4.0}}}}) {
     SCOPED_TRACE(generator);
     const Problem problem(generate(generator, settings, 1), robot);
-    std::map<std::string, double> figures;
-    Context::Sinks sinks;
-    sinks.record = [&](const std::string& figure, double value) { figures[figure] = value; };
-    Context context(1, 1e9, sinks);
-    const Path path = built_in_planner("rectangles", {{"sensing", std::string("lidar")}})->plan(problem, context);
+    const auto [path, figures, traces] = plan_recorded("rectangles", problem, {{"sensing", std::string("lidar")}});
     EXPECT_GT(coverage_of(problem, path), 0.75 * coverage_of(problem, plan_rectangles(problem)));
     EXPECT_GT(figures.at("explored_share"), 0.98);
     EXPECT_GE(figures.at("partitions"), 1);

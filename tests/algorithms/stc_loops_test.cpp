@@ -14,7 +14,6 @@
 #include "algorithms/grid/branch_tree.hpp"
 #include "algorithms/grid/node_loops.hpp"
 #include "base/random.hpp"
-#include "geometry/trace.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/drawn.hpp"
@@ -24,22 +23,6 @@
 
 namespace oxturn {
 namespace {
-
-struct Planned {
-  Path path;
-  std::map<std::string, double> figures;
-  std::set<std::string> traces;
-};
-
-Planned plan_with(const char* name, const Problem& problem, const Settings& settings = {}) {
-  Planned result;
-  Context::Sinks sinks;
-  sinks.record = [&](const std::string& figure, double value) { result.figures[figure] = value; };
-  sinks.trace = [&](const Trace& trace) { result.traces.insert(trace.name); };
-  Context context(1, 1e9, sinks);
-  result.path = built_in_planner(name, settings)->plan(problem, context);
-  return result;
-}
 
 std::vector<std::string> random_drawing(Rng& rng, int columns, int rows, double blocked) {
   std::vector<std::string> drawing(static_cast<std::size_t>(rows), std::string(static_cast<std::size_t>(columns), '.'));
@@ -268,7 +251,7 @@ TEST(StcLoops, ValidOnThousandsOfDrawnMaps) {
     for (const char* fill : {"none", "spots"}) {
       Planned run;
       try {
-        run = plan_with("stc-loops", problem, {{"fill", std::string(fill)}, {"close_loops", seed % 2 == 0}});
+        run = plan_recorded("stc-loops", problem, {{"fill", std::string(fill)}, {"close_loops", seed % 2 == 0}});
       } catch (const Infeasible&) { continue; }
       EXPECT_EQ(find_flaw(problem, run.path), "");
       EXPECT_EQ(run.figures["branches_lost"], 0);
@@ -285,11 +268,11 @@ TEST(StcLoops, CoversMoreThanStcWhereStcMissesSomething) {
       const Problem problem(generate(generator, size, seed), Robot{});
       double before = 0;
       try {
-        before = score(problem, plan_with("stc", problem).path).value("coverage_upper").value();
+        before = score(problem, plan_recorded("stc", problem).path).value("coverage_upper").value();
       } catch (const Infeasible&) {}
       const Settings as_on_slides{{"fill", std::string("none")}, {"epsilon", 0.05}, {"close_loops", false}};
-      const Score slides = score(problem, plan_with("stc-loops", problem, as_on_slides).path);
-      const Score whole = score(problem, plan_with("stc-loops", problem).path);
+      const Score slides = score(problem, plan_recorded("stc-loops", problem, as_on_slides).path);
+      const Score whole = score(problem, plan_recorded("stc-loops", problem).path);
       EXPECT_EQ(slides.flaw, "");
       EXPECT_EQ(whole.flaw, "");
       if (before < 0.97) { EXPECT_GT(slides.value("coverage_lower").value(), before); }
@@ -304,7 +287,7 @@ TEST(StcLoops, ASquarePillarHasOneUnbrokenLoop) {
   const Settings slides{{"fill", std::string("none")}};
   Settings walked = slides;
   walked["close_loops"] = false;
-  const Planned once = plan_with("stc-loops", problem, slides), twice = plan_with("stc-loops", problem, walked);
+  const Planned once = plan_recorded("stc-loops", problem, slides), twice = plan_recorded("stc-loops", problem, walked);
   EXPECT_EQ(once.figures.at("loops"), 2);
   EXPECT_EQ(once.figures.at("broken_loops"), 0);
   EXPECT_EQ(once.figures.at("chains"), 2);
@@ -322,7 +305,7 @@ TEST(StcLoops, LoopsBrokenInManyPlaces) {
     room.holes.push_back({{x, 0.3}, {x, 1.2}, {x + 0.9, 1.2}, {x + 0.9, 0.3}});
   }
   const Problem problem({"pillars", {{room}}, "test", ""}, Robot{}, Point(1, 3));
-  const Planned run = plan_with("stc-loops", problem);
+  const Planned run = plan_recorded("stc-loops", problem);
   EXPECT_EQ(run.figures.at("loops"), 7);
   EXPECT_EQ(run.figures.at("broken_loops"), 7);
   EXPECT_GE(run.figures.at("chains"), 7);
@@ -333,8 +316,8 @@ TEST(StcLoops, LoopsBrokenInManyPlaces) {
 
 TEST(StcLoops, WithoutACoarseCellLoopsAreAttachedToTheStart) {
   const Problem problem({"corridor", box_region({0, 0}, {6, 0.6}), "test", ""}, Robot{}, Point(3, 0.3));
-  EXPECT_THROW(plan_with("stc", problem), Infeasible);
-  const Score result = score(problem, plan_with("stc-loops", problem).path);
+  EXPECT_THROW(plan_recorded("stc", problem), Infeasible);
+  const Score result = score(problem, plan_recorded("stc-loops", problem).path);
   EXPECT_EQ(result.flaw, "");
   EXPECT_GE(result.value("coverage_lower").value(), 0.99);
 }
