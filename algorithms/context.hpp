@@ -51,12 +51,13 @@ class Context {
   void publish(const Path& path);
   /// The share of the work that is done, 0 to 1; shown on a terminal. For planners that take long.
   void progress(double fraction);
-  /// A named drawing of what the planner works with (cells, tree, skeleton). If wants_traces() is false it is discarded.
+  /// A named drawing of what the planner works with (cells, tree, skeleton). If wants_traces() is false it is
+  /// discarded.
   void trace(std::string name, std::vector<Polyline> lines);
   void trace(std::string name, const Region& region);
   bool wants_traces() const { return static_cast<bool>(sinks_.trace); }
-  /// Records a figure of the run that the path does not show ("explored_share"): a row of metrics.csv. (Metrics judge the
-  /// path alone.) Throws std::invalid_argument for a name that is not [a-z0-9_]+.
+  /// Records a figure of the run that the path does not show ("explored_share"): a row of metrics.csv. (Metrics judge
+  /// the path alone.) Throws std::invalid_argument for a name that is not [a-z0-9_]+.
   void record(const std::string& name, double value);
   /// For the context of an inner planner, of which only the drawings are passed on.
   Sinks traces_only() const { return {{}, {}, sinks_.trace, {}}; }

@@ -20,4 +20,20 @@ class CoveragePlanner {
   virtual Path plan(const Problem& problem, Context& context) const = 0;
 };
 
+/// A planner that is one function of its parameters.
+template <class P, Path (*run)(const P&, const Problem&, Context&)>
+class FunctionPlanner final : public CoveragePlanner {
+ public:
+  explicit FunctionPlanner(P params) : params_(std::move(params)) {}
+  Path plan(const Problem& problem, Context& context) const override { return run(params_, problem, context); }
+
+ private:
+  P params_;
+};
+///   return describe<Params, plan_stc>({.name = "stc", ...});
+template <class P, Path (*run)(const P&, const Problem&, Context&)>
+PlannerInfo describe(Description<P> d) {
+  return describe<FunctionPlanner<P, run>, P>(std::move(d));
+}
+
 }  // namespace oxturn

@@ -30,8 +30,8 @@ struct PlannerInfo {
   std::vector<Capability> capabilities;
   std::string guarantee;
   std::vector<ParameterInfo> parameters;
-  /// Settings with which the planner does exactly what its source says: the meaning of `variant = published`. Empty: the
-  /// planner has no such parameter.
+  /// Settings with which the planner does exactly what its source says: the meaning of `variant = published`. Empty:
+  /// the planner has no such parameter.
   Settings published;
   /// Throws std::invalid_argument for wrong settings. `planners`: from which a planner that runs another one takes it.
   std::function<std::unique_ptr<CoveragePlanner>(const Settings&, const Planners& planners)> make;

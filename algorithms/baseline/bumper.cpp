@@ -9,8 +9,9 @@ namespace {
 constexpr double kLookAhead = 4;  // tool widths in which walls are searched at a time
 // Nearer than this, in gaps, the robot touches the wall, and the direction to its nearest point is mere rounding.
 constexpr double kTouching = 16;
-// Of the angle between a wall's normal and the direction to its nearest point. Beyond it, that point is the end of an edge
-// and belongs to a neighbour's wall; otherwise the end of a wall that turns away beside the robot would be one ahead.
+// Of the angle between a wall's normal and the direction to its nearest point. Beyond it, that point is the end of an
+// edge and belongs to a neighbour's wall; otherwise the end of a wall that turns away beside the robot would be one
+// ahead.
 constexpr double kLeastCosine = 0.7;
 
 }  // namespace

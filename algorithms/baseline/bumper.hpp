@@ -3,9 +3,9 @@
 ///   Bumper robot(problem);
 ///   if (const auto away = robot.drive(robot.at() + Point(5, 0))) ...   // contact: the unit vector away from the wall
 ///
-/// The body is a disc with a ring of bumpers, so a contact shows on which side it is. A feeler (the infrared wall sensor of
-/// real vacuum cleaners) measures the distance to the nearest wall, up to a given reach. The robot knows its pose exactly.
-/// It stops a quarter of the problem's tolerance before a wall.
+/// The body is a disc with a ring of bumpers, so a contact shows on which side it is. A feeler (the infrared wall
+/// sensor of real vacuum cleaners) measures the distance to the nearest wall, up to a given reach. The robot knows its
+/// pose exactly. It stops a quarter of the problem's tolerance before a wall.
 /// A motion O(its length / tool width + edges near it).
 #pragma once
 
@@ -31,8 +31,8 @@ class Bumper {
     double distance;  // metres from the robot's boundary
     Point away;       // unit vector from the wall to the robot
   };
-  /// The nearest wall less than `reach` metres from the robot's boundary, of those whose direction makes at most the angle
-  /// with this `cosine` with the unit vector `towards` (-2: all around).
+  /// The nearest wall less than `reach` metres from the robot's boundary, of those whose direction makes at most the
+  /// angle with this `cosine` with the unit vector `towards` (-2: all around).
   std::optional<Wall> feel(double reach, const Point& towards, double cosine) const;
 
   /// Driven so far; straight runs are one segment.

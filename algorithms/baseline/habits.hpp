@@ -1,5 +1,5 @@
-/// The habits of simple vacuum cleaners, one motion each, the rule that ends a run, and the description that the planners
-/// made of habits share.
+/// The habits of simple vacuum cleaners, one motion each, the rule that ends a run, and the description that the
+/// planners made of habits share.
 ///
 ///   struct Params : StopRule { double pitch = 0.9; };
 ///   void clean(const Params& p, Vacuum& vacuum, Rng&) {
@@ -7,9 +7,10 @@
 ///   }
 ///   PlannerInfo spiral_out() { return describe_habit<Params, clean>("spiral-out", "...", "...", {...}); }
 ///
-/// Decisions   1. A robot that only bumps cannot know what it has missed. It knows what it has covered and how far it has
-///                driven. So it stops when it has passed over the covered area `passes` times on average: length >= passes
-///                * covered area / tool width. That ends on every map; a habit that drives in circles ends soonest.
+/// Decisions   1. A robot that only bumps cannot know what it has missed. It knows what it has covered and how far it
+///                has driven. So it stops when it has passed over the covered area `passes` times on average: length >=
+///                passes * covered area / tool width. That ends on every map; a habit that drives in circles ends
+///                soonest.
 ///             2. `length_limit` metres end a run as well, to compare habits at the same length.
 ///             3. Pose and headings are exact: no slip, no drift.
 #pragma once
@@ -82,9 +83,9 @@ class Vacuum {
 /// Archimedes' spiral, counter-clockwise from the robot, turns `pitch` metres apart; chord error tool width / 1000.
 std::optional<Point> spiral(Vacuum& vacuum, double pitch, const Point& heading);
 
-/// Along the wall on the right, `gap` metres from it (at least tool width / 1000), for one lap or `longest` metres. Between
-/// walls that are nearer to each other the robot keeps to the middle, and turns around where it is stuck. Begins beside a
-/// wall; `away` leads away from it and is updated.
+/// Along the wall on the right, `gap` metres from it (at least tool width / 1000), for one lap or `longest` metres.
+/// Between walls that are nearer to each other the robot keeps to the middle, and turns around where it is stuck.
+/// Begins beside a wall; `away` leads away from it and is updated.
 void follow_wall(Vacuum& vacuum, double gap, double longest, Point& away);
 
 /// Lanes back and forth, `pitch` metres apart, each from contact to contact, stepping aside towards `side`. Ends where
@@ -93,29 +94,22 @@ std::optional<Point> snake(Vacuum& vacuum, double pitch, const Point& heading, c
 
 /// A planner made of habits: clean(params, vacuum, rng) drives until the run is over.
 template <class Params, void (*clean)(const Params&, Vacuum&, Rng&)>
-class HabitPlanner final : public CoveragePlanner {
- public:
-  explicit HabitPlanner(Params p) : p_(p) {}
-  Path plan(const Problem& problem, Context& context) const override {
-    Vacuum vacuum(problem, context, p_);
-    clean(p_, vacuum, context.rng());
-    return vacuum.finish();
-  }
-
- private:
-  Params p_;
-};
+Path plan_by_habits(const Params& p, const Problem& problem, Context& context) {
+  Vacuum vacuum(problem, context, p);
+  clean(p, vacuum, context.rng());
+  return vacuum.finish();
+}
 
 template <class Params, void (*clean)(const Params&, Vacuum&, Rng&)>
 PlannerInfo describe_habit(std::string name, std::string title, std::string guarantee,
                            std::vector<Parameter<Params>> own) {
-  return describe<HabitPlanner<Params, clean>, Params>({.name = std::move(name),
-                                                        .family = "baseline",
-                                                        .title = std::move(title),
-                                                        .citation = "after Hasan et al. 2014",
-                                                        .capabilities = {Capability::online, Capability::holes},
-                                                        .guarantee = std::move(guarantee),
-                                                        .parameters = with_stop_rule<Params>(std::move(own))});
+  return describe<Params, plan_by_habits<Params, clean>>({.name = std::move(name),
+                                                          .family = "baseline",
+                                                          .title = std::move(title),
+                                                          .citation = "after Hasan et al. 2014",
+                                                          .capabilities = {Capability::online, Capability::holes},
+                                                          .guarantee = std::move(guarantee),
+                                                          .parameters = with_stop_rule<Params>(std::move(own))});
 }
 
 }  // namespace oxturn

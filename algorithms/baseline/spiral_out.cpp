@@ -5,8 +5,8 @@
 // Model       online by bumpers (bumper.hpp), disc footprint
 // Guarantee   ends (stop rule of habits.hpp)
 // Complexity  O(motions * (edges near one + length / tool width))
-// Decisions   1. Between two spirals a random share of `away` tool widths, in a random heading off the wall, or until the
-//                next contact.
+// Decisions   1. Between two spirals a random share of `away` tool widths, in a random heading off the wall, or until
+//                the next contact.
 //             2. Turns overlap by a tenth by default.
 #include "algorithms/baseline/habits.hpp"
 

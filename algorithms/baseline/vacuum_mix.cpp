@@ -1,12 +1,13 @@
 // The habits in turn: a spiral, along the wall, lanes back and forth, some random bounces.
 //
 // Source      after Hasan, Abdullah-Al-Nahid, Reza, "Path planning algorithm development for autonomous vacuum cleaner
-//             robots", ICIEV 2014 (random walk, spiral, S-shaped pathway, wall following: none wins, a combination does)
+//             robots", ICIEV 2014 (random walk, spiral, S-shaped pathway, wall following: none wins, a combination
+//             does)
 // Model       online by bumpers and a feeler (bumper.hpp), disc footprint
 // Guarantee   ends (stop rule of habits.hpp)
 // Complexity  O(motions * (edges near one + length / tool width))
-// Decisions   1. The paper itself was not available: order and lengths of the habits are ours. Each ends at a contact, so
-//                the next begins at a wall, the spiral at most `away` tool widths from it.
+// Decisions   1. The paper itself was not available: order and lengths of the habits are ours. Each ends at a contact,
+//                so the next begins at a wall, the spiral at most `away` tool widths from it.
 //             2. Along the wall for at most `follow` tool widths, so that a large room does not use up the run.
 //             3. Lanes begin at a right angle to the wall, stepping aside to a random side.
 #include "algorithms/baseline/habits.hpp"

@@ -6,10 +6,11 @@
 // Guarantee   ends (stop rule of habits.hpp)
 // Complexity  O(length / tool width * edges near the robot)
 // Decisions   1. The robot follows in steps of a sixteenth of the tool's width, corrected by the feeler after each.
-//             2. After `laps` laps of one wall it leaves it in a random heading for the next contact; 0: never. If the wall
-//                led to another one (an island nearer than two distances), a lap of that one counts as well.
-//             3. `distance` 0 is contact: a thousandth of the tool's width. Where a passage is narrower than two distances,
-//                the robot keeps to its middle; where it is stuck, it turns around and follows the opposite wall back.
+//             2. After `laps` laps of one wall it leaves it in a random heading for the next contact; 0: never. If the
+//                wall led to another one (an island nearer than two distances), a lap of that one counts as well.
+//             3. `distance` 0 is contact: a thousandth of the tool's width. Where a passage is narrower than two
+//                distances, the robot keeps to its middle; where it is stuck, it turns around and follows the opposite
+//                wall back.
 #include <limits>
 
 #include "algorithms/baseline/habits.hpp"

@@ -6,16 +6,16 @@
 // Guarantee   visits every free cell that free lattice edges connect to the start's
 // Complexity  n cells: memory O(n); time O(n) plus, for each end of a lane system, the cells nearer than the next start
 // Decisions   1. Lanes: to the first of north, south, east, west that is free and unvisited.
-//             2. A visited cell is a backtracking point if the next lanes can begin beside it in a corner of the unvisited
-//                cells: it has an unvisited neighbour east, west or south, one of whose lateral neighbours is a wall or
-//                visited. (These are the paper's six pairs. North is never left over, because it comes first.) A diagonal
-//                cell counts as a wall if it cannot be reached from the cell between.
-//             3. The best point is the one at the end of the shortest path. All steps cost the same, so one breadth-first
-//                search finds what A* to each point would. If no backtracking point is among the first eight times as
-//                many cells as were searched up to the nearest other cell beside an unvisited one (thin walls), that cell
-//                is taken.
-//             4. The path is smoothed (`smooth = true`): from each cell straight to the farthest possible, across squares
-//                between cells that no wall enters.
+//             2. A visited cell is a backtracking point if the next lanes can begin beside it in a corner of the
+//                unvisited cells: it has an unvisited neighbour east, west or south, one of whose lateral neighbours is
+//                a wall or visited. (These are the paper's six pairs. North is never left over, because it comes
+//                first.) A diagonal cell counts as a wall if it cannot be reached from the cell between.
+//             3. The best point is the one at the end of the shortest path. All steps cost the same, so one
+//                breadth-first search finds what A* to each point would. If no backtracking point is among the first
+//                eight times as many cells as were searched up to the nearest other cell beside an unvisited one (thin
+//                walls), that cell is taken.
+//             4. The path is smoothed (`smooth = true`): from each cell straight to the farthest possible, across
+//                squares between cells that no wall enters.
 //             5. The lattice has a node at the start; the robot feels the diagonal cells as well.
 //             6. Paths over visited cells are driven with the tool off.
 #include "algorithms/grid/cell_planner.hpp"
@@ -103,22 +103,15 @@ class LanesAndPoints {
   CellMap<Corners> corners_;
 };
 
-class BaStar final : public CoveragePlanner {
- public:
-  explicit BaStar(Params p) : p_(p) {}
-  Path plan(const Problem& problem, Context& context) const override {
-    return walk_cells(problem, context, p_, {.diagonals = p_.smooth},
-                      [&](CellWalk& walk) { LanesAndPoints(walk, p_.smooth).run(); });
-  }
-
- private:
-  Params p_;
-};
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  return walk_cells(problem, context, p, {.diagonals = p.smooth},
+                    [&](CellWalk& walk) { LanesAndPoints(walk, p.smooth).run(); });
+}
 
 }  // namespace
 
 PlannerInfo ba_star() {
-  return describe<BaStar, Params>(
+  return describe<Params, plan>(
       {.name = "ba-star",
        .family = "grid",
        .title = "back-and-forth lanes with A* to backtracking points",

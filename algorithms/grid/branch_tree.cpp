@@ -49,8 +49,8 @@ std::uint32_t BranchTree::add(const Polyline& piece, Kind kind, std::uint32_t pa
 
 void BranchTree::begin(const Polyline& piece, Kind kind) { add(piece, kind, kNone); }
 
-// Outwards, ring by ring of buckets. Vertices that are certainly nearer than those of the next ring are tried in the order
-// of their distance.
+// Outwards, ring by ring of buckets. Vertices that are certainly nearer than those of the next ring are tried in the
+// order of their distance.
 std::uint32_t BranchTree::nearest_visible(const Point& p) const {
   const EdgeIndex& walls = problem_.walls();
   std::vector<std::pair<double, std::uint32_t>> waiting;  // a heap of squared distances

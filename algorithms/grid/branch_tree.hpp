@@ -1,5 +1,5 @@
-/// A tree of pieces in configuration space and the path around it: closed rounds and chains of nodes, each attached by a
-/// branch to the nearest visible vertex of those before it.
+/// A tree of pieces in configuration space and the path around it: closed rounds and chains of nodes, each attached by
+/// a branch to the nearest visible vertex of those before it.
 ///
 ///   BranchTree tree(problem, side, lattice_paths);
 ///   tree.begin(round, BranchTree::Kind::round);
@@ -10,8 +10,8 @@
 /// Guarantee   always a tree: a piece adds its vertices, the edges between them, and one branch
 /// Complexity  attaching O(vertices within 24 spacings), usually O(1), and a path if none of them is visible: O(lattice
 ///             nodes nearer than the answer); the path around O(vertices)
-/// Decisions   1. The closest vertex is the nearest one that can be reached straight. If there is none within 24 spacings,
-///                the piece is attached by a path to a vertex; the path's own vertices join the tree.
+/// Decisions   1. The closest vertex is the nearest one that can be reached straight. If there is none within 24
+///                spacings, the piece is attached by a path to a vertex; the path's own vertices join the tree.
 ///             2. That path takes the fewest steps over the lattice, pulled straight, to a vertex that is a node of it.
 ///                Where the lattice leads to none, it is the shortest path among the walls to any vertex
 ///                (nearest_component.hpp).
@@ -48,8 +48,9 @@ class BranchTree {
   const std::vector<Point>& vertices() const { return vertices_; }
   /// Pairs of vertices, without the closing edges of rounds.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges() const;
-  /// Around the tree, from its first vertex and back to it. A branch is driven when the vertex that it is attached to is
-  /// first reached. Vertices on straight runs are left out. Frees the lookup tables; do not call attach() afterwards.
+  /// Around the tree, from its first vertex and back to it. A branch is driven when the vertex that it is attached to
+  /// is first reached. Vertices on straight runs are left out. Frees the lookup tables; do not call attach()
+  /// afterwards.
   Polyline path_around();
   /// Calls f(a, b) for every straight run that path_around() will drive and that was attached since the last call.
   template <class F>

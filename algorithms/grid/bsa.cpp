@@ -12,10 +12,10 @@
 //             4. Backtracking points are visited cells beside unvisited ones. The source takes the latest
 //                (`backtrack = latest`); the nearest by driven path (our default) drives a third less among scattered
 //                obstacles. The path has the fewest steps over visited cells and is driven with the tool off.
-//             5. partial = true (the paper's extension; needs the map): where the reference side or the cell ahead is one
-//                whose centre the robot cannot occupy, it first follows the wall through that cell and beyond, and comes
-//                back over the free cells beside (wall_follower.hpp). Cells beside unfollowed walls are backtracking
-//                points then.
+//             5. partial = true (the paper's extension; needs the map): where the reference side or the cell ahead is
+//                one whose centre the robot cannot occupy, it first follows the wall through that cell and beyond, and
+//                comes back over the free cells beside (wall_follower.hpp). Cells beside unfollowed walls are
+//                backtracking points then.
 //             6. The lattice has a node at the start.
 #include <vector>
 
@@ -132,7 +132,7 @@ class Bsa final : public CoveragePlanner {
 }  // namespace
 
 PlannerInfo bsa() {
-  return describe<Bsa, Params>(
+  return describe<Params, plan>(
       {.name = "bsa",
        .family = "grid",
        .title = "backtracking spirals",

@@ -1,6 +1,7 @@
 // Explores forwards along the left-hand wall and reserves the cells beside its path for the way back.
 //
-// Source      after Icking, Kamphans, Klein & Langetepe, "Exploring grid polygons online", arXiv 1012.5240 (CellExplore)
+// Source      after Icking, Kamphans, Klein & Langetepe, "Exploring grid polygons online", arXiv 1012.5240
+//             (CellExplore)
 // Model       grid with holes, online (four neighbours felt), disc footprint; returns to the start
 // Guarantee   visits every free cell that free lattice edges connect to the start's; from a start at the outer wall at
 //             most C + E/2 + 3H + W - 2 moves including the return (C cells, E boundary edges, H holes, W sinuosity)
@@ -10,8 +11,8 @@
 //             2. Backward mode: to the cell reserved last that is still unvisited (of those reserved from one cell: the
 //                one farthest to the left), by the fewest steps over visited cells. From there in forward mode again.
 //             3. The paper itself was not available, so 1 and 2 are our formulation. W is taken as the number of reflex
-//                vertices of the outer wall. The bound is tested on thousands of random polygons with holes; W was never
-//                needed for more than one move.
+//                vertices of the outer wall. The bound is tested on thousands of random polygons with holes; W was
+//                never needed for more than one move.
 //             4. A start away from walls: straight south to one first; the bound does not apply then.
 //             5. The lattice has a node at the start. Moves over visited cells are driven with the tool off.
 #include <algorithm>

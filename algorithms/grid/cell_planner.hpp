@@ -22,9 +22,9 @@ struct CellNeeds {
   bool walls = false;      // it follows walls (WallFollower); not possible by lidar
 };
 
-/// `drive` moves the robot from the start on and returns when it is done. Throws Infeasible if the robot cannot leave the
-/// start's cell, Unsupported for sensing = lidar without a lidar, std::invalid_argument for options that exclude each
-/// other.
+/// `drive` moves the robot from the start on and returns when it is done. Throws Infeasible if the robot cannot leave
+/// the start's cell, Unsupported for sensing = lidar without a lidar, std::invalid_argument for options that exclude
+/// each other.
 Path drive_cells(const Problem& problem, Context& context, const CellOptions& options, const CellNeeds& needs,
                  const std::function<void(CellRobot&)>& drive);
 /// The same for a planner that needs the robot's memory; records `cells` and `moves`.

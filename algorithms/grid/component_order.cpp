@@ -84,9 +84,9 @@ void ComponentOrder::add_entries_among_walls() {
   }
 }
 
-/// Prim's algorithm. All sub-cells of components in the tree are sources of one wave; when it meets another component, that
-/// component's sub-cells become sources as well. base/graph_search.hpp has no sources that are added on the way; and since
-/// all steps cost one, a stack for each number of steps does in place of a heap.
+/// Prim's algorithm. All sub-cells of components in the tree are sources of one wave; when it meets another component,
+/// that component's sub-cells become sources as well. base/graph_search.hpp has no sources that are added on the way;
+/// and since all steps cost one, a stack for each number of steps does in place of a heap.
 class ComponentOrder::Prim {
  public:
   explicit Prim(ComponentOrder& order)

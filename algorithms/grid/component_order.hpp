@@ -1,5 +1,5 @@
-/// In which order a robot visits the connected components of the free coarse cells: the first from its start, the others
-/// as branches of it.
+/// In which order a robot visits the connected components of the free coarse cells: the first from its start, the
+/// others as branches of it.
 ///
 ///   ComponentOrder order(problem, fine, cells, components_of(cells), paths);
 ///   for (auto root = order.first(); root; root = order.next(path.at())) {
@@ -8,8 +8,8 @@
 ///   }
 ///
 /// Components that the lattice of sub-cells connects become one tree, each by a path from the nearest sub-cell of a
-/// component that is in the tree already: a minimum spanning tree by steps over the lattice (Prim 1957). Where the lattice
-/// leads to none, the nearest component by shortest paths among the walls is where the next tree begins.
+/// component that is in the tree already: a minimum spanning tree by steps over the lattice (Prim 1957). Where the
+/// lattice leads to none, the nearest component by shortest paths among the walls is where the next tree begins.
 /// A tree O(sub-cells); a query among walls as in nearest_component.hpp.
 #pragma once
 

@@ -14,25 +14,18 @@
 namespace oxturn {
 
 template <class Explorer>
-class Exploration final : public CoveragePlanner {
- public:
-  explicit Exploration(CellOptions options) : options_(options) {}
-  Path plan(const Problem& problem, Context& context) const override {
-    return walk_cells(problem, context, options_, {}, [](CellWalk& walk) {
-      const Cell home = walk.at();
-      const Direction heading = walk.heading_from_wall();
-      Explorer(walk).run(heading);
-      walk.go_to_cell(home);
-    });
-  }
-
- private:
-  CellOptions options_;
-};
+Path explore_cells(const CellOptions& options, const Problem& problem, Context& context) {
+  return walk_cells(problem, context, options, {}, [](CellWalk& walk) {
+    const Cell home = walk.at();
+    const Direction heading = walk.heading_from_wall();
+    Explorer(walk).run(heading);
+    walk.go_to_cell(home);
+  });
+}
 
 template <class Explorer>
 PlannerInfo describe_exploration(std::string name, std::string title, std::string citation) {
-  return describe<Exploration<Explorer>, CellOptions>(
+  return describe<CellOptions, explore_cells<Explorer>>(
       {.name = std::move(name),
        .family = "grid",
        .title = std::move(title),

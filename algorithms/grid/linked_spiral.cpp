@@ -5,15 +5,15 @@
 // Model       grid, online (four neighbours felt), disc footprint
 // Guarantee   visits every free cell that free lattice edges connect to the start's
 // Complexity  n cells: memory O(n); time O(n) plus, for each spiral's end, the cells nearer than the next one's start
-// Decisions   1. The robot drives straight until a wall or a visited cell blocks it, then turns to the turning side, or to
-//                the other side if only that is free. The turning side is chosen where a spiral is first blocked: left,
-//                unless only the right is free. (`bsa`, in contrast, follows its reference side.)
+// Decisions   1. The robot drives straight until a wall or a visited cell blocks it, then turns to the turning side, or
+//                to the other side if only that is free. The turning side is chosen where a spiral is first blocked:
+//                left, unless only the right is free. (`bsa`, in contrast, follows its reference side.)
 //             2. The constrained inverse distance transform is a wave from the robot over visited cells, stopped at the
-//                first one beside an unvisited cell; the robot goes there. Its new spiral begins along visited cells: with
-//                a wall or a visited cell on its right, if possible.
+//                first one beside an unvisited cell; the robot goes there. Its new spiral begins along visited cells:
+//                with a wall or a visited cell on its right, if possible.
 //             3. "Map coordinate assignment" turns the grid with the walls: `align = edges`, computed from the map.
-//             4. partial = true (needs the map): when a spiral has ended, walls through cells whose centre the robot cannot
-//                occupy are followed once, as `bsa` does.
+//             4. partial = true (needs the map): when a spiral has ended, walls through cells whose centre the robot
+//                cannot occupy are followed once, as `bsa` does.
 //             5. The lattice has a node at the start. Links are driven with the tool off.
 #include "algorithms/grid/spiral_planner.hpp"
 
@@ -62,22 +62,15 @@ class LinkedSpirals {
   std::optional<bool> turns_left_;  // the spiral's turning side, once it has been blocked
 };
 
-class LinkedSpiral final : public CoveragePlanner {
- public:
-  explicit LinkedSpiral(SpiralOptions options) : options_(options) {}
-  Path plan(const Problem& problem, Context& context) const override {
-    return walk_spirals(problem, context, options_,
-                        [](CellWalk& walk, WallFollower* walls) { LinkedSpirals(walk, walls).run(); });
-  }
-
- private:
-  SpiralOptions options_;
-};
+Path plan(const SpiralOptions& options, const Problem& problem, Context& context) {
+  return walk_spirals(problem, context, options,
+                      [](CellWalk& walk, WallFollower* walls) { LinkedSpirals(walk, walls).run(); });
+}
 
 }  // namespace
 
 PlannerInfo linked_spiral() {
-  return describe<LinkedSpiral, SpiralOptions>(
+  return describe<SpiralOptions, plan>(
       {.name = "linked-spiral",
        .family = "grid",
        .title = "spirals linked by a distance wave",

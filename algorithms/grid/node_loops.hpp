@@ -17,8 +17,8 @@
 
 namespace oxturn {
 
-/// A loop as on the slides: an open chain of nodes whose last has the coordinates of the first. Each node lists its edges;
-/// an edge is the number of the node at its other end.
+/// A loop as on the slides: an open chain of nodes whose last has the coordinates of the first. Each node lists its
+/// edges; an edge is the number of the node at its other end.
 struct NodeLoop {
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   struct Edges {
@@ -29,12 +29,12 @@ struct NodeLoop {
 };
 
 /// The given vertices in a loop, with ceil(distance / d_node - 1) nodes evenly between two neighbours; d_node > 0. The
-/// first node's coordinates appear again at the very end only, because there the walk stops: a loop that touches itself at
-/// its first node is cut into two. Vertices that repeat their predecessor count once; fewer than two make no loop.
+/// first node's coordinates appear again at the very end only, because there the walk stops: a loop that touches itself
+/// at its first node is cut into two. Vertices that repeat their predecessor count once; fewer than two make no loop.
 std::vector<NodeLoop> node_loops(const std::vector<Point>& vertices, double d_node);
 
-/// The walk of the slides with its variables start, previous, current, next. Its end is recognised by the coordinates, and
-/// the last node is examined after the loop. Returns the invalid nodes in the order met.
+/// The walk of the slides with its variables start, previous, current, next. Its end is recognised by the coordinates,
+/// and the last node is examined after the loop. Returns the invalid nodes in the order met.
 std::vector<std::size_t> invalid_nodes(const NodeLoop& loop, std::size_t start,
                                        const std::function<bool(std::size_t)>& invalid);
 
@@ -42,8 +42,8 @@ struct NodeChain {
   Polyline nodes;
   bool closed;  // an unbroken loop: its last node repeats the first
 };
-/// The connected components of the loop without its bad nodes. An unbroken loop keeps its duplicated start. A broken one
-/// loses it, so that the nodes on both sides of the start are one chain; each chain runs in the loop's direction.
+/// The connected components of the loop without its bad nodes. An unbroken loop keeps its duplicated start. A broken
+/// one loses it, so that the nodes on both sides of the start are one chain; each chain runs in the loop's direction.
 std::vector<NodeChain> chains_of(const NodeLoop& loop, const std::vector<std::size_t>& bad);
 
 }  // namespace oxturn

@@ -38,7 +38,8 @@ Path RectangleCleaner::clean() {
   return path_.take();
 }
 
-/// From the start onto the lattice: to a node in sight, else by a shortest path to the first node that has to be driven.
+/// From the start onto the lattice: to a node in sight, else by a shortest path to the first node that has to be
+/// driven.
 bool RectangleCleaner::begin(const std::vector<Job>& jobs) {
   if (jobs.empty() && !p_.revisit_skipped && p_.lanes != Lanes::diagonal) return false;
   if (const auto node = paths_.node_near(problem_.start())) {
@@ -82,8 +83,8 @@ void RectangleCleaner::skip(int column, int bottom, int top) {
   if (context_.wants_traces()) skipped_.push_back({graph_.centre(column, bottom), graph_.centre(column, top)});
 }
 
-/// MyCarbot, section 2.3: as near to the lower left as possible, up to `shift` cells higher; otherwise in the next column.
-/// The rectangle loses columns without such a start.
+/// MyCarbot, section 2.3: as near to the lower left as possible, up to `shift` cells higher; otherwise in the next
+/// column. The rectangle loses columns without such a start.
 std::optional<RectangleCleaner::Run> RectangleCleaner::start_of(CellRectangle& r) const {
   for (; r.left <= r.right; ++r.left) {
     const std::vector<Run> found = runs(r.left, r.bottom, std::min(r.top, r.bottom + p_.shift));
@@ -222,8 +223,9 @@ void RectangleCleaner::drive(const Run& run, bool up, Approach approach) {
   for (int j = run.low; j <= run.high; ++j) done_[graph_.at(run.column, j)] = true;
 }
 
-/// To a node: straight with the tool on if that is possible and short (the step to the next column), else over the lattice
-/// with the tool off except for the last `tail` metres. Where the lattice leads nowhere, by a shortest path among walls.
+/// To a node: straight with the tool on if that is possible and short (the step to the next column), else over the
+/// lattice with the tool off except for the last `tail` metres. Where the lattice leads nowhere, by a shortest path
+/// among walls.
 void RectangleCleaner::go(std::size_t node, Approach approach, double tail) {
   if (node == at_) return;
   const Point to = graph_.centre(node);
@@ -259,8 +261,8 @@ void RectangleCleaner::go_along(Polyline path, double tail) {
   if (last.size() > 1) path_.drive(last, true);
 }
 
-/// Ours: drives every node that the robot can reach and has not driven, the nearest first, with all undriven nodes above
-/// and below it. Components that the lattice does not connect come one after the other.
+/// Ours: drives every node that the robot can reach and has not driven, the nearest first, with all undriven nodes
+/// above and below it. Components that the lattice does not connect come one after the other.
 void RectangleCleaner::revisit() {
   const auto undriven = [&](std::size_t node) { return paths_.component(node) >= 0 && !done_[node]; };
   std::size_t next = 0;

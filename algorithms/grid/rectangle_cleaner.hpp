@@ -1,5 +1,5 @@
-/// MyCarbot (TH Nuernberg) in a known world: partitions it, drives from rectangle to rectangle and cleans each column by
-/// column.
+/// MyCarbot (TH Nuernberg) in a known world: partitions it, drives from rectangle to rectangle and cleans each column
+/// by column.
 ///
 ///   RectangleCleaner cleaner(options, problem, graph, std::vector<bool>(graph.size(), false), context);
 ///   Path path = cleaner.clean();

@@ -7,8 +7,8 @@
 namespace oxturn {
 namespace {
 
-/// Calls close(k) for the cells of free runs of at most `gap` cells in a line of n. The border of the grid is no wall, so a
-/// run that touches it is no gap.
+/// Calls close(k) for the cells of free runs of at most `gap` cells in a line of n. The border of the grid is no wall,
+/// so a run that touches it is no gap.
 template <class IsFree, class Close>
 void close_gaps_in_line(int n, int gap, IsFree is_free, Close close) {
   for (int k = 1; k < n;) {
@@ -36,8 +36,8 @@ BitGrid with_gaps_closed(const BitGrid& free, int gap) {
   return closed;
 }
 
-/// The connected components of the walls (by eight neighbours) that are at most `small` cells a side and do not touch the
-/// border of the grid.
+/// The connected components of the walls (by eight neighbours) that are at most `small` cells a side and do not touch
+/// the border of the grid.
 class SmallObstacles {
  public:
   SmallObstacles(const BitGrid& free, int small) : free_(free) {

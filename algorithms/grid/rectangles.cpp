@@ -1,31 +1,36 @@
 // Partitions the world into rectangles of cells and cleans them one by one, column by column.
 //
-// Source      MyCarbot (TH Nuernberg), "Rechteck-Partitionierungs-Strategie", sections 2 and 5. The defaults are the source
+// Source      MyCarbot (TH Nuernberg), "Rechteck-Partitionierungs-Strategie", sections 2 and 5. The defaults are the
+//             source
 // Model       grid, offline, or online by lidar (`sensing = lidar`), disc footprint
-// Guarantee   every cell of a drivable rectangle of at least 2 x 2 cells is cleaned, except skipped columns and cells below
-//             a shifted start; with `revisit_skipped` every lattice node that the robot can reach is driven
-// Complexity  n cells: world and partition O(n), a path between rectangles O(cells nearer than its end); some 60 bytes a
-//             cell. `choose = first` returns to the lower end after each column of rectangles: O(n^1.5) driven at worst
-// Decisions   1. Cells default to half the robot's width (the source's robot is larger than a cell). A cell is wall unless
-//                it lies entirely in free space.
+// Guarantee   every cell of a drivable rectangle of at least 2 x 2 cells is cleaned, except skipped columns and cells
+//             below a shifted start; with `revisit_skipped` every lattice node that the robot can reach is driven
+// Complexity  n cells: world and partition O(n), a path between rectangles O(cells nearer than its end); some 60 bytes
+//             a cell. `choose = first` returns to the lower end after each column of rectangles: O(n^1.5) driven at
+//             worst
+// Decisions   1. Cells default to half the robot's width (the source's robot is larger than a cell). A cell is wall
+//                unless it lies entirely in free space.
 //             2. "First from the lower left" may run row by row or column by column (`scan`); the source does not say.
 //                Columns is the default: it covered more on six of seven maps tried.
-//             3. The source closes gaps and partitions anew after each rectangle and each skipped column, with cleaned cells
-//                as obstacles. Cleaned cells are no wall beside a gap, and removing them leaves all other rectangles as they
-//                are (rectangle_world.hpp). So both are done once, and a rectangle loses its skipped columns.
-//             4. A column is driven where the robot's centre fits, in all of its runs, up and down in turn. Paths between
-//                runs and columns that are not straight are planned on the lattice and pulled straight; where the lattice
-//                leads nowhere they are shortest paths among the walls.
+//             3. The source closes gaps and partitions anew after each rectangle and each skipped column, with cleaned
+//                cells as obstacles. Cleaned cells are no wall beside a gap, and removing them leaves all other
+//                rectangles as they are (rectangle_world.hpp). So both are done once, and a rectangle loses its skipped
+//                columns.
+//             4. A column is driven where the robot's centre fits, in all of its runs, up and down in turn. Paths
+//                between runs and columns that are not straight are planned on the lattice and pulled straight; where
+//                the lattice leads nowhere they are shortest paths among the walls.
 //             5. The centre is visited on the way (section 2.3) if the robot fits there.
 //             6. `columns = tool` (ours) steps as many columns as the tool covers, instead of one.
-//             7. The outlooks of section 5: `choose = nearest` takes the start with the fewest planned steps, so a divided
-//                corridor is cleaned one side after the other. `lanes = diagonal` makes no rectangles but lanes at 45
-//                degrees ("Schraegen ueber das Grid"), each as long as possible, on to the nearest end of one, for pillars
-//                in staggered rows (rectangles on a turned grid were tried: worse than straight ones). Beside slanted walls
-//                rectangles are strips one cell wide, which the source does not drive; `smallest = 1` (ours) does.
-//             8. Online: a scan of the world (world_scan.hpp), then the same on what is believed, on a lattice with a node at
-//                the start. Driven nodes are done. The world is partitioned anew where an obstacle stops the robot, and after
-//                a rectangle if more than the area of four cells has been seen since. Ends when nothing new is seen.
+//             7. The outlooks of section 5: `choose = nearest` takes the start with the fewest planned steps, so a
+//                divided corridor is cleaned one side after the other. `lanes = diagonal` makes no rectangles but lanes
+//                at 45 degrees ("Schraegen ueber das Grid"), each as long as possible, on to the nearest end of one,
+//                for pillars in staggered rows (rectangles on a turned grid were tried: worse than straight ones).
+//                Beside slanted walls rectangles are strips one cell wide, which the source does not drive; `smallest =
+//                1` (ours) does.
+//             8. Online: a scan of the world (world_scan.hpp), then the same on what is believed, on a lattice with a
+//                node at the start. Driven nodes are done. The world is partitioned anew where an obstacle stops the
+//                robot, and after a rectangle if more than the area of four cells has been seen since. Ends when
+//                nothing new is seen.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -152,31 +157,20 @@ class Discovery {
   std::optional<double> angle_;
 };
 
-class Rectangles final : public CoveragePlanner {
- public:
-  explicit Rectangles(RectangleOptions p) : p_(p) {}
-  Path plan(const Problem& problem, Context& context) const override {
-    Path path = p_.sensing == Sensing::map ? clean_known(p_, problem, context) : clean_by_lidar(problem, context);
-    if (path.legs.empty())
-      throw Infeasible(fmt::format("no rectangle of at least {} x {} cells can be driven; a smaller cell_size may help",
-                                   p_.smallest, p_.smallest));
-    return path;
-  }
-
- private:
-  Path clean_by_lidar(const Problem& problem, Context& context) const {
-    const auto program = [this](OnlineRobot& robot, Context& inner) { Discovery(p_, robot, inner).run(); };
-    return drive_online(problem, program, context);
-  }
-
-  RectangleOptions p_;
-};
+Path plan(const RectangleOptions& p, const Problem& problem, Context& context) {
+  const auto by_lidar = [&](OnlineRobot& robot, Context& inner) { Discovery(p, robot, inner).run(); };
+  Path path = p.sensing == Sensing::map ? clean_known(p, problem, context) : drive_online(problem, by_lidar, context);
+  if (path.legs.empty())
+    throw Infeasible(fmt::format("no rectangle of at least {} x {} cells can be driven; a smaller cell_size may help",
+                                 p.smallest, p.smallest));
+  return path;
+}
 
 }  // namespace
 
 PlannerInfo rectangles() {
   using P = RectangleOptions;
-  return describe<Rectangles, P>(
+  return describe<P, plan>(
       {.name = "rectangles",
        .family = "grid",
        .title = "rectangle partition, column by column",

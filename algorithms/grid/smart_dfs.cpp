@@ -6,18 +6,18 @@
 // Guarantee   visits every free cell that free lattice edges connect to the start's; without holes and from a start at
 //             the wall at most C + E/2 - 3 moves including the return (C cells, E boundary edges)
 // Complexity  n cells: memory O(n); time O(n) plus, for each return, the cells nearer than its goal
-// Decisions   1. Left-hand rule: left, ahead, right of the direction in which a cell was first entered. The robot returns
-//                to a cell only if something is left to do there, by the fewest steps over visited cells.
-//             2. A cell's layer is one more than the least layer among its eight neighbours; walls are layer 0, and only
-//                cells that are walls or visited when the robot enters count.
-//             3. A cell is a split cell if its unvisited neighbours are not connected around it: what lies between two of
-//                them (the diagonal cell, or the cell ahead if they are left and right) is a wall or visited. Each
-//                component of unvisited neighbours then has a boundary on its left and one on its right: at the far left
-//                the layer outside, at the far right the robot's own layer, otherwise what lies between. A component
-//                with the robot's own layer on one side only is partially surrounded (type III of the paper) and is
-//                visited last. If there is none, the left-hand rule applies with its first step moved to the end.
-//                (The paper's figures were not available, so this is our formulation. The bound is tested on thousands
-//                of random polygons, and fails without this rule.)
+// Decisions   1. Left-hand rule: left, ahead, right of the direction in which a cell was first entered. The robot
+//                returns to a cell only if something is left to do there, by the fewest steps over visited cells.
+//             2. A cell's layer is one more than the least layer among its eight neighbours; walls are layer 0, and
+//                only cells that are walls or visited when the robot enters count.
+//             3. A cell is a split cell if its unvisited neighbours are not connected around it: what lies between two
+//                of them (the diagonal cell, or the cell ahead if they are left and right) is a wall or visited. Each
+//                component of unvisited neighbours then has a boundary on its left and one on its right: at the far
+//                left the layer outside, at the far right the robot's own layer, otherwise what lies between. A
+//                component with the robot's own layer on one side only is partially surrounded (type III of the paper)
+//                and is visited last. If there is none, the left-hand rule applies with its first step moved to the
+//                end. (The paper's figures were not available, so this is our formulation. The bound is tested on
+//                thousands of random polygons, and fails without this rule.)
 //             4. A start away from walls: straight south to one first; the bound does not apply then.
 //             5. The lattice has a node at the start. Moves over visited cells are driven with the tool off.
 #include <algorithm>

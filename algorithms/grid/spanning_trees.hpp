@@ -45,8 +45,8 @@ std::vector<Parameter<P>> with_tree_options(std::vector<Parameter<P>> own) {
 ConnectedComponents components_of(const CoarseCells& cells);
 
 /// Grows a tree depth-first without recursion, for a million cells make a deep one. `kind` decides in which order the
-/// directions are tried; each has `edges_per_side` candidates. try_link(node, direction, k) links candidate k and returns
-/// the node beyond, or nullopt.
+/// directions are tried; each has `edges_per_side` candidates. try_link(node, direction, k) links candidate k and
+/// returns the node beyond, or nullopt.
 template <class Node, class TryLink>
 void grow_depth_first(const Node& root, TreeKind kind, Rng& rng, int edges_per_side, TryLink try_link) {
   struct Visit {

@@ -1,8 +1,9 @@
-/// What planners that wind spirals over cells share (bsa, linked-spiral): the option `partial`, and the move to the next
-/// spiral.
+/// What planners that wind spirals over cells share (bsa, linked-spiral): the option `partial`, and the move to the
+/// next spiral.
 ///
 ///   struct Params : SpiralOptions {};
-///   return walk_spirals(problem, context, p_, [](CellWalk& walk, WallFollower* walls) { ...; escape(walk, walls, true); });
+///   return walk_spirals(problem, context, p_, [](CellWalk& walk, WallFollower* walls) { ...; escape(walk, walls,
+///   true); });
 #pragma once
 
 #include <functional>

@@ -2,21 +2,22 @@
 //
 // Source      Gabriely & Rimon, "Spanning-tree based coverage of continuous areas by a mobile robot", ICRA 2001
 // Model       grid of coarse cells 2D x 2D, offline, disc footprint
-// Guarantee   each sub-cell (side D) of the free coarse cells connected to the first one exactly once; the path is closed
-//             and its length is the number of sub-cells times D
+// Guarantee   each sub-cell (side D) of the free coarse cells connected to the first one exactly once; the path is
+//             closed and its length is the number of sub-cells times D
 // Complexity  n sub-cells: time and memory O(n), `weighted` O(n log n). The same with `components = all`, except where
 //             components are connected only by paths that leave the lattice
-// Decisions   1. A coarse cell is free if the square through its four sub-cell centres lies in configuration space, because
-//                nothing else is driven inside it. Two are adjacent if both lattice edges between their sub-cells are free.
+// Decisions   1. A coarse cell is free if the square through its four sub-cell centres lies in configuration space,
+//                because nothing else is driven inside it. Two are adjacent if both lattice edges between their
+//                sub-cells are free.
 //             2. D defaults to w / sqrt 2, so that a disc tool covers each sub-cell from its centre line; the paper's
 //                square tool is cell_size = w.
 //             3. The paper starts in a cell. Here the robot first drives the shortest path to the nearest sub-cell.
-//             4. `components = all` (ours) also covers the other connected components of the free coarse cells: where the
-//                path passes the point that is nearest to another component, the robot goes there, around it, and back
-//                (component_order.hpp). `start` is the paper.
+//             4. `components = all` (ours) also covers the other connected components of the free coarse cells: where
+//                the path passes the point that is nearest to another component, the robot goes there, around it, and
+//                back (component_order.hpp). `start` is the paper.
 //             5. The tree: see TreeKind in spanning_trees.hpp.
-//             6. `partial = true` (after the same authors, 2002 and 2003): partly occupied coarse cells are entered, too.
-//                Every sub-cell that free lattice edges connect to the first is visited; length <= (n + m) D
+//             6. `partial = true` (after the same authors, 2002 and 2003): partly occupied coarse cells are entered,
+//                too. Every sub-cell that free lattice edges connect to the first is visited; length <= (n + m) D
 //                (sub_cell_tree.hpp).
 #include <limits>
 #include <utility>
@@ -33,7 +34,8 @@ struct Params : TreeOptions {
   bool partial = false;
 };
 
-/// Drives around the tree from its root; where the path to a branch begins, first there, around that component and back.
+/// Drives around the tree from its root; where the path to a branch begins, first there, around that component and
+/// back.
 class RoundWithBranches {
  public:
   using Entry = ComponentOrder::Entry;
@@ -113,45 +115,37 @@ class RoundWithBranches {
   std::optional<Direction> last_;
 };
 
-class Stc final : public CoveragePlanner {
- public:
-  explicit Stc(Params p) : p_(p) {}
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  const GridGraph fine = p.lattice(problem, 2);
+  if (p.partial) return cover_partial_cells(problem, fine, p, context);
+  CoarseCells cells(fine);
+  const ConnectedComponents components = components_of(cells);
+  if (components.count == 0) throw Infeasible("no coarse cell of twice the cell size fits; a smaller cell_size may");
 
-  Path plan(const Problem& problem, Context& context) const override {
-    const GridGraph fine = p_.lattice(problem, 2);
-    if (p_.partial) return cover_partial_cells(problem, fine, p_, context);
-    CoarseCells cells(fine);
-    const ConnectedComponents components = components_of(cells);
-    if (components.count == 0) throw Infeasible("no coarse cell of twice the cell size fits; a smaller cell_size may");
-
-    LatticePaths paths(fine, problem.walls());
-    ComponentOrder order(problem, fine, cells, components, paths);
-    TreeGrower grower(cells, p_.tree, context.rng());
-    PathBuilder path(problem.start());
-    int done = 0;
-    for (auto root = order.first(); root && !context.cancelled(); root = order.next(path.at())) {
-      std::vector<ComponentOrder::Entry> branches;
-      if (p_.components == Components::all) branches = order.branches();
-      grower.grow(root->coarse);
-      for (const ComponentOrder::Entry& branch : branches) grower.grow(branch.coarse);
-      path.drive(root->path, false);
-      RoundWithBranches(fine, cells, branches, path).drive(*root, context);
-      done += 1 + static_cast<int>(branches.size());
-      context.progress(double(done) / components.count);
-      if (p_.components == Components::start) break;
-    }
-    if (context.wants_traces()) context.trace("tree", tree_lines(cells));
-    return path.take();
+  LatticePaths paths(fine, problem.walls());
+  ComponentOrder order(problem, fine, cells, components, paths);
+  TreeGrower grower(cells, p.tree, context.rng());
+  PathBuilder path(problem.start());
+  int done = 0;
+  for (auto root = order.first(); root && !context.cancelled(); root = order.next(path.at())) {
+    std::vector<ComponentOrder::Entry> branches;
+    if (p.components == Components::all) branches = order.branches();
+    grower.grow(root->coarse);
+    for (const ComponentOrder::Entry& branch : branches) grower.grow(branch.coarse);
+    path.drive(root->path, false);
+    RoundWithBranches(fine, cells, branches, path).drive(*root, context);
+    done += 1 + static_cast<int>(branches.size());
+    context.progress(double(done) / components.count);
+    if (p.components == Components::start) break;
   }
-
- private:
-  Params p_;
-};
+  if (context.wants_traces()) context.trace("tree", tree_lines(cells));
+  return path.take();
+}
 
 }  // namespace
 
 PlannerInfo stc() {
-  return describe<Stc, Params>(
+  return describe<Params, plan>(
       {.name = "stc",
        .family = "grid",
        .title = "spanning tree coverage, offline",

@@ -2,32 +2,32 @@
 //
 // Source      Improving Spanning Tree Coverage (lecture slides); the tree below is that of `stc`
 // Model       grid of coarse cells 2D x 2D and polygonal walls, offline, disc footprint
-// Guarantee   what `stc` covers is covered; every part of a loop that the robot can drive is driven; the path is one closed
-//             round of a tree
+// Guarantee   what `stc` covers is covered; every part of a loop that the robot can drive is driven; the path is one
+//             closed round of a tree
 // Complexity  n sub-cells and nodes: O(n), and a path for each piece that sees no vertex nearby (branch_tree.hpp)
-// Decisions   1. The slides offset the map's walls, and so does this. The parts of a loop outside configuration space are
-//                invalid: nodes outside, and both nodes of an edge that leaves it. This also holds for the loop's own
-//                obstacle (notches narrower than the robot, walls traced from pixels).
-//             2. The slides' epsilon of 0.01 has no unit; here it is a share of the radius. As 0.01 m on a robot of 0.2 m
-//                (epsilon = 0.05, the slides' reading) it leaves a strip uncovered that alone is 2 % of a narrow corridor.
-//                It is at least twice the chord error of configuration space (w / 500).
+// Decisions   1. The slides offset the map's walls, and so does this. The parts of a loop outside configuration space
+//                are invalid: nodes outside, and both nodes of an edge that leaves it. This also holds for the loop's
+//                own obstacle (notches narrower than the robot, walls traced from pixels).
+//             2. The slides' epsilon of 0.01 has no unit; here it is a share of the radius. As 0.01 m on a robot of 0.2
+//                m (epsilon = 0.05, the slides' reading) it leaves a strip uncovered that alone is 2 % of a narrow
+//                corridor. It is at least twice the chord error of configuration space (w / 500).
 //             3. The slides' arccos is right at convex vertices only; see bisector_nodes.hpp, also for sharp vertices.
 //             4. d_node is not given on the slides: default D.
-//             5. A loop begins at its first vertex. If it touches itself there, it is cut into two, because the slides' walk
-//                ends where it meets the start's coordinates.
-//             6. The path passes the four sub-cell centres around a coarse cell's centre, never that centre. So a branch is
-//                attached to the nearest visible sub-cell centre of the path (or node of an earlier branch), and is an
-//                excursion from there: all of it lies in configuration space.
+//             5. A loop begins at its first vertex. If it touches itself there, it is cut into two, because the slides'
+//                walk ends where it meets the start's coordinates.
+//             6. The path passes the four sub-cell centres around a coarse cell's centre, never that centre. So a
+//                branch is attached to the nearest visible sub-cell centre of the path (or node of an earlier branch),
+//                and is an excursion from there: all of it lies in configuration space.
 //             7. Where no vertex is visible, a path leads to one, and its own vertices join the tree (recorded as
-//                `branches_by_path`). The components of coarse cells, which `stc` drives one after the other, are attached
-//                likewise, so there is one tree; each is attached where it is nearest to the tree so far.
+//                `branches_by_path`). The components of coarse cells, which `stc` drives one after the other, are
+//                attached likewise, so there is one tree; each is attached where it is nearest to the tree so far.
 //             8. If no coarse cell fits, the tree is the start alone, and loops are attached to it.
-//             9. One lap along the walls leaves bands up to 2D wide uncovered between it and the coarse cells. `fill = none`
-//                is the slides. `cells` (ours) also attaches every free sub-cell that is not yet covered, as a branch of
-//                one node. `spots`, the default, continues with what is left around sub-cells whose centre is in a wall,
-//                and where loops are broken. Coverage is looked up on a lattice of D / 4.
-//            10. `close_loops = true`, the default, drives an unbroken loop around once; false is the slides' walk of the
-//                tree, there and back.
+//             9. One lap along the walls leaves bands up to 2D wide uncovered between it and the coarse cells. `fill =
+//                none` is the slides. `cells` (ours) also attaches every free sub-cell that is not yet covered, as a
+//                branch of one node. `spots`, the default, continues with what is left around sub-cells whose centre is
+//                in a wall, and where loops are broken. Coverage is looked up on a lattice of D / 4.
+//            10. `close_loops = true`, the default, drives an unbroken loop around once; false is the slides' walk of
+//                the tree, there and back.
 #include <algorithm>
 #include <cmath>
 
@@ -192,8 +192,8 @@ class StcWithLoops {
     return how != BranchTree::Attached::not_at_all;
   }
 
-  /// The robot drives from its start to the component that stc begins with; of the others, always the one nearest to the
-  /// tree comes next.
+  /// The robot drives from its start to the component that stc begins with; of the others, always the one nearest to
+  /// the tree comes next.
   void attach_components() {
     const ConnectedComponents components = components_of(cells_);
     std::vector<bool> attached(static_cast<std::size_t>(components.count), false);
@@ -299,21 +299,12 @@ class StcWithLoops {
   int by_path_ = 0, lost_ = 0, fill_points_ = 0;
 };
 
-class StcLoops final : public CoveragePlanner {
- public:
-  explicit StcLoops(Params p) : p_(p) {}
-  Path plan(const Problem& problem, Context& context) const override {
-    return StcWithLoops(p_, problem, context).run();
-  }
-
- private:
-  Params p_;
-};
+Path plan(const Params& p, const Problem& problem, Context& context) { return StcWithLoops(p, problem, context).run(); }
 
 }  // namespace
 
 PlannerInfo stc_loops() {
-  return describe<StcLoops, Params>(
+  return describe<Params, plan>(
       {.name = "stc-loops",
        .family = "grid",
        .title = "spanning tree coverage with loops around obstacles",

@@ -43,9 +43,9 @@ class Growth {
     const Cell second = neighbour(first, d == kEast || d == kWest ? kNorth : kEast);
     return tree_.passable(first, d) && tree_.passable(second, d);
   }
-  /// Whether child y of x, sideways in direction d, will be entered from its own vertical neighbour: x' (above or below x)
-  /// and y' (beside it) are new, so x' comes later in x's order and leads to y', and y' to y. All four must be connected by
-  /// double-sided edges, or y might be forgotten.
+  /// Whether child y of x, sideways in direction d, will be entered from its own vertical neighbour: x' (above or below
+  /// x) and y' (beside it) are new, so x' comes later in x's order and leads to y', and y' to y. All four must be
+  /// connected by double-sided edges, or y might be forgotten.
   bool left_to_vertical_neighbour(const Cell& c, Direction d) const {
     if (d == kNorth || d == kSouth || !tree_.whole(c)) return false;
     const Cell x = tree_.base(c), y = coarse_neighbour(x, d);
@@ -62,8 +62,8 @@ class Growth {
   ChildOrder order_;
 };
 
-/// The start may be any of the four sub-cells of its coarse cell. The first choice of the cell's lower left sub-cell for
-/// which it is entirely free; nullopt if there is none.
+/// The start may be any of the four sub-cells of its coarse cell. The first choice of the cell's lower left sub-cell
+/// for which it is entirely free; nullopt if there is none.
 template <class Tree, class Passable>
 std::optional<Cell> whole_cell_at_start(const Passable& passable) {
   for (const Cell& corner : {Cell{0, 0}, Cell{-1, 0}, Cell{0, -1}, Cell{-1, -1}})
@@ -73,8 +73,8 @@ std::optional<Cell> whole_cell_at_start(const Passable& passable) {
 
 }  // namespace
 
-Path cover_by_growing_tree(const Problem& problem, Context& context, const OnlineStcOptions& options,
-                           ChildOrder order) {
+template <ChildOrder order>
+Path cover_by_growing_tree(const OnlineStcOptions& options, const Problem& problem, Context& context) {
   return drive_cells(problem, context, options, {.reach = kReach}, [&](CellRobot& robot) {
     const auto passable = [&](const Cell& c, Direction d) { return robot.passable(c, d); };
     using Tree = SubCellTree<decltype(passable)>;
@@ -89,5 +89,7 @@ Path cover_by_growing_tree(const Problem& problem, Context& context, const Onlin
     context.record("steps", static_cast<double>(robot.steps()));
   });
 }
+template Path cover_by_growing_tree<ChildOrder::counter_clockwise>(const OnlineStcOptions&, const Problem&, Context&);
+template Path cover_by_growing_tree<ChildOrder::vertical_first>(const OnlineStcOptions&, const Problem&, Context&);
 
 }  // namespace oxturn

@@ -23,24 +23,14 @@ enum class ChildOrder {
   vertical_first  // counter-clockwise, but children east and west are left to vertical neighbours where possible
 };
 
-/// Throws Infeasible if no coarse cell at the start is free (unless options.partial), or if the robot cannot step anywhere.
-Path cover_by_growing_tree(const Problem& problem, Context& context, const OnlineStcOptions& options, ChildOrder order);
-
+/// Throws Infeasible if no coarse cell at the start is free (unless options.partial), or if the robot cannot step
+/// anywhere.
 template <ChildOrder order>
-class OnlineStc final : public CoveragePlanner {
- public:
-  explicit OnlineStc(OnlineStcOptions options) : options_(options) {}
-  Path plan(const Problem& problem, Context& context) const override {
-    return cover_by_growing_tree(problem, context, options_, order);
-  }
-
- private:
-  OnlineStcOptions options_;
-};
+Path cover_by_growing_tree(const OnlineStcOptions& options, const Problem& problem, Context& context);
 
 template <ChildOrder order>
 PlannerInfo describe_online_stc(std::string name, std::string title, std::string citation) {
-  return describe<OnlineStc<order>, OnlineStcOptions>(
+  return describe<OnlineStcOptions, cover_by_growing_tree<order>>(
       {.name = std::move(name),
        .family = "grid",
        .title = std::move(title),

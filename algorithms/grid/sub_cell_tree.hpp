@@ -6,25 +6,26 @@
 ///   tree.link({1, 0}, kEast);
 ///   tree.go_round({0, 0}, [](const Cell&, Direction) { return false; }, [&](Direction d) { return robot.step(d); });
 ///
-/// A node of the tree is a connected component of a coarse cell's free sub-cells: all four, three, two or one of them; two
-/// diagonal sub-cells are two nodes. An edge is double-sided where both lattice edges across fit: the robot leaves by one,
-/// returns by the other, and does not drive the cell's side between them. Otherwise it is single-sided: out and back by
-/// the same lattice edge. The tree is stored as the lattice edges to be driven, called `open`. The robot keeps to the
-/// right: at each sub-cell it takes the first open edge of right, ahead, left, back. So it drives around the tree, which
-/// stays on its left, and looks across every side of every sub-cell once.
+/// A node of the tree is a connected component of a coarse cell's free sub-cells: all four, three, two or one of them;
+/// two diagonal sub-cells are two nodes. An edge is double-sided where both lattice edges across fit: the robot leaves
+/// by one, returns by the other, and does not drive the cell's side between them. Otherwise it is single-sided: out and
+/// back by the same lattice edge. The tree is stored as the lattice edges to be driven, called `open`. The robot keeps
+/// to the right: at each sub-cell it takes the first open edge of right, ahead, left, back. So it drives around the
+/// tree, which stays on its left, and looks across every side of every sub-cell once.
 ///
 ///       double-sided              single-sided
 ///     o - o - o - o              o - o   #            o  sub-cell, # blocked one
 ///     |           |              |   |
 ///     o - o - o - o              o - o = o            =  driven twice
 ///
-/// Source      Gabriely & Rimon, ICRA 2001; after "Competitive on-line coverage of grid environments by a mobile robot",
-///             Computational Geometry 24, 2003
-/// Guarantee   the round is closed and takes n + 2 s + t - p steps for n sub-cells, s single-sided edges, t nodes of three
-///             sub-cells and p nodes of one. A node is one edge from its parent, so that is at most n + m for the m
-///             sub-cells that share a point with a blocked one: a node of 1, 2, 3 sub-cells has as many of these and costs
-///             1, 2, 3 steps more than n with its single-sided edge. A whole node costs 2 more only where a sub-cell facing
-///             it is blocked, which then touches two of its own. Blocked edges between free sub-cells count alike.
+/// Source      Gabriely & Rimon, ICRA 2001; after "Competitive on-line coverage of grid environments by a mobile
+///             robot", Computational Geometry 24, 2003
+/// Guarantee   the round is closed and takes n + 2 s + t - p steps for n sub-cells, s single-sided edges, t nodes of
+///             three sub-cells and p nodes of one. A node is one edge from its parent, so that is at most n + m for the
+///             m sub-cells that share a point with a blocked one: a node of 1, 2, 3 sub-cells has as many of these and
+///             costs 1, 2, 3 steps more than n with its single-sided edge. A whole node costs 2 more only where a
+///             sub-cell facing it is blocked, which then touches two of its own. Blocked edges between free sub-cells
+///             count alike.
 /// Complexity  O(1) for a query, a link and a step; 2 bytes a sub-cell of the window
 #pragma once
 
@@ -83,8 +84,8 @@ class SubCellTree {
       if (!contains(neighbour(c, d))) add_node(neighbour(c, d));
     }
   }
-  /// Adds the node across side d of c and the edge to it, double-sided if possible. c is in the tree; the sub-cell across
-  /// is not, and the lattice edge to it is free.
+  /// Adds the node across side d of c and the edge to it, double-sided if possible. c is in the tree; the sub-cell
+  /// across is not, and the lattice edge to it is free.
   void link(const Cell& c, Direction d) {
     add_node(neighbour(c, d));
     join(c, d);

@@ -9,8 +9,8 @@ namespace oxturn {
 UncoveredSamples::UncoveredSamples(const GridGraph& cells, const Region& free, double reach)
     : cells_(cells), reach_(4 * reach / cells.side()), bits_(rasterise(free, cells, 4, 1, CellRule::centre)) {}
 
-// A row of samples meets the capsule in one interval. Its right end lies on the right flank, whose foot on the segment is at
-// t, or on the disc around the end of the segment that is nearest to that foot; its left end likewise.
+// A row of samples meets the capsule in one interval. Its right end lies on the right flank, whose foot on the segment
+// is at t, or on the disc around the end of the segment that is nearest to that foot; its left end likewise.
 void UncoveredSamples::cover(const Point& a, const Point& b) {
   const Point p = coordinates(a), d = coordinates(b) - p;
   const double r = reach_, length = d.norm();

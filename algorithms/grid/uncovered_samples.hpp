@@ -1,4 +1,5 @@
-/// Which points of free space are still uncovered, on a lattice of a quarter of a cell. Covering and queries may alternate.
+/// Which points of free space are still uncovered, on a lattice of a quarter of a cell. Covering and queries may
+/// alternate.
 ///
 ///   UncoveredSamples samples(cells, problem.map().free, tool_width / 2);
 ///   samples.cover(a, b);

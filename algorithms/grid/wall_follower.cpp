@@ -156,8 +156,8 @@ std::optional<std::uint32_t> WallFollower::nearest_point_in_sight(const Section&
   return seen == order.end() ? std::nullopt : std::optional(*seen);
 }
 
-/// To `first_point` of the section, back to the section's beginning, then along the wall from section to section. Ends in
-/// the centre of the last cell of `way_back`.
+/// To `first_point` of the section, back to the section's beginning, then along the wall from section to section. Ends
+/// in the centre of the last cell of `way_back`.
 WallFollower::Excursion WallFollower::excursion(const Cell& from, std::uint32_t section, std::uint32_t first_point,
                                                 bool left) {
   Polyline line{points_[first_point]};

@@ -1,12 +1,12 @@
-/// Follows walls where driving from cell to cell leaves something uncovered beside them: through partial cells, which meet
-/// free space but whose centre the robot cannot occupy, and through free cells whose centre is away from the wall.
+/// Follows walls where driving from cell to cell leaves something uncovered beside them: through partial cells, which
+/// meet free space but whose centre the robot cannot occupy, and through free cells whose centre is away from the wall.
 ///
 ///   WallFollower walls(problem, robot);
 ///   while (walk.go_to([&](const Cell& c) { return walls.any_left(c); })) walls.follow_all(walk, true);
 ///
 /// The walls here are the edges of configuration space, so the robot touches the real ones all along. They are cut at
-/// cell borders into sections. From a cell beside a section the robot drives straight to it and along the wall, as long as
-/// there are free cells beside the wall by which it can come back on the lattice; then it does come back.
+/// cell borders into sections. From a cell beside a section the robot drives straight to it and along the wall, as long
+/// as there are free cells beside the wall by which it can come back on the lattice; then it does come back.
 ///
 ///     +-----+-----+-----+
 ///     |     |     |     |     R  where the robot begins and ends
@@ -31,8 +31,8 @@ class WallFollower {
 
   /// There is an unfollowed section in c or the eight cells around it, and follow_all() has not been called from c.
   bool any_left(const Cell& c) const;
-  /// Follows the unfollowed sections of `cell`, which is the robot's or beside it, as far as they can be seen. `left`: with
-  /// the wall on the left. Ends where it began.
+  /// Follows the unfollowed sections of `cell`, which is the robot's or beside it, as far as they can be seen. `left`:
+  /// with the wall on the left. Ends where it began.
   void follow(CellWalk& walk, const Cell& cell, bool left);
   /// The same for all nine cells.
   void follow_all(CellWalk& walk, bool left);

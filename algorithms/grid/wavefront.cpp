@@ -1,22 +1,24 @@
 // Climbs a distance transform: far cells first, down to the goal last.
 //
-// Source      after Zelinsky, Jarvis, Byrne & Yuta, "Planning paths of complete coverage of an unstructured environment by
-//             a mobile robot", ICAR 1993
+// Source      after Zelinsky, Jarvis, Byrne & Yuta, "Planning paths of complete coverage of an unstructured environment
+//             by a mobile robot", ICAR 1993
 // Model       grid with eight neighbours, offline, disc footprint
 // Guarantee   stop = backtrack: visits every free cell that free steps connect to the first one; with components = all
 //             every free cell. stop = closed (as published): only until the robot is closed in
-// Complexity  n cells: memory O(n); time O(n) plus, each time that the robot is closed in, the cells nearer than the next
-//             unvisited one; transform = path costs O(n log n) more
-// Decisions   1. The wave spreads from the goal to all eight neighbours, each step costing one. A problem has no goal: it is
-//                the start's cell, or with `goal = farthest` the cell farthest from it.
+// Complexity  n cells: memory O(n); time O(n) plus, each time that the robot is closed in, the cells nearer than the
+//             next unvisited one; transform = path costs O(n log n) more
+// Decisions   1. The wave spreads from the goal to all eight neighbours, each step costing one. A problem has no goal:
+//                it is the start's cell, or with `goal = farthest` the cell farthest from it.
 //             2. A step is possible where its segment lies in configuration space, exactly; diagonal steps as well.
-//             3. Of the unvisited neighbours with the greatest height: the one with the smallest turn, then the left one.
-//             4. The source stops when closed in. `stop = backtrack` (our default) goes on to the nearest unvisited cell,
-//                breadth-first over visited ones, with the tool off.
-//             5. transform = path (Zelinsky's path transform): a step costs 1 plus `discomfort` times the cell's closeness
-//                to walls, which is 3, 2, 1 for the first three cells from a wall, else 0. So the path follows the walls.
-//             6. components = all (ours) goes on to the components that no lattice step leads to, nearest first, by shortest
-//                paths; each has a wave of its own, from where it is entered.
+//             3. Of the unvisited neighbours with the greatest height: the one with the smallest turn, then the left
+//                one.
+//             4. The source stops when closed in. `stop = backtrack` (our default) goes on to the nearest unvisited
+//                cell, breadth-first over visited ones, with the tool off.
+//             5. transform = path (Zelinsky's path transform): a step costs 1 plus `discomfort` times the cell's
+//                closeness to walls, which is 3, 2, 1 for the first three cells from a wall, else 0. So the path
+//                follows the walls.
+//             6. components = all (ours) goes on to the components that no lattice step leads to, nearest first, by
+//                shortest paths; each has a wave of its own, from where it is entered.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -263,34 +265,25 @@ void cover_other_components(const Problem& problem, const GridGraph& graph, Clim
   }
 }
 
-class Wavefront final : public CoveragePlanner {
- public:
-  explicit Wavefront(Params p) : p_(p) {}
-
-  Path plan(const Problem& problem, Context& context) const override {
-    GridGraph graph = p_.lattice(problem, 1);
-    graph.add_diagonals(problem.configuration_space());
-    const std::optional<Entry> entry = entry_from_start(problem, graph);
-    if (!entry) throw Infeasible("no cell's centre is free; a smaller cell_size, or a shift of the grid, may help");
-    PathBuilder path(problem.start());
-    // The entry may be its component's only cell, so the tool is on already when the robot arrives.
-    path.drive(entry->path, true);
-    Climb climb(p_, graph, context);
-    climb.cover_from(graph.at(entry->column, entry->row), path);
-    if (p_.components == Components::all && p_.stop == Stop::backtrack)
-      cover_other_components(problem, graph, climb, path);
-    context.record("cells", static_cast<double>(climb.visited_count()));
-    return path.take();
-  }
-
- private:
-  Params p_;
-};
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  GridGraph graph = p.lattice(problem, 1);
+  graph.add_diagonals(problem.configuration_space());
+  const std::optional<Entry> entry = entry_from_start(problem, graph);
+  if (!entry) throw Infeasible("no cell's centre is free; a smaller cell_size, or a shift of the grid, may help");
+  PathBuilder path(problem.start());
+  // The entry may be its component's only cell, so the tool is on already when the robot arrives.
+  path.drive(entry->path, true);
+  Climb climb(p, graph, context);
+  climb.cover_from(graph.at(entry->column, entry->row), path);
+  if (p.components == Components::all && p.stop == Stop::backtrack) cover_other_components(problem, graph, climb, path);
+  context.record("cells", static_cast<double>(climb.visited_count()));
+  return path.take();
+}
 
 }  // namespace
 
 PlannerInfo wavefront() {
-  return describe<Wavefront, Params>(
+  return describe<Params, plan>(
       {.name = "wavefront",
        .family = "grid",
        .title = "far cells first, by a distance transform",

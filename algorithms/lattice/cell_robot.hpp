@@ -31,7 +31,8 @@ class CellWorld {
   virtual ~CellWorld() = default;
   virtual bool free(const Cell& c) = 0;
   virtual bool passable(const Cell& c, Direction d) = 0;
-  /// Drives from the centre of c to its neighbour's. False if the robot was stopped; it is back in the centre of c then.
+  /// Drives from the centre of c to its neighbour's. False if the robot was stopped; it is back in the centre of c
+  /// then.
   virtual bool step(const Cell& c, Direction d, bool tool) = 0;
   /// The same for cells that are not neighbours, across squares between cells that are known to be free entirely.
   virtual bool straight(const Cell& from, const Cell& to) = 0;

@@ -5,9 +5,9 @@
 ///     while (walk.step_to_any_fresh_cell()) {}        // the planner's own rule, from fresh() and step()
 ///   } while (walk.escape());                          // to the nearest cell beside an unvisited one
 ///
-/// A wall that was felt may turn out to be open later (by lidar, what is unknown counts as wall). So the robot feels anew
-/// each time it comes through a cell, and when it finds nothing left to do it checks what it has learnt since. A step
-/// that was refused is tried again only if it has become known to be free since.
+/// A wall that was felt may turn out to be open later (by lidar, what is unknown counts as wall). So the robot feels
+/// anew each time it comes through a cell, and when it finds nothing left to do it checks what it has learnt since. A
+/// step that was refused is tried again only if it has become known to be free since.
 /// A step O(1); a path O(cells nearer than its end), because marks of earlier searches need no reset. 6 bytes a cell of
 /// the window.
 #pragma once
@@ -114,8 +114,8 @@ class CellWalk {
     return true;
   }
 
-  /// Goes to the nearest visited cell with goal(cell), by another path where a step is refused. False if there is none, or
-  /// the run is cancelled.
+  /// Goes to the nearest visited cell with goal(cell), by another path where a step is refused. False if there is none,
+  /// or the run is cancelled.
   template <class Goal>
   bool go_to(Goal goal, bool tool = false) {
     while (!cancelled()) {
@@ -145,8 +145,8 @@ class CellWalk {
     arrive();
   }
 
-  /// The heading with which exploration begins: away from a wall. Without a wall beside it the robot first drives straight
-  /// south to one.
+  /// The heading with which exploration begins: away from a wall. Without a wall beside it the robot first drives
+  /// straight south to one.
   Direction heading_from_wall() {
     const auto from_wall = [&]() -> std::optional<Direction> {
       for (const Direction d : kAllDirections)
@@ -213,8 +213,8 @@ class CellWalk {
     return true;
   }
 
-  // After a search without success, which has reached all visited cells: opens the steps that were closed when the robot
-  // was there and are known to be free now. False if there are none.
+  // After a search without success, which has reached all visited cells: opens the steps that were closed when the
+  // robot was there and are known to be free now. False if there are none.
   bool reopen_known_steps() {
     bool found = false;
     for (const Cell& c : queue_) {

@@ -59,8 +59,8 @@ class CoarseCells {
   std::vector<std::uint8_t> tree_;  // of each cell a bit for each direction
 };
 
-/// Links all cells that are connected to `root` by at most `deepest` edges to a breadth-first tree; neighbours are taken
-/// counter-clockwise from east. Returns them, nearest first. None of them may be linked before. O(cells linked).
+/// Links all cells that are connected to `root` by at most `deepest` edges to a breadth-first tree; neighbours are
+/// taken counter-clockwise from east. Returns them, nearest first. None of them may be linked before. O(cells linked).
 std::vector<std::size_t> grow_breadth_first(CoarseCells& cells, std::size_t root,
                                             std::size_t deepest = std::numeric_limits<std::size_t>::max());
 

@@ -117,8 +117,8 @@ struct LatticePlacement {
   int margin = 0;     // further cells on every side
 };
 /// Unshifted, the first cell centres lie on the lower and left edges of the configuration space's bounding box: the
-/// closest that the robot gets to a wall. (With cells as wide as the robot this is the grid aligned to the map's bounding
-/// box.) Cells shrink by up to 1/1000 of their side where a whole number of them then spans the box.
+/// closest that the robot gets to a wall. (With cells as wide as the robot this is the grid aligned to the map's
+/// bounding box.) Cells shrink by up to 1/1000 of their side where a whole number of them then spans the box.
 /// Throws std::invalid_argument if there would be more than 10^8 cells.
 GridGraph make_grid_graph(const Problem& problem, const LatticePlacement& placement);
 
@@ -127,8 +127,8 @@ GridGraph make_grid_graph(const Problem& problem, const LatticePlacement& placem
 GridGraph make_grid_graph_at(const Region& space, const std::string& map_name, const Point& node, double side,
                              double angle = 0);
 
-/// A region as cells of the lattice, each divided into `parts` x `parts` cells, with a margin of so many of the lattice's
-/// cells on every side.
+/// A region as cells of the lattice, each divided into `parts` x `parts` cells, with a margin of so many of the
+/// lattice's cells on every side.
 BitGrid rasterise(const Region& region, const GridGraph& lattice, int parts, int margin, CellRule rule);
 
 /// Direction (radians, in [0, pi/2)) of most of the boundary's length, modulo a quarter turn.

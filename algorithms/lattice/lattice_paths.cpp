@@ -86,10 +86,10 @@ void LatticePaths::end_search() {
   seen_.clear();
 }
 
-// Weighted A*. Priorities are the cost so far plus the estimate, less kDriven times the steps of a straight line, so they
-// are small numbers: a step towards the goal lowers them by one, one away raises them by seventeen. Hence one stack for
-// each priority in place of the heap of base/graph_search.hpp; the last of equals comes first, which also goes straight
-// on where it can.
+// Weighted A*. Priorities are the cost so far plus the estimate, less kDriven times the steps of a straight line, so
+// they are small numbers: a step towards the goal lowers them by one, one away raises them by seventeen. Hence one
+// stack for each priority in place of the heap of base/graph_search.hpp; the last of equals comes first, which also
+// goes straight on where it can.
 Polyline LatticePaths::path(std::size_t from, std::size_t to) {
   if (component(from) < 0 || component(from) != component(to)) return {};
   const int i2 = column(to), j2 = row(to);

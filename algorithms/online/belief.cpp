@@ -34,8 +34,8 @@ Belief::Belief(const Robot& robot, const Point& start) {
   tolerance_ = 1e-9 * robot.tool_width + 1e-15 * start.cwiseAbs().maxCoeff();
   direction_ = ray_directions(lidar_.rays);
   cell_ = first_cell(robot);
-  // Off the start by odd fractions: walls at round distances from it must not all fall on lattice lines, where they would
-  // cost a whole cell.
+  // Off the start by odd fractions: walls at round distances from it must not all fall on lattice lines, where they
+  // would cost a whole cell.
   lattice_ = start - cell_ * Point(0.37, 0.61);
   const Point reach(2 * radius_ + 8 * cell_, 2 * radius_ + 8 * cell_);
   grow(start - reach, start + reach);
@@ -68,7 +68,8 @@ void Belief::for_each_cell_around(int i, int j, int reach, F f) {
     for (int x = std::max(0, i - reach); x <= std::min(columns_ - 1, i + reach); ++x) f(x, y);
 }
 
-/// Something narrow was overlooked, or may have been: cells around it that were only seen from afar must be seen from near.
+/// Something narrow was overlooked, or may have been: cells around it that were only seen from afar must be seen from
+/// near.
 void Belief::distrust(int i, int j) {
   const int reach = static_cast<int>(std::ceil(size_ / 4 / cell_));
   for_each_cell_around(i, j, reach, [&](int x, int y) {

@@ -1,21 +1,21 @@
-/// What an online robot believes of the world: an occupancy grid (free, occupied, unknown) that grows as the robot drives
-/// and, without noise, the outline of what is free (outline.hpp), for which the grid is the quick answer.
+/// What an online robot believes of the world: an occupancy grid (free, occupied, unknown) that grows as the robot
+/// drives and, without noise, the outline of what is free (outline.hpp), for which the grid is the quick answer.
 ///
 ///   Belief belief(robot, start);
 ///   belief.add(lidar.scan(start, rng));
 ///   if (belief.free_for(a, b, robot.radius)) ...       // the robot can drive straight from a to b
 ///
 /// Without noise a cell is free when all of it lies in the star that one scan makes certain (star.hpp), in one of two
-/// degrees: `near`, where rays are so close together that nothing is overlooked, and `far`, where something as narrow as a
-/// quarter of the robot may be. A hit in a free cell closes it for good, and withdraws the far cells around it until they
-/// are seen from near. So what is believed free is free in truth wherever the robot drives.
-/// With noise near stars are evidence for a cell, hits are evidence against the cells around them. Stars keep a margin of
-/// three standard deviations, and far ones count only where no evidence contradicts. A few wrong hits change little.
-/// Certainty requires that two radii around the robot are near: 200 rays. With fewer, details narrower than the distance
-/// between rays may be touched.
+/// degrees: `near`, where rays are so close together that nothing is overlooked, and `far`, where something as narrow
+/// as a quarter of the robot may be. A hit in a free cell closes it for good, and withdraws the far cells around it
+/// until they are seen from near. So what is believed free is free in truth wherever the robot drives.
+/// With noise near stars are evidence for a cell, hits are evidence against the cells around them. Stars keep a margin
+/// of three standard deviations, and far ones count only where no evidence contradicts. A few wrong hits change little.
+/// Certainty requires that two radii around the robot are near: 200 rays. With fewer, details narrower than the
+/// distance between rays may be touched.
 /// The lattice is placed by the start, so it reveals nothing of the map's extent; the window grows with what is seen.
-/// Resolution   radius / 16 (with noise half its standard deviation, between radius / 32 and radius / 4); twice as coarse
-///              each time the window would exceed 2^26 cells
+/// Resolution   radius / 16 (with noise half its standard deviation, between radius / 32 and radius / 4); twice as
+///              coarse each time the window would exceed 2^26 cells
 /// Complexity   a scan O(cells that it sees), a few bytes each; region() O(window), or one union of the stars since the
 ///              last call
 #pragma once
@@ -48,8 +48,8 @@ class Belief {
   std::uint64_t gained() const { return gained_; }
 
   double cell() const { return cell_; }
-  /// The disc of `radius`, moved from a to b, touches free cells only, or stays within the outline. With noise one and a
-  /// half cells at its boundary do not count: they flicker, and the margin of the stars is larger.
+  /// The disc of `radius`, moved from a to b, touches free cells only, or stays within the outline. With noise one and
+  /// a half cells at its boundary do not count: they flicker, and the margin of the stars is larger.
   bool free_for(const Point& a, const Point& b, double radius) const;
 
   /// The coarsest level: cells of side cell() * 2^level.
@@ -59,8 +59,8 @@ class Belief {
   };
   /// Cells of a coarser level are free if all of their cells are. Valid until the next add().
   const Cells& cells(int level) const;
-  /// Without noise the outline, less up to radius / 128 at its walls (radius / 32 at coarser levels); else the free cells
-  /// with fewer vertices, less up to 1.1 cells.
+  /// Without noise the outline, less up to radius / 128 at its walls (radius / 32 at coarser levels); else the free
+  /// cells with fewer vertices, less up to 1.1 cells.
   const Region& region(int level) const;
   double free_area() const;
   /// No scan makes anything farther away free: there rays are more than half a radius apart.

@@ -14,8 +14,8 @@ constexpr std::uint64_t kEveryByte = 0x0101010101010101;
 
 }  // namespace
 
-/// Marks the cells that lie inside the ring: those whose centre does, except those that an edge comes near. Returns whether
-/// any of them did not have the mark.
+/// Marks the cells that lie inside the ring: those whose centre does, except those that an edge comes near. Returns
+/// whether any of them did not have the mark.
 bool Belief::fill(const Ring& ring, const Point& eye, std::uint8_t mark) {
   marked_anew_ = false;
   if (ring.size() < 3) return false;

@@ -88,8 +88,8 @@ void Belief::merge_to(const Bounds& bounds, int block, std::vector<std::uint8_t>
     }
 }
 
-/// A coarse cell is as certain as the least certain of its cells, and has a wall if one of them has. i and j: of its first
-/// cell, on the lattice.
+/// A coarse cell is as certain as the least certain of its cells, and has a wall if one of them has. i and j: of its
+/// first cell, on the lattice.
 Belief::CellState Belief::merged(std::int64_t i, std::int64_t j, int block) const {
   std::uint8_t all = kFar | kNear, any = 0;
   int least = kMost;

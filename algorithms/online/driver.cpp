@@ -20,7 +20,8 @@ constexpr double kLookAhead = 10;    // scan steps for which the rest of a motio
 constexpr int kScansWithNoise = 10;  // at one position
 constexpr double kGrown = 1.02;      // times its length when last published: the path is published again
 
-/// From the start along the tether to the point nearest to the anchor that the robot can reach. Empty if that is the start.
+/// From the start along the tether to the point nearest to the anchor that the robot can reach. Empty if that is the
+/// start.
 Polyline path_along_tether(const Problem& truth) {
   try {
     const TetherSpace tether(truth, "an online planner");

@@ -1,16 +1,16 @@
-/// Drives a robot through a world that it only learns by lidar: simulates motion and scans, and keeps the belief. An online
-/// planner is a Policy, which is asked where to go next, or a function that drives an OnlineRobot.
+/// Drives a robot through a world that it only learns by lidar: simulates motion and scans, and keeps the belief. An
+/// online planner is a Policy, which is asked where to go next, or a function that drives an OnlineRobot.
 ///
 ///   return drive_online(problem, [&](OnlineRobot& robot, Context& context) {
 ///     while (const auto motion = explorer.next(robot.view())) robot.go(*motion);
 ///   }, context);
 ///
-/// The robot scans at its start, every `scan_step` metres and at the end of every motion, but nowhere twice (with noise ten
-/// times), because the world does not change. Its pose is known exactly.
-/// Each piece of a motion is checked against the newest belief before it is driven. Where the belief blocks the rest of a
-/// motion, the robot stops and the planner must plan anew; going straight back to the point that it came from is always
-/// allowed. A tether stops the robot where it is pulled tight. Nothing of the true map can be reached: planners get a View,
-/// which is made of scans.
+/// The robot scans at its start, every `scan_step` metres and at the end of every motion, but nowhere twice (with noise
+/// ten times), because the world does not change. Its pose is known exactly.
+/// Each piece of a motion is checked against the newest belief before it is driven. Where the belief blocks the rest of
+/// a motion, the robot stops and the planner must plan anew; going straight back to the point that it came from is
+/// always allowed. A tether stops the robot where it is pulled tight. Nothing of the true map can be reached: planners
+/// get a View, which is made of scans.
 #pragma once
 
 #include <functional>
@@ -32,8 +32,8 @@ class View {
   const Robot& robot() const { return robot_; }
   const Point& start() const { return start_; }
   const Point& anchor() const { return anchor_; }  // of the tether; the start without one
-  /// A tethered robot knows how its tether lies at the start: a path for it along the tether, from the start to the point
-  /// nearest to the anchor. Empty if that is the start.
+  /// A tethered robot knows how its tether lies at the start: a path for it along the tether, from the start to the
+  /// point nearest to the anchor. Empty if that is the start.
   const Polyline& path_along_tether() const { return path_along_tether_; }
   const Point& pose() const { return pose_; }
   const Belief& belief() const { return belief_; }
@@ -93,17 +93,18 @@ class OnlineRobot {
 };
 
 /// Runs the program until it returns. When cancelled, the robot does not move any more, and the program should return.
-/// Publishes what has been driven whenever it has grown by a fiftieth; records `explored_share` (the part of the true target
-/// that is believed free), `replans` and `scans`. Throws Unsupported for a robot without a lidar, Infeasible if it never
-/// moved.
+/// Publishes what has been driven whenever it has grown by a fiftieth; records `explored_share` (the part of the true
+/// target that is believed free), `replans` and `scans`. Throws Unsupported for a robot without a lidar, Infeasible if
+/// it never moved.
 Path drive_online(const Problem& truth, const std::function<void(OnlineRobot&, Context&)>& program, Context& context,
                   const OnlineSettings& settings = {});
 /// The same with a policy. Ends also when three motions in a row cannot even begin.
 Path drive_online(const Problem& truth, Policy& policy, Context& context, const OnlineSettings& settings = {});
 
-/// The world as believed, at a level of the belief (belief.hpp), as a problem to plan on. It starts at `start`, or, where
-/// the believed walls are too near for that, at the nearest possible point within a few cells (drive_online allows the robot
-/// to go there). The anchor is moved likewise, and the tether shortened by as much. nullopt if the robot does not fit.
+/// The world as believed, at a level of the belief (belief.hpp), as a problem to plan on. It starts at `start`, or,
+/// where the believed walls are too near for that, at the nearest possible point within a few cells (drive_online
+/// allows the robot to go there). The anchor is moved likewise, and the tether shortened by as much. nullopt if the
+/// robot does not fit.
 std::optional<Problem> believed_problem(const View& view, const Point& start, int level);
 
 }  // namespace oxturn

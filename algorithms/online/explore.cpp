@@ -100,8 +100,8 @@ std::vector<Frontier> frontiers_of(BitGrid open, double least) {
   return all;
 }
 
-/// Drops what the tether does not reach through known space. What lies behind such a frontier and can be reached within the
-/// tether's length lies behind a nearer frontier, too.
+/// Drops what the tether does not reach through known space. What lies behind such a frontier and can be reached within
+/// the tether's length lies behind a nearer frontier, too.
 void drop_out_of_reach(std::vector<Frontier>& frontiers, const BitGrid& free, const Problem& believed) {
   const Robot& robot = believed.robot();
   const double limit = robot.tether->length + robot.tool_width / 2 + 2 * free.cell;
@@ -133,8 +133,8 @@ struct Viewing {
   double size;     // of the robot
 };
 
-/// Searches outwards from the robot over the cells that it can occupy, to the first viewpoint. With a tether the path there
-/// may be long, back along the driven path; then other viewpoints are tried as long as they may be nearer.
+/// Searches outwards from the robot over the cells that it can occupy, to the first viewpoint. With a tether the path
+/// there may be long, back along the driven path; then other viewpoints are tried as long as they may be nearer.
 class ViewpointSearch {
  public:
   ViewpointSearch(const BitGrid& free, const BitGrid& room, const std::vector<Frontier>& frontiers,

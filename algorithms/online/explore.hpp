@@ -5,8 +5,8 @@
 ///
 /// A frontier is a free cell next to unknown ones without a wall nearby; frontiers that touch are one. A viewpoint of a
 /// frontier is a position of the robot with half of the frontier in sight and near enough to be believed. What stays a
-/// frontier although it was looked at must be looked at from half as far the next time, and is given up when the robot has
-/// been next to it. So exploration ends.
+/// frontier although it was looked at must be looked at from half as far the next time, and is given up when the robot
+/// has been next to it. So exploration ends.
 /// Decisions   1. Cells of radius / 8 and one world of that resolution (finer where the robot would not fit into it).
 ///             2. A frontier shorter than `least` is left to the coverage path, which passes it anyway.
 ///             3. Frontiers beyond the tether's reach are ignored.

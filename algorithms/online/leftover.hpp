@@ -4,9 +4,9 @@
 ///   leftover.planned(believed, path);
 ///   while (auto motion = leftover.next(view)) ...
 ///
-/// Greedy: to the nearest uncovered point, until what is left is not worth the path: connected components of less than 1/64
-/// of a tool width square, or less than 1/2000 of the target altogether. Meant for strips along walls that were first seen
-/// from afar.
+/// Greedy: to the nearest uncovered point, until what is left is not worth the path: connected components of less than
+/// 1/64 of a tool width square, or less than 1/2000 of the target altogether. Meant for strips along walls that were
+/// first seen from afar.
 /// O(cells of the window + path), and a shortest path for each point.
 #pragma once
 

@@ -3,8 +3,8 @@
 ///   const LidarSimulator lidar(map.free, *robot.lidar);
 ///   const Scan scan = lidar.scan(pose, rng);
 ///
-/// Rays leave the lidar evenly, the first along the x axis, whatever the robot's heading. A ray ends where it first meets a
-/// wall; one that meets none within the range gives no reading. Noise is Gaussian, along the ray.
+/// Rays leave the lidar evenly, the first along the x axis, whatever the robot's heading. A ray ends where it first
+/// meets a wall; one that meets none within the range gives no reading. Noise is Gaussian, along the ray.
 /// Build O(vertices); a scan O(rays * (cells and edges along a ray)).
 #pragma once
 

@@ -3,8 +3,8 @@
 ///   LidarCells cells(online_robot, side);
 ///   CellRobot robot(cells, side);
 ///
-/// A step between cells is passable where the robot is believed to fit along it. What is unknown counts as wall, and may
-/// open when more has been seen. A query costs one to the belief.
+/// A step between cells is passable where the robot is believed to fit along it. What is unknown counts as wall, and
+/// may open when more has been seen. A query costs one to the belief.
 #pragma once
 
 #include "algorithms/lattice/cell_robot.hpp"

@@ -5,13 +5,13 @@
 ///   if (outline.free_for(a, b, radius)) ...
 ///   const Region& free = outline.region();
 ///
-/// An occupancy grid loses up to a cell at every wall, and has a vertex at every step of a slanted one. Here straight walls
-/// stay straight, so what is planned on the outline covers what a plan on the true map would, with about as many vertices.
-/// A star overlooks what is narrower than the distance between rays. So every wall point ever seen is compared with every
-/// star, earlier and later ones. Where a wall point lies in a star, what that star says between the two rays around the
-/// point is withdrawn, within a square of a quarter of the robot's size around it. No point that was hit is free.
-/// Stars are shrunk by half a millionth: walls seen from several positions overlap, and rounding never adds free space.
-/// Stars are united lazily, many at once.
+/// An occupancy grid loses up to a cell at every wall, and has a vertex at every step of a slanted one. Here straight
+/// walls stay straight, so what is planned on the outline covers what a plan on the true map would, with about as many
+/// vertices. A star overlooks what is narrower than the distance between rays. So every wall point ever seen is
+/// compared with every star, earlier and later ones. Where a wall point lies in a star, what that star says between the
+/// two rays around the point is withdrawn, within a square of a quarter of the robot's size around it. No point that
+/// was hit is free. Stars are shrunk by half a millionth: walls seen from several positions overlap, and rounding never
+/// adds free space. Stars are united lazily, many at once.
 /// A star of n vertices against w known wall points O(w log n); the first query after stars were added one union,
 /// O(c log c) for c vertices, and an index; every other query O(edges nearby).
 #pragma once

@@ -9,8 +9,8 @@
 
 namespace oxturn {
 
-/// The planner with the further parameter sensing = map | lidar and the capability `online`. By lidar it never gets the true
-/// problem.
+/// The planner with the further parameter sensing = map | lidar and the capability `online`. By lidar it never gets the
+/// true problem.
 PlannerInfo with_sensing(PlannerInfo planner);
 
 }  // namespace oxturn

@@ -110,8 +110,8 @@ class SurveyThenPlan final : public Policy {
   /// A robot without a tether is at home everywhere.
   static bool is_home(const View& view) { return !view.robot().tether || view.pose() == view.start(); }
 
-  /// Home by the driven path pulled taut, if that is believed free all along; else by the driven path itself. In the finest
-  /// world first, because that one contains the driven path.
+  /// Home by the driven path pulled taut, if that is believed free all along; else by the driven path itself. In the
+  /// finest world first, because that one contains the driven path.
   static Motion homewards(const View& view) {
     const Robot& robot = view.robot();
     const double radius = std::max(0.0, robot.radius - 2e-6 * robot.tool_width);  // touching a wall is allowed
@@ -149,8 +149,8 @@ class SurveyThenPlan final : public Policy {
     stage_ = Stage::drive;
   }
 
-  /// The last motion was stopped: replaces the legs by what is free of the rest of it and of the legs. With a tether that
-  /// does not allow that, nothing is left.
+  /// The last motion was stopped: replaces the legs by what is free of the rest of it and of the legs. With a tether
+  /// that does not allow that, nothing is left.
   void repair(const View& view) {
     std::deque<Motion> left{std::move(current_)};
     for (Motion& leg : legs_) left.push_back(std::move(leg));

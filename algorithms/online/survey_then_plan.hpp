@@ -1,13 +1,14 @@
-/// The online form of any planner: explore what can be reached, plan on what is believed, drive that, and continue until
-/// nothing that has become known since is uncovered.
+/// The online form of any planner: explore what can be reached, plan on what is believed, drive that, and continue
+/// until nothing that has become known since is uncovered.
 ///
 ///   return plan_online(problem, context, [&](const Problem& believed, Context& inner) {
 ///     return planner.plan(believed, inner);
 ///   });
 ///
-/// With a tether the robot returns to its start along the tether in between, so that the plan begins with the tether along
-/// the geodesic. Where the belief stops a planned path, the parts of the rest that are still free are kept and connected by
-/// shortest paths. What turns out to be free only while the plan is driven is covered at the end, nearest first.
+/// With a tether the robot returns to its start along the tether in between, so that the plan begins with the tether
+/// along the geodesic. Where the belief stops a planned path, the parts of the rest that are still free are kept and
+/// connected by shortest paths. What turns out to be free only while the plan is driven is covered at the end, nearest
+/// first.
 #pragma once
 
 #include <functional>

@@ -4,11 +4,11 @@
 ///   std::vector<TourStop> tour = tours.nearest(context);
 ///   tours.improve(tour, context);
 ///
-/// Nearest neighbour; Or-opt (Or 1976) and 2-opt (Croes 1958) over neighbour lists; the pattern of each element by dynamic
-/// programming along the order, as is usual for generalised tours.
-/// Costs are lengths of paths inside configuration space. Straight distance is their lower bound, which saves most of the
-/// searches. Deterministic: the effort is limited by counts, never by the clock (a cancelled context ends it early, with
-/// the tour as good as it is by then).
+/// Nearest neighbour; Or-opt (Or 1976) and 2-opt (Croes 1958) over neighbour lists; the pattern of each element by
+/// dynamic programming along the order, as is usual for generalised tours.
+/// Costs are lengths of paths inside configuration space. Straight distance is their lower bound, which saves most of
+/// the searches. Deterministic: the effort is limited by counts, never by the clock (a cancelled context ends it early,
+/// with the tour as good as it is by then).
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,8 @@
 
 namespace oxturn {
 
-/// One way to drive an element. `reverse` is the index of the pattern that drives it backwards, from `exit` to `entry`, at
-/// the same cost.
+/// One way to drive an element. `reverse` is the index of the pattern that drives it backwards, from `exit` to `entry`,
+/// at the same cost.
 struct Pattern {
   Point entry, exit;
   double cost = 0;
@@ -43,8 +43,8 @@ class OpenTour {
   /// Always to the nearest entry by path length; only the 24 nearest by straight distance are considered.
   /// About O(n log n) steps besides the path searches.
   std::vector<TourStop> nearest(Context& context) const;
-  /// Depth-first over the graph `neighbours`: from an element to its nearest unvisited neighbour; if there is none, to the
-  /// nearest unvisited neighbour of the element visited last that still has one; else to the nearest element.
+  /// Depth-first over the graph `neighbours`: from an element to its nearest unvisited neighbour; if there is none, to
+  /// the nearest unvisited neighbour of the element visited last that still has one; else to the nearest element.
   std::vector<TourStop> depth_first(const std::vector<std::vector<std::size_t>>& neighbours, Context& context) const;
   /// Or-opt and 2-opt moves until none helps or the effort is spent. Never longer than before.
   void improve(std::vector<TourStop>& tour, Context& context) const;

@@ -40,8 +40,8 @@ class PointGrid {
   /// How many points have not been removed.
   std::size_t remaining() const { return remaining_; }
 
-  /// Calls f(index, distance) for the remaining points, nearest first (equally near: lower index first), until f returns
-  /// false.
+  /// Calls f(index, distance) for the remaining points, nearest first (equally near: lower index first), until f
+  /// returns false.
   template <class F>
   void visit(const Point& p, F f) const {
     if (remaining_ == 0) return;

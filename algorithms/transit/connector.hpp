@@ -19,8 +19,8 @@ class Connector {
   /// `problem` must outlive it. Builds the problem's edge index and triangulation if they do not exist yet.
   explicit Connector(const Problem& problem);
 
-  /// From a to b, both included. Throws std::runtime_error with both points if they are not connected, which happens only
-  /// if one of them is outside configuration space by more than the problem's tolerance.
+  /// From a to b, both included. Throws std::runtime_error with both points if they are not connected, which happens
+  /// only if one of them is outside configuration space by more than the problem's tolerance.
   Polyline path(const Point& a, const Point& b) const;
   /// The length of that path; infinity if it is longer than `longest`.
   double length(const Point& a, const Point& b, double longest = std::numeric_limits<double>::infinity()) const;

@@ -4,9 +4,9 @@
 ///   for (...) nearest.add(entry_point, component, id);
 ///   while (auto found = nearest.from(path.at())) { ...; nearest.remove(component); }
 ///
-/// A wave spreads from the query point over the triangles of the transit mesh (Dijkstra over the midpoints of their sides)
-/// until it has met entry points of a few components; shortest paths to these decide. So a query costs what lies nearer
-/// than the answer, not all components: behind a wall thousands may be near by straight distance.
+/// A wave spreads from the query point over the triangles of the transit mesh (Dijkstra over the midpoints of their
+/// sides) until it has met entry points of a few components; shortest paths to these decide. So a query costs what lies
+/// nearer than the answer, not all components: behind a wall thousands may be near by straight distance.
 /// add O(1); a query O(t log t) for t triangles nearer than the answer, and a few shortest paths.
 #pragma once
 

@@ -1,7 +1,7 @@
 // The cut as a strip that is removed, and the components that remain.
 //
-// Complexity  O((n + k) log n) for n vertices of configuration space and k pieces of the cut; a search for each component
-//             that can be entered across the cut only
+// Complexity  O((n + k) log n) for n vertices of configuration space and k pieces of the cut; a search for each
+//             component that can be entered across the cut only
 // Decisions   1. The strip is r / 100 wide (w / 200 for robots without size): far above the chord error of the cut and
 //                above rounding, far below what a tool reaches over.
 //             2. The cut of free space reaches into the walls by r as seen from configuration space, so it divides that
@@ -153,8 +153,8 @@ Polyline TetherSpace::path(const Component& from_component, const Point& from, c
   append(Polyline(from_component.entry_path.rbegin(), from_component.entry_path.rend()));
   append(to_component.entry_path);
   append(inside(to_component, to_component.problem.start(), to));
-  // Pulling the path taut keeps its class. On the shorter path the tether may exceed its length for a moment, on `whole` it
-  // never does.
+  // Pulling the path taut keeps its class. On the shorter path the tether may exceed its length for a moment, on
+  // `whole` it never does.
   Polyline taut = pulled_taut(world(), whole);
   return within_tether(from, taut) ? taut : whole;
 }

@@ -5,9 +5,9 @@
 ///     return planner.plan(c.problem, inner);
 ///   }, false, context);
 ///
-/// Free space without the cut locus of the anchor is star-shaped about the anchor along geodesics, hence contractible. So
-/// for every robot path that starts with the tether along the geodesic and never crosses the cut, the taut tether is the
-/// geodesic of the robot's position: never longer than that, never wound around an obstacle, never driven over, in
+/// Free space without the cut locus of the anchor is star-shaped about the anchor along geodesics, hence contractible.
+/// So for every robot path that starts with the tether along the geodesic and never crosses the cut, the taut tether is
+/// the geodesic of the robot's position: never longer than that, never wound around an obstacle, never driven over, in
 /// whatever order the robot covers the space. A tethered problem becomes an ordinary one with a line that must not be
 /// crossed. The tool may reach over the line.
 ///
@@ -18,8 +18,8 @@
 ///        +------------------+
 ///
 /// Where the cut passes an obstacle nearer than the robot can, it divides configuration space into several components
-/// although free space is connected. A component other than the start's is entered across the cut and back, next to that
-/// obstacle. Inside, the tether is the geodesic again; on the way in it is a little longer.
+/// although free space is connected. A component other than the start's is entered across the cut and back, next to
+/// that obstacle. Inside, the tether is the geodesic again; on the way in it is a little longer.
 #pragma once
 
 #include <functional>
@@ -34,8 +34,8 @@ namespace oxturn {
 
 class TetherSpace {
  public:
-  /// `problem` must outlive it. Throws Unsupported ("planner 'x' needs a robot with a tether; ...") if its robot has none,
-  /// Infeasible if the start lies in the cut itself (possible only if the anchor is elsewhere).
+  /// `problem` must outlive it. Throws Unsupported ("planner 'x' needs a robot with a tether; ...") if its robot has
+  /// none, Infeasible if the start lies in the cut itself (possible only if the anchor is elsewhere).
   TetherSpace(const Problem& problem, const std::string& planner);
   ~TetherSpace();
 
@@ -60,8 +60,8 @@ class TetherSpace {
   /// Components that the tether does not let the robot enter, or that are too small.
   const Region& slivers() const { return slivers_; }
 
-  /// From a point of one component to a point of another (or the same). At both ends the tether is the geodesic, and it is
-  /// within its length on the way.
+  /// From a point of one component to a point of another (or the same). At both ends the tether is the geodesic, and it
+  /// is within its length on the way.
   Polyline path(const Component& from_component, const Point& from, const Component& to_component,
                 const Point& to) const;
 
@@ -87,8 +87,8 @@ class TetherSpace {
 };
 
 /// Covers every component by `cover` (whose path begins at the component's start) and joins the paths: the start's
-/// component first, then always the one whose entry is nearest by path; paths in between are transit. Components for which
-/// `cover` throws Infeasible are left out; if all are, this throws the first of these exceptions.
+/// component first, then always the one whose entry is nearest by path; paths in between are transit. Components for
+/// which `cover` throws Infeasible are left out; if all are, this throws the first of these exceptions.
 Path cover_components(const TetherSpace& tether,
                       const std::function<Path(const TetherSpace::Component&, Context&)>& cover, bool return_home,
                       Context& context);

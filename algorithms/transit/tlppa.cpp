@@ -13,8 +13,8 @@ constexpr int kSteps[8][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1},
 
 }  // namespace
 
-/// A* over the eight neighbours of the set cells in a window; allowed(from, to) tells which steps exist. Empty if there is
-/// no path.
+/// A* over the eight neighbours of the set cells in a window; allowed(from, to) tells which steps exist. Empty if there
+/// is no path.
 template <class Allowed>
 Tlppa::Cells Tlppa::search(const BitGrid& grid, const Window& w, const Cell& from, const Cell& to,
                            SearchTree<double>& tree, Allowed allowed) {

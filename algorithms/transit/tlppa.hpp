@@ -3,21 +3,23 @@
 ///   Tlppa tlppa(problem, 0.1);
 ///   std::optional<Polyline> path = tlppa.path(from, to);      // nullopt: the cells show none
 ///
-/// Source      after W. K. Hyun, "A hierarchical collision-free path planning algorithm for robots", IROS 1995, as cited
-///             and outlined in his paper on heuristic sweeping; the IROS paper itself was not available
-/// Complexity  N fine cells: build O(N + edges of the space); a path O(c log c) for c cells opened on both levels, O(N log
-///             N) at worst. Memory 5 bytes a fine cell, 21 a coarse one and 16 a cell of the largest box around a corridor.
-/// Guarantee   every path lies in configuration space. None is found where the only passages are narrower than two or three
-///             fine cells (resolution-complete).
+/// Source      after W. K. Hyun, "A hierarchical collision-free path planning algorithm for robots", IROS 1995, as
+///             cited and outlined in his paper on heuristic sweeping; the IROS paper itself was not available
+/// Complexity  N fine cells: build O(N + edges of the space); a path O(c log c) for c cells opened on both levels, O(N
+///             log N) at worst. Memory 5 bytes a fine cell, 21 a coarse one and 16 a cell of the largest box around a
+///             corridor.
+/// Guarantee   every path lies in configuration space. None is found where the only passages are narrower than two or
+///             three fine cells (resolution-complete).
 /// Decisions   1. A fine cell is free if it lies entirely in configuration space. So do then the steps to its eight
 ///                neighbours that are free, diagonal ones too (the space is closed).
-///             2. A coarse cell is a block of 8 x 8 fine ones, open if any of them is free. Two blocks are neighbours if a
-///                step leads across. Coarse A* measures by block centres.
+///             2. A coarse cell is a block of 8 x 8 fine ones, open if any of them is free. Two blocks are neighbours
+///                if a step leads across. Coarse A* measures by block centres.
 ///             3. The fine search is A* within the blocks of the coarse path and their eight neighbours; if that fails,
 ///                over all fine cells. Whether steps connect two cells at all is computed beforehand.
-///             4. Ends need not be cell centres: each is connected to the nearest free cell centre that is in sight, at most
-///                `kReach` cells away.
-///             5. Nothing is smoothed, because the source does not mention it. Straight runs of cells become one segment.
+///             4. Ends need not be cell centres: each is connected to the nearest free cell centre that is in sight, at
+///                most `kReach` cells away.
+///             5. Nothing is smoothed, because the source does not mention it. Straight runs of cells become one
+///                segment.
 #pragma once
 
 #include <cstdint>

@@ -212,8 +212,8 @@ Region rooms_with_narrow_doors(Rng& rng, const Robot& robot) {
   return transformed(unite(parts), rng.between(0.0, 6.0), {0, 0});
 }
 
-// Regression: in a passage the opposite wall turned the robot around, again and again. Contact is kept at 0.4 mm, so in the
-// narrowest doors that is not possible on both sides. (At a larger distance the robot passes by such doors.)
+// Regression: in a passage the opposite wall turned the robot around, again and again. Contact is kept at 0.4 mm, so in
+// the narrowest doors that is not possible on both sides. (At a larger distance the robot passes by such doors.)
 TEST(WallFollow, PassesPassagesHardlyWiderThanTheRobot) {
   for (const auto seed : seeds(200)) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -236,8 +236,8 @@ TEST(WallFollow, PassesPassagesHardlyWiderThanTheRobot) {
   }
 }
 
-// At the boundary of `pillars` the gaps between pillars and wall are 0.5 mm wider than the robot. At larger distances the
-// robot comes upon islands, and must notice that it circles them.
+// At the boundary of `pillars` the gaps between pillars and wall are 0.5 mm wider than the robot. At larger distances
+// the robot comes upon islands, and must notice that it circles them.
 TEST(WallFollow, LeavesAnIslandBetweenCloseObstacles) {
   Robot robot;
   robot.radius = 0.25;

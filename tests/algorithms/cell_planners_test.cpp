@@ -1,5 +1,6 @@
-// Planners that drive from cell to cell, on thousands of small drawn maps: every reachable cell is visited, paths are valid,
-// explorers keep their bounds. The oracle is the drawing: its letters, a flood fill, counts of cells, edges and holes.
+// Planners that drive from cell to cell, on thousands of small drawn maps: every reachable cell is visited, paths are
+// valid, explorers keep their bounds. The oracle is the drawing: its letters, a flood fill, counts of cells, edges and
+// holes.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

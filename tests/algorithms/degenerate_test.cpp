@@ -1,5 +1,5 @@
-// Every built-in planner on degenerate maps: a valid path or a clear refusal, never a crash. Planners that guarantee to cover
-// the whole target do so.
+// Every built-in planner on degenerate maps: a valid path or a clear refusal, never a crash. Planners that guarantee to
+// cover the whole target do so.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// stc-spiral, stc-scan and partial cells, on drawings whose letters are the sub-cells. The oracle is a flood fill of the
-// letters.
+// stc-spiral, stc-scan and partial cells, on drawings whose letters are the sub-cells. The oracle is a flood fill of
+// the letters.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -114,8 +114,9 @@ Path plan(const char* name, const Problem& problem, const Settings& settings = {
   return built_in_planner(name, settings)->plan(problem, context);
 }
 
-// The sub-cells of the entirely free coarse cells connected to the start's; empty if that one is not free. The start is the
-// lower left, lower right, upper left or upper right sub-cell of its coarse cell: the first choice that is entirely free.
+// The sub-cells of the entirely free coarse cells connected to the start's; empty if that one is not free. The start is
+// the lower left, lower right, upper left or upper right sub-cell of its coarse cell: the first choice that is entirely
+// free.
 std::set<Location> whole_cells(const Letters& rows) {
   const Location s = start_of(rows);
   for (const Location& choice : {Location{0, 0}, Location{-1, 0}, Location{0, -1}, Location{-1, -1}}) {

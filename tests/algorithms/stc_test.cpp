@@ -21,8 +21,8 @@ Path plan_stc(const Problem& problem, const Settings& settings = {}) {
   return built_in_planner("stc", settings)->plan(problem, context);
 }
 
-// The sub-cells on a leg with the tool on, in driving order, counted from the leg's first point: nothing but the side is
-// taken from the planner's grid.
+// The sub-cells on a leg with the tool on, in driving order, counted from the leg's first point: nothing but the side
+// is taken from the planner's grid.
 std::vector<Cell> cells_driven(const Polyline& line, double side) {
   std::vector<Cell> cells;
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
@@ -37,8 +37,8 @@ std::vector<Cell> cells_driven(const Polyline& line, double side) {
   return cells;
 }
 
-// Coarse cells by their definition: the square through four sub-cell centres lies in configuration space, and neighbours
-// are connected by two segments in it. Flood fill from the coarse cell with lower left centre `corner`.
+// Coarse cells by their definition: the square through four sub-cell centres lies in configuration space, and
+// neighbours are connected by two segments in it. Flood fill from the coarse cell with lower left centre `corner`.
 std::size_t sub_cells_reachable(const Problem& problem, const Point& corner, double side) {
   const EdgeIndex& space = problem.walls();
   const auto at = [&](int i, int j) { return Point(corner + side * Point(i, j)); };  // sub-cell centres

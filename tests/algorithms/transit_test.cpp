@@ -21,7 +21,8 @@ TEST(Connector, GoesAroundTheEndOfAWall) {
   const Connector c(p);
   const Point a(1.5, 0.5), b(3.5, 0.5);
   EXPECT_FALSE(c.straight(a, b));
-  // From a to the arc around (2, 3), the corner of the wall: a tangent and the arc; 1 m along the wall; the mirror image.
+  // From a to the arc around (2, 3), the corner of the wall: a tangent and the arc; 1 m along the wall; the mirror
+  // image.
   const double d = std::hypot(0.5, 2.5), r = 0.2;
   const double tangent = std::sqrt(d * d - r * r);
   const double turn = std::atan2(2.5, 0.5) + std::asin(r / d);
