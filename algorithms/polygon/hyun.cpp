@@ -108,7 +108,7 @@ class Scan {
   }
 
   Path run() {
-    const std::size_t all = left_.left();
+    const std::size_t all = left_.remaining();
     if (all == 0) throw Infeasible("no sweep line has a tracking point; a smaller separation or delta_x may give some");
     std::size_t at = on_line_first();
     const Polyline way = connector_.path(path_.at(), places_[at]);
@@ -143,7 +143,7 @@ class Scan {
   void track(std::size_t i) {
     on_line_[line_of(i)].erase({places_[i].x(), i});
     left_.remove(i);
-    if (by_path_) by_path_->drop(static_cast<int>(i));
+    if (by_path_) by_path_->remove(static_cast<int>(i));
   }
 
   /// Drives to the next point, by the rules.
@@ -221,7 +221,7 @@ class Scan {
     if (by_path_)
       if (auto found = by_path_->from(places_[from])) {
         to = found->id;
-        shortest = std::move(found->way);
+        shortest = std::move(found->path);
       }
     if (to == from)
       left_.visit(places_[from], [&](std::size_t i, double) {

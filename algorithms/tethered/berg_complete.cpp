@@ -74,26 +74,26 @@ class BergComplete final : public CoveragePlanner {
     const std::vector<LevelSet> all = laps(leash, rims.space, rims.inner, w, w / 1000);
     if (context.wants_traces()) show(leash, rims, all, context);
 
-    Path path = cover_parts(
+    Path path = cover_components(
         leash,
-        [&](const TetherSpace::Part& part, Context& inner) {
-          Share share = share_of(part.within.walls(), all, rims, problem.tolerance());
+        [&](const TetherSpace::Component& part, Context& inner) {
+          Share share = share_of(part.problem.walls(), all, rims, problem.tolerance());
           if (p_.winding == "right") reverse(share.rings);
           const auto outward = outward_neighbours(share.laps, leash.field(), w);
-          const Connector connector(part.within);
+          const Connector connector(part.problem);
           if (p_.winding != "any")
-            return with_rings(part.within, share.rings, wind_level_sets(part.within, share.laps, outward, connector, inner),
+            return with_rings(part.problem, share.rings, wind_level_sets(part.problem, share.laps, outward, connector, inner),
                               w, connector, inner);
           // Lanes save the steps between short laps, but an odd number of them leaves the robot at the wrong end.
           const auto drive = [&](std::vector<Strip> strips) {
             strips.insert(strips.end(), share.chains.begin(), share.chains.end());
-            return with_rings(part.within, share.rings,
-                              drive_strips(part.within, strips, order_of_strips(), connector, inner), w, connector,
+            return with_rings(part.problem, share.rings,
+                              drive_strips(part.problem, strips, order_of_strips(), connector, inner), w, connector,
                               inner);
           };
           const bool by_level = p_.order == "bfs";
           const auto strips = [&](int lanes) {
-            return strips_of(share.laps, outward, part.within.walls(), w, lanes, by_level);
+            return strips_of(share.laps, outward, part.problem.walls(), w, lanes, by_level);
           };
           const std::vector<Strip> across = strips(0);
           Path best = drive(across);

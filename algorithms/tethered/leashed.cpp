@@ -27,8 +27,8 @@ class Leashed final : public CoveragePlanner {
   Path plan(const Problem& problem, Context& context) const override {
     const TetherSpace leash(problem, "leashed");
     if (context.wants_traces()) context.trace("cut", leash.cut());
-    return cover_parts(
-        leash, [&](const TetherSpace::Part& part, Context& inner) { return inner_->plan(part.within, inner); },
+    return cover_components(
+        leash, [&](const TetherSpace::Component& part, Context& inner) { return inner_->plan(part.problem, inner); },
         return_home_, context);
   }
 

@@ -194,7 +194,7 @@ std::vector<LevelSet> laps(const TetherSpace& leash, const Region& space, const 
   std::vector<LevelSet> all;
   if (inner.empty()) return all;
   Trimmer trimmer(space, inner, spacing, chord);
-  const double end = std::min(leash.longest(), leash.field().farthest());
+  const double end = std::min(leash.tether_length(), leash.field().farthest());
   for (std::size_t k = 0; (static_cast<double>(k) + 0.5) * spacing < end; ++k)
     for (const auto& chain : leash.field().level_set((static_cast<double>(k) + 0.5) * spacing)) trimmer.add(chain, k, all);
   return all;

@@ -198,8 +198,8 @@ Polyline opened(const Ring& ring, const GeodesicField& field, double step) {
 NeededBoundary needed_boundary(const TetherSpace& leash, bool open) {
   const double w = leash.problem().robot().tool_width, width = leash.cut_width();
   NeededBoundary rims;
-  for (const TetherSpace::Part& part : leash.parts())
-    rims.space.polygons.push_back(part.within.configuration_space().polygons.front());
+  for (const TetherSpace::Component& part : leash.components())
+    rims.space.polygons.push_back(part.problem.configuration_space().polygons.front());
   const Pieces pieces = pieces_of(leash, open);
   const double passes = 0.98 * w;
   const Region rimmed = pieces.wide.empty() ? rims.space : cut_along(rims.space, pieces.wide, passes);

@@ -18,8 +18,8 @@ class Tacker {
  public:
   Tacker(const TetherSpace& leash, double angle, double width)
       : leash_(leash),
-        walls_(leash.within().walls()),
-        connector_(leash.within()),
+        walls_(leash.cut_problem().walls()),
+        connector_(leash.cut_problem()),
         angle_(angle + kSpare),
         width_(width) {}
 

@@ -37,7 +37,7 @@ class TetherTree final : public CoveragePlanner {
     const bool geodesic = p_.reach == "geodesic";
     const TetherCells cells(problem, geodesic ? leash.cut_space() : problem.configuration_space(),
                             cell_side(p_.cell_size, problem.robot()), CellKind::joined);
-    const double left = leash.longest() - cells[cells.root()].distance;
+    const double left = leash.tether_length() - cells[cells.root()].distance;
     const auto deepest = geodesic ? cells.size() : static_cast<std::size_t>(left / cells.side() + 1e-9);
     if (deepest == 0)
       throw Infeasible("the tether does not reach the cells beside the start's; a smaller cell_size may");

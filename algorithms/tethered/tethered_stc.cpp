@@ -34,7 +34,7 @@ class TetheredStc final : public CoveragePlanner {
   Path plan(const Problem& problem, Context& context) const override {
     const TetherSpace leash(problem, "tethered-stc");
     const double side = cell_side(p_.cell_size, problem.robot());
-    const double left = leash.longest() - leash.field().distance(problem.start()) - std::sqrt(2.0) * side;
+    const double left = leash.tether_length() - leash.field().distance(problem.start()) - std::sqrt(2.0) * side;
     if (p_.reach == "depth" && left < 0)
       throw Infeasible("the tether is too short for a round of one coarse cell; a smaller cell_size may help");
     const std::size_t deepest = p_.reach == "depth" ? static_cast<std::size_t>(left / (2 * side) + 1e-9)

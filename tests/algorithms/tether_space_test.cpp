@@ -20,7 +20,7 @@ using testing::HasSubstr;
 /// The string equals the geodesic all along; on ways into parts that the cut isolates it may be a little longer.
 void expect_geodesic(const Problem& problem, const Path& path) {
   const TetherReport report = drive_tethered(problem, path, 0.5);
-  const bool one_part = TetherSpace(problem, "test").parts().size() == 1;
+  const bool one_part = TetherSpace(problem, "test").components().size() == 1;
   EXPECT_LE(report.longest, problem.robot().tether->length + problem.tolerance());
   EXPECT_LE(report.excess_at_work, 1e-7);
   EXPECT_LE(report.excess, one_part ? 1e-7 : 6.1 * problem.robot().radius);
@@ -38,10 +38,10 @@ TEST(TetherSpace, CutSpaceHasNoHolesAndItsShortestPathsAreGeodesics) {
       const Problem problem(map, tethered_robot(1.1));
       const TetherSpace leash(problem, "test");
       double lost = area(problem.configuration_space()) - area(leash.slivers());
-      for (const TetherSpace::Part& part : leash.parts()) {
-        EXPECT_EQ(hole_count(part.within.configuration_space()), 0u);
-        EXPECT_EQ(part.within.configuration_space().polygons.size(), 1u);
-        lost -= area(part.within.configuration_space());
+      for (const TetherSpace::Component& part : leash.components()) {
+        EXPECT_EQ(hole_count(part.problem.configuration_space()), 0u);
+        EXPECT_EQ(part.problem.configuration_space().polygons.size(), 1u);
+        lost -= area(part.problem.configuration_space());
       }
       double cut = 0;
       for (const Polyline& line : leash.cut()) cut += length(line);
@@ -64,7 +64,7 @@ TEST(TetherSpace, WanderingInTheCutSpaceKeepsTheStringGeodesic) {
         const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
         if (!contains(leash.cut_space(), p)) continue;
         ++n;
-        const auto way = leash.within().transit().path(path.at(), p);
+        const auto way = leash.cut_problem().transit().path(path.at(), p);
         ASSERT_TRUE(way);
         path.drive(*way, true);
       }
