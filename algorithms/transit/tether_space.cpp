@@ -1,19 +1,18 @@
-// The cut as a slit, and the parts that it leaves.
-//
-// Complexity  O((n + k) log n) for n corners of configuration space and k pieces of the cut; a search for each part
-//             that can only be entered across the cut
-// Decisions   1. The slit is r / 100 wide (w / 200 for robots without size): far above the chord error of the cut and
-//                above rounding, far below what a tool reaches over.
-//             2. The cut of free space reaches into the walls by r, as seen from configuration space, so it parts it
-//                without loose ends; for robots without size its ends are lengthened by a few widths of the slit.
-//             3. A part is entered at the corner of it that is nearest to the anchor.
-//             4. Parts smaller than a hundredth of the tool's width squared are crumbs.
+// Complexity  O((n + k) log n) for n vertices of configuration space and k pieces of the cut; one path search for each
+//             component that can be entered only across the cut
+// Decisions   1. The strip removed along the cut is r / 100 wide (w / 200 for robots without size): far above the chord
+//                error of the cut and above rounding, far below what a tool reaches across.
+//             2. The cut of free space extends into the walls by r, as seen from configuration space, so it divides
+//                that without loose ends. For robots without size its ends are lengthened by two widths of the strip.
+//             3. A component is entered at its vertex nearest to the anchor.
+//             4. Components smaller than a hundredth of the tool width squared are negligible.
 #include "algorithms/transit/tether_space.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/overlay/cut_along.hpp"
 #include "geometry/trace.hpp"
@@ -21,20 +20,28 @@
 namespace oxturn {
 namespace {
 
-double width_of(const Problem& problem, const std::string& planner) {
+constexpr double kCutsPerRadius = 100;    // widths of the strip along the cut in a robot radius
+constexpr double kCutsPerTool = 200;      // the same in a tool width, for robots without size
+constexpr int kLeastCutBits = -22;        // the strip is at least 2^this of the map's extent: cut_along needs 2^-26
+constexpr double kChordPerCut = 1.0 / 8;  // chord error of the cut, in widths of the strip
+constexpr double kNegligible = 100;       // components smaller than a tool width squared over this are negligible
+constexpr double kEntrySlack = 6;         // radii by which the tether may be longer than the geodesic at an entry
+
+double cut_width_of(const Problem& problem, const std::string& planner) {
   const Robot& robot = problem.robot();
   if (!robot.tether)
     throw Unsupported(fmt::format("planner '{}' needs a robot with a tether; robot '{}' has none (tether.length)",
                                   planner, robot.name));
-  const double wanted = robot.radius > 0 ? robot.radius / 100 : robot.tool_width / 200;
-  return std::max(wanted, std::ldexp(bounding_box(problem.configuration_space()).size().maxCoeff(), -22));
+  const double wanted = robot.radius > 0 ? robot.radius / kCutsPerRadius : robot.tool_width / kCutsPerTool;
+  return std::max(wanted, std::ldexp(bounding_box(problem.configuration_space()).size().maxCoeff(), kLeastCutBits));
 }
 
-std::vector<Polyline> near_cut(const Problem& problem, double width) {
+/// The pieces of the cut locus near configuration space.
+std::vector<Polyline> cut_of(const Problem& problem, double width) {
   Box box = bounding_box(problem.configuration_space());
   box.grow(width);
   std::vector<Polyline> kept;
-  for (Polyline& line : problem.tether()->geodesics().cut(width / 8)) {
+  for (Polyline& line : problem.tether()->geodesics().cut(width * kChordPerCut)) {
     Box around;
     for (const Point& p : line) around.add(p);
     if (line.size() < 2 || !around.overlaps(box)) continue;
@@ -48,15 +55,15 @@ std::vector<Polyline> near_cut(const Problem& problem, double width) {
   return kept;
 }
 
-bool holds(const Polygon& part, const Point& p, double tolerance) {
-  const EdgeIndex walls(Region{{part}});
+bool nearly_contains(const Polygon& polygon, const Point& p, double tolerance) {
+  const EdgeIndex walls(Region{{polygon}});
   return walls.contains(p) || walls.nearest(p, tolerance).has_value();
 }
 
 }  // namespace
 
 TetherSpace::TetherSpace(const Problem& problem, const std::string& planner)
-    : problem_(problem), width_(width_of(problem, planner)), cut_(near_cut(problem, width_)) {
+    : problem_(problem), width_(cut_width_of(problem, planner)), cut_(cut_of(problem, width_)) {
   cut_open();
 }
 TetherSpace::~TetherSpace() = default;
@@ -64,60 +71,68 @@ TetherSpace::~TetherSpace() = default;
 void TetherSpace::cut_open() {
   const Region& space = problem_.configuration_space();
   Region all = cut_.empty() ? space : cut_along(space, cut_, width_);
-  const auto home = std::find_if(all.polygons.begin(), all.polygons.end(), [&](const Polygon& part) {
-    return holds(part, problem_.start(), problem_.tolerance());
+  const auto home = std::find_if(all.polygons.begin(), all.polygons.end(), [&](const Polygon& polygon) {
+    return nearly_contains(polygon, problem_.start(), problem_.tolerance());
   });
   if (home == all.polygons.end())
     throw Infeasible(
-        fmt::format("the start ({}, {}) lies where two ways round an obstacle are equally long from the anchor; "
-                    "a start a little to one side of it has one tether",
+        fmt::format("the start ({}, {}) has two shortest paths to the anchor, one on either side of an obstacle; move "
+                    "it a little to one side",
                     problem_.start().x(), problem_.start().y()));
-  // What everything else rests on.
-  for (const Polygon& part : all.polygons)
-    if (!part.holes.empty())
+  for (const Polygon& polygon : all.polygons)  // the guarantees of all users rest on this
+    if (!polygon.holes.empty())
       throw std::logic_error(
-          fmt::format("the cut locus of '{}' does not open the way round the obstacle at ({:.6g}, {:.6g})",
-                      problem_.map().name, part.holes[0][0].x(), part.holes[0][0].y()));
-  parts_.push_back({problem_.restricted(Region{{*home}}), {problem_.start()}});
+          fmt::format("the cut locus of '{}' does not cut open the way round the obstacle at ({:.6g}, {:.6g})",
+                      problem_.map().name, polygon.holes[0][0].x(), polygon.holes[0][0].y()));
+  components_.push_back({problem_.restricted(Region{{*home}}), {problem_.start()}});
   all.polygons.erase(home);
-
-  const double crumb = problem_.robot().tool_width * problem_.robot().tool_width / 100;
-  struct Found {
-    double away;
-    Polygon* polygon;
-    Point entry;
-    Polyline way;
-  };
-  std::vector<Found> found;
-  for (Polygon& polygon : all.polygons) {
-    Point entry{0, 0};
-    std::optional<Polyline> way;
-    if (area(polygon) > crumb) way = path_into(polygon, entry);
-    if (way)
-      found.push_back({field().distance(entry), &polygon, entry, std::move(*way)});
-    else
-      slivers_.polygons.push_back(polygon);
-  }
-  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.away < b.away; });
-  for (Found& f : found)
-    parts_.push_back({problem_.restricted(Region{{std::move(*f.polygon)}}, f.entry), std::move(f.way)});
+  add_components(std::move(all.polygons));
 }
 
-std::optional<Polyline> TetherSpace::path_into(const Polygon& part, Point& entry) const {
+void TetherSpace::add_components(std::vector<Polygon> polygons) {
+  const double negligible = problem_.robot().tool_width * problem_.robot().tool_width / kNegligible;
+  struct Candidate {
+    double distance;  // of the entry from the anchor
+    Polygon* polygon;
+    Point entry;
+    Polyline path;
+  };
+  std::vector<Candidate> candidates;
+  for (Polygon& polygon : polygons) {
+    Point entry{0, 0};
+    std::optional<Polyline> path;
+    if (area(polygon) > negligible) path = path_into(polygon, entry);
+    if (path)
+      candidates.push_back({field().distance(entry), &polygon, entry, std::move(*path)});
+    else
+      unreached_.polygons.push_back(polygon);
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  for (Candidate& c : candidates)
+    components_.push_back({problem_.restricted(Region{{std::move(*c.polygon)}}, c.entry), std::move(c.path)});
+}
+
+std::optional<Polyline> TetherSpace::path_into(const Polygon& component, Point& entry) const {
   const auto nearer = [&](const Point& a, const Point& b) {
     const double da = field().distance(a), db = field().distance(b);
     return da != db ? da < db : before(a, b);
   };
-  entry = *std::min_element(part.outer.begin(), part.outer.end(), nearer);
-  auto way = geodesic_path(world(), problem_.start(), entry, 6 * problem_.robot().radius + width_);
-  if (!way) return std::nullopt;
-  TautTether string(problem_.tether()->taut_space(), problem_.anchor());
-  string.drive(field().path(problem_.start()));
-  for (std::size_t k = 1; k < way->size(); ++k) {
-    string.drive((*way)[k]);
-    if (string.length() > tether_length() + problem_.tolerance()) return std::nullopt;
+  entry = *std::min_element(component.outer.begin(), component.outer.end(), nearer);
+  auto path = geodesic_path(world(), problem_.start(), entry, kEntrySlack * problem_.robot().radius + width_);
+  if (!path || !keeps_limit(*path)) return std::nullopt;
+  return path;
+}
+
+/// Of a path that begins with the tether along the geodesic.
+bool TetherSpace::keeps_limit(const Polyline& path) const {
+  TautTether tether(problem_.tether()->taut_space(), problem_.anchor());
+  tether.drive(field().path(path.front()));
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    tether.drive(path[k]);
+    if (tether.length() > tether_length() + problem_.tolerance()) return false;
   }
-  return way;
+  return true;
 }
 
 const TetheredWorld& TetherSpace::world() const {
@@ -127,84 +142,118 @@ const TetheredWorld& TetherSpace::world() const {
   return *world_;
 }
 
-Polyline TetherSpace::path(const Component& from_part, const Point& from, const Component& to_part, const Point& to) const {
-  const auto inside = [&](const Component& part, const Point& a, const Point& b) {
-    auto found = part.problem.transit().path(a, b);
+Polyline TetherSpace::path(const Component& from_component, const Point& from, const Component& to_component,
+                           const Point& to) const {
+  const auto inside = [&](const Component& component, const Point& a, const Point& b) {
+    auto found = component.problem.transit().path(a, b);
     if (!found)
-      throw std::logic_error(fmt::format(
-          "no way from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) in one part of the cut space", a.x(), a.y(), b.x(), b.y()));
+      throw std::logic_error(
+          fmt::format("no path from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) within one component of the cut space", a.x(),
+                      a.y(), b.x(), b.y()));
     return std::move(*found);
   };
-  if (&from_part == &to_part) return inside(from_part, from, to);
-  Polyline whole = inside(from_part, from, from_part.problem.start());
+  if (&from_component == &to_component) return inside(from_component, from, to);
+  Polyline whole = inside(from_component, from, from_component.problem.start());
   const auto append = [&](const Polyline& line) { whole.insert(whole.end(), line.begin() + 1, line.end()); };
-  append(Polyline(from_part.entry_path.rbegin(), from_part.entry_path.rend()));
-  append(to_part.entry_path);
-  append(inside(to_part, to_part.problem.start(), to));
+  append(Polyline(from_component.entry_path.rbegin(), from_component.entry_path.rend()));
+  append(to_component.entry_path);
+  append(inside(to_component, to_component.problem.start(), to));
+  // Pulled taut, the path keeps its class, but the tether may exceed its limit for a moment; on `whole` it never does.
   Polyline taut = pulled_taut(world(), whole);
-  // The pulled way keeps the class; on it the string may be longer than the leash for a moment, on the other one never.
-  TautTether string(problem_.tether()->taut_space(), problem_.anchor());
-  string.drive(field().path(from));
-  for (std::size_t k = 1; k < taut.size(); ++k) {
-    string.drive(taut[k]);
-    if (string.length() > tether_length() + problem_.tolerance()) return whole;
-  }
-  return taut;
+  return keeps_limit(taut) ? taut : whole;
 }
 
-Path cover_components(const TetherSpace& leash, const std::function<Path(const TetherSpace::Component&, Context&)>& sweep, bool return_home,
-                 Context& context) {
-  const std::vector<TetherSpace::Component>& parts = leash.components();
-  Path whole;
-  Point at = leash.problem().start();
-  const auto drive = [&](const Polyline& way) {
-    if (way.size() < 2) return;
-    at = way.back();
-    whole.legs.push_back({false, way});
-  };
-  std::vector<bool> done(parts.size(), false);
-  std::size_t last = 0, swept = 0;
-  std::string refusal;
-  for (std::size_t count = 0; count < parts.size() && !context.cancelled(); ++count) {
-    Polyline way;
-    std::size_t next = 0;
-    double least = std::numeric_limits<double>::infinity();
-    std::vector<std::size_t> left;
-    for (std::size_t k = 0; k < parts.size(); ++k)
-      if (!done[k] && (count > 0 || k == 0)) left.push_back(k);
-    const auto straight = [&](std::size_t k) { return distance(at, parts[k].problem.start()); };
-    std::stable_sort(left.begin(), left.end(), [&](std::size_t a, std::size_t b) { return straight(a) < straight(b); });
-    for (const std::size_t k : left) {
-      if (straight(k) >= least) break;
-      Polyline candidate = leash.path(parts[last], at, parts[k], parts[k].problem.start());
-      if (length(candidate) >= least) continue;
-      least = length(candidate);
-      next = k;
-      way = std::move(candidate);
+namespace {
+
+using Cover = std::function<Path(const TetherSpace::Component&, Context&)>;
+
+/// Covers the components one after the other.
+class ComponentTour {
+ public:
+  ComponentTour(const TetherSpace& space, Context& context)
+      : space_(space),
+        components_(space.components()),
+        context_(context),
+        at_(space.problem().start()),
+        done_(components_.size(), false) {}
+
+  Path run(const Cover& cover, bool return_home) {
+    bool any = false;
+    std::string refusal;  // why the first skipped component is infeasible
+    for (std::size_t count = 0; count < components_.size() && !context_.cancelled(); ++count) {
+      Next next = nearest(count == 0);
+      done_[next.component] = true;
+      // What `cover` publishes does not begin at the problem's start, so only finished components are published.
+      Context::Sinks sinks;
+      if (context_.wants_traces())
+        sinks.trace = [&](const Trace& trace) {
+          context_.trace(count == 0 ? trace.name : fmt::format("{} {}", trace.name, count + 1), trace.lines);
+        };
+      Context inner(context_.rng().bits(), context_.seconds_left(), std::move(sinks));
+      try {
+        const Path path = cover(components_[next.component], inner);
+        append(next.path);
+        append(path, next.component);
+        any = true;
+        context_.publish(whole_);
+      } catch (const Infeasible& e) {
+        if (refusal.empty()) refusal = e.what();
+      }
     }
-    done[next] = true;
-    // What a part's sweep publishes does not begin at the problem's start: only whole parts are published.
-    Context::Sinks sinks;
-    if (context.wants_traces())
-      sinks.trace = [&](const Trace& trace) {
-        context.trace(count == 0 ? trace.name : fmt::format("{} {}", trace.name, count + 1), trace.lines);
-      };
-    Context inner(context.rng().bits(), context.seconds_left(), std::move(sinks));
-    try {
-      const Path path = sweep(parts[next], inner);
-      drive(way);
-      last = next;
-      for (const Leg& leg : path.legs) whole.legs.push_back(leg);
-      if (!path.legs.empty()) at = path.legs.back().points.back();
-      ++swept;
-      context.publish(whole);
-    } catch (const Infeasible& e) {
-      if (refusal.empty()) refusal = e.what();
-    }
+    if (!any && !refusal.empty()) throw Infeasible(refusal);
+    if (return_home && !context_.cancelled())
+      append(space_.path(components_[last_], at_, components_[0], space_.problem().start()));
+    return std::move(whole_);
   }
-  if (swept == 0 && !refusal.empty()) throw Infeasible(refusal);
-  if (return_home && !context.cancelled()) drive(leash.path(parts[last], at, parts[0], leash.problem().start()));
-  return whole;
+
+ private:
+  struct Next {
+    std::size_t component = 0;
+    Polyline path;  // to its entry
+  };
+  /// The component not yet done whose entry has the shortest path. The first one is always the start's.
+  Next nearest(bool first) const {
+    std::vector<std::size_t> open;
+    for (std::size_t k = 0; k < components_.size(); ++k)
+      if (!done_[k] && (!first || k == 0)) open.push_back(k);
+    const auto straight = [&](std::size_t k) { return distance(at_, components_[k].problem.start()); };
+    std::stable_sort(open.begin(), open.end(), [&](std::size_t a, std::size_t b) { return straight(a) < straight(b); });
+    Next next;
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t k : open) {
+      if (straight(k) >= least) break;
+      Polyline path = space_.path(components_[last_], at_, components_[k], components_[k].problem.start());
+      if (length(path) >= least) continue;
+      least = length(path);
+      next = {k, std::move(path)};
+    }
+    return next;
+  }
+
+  void append(const Polyline& transit) {
+    if (transit.size() < 2) return;
+    at_ = transit.back();
+    whole_.legs.push_back({false, transit});
+  }
+  void append(const Path& path, std::size_t component) {
+    last_ = component;
+    whole_.legs.insert(whole_.legs.end(), path.legs.begin(), path.legs.end());
+    if (!path.legs.empty()) at_ = path.legs.back().points.back();
+  }
+
+  const TetherSpace& space_;
+  const std::vector<TetherSpace::Component>& components_;
+  Context& context_;
+  Path whole_;
+  Point at_;
+  std::size_t last_ = 0;  // the component where the robot is
+  std::vector<bool> done_;
+};
+
+}  // namespace
+
+Path cover_components(const TetherSpace& space, const Cover& cover, bool return_home, Context& context) {
+  return ComponentTour(space, context).run(cover, return_home);
 }
 
 }  // namespace oxturn

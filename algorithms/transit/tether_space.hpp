@@ -1,14 +1,26 @@
-// What tethered planners share: the problem's space cut open, so that a leash is no longer hard.
-//
-// Free space less the cut locus of the anchor is star-shaped about the anchor along geodesics, hence contractible. So
-// every robot path that starts with the string along the geodesic and never crosses the cut keeps its string equal to
-// the geodesic of where it stands: never longer than that, never wound, never driven over, in whatever order it
-// sweeps (algorithms.md section 1). A tethered problem becomes an ordinary one with a line that must not be crossed.
-// The tool may reach over the line.
-//
-// Where the cut passes an obstacle nearer than the robot can, it cuts configuration space into several parts although
-// free space is one. A part other than the start's is entered across the cut and back, next to that obstacle; inside,
-// the string is the geodesic again. On the way in it is a little longer than that.
+/// A tethered robot's configuration space cut open along the anchor's cut locus: safe for any coverage planner.
+///
+///   const TetherSpace space(problem, "my-planner");
+///   return cover_components(space, [&](const TetherSpace::Component& c, Context& inner) {
+///     return planner.plan(c.problem, inner);               // an ordinary planner
+///   }, true, context);
+///
+///                 .-------.
+///        anchor   |       |  cut locus: points with two shortest paths to the anchor, one on either side of
+///          o      |  obst.|- - - - - -      the obstacle. The robot must not cross it; the tool may reach over it.
+///                 |       |
+///                 '-------'
+///
+/// Free space without the cut locus of the anchor is star-shaped about the anchor along geodesics, hence contractible.
+/// So if the tether starts along the geodesic and the robot never crosses the cut, the taut tether always equals the
+/// geodesic to the robot's position: never longer than that, never wound round an obstacle, never driven over, in
+/// whatever order the space is covered. A tethered problem becomes an ordinary one with a line that must not be
+/// crossed.
+///
+/// Where the cut passes an obstacle more closely than the robot can, it divides configuration space into several
+/// connected components, although free space stays connected. A component other than the start's is entered by crossing
+/// the cut and crossing back, next to that obstacle. Inside, the tether is the geodesic again; on the way in it is a
+/// little longer.
 #pragma once
 
 #include <functional>
@@ -23,8 +35,8 @@ namespace oxturn {
 
 class TetherSpace {
  public:
-  /// `problem` must outlive it. Throws Unsupported ("planner 'x' needs a robot with a tether; ...") if its robot has none,
-  /// Infeasible if the start lies in the cut itself (possible only if the anchor is elsewhere).
+  /// `problem` must outlive it; `planner` is named in messages. Throws Unsupported if the robot has no tether,
+  /// Infeasible if the start lies on the cut itself (possible only if the anchor is elsewhere).
   TetherSpace(const Problem& problem, const std::string& planner);
   ~TetherSpace();
 
@@ -32,46 +44,54 @@ class TetherSpace {
   const GeodesicField& field() const { return problem_.tether()->geodesics(); }
   double tether_length() const { return problem_.robot().tether->length; }  // metres
 
-  /// Where shortest ways meet, as far as that is of interest, with the slit's width.
+  /// The cut locus as far as it concerns configuration space.
   const std::vector<Polyline>& cut() const { return cut_; }
+  /// Width of the strip that is removed along the cut, metres.
   double cut_width() const { return width_; }
 
-  /// A part of configuration space less the slit: simply connected.
+  /// A connected component of configuration space without the cut. Simply connected.
   struct Component {
-    Problem problem;   // the problem with the part as configuration space; starts at its entry
-    Polyline entry_path;  // from the problem's start to the entry, in the class of the geodesic; the string keeps the leash
+    Problem problem;      // the problem with the component as configuration space; starts at the component's entry
+    Polyline entry_path;  // from the problem's start to the entry, in the class of the geodesic and within the tether
+                          // length limit
   };
-  /// The start's part first, then those that the robot can enter, by the distance of their entries from the anchor.
-  const std::vector<Component>& components() const { return parts_; }
-  /// The start's part: its space, and the problem for any planner.
+  /// The start's component first, then those that the robot can enter, by the distance of their entries from the
+  /// anchor.
+  const std::vector<Component>& components() const { return components_; }
+  /// Of the start's component: its space, and the problem in it for any planner.
   const Region& cut_space() const { return cut_problem().configuration_space(); }
-  const Problem& cut_problem() const { return parts_.front().problem; }
-  /// What the cut isolates and the leash does not let the robot enter, and crumbs of no area.
-  const Region& slivers() const { return slivers_; }
+  const Problem& cut_problem() const { return components_.front().problem; }
+  /// Components that the tether does not let the robot enter, and components of negligible area.
+  const Region& unreached() const { return unreached_; }
 
-  /// From a place in one part to a place in another (or the same), string the geodesic at both ends and within the
-  /// leash on the way.
-  Polyline path(const Component& from_part, const Point& from, const Component& to_part, const Point& to) const;
+  /// From a point of one component to a point of another one (or the same). The tether is the geodesic at both ends and
+  /// keeps its length limit in between.
+  Polyline path(const Component& from_component, const Point& from, const Component& to_component,
+                const Point& to) const;
 
-  /// For ways of any class; built at the first call.
+  /// For paths of any homotopy class; built at the first call.
   const TetheredWorld& world() const;
 
  private:
   void cut_open();
-  std::optional<Polyline> path_into(const Polygon& part, Point& entry) const;
+  void add_components(std::vector<Polygon> polygons);
+  std::optional<Polyline> path_into(const Polygon& component, Point& entry) const;
+  bool keeps_limit(const Polyline& path) const;
 
   const Problem& problem_;
   double width_;
   std::vector<Polyline> cut_;
-  std::vector<Component> parts_;
-  Region slivers_;
+  std::vector<Component> components_;
+  Region unreached_;
   mutable std::unique_ptr<const TetheredWorld> world_;
 };
 
-/// Sweeps every part by `sweep` (which begins at the part's start) and joins the paths: the start's part first, then
-/// always the part whose entry is nearest by way; ways between are transit. A part for which `sweep` throws Infeasible
-/// is left out; if that is all of them, so is the answer.
-Path cover_components(const TetherSpace& leash, const std::function<Path(const TetherSpace::Component&, Context&)>& sweep, bool return_home,
-                 Context& context);
+/// Covers each component by a call of `cover`, whose path begins at the component's start, and joins the paths: the
+/// start's component first, then always the one whose entry has the shortest path. The connections are transit. A
+/// component for which `cover` throws Infeasible is skipped; if that happens for all, the first such exception is
+/// thrown.
+Path cover_components(const TetherSpace& space,
+                      const std::function<Path(const TetherSpace::Component&, Context&)>& cover, bool return_home,
+                      Context& context);
 
 }  // namespace oxturn
