@@ -118,8 +118,8 @@ std::optional<EdgeIndex::Nearest> EdgeIndex::nearest(const Point& p, double with
       for (int i = ci - r; i <= ci + r; i += step) {
         if (i < 0 || i >= grid_.columns()) continue;
         const std::size_t c = grid_.index(i, j);
-        for (const std::uint32_t* e = grid_.begin(c); e != grid_.end(c); ++e) {
-          offer(best, p, nearest_on_segment(p, edges_[*e].a, edges_[*e].b), *e);
+        for (const std::uint32_t e : grid_.items(c)) {
+          offer(best, p, nearest_on_segment(p, edges_[e].a, edges_[e].b), e);
         }
       }
     }
@@ -152,7 +152,7 @@ std::optional<EdgeIndex::Nearest> EdgeIndex::nearest(const Point& a, const Point
   const double whole = (grid_.high() - grid_.low()).norm() + distance_to_segment(grid_.low(), a, b);
   for (double band = std::min(within, grid_.cell() / 2);; band = std::min({within, whole, 2 * band})) {
     grid_.visit(ends, 2, band, [&](std::size_t c) {
-      for (const std::uint32_t* e = grid_.begin(c); e != grid_.end(c); ++e) try_edge(*e);
+      for (const std::uint32_t e : grid_.items(c)) try_edge(e);
       return best.distance == 0;
     });
     if (best.distance <= band || band >= within || band >= whole) break;
@@ -184,7 +184,7 @@ void EdgeIndex::look_about() {
   look_out_.assign(static_cast<std::size_t>(grid_.columns()) * static_cast<std::size_t>(grid_.rows()), 0);
   const auto on_edge = [&](std::size_t c) {
     const Point p = look_out(c);
-    return std::any_of(grid_.begin(c), grid_.end(c),
+    return std::any_of(grid_.items(c).begin(), grid_.items(c).end(),
                        [&](std::uint32_t e) { return on_segment(p, edges_[e].a, edges_[e].b); });
   };
   std::vector<std::uint32_t> near;
@@ -198,8 +198,8 @@ void EdgeIndex::look_about() {
           throw std::invalid_argument("a region's edges lie too close together to tell inside from outside");
       }
       const Point here = look_out(c);
-      near.assign(grid_.begin(c), grid_.end(c));
-      if (i > 0) near.insert(near.end(), grid_.begin(c - 1), grid_.end(c - 1));
+      near.assign(grid_.items(c).begin(), grid_.items(c).end());
+      if (i > 0) near.insert(near.end(), grid_.items(c - 1).begin(), grid_.items(c - 1).end());
       std::sort(near.begin(), near.end());
       near.erase(std::unique(near.begin(), near.end()), near.end());
       for (const std::uint32_t e : near) inside ^= crossed(last, here, e);
@@ -217,9 +217,9 @@ bool EdgeIndex::contains(const Point& p) const {
   const std::size_t c = grid_.index(grid_.column(p.x()), grid_.row(p.y()));
   bool inside = (look_out_[c] & kLookOutInside) != 0;
   const Point from = look_out(c);
-  for (const std::uint32_t* e = grid_.begin(c); e != grid_.end(c); ++e) {
-    if (on_segment(p, edges_[*e].a, edges_[*e].b)) return true;
-    inside ^= crossed(from, p, *e);
+  for (const std::uint32_t e : grid_.items(c)) {
+    if (on_segment(p, edges_[e].a, edges_[e].b)) return true;
+    inside ^= crossed(from, p, e);
   }
   return inside;
 }
@@ -236,8 +236,8 @@ bool EdgeIndex::contains(const Point& a, const Point& b) const {
   const auto corner_on = [&](const Edge& e) -> const Point* {
     const Point p = meeting_point(a, b, e);
     const std::size_t c = grid_.index(grid_.column(p.x()), grid_.row(p.y()));
-    for (const std::uint32_t* i = grid_.begin(c); i != grid_.end(c); ++i) {
-      for (const Point* w : {&edges_[*i].a, &edges_[*i].b}) {
+    for (const std::uint32_t i : grid_.items(c)) {
+      for (const Point* w : {&edges_[i].a, &edges_[i].b}) {
         if (on_segment(*w, e.a, e.b) && on_segment(*w, a, b)) return w;
       }
     }
@@ -245,8 +245,8 @@ bool EdgeIndex::contains(const Point& a, const Point& b) const {
   };
   const Point least = a.cwiseMin(b), most = a.cwiseMax(b);
   const bool blocked = grid_.visit(ends, 2, 0, [&](std::size_t c) {
-    for (const std::uint32_t* i = grid_.begin(c); i != grid_.end(c); ++i) {
-      const Edge& e = edges_[*i];
+    for (const std::uint32_t i : grid_.items(c)) {
+      const Edge& e = edges_[i];
       if (std::max(e.a.x(), e.b.x()) < least.x() || std::min(e.a.x(), e.b.x()) > most.x() ||
           std::max(e.a.y(), e.b.y()) < least.y() || std::min(e.a.y(), e.b.y()) > most.y())
         continue;
@@ -257,14 +257,14 @@ bool EdgeIndex::contains(const Point& a, const Point& b) const {
       if (sa * sb < 0 && ta * tb < 0) {
         const Point* corner = corner_on(e);
         if (corner == nullptr) return true;
-        touches.push_back({*corner, *i});
+        touches.push_back({*corner, i});
         continue;
       }
-      if (sa == 0 && on_segment(e.a, a, b)) touches.push_back({e.a, *i});
-      if (sb == 0 && on_segment(e.b, a, b)) touches.push_back({e.b, *i});
-      if (ta == 0 && on_segment(a, e.a, e.b)) touches.push_back({a, *i});
-      if (tb == 0 && on_segment(b, e.a, e.b)) touches.push_back({b, *i});
-      if (sa == 0 && sb == 0) along.push_back(*i);
+      if (sa == 0 && on_segment(e.a, a, b)) touches.push_back({e.a, i});
+      if (sb == 0 && on_segment(e.b, a, b)) touches.push_back({e.b, i});
+      if (ta == 0 && on_segment(a, e.a, e.b)) touches.push_back({a, i});
+      if (tb == 0 && on_segment(b, e.a, e.b)) touches.push_back({b, i});
+      if (sa == 0 && sb == 0) along.push_back(i);
     }
     return false;
   });
@@ -317,7 +317,7 @@ void EdgeIndex::collect(const Box& box, std::vector<std::uint32_t>& out) const {
   for (int j = j0; j <= j1; ++j) {
     for (int i = i0; i <= i1; ++i) {
       const std::size_t c = grid_.index(i, j);
-      out.insert(out.end(), grid_.begin(c), grid_.end(c));
+      out.insert(out.end(), grid_.items(c).begin(), grid_.items(c).end());
     }
   }
   std::sort(out.begin(), out.end());

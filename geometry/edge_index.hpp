@@ -19,7 +19,7 @@ class EdgeIndex {
 
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
-    Point place{0, 0};     // on the boundary
+    Point point{0, 0};     // on the boundary
     Point from{0, 0};      // on the query segment (the query point itself for points)
     std::size_t edge = 0;  // index into edges()
   };

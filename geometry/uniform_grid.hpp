@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/point.hpp"
@@ -60,8 +61,10 @@ class UniformGrid {
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
-  const std::uint32_t* begin(std::size_t c) const { return items_.data() + first_[c]; }
-  const std::uint32_t* end(std::size_t c) const { return items_.data() + first_[c + 1]; }
+  /// The items in a cell, in ascending order.
+  std::span<const std::uint32_t> items(std::size_t cell) const {
+    return {items_.data() + first_[cell], items_.data() + first_[cell + 1]};
+  }
 
   /// Calls f(cell) for every cell within `pad` of the convex polygon (a segment, for n = 2), by rows, until f
   /// returns true; tells whether it did. Cells somewhat farther off are visited too.

@@ -45,7 +45,7 @@ Point lower_left(const Map& map, Robot robot) {
 
 /// The nearest place rounds to either side of its wall: back towards the start by as little as brings it inside.
 Point nearest_wall(const EdgeIndex& walls, const Point& start) {
-  const Point place = walls.nearest(start)->place;
+  const Point place = walls.nearest(start)->point;
   Point inside = place;
   for (double share = std::numeric_limits<double>::epsilon(); share < 1 && !walls.contains(inside); share *= 2)
     inside = lerp(place, start, share);

@@ -227,7 +227,7 @@ class StcLoops final : public CoveragePlanner {
       if (space.contains(q)) return q;
       const auto hit = space.nearest(q, reach * (1 - 1e-3));
       if (!hit) return std::nullopt;
-      return space.contains(hit->place) ? std::optional<Point>(hit->place) : inner_point(space, hit->place, problem);
+      return space.contains(hit->point) ? std::optional<Point>(hit->point) : inner_point(space, hit->point, problem);
     };
     const auto visit = [&](const Point& place) {
       ++figures.places;

@@ -37,7 +37,7 @@ struct BelievedPaths::Strings {
     if (line.size() < 3) return line;
     TautTether shadow(space, line.front());
     shadow.drive(line);
-    return shadow.line();
+    return shadow.polyline();
   }
 };
 
@@ -67,7 +67,7 @@ BelievedPaths::~BelievedPaths() = default;
 Point BelievedPaths::inside(const Point& p) const {
   if (believed_.walls().contains(p)) return p;
   const auto hit = believed_.walls().nearest(p);
-  return hit ? hit->place : p;
+  return hit ? hit->point : p;
 }
 
 // Ends that the believed walls have come too near to are joined to the nearest place of configuration space.

@@ -35,7 +35,7 @@ Polyline along_line(const Problem& truth) {
     const EdgeIndex& walls = leash.cut_problem().walls();
     Point end = truth.anchor();
     if (!walls.contains(end))
-      if (const auto hit = walls.nearest(end)) end = hit->place;
+      if (const auto hit = walls.nearest(end)) end = hit->point;
     auto way = leash.cut_problem().transit().path(truth.start(), end);  // keeps the string equal to the geodesic
     return way && length(*way) > 0 ? std::move(*way) : Polyline{};
   } catch (const Infeasible&) {
@@ -241,7 +241,7 @@ std::optional<Problem> believed_problem(const View& view, const Point& start, in
     const EdgeIndex edges(region);
     if (edges.contains(p)) return p;
     const auto hit = edges.nearest(p, near);
-    return hit ? std::optional(hit->place) : std::nullopt;
+    return hit ? std::optional(hit->point) : std::nullopt;
   };
   std::optional<Point> anchor;
   if (robot.tether) {

@@ -112,7 +112,7 @@ std::optional<Motion> Leftover::next(const View& view) {
     if (!believed->walls().contains(place)) {
       const auto hit = believed->walls().nearest(place);
       if (!hit || hit->distance > reach) continue;
-      goal = hit->place;
+      goal = hit->point;
     }
     std::optional<Polyline> on;
     if (tour.size() == 1)

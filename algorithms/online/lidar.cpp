@@ -73,8 +73,8 @@ double LidarSimulator::cast(const Point& eye, const Point& direction) const {
   const double step_y = direction.y() == 0 ? kNothing : cell / std::abs(direction.y());
   while (i >= 0 && j >= 0 && i < grid_.columns() && j < grid_.rows()) {
     const std::size_t c = grid_.index(i, j);
-    for (const std::uint32_t* e = grid_.begin(c); e != grid_.end(c); ++e) {
-      const EdgeIndex::Edge& edge = edges_[*e];
+    for (const std::uint32_t e : grid_.items(c)) {
+      const EdgeIndex::Edge& edge = edges_[e];
       const Point a = edge.a - eye, b = edge.b - eye;
       const double left = cross(direction, a), right = cross(direction, b);
       if ((left > 0) == (right > 0)) continue;

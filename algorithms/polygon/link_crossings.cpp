@@ -30,9 +30,9 @@ std::vector<IndexPair> crossing_pairs(const std::vector<Link>& segments) {
   std::vector<IndexPair> pairs;
   for (int row = 0; row < grid.rows(); ++row)
     for (int column = 0; column < grid.columns(); ++column) {
-      const std::size_t c = grid.index(column, row);
-      for (const std::uint32_t* i = grid.begin(c); i != grid.end(c); ++i)
-        for (const std::uint32_t* j = i + 1; j != grid.end(c); ++j) {
+      const auto items = grid.items(grid.index(column, row));
+      for (auto i = items.begin(); i != items.end(); ++i)
+        for (auto j = i + 1; j != items.end(); ++j) {
           const auto& [a, b] = segments[*i];
           const auto& [p, q] = segments[*j];
           if (crossing(a, b, p, q) == Crossing::proper) pairs.emplace_back(std::min(*i, *j), std::max(*i, *j));

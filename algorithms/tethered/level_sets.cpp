@@ -211,7 +211,7 @@ std::vector<LevelSet> level_sets(const TetherSpace& space, const Region& region,
   Trimmer trimmer(region, inner, spacing, chord);
   const double end = std::min(space.tether_length(), space.field().farthest());
   for (std::size_t k = 0; (static_cast<double>(k) + 0.5) * spacing < end; ++k)
-    for (const auto& chain : space.field().level((static_cast<double>(k) + 0.5) * spacing)) trimmer.trim(chain, k, all);
+    for (const auto& chain : space.field().level_set((static_cast<double>(k) + 0.5) * spacing)) trimmer.trim(chain, k, all);
   return all;
 }
 

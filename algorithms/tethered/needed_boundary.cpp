@@ -126,7 +126,8 @@ class SegmentIndex {
   bool any_near(const Point& a, const Point& b, double reach, Test test) const {
     const Point ends[2] = {a, b};
     return grid_.visit(ends, 2, reach, [&](std::size_t cell) {
-      return std::any_of(grid_.begin(cell), grid_.end(cell), [&](std::uint32_t i) { return test(segments_[i]); });
+      const auto items = grid_.items(cell);
+      return std::any_of(items.begin(), items.end(), [&](std::uint32_t i) { return test(segments_[i]); });
     });
   }
   const std::vector<Polyline>& segments_;

@@ -50,8 +50,8 @@ TetherCells::TetherCells(const Problem& problem, const Region& space, double sid
     if (kind == CellKind::joined) return std::nullopt;
     if (walls.contains(centre)) return centre;
     const auto wall = walls.nearest(centre, side);
-    if (!wall || (wall->place - centre).cwiseAbs().maxCoeff() > side / 2) return std::nullopt;
-    return wall->place;
+    if (!wall || (wall->point - centre).cwiseAbs().maxCoeff() > side / 2) return std::nullopt;
+    return wall->point;
   };
 
   std::vector<std::size_t> index(graph.size(), kNone);

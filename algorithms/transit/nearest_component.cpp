@@ -71,7 +71,7 @@ std::optional<NearestComponent::Found> NearestComponent::from(const Point& p) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (triangle.neighbour[k] == Mesh::kWall) continue;
       const auto corner = [&](std::size_t c) {
-        return mesh_.points()[static_cast<std::size_t>(triangle.corner[c % 3])];
+        return mesh_.points()[static_cast<std::size_t>(triangle.vertex[c % 3])];
       };
       const Point middle = (corner(k + 1) + corner(k + 2)) / 2;
       const double there = front.distance + distance(front.at, middle);

@@ -41,7 +41,7 @@ std::vector<Polyline> cut_of(const Problem& problem, double width) {
   Box box = bounding_box(problem.configuration_space());
   box.grow(width);
   std::vector<Polyline> kept;
-  for (Polyline& line : problem.tether()->geodesics().cut(width * kChordPerCut)) {
+  for (Polyline& line : problem.tether()->geodesics().cut_locus(width * kChordPerCut)) {
     Box around;
     for (const Point& p : line) around.add(p);
     if (line.size() < 2 || !around.overlaps(box)) continue;

@@ -306,7 +306,7 @@ void BM_GeodesicLevel(benchmark::State& state) {
   const Region region = hall(state.range(0));
   const GeodesicField field(region, {0.01, 0.02}, barriers(region, kBarred), 1e-9);
   const double half = field.farthest() / 2;
-  for (auto _ : state) benchmark::DoNotOptimize(field.level(half));
+  for (auto _ : state) benchmark::DoNotOptimize(field.level_set(half));
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(BM_GeodesicLevel)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity()->Unit(benchmark::kMillisecond);
@@ -314,14 +314,14 @@ BENCHMARK(BM_GeodesicLevel)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complex
 void BM_GeodesicCut(benchmark::State& state) {
   const Region region = hall(state.range(0));
   const GeodesicField field(region, {0.01, 0.02}, barriers(region, kBarred), 1e-9);
-  for (auto _ : state) benchmark::DoNotOptimize(field.cut(1e-3));
+  for (auto _ : state) benchmark::DoNotOptimize(field.cut_locus(1e-3));
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(BM_GeodesicCut)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity()->Unit(benchmark::kMillisecond);
 
 void BM_CutAlong(benchmark::State& state) {  // along the whole cut
   const Region region = hall(state.range(0));
-  const std::vector<Polyline> lines = GeodesicField(region, {0.01, 0.02}, {}, 1e-9).cut(1e-3);
+  const std::vector<Polyline> lines = GeodesicField(region, {0.01, 0.02}, {}, 1e-9).cut_locus(1e-3);
   for (auto _ : state) benchmark::DoNotOptimize(cut_along(region, lines, 2e-3));
   state.SetComplexityN(state.range(0));
 }

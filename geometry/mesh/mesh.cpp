@@ -262,7 +262,7 @@ Mesh::Mesh(const Region& region, const std::vector<Polyline>& barriers) {
     for (const Face f : faces) {
       Triangle t{};
       for (int i = 0; i < 3; ++i) {
-        t.corner[static_cast<std::size_t>(i)] = f->vertex(i)->info();
+        t.vertex[static_cast<std::size_t>(i)] = f->vertex(i)->info();
         const bool barred = f->neighbor(i)->info() != kWall && f->is_constrained(i) &&
                             on_barrier(f->vertex(Cdt::cw(i))->info(), f->vertex(Cdt::ccw(i))->info());
         t.neighbour[static_cast<std::size_t>(i)] = barred ? kWall : static_cast<std::int32_t>(f->neighbor(i)->info());
@@ -272,7 +272,7 @@ Mesh::Mesh(const Region& region, const std::vector<Polyline>& barriers) {
   });
 
   const auto corner = [&](const Triangle& t, std::size_t i) -> const Point& {
-    return points_[static_cast<std::size_t>(t.corner[i % 3])];
+    return points_[static_cast<std::size_t>(t.vertex[i % 3])];
   };
   // Reflex: turn counter-clockwise through each fan from its first wall; more than 180 degrees of free space.
   reflex_.assign(points_.size(), false);
@@ -287,13 +287,13 @@ Mesh::Mesh(const Region& region, const std::vector<Polyline>& barriers) {
         const int turn = orientation(v, first, corner(*t, k + 2));
         const std::int32_t next = t->neighbour[(k + 1) % 3];
         if (turn < 0 || (turn == 0 && next != kWall)) {
-          reflex_[static_cast<std::size_t>(start.corner[i])] = true;
+          reflex_[static_cast<std::size_t>(start.vertex[i])] = true;
           break;
         }
         if (next == kWall) break;
         t = &triangles_[static_cast<std::size_t>(next)];
         k = 0;
-        while (t->corner[k] != start.corner[i]) ++k;
+        while (t->vertex[k] != start.vertex[i]) ++k;
       }
     }
   }
@@ -317,14 +317,14 @@ void Mesh::locate_all(const Point& p, std::vector<std::int32_t>& found) const {
   found.clear();
   if (grid_.empty() || !Box{grid_.low(), grid_.high()}.contains(p)) return;
   const std::size_t c = grid_.index(grid_.column(p.x()), grid_.row(p.y()));
-  for (const std::uint32_t* i = grid_.begin(c); i != grid_.end(c); ++i) {
-    const Triangle& t = triangles_[*i];
+  for (const std::uint32_t i : grid_.items(c)) {
+    const Triangle& t = triangles_[i];
     bool inside = true;
     for (std::size_t k = 0; k < 3 && inside; ++k) {
-      inside = orientation(points_[static_cast<std::size_t>(t.corner[k])],
-                           points_[static_cast<std::size_t>(t.corner[(k + 1) % 3])], p) >= 0;
+      inside = orientation(points_[static_cast<std::size_t>(t.vertex[k])],
+                           points_[static_cast<std::size_t>(t.vertex[(k + 1) % 3])], p) >= 0;
     }
-    if (inside) found.push_back(static_cast<std::int32_t>(*i));
+    if (inside) found.push_back(static_cast<std::int32_t>(i));
   }
 }
 
@@ -334,8 +334,8 @@ Point Mesh::nearest_in(std::int32_t triangle, const Point& p) const {
   double least = -1;
   bool inside = true;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Point& a = points_[static_cast<std::size_t>(t.corner[k])];
-    const Point& b = points_[static_cast<std::size_t>(t.corner[(k + 1) % 3])];
+    const Point& a = points_[static_cast<std::size_t>(t.vertex[k])];
+    const Point& b = points_[static_cast<std::size_t>(t.vertex[(k + 1) % 3])];
     if (orientation(a, b, p) < 0) inside = false;
     const Point q = nearest_on_segment(p, a, b);
     const double d = distance(p, q);
@@ -355,8 +355,8 @@ std::int32_t Mesh::locate(const Point& p, double tolerance) const {
   std::int32_t best = kWall;
   double least = tolerance;
   grid_.visit(&p, 1, tolerance, [&](std::size_t c) {
-    for (const std::uint32_t* i = grid_.begin(c); i != grid_.end(c); ++i) {
-      const auto t = static_cast<std::int32_t>(*i);
+    for (const std::uint32_t i : grid_.items(c)) {
+      const auto t = static_cast<std::int32_t>(i);
       const double d = distance(p, nearest_in(t, p));
       if (d < least || (d == least && (best == kWall || t < best))) {
         least = d;

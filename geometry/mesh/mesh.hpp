@@ -21,8 +21,8 @@ class Mesh {
 
   static constexpr std::int32_t kWall = -1;
   struct Triangle {
-    std::array<std::int32_t, 3> corner;     // counter-clockwise, into points()
-    std::array<std::int32_t, 3> neighbour;  // across the edge opposite corner[i]; kWall at the boundary and at barriers
+    std::array<std::int32_t, 3> vertex;     // counter-clockwise, into points()
+    std::array<std::int32_t, 3> neighbour;  // across the edge opposite vertex[i]; kWall at the boundary and at barriers
   };
   const std::vector<Point>& points() const { return points_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }

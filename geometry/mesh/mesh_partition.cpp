@@ -96,7 +96,7 @@ std::vector<Ring> simple_pieces(const Region& region) {
   std::vector<std::vector<std::int32_t>> around(mesh.points().size());  // triangles at a corner
   std::vector<std::vector<std::int32_t>> corners(count);                // of a part, by the set's name
   for (std::size_t t = 0; t < count; ++t) {
-    for (const std::int32_t c : mesh.triangles()[t].corner) {
+    for (const std::int32_t c : mesh.triangles()[t].vertex) {
       around[static_cast<std::size_t>(c)].push_back(static_cast<std::int32_t>(t));
       corners[t].push_back(c);
     }

@@ -27,8 +27,8 @@ class MeshParts {
   }
 
   std::size_t halves() const { return next_.size(); }
-  std::int32_t from(Half h) const { return triangle(h).corner[static_cast<std::size_t>((h + 1 - 3 * (h / 3)) % 3)]; }
-  std::int32_t to(Half h) const { return triangle(h).corner[static_cast<std::size_t>((h + 2 - 3 * (h / 3)) % 3)]; }
+  std::int32_t from(Half h) const { return triangle(h).vertex[static_cast<std::size_t>((h + 1 - 3 * (h / 3)) % 3)]; }
+  std::int32_t to(Half h) const { return triangle(h).vertex[static_cast<std::size_t>((h + 2 - 3 * (h / 3)) % 3)]; }
   const Point& point(std::int32_t corner) const { return mesh_.points()[static_cast<std::size_t>(corner)]; }
   /// The same edge seen from the other side, or kWall.
   Half twin(Half h) const {

@@ -178,7 +178,7 @@ std::optional<Flaw> find_flaw(const Region& region) {
 
 Region repaired(const Region& region) {
   if (const auto flaw = find_flaw(region))
-    throw std::invalid_argument(fmt::format("{} at ({}, {})", flaw->reason, flaw->place.x(), flaw->place.y()));
+    throw std::invalid_argument(fmt::format("{} at ({}, {})", flaw->reason, flaw->point.x(), flaw->point.y()));
   Region clean;
   for (const Polygon& p : region.polygons) {
     const auto oriented = [](const Ring& ring, double sign) {

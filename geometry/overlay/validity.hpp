@@ -11,7 +11,7 @@ namespace oxturn {
 
 struct Flaw {
   std::string reason;  // "edges cross", "ring has fewer than 3 corners", ...
-  Point place;
+  Point point;
 };
 
 /// The first flaw that cannot be repaired without guessing: a coordinate that is not finite, a ring with fewer

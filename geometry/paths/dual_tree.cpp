@@ -44,8 +44,8 @@ void DualTree::portals(std::int32_t from, std::int32_t to, std::vector<Portal>& 
     const Mesh::Triangle& t = mesh_.triangles()[static_cast<std::size_t>(up[i - 1])];
     std::size_t k = 0;
     while (t.neighbour[k] != up[i]) ++k;
-    out.push_back({mesh_.points()[static_cast<std::size_t>(t.corner[(k + 2) % 3])],
-                   mesh_.points()[static_cast<std::size_t>(t.corner[(k + 1) % 3])]});
+    out.push_back({mesh_.points()[static_cast<std::size_t>(t.vertex[(k + 2) % 3])],
+                   mesh_.points()[static_cast<std::size_t>(t.vertex[(k + 1) % 3])]});
   }
 }
 

@@ -193,13 +193,13 @@ class Search {
   void leave_start() {
     for (const std::int32_t t : s_.from) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const Id corner = triangle(t).corner[k];
+        const Id corner = triangle(t).vertex[k];
         if (chains_ == nullptr && at(corner) == start_) root(corner).g = 0;
         const std::int32_t n = triangle(t).neighbour[k];
         if (n == Mesh::kWall || std::find(s_.from.begin(), s_.from.end(), n) != s_.from.end()) continue;
         const std::size_t a = (k + 2) % 3, b = (k + 1) % 3;  // seen from inside t: a left, b right
-        if (orientation(at(triangle(t).corner[b]), at(triangle(t).corner[a]), start_) <= 0) continue;
-        push(t, k, {0, start_id(), {triangle(t).corner[a]}, {triangle(t).corner[b]}, 0, 0, -1});
+        if (orientation(at(triangle(t).vertex[b]), at(triangle(t).vertex[a]), start_) <= 0) continue;
+        push(t, k, {0, start_id(), {triangle(t).vertex[a]}, {triangle(t).vertex[b]}, 0, 0, -1});
       }
     }
   }
@@ -238,7 +238,7 @@ class Search {
   double estimate(const Node& node) const {
     const Mesh::Triangle& t = triangle(node.triangle);
     const auto k = static_cast<std::size_t>(node.apex);
-    const Id left_id = t.corner[(k + 1) % 3], right_id = t.corner[(k + 2) % 3];
+    const Id left_id = t.vertex[(k + 1) % 3], right_id = t.vertex[(k + 2) % 3];
     const Point& r = at(node.root);
     if (node.root == left_id || node.root == right_id) return distance(r, goal_);
     const Point &vl = at(left_id), &vr = at(right_id);
@@ -315,7 +315,7 @@ class Search {
     const Mesh::Triangle& t = triangle(n.triangle);
     const auto k = static_cast<std::size_t>(n.apex);
     const std::size_t to_left = (k + 2) % 3, to_right = (k + 1) % 3;  // the edges left-apex and apex-right
-    const Id apex = t.corner[k], left = t.corner[(k + 1) % 3], right = t.corner[(k + 2) % 3];
+    const Id apex = t.vertex[k], left = t.vertex[(k + 1) % 3], right = t.vertex[(k + 2) % 3];
     const bool all = chains_ != nullptr;
     const bool target = all ? std::find(s_.to.begin(), s_.to.end(), n.triangle) != s_.to.end()
                             : s_.is_target[static_cast<std::size_t>(n.triangle)] == s_.stamp;
@@ -419,8 +419,8 @@ struct ShortestPaths::Impl {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::int32_t n = t.neighbour[k];
         if (n == Mesh::kWall || std::find(found.begin(), found.end(), n) != found.end()) continue;
-        const Point& a = mesh.points()[static_cast<std::size_t>(t.corner[(k + 1) % 3])];
-        const Point& b = mesh.points()[static_cast<std::size_t>(t.corner[(k + 2) % 3])];
+        const Point& a = mesh.points()[static_cast<std::size_t>(t.vertex[(k + 1) % 3])];
+        const Point& b = mesh.points()[static_cast<std::size_t>(t.vertex[(k + 2) % 3])];
         if (orientation(a, b, p) <= 0) found.push_back(n);
       }
     }

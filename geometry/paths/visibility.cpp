@@ -61,7 +61,7 @@ class Expansion {
  private:
   const Mesh::Triangle& triangle(std::int32_t t) const { return mesh_.triangles()[static_cast<std::size_t>(t)]; }
   const Point& corner(std::int32_t t, std::size_t k) const {
-    return mesh_.points()[static_cast<std::size_t>(triangle(t).corner[k % 3])];
+    return mesh_.points()[static_cast<std::size_t>(triangle(t).vertex[k % 3])];
   }
 
   void pass(const Window& w) {
@@ -124,7 +124,7 @@ Ring Visibility::from(const Point& eye_given, double tolerance) const {
 
   const auto corner = [&](const Window& w, std::size_t k) -> const Point& {
     return mesh.points()[static_cast<std::size_t>(
-        mesh.triangles()[static_cast<std::size_t>(w.triangle)].corner[(w.apex + k) % 3])];
+        mesh.triangles()[static_cast<std::size_t>(w.triangle)].vertex[(w.apex + k) % 3])];
   };
   std::vector<Window> around;  // edges of the triangles at the eye that do not hold it
   for (const std::int32_t t : home)

@@ -25,7 +25,7 @@ class CornerIndex {
   template <class F>
   void for_each_near(const Point* polygon, int n, double pad, F f) const {
     grid_.visit(polygon, n, pad, [&](std::size_t cell) {
-      for (const std::uint32_t* i = grid_.begin(cell); i != grid_.end(cell); ++i) f(corners_[*i]);
+      for (const std::uint32_t i : grid_.items(cell)) f(corners_[i]);
       return false;
     });
   }

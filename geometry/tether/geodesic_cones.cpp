@@ -74,7 +74,7 @@ class ConeSearch {
   };
 
   const Mesh::Triangle& triangle(std::int32_t t) const { return mesh_.triangles()[at(t)]; }
-  const Point& corner(std::int32_t t, std::size_t k) const { return mesh_.points()[at(triangle(t).corner[k % 3])]; }
+  const Point& corner(std::int32_t t, std::size_t k) const { return mesh_.points()[at(triangle(t).vertex[k % 3])]; }
   std::int32_t fan(std::int32_t t, std::size_t k) const { return f_.fan_[3 * at(t) + k % 3]; }
   Label& label(std::int32_t t, std::size_t k) { return labels_[at(fan(t, k))]; }
   const GeodesicCones::Root& root(std::int32_t i) const { return f_.roots_[at(i)]; }
@@ -83,7 +83,7 @@ class ConeSearch {
   }
   std::size_t place_in(std::int32_t t, std::int32_t point) const {
     std::size_t k = 0;
-    while (triangle(t).corner[k] != point) ++k;
+    while (triangle(t).vertex[k] != point) ++k;
     return k;
   }
 
@@ -94,7 +94,7 @@ class ConeSearch {
     for (std::int32_t t = 0; t < static_cast<std::int32_t>(mesh_.triangles().size()); ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
         if (fan(t, k) >= 0) continue;
-        const std::int32_t point = triangle(t).corner[k];
+        const std::int32_t point = triangle(t).vertex[k];
         for (const std::size_t turn : {std::size_t{1}, std::size_t{2}}) {  // counter-clockwise, then clockwise
           std::int32_t n = t;
           while (n != Mesh::kWall) {
@@ -129,7 +129,7 @@ class ConeSearch {
   /// Walks round the fan of corner i of triangle t, counter-clockwise for turn > 0, to where the fan is hidden from
   /// `from`, which sees the corner through t. False if it is not hidden.
   bool first_hidden(const Point& from, std::int32_t& t, std::size_t& i, int turn) const {
-    const std::int32_t start = t, point = triangle(t).corner[i];
+    const std::int32_t start = t, point = triangle(t).vertex[i];
     const std::size_t step = turn > 0 ? 1 : 2;
     while (true) {
       if (t != start && turn * orientation(from, corner(t, i), corner(t, i + 3 - step)) > 0) return true;
@@ -140,7 +140,7 @@ class ConeSearch {
   }
   /// To which side a way from `from` by triangle t can turn about corner i: +1 left, -1 right, 0 to none.
   int turning_side(const Point& from, std::int32_t t, std::size_t i) const {
-    if (!mesh_.is_reflex(triangle(t).corner[i])) return 0;
+    if (!mesh_.is_reflex(triangle(t).vertex[i])) return 0;
     for (const int turn : {1, -1}) {
       std::int32_t n = t;
       std::size_t k = i;
@@ -163,14 +163,14 @@ class ConeSearch {
     const bool later = l.length < kInf && length >= l.length * (1 - kTie);
     l = {std::min(l.length, length), r, t, false};
     // Settled a little late, so that all equal ways are known by then.
-    if (!later && mesh_.is_reflex(triangle(t).corner[k])) push({length * (1 + 4 * kTie), fan(t, k), -1});
+    if (!later && mesh_.is_reflex(triangle(t).vertex[k])) push({length * (1 + 4 * kTie), fan(t, k), -1});
   }
   /// Of two equal ways to a corner the one that needs the corner less is taken: then what lies beyond the corner hangs
   /// together with what that way passes. (Between the two, the corner's ground would be cut off from both.)
   bool better_tie(const Label& old, std::int32_t t, std::size_t k, std::int32_t r) const {
     const Point& v = corner(t, k);
     const Point &was = root(old.root).at, &is = root(r).at;
-    const int old_side = turning_side(was, old.triangle, place_in(old.triangle, triangle(t).corner[k]));
+    const int old_side = turning_side(was, old.triangle, place_in(old.triangle, triangle(t).vertex[k]));
     const int new_side = turning_side(is, t, k);
     if (old_side == 0) return false;
     if (new_side == 0) return true;
@@ -201,7 +201,7 @@ class ConeSearch {
         self = static_cast<std::int32_t>(f_.roots_.size());
         f_.roots_.push_back({corner(by, in_by), l.length, from, root(from).corners + 1});
       }
-      const std::int32_t point = triangle(t).corner[i];
+      const std::int32_t point = triangle(t).vertex[i];
       const std::size_t step = turn > 0 ? 1 : 2;
       for (bool first = true; t != Mesh::kWall; first = false) {
         i = place_in(t, point);
@@ -356,7 +356,7 @@ double GeodesicCones::to_corner(std::int32_t triangle, std::size_t k) const {
   return label_[at(fan_[3 * at(triangle) + k])];
 }
 Point GeodesicCones::corner(std::int32_t triangle, std::size_t k) const {
-  return mesh_.points()[at(mesh_.triangles()[at(triangle)].corner[k % 3])];
+  return mesh_.points()[at(mesh_.triangles()[at(triangle)].vertex[k % 3])];
 }
 
 bool GeodesicCones::meets(const Cone& cone, const Facet& facet) const {

@@ -77,8 +77,8 @@ GeodesicField::Sight GeodesicField::sight(const Point& p) const {
 }
 
 double GeodesicField::farthest() const { return farthest_of(impl_->cones); }
-std::vector<std::vector<GeodesicField::Arc>> GeodesicField::level(double l) const { return level_of(impl_->cones, l); }
-std::vector<Polyline> GeodesicField::cut(double chord) const { return cut_of(impl_->cones, chord); }
+std::vector<std::vector<GeodesicField::Arc>> GeodesicField::level_set(double l) const { return level_of(impl_->cones, l); }
+std::vector<Polyline> GeodesicField::cut_locus(double chord) const { return cut_of(impl_->cones, chord); }
 
 Polyline sampled(const std::vector<GeodesicField::Arc>& chain, double chord) {
   if (!(chord > 0)) throw std::invalid_argument("chord error of an arc must be above 0 metres");

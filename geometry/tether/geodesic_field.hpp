@@ -59,13 +59,13 @@ class GeodesicField {
   /// way to both runs along one ray), and ends at walls, at barriers, and where two different ways round an obstacle
   /// meet. A closed chain ends where it begins. Chains are in the order of their place round the anchor, by the first
   /// corner where their ways part. O(triangles + arcs) a question.
-  std::vector<std::vector<Arc>> level(double l) const;
+  std::vector<std::vector<Arc>> level_set(double l) const;
 
   /// The cut locus: where two or more shortest ways, different ones round an obstacle, meet. Pieces of hyperbolas as
   /// polylines with at most `chord` metres of error. They join each hole of free space (with barriers) to another or to
   /// the border, and meet each other in shared points; ends lie on walls (within 1e-6 of the map's extent). One
   /// polyline lies in one triangle; they are not joined into longer ones.
-  std::vector<Polyline> cut(double chord) const;
+  std::vector<Polyline> cut_locus(double chord) const;
 
   const Mesh& mesh() const;
 

@@ -217,7 +217,7 @@ void TautTether::drive(const Point& to, const std::function<void(const Swing&)>&
   Motion(*this, to, each).run();
 }
 
-Polyline TautTether::line() const {
+Polyline TautTether::polyline() const {
   Polyline line{anchor_};
   for (const Bend& bend : bends_) line.push_back(bend.at);
   line.push_back(robot_);

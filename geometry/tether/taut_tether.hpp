@@ -70,7 +70,7 @@ class TautTether {
   const Point& pivot() const { return bends_.empty() ? anchor_ : bends_.back().at; }
   double length() const { return before_.back() + distance(pivot(), robot_); }
   /// anchor, bends, robot (without repeated points, but at least anchor and robot).
-  Polyline line() const;
+  Polyline polyline() const;
 
  private:
   class Motion;

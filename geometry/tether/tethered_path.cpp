@@ -75,7 +75,7 @@ Polyline joined(Polyline first, const Polyline& second) {
 Polyline taut(const TautSpace& space, const Polyline& line) {
   TautTether string(space, line.front());
   string.drive(line);
-  return string.line();
+  return string.polyline();
 }
 
 /// From `string`'s robot to the goal in the class of the geodesic: back along `shadow` to the start, then through the
@@ -84,7 +84,7 @@ std::optional<Way> path_of_geodesic(const TetheredWorld::Impl& world, const Taut
                                    const Point& goal, bool pulled) {
   const auto out = world.cut_paths.path(shadow.anchor(), goal);
   if (!out) return std::nullopt;
-  const Polyline whole = joined(reversed(shadow.line()), *out);
+  const Polyline whole = joined(reversed(shadow.polyline()), *out);
   if (pulled)
     if (auto way = checked(world, string, taut(world.space, whole))) return way;
   return checked(world, string, whole);
@@ -93,7 +93,7 @@ std::optional<Way> path_of_geodesic(const TetheredWorld::Impl& world, const Taut
 /// Back along `shadow` until `goal` is in straight reach.
 std::optional<Way> path_untangled(const TetheredWorld::Impl& world, const TautTether& string, const TautTether& shadow,
                                  const Point& goal) {
-  const Polyline back = reversed(shadow.line());
+  const Polyline back = reversed(shadow.polyline());
   const double step = length(back) / 64;
   TautTether here = string;  // at back[k - 1]
   const auto leave = [&](TautTether from, const Point& place, Polyline driven) -> std::optional<Way> {
@@ -234,7 +234,7 @@ std::optional<TetheredRobot::Way> TetheredRobot::path_by_start(const Point& goal
     for (double slack = longest / 64; !way && slack <= longest; slack *= 4)
       if (auto out = geodesic_path(*world_, at(), goal, slack)) way = checked(world, string_, std::move(*out));
   } else {
-    const Polyline back = reversed(shadow_.line());
+    const Polyline back = reversed(shadow_.polyline());
     TetheredRobot home = *this;
     home.drive(back);
     if (auto out = home.path_to(goal, Retraction::automatic, budget))
@@ -245,7 +245,7 @@ std::optional<TetheredRobot::Way> TetheredRobot::path_by_start(const Point& goal
 }
 
 std::optional<TetheredRobot::Way> TetheredRobot::path_home() const {
-  return checked(world_->impl(), string_, reversed(shadow_.line()));
+  return checked(world_->impl(), string_, reversed(shadow_.polyline()));
 }
 
 void TetheredRobot::drive(const Polyline& points) {

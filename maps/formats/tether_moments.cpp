@@ -50,7 +50,7 @@ std::vector<TetherMoment> tether_moments(const Problem& problem, const Path& pat
   double driven = 0;
   std::size_t next = 0;
   const auto keep = [&] {
-    moments[next].line = string.line();
+    moments[next].line = string.polyline();
     moments[next].length = string.length();
     ++next;
   };

@@ -52,7 +52,7 @@ Map generate(const GeneratorInfo& info, const Settings& settings, std::uint64_t 
   // A promise of every generator: what breaks it is a fault here, and must not reach a results table.
   if (const auto flaw = find_flaw(map.free))
     throw std::logic_error(fmt::format("fault of generator '{}' ({}): {} at ({}, {})", info.name, map.source,
-                                       flaw->reason, flaw->place.x(), flaw->place.y()));
+                                       flaw->reason, flaw->point.x(), flaw->point.y()));
   if (map.free.polygons.size() != 1)
     throw std::logic_error(fmt::format("fault of generator '{}' ({}): {} polygons instead of 1", info.name, map.source,
                                        map.free.polygons.size()));

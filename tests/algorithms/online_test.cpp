@@ -249,9 +249,9 @@ TEST(Outline, ARoomSeenFromThreePlacesIsTheRoom) {
   EXPECT_LT(vertex_count(belief.region(0)), 30u);
   // The robot may touch a wall.
   const auto wall = EdgeIndex(room.map().free).nearest(room.start());
-  const Point by = wall->place + 0.2 * (room.start() - wall->place).normalized();
+  const Point by = wall->point + 0.2 * (room.start() - wall->point).normalized();
   EXPECT_TRUE(belief.free_for(room.start(), by, 0.2 - 1e-6));
-  EXPECT_FALSE(belief.free_for(room.start(), wall->place + 0.19 * (by - wall->place) / 0.2, 0.2 - 1e-6));
+  EXPECT_FALSE(belief.free_for(room.start(), wall->point + 0.19 * (by - wall->point) / 0.2, 0.2 - 1e-6));
 }
 
 Ring round_ring(double radius) {

@@ -40,7 +40,7 @@ inline TetherFigures drive_tethered(const Problem& problem, const Path& path, do
       const Point &a = leg.points[i - 1], &b = leg.points[i];
       const int n = std::max(1, static_cast<int>(std::ceil(distance(a, b) / step)));
       for (int k = 1; k <= n; ++k) {
-        const Polyline line = tether.line();
+        const Polyline line = tether.polyline();
         const Point from = tether.robot(), to = k == n ? b : lerp(a, b, static_cast<double>(k) / n);
         for (std::size_t s = 1; s + 1 < line.size(); ++s)
           if (crossing(from, to, line[s - 1], line[s]) == Crossing::proper) ++figures.crossings;

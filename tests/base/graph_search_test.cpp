@@ -147,9 +147,7 @@ TEST(Dijkstra, FromSeveralSourcesTheNearestCounts) {
     for (std::size_t i = 0; i < graph.size(); ++i) {
       const double least = std::min(2.0 + distance[0][i], 0.5 + distance[1][i]);
       ASSERT_EQ(tree.reached(i), least < kInf);
-      if (least < kInf) {
-        EXPECT_EQ(tree.cost(i), least);
-      }
+      if (least < kInf) { EXPECT_EQ(tree.cost(i), least); }
     }
   }
 }
@@ -211,9 +209,7 @@ TEST(ConnectedComponents, AreTheNodesAtFiniteDistance) {
       ASSERT_LE(components.of[i], next);  // numbered by their lowest nodes
       next = std::max(next, components.of[i] + 1);
       for (std::size_t j = 0; j < i; ++j)
-        if (contains(j)) {
-          EXPECT_EQ(components.of[i] == components.of[j], distance[i][j] < kInf);
-        }
+        if (contains(j)) { EXPECT_EQ(components.of[i] == components.of[j], distance[i][j] < kInf); }
     }
     EXPECT_EQ(components.count, next);
   }

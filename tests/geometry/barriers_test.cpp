@@ -148,7 +148,7 @@ TEST(Barriers, OtherPolygonsAreBehindWalls) {
 double mesh_area(const Mesh& mesh) {
   double sum = 0;
   for (const Mesh::Triangle& t : mesh.triangles()) {
-    const auto at = [&](std::size_t k) { return mesh.points()[static_cast<std::size_t>(t.corner[k])]; };
+    const auto at = [&](std::size_t k) { return mesh.points()[static_cast<std::size_t>(t.vertex[k])]; };
     sum += cross(at(1) - at(0), at(2) - at(0)) / 2;
   }
   return sum;

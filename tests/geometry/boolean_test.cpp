@@ -11,7 +11,7 @@ namespace {
 
 void expect_sound(const Region& r) {
   const auto flaw = find_flaw(r);
-  EXPECT_FALSE(flaw) << flaw->reason << " at " << flaw->place.transpose();
+  EXPECT_FALSE(flaw) << flaw->reason << " at " << flaw->point.transpose();
   for (const Polygon& p : r.polygons) {
     EXPECT_GT(signed_area(p.outer), 0);
     for (const Ring& h : p.holes) EXPECT_LT(signed_area(h), 0);

@@ -55,7 +55,7 @@ Point any_end(Rng& rng, const PathsOracle& oracle, const Mesh& mesh, const Box& 
         break;
       case 3: {
         const Mesh::Triangle& t = mesh.triangles()[rng.below(mesh.triangles().size())];
-        const auto at = [&](std::size_t i) { return mesh.points()[static_cast<std::size_t>(t.corner[i % 3])]; };
+        const auto at = [&](std::size_t i) { return mesh.points()[static_cast<std::size_t>(t.vertex[i % 3])]; };
         const std::size_t i = rng.below(3);
         p = on(at(i), at(i + 1));
         break;
@@ -204,7 +204,7 @@ TEST(ShortestPaths, TheStraightWayAlongAnEdgeOfTheMeshIsNotTooLong) {
     const Mesh::Triangle& t = paths.mesh().triangles()[rng.below(paths.mesh().triangles().size())];
     const std::size_t i = rng.below(3);
     if (t.neighbour[i] == Mesh::kWall) continue;
-    const auto at = [&](std::size_t k) { return paths.mesh().points()[static_cast<std::size_t>(t.corner[k % 3])]; };
+    const auto at = [&](std::size_t k) { return paths.mesh().points()[static_cast<std::size_t>(t.vertex[k % 3])]; };
     const Point a = lerp(at(i + 1), at(i + 2), rng.unit()), b = lerp(at(i + 1), at(i + 2), rng.unit());
     double first = kInf;
     EXPECT_TRUE(paths.for_each_taut_path(a, b, distance(a, b) * (1 + 1e-9), 10000, [&](const Polyline& line) {

@@ -44,7 +44,7 @@ class TautOracle {
       const Mesh::Triangle& t = triangle(sleeve_[i - 1]);
       std::size_t k = 0;
       while (t.neighbour[k] != sleeve_[i]) ++k;
-      doors.push_back({t.corner[(k + 1) % 3], t.corner[(k + 2) % 3]});
+      doors.push_back({t.vertex[(k + 1) % 3], t.vertex[(k + 2) % 3]});
     }
     const auto ends_at = [&](const std::array<std::int32_t, 2>& door, const Point& p) {
       return point(door[0]) == p || point(door[1]) == p;
@@ -84,7 +84,7 @@ class TautOracle {
 
   bool in_triangle(std::int32_t t, const Point& p) const {
     for (std::size_t k = 0; k < 3; ++k)
-      if (orientation(point(triangle(t).corner[k]), point(triangle(t).corner[(k + 1) % 3]), p) < 0) return false;
+      if (orientation(point(triangle(t).vertex[k]), point(triangle(t).vertex[(k + 1) % 3]), p) < 0) return false;
     return true;
   }
 
@@ -100,13 +100,13 @@ class TautOracle {
   bool step(const Point& q) {
     if (q == at_) return true;
     for (std::size_t k = 0; k < 3; ++k)
-      if (point(triangle(sleeve_.back()).corner[k]) == at_ && !turn_to(triangle(sleeve_.back()).corner[k], q))
+      if (point(triangle(sleeve_.back()).vertex[k]) == at_ && !turn_to(triangle(sleeve_.back()).vertex[k], q))
         return false;
     while (!in_triangle(sleeve_.back(), q)) {
       const Mesh::Triangle& t = triangle(sleeve_.back());
       std::int32_t next = Mesh::kWall;
       for (std::size_t k = 0; k < 3; ++k) {
-        const Point &a = point(t.corner[(k + 1) % 3]), &b = point(t.corner[(k + 2) % 3]);
+        const Point &a = point(t.vertex[(k + 1) % 3]), &b = point(t.vertex[(k + 2) % 3]);
         if (orientation(a, b, q) < 0 && orientation(at_, q, a) < 0 && orientation(at_, q, b) > 0) next = t.neighbour[k];
       }
       if (next == Mesh::kWall) return false;
@@ -124,8 +124,8 @@ class TautOracle {
       while (t != Mesh::kWall && std::find(passed.begin(), passed.end(), t) == passed.end()) {
         passed.push_back(t);
         std::size_t k = 0;
-        while (triangle(t).corner[k] != v) ++k;
-        const Point &a = point(triangle(t).corner[(k + 1) % 3]), &b = point(triangle(t).corner[(k + 2) % 3]);
+        while (triangle(t).vertex[k] != v) ++k;
+        const Point &a = point(triangle(t).vertex[(k + 1) % 3]), &b = point(triangle(t).vertex[(k + 2) % 3]);
         if (orientation(point(v), a, q) >= 0 && orientation(point(v), q, b) >= 0) {
           for (std::size_t i = 1; i < passed.size(); ++i) enter(passed[i]);
           return true;

@@ -121,7 +121,7 @@ struct World {
 
 /// Each part lies in free space and each bend turns about an obstacle at the right side.
 void expect_taut(const World& world, const TautTether& string) {
-  const Polyline line = string.line();
+  const Polyline line = string.polyline();
   for (std::size_t i = 1; i < line.size(); ++i) {
     EXPECT_TRUE(world.index.contains(line[i - 1], line[i]))
         << fmt::format("({}, {}) to ({}, {})", line[i - 1].x(), line[i - 1].y(), line[i].x(), line[i].y());
@@ -211,7 +211,7 @@ TEST(TautTether, IsLocallyShortestAndNeverLongerThanTheWay) {
       driven += distance(way[i - 1], way[i]);
       expect_taut(world, string);
       EXPECT_LE(string.length(), driven * (1 + 1e-12));
-      EXPECT_NEAR(string.length(), length(string.line()), 1e-9);
+      EXPECT_NEAR(string.length(), length(string.polyline()), 1e-9);
     }
   });
 }
@@ -426,7 +426,7 @@ TEST(TautTether, DrivesBackAlongItselfToNothing) {
   TautTether string(space, {2.5, 1});
   for (const Point& p : Polyline{{4, 1}, {4, 4}, {1, 4}, {1, 1}, {4, 1}}) string.drive(p);
   EXPECT_EQ(string.bends().size(), 4u);
-  Polyline back = string.line();
+  Polyline back = string.polyline();
   while (back.size() > 1) {
     back.pop_back();
     string.drive(lerp(string.robot(), back.back(), 0.5));
@@ -435,7 +435,7 @@ TEST(TautTether, DrivesBackAlongItselfToNothing) {
     EXPECT_EQ(string.bends().size(), back.size() > 1 ? back.size() - 2 : 0);
   }
   EXPECT_EQ(string.length(), 0);
-  EXPECT_THAT(string.line(), ElementsAre(Point(2.5, 1), Point(2.5, 1)));
+  EXPECT_THAT(string.polyline(), ElementsAre(Point(2.5, 1), Point(2.5, 1)));
 }
 
 TEST(TautTether, OfCornersInLineOnlyTheFarthestIsABend) {
@@ -557,7 +557,7 @@ TEST(TautTether, WithoutObstaclesItIsAStraightLine) {
   for (const TautSpace* space : {&nothing, &hall_only}) {
     TautTether string(*space, {0, 0});
     string.drive(Polyline{{2, 0}, {2, 1}, {0, 1}});
-    EXPECT_THAT(string.line(), ElementsAre(Point(0, 0), Point(0, 1)));
+    EXPECT_THAT(string.polyline(), ElementsAre(Point(0, 0), Point(0, 1)));
   }
 }
 
@@ -626,7 +626,7 @@ TEST(TautTether, EndsWhereverAWayLeadsThatNoRobotCanDrive) {  // through walls: 
                      rng.between(world.box.low.y() - 1, world.box.high.y() + 1));
       string.drive(rng.chance(0.3) ? world.mesh.points()[rng.below(world.mesh.points().size())] : to);
       ASSERT_TRUE(std::isfinite(string.length()));
-      ASSERT_NEAR(string.length(), length(string.line()), 1e-9 * (1 + string.length()));
+      ASSERT_NEAR(string.length(), length(string.polyline()), 1e-9 * (1 + string.length()));
     }
   }
 }

@@ -22,7 +22,7 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 /// The part of `space` within `longest` of the anchor... that holds `start`, cut open along the field's cut.
 Region cut_open(const Region& space, const GeodesicField& field, const Point& start) {
   constexpr double kWidth = 1e-4;
-  std::vector<Polyline> lines = field.cut(kWidth / 8);
+  std::vector<Polyline> lines = field.cut_locus(kWidth / 8);
   std::erase_if(lines, [](const Polyline& line) { return line.size() < 2 || length(line) <= 0; });
   for (Polyline& line : lines) {
     const Point first = line[0] - line[1], last = line[line.size() - 1] - line[line.size() - 2];
