@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "algorithms/lanes/lanes.hpp"
-#include "geometry/predicates.hpp"
+#include "geometry/convex_hull.hpp"
 
 namespace oxturn {
 namespace {
@@ -27,22 +27,6 @@ double half_turn(double degrees) {
 }
 
 double direction_of(const Point& d) { return half_turn(std::atan2(d.y(), d.x()) * 180 / kPi); }
-
-/// Convex hull, counter-clockwise, by Andrew's monotone chain.
-Ring hull(std::vector<Point> points) {
-  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return before(a, b); });
-  Ring chain;
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t base = chain.size();
-    for (const Point& p : points) {
-      while (chain.size() >= base + 2 && orientation(chain[chain.size() - 2], chain.back(), p) <= 0) chain.pop_back();
-      chain.push_back(p);
-    }
-    chain.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return chain;
-}
 
 /// Direction of the hull edge whose farthest vertex is nearest (rotating callipers): lanes along it are fewest.
 double narrowest_direction(const Ring& hull) {
@@ -131,8 +115,8 @@ std::vector<double> lane_directions(const Region& region) {
   add(90);
   std::vector<Point> points;
   for_each_ring(region, [&](const Ring& ring) { points.insert(points.end(), ring.begin(), ring.end()); });
-  const Ring outline = hull(points);
-  if (outline.size() >= 3) add(narrowest_direction(outline));
+  const Ring hull = convex_hull(std::move(points));
+  if (hull.size() >= 3) add(narrowest_direction(hull));
   return candidates;
 }
 
