@@ -75,7 +75,7 @@ namespace {
 
 using YInterval = std::pair<double, double>;  // low, high
 
-/// y of the edge at x, the same whichever way the edge runs.
+/// y of the edge at x, the same for both directions of the edge.
 double height_at(const Segment& e, double x) {
   const Point& a = before(e.a, e.b) ? e.a : e.b;
   const Point& b = before(e.a, e.b) ? e.b : e.a;

@@ -37,7 +37,7 @@ struct Strip {
   TourElement patterns() const;
 };
 
-/// One way to drive a strip.
+/// How a strip is driven.
 struct StripPattern {
   bool first_up;   // the first lane is driven from low to high
   bool backwards;  // the whole strip from its end to its beginning

@@ -27,7 +27,7 @@
 //             6. The tool is on along lines and on links between neighbouring lines. It is off on other jumps: they
 //                lead over covered ground and must cross it where an obstacle encloses the rest. `links_crossing`
 //                counts the pairs of crossing links with the tool on, `transits_crossing` the other pairs.
-//             7. `nearest = air` is the source: straight distance, even through a wall. `nearest = way` (ours) takes
+//             7. `nearest = air` is the source: straight distance, even through a wall. `nearest = path` (ours) takes
 //                the point with the shortest path.
 //             8. Where the cells of TLPPA admit no path, the exact shortest path is driven and counted as
 //                `tlppa_failed`.
@@ -366,8 +366,8 @@ PlannerInfo hyun() {
                        "both: contacts at both ends; alternate: those of one side on each line, as in the source"},
                       {"rules", &Params::rules, Choices{"improved", "published"},
                        "improved: back and forth, without crossings; published: the steps as printed"},
-                      {"nearest", &Params::nearest, Choices{"air", "way"},
-                       "nearest remaining point by straight distance (air) or by path length (way)"},
+                      {"nearest", &Params::nearest, Choices{"air", "path"},
+                       "nearest remaining point by straight distance (air) or by path length (path)"},
                       {"transit", &Params::transit, Choices{"tlppa", "visibility"},
                        "where the straight segment is blocked: two-level grid search, or the exact shortest path"},
                       {"cell_size", &Params::cell_size, Range{0, 1000},

@@ -15,7 +15,7 @@
 //             fit = literal, small_parts = drop and larger margins leave gaps, as in the source.
 // Complexity  O((n + k) log n) for n vertices and k crossings of parts with slab lines, plus the partition (convex:
 //             cubic, at most 150 vertices), plus the tour: about O(m log m) steps and path searches for m strips
-// Decisions   1. The source places a line through the start vertex. That line has no two intersections there, and the
+// Decisions   1. The source draws a line through the start vertex. That line has no two intersections there, and the
 //                loop would end. The first line is w/2 inside the part (literal), or slabs are fitted (cover).
 //             2. cover: all parts share one set of slabs. Where two parts reach into the same slab, each height
 //                belongs to one of them, the larger part first, so a seam between parts costs no second lane.

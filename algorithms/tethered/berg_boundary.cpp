@@ -193,7 +193,7 @@ void BergBoundary::add_dividers(std::size_t v, double longest) {
       offer(foot, lerp(foot, node.at, std::min(1.0, tolerance_ / rho)), HiddenSide::none);
   };
   for (const BergSight::Corner& c : sight_.corners()) {
-    // Does the wall come nearer on the way from the corner to its neighbour?
+    // Does the wall come nearer to the node from the corner towards its neighbour?
     const bool nearer_at_next = (c.next - c.at).dot(node.at - c.at) > 0;
     const bool nearer_at_previous = (c.previous - c.at).dot(node.at - c.at) > 0;
     if (!nearer_at_next && !nearer_at_previous && in_sector(node, c.at) && BergSight::open_towards(c, node.at))

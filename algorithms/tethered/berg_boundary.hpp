@@ -16,8 +16,8 @@
 ///             boundary: one test of sight per sample.
 /// Decisions   1. A corner is looked at once, by the node that reaches it with the least tether ("when a corner is
 ///                passed but not included it is never considered for the algorithm again"). Without this rule the
-///                tether would wind round obstacles in every way that its length allows, which are exponentially many.
-///                With it each node lies on the true shortest path, and only behind an obstacle the last nodes' arcs
+///                tether would wind round obstacles as its length allows, in exponentially many classes. With the rule
+///                each node lies on the true shortest path, and only behind an obstacle the last nodes' arcs
 ///                overlap.
 ///             2. Sight is exact: a corner that the line of sight touches does not hide what is behind it, so a corner
 ///                cannot hide itself (Berg 2021 removes the grid cells next to it).

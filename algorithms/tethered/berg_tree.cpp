@@ -89,7 +89,7 @@ std::vector<std::size_t> BergTree::dividers_on(Turn turn, std::size_t from, std:
 std::vector<std::size_t> BergTree::between(std::size_t from, std::size_t to) const {
   if (grew_from(to, from) || grew_from(from, to)) return {};
   std::vector<std::size_t> best;
-  double farthest = -1;  // lowest divider of the best way round
+  double farthest = -1;  // lowest divider in the best direction
   for (const Turn turn : {Turn::left, Turn::right}) {
     const std::vector<std::size_t> all = dividers_on(turn, from, to);
     const auto lowest = std::min_element(all.begin(), all.end(),

@@ -12,7 +12,7 @@
 ///                fits.
 ///             2. On the path from one piece to another the robot passes the gate of the lowest divider in between, and
 ///                on both sides of it the gates of the dividers that are lower than all before them, seen from the end
-///                of the path. Of the two ways round the boundary it takes the one whose lowest gate lies farther out.
+///                of the path. It turns to the side where the lowest gate lies farther out.
 #pragma once
 
 #include <functional>

@@ -210,8 +210,9 @@ std::vector<LevelSet> level_sets(const TetherSpace& space, const Region& region,
   if (inner.empty()) return all;
   Trimmer trimmer(region, inner, spacing, chord);
   const double end = std::min(space.tether_length(), space.field().farthest());
-  for (std::size_t k = 0; (static_cast<double>(k) + 0.5) * spacing < end; ++k)
-    for (const auto& chain : space.field().level_set((static_cast<double>(k) + 0.5) * spacing)) trimmer.trim(chain, k, all);
+  const auto distance_of = [&](std::size_t level) { return (static_cast<double>(level) + 0.5) * spacing; };
+  for (std::size_t k = 0; distance_of(k) < end; ++k)
+    for (const auto& chain : space.field().level_set(distance_of(k))) trimmer.trim(chain, k, all);
   return all;
 }
 

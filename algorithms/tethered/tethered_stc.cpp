@@ -7,7 +7,7 @@
 //             length, if the anchor is elsewhere), and never driven over
 // Complexity  O(lattice nodes)
 // Decisions   1. The tree grows in the space cut open along the anchor's cut locus (tether_space.hpp). Round a tree in
-//                the uncut space the tether lies in the tree's class, which behind an obstacle may be the longer way.
+//                the uncut space the tether lies in the tree's class, which behind an obstacle may be the longer one.
 //             2. The robot starts at a sub-cell's centre. Of the four positions of that sub-cell in its coarse cell the
 //                one with the most cells is taken.
 //             3. `reach = depth`: cells with depth * 2D + sqrt 2 * D above the tether length are omitted. Depth is

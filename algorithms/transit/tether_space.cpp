@@ -82,7 +82,7 @@ void TetherSpace::cut_open() {
   for (const Polygon& polygon : all.polygons)  // the guarantees of all users rest on this
     if (!polygon.holes.empty())
       throw std::logic_error(
-          fmt::format("the cut locus of '{}' does not cut open the way round the obstacle at ({:.6g}, {:.6g})",
+          fmt::format("the cut locus of '{}' leaves a closed path round the obstacle at ({:.6g}, {:.6g})",
                       problem_.map().name, polygon.holes[0][0].x(), polygon.holes[0][0].y()));
   components_.push_back({problem_.restricted(Region{{*home}}), {problem_.start()}});
   all.polygons.erase(home);

@@ -22,8 +22,8 @@ struct Params : SiteSettings {
   int disc_chords = 32;
 };
 
-constexpr int kTries = 5000;            // to place one obstacle
-constexpr int kAttempts = 6;            // to place all
+constexpr int kTries = 5000;            // to find a position for one obstacle
+constexpr int kAttempts = 6;            // for all obstacles
 constexpr double kMostObstacles = 1e7;  // roughly
 
 struct Obstacle {
@@ -73,7 +73,7 @@ std::vector<Obstacle> drawn(const Params& p, double most, Rng& rng) {
 }
 
 /// Moves the obstacles to random positions; returns how many fit.
-std::size_t place(std::vector<Obstacle>& obstacles, const Params& p, double most, Rng& rng) {
+std::size_t move_apart(std::vector<Obstacle>& obstacles, const Params& p, double most, Rng& rng) {
   const double gap = narrowest_passage(p);
   Spacing spacing(p.width, p.height, most, gap);
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
@@ -110,7 +110,7 @@ Region make(const Params& p, Rng& rng) {
                           " m; raise least or lower density");
   for (int attempt = 1;; ++attempt) {
     std::vector<Obstacle> obstacles = drawn(p, most, rng);
-    const std::size_t fit = place(obstacles, p, most, rng);
+    const std::size_t fit = move_apart(obstacles, p, most, rng);
     if (fit < obstacles.size() && attempt < kAttempts) continue;  // other obstacles may fit
     if (fit < obstacles.size())
       refuse("clutter", "density " + number(p.density) + " cannot be reached: only " + std::to_string(fit) + " of " +

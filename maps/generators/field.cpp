@@ -25,7 +25,7 @@ struct Params : SiteSettings {
   double pond_area = 0.12;
 };
 
-constexpr int kTries = 20000;  // to place one pond
+constexpr int kTries = 20000;  // to find a position for one pond
 constexpr double kPublishedVertices = 71, kPublishedPonds = 15;
 constexpr double kFirstCut = 0.18,
                  kCutRatio = 0.4;  // most that rounding cuts off an edge: first, then from time to time

@@ -48,7 +48,7 @@ class Plan {
 
   /// Divides `r` into n rooms; leaves the plan as it was and returns false if that fails.
   bool halve(const Rect& r, int n, bool corridors_wanted) {
-    // Without a limit, a tight floor would be tried in exponentially many ways. Another attempt is cheap.
+    // Without a limit a tight floor takes exponential time. Another attempt is cheap.
     if (++calls_ > static_cast<long long>(kCallsPerRoom) * p_.rooms + kMoreCalls) return false;
     if (n == 1) {
       rooms.push_back(r);
@@ -75,8 +75,8 @@ class Plan {
     if (usable < 2 * least_) return false;
     const double share = 0.5 + p_.jitter * rng_.between(-0.3, 0.3);
     const int n1 = std::clamp(static_cast<int>(n * share + 0.5), 1, n - 1);
-    const double place = static_cast<double>(n1) / n + (n == 2 ? p_.jitter * rng_.between(-0.2, 0.2) : 0);
-    const int at = std::clamp(static_cast<int>(usable * place + 0.5), least_, usable - least_);
+    const double position = static_cast<double>(n1) / n + (n == 2 ? p_.jitter * rng_.between(-0.2, 0.2) : 0);
+    const int at = std::clamp(static_cast<int>(usable * position + 0.5), least_, usable - least_);
     Rect a = r, b = r, strip = r;
     if (axis == 0) {
       a.x1 = r.x0 + at, b.x0 = a.x1 + thick, strip.x0 = a.x1 + 1, strip.x1 = b.x0 - 1;

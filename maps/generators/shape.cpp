@@ -155,14 +155,14 @@ Ring cut_vertices(const Ring& ring, double share, double most) {
 
 Region placed(const Region& lattice, const std::vector<double>& xs, const std::vector<double>& ys) {
   Region result = lattice;
-  const auto place = [&](Ring& ring) {
+  const auto look_up = [&](Ring& ring) {
     for (Point& p : ring)
       p = {xs[static_cast<std::size_t>(std::floor(p.x() + 0.5))],
            ys[static_cast<std::size_t>(std::floor(p.y() + 0.5))]};
   };
   for (Polygon& polygon : result.polygons) {
-    place(polygon.outer);
-    for (Ring& hole : polygon.holes) place(hole);
+    look_up(polygon.outer);
+    for (Ring& hole : polygon.holes) look_up(hole);
   }
   return result;
 }

@@ -132,7 +132,7 @@ TEST(Hyun, LinksNeverCross) {
     const std::optional<Problem> made = small_problem(seed);
     if (!made) continue;
     Records records;
-    const Path path = plan_hyun(*made, setting("nearest", seed % 2 == 0 ? "air" : "way"), &records);
+    const Path path = plan_hyun(*made, setting("nearest", seed % 2 == 0 ? "air" : "path"), &records);
     EXPECT_EQ(records["links_crossing"], 0);
     std::vector<std::pair<Point, Point>> on;
     for (const Leg& leg : path.legs)
@@ -346,7 +346,7 @@ TEST(Hyun, ThePublishedRulesEndToo) {
 // The arms of a spiral: the nearest point by straight distance is behind the wall, and the path to it goes round.
 TEST(Hyun, ByPathLengthItDoesNotGoBackAndForthBetweenArms) {
   const Problem problem(generate("spiral", {{"width", 12.0}, {"height", 12.0}}, 3), Robot{});
-  const Path by_air = plan_hyun(problem), by_path = plan_hyun(problem, setting("nearest", "way"));
+  const Path by_air = plan_hyun(problem), by_path = plan_hyun(problem, setting("nearest", "path"));
   EXPECT_EQ(find_flaw(problem, by_air), "");
   EXPECT_EQ(find_flaw(problem, by_path), "");
   EXPECT_LT(by_path.length(false), 0.5 * by_air.length(false));

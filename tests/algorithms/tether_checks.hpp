@@ -22,8 +22,8 @@ struct TetherFigures {        // metres
   int crossings = 0;          // how often the robot drives over its own tether
 };
 
-/// Drives the path, its segments divided into parts of at most `step` metres. Crossings by brute force over all segments
-/// of the tether but the last.
+/// Drives the path, its segments divided into parts of at most `step` metres. Crossings by brute force over all
+/// segments of the tether but the last.
 inline TetherFigures drive_tethered(const Problem& problem, const Path& path, double step) {
   TetherFigures figures;
   TautTether tether(problem.tether()->taut_space(), problem.anchor());

@@ -22,8 +22,8 @@ using Cell = std::pair<int, int>;
 
 const double kSide = 0.4 / std::sqrt(2.0);
 
-/// Cells about the start by definition, each with its depth: centres `side` apart, neighbours if the segment between the
-/// centres lies in `space`.
+/// Cells about the start by definition, each with its depth: centres `side` apart, neighbours if the segment between
+/// the centres lies in `space`.
 std::map<Cell, int> flood(const Region& space, const Point& start, double side) {
   const EdgeIndex walls(space);
   std::map<Cell, int> depth{{{0, 0}, 0}};
@@ -70,8 +70,8 @@ Path expect_sound(const std::string& planner, const Problem& problem, const Sett
 
 // ----------------------------------------------------------------------------------------------- shnaps-rimon
 
-/// Where the robot must have been: at the centres of the flood's cells; with `any`, for every other cell of the lattice at
-/// the point of `space` nearest to its centre, if that lies in the cell. By a scan of all edges.
+/// Where the robot must have been: at the centres of the flood's cells; with `any`, for every other cell of the lattice
+/// at the point of `space` nearest to its centre, if that lies in the cell. By a scan of all edges.
 std::vector<Point> points_wanted(const Region& space, const Point& start, double side, bool any) {
   const std::map<Cell, int> joined = flood(space, start, side);
   std::vector<Point> points;

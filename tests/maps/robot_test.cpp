@@ -36,7 +36,10 @@ TEST(Robot, EachNumberIsChecked) {
 
 TEST(Robot, SettingsThereAndBack) {
   Robot robot;
-  change(robot, {{"name", std::string("cleaner")}, {"radius", 0.17}, {"tether_length", 12.0}, {"lidar_range", 6.0},
+  change(robot, {{"name", std::string("cleaner")},
+                 {"radius", 0.17},
+                 {"tether_length", 12.0},
+                 {"lidar_range", 6.0},
                  {"lidar_rays", std::int64_t{360}}});
   Robot back;
   change(back, settings_of(robot));
@@ -48,14 +51,14 @@ TEST(Robot, SettingsThereAndBack) {
   EXPECT_EQ(canonical_text(back), canonical_text(robot));
 }
 
-// Every parameter changes the robot, and what is written of it: a field that is described nowhere else cannot be lost.
+// Every parameter changes the robot and its written form, so no field can be lost.
 TEST(Robot, EveryParameterIsWrittenAndHashed) {
   for (const Parameter<Robot>& parameter : robot_parameters()) {
     const std::string& name = parameter.info.name;
     if (name == "name") continue;
     SCOPED_TRACE(name);
     const Value plain = parameter.get(Robot{});
-    const Value other = name == "footprint"                         ? Value(std::string("octagon:1"))
+    const Value other = name == "footprint"                           ? Value(std::string("octagon:1"))
                         : std::holds_alternative<std::int64_t>(plain) ? Value(std::int64_t{7})
                                                                       : Value(0.375);
     Robot robot;
@@ -77,7 +80,9 @@ TEST(Robot, WhatReplacesWhat) {
   change(robot, {{"tether_length", 5.0}});
   change(robot, {{"tether_reach", 1.5}});
   EXPECT_EQ(robot.tether->length, 0);
-  EXPECT_THAT(complaint([&] { change(robot, {{"radius", 0.3}, {"footprint", std::string("square:1")}}); }),
+  EXPECT_THAT(complaint([&] {
+                change(robot, {{"radius", 0.3}, {"footprint", std::string("square:1")}});
+              }),
               HasSubstr("a radius and a footprint"));
   EXPECT_THAT(complaint([&] { change(robot, {{"rays", 3.0}}); }), HasSubstr("unknown parameter 'rays' of robot"));
 }
