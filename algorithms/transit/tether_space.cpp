@@ -21,14 +21,19 @@
 namespace oxturn {
 namespace {
 
-/// Decision 1.
+constexpr double kStripsPerRadius = 100;    // decision 1
+constexpr double kStripsPerTool = 200;
+constexpr int kLeastStripBits = -22;         // at least 2^this of the map's extent: cut_along() needs 2^-26
+constexpr double kComponentsPerTool = 100;  // decision 4
+constexpr double kEntrySlack = 6;            // radii by which the tether may be longer than the geodesic at an entry
+
 double width_of(const Problem& problem, const std::string& planner) {
   const Robot& robot = problem.robot();
   if (!robot.tether)
     throw Unsupported(fmt::format("planner '{}' needs a robot with a tether; robot '{}' has none (tether.length)",
                                   planner, robot.name));
-  const double wanted = robot.radius > 0 ? robot.radius / 100 : robot.tool_width / 200;
-  return std::max(wanted, std::ldexp(bounding_box(problem.configuration_space()).size().maxCoeff(), -22));
+  const double wanted = robot.radius > 0 ? robot.radius / kStripsPerRadius : robot.tool_width / kStripsPerTool;
+  return std::max(wanted, std::ldexp(bounding_box(problem.configuration_space()).size().maxCoeff(), kLeastStripBits));
 }
 
 /// The lines of the cut that meet the bounding box of configuration space.
@@ -86,7 +91,7 @@ void TetherSpace::cut_open() {
 }
 
 void TetherSpace::add_components(std::vector<Polygon> others) {
-  const double least_area = problem_.robot().tool_width * problem_.robot().tool_width / 100;
+  const double least_area = problem_.robot().tool_width * problem_.robot().tool_width / kComponentsPerTool;
   struct Found {
     double away;
     Polygon* component;
@@ -99,7 +104,7 @@ void TetherSpace::add_components(std::vector<Polygon> others) {
     if (entry)
       found.push_back({field().distance(entry->entry), &component, std::move(*entry)});
     else
-      slivers_.polygons.push_back(component);
+      unreached_.polygons.push_back(component);
   }
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.away < b.away; });
   for (Found& f : found)
@@ -114,7 +119,7 @@ std::optional<TetherSpace::EntryPath> TetherSpace::path_into(const Polygon& comp
     return da != db ? da < db : before(a, b);
   };
   const Point entry = *std::min_element(component.outer.begin(), component.outer.end(), nearer);
-  auto path = geodesic_path(world(), problem_.start(), entry, 6 * problem_.robot().radius + width_);
+  auto path = geodesic_path(world(), problem_.start(), entry, kEntrySlack * problem_.robot().radius + width_);
   if (!path || !within_tether(problem_.start(), *path)) return std::nullopt;
   return EntryPath{entry, std::move(*path)};
 }

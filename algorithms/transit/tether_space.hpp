@@ -58,7 +58,7 @@ class TetherSpace {
   const Region& cut_space() const { return cut_problem().configuration_space(); }
   const Problem& cut_problem() const { return components_.front().problem; }
   /// Components that the tether does not let the robot enter, or that are too small.
-  const Region& slivers() const { return slivers_; }
+  const Region& unreached() const { return unreached_; }
 
   /// From a point of one component to a point of another (or the same). At both ends the tether is the geodesic, and it
   /// is within its length on the way.
@@ -82,7 +82,7 @@ class TetherSpace {
   double width_;
   std::vector<Polyline> cut_;
   std::vector<Component> components_;
-  Region slivers_;
+  Region unreached_;
   mutable std::unique_ptr<const TetheredWorld> world_;
 };
 
