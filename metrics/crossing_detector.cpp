@@ -56,7 +56,8 @@ std::vector<Point> CrossingDetector::crossings(const TautTether& tether, const P
   }
   follow_contacts(touched, a, b, found);
 
-  std::stable_sort(found.begin(), found.end(), [](const Candidate& p, const Candidate& q) { return p.along < q.along; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Candidate& p, const Candidate& q) { return p.along < q.along; });
   std::vector<Point> result;
   std::vector<const Candidate*> kept;
   for (const Candidate& candidate : found) {

@@ -84,7 +84,8 @@ std::optional<FootprintHit> first_hit(const Path& path, const Ring& footprint, d
       const Point &a = leg.points[i - 1], &b = leg.points[i];
       if (!hits(footprint, scale, a, b, walls)) continue;
       const bool at_once = hits(footprint, scale, a, a, walls);
-      const double t = at_once ? 0 : last_free([&](double s) { return !hits(footprint, scale, a, lerp(a, b, s), walls); });
+      const double t =
+          at_once ? 0 : last_free([&](double s) { return !hits(footprint, scale, a, lerp(a, b, s), walls); });
       return FootprintHit{lerp(a, b, t), depth(footprint, a, b, walls)};
     }
   return std::nullopt;

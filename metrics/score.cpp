@@ -14,11 +14,29 @@ extern const Metric kTetherLimitM, kTetherMaxM, kTetherBendsMax, kTetherAngleMin
 extern const Metric kTetherSharpFraction, kTetherCrossings, kTetherEntangled;
 
 Metrics built_in_metrics() {
-  return Metrics("metric", {kCoverage, kCoverageLower, kCoverageUpper, kCoverageOfFree, kTargetM2,
-                            kPathM, kWorkM, kTransitM, kLengthRatio, kOverlap, kRevisits,
-                            kTurns, kTurnRad, kClearanceM, kMissionS,
-                            kTetherLimitM, kTetherMaxM, kTetherBendsMax, kTetherAngleMinRad, kTetherAngleMeanRad,
-                            kTetherSharpFraction, kTetherCrossings, kTetherEntangled});
+  return Metrics("metric", {kCoverage,
+                            kCoverageLower,
+                            kCoverageUpper,
+                            kCoverageOfFree,
+                            kTargetM2,
+                            kPathM,
+                            kWorkM,
+                            kTransitM,
+                            kLengthRatio,
+                            kOverlap,
+                            kRevisits,
+                            kTurns,
+                            kTurnRad,
+                            kClearanceM,
+                            kMissionS,
+                            kTetherLimitM,
+                            kTetherMaxM,
+                            kTetherBendsMax,
+                            kTetherAngleMinRad,
+                            kTetherAngleMeanRad,
+                            kTetherSharpFraction,
+                            kTetherCrossings,
+                            kTetherEntangled});
 }
 
 std::string to_text(Better better) {

@@ -9,9 +9,9 @@
 namespace oxturn {
 namespace {
 
-constexpr int kAttempts = 4;        // with smaller and smaller budgets
-constexpr double kReach = 3;        // tool radii beyond the target's box that count (Decision 1)
-constexpr double kArcsAtLeast = 10; // `certainty` over what the arcs get if the target's own error takes the rest
+constexpr int kAttempts = 4;         // with smaller and smaller budgets
+constexpr double kReach = 3;         // tool radii beyond the target's box that count (Decision 1)
+constexpr double kArcsAtLeast = 10;  // `certainty` over what the arcs get if the target's own error takes the rest
 
 void check(double width, const Path& path) {
   if (!(width > 0)) throw std::invalid_argument("tool width is not above 0, expected metres");

@@ -73,7 +73,7 @@ class TargetRows {
   std::int64_t row_ = 0;
   std::vector<InRow> in_row_;  // by first column
   std::size_t next_in_row_ = 0;
-  std::vector<InRow> here_;  // those of the present column
+  std::vector<InRow> here_;                  // those of the present column
   std::vector<TileTarget::Step> crossings_;  // of the row's lower line, by x
   std::size_t next_crossing_ = 0;
   int winding_ = 0;

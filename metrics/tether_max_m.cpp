@@ -6,7 +6,8 @@ namespace oxturn {
 
 extern const Metric kTetherMaxM;
 
-const Metric kTetherMaxM{"tether_max_m", "m", Better::lower, "longest taut tether along the path; empty: no tether, or the path jumps or leaves free space",
+const Metric kTetherMaxM{"tether_max_m", "m", Better::lower,
+                         "longest taut tether along the path; empty: no tether, or the path jumps or leaves free space",
                          [](const Scored& s) { return s.tether ? std::optional(s.tether->longest_m) : std::nullopt; }};
 
 }  // namespace oxturn

@@ -85,8 +85,7 @@ void TileScan::add_near(std::int64_t row, std::uint32_t capsule) {
   double from = std::min(k.a.x, k.b.x), to = std::max(k.a.x, k.b.x);
   if (k.a.y != k.b.y) {  // the part of the segment within a radius of the row
     const double slope = (k.b.x - k.a.x) / (k.b.y - k.a.y);
-    const double x0 = k.a.x + (low - kToolRadius - k.a.y) * slope,
-                 x1 = k.a.x + (low + 1 + kToolRadius - k.a.y) * slope;
+    const double x0 = k.a.x + (low - kToolRadius - k.a.y) * slope, x1 = k.a.x + (low + 1 + kToolRadius - k.a.y) * slope;
     from = std::max(from, std::min(x0, x1));
     to = std::min(to, std::max(x0, x1));
   }
@@ -102,14 +101,13 @@ void TileScan::sort_near() {
   const auto nearer = [](const Near& l, const Near& r) {
     return l.distance2 != r.distance2 ? l.distance2 < r.distance2 : l.capsule < r.capsule;
   };
-  const auto [least, most] = std::minmax_element(
-      near_.begin(), near_.end(), [](const Near& l, const Near& r) { return l.column < r.column; });
+  const auto [least, most] =
+      std::minmax_element(near_.begin(), near_.end(), [](const Near& l, const Near& r) { return l.column < r.column; });
   const std::int64_t base = least->column;
   const auto columns = static_cast<std::uint64_t>(most->column - base) + 1;
   if (columns > 8 * near_.size() + 64) {
-    std::sort(near_.begin(), near_.end(), [&](const Near& l, const Near& r) {
-      return l.column != r.column ? l.column < r.column : nearer(l, r);
-    });
+    std::sort(near_.begin(), near_.end(),
+              [&](const Near& l, const Near& r) { return l.column != r.column ? l.column < r.column : nearer(l, r); });
     return;
   }
   first_of_column_.assign(columns + 1, 0);

@@ -13,7 +13,8 @@ extern const Metric kTurnRad;
 
 namespace {
 
-constexpr double kTangent = 0.75;  // a last change below this share of the one before: the curve continues in its tangent
+constexpr double kTangent =
+    0.75;  // a last change below this share of the one before: the curve continues in its tangent
 
 /// One end of a curve: `last` and `inner` are its last two changes, `chord` metres apart. `out` metres lead on from
 /// `last`, to the path's end or to the next change.

@@ -70,8 +70,7 @@ std::string find_flaw(const Problem& problem, const Path& path, const EdgeIndex&
   if (!problem.robot().footprint.empty()) return find_footprint_flaw(problem, path, walls);
   for (const Leg& leg : path.legs)
     for (std::size_t i = 1; i < leg.points.size(); ++i) {
-      std::string flaw =
-          find_disc_flaw(leg.points[i - 1], leg.points[i], problem.robot().radius, tolerance, walls);
+      std::string flaw = find_disc_flaw(leg.points[i - 1], leg.points[i], problem.robot().radius, tolerance, walls);
       if (!flaw.empty()) return flaw;
     }
   return "";

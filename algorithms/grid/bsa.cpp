@@ -117,17 +117,10 @@ class Spirals {
   std::vector<Cell> points_;                 // to go back to, for Backtrack::latest
 };
 
-class Bsa final : public CoveragePlanner {
- public:
-  explicit Bsa(Params p) : p_(p) {}
-  Path plan(const Problem& problem, Context& context) const override {
-    return walk_spirals(problem, context, p_,
-                        [&](CellWalk& walk, WallFollower* walls) { Spirals(walk, walls, p_.backtrack).run(); });
-  }
-
- private:
-  Params p_;
-};
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  return walk_spirals(problem, context, p,
+                      [&](CellWalk& walk, WallFollower* walls) { Spirals(walk, walls, p.backtrack).run(); });
+}
 
 }  // namespace
 

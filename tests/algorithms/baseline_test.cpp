@@ -116,7 +116,7 @@ TEST(Habits, AreValidDeterministicAndStopByTheirRule) {
       const Problem problem(generate(generator, settings, seed), Robot{});
       for (const std::string& habit : kHabits) {
         SCOPED_TRACE(fmt::format("{} on {} --seed {}", habit, generator, seed));
-        const Planned a = plan_recorded(habit, problem, {{"passes", 4.0}}, seed),
+        const RecordedPlan a = plan_recorded(habit, problem, {{"passes", 4.0}}, seed),
                       b = plan_recorded(habit, problem, {{"passes", 4.0}}, seed);
         EXPECT_EQ(find_flaw(problem, a.path), "");
         ASSERT_EQ(a.path.legs.size(), 1u);

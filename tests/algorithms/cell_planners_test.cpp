@@ -129,7 +129,7 @@ TEST(CellPlanners, VisitEveryReachableCell) {
     for (const Variant& variant : complete_planners()) {
       Settings settings = on_letters(variant.name);
       settings.insert(variant.settings.begin(), variant.settings.end());
-      const Planned result = plan_recorded(variant.name, problem, settings);
+      const RecordedPlan result = plan_recorded(variant.name, problem, settings);
       ASSERT_EQ(cells_under(result.path, drawn_map.start()), reachable) << variant.name;
       ASSERT_EQ(result.figures.at("cells"), static_cast<double>(reachable.size())) << variant.name;
       if (seed % 8 == 0) { ASSERT_EQ(find_flaw(problem, result.path), "") << variant.name; }
@@ -208,7 +208,7 @@ std::optional<Drawn> explorers_world(std::uint64_t seed, bool holes) {
   return map;
 }
 
-int moves(const Planned& result, const Drawn& map) {
+int moves(const RecordedPlan& result, const Drawn& map) {
   EXPECT_EQ(cells_under(result.path, map.start()), map.reachable());
   const Point end = result.path.legs.back().points.back();
   EXPECT_LT(distance(end, *drawn_point(map.rows, 'S')), 1e-9) << "does not return to the start";
@@ -329,7 +329,7 @@ TEST(CellPlanners, ByLidarTheSameCellsAsOnTheMap) {
   const Problem problem = drawn(map.rows, {.cell = 0.5, .robot = robot});
   for (const char* name : {"bsa", "linked-spiral", "ba-star", "smart-dfs", "cell-explore"}) {
     SCOPED_TRACE(name);
-    const Planned seen = plan_recorded(name, problem, {{"sensing", std::string("lidar")}, {"cell_size", 0.5}});
+    const RecordedPlan seen = plan_recorded(name, problem, {{"sensing", std::string("lidar")}, {"cell_size", 0.5}});
     EXPECT_EQ(find_flaw(problem, seen.path), "");
     EXPECT_EQ(seen.figures.at("cells"), static_cast<double>(map.reachable().size()));
   }

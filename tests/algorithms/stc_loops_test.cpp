@@ -249,7 +249,7 @@ TEST(StcLoops, ValidOnThousandsOfDrawnMaps) {
     const auto drawing = random_drawing(rng, 7, 6, 0.4 * rng.unit());
     const Problem problem = drawn(drawing, {.cell = cell});
     for (const char* fill : {"none", "spots"}) {
-      Planned run;
+      RecordedPlan run;
       try {
         run = plan_recorded("stc-loops", problem, {{"fill", std::string(fill)}, {"close_loops", seed % 2 == 0}});
       } catch (const Infeasible&) { continue; }
@@ -287,7 +287,7 @@ TEST(StcLoops, ASquarePillarHasOneUnbrokenLoop) {
   const Settings slides{{"fill", std::string("none")}};
   Settings walked = slides;
   walked["close_loops"] = false;
-  const Planned once = plan_recorded("stc-loops", problem, slides), twice = plan_recorded("stc-loops", problem, walked);
+  const RecordedPlan once = plan_recorded("stc-loops", problem, slides), twice = plan_recorded("stc-loops", problem, walked);
   EXPECT_EQ(once.figures.at("loops"), 2);
   EXPECT_EQ(once.figures.at("broken_loops"), 0);
   EXPECT_EQ(once.figures.at("chains"), 2);
@@ -305,7 +305,7 @@ TEST(StcLoops, LoopsBrokenInManyPlaces) {
     room.holes.push_back({{x, 0.3}, {x, 1.2}, {x + 0.9, 1.2}, {x + 0.9, 0.3}});
   }
   const Problem problem({"pillars", {{room}}, "test", ""}, Robot{}, Point(1, 3));
-  const Planned run = plan_recorded("stc-loops", problem);
+  const RecordedPlan run = plan_recorded("stc-loops", problem);
   EXPECT_EQ(run.figures.at("loops"), 7);
   EXPECT_EQ(run.figures.at("broken_loops"), 7);
   EXPECT_GE(run.figures.at("chains"), 7);

@@ -186,8 +186,8 @@ TEST(ShortestPaths, AgreesWithAVisibilityGraphInPetalsThatTouchInOnePoint) {
 TEST(ShortestPaths, LeavesAnEdgeOfTheMeshOnBothSides) {
   const Region bend{{{{{0, 0}, {4, 0}, {4, 1.25}, {2, 1.5}, {1.5, 2}, {1.25, 4}, {0, 4}}, {}}}};
   const ShortestPaths paths(bend, 1e-9);
-  for (const Point b : {Point(3.5, 0.25), Point(0.25, 3.5)})
-    for (const Point a : {Point(1, 0.75), Point(0.75, 1)}) {
+  for (const Point& b : {Point(3.5, 0.25), Point(0.25, 3.5)})
+    for (const Point& a : {Point(1, 0.75), Point(0.75, 1)}) {
       EXPECT_EQ(paths.path(a, b), (Polyline{a, b}));
       EXPECT_EQ(paths.path(b, a), (Polyline{b, a}));
     }

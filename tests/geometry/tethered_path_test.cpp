@@ -94,7 +94,7 @@ Point free_point(Rng& rng, const EdgeIndex& index, const Box& box) {
 
 void expect_within(const Region& space, const TetheredRobot& robot, const Polyline& way, double longest) {
   const EdgeIndex walls(space);
-  TautTether string = robot.string();
+  TautTether string = robot.tether();
   ASSERT_EQ(way.front(), robot.at());
   for (std::size_t k = 1; k < way.size(); ++k) {
     EXPECT_TRUE(walls.contains(way[k - 1], way[k]) || walls.nearest(lerp(way[k - 1], way[k], 0.5), 1e-9));
@@ -147,7 +147,7 @@ TEST(TetheredPath, ShortestOfAllClassesThatTheLeashAllows) {
       geodesic += std::abs(way->tether_end - world.field.distance(goal)) < 1e-9;
       word = words.of(way->points, word);
       world.robot.drive(way->points);
-      EXPECT_NEAR(world.robot.string().length(), best_end, 1e-9);
+      EXPECT_NEAR(world.robot.tether().length(), best_end, 1e-9);
     }
   }
   EXPECT_GT(other_class, 50u);
@@ -195,7 +195,7 @@ TEST(TetheredPath, ADiscNeverBreaksTheLeashAndStaysInItsSpace) {
       EXPECT_EQ(way->points.back(), goal);
       expect_within(part, world.robot, way->points, longest);
       world.robot.drive(way->points);
-      EXPECT_EQ(way->tether_end, world.robot.string().length());
+      EXPECT_EQ(way->tether_end, world.robot.tether().length());
       ++ways;
       cheap += way->shortest;
     }
@@ -211,7 +211,7 @@ TEST(TetheredPath, TheOtherWayRoundIfTheLeashIsTooShort) {
   const Point anchor(1, 5);
   World world(pillar(), pillar(), anchor, anchor, 9.5);
   world.robot.drive({{5, 2}, {8, 4.9}});  // below the pillar
-  EXPECT_NEAR(world.robot.string().length(), std::sqrt(10.0) + 2 + distance({6, 4}, {8, 4.9}), 1e-12);
+  EXPECT_NEAR(world.robot.tether().length(), std::sqrt(10.0) + 2 + distance({6, 4}, {8, 4.9}), 1e-12);
   // Up past the pillar's right side the string would be 9.66 m long.
   const Point goal(6, 8.5);
   const auto way = world.robot.path_to(goal);
@@ -219,7 +219,7 @@ TEST(TetheredPath, TheOtherWayRoundIfTheLeashIsTooShort) {
   EXPECT_TRUE(way->shortest);
   EXPECT_EQ(way->points, (Polyline{{8, 4.9}, {6, 4}, {4, 4}, {4, 6}, goal}));
   EXPECT_NEAR(way->tether_end, distance(anchor, goal), 1e-12);
-  EXPECT_NEAR(way->tether_max, world.robot.string().length(), 1e-12);
+  EXPECT_NEAR(way->tether_max, world.robot.tether().length(), 1e-12);
   // With a little more it is the short way.
   World longer(pillar(), pillar(), anchor, anchor, 10.7);
   longer.robot.drive({{5, 2}, {8, 4.9}});
@@ -232,10 +232,10 @@ TEST(TetheredPath, WoundTwiceItUnwindsAsFarAsItMust) {
   const Polyline lap{{5, 2}, {8, 5}, {5, 8}, {2, 5}};
   world.robot.drive(lap);
   world.robot.drive(lap);
-  EXPECT_NEAR(world.robot.string().length(), std::sqrt(10.0) + 14 + std::sqrt(5.0), 1e-9);
+  EXPECT_NEAR(world.robot.tether().length(), std::sqrt(10.0) + 14 + std::sqrt(5.0), 1e-9);
   EXPECT_EQ(world.robot.path_to({4, 2})->points, (Polyline{{2, 5}, {4, 2}}));
   world.robot.drive({{5, 2}, {8, 5}, {5, 8}});
-  EXPECT_NEAR(world.robot.string().length(), std::sqrt(10.0) + 20 + std::sqrt(5.0), 1e-9);
+  EXPECT_NEAR(world.robot.tether().length(), std::sqrt(10.0) + 20 + std::sqrt(5.0), 1e-9);
   const auto way = world.robot.path_to({1.5, 3});
   ASSERT_TRUE(way);
   EXPECT_GT(way->tether_max, 24);

@@ -15,7 +15,7 @@ void expect_bracket(const SweptArea& s, double target_m2, double truth_m2) {
   EXPECT_GE(s.coverage.upper, truth_m2 / target_m2 - 1e-12);
   EXPECT_LE(s.coverage.upper - s.coverage.lower, 0.001);
   EXPECT_LE(s.covered_m2, truth_m2 + 1e-12 * target_m2);
-  EXPECT_NEAR(s.seen_m2, truth_m2, 2e-4 * truth_m2);
+  EXPECT_NEAR(s.covered_estimate_m2, truth_m2, 2e-4 * truth_m2);
 }
 
 TEST(SweptArea, OneStraightSwath) {
@@ -148,7 +148,7 @@ TEST(SweptArea, ShiftRotateScale) {
   const Path path = random_walk(rng, bounding_box(target), 5, 30, 1.5);
   const SweptArea base = swept_area(target, 0, 0.4, path);
   const auto same = [&](const SweptArea& s, double scale2, double tolerance) {
-    EXPECT_NEAR(s.seen_m2 / scale2, base.seen_m2, tolerance * base.seen_m2);
+    EXPECT_NEAR(s.covered_estimate_m2 / scale2, base.covered_estimate_m2, tolerance * base.covered_estimate_m2);
     EXPECT_NEAR(s.union_m2 / scale2, base.union_m2, tolerance * base.union_m2);
     EXPECT_NEAR(s.legs_m2 / scale2, base.legs_m2, tolerance * base.legs_m2);
     EXPECT_NEAR(s.visits_m2 / scale2, base.visits_m2, 10 * tolerance * base.visits_m2);

@@ -20,14 +20,14 @@ inline std::unique_ptr<CoveragePlanner> built_in_planner(const std::string& name
 }
 
 /// A path with the figures that the planner recorded and the names of the drawings that it made.
-struct Planned {
+struct RecordedPlan {
   Path path;
   std::map<std::string, double> figures;
   std::set<std::string> traces;
 };
-inline Planned plan_recorded(const std::string& name, const Problem& problem, const Settings& settings = {},
+inline RecordedPlan plan_recorded(const std::string& name, const Problem& problem, const Settings& settings = {},
                              std::uint64_t seed = 1) {
-  Planned result;
+  RecordedPlan result;
   Context::Sinks sinks;
   sinks.record = [&](const std::string& figure, double value) { result.figures[figure] = value; };
   sinks.trace = [&](const Trace& trace) { result.traces.insert(trace.name); };
