@@ -12,8 +12,8 @@ namespace oxturn {
 /// One line with cells quoted where necessary. It ends in \n, not in the RFC's \r\n, which readers accept as well.
 std::string csv_line(const std::vector<std::string>& cells);
 
-/// The cells of each line. Quoted cells may contain commas, line breaks and doubled quotes; lines may end in \r\n. Throws
-/// std::invalid_argument "SOURCE:LINE: what is wrong".
+/// The cells of each line. Quoted cells may contain commas, line breaks and doubled quotes; lines may end in \r\n.
+/// Throws std::invalid_argument "SOURCE:LINE: what is wrong".
 std::vector<std::vector<std::string>> parse_csv(const std::string& text, const std::string& source);
 
 }  // namespace oxturn

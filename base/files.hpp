@@ -11,8 +11,8 @@ namespace oxturn {
 /// The content of the file. Throws std::invalid_argument "no such file: 'x'", or with the reason why it cannot be read.
 std::string read_file(const std::string& file);
 
-/// Writes a temporary file in the same folder and renames it, so that a reader never sees half a file. Devices and pipes
-/// are written directly. Throws std::runtime_error "cannot write 'out/x.svg': Permission denied".
+/// Writes a temporary file in the same folder and renames it, so that a reader never sees half a file. Devices and
+/// pipes are written directly. Throws std::runtime_error "cannot write 'out/x.svg': Permission denied".
 void write_file(const std::string& file, const std::string& content);
 
 }  // namespace oxturn

@@ -29,10 +29,10 @@
 
 namespace oxturn {
 
-/// Breadth-first search from the nodes in `queue`, to which every reached node is appended in the order of its distance.
-/// `expand(node, reach)` marks the neighbours not yet reached and calls reach(neighbour) for each; the caller has marked
-/// the first nodes. Stops at the first node with goal(node) and returns its index in `queue`; nullopt if there is none.
-/// O(nodes + edges).
+/// Breadth-first search from the nodes in `queue`, to which every reached node is appended in the order of its
+/// distance. `expand(node, reach)` marks the neighbours not yet reached and calls reach(neighbour) for each; the caller
+/// has marked the first nodes. Stops at the first node with goal(node) and returns its index in `queue`; nullopt if
+/// there is none. O(nodes + edges).
 template <class Node, class Expand, class Goal>
 std::optional<std::size_t> breadth_first(std::vector<Node>& queue, Expand expand, Goal goal) {
   for (std::size_t k = 0; k < queue.size(); ++k) {
@@ -87,8 +87,8 @@ ConnectedComponents connected_components(std::size_t n, Neighbours neighbours) {
 template <class Cost>
 using SearchSources = std::type_identity_t<std::span<const std::pair<std::size_t, Cost>>>;
 
-/// What Dijkstra and A* find out about the nodes 0 .. n-1: cost and predecessor. May be reused: a further search does not
-/// clear it, and so pays only for the nodes that it reaches. Cost is an arithmetic type; n < 2^31.
+/// What Dijkstra and A* find out about the nodes 0 .. n-1: cost and predecessor. May be reused: a further search does
+/// not clear it, and so pays only for the nodes that it reaches. Cost is an arithmetic type; n < 2^31.
 template <class Cost>
 class SearchTree {
  public:
@@ -164,8 +164,8 @@ class SearchTree {
   std::uint32_t search_ = 0;
 };
 
-/// A* from `sources` (node, its cost). `neighbours(node, reach)` calls reach(neighbour, length of the edge), at least 0,
-/// for each neighbour; reach says whether that is the best path to the neighbour so far. `estimate(node)` is a lower
+/// A* from `sources` (node, its cost). `neighbours(node, reach)` calls reach(neighbour, length of the edge), at least
+/// 0, for each neighbour; reach says whether that is the best path to the neighbour so far. `estimate(node)` is a lower
 /// bound of the cost from there to the goal, and consistent: along no edge does it fall by more than the edge's length.
 /// Settles nodes by cost + estimate, stops at the first with goal(node) and returns it; nullopt if there is none.
 /// O((nodes + edges) log edges) for what is reached.

@@ -88,12 +88,12 @@ struct Parameter {
 std::string to_text(const Value& value);
 /// "name=value;name=value" in the order of names.
 std::string to_text(const Settings& settings);
-/// Reads `text` as a value of the parameter's type. Throws std::invalid_argument with a sentence that names the `owner`,
-/// for instance "planner 'stc'".
+/// Reads `text` as a value of the parameter's type. Throws std::invalid_argument with a sentence that names the
+/// `owner`, for instance "planner 'stc'".
 Value parse_value(const std::string& owner, const ParameterInfo& parameter, std::string_view text);
-/// The value in the parameter's type (whole numbers are accepted for reals), if its type, range and choice are right and
-/// it is finite. Throws std::invalid_argument "parameter 'cell_size' of planner 'stc' is -1, expected a number from 0 to
-/// 100".
+/// The value in the parameter's type (whole numbers are accepted for reals), if its type, range and choice are right
+/// and it is finite. Throws std::invalid_argument "parameter 'cell_size' of planner 'stc' is -1, expected a number from
+/// 0 to 100".
 Value checked(const std::string& owner, const ParameterInfo& parameter, const Value& value);
 /// The parameter called `name`. Throws std::invalid_argument "unknown parameter 'lane_width' of planner 'stc'; it has:
 /// ...".

@@ -4,8 +4,9 @@
 ///   const double width = rng.between(0.8, 1.2);
 ///   rng.shuffle(order);
 ///
-/// A fixed 64-bit generator (xoshiro256**, Blackman and Vigna 2018, seeded by splitmix64) with distributions of our own:
-/// those of the standard library differ between implementations. The same seed gives the same bytes on every machine.
+/// A fixed 64-bit generator (xoshiro256**, Blackman and Vigna 2018, seeded by splitmix64) with distributions of our
+/// own: those of the standard library differ between implementations. The same seed gives the same bytes on every
+/// machine.
 #pragma once
 
 #include <array>

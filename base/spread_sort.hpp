@@ -3,8 +3,8 @@
 ///   spread_sort(points, [](const Site& s) { return packed(s); }, std::less<>());
 ///
 /// One pass distributes the items to n / 4 buckets by key, then each bucket is sorted by std::sort: O(n) for evenly
-/// spread keys, O(n log n) otherwise. About twice as fast as std::sort on the edges of an overlay. Boost's spreadsort is
-/// no substitute: it sorts by key only, and equal keys here need a comparison.
+/// spread keys, O(n log n) otherwise. About twice as fast as std::sort on the edges of an overlay. Boost's spreadsort
+/// is no substitute: it sorts by key only, and equal keys here need a comparison.
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,9 @@
 // Method      contains(p): each cell has a reference point whose location is known. From there to any point of the cell
 //             only the cell's own edges can be crossed, so parity decides.
-//             contains(a, b): no edge may be crossed. Where the segment touches edges (vertices on it, its ends on edges,
-//             parts that run along edges), the edges through that point divide its neighbourhood into sectors, and the
-//             directions towards a and b must lie in free ones. Between such points the segment cannot change sides.
+//             contains(a, b): no edge may be crossed. Where the segment touches edges (vertices on it, its ends on
+//             edges, parts that run along edges), the edges through that point divide its neighbourhood into sectors,
+//             and the directions towards a and b must lie in free ones. Between such points the segment cannot change
+//             sides.
 #include "geometry/edge_index.hpp"
 
 #include <algorithm>
@@ -17,8 +18,8 @@ namespace {
 using Edge = EdgeIndex::Edge;
 
 /// Does the direction from v towards `to` lead into closed free space, judged by the edges through v alone? Each edge
-/// gives one or two rays from v. Free space lies counter-clockwise of an outgoing edge and clockwise of an incoming one,
-/// so the first ray met when turning clockwise from `to` decides.
+/// gives one or two rays from v. Free space lies counter-clockwise of an outgoing edge and clockwise of an incoming
+/// one, so the first ray met when turning clockwise from `to` decides.
 class Sector {
  public:
   Sector(const Point& v, const Point& to) : v_(v), to_(to) {}
@@ -192,7 +193,8 @@ bool EdgeIndex::separates(const Point& p, const Point& q, std::uint32_t edge) co
   return orientation(e.a, e.b, p) * orientation(e.a, e.b, q) < 0;
 }
 
-/// Row by row, from a point outside to the right: the parity of the edges between two neighbouring cells' reference points.
+/// Row by row, from a point outside to the right: the parity of the edges between two neighbouring cells' reference
+/// points.
 void EdgeIndex::choose_references() {
   references_.assign(static_cast<std::size_t>(grid_.columns()) * static_cast<std::size_t>(grid_.rows()), {});
   const auto on_edge = [&](std::size_t c) {

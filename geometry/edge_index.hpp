@@ -5,8 +5,8 @@
 ///   walls.contains(a, b);                       // exact: does the segment stay inside?
 ///   if (const auto hit = walls.nearest(p)) std::cout << hit->distance;
 ///
-/// Build O(n + cells) for n edges, memory O(n). A query costs the edges in the cells it visits: O(1) for a point on maps
-/// whose edges are spread evenly. Immutable after construction, so any number of threads may share one.
+/// Build O(n + cells) for n edges, memory O(n). A query costs the edges in the cells it visits: O(1) for a point on
+/// maps whose edges are spread evenly. Immutable after construction, so any number of threads may share one.
 #pragma once
 
 #include <cstdint>
@@ -54,8 +54,8 @@ class EdgeIndex {
   }
 
  private:
-  /// A point of a cell that is on no edge, and whether it is inside: point location counts the edges of the cell between
-  /// this point and the query.
+  /// A point of a cell that is on no edge, and whether it is inside: point location counts the edges of the cell
+  /// between this point and the query.
   struct Reference {
     std::uint8_t candidate : 7 = 0;  // which of kCandidates positions in the cell
     std::uint8_t inside : 1 = 0;

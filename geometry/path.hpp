@@ -26,8 +26,8 @@ struct Path {
   std::size_t segment_count() const;
 };
 
-/// Builds a well-formed Path: drops repeated points and merges consecutive legs of the same kind. Points in the middle of
-/// a straight line are kept.
+/// Builds a well-formed Path: drops repeated points and merges consecutive legs of the same kind. Points in the middle
+/// of a straight line are kept.
 class PathBuilder {
  public:
   explicit PathBuilder(const Point& start) : at_(start) {}

@@ -3,9 +3,9 @@
 ///   orientation(a, b, c) > 0                    // a, b, c turn left
 ///   crossing(a, b, c, d) == Crossing::proper    // the segments ab and cd cross in their interiors
 ///
-/// Why not CGAL's: hidden behind a header without CGAL types its orientation (Exact_predicates_inexact_constructions_kernel)
-/// costs a call and three conversions. Nanoseconds for each orientation, GCC 12, by
-/// `oxturn_alternatives --benchmark_filter=Orientation`:
+/// Why not CGAL's: hidden behind a header without CGAL types its orientation
+/// (Exact_predicates_inexact_constructions_kernel) costs a call and three conversions. Nanoseconds for each
+/// orientation, GCC 12, by `oxturn_alternatives --benchmark_filter=Orientation`:
 ///
 ///   points                       ours   CGAL inline   CGAL behind this header
 ///   in general position           1.8           2.3                       6.8

@@ -10,8 +10,8 @@ namespace {
 
 int clamped(double x, int low, int high) { return static_cast<int>(std::clamp<double>(x, low, high)); }
 
-/// Sets the cells whose centre lies in the closed region: by the parity of the edges to the left of the centre, and those
-/// whose centre is exactly on an edge.
+/// Sets the cells whose centre lies in the closed region: by the parity of the edges to the left of the centre, and
+/// those whose centre is exactly on an edge.
 void mark_centres(const Region& region, BitGrid& grid) {
   std::vector<std::size_t> on_edge;
   // Flips, in each row that the edge meets, the cell of the first centre to its right.
@@ -51,8 +51,8 @@ void mark_centres(const Region& region, BitGrid& grid) {
   for (const std::size_t c : on_edge) grid.bits[c] = 1;
 }
 
-/// Calls f(cell) for every cell whose open square an edge meets. Coordinates within 1e-9 cells of a grid line count as on
-/// it, so that the edges of a region traced on this grid meet none.
+/// Calls f(cell) for every cell whose open square an edge meets. Coordinates within 1e-9 cells of a grid line count as
+/// on it, so that the edges of a region traced on this grid meet none.
 template <class F>
 void for_each_cut_cell(const Region& region, const BitGrid& grid, F f) {
   const auto snapped = [](double u) {

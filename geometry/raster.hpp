@@ -45,12 +45,12 @@ enum class CellRule {
   inside,   // those that lie in the closed region as a whole
   touches,  // those whose open square meets the region's interior
 };
-/// `centre` is decided by exact predicates; for the other rules coordinates within 1e-9 cells of a grid line count as on
-/// it. O(cells + edges + boundary cells).
+/// `centre` is decided by exact predicates; for the other rules coordinates within 1e-9 cells of a grid line count as
+/// on it. O(cells + edges + boundary cells).
 BitGrid rasterise(const Region& region, const Point& origin, double cell, int columns, int rows, CellRule rule);
 
-/// The set cells as a region. Its vertices are lattice points, collinear ones left out. Set cells that share only a corner
-/// are not connected (free space is 4-connected, walls 8-connected), and no ring touches itself. O(cells).
+/// The set cells as a region. Its vertices are lattice points, collinear ones left out. Set cells that share only a
+/// corner are not connected (free space is 4-connected, walls 8-connected), and no ring touches itself. O(cells).
 Region trace(const BitGrid& grid);
 
 /// Removes vertices where that removes free space and never adds any: convex vertices, as long as they stay within

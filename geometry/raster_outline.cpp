@@ -114,9 +114,7 @@ class Outliner {
   }
 
  private:
-  bool set(const GridPoint& at, const GridPoint& offset) const {
-    return grid_.get(at.x + offset.x, at.y + offset.y);
-  }
+  bool set(const GridPoint& at, const GridPoint& offset) const { return grid_.get(at.x + offset.x, at.y + offset.y); }
 
   const BitGrid& grid_;
   std::vector<std::uint8_t> passed_;

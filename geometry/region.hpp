@@ -4,9 +4,9 @@
 ///   room.polygons[0].holes.push_back({{1, 1}, {1, 2}, {2, 2}, {2, 1}});
 ///   area(room);                                 // 11
 ///
-/// Outer rings run counter-clockwise, holes clockwise, so that the interior is to the left of every edge. No ring repeats
-/// its first point. Interiors of polygons are disjoint; rings may touch in points. repaired() in validity.hpp brings
-/// other data into this form.
+/// Outer rings run counter-clockwise, holes clockwise, so that the interior is to the left of every edge. No ring
+/// repeats its first point. Interiors of polygons are disjoint; rings may touch in points. repaired() in validity.hpp
+/// brings other data into this form.
 #pragma once
 
 #include <cstddef>
@@ -47,8 +47,8 @@ void for_each_ring(const Region& region, F f) {
     for (const Ring& h : p.holes) f(h);
   }
 }
-/// Is p inside? Even-odd rule over all edges, O(n); points on the boundary may give either answer. For many queries build
-/// an EdgeIndex.
+/// Is p inside? Even-odd rule over all edges, O(n); points on the boundary may give either answer. For many queries
+/// build an EdgeIndex.
 bool contains(const Region& region, const Point& p);
 
 Region box_region(const Point& low, const Point& high);

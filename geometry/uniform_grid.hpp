@@ -8,7 +8,8 @@
 ///   });
 ///
 /// The items of all cells lie in one array, cell by cell. Cells are entered with a tolerance of kSlack cells: a query
-/// finds every item that it meets in spite of rounding. What it finds are candidates, to be decided by exact predicates.
+/// finds every item that it meets in spite of rounding. What it finds are candidates, to be decided by exact
+/// predicates.
 #pragma once
 
 #include <algorithm>
@@ -38,8 +39,8 @@ class UniformGrid {
     rows_ = static_cast<int>(size.y() / cell_) + 1;
   }
 
-  /// Puts item i into every cell c for which visit_item(i, enter) calls enter(c). Calls it twice for each item: first to
-  /// count, then to store.
+  /// Puts item i into every cell c for which visit_item(i, enter) calls enter(c). Calls it twice for each item: first
+  /// to count, then to store.
   template <class Visit>
   void fill(std::size_t items, Visit visit_item) {
     first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);

@@ -124,8 +124,8 @@ double reach_of(const Extent& where, Vec normal) {
   return std::abs(normal.x) * where.half.x + std::abs(normal.y) * where.half.y;
 }
 
-/// Adds the half-plane with this normal at `distance` from `at`, if it does not contain all of `where`. `at` is relative
-/// to the extent's centre.
+/// Adds the half-plane with this normal at `distance` from `at`, if it does not contain all of `where`. `at` is
+/// relative to the extent's centre.
 void add_if_it_cuts(const Extent& where, Vec at, Vec normal, double distance, std::vector<HalfPlane>& out) {
   const double reach = dot(normal, at) + distance;
   if (reach_of(where, normal) > reach) out.push_back({normal, reach + dot(normal, where.centre)});

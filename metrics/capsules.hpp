@@ -49,8 +49,8 @@ class Chords {
 };
 
 /// Half-planes whose intersection, within `where`, is the polygon of the capsule: its sides at distance `side` from the
-/// segment, its chords at distance `cap` from the ends. `where` and the result are relative to `centre`. Half-planes that
-/// contain all of `where` are left out.
+/// segment, its chords at distance `cap` from the ends. `where` and the result are relative to `centre`. Half-planes
+/// that contain all of `where` are left out.
 void polygon_of(const Capsule& capsule, Vec centre, const Extent& where, const Chords& chords, double side, double cap,
                 std::vector<HalfPlane>& out);
 /// The same for the disc about the capsule's first point.

@@ -3,9 +3,9 @@
 ///   std::vector<Convex> uncovered{tile}, spare;
 ///   subtract(uncovered, half_planes, spare);             // tile without the half-planes' intersection
 ///
-/// Coordinates are relative to a tile's centre, in tile sides, so all are about 1. A point counts as inside a half-plane
-/// up to kSlack beyond it. Users shrink what they subtract by far more than that, so slack and rounding never make a
-/// certified bound wrong, and slivers thinner than kSlack do not arise.
+/// Coordinates are relative to a tile's centre, in tile sides, so all are about 1. A point counts as inside a
+/// half-plane up to kSlack beyond it. Users shrink what they subtract by far more than that, so slack and rounding
+/// never make a certified bound wrong, and slivers thinner than kSlack do not arise.
 #pragma once
 
 #include <array>
@@ -32,7 +32,8 @@ struct HalfPlane {
   double reach;
 };
 
-/// Counter-clockwise vertices. Each cut adds at most one, so polygons with more than kWide are halved before they are cut.
+/// Counter-clockwise vertices. Each cut adds at most one, so polygons with more than kWide are halved before they are
+/// cut.
 struct Convex {
   static constexpr std::size_t kWide = 20, kMost = 24;
   std::size_t size;

@@ -8,8 +8,8 @@
 ///
 /// Fact        While the robot drives straight from a to b, it cannot cross a segment of the tether that appears or
 ///             disappears on the way: the line ab meets that segment's line at the robot's position at that moment,
-///             beyond the bend. So only the segments that exist before the drive are tested, except the last one, and all
-///             tests are exact predicates on given points.
+///             beyond the bend. So only the segments that exist before the drive are tested, except the last one, and
+///             all tests are exact predicates on given points.
 ///
 ///                anchor o-----. bend
 ///                      |      |
@@ -18,13 +18,13 @@
 /// Decisions   1. A crossing is a point: several layers of the tether that lie on one line count once.
 ///             2. If the robot reaches the tether and leaves it to the side from which it came, that is no crossing,
 ///                however far it drives along it in between. Leaving to the other side is a crossing at the point where
-///                it leaves. The contact may extend over several drives. A robot that touches its tether before the first
-///                test came from no side.
+///                it leaves. The contact may extend over several drives. A robot that touches its tether before the
+///                first test came from no side.
 ///             3. At its ends, the anchor and the pivot, the tether cannot be crossed.
-/// Method      For contacts the drive is shifted by (e, e^2) with an infinitesimal e (simulation of simplicity), so that
-///             nothing touches any more. The robot has changed sides if the number of crossings of the shifted drive,
-///             from the beginning of the contact to its end, is odd. The tether's segments are kept in a hierarchy of
-///             boxes that grows and shrinks at its end, like the tether.
+/// Method      For contacts the drive is shifted by (e, e^2) with an infinitesimal e (simulation of simplicity), so
+///             that nothing touches any more. The robot has changed sides if the number of crossings of the shifted
+///             drive, from the beginning of the contact to its end, is odd. The tether's segments are kept in a
+///             hierarchy of boxes that grows and shrinks at its end, like the tether.
 /// Complexity  a drive: O(bends changed by the last drive + segments in boxes that the drive meets)
 #pragma once
 

@@ -2,9 +2,9 @@
 ///
 ///   if (const auto hit = first_hit(path, robot.footprint, tolerance, walls)) complain(hit->at, hit->depth);
 ///
-/// On each segment the footprint sweeps the convex hull of its first and its last position. A wall is hit if it meets the
-/// interior of that hull, by exact predicates. Shares nothing with the erosion from which planners get configuration
-/// space.
+/// On each segment the footprint sweeps the convex hull of its first and its last position. A wall is hit if it meets
+/// the interior of that hull, by exact predicates. Shares nothing with the erosion from which planners get
+/// configuration space.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-/// Where a path changes its heading, and which changes belong to one bend. For turns, turn_rad and mission_s; private to
-/// metrics/.
+/// Where a path changes its heading, and which changes belong to one bend. For turns, turn_rad and mission_s; private
+/// to metrics/.
 ///
 ///   for (const Turn& turn : headings(problem, path).turns) total += std::abs(turn.angle);
 ///

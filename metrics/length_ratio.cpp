@@ -1,7 +1,7 @@
 // Path length over the shortest length that could cover as much:
 //   path_m / ((covered - pi w^2 / 4) / w),   w = tool width, covered = certified lower bound of the covered area
-// A curve of length L sweeps at most L w + pi w^2 / 4, so the ratio is never below 1 for a path whose legs join. Empty if
-// at most one tool disc is covered, and if legs do not join: no bound is valid then.
+// A curve of length L sweeps at most L w + pi w^2 / 4, so the ratio is never below 1 for a path whose legs join. Empty
+// if at most one tool disc is covered, and if legs do not join: no bound is valid then.
 #include "metrics/score.hpp"
 
 namespace oxturn {

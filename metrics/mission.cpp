@@ -8,8 +8,8 @@
 namespace oxturn {
 namespace {
 
-/// Radius of the curve at a vertex between straight pieces of these lengths. Where a curve continues in its tangent, the
-/// vertex has half a chord's change of heading.
+/// Radius of the curve at a vertex between straight pieces of these lengths. Where a curve continues in its tangent,
+/// the vertex has half a chord's change of heading.
 double local_radius(double before, double after, double angle) {
   const double least = std::min(before, after), most = std::max(before, after);
   return most > 2 * least ? least / (2 * angle) : (before + after) / (2 * angle);

@@ -5,10 +5,10 @@
 ///   clock.at(12.5);                                  // seconds until 12.5 m are driven
 ///
 /// Model       At a corner (a change of heading above 0.3 rad that is not part of a sampled curve) the robot stops and
-///             turns on the spot at turn_rate. Elsewhere it drives through, at most at turn_rate * local radius. A curve
-///             tighter than min_turn_radius cannot be driven: the robot stops where it begins and where it ends, and
-///             follows it at turn_rate * local radius, however finely it is sampled. The robot starts and ends at rest,
-///             with the right heading. Switching the tool takes no time.
+///             turns on the spot at turn_rate. Elsewhere it drives through, at most at turn_rate * local radius. A
+///             curve tighter than min_turn_radius cannot be driven: the robot stops where it begins and where it ends,
+///             and follows it at turn_rate * local radius, however finely it is sampled. The robot starts and ends at
+///             rest, with the right heading. Switching the tool takes no time.
 /// Method      speed limits at vertices and on segments, then a forward and a backward pass with the acceleration. O(n)
 #pragma once
 

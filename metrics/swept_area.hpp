@@ -3,21 +3,22 @@
 ///   const SweptArea s = swept_area(problem.target(), problem.target_excess(), tool_width, path);
 ///   s.coverage.lower;                                            // coverage is certainly not below this
 ///
-/// Method      The plane is divided into square tiles of half a tool width. The tool's swath along a segment is a capsule
-///             (capsules.hpp). In each tile the convex polygons inscribed in the capsules (lower bound) or circumscribed
-///             about them (upper bound) are subtracted from the tile one after the other. What remains is not covered,
-///             and target_rows.hpp measures the target in it. Subtracting convex polygons from convex polygons needs only
-///             half-plane clips, so it is robust and fast. Polygons are shrunk or grown by 1e-9 of a tile, far more than
-///             rounding, so the bounds are true; only the sums of areas are rounded (1e-12 of the target).
+/// Method      The plane is divided into square tiles of half a tool width. The tool's swath along a segment is a
+///             capsule (capsules.hpp). In each tile the convex polygons inscribed in the capsules (lower bound) or
+///             circumscribed about them (upper bound) are subtracted from the tile one after the other. What remains is
+///             not covered, and target_rows.hpp measures the target in it. Subtracting convex polygons from convex
+///             polygons needs only half-plane clips, so it is robust and fast. Polygons are shrunk or grown by 1e-9 of
+///             a tile, far more than rounding, so the bounds are true; only the sums of areas are rounded (1e-12 of the
+///             target).
 /// Complexity  O(n + tiles touched + capsules per tile + target edges per row); near-linear for real paths
 /// Decisions   1. Only the path within 1.5 tool widths of the target's bounding box counts: no valid path leaves that,
 ///                and one that goes astray costs no more than the map.
 ///             2. Areas without a certificate (union, legs, estimates) are 1/3 inscribed + 2/3 circumscribed, which
 ///                cancels the leading errors of both (Huygens).
 ///             3. During a segment a visit begins at the points of its capsule outside of the disc about the segment's
-///                first point (capsules are convex), and where the tool is switched on, at the points of the disc there.
-///                So visits are counted by areas: width * length + discs over the whole plane, less what lies outside
-///                the target. Between legs that join the tool stays on.
+///                first point (capsules are convex), and where the tool is switched on, at the points of the disc
+///                there. So visits are counted by areas: width * length + discs over the whole plane, less what lies
+///                outside the target. Between legs that join the tool stays on.
 #pragma once
 
 #include "geometry/path.hpp"
@@ -39,9 +40,9 @@ struct SweptArea {
   double visits_m2 = 0;            // integral over the target of the number of separate visits
 };
 
-/// `target` may be smaller than the true target by at most `target_excess` m^2. `width`: the tool's, metres. The coverage
-/// interval is at most `certainty` wide (chords are refined until it is), unless `target_excess` alone makes it wider.
-/// Throws std::invalid_argument if the width is not above 0, the target is empty, or the path is not finite.
+/// `target` may be smaller than the true target by at most `target_excess` m^2. `width`: the tool's, metres. The
+/// coverage interval is at most `certainty` wide (chords are refined until it is), unless `target_excess` alone makes
+/// it wider. Throws std::invalid_argument if the width is not above 0, the target is empty, or the path is not finite.
 SweptArea swept_area(const Region& target, double target_excess, double width, const Path& path,
                      double certainty = 0.001);
 

@@ -4,10 +4,11 @@
 ///   rows.start_row(7);
 ///   const double wanted = rows.tile(3).area_in(pieces);          // of tile (3, 7), in tile areas
 ///
-/// Method      A point of a tile is in the target if its winding number is 1: the winding number at the tile's lower left
-///             corner, plus the edges crossed along the tile's lower side to the point's x, plus those crossed from there
-///             upwards. So the area of the target in a convex piece is a signed sum of half-plane clips of the piece. No
-///             arrangement is built and no predicate decides: a rounding error costs as much area as its own size.
+/// Method      A point of a tile is in the target if its winding number is 1: the winding number at the tile's lower
+///             left corner, plus the edges crossed along the tile's lower side to the point's x, plus those crossed
+///             from there upwards. So the area of the target in a convex piece is a signed sum of half-plane clips of
+///             the piece. No arrangement is built and no predicate decides: a rounding error costs as much area as its
+///             own size.
 ///
 ///                 |   p |
 ///                 |   ^ |

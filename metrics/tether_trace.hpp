@@ -1,4 +1,6 @@
-// How long the tether is and how it pulls, place by place along a path: for plots, and to find where a path goes wrong.
+/// The length and the pull of the tether along a path, as rows: for plots, and to find where a path goes wrong.
+///
+///   write_file("tether.csv", to_csv(tether_trace(problem, path, 0.1)));
 #pragma once
 
 #include <optional>
@@ -23,9 +25,9 @@ struct TetherRow {
 std::string to_text(TetherRow::Event event);
 
 /// A row for the start, each vertex of the path, each bend gained or lost (both at once: gained) and each crossing of
-/// the tether. Samples in between, so that rows are at most `step` metres apart. Ends where no tether can follow the path
-/// (maps/followed_path.hpp). Throws std::invalid_argument if the step is not above 0, std::logic_error without a tether.
-/// O(rows), beside the cost of TautTether.
+/// the tether. Samples in between, so that rows are at most `step` metres apart. Ends where no tether can follow the
+/// path (maps/followed_path.hpp). Throws std::invalid_argument if the step is not above 0, std::logic_error without a
+/// tether. O(rows), beside the cost of TautTether.
 std::vector<TetherRow> tether_trace(const Problem& problem, const Path& path, double step);
 
 /// One header line; RFC 4180.

@@ -1,7 +1,8 @@
 // Total absolute change of heading, radians, transit included:
 //   sum over all changes of heading of |angle|, plus what the chords of a sampled curve hide at its ends
-// A curve of n chords shows n - 1 changes at its vertices. Where it begins or ends without a tangent line (at the path's
-// end, at an inflexion) half a chord's change is in no vertex and is added, so sampling a curve finer changes nothing.
+// A curve of n chords shows n - 1 changes at its vertices. Where it begins or ends without a tangent line (at the
+// path's end, at an inflexion) half a chord's change is in no vertex and is added, so sampling a curve finer changes
+// nothing.
 #include <algorithm>
 #include <cmath>
 
@@ -23,8 +24,8 @@ struct CurveEnd {
   bool path_ends;
 };
 
-/// The change of heading that the chords hide there. If the curve continues in a tangent line, `last` is half as large as
-/// `inner`, and nothing is hidden.
+/// The change of heading that the chords hide there. If the curve continues in a tangent line, `last` is half as large
+/// as `inner`, and nothing is hidden.
 double hidden_change(const CurveEnd& end) {
   if (std::abs(end.last) <= kTangent * std::abs(end.inner)) return 0;
   const double curved = end.path_ends ? end.out - end.chord / 2 : (end.out - end.chord) / 2;

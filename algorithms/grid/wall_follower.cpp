@@ -157,7 +157,7 @@ std::optional<std::uint32_t> WallFollower::nearest_point_in_sight(const Section&
 }
 
 /// To `first_point` of the section, back to the section's beginning, then along the wall from section to section. Ends
-/// in the centre of the last cell of `way_back`.
+/// in the centre of the last cell of `return_cells`.
 WallFollower::Excursion WallFollower::excursion(const Cell& from, std::uint32_t section, std::uint32_t first_point,
                                                 bool left) {
   Polyline line{points_[first_point]};
@@ -191,10 +191,10 @@ void WallFollower::follow(CellWalk& walk, std::uint32_t section, bool left) {
   if (!first_point) return;
   const Excursion drive = excursion(home, section, *first_point, left);
   length_ += oxturn::length(drive.line);
-  walk.drive(drive.line, drive.way_back.back());
-  for (std::size_t k = drive.way_back.size() - 1; k-- > 0;)
+  walk.drive(drive.line, drive.return_cells.back());
+  for (std::size_t k = drive.return_cells.size() - 1; k-- > 0;)
     for (const Direction d : kAllDirections)
-      if (neighbour(drive.way_back[k + 1], d) == drive.way_back[k]) walk.step(d);
+      if (neighbour(drive.return_cells[k + 1], d) == drive.return_cells[k]) walk.step(d);
 }
 
 }  // namespace oxturn

@@ -52,7 +52,7 @@ class WallFollower {
   /// A drive along the wall, and the cells by which the robot can come back to the lattice.
   struct Excursion {
     Polyline line;
-    std::vector<Cell> way_back;
+    std::vector<Cell> return_cells;
   };
   void add_ring(const Ring& ring);
   void begin_section(const Point& at, const Cell& cell, bool continues);

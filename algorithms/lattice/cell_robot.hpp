@@ -24,7 +24,7 @@ struct Cell {
 };
 inline Cell neighbour(const Cell& c, Direction d) { return {c.i + kColumnStep[d], c.j + kRowStep[d]}; }
 
-/// A lattice that is perceived in another way than on the true map (by lidar: algorithms/online/lidar_cells.hpp).
+/// A lattice that is not read from the true map (but seen by lidar: algorithms/online/lidar_cells.hpp).
 /// Answers may change from wall to free while the robot learns.
 class CellWorld {
  public:

@@ -4,8 +4,8 @@
 ///   ... .parameters = with_grid_options<Params>({{"partial", &Params::partial, "also enter ..."}})
 ///   const GridGraph graph = p_.lattice(problem, 2);
 ///
-/// `CellSize` alone is for planners that place their lattice themselves, `GridOptions` for those that lay one over the
-/// map, `CellOptions` for those whose robot steps from cell to cell, on the map or by lidar.
+/// `CellSize` alone is for planners that position their lattice themselves, `GridOptions` for those that lay one over
+/// the map, `CellOptions` for those whose robot steps from cell to cell, on the map or by lidar.
 #pragma once
 
 #include <string>

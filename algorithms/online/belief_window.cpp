@@ -66,7 +66,7 @@ void Belief::grow(const Point& low, const Point& high) {
   low_ = lattice_ + cell_ * Point(static_cast<double>(window_.i0), static_cast<double>(window_.j0));
 }
 
-/// The window's cells, in the place that they have within `bounds`.
+/// Copies the window's cells to where they lie within `bounds`.
 void Belief::copy_to(const Bounds& bounds, std::vector<std::uint8_t>& mark, std::vector<std::int8_t>& weight) const {
   for (int j = 0; j < rows_; ++j) {
     const std::int64_t to = (j + window_.j0 - bounds.j0) * bounds.columns() + window_.i0 - bounds.i0;

@@ -22,7 +22,7 @@ class LocalSearch {
 
  private:
   static constexpr std::size_t kNeighbours = 10;
-  /// One of the possible ways to drive a run of stops.
+  /// One possible order and direction of a run of stops.
   struct Variant {
     TourStop head, tail;  // its first and its last stop
     double extra = 0;     // what its patterns cost more than the present ones

@@ -20,8 +20,8 @@
 
 namespace oxturn {
 
-/// One way to drive an element. `reverse` is the index of the pattern that drives it backwards, from `exit` to `entry`,
-/// at the same cost.
+/// How an element can be driven. `reverse` is the index of the pattern that drives it backwards, from `exit` to
+/// `entry`, at the same cost.
 struct Pattern {
   Point entry, exit;
   double cost = 0;

@@ -21,11 +21,11 @@
 namespace oxturn {
 namespace {
 
-constexpr double kStripsPerRadius = 100;    // decision 1
+constexpr double kStripsPerRadius = 100;  // decision 1
 constexpr double kStripsPerTool = 200;
-constexpr int kLeastStripBits = -22;         // at least 2^this of the map's extent: cut_along() needs 2^-26
+constexpr int kLeastStripBits = -22;        // at least 2^this of the map's extent: cut_along() needs 2^-26
 constexpr double kComponentsPerTool = 100;  // decision 4
-constexpr double kEntrySlack = 6;            // radii by which the tether may be longer than the geodesic at an entry
+constexpr double kEntrySlack = 6;           // radii by which the tether may be longer than the geodesic at an entry
 
 double width_of(const Problem& problem, const std::string& planner) {
   const Robot& robot = problem.robot();

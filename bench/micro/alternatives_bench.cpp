@@ -1,5 +1,5 @@
-// Our overlay and orientation predicate against GEOS, Boost.Polygon, Clipper 6 and CGAL, on the work that oxturn does. The
-// figures in geometry/overlay/arrangement.hpp and geometry/predicates.hpp come from here:
+// Our overlay and orientation predicate against GEOS, Boost.Polygon, Clipper 6 and CGAL, on the work that oxturn does.
+// The figures in geometry/overlay/arrangement.hpp and geometry/predicates.hpp come from here:
 //
 //   cmake --preset release -DOXTURN_ALTERNATIVES=ON && ninja -C build/release oxturn_alternatives
 //   build/release/bench/micro/oxturn_alternatives --benchmark_counters_tabular=true
@@ -126,8 +126,7 @@ struct Geos {
       for (const Ring& h : p.holes) holes.push_back(ring(h));
       polygons.push_back(GEOSGeom_createPolygon(ring(p.outer), holes.data(), static_cast<unsigned>(holes.size())));
     }
-    return Shape(
-        GEOSGeom_createCollection(GEOS_MULTIPOLYGON, polygons.data(), static_cast<unsigned>(polygons.size())));
+    return Shape(GEOSGeom_createCollection(GEOS_MULTIPOLYGON, polygons.data(), static_cast<unsigned>(polygons.size())));
   }
   static Ring ring(const GEOSGeometry* g) {
     const GEOSCoordSequence* points = GEOSGeom_getCoordSeq(g);
@@ -235,8 +234,7 @@ struct BoostPolygon {
   using IntPoint = boost::polygon::point_data<int>;
   static std::vector<IntPoint> points(const Ring& r) {
     std::vector<IntPoint> out;
-    for (const Point& p : r)
-      out.push_back({static_cast<int>(to_integer(p.x())), static_cast<int>(to_integer(p.y()))});
+    for (const Point& p : r) out.push_back({static_cast<int>(to_integer(p.x())), static_cast<int>(to_integer(p.y()))});
     return out;
   }
   static Shape from(const Region& region) {
@@ -286,9 +284,7 @@ struct BoostPolygon {
     out.clean();
     return out;
   }
-  static int circle_steps(double error) {
-    return static_cast<int>(std::ceil(kPi / std::acos(1 - error / kRadius)));
-  }
+  static int circle_steps(double error) { return static_cast<int>(std::ceil(kPi / std::acos(1 - error / kRadius))); }
   static Shape erode_dilate(const Shape& s) {
     const auto radius = static_cast<int>(to_integer(kRadius));
     Shape out = s;

@@ -1,6 +1,6 @@
-// Method      The plane sweep breaks ties of x by y, so a vertical wall can cause a cut that no critical point asks for.
-//             Wherever exactly one cell meets exactly one cell across a cut, the two are joined again. So vertical walls in
-//             floor and ceiling make no cells of their own, and cells are still monotone in x.
+// Method      The plane sweep breaks ties of x by y, so a vertical wall can cause a cut that no critical point asks
+//             for. Wherever exactly one cell meets exactly one cell across a cut, the two are joined again. So vertical
+//             walls in floor and ceiling make no cells of their own, and cells are still monotone in x.
 // Source      Choset and Pignon, "Coverage path planning: the boustrophedon cellular decomposition", 1997.
 #include <algorithm>
 

@@ -1,5 +1,5 @@
-/// Runs code that calls CGAL: its failures become one std::runtime_error, and it prints nothing. Private to geometry, not
-/// installed.
+/// Runs code that calls CGAL: its failures become one std::runtime_error, and it prints nothing. Private to geometry,
+/// not installed.
 #pragma once
 
 #include <functional>

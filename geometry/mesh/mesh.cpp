@@ -2,19 +2,19 @@
 
 #include <algorithm>
 
-#include "geometry/mesh/outline.hpp"
 #include "geometry/mesh/triangulation.hpp"
+#include "geometry/mesh/triangulation_input.hpp"
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
 
 Mesh::Mesh(const Region& region, const std::vector<Polyline>& barriers) {
-  Outline outline = outline_of(region, barriers);
-  if (outline.edges.size() < 3) {
-    points_ = std::move(outline.points);
+  TriangulationInput input = triangulation_input(region, barriers);
+  if (input.edges.size() < 3) {
+    points_ = std::move(input.points);
     return;
   }
-  Triangulation triangulation = triangulate(outline, region);
+  Triangulation triangulation = triangulate(input, region);
   points_ = std::move(triangulation.points);
   triangles_ = std::move(triangulation.triangles);
   find_reflex_points();
@@ -29,8 +29,8 @@ void Mesh::find_reflex_points() {
         reflex_[static_cast<std::size_t>(triangles_[t].vertex[k])] = true;
 }
 
-/// Does the fan of triangles about vertex k of triangle `first` span more than 180 degrees? It begins with that triangle's
-/// edge from vertex k to k + 1, which is a wall, and is followed counter-clockwise.
+/// Does the fan of triangles about vertex k of triangle `first` span more than 180 degrees? It begins with that
+/// triangle's edge from vertex k to k + 1, which is a wall, and is followed counter-clockwise.
 bool Mesh::fan_is_reflex(std::int32_t first, std::size_t k) const {
   const std::int32_t centre = triangle(first).vertex[k];
   const Point &v = point(centre), &start = vertex(first, k + 1);

@@ -1,5 +1,5 @@
-/// The constrained Delaunay triangulation of a region, as plain arrays: the base of shortest paths, visibility, partitions
-/// and geodesic fields.
+/// The constrained Delaunay triangulation of a region, as plain arrays: the base of shortest paths, visibility,
+/// partitions and geodesic fields.
 ///
 ///   const Mesh mesh(free_space);
 ///   const std::int32_t t = mesh.locate(p, tolerance);      // Mesh::kWall: p is outside
@@ -27,9 +27,9 @@ namespace oxturn {
 
 class Mesh {
  public:
-  /// O(n log n). The triangles cover exactly the region's interior. A barrier is a line that no path crosses: both its sides
-  /// are walls. An end of a barrier inside an edge of a ring becomes a point of the mesh, and the edge bends there by as
-  /// much as the end was rounded. Throws std::invalid_argument for points that are not finite.
+  /// O(n log n). The triangles cover exactly the region's interior. A barrier is a line that no path crosses: both its
+  /// sides are walls. An end of a barrier inside an edge of a ring becomes a point of the mesh, and the edge bends
+  /// there by as much as the end was rounded. Throws std::invalid_argument for points that are not finite.
   explicit Mesh(const Region& region, const std::vector<Polyline>& barriers = {});
 
   static constexpr std::int32_t kWall = -1;  // in place of a triangle: none
@@ -56,9 +56,9 @@ class Mesh {
     while (triangle(t).vertex[k] != point) ++k;
     return k;
   }
-  /// Is there more than 180 degrees of free space at this point? Only there a shortest path can bend. Where rings touch or
-  /// barriers end, each fan of triangles about the point counts by itself: free space on both sides of a single point is
-  /// not connected through it.
+  /// Is there more than 180 degrees of free space at this point? Only there a shortest path can bend. Where rings touch
+  /// or barriers end, each fan of triangles about the point counts by itself: free space on both sides of a single
+  /// point is not connected through it.
   bool is_reflex(std::int32_t point) const { return reflex_[static_cast<std::size_t>(point)]; }
 
   /// A triangle that contains p (its boundary included), or the nearest one if p is outside by at most `tolerance`;
@@ -66,8 +66,8 @@ class Mesh {
   std::int32_t locate(const Point& p, double tolerance) const;
   /// All triangles that contain p, in ascending order: several for a vertex or a point on an inner edge.
   void locate_all(const Point& p, std::vector<std::int32_t>& found) const;
-  /// Moves p into the mesh, by at most `tolerance`, and lists the triangles that contain it up to rounding, in ascending
-  /// order. False if p is farther outside.
+  /// Moves p into the mesh, by at most `tolerance`, and lists the triangles that contain it up to rounding, in
+  /// ascending order. False if p is farther outside.
   bool move_inside(Point& p, double tolerance, std::vector<std::int32_t>& found) const;
   /// The point of the triangle nearest to p.
   Point nearest_in(std::int32_t triangle, const Point& p) const;

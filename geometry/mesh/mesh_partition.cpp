@@ -101,8 +101,8 @@ struct Arc {
   std::int32_t from, to;
 };
 
-/// Turning clockwise about v from the direction of `start`, which of a and b comes first? Straight back to `start` comes
-/// last.
+/// Turning clockwise about v from the direction of `start`, which of a and b comes first? Straight back to `start`
+/// comes last.
 bool comes_first(const Point& v, const Point& start, const Point& a, const Point& b) {
   const auto half = [&](const Point& w) {
     const int turn = orientation(v, start, w);
@@ -180,7 +180,8 @@ std::vector<Ring> convex_partition_approximate(const Region& region) {
 }
 
 std::vector<Ring> monotone_partition(const Region& region) {
-  // A part is monotone if no reflex vertex has both its neighbours above or both below; of equal heights the left is below.
+  // A part is monotone if no reflex vertex has both its neighbours above or both below; of equal heights the left is
+  // below.
   const auto above = [](const Point& p, const Point& v) { return p.y() != v.y() ? p.y() > v.y() : p.x() > v.x(); };
   return without_needless_diagonals(region, [&](const Point& a, const Point& v, const Point& b) {
     return convex_turn(a, v, b) || above(a, v) != above(b, v);

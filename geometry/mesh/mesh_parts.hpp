@@ -82,8 +82,8 @@ class MeshParts {
   std::vector<bool> removed_;
 };
 
-/// Divides the region by few diagonals of its mesh into simple polygons without holes and without repeated vertices, for
-/// algorithms that know neither holes nor touching rings. A simple polygon stays whole.
+/// Divides the region by few diagonals of its mesh into simple polygons without holes and without repeated vertices,
+/// for algorithms that know neither holes nor touching rings. A simple polygon stays whole.
 std::vector<Ring> simple_pieces(const Region& region);
 
 }  // namespace oxturn

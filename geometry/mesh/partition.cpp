@@ -1,7 +1,8 @@
 // The optimal convex partition of each simple piece, by CGAL.
 //
-// Decisions   1. CGAL 5.5 sometimes returns parts that are not convex (seen where vertices of several pieces are collinear).
-//                Its own check runs in some builds only, so it is off here, and we check every part in every build.
+// Decisions   1. CGAL 5.5 sometimes returns parts that are not convex (seen where vertices of several pieces are
+//                collinear). Its own check runs in some builds only, so it is off here, and we check every part in
+//                every build.
 //             2. The same ring beginning at another vertex often gives a correct result, so a few are tried.
 #define CGAL_NO_POSTCONDITIONS
 #include "geometry/mesh/partition.hpp"

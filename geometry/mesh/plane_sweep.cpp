@@ -11,8 +11,8 @@
 namespace oxturn {
 namespace {
 
-/// An edge, or the rest of it after a split; `left` is before `right`. Free space is above a lower wall (which bounds its
-/// cell from below) and below an upper one. `cell` is the open cell on the free side.
+/// An edge, or the rest of it after a split; `left` is before `right`. Free space is above a lower wall (which bounds
+/// its cell from below) and below an upper one. `cell` is the open cell on the free side.
 struct Wall {
   Point left, right;
   bool lower = false;
@@ -158,8 +158,8 @@ class PlaneSweep {
     }
   }
 
-  /// Closes the cells on the left of the line through the vertex, down to the wall below and up to the wall above it, and
-  /// opens cells on its right.
+  /// Closes the cells on the left of the line through the vertex, down to the wall below and up to the wall above it,
+  /// and opens cells on its right.
   void cut(Event& e) {
     const ChainPoint here{e.at, true};
     ChainPoint down = here, up = here;

@@ -1,8 +1,8 @@
 /// The plane sweep behind boustrophedon_cells() and trapezoid_partition(). Private to geometry, not installed.
 ///
-/// A vertical line moves along +x and stops at the vertices, those of equal x by increasing y (as if the plane were sheared
-/// by an infinitesimal amount). Its status is the list of edges that it meets, ordered by exact predicates. An edge is
-/// split at a vertex of another ring that lies on it. O(n log n).
+/// A vertical line moves along +x and stops at the vertices, those of equal x by increasing y (as if the plane were
+/// sheared by an infinitesimal amount). Its status is the list of edges that it meets, ordered by exact predicates. An
+/// edge is split at a vertex of another ring that lies on it. O(n log n).
 #pragma once
 
 #include <vector>
@@ -17,8 +17,8 @@ struct ChainPoint {
 };
 using Chain = std::vector<ChainPoint>;
 
-/// The area between `lower` and `upper`, both from left to right and from the same x to the same x. Neither begins or ends
-/// with a vertical edge.
+/// The area between `lower` and `upper`, both from left to right and from the same x to the same x. Neither begins or
+/// ends with a vertical edge.
 struct PlaneSweepCell {
   Chain lower, upper;
 };
@@ -28,8 +28,8 @@ enum class Cuts {
   every_vertex,  // from every vertex upwards and downwards to the first wall
 };
 
-/// The cells in the order in which the line opens them, those without width left out. Throws std::invalid_argument where
-/// edges cross or overlap.
+/// The cells in the order in which the line opens them, those without width left out. Throws std::invalid_argument
+/// where edges cross or overlap.
 std::vector<PlaneSweepCell> plane_sweep_cells(const Region& region, Cuts cuts);
 
 }  // namespace oxturn

@@ -37,7 +37,7 @@ Point point_of(Vertex v) { return {v->point().x(), v->point().y()}; }
 
 class Triangulator {
  public:
-  Triangulator(const Outline& outline, const Region& region) : outline_(outline), region_(region) {}
+  Triangulator(const TriangulationInput& input, const Region& region) : outline_(input), region_(region) {}
 
   Triangulation run() {
     out_.points = outline_.points;
@@ -72,9 +72,9 @@ class Triangulator {
     }
   }
 
-  /// The faces inside the region, in CGAL's order. The constraints divide the faces into connected components; a component
-  /// is inside if the centroid of its largest face is. (Not by counting the constraints crossed: that fails where edges
-  /// overlap in part.)
+  /// The faces inside the region, in CGAL's order. The constraints divide the faces into connected components; a
+  /// component is inside if the centroid of its largest face is. (Not by counting the constraints crossed: that fails
+  /// where edges overlap in part.)
   std::vector<Face> free_faces() {
     const EdgeIndex index(region_);
     for (const Face f : cdt_.all_face_handles()) f->info() = Number::kNone;
@@ -124,9 +124,10 @@ class Triangulator {
   /// constraints lies on several edges.
   bool on_barrier(std::int32_t a, std::int32_t b) const {
     const auto& barriers = outline_.barriers;
-    if (std::binary_search(barriers.begin(), barriers.end(), Outline::Segment(std::minmax(a, b)))) return true;
+    if (std::binary_search(barriers.begin(), barriers.end(), TriangulationInput::Segment(std::minmax(a, b))))
+      return true;
     const Point &p = out_.points[at(a)], &q = out_.points[at(b)];
-    return std::any_of(barriers.begin(), barriers.end(), [&](const Outline::Segment& barrier) {
+    return std::any_of(barriers.begin(), barriers.end(), [&](const TriangulationInput::Segment& barrier) {
       const Point &s = out_.points[at(barrier.first)], &e = out_.points[at(barrier.second)];
       const double near = 1e-12 * (s.norm() + e.norm());
       return distance_to_segment(p, s, e) <= near && distance_to_segment(q, s, e) <= near;
@@ -151,7 +152,7 @@ class Triangulator {
     }
   }
 
-  const Outline& outline_;
+  const TriangulationInput& outline_;
   const Region& region_;
   Cdt cdt_;
   std::vector<Vertex> vertex_;  // by number
@@ -160,9 +161,9 @@ class Triangulator {
 
 }  // namespace
 
-Triangulation triangulate(const Outline& outline, const Region& region) {
+Triangulation triangulate(const TriangulationInput& input, const Region& region) {
   Triangulation result;
-  cgal_guarded("triangulation", [&] { result = Triangulator(outline, region).run(); });
+  cgal_guarded("triangulation", [&] { result = Triangulator(input, region).run(); });
   return result;
 }
 

@@ -1,19 +1,19 @@
-/// The triangles of an outline, by CGAL. Private to geometry, not installed.
+/// The triangles of an input, by CGAL. Private to geometry, not installed.
 #pragma once
 
 #include <vector>
 
 #include "geometry/mesh/mesh.hpp"
-#include "geometry/mesh/outline.hpp"
+#include "geometry/mesh/triangulation_input.hpp"
 
 namespace oxturn {
 
 struct Triangulation {
-  std::vector<Point> points;  // those of the outline, then points in which segments cross
+  std::vector<Point> points;  // those of the input, then points in which segments cross
   std::vector<Mesh::Triangle> triangles;
 };
 
 /// The triangles inside the region, constrained to its edges and barriers, Delaunay otherwise. O(n log n).
-Triangulation triangulate(const Outline& outline, const Region& region);
+Triangulation triangulate(const TriangulationInput& input, const Region& region);
 
 }  // namespace oxturn

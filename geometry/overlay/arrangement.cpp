@@ -27,8 +27,8 @@ struct Cut {
 
 bool edge_order(const OverlayEdge& e, const OverlayEdge& f) { return e.a != f.a ? e.a < f.a : e.b < f.b; }
 
-/// Does the edge ab bend to p, which lies off its line by `twice_area` of the triangle abp? It does if p is within half a
-/// quantum, measured vertically for flat edges and horizontally for steep ones.
+/// Does the edge ab bend to p, which lies off its line by `twice_area` of the triangle abp? It does if p is within half
+/// a quantum, measured vertically for flat edges and horizontally for steep ones.
 bool bends_to(const LatticePoint& a, const LatticePoint& b, const LatticePoint& p, std::int64_t area) {
   if (p == a || p == b) return false;
   const LatticePoint d = b - a;
@@ -58,8 +58,8 @@ void add_cuts(const std::vector<Piece>& pieces, std::uint32_t i, std::uint32_t j
   if (p != f.a && p != f.b) cuts.push_back({j, p});
 }
 
-/// Resolved pieces, sorted, and unresolved ones, in any order, in one sorted list. Equal edges become one; edges without
-/// weight vanish.
+/// Resolved pieces, sorted, and unresolved ones, in any order, in one sorted list. Equal edges become one; edges
+/// without weight vanish.
 std::vector<Piece> merged(const std::vector<Piece>& resolved, std::vector<Piece>& unresolved) {
   spread_sort(
       unresolved, [](const Piece& p) { return sort_key(p.edge.a); },

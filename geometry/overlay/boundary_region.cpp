@@ -1,10 +1,10 @@
 // A boundary as rings, and rings as polygons with holes.
 //
 // Method      At the head of an edge, the next edge of the same boundary component bounds the same wedge of the inside:
-//             clockwise from the way back. Following it gives closed cycles, one for each side of a connected face. A cycle
-//             that visits a vertex twice is cut there into loops. All loops of one cycle bound the same polygon: its outer
-//             ring is the loop that runs counter-clockwise, if there is one; otherwise the cycle is a set of holes, and its
-//             polygon is that of the edge next below its lowest point.
+//             clockwise from the way back. Following it gives closed cycles, one for each side of a connected face. A
+//             cycle that visits a vertex twice is cut there into loops. All loops of one cycle bound the same polygon:
+//             its outer ring is the loop that runs counter-clockwise, if there is one; otherwise the cycle is a set of
+//             holes, and its polygon is that of the edge next below its lowest point.
 #include <algorithm>
 #include <stdexcept>
 

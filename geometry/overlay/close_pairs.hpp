@@ -2,11 +2,11 @@
 ///
 ///   for_close_pairs(n, segment, 1.0, {}, [&](std::uint32_t i, std::uint32_t j) { /* candidates */ });
 ///
-/// Many segments are distributed to the cells of a grid over their box and clipped to them; each cell is searched in the
-/// same way, small ones pair by pair. Where a grid does not help (all detail in one corner, or long segments), space is
-/// halved at the mean of the segments' ends. O(n + pairs) for segments spread evenly, O(n log n + pairs) for other usual
-/// data. UniformGrid would not do: it does not adapt to crowded places, and searching it pair by pair costs the square of
-/// the segments in a cell.
+/// Many segments are distributed to the cells of a grid over their box and clipped to them; each cell is searched in
+/// the same way, small ones pair by pair. Where a grid does not help (all detail in one corner, or long segments),
+/// space is halved at the mean of the segments' ends. O(n + pairs) for segments spread evenly, O(n log n + pairs) for
+/// other usual data. UniformGrid would not do: it does not adapt to crowded areas, and searching it pair by pair costs
+/// the square of the segments in a cell.
 #pragma once
 
 #include <algorithm>
@@ -130,7 +130,8 @@ class ClosePairs {
     const double columns = std::clamp(std::sqrt(cells * width / height), 1.0, cells);
     return {Intervals(e.x_low, width, columns), Intervals(e.y_low, height, cells / columns)};
   }
-  /// Calls f(cell, s clipped to its column, row, is s in several rows of the column?) for every cell within the slack of s.
+  /// Calls f(cell, s clipped to its column, row, is s in several rows of the column?) for every cell within the slack
+  /// of s.
   template <class G>
   void for_each_cell(const Grid& grid, const SegmentPart& s, G f) const {
     const std::size_t c0 = grid.columns.at(s.x0 - slack_), c1 = grid.columns.at(s.x1 + slack_);
@@ -234,9 +235,9 @@ class ClosePairs {
   F f_;
 };
 
-/// at(k) is the k-th of n segments. Calls f(i, j), sometimes repeatedly, with the ids of segments whose bounding boxes come
-/// within `slack` of each other in some cell; no pair of segments within `slack` of each other is left out, except pairs of
-/// two inactive ones. active[id] != 0 marks active segments; if `active` is empty, all are.
+/// at(k) is the k-th of n segments. Calls f(i, j), sometimes repeatedly, with the ids of segments whose bounding boxes
+/// come within `slack` of each other in some cell; no pair of segments within `slack` of each other is left out, except
+/// pairs of two inactive ones. active[id] != 0 marks active segments; if `active` is empty, all are.
 template <class At, class F>
 void for_close_pairs(std::size_t n, At at, double slack, const std::vector<std::uint8_t>& active, F f) {
   ClosePairs<At, F>(n, at, slack, active, std::move(f));

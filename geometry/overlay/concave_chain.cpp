@@ -79,7 +79,8 @@ class GrowingChain {
     double length;
     std::size_t line;
   };
-  /// How far it is from p along the normal of an edge to where all lines are `reach` behind, and the last of these lines.
+  /// How far it is from p along the normal of an edge to where all lines are `reach` behind, and the last of these
+  /// lines.
   Depth depth(std::size_t edge, const Point& p) const {
     Depth most{-1e300, 0};
     for (std::size_t j = 0; j < size(); ++j) {
@@ -98,8 +99,9 @@ class GrowingChain {
   }
   double one_minus_cosine(std::size_t i, std::size_t j) const { return (normal_[i] - normal_[j]).squaredNorm() / 2; }
 
-  /// Is there no point on the perpendicular at the chain's start whose nearest point is on edge i? From a certain height
-  /// on, such points are as near to line i as to the start; by then edge i + 1 must be nearer, or they are out of reach.
+  /// Is there no point on the perpendicular at the chain's start whose nearest point is on edge i? From a certain
+  /// height on, such points are as near to line i as to the start; by then edge i + 1 must be nearer, or they are out
+  /// of reach.
   bool clear_before(std::size_t i) const {
     const double high = height(i, vertex_[0]) / one_minus_cosine(0, i);
     if (high > reach_ + 1) return true;
@@ -116,8 +118,8 @@ class GrowingChain {
            neighbour_takes_over(vertex, walk_.before(vertex), high);
   }
 
-  /// Do the strips of the edges before and after the chain overlap its end perpendiculars, of the given lengths, by more
-  /// than the margin?
+  /// Do the strips of the edges before and after the chain overlap its end perpendiculars, of the given lengths, by
+  /// more than the margin?
   bool overlaps_neighbours(double first, double last) const {
     const std::size_t head = (begin_ + size()) % walk_.ring.size();
     const auto enough = [&](double end, double sine, double neighbour) {
@@ -156,7 +158,8 @@ class GrowingChain {
   std::vector<Point> vertex_, normal_;  // one vertex more than edges
 };
 
-/// Are all points strictly between positions `from` and `to` (cyclic) within a quantum of the segment between those two?
+/// Are all points strictly between positions `from` and `to` (cyclic) within a quantum of the segment between those
+/// two?
 bool dispensable(const std::vector<LatticePoint>& points, std::size_t from, std::size_t to) {
   const Point chord = difference(points[to % points.size()], points[from]);
   const double length = chord.norm();

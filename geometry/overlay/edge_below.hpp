@@ -3,10 +3,10 @@
 ///   const EdgeBelow below(edges);
 ///   const std::uint32_t id = below.below(p);    // EdgeBelow::kNone if there is none
 ///
-/// Method: columns bounded by quantiles of the edges' left ends, and in each column levels of equal height by the edges'
-/// lowest points. A query searches the levels of its column downwards until no edge farther down reaches up to the best
-/// one found. O(1) for edges spread evenly, O(sqrt(n)) where many share few levels. UniformGrid would not do: a query
-/// looks down a whole column, and its cells do not adapt to crowded places.
+/// Method: columns bounded by quantiles of the edges' left ends, and in each column levels of equal height by the
+/// edges' lowest points. A query searches the levels of its column downwards until no edge farther down reaches up to
+/// the best one found. O(1) for edges spread evenly, O(sqrt(n)) where many share few levels. UniformGrid would not do:
+/// a query looks down a whole column, and its cells do not adapt to crowded areas.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ class EdgeBelow {
   /// The edges must meet at common ends only.
   explicit EdgeBelow(std::vector<Edge> edges);
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  /// The id of the first edge below p among those with a.x < p.x <= b.x, judged on the vertical line just left of p; p must
-  /// not lie on any of them.
+  /// The id of the first edge below p among those with a.x < p.x <= b.x, judged on the vertical line just left of p; p
+  /// must not lie on any of them.
   std::uint32_t below(const LatticePoint& p) const;
 
  private:

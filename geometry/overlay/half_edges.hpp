@@ -37,8 +37,8 @@ class HalfEdge {
 /// counter-clockwise, beginning just after straight down.
 class VertexFans {
  public:
-  /// ends(e): the two ends of edge e, of n. Edges must be in the order of their lower ends (by x, then y). O(n) for points
-  /// spread evenly, O(n log n) otherwise.
+  /// ends(e): the two ends of edge e, of n. Edges must be in the order of their lower ends (by x, then y). O(n) for
+  /// points spread evenly, O(n log n) otherwise.
   template <class Ends>
   VertexFans(std::size_t n, Ends ends) : half_edges_(2 * n), tail_(2 * n) {
     sort_by_vertex(n, ends);

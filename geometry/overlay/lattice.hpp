@@ -43,8 +43,8 @@ inline std::uint64_t sort_key(const LatticePoint& p) {
   return (std::uint64_t{static_cast<std::uint32_t>(p.x) ^ kSign} << 32) | (static_cast<std::uint32_t>(p.y) ^ kSign);
 }
 
-/// A lattice over a box. Its quantum is a power of two, about 2^-30 of the box's extent, and its origin a multiple of it:
-/// a point that was snapped to this or a coarser lattice is not moved again.
+/// A lattice over a box. Its quantum is a power of two, about 2^-30 of the box's extent, and its origin a multiple of
+/// it: a point that was snapped to this or a coarser lattice is not moved again.
 class Lattice {
  public:
   explicit Lattice(const Box& box);

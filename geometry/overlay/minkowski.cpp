@@ -1,17 +1,17 @@
-// Method      As in offset.cpp, with a polygon in place of the disc. Every ring is followed with each edge shifted by the
-//             vertex of the reflected body that is farthest to its left; at reflex vertices of the region the curve follows
-//             the reflected body's boundary about the vertex, at the others it makes a detour over the vertex itself. The
-//             winding number of all these curves together is that of the region minus the number of parallelograms (edge x
-//             vertex of the body) and fans (vertex of the region x part of the body's boundary) that contain the point. So
-//             "above zero" is the exact answer, whatever overlaps.
-//             Parallelograms and fans are all that has to be subtracted: grow the body at a free point p from a point until
-//             it first touches a wall. Either one of its vertices touches an edge, and p lies in the edge's parallelogram,
-//             or its boundary touches a vertex of the region, and p lies in that vertex's fan.
+// Method      As in offset.cpp, with a polygon in place of the disc. Every ring is followed with each edge shifted by
+//             the vertex of the reflected body that is farthest to its left; at reflex vertices of the region the curve
+//             follows the reflected body's boundary about the vertex, at the others it makes a detour over the vertex
+//             itself. The winding number of all these curves together is that of the region minus the number of
+//             parallelograms (edge x vertex of the body) and fans (vertex of the region x part of the body's boundary)
+//             that contain the point. So "above zero" is the exact answer, whatever overlaps.
+//             Parallelograms and fans are all that has to be subtracted: grow the body at a free point p from a point
+//             until it first touches a wall. Either one of its vertices touches an edge, and p lies in the edge's
+//             parallelogram, or its boundary touches a vertex of the region, and p lies in that vertex's fan.
 // Source      McMains and Chen, "Polygon offsetting by computing winding numbers", 2005; convolution curves: Guibas,
 //             Ramshaw and Stolfi, "A kinetic framework for computational geometry", 1983.
 // Decisions   1. An edge parallel to a side of the body is shifted by that vertex of the side which comes first in the
-//                sense of the walk. The rest of the side belongs to the fan at the edge's end, or, where the region is not
-//                reflex there, to the next edge's parallelogram.
+//                sense of the walk. The rest of the side belongs to the fan at the edge's end, or, where the region is
+//                not reflex there, to the next edge's parallelogram.
 //             2. Concave chains need no special care, unlike in offset.cpp: most of their edges are shifted by the same
 //                vertex, so their parallelograms lie side by side and do not cross.
 #include "geometry/overlay/minkowski.hpp"
@@ -25,7 +25,8 @@
 namespace oxturn {
 namespace {
 
-/// The reflected body on the lattice. Its vertices are clockwise, the order in which the walk passes them at a reflex vertex.
+/// The reflected body on the lattice. Its vertices are clockwise, the order in which the walk passes them at a reflex
+/// vertex.
 class ReflectedBody {
  public:
   /// The body is made larger by `growth` quanta (smaller, if negative).

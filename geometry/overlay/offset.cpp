@@ -4,14 +4,14 @@
 //             sectors (about a vertex) that contain the point. So "above zero" is the exact answer, whatever overlaps.
 //             Straight walls are shifted exactly; only arcs have a chord error.
 //
-//             Along a fine concave arc, such as an earlier offset leaves, n strips would cross n^2 times. Dilation writes
-//             concave chains down as single polygons where it can (concave_chain.hpp). Clusters of short strips that are
-//             left are united by halves and enter the overlay as one operand.
+//             Along a fine concave arc, such as an earlier offset leaves, n strips would cross n^2 times. Dilation
+//             writes concave chains down as single polygons where it can (concave_chain.hpp). Clusters of short strips
+//             that are left are united by halves and enter the overlay as one operand.
 // Source      McMains and Chen, "Polygon offsetting by computing winding numbers", 2005.
-// Complexity  n vertices: O(n) for the curves (O(k^2) for a concave chain of k <= 64 edges), O(m log m) for clusters of m
-//             strips, and the overlay of the resulting O(n) edges.
-// Decisions   1. Erosion does not use concave chains: configuration spaces, and with them all paths, would change in the
-//                last bits.
+// Complexity  n vertices: O(n) for the curves (O(k^2) for a concave chain of k <= 64 edges), O(m log m) for clusters of
+//             m strips, and the overlay of the resulting O(n) edges.
+// Decisions   1. Erosion does not use concave chains: configuration spaces, and with them all paths, would change in
+//                the last bits.
 #include "geometry/overlay/offset.hpp"
 
 #include <algorithm>
@@ -123,8 +123,8 @@ class OffsetCurve {
     }
     close_cluster(walk, cluster, out, edges);
   }
-  /// Moves a cluster's detours to `out`. If they are many, their union becomes an operand of the overlay instead, and the
-  /// curve follows the ring itself.
+  /// Moves a cluster's detours to `out`. If they are many, their union becomes an operand of the overlay instead, and
+  /// the curve follows the ring itself.
   void close_cluster(const Walk& walk, std::vector<Detour>& cluster, std::vector<Detour>& out,
                      std::vector<OverlayEdge>& edges) const {
     if (cluster.size() >= kLeastCluster) {

@@ -1,6 +1,6 @@
-// Method      Crossings are searched among close pairs of edges, with exact predicates. A region whose overlay on the integer
-//             lattice gives back its own rings is canonical already and keeps its coordinates to the last bit; any other is
-//             replaced by the overlay.
+// Method      Crossings are searched among close pairs of edges, with exact predicates. A region whose overlay on the
+//             integer lattice gives back its own rings is canonical already and keeps its coordinates to the last bit;
+//             any other is replaced by the overlay.
 #include "geometry/overlay/validity.hpp"
 
 #include <fmt/format.h>
@@ -101,8 +101,8 @@ class RingLocator {
   std::vector<std::vector<std::uint32_t>> bands_;  // edges
 };
 
-/// A point inside the ring: in the middle of the widest intersection with a horizontal line, which lies in the middle of
-/// the largest gap between the heights of vertices.
+/// A point inside the ring: in the middle of the widest intersection with a horizontal line, which lies in the middle
+/// of the largest gap between the heights of vertices.
 Point inner_point(const Ring& ring) {
   std::vector<double> heights;
   for (const Point& p : ring) heights.push_back(p.y());

@@ -17,15 +17,15 @@ struct Flaw {
   Point point;
 };
 
-/// The first flaw that cannot be repaired without guessing: a coordinate that is not finite, a ring with fewer than three
-/// different points or without area, edges that cross (of one ring or of two), a hole outside its polygon. Not flaws, since
-/// repaired() removes them: touching rings, spikes, repeated and collinear points, wrong orientation. O(n log n) for usual
-/// data.
+/// The first flaw that cannot be repaired without guessing: a coordinate that is not finite, a ring with fewer than
+/// three different points or without area, edges that cross (of one ring or of two), a hole outside its polygon. Not
+/// flaws, since repaired() removes them: touching rings, spikes, repeated and collinear points, wrong orientation. O(n
+/// log n) for usual data.
 std::optional<Flaw> find_flaw(const Region& region);
 
 /// The same set of points in canonical form: repeated points, spikes and exactly collinear vertices removed, rings
-/// oriented, touching or overlapping holes united, holes that touch the outer ring made part of it, polygons without area
-/// dropped. Throws std::invalid_argument "REASON at (X, Y)" for what find_flaw() finds. O(n log n) for usual data.
+/// oriented, touching or overlapping holes united, holes that touch the outer ring made part of it, polygons without
+/// area dropped. Throws std::invalid_argument "REASON at (X, Y)" for what find_flaw() finds. O(n log n) for usual data.
 Region repaired(const Region& region);
 
 }  // namespace oxturn

@@ -7,8 +7,8 @@
 namespace oxturn {
 namespace {
 
-/// The shortest path through portals, by a funnel: an apex and the narrowest view of the portals passed so far. Where one
-/// side of the view crosses the other, the path bends there and a new view begins.
+/// The shortest path through portals, by a funnel: an apex and the narrowest view of the portals passed so far. Where
+/// one side of the view crosses the other, the path bends there and a new view begins.
 class Funnel {
  public:
   /// The last portal is the goal, twice.
@@ -102,8 +102,8 @@ void DualTree::find_portals(std::int32_t from, std::int32_t to, std::vector<Port
 Polyline DualTree::path(const Point& start, std::int32_t from, const Point& goal, std::int32_t to) const {
   thread_local std::vector<Portal> portals;
   find_portals(from, to, portals);
-  // A start on the first portals has passed them: seen from it they span 180 degrees, which orientations cannot tell from
-  // none.
+  // A start on the first portals has passed them: seen from it they span 180 degrees, which orientations cannot tell
+  // from none.
   portals.erase(portals.begin(), std::find_if(portals.begin(), portals.end(), [&](const Portal& p) {
                   return orientation(p.right, p.left, start) > 0;
                 }));

@@ -21,8 +21,8 @@ class DualTree {
   DualTree(const Mesh& mesh, const ConnectedComponents& components);
   /// Is the component free of holes?
   bool is_tree(std::int32_t component) const { return is_tree_[static_cast<std::size_t>(component)]; }
-  /// The shortest path from a point of triangle `from` to one of triangle `to`, both points included. The triangles must be
-  /// in one component without holes.
+  /// The shortest path from a point of triangle `from` to one of triangle `to`, both points included. The triangles
+  /// must be in one component without holes.
   Polyline path(const Point& start, std::int32_t from, const Point& goal, std::int32_t to) const;
 
  private:

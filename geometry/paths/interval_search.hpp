@@ -1,18 +1,20 @@
 /// A* over cones of sight in a mesh (Polyanya), shared by the search for one shortest path and that for all taut paths.
 /// Private to geometry, not installed.
 ///
-/// A node of the search is a cone from a root (the start, or a vertex about which the path has turned) through an edge of
-/// the mesh into the triangle behind it. Both sides of the cone are rays through given points, so that every question about
-/// it is the exact orientation of three given points; no end of an interval is ever rounded.
+/// A node of the search is a cone from a root (the start, or a vertex about which the path has turned) through an edge
+/// of the mesh into the triangle behind it. Both sides of the cone are rays through given points, so that every
+/// question about it is the exact orientation of three given points; no end of an interval is ever rounded.
 ///
-///                  apex              The cone enters the triangle through the edge left-right. If the apex is in sight,
-///                  /  \ .            it continues through both other edges; otherwise through one, and a turn about the
+///                  apex              The cone enters the triangle through the edge left-right. If the apex is in
+///                  sight, /  \ .            it continues through both other edges; otherwise through one, and a turn
+///                  about the
 ///                 /    \ .           end of the edge that hides the rest opens the other.
 ///            left --__-- right
 ///                 \    /
 ///                  root
 ///
-/// graph_search.hpp would not do: nodes are made during the search, and of two nodes of equal cost the newer comes first.
+/// graph_search.hpp would not do: nodes are made during the search, and of two nodes of equal cost the newer comes
+/// first.
 #pragma once
 
 #include <algorithm>
@@ -167,8 +169,8 @@ class IntervalSearch {
     return ray.away ? orientation(at(ray.by), at(root), x) : orientation(at(root), at(ray.by), x);
   }
 
-  /// Finishes the path to the goal in the triangle that the cone enters: straight, or by a turn about the end of the edge
-  /// that hides the goal, if the cone's side is that end.
+  /// Finishes the path to the goal in the triangle that the cone enters: straight, or by a turn about the end of the
+  /// edge that hides the goal, if the cone's side is that end.
   void enter_target(const ConeNode& n, std::int32_t index, PathPoint left_end, PathPoint right_end) {
     const bool beyond_left = side(n.from.root, n.left, goal_) > 0, beyond_right = side(n.from.root, n.right, goal_) < 0;
     if (!beyond_left && !beyond_right) finish(n.from, index);
@@ -209,7 +211,8 @@ class IntervalSearch {
     if (node.from.root == left_end || node.from.root == right_end) return distance(r, goal_);
     const Point &vl = at(left_end), &vr = at(right_end);
     const Point edge = vr - vl;
-    // A root almost collinear with the edge: rounding would choose the interval, so only the straight distance is certain.
+    // A root almost collinear with the edge: rounding would choose the interval, so only the straight distance is
+    // certain.
     const double height = cross(edge, vl - r);
     if (height * height < 1e-12 * edge.squaredNorm() * std::max(edge.squaredNorm(), (vl - r).squaredNorm()))
       return distance(r, goal_);

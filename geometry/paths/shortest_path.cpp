@@ -79,8 +79,8 @@ class OnePathSearch : public IntervalSearch<OnePathSearch> {
   void starts_at(PathPoint vertex) { root(vertex).length = 0; }
   std::int32_t finished_chain(const ConeOrigin&) const { return 0; }
   std::optional<ConeOrigin> last_turn(const ConeNode& n, PathPoint v, Turn) { return turn(n, v, Turn::left); }
-  /// Every (root, vertex, triangle) is followed once, or again on a shorter path: otherwise equally long paths, as between
-  /// obstacles on a lattice, would multiply.
+  /// Every (root, vertex, triangle) is followed once, or again on a shorter path: otherwise equally long paths, as
+  /// between obstacles on a lattice, would multiply.
   std::optional<ConeOrigin> turn(const ConeNode& n, PathPoint v, Turn) {
     if (!mesh_.is_reflex(v)) return std::nullopt;
     const double length = n.from.length + distance(at(n.from.root), at(v));

@@ -4,8 +4,9 @@
 ///   const std::optional<Polyline> p = paths.path(from, to);     // nullopt: not connected
 ///
 /// Source      Cui, Harabor and Grastien, "Compromise-free pathfinding on a navigation mesh" (Polyanya), IJCAI 2017
-/// Method      A* over intervals of triangle edges. Nothing is prepared but the triangulation: O(n log n) for n vertices.
-///             In components without holes the funnel of the only sleeve of triangles is taken at once (dual_tree.hpp).
+/// Method      A* over intervals of triangle edges. Nothing is prepared but the triangulation: O(n log n) for n
+///             vertices. In components without holes the funnel of the only sleeve of triangles is taken at once
+///             (dual_tree.hpp).
 /// Complexity  the cost of a query usually grows with the triangles between the ends, not with the region
 #pragma once
 
@@ -28,17 +29,17 @@ class ShortestPaths {
   ~ShortestPaths();
   ShortestPaths(ShortestPaths&&) noexcept;
 
-  /// The shortest path from a to b, both included, optimal up to the rounding of lengths. It bends only at reflex vertices
-  /// of the region and may run along its boundary, but not through a point in which free space is connected by that point
-  /// alone (a and b may be such points). nullopt if an end is outside, the two are not connected, or the length exceeds
-  /// `longest`. Deterministic; may be called by several threads.
+  /// The shortest path from a to b, both included, optimal up to the rounding of lengths. It bends only at reflex
+  /// vertices of the region and may run along its boundary, but not through a point in which free space is connected by
+  /// that point alone (a and b may be such points). nullopt if an end is outside, the two are not connected, or the
+  /// length exceeds `longest`. Deterministic; may be called by several threads.
   std::optional<Polyline> path(const Point& a, const Point& b,
                                double longest = std::numeric_limits<double>::infinity()) const;
-  /// Calls visit(path) for every taut (locally shortest) path from a to b not longer than `longest`, that is one for each
-  /// homotopy class, by increasing length, until `visit` returns false. Paths whose prefix from a to a bend `admits` (if
-  /// given) rejects are pruned. Returns false if the search ended because of `budget`, the number of cones that it may
-  /// continue through a triangle: then there may be more paths. There can be exponentially many classes; each costs about
-  /// as much as one path.
+  /// Calls visit(path) for every taut (locally shortest) path from a to b not longer than `longest`, that is one for
+  /// each homotopy class, by increasing length, until `visit` returns false. Paths whose prefix from a to a bend
+  /// `admits` (if given) rejects are pruned. Returns false if the search ended because of `budget`, the number of cones
+  /// that it may continue through a triangle: then there may be more paths. There can be exponentially many classes;
+  /// each costs about as much as one path.
   bool for_each_taut_path(const Point& a, const Point& b, double longest, std::size_t budget,
                           const std::function<bool(const Polyline&)>& visit,
                           const std::function<bool(const Polyline&)>& admits = {}) const;

@@ -1,5 +1,5 @@
-// All taut paths, by the same search as the shortest one, but with paths told apart by their chains of bends: each (chain,
-// triangle) is followed once, and the search goes on behind the goal.
+// All taut paths, by the same search as the shortest one, but with paths told apart by their chains of bends: each
+// (chain, triangle) is followed once, and the search goes on behind the goal.
 #include <algorithm>
 #include <limits>
 #include <map>

@@ -1,14 +1,14 @@
-// Method      Triangular expansion: sight spreads from triangle to triangle of a mesh, and each edge that it passes narrows
-//             the cone. Both sides of a cone are rays from the eye through vertices of the region, so that every decision is
-//             the exact orientation of given points; only the far ends of the rays are rounded.
+// Method      Triangular expansion: sight spreads from triangle to triangle of a mesh, and each edge that it passes
+//             narrows the cone. Both sides of a cone are rays from the eye through vertices of the region, so that
+//             every decision is the exact orientation of given points; only the far ends of the rays are rounded.
 // Source      Bungiu, Hemmer, Hershberger, Huang and Kroeller, "Efficient computation of visibility polygons", 2014
-// Complexity  O(cones). A triangle may be seen through several edges: in the worst case O(n h) cones for n vertices and h
-//             holes, on real maps about the number of triangles seen.
+// Complexity  O(cones). A triangle may be seen through several edges: in the worst case O(n h) cones for n vertices and
+//             h holes, on real maps about the number of triangles seen.
 // Decisions   1. An eye that is outside by at most the tolerance sees from the nearest point of the region.
-//             2. An eye on a wall is a vertex of what it sees. Where rings touch in the eye, it sees in several directions
-//                with walls between them, and the polygon returns to it in between.
-//             3. What is seen along a single line, between two vertices that touch the line from both sides, has no area
-//                and is left out.
+//             2. An eye on a wall is a vertex of what it sees. Where rings touch in the eye, it sees in several
+//                directions with walls between them, and the polygon returns to it in between.
+//             3. What is seen along a single line, between two vertices that touch the line from both sides, has no
+//                area and is left out.
 #include "geometry/paths/visibility.hpp"
 
 #include <fmt/format.h>
@@ -90,8 +90,8 @@ class Expansion {
   std::vector<Window> stack_;
 };
 
-/// The edges opposite the eye of the triangles that contain it, counter-clockwise. If there is a gap between two of them (a
-/// wall at the eye), they begin after it.
+/// The edges opposite the eye of the triangles that contain it, counter-clockwise. If there is a gap between two of
+/// them (a wall at the eye), they begin after it.
 std::vector<Window> windows_around(const Mesh& mesh, const Point& eye, const std::vector<std::int32_t>& home) {
   std::vector<Window> around;
   for (const std::int32_t t : home)

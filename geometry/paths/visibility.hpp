@@ -11,16 +11,18 @@
 
 namespace oxturn {
 
-/// Walls block sight, touching a vertex does not. Build once: O(n log n) for n vertices. May be used by several threads.
+/// Walls block sight, touching a vertex does not. Build once: O(n log n) for n vertices. May be used by several
+/// threads.
 class Visibility {
  public:
   explicit Visibility(const Region& region);
   ~Visibility();
   Visibility(Visibility&&) noexcept;
 
-  /// The star-shaped polygon that `eye` sees, counter-clockwise. Its vertices are vertices of the region and, rounded, the
-  /// points where rays past a vertex end. Exact predicates decide which vertices are seen. O(triangles seen), usually. An
-  /// eye outside the region by at most `tolerance` is moved into it; throws std::invalid_argument if it is farther outside.
+  /// The star-shaped polygon that `eye` sees, counter-clockwise. Its vertices are vertices of the region and, rounded,
+  /// the points where rays past a vertex end. Exact predicates decide which vertices are seen. O(triangles seen),
+  /// usually. An eye outside the region by at most `tolerance` is moved into it; throws std::invalid_argument if it is
+  /// farther outside.
   Ring from(const Point& eye, double tolerance = 0) const;
 
  private:

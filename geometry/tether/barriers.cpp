@@ -1,11 +1,11 @@
-// Method      A gap between two different rings of one polygon is narrow if a disc of the given diameter cannot pass it. (A
-//             narrow place between two parts of the same ring only leads into a pocket, which no shortest path enters just
-//             to leave it again; and no path leads from polygon to polygon.) Of rings that are connected by a chain of narrow
-//             gaps only a spanning tree needs barriers: a further gap leads into such a pocket, too. The tree is the minimum
-//             one, by Kruskal over the closest pairs of rings.
-//             The closest points of two disjoint rings include a vertex of one of them, so vertices against edges suffice.
-//             Another ring may lie between a vertex and its nearest point. That does no harm: it divides the segment into
-//             two shorter ones, whose gaps come first and connect both rings already.
+// Method      A gap between two different rings of one polygon is narrow if a disc of the given diameter cannot pass
+//             it. (A narrow place between two parts of the same ring only leads into a pocket, which no shortest path
+//             enters just to leave it again; and no path leads from polygon to polygon.) Of rings that are connected by
+//             a chain of narrow gaps only a spanning tree needs barriers: a further gap leads into such a pocket, too.
+//             The tree is the minimum one, by Kruskal over the closest pairs of rings.
+//             The closest points of two disjoint rings include a vertex of one of them, so vertices against edges
+//             suffice. Another ring may lie between a vertex and its nearest point. That does no harm: it divides the
+//             segment into two shorter ones, whose gaps come first and connect both rings already.
 // Source      Kruskal, "On the shortest spanning subtree of a graph", 1956
 #include <algorithm>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The search that finds the cones of a geodesic field: see geodesic_cones.hpp. graph_search.hpp would not do: its nodes,
-// windows and fans, are made during the search, and a fan is settled a little later than its label says.
+// The search that finds the cones of a geodesic field: see geodesic_cones.hpp. graph_search.hpp would not do: its
+// nodes, windows and fans, are made during the search, and a fan is settled a little later than its label says.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -147,8 +147,8 @@ class ContinuousDijkstra {
     }
   }
 
-  /// Walks around the fan of v to the first triangle in which it is hidden from `from`, which sees the point through v's
-  /// triangle. False if there is none.
+  /// Walks around the fan of v to the first triangle in which it is hidden from `from`, which sees the point through
+  /// v's triangle. False if there is none.
   bool first_hidden(const Point& from, FanVertex& v, Turn turn) const {
     const std::int32_t start = v.triangle;
     while (true) {
@@ -244,9 +244,9 @@ class ContinuousDijkstra {
     return {w.root, false, unit(w.left.vector_from(r)), unit(w.right.vector_from(r))};
   }
 
-  /// Length of the path to the nearest point of the interval by which the window enters its triangle from triangle `from`;
-  /// infinity if the cone is shortest nowhere. That is so if a labelled vertex beside the interval, or the vertex of `from`
-  /// opposite it, is nearer to the interval's far end by a path that crosses the whole cone.
+  /// Length of the path to the nearest point of the interval by which the window enters its triangle from triangle
+  /// `from`; infinity if the cone is shortest nowhere. That is so if a labelled vertex beside the interval, or the
+  /// vertex of `from` opposite it, is nearer to the interval's far end by a path that crosses the whole cone.
   double useful_from(const Window& w, std::int32_t from) {
     const auto k = at(w.apex);
     const Point &left = mesh_.vertex(w.triangle, k + 1), &right = mesh_.vertex(w.triangle, k + 2);

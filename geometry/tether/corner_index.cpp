@@ -7,8 +7,8 @@
 namespace oxturn {
 namespace {
 
-/// A wall at a corner, seen from there. Free space is to the left of every ring, so the obstacle lies counter-clockwise of
-/// an incoming wall and clockwise of an outgoing one.
+/// A wall at a corner, seen from there. Free space is to the left of every ring, so the obstacle lies counter-clockwise
+/// of an incoming wall and clockwise of an outgoing one.
 struct Wall {
   Point at, to;
   bool incoming;
@@ -25,8 +25,8 @@ bool wall_order(const Wall& a, const Wall& b) {
   return turn != 0 ? turn > 0 : a.incoming && !b.incoming;
 }
 
-/// A point strictly between the rays at -> from and at -> to, which turn left by less than 180 degrees. It decides on which
-/// side of the tether a wedge lies: the wedge's walls may be collinear with the tether up to rounding.
+/// A point strictly between the rays at -> from and at -> to, which turn left by less than 180 degrees. It decides on
+/// which side of the tether a wedge lies: the wedge's walls may be collinear with the tether up to rounding.
 Point between(const Point& at, const Point& from, const Point& to) {
   const Point u = from - at, v = to - at;
   const double reach = std::min(u.norm(), v.norm());

@@ -15,8 +15,8 @@ namespace oxturn {
 
 class CornerIndex {
  public:
-  /// A wedge of obstacle of less than 180 degrees. Where rings touch, every wedge between two fans of free space is a corner
-  /// of its own, so there can be several at one point.
+  /// A wedge of obstacle of less than 180 degrees. Where rings touch, every wedge between two fans of free space is a
+  /// corner of its own, so there can be several at one point.
   struct Corner {
     Point at;
     Point inside;  // seen from `at`, a point strictly between the wedge's two walls
@@ -24,8 +24,8 @@ class CornerIndex {
   explicit CornerIndex(const Region& free);
 
   const std::vector<Corner>& corners() const { return corners_; }
-  /// Calls f(corner) for every corner within `pad` of the convex polygon of n vertices (n = 2: a segment); also for some
-  /// others near it, and for some repeatedly.
+  /// Calls f(corner) for every corner within `pad` of the convex polygon of n vertices (n = 2: a segment); also for
+  /// some others near it, and for some repeatedly.
   template <class F>
   void for_each_near(const Point* polygon, int n, double pad, F f) const {
     grid_.visit(polygon, n, pad, [&](std::size_t cell) {

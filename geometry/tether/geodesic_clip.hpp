@@ -13,7 +13,7 @@
 
 namespace oxturn {
 
-enum class HalfPlane { left, right };
+enum class KeptSide { left, right };
 
 /// A triangle clipped by up to four half-planes, counter-clockwise. Allocates nothing.
 class Facet {
@@ -25,8 +25,8 @@ class Facet {
   }
   /// Keeps what is on one side of the line through p along the unit vector d, or within `slack` of the line, so that no
   /// vertex on it is lost by rounding.
-  void clip(const Point& p, const Point& d, HalfPlane half_plane, double slack) {
-    const int side = half_plane == HalfPlane::left ? 1 : -1;
+  void clip(const Point& p, const Point& d, KeptSide kept, double slack) {
+    const int side = kept == KeptSide::left ? 1 : -1;
     std::array<Point, 12> out;
     std::size_t n = 0;
     for (std::size_t i = 0; i < size_; ++i) {

@@ -83,8 +83,8 @@ bool GeodesicCones::beaten(const Cone& cone, const Facet& part, std::span<const 
   if (root(best->root).before >= root(cone.root).before)
     return std::all_of(vertices.begin(), vertices.end(),
                        [&](const Point& p) { return distance_by(cone, p) - distance_by(*best, p) > tie_; });
-  // Both distances are convex functions. This one is above its tangent plane at the middle; the other rises above its own
-  // by no more than its curvature allows.
+  // Both distances are convex functions. This one is above its tangent plane at the middle; the other rises above its
+  // own by no more than its curvature allows.
   const Point to_mine = middle - root(cone.root).at, to_best = middle - root(best->root).at;
   const double far = to_best.norm() - radius;
   if (!(far > 0)) return false;

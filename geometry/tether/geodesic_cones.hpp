@@ -1,12 +1,13 @@
 /// The cones of sight of a geodesic field, triangle by triangle. Private to geometry, not installed.
 ///
 /// Source      Mitchell 1996 (continuous Dijkstra); windows are pruned as by Xin and Wang 2009
-/// Method      A cone leaves its root (the anchor, or a corner about which shortest paths bend) through edges of the mesh,
-///             nearest first. Its sides are rays through given points, so all topological decisions are exact. A corner in
-///             sight gets a label, the length of a path to it. When no nearer cone is left, the label is final: the corner
-///             is settled, becomes a root, and opens the part of its surroundings that its predecessor does not see. Cones
-///             that are shortest nowhere are pruned.
-/// Corners     are counted by fans: where rings touch or barriers end, each fan of triangles about the point is one corner.
+/// Method      A cone leaves its root (the anchor, or a corner about which shortest paths bend) through edges of the
+///             mesh, nearest first. Its sides are rays through given points, so all topological decisions are exact. A
+///             corner in sight gets a label, the length of a path to it. When no nearer cone is left, the label is
+///             final: the corner is settled, becomes a root, and opens the part of its surroundings that its
+///             predecessor does not see. Cones that are shortest nowhere are pruned.
+/// Corners     are counted by fans: where rings touch or barriers end, each fan of triangles about the point is one
+///             corner.
 #pragma once
 
 #include <cstdint>
@@ -58,8 +59,8 @@ class GeodesicCones {
   /// Removes from the facet what is outside the cone.
   void clip(Facet& facet, const Cone& cone) const {
     if (cone.whole) return;
-    facet.clip(root(cone.root).at, cone.left, HalfPlane::right, rounding_);
-    if (!facet.empty()) facet.clip(root(cone.root).at, cone.right, HalfPlane::left, rounding_);
+    facet.clip(root(cone.root).at, cone.left, KeptSide::right, rounding_);
+    if (!facet.empty()) facet.clip(root(cone.root).at, cone.right, KeptSide::left, rounding_);
   }
   /// Divides the triangle into parts so small that only a few of its cones can be shortest in each, and calls
   /// f(facet, cones) for them. Parts for which wanted(facet, cones) is false are left out.
@@ -72,12 +73,12 @@ class GeodesicCones {
     const Root& r = root(cone.root);
     return r.before + (p - r.at).norm();
   }
-  /// Are the shortest paths to p by roots a and b the same curve? They are if one of them only has additional corners that
-  /// it passes without a bend.
+  /// Are the shortest paths to p by roots a and b the same curve? They are if one of them only has additional corners
+  /// that it passes without a bend.
   bool same_path(std::int32_t a, std::int32_t b, const Point& p) const;
 
-  /// Moves p into the mesh, by at most the tolerance, and lists the triangles that contain it up to rounding. False if p is
-  /// farther outside.
+  /// Moves p into the mesh, by at most the tolerance, and lists the triangles that contain it up to rounding. False if
+  /// p is farther outside.
   bool move_inside(Point& p, std::vector<std::int32_t>& found) const { return mesh_.move_inside(p, tolerance_, found); }
   /// Metres by which computed points may be off.
   double rounding() const { return rounding_; }

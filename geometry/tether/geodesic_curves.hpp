@@ -1,4 +1,5 @@
-/// Level sets and cut locus of a geodesic field, from its cones, triangle by triangle. Private to geometry, not installed.
+/// Level sets and cut locus of a geodesic field, from its cones, triangle by triangle. Private to geometry, not
+/// installed.
 #pragma once
 
 #include <vector>

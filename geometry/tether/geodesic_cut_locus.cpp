@@ -1,8 +1,8 @@
-// Method      In each triangle, for every two roots u and v: the curve on which their paths are equally long, a branch of a
-//             hyperbola. Let w = v - u and c = before(u) - before(v). Seen from u in direction e, a unit vector, the curve is
-//             at distance (|w|^2 - c^2) / (2 (e . w + c)). Where it meets a line, or another such curve about u, is linear
-//             in e, so all ends of pieces are known in closed form. The later root, with the greater `before`, takes the
-//             part of u: its side of the curve is convex and star-shaped about it.
+// Method      In each triangle, for every two roots u and v: the curve on which their paths are equally long, a branch
+//             of a hyperbola. Let w = v - u and c = before(u) - before(v). Seen from u in direction e, a unit vector,
+//             the curve is at distance (|w|^2 - c^2) / (2 (e . w + c)). Where it meets a line, or another such curve
+//             about u, is linear in e, so all ends of pieces are known in closed form. The later root, with the greater
+//             `before`, takes the part of u: its side of the curve is convex and star-shaped about it.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -230,8 +230,8 @@ std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_erro
   return out;
 }
 
-/// The distance is convex along every cone, so it is largest at a vertex of the mesh or at the end of a piece of the cut
-/// locus.
+/// The distance is convex along every cone, so it is largest at a vertex of the mesh or at the end of a piece of the
+/// cut locus.
 double farthest_of(const GeodesicCones& cones) {
   double most = 0;
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(cones.mesh().triangles().size()); ++t)

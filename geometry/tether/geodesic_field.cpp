@@ -13,8 +13,8 @@ struct GeodesicField::Impl {
   Point anchor;
   GeodesicCones cones;
 
-  /// The root of the shortest path to p, which is moved into the mesh; of equal paths the one with fewest corners. kNone if
-  /// there is none.
+  /// The root of the shortest path to p, which is moved into the mesh; of equal paths the one with fewest corners.
+  /// kNone if there is none.
   std::int32_t last_root(Point& p) const {
     constexpr double kEqual = 1e-12;  // relative
     thread_local std::vector<std::int32_t> found;

@@ -4,10 +4,10 @@
 ///   field.distance(p);                          // infinity: not reachable
 ///   for (const auto& chain : field.level_set(10.0)) drive(sampled(chain, chord_error));
 ///
-/// Source      Mitchell, "Shortest paths among obstacles in the plane", 1996 (continuous Dijkstra over cones of sight, here
-///             on a triangulation); windows are pruned as in Xin and Wang 2009 (improved Chen-Han)
-/// Model       d(x) is the least of d(c) + |x - c| over all settled corners c that see x. Every corner keeps the cone for
-///             which it is the last bend; each triangle keeps the few cones that may be shortest somewhere in it.
+/// Source      Mitchell, "Shortest paths among obstacles in the plane", 1996 (continuous Dijkstra over cones of sight,
+///             here on a triangulation); windows are pruned as in Xin and Wang 2009 (improved Chen-Han)
+/// Model       d(x) is the least of d(c) + |x - c| over all settled corners c that see x. Every corner keeps the cone
+///             for which it is the last bend; each triangle keeps the few cones that may be shortest somewhere in it.
 /// Complexity  about O(n log n) for n vertices on real maps; a query costs the cones of one triangle
 #pragma once
 
@@ -22,16 +22,17 @@
 
 namespace oxturn {
 
-/// Segments that close gaps of free space narrower than `width`, which a disc of that diameter cannot pass. For every two
-/// obstacles (rings; the outer one counts as one) that a chain of such gaps connects, as many as it takes to connect them,
-/// shortest gaps first: a minimum spanning forest. Their ends lie on the boundary, at a vertex or inside an edge. Closed in
-/// this way, free space has the homotopy classes of the disc's configuration space. O(n log n) for usual data.
+/// Segments that close gaps of free space narrower than `width`, which a disc of that diameter cannot pass. For every
+/// two obstacles (rings; the outer one counts as one) that a chain of such gaps connects, as many as it takes to
+/// connect them, shortest gaps first: a minimum spanning forest. Their ends lie on the boundary, at a vertex or inside
+/// an edge. Closed in this way, free space has the homotopy classes of the disc's configuration space. O(n log n) for
+/// usual data.
 std::vector<Polyline> barriers(const Region& free, double width);
 
 class GeodesicField {
  public:
-  /// Points of queries, and the anchor, may be outside free space by at most `tolerance`. Throws std::invalid_argument if
-  /// the anchor is farther outside.
+  /// Points of queries, and the anchor, may be outside free space by at most `tolerance`. Throws std::invalid_argument
+  /// if the anchor is farther outside.
   GeodesicField(const Region& free, const Point& anchor, const std::vector<Polyline>& barriers, double tolerance);
   ~GeodesicField();
   GeodesicField(GeodesicField&&) noexcept;
@@ -58,17 +59,17 @@ class GeodesicField {
     double begin = 0, end = 0;  // begin < end
     Point at(double angle) const { return centre + radius * Point(std::cos(angle), std::sin(angle)); }
   };
-  /// The points at distance `length`, as chains of arcs; each chain is one piece of the boundary of {distance < length}. Its
-  /// arcs follow one another counter-clockwise. A chain continues from the arc about one corner to that about the next
-  /// where the shortest paths to both run along one ray, and ends at walls, at barriers, and where two different paths
-  /// around an obstacle meet. A closed chain ends where it begins. Chains are ordered around the anchor, by the first corner
-  /// at which their paths part. O(triangles + arcs).
+  /// The points at distance `length`, as chains of arcs; each chain is one piece of the boundary of {distance <
+  /// length}. Its arcs follow one another counter-clockwise. A chain continues from the arc about one corner to that
+  /// about the next where the shortest paths to both run along one ray, and ends at walls, at barriers, and where two
+  /// different paths around an obstacle meet. A closed chain ends where it begins. Chains are ordered around the
+  /// anchor, by the first corner at which their paths part. O(triangles + arcs).
   std::vector<std::vector<Arc>> level_set(double length) const;
 
-  /// The cut locus: the points to which there are two or more shortest paths, different ones around an obstacle. Pieces of
-  /// hyperbolas as polylines, with an error of at most `chord_error` metres; one polyline lies in one triangle. They connect
-  /// each hole of free space (with barriers) to another or to the outer boundary, and meet in common points; ends on walls
-  /// are accurate to 1e-6 of the map's extent. Throws std::invalid_argument unless the error is positive.
+  /// The cut locus: the points to which there are two or more shortest paths, different ones around an obstacle. Pieces
+  /// of hyperbolas as polylines, with an error of at most `chord_error` metres; one polyline lies in one triangle. They
+  /// connect each hole of free space (with barriers) to another or to the outer boundary, and meet in common points;
+  /// ends on walls are accurate to 1e-6 of the map's extent. Throws std::invalid_argument unless the error is positive.
   std::vector<Polyline> cut_locus(double chord_error) const;
 
   const Mesh& mesh() const;

@@ -1,6 +1,6 @@
-// Method      In each triangle, for every root, the parts of its circle that no other root's circle contains. Then arcs of
-//             one circle are joined across triangles, and arcs of different circles where the tether begins to bend about a
-//             corner.
+// Method      In each triangle, for every root, the parts of its circle that no other root's circle contains. Then arcs
+//             of one circle are joined across triangles, and arcs of different circles where the tether begins to bend
+//             about a corner.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -51,8 +51,8 @@ class ArcFinder {
     return std::abs(least - length_) <= radius + cones_.tie();
   }
 
-  /// The arcs about one cone's root in a part of triangle t. breaks_ are the angles at which such an arc may begin or end,
-  /// relative to the direction of the facet's middle.
+  /// The arcs about one cone's root in a part of triangle t. breaks_ are the angles at which such an arc may begin or
+  /// end, relative to the direction of the facet's middle.
   void add_pieces(std::int32_t t, const Facet& part, std::span<const Cone> here, const Cone& cone) {
     const Point& centre = cones_.root(cone.root).at;
     const double radius = length_ - cones_.root(cone.root).before;
@@ -263,8 +263,8 @@ class ChainBuilder {
     }
   }
 
-  /// A path from the anchor by its points, and by how much it turns left at each (at the anchor: its direction), rounded so
-  /// that what is collinear up to rounding compares as equal.
+  /// A path from the anchor by its points, and by how much it turns left at each (at the anchor: its direction),
+  /// rounded so that what is collinear up to rounding compares as equal.
   struct Turns {
     std::vector<Point> points;
     std::vector<double> left;

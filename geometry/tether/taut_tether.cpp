@@ -1,15 +1,16 @@
-// Method      A drive is divided into straight pieces at the corners that it passes. While the robot drives one piece, the
-//             tether's last segment sweeps over a triangle and turns in one direction only. Bends that it gains bend to that
-//             side and bends that it releases to the other, so first come releases, then gains.
-// Complexity  A release costs the grid cells of the triangle that it opens. The first bend gained costs the cells of the rest,
-//             and each further one looks again at the corners left in the shrinking triangle: k bends gained in one piece
-//             among c corners take O(k c) at worst.
-// Decisions   1. A sweep is bounded by rays through given points: the path's points, corners and the anchor. The points in
-//                which the turning tether meets the segment driven are computed only for reports and for the index.
-//             2. A drive that comes within kNear of a corner goes through that corner. On a valid path that does not change
-//                the homotopy class, since no obstacle lies between path and corner, and a path that rounding has put on the
-//                wrong side of a corner is led around it. So only a robot exactly at a corner is a special case: the corner
-//                stops the tether if its wedge lies between the tether and the path that follows.
+// Method      A drive is divided into straight pieces at the corners that it passes. While the robot drives one piece,
+//             the tether's last segment sweeps over a triangle and turns in one direction only. Bends that it gains
+//             bend to that side and bends that it releases to the other, so first come releases, then gains.
+// Complexity  A release costs the grid cells of the triangle that it opens. The first bend gained costs the cells of
+//             the rest, and each further one looks again at the corners left in the shrinking triangle: k bends gained
+//             in one piece among c corners take O(k c) at worst.
+// Decisions   1. A sweep is bounded by rays through given points: the path's points, corners and the anchor. The points
+//                in which the turning tether meets the segment driven are computed only for reports and for the index.
+//             2. A drive that comes within kNear of a corner goes through that corner. On a valid path that does not
+//                change the homotopy class, since no obstacle lies between path and corner, and a path that rounding
+//                has put on the wrong side of a corner is led around it. So only a robot exactly at a corner is a
+//                special case: the corner stops the tether if its wedge lies between the tether and the path that
+//                follows.
 #include "geometry/tether/taut_tether.hpp"
 
 #include <fmt/format.h>

@@ -3,19 +3,20 @@
 ///   const TautSpace space(free_space);
 ///   TautTether tether(space, anchor);
 ///   tether.drive(path);
-///   tether.length();                            // metres, of the shortest curve in the homotopy class of the path driven
+///   tether.length();                            // metres, of the shortest curve in the homotopy class of the path
+///   driven
 ///
 /// The tether's bends are decided by orientation predicates on given points (corners and the path's points), never on
 /// rounded intersections and never by time steps.
 ///
 /// Source      the taut tether of Xavier, "Shortest path planning for a tethered robot or an anchored cable", 1999; the
 ///             tests' oracle is Hershberger and Snoeyink 1994
-/// Rules       1. A corner stops the tether if its obstacle lies on the side towards which the tether turns. A corner that
-///                the tether touches with the obstacle on the other side does not.
+/// Rules       1. A corner stops the tether if its obstacle lies on the side towards which the tether turns. A corner
+///                that the tether touches with the obstacle on the other side does not.
 ///             2. If several corners become collinear with the tether at once, only the farthest becomes a bend.
 ///             3. A bend is released when the tether's last segment becomes collinear with the segment before it.
-/// Complexity  a drive costs the corners in the grid cells of the triangles it sweeps over, and the bends that change: see
-///             taut_tether.cpp
+/// Complexity  a drive costs the corners in the grid cells of the triangles it sweeps over, and the bends that change:
+///             see taut_tether.cpp
 #pragma once
 
 #include <cstdint>
@@ -28,8 +29,8 @@
 
 namespace oxturn {
 
-/// The corners about which a tether can bend, indexed: those where there is more than 180 degrees of free space. Immutable;
-/// shared by any number of tethers and threads.
+/// The corners about which a tether can bend, indexed: those where there is more than 180 degrees of free space.
+/// Immutable; shared by any number of tethers and threads.
 class TautSpace {
  public:
   explicit TautSpace(const Region& free);
@@ -44,8 +45,8 @@ class TautSpace {
 
 class TautTether {
  public:
-  /// A corner about which the tether turns, seen from the anchor: left (+1, the obstacle is on the tether's left) or right
-  /// (-1).
+  /// A corner about which the tether turns, seen from the anchor: left (+1, the obstacle is on the tether's left) or
+  /// right (-1).
   struct Bend {
     Point at;
     int side;

@@ -1,20 +1,21 @@
-// Complexity  A path that the plain shortest path gives: that path, and a simulation of the tether along it. Otherwise up to
-//             `budget` expansions of the search for other classes, and a simulation for each bend that it tries.
-// Decisions   1. The tether is checked at the ends of a path's segments: on a straight segment its length is convex (the
-//                universal cover of free space has no positive curvature), so it is longest at an end.
-//             2. If the tether is too short at a bend of a path, it is for every path with that prefix. The search prunes
-//                such prefixes, and so ends although there are infinitely many classes.
+// Complexity  A path that the plain shortest path gives: that path, and a simulation of the tether along it. Otherwise
+//             up to `budget` expansions of the search for other classes, and a simulation for each bend that it tries.
+// Decisions   1. The tether is checked at the ends of a path's segments: on a straight segment its length is convex
+//                (the universal cover of free space has no positive curvature), so it is longest at an end.
+//             2. If the tether is too short at a bend of a path, it is for every path with that prefix. The search
+//                prunes such prefixes, and so ends although there are infinitely many classes.
 //             3. On the best path of a class the tether of a point robot is never longer than at both ends. For a disc,
-//                rounding may violate the limit in between, since its space's arcs are polygons: such a path is rejected.
-//             4. If the class of the geodesic violates the limit when pulled taut, it is driven as it is: back to the start,
-//                then from there.
+//                rounding may violate the limit in between, since its space's arcs are polygons: such a path is
+//                rejected.
+//             4. If the class of the geodesic violates the limit when pulled taut, it is driven as it is: back to the
+//                start, then from there.
 //             5. `untangle` tries to leave the path back at its vertices and at 64 or more points between them, then
 //                bisects the last step ten times.
-//             6. The path to a goal outside the cut space is searched from the last point of the goal's geodesic at which
-//                the robot can be, and pulled taut; if that fails, from the start.
-//             7. A goal outside the cut space has no bound on the path's length. If the budget does not suffice, the path
-//                leads back to the start and from there follows the class of the geodesic, searched among paths along which
-//                the tether is little longer.
+//             6. The path to a goal outside the cut space is searched from the last point of the goal's geodesic at
+//                which the robot can be, and pulled taut; if that fails, from the start.
+//             7. A goal outside the cut space has no bound on the path's length. If the budget does not suffice, the
+//                path leads back to the start and from there follows the class of the geodesic, searched among paths
+//                along which the tether is little longer.
 #include "geometry/tether/tethered_path.hpp"
 
 #include <fmt/format.h>
@@ -79,8 +80,8 @@ Polyline taut(const TautSpace& space, const Polyline& line) {
   return tether.polyline();
 }
 
-/// In the class of the goal's geodesic: back along the trail to the start, then through the cut space. nullopt if the goal
-/// is not in that.
+/// In the class of the goal's geodesic: back along the trail to the start, then through the cut space. nullopt if the
+/// goal is not in that.
 std::optional<Polyline> by_geodesic(const World& world, const TautTether& trail, const Point& goal) {
   const auto out = world.cut_paths.path(trail.anchor(), goal);
   if (!out) return std::nullopt;

@@ -5,10 +5,11 @@
 ///   if (const auto p = robot.path_to(goal)) robot.drive(p->points);
 ///
 /// Source      Xavier 1999 (untangling); Brass, Vigan and Xu 2015; Salzman and Halperin 2015; Yang, Xiong and Wang 2022
-///             (arXiv 2208.03969): the admissible states of one homotopy class are convex, so the best path between two of
-///             them is the ordinary shortest path of its class
-/// Method      The class of a path is that of the path driven so far, followed by the new one. The robot's own path, pulled
-///             taut in its configuration space (its trail), represents the class; the tether itself lies in free space.
+///             (arXiv 2208.03969): the admissible states of one homotopy class are convex, so the best path between two
+///             of them is the ordinary shortest path of its class
+/// Method      The class of a path is that of the path driven so far, followed by the new one. The robot's own path,
+///             pulled taut in its configuration space (its trail), represents the class; the tether itself lies in free
+///             space.
 #pragma once
 
 #include <limits>
@@ -24,10 +25,10 @@ namespace oxturn {
 /// What stays the same while a robot drives. `field` must outlive it.
 class TetheredWorld {
  public:
-  /// `free`: where the tether may lie. `space`: where the robot's centre may be. `cut_space`: the part of `space` within the
-  /// tether length limit, cut open along the field's cut locus and connected to the start; along its shortest paths the
-  /// tether is the geodesic. `longest`: the tether length limit; `tolerance`: by how much rounding may exceed it; metres.
-  /// Throws std::invalid_argument for a negative limit.
+  /// `free`: where the tether may lie. `space`: where the robot's centre may be. `cut_space`: the part of `space`
+  /// within the tether length limit, cut open along the field's cut locus and connected to the start; along its
+  /// shortest paths the tether is the geodesic. `longest`: the tether length limit; `tolerance`: by how much rounding
+  /// may exceed it; metres. Throws std::invalid_argument for a negative limit.
   TetheredWorld(const Region& free, const Region& space, const Region& cut_space, const GeodesicField& field,
                 double longest, double tolerance);
   ~TetheredWorld();
@@ -43,10 +44,10 @@ enum class Retraction {
   untangle,   // back along the path driven, pulled taut, until the goal can be reached straight (Xavier 1999)
 };
 
-/// The shortest path in `space`, from `start` (in the cut space) to `goal`, in the class of the goal's geodesic: at its end
-/// the tether is as long as field.distance(goal). To a goal outside the cut space (separated by walls that the cut locus
-/// touches) the path crosses the cut locus and returns; meanwhile the tether is longer than the geodesic by at most `slack`
-/// metres. nullopt if there is none, or if the search needs more than `budget` expansions.
+/// The shortest path in `space`, from `start` (in the cut space) to `goal`, in the class of the goal's geodesic: at its
+/// end the tether is as long as field.distance(goal). To a goal outside the cut space (separated by walls that the cut
+/// locus touches) the path crosses the cut locus and returns; meanwhile the tether is longer than the geodesic by at
+/// most `slack` metres. nullopt if there is none, or if the search needs more than `budget` expansions.
 std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& start, const Point& goal, double slack,
                                       std::size_t budget = 20000);
 /// `line` pulled taut in `space`, with its ends fixed.
@@ -61,13 +62,13 @@ struct TetheredPath {
 
 class TetheredRobot {
  public:
-  /// At `start`, with the tether along the geodesic from the anchor. `world` must outlive it. Throws std::invalid_argument
-  /// if the start is not reachable from the anchor.
+  /// At `start`, with the tether along the geodesic from the anchor. `world` must outlive it. Throws
+  /// std::invalid_argument if the start is not reachable from the anchor.
   TetheredRobot(const TetheredWorld& world, const Point& start);
 
-  /// The shortest path to `goal` along which the tether keeps its length limit; nullopt if there is none. The plain shortest
-  /// path is tried first, then other classes by length, and finally the class of the geodesic, which is admissible for every
-  /// goal in the cut space. `budget`: expansions of the search for other classes.
+  /// The shortest path to `goal` along which the tether keeps its length limit; nullopt if there is none. The plain
+  /// shortest path is tried first, then other classes by length, and finally the class of the geodesic, which is
+  /// admissible for every goal in the cut space. `budget`: expansions of the search for other classes.
   std::optional<TetheredPath> path_to(const Point& goal, Retraction retraction = Retraction::automatic,
                                       std::size_t budget = 2000) const;
   /// The shortest path back to the start after which the tether is as it was there; nullopt as above.

@@ -43,14 +43,14 @@ namespace {
 constexpr double kMostCoordinate = 1e12;  // metres: points farther away are not drawn
 
 /// Half the size of the marks of start, end and anchor, pixels.
-double mark_size(const View& view, const Problem& problem) {
-  return std::clamp(problem.robot().tool_width * view.scale * 0.3, 3.5, 7.0);
+double mark_size(const Canvas& canvas, const Problem& problem) {
+  return std::clamp(problem.robot().tool_width * canvas.scale * 0.3, 3.5, 7.0);
 }
 
 /// A black diamond with a white border.
-void append_anchor(std::string& out, const View& view, const Problem& problem) {
-  const Point at = view(problem.anchor());
-  const double r = mark_size(view, problem) + 1.5;
+void append_anchor(std::string& out, const Canvas& canvas, const Problem& problem) {
+  const Point at = canvas(problem.anchor());
+  const double r = mark_size(canvas, problem) + 1.5;
   out += fmt::format(
       "<path id=\"anchor\" d=\"M{} {} {} {} {} {} {} {}Z\" fill=\"#111\" stroke=\"#fff\" stroke-width=\"1.5\">"
       "<title>anchor</title></path>\n",
@@ -58,10 +58,10 @@ void append_anchor(std::string& out, const View& view, const Problem& problem) {
 }
 
 /// A red square.
-void append_end(std::string& out, const View& view, const Problem& problem, const Path& path) {
+void append_end(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path) {
   if (path.legs.empty()) return;
-  const double r = mark_size(view, problem);
-  const Point end = view(path.legs.back().points.back());
+  const double r = mark_size(canvas, problem);
+  const Point end = canvas(path.legs.back().points.back());
   out += fmt::format(
       "<rect id=\"end\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#c82020\" stroke=\"#fff\" "
       "stroke-width=\"1.5\"><title>end</title></rect>\n",
@@ -69,12 +69,12 @@ void append_end(std::string& out, const View& view, const Problem& problem, cons
 }
 
 /// A green disc with a ring; the footprint, if there is one.
-void append_start(std::string& out, const View& view, const Problem& problem) {
-  const double r = mark_size(view, problem);
-  const Point start = view(problem.start());
+void append_start(std::string& out, const Canvas& canvas, const Problem& problem) {
+  const double r = mark_size(canvas, problem);
+  const Point start = canvas(problem.start());
   if (const Ring& footprint = problem.robot().footprint; !footprint.empty())
     out += fmt::format("<path id=\"footprint\" fill=\"none\" stroke=\"#0a7d2c\" stroke-width=\"1.2\" d=\"{}\"/>\n",
-                       region_data(view, transformed({{{footprint, {}}}}, 0, problem.start())));
+                       region_data(canvas, transformed({{{footprint, {}}}}, 0, problem.start())));
   out += fmt::format(
       "<g id=\"start\"><title>start</title><circle cx=\"{0}\" cy=\"{1}\" r=\"{2}\" fill=\"none\" stroke=\"#0a7d2c\" "
       "stroke-width=\"1.6\"/><circle cx=\"{0}\" cy=\"{1}\" r=\"{3}\" fill=\"#12a33d\" stroke=\"#fff\" "
@@ -99,30 +99,30 @@ Path drawable(const Path& path) {
 }  // namespace svg
 
 std::string to_svg(const Problem& problem, const Path* path, const PictureOptions& options) {
-  const svg::View view(bounding_box(problem.map().free), options.width_px);
+  const svg::Canvas canvas(bounding_box(problem.map().free), options.width_px);
   const bool tethered = problem.robot().tether.has_value();
   const Path shown = path != nullptr ? svg::drawable(*path) : Path{};
   std::string out;
-  svg::append_frame(out, view, problem.map().name, problem.map().free);
+  svg::append_frame(out, canvas, problem.map().name, problem.map().free);
   out += fmt::format("<path id=\"target\" fill=\"#fbe9c6\" fill-rule=\"evenodd\" d=\"{}\"/>\n",
-                     svg::region_data(view, problem.target()));
-  if (path != nullptr && options.swath) svg::append_swath(out, view, problem, shown);
-  if (options.traces != nullptr) svg::append_traces(out, view, *options.traces);
-  if (path != nullptr) svg::append_path(out, view, problem, shown);
-  if (path != nullptr && tethered) svg::append_tethers(out, view, problem, shown, options.tethers);
-  svg::append_end(out, view, problem, shown);
-  svg::append_start(out, view, problem);
-  if (tethered) svg::append_anchor(out, view, problem);
-  svg::append_scale_bar(out, view);
-  if (path != nullptr) svg::append_colour_key(out, view);
+                     svg::region_data(canvas, problem.target()));
+  if (path != nullptr && options.swath) svg::append_swath(out, canvas, problem, shown);
+  if (options.traces != nullptr) svg::append_traces(out, canvas, *options.traces);
+  if (path != nullptr) svg::append_path(out, canvas, problem, shown);
+  if (path != nullptr && tethered) svg::append_tethers(out, canvas, problem, shown, options.tethers);
+  svg::append_end(out, canvas, problem, shown);
+  svg::append_start(out, canvas, problem);
+  if (tethered) svg::append_anchor(out, canvas, problem);
+  svg::append_scale_bar(out, canvas);
+  if (path != nullptr) svg::append_colour_key(out, canvas);
   return out + "</svg>\n";
 }
 
 std::string to_svg(const Map& map, const PictureOptions& options) {
-  const svg::View view(bounding_box(map.free), options.width_px);
+  const svg::Canvas canvas(bounding_box(map.free), options.width_px);
   std::string out;
-  svg::append_frame(out, view, map.name, map.free);
-  svg::append_scale_bar(out, view);
+  svg::append_frame(out, canvas, map.name, map.free);
+  svg::append_scale_bar(out, canvas);
   return out + "</svg>\n";
 }
 

@@ -28,7 +28,7 @@ void append_hundredths(std::string& out, std::int64_t h) {
 
 }  // namespace
 
-View::View(const Box& box, double width_px) {
+Canvas::Canvas(const Box& box, double width_px) {
   const Point size = box.size();
   width = std::max(width_px, kLeastWidth);
   const double inner = width - 2 * kMargin;
@@ -45,11 +45,11 @@ std::string px(double value) {
 
 void PathData::move(const Point& p) {
   flush();
-  put('M', view_(p));
+  put('M', canvas_(p));
 }
 
 void PathData::line(const Point& p) {
-  const Point at = view_(p);
+  const Point at = canvas_(p);
   skipped_ = (at - last_).squaredNorm() < least2_;
   if (skipped_)
     skipped_at_ = at;
@@ -87,8 +87,8 @@ void PathData::put(char letter, const Point& at) {
   last_ = at;
 }
 
-std::string region_data(const View& view, const Region& region) {
-  PathData data(view, kLeastWallStep);
+std::string region_data(const Canvas& canvas, const Region& region) {
+  PathData data(canvas, kLeastWallStep);
   for_each_ring(region, [&](const Ring& ring) {
     if (ring.empty()) return;
     data.add(ring);

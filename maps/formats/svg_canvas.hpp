@@ -1,9 +1,9 @@
 /// The basics of SVG pictures: scale, numbers, path data. Private to maps/formats.
 ///
-///   const svg::View view(bounding_box(region), 1000);
-///   out += "<path d=\"" + svg::region_data(view, region) + "\"/>";
+///   const svg::Canvas canvas(bounding_box(region), 1000);
+///   out += "<path d=\"" + svg::region_data(canvas, region) + "\"/>";
 ///
-/// y points up in maps and down in SVG: it is reversed in View and nowhere else. Numbers are hundredths of a pixel,
+/// y points up in maps and down in SVG: it is reversed in Canvas and nowhere else. Numbers are hundredths of a pixel,
 /// printed from integers: short, and the same on every machine.
 #pragma once
 
@@ -22,11 +22,11 @@ inline constexpr double kLeastLineStep = 0.25;
 inline constexpr double kLeastWallStep = 0.05;
 
 /// From metres to pixels.
-struct View {
+struct Canvas {
   Point low{0, 0};
   double scale = 1, width = 0, height = 0;  // pixels per metre; size of the map's part of the picture, in pixels
 
-  View(const Box& box, double width_px);
+  Canvas(const Box& box, double width_px);
   Point operator()(const Point& p) const {
     return {kMargin + (p.x() - low.x()) * scale, height - kMargin - (p.y() - low.y()) * scale};
   }
@@ -38,7 +38,7 @@ std::string px(double value);
 /// Path data of polylines, without vertices nearer than `least_px` pixels to the last one drawn.
 class PathData {
  public:
-  PathData(const View& view, double least_px) : view_(view), least2_(least_px * least_px) {}
+  PathData(const Canvas& canvas, double least_px) : canvas_(canvas), least2_(least_px * least_px) {}
   void move(const Point& p);
   void line(const Point& p);
   void close();
@@ -50,13 +50,13 @@ class PathData {
  private:
   void flush();
   void put(char letter, const Point& at);
-  const View& view_;
+  const Canvas& canvas_;
   double least2_;
   std::string text_;
   Point last_{0, 0}, skipped_at_{0, 0};
   bool skipped_ = false;  // the last vertex was left out
 };
 
-std::string region_data(const View& view, const Region& region);
+std::string region_data(const Canvas& canvas, const Region& region);
 
 }  // namespace oxturn::svg

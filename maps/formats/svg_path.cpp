@@ -13,8 +13,8 @@ namespace {
 constexpr int kPieces = 480;  // of the path, each with a colour and an element of its own
 
 /// The legs with the tool on, or those with the tool off.
-std::string legs_data(const View& view, const Path& path, bool tool) {
-  PathData data(view, kLeastLineStep);
+std::string legs_data(const Canvas& canvas, const Path& path, bool tool) {
+  PathData data(canvas, kLeastLineStep);
   for (const Leg& leg : path.legs)
     if (leg.tool == tool) data.add(leg.points);
   return data.take();
@@ -23,8 +23,8 @@ std::string legs_data(const View& view, const Path& path, bool tool) {
 /// The work legs in pieces, each one colour. The whole path (transit too) is divided into kPieces equal lengths.
 class ColouredPath {
  public:
-  ColouredPath(std::string& out, const View& view, double total)
-      : out_(out), data_(view, kLeastLineStep), total_(total) {}
+  ColouredPath(std::string& out, const Canvas& canvas, double total)
+      : out_(out), data_(canvas, kLeastLineStep), total_(total) {}
 
   void add(const Leg& leg) {
     for (std::size_t i = 1; i < leg.points.size(); ++i) {
@@ -56,13 +56,13 @@ class ColouredPath {
   int piece_ = 0;
 };
 
-void append_work(std::string& out, const View& view, const Path& path, double line_px) {
+void append_work(std::string& out, const Canvas& canvas, const Path& path, double line_px) {
   const double total = path.length();
   if (!(total > 0) || !std::isfinite(total)) return;
   out += fmt::format(
       "<g id=\"path\" fill=\"none\" stroke-width=\"{}\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
       px(line_px));
-  ColouredPath coloured(out, view, total);
+  ColouredPath coloured(out, canvas, total);
   for (const Leg& leg : path.legs) coloured.add(leg);
   coloured.finish_piece();
   out += "</g>\n";
@@ -70,27 +70,27 @@ void append_work(std::string& out, const View& view, const Path& path, double li
 
 }  // namespace
 
-void append_swath(std::string& out, const View& view, const Problem& problem, const Path& path) {
-  const double tool_px = problem.robot().tool_width * view.scale;
+void append_swath(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path) {
+  const double tool_px = problem.robot().tool_width * canvas.scale;
   out += fmt::format(
       "<path id=\"swath\" fill=\"none\" stroke=\"#b9d9f7\" stroke-opacity=\"0.8\" stroke-width=\"{}\" "
       "stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\"{}\"/>\n",
-      px(std::max(tool_px, 0.02)), legs_data(view, path, true));
+      px(std::max(tool_px, 0.02)), legs_data(canvas, path, true));
 }
 
-void append_path(std::string& out, const View& view, const Problem& problem, const Path& path) {
-  const double tool_px = problem.robot().tool_width * view.scale;
+void append_path(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path) {
+  const double tool_px = problem.robot().tool_width * canvas.scale;
   const double line_px = std::clamp(tool_px * 0.14, 0.5, 2.2);
-  const std::string transit = legs_data(view, path, false);
+  const std::string transit = legs_data(canvas, path, false);
   if (!transit.empty())
     out += fmt::format(
         "<path id=\"transit\" fill=\"none\" stroke=\"#555\" stroke-width=\"{}\" stroke-dasharray=\"{} {}\" "
         "d=\"{}\"/>\n",
         px(std::max(0.7, line_px * 0.8)), px(std::max(3.0, 3 * line_px)), px(std::max(2.0, 2 * line_px)), transit);
-  append_work(out, view, path, line_px);
+  append_work(out, canvas, path, line_px);
 }
 
-void append_traces(std::string& out, const View& view, const std::vector<Trace>& traces) {
+void append_traces(std::string& out, const Canvas& canvas, const std::vector<Trace>& traces) {
   static constexpr std::array<const char*, 6> kColours{"#7a3fa8", "#0b7a75", "#b5651d",
                                                        "#d6336c", "#1b4f9c", "#5c7a00"};
   std::vector<std::string> names;  // in order of appearance
@@ -98,7 +98,7 @@ void append_traces(std::string& out, const View& view, const std::vector<Trace>&
     const auto known = std::find(names.begin(), names.end(), trace.name);
     const auto order = static_cast<std::size_t>(known - names.begin());
     if (known == names.end()) names.push_back(trace.name);
-    PathData data(view, kLeastLineStep);
+    PathData data(canvas, kLeastLineStep);
     for (const Polyline& line : trace.lines) data.add(line);
     out += fmt::format(
         "<g id=\"{0}\" fill=\"none\" stroke=\"{2}\" stroke-width=\"1\" stroke-opacity=\"0.7\">"

@@ -117,7 +117,7 @@ TEST(Habits, AreValidDeterministicAndStopByTheirRule) {
       for (const std::string& habit : kHabits) {
         SCOPED_TRACE(fmt::format("{} on {} --seed {}", habit, generator, seed));
         const RecordedPlan a = plan_recorded(habit, problem, {{"passes", 4.0}}, seed),
-                      b = plan_recorded(habit, problem, {{"passes", 4.0}}, seed);
+                           b = plan_recorded(habit, problem, {{"passes", 4.0}}, seed);
         EXPECT_EQ(find_flaw(problem, a.path), "");
         ASSERT_EQ(a.path.legs.size(), 1u);
         ASSERT_EQ(a.path.legs[0].points.size(), b.path.legs[0].points.size());

@@ -161,7 +161,7 @@ double beyond_truth(const Belief& belief, const Problem& problem, int level) {
   return area(subtract(belief.region(level), problem.map().free));
 }
 
-/// Scans every 20 cm on the way to some random points.
+/// Scans every 20 cm along paths to random points.
 void wander(Belief& belief, const Problem& problem, std::uint64_t seed, int goals) {
   const LidarSimulator lidar(problem.map().free, *problem.robot().lidar);
   Rng rng(seed), noise(seed);

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/grid/bisector_nodes.hpp"
 #include "algorithms/grid/branch_tree.hpp"
 #include "algorithms/grid/node_loops.hpp"
+#include "base/disjoint_sets.hpp"
 #include "base/random.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
@@ -165,6 +165,30 @@ TEST(NodeLoops, TheWalkFindsAllInvalidNodes) {
 
 // --- the tree ---
 
+void expect_acyclic(const BranchTree& tree) {
+  const auto edges = tree.edges();
+  ASSERT_EQ(edges.size() + 1, tree.vertices().size());
+  DisjointSets sets(tree.vertices().size());
+  for (const auto& [a, b] : edges) EXPECT_TRUE(sets.unite(a, b)) << "a cycle in the tree";
+}
+
+/// The path around: closed, in free space, over every vertex; each branch and chain twice, each round once.
+void expect_drive_around(BranchTree& tree, const EdgeIndex& space, double once, double twice) {
+  const Polyline path = tree.path_around();
+  EXPECT_EQ(path.front(), path.back());
+  double most = once;
+  for (const auto& [a, b] : tree.edges()) most += 2 * distance(tree.vertices()[a], tree.vertices()[b]);
+  for (std::size_t k = 1; k < path.size(); ++k) EXPECT_TRUE(space.contains(path[k - 1], path[k]));
+  EXPECT_LE(length(path), most + 1e-9);
+  EXPECT_GE(length(path), once + 2 * twice - 1e-9);
+  for (const Point& p : tree.vertices()) {
+    double nearest = 1e9;
+    for (std::size_t k = 1; k < path.size(); ++k)
+      nearest = std::min(nearest, distance_to_segment(p, path[k - 1], path[k]));
+    EXPECT_LT(nearest, 1e-9) << "a vertex is left out";
+  }
+}
+
 TEST(BranchTree, IsATreeWhateverIsAttachedAndIsDrivenAround) {
   for (const auto seed : seeds(1500)) {
     SCOPED_TRACE(seed);
@@ -209,32 +233,8 @@ TEST(BranchTree, IsATreeWhateverIsAttachedAndIsDrivenAround) {
         }
       }
     }
-    const auto edges = tree.edges();
-    ASSERT_EQ(edges.size() + 1, tree.vertices().size());
-    std::vector<std::size_t> root(tree.vertices().size());
-    std::iota(root.begin(), root.end(), 0u);
-    const auto find = [&](std::size_t v) {
-      while (root[v] != v) v = root[v] = root[root[v]];
-      return v;
-    };
-    for (const auto& [a, b] : edges) {
-      EXPECT_NE(find(a), find(b)) << "a cycle in the tree";
-      root[find(a)] = find(b);
-    }
-    // The path around: closed, in free space, over every vertex; every branch and chain twice, every round once.
-    const Polyline path = tree.path_around();
-    EXPECT_EQ(path.front(), path.back());
-    double most = once;
-    for (const auto& [a, b] : edges) most += 2 * distance(tree.vertices()[a], tree.vertices()[b]);
-    for (std::size_t k = 1; k < path.size(); ++k) EXPECT_TRUE(space.contains(path[k - 1], path[k]));
-    EXPECT_LE(length(path), most + 1e-9);
-    EXPECT_GE(length(path), once + 2 * twice - 1e-9);
-    for (const Point& p : tree.vertices()) {
-      double nearest = 1e9;
-      for (std::size_t k = 1; k < path.size(); ++k)
-        nearest = std::min(nearest, distance_to_segment(p, path[k - 1], path[k]));
-      EXPECT_LT(nearest, 1e-9) << "a vertex is left out";
-    }
+    expect_acyclic(tree);
+    expect_drive_around(tree, space, once, twice);
   }
 }
 
@@ -287,7 +287,8 @@ TEST(StcLoops, ASquarePillarHasOneUnbrokenLoop) {
   const Settings slides{{"fill", std::string("none")}};
   Settings walked = slides;
   walked["close_loops"] = false;
-  const RecordedPlan once = plan_recorded("stc-loops", problem, slides), twice = plan_recorded("stc-loops", problem, walked);
+  const RecordedPlan once = plan_recorded("stc-loops", problem, slides),
+                     twice = plan_recorded("stc-loops", problem, walked);
   EXPECT_EQ(once.figures.at("loops"), 2);
   EXPECT_EQ(once.figures.at("broken_loops"), 0);
   EXPECT_EQ(once.figures.at("chains"), 2);
@@ -297,7 +298,7 @@ TEST(StcLoops, ASquarePillarHasOneUnbrokenLoop) {
               testing::IsSupersetOf({"spanning tree", "bisectors", "nodes", "broken loops", "merged tree"}));
 }
 
-TEST(StcLoops, LoopsBrokenInManyPlaces) {
+TEST(StcLoops, LoopsBrokenManyTimes) {
   // A row of pillars along a wall, too near to it and to each other for the robot: every loop is broken.
   Polygon room = box_region({0, 0}, {10, 4}).polygons.front();
   for (int k = 0; k < 6; ++k) {

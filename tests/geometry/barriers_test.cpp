@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "geometry/edge_index.hpp"
-#include "geometry/tether/geodesic_field.hpp"
 #include "geometry/mesh/mesh.hpp"
 #include "geometry/overlay/offset.hpp"
+#include "geometry/tether/geodesic_field.hpp"
 #include "random_region.hpp"
 
 namespace oxturn {
@@ -176,7 +176,7 @@ TEST(MeshWithBarriers, IsTheSameAreaWithWallsOnBothSidesOfThem) {
   }
 }
 
-TEST(MeshWithBarriers, ABarrierInTheOpenBendsWaysAtItsEnd) {
+TEST(MeshWithBarriers, ABarrierInTheOpenBendsPathsAtItsEnd) {
   const Region box = box_region({0, 0}, {4, 4});
   const Mesh mesh(box, {{{2, 0}, {2, 3}}});
   ASSERT_EQ(mesh.points().size(), 6u);

@@ -130,7 +130,7 @@ TEST(Boolean, NearlyEqualOperandsStaySound) {
   }
 }
 
-TEST(Boolean, WorksAtAnyScaleAndPlace) {
+TEST(Boolean, WorksAtAnyScaleAndPosition) {
   for (const double scale : {1e-6, 1e-3, 1.0, 1e5})
     for (const double far : {0.0, 1e6}) {
       const Region a = box_region({far, far}, {far + scale, far + scale});

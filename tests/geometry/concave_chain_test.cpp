@@ -1,5 +1,5 @@
-// Concave chains by brute force: no point of the polygon is too far from the chain's edges, and every point that only the
-// chain can cover is in the polygon.
+// Concave chains by brute force: no point of the polygon is too far from the chain's edges, and every point that only
+// the chain can cover is in the polygon.
 #include "geometry/overlay/concave_chain.hpp"
 
 #include <gtest/gtest.h>

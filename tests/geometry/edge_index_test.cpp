@@ -226,7 +226,7 @@ TEST(EdgeIndex, NearListsEveryEdgeThatMeetsTheBox) {
   }
 }
 
-TEST(EdgeIndex, AnswersForNothingAndForPlacesThatAreNone) {
+TEST(EdgeIndex, AnswersForEmptyRegionsAndForPointsThatAreNotFinite) {
   const EdgeIndex none{Region{}};
   EXPECT_FALSE(none.nearest({0, 0}));
   EXPECT_FALSE(none.contains({0, 0}));

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "geodesic_oracle.hpp"
-#include "geometry/paths/shortest_path.hpp"
 #include "geometry/overlay/cut_along.hpp"
+#include "geometry/paths/shortest_path.hpp"
 #include "random_region.hpp"
 #include "samples.hpp"
 #include "tests/support/seeds.hpp"
@@ -20,7 +20,7 @@ namespace {
 using Arc = GeodesicField::Arc;
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-/// Blocks of half a metre, one in the middle of each square metre: equal ways everywhere.
+/// Blocks of half a metre, one in the middle of each square metre: equally long paths everywhere.
 Region lattice(int n) {
   Polygon p{{{0, 0}, {1.0 * n, 0}, {1.0 * n, 1.0 * n}, {0, 1.0 * n}}, {}};
   for (int j = 0; j < n; ++j) {
@@ -121,8 +121,8 @@ TEST(GeodesicField, DistancesWithBarriersAgreeWithAVisibilityGraph) {
   });
 }
 
-// Turned maps, so that no place on a wall is exact: a rounded place must not fall out of its cone.
-TEST(GeodesicField, PlacesOnWallsAreAsFarAsPlacesBesideThem) {
+// Turned maps, so that no point on a wall is exact: a rounded point must not fall out of its cone.
+TEST(GeodesicField, PointsOnWallsAreAsFarAsPointsBesideThem) {
   for_each_scene(25, {0, 1, 2, 3, 4}, [](const Scene& scene, Rng& rng) {
     const double angle = rng.between(0.0, 6.0);
     const Point shift(rng.between(-1000.0, 1000.0), rng.between(-1000.0, 1000.0));
@@ -324,7 +324,7 @@ TEST(GeodesicField, LevelsAreWhollyThere) {
   });
 }
 
-TEST(GeodesicField, ChainsHangTogetherAndEndWhereTheyMay) {
+TEST(GeodesicField, ChainsAreConnectedAndEndWhereTheyMay) {
   int chains_seen = 0, joints_seen = 0, meetings = 0;
   for_each_scene(25, {0, 1, 2, 3, 4}, [&](const Scene& scene, Rng& rng) {
     const GeodesicField field(scene.region, scene.anywhere(rng), {}, 1e-9);
@@ -345,7 +345,7 @@ TEST(GeodesicField, ChainsHangTogetherAndEndWhereTheyMay) {
         EXPECT_LT((a - b).norm(), 1e-4) << end.transpose();
       }
       if (distance(first(chain), last(chain)) < near) continue;  // closed
-      // An open end lies on a wall, or another way round meets there: that one's chain goes on with the boundary.
+      // An open end lies on a wall, or a path around another side meets there, and its chain continues the boundary.
       const auto met = [&](const Point& p, auto end_of) {
         return std::any_of(chains.begin(), chains.end(), [&](const auto& c) { return distance(end_of(c), p) < near; });
       };
@@ -442,7 +442,7 @@ TEST(GeodesicField, FarFromTheOriginAndInMillimetres) {
 
 // --- the cut ---------------------------------------------------------------------------------------------
 
-/// Ways round an obstacle: does the closed line turn about the middle of some (convex) hole?
+/// Does the closed line wind around the middle of some (convex) hole?
 bool goes_round_a_hole(const Region& region, const Polyline& loop) {
   for (const Polygon& polygon : region.polygons) {
     for (const Ring& hole : polygon.holes) {
@@ -459,7 +459,7 @@ bool goes_round_a_hole(const Region& region, const Polyline& loop) {
   return false;
 }
 
-TEST(GeodesicField, AtTheCutTwoEquallyLongWaysGoRoundAnObstacle) {
+TEST(GeodesicField, AtTheCutTwoEquallyLongPathsEncloseAnObstacle) {
   int tried = 0;
   for_each_scene(30, {0, 1}, [&](const Scene& scene, Rng& rng) {
     const Point anchor = scene.anywhere(rng);

@@ -13,9 +13,9 @@
 #include "geometry/overlay/offset.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/raster.hpp"
+#include "paths_oracle.hpp"
 #include "random_region.hpp"
 #include "taut_paths.hpp"
-#include "paths_oracle.hpp"
 
 namespace oxturn {
 namespace {
@@ -69,7 +69,8 @@ Point any_end(Rng& rng, const PathsOracle& oracle, const Mesh& mesh, const Box& 
   return oracle.corners().front();  // little free space
 }
 
-/// One way from each of `starts` places to six, against the oracle: as long, in the region, and none where there is none.
+/// Paths from each of `starts` points to six others, against the oracle: as long, in the region, none where there is
+/// none.
 void compare(const Region& region, Rng& rng, int starts) {
   if (region.empty()) return;
   const PathsOracle oracle(region);
@@ -182,7 +183,7 @@ TEST(ShortestPaths, AgreesWithAVisibilityGraphInPetalsThatTouchInOnePoint) {
   }
 }
 
-// Regression: without holes, a way from an inner edge of the mesh went round by that edge's end.
+// Regression: without holes, a path from an inner edge of the mesh went round by that edge's end.
 TEST(ShortestPaths, LeavesAnEdgeOfTheMeshOnBothSides) {
   const Region bend{{{{{0, 0}, {4, 0}, {4, 1.25}, {2, 1.5}, {1.5, 2}, {1.25, 4}, {0, 4}}, {}}}};
   const ShortestPaths paths(bend, 1e-9);
@@ -193,9 +194,9 @@ TEST(ShortestPaths, LeavesAnEdgeOfTheMeshOnBothSides) {
     }
 }
 
-// Regression: with both ends in line with an edge of the mesh, one on either side of it by rounding, the search took the
-// way for too long.
-TEST(ShortestPaths, TheStraightWayAlongAnEdgeOfTheMeshIsNotTooLong) {
+// Regression: with both ends in line with an edge of the mesh, one on either side of it by rounding, the search took
+// the path for too long.
+TEST(ShortestPaths, TheStraightPathAlongAnEdgeOfTheMeshIsNotTooLong) {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Rng rng(seed);
@@ -274,7 +275,7 @@ TEST(ShortestPaths, EndsALittleOutsideAreTakenAsOnTheBoundaryAndKept) {
   EXPECT_FALSE(paths.path({-0.002, 5}, b));
 }
 
-TEST(ShortestPaths, DoesNotDependOnPlaceTurnOrScale) {
+TEST(ShortestPaths, DoesNotDependOnPositionTurnOrScale) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Rng rng(seed);

@@ -23,7 +23,7 @@ void expect_fixed(const Region& r) {
   }
 }
 
-TEST(FindFlaw, NamesReasonAndPlace) {
+TEST(FindFlaw, NamesReasonAndPoint) {
   const auto bow = find_flaw(polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}}));
   ASSERT_TRUE(bow);
   EXPECT_EQ(bow->reason, "edges cross");
@@ -77,7 +77,7 @@ TEST(Repaired, SoundRegionsKeepEveryBit) {
 }
 
 TEST(Repaired, OrientsAndCleans) {
-  // wrong way round, doubled points, a spike, points in line
+  // wrong orientation, doubled points, a spike, points in line
   const Region r = repaired(
       polygon(reversed({{0, 0}, {0, 0}, {1, 0}, {2, 0}, {2, -5}, {2, 0}, {4, 0}, {4, 4}, {4, 4}, {0, 4}, {0, 2}}),
               {square(1, 1, 1)}));

@@ -113,7 +113,8 @@ TEST(SweptOracle, FineLiesInCoarse) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
     const Path path = random_walk(rng, bounding_box(two_holes()), 4, 40, 1.0);
-    const SweptArea fine = swept_area(two_holes(), 0, 0.3, path, 1e-5), coarse = swept_area(two_holes(), 0, 0.3, path, 0.01);
+    const SweptArea fine = swept_area(two_holes(), 0, 0.3, path, 1e-5),
+                    coarse = swept_area(two_holes(), 0, 0.3, path, 0.01);
     EXPECT_LE(fine.coverage.upper - fine.coverage.lower, 1e-5);
     EXPECT_LE(coarse.coverage.lower, fine.coverage.upper);
     EXPECT_GE(coarse.coverage.upper, fine.coverage.lower);

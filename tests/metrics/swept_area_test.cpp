@@ -75,7 +75,7 @@ TEST(SweptArea, LegsThatJoinAreOneStretch) {
 TEST(SweptArea, ThereAndBack) {
   const SweptArea s = swept_area(box_region({-5, -5}, {15, 5}), 0, 1, work({{0, 0}, {7, 0}, {0, 0}}));
   EXPECT_NEAR(s.union_m2, 7 + kDisc, 1e-4);
-  // On the way back begin the visits of all that is not in the last disc.
+  // On the path back begin the visits of all that is not in the last disc.
   EXPECT_NEAR(s.visits_m2, 7 + kDisc + 7, 1e-9);
 }
 
@@ -107,7 +107,7 @@ TEST(SweptArea, TargetWithHolesNotCovered) {
 }
 
 TEST(SweptArea, SumOfTargetOverTilesIsItsArea) {
-  // Fine lanes over everything: the tiles' target areas must add up to the polygon's, at any angle and place.
+  // Fine lanes over everything: the tiles' target areas must add up to the polygon's, at any angle and position.
   for (const double angle : {0.0, 0.3, kPi / 4, 2.1}) {
     for (const Point& shift : {Point(0, 0), Point(0.137, -3.77)}) {
       const Region target = transformed(two_holes(), angle, shift);

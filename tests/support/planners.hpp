@@ -26,7 +26,7 @@ struct RecordedPlan {
   std::set<std::string> traces;
 };
 inline RecordedPlan plan_recorded(const std::string& name, const Problem& problem, const Settings& settings = {},
-                             std::uint64_t seed = 1) {
+                                  std::uint64_t seed = 1) {
   RecordedPlan result;
   Context::Sinks sinks;
   sinks.record = [&](const std::string& figure, double value) { result.figures[figure] = value; };

@@ -1,4 +1,4 @@
-#include "geometry/mesh/outline.hpp"
+#include "geometry/mesh/triangulation_input.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -9,7 +9,7 @@ namespace oxturn {
 namespace {
 
 using Id = std::int32_t;  // of a point
-using Segment = Outline::Segment;
+using Segment = TriangulationInput::Segment;
 
 std::size_t at(Id i) { return static_cast<std::size_t>(i); }
 Segment segment(Id a, Id b) { return std::minmax(a, b); }
@@ -48,12 +48,12 @@ void keep_those_of_odd_number(std::vector<Segment>& edges) {
   edges.resize(kept);
 }
 
-Outline outline_of(const Region& region) {
+TriangulationInput triangulation_input(const Region& region) {
   std::vector<Point> all;
   for_each_ring(region, [&](const Ring& ring) { all.insert(all.end(), ring.begin(), ring.end()); });
   for (const Point& p : all)
     if (!finite(p)) throw std::invalid_argument("region has a vertex that is not finite; repair it before meshing");
-  Outline out;
+  TriangulationInput out;
   const std::vector<Id> id = number_points(all, out.points);
   std::size_t first = 0;
   for_each_ring(region, [&](const Ring& ring) {
@@ -113,7 +113,7 @@ struct Split {
 };
 
 /// The points from number `first` on that lie on an edge, up to rounding. Others are ends or bends in the open.
-std::vector<Split> find_splits(const Region& region, const Outline& outline, std::size_t first,
+std::vector<Split> find_splits(const Region& region, const TriangulationInput& outline, std::size_t first,
                                const PointNumbers& vertices) {
   const EdgeIndex index(region);
   Box box;
@@ -149,7 +149,7 @@ void split_edges(std::vector<Segment>& edges, const std::vector<Split>& splits) 
   }
 }
 
-void add_barriers(const Region& region, const std::vector<Polyline>& barriers, Outline& out) {
+void add_barriers(const Region& region, const std::vector<Polyline>& barriers, TriangulationInput& out) {
   const PointNumbers vertices(out.points);
   const std::size_t first_new = out.points.size();
   const std::vector<Point> fresh = new_points(barriers, vertices);
@@ -167,8 +167,8 @@ void add_barriers(const Region& region, const std::vector<Polyline>& barriers, O
 
 }  // namespace
 
-Outline outline_of(const Region& region, const std::vector<Polyline>& barriers) {
-  Outline out = outline_of(region);
+TriangulationInput triangulation_input(const Region& region, const std::vector<Polyline>& barriers) {
+  TriangulationInput out = triangulation_input(region);
   if (!barriers.empty() && out.edges.size() >= 3) add_barriers(region, barriers, out);
   return out;
 }

@@ -9,7 +9,7 @@
 
 namespace oxturn {
 
-struct Outline {
+struct TriangulationInput {
   using Segment = std::pair<std::int32_t, std::int32_t>;  // of points; the lower index first
   std::vector<Point> points;
   std::vector<Segment> edges;     // of the region's boundary
@@ -19,6 +19,6 @@ struct Outline {
 /// The region's different vertices in input order, and the edges that occur an odd number of times (the others bound
 /// nothing). Barriers are added if there are at least three edges; an end of a barrier that lies on an edge, up to
 /// rounding, splits it. Throws std::invalid_argument for points that are not finite. O(n log n).
-Outline outline_of(const Region& region, const std::vector<Polyline>& barriers);
+TriangulationInput triangulation_input(const Region& region, const std::vector<Polyline>& barriers);
 
 }  // namespace oxturn
