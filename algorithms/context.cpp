@@ -11,9 +11,9 @@
 namespace oxturn {
 namespace {
 
-/// A deadline in the clock's own ticks; far-off ones are cut to a century so that nothing overflows.
+/// A deadline in the clock's own ticks, at most a century ahead so that nothing overflows.
 Context::Clock::time_point deadline_after(double wall_s) {
-  constexpr double kLongest = 3e9;
+  constexpr double kLongest = 3e9;  // seconds
   const double seconds = std::clamp(wall_s, 0.0, kLongest);
   return Context::Clock::now() +
          std::chrono::duration_cast<Context::Clock::duration>(std::chrono::duration<double>(seconds));

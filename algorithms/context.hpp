@@ -1,4 +1,4 @@
-/// What a run gives its planner besides the problem: randomness, a deadline, and channels for what it finds.
+/// What a run gives its planner besides the problem: random numbers, a deadline, and channels for results.
 ///
 ///   Context context(seed, 20.0);                     // 20 s
 ///   while (!context.cancelled()) improve(path, context.rng());
@@ -27,7 +27,7 @@ struct Unsupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Not copyable; one per call of plan().
+/// One for each call of plan(); not copyable.
 class Context {
  public:
   struct Sinks {  // all optional
@@ -44,15 +44,16 @@ class Context {
 
   /// The only source of randomness.
   Rng& rng() { return rng_; }
-  /// True once the deadline has passed or cancel() was called: stop soon and return the best path so far.
+  /// True once the deadline has passed or cancel() was called: return the best path so far soon. Reads the clock.
   bool cancelled() const;
   double seconds_left() const;
   void cancel() { cancelled_ = true; }
-  /// The best path so far: it survives a timeout.
+  /// Hands out the best path so far; it is scored after a timeout.
   void publish(const Path& path);
-  /// Share of the work that is done, 0 to 1.
+  /// The share of the work that is done, 0 to 1; shown on a terminal. For planners that take long.
   void progress(double fraction);
-  /// A drawing of the planner's inside. wants_traces() tells whether making one is of use.
+  /// A named drawing of what the planner works with (cells, tree, skeleton). If wants_traces() is false it is
+  /// discarded.
   void trace(std::string name, std::vector<Polyline> lines);
   void trace(std::string name, const Region& region);
   bool wants_traces() const { return static_cast<bool>(sinks_.trace); }
@@ -60,9 +61,11 @@ class Context {
   /// before or while it plans; the last call counts.
   void promise(const Region& region);
   bool wants_promise() const { return static_cast<bool>(sinks_.promise); }
-  /// A figure of the run that the path does not show ("explored_share"): a row of metrics.csv. Metrics, in contrast,
-  /// judge the path alone. Throws std::invalid_argument for a name that is not [a-z0-9_]+.
+  /// Records a figure of the run that the path does not show ("explored_share"): a row of metrics.csv. (Metrics judge
+  /// the path alone.) Throws std::invalid_argument for a name that is not [a-z0-9_]+.
   void record(const std::string& name, double value);
+  /// For the context of an inner planner, of which only the drawings are passed on.
+  Sinks traces_only() const { return {{}, {}, sinks_.trace, {}}; }
 
  private:
   Rng rng_;

@@ -1,4 +1,4 @@
-/// The one interface that every strategy implements.
+/// The interface that every planner implements.
 ///
 ///   const Planners planners = built_in_planners();
 ///   const auto planner = planners.find("stc").make({{"tree", "dfs"}}, planners);
@@ -16,8 +16,24 @@ namespace oxturn {
 class CoveragePlanner {
  public:
   virtual ~CoveragePlanner() = default;
-  /// Throws Infeasible, Unsupported, std::invalid_argument. Const: no state between calls.
+  /// Throws Infeasible, Unsupported or std::invalid_argument. Keeps no state between calls.
   virtual Path plan(const Problem& problem, Context& context) const = 0;
 };
+
+/// A planner that is one function of its parameters.
+template <class P, Path (*run)(const P&, const Problem&, Context&)>
+class FunctionPlanner final : public CoveragePlanner {
+ public:
+  explicit FunctionPlanner(P params) : params_(std::move(params)) {}
+  Path plan(const Problem& problem, Context& context) const override { return run(params_, problem, context); }
+
+ private:
+  P params_;
+};
+///   return describe<Params, plan_stc>({.name = "stc", ...});
+template <class P, Path (*run)(const P&, const Problem&, Context&)>
+PlannerInfo describe(Description<P> d) {
+  return describe<FunctionPlanner<P, run>, P>(std::move(d));
+}
 
 }  // namespace oxturn

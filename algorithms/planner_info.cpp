@@ -19,7 +19,7 @@ std::string to_text(Capability capability) {
     case Capability::footprint:
       return "footprint";
   }
-  return "unknown";  // not reached: the switch names all
+  return "unknown";  // not reached: the switch covers all values
 }
 
 bool PlannerInfo::has(Capability capability) const {
@@ -41,7 +41,7 @@ ParameterInfo variant_parameter(const Settings& published) {
           std::string("improved"),
           {},
           {"improved", "published"},
-          fmt::format("published: what the source says, no more ({})", to_text(published))};
+          fmt::format("published: exactly what the source says ({})", to_text(published))};
 }
 
 Settings with_variant(const PlannerInfo& planner, Settings settings) {

@@ -1,4 +1,4 @@
-/// What a planner is, as data: name, source, capabilities, promise and parameters, and how to make one.
+/// What a planner is, as data: name, source, capabilities, guarantee and parameters, and how to make one.
 ///
 ///   PlannerInfo wavefront() {
 ///     return describe<Wavefront, Params>({.name = "wavefront", .family = "grid", ...});
@@ -21,7 +21,7 @@ class CoveragePlanner;
 struct PlannerInfo;
 using Planners = NamedList<PlannerInfo>;
 
-/// What a problem may ask for that not every planner can do.
+/// What a problem may require and not every planner can do.
 enum class Capability { tether, online, holes, curvature, footprint };
 std::string to_text(Capability capability);
 
@@ -30,32 +30,32 @@ struct PlannerInfo {
   std::vector<Capability> capabilities;
   std::string guarantee;
   std::vector<ParameterInfo> parameters;
-  /// Settings that make the planner do what its source says, no more: what `variant = published` stands for. Empty: the
-  /// planner has no such parameter.
+  /// Settings with which the planner does exactly what its source says: the meaning of `variant = published`. Empty:
+  /// the planner has no such parameter.
   Settings published;
-  /// Checks the settings; throws std::invalid_argument. `planners`: those that a planner which runs another one may run.
+  /// Throws std::invalid_argument for wrong settings. `planners`: from which a planner that runs another one takes it.
   std::function<std::unique_ptr<CoveragePlanner>(const Settings&, const Planners& planners)> make;
-  /// For planners that run another one: the parameters of that one, which the settings name. Empty for most.
+  /// For a planner that runs another one, named in the settings: the parameters of that one.
   std::function<std::vector<ParameterInfo>(const Settings&, const Planners& planners)> more_parameters = {};
 
   bool has(Capability capability) const;
 };
 
-/// All parameters that the planner takes beside these settings. Throws as `make` does if they name a planner that does
-/// not exist.
+/// The parameters of the planner, and of the one that it runs with these settings. Throws as `make` does if they name a
+/// planner that does not exist.
 std::vector<ParameterInfo> parameters_of(const PlannerInfo& planner, const Settings& settings,
                                          const Planners& planners);
 
-/// `settings` completed by those that `variant = published` stands for; given ones stay.
+/// `settings`, completed by the published ones if they contain `variant = published`; given ones take precedence.
 Settings with_variant(const PlannerInfo& planner, Settings settings);
 
 /// Why this planner cannot take this problem at all ("planner 'stc' has no capability 'tether', ..."), or "".
 std::string missing_capability(const PlannerInfo& planner, const Problem& problem);
 
-/// The planners that come with oxturn; algorithms/zoo.cpp lists them.
+/// The planners that come with oxturn, listed in algorithms/zoo.cpp.
 Planners built_in_planners();
 
-/// The description of a planner with its parameters, in one literal.
+/// The description of a planner with its parameters P, as one literal.
 template <class P>
 struct Description {
   std::string name, family, title, citation;

@@ -1,4 +1,4 @@
-// The one list of built-in planners. A new one is its own file, one declaration here and one line below.
+// The list of built-in planners. A new one is a file of its own, a declaration and an entry here.
 #include "algorithms/coverage_planner.hpp"
 
 namespace oxturn {

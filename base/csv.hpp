@@ -1,4 +1,4 @@
-/// Comma-separated values as RFC 4180 describes them.
+/// Comma-separated values, after RFC 4180.
 ///
 ///   csv_line({"a", "b,c"})                   // "a,\"b,c\"\n"
 ///   parse_csv(read_file(name), name)[0]      // cells of the first line
@@ -9,11 +9,11 @@
 
 namespace oxturn {
 
-/// One line, ended by \n alone, which readers of the RFC accept too.
+/// One line with cells quoted where necessary. It ends in \n, not in the RFC's \r\n, which readers accept as well.
 std::string csv_line(const std::vector<std::string>& cells);
 
-/// Quotes, commas and line breaks in quotes; lines may end in \r\n. Throws std::invalid_argument "SOURCE:LINE: what is
-/// wrong".
+/// The cells of each line. Quoted cells may contain commas, line breaks and doubled quotes; lines may end in \r\n.
+/// Throws std::invalid_argument "SOURCE:LINE: what is wrong".
 std::vector<std::vector<std::string>> parse_csv(const std::string& text, const std::string& source);
 
 }  // namespace oxturn

@@ -59,10 +59,9 @@ void write_file(const std::string& file, const std::string& content) {
     throw std::runtime_error(fmt::format("cannot write '{}': {}", file, std::strerror(error)));
   };
   struct stat about {};
-  const bool there = ::stat(file.c_str(), &about) == 0;
-  if (there && S_ISDIR(about.st_mode)) fail(EISDIR);
-  // Devices and pipes (/dev/stdout) cannot be renamed over: they are written straight.
-  const bool direct = there && !S_ISREG(about.st_mode);
+  const bool exists = ::stat(file.c_str(), &about) == 0;
+  if (exists && S_ISDIR(about.st_mode)) fail(EISDIR);
+  const bool direct = exists && !S_ISREG(about.st_mode);  // a device or pipe, such as /dev/stdout
   static std::atomic<unsigned> serial{0};
   const std::string target =
       direct ? file : fmt::format("{}.{}-{}.tmp", file, ::getpid(), serial.fetch_add(1, std::memory_order_relaxed));
@@ -80,7 +79,7 @@ void write_file(const std::string& file, const std::string& content) {
     }
     const int closed = ::close(out.number);
     out.number = -1;
-    if (closed != 0 && error == 0) error = errno;  // a full disk may show only here
+    if (closed != 0 && error == 0) error = errno;  // a full disk may be reported only here
   }
   if (!direct && error == 0 && ::rename(target.c_str(), file.c_str()) != 0) error = errno;
   if (error != 0) {

@@ -1,4 +1,4 @@
-/// A list of described things (planners, metrics, generators, ...), found by name.
+/// A list of things that have a name (planners, metrics, generators, ...).
 ///
 ///   NamedList<GeneratorInfo> generators("generator", {rooms(), maze()});
 ///   generators.add(mine);                       // from outside the library
@@ -16,7 +16,8 @@
 
 namespace oxturn {
 
-/// Keeps the order in which things were added. References stay valid while the list lives. T has a `name`.
+/// Keeps the order in which items were added. References to items stay valid as long as the list exists. T has a member
+/// `name`.
 template <class T>
 class NamedList {
  public:
@@ -32,13 +33,13 @@ class NamedList {
     items_.push_back(std::move(item));
   }
 
-  /// nullptr if there is none of this name. O(n): the lists are short.
+  /// The item of this name, or nullptr. O(n): the lists are short.
   const T* get(const std::string& name) const {
     for (const T& item : items_)
       if (item.name == name) return &item;
     return nullptr;
   }
-  /// Throws std::invalid_argument with the nearest name and all names.
+  /// The item of this name. Throws std::invalid_argument with the most similar name and all names.
   const T& find(const std::string& name) const {
     if (const T* item = get(name)) return *item;
     throw std::invalid_argument(unknown_name(kind_, name, names()));

@@ -67,8 +67,8 @@ std::string to_text(const Settings& settings) {
 
 Value parse_value(const std::string& owner, const ParameterInfo& parameter, std::string_view text) {
   const std::string given = fmt::format("'{}'", text);
-  const auto whole_text = [&](auto& result) {  // from_chars knows no leading '+'
-    std::string_view digits = text;
+  const auto read_all_of_text = [&](auto& result) {
+    std::string_view digits = text;  // from_chars does not accept a leading '+'
     if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), result);
     if (error != std::errc() || end != digits.data() + digits.size())
@@ -81,12 +81,12 @@ Value parse_value(const std::string& owner, const ParameterInfo& parameter, std:
   }
   if (std::holds_alternative<std::int64_t>(parameter.fallback)) {
     std::int64_t whole = 0;
-    whole_text(whole);
+    read_all_of_text(whole);
     return checked(owner, parameter, whole);
   }
   if (std::holds_alternative<double>(parameter.fallback)) {
     double real = 0;
-    whole_text(real);
+    read_all_of_text(real);
     return checked(owner, parameter, real);
   }
   return checked(owner, parameter, std::string(text));
@@ -105,7 +105,7 @@ Value checked(const std::string& owner, const ParameterInfo& parameter, const Va
     if (!within(parameter.range, *real)) refuse(owner, parameter, given, range_text(parameter));
   } else if (const std::int64_t* whole = std::get_if<std::int64_t>(&result)) {
     if (!within(parameter.range, static_cast<double>(*whole))) refuse(owner, parameter, given, range_text(parameter));
-    // The structs hold int: what does not fit there is refused, not cut off.
+    // The members are of type int: refuse what does not fit rather than truncate it.
     if (*whole < std::numeric_limits<int>::min() || *whole > std::numeric_limits<int>::max())
       refuse(owner, parameter, given, "a whole number of at most 2147483647 in size");
   } else if (const std::string* text = std::get_if<std::string>(&result); text && !parameter.choices.empty()) {

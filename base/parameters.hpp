@@ -1,5 +1,5 @@
-/// Parameters as data: a plain struct, and one line of description for each member. Command line, suites, files,
-/// hashes, listings and error messages are made from that one description.
+/// Parameters as data: a plain struct, and one line of description for each member. The command line, suites, files,
+/// hashes, listings and error messages are all made from that description.
 ///
 ///   struct Params { double cell_size = 0; Order order = Order::nearest; };
 ///   const std::vector<Parameter<Params>> lines{
@@ -22,23 +22,23 @@
 namespace oxturn {
 
 using Value = std::variant<bool, std::int64_t, double, std::string>;
-/// name -> value, as a suite or `--set` gives them. Ordered, so that iteration is deterministic.
+/// Values by parameter name, as a suite or `--set` gives them. Ordered, so that iteration is deterministic.
 using Settings = std::map<std::string, Value>;
 
-/// Of a number. `above`: `least` itself is excluded.
+/// The interval of values a number may take.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
-  bool above = false;
+  bool above = false;  // `least` itself is excluded
 };
 using Choices = std::vector<std::string>;
 
-/// What users see of a parameter. The alternative held by `fallback` is its type.
+/// What users see of a parameter. Its type is that of the alternative in `fallback`.
 struct ParameterInfo {
   std::string name;
   Value fallback;
-  Range range;      // numbers
-  Choices choices;  // texts; empty: any text
+  Range range;      // of a number
+  Choices choices;  // of a text; empty: any text
   std::string help;
 };
 
@@ -46,8 +46,8 @@ struct ParameterInfo {
 template <class P>
 struct Parameter {
   std::function<Value(const P&)> get;
-  std::function<void(P&, const Value&)> set;  // the value has the parameter's type and keeps its range
-  ParameterInfo info;                         // `fallback` is filled in by infos_of
+  std::function<void(P&, const Value&)> set;  // expects a value of the parameter's type and within its range
+  ParameterInfo info;                         // without `fallback`, which infos_of fills in
 
   Parameter(std::string name, bool P::*member, std::string help) { plain(member, {name, {}, {}, {}, help}); }
   Parameter(std::string name, double P::*member, Range range, std::string help) {
@@ -61,7 +61,7 @@ struct Parameter {
     set = [member](P& p, const Value& v) { p.*member = static_cast<int>(std::get<std::int64_t>(v)); };
     info = {std::move(name), {}, range, {}, std::move(help)};
   }
-  /// An enum class, its enumerators named by `choices` in their order.
+  /// An enum class whose enumerators are 0, 1, ...; `choices` are their names in that order.
   template <class E, class Base, class = std::enable_if_t<std::is_enum_v<E> && std::is_base_of_v<Base, P>>>
   Parameter(std::string name, E Base::*member, Choices choices, std::string help) {
     get = [member, choices](const P& p) -> Value { return choices.at(static_cast<std::size_t>(p.*member)); };
@@ -71,7 +71,7 @@ struct Parameter {
     };
     info = {std::move(name), {}, {}, std::move(choices), std::move(help)};
   }
-  /// Anything else: `getter` returns a Value of the parameter's type, `setter` takes one.
+  /// A member of any other type, converted by `getter` and `setter` to and from a Value of the parameter's type.
   Parameter(ParameterInfo about, std::function<Value(const P&)> getter, std::function<void(P&, const Value&)> setter)
       : get(std::move(getter)), set(std::move(setter)), info(std::move(about)) {}
 
@@ -86,21 +86,23 @@ struct Parameter {
 
 /// Shortest round-trip text: "0.35", "true", "3", "convex".
 std::string to_text(const Value& value);
-/// "k=v;k=v" in the order of names; "" for none.
+/// "name=value;name=value" in the order of names.
 std::string to_text(const Settings& settings);
-/// Reads `text` as the parameter's type. Throws std::invalid_argument in one sentence; `owner` is for instance
-/// "planner 'stc'".
+/// Reads `text` as a value of the parameter's type. Throws std::invalid_argument with a sentence that names the
+/// `owner`, for instance "planner 'stc'".
 Value parse_value(const std::string& owner, const ParameterInfo& parameter, std::string_view text);
-/// Checks type (whole numbers pass as reals), range, choice and NaN; returns the value in the parameter's type. Throws
-/// std::invalid_argument "parameter 'cell_size' of planner 'stc' is -1, expected a number from 0 to 100".
+/// The value in the parameter's type (whole numbers are accepted for reals), if its type, range and choice are right
+/// and it is finite. Throws std::invalid_argument "parameter 'cell_size' of planner 'stc' is -1, expected a number from
+/// 0 to 100".
 Value checked(const std::string& owner, const ParameterInfo& parameter, const Value& value);
-/// The parameter called `name`; throws "unknown parameter 'lane_width' of planner 'stc'; it has: ...".
+/// The parameter called `name`. Throws std::invalid_argument "unknown parameter 'lane_width' of planner 'stc'; it has:
+/// ...".
 const ParameterInfo& find_parameter(const std::string& owner, const std::vector<ParameterInfo>& all,
                                     const std::string& name);
-/// Every setting checked and in its parameter's type; throws as find_parameter and checked do.
+/// All settings, checked and in their parameters' types. Throws as find_parameter() and checked() do.
 Settings checked(const std::string& owner, const std::vector<ParameterInfo>& parameters, const Settings& settings);
 
-/// What users see of each line, with the struct's defaults.
+/// The descriptions, with the struct's own defaults as `fallback`.
 template <class P>
 std::vector<ParameterInfo> infos_of(const std::vector<Parameter<P>>& lines) {
   const P defaults{};
@@ -112,7 +114,7 @@ std::vector<ParameterInfo> infos_of(const std::vector<Parameter<P>>& lines) {
   return infos;
 }
 
-/// Writes checked settings over the members of `target`.
+/// Checks the settings and assigns them to the members of `target`.
 template <class P>
 void apply_settings(const std::string& owner, const std::vector<Parameter<P>>& lines, const Settings& settings,
                     P& target) {
@@ -121,7 +123,7 @@ void apply_settings(const std::string& owner, const std::vector<Parameter<P>>& l
     if (const auto given = all.find(line.info.name); given != all.end()) line.set(target, given->second);
 }
 
-/// The struct with `settings` written over its defaults.
+/// The struct with its defaults, overwritten by `settings`.
 template <class P>
 P with_settings(const std::string& owner, const std::vector<Parameter<P>>& lines, const Settings& settings) {
   P result{};

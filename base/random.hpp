@@ -1,5 +1,12 @@
-// The only randomness in oxturn: a fixed 64-bit generator (xoshiro256**, Blackman & Vigna 2018, seeded by
-// splitmix64) and the few draws we need, written out so that every machine gives the same bytes.
+/// The only source of randomness in oxturn.
+///
+///   Rng rng(mix(suite_seed, "rooms"));
+///   const double width = rng.between(0.8, 1.2);
+///   rng.shuffle(order);
+///
+/// A fixed 64-bit generator (xoshiro256**, Blackman and Vigna 2018, seeded by splitmix64) with distributions of our
+/// own: those of the standard library differ between implementations. The same seed gives the same bytes on every
+/// machine.
 #pragma once
 
 #include <array>
@@ -12,15 +19,15 @@ namespace oxturn {
 class Rng {
  public:
   explicit Rng(std::uint64_t seed);
+  /// 64 random bits.
   std::uint64_t bits();
-  /// [0, 1), 53 bits.
+  /// Uniform in [0, 1), 53 bits.
   double unit();
   double between(double low, double high) { return low + (high - low) * unit(); }
-  /// 0 .. n-1 without bias; n > 0.
+  /// Uniform in 0 .. n-1, without bias; n > 0.
   std::uint64_t below(std::uint64_t n);
-  int between(int low, int high) {  // both included
-    return low + static_cast<int>(below(static_cast<std::uint64_t>(high - low) + 1));
-  }
+  /// Uniform in low .. high, both included.
+  int between(int low, int high) { return low + static_cast<int>(below(static_cast<std::uint64_t>(high - low) + 1)); }
   bool chance(double probability) { return unit() < probability; }
   /// Standard normal, by Marsaglia's polar method.
   double normal();
@@ -33,7 +40,8 @@ class Rng {
   std::array<std::uint64_t, 4> state_{};
 };
 
-/// A seed from words, the same everywhere (FNV-1a, then splitmix64): mix(suite_seed, "planner").
+/// A seed derived from a seed and a text (FNV-1a, then splitmix64): independent streams for mix(seed, "planner") and
+/// mix(seed, "map").
 std::uint64_t mix(std::uint64_t seed, std::string_view words);
 
 }  // namespace oxturn

@@ -1,4 +1,4 @@
-/// Content addresses.
+/// SHA-256, to identify files and runs by their content.
 ///
 ///   sha256("")      // "e3b0c44298fc1c14..."
 #pragma once
@@ -7,10 +7,10 @@
 
 namespace oxturn {
 
-/// Lower-case hexadecimal SHA-256 of the bytes. Throws std::runtime_error if OpenSSL fails.
+/// The hash as 64 lower-case hexadecimal digits. Throws std::runtime_error if OpenSSL fails.
 std::string sha256(const std::string& bytes);
 
-/// Appends a double as eight big-endian bytes, -0 as 0: the same bytes on every machine.
+/// Appends a double in a form that is the same on every machine: eight bytes, big-endian, -0 as 0.
 void append_canonical(std::string& bytes, double value);
 
 }  // namespace oxturn

@@ -15,19 +15,19 @@ namespace oxturn {
 /// Shortest decimal that reads back as the same double; -0 is written as 0.
 std::string to_decimal(double value);
 
-/// The finite number that the whole text is ("2.5", "+1e-3"); nothing for anything else.
+/// The value of a text that is a finite number and nothing else ("2.5", "+1e-3"); otherwise nullopt.
 std::optional<double> parse_number(std::string_view text);
-/// Digits only: the whole number from 0 to 2^64 - 1 that the text is.
+/// The value of a text of digits, 0 to 2^64 - 1; nullopt for anything else.
 std::optional<std::uint64_t> parse_whole(std::string_view text);
 
 /// `text` with bytes that are not valid UTF-8 replaced by U+FFFD, and control characters by spaces.
 std::string printable(std::string_view text);
 
-/// The candidate with the least edit distance to `word` (the first of equals); empty only if there are no candidates.
-/// O(|word| * sum of candidates' lengths).
+/// The candidate with the least edit distance to `word`, the first of several; empty only if there are no candidates.
+/// O(length of word * total length of the candidates).
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);
 
-/// "no planner 'stk'; did you mean 'stc'? There are: boustrophedon, stc": the sentence for an unknown name.
+/// The error message for an unknown name: "no planner 'stk'; did you mean 'stc'? There are: boustrophedon, stc".
 std::string unknown_name(const std::string& kind, const std::string& name, const std::vector<std::string>& known);
 
 }  // namespace oxturn

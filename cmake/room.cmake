@@ -1,10 +1,12 @@
 # oxturn_room(NAME HEADERS ... SOURCES ... USES ... PRIVATE ...): one folder, one static library
 # oxturn::NAME, with our compile options, installed and exported.
 
-# GCC 12 warns of uninitialised, overlapping and overrun objects inside std::variant and std::string at -O2: its own bugs.
+# GCC 12 at -O2 warns of uninitialised, overlapping and overrun objects inside std::variant and std::string: its own
+# bugs.
 add_library(oxturn_options INTERFACE)
 target_compile_options(oxturn_options INTERFACE
-  -ffp-contract=off -Wall -Wextra -Wshadow -Wpedantic -Wno-maybe-uninitialized -Wno-restrict -Wno-array-bounds $<$<BOOL:${OXTURN_WERROR}>:-Werror>)
+  -ffp-contract=off -Wall -Wextra -Wshadow -Wpedantic -Wno-maybe-uninitialized -Wno-restrict -Wno-array-bounds
+  $<$<BOOL:${OXTURN_WERROR}>:-Werror>)
 
 function(oxturn_room name)
   cmake_parse_arguments(ROOM "" "" "HEADERS;SOURCES;USES;PRIVATE" ${ARGN})

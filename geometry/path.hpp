@@ -1,4 +1,9 @@
-// What a planner returns: legs in driving order, tool on or off.
+/// A coverage path, as planners return it: legs in driving order, with the tool on or off.
+///
+///   PathBuilder path(start);
+///   path.drive(lane, true);                     // work
+///   path.drive(next_lane.front(), false);       // transit
+///   return path.take();
 #pragma once
 
 #include <vector>
@@ -9,25 +14,28 @@ namespace oxturn {
 
 struct Leg {
   bool tool = true;  // on: work; off: transit
-  Polyline points;   // at least two; the first is the last of the leg before
+  Polyline points;   // at least two; the first is the last of the previous leg
 };
 
 struct Path {
   std::vector<Leg> legs;
+  /// Metres.
   double length() const;
+  /// Metres driven with the tool on or off.
   double length(bool tool) const;
   std::size_t segment_count() const;
 };
 
-/// Appends stretches and keeps a Path well formed: repeated points dropped, neighbours of the same kind merged,
-/// exactly straight-on points kept (they cost nothing and say where the planner thought).
+/// Builds a well-formed Path: drops repeated points and merges consecutive legs of the same kind. Points in the middle
+/// of a straight line are kept.
 class PathBuilder {
  public:
   explicit PathBuilder(const Point& start) : at_(start) {}
+  /// Where the path ends.
   const Point& at() const { return at_; }
-  /// Drives `points` in order from where the path ends now (a first point equal to it is dropped).
+  /// Appends `points` to the path; a first point equal to its end is dropped.
   void drive(const Polyline& points, bool tool);
-  void drive(Polyline&& points, bool tool);  // a long leg is not copied
+  void drive(Polyline&& points, bool tool);  // moved, not copied, where they become a leg of their own
   void drive(const Point& to, bool tool) { drive(Polyline{to}, tool); }
   Path take() { return std::move(path_); }
 

@@ -1,4 +1,9 @@
-// Points and vectors in the plane, metres, right-handed. The one place that names Eigen's type.
+/// Points and vectors in the plane, in metres, x to the right and y up.
+///
+///   const Point middle = lerp(a, b, 0.5);
+///   const double d = distance_to_segment(p, a, b);
+///
+/// The only header that names Eigen's type: everything else says Point.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,20 +18,20 @@ using Polyline = std::vector<Point>;
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-/// z of the cross product: positive if b lies counter-clockwise of a. Rounded; for decisions use orientation().
+/// z of the cross product: positive if b lies counter-clockwise of a. Rounded: for decisions use orientation().
 inline double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
 inline double distance(const Point& a, const Point& b) { return (a - b).norm(); }
 inline bool finite(const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
 inline Point lerp(const Point& a, const Point& b, double t) { return a + t * (b - a); }
-/// A quarter turn counter-clockwise.
+/// v turned counter-clockwise by 90 degrees.
 inline Point perpendicular(const Point& v) { return {-v.y(), v.x()}; }
-/// Lexicographic order, for sets and deterministic sorting.
+/// Lexicographic order: by x, then by y.
 inline bool before(const Point& a, const Point& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); }
 
-/// "(2, 3)", shortest round-trip numbers: for messages.
+/// "(2, 3)" for messages, with the shortest decimals that read back as the same numbers.
 std::string to_text(const Point& p);
 
-/// Nearest point to p on the segment ab (a == b is allowed).
+/// The point of the segment ab nearest to p; a == b is allowed.
 inline Point nearest_on_segment(const Point& p, const Point& a, const Point& b) {
   const Point d = b - a;
   const double len2 = d.squaredNorm();
@@ -44,7 +49,7 @@ inline double length(const Polyline& line) {
   return sum;
 }
 
-/// Axis-parallel box; empty() until something is added.
+/// Axis-parallel box; empty until a point is added.
 struct Box {
   Point low{1e300, 1e300}, high{-1e300, -1e300};
   void add(const Point& p) {

@@ -1,4 +1,6 @@
-// Does a segment stay in a region, but for rounding?
+/// Does a segment stay in a region, up to a tolerance for rounding?
+///
+///   if (const auto p = point_outside(walls, a, b, tolerance)) throw ...; // *p is outside
 #pragma once
 
 #include <optional>
@@ -7,10 +9,10 @@
 
 namespace oxturn {
 
-/// In the closed region, or within `tolerance` of its boundary.
+/// Is p in the closed region or within `tolerance` of its boundary?
 bool nearly_contains(const EdgeIndex& walls, const Point& p, double tolerance);
-/// A place of ab that is more than `tolerance` outside; none if there is none. The segment is cut where it may meet a
-/// wall, and each part is judged at its ends and in its middle.
+/// A point of the segment ab that is more than `tolerance` outside; nullopt if there is none. The segment is divided
+/// where it may meet an edge; each part is tested at its ends and at its midpoint.
 std::optional<Point> point_outside(const EdgeIndex& walls, const Point& a, const Point& b, double tolerance);
 
 }  // namespace oxturn

@@ -1,7 +1,5 @@
-// Signs of cross products, exactly.
-//
-// Source      Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997:
-//             his static filter, then one exact expansion (no middle stages: they are rarely reached).
+// Source      Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997: his
+//             first error bound (in the header), then exact expansions without his intermediate stages.
 #include "geometry/predicates.hpp"
 
 #include <algorithm>
@@ -11,7 +9,7 @@
 namespace oxturn {
 namespace {
 
-/// A sum of doubles without rounding: components by growing magnitude, none overlapping.
+/// A sum of doubles without rounding, as a list of components of increasing magnitude that do not overlap.
 class Expansion {
  public:
   void add_product(double a, double b, double sign) {
@@ -28,7 +26,7 @@ class Expansion {
  private:
   void add(double x) {
     int kept = 0;
-    for (int i = 0; i < size_; ++i) {  // two-sum of x and each part, low words stay
+    for (int i = 0; i < size_; ++i) {  // two-sum of x and each component: the low word stays, the high word is carried
       const double a = part_[static_cast<std::size_t>(i)];
       const double sum = a + x;
       const double virt = sum - a;

@@ -10,12 +10,13 @@ namespace {
 
 int clamped(double x, int low, int high) { return static_cast<int>(std::clamp<double>(x, low, high)); }
 
-// Cells whose centre lies in the closed region: parity of the edges to the left, decided by exact orientation, then
-// centres exactly on an edge.
+/// Sets the cells whose centre lies in the closed region: by the parity of the edges to the left of the centre, and
+/// those whose centre is exactly on an edge.
 void mark_centres(const Region& region, BitGrid& grid) {
   std::vector<std::size_t> on_edge;
+  // Flips, in each row that the edge meets, the cell of the first centre to its right.
   const auto mark = [&](const Point& from, const Point& to) {
-    const Point &a = from.y() <= to.y() ? from : to, &b = from.y() <= to.y() ? to : from;  // upwards
+    const Point &a = from.y() <= to.y() ? from : to, &b = from.y() <= to.y() ? to : from;  // a below b
     const int first = clamped(std::floor((a.y() - grid.origin.y()) / grid.cell - 0.5) - 1, 0, grid.rows);
     const int last = clamped(std::ceil((b.y() - grid.origin.y()) / grid.cell - 0.5) + 1, -1, grid.rows - 1);
     for (int j = first; j <= last; ++j) {
@@ -30,7 +31,7 @@ void mark_centres(const Region& region, BitGrid& grid) {
         }
         continue;
       }
-      // The first centre strictly right of the edge: a guess in doubles, mended by the predicate.
+      // k: the first centre strictly to the right of the edge, estimated and then corrected by the exact predicate.
       const double x = a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
       int k = clamped(std::ceil((x - grid.origin.x()) / grid.cell - 0.5), 0, grid.columns);
       while (k > 0 && orientation(a, b, grid.centre(k - 1, j)) < 0) --k;
@@ -39,7 +40,7 @@ void mark_centres(const Region& region, BitGrid& grid) {
         ++k;
       }
       if (k > 0 && orientation(a, b, grid.centre(k - 1, j)) == 0) on_edge.push_back(grid.at(k - 1, j));
-      if (y < b.y() && k < grid.columns) grid.bits[grid.at(k, j)] ^= 1;  // an edge owns its lower end
+      if (y < b.y() && k < grid.columns) grid.bits[grid.at(k, j)] ^= 1;  // an edge includes its lower end only
     }
   };
   for_each_ring(region, [&](const Ring& ring) {
@@ -50,8 +51,8 @@ void mark_centres(const Region& region, BitGrid& grid) {
   for (const std::size_t c : on_edge) grid.bits[c] = 1;
 }
 
-// Calls f(cell) for every cell whose open square an edge meets. Coordinates within 1e-9 of a cell from a grid line
-// count as on it, so that regions traced on this grid cut no cell.
+/// Calls f(cell) for every cell whose open square an edge meets. Coordinates within 1e-9 cells of a grid line count as
+/// on it, so that the edges of a region traced on this grid meet none.
 template <class F>
 void for_each_cut_cell(const Region& region, const BitGrid& grid, F f) {
   const auto snapped = [](double u) {
@@ -76,7 +77,7 @@ void for_each_cut_cell(const Region& region, const BitGrid& grid, F f) {
         right = b.x();
       }
       if (left > right) std::swap(left, right);
-      if (left == right && left == std::floor(left)) continue;  // along a grid line, or a corner only
+      if (left == right && left == std::floor(left)) continue;  // runs along a grid line or meets it in a point
       const int from_column = clamped(std::floor(left), 0, grid.columns);
       const int to_column = clamped(left == right ? std::floor(right) : std::ceil(right) - 1, -1, grid.columns - 1);
       for (int i = from_column; i <= to_column; ++i) f(grid.at(i, j));
@@ -96,7 +97,7 @@ std::size_t BitGrid::count() const {
 BitGrid rasterise(const Region& region, const Point& origin, double cell, int columns, int rows, CellRule rule) {
   BitGrid grid(origin, cell, columns, rows);
   mark_centres(region, grid);
-  // A cell that no edge cuts is all inside or all outside, as its centre says; one that is cut has both.
+  // A cell that no edge meets lies inside or outside as a whole, as its centre does; any other has points of both.
   if (rule != CellRule::centre)
     for_each_cut_cell(region, grid, [&](std::size_t c) { grid.bits[c] = rule == CellRule::touches ? 1 : 0; });
   return grid;

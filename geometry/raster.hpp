@@ -1,4 +1,7 @@
-// A region as bits on a grid, and back.
+/// Conversion between regions and grids of cells.
+///
+///   const BitGrid grid = rasterise(region, {0, 0}, 0.05, 400, 300, CellRule::inside);
+///   const Region outline = simplify_inward(trace(grid), 0.05);
 #pragma once
 
 #include <cstddef>
@@ -9,13 +12,13 @@
 
 namespace oxturn {
 
-/// columns x rows cells of side `cell`; cell (i, j) is the square from origin + (i, j) * cell to
-/// origin + (i + 1, j + 1) * cell. Row 0 is the lowest.
+/// columns x rows cells of side `cell`. Cell (i, j) is the square from origin + (i, j) * cell to
+/// origin + (i + 1, j + 1) * cell; row 0 is the lowest.
 struct BitGrid {
   Point origin{0, 0};
-  double cell = 1;
+  double cell = 1;  // metres
   int columns = 0, rows = 0;
-  std::vector<std::uint8_t> bits;  // row by row, 1 = set
+  std::vector<std::uint8_t> bits;  // row by row; 1: set
 
   BitGrid() = default;
   BitGrid(Point origin_, double cell_, int columns_, int rows_)
@@ -28,28 +31,31 @@ struct BitGrid {
   std::size_t at(int i, int j) const {
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(i);
   }
+  /// False outside the grid.
   bool get(int i, int j) const { return inside(i, j) && bits[at(i, j)] != 0; }
   void set(int i, int j, bool value) { bits[at(i, j)] = value ? 1 : 0; }
   Point centre(int i, int j) const { return origin + cell * Point(i + 0.5, j + 0.5); }
+  /// The number of set cells.
   std::size_t count() const;
 };
 
-/// Which cells a region sets. A cell on the boundary follows the rule, exactly:
+/// Which cells a region sets.
 enum class CellRule {
-  centre,   // its centre lies in the closed region
-  inside,   // the whole closed cell lies in the closed region
-  touches,  // its open square meets the region's interior
+  centre,   // those whose centre lies in the closed region
+  inside,   // those that lie in the closed region as a whole
+  touches,  // those whose open square meets the region's interior
 };
-/// O(cells + edges + boundary cells).
+/// `centre` is decided by exact predicates; for the other rules coordinates within 1e-9 cells of a grid line count as
+/// on it. O(cells + edges + boundary cells).
 BitGrid rasterise(const Region& region, const Point& origin, double cell, int columns, int rows, CellRule rule);
 
-/// The set cells as a region with exact boundaries: corners are lattice points, every hole is a hole, cells that
-/// share only a corner are apart (free space is 4-connected, walls 8-connected). O(cells).
+/// The set cells as a region. Its vertices are lattice points, collinear ones left out. Set cells that share only a
+/// corner are not connected (free space is 4-connected, walls 8-connected), and no ring touches itself. O(cells).
 Region trace(const BitGrid& grid);
 
-/// Fewer corners, never more free space: corners are dropped only where that cuts free space off, each dropped
-/// corner stays within `tolerance` of the new boundary, and rings never cross. tolerance 0 drops collinear
-/// corners only. O(n log n) for usual data.
+/// Removes vertices where that removes free space and never adds any: convex vertices, as long as they stay within
+/// `tolerance` of the new boundary, and exactly collinear ones. Rings never cross. O(n log n) for usual data, and at
+/// worst the number of removed vertices for each new edge.
 Region simplify_inward(const Region& region, double tolerance);
 
 }  // namespace oxturn

@@ -57,7 +57,7 @@ bool contains(const Region& region, const Point& p) {
       const Point &a = r[j], &b = r[i];
       const bool up = a.y() <= p.y();
       if (up == (b.y() <= p.y())) continue;
-      if (a.x() <= p.x() && b.x() <= p.x()) continue;  // the ray runs to the east
+      if (a.x() <= p.x() && b.x() <= p.x()) continue;  // the ray runs in the direction of +x
       if ((orientation(a, b, p) > 0) == up) odd = !odd;
     }
   });

@@ -1,7 +1,12 @@
-// A region: a set of disjoint polygons with holes, metres.
-//
-// Outer rings run counter-clockwise, holes clockwise, no ring repeats its first point. Interiors of polygons
-// do not meet; rings may touch in points. `repaired` (validity.hpp) brings foreign data into this form.
+/// A region of the plane: disjoint polygons with holes, in metres.
+///
+///   Region room = box_region({0, 0}, {4, 3});
+///   room.polygons[0].holes.push_back({{1, 1}, {1, 2}, {2, 2}, {2, 1}});
+///   area(room);                                 // 11
+///
+/// Outer rings run counter-clockwise, holes clockwise, so that the interior is to the left of every edge. No ring
+/// repeats its first point. Interiors of polygons are disjoint; rings may touch in points. repaired() in validity.hpp
+/// brings other data into this form.
 #pragma once
 
 #include <cstddef>
@@ -23,12 +28,13 @@ struct Region {
   bool empty() const { return polygons.empty(); }
 };
 
-/// Signed area: positive for counter-clockwise. O(n), relative to the first point, so far-off maps lose nothing.
+/// Positive for a counter-clockwise ring. Computed relative to the first point, so that distance from the origin costs
+/// no precision.
 double signed_area(const Ring& ring);
-/// Area less holes.
+/// Square metres, without the holes.
 double area(const Polygon& polygon);
 double area(const Region& region);
-/// Length of all rings.
+/// Total length of all rings, metres.
 double perimeter(const Region& region);
 Box bounding_box(const Region& region);
 std::size_t vertex_count(const Region& region);
@@ -41,12 +47,12 @@ void for_each_ring(const Region& region, F f) {
     for (const Ring& h : p.holes) f(h);
   }
 }
-/// Even-odd point location by a scan of all edges, O(n): boundary points may go either way.
-/// For many questions build an EdgeIndex.
+/// Is p inside? Even-odd rule over all edges, O(n); points on the boundary may give either answer. For many queries
+/// build an EdgeIndex.
 bool contains(const Region& region, const Point& p);
 
 Region box_region(const Point& low, const Point& high);
-/// Rotates by `angle` about the origin, then shifts.
+/// Rotated by `angle` radians about the origin, then shifted.
 Region transformed(const Region& region, double angle, const Point& shift);
 inline Point rotated(const Point& p, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);

@@ -1,13 +1,14 @@
-// Method      Corners that are convex seen from free space are dropped in order of the error that makes, which cuts a
-//             triangle off free space; reflex corners only when they have become exactly collinear. A corner stays
-//             if its triangle holds any other corner, so rings never touch or cross.
-// Complexity  O(n log n) plus the dropped corners that each new edge stands for.
+// Method      Vertices are removed in the order of the error that this makes. Removing a convex vertex (seen from free
+//             space) cuts a triangle off free space; a reflex vertex would add one, so it goes only once it is exactly
+//             collinear. A vertex stays if its triangle contains any other vertex, so rings never touch or cross.
+// Complexity  O(n log n) for usual data, plus for each new edge the removed vertices that it replaces.
 #include <algorithm>
 #include <cmath>
 #include <queue>
 
 #include "geometry/predicates.hpp"
 #include "geometry/raster.hpp"
+#include "geometry/uniform_grid.hpp"
 
 namespace oxturn {
 namespace {
@@ -15,142 +16,124 @@ namespace {
 class Simplifier {
  public:
   Simplifier(const Region& region, double tolerance) : tolerance_(tolerance) {
+    Box box;
     for_each_ring(region, [&](const Ring& ring) {
-      const auto first = static_cast<std::uint32_t>(at_.size()), n = static_cast<std::uint32_t>(ring.size());
-      for (std::uint32_t k = 0; k < n; ++k) {
-        at_.push_back(ring[k]);
-        previous_.push_back(first + (k + n - 1) % n);
-        next_.push_back(first + (k + 1) % n);
-        ring_.push_back(static_cast<std::uint32_t>(size_.size()));
+      const auto first = static_cast<Id>(vertices_.size()), n = static_cast<Id>(ring.size());
+      for (Id k = 0; k < n; ++k) {
+        vertices_.push_back({ring[k], first + (k + n - 1) % n, first + (k + 1) % n, static_cast<Id>(rings_.size())});
+        box.add(ring[k]);
       }
-      size_.push_back(n);
-      first_.push_back(first);
+      rings_.push_back({first, n, n});
     });
-    live_.assign(at_.size(), true);
-    version_.assign(at_.size(), 0);
-    dropped_.resize(at_.size());
-    index_corners();
+    replaced_.resize(vertices_.size());
+    grid_ = UniformGrid(box, vertices_.size(), 0);
+    grid_.fill(vertices_.size(), [&](std::size_t v, auto enter) { grid_.visit(&vertices_[v].at, 1, 0, enter); });
   }
 
   void run() {
-    for (std::uint32_t v = 0; v < at_.size(); ++v) consider(v);
+    for (Id v = 0; v < vertices_.size(); ++v) consider(v);
     while (!queue_.empty()) {
       const Candidate c = queue_.top();
       queue_.pop();
-      if (!live_[c.corner] || version_[c.corner] != c.version) continue;
-      if (size_[ring_[c.corner]] <= 3 || !empty_triangle(c.corner)) continue;
-      drop(c.corner);
+      const Vertex& v = vertices_[c.vertex];
+      if (v.removed || v.version != c.version) continue;
+      if (rings_[v.ring].left > 3 && empty_triangle(c.vertex)) remove(c.vertex);
     }
   }
 
-  Region result(const Region& region) const {
-    Region out;
-    std::size_t ring = 0;
-    const auto rebuilt = [&]() {
-      Ring points;
-      std::uint32_t v = first_[ring];
-      const std::uint32_t end = v + count_of(ring);
-      while (v < end && !live_[v]) ++v;
-      const std::uint32_t start = v;
+  /// `region` with what is left of its rings.
+  Region result(Region region) const {
+    std::size_t number = 0;
+    const auto simplify = [&](Ring& ring) {
+      const RingOfVertices& r = rings_[number++];
+      ring.clear();
+      Id first = r.first;
+      while (first < r.first + r.size && vertices_[first].removed) ++first;
+      Id v = first;
       do {
-        points.push_back(at_[v]);
-        v = next_[v];
-      } while (v != start);
-      ++ring;
-      return points;
+        ring.push_back(vertices_[v].at);
+        v = vertices_[v].next;
+      } while (v != first);
     };
-    for (const Polygon& p : region.polygons) {
-      Polygon q;
-      q.outer = rebuilt();
-      for (std::size_t k = 0; k < p.holes.size(); ++k) q.holes.push_back(rebuilt());
-      out.polygons.push_back(std::move(q));
+    for (Polygon& p : region.polygons) {
+      simplify(p.outer);
+      for (Ring& hole : p.holes) simplify(hole);
     }
-    return out;
+    return region;
   }
 
  private:
+  using Id = std::uint32_t;  // of a vertex, in input order
+  struct Vertex {
+    Point at;
+    Id previous, next, ring;
+    std::uint32_t version = 0;  // counts the changes of its neighbours
+    bool removed = false;
+  };
+  struct RingOfVertices {
+    Id first, size, left;
+  };
   struct Candidate {
     double error;
-    std::uint32_t corner, version;
-    bool operator<(const Candidate& o) const {  // the queue's top is the least error, then the lowest number
-      return error != o.error ? error > o.error : corner > o.corner;
+    Id vertex;
+    std::uint32_t version;
+    bool operator<(const Candidate& o) const {  // the queue's top has the least error, then the lowest number
+      return error != o.error ? error > o.error : vertex > o.vertex;
     }
   };
 
-  std::uint32_t count_of(std::size_t ring) const {
-    return (ring + 1 < first_.size() ? first_[ring + 1] : static_cast<std::uint32_t>(at_.size())) - first_[ring];
-  }
-
-  void index_corners() {
-    for (const Point& p : at_) box_.add(p);
-    if (at_.empty()) return;
-    const Point size = box_.size();
-    cell_ =
-        std::max({std::sqrt(size.x() * size.y() / static_cast<double>(at_.size())), size.maxCoeff() / 4096, 1e-300});
-    columns_ = static_cast<int>(size.x() / cell_) + 1;
-    rows_ = static_cast<int>(size.y() / cell_) + 1;
-    cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-    for (std::uint32_t v = 0; v < at_.size(); ++v) cells_[cell_of(column(at_[v].x()), row(at_[v].y()))].push_back(v);
-  }
-  int column(double x) const { return std::clamp(static_cast<int>((x - box_.low.x()) / cell_), 0, columns_ - 1); }
-  int row(double y) const { return std::clamp(static_cast<int>((y - box_.low.y()) / cell_), 0, rows_ - 1); }
-  std::size_t cell_of(int i, int j) const {
-    return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
-  }
-
-  void consider(std::uint32_t v) {
-    ++version_[v];
-    const Point &u = at_[previous_[v]], &w = at_[next_[v]];
-    const int turn = orientation(u, at_[v], w);
+  /// Queues the vertex if it may be removed as far as its error tells.
+  void consider(Id id) {
+    Vertex& v = vertices_[id];
+    ++v.version;
+    const Point &u = vertices_[v.previous].at, &w = vertices_[v.next].at;
+    const int turn = orientation(u, v.at, w);
     if (turn < 0) return;
-    double error = distance_to_segment(at_[v], u, w);
-    for (const std::uint32_t edge : {previous_[v], v})  // dropped_[a]: what the edge from a on stands for
-      for (const std::uint32_t p : dropped_[edge]) error = std::max(error, distance_to_segment(at_[p], u, w));
-    if (turn == 0 || error <= tolerance_) queue_.push({turn == 0 ? 0 : error, v, version_[v]});
+    double error = distance_to_segment(v.at, u, w);
+    for (const Id edge : {v.previous, id})
+      for (const Id r : replaced_[edge]) error = std::max(error, distance_to_segment(vertices_[r].at, u, w));
+    if (turn == 0 || error <= tolerance_) queue_.push({turn == 0 ? 0 : error, id, v.version});
   }
 
-  // No other corner in the closed triangle. Collinear corners have none, but then nothing may lie on the edge: two
-  // rings that touch there touch as before.
-  bool empty_triangle(std::uint32_t v) const {
-    const std::uint32_t a = previous_[v], b = next_[v];
-    if (orientation(at_[a], at_[v], at_[b]) == 0) return true;
-    Box box;
-    for (const std::uint32_t p : {a, v, b}) box.add(at_[p]);
-    for (int j = row(box.low.y()); j <= row(box.high.y()); ++j)
-      for (int i = column(box.low.x()); i <= column(box.high.x()); ++i)
-        for (const std::uint32_t p : cells_[cell_of(i, j)])
-          if (live_[p] && p != a && p != v && p != b && box.contains(at_[p]) &&
-              orientation(at_[a], at_[v], at_[p]) >= 0 && orientation(at_[v], at_[b], at_[p]) >= 0 &&
-              orientation(at_[b], at_[a], at_[p]) >= 0)
-            return false;
-    return true;
+  /// Is there no other vertex in the closed triangle of the vertex and its neighbours? Always true for a collinear one:
+  /// where another ring touches the edge, it touches as before.
+  bool empty_triangle(Id id) const {
+    const Id before = vertices_[id].previous, after = vertices_[id].next;
+    const Point corner[3] = {vertices_[before].at, vertices_[id].at, vertices_[after].at};
+    if (orientation(corner[0], corner[1], corner[2]) == 0) return true;
+    const auto inside = [&](Id p) {
+      if (vertices_[p].removed || p == before || p == id || p == after) return false;
+      const Point& at = vertices_[p].at;
+      return orientation(corner[0], corner[1], at) >= 0 && orientation(corner[1], corner[2], at) >= 0 &&
+             orientation(corner[2], corner[0], at) >= 0;
+    };
+    return !grid_.visit(corner, 3, 0, [&](std::size_t cell) {
+      const auto items = grid_.items(cell);
+      return std::any_of(items.begin(), items.end(), inside);
+    });
   }
 
-  void drop(std::uint32_t v) {
-    const std::uint32_t a = previous_[v], b = next_[v];
-    std::vector<std::uint32_t>& stands_for = dropped_[a];
-    stands_for.push_back(v);
-    stands_for.insert(stands_for.end(), dropped_[v].begin(), dropped_[v].end());
-    dropped_[v] = {};
-    live_[v] = false;
-    std::erase(cells_[cell_of(column(at_[v].x()), row(at_[v].y()))], v);
-    next_[a] = b;
-    previous_[b] = a;
-    --size_[ring_[v]];
-    consider(a);
-    consider(b);
+  void remove(Id id) {
+    Vertex& v = vertices_[id];
+    const Id before = v.previous, after = v.next;
+    std::vector<Id>& replaced = replaced_[before];
+    replaced.push_back(id);
+    replaced.insert(replaced.end(), replaced_[id].begin(), replaced_[id].end());
+    replaced_[id] = {};
+    v.removed = true;
+    vertices_[before].next = after;
+    vertices_[after].previous = before;
+    --rings_[v.ring].left;
+    consider(before);
+    consider(after);
   }
 
   double tolerance_;
-  std::vector<Point> at_;
-  std::vector<std::uint32_t> previous_, next_, ring_, size_, first_, version_;
-  std::vector<bool> live_;
-  std::vector<std::vector<std::uint32_t>> dropped_;
+  std::vector<Vertex> vertices_;
+  std::vector<RingOfVertices> rings_;
+  std::vector<std::vector<Id>> replaced_;  // by vertex: the removed ones that the edge from there on replaces
   std::priority_queue<Candidate> queue_;
-  Box box_;
-  double cell_ = 1;
-  int columns_ = 0, rows_ = 0;
-  std::vector<std::vector<std::uint32_t>> cells_;
+  UniformGrid grid_;
 };
 
 }  // namespace

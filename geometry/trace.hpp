@@ -1,4 +1,6 @@
-/// A named drawing of something inside an algorithm (cells, a tree, a partition), for pictures.
+/// A named drawing of an algorithm's intermediate result (cells, a tree, a partition), for the gallery.
+///
+///   Trace{"tree", {{a, b}, {b, c}}}
 #pragma once
 
 #include <string>
@@ -10,7 +12,7 @@ namespace oxturn {
 
 struct Trace {
   std::string name;
-  std::vector<Polyline> lines;  // closed ones repeat their first point
+  std::vector<Polyline> lines;  // a closed one repeats its first point
 };
 
 }  // namespace oxturn

@@ -1,11 +1,21 @@
-// A uniform grid of square cells over a box, with the items that meet each cell, in compressed rows.
-// Shared by EdgeIndex and Mesh. Cells are entered with a slack of kSlack cells, so a point and an item that meet
-// always find one another in spite of rounding; what the grid yields are candidates, never answers.
+/// A uniform grid of square cells over a box, with the items that meet each cell.
+///
+///   UniformGrid grid(box, segments.size(), total_length);
+///   grid.fill(segments.size(), [&](std::size_t i, auto enter) { grid.visit(segments[i].ends, 2, 0, enter); });
+///   grid.visit(ends, 2, reach, [&](std::size_t cell) {
+///     for (const std::uint32_t i : grid.items(cell)) { /* segment i may come within `reach` */ }
+///     return false;                             // true stops the visit
+///   });
+///
+/// The items of all cells lie in one array, cell by cell. Cells are entered with a tolerance of kSlack cells: a query
+/// finds every item that it meets in spite of rounding. What it finds are candidates, to be decided by exact
+/// predicates.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/point.hpp"
@@ -15,8 +25,8 @@ namespace oxturn {
 class UniformGrid {
  public:
   UniformGrid() = default;
-  /// About two cells an item, larger where the items are long (`total_length` is the sum of their lengths), so
-  /// that cells and entries both stay O(items). O(1).
+  /// About two cells for each item; larger cells where items are long (`total_length` is the sum of their lengths), so
+  /// that the number of cells and that of entries both stay O(items).
   UniformGrid(const Box& box, std::size_t items, double total_length) {
     if (items == 0 || box.empty()) return;
     low_ = box.low;
@@ -29,7 +39,8 @@ class UniformGrid {
     rows_ = static_cast<int>(size.y() / cell_) + 1;
   }
 
-  /// Puts item i into every cell that visit_item(i, enter) enters; called twice for each item.
+  /// Puts item i into every cell c for which visit_item(i, enter) calls enter(c). Calls it twice for each item: first
+  /// to count, then to store.
   template <class Visit>
   void fill(std::size_t items, Visit visit_item) {
     first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
@@ -50,28 +61,32 @@ class UniformGrid {
   }
 
   bool empty() const { return columns_ == 0; }
+  /// Side of a cell, metres.
   double cell() const { return cell_; }
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   const Point& low() const { return low_; }
   const Point& high() const { return high_; }
+  /// The column of x; outside the box, the nearest one.
   int column(double x) const { return clamped((x - low_.x()) / cell_, columns_); }
   int row(double y) const { return clamped((y - low_.y()) / cell_, rows_); }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
-  const std::uint32_t* begin(std::size_t c) const { return items_.data() + first_[c]; }
-  const std::uint32_t* end(std::size_t c) const { return items_.data() + first_[c + 1]; }
+  /// The items in a cell, in ascending order.
+  std::span<const std::uint32_t> items(std::size_t cell) const {
+    return {items_.data() + first_[cell], items_.data() + first_[cell + 1]};
+  }
 
-  /// Calls f(cell) for every cell within `pad` of the convex polygon (a segment, for n = 2), by rows, until f
-  /// returns true; tells whether it did. Cells somewhat farther off are visited too.
+  /// Calls f(cell), row by row, for every cell within `pad` of the convex polygon of n vertices (n = 2: a segment,
+  /// n = 1: a point), and for some cells slightly farther away. Stops when f returns true, and returns whether it did.
   template <class F>
-  bool visit(const Point* corner, int n, double pad, F f) const {
+  bool visit(const Point* vertex, int n, double pad, F f) const {
     if (empty()) return false;
     const double reach = pad / cell_ + kSlack;
     double bottom = 1e300, top = -1e300;
     for (int i = 0; i < n; ++i) {
-      const double v = (corner[i].y() - low_.y()) / cell_;
+      const double v = (vertex[i].y() - low_.y()) / cell_;
       bottom = std::min(bottom, v);
       top = std::max(top, v);
     }
@@ -80,7 +95,7 @@ class UniformGrid {
     for (int j = clamped(bottom - reach, rows_); j <= last; ++j) {
       double left = 1e300, right = -1e300;
       for (int i = 0; i < n; ++i) {
-        clip(corner[i], corner[i + 1 < n ? i + 1 : 0], j - reach, j + 1 + reach, left, right);
+        widen(vertex[i], vertex[i + 1 < n ? i + 1 : 0], j - reach, j + 1 + reach, left, right);
         if (n == 2) break;
       }
       left -= reach;
@@ -95,10 +110,10 @@ class UniformGrid {
   }
 
  private:
-  static constexpr double kSlack = 1e-7;
+  static constexpr double kSlack = 1e-7;  // cells: far above the rounding of (x - low) / cell
   static int clamped(double v, int n) { return v > 0 ? static_cast<int>(std::min(v, static_cast<double>(n - 1))) : 0; }
-  /// Widens [left, right] by the columns of ab between the rows v0 and v1.
-  void clip(const Point& a, const Point& b, double v0, double v1, double& left, double& right) const {
+  /// Widens [left, right] by the columns of the part of ab between the heights v0 and v1; all in cells.
+  void widen(const Point& a, const Point& b, double v0, double v1, double& left, double& right) const {
     const Point p = (a - low_) / cell_, q = (b - low_) / cell_;
     if (std::max(p.y(), q.y()) < v0 || std::min(p.y(), q.y()) > v1) return;
     double s = 0, t = 1;
@@ -117,7 +132,7 @@ class UniformGrid {
   Point low_{0, 0}, high_{0, 0};
   double cell_ = 1;
   int columns_ = 0, rows_ = 0;
-  std::vector<std::uint32_t> first_, items_;
+  std::vector<std::uint32_t> first_, items_;  // items of cell c: items_[first_[c] .. first_[c + 1])
 };
 
 }  // namespace oxturn

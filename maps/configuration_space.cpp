@@ -71,7 +71,7 @@ bool holds(const Region& region, const Point& p, double tolerance) {
 Point nearest_point_inside(const Region& all, const Point& p, double tool_width) {
   const EdgeIndex edges(all);
   const auto hit = edges.nearest(p);
-  const Point nearest = hit ? hit->place : all.polygons.front().outer.front();
+  const Point nearest = hit ? hit->point : all.polygons.front().outer.front();
   for (const double unit : {1e2, 1e3, 1e4, 1e5, 1e6}) {
     std::optional<Point> best;
     for (const int i : {0, -1, 1})
@@ -95,7 +95,7 @@ DefaultStart find_default_start(const Region& all) {
     }
   Mesh mesh(Region{{*largest}});
   const auto vertex = [&](const Mesh::Triangle& t, std::size_t k) -> const Point& {
-    return mesh.points()[static_cast<std::size_t>(t.corner[k])];
+    return mesh.points()[static_cast<std::size_t>(t.vertex[k])];
   };
   const Mesh::Triangle* best = nullptr;
   double widest = -1;

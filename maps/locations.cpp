@@ -45,7 +45,7 @@ Point lower_left(const Map& map, Robot robot) {
 
 /// The nearest point of a wall may be rounded to either side of it: moved back towards the start until it is inside.
 Point nearest_wall(const EdgeIndex& walls, const Point& start) {
-  const Point nearest = walls.nearest(start)->place;
+  const Point nearest = walls.nearest(start)->point;
   Point inside = nearest;
   for (double share = std::numeric_limits<double>::epsilon(); share < 1 && !walls.contains(inside); share *= 2)
     inside = lerp(nearest, start, share);

@@ -36,7 +36,7 @@ double farthest_in(const Region& space, const GeodesicField& field, double chord
   };
   for_each_ring(space, [&](const Ring& ring) { std::for_each(ring.begin(), ring.end(), add); });
   const EdgeIndex walls(space);
-  for (const Polyline& curve : field.cut(chord))
+  for (const Polyline& curve : field.cut_locus(chord))
     for (std::size_t i = 1; i < curve.size(); ++i) {
       const double n = std::max(1.0, std::ceil(distance(curve[i - 1], curve[i]) / (5 * chord)));
       for (double k = 0; k <= n; ++k)
@@ -67,7 +67,7 @@ TetherReach within_tether(const TetherModel& model, const Robot& robot, const Po
   const Point extent = bounding_box(space).size();
   const double strip = std::max(w / 10000, std::ldexp(extent.maxCoeff(), -24));
   std::vector<Polyline> border;
-  for (const std::vector<GeodesicField::Arc>& chain : model.geodesics().level(limit)) {
+  for (const std::vector<GeodesicField::Arc>& chain : model.geodesics().level_set(limit)) {
     Polyline line = sampled(chain, strip);
     if (line.size() < 2) continue;
     reach.lost_m2 += 2 * strip * length(line);

@@ -6,10 +6,10 @@
 namespace oxturn {
 namespace {
 
-constexpr double kStraight = 1e-10;  // tile sides
+constexpr double kStraight = 1e-10;  // tile sides: points this near to a merged segment are on it
 
-/// Liang & Barsky: the part of ab in `room`; false if there is none.
-bool cut_to(const Box& room, Vec& a, Vec& b) {
+/// Clips the segment ab to `room` (Liang and Barsky); false if nothing is left.
+bool clip_to(const Box& room, Vec& a, Vec& b) {
   const Vec d = b - a;
   double from = 0, to = 1;
   const auto cut = [&](double step, double space) {  // space - t * step >= 0
@@ -39,10 +39,12 @@ class Collector {
     set_.all.push_back({at, at, {1, 0}, leg, true, true});
     ++set_.discs;
   }
-  void leg(const std::vector<Vec>& points, std::uint32_t leg) {
+
+  /// The segments of a leg, merged where they run straight on.
+  void add_leg(const std::vector<Vec>& points, std::uint32_t leg) {
     bool any = false;
-    Vec a = points.front(), b = a;
-    double bend = 0;  // how far a point between a and b may lie off the line
+    Vec a = points.front(), b = a;  // the merged segment
+    double bend = 0;                // how far points between a and b may be off it
     for (const Vec c : points) {
       const Vec step = c - b;
       if (step.x == 0 && step.y == 0) continue;
@@ -55,24 +57,23 @@ class Collector {
           continue;
         }
       }
-      if (any) segment(a, b, leg);
+      if (any) add_segment(a, b, leg);
       a = b;
       b = c;
       bend = 0;
       any = true;
     }
-    if (any) {
-      segment(a, b, leg);
-    } else if (room_.contains({a.x, a.y})) {  // a leg that stands still still covers a disc
+    if (any)
+      add_segment(a, b, leg);
+    else if (room_.contains({a.x, a.y}))  // a leg without length covers a disc
       set_.all.push_back({a, a, {1, 0}, leg, true, false});
-    }
   }
 
  private:
-  void segment(Vec a, Vec b, std::uint32_t leg) {
+  void add_segment(Vec a, Vec b, std::uint32_t leg) {
     const Vec d = b - a;
     const Vec along = (1 / std::hypot(d.x, d.y)) * d;
-    if (!cut_to(room_, a, b)) return;
+    if (!clip_to(room_, a, b)) return;
     set_.all.push_back({a, b, along, leg, false, false});
     set_.work += std::hypot(b.x - a.x, b.y - a.y);
   }
@@ -85,7 +86,7 @@ class Collector {
 CapsuleSet capsules(const Path& path, const Point& origin, double side, const Box& room, double joint) {
   CapsuleSet set;
   Collector collector(room, set);
-  const Point* before = nullptr;  // where the tool was on last, if the leg before had it on
+  const Point* before = nullptr;  // end of the previous leg, if it had the tool on
   std::vector<Vec> points;
   std::uint32_t index = 0;
   for (const Leg& leg : path.legs) {
@@ -100,7 +101,7 @@ CapsuleSet capsules(const Path& path, const Point& origin, double side, const Bo
       points.push_back({q.x(), q.y()});
     }
     if (before == nullptr || distance(*before, leg.points.front()) > joint) collector.switch_on(points.front(), number);
-    collector.leg(points, number);
+    collector.add_leg(points, number);
     before = &leg.points.back();
   }
   return set;
@@ -118,12 +119,13 @@ Chords::Chords(int n) {
 
 namespace {
 
-/// How far `where` reaches in direction `normal` beyond its centre.
+/// How far `where` extends beyond its centre in direction `normal`.
 double reach_of(const Extent& where, Vec normal) {
   return std::abs(normal.x) * where.half.x + std::abs(normal.y) * where.half.y;
 }
 
-/// `at`: a point of the segment, relative to the extent's centre.
+/// Adds the half-plane with this normal at `distance` from `at`, if it does not contain all of `where`. `at` is
+/// relative to the extent's centre.
 void add_if_it_cuts(const Extent& where, Vec at, Vec normal, double distance, std::vector<HalfPlane>& out) {
   const double reach = dot(normal, at) + distance;
   if (reach_of(where, normal) > reach) out.push_back({normal, reach + dot(normal, where.centre)});
@@ -145,7 +147,7 @@ void polygon_of(const Capsule& k, Vec centre, const Extent& where, const Chords&
   const double reach = reach_of(where, k.along);
   add_if_it_cuts(where, a, left, side, out);
   add_if_it_cuts(where, a, right, side, out);
-  // A cap matters only if something of `where` lies beyond the segment's end; before it the sides bound all.
+  // A cap is needed only if part of `where` lies beyond the segment's end.
   if (dot(k.along, b) < reach) half_disc(where, b, k.along, chords, cap, out);
   if (-dot(k.along, a) < reach) half_disc(where, a, -1.0 * k.along, chords, cap, out);
 }

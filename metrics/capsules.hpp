@@ -1,4 +1,10 @@
-// A path's tool-on segments as capsules, in tile units, and their polygons. Internal to metrics/.
+/// The segments of a path with the tool on as capsules, and polygons in place of capsules. Private to metrics/.
+///
+///        .-----------------------.
+///       (  a===================b  )      capsule: all points within the tool's radius of the segment ab
+///        '-----------------------'       its polygon has chords in place of the arcs
+///
+/// Lengths are in tile sides (see swept_area.hpp).
 #pragma once
 
 #include <cstdint>
@@ -9,31 +15,31 @@
 
 namespace oxturn {
 
-/// All points within the tool's radius of the segment ab.
 struct Capsule {
-  Vec a, b, along;  // `along`: unit vector
+  Vec a, b, along;  // along: unit vector
   std::uint32_t leg = 0;
-  bool disc = false;  // where the tool is switched on: a == b, counts for visits only unless it is all
-  bool visits_only = false;
+  bool disc = false;         // a == b: where the tool is switched on, or a leg without length
+  bool visits_only = false;  // counts for visits, not for areas
 };
 
 struct CapsuleSet {
   std::vector<Capsule> all;
-  double work = 0;        // length of the capsules' segments, tile units
-  std::size_t discs = 0;  // times that the tool was switched on inside `room`
+  double work = 0;        // total length of the segments
+  std::size_t discs = 0;  // how often the tool was switched on inside `room`
 };
 
-/// Tool-on segments of `path` as (p - origin) / side, cut to `room` (tile units). Straight-on segments are merged
-/// while every point in between stays within 1e-10 of the merged line (callers shrink by more than that).
-/// Tool-on legs that join within `joint` (metres) are one stretch: the tool stays on.
+/// The segments of `path` with the tool on, as (p - origin) / side, clipped to `room`. Consecutive segments are merged
+/// while every point in between stays within 1e-10 of the merged segment (users shrink polygons by more than that).
+/// Between legs with the tool on that join within `joint` metres the tool stays on.
 CapsuleSet capsules(const Path& path, const Point& origin, double side, const Box& room, double joint);
 
-/// Directions of the chords of a half disc: k + 1/2 of n parts of 180 degrees, from -90 to 90.
+/// Directions of the normals of a half disc's n chords: (k + 1/2) / n * 180 degrees from -90 degrees.
 class Chords {
  public:
   explicit Chords(int n);
-  /// Where the chords' lines lie on a disc of radius 1: inscribed, of equal area, circumscribed.
+  /// Distance of the chords' lines from the centre of a disc of radius 1, if the polygon is inscribed.
   double inscribed() const { return inscribed_; }
+  /// The same, if the polygon has the area of the disc.
   double equal_area() const { return equal_area_; }
   const std::vector<Vec>& directions() const { return directions_; }
 
@@ -42,8 +48,9 @@ class Chords {
   double inscribed_, equal_area_;
 };
 
-/// Half-planes whose intersection, within `where`, is the capsule's polygon: sides at distance `side`, chords at
-/// `cap`. `where` and the answer are relative to `centre`. Those that hold all of `where` are left out.
+/// Half-planes whose intersection, within `where`, is the polygon of the capsule: its sides at distance `side` from the
+/// segment, its chords at distance `cap` from the ends. `where` and the result are relative to `centre`. Half-planes
+/// that contain all of `where` are left out.
 void polygon_of(const Capsule& capsule, Vec centre, const Extent& where, const Chords& chords, double side, double cap,
                 std::vector<HalfPlane>& out);
 /// The same for the disc about the capsule's first point.

@@ -22,7 +22,7 @@ double beyond(const HalfPlane& h, Vec p) { return dot(h.normal, p) - h.reach; }
 
 enum class Side { inside, outside, both };
 
-/// Both parts in one pass, only if the line cuts; `outside` may be null.
+/// Both parts in one pass, computed only if the line cuts; `outside` may be null.
 Side split(const Convex& c, const HalfPlane& h, Convex& inside, Convex* outside) {
   std::array<double, Convex::kMost> off;
   bool any_in = false, any_out = false;
@@ -39,7 +39,7 @@ Side split(const Convex& c, const HalfPlane& h, Convex& inside, Convex* outside)
     const double s = off[last], t = off[i];
     const Vec p = c.at[last], q = c.at[i];
     if ((s > kSlack) != (t > kSlack)) {
-      const double f = s / (s - t);  // outside [0, 1] only within the slack
+      const double f = s / (s - t);  // outside [0, 1] by the slack at most
       const Vec x = f <= 0 ? p : f >= 1 ? q : p + f * (q - p);
       inside.add(x);
       if (outside != nullptr) outside->add(x);
@@ -53,7 +53,8 @@ Side split(const Convex& c, const HalfPlane& h, Convex& inside, Convex* outside)
   return Side::both;
 }
 
-bool apart(const Convex& c, const std::vector<HalfPlane>& cut) {
+/// Is one of the half-planes disjoint from c?
+bool disjoint(const Convex& c, const std::vector<HalfPlane>& cut) {
   for (const HalfPlane& h : cut) {
     bool all = true;
     for (std::size_t i = 0; all && i < c.size; ++i) all = beyond(h, c.at[i]) >= -kSlack;
@@ -126,7 +127,7 @@ void subtract(std::vector<Convex>& pieces, const std::vector<HalfPlane>& cut, st
   spare.clear();
   spare.swap(pieces);
   for (const Convex& c : spare) {
-    if (apart(c, cut)) {
+    if (disjoint(c, cut)) {
       pieces.push_back(c);
     } else {
       subtract_from(c, cut, 0, pieces);

@@ -1,8 +1,11 @@
-// Small convex polygons and the two things the sweep does with them: clip and subtract. Internal to metrics/.
-//
-// Coordinates are relative to a tile's centre, in tile sides, so everything is about 1 in size. A point counts as
-// inside a half-plane up to kSlack beyond it: callers shrink what they subtract by far more than that, so slack
-// and rounding never make a certified bound wrong, and slivers thinner than kSlack never arise.
+/// Small convex polygons, clipped and subtracted. Private to metrics/.
+///
+///   std::vector<Convex> uncovered{tile}, spare;
+///   subtract(uncovered, half_planes, spare);             // tile without the half-planes' intersection
+///
+/// Coordinates are relative to a tile's centre, in tile sides, so all are about 1. A point counts as inside a
+/// half-plane up to kSlack beyond it. Users shrink what they subtract by far more than that, so slack and rounding
+/// never make a certified bound wrong, and slivers thinner than kSlack do not arise.
 #pragma once
 
 #include <array>
@@ -14,7 +17,7 @@ namespace oxturn {
 
 struct Vec {
   double x, y;
-};  // left unset: these are made by the million
+};  // not initialised: millions are made
 inline Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
 inline Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
 inline Vec operator*(double s, Vec a) { return {s * a.x, s * a.y}; }
@@ -29,13 +32,14 @@ struct HalfPlane {
   double reach;
 };
 
-/// Counter-clockwise. Cutting off a corner adds one, so larger ones than kWide are split before they are cut.
+/// Counter-clockwise vertices. Each cut adds at most one, so polygons with more than kWide are halved before they are
+/// cut.
 struct Convex {
   static constexpr std::size_t kWide = 20, kMost = 24;
   std::size_t size;
   std::array<Vec, kMost> at;
   Convex() : size(0) {}
-  Convex(const Convex& o) : size(o.size) { copy(o); }  // only the corners that are there
+  Convex(const Convex& o) : size(o.size) { copy(o); }  // only the vertices in use
   Convex& operator=(const Convex& o) {
     size = o.size;
     copy(o);
@@ -49,18 +53,20 @@ struct Convex {
   }
 };
 
-/// Axis-parallel: `half` each way from `centre`.
+/// An axis-parallel box: `half` on either side of `centre`.
 struct Extent {
   Vec centre, half;
 };
+/// The bounding box; of no pieces, one with negative size.
 Extent extent_of(const std::vector<Convex>& pieces);
 
 double area(const Convex& c);
-/// Two convex halves; `c` has at least 4 corners.
+/// Two convex halves; `c` has at least 4 vertices.
 std::pair<Convex, Convex> halves(const Convex& c);
 /// The part inside `h`.
 Convex clipped(const Convex& c, const HalfPlane& h);
-/// pieces \ (intersection of `cut`), again as convex pieces with disjoint interiors. `spare` is working room.
+/// Subtracts the intersection of `cut`; the result is again convex pieces with disjoint interiors. `spare` is working
+/// memory.
 void subtract(std::vector<Convex>& pieces, const std::vector<HalfPlane>& cut, std::vector<Convex>& spare);
 double area(const std::vector<Convex>& pieces);
 

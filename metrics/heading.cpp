@@ -6,15 +6,19 @@ namespace oxturn {
 namespace {
 
 constexpr double kStraight = 1e-7;  // radians; less is rounding
+// In tool widths; the header explains them.
+constexpr double kGentleRadius = 31;
+constexpr double kLongChord = 0.5;
+constexpr double kMostChordError = 0.0015;
 
-/// `gentle`: metres driven since the last change with no more than gentle curving.
+/// Does `next` belong to the same bend as `last`? `gentle`: metres driven so far with only gentle curving.
 bool linked(const Turn& last, const Turn& next, double w, double& gentle) {
   const double mean = (std::abs(last.angle) + std::abs(next.angle)) / 2;
   const double between = next.before;
-  gentle = mean * 31 * w < between ? gentle + between : 0;
-  if (gentle >= w / 2 || between >= w / 2 || last.angle * next.angle < 0) return false;
+  gentle = mean * kGentleRadius * w < between ? gentle + between : 0;
+  if (gentle >= w * kLongChord || between >= w * kLongChord || last.angle * next.angle < 0) return false;
   const bool corner = std::abs(last.angle) > kCorner || std::abs(next.angle) > kCorner;
-  return !corner || between * mean / 8 <= 0.0015 * w;
+  return !corner || between * mean / 8 <= kMostChordError * w;
 }
 
 }  // namespace

@@ -6,13 +6,10 @@
 #include "metrics/heading.hpp"
 
 namespace oxturn {
-
-extern const Metric kMissionS;
-
 namespace {
 
-/// Radius of the curve at a vertex between straight pieces of these lengths. Where a curve meets a straight line,
-/// the vertex has half a chord's change.
+/// Radius of the curve at a vertex between straight pieces of these lengths. Where a curve continues in its tangent,
+/// the vertex has half a chord's change of heading.
 double local_radius(double before, double after, double angle) {
   const double least = std::min(before, after), most = std::max(before, after);
   return most > 2 * least ? least / (2 * angle) : (before + after) / (2 * angle);
@@ -26,7 +23,7 @@ double drive_time(double length, double u, double v, double top, double accelera
   return (2 * top - u - v) / acceleration + std::max(0.0, length - ramps) / top;
 }
 
-/// Time over the first `part` of what drive_time is about.
+/// Time over the first `part` metres of the same drive.
 double part_time(double part, double length, double u, double v, double top, double acceleration) {
   if (part >= length) return drive_time(length, u, v, top, acceleration);
   const double peak = std::min(top, std::sqrt((u * u + v * v) / 2 + acceleration * length));
@@ -38,61 +35,73 @@ double part_time(double part, double length, double u, double v, double top, dou
   return all - (std::sqrt(v * v + 2 * acceleration * rest) - v) / acceleration;
 }
 
+/// Length of straight i, which ends at turn i; the last straight ends the path.
+double straight_length(const Headings& h, std::size_t i) { return i < h.turns.size() ? h.turns[i].before : h.after; }
+
+bool is_linked(const Headings& h, std::size_t i) { return i < h.turns.size() && h.turns[i].linked; }
+
+/// How a turn limits the robot.
+struct TurnLimit {
+  double through = 0;  // speed
+  double turning = 0;  // seconds on the spot
+  bool tight = false;  // part of a curve that the robot cannot drive
+};
+
+TurnLimit limit_of(const Headings& h, std::size_t i, const Robot& robot) {
+  const Turn& turn = h.turns[i];
+  const double angle = std::abs(turn.angle);
+  const double radius = local_radius(turn.before, straight_length(h, i + 1), angle);
+  const bool tight = radius < robot.min_turn_radius, curve = turn.linked || is_linked(h, i + 1);
+  if (!curve && (angle > kCorner || tight)) return {0, angle / robot.turn_rate, false};
+  return {std::min(robot.speed, robot.turn_rate * radius), 0, tight};
+}
+
+/// Speeds at both ends of straight i: ends[i] and ends[i + 1]. By the limits of the turns, stops at the ends of tight
+/// curves, and the acceleration in both directions.
+std::vector<double> end_speeds(const Headings& h, const std::vector<TurnLimit>& limits, double acceleration) {
+  const std::size_t n = limits.size();
+  std::vector<double> ends(n + 2, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool begins = limits[i].tight && !(i > 0 && limits[i - 1].tight && is_linked(h, i));
+    const bool stops = limits[i].tight && !(i + 1 < n && limits[i + 1].tight && is_linked(h, i + 1));
+    ends[i + 1] = begins || stops ? 0 : limits[i].through;
+  }
+  const double twice = 2 * acceleration;
+  for (std::size_t i = 0; i <= n; ++i)
+    ends[i + 1] = std::min(ends[i + 1], std::sqrt(ends[i] * ends[i] + twice * straight_length(h, i)));
+  for (std::size_t i = n + 1; i-- > 0;)
+    ends[i] = std::min(ends[i], std::sqrt(ends[i + 1] * ends[i + 1] + twice * straight_length(h, i)));
+  return ends;
+}
+
 }  // namespace
 
 MissionClock::MissionClock(const Problem& problem, const Path& path) : acceleration_(problem.robot().acceleration) {
   const Robot& robot = problem.robot();
   const Headings h = headings(problem, path);
   const std::size_t n = h.turns.size();
-  const auto length_after = [&](std::size_t i) { return i + 1 < n ? h.turns[i + 1].before : h.after; };
   if (n == 0 && !(h.after > 0)) return;
-
-  // Segment i ends at turn i; segment n ends the path. Speeds at both ends: v[i], v[i + 1].
-  std::vector<double> through(n), v(n + 2, 0), top(n + 1, robot.speed), turning(n, 0);
-  std::vector<bool> tight(n, false);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Turn& turn = h.turns[i];
-    const bool curve = turn.linked || (i + 1 < n && h.turns[i + 1].linked);
-    const double angle = std::abs(turn.angle);
-    const double radius = local_radius(turn.before, length_after(i), angle);
-    through[i] = std::min(robot.speed, robot.turn_rate * radius);
-    tight[i] = radius < robot.min_turn_radius;
-    if (!curve && (angle > kCorner || tight[i])) {
-      through[i] = 0;
-      tight[i] = false;
-      turning[i] = angle / robot.turn_rate;
-    }
-  }
-  for (std::size_t i = 0; i + 1 < n; ++i)
-    if (h.turns[i + 1].linked) top[i + 1] = std::max(through[i], through[i + 1]);
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool begins = tight[i] && !(i > 0 && tight[i - 1] && h.turns[i].linked);
-    const bool ends = tight[i] && !(i + 1 < n && tight[i + 1] && h.turns[i + 1].linked);
-    v[i + 1] = begins || ends ? 0 : through[i];
-  }
-  const auto length = [&](std::size_t i) { return i < n ? h.turns[i].before : h.after; };
-  const double twice = 2 * robot.acceleration;
-  for (std::size_t i = 0; i <= n; ++i) v[i + 1] = std::min(v[i + 1], std::sqrt(v[i] * v[i] + twice * length(i)));
-  for (std::size_t i = n + 1; i-- > 0;) v[i] = std::min(v[i], std::sqrt(v[i + 1] * v[i + 1] + twice * length(i)));
+  std::vector<TurnLimit> limits;
+  for (std::size_t i = 0; i < n; ++i) limits.push_back(limit_of(h, i, robot));
+  const std::vector<double> ends = end_speeds(h, limits, robot.acceleration);
   double driven = 0;
   for (std::size_t i = 0; i <= n; ++i) {
-    const double most = std::max({top[i], v[i], v[i + 1]});
-    stretches_.push_back({driven, total_, length(i), v[i], v[i + 1], most});
-    driven += length(i);
-    total_ += drive_time(length(i), v[i], v[i + 1], most, acceleration_) + (i < n ? turning[i] : 0);
+    const double length = straight_length(h, i);
+    const bool in_curve = i > 0 && is_linked(h, i);  // a chord of a curve
+    const double limit = in_curve ? std::max(limits[i - 1].through, limits[i].through) : robot.speed;
+    const double top = std::max({limit, ends[i], ends[i + 1]});
+    straights_.push_back({driven, total_, length, ends[i], ends[i + 1], top});
+    driven += length;
+    total_ += drive_time(length, ends[i], ends[i + 1], top, acceleration_) + (i < n ? limits[i].turning : 0);
   }
 }
 
 double MissionClock::at(double path_m) const {
-  if (stretches_.empty() || path_m <= 0) return 0;
-  const auto after = std::lower_bound(stretches_.begin(), stretches_.end(), path_m,
-                                      [](const Stretch& s, double m) { return s.begin_m < m; });
-  const Stretch& s = *std::prev(after);  // the first begins at 0, so one is before
+  if (straights_.empty() || path_m <= 0) return 0;
+  const auto after = std::lower_bound(straights_.begin(), straights_.end(), path_m,
+                                      [](const Straight& s, double m) { return s.begin_m < m; });
+  const Straight& s = *std::prev(after);  // the first begins at 0, so there is one before
   return s.begin_s + part_time(path_m - s.begin_m, s.length, s.from_speed, s.to_speed, s.top, acceleration_);
 }
-
-const Metric kMissionS{
-    "mission_s", "s", Better::lower, "time to drive the path, stopping at corners",
-    [](const Scored& s) -> std::optional<double> { return MissionClock(s.problem, s.path).total(); }};
 
 }  // namespace oxturn

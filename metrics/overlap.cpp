@@ -1,5 +1,7 @@
-// How much the legs sweep over each other's area: (sum of the legs' own swept areas / area of their union) - 1.
-// A leg that crosses itself counts that area once; see revisits for the other view.
+// How much the legs cover again of each other's area, 0 for disjoint legs:
+//   (sum over legs with the tool on of area(swath of the leg)) / area(union of these swaths) - 1
+// A leg that crosses itself counts that area once; `revisits` counts it again. Estimated (swept_area.hpp). Empty if the
+// tool is never on.
 #include <algorithm>
 
 #include "metrics/score.hpp"

@@ -1,5 +1,7 @@
-// Mean over the target of how often a point is visited again: max(visits - 1, 0), so a point never visited counts
-// 0, not -1. A visit is a maximal stretch of path during which the point is under the tool.
+// How often a point of the target is visited again, on average over the whole target:
+//   integral over the target of max(visits(p) - 1, 0) / area(target)
+// A visit of p is a maximal part of the path during which p is under the tool. Points never visited count 0. Estimated
+// (swept_area.hpp).
 #include <algorithm>
 
 #include "metrics/score.hpp"
@@ -10,7 +12,8 @@ extern const Metric kRevisits;
 
 const Metric kRevisits{"revisits", "1", Better::lower, "mean over the target of visits after the first",
                        [](const Scored& s) -> std::optional<double> {
-                         return std::max(0.0, s.swept.visits_m2 - s.swept.seen_m2) / area(s.problem.target());
+                         return std::max(0.0, s.swept.visits_m2 - s.swept.covered_estimate_m2) /
+                                area(s.problem.target());
                        }};
 
 }  // namespace oxturn

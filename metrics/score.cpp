@@ -6,14 +6,37 @@
 
 namespace oxturn {
 
+// One metric a file, named as its column.
 extern const Metric kCoverage, kCoverageLower, kCoverageUpper, kCoverageOfFree, kTargetM2;
 extern const Metric kPathM, kWorkM, kTransitM, kLengthRatio, kOverlap, kRevisits;
 extern const Metric kTurns, kTurnRad, kClearanceM, kMissionS;
-extern const Metric kTetherLimit, kTetherMax, kTetherBendsMax, kTetherAngleMin, kTetherAngleMean, kTetherSharp;
-extern const Metric kTetherCrossings, kTetherEntangled;
+extern const Metric kTetherLimitM, kTetherMaxM, kTetherBendsMax, kTetherAngleMinRad, kTetherAngleMeanRad;
+extern const Metric kTetherSharpFraction, kTetherCrossings, kTetherEntangled;
 
 Metrics built_in_metrics() {
-  return Metrics("metric", {kCoverage, kCoverageLower, kCoverageUpper, kCoverageOfFree, kTargetM2, kPathM, kWorkM, kTransitM, kLengthRatio, kOverlap, kRevisits, kTurns, kTurnRad, kClearanceM, kMissionS, kTetherLimit, kTetherMax, kTetherBendsMax, kTetherAngleMin, kTetherAngleMean, kTetherSharp, kTetherCrossings, kTetherEntangled});
+  return Metrics("metric", {kCoverage,
+                            kCoverageLower,
+                            kCoverageUpper,
+                            kCoverageOfFree,
+                            kTargetM2,
+                            kPathM,
+                            kWorkM,
+                            kTransitM,
+                            kLengthRatio,
+                            kOverlap,
+                            kRevisits,
+                            kTurns,
+                            kTurnRad,
+                            kClearanceM,
+                            kMissionS,
+                            kTetherLimitM,
+                            kTetherMaxM,
+                            kTetherBendsMax,
+                            kTetherAngleMinRad,
+                            kTetherAngleMeanRad,
+                            kTetherSharpFraction,
+                            kTetherCrossings,
+                            kTetherEntangled});
 }
 
 std::string to_text(Better better) {
@@ -28,6 +51,7 @@ std::optional<double> Score::value(const std::string& metric) const {
 
 namespace {
 
+/// Has points, all finite, and a finite length.
 bool measurable(const Path& path) {
   bool any = false;
   for (const Leg& leg : path.legs) {
@@ -35,7 +59,7 @@ bool measurable(const Path& path) {
     for (const Point& p : leg.points)
       if (!finite(p)) return false;
   }
-  return any && std::isfinite(path.length());  // coordinates of 1e200 are finite, their distances are not
+  return any && std::isfinite(path.length());  // finite points can be too far apart
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// Scores a path against a problem, from the two alone. Nothing of algorithms/ is known here.
+/// Scores a path against a problem: validity and all metrics, from the two alone. Uses nothing of algorithms/.
 ///
 ///   const Score result = score(problem, path);
 ///   result.flaw;                                  // why the path is invalid, or ""
@@ -18,23 +18,23 @@
 
 namespace oxturn {
 
-/// What metrics are computed from: problem and path, and the figures that several metrics share.
+/// What metrics are computed from: the problem, the path, and the figures that several metrics share.
 struct Scored {
   const Problem& problem;
   const Path& path;
   const SweptArea& swept;
-  double clearance;                   // metres, see clearance.cpp
-  const TetherRun* tether = nullptr;  // nullptr: the robot has no tether, or no tether can follow the path
+  double clearance;                   // metres, see clearance_m.cpp
+  const TetherRun* tether = nullptr;  // nullptr: no tether, or none can follow the path
 };
 
 enum class Better { lower, higher, neither };
 std::string to_text(Better better);
 
 struct Metric {
-  std::string name;  // the CSV column, unit included ("path_m")
+  std::string name;  // of the CSV column, with the unit ("path_m")
   std::string unit;  // "m", "m2", "rad", "s", "1", "count"
   Better better;
-  std::string help;  // one line, with the meaning of an empty cell
+  std::string help;  // one line, with the meaning of an empty value
   std::function<std::optional<double>(const Scored&)> compute;
 };
 using Metrics = NamedList<Metric>;
@@ -49,25 +49,26 @@ struct MetricValue {
 };
 
 struct Score {
-  std::string flaw;                 // why the path is invalid: which rule, where, by how much; empty if valid
-  std::vector<MetricValue> values;  // one for each metric, in their order; all empty if the path cannot be scored at
-                                    // all (no legs, not finite)
-  /// Of one metric; nothing if it is empty or was not asked for.
+  std::string flaw;                 // why the path is invalid: which rule, where, by how much; empty: it is valid
+  std::vector<MetricValue> values;  // one for each metric, in their order; all empty if the path has no points or is
+                                    // not finite
+  /// Of one metric; nullopt if it is empty or not in the list.
   std::optional<double> value(const std::string& metric) const;
 };
 
 struct ScoreOptions {
-  bool tether_counts = true;  // false: exceeding the tether's length limit is measured, but does not make a path invalid
+  bool tether_counts = true;  // false: a path that exceeds the tether length limit is valid, but still measured
 };
 
-/// Validity and every metric of the list. O(n log n) for n segments on ordinary paths; 10^5 segments under a second.
+/// Validity and every metric of the list. O(n log n) for n segments on ordinary paths; 10^5 segments take under a
+/// second.
 Score score(const Problem& problem, const Path& path, const Metrics& metrics, const ScoreOptions& options = {});
-/// By the metrics that come with oxturn.
+/// The same with the built-in metrics.
 Score score(const Problem& problem, const Path& path, const ScoreOptions& options = {});
 
-/// Only validity: starts at the start, legs joined, finite, stays in configuration space, keeps the tether's limit.
-/// "" if valid. Exact against the map itself (distance to the walls), sharing nothing with the erosion that planners
-/// are given.
+/// Only validity: the path is finite, starts at the start, its legs join, it stays in configuration space and keeps the
+/// tether length limit. "" if valid. Exact against the map itself (distance to the walls); shares nothing with the
+/// erosion from which planners get configuration space.
 std::string find_flaw(const Problem& problem, const Path& path, const ScoreOptions& options = {});
 
 }  // namespace oxturn

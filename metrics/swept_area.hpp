@@ -1,20 +1,24 @@
-// The area that the tool sweeps, with certified bounds.
-//
-// Method      The plane is cut into square tiles of half a tool width. In each tile the convex polygons inscribed
-//             in (lower bound) or circumscribed about (upper bound) the capsules of the path's segments are
-//             subtracted, one after the other, from the tile; what remains is not covered, and target_rows.hpp
-//             measures the target in it. Convex by convex subtraction needs only half-plane clips, so it is robust
-//             and fast. Polygons are shrunk or grown by 1e-9 of the tile, far above rounding, so the bounds hold
-//             for the real numbers; only the summing of areas rounds (1e-12 of the target).
-// Complexity  O(n + tiles touched + capsules per tile + target edges per row); near-linear for real paths.
-// Decisions   1. The path counts where it comes within 1.5 tool widths of the target's bounding box: no valid path
-//                leaves that, and a wild one costs no more than the map.
-//             2. Areas that need no certificate (union, legs, `seen_m2`) are 1/3 inscribed + 2/3 circumscribed,
-//                which cancels the leading error of both (Huygens).
-//             3. A visit begins in a segment at a point of its capsule that is not in the disc about the segment's
-//                start (capsules are convex), or in the disc where the tool is switched on. So visits are counted
-//                by area: over the whole plane width * length + discs, less what lies outside the target.
-//                Tool-on legs that follow each other are one stretch.
+/// The area that the tool sweeps, with certified bounds.
+///
+///   const SweptArea s = swept_area(problem.target(), problem.target_excess(), tool_width, path);
+///   s.coverage.lower;                                            // coverage is certainly not below this
+///
+/// Method      The plane is divided into square tiles of half a tool width. The tool's swath along a segment is a
+///             capsule (capsules.hpp). In each tile the convex polygons inscribed in the capsules (lower bound) or
+///             circumscribed about them (upper bound) are subtracted from the tile one after the other. What remains is
+///             not covered, and target_rows.hpp measures the target in it. Subtracting convex polygons from convex
+///             polygons needs only half-plane clips, so it is robust and fast. Polygons are shrunk or grown by 1e-9 of
+///             a tile, far more than rounding, so the bounds are true; only the sums of areas are rounded (1e-12 of the
+///             target).
+/// Complexity  O(n + tiles touched + capsules per tile + target edges per row); near-linear for real paths
+/// Decisions   1. Only the path within 1.5 tool widths of the target's bounding box counts: no valid path leaves that,
+///                and one that goes astray costs no more than the map.
+///             2. Areas without a certificate (union, legs, estimates) are 1/3 inscribed + 2/3 circumscribed, which
+///                cancels the leading errors of both (Huygens).
+///             3. During a segment a visit begins at the points of its capsule outside of the disc about the segment's
+///                first point (capsules are convex), and where the tool is switched on, at the points of the disc
+///                there. So visits are counted by areas: width * length + discs over the whole plane, less what lies
+///                outside the target. Between legs that join the tool stays on.
 #pragma once
 
 #include "geometry/path.hpp"
@@ -28,17 +32,18 @@ struct Interval {
 };
 
 struct SweptArea {
-  Interval coverage;      // share of the target, certified
-  double covered_m2 = 0;  // certified lower bound of covered target
-  double seen_m2 = 0;     // best estimate of covered target
-  double union_m2 = 0;    // area of the union of all tool-on swaths (target or not)
-  double legs_m2 = 0;     // sum of each leg's own swept area
-  double visits_m2 = 0;   // integral over the target of the number of separate visits
+  Interval coverage;               // share of the target, certified
+  double covered_m2 = 0;           // covered part of the target, certified lower bound
+  double covered_estimate_m2 = 0;  // covered part of the target, best estimate
+  double union_m2 = 0;             // union of the swaths of all legs with the tool on, inside the target or not
+  double legs_m2 = 0;              // sum of the areas of these legs' own swaths
+  double visits_m2 = 0;            // integral over the target of the number of separate visits
 };
 
-/// `target` errs inside by at most `target_excess` m^2. `width` is the tool's. The coverage interval is at most
-/// `certainty` wide (chords are refined until it is), unless `target_excess` alone is more. Throws
-/// std::invalid_argument if width is not above 0, the target is empty, or the path is not finite.
-SweptArea swept_area(const Region& target, double target_excess, double width, const Path& path, double certainty = 0.001);
+/// `target` may be smaller than the true target by at most `target_excess` m^2. `width`: the tool's, metres. The
+/// coverage interval is at most `certainty` wide (chords are refined until it is), unless `target_excess` alone makes
+/// it wider. Throws std::invalid_argument if the width is not above 0, the target is empty, or the path is not finite.
+SweptArea swept_area(const Region& target, double target_excess, double width, const Path& path,
+                     double certainty = 0.001);
 
 }  // namespace oxturn

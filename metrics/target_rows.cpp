@@ -59,22 +59,26 @@ void TargetRows::start_row(std::int64_t row) {
   here_.clear();
   next_in_row_ = next_crossing_ = 0;
   winding_ = 0;
-  for (const std::size_t e : active_) {
-    const Vec a = edges_[e].a, b = edges_[e].b;
-    const double slope = b.y != a.y ? (b.x - a.x) / (b.y - a.y) : 0;
-    const double least = std::min(a.x, b.x), most = std::max(a.x, b.x);
-    const auto x_at = [&](double y) { return std::clamp(a.x + (y - a.y) * slope, least, most); };
-    const auto x_end = [&](Vec p) { return p.y < low ? x_at(low) : p.y > high ? x_at(high) : p.x; };
-    const double x0 = x_end(a), x1 = x_end(b);
-    // A hair wider: a tile too many costs nothing, one too few would be wrong.
-    in_row_.push_back({static_cast<std::int64_t>(std::floor(std::min(x0, x1) - 1e-9)),
-                       static_cast<std::int64_t>(std::floor(std::max(x0, x1) + 1e-9)), e});
-    if ((a.y < low) != (b.y < low)) crossings_.push_back({x_at(low), a.y < low ? -1 : 1});
-  }
+  for (const std::size_t e : active_) add_to_row(e);
   std::sort(in_row_.begin(), in_row_.end(),
             [](const InRow& l, const InRow& r) { return l.first != r.first ? l.first < r.first : l.edge < r.edge; });
   std::sort(crossings_.begin(), crossings_.end(),
             [](const auto& l, const auto& r) { return l.x != r.x ? l.x < r.x : l.sign < r.sign; });
+}
+
+/// The edge's columns in the row, and where it crosses the row's lower line.
+void TargetRows::add_to_row(std::size_t edge) {
+  constexpr double kSpare = 1e-9;  // an extra tile costs little, a missing one would be wrong
+  const double low = static_cast<double>(row_), high = low + 1;
+  const Vec a = edges_[edge].a, b = edges_[edge].b;
+  const double slope = b.y != a.y ? (b.x - a.x) / (b.y - a.y) : 0;
+  const double least = std::min(a.x, b.x), most = std::max(a.x, b.x);
+  const auto x_at = [&](double y) { return std::clamp(a.x + (y - a.y) * slope, least, most); };
+  const auto x_end = [&](Vec p) { return p.y < low ? x_at(low) : p.y > high ? x_at(high) : p.x; };
+  const double x0 = x_end(a), x1 = x_end(b);
+  in_row_.push_back({static_cast<std::int64_t>(std::floor(std::min(x0, x1) - kSpare)),
+                     static_cast<std::int64_t>(std::floor(std::max(x0, x1) + kSpare)), edge});
+  if ((a.y < low) != (b.y < low)) crossings_.push_back({x_at(low), a.y < low ? -1 : 1});
 }
 
 const TileTarget& TargetRows::tile(std::int64_t column) {
@@ -93,7 +97,7 @@ const TileTarget& TargetRows::tile(std::int64_t column) {
     tile_.crossings_.push_back({crossings_[k].x - centre.x, crossings_[k].sign});
   for (const InRow& in : here_) {
     const Vec a = edges_[in.edge].a, b = edges_[in.edge].b;
-    if (a.x == b.x) continue;  // seen through its neighbours' ends, or the crossing below
+    if (a.x == b.x) continue;  // its neighbours and the crossings of the lower side account for it
     double ax = a.x, bx = b.x;
     if ((a.y < low) != (b.y < low)) {
       const double x = std::clamp(a.x + (low - a.y) * ((b.x - a.x) / (b.y - a.y)), std::min(ax, bx), std::max(ax, bx));

@@ -1,10 +1,21 @@
-// The target seen tile by tile, row after row. Internal to metrics/.
-//
-// Method      In a tile, a point is in the target if the winding number at the tile's lower left corner, plus the
-//             edges crossed on the way right along the tile's lower side, plus those crossed on the way up, says 1.
-//             So the area of target and a convex piece is a signed sum of half-plane clips of the piece: no local
-//             arrangement is built and no predicate decides, each rounding costs its own size of area and no more.
-// Complexity  O(E + sum over rows of edges in the row), one row in memory.
+/// The target tile by tile, row after row. Private to metrics/.
+///
+///   TargetRows rows(target, origin, side);
+///   rows.start_row(7);
+///   const double wanted = rows.tile(3).area_in(pieces);          // of tile (3, 7), in tile areas
+///
+/// Method      A point of a tile is in the target if its winding number is 1: the winding number at the tile's lower
+///             left corner, plus the edges crossed along the tile's lower side to the point's x, plus those crossed
+///             from there upwards. So the area of the target in a convex piece is a signed sum of half-plane clips of
+///             the piece. No arrangement is built and no predicate decides: a rounding error costs as much area as its
+///             own size.
+///
+///                 |   p |
+///                 |   ^ |
+///                 |   | |
+///                 *--->-+
+///
+/// Complexity  O(edges + sum over rows of the edges in the row); memory for one row
 #pragma once
 
 #include <cstdint>
@@ -15,7 +26,7 @@
 
 namespace oxturn {
 
-/// What one tile (the unit square about the origin) sees of the target.
+/// The target in one tile, the unit square about the origin.
 class TileTarget {
  public:
   bool outside() const { return edges_.empty() && crossings_.empty() && winding_ == 0; }
@@ -26,15 +37,15 @@ class TileTarget {
 
  private:
   friend class TargetRows;
-  struct Edge {
+  struct Edge {  // over from <= x <= to
     double from, to;
     HalfPlane above;
     int sign;
-  };  // over from <= x <= to
-  struct Step {
+  };
+  struct Step {  // where an edge crosses the tile's lower side
     double x;
     int sign;
-  };  // along the lower side
+  };
   int winding_ = 0;
   std::vector<Edge> edges_;
   std::vector<Step> crossings_;
@@ -44,7 +55,7 @@ class TargetRows {
  public:
   /// Point p of the region becomes (p - origin) / side; tile (i, j) is the unit square from (i, j).
   TargetRows(const Region& region, const Point& origin, double side);
-  /// Rows must be asked for in ascending order, and within a row columns in ascending order.
+  /// Rows must be requested in ascending order, and within a row columns in ascending order.
   void start_row(std::int64_t row);
   const TileTarget& tile(std::int64_t column);
 
@@ -52,17 +63,18 @@ class TargetRows {
   struct Edge {
     Vec a, b;
   };
-  struct InRow {
+  struct InRow {  // an edge and the columns that it meets in the row
     std::int64_t first, last;
     std::size_t edge;
   };
+  void add_to_row(std::size_t edge);
   std::vector<Edge> edges_;  // by lowest y
   std::size_t next_ = 0;     // first edge that the rows have not reached yet
   std::vector<std::size_t> active_;
   std::int64_t row_ = 0;
   std::vector<InRow> in_row_;  // by first column
   std::size_t next_in_row_ = 0;
-  std::vector<InRow> here_;
+  std::vector<InRow> here_;                  // those of the present column
   std::vector<TileTarget::Step> crossings_;  // of the row's lower line, by x
   std::size_t next_crossing_ = 0;
   int winding_ = 0;

@@ -1,16 +1,23 @@
-// The taut tether along a path: its length, its bends, how it pulls, and where the robot drives over it.
-//
-// Method      The string (geometry/taut_string.hpp) tells every stretch of the way during which it turns about one place,
-//             the pivot. There, with h the pivot's distance from the driven line and s the place on it (0 at the pivot's
-//             foot), the angle between heading and string is atan2(h, s): 0 = straight away from the pull, pi = back
-//             along the string. Mean and shares are integrals of that in closed form; the length is convex in s, so it
-//             is greatest at an end. Nothing is sampled, and how finely a path is cut into segments does not matter.
-// Decisions   1. Where the robot stands at the pivot the angle is 0.
-//             2. "Sharper" is strictly more than the limit; a limit of pi is never exceeded.
-//             3. Entangled: at the end the string is longer than the geodesic of that place by more than 1e-6 of it
-//                plus the problem's tolerance.
-//             4. A path that jumps, starts elsewhere or leaves free space pulls no string: nothing is told of it.
-// Complexity  n segments: O(n) beside the string's own cost and what own_line.hpp says; 10^5 segments well under a second
+/// The taut tether along a path: how long it is, where it bends, how it pulls, and where the robot drives over it.
+///
+///   if (const auto run = tether_run(problem, path, problem.map_edges()))
+///     fmt::print("longest {} m, {} crossings\n", run->longest_m, run->crossings.size());
+///
+///   anchor o---------. bend, the pivot of the robot's motion
+///                     \  angle
+///                      \ /
+///                 ------R-------> heading
+///
+/// Method      TautTether reports each part of the drive during which the tether turns about one pivot. With h the
+///             pivot's distance from the driven line and s the robot's position along it (0 at the pivot's foot), the
+///             angle between the heading and the direction away from the tether's pull is atan2(h, s): 0 straight away
+///             from the pull, pi back along the tether. Its mean, and the share of the path above a limit, are
+///             integrals in closed form; the tether's length is convex in s, hence greatest at an end. Nothing is
+///             sampled, so the figures do not depend on how the path is cut into segments.
+/// Decisions   1. Where the robot is at the pivot, the angle is 0.
+///             2. "Sharper than the limit" means strictly greater; a limit of pi is never exceeded.
+///             3. A path that jumps, starts elsewhere or leaves free space has no tether, hence no figures.
+/// Complexity  n segments: O(n), beside the cost of TautTether and CrossingDetector
 #pragma once
 
 #include <cmath>
@@ -26,15 +33,15 @@
 
 namespace oxturn {
 
-/// A stretch of the way with one pivot.
-struct TetherStretch {
+/// A part of the path during which the tether turns about one pivot.
+struct PivotMotion {
   TautTether::Swing swing;
   Point heading{1, 0};        // unit vector
-  double path_m = 0;          // driven up to its begin
-  double begin = 0, end = 0;  // metres along the heading from the pivot's foot, begin <= end
-  double height = 0;          // the pivot's distance from the line
-  double length_at(double s) const { return swing.before + std::hypot(height, s); }
-  double angle_at(double s) const { return std::atan2(height, s); }
+  double path_m = 0;          // driven before it
+  double begin = 0, end = 0;  // robot's position along the heading, metres from the pivot's foot; begin <= end
+  double height = 0;          // the pivot's distance from the driven line, metres
+  double length_at(double s) const { return swing.before + std::hypot(height, s); }  // of the tether, metres
+  double angle_at(double s) const { return std::atan2(height, s); }                  // radians
 };
 
 struct TetherCrossing {
@@ -42,32 +49,33 @@ struct TetherCrossing {
   Point at{0, 0};
 };
 
-/// Told in driving order, each segment's crossings before its stretches. Any may be left out.
+/// Called in driving order: of each segment first the crossings, then the motions, then the vertex at its end. Each may
+/// be left out.
 struct TetherVisitor {
   std::function<void(const TetherCrossing&)> crossing;
-  std::function<void(const TetherStretch&)> stretch;
-  std::function<void(const TautTether&, double path_m)> waypoint;  // at the end of each segment
+  std::function<void(const PivotMotion&)> motion;
+  std::function<void(const TautTether&, double path_m)> vertex;
 };
-/// Drives the string along `way`, which begins at the problem's start (maps/followed_path.hpp).
-void drive_tether(const Problem& problem, const Polyline& way, const TetherVisitor& visitor);
+/// Drives the tether along `path`, which begins at the problem's start (maps/followed_path.hpp).
+void drive_tether(const Problem& problem, const Polyline& path, const TetherVisitor& visitor);
 
 struct TetherRun {
-  double longest_m = 0;    // the string's greatest length
-  Point longest_at{0, 0};  // where the robot is then
+  double longest_m = 0;    // greatest length of the tether
+  Point longest_at{0, 0};  // the robot's position then
   std::size_t bends_max = 0;
   double path_m = 0;     // driven
-  double angle_min = 0;  // with no way driven, this and the next two mean nothing
-  double angle_sum = 0;  // integral of the angle over the way, rad m
+  double angle_min = 0;  // this and the next two are meaningless if path_m is 0
+  double angle_sum = 0;  // integral of the angle over the path, rad m
   double sharp_m = 0;    // metres driven with an angle above the tether's sharp_angle
   std::vector<TetherCrossing> crossings;
-  double end_m = 0;       // the string's length at the end
-  double geodesic_m = 0;  // the shortest that it could be there; infinity where the robot cannot be
+  double end_m = 0;       // length of the tether at the end of the path
+  double geodesic_m = 0;  // geodesic distance of that point from the anchor; infinity if it is not connected
 };
-/// Tethered problems only. Nothing for paths of Decision 4. `walls`: edges of the map's free space.
+/// nullopt for paths of decision 3. `walls`: edges of the map's free space. Throws std::logic_error without a tether.
 std::optional<TetherRun> tether_run(const Problem& problem, const Path& path, const EdgeIndex& walls);
 
 /// "pulls its tether to 12.3 m at (3, 4), 0.3 m over its limit 12 m", or "" if the limit is kept (within the problem's
-/// tolerance and 1e-9 of it).
+/// tolerance and 1e-9 of the limit).
 std::string find_tether_flaw(const Problem& problem, const std::optional<TetherRun>& run);
 
 }  // namespace oxturn

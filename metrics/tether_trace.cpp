@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "maps/formats.hpp"
+#include "base/text.hpp"
 #include "maps/followed_path.hpp"
+#include "maps/formats.hpp"
 #include "metrics/mission.hpp"
 #include "metrics/tether.hpp"
-#include "base/text.hpp"
 
 namespace oxturn {
 namespace {
@@ -21,45 +21,51 @@ using Event = TetherRow::Event;
 
 class Tracer {
  public:
-  Tracer(const Problem& problem, const Polyline& way, double step) : clock_(problem, Path{{{true, way}}}), step_(step) {
-    const TautTether string = tether_at_start(problem);
-    bends_ = string.bends().size();
-    pivot_ = string.pivot();
-    rows_.push_back({0, 0, problem.start(), string.length(), bends_, {}, Event::start});
-    // A segment's crossings come before its stretches; each is told in the stretch that it belongs to.
-    drive_tether(problem, way,
-                 {[&](const TetherCrossing& crossing) { crossings_.push_back(crossing.path_m); },
-                  [&](const TetherStretch& stretch) { add(stretch); },
-                  [&](const TautTether& reached, double path_m) { end_segment(reached, path_m); }});
+  Tracer(const Problem& problem, const Polyline& path, double step)
+      : clock_(problem, Path{{{true, path}}}), step_(step) {
+    const TautTether tether = tether_at_start(problem);
+    bends_ = tether.bends().size();
+    pivot_ = tether.pivot();
+    rows_.push_back({0, 0, problem.start(), tether.length(), bends_, {}, Event::start});
+    TetherVisitor visitor;
+    visitor.crossing = [&](const TetherCrossing& crossing) { crossings_.push_back(crossing.path_m); };
+    visitor.motion = [&](const PivotMotion& motion) { add(motion); };
+    visitor.vertex = [&](const TautTether& reached, double path_m) { end_segment(reached, path_m); };
+    drive_tether(problem, path, visitor);
   }
   std::vector<TetherRow> take() { return std::move(rows_); }
 
  private:
-  void add(const TetherStretch& t) {
-    const double length = t.end - t.begin;
-    std::vector<std::pair<double, Event>> events;  // metres from the stretch's begin
-    if (t.swing.bends != bends_ || t.swing.pivot != pivot_)
-      events.emplace_back(0, t.swing.bends < bends_ ? Event::bend_lost : Event::bend_gained);
-    bends_ = t.swing.bends;
-    pivot_ = t.swing.pivot;
-    for (; !crossings_.empty() && crossings_.front() <= t.path_m + length; crossings_.pop_front())
-      events.emplace_back(std::max(0.0, crossings_.front() - t.path_m), Event::crossing);
+  void add(const PivotMotion& m) {
+    for (const auto& [metres, event] : events_of(m)) {
+      const double s = m.begin + metres, driven = m.path_m + metres;
+      rows_.push_back(
+          {driven, clock_.at(driven), m.swing.from + metres * m.heading, m.length_at(s), bends_, m.angle_at(s), event});
+    }
+    last_ = m;
+  }
+
+  /// With their distance from the motion's beginning, metres, in order.
+  std::vector<std::pair<double, Event>> events_of(const PivotMotion& m) {
+    const double length = m.end - m.begin;
+    std::vector<std::pair<double, Event>> events;
+    if (m.swing.bends != bends_ || m.swing.pivot != pivot_)
+      events.emplace_back(0, m.swing.bends < bends_ ? Event::bend_lost : Event::bend_gained);
+    bends_ = m.swing.bends;
+    pivot_ = m.swing.pivot;
+    for (; !crossings_.empty() && crossings_.front() <= m.path_m + length; crossings_.pop_front())
+      events.emplace_back(std::max(0.0, crossings_.front() - m.path_m), Event::crossing);
     const int parts = static_cast<int>(std::clamp(std::ceil(length / step_), 1.0, 1e6));
     for (int k = 1; k < parts; ++k) events.emplace_back(length * k / parts, Event::sample);
     std::stable_sort(events.begin(), events.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (const auto& [metres, event] : events) {
-      const double s = t.begin + metres, driven = t.path_m + metres;
-      rows_.push_back(
-          {driven, clock_.at(driven), t.swing.from + metres * t.heading, t.length_at(s), bends_, t.angle_at(s), event});
-    }
-    last_ = t;
+    return events;
   }
 
-  void end_segment(const TautTether& string, double path_m) {
-    for (; !crossings_.empty(); crossings_.pop_front())  // beyond the last stretch by rounding
-      rows_.push_back({crossings_.front(), clock_.at(crossings_.front()), string.robot(), string.length(), bends_,
+  void end_segment(const TautTether& tether, double path_m) {
+    for (; !crossings_.empty(); crossings_.pop_front())  // beyond the last motion by rounding
+      rows_.push_back({crossings_.front(), clock_.at(crossings_.front()), tether.robot(), tether.length(), bends_,
                        last_.angle_at(last_.end), Event::crossing});
-    rows_.push_back({path_m, clock_.at(path_m), string.robot(), string.length(), string.bends().size(),
+    rows_.push_back({path_m, clock_.at(path_m), tether.robot(), tether.length(), tether.bends().size(),
                      last_.angle_at(last_.end), Event::waypoint});
   }
 
@@ -67,8 +73,8 @@ class Tracer {
   double step_;
   std::size_t bends_;
   Point pivot_{0, 0};
-  TetherStretch last_;
-  std::deque<double> crossings_;
+  PivotMotion last_;
+  std::deque<double> crossings_;  // of the current segment, not yet in a row
   std::vector<TetherRow> rows_;
 };
 

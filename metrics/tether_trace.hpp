@@ -1,4 +1,6 @@
-// How long the tether is and how it pulls, place by place along a path: for plots, and to find where a path goes wrong.
+/// The length and the pull of the tether along a path, as rows: for plots, and to find where a path goes wrong.
+///
+///   write_file("tether.csv", to_csv(tether_trace(problem, path, 0.1)));
 #pragma once
 
 #include <optional>
@@ -13,20 +15,19 @@ namespace oxturn {
 struct TetherRow {
   enum class Event { start, waypoint, sample, bend_gained, bend_lost, crossing };
   double path_m = 0;     // driven
-  double mission_s = 0;  // when, as the metric mission_s tells time; before turning on the spot
+  double mission_s = 0;  // the time then (mission.hpp), before turning on the spot
   Point at{0, 0};
   double length_m = 0;  // the tether's
   std::size_t bends = 0;
-  std::optional<double> angle_rad;  // between heading and tether; at a way point the heading with which it is reached;
-                                    // none before the first move
+  std::optional<double> angle_rad;  // between heading and tether, at a vertex the heading before it; none at the start
   Event event = Event::sample;
 };
 std::string to_text(TetherRow::Event event);
 
-/// A row for the start, each way point, each bend gained or lost (both at once: gained) and each crossing of the own
-/// line; between them samples so that rows are at most `step` metres apart (> 0, else std::invalid_argument). Ends where
-/// no string can follow (maps/followed_path.hpp). Tethered problems only (else std::logic_error). O(rows) beside the
-/// string's cost.
+/// A row for the start, each vertex of the path, each bend gained or lost (both at once: gained) and each crossing of
+/// the tether. Samples in between, so that rows are at most `step` metres apart. Ends where no tether can follow the
+/// path (maps/followed_path.hpp). Throws std::invalid_argument if the step is not above 0, std::logic_error without a
+/// tether. O(rows), beside the cost of TautTether.
 std::vector<TetherRow> tether_trace(const Problem& problem, const Path& path, double step);
 
 /// One header line; RFC 4180.

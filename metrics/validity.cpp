@@ -1,4 +1,4 @@
-// Is this path one that the robot can drive? The first rule that it breaks, where, by how much.
+// Can the robot drive this path? The first rule that it breaks, where, and by how much.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 std::string text(const Point& p) { return fmt::format("({:.6g}, {:.6g})", p.x(), p.y()); }
 
-/// Legs, points, joints: everything but the walls.
+/// Rules about legs, points and joints.
 std::string find_shape_flaw(const Problem& problem, const Path& path) {
   if (path.legs.empty()) return "path has no legs";
   const double tolerance = problem.tolerance();
@@ -38,56 +38,61 @@ std::string find_shape_flaw(const Problem& problem, const Path& path) {
   return "";
 }
 
+std::string find_footprint_flaw(const Problem& problem, const Path& path, const EdgeIndex& walls) {
+  const auto hit = first_hit(path, problem.robot().footprint, problem.tolerance(), walls);
+  if (!hit) return "";
+  return fmt::format("leaves configuration space at {}: the footprint reaches {:.3g} m into a wall", text(hit->at),
+                     hit->depth);
+}
+
+/// Of a segment, for a disc of this radius.
+std::string find_disc_flaw(const Point& a, const Point& b, double radius, double tolerance, const EdgeIndex& walls) {
+  if (radius > tolerance) {
+    const auto hit = walls.nearest(a, b, radius - tolerance);
+    if (!hit || hit->distance >= radius - tolerance) return "";
+    return fmt::format("leaves configuration space at {}: {}, robot radius {:.6g} m", text(hit->from),
+                       hit->distance > 0 ? fmt::format("{:.6g} m from a wall", hit->distance) : "in a wall", radius);
+  }
+  const auto outside = point_outside(walls, a, b, tolerance);
+  if (!outside) return "";
+  const auto wall = walls.nearest(*outside);
+  return fmt::format("leaves configuration space at {}: {:.3g} m inside a wall", text(*outside),
+                     wall ? wall->distance : 0.0);
+}
+
 }  // namespace
 
 std::string find_flaw(const Problem& problem, const Path& path, const EdgeIndex& walls) {
   if (std::string flaw = find_shape_flaw(problem, path); !flaw.empty()) return flaw;
-  const double tolerance = problem.tolerance(), radius = problem.robot().radius;
+  const double tolerance = problem.tolerance();
   const Point& start = path.legs.front().points.front();
   if (!nearly_contains(walls, start, tolerance)) return fmt::format("starts at {}, inside a wall", text(start));
-  if (const Ring& footprint = problem.robot().footprint; !footprint.empty()) {
-    const auto hit = first_hit(path, footprint, tolerance, walls);
-    return hit ? fmt::format("leaves configuration space at {}: the footprint reaches {:.3g} m into a wall",
-                             text(hit->at), hit->depth)
-               : "";
-  }
-  for (const Leg& leg : path.legs) {
+  if (!problem.robot().footprint.empty()) return find_footprint_flaw(problem, path, walls);
+  for (const Leg& leg : path.legs)
     for (std::size_t i = 1; i < leg.points.size(); ++i) {
-      const Point &a = leg.points[i - 1], &b = leg.points[i];
-      if (radius > tolerance) {
-        const auto hit = walls.nearest(a, b, radius - tolerance);
-        if (!hit || hit->distance >= radius - tolerance) continue;
-        return fmt::format("leaves configuration space at {}: {}, robot radius {:.6g} m", text(hit->from),
-                           hit->distance > 0 ? fmt::format("{:.6g} m from a wall", hit->distance) : "in a wall",
-                           radius);
-      }
-      if (const auto out = point_outside(walls, a, b, tolerance)) {
-        const auto depth = walls.nearest(*out);
-        return fmt::format("leaves configuration space at {}: {:.3g} m inside a wall", text(*out),
-                           depth ? depth->distance : 0.0);
-      }
+      std::string flaw = find_disc_flaw(leg.points[i - 1], leg.points[i], problem.robot().radius, tolerance, walls);
+      if (!flaw.empty()) return flaw;
     }
-  }
   return "";
 }
 
 double clearance(const Problem& problem, const Path& path, const EdgeIndex& walls) {
   if (!problem.robot().footprint.empty()) return footprint_clearance(path, problem.robot().footprint, walls);
   double least = std::numeric_limits<double>::infinity();
-  bool suspect = false;  // somewhere it may be outside
+  bool may_be_outside = false;
   const Point* last = nullptr;
   for (const Leg& leg : path.legs) {
     if (leg.points.empty()) continue;
-    // A jump, or the very first point: no segment led here, so ask directly.
-    if (last == nullptr || *last != leg.points.front()) suspect = suspect || !walls.contains(leg.points.front());
+    // The first point, and a point after a jump, is not the end of a tested segment.
+    if (last == nullptr || *last != leg.points.front())
+      may_be_outside = may_be_outside || !walls.contains(leg.points.front());
     for (std::size_t i = 0; i < leg.points.size(); ++i) {
       const auto hit = walls.nearest(leg.points[i == 0 ? 0 : i - 1], leg.points[i], least);
       if (hit) least = std::min(least, hit->distance);
     }
     last = &leg.points.back();
   }
-  suspect = suspect || least <= 0;
-  if (suspect)
+  if (may_be_outside || least <= 0)
     for (const Leg& leg : path.legs)
       for (const Point& p : leg.points)
         if (!walls.contains(p))

@@ -1,4 +1,4 @@
-// The path against the map's walls. Shared by validity and clearance; internal to metrics/.
+/// A path against the walls of the map, for validity and clearance. Private to metrics/.
 #pragma once
 
 #include <string>
@@ -9,9 +9,10 @@
 
 namespace oxturn {
 
-/// "" if the path obeys every rule of score.hpp but that of the tether. `walls`: edges of the map's free space.
+/// The first rule of score.hpp that the path breaks, except that of the tether; "" if it breaks none. `walls`: edges of
+/// the map's free space.
 std::string find_flaw(const Problem& problem, const Path& path, const EdgeIndex& walls);
-/// See clearance.cpp. Where the path is outside free space, its depth is taken at its points.
+/// The metric clearance_m. Where the path is outside free space, its depth is measured at its points only.
 double clearance(const Problem& problem, const Path& path, const EdgeIndex& walls);
 
 }  // namespace oxturn

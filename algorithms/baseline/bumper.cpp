@@ -4,42 +4,58 @@
 #include <cmath>
 
 namespace oxturn {
+namespace {
+
+constexpr double kLookAhead = 4;  // tool widths in which walls are searched at a time
+// Nearer than this, in gaps, the robot touches the wall, and the direction to its nearest point is mere rounding.
+constexpr double kTouching = 16;
+// Of the angle between a wall's normal and the direction to its nearest point. Beyond it, that point is the end of an
+// edge and belongs to a neighbour's wall; otherwise the end of a wall that turns away beside the robot would be one
+// ahead.
+constexpr double kLeastCosine = 0.7;
+
+}  // namespace
 
 Bumper::Bumper(const Problem& problem)
     : walls_(problem.walls()),
       tool_width_(problem.robot().tool_width),
-      hair_(problem.tolerance() / 4),
+      gap_(problem.tolerance() / 4),
       at_(problem.start()),
-      way_{problem.start()} {}
+      path_{problem.start()} {}
 
 Point Bumper::normal(std::size_t edge) const {
   const EdgeIndex::Edge& e = walls_.edges()[edge];
-  return perpendicular(e.b - e.a).normalized();  // free space is to the left
+  return perpendicular(e.b - e.a).normalized();  // free space is on the left
 }
 
-// Only walls that the robot drives towards count, so it can leave a wall it touches, or slide along it. Looked for a few
-// tool widths at a time: what lies farther on is not looked at if something nearer stops the robot.
-std::optional<Bumper::Hit> Bumper::first_hit(const Point& along, double far) const {
-  const double piece = 4 * tool_width_;
-  for (double from = 0; from < far; from += piece) {
-    const double until = std::min(far, from + piece);
+/// The contact with one wall. Walls that the robot does not drive towards do not count, so it can leave a wall that it
+/// touches, or slide along it.
+std::optional<Bumper::Hit> Bumper::hit(std::size_t edge, const Point& along, double length) const {
+  const Point away = normal(edge);
+  const double approach = -along.dot(away);
+  if (!(approach > 0)) return std::nullopt;
+  const EdgeIndex::Edge& e = walls_.edges()[edge];
+  const double off = (at_ - e.a).dot(away);
+  if (off < -4 * gap_ || off - approach * length > gap_ / 2) return std::nullopt;
+  const Point contact = at_ + std::clamp(off / approach, 0.0, length) * along;
+  const double size = distance(e.a, e.b), k = (contact - e.a).dot(e.b - e.a) / size;
+  if (k < -gap_ || k > size + gap_) return std::nullopt;
+  return Hit{std::max(0.0, (off - gap_) / approach), away};
+}
+
+/// A few tool widths at a time: what lies farther away is not looked at if something nearer stops the robot.
+std::optional<Bumper::Hit> Bumper::first_hit(const Point& along, double length) const {
+  const double step = kLookAhead * tool_width_;
+  for (double from = 0; from < length; from += step) {
+    const double until = std::min(length, from + step);
     Box box;
     box.add(at_ + from * along);
     box.add(at_ + until * along);
-    box.grow(4 * hair_);
+    box.grow(4 * gap_);
     std::optional<Hit> first;
     walls_.for_each_near(box, [&](std::size_t edge) {
-      const Point away = normal(edge);
-      const double steep = -along.dot(away);
-      if (!(steep > 0)) return;
-      const EdgeIndex::Edge& e = walls_.edges()[edge];
-      const double off = (at_ - e.a).dot(away);
-      if (off < -4 * hair_ || off - steep * until > hair_ / 2) return;
-      const Point place = at_ + std::clamp(off / steep, 0.0, until) * along;
-      const double size = distance(e.a, e.b), k = (place - e.a).dot(e.b - e.a) / size;
-      if (k < -hair_ || k > size + hair_) return;
-      const double stop = std::max(0.0, (off - hair_) / steep);
-      if (!first || stop < first->far) first = Hit{stop, away};
+      const auto here = hit(edge, along, until);
+      if (here && (!first || here->distance < first->distance)) first = here;
     });
     if (first) return first;
   }
@@ -47,15 +63,15 @@ std::optional<Bumper::Hit> Bumper::first_hit(const Point& along, double far) con
 }
 
 std::optional<Point> Bumper::drive(const Point& to) {
-  const double far = distance(at_, to);
-  if (!(far > 0)) return std::nullopt;
-  const Point along = (to - at_) / far;
-  const auto hit = first_hit(along, far);
+  const double length = distance(at_, to);
+  if (!(length > 0)) return std::nullopt;
+  const Point along = (to - at_) / length;
+  const auto hit = first_hit(along, length);
   if (!hit) {
     go(to);
     return std::nullopt;
   }
-  if (hit->far > 0) go(at_ + std::min(hit->far, far) * along);
+  if (hit->distance > 0) go(at_ + std::min(hit->distance, length) * along);
   return hit->away;
 }
 
@@ -66,14 +82,11 @@ std::optional<Bumper::Wall> Bumper::feel(double reach, const Point& towards, dou
   std::optional<Wall> nearest;
   walls_.for_each_near(box, [&](std::size_t edge) {
     const EdgeIndex::Edge& e = walls_.edges()[edge];
-    const Point place = nearest_on_segment(at_, e.a, e.b);
-    const double off = oxturn::distance(at_, place);
+    const Point point = nearest_on_segment(at_, e.a, e.b);
+    const double off = distance(at_, point);
     if (off >= (nearest ? nearest->distance : reach)) return;
-    // Touching, the direction to the wall's nearest place is rounding alone.
-    const Point away = off < 16 * hair_ ? normal(edge) : Point((at_ - place) / off);
-    // What lies past the end of an edge is not its wall but a neighbour's: else the end of a wall that bends away beside
-    // the robot would be one ahead.
-    if (away.dot(normal(edge)) < 0.7) return;
+    const Point away = off < kTouching * gap_ ? normal(edge) : Point((at_ - point) / off);
+    if (away.dot(normal(edge)) < kLeastCosine) return;
     if (-away.dot(towards) >= cosine) nearest = Wall{off, away};
   });
   return nearest;
@@ -83,16 +96,16 @@ void Bumper::go(const Point& to) {
   if (to == at_) return;
   driven_ += distance(at_, to);
   at_ = to;
-  if (way_.size() > 1) {
-    const Point& corner = way_[way_.size() - 2];
-    const Point on = to - corner;
-    if (std::abs(cross(heading_, on)) < hair_ / 2 && on.dot(heading_) > (way_.back() - corner).dot(heading_)) {
-      way_.back() = to;
+  if (path_.size() > 1) {
+    const Point& before = path_[path_.size() - 2];
+    const Point on = to - before;
+    if (std::abs(cross(heading_, on)) < gap_ / 2 && on.dot(heading_) > (path_.back() - before).dot(heading_)) {
+      path_.back() = to;
       return;
     }
   }
-  heading_ = (to - way_.back()).normalized();
-  way_.push_back(to);
+  heading_ = (to - path_.back()).normalized();
+  path_.push_back(to);
 }
 
 }  // namespace oxturn

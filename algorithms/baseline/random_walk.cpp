@@ -4,7 +4,7 @@
 //             robots", ICIEV 2014
 // Model       online by bumpers (bumper.hpp), disc footprint
 // Guarantee   ends (stop rule of habits.hpp); covers everything only in the limit
-// Complexity  O(stretches * (edges near one + length / tool width))
+// Complexity  O(motions * (edges near one + length / tool width))
 // Decisions   1. All headings that lead away from the wall touched are equally likely.
 #include "algorithms/baseline/habits.hpp"
 
@@ -13,30 +13,16 @@ namespace {
 
 struct Params : StopRule {};
 
-class RandomWalk final : public CoveragePlanner {
- public:
-  explicit RandomWalk(Params p) : p_(p) {}
-  Path plan(const Problem& problem, Context& context) const override {
-    Vacuum vacuum(problem, context, p_);
-    Point heading = vacuum.any_heading();
-    while (const auto away = vacuum.drive_on(heading)) heading = vacuum.heading_off(*away);
-    return vacuum.finish();
-  }
-
- private:
-  Params p_;
-};
+void clean(const Params&, Vacuum& vacuum, Rng&) {
+  Point heading = vacuum.any_heading();
+  while (const auto away = vacuum.drive_on(heading)) heading = vacuum.heading_off(*away);
+}
 
 }  // namespace
 
 PlannerInfo random_walk() {
-  return describe<RandomWalk, Params>({.name = "random-walk",
-                                       .family = "baseline",
-                                       .title = "straight until contact, then a random heading",
-                                       .citation = "after Hasan et al. 2014",
-                                       .capabilities = {Capability::online, Capability::holes},
-                                       .guarantee = "ends; coverage only in the limit",
-                                       .parameters = with_stop_rule<Params>({})});
+  return describe_habit<Params, clean>("random-walk", "straight until contact, then a random heading",
+                                       "ends; coverage only in the limit", {});
 }
 
 }  // namespace oxturn

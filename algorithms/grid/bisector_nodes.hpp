@@ -1,7 +1,8 @@
-// The corners of a wall moved off it along their bisectors: the first step of the loops round obstacles.
-//
-// Source      slides "Improving Coverage" (seed improving-spanning-tree-coverage), "Bisector Vertices"
-// Complexity  O(corners)
+/// The vertices of a wall moved away from it along their bisectors: the first step of the loops around obstacles.
+///
+///   for (const BisectorNode& node : bisector_nodes(wall, offset, 2)) loop.push_back(node.at);
+///
+/// Improving Spanning Tree Coverage (lecture slides), "Bisector Vertices". O(vertices).
 #pragma once
 
 #include <vector>
@@ -11,17 +12,18 @@
 namespace oxturn {
 
 struct BisectorNode {
-  Point corner;  // of the wall
-  Point at;      // off it
+  Point vertex;  // of the wall
+  Point at;      // away from it
 };
 
-/// `wall` runs with free space at its right: counter-clockwise round an obstacle, clockwise for the outer border.
-/// A node for each corner, `offset` away from both of its edges, in the wall's order; two where the corner is so sharp
-/// that the one would lie farther from it than miter_limit x offset: they cut the corner at that distance. The angle at
-/// a corner is the counter-clockwise one from the next to the previous edge, in (0, 2 pi), so that reflex corners are
-/// right as well (the slide's arccos knows convex ones only). Repeated corners count once; a wall of fewer than two
-/// corners has no nodes. No node lies farther off than the longer edge plus twice the offset (beyond that no place beside the
-/// edges is off both). offset > 0, miter_limit >= 1.
+/// `wall` has free space on its right: counter-clockwise around an obstacle, clockwise for the outer boundary. offset >
+/// 0, miter_limit >= 1.
+/// Returns a node for each vertex in the wall's order, `offset` away from both of its edges; two nodes where the vertex
+/// is so sharp that one would lie farther away than miter_limit * offset: they cut it at that distance. The angle at a
+/// vertex is the counter-clockwise one from the next edge to the previous one, in (0, 2 pi), so that reflex vertices
+/// are right as well (the arccos on the slide is right for convex ones only). Repeated vertices count once; a wall of
+/// fewer than two has no nodes. No node is farther away than the longer edge plus twice the offset, beyond which no
+/// point beside the edges is off both.
 std::vector<BisectorNode> bisector_nodes(const Ring& wall, double offset, double miter_limit);
 
 }  // namespace oxturn

@@ -1,42 +1,39 @@
-// Spirals along a reference side, what has been visited counting as obstacle; from their ends back to what is left over.
+// Spirals along a reference side, visited cells counting as obstacles; from their ends back to what is still unvisited.
 //
 // Source      after Gonzalez, Alvarez, Diaz, Parra & Bustacara, "BSA: a complete coverage algorithm", ICRA 2005
 // Model       grid, online (four neighbours felt), disc footprint
-// Guarantee   visits every free cell that free lattice steps join to the start's
+// Guarantee   visits every free cell that free lattice edges connect to the start's
 // Complexity  n cells: memory O(n); time O(n) plus, for each spiral's end, the cells nearer than the next one's start
-// Decisions   1. The reference side is chosen at the first contact with a wall: the side that it is on; right, if it is
-//                ahead or on both. Until then straight on, east first.
-//             2. Then: to the reference side if that is free, else ahead, else away from it; closed in, the spiral ends.
-//             3. A new spiral begins with the reference side blocked if that can be.
-//             4. Back-track points are the visited cells beside unvisited ones. The source takes the latest
-//                (`backtrack = latest`); the nearest by driven way (default) drives a third less among scattered obstacles.
-//                The way is the shortest over visited cells, driven with the tool off.
-//             5. partial = true (the paper's extension, by map only): where the reference side or what is ahead is a cell
-//                that the robot cannot stand in the middle of, it first follows the wall through it and on, and comes back
-//                over the free cells beside (wall_follower.hpp). Cells beside walls that are still unfollowed are
-//                back-track points then.
-//             6. The lattice hangs on the start.
-#include <string>
+// Decisions   1. The reference side is chosen at the first contact with a wall: the side of the wall; right if the wall
+//                is ahead or on both sides. Until then straight on, east first.
+//             2. Afterwards: to the reference side if that is free, else ahead, else to the other side. Closed in, the
+//                spiral ends.
+//             3. A new spiral begins with the reference side blocked, if possible.
+//             4. Backtracking points are visited cells beside unvisited ones. The source takes the latest
+//                (`backtrack = latest`); the nearest by driven path (our default) drives a third less among scattered
+//                obstacles. The path has the fewest steps over visited cells and is driven with the tool off.
+//             5. partial = true (the paper's extension; needs the map): where the reference side or the cell ahead is
+//                one whose centre the robot cannot occupy, it first follows the wall through that cell and beyond, and
+//                comes back over the free cells beside (wall_follower.hpp). Cells beside unfollowed walls are
+//                backtracking points then.
+//             6. The lattice has a node at the start.
 #include <vector>
 
-#include "algorithms/grid/cell_planner.hpp"
-#include "algorithms/lattice/cell_walk.hpp"
-#include "algorithms/grid/wall_follower.hpp"
+#include "algorithms/grid/spiral_planner.hpp"
 
 namespace oxturn {
 namespace {
 
-struct Params {
-  double cell_size = 0;
-  std::string backtrack = "nearest";
-  bool partial = false;
-  std::string align = "axes";
-  std::string sensing = "map";
+enum class Backtrack { nearest, latest };
+
+struct Params : SpiralOptions {
+  Backtrack backtrack = Backtrack::nearest;
 };
 
 class Spirals {
  public:
-  Spirals(CellWalk& walk, bool latest, WallFollower* walls) : walk_(walk), latest_(latest), walls_(walls) {}
+  Spirals(CellWalk& walk, WallFollower* walls, Backtrack backtrack)
+      : walk_(walk), walls_(walls), backtrack_(backtrack) {}
 
   void run() {
     do spiral();
@@ -46,34 +43,22 @@ class Spirals {
  private:
   Direction reference() const { return left_ ? left_of(heading_) : right_of(heading_); }
 
-  // One spiral, until the robot is closed in.
+  /// One spiral, until the robot is closed in.
   void spiral() {
     if (!walk_.any_fresh()) return;
-    begin();
+    choose_heading();
     while (!walk_.cancelled()) {
-      if (!chosen_) choose_side();
-      if (walls_ && chosen_)
-        for (const Direction d : {reference(), heading_})
-          if (!walk_.open(d))
-            for (const Cell& c : {neighbour(walk_.at(), d), walk_.at()}) walls_->follow(walk_, c, left_);
-      const Direction side = reference(), away = opposite(side);
-      Direction next;
-      if (chosen_ && walk_.fresh(side))
-        next = side;
-      else if (walk_.fresh(heading_))
-        next = heading_;
-      else if (walk_.fresh(away))
-        next = away;
-      else
-        return;
-      remember(next);
-      if (!walk_.step(next)) continue;
-      heading_ = next;
+      if (!side_chosen_) choose_side();
+      if (walls_ && side_chosen_) follow_walls();
+      const std::optional<Direction> next = next_step();
+      if (!next) return;
+      remember_other_than(*next);
+      if (walk_.step(*next)) heading_ = *next;
     }
   }
 
-  // The robot may face anywhere: with the reference side blocked if that can be, else ahead if that is free.
-  void begin() {
+  /// With the reference side blocked if possible, else any free direction.
+  void choose_heading() {
     for (int turn = 0; turn < 4; ++turn) {
       if (walk_.fresh(heading_) && !walk_.fresh(reference())) return;
       heading_ = left_ ? right_of(heading_) : left_of(heading_);
@@ -88,11 +73,25 @@ class Spirals {
       left_ = true;
     else
       return;
-    chosen_ = true;
+    side_chosen_ = true;
   }
 
-  void remember(Direction next) {
-    if (!latest_) return;
+  void follow_walls() {
+    for (const Direction d : {reference(), heading_}) {
+      if (walk_.open(d)) continue;
+      for (const Cell& c : {neighbour(walk_.at(), d), walk_.at()}) walls_->follow(walk_, c, left_);
+    }
+  }
+
+  std::optional<Direction> next_step() const {
+    if (side_chosen_ && walk_.fresh(reference())) return reference();
+    for (const Direction d : {heading_, opposite(reference())})
+      if (walk_.fresh(d)) return d;
+    return std::nullopt;
+  }
+
+  void remember_other_than(Direction next) {
+    if (backtrack_ != Backtrack::latest) return;
     for (const Direction d : kAllDirections)
       if (d != next && walk_.fresh(d)) {
         points_.push_back(walk_.at());
@@ -102,63 +101,40 @@ class Spirals {
 
   bool back_track() {
     if (walk_.cancelled()) return false;
-    while (latest_ && !points_.empty()) {
+    while (!points_.empty()) {
       const Cell point = points_.back();
       points_.pop_back();
       if (walk_.any_fresh(point) && walk_.go_to_cell(point)) return true;
     }
-    if (!walls_) return walk_.escape();
-    const auto left_over = [&](const Cell& c) { return walk_.any_fresh(c) || walls_->any_left(c); };
-    while (walk_.go_to(left_over)) {
-      walls_->follow_all(walk_, left_);
-      if (walk_.any_fresh()) return true;
-    }
-    return false;
+    return escape(walk_, walls_, left_);
   }
 
   CellWalk& walk_;
-  bool latest_;
   WallFollower* walls_;
+  Backtrack backtrack_;
   Direction heading_ = kEast;
-  bool left_ = false, chosen_ = false;
-  std::vector<Cell> points_;
+  bool left_ = false, side_chosen_ = false;  // the reference side
+  std::vector<Cell> points_;                 // to go back to, for Backtrack::latest
 };
 
-class Bsa final : public CoveragePlanner {
- public:
-  explicit Bsa(Params p) : p_(std::move(p)) {}
-  Path plan(const Problem& problem, Context& context) const override {
-    return walk_cells(problem, context, {p_.cell_size, p_.align, p_.sensing, 1, false, p_.partial},
-                      [&](CellRobot& robot) {
-                        CellWalk walk(robot, context);
-                        std::optional<WallFollower> walls;
-                        if (p_.partial) walls.emplace(problem, robot);
-                        Spirals(walk, p_.backtrack == "latest", walls ? &*walls : nullptr).run();
-                        if (walls) context.record("along_walls_m", walls->length());
-                        walk.report();
-                      });
-  }
-
- private:
-  Params p_;
-};
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  return walk_spirals(problem, context, p,
+                      [&](CellWalk& walk, WallFollower* walls) { Spirals(walk, walls, p.backtrack).run(); });
+}
 
 }  // namespace
 
 PlannerInfo bsa() {
-  return describe<Bsa, Params>(
+  return describe<Params, plan>(
       {.name = "bsa",
        .family = "grid",
        .title = "backtracking spirals",
        .citation = "Gonzalez et al. 2005",
        .capabilities = {Capability::holes, Capability::online},
-       .guarantee = "visits every free cell that free lattice steps join to the start",
-       .parameters = {
-           {"cell_size", &Params::cell_size, Range{0, 1000}, "side of a cell, metres; 0: tool width / sqrt 2"},
-           {"backtrack", &Params::backtrack, Choices{"nearest", "latest"}, "where to go when a spiral has ended"},
-           {"partial", &Params::partial, "follow walls through cells that are not wholly free (sensing = map)"},
-           {"align", &Params::align, Choices{"axes", "edges"}, kAlignHelp},
-           {"sensing", &Params::sensing, Choices{"map", "lidar"}, kSensingHelp}}});
+       .guarantee = "visits every free cell that free lattice edges connect to the start",
+       .parameters = with_spiral_options<Params>(
+           {{"backtrack", &Params::backtrack, Choices{"nearest", "latest"}, "where to go when a spiral has ended"}}),
+       .published = {{"backtrack", "latest"}}});
 }
 
 }  // namespace oxturn

@@ -1,43 +1,35 @@
-// Explores forwards along the left hand, keeps the cells beside its way for the way back.
+// Explores forwards along the left-hand wall and reserves the cells beside its path for the way back.
 //
-// Source      after Icking, Kamphans, Klein & Langetepe, "Exploring grid polygons online", arXiv 1012.5240 (CellExplore)
-// Model       grid with holes, online (four neighbours felt), disc footprint; comes home
-// Guarantee   visits every free cell that free lattice steps join to the start's; from a start at the outer wall at most
-//             C + E/2 + 3H + W - 2 moves, the way home included (C cells, E boundary edges, H holes, W sinuosity)
-// Complexity  n cells: memory O(n); time O(n) plus, for each cell that it goes back to, the cells nearer than that
-// Decisions   1. Forwards: to the first of left, ahead, right that is neither visited nor reserved; the others are
-//                reserved, from here. Closed in, it turns back.
-//             2. Backwards: to the cell reserved last that is still unvisited (at one place: the one more to the left), by
-//                the shortest way over visited cells; from there forwards again, if it can.
-//             3. Home at the end. (So told in our words: the paper itself was not at hand. W, its sinuosity, is taken as
-//                the reflex corners of the outer wall; the bound is tested on thousands of random polygons with holes,
-//                where W was never needed for more than one move.)
-//             4. A start away from walls: straight south to one, then as above; the bound is not for that.
-//             5. The lattice hangs on the start. Ways over visited cells are driven with the tool off.
+// Source      after Icking, Kamphans, Klein & Langetepe, "Exploring grid polygons online", arXiv 1012.5240
+//             (CellExplore)
+// Model       grid with holes, online (four neighbours felt), disc footprint; returns to the start
+// Guarantee   visits every free cell that free lattice edges connect to the start's; from a start at the outer wall at
+//             most C + E/2 + 3H + W - 2 moves including the return (C cells, E boundary edges, H holes, W sinuosity)
+// Complexity  n cells: memory O(n); time O(n) plus, for each cell that it returns to, the cells nearer than that one
+// Decisions   1. Forward mode: to the first of left, ahead, right that is neither visited nor reserved; the others are
+//                reserved from here. When closed in, it changes to backward mode.
+//             2. Backward mode: to the cell reserved last that is still unvisited (of those reserved from one cell: the
+//                one farthest to the left), by the fewest steps over visited cells. From there in forward mode again.
+//             3. The paper itself was not available, so 1 and 2 are our formulation. W is taken as the number of reflex
+//                vertices of the outer wall. The bound is tested on thousands of random polygons with holes; W was
+//                never needed for more than one move.
+//             4. A start away from walls: straight south to one first; the bound does not apply then.
+//             5. The lattice has a node at the start. Moves over visited cells are driven with the tool off.
 #include <algorithm>
 
-#include "algorithms/grid/cell_planner.hpp"
-#include "algorithms/lattice/cell_walk.hpp"
+#include "algorithms/grid/exploration.hpp"
 
 namespace oxturn {
 namespace {
 
-struct Params {
-  double cell_size = 0;
-  std::string align = "axes";
-  std::string sensing = "map";
-};
-
-class CellExploreWalk {
+class CellExplorer {
  public:
-  explicit CellExploreWalk(CellWalk& walk) : walk_(walk) {}
+  explicit CellExplorer(CellWalk& walk) : walk_(walk) {}
 
-  void run() {
-    const Cell home = walk_.at();
-    heading_ = walk_.back_to_wall();
+  void run(Direction heading) {
+    heading_ = heading;
     do forward();
-    while (backward() || walk_.escape());  // by lidar ways may have opened later
-    walk_.go_to_cell(home);
+    while (backward() || walk_.escape());  // by lidar, steps may have opened since
   }
 
  private:
@@ -49,31 +41,36 @@ class CellExploreWalk {
 
   void forward() {
     while (!walk_.cancelled()) {
-      std::optional<Direction> next;
-      const std::size_t before = stack_.size();
-      for (const Direction d : {left_of(heading_), heading_, right_of(heading_), opposite(heading_)}) {
-        if (!walk_.fresh(d) || reserved_.get(neighbour(walk_.at(), d))) continue;
-        if (!next)
-          next = d;
-        else
-          stack_.push_back({walk_.at(), d});
-      }
-      std::reverse(stack_.begin() + static_cast<std::ptrdiff_t>(before), stack_.end());
-      for (std::size_t k = before; k < stack_.size(); ++k) reserved_[stack_[k].cell()] = 1;
+      const std::optional<Direction> next = reserve_and_choose();
       if (!next || !walk_.step(*next)) return;
       heading_ = *next;
     }
   }
 
-  // To the cell reserved last.
+  /// Where to step; reserves the other cells beside the robot.
+  std::optional<Direction> reserve_and_choose() {
+    std::optional<Direction> next;
+    const std::size_t before = stack_.size();
+    for (const Direction d : {left_of(heading_), heading_, right_of(heading_), opposite(heading_)}) {
+      if (!walk_.fresh(d) || reserved_.get(neighbour(walk_.at(), d))) continue;
+      if (!next)
+        next = d;
+      else
+        stack_.push_back({walk_.at(), d});
+    }
+    std::reverse(stack_.begin() + static_cast<std::ptrdiff_t>(before), stack_.end());
+    for (std::size_t k = before; k < stack_.size(); ++k) reserved_[stack_[k].cell()] = 1;
+    return next;
+  }
+
+  /// Into the cell reserved last; false if none is left.
   bool backward() {
     while (!stack_.empty() && !walk_.cancelled()) {
-      const Reserved last = stack_.back();
+      const Cell cell = stack_.back().cell();
       stack_.pop_back();
-      const Cell cell = last.cell();
       if (walk_.visited(cell)) continue;
       std::optional<Direction> into;
-      const bool there = walk_.go_to([&](const Cell& c) {
+      const bool beside = walk_.go_to([&](const Cell& c) {
         for (const Direction d : kAllDirections)
           if (neighbour(c, d) == cell && walk_.open(c, d)) {
             into = d;
@@ -81,7 +78,7 @@ class CellExploreWalk {
           }
         return false;
       });
-      if (!there || !walk_.step(*into)) continue;
+      if (!beside || !walk_.step(*into)) continue;
       heading_ = *into;
       return true;
     }
@@ -94,35 +91,11 @@ class CellExploreWalk {
   std::vector<Reserved> stack_;
 };
 
-class CellExplore final : public CoveragePlanner {
- public:
-  explicit CellExplore(Params p) : p_(std::move(p)) {}
-  Path plan(const Problem& problem, Context& context) const override {
-    return walk_cells(problem, context, {p_.cell_size, p_.align, p_.sensing}, [&](CellRobot& robot) {
-      CellWalk walk(robot, context);
-      CellExploreWalk(walk).run();
-      walk.report();
-    });
-  }
-
- private:
-  Params p_;
-};
-
 }  // namespace
 
 PlannerInfo cell_explore() {
-  return describe<CellExplore, Params>(
-      {.name = "cell-explore",
-       .family = "grid",
-       .title = "exploration that reserves the way back",
-       .citation = "Icking et al. 2005",
-       .capabilities = {Capability::holes, Capability::online},
-       .guarantee = "visits every free cell that free lattice steps join to the start, and comes home",
-       .parameters = {
-           {"cell_size", &Params::cell_size, Range{0, 1000}, "side of a cell, metres; 0: tool width / sqrt 2"},
-           {"align", &Params::align, Choices{"axes", "edges"}, kAlignHelp},
-           {"sensing", &Params::sensing, Choices{"map", "lidar"}, kSensingHelp}}});
+  return describe_exploration<CellExplorer>("cell-explore", "exploration that reserves the way back",
+                                            "Icking et al. 2005");
 }
 
 }  // namespace oxturn

@@ -1,15 +1,13 @@
 #include "algorithms/grid/cell_planner.hpp"
 
-#include <cmath>
 #include <stdexcept>
 
 #include "algorithms/online/lidar_cells.hpp"
 
 namespace oxturn {
-
 namespace {
 
-// The ways between cells, a line for each straight run of them.
+/// The lattice's edges; a straight run of them is one line.
 std::vector<Polyline> lattice_lines(const GridGraph& graph) {
   std::vector<Polyline> lines;
   for (const Direction d : {kEast, kNorth})
@@ -23,34 +21,44 @@ std::vector<Polyline> lattice_lines(const GridGraph& graph) {
   return lines;
 }
 
+Path drive_by_lidar(const Problem& problem, Context& context, const CellOptions& options, const CellNeeds& needs,
+                    const std::function<void(CellRobot&)>& drive) {
+  if (options.align == Align::edges)
+    throw std::invalid_argument("align = edges needs the map; sensing = lidar goes with align = axes");
+  if (needs.walls)
+    throw std::invalid_argument("partial = true needs the map; sensing = lidar goes with partial = false");
+  if (problem.limited())
+    throw Unsupported("sensing = lidar shows walls only, but this problem's space ends elsewhere; use sensing = map");
+  const double side = options.side(problem.robot());
+  const auto program = [&](OnlineRobot& robot, Context&) {
+    LidarCells cells(robot, side);
+    CellRobot on_cells(cells, side, needs.reach);
+    drive(on_cells);
+  };
+  return drive_online(problem, program, context);
+}
+
 }  // namespace
 
-Path walk_cells(const Problem& problem, Context& context, const CellSettings& settings,
-                const std::function<void(CellRobot&)>& walk) {
-  const double side = cell_side(settings.cell_size, problem.robot());
-  const bool edges = settings.align == "edges";
-  if (settings.sensing == "lidar") {
-    if (edges) throw std::invalid_argument("align = edges needs the map; sensing = lidar goes with align = axes");
-    if (settings.follows_walls)
-      throw std::invalid_argument("partial = true needs the map; sensing = lidar goes with partial = false");
-    if (problem.limited())
-      throw Unsupported(
-          "sensing = lidar knows of walls only, but this problem's space ends elsewhere; use sensing = map");
-    return drive_online(
-        problem,
-        [&](OnlineRobot& robot, Context&) {
-          LidarCells cells(robot, side);
-          CellRobot on_cells(cells, side, settings.reach);
-          walk(on_cells);
-        },
-        context);
-  }
-  GridGraph graph = grid_about_start(problem, side, edges ? dominant_direction(problem.map().free) : 0);
-  if (settings.straight_paths) graph.look_between(problem.configuration_space());
-  CellRobot robot = robot_at_start(problem, graph, settings.reach);
+Path drive_cells(const Problem& problem, Context& context, const CellOptions& options, const CellNeeds& needs,
+                 const std::function<void(CellRobot&)>& drive) {
+  if (options.sensing == Sensing::lidar) return drive_by_lidar(problem, context, options, needs, drive);
+  GridGraph graph =
+      grid_at_start(problem, options.side(problem.robot()), lattice_angle(options.align, problem.map().free));
+  if (needs.diagonals) graph.add_diagonals(problem.configuration_space());
+  CellRobot robot = robot_at_start(problem, graph, needs.reach);
   if (context.wants_traces()) context.trace("lattice", lattice_lines(graph));
-  walk(robot);
+  drive(robot);
   return robot.take();
+}
+
+Path walk_cells(const Problem& problem, Context& context, const CellOptions& options, const CellNeeds& needs,
+                const std::function<void(CellWalk&)>& walk) {
+  return drive_cells(problem, context, options, needs, [&](CellRobot& robot) {
+    CellWalk cells(robot, context);
+    walk(cells);
+    cells.record_figures();
+  });
 }
 
 }  // namespace oxturn

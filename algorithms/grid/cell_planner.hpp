@@ -1,30 +1,34 @@
-// Runs a planner that drives a CellRobot: on the true map, or by lidar. What online grid planners share.
+/// Runs a planner that drives a CellRobot, on the true map or by lidar: what online grid planners share.
+///
+///   Path plan(const Problem& problem, Context& context) const override {
+///     return walk_cells(problem, context, p_, {}, [&](CellWalk& walk) { Spirals(walk).run(); });
+///   }
+///
+/// The lattice has a node at the start.
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/lattice/cell_robot.hpp"
+#include "algorithms/lattice/cell_walk.hpp"
+#include "algorithms/lattice/grid_options.hpp"
 
 namespace oxturn {
 
-struct CellSettings {
-  double cell_size = 0;        // metres; 0: tool width / sqrt 2, so that a disc tool on the centre lines covers cells
-  std::string align = "axes";  // edges: turned to the direction most walls run in; needs sensing = map
-  std::string sensing =
-      "map";                   // map: cells are felt on the true map (the papers' model); lidar: as the robot sees them
-  int reach = 1;               // how far the robot feels, in cells
-  bool straight_paths = false;  // the walk asks for ways off the lattice
-  bool follows_walls = false;  // the walk uses a WallFollower; needs sensing = map
+/// What a planner asks of its robot.
+struct CellNeeds {
+  int reach = 1;           // how far it feels, in cells
+  bool diagonals = false;  // it leaves the lattice on straight segments (CellRobot::straight)
+  bool walls = false;      // it follows walls (WallFollower); not possible by lidar
 };
-inline constexpr const char* kAlignHelp = "edges: turn the grid to the direction most walls run in (sensing = map)";
-inline constexpr const char* kSensingHelp =
-    "map: the cells about the robot are felt on the map; lidar: seen by its lidar";
 
-/// The lattice hangs on the start; `walk` drives the robot from there and returns when it is done.
-/// Throws Infeasible if there is no cell beside the start's, Unsupported for sensing = lidar without one.
-Path walk_cells(const Problem& problem, Context& context, const CellSettings& settings,
-                const std::function<void(CellRobot&)>& walk);
+/// `drive` moves the robot from the start on and returns when it is done. Throws Infeasible if the robot cannot leave
+/// the start's cell, Unsupported for sensing = lidar without a lidar, std::invalid_argument for options that exclude
+/// each other.
+Path drive_cells(const Problem& problem, Context& context, const CellOptions& options, const CellNeeds& needs,
+                 const std::function<void(CellRobot&)>& drive);
+/// The same for a planner that needs the robot's memory; records `cells` and `moves`.
+Path walk_cells(const Problem& problem, Context& context, const CellOptions& options, const CellNeeds& needs,
+                const std::function<void(CellWalk&)>& walk);
 
 }  // namespace oxturn

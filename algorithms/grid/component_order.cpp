@@ -5,49 +5,50 @@
 
 namespace oxturn {
 
-PartOrder::PartOrder(const Problem& problem, const GridGraph& fine, const CoarseCells& cells, const CoarseParts& parts,
-                     LatticePaths& ways)
+ComponentOrder::ComponentOrder(const Problem& problem, const GridGraph& fine, const CoarseCells& cells,
+                               const ConnectedComponents& components, LatticePaths& paths)
     : problem_(problem),
       fine_(fine),
       cells_(cells),
-      parts_(parts),
-      ways_(ways),
-      done_(static_cast<std::size_t>(parts.count), false) {
-  // A part hangs together over the lattice: one of its cells tells where.
+      components_(components),
+      paths_(paths),
+      done_(static_cast<std::size_t>(components.count), false) {
+  // The lattice connects a component's cells, so one of them stands for all.
   std::vector<bool> counted(done_.size(), false);
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (parts.of[c] < 0 || counted[static_cast<std::size_t>(parts.of[c])]) continue;
-    counted[static_cast<std::size_t>(parts.of[c])] = true;
-    const auto whole = static_cast<std::size_t>(ways_.part(sub_cell(c)));
+    if (components.of[c] < 0 || counted[static_cast<std::size_t>(components.of[c])]) continue;
+    counted[static_cast<std::size_t>(components.of[c])] = true;
+    const auto whole = static_cast<std::size_t>(paths_.component(sub_cell(c)));
     if (left_.size() <= whole) left_.resize(whole + 1, 0);
     ++left_[whole];
   }
 }
 
-PartOrder::Entry PartOrder::entry_at(std::size_t node, Polyline way, std::size_t from) const {
-  return {column(node), row(node), coarse(node), std::move(way), from};
+ComponentOrder::Entry ComponentOrder::entry_at(std::size_t node, Polyline path, std::size_t from) const {
+  return {fine_.column(node), fine_.row(node), coarse(node), std::move(path), from};
 }
 
-std::optional<PartOrder::Entry> PartOrder::come_to(std::optional<Entry> entry) {
+/// Notes that the component has been entered.
+std::optional<ComponentOrder::Entry> ComponentOrder::entered(std::optional<Entry> entry) {
   if (!entry) return std::nullopt;
   at_ = fine_.at(entry->i, entry->j);
-  done_[static_cast<std::size_t>(parts_.of[entry->coarse])] = true;
-  --left_[static_cast<std::size_t>(ways_.part(at_))];
-  if (walls_) walls_->drop(parts_.of[entry->coarse]);
+  done_[static_cast<std::size_t>(components_.of[entry->coarse])] = true;
+  --left_[static_cast<std::size_t>(paths_.component(at_))];
+  if (walls_) walls_->remove(components_.of[entry->coarse]);
   return entry;
 }
 
-std::optional<PartOrder::Entry> PartOrder::first() {
+std::optional<ComponentOrder::Entry> ComponentOrder::first() {
   const Point& start = problem_.start();
   std::optional<Entry> entry = under(start);
   if (!entry) entry = over_lattice(start);
   if (!entry) entry = among_walls(start);
-  return come_to(std::move(entry));
+  return entered(std::move(entry));
 }
 
-std::optional<PartOrder::Entry> PartOrder::next(const Point& from) { return come_to(among_walls(from)); }
+std::optional<ComponentOrder::Entry> ComponentOrder::next(const Point& from) { return entered(among_walls(from)); }
 
-std::optional<PartOrder::Entry> PartOrder::under(const Point& p) const {
+std::optional<ComponentOrder::Entry> ComponentOrder::under(const Point& p) const {
   const Point at = fine_.coordinates(p);
   const int i = static_cast<int>(std::lround(at.x())), j = static_cast<int>(std::lround(at.y()));
   if (!fine_.inside(i, j) || !left(fine_.at(i, j))) return std::nullopt;
@@ -56,91 +57,119 @@ std::optional<PartOrder::Entry> PartOrder::under(const Point& p) const {
   return entry_at(fine_.at(i, j), {p, to});
 }
 
-std::optional<PartOrder::Entry> PartOrder::over_lattice(const Point& p) {
-  auto found = ways_.nearest(p, [this](std::size_t node) { return left(node); });
+std::optional<ComponentOrder::Entry> ComponentOrder::over_lattice(const Point& p) {
+  auto found = paths_.nearest(p, [this](std::size_t node) { return left(node); });
   if (!found) return std::nullopt;
-  return entry_at(found->node, std::move(found->way));
+  return entry_at(found->node, std::move(found->path));
 }
 
-std::optional<PartOrder::Entry> PartOrder::among_walls(const Point& p) {
+std::optional<ComponentOrder::Entry> ComponentOrder::among_walls(const Point& p) {
   if (std::all_of(done_.begin(), done_.end(), [](bool done) { return done; })) return std::nullopt;
-  if (!walls_) {
-    walls_.emplace(problem_);
-    // Only cells at the edge of their part can be where a way from another part first comes in.
-    const auto on_boundary = [&](std::size_t c) {
-      return std::any_of(kAllDirections.begin(), kAllDirections.end(),
-                         [&](Direction d) { return !cells_.adjacent(c, d); });
-    };
-    for (std::size_t c = 0; c < cells_.size(); ++c) {
-      if (!left(sub_cell(c)) || !on_boundary(c)) continue;
-      for (int k = 0; k < 4; ++k) walls_->add(ways_.place(sub_cell(c, k)), parts_.of[c], sub_cell(c, k));
-    }
-  }
+  if (!walls_) add_entries_among_walls();
   auto found = walls_->from(p);
   if (!found) return std::nullopt;
-  return entry_at(found->id, std::move(found->way));
+  return entry_at(found->id, std::move(found->path));
 }
 
-// Prim's algorithm with a bucket for each number of steps. Sub-cells of parts in the tree are where ways begin; when the
-// wave meets another part, that part's sub-cells are beginnings too, and the wave goes on from there.
-std::vector<PartOrder::Entry> PartOrder::branches() {
-  constexpr std::uint32_t kFar = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> steps(fine_.size(), kFar);
-  std::vector<std::uint8_t> came(fine_.size(), LatticePaths::kRoot);
-  std::vector<std::vector<std::uint32_t>> buckets(1);
-  std::vector<std::size_t> part;
-  const auto begin_at = [&](std::size_t c) {  // a part's cells
-    part.assign(1, c);
-    const auto take = [&](std::size_t cell) {
-      for (int k = 0; k < 4; ++k) {
-        const std::size_t node = sub_cell(cell, k);
-        steps[node] = 0;
-        came[node] = LatticePaths::kRoot;
-        buckets[0].push_back(static_cast<std::uint32_t>(node));
-      }
-    };
-    take(c);
-    for (std::size_t k = 0; k < part.size(); ++k)
-      for (const Direction d : kAllDirections) {
-        if (!cells_.adjacent(part[k], d)) continue;
-        const std::size_t cell = cells_.neighbour(part[k], d);
-        if (steps[sub_cell(cell)] == 0) continue;
-        part.push_back(cell);
-        take(cell);
-      }
+// A path from another component enters one through a cell on its boundary.
+void ComponentOrder::add_entries_among_walls() {
+  walls_.emplace(problem_);
+  const auto on_boundary = [&](std::size_t c) {
+    return std::any_of(kAllDirections.begin(), kAllDirections.end(),
+                       [&](Direction d) { return !cells_.adjacent(c, d); });
   };
-  const auto whole = static_cast<std::size_t>(ways_.part(at_));
-  std::vector<Entry> found;
-  if (left_[whole] == 0) return found;
-  begin_at(coarse(at_));
-  for (std::size_t b = 0; b < buckets.size() && left_[whole] > 0;) {
-    if (buckets[b].empty()) {
-      ++b;
-      continue;
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    if (!left(sub_cell(c)) || !on_boundary(c)) continue;
+    for (int k = 0; k < 4; ++k) walls_->add(paths_.centre(sub_cell(c, k)), components_.of[c], sub_cell(c, k));
+  }
+}
+
+/// Prim's algorithm. All sub-cells of components in the tree are sources of one wave; when it meets another component,
+/// that component's sub-cells become sources as well. base/graph_search.hpp has no sources that are added on the way;
+/// and since all steps cost one, a stack for each number of steps does in place of a heap.
+class ComponentOrder::Prim {
+ public:
+  explicit Prim(ComponentOrder& order)
+      : order_(order),
+        steps_(order.fine_.size(), kFar),
+        entered_(order.fine_.size(), LatticePaths::kSource),
+        waiting_(1) {}
+
+  std::vector<Entry> run() {
+    const auto whole = static_cast<std::size_t>(order_.paths_.component(order_.at_));
+    if (order_.left_[whole] == 0) return {};
+    add_sources(order_.coarse(order_.at_));
+    for (std::size_t steps = 0; steps < waiting_.size() && order_.left_[whole] > 0;) {
+      if (waiting_[steps].empty()) {
+        ++steps;
+        continue;
+      }
+      const std::size_t at = waiting_[steps].back();
+      waiting_[steps].pop_back();
+      if (steps_[at] == steps && expand(at)) steps = 0;
     }
-    const std::size_t at = buckets[b].back();
-    buckets[b].pop_back();
-    if (steps[at] < b) continue;
+    return std::move(found_);
+  }
+
+ private:
+  static constexpr std::uint32_t kFar = std::numeric_limits<std::uint32_t>::max();
+
+  void add_source(std::size_t cell) {
+    for (int k = 0; k < 4; ++k) {
+      const std::size_t node = order_.sub_cell(cell, k);
+      steps_[node] = 0;
+      entered_[node] = LatticePaths::kSource;
+      waiting_[0].push_back(static_cast<std::uint32_t>(node));
+    }
+  }
+  /// All cells of the component that contains `cell`.
+  void add_sources(std::size_t cell) {
+    component_.assign(1, cell);
+    add_source(cell);
+    breadth_first(component_, [this](std::size_t at, const auto& reach) {
+      for (const Direction d : kAllDirections) {
+        if (!order_.cells_.adjacent(at, d)) continue;
+        const std::size_t next = order_.cells_.neighbour(at, d);
+        if (steps_[order_.sub_cell(next)] == 0) continue;
+        reach(next);
+        add_source(next);
+      }
+    });
+  }
+  /// Returns whether new sources were added.
+  bool expand(std::size_t at) {
+    const std::uint32_t next_steps = steps_[at] + 1;
     bool met = false;
     for (const Direction d : kAllDirections) {
-      if (!ways_.open(at, d)) continue;
-      const std::size_t to = ways_.neighbour(at, d);
-      if (left(to)) {
-        std::vector<std::size_t> nodes = ways_.nodes_to(at, [&](std::size_t node) { return came[node]; });
-        nodes.push_back(to);
-        found.push_back(*come_to(entry_at(to, ways_.along(nodes), nodes.front())));
-        begin_at(coarse(to));
+      if (!order_.paths_.open(at, d)) continue;
+      const std::size_t to = order_.paths_.neighbour(at, d);
+      if (order_.left(to)) {
+        enter(at, to);
         met = true;
-      } else if (steps[to] > b + 1) {
-        steps[to] = static_cast<std::uint32_t>(b + 1);
-        came[to] = static_cast<std::uint8_t>(d);
-        if (buckets.size() < b + 2) buckets.emplace_back();
-        buckets[b + 1].push_back(static_cast<std::uint32_t>(to));
+      } else if (steps_[to] > next_steps) {
+        steps_[to] = next_steps;
+        entered_[to] = static_cast<std::uint8_t>(d);
+        if (waiting_.size() < next_steps + 1) waiting_.emplace_back();
+        waiting_[next_steps].push_back(static_cast<std::uint32_t>(to));
       }
     }
-    if (met) b = 0;
+    return met;
   }
-  return found;
-}
+  void enter(std::size_t at, std::size_t to) {
+    std::vector<std::size_t> nodes = order_.paths_.nodes_to(at, [this](std::size_t node) { return entered_[node]; });
+    nodes.push_back(to);
+    found_.push_back(*order_.entered(order_.entry_at(to, order_.paths_.along(nodes), nodes.front())));
+    add_sources(order_.coarse(to));
+  }
+
+  ComponentOrder& order_;
+  std::vector<std::uint32_t> steps_;   // from the nearest source
+  std::vector<std::uint8_t> entered_;  // how the wave entered a node (LatticePaths::nodes_to)
+  std::vector<std::vector<std::uint32_t>> waiting_;
+  std::vector<std::size_t> component_;
+  std::vector<Entry> found_;
+};
+
+std::vector<ComponentOrder::Entry> ComponentOrder::branches() { return Prim(*this).run(); }
 
 }  // namespace oxturn

@@ -1,65 +1,73 @@
-// How a robot comes from part to part of the free coarse cells: the first from its start, the others as branches of it.
-//
-// Parts that hang together over the lattice of sub-cells become one tree, each by a way to the nearest sub-cell of a part
-// that is in it already: a minimum spanning tree in steps over the lattice (Prim). Where no lattice leads on, the nearest
-// part by shortest ways among the walls themselves is where the next tree begins.
-//
-// Complexity  a tree O(sub-cells); a question among walls as in nearest_part.hpp
+/// In which order a robot visits the connected components of the free coarse cells: the first from its start, the
+/// others as branches of it.
+///
+///   ComponentOrder order(problem, fine, cells, components_of(cells), paths);
+///   for (auto root = order.first(); root; root = order.next(path.at())) {
+///     const auto branches = order.branches();       // the others that the lattice connects to it
+///     ...
+///   }
+///
+/// Components that the lattice of sub-cells connects become one tree, each by a path from the nearest sub-cell of a
+/// component that is in the tree already: a minimum spanning tree by steps over the lattice (Prim 1957). Where the
+/// lattice leads to none, the nearest component by shortest paths among the walls is where the next tree begins.
+/// A tree O(sub-cells); a query among walls as in nearest_component.hpp.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "algorithms/grid/coarse_components.hpp"
+#include "algorithms/grid/spanning_trees.hpp"
 #include "algorithms/lattice/lattice_paths.hpp"
 #include "algorithms/transit/nearest_component.hpp"
 
 namespace oxturn {
 
-class PartOrder {
+class ComponentOrder {
  public:
   /// All must outlive it.
-  PartOrder(const Problem& problem, const GridGraph& fine, const CoarseCells& cells, const CoarseParts& parts,
-            LatticePaths& ways);
+  ComponentOrder(const Problem& problem, const GridGraph& fine, const CoarseCells& cells,
+                 const ConnectedComponents& components, LatticePaths& paths);
+  /// How a component is entered.
   struct Entry {
-    int i, j;            // sub-cell where the part is come to
-    std::size_t coarse;  // cell
-    Polyline way;        // to it
-    std::size_t from;    // of a branch: the sub-cell, by number, where the way begins
+    int i, j;              // sub-cell
+    std::size_t coarse;    // its coarse cell
+    Polyline path;         // to the sub-cell
+    std::size_t from = 0;  // of a branch: the sub-cell, by number, where the path begins
   };
-  /// The part under the start if it sees the sub-cell there, else the nearest to it. nullopt if none can be reached.
+  /// The component under the start if it can be reached straight, else the nearest. nullopt if there is none.
   std::optional<Entry> first();
-  /// All parts that hang together over the lattice with the last one, the nearest to what is in the tree first.
+  /// All components that the lattice connects to the last one entered; those nearer to the tree so far come first.
   std::vector<Entry> branches();
-  /// The nearest to `from` of those that are left.
+  /// Of those that are left, the nearest to `from`.
   std::optional<Entry> next(const Point& from);
 
  private:
+  class Prim;
   std::optional<Entry> under(const Point& p) const;
   std::optional<Entry> over_lattice(const Point& p);
   std::optional<Entry> among_walls(const Point& p);
-  std::optional<Entry> come_to(std::optional<Entry> entry);
-  Entry entry_at(std::size_t node, Polyline way, std::size_t from = 0) const;
-  int column(std::size_t node) const { return static_cast<int>(node % static_cast<std::size_t>(fine_.columns())); }
-  int row(std::size_t node) const { return static_cast<int>(node / static_cast<std::size_t>(fine_.columns())); }
+  void add_entries_among_walls();
+  std::optional<Entry> entered(std::optional<Entry> entry);
+  Entry entry_at(std::size_t node, Polyline path, std::size_t from = 0) const;
   std::size_t sub_cell(std::size_t cell, int k = 0) const {
     return fine_.at(2 * cells_.column(cell) + k % 2, 2 * cells_.row(cell) + k / 2);
   }
-  std::size_t coarse(std::size_t node) const { return cells_.at(column(node) / 2, row(node) / 2); }
-  bool left(std::size_t node) const {  // in a part that has not been come to
-    const int part = parts_.of[coarse(node)];
-    return part >= 0 && !done_[static_cast<std::size_t>(part)];
+  std::size_t coarse(std::size_t node) const { return cells_.at(fine_.column(node) / 2, fine_.row(node) / 2); }
+  /// The node lies in a component that has not been entered.
+  bool left(std::size_t node) const {
+    const int component = components_.of[coarse(node)];
+    return component >= 0 && !done_[static_cast<std::size_t>(component)];
   }
 
   const Problem& problem_;
   const GridGraph& fine_;
   const CoarseCells& cells_;
-  const CoarseParts& parts_;
-  LatticePaths& ways_;
-  std::vector<bool> done_;            // parts
-  std::vector<int> left_;             // parts not yet come to, by part of the lattice
-  std::optional<NearestComponent> walls_;  // made at the first question
-  std::size_t at_ = 0;                // the last entry's sub-cell
+  const ConnectedComponents& components_;
+  LatticePaths& paths_;
+  std::vector<bool> done_;                 // components entered
+  std::vector<int> left_;                  // how many are left, by component of the lattice
+  std::optional<NearestComponent> walls_;  // built at the first query
+  std::size_t at_ = 0;                     // the last entry's sub-cell
 };
 
 }  // namespace oxturn

@@ -19,11 +19,11 @@ NodeLoop closed_loop(Polyline nodes) {
 
 }  // namespace
 
-std::vector<NodeLoop> node_loops(const std::vector<Point>& corners, double d_node) {
+std::vector<NodeLoop> node_loops(const std::vector<Point>& vertices, double d_node) {
   Polyline nodes;
-  const std::size_t n = corners.size();
+  const std::size_t n = vertices.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const Point &a = corners[i], &b = corners[(i + 1) % n];
+    const Point &a = vertices[i], &b = vertices[(i + 1) % n];
     const double dist = distance(a, b);
     if (!(dist > 0)) continue;
     nodes.push_back(a);
@@ -32,15 +32,15 @@ std::vector<NodeLoop> node_loops(const std::vector<Point>& corners, double d_nod
     for (double k = 1; k <= count; ++k) nodes.push_back(a + (b - a) * (gap / dist * k));
   }
   std::vector<NodeLoop> loops;
-  Polyline part;
+  Polyline loop;
   for (const Point& p : nodes) {
-    if (!part.empty() && p == part.front()) {
-      if (part.size() > 1) loops.push_back(closed_loop(part));
-      part.clear();
+    if (!loop.empty() && p == loop.front()) {
+      if (loop.size() > 1) loops.push_back(closed_loop(loop));
+      loop.clear();
     }
-    part.push_back(p);
+    loop.push_back(p);
   }
-  if (part.size() > 1) loops.push_back(closed_loop(std::move(part)));
+  if (loop.size() > 1) loops.push_back(closed_loop(std::move(loop)));
   return loops;
 }
 
@@ -61,13 +61,13 @@ std::vector<std::size_t> invalid_nodes(const NodeLoop& loop, std::size_t start,
 
 std::vector<NodeChain> chains_of(const NodeLoop& loop, const std::vector<std::size_t>& bad) {
   if (bad.empty()) return {{loop.at, true}};
-  const std::size_t n = loop.at.size() - 1;  // less the duplicate
+  const std::size_t n = loop.at.size() - 1;  // without the duplicate
   std::vector<bool> gone(n, false);
   for (const std::size_t k : bad) gone[k % n] = true;  // the duplicate goes with its start
   const auto first_gone = static_cast<std::size_t>(std::find(gone.begin(), gone.end(), true) - gone.begin());
   std::vector<NodeChain> chains;
   bool in_chain = false;
-  for (std::size_t step = 1; step < n; ++step) {  // once round, from the first gap on
+  for (std::size_t step = 1; step < n; ++step) {  // once around, from the first gap on
     const std::size_t k = (first_gone + step) % n;
     if (gone[k]) {
       in_chain = false;

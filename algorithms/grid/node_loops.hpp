@@ -1,8 +1,12 @@
-// Loops of nodes round walls, the walk along them, and what is left of them between invalid nodes.
-//
-// Source      slides "Improving Coverage" (seed improving-spanning-tree-coverage), "Creating the Graph Nodes" to
-//             "Connected Components"
-// Complexity  O(nodes), and one question each for node and edge
+/// Loops of nodes around walls, the walk along them, and the chains that remain between invalid nodes.
+///
+///   for (const NodeLoop& loop : node_loops(positions, d_node)) {
+///     const auto bad = invalid_nodes(loop, 0, [&](std::size_t k) { return !free(loop.at[k]); });
+///     for (const NodeChain& chain : chains_of(loop, bad)) tree.attach(chain.nodes, ...);
+///   }
+///
+/// Improving Spanning Tree Coverage (lecture slides), "Creating the Graph Nodes" to "Connected Components".
+/// O(nodes), and one call of `invalid` for each node.
 #pragma once
 
 #include <functional>
@@ -13,34 +17,33 @@
 
 namespace oxturn {
 
-/// A loop as the slides keep it: an open chain of nodes whose last has the coordinates of the first. Each node lists
-/// its edges; an edge is the number of the node at the other end.
+/// A loop as on the slides: an open chain of nodes whose last has the coordinates of the first. Each node lists its
+/// edges; an edge is the number of the node at its other end.
 struct NodeLoop {
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   struct Edges {
     std::size_t first = kNone, second = kNone;
   };
   std::vector<Point> at;
-  std::vector<Edges> edges;  // nodes at the ends of the loop have one each
+  std::vector<Edges> edges;  // nodes at the ends of the chain have one each
 };
 
-/// The given corners in a loop, with ceil(dist / d_node - 1) nodes between two neighbours, evenly. The first node's
-/// coordinates come again at the very end only, as the walk stops there: a loop that touches itself in them is cut in
-/// two. Corners that repeat their predecessor count once; fewer than two make no loop. d_node > 0.
-std::vector<NodeLoop> node_loops(const std::vector<Point>& corners, double d_node);
+/// The given vertices in a loop, with ceil(distance / d_node - 1) nodes evenly between two neighbours; d_node > 0. The
+/// first node's coordinates appear again at the very end only, because there the walk stops: a loop that touches itself
+/// at its first node is cut into two. Vertices that repeat their predecessor count once; fewer than two make no loop.
+std::vector<NodeLoop> node_loops(const std::vector<Point>& vertices, double d_node);
 
-/// The slides' walk: start, previous, current, next; the end is known by its coordinates, and the last node is looked
-/// at after the loop. Returns the invalid nodes in the order met.
+/// The walk of the slides with its variables start, previous, current, next. Its end is recognised by the coordinates,
+/// and the last node is examined after the loop. Returns the invalid nodes in the order met.
 std::vector<std::size_t> invalid_nodes(const NodeLoop& loop, std::size_t start,
                                        const std::function<bool(std::size_t)>& invalid);
 
-/// What hangs together once the bad nodes are gone, each from its start node on.
 struct NodeChain {
   Polyline nodes;
-  bool closed;  // an unbroken loop: its last node repeats the start
+  bool closed;  // an unbroken loop: its last node repeats the first
 };
-/// An unbroken loop keeps its duplicated start. A broken one loses it, so that what lies on both sides of it is one
-/// chain; each chain starts at its free end, in the loop's direction.
+/// The connected components of the loop without its bad nodes. An unbroken loop keeps its duplicated start. A broken
+/// one loses it, so that the nodes on both sides of the start are one chain; each chain runs in the loop's direction.
 std::vector<NodeChain> chains_of(const NodeLoop& loop, const std::vector<std::size_t>& bad);
 
 }  // namespace oxturn

@@ -1,16 +1,17 @@
-// Offline spanning tree coverage that takes in partly occupied coarse cells (sub_cell_tree.hpp).
+/// Offline spanning tree coverage that also enters partly occupied coarse cells (sub_cell_tree.hpp).
+///
+///   if (p_.partial) return cover_partial_cells(problem, p_.lattice(problem, 2), p_, context);
+///
+/// O(n) for n sub-cells.
 #pragma once
 
-#include <string>
-
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/lattice/grid_graph.hpp"
+#include "algorithms/grid/spanning_trees.hpp"
 
 namespace oxturn {
 
-/// Round every connected part of the free sub-cells, nearest first; `all` = false: the first one only. `tree` as for
-/// `stc`. Columns and rows of `fine` are even. O(n) for n sub-cells. Throws Infeasible if no sub-cell is free.
-Path go_round_partial(const Problem& problem, const GridGraph& fine, const std::string& tree, bool all,
-                      Context& context);
+/// Drives around the tree of every connected component of the free sub-cells, nearest first; with Components::start of
+/// the first one only. Columns and rows of `fine` are even. Throws Infeasible if no sub-cell is free.
+Path cover_partial_cells(const Problem& problem, const GridGraph& fine, const TreeOptions& options, Context& context);
 
 }  // namespace oxturn

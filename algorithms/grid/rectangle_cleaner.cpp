@@ -6,56 +6,57 @@
 
 namespace oxturn {
 
-double RectangleSettings::side(const Robot& robot) const {
+double RectangleOptions::side(const Robot& robot) const {
   if (cell_size > 0) return cell_size;
   return robot.radius > 0 ? robot.radius : robot.tool_width / 2;
 }
 
-RectangleCleaner::RectangleCleaner(const RectangleSettings& settings, const Problem& problem, const GridGraph& graph,
+RectangleCleaner::RectangleCleaner(const RectangleOptions& options, const Problem& problem, const GridGraph& graph,
                                    std::vector<bool> done, Context& context)
-    : p_(settings),
+    : p_(options),
       problem_(problem),
       graph_(graph),
       context_(context),
-      ways_(graph, problem.walls()),
+      paths_(graph, problem.walls()),
       side_(graph.side()),
       done_(std::move(done)),
       path_(problem.start()) {}
 
 Path RectangleCleaner::clean() {
-  const bool lanes = p_.lanes == "diagonal";
-  const std::vector<Job> all = lanes ? std::vector<Job>{} : jobs();
+  const bool diagonal = p_.lanes == Lanes::diagonal;
+  const std::vector<Job> all = diagonal ? std::vector<Job>{} : jobs();
   if (begin(all)) {
-    lanes ? clean_lanes() : clean_all(all);
+    if (diagonal)
+      clean_lanes();
+    else if (p_.choose == NextRectangle::nearest)
+      clean_jobs_nearest_first(all);
+    else
+      clean_jobs_in_order(all);
     if (p_.revisit_skipped) revisit();
   }
   if (context_.wants_traces()) context_.trace("skipped", skipped_);
   return path_.take();
 }
 
-// From the start onto the lattice: to a node in sight, else the shortest way to the first node that has to be driven.
+/// From the start onto the lattice: to a node in sight, else by a shortest path to the first node that has to be
+/// driven.
 bool RectangleCleaner::begin(const std::vector<Job>& jobs) {
-  if (jobs.empty() && !p_.revisit_skipped && p_.lanes != "diagonal") return false;
-  if (const auto node = ways_.node_near(problem_.start())) {
+  if (jobs.empty() && !p_.revisit_skipped && p_.lanes != Lanes::diagonal) return false;
+  if (const auto node = paths_.node_near(problem_.start())) {
     at_ = *node;
-    path_.drive(place(at_), false);
+    path_.drive(graph_.centre(at_), false);
     return true;
   }
   if (!jobs.empty())
-    at_ = graph_.at(jobs.front().start.column, jobs.front().start.low);
+    at_ = start_node(jobs.front());
   else
-    while (at_ < graph_.size() && ways_.part(at_) < 0) ++at_;
+    while (at_ < graph_.size() && paths_.component(at_) < 0) ++at_;
   if (at_ == graph_.size()) return false;
   go_among_walls(0);
   return true;
 }
 
-Point RectangleCleaner::place(std::size_t node) const {
-  const auto columns = static_cast<std::size_t>(graph_.columns());
-  return graph_.centre(static_cast<int>(node % columns), static_cast<int>(node / columns));
-}
-
-// The cells that lie wholly in free space, in the frame of the lattice, less those that are done.
+/// The lattice's cells that lie entirely in free space, without those that are done.
 BitGrid RectangleCleaner::dirty_cells() const {
   BitGrid free =
       without_gaps(rasterise(problem_.map().free, graph_, 1, 0, CellRule::inside), p_.gap, p_.small_obstacle);
@@ -64,8 +65,8 @@ BitGrid RectangleCleaner::dirty_cells() const {
   return free;
 }
 
-std::vector<RectangleCleaner::Stretch> RectangleCleaner::stretches(int i, int bottom, int top) const {
-  std::vector<Stretch> found;
+std::vector<RectangleCleaner::Run> RectangleCleaner::runs(int i, int bottom, int top) const {
+  std::vector<Run> found;
   for (int j = bottom; j <= top; ++j) {
     if (!graph_.free(i, j)) continue;
     int end = j;
@@ -82,26 +83,25 @@ void RectangleCleaner::skip(int column, int bottom, int top) {
   if (context_.wants_traces()) skipped_.push_back({graph_.centre(column, bottom), graph_.centre(column, top)});
 }
 
-// Seed 2.3: as near to the lower left as possible; up to `shift` cells up, then the next column. Columns without a place
-// are skipped: the rectangle loses them.
-std::optional<RectangleCleaner::Stretch> RectangleCleaner::start_of(CellRectangle& r) {
+/// MyCarbot, section 2.3: as near to the lower left as possible, up to `shift` cells higher; otherwise in the next
+/// column. The rectangle loses columns without such a start.
+std::optional<RectangleCleaner::Run> RectangleCleaner::start_of(CellRectangle& r) const {
   for (; r.left <= r.right; ++r.left) {
-    const std::vector<Stretch> runs = stretches(r.left, r.bottom, std::min(r.top, r.bottom + p_.shift));
-    if (!runs.empty()) return runs.front();
+    const std::vector<Run> found = runs(r.left, r.bottom, std::min(r.top, r.bottom + p_.shift));
+    if (!found.empty()) return found.front();
   }
   return std::nullopt;
 }
 
 std::vector<RectangleCleaner::Job> RectangleCleaner::jobs() {
-  const std::vector<CellRectangle> all = rectangles_of(dirty_cells(), p_.scan == "rows");
-  if (context_.wants_traces()) context_.trace("rectangles", outlines(all));
+  const std::vector<CellRectangle> all = rectangles_of(dirty_cells(), p_.scan);
+  if (context_.wants_traces()) trace_rectangles(all);
   std::vector<Job> drivable;
   for (const CellRectangle& whole : all) {
-    const auto cells = static_cast<std::size_t>(whole.width() * whole.height());
     CellRectangle r = whole;
-    const std::optional<Stretch> start = start_of(r);
+    const std::optional<Run> start = start_of(r);
     if (!start || r.width() < p_.smallest || r.height() < p_.smallest) {
-      counts_.small_cells += cells;
+      counts_.small_cells += static_cast<std::size_t>(whole.width() * whole.height());
       continue;
     }
     for (int i = whole.left; i < r.left; ++i) {
@@ -114,169 +114,183 @@ std::vector<RectangleCleaner::Job> RectangleCleaner::jobs() {
   return drivable;
 }
 
-void RectangleCleaner::clean_all(const std::vector<Job>& jobs) {
+void RectangleCleaner::clean_job(const Job& job, std::size_t number, std::size_t of) {
+  clean_rectangle(job);
+  ++counts_.rectangles;
+  context_.progress(static_cast<double>(number) / static_cast<double>(of));
+}
+
+void RectangleCleaner::clean_jobs_in_order(const std::vector<Job>& jobs) {
+  for (std::size_t k = 0; k < jobs.size() && !context_.cancelled(); ++k) clean_job(jobs[k], k + 1, jobs.size());
+}
+
+/// Nearest over the lattice; where the lattice leads to none, the first that is left.
+void RectangleCleaner::clean_jobs_nearest_first(const std::vector<Job>& jobs) {
   std::vector<bool> cleaned(jobs.size(), false);
   std::unordered_map<std::size_t, std::size_t> starts;  // node -> job; looked up, never listed
-  std::vector<std::size_t> left_in(1, 0);               // starts left, by parts of the lattice
-  const bool nearest = p_.choose == "nearest";
-  for (std::size_t k = 0; nearest && k < jobs.size(); ++k) {
-    const std::size_t node = graph_.at(jobs[k].start.column, jobs[k].start.low);
+  std::vector<std::size_t> left_in(1, 0);               // starts left, by components of the lattice
+  const auto component = [&](std::size_t node) { return static_cast<std::size_t>(paths_.component(node)); };
+  for (std::size_t k = 0; k < jobs.size(); ++k) {
+    const std::size_t node = start_node(jobs[k]);
     starts[node] = k;
-    left_in.resize(std::max(left_in.size(), static_cast<std::size_t>(ways_.part(node)) + 1), 0);
-    ++left_in[static_cast<std::size_t>(ways_.part(node))];
+    left_in.resize(std::max(left_in.size(), component(node) + 1), 0);
+    ++left_in[component(node)];
   }
   std::size_t first = 0;
   for (std::size_t n = 0; n < jobs.size() && !context_.cancelled(); ++n) {
     while (cleaned[first]) ++first;
     std::size_t k = first;
-    const auto here = static_cast<std::size_t>(ways_.part(at_));
-    if (nearest && here < left_in.size() && left_in[here] > 0)
-      if (const auto found = ways_.nearest(at_, [&](std::size_t node) { return starts.count(node) > 0; }))
+    if (component(at_) < left_in.size() && left_in[component(at_)] > 0)
+      if (const auto found = paths_.nearest(at_, [&](std::size_t node) { return starts.count(node) > 0; }))
         k = starts.at(found->node);
-    const std::size_t node = graph_.at(jobs[k].start.column, jobs[k].start.low);
-    if (nearest) {
-      --left_in[static_cast<std::size_t>(ways_.part(node))];
-      starts.erase(node);
-    }
-    clean(jobs[k]);
+    const std::size_t node = start_node(jobs[k]);
+    --left_in[component(node)];
+    starts.erase(node);
     cleaned[k] = true;
-    ++counts_.rectangles;
-    context_.progress(double(n + 1) / static_cast<double>(jobs.size()));
+    clean_job(jobs[k], n + 1, jobs.size());
   }
 }
 
-// The outlook of seed 5.2: no rectangles, but lanes laid over the grid, each as long as it goes; always on to the nearest
-// end of one.
-void RectangleCleaner::clean_lanes() {
-  std::vector<Stretch> lanes;
-  std::vector<std::int32_t> lane_at(graph_.size(), -1);  // at the ends of lanes that are left
+/// Maximal runs of nodes that are not done.
+std::vector<RectangleCleaner::Run> RectangleCleaner::uncleaned_lanes() const {
+  std::vector<Run> lanes;
   for (int i = 0; i < graph_.columns(); ++i)
-    for (const Stretch& whole : stretches(i, 0, graph_.rows() - 1))
+    for (const Run& whole : runs(i, 0, graph_.rows() - 1))
       for (int j = whole.low; j <= whole.high; ++j) {
         if (done_[graph_.at(i, j)]) continue;
-        Stretch lane{i, j, j};
+        Run lane{i, j, j};
         while (lane.high < whole.high && !done_[graph_.at(i, lane.high + 1)]) ++lane.high;
-        for (const int end : {lane.low, lane.high})
-          lane_at[graph_.at(i, end)] = static_cast<std::int32_t>(lanes.size());
         lanes.push_back(lane);
         j = lane.high;
       }
+  return lanes;
+}
+
+/// MyCarbot, section 5.2: no rectangles, but lanes over the whole grid; always on to the nearest end of one.
+void RectangleCleaner::clean_lanes() {
+  const std::vector<Run> lanes = uncleaned_lanes();
+  std::vector<std::int32_t> lane_at(graph_.size(), -1);  // at the ends of lanes that are left
+  for (std::size_t k = 0; k < lanes.size(); ++k)
+    for (const int end : {lanes[k].low, lanes[k].high})
+      lane_at[graph_.at(lanes[k].column, end)] = static_cast<std::int32_t>(k);
   if (context_.wants_traces()) {
     std::vector<Polyline> lines;
-    for (const Stretch& s : lanes) lines.push_back({graph_.centre(s.column, s.low), graph_.centre(s.column, s.high)});
+    for (const Run& s : lanes) lines.push_back({graph_.centre(s.column, s.low), graph_.centre(s.column, s.high)});
     context_.trace("lanes", std::move(lines));
   }
   std::size_t first = 0;
   for (std::size_t n = 0; n < lanes.size() && !context_.cancelled(); ++n) {
-    const auto found = ways_.nearest(at_, [&](std::size_t node) { return lane_at[node] >= 0; });
+    const auto found = paths_.nearest(at_, [&](std::size_t node) { return lane_at[node] >= 0; });
     while (!found && done_[graph_.at(lanes[first].column, lanes[first].low)]) ++first;
-    const std::size_t k = found ? static_cast<std::size_t>(lane_at[found->node]) : first;
-    const Stretch& lane = lanes[k];
+    const Run& lane = lanes[found ? static_cast<std::size_t>(lane_at[found->node]) : first];
     const bool up = !found || found->node == graph_.at(lane.column, lane.low);
     for (const int end : {lane.low, lane.high}) lane_at[graph_.at(lane.column, end)] = -1;
-    drive(lane, up, true);
-    context_.progress(double(n + 1) / static_cast<double>(lanes.size()));
+    drive(lane, up, Approach::work_if_short);
+    context_.progress(static_cast<double>(n + 1) / static_cast<double>(lanes.size()));
   }
 }
 
-void RectangleCleaner::clean(const Job& job) {
+void RectangleCleaner::clean_rectangle(const Job& job) {
   const CellRectangle& r = job.rectangle;
   const int ci = (r.left + r.right) / 2, cj = (r.bottom + r.top) / 2;
-  if (p_.via_centre && graph_.free(ci, cj)) go(graph_.at(ci, cj), false, 0);
-  const int step = p_.columns == "tool" ? std::max(1, static_cast<int>(problem_.robot().tool_width / side_ + 1e-9)) : 1;
-  bool up = true, first = true;
+  if (p_.via_centre && graph_.free(ci, cj)) go(graph_.at(ci, cj), Approach::transit, 0);
+  const int columns_under_tool = static_cast<int>(problem_.robot().tool_width / side_ + 1e-9);
+  const int step = p_.columns == ColumnStep::tool ? std::max(1, columns_under_tool) : 1;
+  bool up = true;
+  Approach approach = Approach::transit;
   for (int i = r.left;; i = std::min(i + step, r.right)) {
-    // The first column counts from the start; cells below a shifted one stay (seed).
-    std::vector<Stretch> runs = stretches(i, i == r.left ? job.start.low : r.bottom, r.top);
-    if (runs.empty()) {
+    // The first column counts from the start; cells below a shifted one are left.
+    std::vector<Run> column = runs(i, i == r.left ? job.start.low : r.bottom, r.top);
+    if (column.empty()) {
       ++counts_.skipped_columns;
       skip(i, r.bottom, r.top);
     }
-    if (!up) std::reverse(runs.begin(), runs.end());
-    for (const Stretch& s : runs) {
-      drive(s, up, !first);
-      first = false;
+    if (!up) std::reverse(column.begin(), column.end());
+    for (const Run& s : column) {
+      drive(s, up, approach);
+      approach = Approach::work_if_short;
     }
-    if (!runs.empty()) up = !up;
+    if (!column.empty()) up = !up;
     if (i == r.right) break;
   }
 }
 
-void RectangleCleaner::drive(const Stretch& s, bool up, bool may_work) {
-  // A stretch of one node has no length to sweep: there the tool comes down for the last bit of the way.
-  go(graph_.at(s.column, up ? s.low : s.high), may_work, s.low == s.high ? side_ : 0);
-  at_ = graph_.at(s.column, up ? s.high : s.low);
-  path_.drive(place(at_), true);
-  for (int j = s.low; j <= s.high; ++j) done_[graph_.at(s.column, j)] = true;
+void RectangleCleaner::drive(const Run& run, bool up, Approach approach) {
+  // A run of one node has no length to cover: there the tool is switched on for the last bit of the approach.
+  go(graph_.at(run.column, up ? run.low : run.high), approach, run.low == run.high ? side_ : 0);
+  at_ = graph_.at(run.column, up ? run.high : run.low);
+  path_.drive(graph_.centre(at_), true);
+  for (int j = run.low; j <= run.high; ++j) done_[graph_.at(run.column, j)] = true;
 }
 
-// Straight with the tool on for the short step to the next column, else the way over the lattice with the tool off but for
-// its last `tail` metres. Where the lattice does not lead on, the shortest way among the walls themselves does.
-void RectangleCleaner::go(std::size_t node, bool may_work, double tail) {
+/// To a node: straight with the tool on if that is possible and short (the step to the next column), else over the
+/// lattice with the tool off except for the last `tail` metres. Where the lattice leads nowhere, by a shortest path
+/// among walls.
+void RectangleCleaner::go(std::size_t node, Approach approach, double tail) {
   if (node == at_) return;
-  const Point to = place(node);
-  if (may_work && distance(path_.at(), to) <= 2 * std::max(side_, problem_.robot().tool_width) &&
+  const Point to = graph_.centre(node);
+  if (approach == Approach::work_if_short &&
+      distance(path_.at(), to) <= 2 * std::max(side_, problem_.robot().tool_width) &&
       problem_.walls().contains(path_.at(), to)) {
-    path_.drive(to, true);
-  } else {
-    Polyline way = ways_.way(at_, node);
     at_ = node;
-    way.empty() ? go_among_walls(tail) : go_along(std::move(way), tail);
+    path_.drive(to, true);
+    return;
   }
+  Polyline path = paths_.path(at_, node);
   at_ = node;
+  path.empty() ? go_among_walls(tail) : go_along(std::move(path), tail);
 }
 
 void RectangleCleaner::go_among_walls(double tail) {
-  auto way = problem_.transit().path(path_.at(), place(at_));
-  if (!way) throw std::logic_error("two places in configuration space are not connected");
-  go_along(std::move(*way), tail);
+  auto path = problem_.transit().path(path_.at(), graph_.centre(at_));
+  if (!path) throw std::logic_error("two points of configuration space are not connected");
+  go_along(std::move(*path), tail);
 }
 
-void RectangleCleaner::go_along(Polyline way, double tail) {
-  Polyline last{way.back()};
-  while (way.size() > 1 && tail > 0) {
-    const Point end = way.back();
-    way.pop_back();
-    const double step = distance(way.back(), end);
-    if (step > tail) way.push_back(lerp(end, way.back(), tail / step));
-    last.insert(last.begin(), way.back());
+void RectangleCleaner::go_along(Polyline path, double tail) {
+  Polyline last{path.back()};
+  while (path.size() > 1 && tail > 0) {
+    const Point end = path.back();
+    path.pop_back();
+    const double step = distance(path.back(), end);
+    if (step > tail) path.push_back(lerp(end, path.back(), tail / step));
+    last.insert(last.begin(), path.back());
     tail -= step;
   }
-  path_.drive(way, false);
+  path_.drive(path, false);
   if (last.size() > 1) path_.drive(last, true);
 }
 
-// Ours: whatever lattice node the robot can reach and has not driven, the nearest first, with all that is bare above and
-// below it. Parts of the lattice that hang together with nothing but by ways between its lines come in turn.
+/// Ours: drives every node that the robot can reach and has not driven, the nearest first, with all undriven nodes
+/// above and below it. Components that the lattice does not connect come one after the other.
 void RectangleCleaner::revisit() {
-  const auto columns = static_cast<std::size_t>(graph_.columns());
-  const auto bare = [&](std::size_t node) { return ways_.part(node) >= 0 && !done_[node]; };
-  std::size_t scan = 0;
+  const auto undriven = [&](std::size_t node) { return paths_.component(node) >= 0 && !done_[node]; };
+  std::size_t next = 0;
   while (!context_.cancelled()) {
     std::size_t node;
-    if (const auto found = ways_.nearest(at_, bare)) {
+    if (const auto found = paths_.nearest(at_, undriven)) {
       node = found->node;
     } else {
-      while (scan < graph_.size() && !bare(scan)) ++scan;
-      if (scan == graph_.size()) return;
-      node = scan;
+      while (next < graph_.size() && !undriven(next)) ++next;
+      if (next == graph_.size()) return;
+      node = next;
     }
-    const int i = static_cast<int>(node % columns), j = static_cast<int>(node / columns);
-    Stretch s{i, j, j};
-    while (graph_.passable(i, s.low, kSouth) && bare(graph_.at(i, s.low - 1))) --s.low;
-    while (graph_.passable(i, s.high, kNorth) && bare(graph_.at(i, s.high + 1))) ++s.high;
-    drive(s, j - s.low <= s.high - j, true);
+    const int i = graph_.column(node), j = graph_.row(node);
+    Run run{i, j, j};
+    while (graph_.passable(i, run.low, kSouth) && undriven(graph_.at(i, run.low - 1))) --run.low;
+    while (graph_.passable(i, run.high, kNorth) && undriven(graph_.at(i, run.high + 1))) ++run.high;
+    drive(run, j - run.low <= run.high - j, Approach::work_if_short);
   }
 }
 
-std::vector<Polyline> RectangleCleaner::outlines(const std::vector<CellRectangle>& rectangles) const {
+void RectangleCleaner::trace_rectangles(const std::vector<CellRectangle>& rectangles) {
   std::vector<Polyline> lines;
   for (const CellRectangle& r : rectangles) {
     const Point a = graph_.centre(r.left - 0.5, r.bottom - 0.5), b = graph_.centre(r.right + 0.5, r.bottom - 0.5);
     const Point c = graph_.centre(r.right + 0.5, r.top + 0.5), d = graph_.centre(r.left - 0.5, r.top + 0.5);
     lines.push_back({a, b, c, d, a});
   }
-  return lines;
+  context_.trace("rectangles", std::move(lines));
 }
 
 }  // namespace oxturn

@@ -1,6 +1,14 @@
-// MyCarbot's world: a grid of wall and free cells, its gaps mended, cut into rectangles from the lower left.
-//
-// Pure grid functions, known to nothing of robots. `free` has a bit for each cell that may be cleaned.
+/// The world of MyCarbot (TH Nuernberg): a grid of wall and free cells, its gaps closed, partitioned into rectangles
+/// from the lower left.
+///
+///   const BitGrid world = without_gaps(free, 1, 4);
+///   for (const CellRectangle& r : rectangles_of(world, ScanOrder::columns)) ...
+///
+///   . . 2 2 2       three rectangles, in the order of ScanOrder::columns
+///   1 1 # # 3
+///   1 1 # # 3
+///
+/// Pure functions on grids. `free` has a bit for each cell that may be cleaned.
 #pragma once
 
 #include <vector>
@@ -17,15 +25,16 @@ struct CellRectangle {
   bool operator==(const CellRectangle&) const = default;
 };
 
-/// "Lueckenbehebung": free runs of at most `gap` cells between two wall cells, in a row or a column, become wall;
-/// then the missing corners of small obstacles (bounding box at most `small` cells a side) are filled: a free cell
-/// that has a cell of such an obstacle both beside and above or below it. O(cells).
+/// "Lueckenbehebung": free runs of at most `gap` cells between two wall cells in a row or a column become wall. Then
+/// the missing corners of small obstacles (bounding box at most `small` cells a side) are filled: free cells that have
+/// a cell of the same such obstacle both beside and above or below them. O(cells).
 BitGrid without_gaps(const BitGrid& free, int gap, int small);
 
-/// "Welt partitionieren": the first free cell from the lower left (row by row, or column by column) starts a rectangle; its
-/// height is the free run upwards; it grows to the right while the next column has that much room. Repeated until no
-/// cell is left. O(cells). Rectangles are disjoint and cover all free cells.
-/// Taking a rectangle's cells away leaves the others as they are, so nothing is gained by doing this anew after each.
-std::vector<CellRectangle> rectangles_of(const BitGrid& free, bool by_rows);
+enum class ScanOrder { columns, rows };
+/// "Welt partitionieren": the first free cell from the lower left, in the given order, starts a rectangle. Its height
+/// is the free run upwards; it grows to the right while the next column has that much room. Repeated until no cell is
+/// left. O(cells). Rectangles are disjoint and cover all free cells. Removing one rectangle's cells leaves the others
+/// as they are, so a new partition after each rectangle would give the same.
+std::vector<CellRectangle> rectangles_of(const BitGrid& free, ScanOrder order);
 
 }  // namespace oxturn

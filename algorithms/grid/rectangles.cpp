@@ -1,33 +1,36 @@
-// Cuts the world into rectangles of cells and cleans them one by one, column by column.
+// Partitions the world into rectangles of cells and cleans them one by one, column by column.
 //
-// Source      MyCarbot, "Rechteck-Partitionierungs-Strategie" (TH Nuernberg), sections 2 and 5
+// Source      MyCarbot (TH Nuernberg), "Rechteck-Partitionierungs-Strategie", sections 2 and 5. The defaults are the
+//             source
 // Model       grid, offline, or online by lidar (`sensing = lidar`), disc footprint
 // Guarantee   every cell of a drivable rectangle of at least 2 x 2 cells is cleaned, except skipped columns and cells
-//             below a shifted start; with `revisit_skipped` every lattice point that the robot can reach is driven
-// Complexity  n cells: world and partition O(n), a way between rectangles O(cells nearer than its end); some 60 bytes a
-//             cell. `choose = first` goes back to the lower end after each column of rectangles: O(n^1.5) driven at worst
-// Decisions   1. Cells default to half the robot's width (its robot is larger than a cell). A cell is wall unless it
-//                lies wholly in free space.
-//             2. "First from the lower left" may run row by row or column by column (`scan`); the
-//                source does not say. Columns is the default: it covered more on six of seven maps tried.
-//             3. The source mends gaps and partitions anew after each rectangle and each skipped column, with done cells
-//                as obstacles. Done cells are no wall that a gap could be in, and taking them away leaves all other
-//                rectangles as they are (rectangle_world.hpp): so both are done once, and a rectangle loses its skipped
+//             below a shifted start; with `revisit_skipped` every lattice node that the robot can reach is driven
+// Complexity  n cells: world and partition O(n), a path between rectangles O(cells nearer than its end); some 60 bytes
+//             a cell. `choose = first` returns to the lower end after each column of rectangles: O(n^1.5) driven at
+//             worst
+// Decisions   1. Cells default to half the robot's width (the source's robot is larger than a cell). A cell is wall
+//                unless it lies entirely in free space.
+//             2. "First from the lower left" may run row by row or column by column (`scan`); the source does not say.
+//                Columns is the default: it covered more on six of seven maps tried.
+//             3. The source closes gaps and partitions anew after each rectangle and each skipped column, with cleaned
+//                cells as obstacles. Cleaned cells are no wall beside a gap, and removing them leaves all other
+//                rectangles as they are (rectangle_world.hpp). So both are done once, and a rectangle loses its skipped
 //                columns.
-//             4. A column is driven where the robot's centre fits, all of its stretches, up and down by turns. Ways
-//                between stretches and columns that are not straight are planned on the lattice and pulled straight;
-//                where the lattice does not lead on they are shortest paths among the walls.
-//             5. The centre is visited on the way (seed 2.3) if the robot fits there.
+//             4. A column is driven where the robot's centre fits, in all of its runs, up and down in turn. Paths
+//                between runs and columns that are not straight are planned on the lattice and pulled straight; where
+//                the lattice leads nowhere they are shortest paths among the walls.
+//             5. The centre is visited on the way (section 2.3) if the robot fits there.
 //             6. `columns = tool` (ours) steps as many columns as the tool covers, instead of one.
-//             7. The outlooks: `choose = nearest` takes the start with the fewest planned steps, so a divided corridor is
-//                cleaned one side after the other; `lanes = diagonal` makes no rectangles but lanes at 45
-//                degrees ("Schraegen ueber das Grid"), each as long as it goes, on to the nearest end of one, for
-//                pillars set in staggered rows (rectangles on a turned grid were tried: worse than straight ones).
-//                Beside slanted walls rectangles are strips one cell wide, which the source does not drive:
-//                `smallest = 1` (ours) does.
-//             8. Online: scan (world_scan.hpp), then the same on what is believed, on a lattice that hangs on the start.
-//                Driven nodes are done. The world is partitioned anew where an obstacle stops the robot, and after a
-//                rectangle if more than four cells' area has been seen since. Ends when nothing new is seen.
+//             7. The outlooks of section 5: `choose = nearest` takes the start with the fewest planned steps, so a
+//                divided corridor is cleaned one side after the other. `lanes = diagonal` makes no rectangles but lanes
+//                at 45 degrees ("Schraegen ueber das Grid"), each as long as possible, on to the nearest end of one,
+//                for pillars in staggered rows (rectangles on a turned grid were tried: worse than straight ones).
+//                Beside slanted walls rectangles are strips one cell wide, which the source does not drive; `smallest =
+//                1` (ours) does.
+//             8. Online: a scan of the world (world_scan.hpp), then the same on what is believed, on a lattice with a
+//                node at the start. Driven nodes are done. The world is partitioned anew where an obstacle stops the
+//                robot, and after a rectangle if more than the area of four cells has been seen since. Ends when
+//                nothing new is seen.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -35,41 +38,40 @@
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/grid/rectangle_cleaner.hpp"
 #include "algorithms/grid/world_scan.hpp"
-#include "geometry/trace.hpp"
 
 namespace oxturn {
 namespace {
 
-struct Params : RectangleSettings {
-  std::string sensing = "map";
-};
+constexpr int kBeliefLevel = 2;        // cells of radius / 4
+constexpr int kMostPartitions = 2000;  // a belief that never settles must not keep the robot driving
+constexpr double kNewCells = 4;        // area seen since the partition, in cells, that makes a new one worthwhile
 
-constexpr int kLevel = 2;  // of the belief: radius / 24
-constexpr int kMostPartitions = 2000;
+double turn_of(const RectangleOptions& p) { return p.lanes == Lanes::diagonal ? kPi / 4 : 0; }
 
-double turn_of(const Params& p) { return p.lanes == "diagonal" ? kPi / 4 : 0; }
-
-void report_left(Context& context, const RectangleCleaner::Counts& counts) {
+void record_left(Context& context, const RectangleCleaner::Counts& counts) {
   context.record("skipped_columns", static_cast<double>(counts.skipped_columns));
   context.record("skipped_cells", static_cast<double>(counts.skipped_cells));
   context.record("small_cells", static_cast<double>(counts.small_cells));
 }
 
-Path clean_known(const Params& p, const Problem& problem, Context& context) {
+Path clean_known(const RectangleOptions& p, const Problem& problem, Context& context) {
   const double side = p.side(problem.robot());
-  const GridGraph graph = make_grid_graph(problem, {p.cell_size, p.align, 0, 0, turn_of(p)}, side, 1,
-                                          static_cast<int>(std::ceil(problem.robot().radius / side)) + 1);
+  const GridGraph graph =
+      make_grid_graph(problem, {.side = side,
+                                .angle = lattice_angle(p.align, problem.map().free) + turn_of(p),
+                                .margin = static_cast<int>(std::ceil(problem.robot().radius / side)) + 1});
   RectangleCleaner cleaner(p, problem, graph, std::vector<bool>(graph.size(), false), context);
   Path path = cleaner.clean();
   context.record("rectangles", static_cast<double>(cleaner.counts().rectangles));
-  report_left(context, cleaner.counts());
+  record_left(context, cleaner.counts());
   return path;
 }
 
-/// The robot in a world that it sees by lidar.
+/// Scans and cleans a world that the robot sees by lidar.
 class Discovery {
  public:
-  Discovery(const Params& p, OnlineRobot& robot, Context& context) : p_(p), robot_(robot), context_(context) {}
+  Discovery(const RectangleOptions& p, OnlineRobot& robot, Context& context)
+      : p_(p), robot_(robot), context_(context) {}
 
   void run() {
     WorldScan scan;
@@ -78,7 +80,7 @@ class Discovery {
       if (context_.cancelled()) return;
     }
     context_.record("scan_m", view().driven());
-    RectangleCleaner::Counts last;  // what stays skipped is what the last partition skips
+    RectangleCleaner::Counts last;  // what the last partition skips stays skipped
     std::size_t partitions = 0;
     double before = -1;
     while (partitions < kMostPartitions && !context_.cancelled()) {
@@ -86,21 +88,21 @@ class Discovery {
       const auto path = partition(last);
       if (!path || path->legs.empty()) break;
       ++partitions;
-      const bool whole = clean(*path);
-      // The same plan again would end the same way.
-      const bool on = view().driven() > before;
+      const bool finished = clean(*path);
+      const bool moved = view().driven() > before;
       before = view().driven();
-      if (!on || (whole && view().belief().revision() == seen)) break;
+      // Otherwise the next partition would end in the same way.
+      if (!moved || (finished && view().belief().revision() == seen)) break;
     }
     context_.record("partitions", static_cast<double>(partitions));
-    report_left(context_, last);
+    record_left(context_, last);
   }
 
  private:
   const View& view() const { return robot_.view(); }
 
   std::optional<Problem> world() const {
-    for (int level = kLevel; level > 0; --level)
+    for (int level = kBeliefLevel; level > 0; --level)
       if (auto believed = believed_problem(view(), view().pose(), level)) return believed;
     return believed_problem(view(), view().pose(), 0);
   }
@@ -108,14 +110,11 @@ class Discovery {
   std::optional<Path> partition(RectangleCleaner::Counts& counts) {
     const std::optional<Problem> believed = world();
     if (!believed) return std::nullopt;
-    if (!angle_) angle_ = (p_.align == "edges" ? dominant_direction(believed->map().free) : 0) + turn_of(p_);
+    if (!angle_) angle_ = lattice_angle(p_.align, believed->map().free) + turn_of(p_);
     const GridGraph graph =
         make_grid_graph_at(believed->configuration_space(), "belief", view().start(), p_.side(view().robot()), *angle_);
-    // Its own context: only the partition is shown.
-    Context::Sinks sinks;
-    if (context_.wants_traces()) sinks.trace = [&](const Trace& trace) { context_.trace(trace.name, trace.lines); };
-    Context inside(1, context_.seconds_left(), sinks);
-    RectangleCleaner cleaner(p_, *believed, graph, done(graph), inside);
+    Context inner(1, context_.seconds_left(), context_.traces_only());
+    RectangleCleaner cleaner(p_, *believed, graph, done(graph), inner);
     Path path = cleaner.clean();
     counts = cleaner.counts();
     if (!path.legs.empty() && believed->start() != view().pose())
@@ -123,10 +122,10 @@ class Discovery {
     return path;
   }
 
-  /// The nodes that have been driven with the tool on, along lanes or across them.
+  /// The nodes that have been driven along their column with the tool on.
   std::vector<bool> done(const GridGraph& graph) const {
     std::vector<bool> nodes(graph.size(), false);
-    constexpr double kOff = 1e-3;
+    constexpr double kOff = 1e-3;  // cells
     for (const Leg& leg : view().path().legs)
       for (std::size_t k = 1; leg.tool && k < leg.points.size(); ++k) {
         const Point a = graph.coordinates(leg.points[k - 1]), b = graph.coordinates(leg.points[k]);
@@ -140,10 +139,10 @@ class Discovery {
     return nodes;
   }
 
-  /// False if the world has to be partitioned anew before the end.
+  /// False if the world has to be partitioned anew before the end of the path.
   bool clean(const Path& path) {
     const double cell = view().belief().cell(), side = p_.side(view().robot());
-    const auto enough = static_cast<std::uint64_t>(4 * side * side / (cell * cell));
+    const auto enough = static_cast<std::uint64_t>(kNewCells * side * side / (cell * cell));
     const std::uint64_t before = view().belief().gained();
     for (const Leg& leg : path.legs) {
       if (!robot_.go({leg.points, leg.tool})) return false;
@@ -152,35 +151,26 @@ class Discovery {
     return true;
   }
 
-  const Params& p_;
+  const RectangleOptions& p_;
   OnlineRobot& robot_;
   Context& context_;
   std::optional<double> angle_;
 };
 
-class Rectangles final : public CoveragePlanner {
- public:
-  explicit Rectangles(Params p) : p_(std::move(p)) {}
-  Path plan(const Problem& problem, Context& context) const override {
-    Path path =
-        p_.sensing == "map"
-            ? clean_known(p_, problem, context)
-            : drive_online(
-                  problem, [&](OnlineRobot& robot, Context& inside) { Discovery(p_, robot, inside).run(); }, context);
-    if (path.legs.empty())
-      throw Infeasible(fmt::format("no rectangle of at least {} x {} cells can be driven; a smaller cell_size may help",
-                                   p_.smallest, p_.smallest));
-    return path;
-  }
-
- private:
-  Params p_;
-};
+Path plan(const RectangleOptions& p, const Problem& problem, Context& context) {
+  const auto by_lidar = [&](OnlineRobot& robot, Context& inner) { Discovery(p, robot, inner).run(); };
+  Path path = p.sensing == Sensing::map ? clean_known(p, problem, context) : drive_online(problem, by_lidar, context);
+  if (path.legs.empty())
+    throw Infeasible(fmt::format("no rectangle of at least {} x {} cells can be driven; a smaller cell_size may help",
+                                 p.smallest, p.smallest));
+  return path;
+}
 
 }  // namespace
 
 PlannerInfo rectangles() {
-  return describe<Rectangles, Params>(
+  using P = RectangleOptions;
+  return describe<P, plan>(
       {.name = "rectangles",
        .family = "grid",
        .title = "rectangle partition, column by column",
@@ -188,27 +178,24 @@ PlannerInfo rectangles() {
        .capabilities = {Capability::online, Capability::holes, Capability::footprint},
        .guarantee = "every cell of a drivable rectangle of at least 2 x 2 cells, except skipped columns",
        .parameters = {
-           {"cell_size", &Params::cell_size, Range{0, 1000}, "side of a cell, metres; 0: half the robot's width"},
-           {"choose", &Params::choose, Choices{"first", "nearest"},
-            "next rectangle: first from the lower left, or the one with the shortest planned way to its start"},
-           {"columns", &Params::columns, Choices{"each", "tool"},
-            "drive each column, or step as far as the tool covers"},
-           {"scan", &Params::scan, Choices{"columns", "rows"}, "how the first cell from the lower left is looked for"},
-           {"lanes", &Params::lanes, Choices{"straight", "diagonal"},
+           cell_size_line<P>("side of a cell, metres; 0: half the robot's width"),
+           {"choose", &P::choose, Choices{"first", "nearest"},
+            "next rectangle: first from the lower left, or the one with the shortest planned path to its start"},
+           {"columns", &P::columns, Choices{"each", "tool"}, "drive each column, or step as far as the tool covers"},
+           {"scan", &P::scan, Choices{"columns", "rows"},
+            "in which order the first cell from the lower left is searched"},
+           {"lanes", &P::lanes, Choices{"straight", "diagonal"},
             "diagonal: no rectangles but lanes at 45 degrees, for staggered pillars"},
-           {"smallest", &Params::smallest, Range{1, 1000},
+           {"smallest", &P::smallest, Range{1, 1000},
             "rectangles with fewer cells a side are not driven; 1: strips beside slanted walls are"},
-           {"gap", &Params::gap, Range{0, 100}, "gaps in walls up to so many cells are closed"},
-           {"small_obstacle", &Params::small_obstacle, Range{0, 100},
-            "obstacles up to so many cells a side get their missing corners"},
-           {"shift", &Params::shift, Range{0, 1000},
-            "how many cells the start is moved up before the column is skipped"},
-           {"via_centre", &Params::via_centre, "go to the rectangle's centre first, then to its lower left"},
-           {"revisit_skipped", &Params::revisit_skipped, "in the end, drive what was skipped"},
-           {"align", &Params::align, Choices{"axes", "edges"},
-            "edges: turn the grid to the direction most walls run in"},
-           {"sensing", &Params::sensing, Choices{"map", "lidar"},
-            "map: known beforehand; lidar: seen by the robot's lidar, its outer wall scanned first"}}});
+           {"gap", &P::gap, Range{0, 100}, "gaps in walls of up to so many cells are closed"},
+           {"small_obstacle", &P::small_obstacle, Range{0, 100},
+            "obstacles of up to so many cells a side get their missing corners"},
+           {"shift", &P::shift, Range{0, 1000}, "how many cells the start may move up before the column is skipped"},
+           {"via_centre", &P::via_centre, "drive to the rectangle's centre first, then to its lower left"},
+           {"revisit_skipped", &P::revisit_skipped, "at the end, drive what was skipped"},
+           align_line<P>(),
+           sensing_line<P>("map: known beforehand; lidar: seen by the robot's lidar, its outer wall scanned first")}});
 }
 
 }  // namespace oxturn

@@ -1,149 +1,160 @@
-// Spanning tree coverage, offline: round a tree of coarse cells, each sub-cell once.
+// Offline spanning tree coverage: around a tree of coarse cells, each sub-cell once.
 //
 // Source      Gabriely & Rimon, "Spanning-tree based coverage of continuous areas by a mobile robot", ICRA 2001
 // Model       grid of coarse cells 2D x 2D, offline, disc footprint
-// Guarantee   each sub-cell (side D) of the free coarse cells connected to the first one exactly once; the round
-//             is closed and its length is the number of sub-cells times D
-// Complexity  n sub-cells: time and memory O(n), `weighted` O(n log n); the same with `components = all`
-//             unless parts hang together by ways between the lattice's lines only
-// Decisions   1. A coarse cell is free if the square through its four sub-cell centres, which is all that is driven
-//                inside it, lies in configuration space; two are adjacent if both ways between them do.
-//             2. D defaults to w / sqrt 2, so that a disc tool covers each sub-cell from its centre line; the
-//                paper's square tool is cell_size = w.
-//             3. The paper starts in a cell. Here the robot first drives the shortest way to the nearest sub-cell.
-//             4. `components = all` (ours) takes in the other parts of the free coarse cells: where the round comes by the
-//                place that is nearest to another part, the robot goes there, round it, and back (part_order.hpp); `start`
-//                is the paper.
-//             5. The tree: breadth-first (counter-clockwise from east), depth-first, `minimum-turn` (depth-first
-//                that goes straight on while it can), `random`, `weighted` (minimum spanning tree, vertical edges
-//                dearer: long horizontal lanes).
-//             6. `partial = true` (after the same authors, 2002/2003): partly occupied coarse cells are entered, too; every
-//                sub-cell that free steps join to the first is visited, length <= (n + m) D (sub_cell_tree.hpp).
-#include <cmath>
+// Guarantee   each sub-cell (side D) of the free coarse cells connected to the first one exactly once; the path is
+//             closed and its length is the number of sub-cells times D
+// Complexity  n sub-cells: time and memory O(n), `weighted` O(n log n). The same with `components = all`, except where
+//             components are connected only by paths that leave the lattice
+// Decisions   1. A coarse cell is free if the square through its four sub-cell centres lies in configuration space,
+//                because nothing else is driven inside it. Two are adjacent if both lattice edges between their
+//                sub-cells are free.
+//             2. D defaults to w / sqrt 2, so that a disc tool covers each sub-cell from its centre line; the paper's
+//                square tool is cell_size = w.
+//             3. The paper starts in a cell. Here the robot first drives the shortest path to the nearest sub-cell.
+//             4. `components = all` (ours) also covers the other connected components of the free coarse cells: where
+//                the path passes the point that is nearest to another component, the robot goes there, around it, and
+//                back (component_order.hpp). `start` is the paper.
+//             5. The tree: see TreeKind in spanning_trees.hpp.
+//             6. `partial = true` (after the same authors, 2002 and 2003): partly occupied coarse cells are entered,
+//                too. Every sub-cell that free lattice edges connect to the first is visited; length <= (n + m) D
+//                (sub_cell_tree.hpp).
 #include <limits>
 #include <utility>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/coarse_components.hpp"
 #include "algorithms/grid/component_order.hpp"
 #include "algorithms/grid/partial_stc.hpp"
+#include "algorithms/grid/spanning_trees.hpp"
 
 namespace oxturn {
 namespace {
 
-struct Params {
-  double cell_size = 0;
-  std::string tree = "bfs";
-  std::string components = "all";
-  std::string align = "axes";
-  double shift_x = 0, shift_y = 0;
+struct Params : TreeOptions {
   bool partial = false;
 };
 
-class Stc final : public CoveragePlanner {
+/// Drives around the tree from its root; where the path to a branch begins, first there, around that component and
+/// back.
+class RoundWithBranches {
  public:
-  explicit Stc(Params p) : p_(std::move(p)) {}
+  using Entry = ComponentOrder::Entry;
+  RoundWithBranches(const GridGraph& fine, const CoarseCells& cells, const std::vector<Entry>& branches,
+                    PathBuilder& path)
+      : fine_(fine),
+        cells_(cells),
+        branches_(branches),
+        path_(path),
+        first_(branches.empty() ? 0 : fine.size(), kNone),
+        next_(branches.size(), kNone) {
+    for (std::size_t k = branches.size(); k-- > 0;)
+      next_[k] = std::exchange(first_[branches[k].from], static_cast<std::uint32_t>(k));
+  }
 
-  Path plan(const Problem& problem, Context& context) const override {
-    const double side = cell_side(p_.cell_size, problem.robot());
-    const GridGraph fine = make_grid_graph(problem, {p_.cell_size, p_.align, p_.shift_x, p_.shift_y}, side, 2);
-    if (p_.partial) return go_round_partial(problem, fine, p_.tree, p_.components == "all", context);
-    CoarseCells cells(fine);
-    const CoarseParts parts = parts_of(cells);
-    if (parts.count == 0) throw Infeasible("no coarse cell of twice the cell size fits; a smaller cell_size may");
-
-    LatticePaths ways(fine, problem.walls());
-    PartOrder order(problem, fine, cells, parts, ways);
-    TreeGrower grower(cells, p_.tree, context.rng());
-    PathBuilder path(problem.start());
-    int done = 0;
-    for (auto root = order.first(); root && !context.cancelled(); root = order.next(path.at())) {
-      std::vector<PartOrder::Entry> branches;
-      if (p_.components == "all") branches = order.branches();
-      grower.grow(root->coarse);
-      for (const PartOrder::Entry& branch : branches) grower.grow(branch.coarse);
-      path.drive(root->way, false);
-      drive_round(fine, cells, *root, branches, path, context);
-      done += 1 + static_cast<int>(branches.size());
-      context.progress(double(done) / parts.count);
-      if (p_.components == "start") break;
+  void drive(const Entry& root, const Context& context) {
+    line_ = {fine_.centre(root.i, root.j)};
+    enter(root);
+    while (!open_.empty() && !context.cancelled()) {
+      if (open_.back().branch != kNone)
+        leave_for_branch();
+      else
+        step();
     }
-    if (context.wants_traces()) context.trace("tree", tree_lines(cells));
-    return path.take();
+    path_.drive(line_, true);
   }
 
  private:
-  // Round the tree from the root; where the way to another part begins, there and round that part first.
-  static void drive_round(const GridGraph& fine, const CoarseCells& cells, const PartOrder::Entry& root,
-                          const std::vector<PartOrder::Entry>& branches, PathBuilder& path, Context& context) {
-    constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> first(branches.empty() ? 0 : fine.size(), kNone), next(branches.size(), kNone);
-    for (std::size_t k = branches.size(); k-- > 0;)
-      next[k] = std::exchange(first[branches[k].from], static_cast<std::uint32_t>(k));
-    struct Round {
-      const PartOrder::Entry* part;
-      int i, j;
-      std::uint32_t branch;  // the next to be driven from here
-    };
-    const auto branch_at = [&](int i, int j) { return first.empty() ? kNone : first[fine.at(i, j)]; };
-    std::vector<Round> open{{&root, root.i, root.j, branch_at(root.i, root.j)}};
-    Polyline line{fine.centre(root.i, root.j)};
-    std::optional<Direction> last;
-    const auto go = [&](const Polyline& way) {
-      path.drive(line, true);
-      path.drive(way, false);
-      line.assign(1, way.back());
-      last.reset();
-    };
-    while (!open.empty() && !context.cancelled()) {
-      Round& here = open.back();
-      if (here.branch != kNone) {
-        const PartOrder::Entry& part = branches[here.branch];
-        here.branch = next[here.branch];
-        go(part.way);
-        open.push_back({&part, part.i, part.j, branch_at(part.i, part.j)});
-        continue;
-      }
-      const Direction d = round_step(cells, here.i, here.j);
-      here.i += kColumnStep[d];
-      here.j += kRowStep[d];
-      if (last == d) line.pop_back();
-      line.push_back(fine.centre(here.i, here.j));
-      last = d;
-      if (here.i != here.part->i || here.j != here.part->j) {
-        here.branch = branch_at(here.i, here.j);
-        continue;
-      }
-      const PartOrder::Entry* part = here.part;  // round
-      open.pop_back();
-      if (!open.empty()) go(Polyline(part->way.rbegin(), part->way.rend()));
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  struct Round {
+    const Entry* component;
+    int i, j;
+    std::uint32_t branch;  // the next one to be driven from here
+  };
+
+  std::uint32_t branch_at(int i, int j) const { return first_.empty() ? kNone : first_[fine_.at(i, j)]; }
+  void enter(const Entry& component) {
+    open_.push_back({&component, component.i, component.j, branch_at(component.i, component.j)});
+  }
+  void leave_for_branch() {
+    Round& here = open_.back();
+    const Entry& component = branches_[here.branch];
+    here.branch = next_[here.branch];
+    go(component.path);
+    enter(component);
+  }
+  void step() {
+    Round& here = open_.back();
+    const Direction d = round_step(cells_, here.i, here.j);
+    here.i += kColumnStep[d];
+    here.j += kRowStep[d];
+    if (last_ == d) line_.pop_back();
+    line_.push_back(fine_.centre(here.i, here.j));
+    last_ = d;
+    if (here.i != here.component->i || here.j != here.component->j) {
+      here.branch = branch_at(here.i, here.j);
+      return;
     }
-    path.drive(line, true);
+    const Entry* component = here.component;  // once around
+    open_.pop_back();
+    if (!open_.empty()) go(Polyline(component->path.rbegin(), component->path.rend()));
+  }
+  void go(const Polyline& transit) {
+    path_.drive(line_, true);
+    path_.drive(transit, false);
+    line_.assign(1, transit.back());
+    last_.reset();
   }
 
-  Params p_;
+  const GridGraph& fine_;
+  const CoarseCells& cells_;
+  const std::vector<Entry>& branches_;
+  PathBuilder& path_;
+  std::vector<std::uint32_t> first_, next_;  // branches from each sub-cell, as linked lists
+  std::vector<Round> open_;                  // rounds begun
+  Polyline line_;                            // with the tool on, not yet in the path
+  std::optional<Direction> last_;
 };
+
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  const GridGraph fine = p.lattice(problem, 2);
+  if (p.partial) return cover_partial_cells(problem, fine, p, context);
+  CoarseCells cells(fine);
+  const ConnectedComponents components = components_of(cells);
+  if (components.count == 0) throw Infeasible("no coarse cell of twice the cell size fits; a smaller cell_size may");
+
+  LatticePaths paths(fine, problem.walls());
+  ComponentOrder order(problem, fine, cells, components, paths);
+  TreeGrower grower(cells, p.tree, context.rng());
+  PathBuilder path(problem.start());
+  int done = 0;
+  for (auto root = order.first(); root && !context.cancelled(); root = order.next(path.at())) {
+    std::vector<ComponentOrder::Entry> branches;
+    if (p.components == Components::all) branches = order.branches();
+    grower.grow(root->coarse);
+    for (const ComponentOrder::Entry& branch : branches) grower.grow(branch.coarse);
+    path.drive(root->path, false);
+    RoundWithBranches(fine, cells, branches, path).drive(*root, context);
+    done += 1 + static_cast<int>(branches.size());
+    context.progress(double(done) / components.count);
+    if (p.components == Components::start) break;
+  }
+  if (context.wants_traces()) context.trace("tree", tree_lines(cells));
+  return path.take();
+}
 
 }  // namespace
 
 PlannerInfo stc() {
-  return describe<Stc, Params>(
+  return describe<Params, plan>(
       {.name = "stc",
        .family = "grid",
        .title = "spanning tree coverage, offline",
        .citation = "Gabriely & Rimon 2001",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "each sub-cell of the wholly free coarse cells exactly once, in a closed round",
-       .parameters = {
-           {"cell_size", &Params::cell_size, Range{0, 1000}, "side D of a sub-cell, metres; 0: tool width / sqrt 2"},
-           {"tree", &Params::tree, Choices{"bfs", "dfs", "minimum-turn", "random", "weighted"}, "how the tree grows"},
-           {"components", &Params::components, Choices{"all", "start"},
-            "start: only the free cells connected to the first one, as published; all: then the other parts"},
-           {"align", &Params::align, Choices{"axes", "edges"},
-            "edges: turn the grid to the direction most walls run in"},
-           {"shift_x", &Params::shift_x, Range{-1, 1}, "shift of the grid, in cells"},
-           {"shift_y", &Params::shift_y, Range{-1, 1}, "shift of the grid, in cells"},
-           {"partial", &Params::partial, "also enter coarse cells of which only some sub-cells are free"}}});
+       .guarantee = "each sub-cell of the free coarse cells exactly once, on a closed path",
+       .parameters = with_tree_options<Params>(
+           {{"partial", &Params::partial, "also enter coarse cells of which only some sub-cells are free"}}),
+       .published = {{"components", "start"}}});
 }
 
 }  // namespace oxturn

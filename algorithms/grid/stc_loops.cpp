@@ -1,64 +1,58 @@
-// Spanning tree coverage with loops round obstacles and border, so that what the coarse cells leave there is swept too.
+// Spanning tree coverage with loops around obstacles and boundary, which cover what the coarse cells leave there.
 //
-// Source      slides "Improving Coverage" (seed improving-spanning-tree-coverage); the tree below it is `stc`'s
+// Source      Improving Spanning Tree Coverage (lecture slides); the tree below is that of `stc`
 // Model       grid of coarse cells 2D x 2D and polygonal walls, offline, disc footprint
-// Guarantee   what `stc` sweeps is swept; every stretch of a loop that the robot can drive is driven; the path is one
-//             round of a tree, closed
-// Complexity  n sub-cells and nodes: O(n), and a way for each piece that sees no vertex nearby (branch_tree.hpp)
-// Decisions   1. The slides offset the map's walls, so this does, too; whatever of a loop is not in configuration space is
-//                invalid: a node that is outside, or an edge of which goes outside. That holds for the loop's own
-//                obstacle as well (notches narrower than the robot, walls traced from pixels).
-//             2. The slides' epsilon 0.01 has no unit; here it is a share of the radius. As 0.01 m it leaves a strip bare
-//                that alone is 2 % of a narrow corridor (the slides' reading on a robot of 0.2 m: epsilon = 0.05). It is
-//                at least twice the chord error of configuration space (w / 500).
-//             3. The slides' arccos is right at convex corners only; see bisector_nodes.hpp, also for sharp corners.
-//             4. d_node is not given: default D.
-//             5. A loop begins at the first corner; if it touches itself there, it is cut in two, as the slides' walk
-//                ends where it meets the start's coordinates.
-//             6. The round passes the four sub-cell centres about a coarse cell, never its centre. So a branch hangs on the
-//                nearest visible sub-cell centre of the round (or node of a branch hung before), and is an excursion
-//                from there: all of it lies in configuration space.
-//             7. No vertex visible: by a way to one, whose corners become vertices (reported as `branches_by_path`). The
-//                parts of coarse cells that `stc` drives one after another hang on the tree likewise, so there is one
-//                tree; each is hung where it is nearest to what is in the tree.
-//             8. No coarse cell fits: the tree is the start alone, and loops hang on it.
-//             9. One lap along the walls leaves bands up to 2D wide bare between it and the coarse cells. `fill = none` is
-//                the slides; `cells` (ours) also hangs every free sub-cell that is not yet swept as a branch of one
-//                node; `spots`, the default, goes on to what is left about sub-cells whose centre is in a wall, and
-//                where loops are broken. Swept is looked up on a lattice of D / 4.
-//            10. `close_loops = true`, the default, drives an unbroken loop round once; false is the slides' tree walk, there
-//                and back.
-#include <fmt/format.h>
-
+// Guarantee   what `stc` covers is covered; every part of a loop that the robot can drive is driven; the path is one
+//             closed round of a tree
+// Complexity  n sub-cells and nodes: O(n), and a path for each piece that sees no vertex nearby (branch_tree.hpp)
+// Decisions   1. The slides offset the map's walls, and so does this. The parts of a loop outside configuration space
+//                are invalid: nodes outside, and both nodes of an edge that leaves it. This also holds for the loop's
+//                own obstacle (notches narrower than the robot, walls traced from pixels).
+//             2. The slides' epsilon of 0.01 has no unit; here it is a share of the radius. As 0.01 m on a robot of 0.2
+//                m (epsilon = 0.05, the slides' reading) it leaves a strip uncovered that alone is 2 % of a narrow
+//                corridor. It is at least twice the chord error of configuration space (w / 500).
+//             3. The slides' arccos is right at convex vertices only; see bisector_nodes.hpp, also for sharp vertices.
+//             4. d_node is not given on the slides: default D.
+//             5. A loop begins at its first vertex. If it touches itself there, it is cut into two, because the slides'
+//                walk ends where it meets the start's coordinates.
+//             6. The path passes the four sub-cell centres around a coarse cell's centre, never that centre. So a
+//                branch is attached to the nearest visible sub-cell centre of the path (or node of an earlier branch),
+//                and is an excursion from there: all of it lies in configuration space.
+//             7. Where no vertex is visible, a path leads to one, and its own vertices join the tree (recorded as
+//                `branches_by_path`). The components of coarse cells, which `stc` drives one after the other, are
+//                attached likewise, so there is one tree; each is attached where it is nearest to the tree so far.
+//             8. If no coarse cell fits, the tree is the start alone, and loops are attached to it.
+//             9. One lap along the walls leaves bands up to 2D wide uncovered between it and the coarse cells. `fill =
+//                none` is the slides. `cells` (ours) also attaches every free sub-cell that is not yet covered, as a
+//                branch of one node. `spots`, the default, continues with what is left around sub-cells whose centre is
+//                in a wall, and where loops are broken. Coverage is looked up on a lattice of D / 4.
+//            10. `close_loops = true`, the default, drives an unbroken loop around once; false is the slides' walk of
+//                the tree, there and back.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/uncovered_samples.hpp"
 #include "algorithms/grid/bisector_nodes.hpp"
 #include "algorithms/grid/branch_tree.hpp"
-#include "algorithms/grid/coarse_components.hpp"
-#include "algorithms/grid/node_loops.hpp"
 #include "algorithms/grid/component_order.hpp"
+#include "algorithms/grid/node_loops.hpp"
+#include "algorithms/grid/spanning_trees.hpp"
+#include "algorithms/grid/uncovered_samples.hpp"
 
 namespace oxturn {
 namespace {
 
-struct Params {
-  double cell_size = 0;
-  std::string tree = "bfs";
-  std::string components = "all";
-  std::string align = "axes";
-  double shift_x = 0, shift_y = 0;
+enum class Fill { spots, cells, none };
+
+struct Params : TreeOptions {
   double epsilon = 0.01;
   double miter_limit = 2;
   double d_node = 0;
-  std::string fill = "spots";
+  Fill fill = Fill::spots;
   bool close_loops = true;
 };
 
-/// The walls of the room that the robot is in, free space at their right.
+/// The walls of the room that the robot is in, with free space on their right.
 std::vector<Ring> walls_of(const Problem& problem) {
   const Point inside = problem.configuration_space().polygons.front().outer.front();
   std::vector<Ring> walls;
@@ -79,221 +73,255 @@ std::vector<Polyline> crosses(const std::vector<Point>& points, double size) {
   return lines;
 }
 
-class StcLoops final : public CoveragePlanner {
+/// The slides' steps from the walls to the connected components of the loops.
+class Loops {
  public:
-  explicit StcLoops(Params p) : p_(std::move(p)) {}
-
-  Path plan(const Problem& problem, Context& context) const override {
-    const double side = cell_side(p_.cell_size, problem.robot());
-    const GridGraph fine = make_grid_graph(problem, {p_.cell_size, p_.align, p_.shift_x, p_.shift_y}, side, 2);
-    CoarseCells cells(fine);
-    LatticePaths ways(fine, problem.walls());
-    BranchTree tree(problem, side, ways);
-    PathBuilder path(problem.start());
-    Figures figures;
-    const std::vector<bool> in_tree = attach_parts(problem, fine, cells, ways, tree, path, figures, context);
-    attach_chains(make_chains(problem, side, figures, context), tree, figures, context);
-    if (p_.fill != "none") fill(problem, fine, cells, in_tree, tree, figures, context);
-    path.drive(tree.way_round(), true);
-    if (path.at() == problem.start() && tree.vertices().size() < 2)
-      throw Infeasible("neither a coarse cell nor a node of a loop fits; a smaller cell_size may");
-
-    if (context.wants_traces()) {
-      std::vector<Polyline> merged = tree_lines(cells);
-      for (const auto& [a, b] : tree.edges()) merged.push_back({tree.vertices()[a], tree.vertices()[b]});
-      context.trace("merged tree", std::move(merged));
+  Loops(const Params& p, const Problem& problem, double side, Context& context)
+      : p_(p), problem_(problem), side_(side), context_(context) {
+    const double radius = problem.robot().radius;
+    const double offset = radius + std::max(p.epsilon * radius, problem.robot().tool_width / 500);
+    for (const Ring& wall : walls_of(problem)) {
+      if (context.cancelled()) break;
+      add_loops(bisector_nodes(wall, offset, p.miter_limit));
     }
-    context.record("loops", figures.loops);
-    context.record("broken_loops", figures.broken);
-    context.record("chains", figures.chains);
-    context.record("branches_by_path", figures.by_path);
-    context.record("branches_lost", figures.lost);
-    context.record("fill_places", figures.places);
-    return path.take();
+    if (context.wants_traces()) trace();
+  }
+
+  const std::vector<NodeChain>& chains() const { return chains_; }
+  int count() const { return count_; }
+  int broken() const { return broken_; }
+
+ private:
+  void add_loops(const std::vector<BisectorNode>& around_wall) {
+    std::vector<Point> vertices;
+    for (const BisectorNode& node : around_wall) {
+      vertices.push_back(node.at);
+      if (context_.wants_traces()) bisectors_.push_back({node.vertex, node.at});
+    }
+    for (const NodeLoop& loop : node_loops(vertices, p_.d_node > 0 ? p_.d_node : side_)) {
+      const std::vector<bool> outside = nodes_outside(loop);
+      const std::vector<std::size_t> bad = invalid_nodes(loop, 0, [&](std::size_t k) { return outside[k]; });
+      ++count_;
+      broken_ += !bad.empty();
+      for (NodeChain& chain : chains_of(loop, bad)) chains_.push_back(std::move(chain));
+      if (!context_.wants_traces()) continue;
+      whole_.push_back(loop.at);
+      for (std::size_t k = 0; k < loop.at.size(); ++k) (outside[k] ? invalid_ : valid_).push_back(loop.at[k]);
+    }
+  }
+
+  /// Decision 1.
+  std::vector<bool> nodes_outside(const NodeLoop& loop) const {
+    std::vector<bool> outside(loop.at.size(), false);
+    for (std::size_t k = 0; k + 1 < loop.at.size(); ++k)
+      if (!problem_.walls().contains(loop.at[k], loop.at[k + 1])) outside[k] = outside[k + 1] = true;
+    outside.front() = outside.back() = outside.front() || outside.back();  // the same point
+    return outside;
+  }
+
+  void trace() {
+    std::vector<Polyline> broken;
+    for (const NodeChain& chain : chains_) broken.push_back(chain.nodes);
+    context_.trace("bisectors", std::move(bisectors_));
+    context_.trace("all loops", std::move(whole_));
+    context_.trace("nodes", crosses(valid_, side_ / 10));
+    context_.trace("invalid nodes", crosses(invalid_, side_ / 10));
+    context_.trace("broken loops", std::move(broken));
+  }
+
+  const Params& p_;
+  const Problem& problem_;
+  double side_;
+  Context& context_;
+  std::vector<NodeChain> chains_;
+  int count_ = 0, broken_ = 0;
+  std::vector<Polyline> bisectors_, whole_;  // for pictures
+  std::vector<Point> valid_, invalid_;
+};
+
+/// A point on the boundary of configuration space is often outside it by rounding: a nearby point inside.
+std::optional<Point> inner_point(const EdgeIndex& space, const Point& p, double tool_width) {
+  constexpr int kDirections = 16;
+  const double step = tool_width / 1000;
+  for (int k = 0; k < kDirections; ++k) {
+    const double angle = k * kPi / (kDirections / 2);
+    const Point q = p + step * Point(std::cos(angle), std::sin(angle));
+    if (space.contains(q)) return q;
+  }
+  return std::nullopt;
+}
+
+/// One run of the planner.
+class StcWithLoops {
+ public:
+  StcWithLoops(const Params& p, const Problem& problem, Context& context)
+      : p_(p),
+        problem_(problem),
+        context_(context),
+        side_(p.side(problem.robot())),
+        fine_(p.lattice(problem, 2)),
+        cells_(fine_),
+        paths_(fine_, problem.walls()),
+        tree_(problem, side_, paths_),
+        in_tree_(cells_.size(), false),
+        path_(problem.start()) {}
+
+  Path run() {
+    attach_components();
+    const Loops loops(p_, problem_, side_, context_);
+    attach_chains(loops.chains());
+    if (p_.fill != Fill::none) fill();
+    path_.drive(tree_.path_around(), true);
+    if (path_.at() == problem_.start() && tree_.vertices().size() < 2)
+      throw Infeasible("neither a coarse cell nor a node of a loop fits; a smaller cell_size may");
+    if (context_.wants_traces()) trace_merged_tree();
+    context_.record("loops", loops.count());
+    context_.record("broken_loops", loops.broken());
+    context_.record("chains", static_cast<double>(loops.chains().size()));
+    context_.record("branches_by_path", by_path_);
+    context_.record("branches_lost", lost_);
+    context_.record("fill_points", fill_points_);
+    return path_.take();
   }
 
  private:
-  struct Figures {
-    int loops = 0, broken = 0, chains = 0, by_path = 0, lost = 0, places = 0;
-  };
-
-  static bool hang(BranchTree& tree, const Polyline& piece, BranchTree::Kind kind, Figures& figures) {
-    const BranchTree::Hung how = tree.hang(piece, kind);
-    figures.by_path += how == BranchTree::Hung::by_path;
-    figures.lost += how == BranchTree::Hung::not_at_all;
-    return how != BranchTree::Hung::not_at_all;
+  bool attach(const Polyline& piece, BranchTree::Kind kind) {
+    const BranchTree::Attached how = tree_.attach(piece, kind);
+    by_path_ += how == BranchTree::Attached::by_path;
+    lost_ += how == BranchTree::Attached::not_at_all;
+    return how != BranchTree::Attached::not_at_all;
   }
 
-  // The part that stc begins with is where the robot drives from its start; of the others always the one nearest to the
-  // tree comes next. Tells which cells the tree has.
-  std::vector<bool> attach_parts(const Problem& problem, const GridGraph& fine, CoarseCells& cells, LatticePaths& ways,
-                               BranchTree& tree, PathBuilder& path, Figures& figures, Context& context) const {
-    std::vector<bool> in_tree(cells.size(), false);
-    const CoarseParts parts = parts_of(cells);
-    std::vector<bool> hung(static_cast<std::size_t>(parts.count), false);
-    PartOrder order(problem, fine, cells, parts, ways);
-    TreeGrower grower(cells, p_.tree, context.rng());
-    const auto attach_part = [&](const PartOrder::Entry& entry) {
+  /// The robot drives from its start to the component that stc begins with; of the others, always the one nearest to
+  /// the tree comes next.
+  void attach_components() {
+    const ConnectedComponents components = components_of(cells_);
+    std::vector<bool> attached(static_cast<std::size_t>(components.count), false);
+    ComponentOrder order(problem_, fine_, cells_, components, paths_);
+    TreeGrower grower(cells_, p_.tree, context_.rng());
+    const auto attach_component = [&](const ComponentOrder::Entry& entry) {
       grower.grow(entry.coarse);
-      const Polyline round = round_tree(fine, cells, entry.i, entry.j, true);
-      if (tree.vertices().empty())
-        tree.begin(round, BranchTree::Kind::round);
-      else if (!hang(tree, round, BranchTree::Kind::round, figures))
+      const Polyline round = round_tree(fine_, cells_, entry.i, entry.j, RoundPoints::at_every_cell);
+      if (tree_.vertices().empty())
+        tree_.begin(round, BranchTree::Kind::round);
+      else if (!attach(round, BranchTree::Kind::round))
         return;
-      hung[static_cast<std::size_t>(parts.of[entry.coarse])] = true;
+      attached[static_cast<std::size_t>(components.of[entry.coarse])] = true;
     };
-    std::optional<PartOrder::Entry> entry = order.first();
-    if (entry) path.drive(entry->way, false);
-    while (entry && !context.cancelled()) {
-      attach_part(*entry);
-      if (p_.components == "start") break;
-      for (const PartOrder::Entry& other : order.branches()) {
-        if (context.cancelled()) break;
-        attach_part(other);
+    std::optional<ComponentOrder::Entry> entry = order.first();
+    if (entry) path_.drive(entry->path, false);
+    while (entry && !context_.cancelled()) {
+      attach_component(*entry);
+      if (p_.components == Components::start) break;
+      for (const ComponentOrder::Entry& other : order.branches()) {
+        if (context_.cancelled()) break;
+        attach_component(other);
       }
-      entry = order.next(problem.start());
+      entry = order.next(problem_.start());
     }
-    if (tree.vertices().empty()) tree.begin({problem.start()}, BranchTree::Kind::chain);
-    for (std::size_t c = 0; c < cells.size(); ++c)
-      in_tree[c] = parts.of[c] >= 0 && hung[static_cast<std::size_t>(parts.of[c])];
-    if (context.wants_traces()) context.trace("spanning tree", tree_lines(cells));
-    return in_tree;
+    if (tree_.vertices().empty()) tree_.begin({problem_.start()}, BranchTree::Kind::chain);
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      in_tree_[c] = components.of[c] >= 0 && attached[static_cast<std::size_t>(components.of[c])];
+    if (context_.wants_traces()) context_.trace("spanning tree", tree_lines(cells_));
   }
 
-  // The slides' steps up to the connected components.
-  std::vector<NodeChain> make_chains(const Problem& problem, double side, Figures& figures, Context& context) const {
-    const double radius = problem.robot().radius;
-    const double offset = radius + std::max(p_.epsilon * radius, problem.robot().tool_width / 500);
-    const double d_node = p_.d_node > 0 ? p_.d_node : side;
-    const EdgeIndex& space = problem.walls();
-    std::vector<NodeChain> chains;
-    std::vector<Polyline> bisectors, whole, broken;
-    std::vector<Point> valid_nodes, invalid;
-    for (const Ring& wall : walls_of(problem)) {
-      if (context.cancelled()) break;
-      std::vector<Point> corners;
-      for (const BisectorNode& node : bisector_nodes(wall, offset, p_.miter_limit)) {
-        corners.push_back(node.at);
-        if (context.wants_traces()) bisectors.push_back({node.corner, node.at});
-      }
-      for (const NodeLoop& loop : node_loops(corners, d_node)) {
-        std::vector<bool> out(loop.at.size(), false);
-        for (std::size_t k = 0; k + 1 < loop.at.size(); ++k)
-          if (!space.contains(loop.at[k], loop.at[k + 1])) out[k] = out[k + 1] = true;
-        out.front() = out.back() = out.front() || out.back();  // one place
-        const std::vector<std::size_t> bad = invalid_nodes(loop, 0, [&](std::size_t k) { return out[k]; });
-        ++figures.loops;
-        figures.broken += !bad.empty();
-        for (NodeChain& chain : chains_of(loop, bad)) chains.push_back(std::move(chain));
-        if (!context.wants_traces()) continue;
-        whole.push_back(loop.at);
-        for (std::size_t k = 0; k < loop.at.size(); ++k) (out[k] ? invalid : valid_nodes).push_back(loop.at[k]);
-      }
-    }
-    if (context.wants_traces()) {
-      context.trace("bisectors", std::move(bisectors));
-      context.trace("all loops", std::move(whole));
-      context.trace("nodes", crosses(valid_nodes, side / 10));
-      context.trace("invalid nodes", crosses(invalid, side / 10));
-      for (const NodeChain& chain : chains) broken.push_back(chain.nodes);
-      context.trace("broken loops", std::move(broken));
-    }
-    return chains;
-  }
-
-  void attach_chains(const std::vector<NodeChain>& chains, BranchTree& tree, Figures& figures, Context& context) const {
-    figures.chains = static_cast<int>(chains.size());
+  void attach_chains(const std::vector<NodeChain>& chains) {
+    const BranchTree::Kind unbroken = p_.close_loops ? BranchTree::Kind::round : BranchTree::Kind::loop;
     for (const NodeChain& chain : chains) {
-      if (context.cancelled()) return;
-      const auto kind = !chain.closed    ? BranchTree::Kind::chain
-                        : p_.close_loops ? BranchTree::Kind::round
-                                         : BranchTree::Kind::loop;
-      hang(tree, chain.nodes, kind, figures);
+      if (context_.cancelled()) return;
+      attach(chain.nodes, chain.closed ? unbroken : BranchTree::Kind::chain);
     }
   }
 
-  // Decision 9.
-  void fill(const Problem& problem, const GridGraph& fine, const CoarseCells& cells, const std::vector<bool>& in_tree,
-            BranchTree& tree, Figures& figures, Context& context) const {
-    const double reach = problem.robot().tool_width / 2;
-    UncoveredSamples samples(fine, problem.map().free, reach);
-    const auto note = [&] { tree.for_each_new_segment([&](const Point& a, const Point& b) { samples.sweep(a, b); }); };
-    note();
-    if (tree.vertices().size() == 1) samples.sweep(tree.vertices().front(), tree.vertices().front());
-    const EdgeIndex& space = problem.walls();
-
-    // The place from which a bare point is swept; nullopt: it is no target.
-    const auto place_for = [&](const Point& q) -> std::optional<Point> {
-      if (space.contains(q)) return q;
-      const auto hit = space.nearest(q, reach * (1 - 1e-3));
-      if (!hit) return std::nullopt;
-      return space.contains(hit->place) ? std::optional<Point>(hit->place) : inner_point(space, hit->place, problem);
-    };
-    const auto visit = [&](const Point& place) {
-      ++figures.places;
-      hang(tree, {place}, BranchTree::Kind::chain, figures);
-      note();
-    };
-    for (int j = -1; j <= fine.rows(); ++j) {
-      if (context.cancelled()) return;
-      for (int i = -1; i <= fine.columns(); ++i) {
-        if (fine.inside(i, j) && in_tree[cells.at(i / 2, j / 2)]) continue;
-        if (!samples.any_uncovered(i, j)) continue;
-        bool centre_tried = !fine.free(i, j);
-        for (int k = 0; k < UncoveredSamples::kPerCell; ++k) {
-          if (!samples.bare(i, j, k)) continue;
-          std::optional<Point> place = place_for(samples.place(i, j, k));
-          if (!place) continue;
-          if (!centre_tried) {
-            centre_tried = true;
-            visit(fine.centre(i, j));
-            if (!samples.bare(i, j, k)) continue;
-          }
-          if (p_.fill == "spots") visit(*place);
-        }
+  /// Decision 9.
+  void fill() {
+    UncoveredSamples samples(fine_, problem_.map().free, problem_.robot().tool_width / 2);
+    cover_new_segments(samples);
+    if (tree_.vertices().size() == 1) samples.cover(tree_.vertices().front(), tree_.vertices().front());
+    for (int j = -1; j <= fine_.rows(); ++j) {
+      if (context_.cancelled()) return;
+      for (int i = -1; i <= fine_.columns(); ++i) {
+        if (fine_.inside(i, j) && in_tree_[cells_.at(i / 2, j / 2)]) continue;
+        if (samples.any_uncovered(i, j)) fill_cell(samples, i, j);
       }
     }
   }
 
-  // A place on the border of configuration space is outside it by rounding as often as not: a hair further in.
-  static std::optional<Point> inner_point(const EdgeIndex& space, const Point& p, const Problem& problem) {
-    const double hair = problem.robot().tool_width / 1000;
-    for (int k = 0; k < 16; ++k) {
-      const Point q = p + hair * Point(std::cos(k * kPi / 8), std::sin(k * kPi / 8));
-      if (space.contains(q)) return q;
+  void fill_cell(UncoveredSamples& samples, int i, int j) {
+    bool centre_tried = !fine_.free(i, j);
+    for (int k = 0; k < UncoveredSamples::kPerCell; ++k) {
+      if (!samples.uncovered(i, j, k)) continue;
+      const std::optional<Point> from = point_that_covers(samples.position(i, j, k));
+      if (!from) continue;
+      if (!centre_tried) {
+        centre_tried = true;
+        attach_point(fine_.centre(i, j), samples);
+        if (!samples.uncovered(i, j, k)) continue;
+      }
+      if (p_.fill == Fill::spots) attach_point(*from, samples);
     }
-    return std::nullopt;
   }
-  Params p_;
+
+  /// A point from which the tool covers q; nullopt: there is none.
+  std::optional<Point> point_that_covers(const Point& q) const {
+    const EdgeIndex& space = problem_.walls();
+    const double tool_width = problem_.robot().tool_width;
+    if (space.contains(q)) return q;
+    const auto hit = space.nearest(q, tool_width / 2 * (1 - 1e-3));
+    if (!hit) return std::nullopt;
+    return space.contains(hit->point) ? std::optional<Point>(hit->point) : inner_point(space, hit->point, tool_width);
+  }
+  void attach_point(const Point& p, UncoveredSamples& samples) {
+    ++fill_points_;
+    attach({p}, BranchTree::Kind::chain);
+    cover_new_segments(samples);
+  }
+  void cover_new_segments(UncoveredSamples& samples) {
+    tree_.for_each_new_segment([&](const Point& a, const Point& b) { samples.cover(a, b); });
+  }
+
+  void trace_merged_tree() {
+    std::vector<Polyline> merged = tree_lines(cells_);
+    for (const auto& [a, b] : tree_.edges()) merged.push_back({tree_.vertices()[a], tree_.vertices()[b]});
+    context_.trace("merged tree", std::move(merged));
+  }
+
+  const Params& p_;
+  const Problem& problem_;
+  Context& context_;
+  double side_;
+  GridGraph fine_;
+  CoarseCells cells_;
+  LatticePaths paths_;
+  BranchTree tree_;
+  std::vector<bool> in_tree_;  // coarse cells
+  PathBuilder path_;
+  int by_path_ = 0, lost_ = 0, fill_points_ = 0;
 };
+
+Path plan(const Params& p, const Problem& problem, Context& context) { return StcWithLoops(p, problem, context).run(); }
 
 }  // namespace
 
 PlannerInfo stc_loops() {
-  return describe<StcLoops, Params>(
+  return describe<Params, plan>(
       {.name = "stc-loops",
        .family = "grid",
-       .title = "spanning tree coverage with loops round obstacles",
-       .citation = "slides \"Improving Coverage\", after Gabriely & Rimon 2001",
+       .title = "spanning tree coverage with loops around obstacles",
+       .citation = "Improving Spanning Tree Coverage (lecture slides), after Gabriely & Rimon 2001",
        .capabilities = {Capability::holes},
-       .guarantee = "what stc sweeps, and one lap along every wall that the robot can follow",
-       .parameters = {
-           {"cell_size", &Params::cell_size, Range{0, 1000}, "side D of a sub-cell, metres; 0: tool width / sqrt 2"},
-           {"tree", &Params::tree, Choices{"bfs", "dfs", "minimum-turn", "random", "weighted"}, "how the tree grows"},
-           {"components", &Params::components, Choices{"all", "start"},
-            "start: only the free coarse cells connected to the first one; all: the other parts hang on the tree"},
-           {"align", &Params::align, Choices{"axes", "edges"},
-            "edges: turn the grid to the direction most walls run in"},
-           {"shift_x", &Params::shift_x, Range{-1, 1}, "shift of the grid, in cells"},
-           {"shift_y", &Params::shift_y, Range{-1, 1}, "shift of the grid, in cells"},
-           {"epsilon", &Params::epsilon, Range{0, 1}, "how much farther than the radius loops keep off, in radii"},
-           {"miter_limit", &Params::miter_limit, Range{1, 100},
-            "sharp corners are cut where their node would lie farther off, in offsets"},
-           {"d_node", &Params::d_node, Range{0, 1000}, "longest gap between nodes, metres; 0: cell_size"},
-           {"fill", &Params::fill, Choices{"spots", "cells", "none"},
-            "what is hung on the tree beside the loops: none (the slides), bare sub-cells, bare spots as well"},
-           {"close_loops", &Params::close_loops,
-            "drive unbroken loops round once; false: there and back, as the tree is walked on the slides"}}});
+       .guarantee = "what stc covers, and one lap along every wall that the robot can follow",
+       .parameters = with_tree_options<Params>(
+           {{"epsilon", &Params::epsilon, Range{0, 1},
+             "how much farther off the walls than the radius loops run, in radii"},
+            {"miter_limit", &Params::miter_limit, Range{1, 100},
+             "sharp vertices are cut where their node would lie farther off, in offsets"},
+            {"d_node", &Params::d_node, Range{0, 1000}, "longest gap between nodes, metres; 0: cell_size"},
+            {"fill", &Params::fill, Choices{"spots", "cells", "none"},
+             "what the tree gets besides the loops: none (as published); uncovered sub-cells; uncovered spots as well"},
+            {"close_loops", &Params::close_loops,
+             "drive unbroken loops around once; false: there and back (as published)"}}),
+       .published = {{"components", "start"}, {"epsilon", 0.05}, {"fill", "none"}, {"close_loops", false}}});
 }
 
 }  // namespace oxturn

@@ -9,16 +9,16 @@ namespace oxturn {
 UncoveredSamples::UncoveredSamples(const GridGraph& cells, const Region& free, double reach)
     : cells_(cells), reach_(4 * reach / cells.side()), bits_(rasterise(free, cells, 4, 1, CellRule::centre)) {}
 
-// A row of samples meets the capsule in one interval. Its right end lies on the right flank, at the foot t of the normal n
-// that points there, or on the disc about the end of the segment that is nearest to that foot; the left end likewise.
-void UncoveredSamples::sweep(const Point& a, const Point& b) {
+// A row of samples meets the capsule in one interval. Its right end lies on the right flank, whose foot on the segment
+// is at t, or on the disc around the end of the segment that is nearest to that foot; its left end likewise.
+void UncoveredSamples::cover(const Point& a, const Point& b) {
   const Point p = coordinates(a), d = coordinates(b) - p;
   const double r = reach_, length = d.norm();
   const int bottom = std::max(0, static_cast<int>(std::ceil(p.y() + std::min(0.0, d.y()) - r)));
   const int top = std::min(bits_.rows - 1, static_cast<int>(std::floor(p.y() + std::max(0.0, d.y()) + r)));
   const double rise = length > 0 ? std::copysign(d.x() / length, d.x() * d.y()) : 0;  // of the left flank's foot
   for (int j = bottom; j <= top; ++j) {
-    // How far along the segment the foot is, and how far the disc about it reaches in this row.
+    // How far along the segment the foot is, and how far the disc around it reaches in this row.
     const auto end = [&](double side) {
       double t = side * d.x() > 0 ? 1 : 0;
       if (d.y() != 0) t = std::clamp((j - p.y() + side * r * rise) / d.y(), 0.0, 1.0);

@@ -6,13 +6,24 @@
 namespace oxturn {
 namespace {
 
-constexpr std::size_t kDetour = 4;  // steps on the lattice for one stretch of wall
-constexpr double kWorth = 0.05;     // cells that a wall is away from the lane beside it
+constexpr std::size_t kDetour = 4;  // most steps on the lattice for one section of wall
+constexpr double kWorth = 0.05;     // cells; a wall nearer to the lane beside it is covered by that lane
 
 Cell cell_of(const Point& at) {
   return {static_cast<int>(std::floor(at.x() + 0.5)), static_cast<int>(std::floor(at.y() + 0.5))};
 }
 int apart(const Cell& a, const Cell& b) { return std::max(std::abs(a.i - b.i), std::abs(a.j - b.j)); }
+
+/// Where the segment uv crosses cell borders, as ascending fractions from 0 to 1, both included. In cell coordinates.
+void cut_at_borders(const Point& u, const Point& v, std::vector<double>& cuts) {
+  cuts = {0, 1};
+  for (const int axis : {0, 1}) {
+    const double low = std::min(u[axis], v[axis]), high = std::max(u[axis], v[axis]);
+    for (double border = std::floor(low + 0.5) + 0.5; border < high; border += 1)
+      if (border > low) cuts.push_back((border - u[axis]) / (v[axis] - u[axis]));
+  }
+  std::sort(cuts.begin(), cuts.end());
+}
 
 }  // namespace
 
@@ -20,9 +31,9 @@ WallFollower::WallFollower(const Problem& problem, const CellRobot& robot) : pro
   for_each_ring(problem.configuration_space(), [&](const Ring& ring) { add_ring(ring); });
 }
 
-bool WallFollower::partial(const Cell& c) const {
+bool WallFollower::free(const Cell& c) const {
   const CellRobot::Lattice lattice = robot_.lattice();
-  return !lattice.graph.free(c.i + lattice.column, c.j + lattice.row);
+  return lattice.graph.free(c.i + lattice.column, c.j + lattice.row);
 }
 
 bool WallFollower::passable(const Cell& c, Direction d) const {
@@ -30,68 +41,68 @@ bool WallFollower::passable(const Cell& c, Direction d) const {
   return lattice.graph.passable(c.i + lattice.column, c.j + lattice.row, d);
 }
 
-// Free space lies to the left of the ring's edges: along it the wall is on the right.
+// The lane through the centre of a free cell covers a wall that it runs along.
+bool WallFollower::worth_following(const Point& a, const Point& b, const Cell& cell) const {
+  const Point along = b - a, out = robot_.centre(cell) - a;
+  const double away = std::abs(along.x() * out.y() - along.y() * out.x()) / along.norm();
+  return !free(cell) || away > kWorth * robot_.side();
+}
+
+void WallFollower::begin_section(const Point& at, const Cell& cell, bool continues) {
+  const auto index = static_cast<std::uint32_t>(sections_.size());
+  const auto begin = static_cast<std::uint32_t>(points_.size());
+  Section section{begin, begin, cell};
+  if (continues) {
+    section.previous = index - 1;
+    sections_.back().next = index;
+  }
+  section.next_in_cell = first_in(cell);
+  first_[cell] = index + 1;
+  sections_.push_back(section);
+  points_.push_back(at);
+}
+
+// Free space is on the left of a ring's edges: along the ring, the wall is on the right.
 void WallFollower::add_ring(const Ring& ring) {
   const CellRobot::Lattice lattice = robot_.lattice();
-  const Point first(lattice.column, lattice.row);
-  const auto ring_begin = static_cast<std::uint32_t>(stretches_.size());
-  bool going_on = false;  // the last piece was in a partial cell, stretches_.back()
-  const auto add = [&](const Point& a, const Point& b, const Cell& cell) {
-    // In a free cell a wall is worth it unless the lane through the centre runs along it anyway.
-    const Point along = b - a, out = robot_.centre(cell) - a;
-    const double away = std::abs(along.x() * out.y() - along.y() * out.x()) / along.norm();
-    if (!partial(cell) && !(away > kWorth * robot_.side())) {
-      going_on = false;
-      return;
-    }
-    if (!going_on || stretches_.back().cell != cell) {
-      const auto index = static_cast<std::uint32_t>(stretches_.size());
-      const auto begin = static_cast<std::uint32_t>(points_.size());
-      Stretch stretch{begin, begin, cell};
-      if (going_on) {
-        stretch.previous = index - 1;
-        stretches_.back().next = index;
-      }
-      stretch.next_in_cell = first_in(cell);
-      first_[cell] = index + 1;
-      stretches_.push_back(stretch);
-      points_.push_back(a);
-    }
-    points_.push_back(b);
-    stretches_.back().end = static_cast<std::uint32_t>(points_.size());
-    going_on = true;
-  };
+  const Point origin(lattice.column, lattice.row);
+  const auto first = static_cast<std::uint32_t>(sections_.size());
+  bool continues = false;  // the piece before ended sections_.back()
   std::vector<double> cuts;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Point &a = ring[k], &b = ring[(k + 1) % ring.size()];
-    const Point u = lattice.graph.coordinates(a) - first, v = lattice.graph.coordinates(b) - first;
-    cuts = {0, 1};
-    for (const int axis : {0, 1}) {
-      const double low = std::min(u[axis], v[axis]), high = std::max(u[axis], v[axis]);
-      for (double line = std::floor(low + 0.5) + 0.5; line < high; line += 1)
-        if (line > low) cuts.push_back((line - u[axis]) / (v[axis] - u[axis]));
-    }
-    std::sort(cuts.begin(), cuts.end());
+    const Point u = lattice.graph.coordinates(a) - origin, v = lattice.graph.coordinates(b) - origin;
+    cut_at_borders(u, v, cuts);
     for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
       if (cuts[c + 1] <= cuts[c] || a == b) continue;
+      const Point from = cuts[c] == 0 ? a : lerp(a, b, cuts[c]), to = cuts[c + 1] == 1 ? b : lerp(a, b, cuts[c + 1]);
       const double middle = (cuts[c] + cuts[c + 1]) / 2;
-      add(cuts[c] == 0 ? a : lerp(a, b, cuts[c]), cuts[c + 1] == 1 ? b : lerp(a, b, cuts[c + 1]),
-          cell_of(u + middle * (v - u)));
+      const Cell cell = cell_of(u + middle * (v - u));
+      if (!worth_following(from, to, cell)) {
+        continues = false;
+        continue;
+      }
+      if (!continues || sections_.back().cell != cell) begin_section(from, cell, continues);
+      points_.push_back(to);
+      sections_.back().end = static_cast<std::uint32_t>(points_.size());
+      continues = true;
     }
   }
-  // The ring closes.
-  if (ring_begin < stretches_.size() && going_on && points_[stretches_[ring_begin].begin] == ring.front()) {
-    const auto last = static_cast<std::uint32_t>(stretches_.size() - 1);
-    if (last != ring_begin) {
-      stretches_[last].next = ring_begin;
-      stretches_[ring_begin].previous = last;
-    }
-  }
+  close_ring(first, ring.front(), continues);
 }
 
-bool WallFollower::open_in(const Cell& c) const {
-  for (std::uint32_t s = first_in(c); s != kNone; s = stretches_[s].next_in_cell)
-    if (!stretches_[s].followed) return true;
+/// Links the ring's last section to its first if both meet at `end`.
+void WallFollower::close_ring(std::uint32_t first, const Point& end, bool continues) {
+  if (!continues || first >= sections_.size() || points_[sections_[first].begin] != end) return;
+  const auto last = static_cast<std::uint32_t>(sections_.size() - 1);
+  if (last == first) return;
+  sections_[last].next = first;
+  sections_[first].previous = last;
+}
+
+bool WallFollower::any_unfollowed_in(const Cell& c) const {
+  for (std::uint32_t s = first_in(c); s != kNone; s = sections_[s].next_in_cell)
+    if (!sections_[s].followed) return true;
   return false;
 }
 
@@ -99,84 +110,91 @@ bool WallFollower::any_left(const Cell& c) const {
   if (tried_.get(c)) return false;
   for (int di = -1; di <= 1; ++di)
     for (int dj = -1; dj <= 1; ++dj)
-      if (open_in({c.i + di, c.j + dj})) return true;
+      if (any_unfollowed_in({c.i + di, c.j + dj})) return true;
   return false;
 }
 
-void WallFollower::follow_all(CellWalk& walk, bool wall_on_left) {
+void WallFollower::follow_all(CellWalk& walk, bool left) {
   const Cell at = walk.at();
   for (int di = -1; di <= 1; ++di)
-    for (int dj = -1; dj <= 1; ++dj) follow(walk, {at.i + di, at.j + dj}, wall_on_left);
+    for (int dj = -1; dj <= 1; ++dj) follow(walk, {at.i + di, at.j + dj}, left);
   tried_[at] = 1;
 }
 
-void WallFollower::follow(CellWalk& walk, const Cell& partial, bool wall_on_left) {
-  for (std::uint32_t s = first_in(partial); s != kNone; s = stretches_[s].next_in_cell)
-    if (!stretches_[s].followed) follow(walk, s, wall_on_left);
+void WallFollower::follow(CellWalk& walk, const Cell& cell, bool left) {
+  for (std::uint32_t s = first_in(cell); s != kNone; s = sections_[s].next_in_cell)
+    if (!sections_[s].followed) follow(walk, s, left);
 }
 
-/// A few steps over free cells to one beside the wall's cell: what the robot may come back by.
-std::optional<std::vector<Cell>> WallFollower::beside(const Cell& from, const Cell& wall) const {
-  std::vector<std::vector<Cell>> ways{{from}};
-  for (std::size_t k = 0; k < ways.size(); ++k) {
-    const std::vector<Cell> way = ways[k];
-    if (apart(way.back(), wall) <= 1) return way;
-    if (way.size() > kDetour) continue;
+/// A few steps over free cells to one beside the wall's cell; both ends are included.
+std::optional<std::vector<Cell>> WallFollower::cells_to(const Cell& from, const Cell& wall) const {
+  std::vector<std::vector<Cell>> paths{{from}};
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const std::vector<Cell> path = paths[k];
+    if (apart(path.back(), wall) <= 1) return path;
+    if (path.size() > kDetour) continue;
     for (const Direction d : kAllDirections) {
-      const Cell to = neighbour(way.back(), d);
-      if (!passable(way.back(), d) ||
-          std::any_of(ways.begin(), ways.end(), [&](const auto& w) { return w.back() == to; }))
+      const Cell to = neighbour(path.back(), d);
+      if (!passable(path.back(), d) ||
+          std::any_of(paths.begin(), paths.end(), [&](const auto& p) { return p.back() == to; }))
         continue;
-      ways.push_back(way);
-      ways.back().push_back(to);
+      paths.push_back(path);
+      paths.back().push_back(to);
     }
   }
   return std::nullopt;
 }
 
-bool WallFollower::follow(CellWalk& walk, std::uint32_t stretch, bool wall_on_left) {
-  const Cell home = walk.at();
-  const Point centre = robot_.centre(home);
-  // The nearest of its points in sight.
+std::optional<std::uint32_t> WallFollower::nearest_point_in_sight(const Section& section, const Point& eye) const {
   std::vector<std::uint32_t> order;
-  for (std::uint32_t p = stretches_[stretch].begin; p < stretches_[stretch].end; ++p) order.push_back(p);
+  for (std::uint32_t p = section.begin; p < section.end; ++p) order.push_back(p);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return (points_[a] - centre).squaredNorm() < (points_[b] - centre).squaredNorm();
+    return (points_[a] - eye).squaredNorm() < (points_[b] - eye).squaredNorm();
   });
   const auto seen = std::find_if(order.begin(), order.end(),
-                                 [&](std::uint32_t p) { return problem_.walls().contains(centre, points_[p]); });
-  if (seen == order.end()) return false;
+                                 [&](std::uint32_t p) { return problem_.walls().contains(eye, points_[p]); });
+  return seen == order.end() ? std::nullopt : std::optional(*seen);
+}
 
-  // To it, back to the stretch's beginning, then along the wall; `shadow` is the way by which the robot may come back.
-  Polyline line{points_[*seen]};
-  for (std::uint32_t p = *seen; p != (wall_on_left ? stretches_[stretch].end - 1 : stretches_[stretch].begin);)
-    line.push_back(points_[wall_on_left ? ++p : --p]);
-  std::vector<Cell> shadow{home};
-  std::size_t good = 0, good_shadow = 0;  // where the lattice was last in sight
-  for (std::uint32_t s = stretch; s != kNone && !stretches_[s].followed;
-       s = wall_on_left ? stretches_[s].previous : stretches_[s].next) {
-    const auto way = beside(shadow.back(), stretches_[s].cell);
-    if (!way) break;
-    shadow.insert(shadow.end(), way->begin() + 1, way->end());
-    stretches_[s].followed = true;
-    const std::uint32_t n = stretches_[s].end - stretches_[s].begin;
+/// To `first_point` of the section, back to the section's beginning, then along the wall from section to section. Ends
+/// in the centre of the last cell of `return_cells`.
+WallFollower::Excursion WallFollower::excursion(const Cell& from, std::uint32_t section, std::uint32_t first_point,
+                                                bool left) {
+  Polyline line{points_[first_point]};
+  for (std::uint32_t p = first_point; p != (left ? sections_[section].end - 1 : sections_[section].begin);)
+    line.push_back(points_[left ? ++p : --p]);
+  std::vector<Cell> cells{from};
+  std::size_t last_point = 0, last_cell = 0;  // where the robot could last drive straight to a cell's centre
+  for (std::uint32_t s = section; s != kNone && !sections_[s].followed;
+       s = left ? sections_[s].previous : sections_[s].next) {
+    const auto on = cells_to(cells.back(), sections_[s].cell);
+    if (!on) break;
+    cells.insert(cells.end(), on->begin() + 1, on->end());
+    sections_[s].followed = true;
+    const std::uint32_t n = sections_[s].end - sections_[s].begin;
     for (std::uint32_t p = 0; p < n; ++p)
-      line.push_back(points_[wall_on_left ? stretches_[s].end - 1 - p : stretches_[s].begin + p]);
-    if (!problem_.walls().contains(line.back(), robot_.centre(shadow.back()))) continue;
-    good = line.size() - 1;
-    good_shadow = shadow.size() - 1;
+      line.push_back(points_[left ? sections_[s].end - 1 - p : sections_[s].begin + p]);
+    if (!problem_.walls().contains(line.back(), robot_.centre(cells.back()))) continue;
+    last_point = line.size() - 1;
+    last_cell = cells.size() - 1;
   }
-  // What was followed beyond the last sight of the lattice is driven back.
-  for (std::size_t k = line.size() - 1; k-- > good;) line.push_back(line[k]);
-  shadow.resize(good_shadow + 1);
-  line.push_back(robot_.centre(shadow.back()));
-  length_ += oxturn::length(line);
-  walk.drive(line, shadow.back());
-  for (std::size_t k = shadow.size() - 1; k-- > 0;) {
+  // What was followed beyond that is driven back.
+  for (std::size_t k = line.size() - 1; k-- > last_point;) line.push_back(line[k]);
+  cells.resize(last_cell + 1);
+  line.push_back(robot_.centre(cells.back()));
+  return {std::move(line), std::move(cells)};
+}
+
+void WallFollower::follow(CellWalk& walk, std::uint32_t section, bool left) {
+  const Cell home = walk.at();
+  const auto first_point = nearest_point_in_sight(sections_[section], robot_.centre(home));
+  if (!first_point) return;
+  const Excursion drive = excursion(home, section, *first_point, left);
+  length_ += oxturn::length(drive.line);
+  walk.drive(drive.line, drive.return_cells.back());
+  for (std::size_t k = drive.return_cells.size() - 1; k-- > 0;)
     for (const Direction d : kAllDirections)
-      if (neighbour(shadow[k + 1], d) == shadow[k]) walk.step(d);
-  }
-  return true;
+      if (neighbour(drive.return_cells[k + 1], d) == drive.return_cells[k]) walk.step(d);
 }
 
 }  // namespace oxturn

@@ -1,11 +1,21 @@
-// Follows walls where driving from cell to cell leaves something beside them: through partial cells, those that meet
-// free space but in whose centre the robot cannot stand, and through free cells whose centre is away from the wall.
-//
-// The walls here are the edges of configuration space, so the robot touches the real ones all the way. They are cut at
-// cell borders into stretches. From a cell beside one the robot drives straight to it and along it, from cell to cell,
-// as long as there are free cells beside by which it can come back on the lattice; and so it comes back.
-//
-// Complexity  O(corners + cells that walls cross) to build; following costs what is driven
+/// Follows walls where driving from cell to cell leaves something uncovered beside them: through partial cells, which
+/// meet free space but whose centre the robot cannot occupy, and through free cells whose centre is away from the wall.
+///
+///   WallFollower walls(problem, robot);
+///   while (walk.go_to([&](const Cell& c) { return walls.any_left(c); })) walls.follow_all(walk, true);
+///
+/// The walls here are the edges of configuration space, so the robot touches the real ones all along. They are cut at
+/// cell borders into sections. From a cell beside a section the robot drives straight to it and along the wall, as long
+/// as there are free cells beside the wall by which it can come back on the lattice; then it does come back.
+///
+///     +-----+-----+-----+
+///     |     |     |     |     R  where the robot begins and ends
+///     |  R  |  c  |  c  |     c  cells by which it comes back
+///     +-----+-----+-----+
+///     |==========#|     |     =  followed sections of wall, in partial cells
+///     +-----+-----+-----+
+///
+/// O(vertices + cells that walls cross) to build; following costs what is driven.
 #pragma once
 
 #include <vector>
@@ -19,37 +29,49 @@ class WallFollower {
   /// For a robot on the true map. Both must outlive it.
   WallFollower(const Problem& problem, const CellRobot& robot);
 
-  /// Is there anything unfollowed in the eight cells about c that has not been tried from c?
+  /// There is an unfollowed section in c or the eight cells around it, and follow_all() has not been called from c.
   bool any_left(const Cell& c) const;
-  /// If that cell beside the robot has an unfollowed stretch in sight: along it, with the wall on that side, and back to
-  /// where the robot stood.
-  void follow(CellWalk& walk, const Cell& partial, bool wall_on_left);
-  /// All that is about the robot's cell; tried from here then.
-  void follow_all(CellWalk& walk, bool wall_on_left);
+  /// Follows the unfollowed sections of `cell`, which is the robot's or beside it, as far as they can be seen. `left`:
+  /// with the wall on the left. Ends where it began.
+  void follow(CellWalk& walk, const Cell& cell, bool left);
+  /// The same for all nine cells.
+  void follow_all(CellWalk& walk, bool left);
+  /// Metres driven along walls.
   double length() const { return length_; }
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
-  struct Stretch {
+  /// The part of a wall in one cell.
+  struct Section {
     std::uint32_t begin, end;  // of points_
     Cell cell;
-    std::uint32_t next = kNone, previous = kNone;  // along the wall, if that goes on there
+    std::uint32_t next = kNone, previous = kNone;  // along the wall, if it continues there
     std::uint32_t next_in_cell = kNone;
     bool followed = false;
   };
+  /// A drive along the wall, and the cells by which the robot can come back to the lattice.
+  struct Excursion {
+    Polyline line;
+    std::vector<Cell> return_cells;
+  };
   void add_ring(const Ring& ring);
-  bool partial(const Cell& c) const;
-  std::uint32_t first_in(const Cell& c) const { return first_.get(c) - 1; }  // 0: none
-  bool open_in(const Cell& c) const;
+  void begin_section(const Point& at, const Cell& cell, bool continues);
+  bool worth_following(const Point& a, const Point& b, const Cell& cell) const;
+  void close_ring(std::uint32_t first, const Point& end, bool continues);
+  bool free(const Cell& c) const;
   bool passable(const Cell& c, Direction d) const;
-  std::optional<std::vector<Cell>> beside(const Cell& from, const Cell& wall) const;
-  bool follow(CellWalk& walk, std::uint32_t stretch, bool wall_on_left);
+  std::uint32_t first_in(const Cell& c) const { return first_.get(c) - 1; }  // wraps to kNone
+  bool any_unfollowed_in(const Cell& c) const;
+  std::optional<std::uint32_t> nearest_point_in_sight(const Section& section, const Point& eye) const;
+  std::optional<std::vector<Cell>> cells_to(const Cell& from, const Cell& wall) const;
+  void follow(CellWalk& walk, std::uint32_t section, bool left);
+  Excursion excursion(const Cell& from, std::uint32_t section, std::uint32_t first_point, bool left);
 
   const Problem& problem_;
   const CellRobot& robot_;
   std::vector<Point> points_;
-  std::vector<Stretch> stretches_;
-  CellMap<std::uint32_t> first_;
+  std::vector<Section> sections_;
+  CellMap<std::uint32_t> first_;  // of each cell: its first section's number plus one
   CellMap<std::uint8_t> tried_;
   double length_ = 0;
 };

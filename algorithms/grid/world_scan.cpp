@@ -3,14 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/graph_search.hpp"
+
 namespace oxturn {
 namespace {
 
-constexpr int kBegin = 4;           // cells about the pose, which may be nearer to a wall than cells can tell
-constexpr std::size_t kMost = 500;  // refusals; more would be a belief that never settles
+constexpr int kBegin = 4;           // cells around the pose, which may be nearer to a wall than cells can show
+constexpr std::size_t kMost = 500;  // refusals; more would mean a belief that never settles
 
-/// Takes the cells whose centres are within `reach` cells of (x, y).
-void stamp(BitGrid& room, double x, double y, double reach) {
+struct Cell {
+  int i, j;
+};
+
+/// Removes the cells whose centres are within `reach` cells of (x, y).
+void remove_disc(BitGrid& room, double x, double y, double reach) {
   for (int j = static_cast<int>(std::ceil(y - reach)); j <= static_cast<int>(std::floor(y + reach)); ++j) {
     if (j < 0 || j >= room.rows) continue;
     const double half = std::sqrt(std::max(0.0, reach * reach - (j - y) * (j - y)));
@@ -20,7 +26,7 @@ void stamp(BitGrid& room, double x, double y, double reach) {
   }
 }
 
-/// Cells where the robot's centre may be as far as is known.
+/// Cells that the robot's centre may occupy as far as is known.
 BitGrid room_of(const Belief::Cells& cells, double radius, const std::vector<Point>& refused) {
   const BitGrid& wall = cells.wall;
   BitGrid room(wall.origin, wall.cell, wall.columns, wall.rows);
@@ -28,94 +34,122 @@ BitGrid room_of(const Belief::Cells& cells, double radius, const std::vector<Poi
   for (int j = 0; j < wall.rows; ++j)
     for (int i = 0; i < wall.columns; ++i)
       if (wall.get(i, j) && !(wall.get(i - 1, j) && wall.get(i + 1, j) && wall.get(i, j - 1) && wall.get(i, j + 1)))
-        stamp(room, i, j, radius / wall.cell + 0.5);
+        remove_disc(room, i, j, radius / wall.cell + 0.5);
   for (const Point& p : refused) {
     const Point at = (p - wall.origin) / wall.cell - Point(0.5, 0.5);
-    stamp(room, at.x(), at.y(), radius / 2 / wall.cell);
+    remove_disc(room, at.x(), at.y(), radius / 2 / wall.cell);
   }
   return room;
 }
 
-bool clear(const BitGrid& room, const std::pair<int, int>& a, const std::pair<int, int>& b) {
-  const int steps = 2 * std::max(std::abs(b.first - a.first), std::abs(b.second - a.second));
+/// All cells between a and b along the segment belong to the room.
+bool straight(const BitGrid& room, const Cell& a, const Cell& b) {
+  const int steps = 2 * std::max(std::abs(b.i - a.i), std::abs(b.j - a.j));
   for (int s = 1; s < steps; ++s) {
     const double t = static_cast<double>(s) / steps;
-    if (!room.get(static_cast<int>(std::lround(a.first + t * (b.first - a.first))),
-                  static_cast<int>(std::lround(a.second + t * (b.second - a.second)))))
+    if (!room.get(static_cast<int>(std::lround(a.i + t * (b.i - a.i))),
+                  static_cast<int>(std::lround(a.j + t * (b.j - a.j)))))
       return false;
   }
   return true;
 }
 
-/// Breadth first to the window's border; empty if it cannot be reached.
-Polyline path_out(const BitGrid& room, const Point& pose) {
-  const Point at = (pose - room.origin) / room.cell;
-  const int ci = static_cast<int>(std::floor(at.x())), cj = static_cast<int>(std::floor(at.y()));
-  std::vector<std::int32_t> from(room.bits.size(), -1);
-  std::vector<std::uint32_t> queue;
-  std::vector<std::int32_t> steps;
-  const auto see = [&](int i, int j, std::int32_t by, std::int32_t step) {
-    if (!room.get(i, j) || from[room.at(i, j)] >= 0) return;
-    from[room.at(i, j)] = by < 0 ? static_cast<std::int32_t>(room.at(i, j)) : by;
-    queue.push_back(static_cast<std::uint32_t>(room.at(i, j)));
-    steps.push_back(step);
-  };
-  see(ci, cj, -1, 0);
-  for (int y = -kBegin; y <= kBegin; ++y)
-    for (int x = -kBegin; x <= kBegin; ++x) see(ci + x, cj + y, -1, std::abs(x) + std::abs(y));
-  const auto columns = static_cast<std::size_t>(room.columns);
-  std::int64_t best = -1;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < queue.size(); ++k) {
-    const int i = static_cast<int>(queue[k] % columns), j = static_cast<int>(queue[k] / columns);
-    if (i == 0 || j == 0 || i == room.columns - 1 || j == room.rows - 1) {
-      const double whole = steps[k] + (room.rows - j);  // to the place far up
-      if (whole < least) {
-        least = whole;
-        best = queue[k];
+/// A breadth-first search from the cells around the pose to the border of the window.
+class SearchOut {
+ public:
+  explicit SearchOut(const BitGrid& room) : room_(room), reached_(room.bits.size()) {}
+
+  /// The cells of the path whose end is nearest, by steps, to the point far up; empty if there is none.
+  std::vector<Cell> run(const Point& pose) {
+    const Point at = (pose - room_.origin) / room_.cell;
+    const int ci = static_cast<int>(std::floor(at.x())), cj = static_cast<int>(std::floor(at.y()));
+    const auto enqueue = [this](const Cell& c) { queue_.push_back(c); };
+    reach({ci, cj}, std::nullopt, 0, enqueue);
+    for (int y = -kBegin; y <= kBegin; ++y)
+      for (int x = -kBegin; x <= kBegin; ++x) reach({ci + x, cj + y}, std::nullopt, std::abs(x) + std::abs(y), enqueue);
+    breadth_first(queue_, [this](const Cell& c, const auto& append) {
+      if (c.i == 0 || c.j == 0 || c.i == room_.columns - 1 || c.j == room_.rows - 1) {
+        consider(c);
+        return;
       }
-      continue;
-    }
-    const auto by = static_cast<std::int32_t>(queue[k]);
-    for (const auto& [x, y] : {std::pair(1, 0), std::pair(0, 1), std::pair(-1, 0), std::pair(0, -1)})
-      see(i + x, j + y, by, steps[k] + 1);
+      const int steps = at_cell(c).steps + 1;
+      for (const Cell& to : {Cell{c.i + 1, c.j}, Cell{c.i, c.j + 1}, Cell{c.i - 1, c.j}, Cell{c.i, c.j - 1}})
+        reach(to, c, steps, append);
+    });
+    std::vector<Cell> path;
+    for (std::optional<Cell> c = best_; c; c = at_cell(*c).from) path.push_back(*c);
+    std::reverse(path.begin(), path.end());
+    return path;
   }
-  if (best < 0) return {};
-  std::vector<std::pair<int, int>> cells;
-  for (auto c = static_cast<std::int32_t>(best);; c = from[static_cast<std::size_t>(c)]) {
-    cells.emplace_back(static_cast<int>(static_cast<std::size_t>(c) % columns),
-                       static_cast<int>(static_cast<std::size_t>(c) / columns));
-    if (from[static_cast<std::size_t>(c)] == c) break;
+
+ private:
+  struct Reached {
+    bool reached = false;
+    std::optional<Cell> from;
+    int steps = 0;
+  };
+  Reached& at_cell(const Cell& c) { return reached_[room_.at(c.i, c.j)]; }
+  template <class Append>
+  void reach(const Cell& c, std::optional<Cell> from, int steps, const Append& append) {
+    if (!room_.get(c.i, c.j) || at_cell(c).reached) return;
+    at_cell(c) = {true, from, steps};
+    append(c);
   }
-  std::reverse(cells.begin(), cells.end());
-  Polyline way{pose, room.centre(cells[0].first, cells[0].second)};
+  void consider(const Cell& c) {
+    const int whole = at_cell(c).steps + (room_.rows - c.j);
+    if (best_ && whole >= least_) return;
+    least_ = whole;
+    best_ = c;
+  }
+
+  const BitGrid& room_;
+  std::vector<Reached> reached_;
+  std::vector<Cell> queue_;
+  std::optional<Cell> best_;
+  int least_ = 0;
+};
+
+/// A path out of the window; empty if there is none.
+Polyline path_out(const BitGrid& room, const Point& pose) {
+  const std::vector<Cell> cells = SearchOut(room).run(pose);
+  if (cells.empty()) return {};
+  Polyline path{pose, room.centre(cells[0].i, cells[0].j)};
   for (std::size_t k = 0; k + 1 < cells.size();) {
     std::size_t next = k + 1;
-    while (next + 1 < cells.size() && clear(room, cells[k], cells[next + 1])) ++next;
-    way.push_back(room.centre(cells[next].first, cells[next].second));
+    while (next + 1 < cells.size() && straight(room, cells[k], cells[next + 1])) ++next;
+    path.push_back(room.centre(cells[next].i, cells[next].j));
     k = next;
   }
-  return way;
+  return path;
 }
 
-/// As much of the way as is believed free, to within `step` metres.
-Polyline known_part(const Belief& belief, const Polyline& way, double radius, double step) {
-  Polyline part{way.front()};
-  for (std::size_t k = 1; k < way.size(); ++k) {
-    const double far = distance(part.back(), way[k]);
+/// As much of the path as is believed free, to within `step` metres.
+Polyline known_part(const Belief& belief, const Polyline& path, double radius, double step) {
+  Polyline part{path.front()};
+  for (std::size_t k = 1; k < path.size(); ++k) {
     const Point a = part.back();
-    if (belief.free_for(a, way[k], radius)) {
-      if (far > 0) part.push_back(way[k]);
+    const double length = distance(a, path[k]);
+    if (belief.free_for(a, path[k], radius)) {
+      if (length > 0) part.push_back(path[k]);
       continue;
     }
+    const auto at = [&](double s) { return lerp(a, path[k], s / length); };
     double free = 0;
-    for (double s = step; s < far && belief.free_for(lerp(a, way[k], free / far), lerp(a, way[k], s / far), radius);
-         s += step)
-      free = s;
-    if (free > 0) part.push_back(lerp(a, way[k], free / far));
+    for (double s = step; s < length && belief.free_for(at(free), at(s), radius); s += step) free = s;
+    if (free > 0) part.push_back(at(free));
     break;
   }
   return part;
+}
+
+/// The point so many metres along the path; its end if it is shorter.
+Point point_along(const Polyline& path, double metres) {
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    const double length = distance(path[k - 1], path[k]);
+    if (length >= metres) return lerp(path[k - 1], path[k], metres / length);
+    metres -= length;
+  }
+  return path.back();
 }
 
 }  // namespace
@@ -123,24 +157,14 @@ Polyline known_part(const Belief& belief, const Polyline& way, double radius, do
 std::optional<Motion> WorldScan::next(const View& view) {
   const Robot& robot = view.robot();
   const double size = robot.radius > 0 ? robot.radius : robot.tool_width / 2;
-  const double radius = std::max(0.0, robot.radius - 5e-7 * robot.tool_width);
+  const double radius = std::max(0.0, robot.radius - 5e-7 * robot.tool_width);  // touching a wall is allowed
   while (refused_.size() < kMost) {
     const BitGrid room = room_of(view.belief().cells(Belief::kCoarsest), robot.radius, refused_);
-    const Polyline way = path_out(room, view.pose());
-    if (way.empty()) return std::nullopt;
-    Polyline part = known_part(view.belief(), way, radius, size / 8);
+    const Polyline path = path_out(room, view.pose());
+    if (path.empty()) return std::nullopt;
+    Polyline part = known_part(view.belief(), path, radius, size / 8);
     if (length(part) > size / 4) return Motion{std::move(part), false};
-    Point ahead = way.back();
-    double left = length(part) + size / 2;
-    for (std::size_t k = 1; k < way.size(); ++k) {
-      const double far = distance(way[k - 1], way[k]);
-      if (far >= left) {
-        ahead = lerp(way[k - 1], way[k], left / far);
-        break;
-      }
-      left -= far;
-    }
-    refused_.push_back(ahead);
+    refused_.push_back(point_along(path, length(part) + size / 2));
   }
   return std::nullopt;
 }

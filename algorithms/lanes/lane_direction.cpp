@@ -4,14 +4,23 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "algorithms/lanes/lanes.hpp"
-#include "geometry/predicates.hpp"
+#include "geometry/convex_hull.hpp"
 
 namespace oxturn {
 namespace {
 
-double half_turn(double degrees) {  // into [0, 180)
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kMostFrequent = 6;  // directions of the boundary that become candidates
+constexpr double kDistinct = 0.05;        // degrees: nearer directions count as one
+constexpr double kTurnCost = 2;           // lane widths, for each lane
+constexpr double kBreakCost = 4;          // lane widths, for each run of consecutive lanes
+constexpr double kClearlyLess = 1 - 1e-9;
+
+/// Reduced to [0, 180).
+double half_turn(double degrees) {
   const double d = std::fmod(degrees, 180.0);
   const double positive = d < 0 ? d + 180 : d;
   return positive >= 180 ? 0 : positive;
@@ -19,30 +28,15 @@ double half_turn(double degrees) {  // into [0, 180)
 
 double direction_of(const Point& d) { return half_turn(std::atan2(d.y(), d.x()) * 180 / kPi); }
 
-Ring hull(std::vector<Point> points) {  // Andrew's monotone chain
-  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return before(a, b); });
-  Ring chain;
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t base = chain.size();
-    for (const Point& p : points) {
-      while (chain.size() >= base + 2 && orientation(chain[chain.size() - 2], chain.back(), p) <= 0) chain.pop_back();
-      chain.push_back(p);
-    }
-    chain.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return chain;
-}
-
-// Lanes along the hull edge whose opposite corner is nearest: the narrowest extent across.
-double narrowest(const Ring& h) {
-  double best = std::numeric_limits<double>::infinity(), direction = 0;
+/// Direction of the hull edge whose farthest vertex is nearest (rotating callipers): lanes along it are fewest.
+double narrowest_direction(const Ring& hull) {
+  double best = kInfinity, direction = 0;
   std::size_t far = 1;
-  for (std::size_t i = 0; i < h.size(); ++i) {
-    const Point edge = h[(i + 1) % h.size()] - h[i];
-    const auto height = [&](std::size_t k) { return cross(edge, h[k % h.size()] - h[i]); };
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Point edge = hull[(i + 1) % hull.size()] - hull[i];
+    const auto height = [&](std::size_t k) { return cross(edge, hull[k % hull.size()] - hull[i]); };
     far = std::max(far, i + 1);
-    while (far < i + h.size() && height(far + 1) > height(far)) ++far;
+    while (far < i + hull.size() && height(far + 1) > height(far)) ++far;
     const double width = height(far) / edge.norm();
     if (width < best) {
       best = width;
@@ -52,80 +46,85 @@ double narrowest(const Ring& h) {
   return direction;
 }
 
+/// Estimated cost of covering `region` by lanes in this direction, metres.
 double cost(const Region& region, double degrees, double width) {
-  const Frame frame(degrees);
+  const LaneFrame frame(degrees);
   std::vector<Segment> edges = edges_of(region);
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double low = kInfinity, high = -low;
   for (Segment& e : edges) {
-    e = {frame.to(e.a), frame.to(e.b)};
+    e = {frame.to_frame(e.a), frame.to_frame(e.b)};
     low = std::min(low, e.a.x());
     high = std::max(high, e.a.x());
   }
   const Projection lanes = project(edges, slabs_over(low, high, width));
-  std::vector<int> left(lanes.stretches.size(), 0), right(left);
+  std::vector<int> right(lanes.intervals.size(), 0), left(right);  // neighbours of each lane
   for (const auto& [a, b] : lanes.links) {
     ++right[a];
     ++left[b];
   }
-  double joined = 0;
+  double continued = 0;  // lanes driven directly after their only neighbour
   for (const auto& [a, b] : lanes.links)
-    if (right[a] == 1 && left[b] == 1) ++joined;
-  double sum = 0;
-  for (const Stretch& s : lanes.stretches) sum += s.high - s.low;
-  const double count = static_cast<double>(lanes.stretches.size());
-  return sum + 2 * width * count + 4 * width * (count - joined);
+    if (right[a] == 1 && left[b] == 1) ++continued;
+  double total = 0;
+  for (const LaneInterval& s : lanes.intervals) total += s.high - s.low;
+  const double count = static_cast<double>(lanes.intervals.size());
+  return total + kTurnCost * width * count + kBreakCost * width * (count - continued);
+}
+
+/// The directions with the most boundary length, the longest first: means over bins of one degree.
+std::vector<double> frequent_directions(const Region& region) {
+  constexpr std::size_t kBins = 180;  // centred on whole degrees
+  std::array<double, kBins> weight{}, moment{};
+  for (const Segment& e : edges_of(region)) {
+    const double len = distance(e.a, e.b);
+    if (len <= 0) continue;
+    const double d = direction_of(e.b - e.a);
+    const auto bin = static_cast<std::size_t>(std::floor(d + 0.5)) % kBins;
+    double offset = d - static_cast<double>(bin);
+    if (offset > 90) offset -= 180;
+    weight[bin] += len;
+    moment[bin] += len * offset;
+  }
+  std::array<std::size_t, kBins> order{};
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return weight[a] > weight[b]; });
+  std::vector<double> directions;
+  for (std::size_t i = 0; i < kMostFrequent && weight[order[i]] > 0; ++i) {
+    const double d = static_cast<double>(order[i]) + moment[order[i]] / weight[order[i]];
+    // Multiples of 90 degrees stay exact: rounding of atan2 must not tilt an upright map.
+    directions.push_back(std::abs(std::remainder(d, 90.0)) < 1e-9 ? std::round(d / 90) * 90 : d);
+  }
+  return directions;
 }
 
 }  // namespace
 
 std::vector<double> lane_directions(const Region& region) {
-  constexpr int kBins = 180;
-  std::array<double, kBins> weight{}, moment{};
-  std::vector<Point> points;
-  for (const Segment& e : edges_of(region)) {
-    points.push_back(e.a);
-    const double len = distance(e.a, e.b);
-    if (len <= 0) continue;
-    const double d = direction_of(e.b - e.a);
-    const int bin = static_cast<int>(std::floor(d + 0.5)) % kBins;  // centred on whole degrees
-    double offset = d - bin;
-    if (offset > 90) offset -= 180;
-    weight[static_cast<std::size_t>(bin)] += len;
-    moment[static_cast<std::size_t>(bin)] += len * offset;
-  }
-  std::array<int, kBins> order{};
-  for (int i = 0; i < kBins; ++i) order[static_cast<std::size_t>(i)] = i;
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return weight[static_cast<std::size_t>(a)] > weight[static_cast<std::size_t>(b)];
-  });
   std::vector<double> candidates;
   const auto add = [&](double d) {
     d = half_turn(d);
     for (const double c : candidates)
-      if (std::abs(std::remainder(c - d, 180.0)) < 0.05) return;
+      if (std::abs(std::remainder(c - d, 180.0)) < kDistinct) return;
     candidates.push_back(d);
   };
-  for (std::size_t i = 0; i < 6; ++i) {
-    const auto bin = static_cast<std::size_t>(order[i]);
-    if (weight[bin] <= 0) break;
-    double d = order[i] + moment[bin] / weight[bin];
-    // Whole quarter turns stay exact: rounding of atan2 must not tilt an upright map.
-    if (std::abs(std::remainder(d, 90.0)) < 1e-9) d = std::round(d / 90) * 90;
+  for (const double d : frequent_directions(region)) {
     add(d);
     add(d + 90);
   }
   add(0);
   add(90);
-  const Ring outline = hull(points);
-  if (outline.size() >= 3) add(narrowest(outline));
+  std::vector<Point> points;
+  for_each_ring(region, [&](const Ring& ring) { points.insert(points.end(), ring.begin(), ring.end()); });
+  const Ring hull = convex_hull(std::move(points));
+  if (hull.size() >= 3) add(narrowest_direction(hull));
   return candidates;
 }
 
 double best_lane_direction(const Region& region, double width) {
-  double best = std::numeric_limits<double>::infinity(), direction = 0;
+  double best = kInfinity, direction = 0;
   for (const double d : lane_directions(region)) {
     const double c = cost(region, d, width);
-    if (c < best * (1 - 1e-9)) {
+    if (c < best * kClearlyLess) {
       best = c;
       direction = d;
     }

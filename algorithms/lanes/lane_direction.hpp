@@ -1,4 +1,7 @@
-// Which way to drive the lanes.
+/// The direction in which to drive parallel lanes.
+///
+///   const double degrees = best_lane_direction(region, tool_width);
+///   const LaneFrame frame(degrees);
 #pragma once
 
 #include <vector>
@@ -7,13 +10,16 @@
 
 namespace oxturn {
 
-/// Lane directions worth trying, degrees in [0, 180): the directions that most boundary length has, those across
-/// them, the two axes, and the one in which the region's convex hull is narrowest to sweep. At most 16. O(n log n).
+/// How a planner chooses the direction of its lanes: by least estimated cost, or as the parameter `angle` says.
+enum class LaneDirection { best, given };
+
+/// Candidate lane directions, degrees in [0, 180): the directions with the most boundary length, those across them,
+/// the two axes, and the direction across which the region's convex hull is narrowest. At most 16. O(n log n).
 std::vector<double> lane_directions(const Region& region);
 
-/// The candidate with the least estimated cost of sweeping `region` with lanes `width` apart: length of all lanes,
-/// plus 2 widths for each lane (its turn), plus 4 for each run of lanes that must be left and entered anew.
-/// O(candidates * (n + crossings) log n).
+/// The candidate with the least estimated cost for lanes `width` metres apart: length of all lanes, plus 2 widths for
+/// each lane (its turn), plus 4 widths for each run of consecutive lanes (leaving one run and entering the next).
+/// O(candidates * (n + k) log n) for n vertices and k crossings of edges with lanes.
 double best_lane_direction(const Region& region, double width);
 
 }  // namespace oxturn

@@ -9,12 +9,15 @@
 #include "geometry/overlay/offset.hpp"
 
 namespace oxturn {
-
 namespace {
-constexpr double kSlack = 1e-6;  // of a lane's width: what is no more than rounding
-}
 
-Frame::Frame(double lane_degrees) {
+constexpr double kSlack = 1e-6;     // in slab widths: differences up to this are rounding
+constexpr double kThinnest = 1e-3;  // in lane spacings: the least width of a slab
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+LaneFrame::LaneFrame(double lane_degrees) {
   const double turn = std::remainder(90 - lane_degrees, 360.0);
   if (std::fmod(turn, 90.0) == 0) {
     const int quarter = (static_cast<int>(turn / 90) + 4) % 4;
@@ -26,25 +29,26 @@ Frame::Frame(double lane_degrees) {
   }
 }
 
-Region Frame::to(const Region& region) const {
-  Region turned = region;
-  for (Polygon& polygon : turned.polygons) {
-    for (Point& p : polygon.outer) p = to(p);
+Region LaneFrame::to_frame(const Region& region) const {
+  Region rotated = region;
+  for (Polygon& polygon : rotated.polygons) {
+    for (Point& p : polygon.outer) p = to_frame(p);
     for (Ring& hole : polygon.holes)
-      for (Point& p : hole) p = to(p);
+      for (Point& p : hole) p = to_frame(p);
   }
-  return turned;
+  return rotated;
 }
 
 Region lane_region(const Problem& problem, double inset, double chord) {
-  // A point at least `inset` from the boundary of C is at least radius + inset from every wall. The intersection keeps
-  // the part that holds the start, and obeys a restricted C. The C of a polygonal robot has no arcs: nothing is lost there.
+  // A point at least `inset` from the boundary of C is at least radius + inset from every wall. Intersecting with C
+  // keeps the component of the start and respects a restricted C. The C of a polygonal robot has no arcs, so eroding in
+  // two steps loses nothing there.
   const Region &space = problem.configuration_space(), &free = problem.map().free;
   const Robot& robot = problem.robot();
   const Region inner = robot.footprint.empty()
                            ? erode(free, robot.radius + inset, chord, Bound::outside)
                            : erode(erode(free, robot.footprint, Bound::outside), inset, chord, Bound::outside);
-  // A border that is no wall (a leash, a cut) is known to C alone.
+  // Only C knows the boundaries that are no walls (the tether's reach, a cut).
   return problem.limited() ? intersect(inner, erode(space, inset, chord, Bound::outside)) : intersect(inner, space);
 }
 
@@ -60,26 +64,27 @@ std::vector<Segment> edges_of(const Region& region) {
 }
 
 Slabs slabs_over(double low, double high, double most) {
-  // A width of exactly n lanes must not become n + 1 by rounding (offsets are snapped to a grid).
+  // Offsets are snapped to a grid: a width of exactly n lanes must not become n + 1 by rounding.
   const double wanted = std::ceil((high - low) / most * (1 - kSlack));
   const double count = std::max(1.0, wanted);
-  const double width = std::max((high - low) / count, most * 1e-3);
+  const double width = std::max((high - low) / count, most * kThinnest);
   return {(low + high) / 2 - count * width / 2, width, static_cast<std::size_t>(count)};
 }
 
 namespace {
 
-using Span = std::pair<double, double>;
+using YInterval = std::pair<double, double>;  // low, high
 
+/// y of the edge at x, the same for both directions of the edge.
 double height_at(const Segment& e, double x) {
-  const Point& a = before(e.a, e.b) ? e.a : e.b;  // the same answer whichever way the edge runs
+  const Point& a = before(e.a, e.b) ? e.a : e.b;
   const Point& b = before(e.a, e.b) ? e.b : e.a;
   const double t = (x - a.x()) / (b.x() - a.x());
   const double y = a.y() + t * (b.y() - a.y());
   return std::clamp(y, std::min(a.y(), b.y()), std::max(a.y(), b.y()));
 }
 
-// Index of the slab that holds x, kept in range.
+/// Index of the slab that contains x; the first or last slab for x outside of all.
 std::size_t slab_of(const Slabs& slabs, double x) {
   const double about = std::floor((x - slabs.first) / slabs.width);
   auto k = static_cast<std::size_t>(std::clamp(about, 0.0, static_cast<double>(slabs.count - 1)));
@@ -88,123 +93,153 @@ std::size_t slab_of(const Slabs& slabs, double x) {
   return k;
 }
 
-// A wall that runs along a slab line but for rounding is put on it: it must not ask for a lane in a slab that it only
-// touches. The same x becomes the same x, so rings stay closed.
-double on_line(const Slabs& slabs, double x) {
+/// x, or the slab line that differs from it by no more than rounding: a wall along a slab line must not ask for a lane
+/// in a slab that it only touches. Equal x stay equal, so rings stay closed.
+double snapped(const Slabs& slabs, double x) {
   const double k = std::round((x - slabs.first) / slabs.width);
   if (k < 0 || k > static_cast<double>(slabs.count)) return x;
   const double line = slabs.line(static_cast<std::size_t>(k));
   return std::abs(x - line) < kSlack * slabs.width ? line : x;
 }
 
-std::vector<Span> pairs_of(std::vector<double>& cuts) {
-  std::sort(cuts.begin(), cuts.end());
-  std::vector<Span> spans;
-  for (std::size_t i = 0; i + 1 < cuts.size(); i += 2) spans.push_back({cuts[i], cuts[i + 1]});
-  return spans;
+/// The inside of a section, by the even-odd rule, from the heights at which edges cross it.
+std::vector<YInterval> inside_of(std::vector<double>& crossings) {
+  std::sort(crossings.begin(), crossings.end());
+  std::vector<YInterval> inside;
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) inside.push_back({crossings[i], crossings[i + 1]});
+  return inside;
 }
 
-void merge(std::vector<Span>& spans) {
-  std::sort(spans.begin(), spans.end());
+/// Unites intervals that overlap or touch; leaves them sorted.
+void merge(std::vector<YInterval>& intervals) {
+  std::sort(intervals.begin(), intervals.end());
   std::size_t kept = 0;
-  for (const Span& s : spans) {
-    if (kept > 0 && s.first <= spans[kept - 1].second) {
-      spans[kept - 1].second = std::max(spans[kept - 1].second, s.second);
+  for (const YInterval& s : intervals) {
+    if (kept > 0 && s.first <= intervals[kept - 1].second) {
+      intervals[kept - 1].second = std::max(intervals[kept - 1].second, s.second);
     } else {
-      spans[kept++] = s;
+      intervals[kept++] = s;
     }
   }
-  spans.resize(kept);
+  intervals.resize(kept);
 }
 
-}  // namespace
-
-// A horizontal chord of (region n slab) ends on the left at an edge in the slab or at the slab's left line. So the
-// projection is the union of the heights of edges in the slab and of the section just right of its left line.
-Projection project(const std::vector<Segment>& given, const Slabs& slabs) {
-  Projection result;
-  if (given.empty() || slabs.count == 0) return result;
-  std::vector<Segment> edges = given;
-  // Only the slabs that the edges reach are held: a small part of a wide map stays cheap.
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (Segment& e : edges) {
-    e.a.x() = on_line(slabs, e.a.x());
-    e.b.x() = on_line(slabs, e.b.x());
-    low = std::min({low, e.a.x(), e.b.x()});
-    high = std::max({high, e.a.x(), e.b.x()});
+/// Computes a projection. A horizontal chord of the region's part in a slab ends on the left either at an edge in the
+/// slab or at the slab's left line. So the projection is the union of the heights of all edges in the slab and of the
+/// section just right of its left line.
+class Projector {
+ public:
+  Projector(const std::vector<Segment>& edges, const Slabs& slabs) : slabs_(slabs), edges_(edges) {
+    double low = kInfinity, high = -low;
+    for (Segment& e : edges_) {
+      e.a.x() = snapped(slabs, e.a.x());
+      e.b.x() = snapped(slabs, e.b.x());
+      low = std::min({low, e.a.x(), e.b.x()});
+      high = std::max({high, e.a.x(), e.b.x()});
+    }
+    // Only the slabs that the edges reach take memory: a small part of a wide map stays cheap.
+    base_ = slab_of(slabs, low);
+    const std::size_t count = slab_of(slabs, high) - base_ + 1;
+    heights_.resize(count);
+    right_crossings_.resize(count);
+    left_crossings_.resize(count);
+    right_sections_.resize(count);
+    first_.assign(count + 1, 0);
   }
-  const std::size_t base = slab_of(slabs, low);
-  const std::size_t count = slab_of(slabs, high) - base + 1;
 
-  std::vector<std::vector<Span>> reach(count);                           // per slab
-  std::vector<std::vector<double>> right_cuts(count), left_cuts(count);  // just right, just left of line base + k
-  for (const Segment& e : edges) {
+  Projection run() {
+    for (const Segment& e : edges_) add(e);
+    Projection result;
+    for (std::size_t k = 0; k < heights_.size(); ++k) {
+      right_sections_[k] = inside_of(right_crossings_[k]);
+      heights_[k].insert(heights_[k].end(), right_sections_[k].begin(), right_sections_[k].end());
+      merge(heights_[k]);
+      first_[k + 1] = first_[k] + heights_[k].size();
+      for (const YInterval& s : heights_[k]) result.intervals.push_back({base_ + k, s.first, s.second});
+    }
+    for (std::size_t k = 1; k < heights_.size(); ++k) add_links(k, result.links);
+    std::sort(result.links.begin(), result.links.end());
+    result.links.erase(std::unique(result.links.begin(), result.links.end()), result.links.end());
+    return result;
+  }
+
+ private:
+  void add(const Segment& e) {
     const Point& a = e.a.x() <= e.b.x() ? e.a : e.b;
     const Point& b = e.a.x() <= e.b.x() ? e.b : e.a;
-    const std::size_t from = slab_of(slabs, a.x()), to = slab_of(slabs, b.x());
-    if (a.x() == b.x() && a.x() == slabs.line(from)) continue;  // on a line: chords end at the other side
+    const std::size_t from = slab_of(slabs_, a.x()), to = slab_of(slabs_, b.x());
+    if (a.x() == b.x() && a.x() == slabs_.line(from)) return;  // on a slab line: chords end at the edge on the far side
     double y = a.y();
     for (std::size_t k = from; k <= to; ++k) {
-      const double left = slabs.line(k);
+      const double left = slabs_.line(k);
       if (k > from && b.x() <= left) break;  // only touches this slab
-      const double next = k < to && slabs.line(k + 1) < b.x() ? height_at(e, slabs.line(k + 1)) : b.y();
-      reach[k - base].push_back({std::min(y, next), std::max(y, next)});
+      const double next = k < to && slabs_.line(k + 1) < b.x() ? height_at(e, slabs_.line(k + 1)) : b.y();
+      heights_[k - base_].push_back({std::min(y, next), std::max(y, next)});
       y = next;
     }
     for (std::size_t k = from; k <= to; ++k) {
-      const double x = slabs.line(k);
-      if (a.x() <= x && x < b.x()) right_cuts[k - base].push_back(height_at(e, x));
-      if (a.x() < x && x <= b.x()) left_cuts[k - base].push_back(height_at(e, x));
+      const double x = slabs_.line(k);
+      if (a.x() <= x && x < b.x()) right_crossings_[k - base_].push_back(height_at(e, x));
+      if (a.x() < x && x <= b.x()) left_crossings_[k - base_].push_back(height_at(e, x));
     }
   }
-  std::vector<std::vector<Span>> right(count);
-  std::vector<std::size_t> first(count + 1, 0);
-  for (std::size_t k = 0; k < count; ++k) {
-    right[k] = pairs_of(right_cuts[k]);
-    reach[k].insert(reach[k].end(), right[k].begin(), right[k].end());
-    merge(reach[k]);
-    first[k + 1] = first[k] + reach[k].size();
-    for (const Span& s : reach[k]) result.stretches.push_back({base + k, s.first, s.second});
-  }
-  const auto holder = [&](std::size_t k, double y) {
-    const auto at = std::upper_bound(reach[k].begin(), reach[k].end(), Span{y, 1e300});
-    return first[k] + static_cast<std::size_t>(at - reach[k].begin()) - 1;
-  };
-  // The region joins two slabs where the sections on both sides of the line overlap.
-  for (std::size_t k = 1; k < count; ++k) {
-    const std::vector<Span> left = pairs_of(left_cuts[k]);
-    for (std::size_t i = 0, j = 0; i < left.size() && j < right[k].size();) {
-      const double lower = std::max(left[i].first, right[k][j].first),
-                   upper = std::min(left[i].second, right[k][j].second);
+
+  /// The region connects two slabs where its sections on both sides of the line between them overlap.
+  void add_links(std::size_t k, std::vector<std::pair<std::size_t, std::size_t>>& links) {
+    const std::vector<YInterval> left = inside_of(left_crossings_[k]);
+    const std::vector<YInterval>& right = right_sections_[k];
+    for (std::size_t i = 0, j = 0; i < left.size() && j < right.size();) {
+      const double lower = std::max(left[i].first, right[j].first), upper = std::min(left[i].second, right[j].second);
       if (lower < upper) {
         const double middle = (lower + upper) / 2;
-        if (!reach[k - 1].empty() && !reach[k].empty() && reach[k - 1].front().first <= middle &&
-            reach[k].front().first <= middle)
-          result.links.push_back({holder(k - 1, middle), holder(k, middle)});
+        if (begins_below(k - 1, middle) && begins_below(k, middle))
+          links.push_back({interval_at(k - 1, middle), interval_at(k, middle)});
       }
-      if (left[i].second < right[k][j].second)
+      if (left[i].second < right[j].second)
         ++i;
       else
         ++j;
     }
   }
-  std::sort(result.links.begin(), result.links.end());
-  result.links.erase(std::unique(result.links.begin(), result.links.end()), result.links.end());
-  return result;
+  bool begins_below(std::size_t k, double y) const { return !heights_[k].empty() && heights_[k].front().first <= y; }
+  /// Index of the interval of slab k that contains y.
+  std::size_t interval_at(std::size_t k, double y) const {
+    const auto after = std::upper_bound(heights_[k].begin(), heights_[k].end(), YInterval{y, kInfinity});
+    return first_[k] + static_cast<std::size_t>(after - heights_[k].begin()) - 1;
+  }
+
+  const Slabs& slabs_;
+  std::vector<Segment> edges_;
+  // All by slab, counted from slab `base_`.
+  std::size_t base_ = 0;
+  std::vector<std::vector<YInterval>> heights_;  // that edges reach; at the end: the slab's projection
+  // Heights at which edges cross the slab's left line: just right of it, just left of it.
+  std::vector<std::vector<double>> right_crossings_, left_crossings_;
+  std::vector<std::vector<YInterval>> right_sections_;
+  std::vector<std::size_t> first_;  // index of the slab's first interval in the result
+};
+
+}  // namespace
+
+Projection project(const std::vector<Segment>& edges, const Slabs& slabs) {
+  if (edges.empty() || slabs.count == 0) return {};
+  return Projector(edges, slabs).run();
 }
 
-std::vector<std::pair<double, double>> clip_vertical(const EdgeIndex& room, double x, double low, double high,
-                                                     double margin) {
+namespace {
+
+/// Heights between low and high at which an edge of `space` meets the vertical line at x, sorted; then `high`.
+std::vector<double> stops_on(const EdgeIndex& space, double x, double low, double high) {
   std::vector<double> stops;
+  const auto add = [&](double y) {
+    if (y > low && y < high) stops.push_back(y);
+  };
   Box box;
   box.add({x, low});
   box.add({x, high});
-  room.for_each_near(box, [&](std::size_t i) {
-    const EdgeIndex::Edge& e = room.edges()[i];
+  space.for_each_near(box, [&](std::size_t i) {
+    const EdgeIndex::Edge& e = space.edges()[i];
     if (std::min(e.a.x(), e.b.x()) > x || std::max(e.a.x(), e.b.x()) < x) return;
-    const auto add = [&](double y) {
-      if (y > low && y < high) stops.push_back(y);
-    };
     if (e.a.x() == e.b.x()) {
       add(e.a.y());
       add(e.b.y());
@@ -214,10 +249,17 @@ std::vector<std::pair<double, double>> clip_vertical(const EdgeIndex& room, doub
   });
   std::sort(stops.begin(), stops.end());
   stops.push_back(high);
-  std::vector<std::pair<double, double>> inside;
+  return stops;
+}
+
+}  // namespace
+
+std::vector<std::pair<double, double>> clip_vertical(const EdgeIndex& space, double x, double low, double high,
+                                                     double margin) {
+  std::vector<YInterval> inside;
   double from = low;
-  for (const double to : stops) {
-    if (to - from > 2 * margin && room.contains({x, (from + to) / 2})) {
+  for (const double to : stops_on(space, x, low, high)) {
+    if (to - from > 2 * margin && space.contains({x, (from + to) / 2})) {
       if (!inside.empty() && inside.back().second == from)
         inside.back().second = to;
       else
@@ -225,36 +267,32 @@ std::vector<std::pair<double, double>> clip_vertical(const EdgeIndex& room, doub
     }
     from = to;
   }
-  // Where a wall stops it the end is a rounded crossing: pull it in, so that it is inside for certain.
-  std::vector<std::pair<double, double>> kept;
+  // At a wall the end is a rounded crossing: pulled in, so that it is certainly inside.
+  std::vector<YInterval> kept;
   for (auto [a, b] : inside) {
-    if (a != low || !room.contains({x, a})) a += margin;
-    if (b != high || !room.contains({x, b})) b -= margin;
+    if (a != low || !space.contains({x, a})) a += margin;
+    if (b != high || !space.contains({x, b})) b -= margin;
     if (a <= b) kept.push_back({a, b});
   }
   return kept;
 }
 
-Clipped clip(const std::vector<Stretch>& stretches, const Slabs& slabs, const EdgeIndex& room, double join,
-             double margin) {
-  Clipped result;
-  for (std::size_t i = 0; i < stretches.size(); ++i) {
-    const Stretch& s = stretches[i];
+ClippedLanes clip_lanes(const std::vector<LaneInterval>& intervals, const Slabs& slabs, const EdgeIndex& space,
+                        double join, double margin) {
+  ClippedLanes result;
+  for (const LaneInterval& s : intervals) {
     const double x = slabs.centre(s.slab);
-    result.piece_of.push_back(Clipped::kNone);
-    for (const auto& [low, high] : clip_vertical(room, x, s.low, s.high, margin)) {
-      if (!result.pieces.empty() && result.pieces.back().slab == s.slab) {
-        Stretch& last = result.pieces.back();
-        if (low - last.high <= join && room.contains({x, last.high}, {x, low})) {
-          last.high = high;
-          if (result.piece_of[i] == Clipped::kNone) result.piece_of[i] = result.pieces.size() - 1;
-          continue;
-        }
-      }
-      if (result.piece_of[i] == Clipped::kNone) result.piece_of[i] = result.pieces.size();
-      result.pieces.push_back({s.slab, low, high});
-      result.source.push_back(i);
+    std::size_t first = ClippedLanes::kNone;
+    for (const auto& [low, high] : clip_vertical(space, x, s.low, s.high, margin)) {
+      LaneInterval* const last = result.pieces.empty() ? nullptr : &result.pieces.back();
+      if (last != nullptr && last->slab == s.slab && low - last->high <= join &&
+          space.contains({x, last->high}, {x, low}))
+        last->high = high;
+      else
+        result.pieces.push_back({s.slab, low, high});
+      if (first == ClippedLanes::kNone) first = result.pieces.size() - 1;
     }
+    result.piece_of.push_back(first);
   }
   return result;
 }

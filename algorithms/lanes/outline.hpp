@@ -1,8 +1,18 @@
-// Driving every wall once, tool on: rings spliced into a path that is already there.
-//
-// Each boundary ring of configuration space becomes a loop that leaves the path where it comes nearest to the ring
-// and returns there. Rings far from the path hang on other rings, the nearest first (Prim), so rings alone cover
-// regions of corridors. A detour at most `width` long is driven with the tool on, a longer one is transit.
+/// Drives every wall once, tool on: closed rings inserted into an existing path.
+///
+///   Path path = drive_strips(...);                                    // the interior
+///   path = with_outline(problem, path, tool_width, connector, context);
+///
+/// Each boundary ring of configuration space becomes a detour: it leaves the path where the path comes nearest to the
+/// ring, goes once round the ring and returns to the same point. Rings far from the path are attached to other rings,
+/// the nearest first (Prim's algorithm), so rings alone cover a system of corridors. The connection from path to ring
+/// is driven with the tool on if it is at most `width` long, else as transit.
+///
+///     path  ------->--.  .--------->
+///                     |  |
+///                  .--'  '--.
+///                  |  ring  |
+///                  '--------'
 #pragma once
 
 #include "algorithms/coverage_planner.hpp"
@@ -10,10 +20,10 @@
 
 namespace oxturn {
 
-/// About O(n) for n segments when rings and path pass within a few widths of each other everywhere; each doubling
-/// of the distance to the farthest ring costs another pass.
+/// Inserts the boundary rings of configuration space. About O(n) for n segments if every ring lies within a few widths
+/// of the path or of another ring; each doubling of the distance to the farthest ring costs another pass.
 Path with_outline(const Problem& problem, const Path& path, double width, const Connector& connector, Context& context);
-/// The same with the rings of `rings`, which lie in configuration space, in place of its own.
+/// The same with the rings of `rings`, which lies in configuration space.
 Path with_rings(const Problem& problem, const Region& rings, const Path& path, double width, const Connector& connector,
                 Context& context);
 

@@ -3,15 +3,25 @@
 #include <algorithm>
 
 namespace oxturn {
+namespace {
+
+constexpr double kLongestWorkLink = 3;  // tool widths: longer links between lanes are transit
+
+const Point& begin_of(const LaneEnds& lane, bool up) { return up ? lane.low : lane.high; }
+const Point& end_of(const LaneEnds& lane, bool up) { return up ? lane.high : lane.low; }
+
+Polyline line_of(const LaneEnds& lane) { return lane.curve.empty() ? Polyline{lane.low, lane.high} : lane.curve; }
+
+}  // namespace
 
 std::vector<bool> Strip::directions(bool first_up) const {
   std::vector<bool> up{first_up};
   for (std::size_t i = 1; i < lanes.size(); ++i) {
-    if (!low_links.empty()) {  // along the boundary: always end by end
+    if (!low_links.empty()) {  // links follow the boundary: strictly alternating
       up.push_back(!up.back());
       continue;
     }
-    const Point& at = up.back() ? lanes[i - 1].high : lanes[i - 1].low;
+    const Point& at = end_of(lanes[i - 1], up.back());
     const double to_low = distance(at, lanes[i].low), to_high = distance(at, lanes[i].high);
     up.push_back(to_low == to_high ? !up.back() : to_low < to_high);
   }
@@ -22,86 +32,94 @@ TourElement Strip::patterns() const {
   TourElement all;
   for (const bool first_up : {true, false}) {
     const std::vector<bool> up = directions(first_up);
-    const Point entry = up.front() ? lanes.front().low : lanes.front().high;
-    const Point exit = up.back() ? lanes.back().high : lanes.back().low;
+    const Point entry = begin_of(lanes.front(), up.front()), exit = end_of(lanes.back(), up.back());
     double links = 0;
     for (std::size_t i = 1; i < lanes.size(); ++i)
-      links += distance(up[i - 1] ? lanes[i - 1].high : lanes[i - 1].low, up[i] ? lanes[i].low : lanes[i].high);
-    const std::size_t k = all.size();
-    all.push_back({entry, exit, links, k + 1});
-    all.push_back({exit, entry, links, k});
-    if (lanes.size() == 1) break;  // the other way to begin is the same lane backwards
+      links += distance(end_of(lanes[i - 1], up[i - 1]), begin_of(lanes[i], up[i]));
+    const std::size_t forwards = all.size(), backwards = forwards + 1;
+    all.push_back({entry, exit, links, backwards});
+    all.push_back({exit, entry, links, forwards});
+    if (lanes.size() == 1) break;  // beginning at the other end is the same lane backwards
   }
   return all;
 }
 
 namespace {
 
-// The lanes of a strip as legs, in the direction of the pattern's first half.
-struct Piece {
+struct StripLeg {
   bool tool;
   Polyline points;
 };
 
-std::vector<Piece> pieces_of(const Strip& strip, std::size_t pattern, double longest_link, const Connector& connector) {
-  const std::vector<bool> up = strip.directions(pattern < 2);
-  std::vector<Piece> all;
+/// The link from lane i - 1 to lane i.
+Polyline link_before(const Strip& strip, std::size_t i, const std::vector<bool>& up, const Connector& connector) {
+  // A given chain joins like ends only: high to high, or low to low.
+  if (!strip.low_links.empty() && up[i] != up[i - 1]) return up[i] ? strip.low_links[i - 1] : strip.high_links[i - 1];
+  return connector.path(end_of(strip.lanes[i - 1], up[i - 1]), begin_of(strip.lanes[i], up[i]));
+}
+
+/// Lanes and links of a strip in driving order.
+std::vector<StripLeg> legs_of(const Strip& strip, const StripPattern& pattern, double longest_link,
+                              const Connector& connector) {
+  const std::vector<bool> up = strip.directions(pattern.first_up);
+  std::vector<StripLeg> all;
   for (std::size_t i = 0; i < strip.lanes.size(); ++i) {
-    const LaneEnds& lane = strip.lanes[i];
-    const Point& from = up[i] ? lane.low : lane.high;
     if (i > 0) {
-      const Point& at = up[i - 1] ? strip.lanes[i - 1].high : strip.lanes[i - 1].low;
-      Polyline link;
-      // The given chain joins equal ends only.
-      if (!strip.low_links.empty() && up[i] != up[i - 1])
-        link = up[i] ? strip.low_links[i - 1] : strip.high_links[i - 1];
-      else
-        link = connector.path(at, from);
+      Polyline link = link_before(strip, i, up, connector);
       const bool tool = length(link) <= longest_link;
       all.push_back({tool, std::move(link)});
     }
-    Polyline line = lane.curve.empty() ? Polyline{lane.low, lane.high} : lane.curve;
+    Polyline line = line_of(strip.lanes[i]);
     if (!up[i]) std::reverse(line.begin(), line.end());
     all.push_back({true, std::move(line)});
   }
-  if (pattern % 2 == 1) {
+  if (pattern.backwards) {
     std::reverse(all.begin(), all.end());
-    for (Piece& s : all) std::reverse(s.points.begin(), s.points.end());
+    for (StripLeg& leg : all) std::reverse(leg.points.begin(), leg.points.end());
   }
   return all;
 }
 
+/// The strips in driving order, each with its pattern.
+std::vector<TourStop> tour_of(const std::vector<Strip>& strips, const std::vector<TourElement>& elements,
+                              const Point& start, StripOrder order, const Connector& connector, Context& context) {
+  const OpenTour tours(start, elements, connector);
+  std::vector<TourStop> tour;
+  if (order == StripOrder::given) {
+    for (std::size_t i = 0; i < elements.size(); ++i) tour.push_back({i, 0});
+  } else if (order == StripOrder::depth_first) {
+    std::vector<std::vector<std::size_t>> neighbours;
+    for (const Strip& s : strips) neighbours.push_back(s.neighbours);
+    tour = tours.depth_first(neighbours, context);
+  } else {
+    tour = tours.nearest(context);
+  }
+  if (order == StripOrder::improved) tours.improve(tour, context);
+  if (!context.cancelled()) tours.choose_patterns(tour);
+  return tour;
+}
+
+void trace_lanes(const std::vector<Strip>& strips, Context& context) {
+  std::vector<Polyline> lines;
+  for (const Strip& s : strips)
+    for (const LaneEnds& lane : s.lanes) lines.push_back(line_of(lane));
+  context.trace("lanes", std::move(lines));
+}
+
 }  // namespace
 
-Path drive_strips(const Problem& problem, const std::vector<Strip>& strips, const std::string& order,
+Path drive_strips(const Problem& problem, const std::vector<Strip>& strips, StripOrder order,
                   const Connector& connector, Context& context) {
-  if (context.wants_traces()) {
-    std::vector<Polyline> lanes;
-    for (const Strip& s : strips)
-      for (const LaneEnds& l : s.lanes) lanes.push_back(l.curve.empty() ? Polyline{l.low, l.high} : l.curve);
-    context.trace("lanes", std::move(lanes));
-  }
+  if (context.wants_traces()) trace_lanes(strips, context);
   std::vector<TourElement> elements;
-  std::vector<std::vector<std::size_t>> neighbours;
-  for (const Strip& s : strips) {
-    elements.push_back(s.patterns());
-    neighbours.push_back(s.neighbours);
-  }
-  const OpenTour tours(problem.start(), elements, connector);
-  std::vector<TourStop> tour;
-  if (order == "given")
-    for (std::size_t i = 0; i < elements.size(); ++i) tour.push_back({i, 0});
-  else
-    tour = order == "dfs" ? tours.depth_first(neighbours, context) : tours.nearest(context);
-  if (order == "improved") tours.improve(tour, context);
-  if (!context.cancelled()) tours.choose_patterns(tour);
-
+  for (const Strip& s : strips) elements.push_back(s.patterns());
+  const double longest_link = kLongestWorkLink * problem.robot().tool_width;
   PathBuilder path(problem.start());
-  for (const TourStop& stop : tour) {
+  for (const TourStop& stop : tour_of(strips, elements, problem.start(), order, connector, context)) {
     if (context.cancelled()) break;
     path.drive(connector.path(path.at(), elements[stop.element][stop.pattern].entry), false);
-    for (const Piece& s : pieces_of(strips[stop.element], stop.pattern, 3 * problem.robot().tool_width, connector))
-      path.drive(s.points, s.tool);
+    for (const StripLeg& leg : legs_of(strips[stop.element], kStripPatterns[stop.pattern], longest_link, connector))
+      path.drive(leg.points, leg.tool);
   }
   return path.take();
 }

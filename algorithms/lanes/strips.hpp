@@ -1,8 +1,14 @@
-// Strips: runs of lanes that are driven back and forth without a break, and the path through many of them.
+/// Strips: consecutive lanes that are driven back and forth without a break, and the path through many strips.
+///
+///   std::vector<Strip> strips{{.lanes = {{{0, 0}, {0, 5}}, {{1, 0}, {1, 5}}}}};
+///   const Path path = drive_strips(problem, strips, StripOrder::improved, connector, context);
+///
+///        high      .---.   .---.
+///                  |   |   |   |        one strip of four lanes, its first lane driven up
+///        low       ^   '---'   v
 #pragma once
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include "algorithms/coverage_planner.hpp"
@@ -16,24 +22,35 @@ struct LaneEnds {
   Polyline curve = {};  // from low to high, both included; empty: straight
 };
 
-/// Lanes in driving order. The two ways to begin (`up` on the first lane or not) both go on with the nearer end
-/// of the next lane; each can be driven backwards too, so a strip has four patterns.
+/// Lanes in driving order. The first lane is driven up (low to high) or down; each next lane is begun at its nearer
+/// end. The result can also be driven backwards, so a strip has four patterns.
 struct Strip {
   std::vector<LaneEnds> lanes;
-  /// Optional: how the boundary runs from lane i to lane i + 1, at the low ends and at the high ends, ends
-  /// included. Empty: straight, or round what is in the way.
-  std::vector<Polyline> low_links, high_links;
-  std::vector<std::size_t> neighbours;  // strips that border on it, for depth-first order
+  /// Optional: the boundary from lane i to lane i + 1 along the low ends and along the high ends, ends included. Lanes
+  /// then alternate strictly. Empty: links are straight or shortest paths.
+  std::vector<Polyline> low_links = {}, high_links = {};
+  std::vector<std::size_t> neighbours = {};  // adjacent strips, for the depth-first order
 
-  /// Directions of the lanes if the first is driven up (or down).
+  /// For each lane whether it is driven up, if the first one is driven up or not.
   std::vector<bool> directions(bool first_up) const;
+  /// In the order of kStripPatterns; a single lane has only the first two.
   TourElement patterns() const;
 };
 
-/// Order: "dfs", "nearest" or "improved"; "given": the strips one after the other as they stand. Drives all strips from the problem's start; links within a strip have the
-/// tool on if they are at most 3 tool widths long, all else between lanes is transit.
-/// Traces "lanes".
-Path drive_strips(const Problem& problem, const std::vector<Strip>& strips, const std::string& order,
+/// How a strip is driven.
+struct StripPattern {
+  bool first_up;   // the first lane is driven from low to high
+  bool backwards;  // the whole strip from its end to its beginning
+};
+inline constexpr std::array<StripPattern, 4> kStripPatterns{
+    {{true, false}, {true, true}, {false, false}, {false, true}}};
+
+/// improved: nearest neighbour, then local search; depth_first: on the graph of neighbours; given: as listed.
+enum class StripOrder { improved, nearest, depth_first, given };
+
+/// Drives all strips from the problem's start. Within a strip, links up to 3 tool widths long have the tool on; longer
+/// ones and the paths between strips are transit. Traces "lanes". Ends early if cancelled. Cost: see OpenTour.
+Path drive_strips(const Problem& problem, const std::vector<Strip>& strips, StripOrder order,
                   const Connector& connector, Context& context);
 
 }  // namespace oxturn

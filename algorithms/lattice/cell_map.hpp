@@ -1,6 +1,10 @@
-// A value for each cell of a lattice whose extent nobody knows: a window that grows where it is written to.
-//
-// Complexity  reading O(1); writing O(1) amortised over the window's cells
+/// A value for each cell of a lattice of unknown extent: a window that grows where it is written to.
+///
+///   CellMap<int> distance;
+///   distance[{-3, 7}] = 5;
+///   distance.get({100, 100});     // 0: never written
+///
+/// Reading O(1); writing O(1) amortised over the cells of the window.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +17,9 @@ namespace oxturn {
 template <class T>
 class CellMap {
  public:
-  /// T{} where nothing was ever written.
+  /// T{} for a cell that was never written.
   T get(const Cell& c) const { return inside(c) ? values_[at(c)] : T{}; }
-  /// Grows the window if it must; valid until the next one does.
+  /// Grows the window if necessary, which invalidates earlier references.
   T& operator[](const Cell& c) {
     if (!inside(c)) [[unlikely]]
       grow(c);
@@ -31,7 +35,7 @@ class CellMap {
     return static_cast<std::size_t>(c.j - low_.j) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(c.i - low_.i);
   }
-  // By half of what there is, on that side only: copies add up to a few times the window.
+  // By half of its size, towards `c` only: all copies together are a few times the final window.
   void grow(const Cell& c) {
     Cell low = low_, high{low_.i + columns_, low_.j + rows_};
     if (values_.empty()) low = high = c;

@@ -1,10 +1,14 @@
-// A robot on a lattice: it stands in a cell, feels the cells about it, and steps to a neighbour. It knows nothing else,
-// which is what makes a planner that drives one an online planner.
-//
-// Cells are counted from the first one, Cell{0, 0}, where the robot stands at the beginning: nothing tells how far the
-// lattice goes. On the true map a cell is felt by its GridGraph (the papers' model); a CellWorld feels it otherwise.
-//
-// Complexity  every question and every step O(1), a few nanoseconds on the true map; a point of the path for each turn
+/// A robot on a lattice: it stands in a cell, feels the cells around it, and steps to a neighbour. It has no other
+/// access to the map, so a planner that drives one is an online planner.
+///
+///   const GridGraph graph = grid_at_start(problem, side);
+///   CellRobot robot = robot_at_start(problem, graph);
+///   while (robot.step(kEast)) {}
+///   Path path = robot.take();
+///
+/// Cells are counted from the first one, Cell{0, 0}, where the robot begins; the extent of the lattice is not known. On
+/// the true map cells are felt by a GridGraph (the model of the literature), otherwise by a CellWorld.
+/// Every question and every step O(1), a few nanoseconds on the true map; a point of the path for each turn.
 #pragma once
 
 #include <cstdlib>
@@ -20,16 +24,17 @@ struct Cell {
 };
 inline Cell neighbour(const Cell& c, Direction d) { return {c.i + kColumnStep[d], c.j + kRowStep[d]}; }
 
-/// A lattice that is not felt on the true map (by lidar: algorithms/online/lidar_cells.hpp). Answers may change from
-/// wall to free while the robot learns.
+/// A lattice that is not read from the true map (but seen by lidar: algorithms/online/lidar_cells.hpp).
+/// Answers may change from wall to free while the robot learns.
 class CellWorld {
  public:
   virtual ~CellWorld() = default;
   virtual bool free(const Cell& c) = 0;
   virtual bool passable(const Cell& c, Direction d) = 0;
-  /// Drives from the centre of c to its neighbour's; false if that was not to be (it stands in c's centre again).
+  /// Drives from the centre of c to its neighbour's. False if the robot was stopped; it is back in the centre of c
+  /// then.
   virtual bool step(const Cell& c, Direction d, bool tool) = 0;
-  /// The same between cells that are not neighbours, over squares between cells of which all is known to be free.
+  /// The same for cells that are not neighbours, across squares between cells that are known to be free entirely.
   virtual bool straight(const Cell& from, const Cell& to) = 0;
   virtual bool go_straight(const Cell& from, const Cell& to, bool tool) = 0;
   virtual Point centre(const Cell& c) const = 0;
@@ -37,26 +42,26 @@ class CellWorld {
 
 class CellRobot final {
  public:
-  /// On the true map, in that cell of the lattice. `path` must end at its centre. `graph` must outlive the robot.
+  /// On the true map, in the given cell of the lattice. `path` must end at its centre. `graph` must outlive the robot.
   CellRobot(const GridGraph& graph, int first_column, int first_row, PathBuilder path, int reach = 1)
       : graph_(&graph), i0_(first_column), j0_(first_row), reach_(reach), side_(graph.side()), path_(std::move(path)) {}
-  /// In another world; it keeps the path itself, so take() is not for it.
+  /// In another world, which records the path itself: take() must not be called.
   CellRobot(CellWorld& world, double side, int reach = 1)
       : world_(&world), reach_(reach), side_(side), path_(world.centre({0, 0})) {}
 
   double side() const { return side_; }
   const Cell& at() const { return at_; }
-  /// How far it feels, in cells, diagonals counted as one.
+  /// How far it feels, in cells; a diagonal step counts as one.
   int reach() const { return reach_; }
   std::size_t steps() const { return steps_; }
   Point centre(const Cell& c) const { return graph_ ? graph_->centre(c.i + i0_, c.j + j0_) : world_->centre(c); }
 
-  /// Both throw std::logic_error about a cell farther away than reach().
+  /// Throws std::logic_error for a cell farther away than reach(), as does passable().
   bool free(const Cell& c) const {
     check(c);
     return graph_ ? graph_->free(c.i + i0_, c.j + j0_) : world_->free(c);
   }
-  /// The straight way from the centre of c to its neighbour's is free.
+  /// The segment from the centre of c to its neighbour's is free.
   bool passable(const Cell& c, Direction d) const {
     check(c);
     check(neighbour(c, d));
@@ -65,11 +70,11 @@ class CellRobot final {
   bool passable(Direction d) const {
     return graph_ ? graph_->passable(at_.i + i0_, at_.j + j0_, d) : world_->passable(at_, d);
   }
+  /// The robot knows by now that this step is free, at whatever distance. False on the true map, where it knows no more
+  /// than it feels.
+  bool known_open(const Cell& c, Direction d) const { return world_ != nullptr && world_->passable(c, d); }
 
-  /// Does it know by now that this way is free, however far away? Only a robot that sees farther than it feels does.
-  bool learnt(const Cell& c, Direction d) const { return world_ != nullptr && world_->passable(c, d); }
-
-  /// Drives to the neighbour's centre; false, and it stands where it stood, if that could not be.
+  /// Drives to the neighbour's centre. False if that is not possible; the robot stays where it is then.
   bool step(Direction d, bool tool = true) {
     if (!graph_) {
       if (!world_->step(at_, d, tool)) return false;
@@ -82,44 +87,44 @@ class CellRobot final {
     return true;
   }
 
-  /// The straight way between two centres, and all of every square between centres that it meets, is free. Not a
-  /// question of feeling: for ways among cells where the robot has been. On the true map after graph.look_between().
+  /// The segment between two centres is free, and so are all squares between centres that it meets. At any distance:
+  /// meant for cells where the robot has been. On the true map only after graph.add_diagonals().
   bool straight(const Cell& from, const Cell& to) const {
     return graph_ ? graph_->straight(from.i + i0_, from.j + j0_, to.i + i0_, to.j + j0_) : world_->straight(from, to);
   }
-  /// Drives there; false if that could not be.
+  /// Drives straight to a cell; false if that is not possible.
   bool go_straight(const Cell& to, bool tool);
-  /// Leaves the lattice along `points`, which end in the centre of `end` (true map only). The caller knows it is free.
+  /// Leaves the lattice along `points`, which end in the centre of `end`. True map only; the caller knows it is free.
   void drive(const Polyline& points, const Cell& end, bool tool = true);
 
-  /// The lattice it drives on, and where its cell {0, 0} is in that: for what is driven off the lattice (true map only).
+  /// The lattice and where the robot's cell {0, 0} lies in it, for what is driven off the lattice. True map only.
   struct Lattice {
     const GridGraph& graph;
     int column, row;
   };
   Lattice lattice() const;
 
-  /// The path, straight runs of steps being one segment. The robot is done with then.
+  /// The path; a straight run of steps is one segment. Call it once, at the end.
   Path take();
 
  private:
   void check(const Cell& c) const {
     if (std::abs(c.i - at_.i) > reach_ || std::abs(c.j - at_.j) > reach_) [[unlikely]]
-      feels_too_far(c);
+      throw_out_of_reach(c);
   }
-  [[noreturn]] void feels_too_far(const Cell& c) const;
+  [[noreturn]] void throw_out_of_reach(const Cell& c) const;
   void turn(Direction d, bool tool) {
-    reach_turn();
+    end_run();
     heading_ = d;
     tool_ = tool;
   }
-  // The first centre is where the path begins but for rounding, which must not become a segment.
-  void reach_turn() {
+  // The path begins at the first centre up to rounding, which must not become a segment.
+  void end_run() {
     if (steps_ > 0) path_.drive(centre(at_), tool_);
   }
 
-  const GridGraph* graph_ = nullptr;  // or else
-  CellWorld* world_ = nullptr;
+  const GridGraph* graph_ = nullptr;  // either this
+  CellWorld* world_ = nullptr;        // or that
   int i0_ = 0, j0_ = 0, reach_;
   double side_;
   Cell at_;
@@ -129,18 +134,18 @@ class CellRobot final {
   PathBuilder path_;
 };
 
-/// On the true map, on a lattice that hangs on the start.
-GridGraph grid_about_start(const Problem& problem, double side, double angle = 0);
-/// The robot in the start's cell of such a lattice. Throws Infeasible if it cannot step anywhere.
+/// A lattice over the problem's map that has a node at the start.
+GridGraph grid_at_start(const Problem& problem, double side, double angle = 0);
+/// A robot in the start's cell of such a lattice. Throws Infeasible if it cannot step anywhere.
 CellRobot robot_at_start(const Problem& problem, const GridGraph& graph, int reach = 1);
 
 /// Where a lattice is entered from the start.
 struct Entry {
   int column, row;
-  Polyline way;  // from the start to that cell's centre
+  Polyline path;  // from the start to that cell's centre
 };
-/// The cell under the start if the straight way to its centre is free, else the nearest by driven way (only then are
-/// shortest paths built). nullopt if no cell is free.
+/// The cell under the start if its centre can be reached straight, else the nearest cell by driven path (which builds
+/// the problem's shortest paths). nullopt if no cell is free.
 std::optional<Entry> entry_from_start(const Problem& problem, const GridGraph& graph);
 
 }  // namespace oxturn

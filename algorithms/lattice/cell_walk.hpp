@@ -1,11 +1,15 @@
-// A robot's walk over a lattice, and what it remembers of it: the cells it has been in, the ways it has felt to be open.
-//
-// A wall that was felt may open later (by lidar what is unknown counts as wall): each time the robot comes through a
-// cell it feels anew, and when it finds nothing left to do it asks what it has learnt since. A step that was refused is
-// tried again only if it has learnt better, and seven times at most.
-//
-// Complexity  a step O(1); a way O(cells it looks at), which are those nearer than the answer: marks are stamped, so
-//             nothing is ever reset. 6 bytes a cell of the window.
+/// A robot's walk over a lattice and what it remembers: the cells it has visited, and the steps it felt to be open.
+///
+///   CellWalk walk(robot, context);
+///   do {
+///     while (walk.step_to_any_fresh_cell()) {}        // the planner's own rule, from fresh() and step()
+///   } while (walk.escape());                          // to the nearest cell beside an unvisited one
+///
+/// A wall that was felt may turn out to be open later (by lidar, what is unknown counts as wall). So the robot feels
+/// anew each time it comes through a cell, and when it finds nothing left to do it checks what it has learnt since. A
+/// step that was refused is tried again only if it has become known to be free since.
+/// A step O(1); a path O(cells nearer than its end), because marks of earlier searches need no reset. 6 bytes a cell of
+/// the window.
 #pragma once
 
 #include <cstdint>
@@ -17,25 +21,27 @@
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/lattice/cell_map.hpp"
 #include "algorithms/lattice/cell_robot.hpp"
+#include "base/graph_search.hpp"
 
 namespace oxturn {
 
 class CellWalk {
  public:
+  using Steps = std::vector<Direction>;
   CellWalk(CellRobot& robot, Context& context) : robot_(robot), context_(context) { arrive(); }
 
   const Cell& at() const { return robot_.at(); }
-  bool visited(const Cell& c) const { return (marks_.get(c) & kVisited) != 0; }
-  /// From a visited cell, as felt when the robot was last there.
-  bool open(const Cell& c, Direction d) const { return (marks_.get(c) >> d & 1) != 0; }
-  bool open(Direction d) const { return (here_ >> d & 1) != 0; }
-  /// Open, and leads to where the robot has not been.
-  bool fresh(const Cell& c, Direction d) const { return (fresh_of(marks_.get(c)) >> d & 1) != 0; }
-  bool fresh(Direction d) const { return (fresh_of(here_) >> d & 1) != 0; }
-  bool any_fresh(const Cell& c) const { return fresh_of(marks_.get(c)) != 0; }
-  bool any_fresh() const { return fresh_of(here_) != 0; }
+  bool visited(const Cell& c) const { return marks_.get(c).visited; }
+  /// A step from a visited cell is free, as felt when the robot was last there.
+  bool open(const Cell& c, Direction d) const { return (marks_.get(c).open >> d & 1) != 0; }
+  bool open(Direction d) const { return (here_.open >> d & 1) != 0; }
+  /// The step is open and leads to an unvisited cell.
+  bool fresh(const Cell& c, Direction d) const { return (marks_.get(c).fresh() >> d & 1) != 0; }
+  bool fresh(Direction d) const { return (here_.fresh() >> d & 1) != 0; }
+  bool any_fresh(const Cell& c) const { return marks_.get(c).fresh() != 0; }
+  bool any_fresh() const { return here_.fresh() != 0; }
 
-  /// False if the robot could not; then that way counts as closed from now on.
+  /// False if the robot was stopped; the step counts as closed from then on.
   bool step(Direction d, bool tool = true) {
     if (!robot_.step(d, tool)) {
       refuse(d);
@@ -45,32 +51,29 @@ class CellWalk {
     return true;
   }
 
-  /// The shortest way over visited cells to one that is `goal`: breadth-first, neighbours counter-clockwise from east.
+  /// The fewest steps over visited cells to one with goal(cell). Neighbours are tried counter-clockwise from east.
   template <class Goal>
-  std::optional<std::vector<Direction>> path_to(Goal goal) {
-    new_stamp();
+  std::optional<Steps> path_to(Goal goal) {
+    begin_search();
     queue_.assign(1, at());
-    reached_[at()] = stamp_ << 2;
-    for (std::size_t k = 0; k < queue_.size(); ++k) {
-      const Cell c = queue_[k];
-      if (goal(c)) return way_back_from(c);
+    reach(at(), kEast);
+    const auto expand = [this](const Cell& c, auto append) {
       for (const Direction d : kAllDirections) {
         if (!open(c, d)) continue;
         const Cell to = neighbour(c, d);
-        if (!visited(to)) continue;
-        std::uint32_t& reached = reached_[to];
-        if (reached >> 2 == stamp_) continue;
-        reached = stamp_ << 2 | static_cast<std::uint32_t>(d);
-        queue_.push_back(to);
+        if (visited(to) && reach(to, d)) append(to);
       }
-    }
-    return std::nullopt;
+    };
+    const auto found = breadth_first(queue_, expand, goal);
+    if (!found) return std::nullopt;
+    return steps_to(queue_[*found]);
   }
 
-  /// The shortest way over visited cells to that one: A*, which looks at little more than the way where nothing is in it.
-  std::optional<std::vector<Direction>> path_to_cell(const Cell& goal) {
-    new_stamp();
-    // Each step brings the goal nearer (the same sum of driven and left), or two farther: two heaps of cells will do.
+  /// The fewest steps over visited cells to one cell: A*, which looks at few other cells where nothing is in the way.
+  /// base/graph_search.hpp would need the extent of the lattice and a heap. Here a step either keeps the sum of steps
+  /// driven and steps left, or raises it by two, so two stacks do.
+  std::optional<Steps> path_to_cell(const Cell& goal) {
+    begin_search();
     const auto left = [&](const Cell& c) { return std::abs(c.i - goal.i) + std::abs(c.j - goal.j); };
     now_.assign(1, {at(), kEast});
     later_.clear();
@@ -78,28 +81,32 @@ class CellWalk {
       if (now_.empty()) now_.swap(later_);
       const auto [c, came] = now_.back();
       now_.pop_back();
-      std::uint32_t& reached = reached_[c];
-      if (reached >> 2 == stamp_) continue;
-      reached = stamp_ << 2 | static_cast<std::uint32_t>(came);
-      if (c == goal) return way_back_from(c);
+      if (!reach(c, came)) continue;
+      if (c == goal) return steps_to(c);
       for (const Direction d : kAllDirections) {
         const Cell to = neighbour(c, d);
-        if (!open(c, d) || !visited(to) || reached_.get(to) >> 2 == stamp_) continue;
+        if (!open(c, d) || !visited(to) || reached_.get(to).search == search_) continue;
         (left(to) < left(c) ? now_ : later_).push_back({to, d});
       }
     }
     return std::nullopt;
   }
 
-  /// Walks a way; false if a step was refused. `smooth`: straight over the lattice where that is free.
-  bool walk(const std::vector<Direction>& way, bool tool, bool smooth = false) {
+  /// False if a step was refused; the robot is where it was stopped then.
+  bool follow(const Steps& steps, bool tool) {
+    for (const Direction d : steps)
+      if (!step(d, tool)) return false;
+    return true;
+  }
+  /// The same, but from each cell straight to the farthest cell of the path for which that is possible.
+  bool follow_smoothed(const Steps& steps, bool tool) {
     std::vector<Cell> cells{at()};
-    for (const Direction d : way) cells.push_back(neighbour(cells.back(), d));
-    for (std::size_t k = 0; k < way.size();) {
+    for (const Direction d : steps) cells.push_back(neighbour(cells.back(), d));
+    for (std::size_t k = 0; k < steps.size();) {
       std::size_t to = k + 1;
-      while (smooth && to < way.size() && robot_.straight(cells[k], cells[to + 1])) ++to;
-      if (to == k + 1 || !leap(cells[to], tool)) {
-        if (!step(way[k], tool)) return false;
+      while (to < steps.size() && robot_.straight(cells[k], cells[to + 1])) ++to;
+      if (to == k + 1 || !go_straight(cells[to], tool)) {
+        if (!step(steps[k], tool)) return false;
         to = k + 1;
       }
       k = to;
@@ -107,28 +114,29 @@ class CellWalk {
     return true;
   }
 
-  /// Walks there, by another way where one is refused; false if there is no way or somebody cancelled.
+  /// Goes to the nearest visited cell with goal(cell), by another path where a step is refused. False if there is none,
+  /// or the run is cancelled.
   template <class Goal>
   bool go_to(Goal goal, bool tool = false) {
     while (!cancelled()) {
-      const auto way = path_to(goal);
-      if (!way) return false;
-      if (walk(*way, tool)) return true;
+      const auto steps = path_to(goal);
+      if (!steps) return false;
+      if (follow(*steps, tool)) return true;
     }
     return false;
   }
   bool go_to_cell(const Cell& cell, bool tool = false) {
     while (!cancelled()) {
-      const auto way = path_to_cell(cell);
-      if (!way) return false;
-      if (walk(*way, tool)) return true;
+      const auto steps = path_to_cell(cell);
+      if (!steps) return false;
+      if (follow(*steps, tool)) return true;
     }
     return false;
   }
-  /// To the nearest visited cell beside an unvisited one: when a planner is closed in.
+  /// Goes to the nearest visited cell beside an unvisited one: for a robot that is closed in.
   bool escape() {
-    const auto fresh = [this](const Cell& c) { return any_fresh(c); };
-    return go_to(fresh) || (look_back() && go_to(fresh));
+    const auto has_fresh = [this](const Cell& c) { return any_fresh(c); };
+    return go_to(has_fresh) || (reopen_known_steps() && go_to(has_fresh));
   }
 
   /// Leaves the lattice and comes back to it (CellRobot::drive).
@@ -137,102 +145,122 @@ class CellWalk {
     arrive();
   }
 
-  /// The direction that has a wall behind it, where explorers begin: first straight south to a wall if there is none.
-  Direction back_to_wall() {
-    const auto away = [&]() -> std::optional<Direction> {
+  /// The heading with which exploration begins: away from a wall. Without a wall beside it the robot first drives
+  /// straight south to one.
+  Direction heading_from_wall() {
+    const auto from_wall = [&]() -> std::optional<Direction> {
       for (const Direction d : kAllDirections)
         if (!open(opposite(d))) return d;
       return std::nullopt;
     };
-    std::optional<Direction> found = away();
-    while (!found && step(kSouth)) found = away();
+    std::optional<Direction> found = from_wall();
+    while (!found && step(kSouth)) found = from_wall();
     return found.value_or(kNorth);
   }
 
-  /// The robot stands in a cell that it was not stepped to: it has been driven off the lattice.
-  void arrive() {
-    Mark mark = marks_[at()];
-    if (!(mark & kVisited)) {
-      ++cells_;
-      mark |= kVisited;
-      for (const Direction d : kAllDirections) {
-        const Cell beside = neighbour(at(), d);
-        if (!visited(beside)) continue;
-        mark |= static_cast<Mark>(kBeenBeside << d);
-        marks_[beside] |= static_cast<Mark>(kBeenBeside << opposite(d));
-      }
-    }
-    mark &= static_cast<Mark>(~0xf);
-    for (const Direction d : kAllDirections)
-      if (!(mark >> 4 >> d & 1) && robot_.passable(d)) mark |= static_cast<Mark>(1 << d);
-    here_ = marks_[at()] = mark;
-  }
-
-  std::size_t cells() const { return cells_; }
-  /// Reports how many cells were visited, in how many moves.
-  void report() {
+  /// Records how many cells were visited, in how many moves.
+  void record_figures() {
     context_.record("cells", static_cast<double>(cells_));
     context_.record("moves", static_cast<double>(robot_.steps()));
   }
   CellRobot& robot() { return robot_; }
-  /// Looks at the clock now and then.
+  /// Looks at the clock at every 256th call.
   bool cancelled() {
     if (!cancelled_ && ++asked_ % 256 == 0) cancelled_ = context_.cancelled();
     return cancelled_;
   }
 
  private:
-  // A bit for each direction: 0 to 3 open, 4 to 7 refused, 8 to 11 the robot has been in the cell there. From bit 13 on:
-  // how often a step was refused here.
-  using Mark = std::uint16_t;
-  static constexpr Mark kBeenBeside = 1 << 8, kVisited = 1 << 12, kMostRefusals = 7;
-  static unsigned fresh_of(Mark mark) { return mark & ~(mark >> 8) & 0xfu; }
-  static constexpr std::uint32_t kLastStamp = (1u << 30) - 1;
+  // Four bits are a set of directions.
+  struct Mark {
+    std::uint16_t open : 4 = 0;            // the step was felt to be free
+    std::uint16_t refused : 4 = 0;         // the step was tried in vain
+    std::uint16_t beside_visited : 4 = 0;  // the neighbour was visited
+    std::uint16_t visited : 1 = 0;
+    unsigned fresh() const { return open & ~unsigned{beside_visited}; }
+  };
+  struct Reached {
+    std::uint32_t search : 30 = 0;  // the last search that reached the cell
+    std::uint32_t by : 2 = 0;       // the direction of the step that led there
+  };
+  static constexpr std::uint32_t kLastSearch = (1u << 30) - 1;
 
-  // After a search in vain, which has been everywhere: is any way open of which the robot did not know when it was there?
-  bool look_back() {
+  void arrive() {
+    Mark mark = marks_[at()];
+    if (!mark.visited) {
+      ++cells_;
+      mark.visited = 1;
+      for (const Direction d : kAllDirections) {
+        const Cell beside = neighbour(at(), d);
+        if (!visited(beside)) continue;
+        mark.beside_visited |= 1 << d;
+        marks_[beside].beside_visited |= 1 << opposite(d);
+      }
+    }
+    mark.open = 0;
+    for (const Direction d : kAllDirections)
+      if (!(mark.refused >> d & 1) && robot_.passable(d)) mark.open |= 1 << d;
+    here_ = marks_[at()] = mark;
+  }
+  void refuse(Direction d) {
+    here_.refused |= 1 << d;
+    here_.open &= ~(1 << d);
+    marks_[at()] = here_;
+  }
+  bool go_straight(const Cell& to, bool tool) {
+    if (!robot_.go_straight(to, tool)) return false;
+    arrive();
+    return true;
+  }
+
+  // After a search without success, which has reached all visited cells: opens the steps that were closed when the
+  // robot was there and are known to be free now. False if there are none.
+  bool reopen_known_steps() {
     bool found = false;
     for (const Cell& c : queue_) {
       Mark& mark = marks_[c];
       for (const Direction d : kAllDirections) {
-        const bool refused = (mark >> 4 >> d & 1) != 0;
-        if (((mark | mark >> 8) >> d & 1) || (refused && mark >> 13 == kMostRefusals) || !robot_.learnt(c, d)) continue;
-        mark = static_cast<Mark>((mark & ~(1 << (4 + d))) | 1 << d);
+        if (((mark.open | mark.beside_visited) >> d & 1) || !robot_.known_open(c, d)) continue;
+        mark.refused &= ~(1 << d);
+        mark.open |= 1 << d;
         found = true;
       }
     }
     here_ = marks_[at()];
     return found;
   }
-  void new_stamp() {
-    if (++stamp_ <= kLastStamp) return;
+
+  void begin_search() {
+    if (++search_ <= kLastSearch) return;
     reached_ = {};
-    stamp_ = 1;
+    search_ = 1;
   }
-  bool leap(const Cell& to, bool tool) {
-    if (!robot_.go_straight(to, tool)) return false;
-    arrive();
+  /// False if the current search has reached the cell before.
+  bool reach(const Cell& c, Direction by) {
+    Reached& reached = reached_[c];
+    if (reached.search == search_) return false;
+    reached.search = search_;
+    reached.by = static_cast<unsigned>(by);
     return true;
   }
-  void refuse(Direction d) { here_ = marks_[at()] = static_cast<Mark>((here_ | 1 << (4 + d)) & ~(1 << d)); }
-  std::vector<Direction> way_back_from(Cell c) const {
-    std::vector<Direction> way;
+  Steps steps_to(Cell c) const {
+    Steps steps;
     while (c != at()) {
-      way.push_back(static_cast<Direction>(reached_.get(c) & 3));
-      c = neighbour(c, opposite(way.back()));
+      steps.push_back(static_cast<Direction>(unsigned{reached_.get(c).by}));
+      c = neighbour(c, opposite(steps.back()));
     }
-    std::reverse(way.begin(), way.end());
-    return way;
+    std::reverse(steps.begin(), steps.end());
+    return steps;
   }
 
   CellRobot& robot_;
   Context& context_;
   CellMap<Mark> marks_;
-  Mark here_ = 0;                   // of the robot's cell
-  CellMap<std::uint32_t> reached_;  // by the search of that stamp, in that direction
+  Mark here_;  // of the robot's cell
+  CellMap<Reached> reached_;
   std::vector<Cell> queue_;
   std::vector<std::pair<Cell, Direction>> now_, later_;
-  std::uint32_t stamp_ = 0;
+  std::uint32_t search_ = 0;
   std::size_t cells_ = 0, asked_ = 0;
   bool cancelled_ = false;
 };

@@ -48,25 +48,24 @@ std::vector<std::size_t> grow_breadth_first(CoarseCells& cells, std::size_t root
   return queue;
 }
 
-// Counter-clockwise inside each coarse cell unless a tree edge leads out: the tree stays at the left.
+// Counter-clockwise inside each coarse cell, unless a tree edge leads out of it; so the tree stays on the left.
 Direction round_step(const CoarseCells& cells, int i, int j) {
-  const int x = i % 2, y = j % 2;
-  // Standing at a corner of the coarse cell, first try to leave over the cell's side to the right of the way round.
-  const Direction out = y == 0 ? (x == 0 ? kSouth : kEast) : (x == 1 ? kNorth : kWest);
-  const Direction along = y == 0 ? (x == 0 ? kEast : kNorth) : (x == 1 ? kWest : kSouth);
-  return cells.in_tree(cells.at(i / 2, j / 2), out) ? out : along;
+  const bool west = i % 2 == 0, south = j % 2 == 0;  // which of the four sub-cells
+  // Over the side of the coarse cell that is on the right of the path, if the tree crosses it.
+  const Direction out = south ? (west ? kSouth : kEast) : (west ? kWest : kNorth);
+  return cells.in_tree(cells.at(i / 2, j / 2), out) ? out : left_of(out);
 }
 
-Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, int i0, int j0, bool every_cell) {
+Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, int i0, int j0, RoundPoints points) {
   Polyline line{fine.centre(i0, j0)};
   int i = i0, j = j0;
-  int last = -1;
+  std::optional<Direction> last;
   do {
     const Direction d = round_step(cells, i, j);
     i += kColumnStep[d];
     j += kRowStep[d];
-    if (d == last && !every_cell)
-      line.back() = fine.centre(i, j);  // straight on
+    if (last == d && points == RoundPoints::at_turns)
+      line.back() = fine.centre(i, j);
     else
       line.push_back(fine.centre(i, j));
     last = d;

@@ -1,7 +1,18 @@
-// Coarse cells of two by two sub-cells, a tree of them, and the way round it: what spanning tree coverage is made of.
-//
-// Source      Gabriely & Rimon, "Spanning-tree based coverage of continuous areas by a mobile robot", ICRA 2001
-// Complexity  everything O(cells)
+/// Coarse cells of two by two sub-cells, a spanning tree of them, and the path around the tree: the parts of spanning
+/// tree coverage.
+///
+///   CoarseCells cells(fine);
+///   grow_breadth_first(cells, cells.at(0, 0));
+///   path.drive(round_tree(fine, cells, 0, 0), true);
+///
+///   +-------+-------+
+///   | o - o - o - o |     o  sub-cell centres, joined by the closed path
+///   | |   *---*   | |     *  centres of the coarse cells, joined by the tree
+///   | o - o - o - o |
+///   +-------+-------+
+///
+/// Gabriely and Rimon 2001 ("Spanning-tree based coverage of continuous areas by a mobile robot", ICRA).
+/// Everything O(cells).
 #pragma once
 
 #include <cstdint>
@@ -12,10 +23,10 @@
 
 namespace oxturn {
 
-/// The coarse cells over a lattice of sub-cells, with the tree edges chosen so far (a bit for each direction).
+/// The coarse cells over a lattice of sub-cells, with the tree edges chosen so far.
 class CoarseCells {
  public:
-  /// A coarse cell is free if the square through its four sub-cell centres, which is all that is driven inside it, is.
+  /// A coarse cell is free if the square through its four sub-cell centres is: nothing else is driven inside it.
   /// `fine` must outlive it.
   explicit CoarseCells(const GridGraph& fine);
 
@@ -30,7 +41,7 @@ class CoarseCells {
   bool linked(std::size_t c) const { return tree_[c] != 0; }
   bool in_tree(std::size_t c, Direction d) const { return (tree_[c] >> d & 1) != 0; }
 
-  /// Adjacent: both neighbours free, and both ways between their sub-cells.
+  /// Both cells are free, and so are the two lattice edges between their sub-cells.
   bool adjacent(std::size_t c, Direction d) const;
   std::size_t neighbour(std::size_t c, Direction d) const {
     return at(column(c) + kColumnStep[d], row(c) + kRowStep[d]);
@@ -45,21 +56,22 @@ class CoarseCells {
   const GridGraph& fine_;
   int columns_, rows_;
   std::vector<bool> free_;
-  std::vector<std::uint8_t> tree_;
+  std::vector<std::uint8_t> tree_;  // of each cell a bit for each direction
 };
 
-/// Links all cells that hang together with `root`, no deeper than `deepest`, to a breadth-first tree (neighbours
-/// counter-clockwise from east). Returns them, nearest first. None of them may be linked before. O(cells linked).
+/// Links all cells that are connected to `root` by at most `deepest` edges to a breadth-first tree; neighbours are
+/// taken counter-clockwise from east. Returns them, nearest first. None of them may be linked before. O(cells linked).
 std::vector<std::size_t> grow_breadth_first(CoarseCells& cells, std::size_t root,
                                             std::size_t deepest = std::numeric_limits<std::size_t>::max());
 
-/// Round the tree, counter-clockwise: where the way goes on from sub-cell (i, j).
+/// Counter-clockwise around the tree: where the path leads from sub-cell (i, j).
 Direction round_step(const CoarseCells& cells, int i, int j);
-/// The closed way round the tree from sub-cell (i0, j0), counter-clockwise: each sub-cell of the tree's cells once.
-/// `every_cell`: a point for each, not only where the way turns.
-Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, int i0, int j0, bool every_cell = false);
+enum class RoundPoints { at_turns, at_every_cell };
+/// The closed path around the tree from sub-cell (i0, j0), counter-clockwise: each sub-cell of the tree's cells once.
+Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, int i0, int j0,
+                    RoundPoints points = RoundPoints::at_turns);
 
-/// A segment for every tree edge: for pictures.
+/// A segment for every tree edge, for pictures.
 std::vector<Polyline> tree_lines(const CoarseCells& cells);
 
 }  // namespace oxturn

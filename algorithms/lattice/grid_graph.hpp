@@ -1,8 +1,11 @@
-// Where the robot's centre may drive on a square lattice: nodes at cell centres, edges between neighbours.
-//
-// A node is free if it lies in configuration space; an edge is free if its whole closed segment does. That is
-// exact for what grid planners drive (they only follow edges), so a cell needs no safety margin of its own.
-// Complexity: O(nodes + lattice edges crossed by walls), 10^6 nodes in about 50 ms; 1 byte a node.
+/// Where the robot's centre may drive on a square lattice: nodes at cell centres, edges between neighbours.
+///
+///   const GridGraph graph = make_grid_graph(problem, {.side = 0.25});
+///   if (graph.free(i, j) && graph.passable(i, j, kEast)) path.drive(graph.centre(i + 1, j), true);
+///
+/// A node is free if it lies in configuration space; an edge is free if its whole closed segment does. Grid planners
+/// drive edges only, so this is exact and a cell needs no safety margin of its own.
+/// O(nodes + lattice edges crossed by walls), 10^6 nodes in about 50 ms; 1 byte a node.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +36,7 @@ class GridGraph {
   int rows() const { return rows_; }
   double side() const { return side_; }
   bool free(int i, int j) const { return inside(i, j) && (cells_[at(i, j)] & kFree) != 0; }
-  /// The straight way from (i, j) to its neighbour is free (both ends included).
+  /// The edge from (i, j) to its neighbour is free.
   bool passable(int i, int j, Direction d) const {
     if (!inside(i, j)) return false;
     switch (d) {
@@ -47,71 +50,88 @@ class GridGraph {
         return j > 0 && (cells_[at(i, j - 1)] & kNorthOpen) != 0;
     }
   }
-  /// Learns what lies between the nodes, for the two questions below: O(nodes + lattice diagonals crossed by walls).
-  void look_between(const Region& configuration_space);
-  /// The straight way from (i, j) to (i + di, j + dj), both of them 1 or -1, is free.
+  /// Finds out what lies between the nodes; diagonal() and straight() need it.
+  /// O(nodes + lattice edges and diagonals crossed by walls).
+  void add_diagonals(const Region& configuration_space);
+  /// The segment from (i, j) to (i + di, j + dj) is free; di and dj are 1 or -1.
   bool diagonal(int i, int j, int di, int dj) const {
     if (!inside(i, j) || !inside(i + di, j + dj)) return false;
     const std::uint8_t square = cells_[at(std::min(i, i + di), std::min(j, j + dj))];
     return (square & (di == dj ? kRisingOpen : kFallingOpen)) != 0;
   }
-  /// The straight way between two nodes is free, and so is all of every square between nodes that it meets.
+  /// The segment between two nodes is free, and so are the squares between nodes that it meets.
   bool straight(int i, int j, int i2, int j2) const;
 
-  Point centre(double i, double j) const {  // of cell (i, j); fractions address points between centres
-    return origin_ + side_ * ((i + 0.5) * across_ + (j + 0.5) * up_);
-  }
+  /// Nodes are numbered row by row.
   std::size_t at(int i, int j) const {
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
   }
+  int column(std::size_t node) const { return static_cast<int>(node % static_cast<std::size_t>(columns_)); }
+  int row(std::size_t node) const { return static_cast<int>(node / static_cast<std::size_t>(columns_)); }
   std::size_t size() const { return cells_.size(); }
   bool inside(int i, int j) const { return i >= 0 && j >= 0 && i < columns_ && j < rows_; }
-  /// Cell coordinates (fractions) of a point: centre() backwards.
+  /// Of cell (i, j); fractions address points between centres.
+  Point centre(double i, double j) const { return origin_ + side_ * ((i + 0.5) * across_ + (j + 0.5) * up_); }
+  Point centre(std::size_t node) const { return centre(column(node), row(node)); }
+  /// Cell coordinates of a point, with fractions: the inverse of centre().
   Point coordinates(const Point& p) const {
     const Point q = p - origin_;
     return {q.dot(across_) / side_ - 0.5, q.dot(up_) / side_ - 0.5};
   }
 
  private:
+  struct Edge {
+    Point a, b;
+  };
   static constexpr std::uint8_t kFree = 1, kEastOpen = 2, kNorthOpen = 4;
-  // Of the square between (i, j) and (i + 1, j + 1): its diagonals are free; all of it is.
+  // Of the square between (i, j) and (i + 1, j + 1): its diagonals are free; all of it is free.
   static constexpr std::uint8_t kRisingOpen = 8, kFallingOpen = 16, kClear = 32;
   bool clear(int i, int j) const { return inside(i, j) && (cells_[at(i, j)] & kClear) != 0; }
+  void close(int i, int j, std::uint8_t bits) {
+    if (inside(i, j)) cells_[at(i, j)] &= static_cast<std::uint8_t>(~bits);
+  }
+  void mark_free_nodes(const Region& space);
+  void open_edges_between_free_nodes();
+  void close_edges_at_walls(const Region& space);
+  void open_squares();
+  void close_diagonals_at(const Edge& wall);
+  void close_squares_at(const Edge& wall);
+  template <class F>
+  void for_each_wall(const Region& space, F f) const;
+
   double side_;
   Point origin_, across_, up_;
   int columns_, rows_;
   std::vector<std::uint8_t> cells_;
 };
 
-/// How a grid lies over the map: the parameters that all grid planners share.
-struct GridSettings {
-  double cell_size = 0;             // metres; 0: the planner's default
-  std::string align = "axes";       // axes: with the map's coordinates; edges: with the direction most walls run in
-  double shift_x = 0, shift_y = 0;  // of the grid's origin, in cells
-  double turn = 0;                  // radians, on top of what `align` says
-};
-
-/// Side of a cell: `given`, or by default tool width / sqrt 2, so that a disc tool on the centre lines covers cells.
+/// Side of a cell: `given`, or if that is 0 tool width / sqrt 2, so that a disc tool on the centre lines covers cells.
 double cell_side(double given, const Robot& robot);
 
-/// A lattice over the problem's configuration space with `multiple` x `multiple` cells to a block; columns and rows
-/// are whole numbers of blocks. Unshifted, the first cell centres stand on the lower left edges of configuration
-/// space: the closest that the robot gets to a wall (with cells as wide as the robot that is the grid aligned to the
-/// map's bounding box); `margin` adds so many cells on every side. Cells shrink by up to 1/1000 of their side where a
-/// whole number of them then spans the room. Throws std::invalid_argument if that makes more than 10^8 cells.
-GridGraph make_grid_graph(const Problem& problem, const GridSettings& settings, double side, int multiple,
-                          int margin = 0);
+/// Where a lattice over a problem's configuration space lies.
+struct LatticePlacement {
+  double side;        // of a cell, metres
+  double angle = 0;   // radians, counter-clockwise
+  Point shift{0, 0};  // in cells
+  int block = 1;      // columns and rows are whole numbers of blocks of so many cells
+  int margin = 0;     // further cells on every side
+};
+/// Unshifted, the first cell centres lie on the lower and left edges of the configuration space's bounding box: the
+/// closest that the robot gets to a wall. (With cells as wide as the robot this is the grid aligned to the map's
+/// bounding box.) Cells shrink by up to 1/1000 of their side where a whole number of them then spans the box.
+/// Throws std::invalid_argument if there would be more than 10^8 cells.
+GridGraph make_grid_graph(const Problem& problem, const LatticePlacement& placement);
 
-/// A lattice over `space`, turned by `angle`, of which one node, an even number of cells from the lower left, stands at
-/// `place`. Throws as make_grid_graph does.
-GridGraph make_grid_graph_at(const Region& space, const std::string& map_name, const Point& place, double side,
+/// A lattice over `space`, turned by `angle`, that has a node at `node`, an even number of cells from the lower left.
+/// Throws as make_grid_graph does.
+GridGraph make_grid_graph_at(const Region& space, const std::string& map_name, const Point& node, double side,
                              double angle = 0);
 
-/// The cells of a lattice that a region sets, or all cells of a lattice over it: `parts` x `parts` of them to a cell, and
-/// `margin` of the lattice's cells more on every side.
+/// A region as cells of the lattice, each divided into `parts` x `parts` cells, with a margin of so many of the
+/// lattice's cells on every side.
 BitGrid rasterise(const Region& region, const GridGraph& lattice, int parts, int margin, CellRule rule);
 
-/// Direction (radians, in [0, pi/2)) that most of the walls' length runs in, modulo a quarter turn.
+/// Direction (radians, in [0, pi/2)) of most of the boundary's length, modulo a quarter turn.
 double dominant_direction(const Region& region);
 
 }  // namespace oxturn

@@ -7,7 +7,7 @@
 namespace oxturn {
 namespace {
 
-constexpr std::size_t kTurns = 16;  // places of the way driven at which turning off is tried
+constexpr std::size_t kTurns = 16;  // points of the driven path from which turning off is tried
 
 void append(Polyline& line, const Polyline& more) {
   for (const Point& p : more)
@@ -16,50 +16,52 @@ void append(Polyline& line, const Polyline& more) {
 
 }  // namespace
 
-struct BelievedPaths::Strings {
-  TautSpace space;                  // where the robot's centre may be
-  Polyline way;                     // the way driven, within that space
-  std::vector<std::size_t> at;      // some places of it (index), first and last included
-  std::vector<TautTether> strings;  // there
-  double longest = 0;
+/// The tether as it was along the driven path.
+struct BelievedPaths::Tether {
+  struct State {
+    std::size_t at;  // index into `driven`
+    TautTether tether;
+  };
+  TautSpace space;                 // where the robot's centre may be
+  double length = 0;               // limit
+  Polyline driven = {};            // within that space
+  std::vector<State> states = {};  // at some points of it, the first and the last included
 
-  const TautTether& now() const { return strings.back(); }
-  /// Drives on; nullopt if the leash is too short on the way.
-  std::optional<TautTether> driven(TautTether string, const Polyline& points) const {
+  const TautTether& now() const { return states.back().tether; }
+  /// After driving on; nullopt if the tether is too short on the way.
+  std::optional<TautTether> after(TautTether tether, const Polyline& points) const {
     for (const Point& p : points) {
-      string.drive(p);
-      if (string.length() > longest) return std::nullopt;
+      tether.drive(p);
+      if (tether.length() > length) return std::nullopt;
     }
-    return string;
+    return tether;
   }
   /// The shortest line of the same class in the robot's space.
   Polyline taut(const Polyline& line) const {
     if (line.size() < 3) return line;
-    TautTether shadow(space, line.front());
-    shadow.drive(line);
-    return shadow.line();
+    TautTether copy(space, line.front());
+    copy.drive(line);
+    return copy.polyline();
   }
 };
 
-BelievedPaths::BelievedPaths(const Problem& believed, const Polyline& way) : believed_(believed), driven_(way) {
+// Believed walls move by about a cell from one time to the next: the driven path is moved to where it fits today. The
+// tether lies in free space, of which there is more: it followed the robot, unless not even that is free today.
+BelievedPaths::BelievedPaths(const Problem& believed, const Polyline& driven) : believed_(believed), driven_(driven) {
   if (!believed.robot().tether) return;
-  strings_.reset(new Strings{TautSpace(believed.configuration_space()), {}, {}, {}, believed.robot().tether->length});
-  // Believed walls move by a cell or so from one time to the next: the way is put where it fits today. The string lies
-  // in free space, of which there is more: it went where the robot went, unless not even that is free today.
+  tether_.reset(new Tether{TautSpace(believed.configuration_space()), believed.robot().tether->length});
   const EdgeIndex free(believed.map().free);
-  Polyline& fitted = strings_->way;
-  TautTether string = tether_at_start(believed);
-  const std::size_t n = way.size(), every = std::max<std::size_t>(1, n / kTurns);
+  Polyline& fitted = tether_->driven;
+  TautTether tether = tether_at_start(believed);
+  const std::size_t n = driven.size(), every = std::max<std::size_t>(1, n / kTurns);
   for (std::size_t k = 0; k < n; ++k) {
-    Polyline on{inside(way[k])};
+    Polyline on{inside(driven[k])};
     if (!fitted.empty() && !believed.walls().contains(fitted.back(), on.back()))
-      if (auto round = path(fitted.back(), on.back())) on = std::move(*round);
+      if (auto around = path(fitted.back(), on.back())) on = std::move(*around);
     append(fitted, on);
-    if (free.contains(string.robot(), way[k])) on = {way[k]};
-    for (const Point& p : on) string.drive(p);
-    if (k % every != 0 && k + 1 != n) continue;
-    strings_->at.push_back(fitted.size() - 1);
-    strings_->strings.push_back(string);
+    if (free.contains(tether.robot(), driven[k])) on = {driven[k]};
+    for (const Point& p : on) tether.drive(p);
+    if (k % every == 0 || k + 1 == n) tether_->states.push_back({fitted.size() - 1, tether});
   }
 }
 BelievedPaths::~BelievedPaths() = default;
@@ -67,10 +69,10 @@ BelievedPaths::~BelievedPaths() = default;
 Point BelievedPaths::inside(const Point& p) const {
   if (believed_.walls().contains(p)) return p;
   const auto hit = believed_.walls().nearest(p);
-  return hit ? hit->place : p;
+  return hit ? hit->point : p;
 }
 
-// Ends that the believed walls have come too near to are joined to the nearest place of configuration space.
+/// Ends that the believed walls have come too near to are connected to the nearest point of configuration space.
 std::optional<Polyline> BelievedPaths::path(const Point& from, const Point& to) const {
   const auto middle = believed_.transit().path(inside(from), inside(to));
   if (!middle) return std::nullopt;
@@ -80,28 +82,34 @@ std::optional<Polyline> BelievedPaths::path(const Point& from, const Point& to) 
   return line;
 }
 
-bool BelievedPaths::holds(const Polyline& points) const {
-  return !strings_ || strings_->driven(strings_->now(), points).has_value();
+bool BelievedPaths::within_tether(const Polyline& points) const {
+  return !tether_ || tether_->after(tether_->now(), points).has_value();
 }
 
 std::optional<Polyline> BelievedPaths::to(const Point& goal) const {
   const auto direct = path(driven_.back(), goal);
-  if (!strings_ || (direct && holds(*direct))) return direct;
-  const Polyline& way = strings_->way;
+  if (!tether_ || (direct && within_tether(*direct))) return direct;
+  return path_turning_back(goal);
+}
+
+/// The shortest of the paths that go back along the driven path to one of the known tether states, and on from there.
+std::optional<Polyline> BelievedPaths::path_turning_back(const Point& goal) const {
+  const Polyline& driven = tether_->driven;
   std::optional<Polyline> best;
   double least = std::numeric_limits<double>::infinity();
   Polyline back{driven_.back()};
-  std::size_t k = way.size();
-  for (std::size_t s = strings_->at.size(); s-- > 0;) {
-    while (k > strings_->at[s]) append(back, {way[--k]});
-    const auto on = path(way[k], goal);
-    if (!on || length(*on) - distance(way[k], way.back()) >= least) continue;
-    if (!strings_->driven(strings_->strings[s], *on)) continue;
+  std::size_t k = driven.size();
+  for (std::size_t s = tether_->states.size(); s-- > 0;) {
+    const auto& [at, tether] = tether_->states[s];
+    while (k > at) append(back, {driven[--k]});
+    const auto on = path(driven[k], goal);
+    if (!on || length(*on) - distance(driven[k], driven.back()) >= least) continue;
+    if (!tether_->after(tether, *on)) continue;
     Polyline whole = back;
     append(whole, *on);
-    Polyline line = strings_->taut(whole);
-    if (!holds(line)) {  // rounding: as it comes, along the way driven
-      if (!holds(whole)) continue;
+    Polyline line = tether_->taut(whole);
+    if (!within_tether(line)) {  // by rounding; then without pulling it taut
+      if (!within_tether(whole)) continue;
       line = std::move(whole);
     }
     if (length(line) >= least) continue;
@@ -112,13 +120,14 @@ std::optional<Polyline> BelievedPaths::to(const Point& goal) const {
 }
 
 std::optional<Polyline> BelievedPaths::home() const {
-  if (!strings_) return path(driven_.back(), driven_.front());
-  Polyline back(driven_.rbegin(), driven_.rend()), fitted{driven_.back()};
-  append(fitted, Polyline(strings_->way.rbegin(), strings_->way.rend()));
+  if (!tether_) return path(driven_.back(), driven_.front());
+  Polyline fitted{driven_.back()};
+  append(fitted, Polyline(tether_->driven.rbegin(), tether_->driven.rend()));
   append(fitted, {driven_.front()});
-  Polyline line = strings_->taut(fitted);
-  const auto string = strings_->driven(strings_->now(), line);
-  return string && string->bends() == strings_->strings.front().bends() ? std::move(line) : std::move(back);
+  Polyline line = tether_->taut(fitted);
+  const auto at_home = tether_->after(tether_->now(), line);
+  if (at_home && at_home->bends() == tether_->states.front().tether.bends()) return line;
+  return Polyline(driven_.rbegin(), driven_.rend());
 }
 
 }  // namespace oxturn

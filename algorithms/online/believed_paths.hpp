@@ -1,11 +1,14 @@
-// Ways in the believed world, for robots with and without a tether.
-//
-// Without: the shortest path. With: the shortest path if the string stays within the leash all along it, else the
-// shortest of those that go back along the way driven as far as is needed and from there on, pulled taut in the robot's
-// space. The string is simulated in the believed map, along the whole way driven: believed free space is a part of the
-// true one, so the true string is never longer.
-// Complexity  O(n log n) for n points driven so far and corners; a question a shortest path, and up to kTurns times that
-//             and a walk over the way driven if the leash is in the way
+/// Paths in the believed world, for robots with and without a tether.
+///
+///   const BelievedPaths paths(believed, view.path_from_base());
+///   if (auto path = paths.to(goal)) robot.go({*path, true});
+///
+/// Without a tether: the shortest path. With one: the shortest path if the tether stays within its length all along,
+/// else the shortest of those that first go back along the path driven, pulled taut in the robot's space. The tether is
+/// simulated in the believed map, along the whole path driven. Believed free space is a part of the true one, so the
+/// true tether is never longer.
+/// O(n log n) for n points driven so far and vertices; a query one shortest path, and up to kTurns of them and a pass
+/// over the path driven if the tether does not allow that path.
 #pragma once
 
 #include <memory>
@@ -18,28 +21,29 @@ namespace oxturn {
 
 class BelievedPaths {
  public:
-  /// `believed` as believed_problem makes it (tethered: with the view's start); it must outlive this. `way`: driven so
-  /// far, from the view's start. It may lie outside of the newest configuration space by a few cells.
-  BelievedPaths(const Problem& believed, const Polyline& way);
+  /// `believed` as made by believed_problem (with a tether: with the view's start); it must outlive this. `driven`: the
+  /// path so far, from the view's start. It may lie outside the present configuration space by a few cells.
+  BelievedPaths(const Problem& believed, const Polyline& driven);
   ~BelievedPaths();
 
-  /// From the robot's place to `goal` in configuration space, both included; the first stretch may lead from a place
-  /// just outside of it. nullopt if there is none.
+  /// From the robot to `goal` in configuration space, both included. The first segment may begin just outside of that
+  /// space. nullopt if there is no path.
   std::optional<Polyline> to(const Point& goal) const;
-  /// To where the way began; at its end the string lies as it did then. With a tether always possible: the way back is
-  /// one. Without: nullopt if there is no path.
+  /// To where the driven path began; at the end the tether lies as it did then. With a tether always possible, by the
+  /// path driven; without: nullopt if there is no path.
   std::optional<Polyline> home() const;
-  /// The string stays within the leash along these points, driven from the robot's place (always, without a tether).
-  bool holds(const Polyline& points) const;
+  /// The tether stays within its length along these points, driven from where the robot is. True without a tether.
+  bool within_tether(const Polyline& points) const;
 
  private:
-  struct Strings;
+  struct Tether;
   std::optional<Polyline> path(const Point& from, const Point& to) const;
+  std::optional<Polyline> path_turning_back(const Point& goal) const;
   Point inside(const Point& p) const;
 
   const Problem& believed_;
-  Polyline driven_;  // as it was
-  std::unique_ptr<Strings> strings_;
+  Polyline driven_;
+  std::unique_ptr<Tether> tether_;
 };
 
 }  // namespace oxturn

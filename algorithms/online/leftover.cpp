@@ -4,19 +4,27 @@
 #include <cmath>
 
 #include "algorithms/online/believed_paths.hpp"
+#include "algorithms/tour/cell_ring.hpp"
+#include "base/graph_search.hpp"
 
 namespace oxturn {
 namespace {
 
-constexpr int kLevel = 2;
-constexpr double kWorth = 1.0 / 64;  // of a tool width square: a patch
-constexpr double kShare = 5e-4;      // of the target: all patches
+constexpr int kLevel = 2;            // of the belief's cells
+constexpr double kWorth = 1.0 / 64;  // tool widths square: a component
+constexpr double kShare = 5e-4;      // of the target: all components
 constexpr int kMostCalls = 8;
 
+struct Cell {
+  int i, j;
+};
+
+int floor_int(double v) { return static_cast<int>(std::floor(v)); }
+
 /// Clears the cells whose centre is within `reach` of the segment.
-void clear_about(BitGrid& grid, const Point& a, const Point& b, double reach) {
-  const auto column = [&](double x) { return static_cast<int>(std::floor((x - grid.origin.x()) / grid.cell)); };
-  const auto row = [&](double y) { return static_cast<int>(std::floor((y - grid.origin.y()) / grid.cell)); };
+void clear_around(BitGrid& grid, const Point& a, const Point& b, double reach) {
+  const auto column = [&](double x) { return floor_int((x - grid.origin.x()) / grid.cell); };
+  const auto row = [&](double y) { return floor_int((y - grid.origin.y()) / grid.cell); };
   const Point low = a.cwiseMin(b), high = a.cwiseMax(b);
   for (int j = std::max(0, row(low.y() - reach)); j <= std::min(grid.rows - 1, row(high.y() + reach)); ++j)
     for (int i = std::max(0, column(low.x() - reach)); i <= std::min(grid.columns - 1, column(high.x() + reach)); ++i)
@@ -26,53 +34,57 @@ void clear_about(BitGrid& grid, const Point& a, const Point& b, double reach) {
 void clear_under(BitGrid& grid, const Path& path, double reach) {
   for (const Leg& leg : path.legs)
     for (std::size_t k = 1; leg.tool && k < leg.points.size(); ++k)
-      clear_about(grid, leg.points[k - 1], leg.points[k], reach);
+      clear_around(grid, leg.points[k - 1], leg.points[k], reach);
 }
 
-/// Drops patches of fewer than `least` cells; returns how many cells are left.
+/// Clears connected components (by eight neighbours) of fewer than `least` cells; returns how many cells remain.
 std::size_t drop_small(BitGrid& grid, std::size_t least) {
-  BitGrid left = grid;
+  BitGrid left = grid;  // not yet reached
   std::size_t kept = 0;
-  std::vector<std::pair<int, int>> patch;
   for (int j = 0; j < grid.rows; ++j)
     for (int i = 0; i < grid.columns; ++i) {
       if (!left.get(i, j)) continue;
-      patch.assign(1, {i, j});
+      std::vector<Cell> component{{i, j}};
       left.set(i, j, false);
-      for (std::size_t k = 0; k < patch.size(); ++k)
-        for (int y = -1; y <= 1; ++y)
-          for (int x = -1; x <= 1; ++x) {
-            const int p = patch[k].first + x, q = patch[k].second + y;
-            if (!left.get(p, q)) continue;
-            left.set(p, q, false);
-            patch.emplace_back(p, q);
+      breadth_first(component, [&](const Cell& at, const auto& reach) {
+        for (int y = at.j - 1; y <= at.j + 1; ++y)
+          for (int x = at.i - 1; x <= at.i + 1; ++x) {
+            if (!left.get(x, y)) continue;
+            left.set(x, y, false);
+            reach({x, y});
           }
-      if (patch.size() >= least) {
-        kept += patch.size();
-        continue;
-      }
-      for (const auto& [p, q] : patch) grid.set(p, q, false);
+      });
+      if (component.size() >= least)
+        kept += component.size();
+      else
+        for (const Cell& c : component) grid.set(c.i, c.j, false);
     }
   return kept;
 }
 
-/// The set cell nearest to p, by growing squares.
-std::optional<std::pair<int, int>> nearest(const BitGrid& grid, const Point& p) {
-  const int ci = static_cast<int>(std::floor((p.x() - grid.origin.x()) / grid.cell));
-  const int cj = static_cast<int>(std::floor((p.y() - grid.origin.y()) / grid.cell));
-  std::optional<std::pair<int, int>> best;
+/// The set cell nearest to p.
+std::optional<Cell> nearest(const BitGrid& grid, const Point& p) {
+  const Point at = (p - grid.origin) / grid.cell;
+  const int ci = floor_int(at.x()), cj = floor_int(at.y());
+  std::optional<Cell> best;
   double least = std::numeric_limits<double>::infinity();
-  for (int r = 0; r <= grid.columns + grid.rows && (!best || (r - 1) * grid.cell <= least); ++r)
-    for (int j = std::max(0, cj - r); j <= std::min(grid.rows - 1, cj + r); ++j) {
-      const int step = j == cj - r || j == cj + r || r == 0 ? 1 : 2 * r;
-      for (int i = ci - r; i <= ci + r; i += step)
-        if (grid.get(i, j))
-          if (const double d = distance(grid.centre(i, j), p); d < least) {
-            least = d;
-            best = {i, j};
-          }
-    }
+  for (int ring = 0; ring <= grid.columns + grid.rows && (!best || (ring - 1) * grid.cell <= least); ++ring)
+    for_each_in_ring(ci, cj, ring, grid.columns, grid.rows, [&](int i, int j) {
+      if (!grid.get(i, j)) return;
+      if (const double d = distance(grid.centre(i, j), p); d < least) {
+        least = d;
+        best = {i, j};
+      }
+    });
   return best;
+}
+
+/// A point of configuration space from which the tool covers q; nullopt: there is none.
+std::optional<Point> point_that_covers(const Problem& believed, const Point& q) {
+  if (believed.walls().contains(q)) return q;
+  const auto hit = believed.walls().nearest(q);
+  if (!hit || hit->distance > believed.robot().tool_width / 2) return std::nullopt;
+  return hit->point;
 }
 
 }  // namespace
@@ -82,56 +94,61 @@ void Leftover::planned(const Problem& believed, const Path& path) {
   path_ = path;
 }
 
-std::optional<Motion> Leftover::next(const View& view) {
-  if (seen_ == view.belief().revision() || ++calls_ > kMostCalls) return std::nullopt;
-  seen_ = view.belief().revision();
+/// Of the believed target, without what the plan left out on purpose; components that are not worth it are dropped.
+BitGrid Leftover::uncovered_cells(const View& view, const Problem& believed) const {
   const Robot& robot = view.robot();
-  const auto believed = believed_problem(view, robot.tether ? view.start() : view.pose(), 0);
-  if (!believed) return std::nullopt;
   const double reach = robot.tool_width / 2;
   const BitGrid window = view.belief().cells(kLevel).free;
   const auto raster = [&](const Region& region, CellRule rule) {
     return rasterise(region, window.origin, window.cell, window.columns, window.rows, rule);
   };
-  BitGrid bare = raster(believed->target(), CellRule::inside);
-  const double target = static_cast<double>(bare.count());
-  BitGrid spared = raster(planned_, CellRule::touches);  // by the plan, on purpose
-  clear_under(spared, path_, reach);
-  for (std::size_t c = 0; c < bare.bits.size(); ++c) bare.bits[c] = bare.bits[c] != 0 && spared.bits[c] == 0 ? 1 : 0;
-  clear_under(bare, view.path(), reach);
+  BitGrid uncovered = raster(believed.target(), CellRule::inside);
+  const double target = static_cast<double>(uncovered.count());
+  BitGrid left_out = raster(planned_, CellRule::touches);
+  clear_under(left_out, path_, reach);
+  for (std::size_t c = 0; c < uncovered.bits.size(); ++c)
+    uncovered.bits[c] = uncovered.bits[c] != 0 && left_out.bits[c] == 0 ? 1 : 0;
+  clear_under(uncovered, view.path(), reach);
   const auto least =
       static_cast<std::size_t>(kWorth * robot.tool_width * robot.tool_width / (window.cell * window.cell)) + 1;
-  if (static_cast<double>(drop_small(bare, least)) <= kShare * target) return std::nullopt;
+  if (static_cast<double>(drop_small(uncovered, least)) <= kShare * target)
+    std::fill(uncovered.bits.begin(), uncovered.bits.end(), std::uint8_t{0});
+  return uncovered;
+}
 
-  const BelievedPaths ways(*believed, robot.tether ? view.way() : Polyline{view.pose()});
+/// From the pose over the uncovered cells, nearest first; clears what it covers or gives up.
+Polyline Leftover::tour(const View& view, const Problem& believed, BitGrid& uncovered) {
+  const double reach = view.robot().tool_width / 2;
+  const BelievedPaths paths(believed, view.path_from_base());
   Polyline tour{view.pose()};
-  while (const auto cell = nearest(bare, tour.back())) {
-    const Point place = bare.centre(cell->first, cell->second);
-    bare.set(cell->first, cell->second, false);  // one try each
-    Point goal = place;
-    if (!believed->walls().contains(place)) {
-      const auto hit = believed->walls().nearest(place);
-      if (!hit || hit->distance > reach) continue;
-      goal = hit->place;
-    }
-    std::optional<Polyline> on;
-    if (tour.size() == 1)
-      on = ways.to(goal);
-    else
-      on = believed->transit().path(tour.back(), goal);
+  while (const auto cell = nearest(uncovered, tour.back())) {
+    uncovered.set(cell->i, cell->j, false);  // one attempt each
+    const auto goal = point_that_covers(believed, uncovered.centre(cell->i, cell->j));
+    if (!goal) continue;
+    const auto on = tour.size() == 1 ? paths.to(*goal) : believed.transit().path(tour.back(), *goal);
     if (!on) continue;
     Polyline longer = tour;
     longer.insert(longer.end(), on->begin() + 1, on->end());
-    if (robot.tether && tour.size() > 1 && !ways.holds(longer)) {
-      bare.set(cell->first, cell->second, true);  // by another way, from where this tour ends
-      seen_ = 0;
+    if (tour.size() > 1 && !paths.within_tether(longer)) {
+      seen_ = 0;  // by another path, from where this tour ends
       break;
     }
-    for (std::size_t k = tour.size(); k < longer.size(); ++k) clear_about(bare, longer[k - 1], longer[k], reach);
+    for (std::size_t k = tour.size(); k < longer.size(); ++k) clear_around(uncovered, longer[k - 1], longer[k], reach);
     tour = std::move(longer);
   }
-  if (tour.size() < 2) return std::nullopt;
-  return Motion{std::move(tour), true};
+  return tour;
+}
+
+std::optional<Motion> Leftover::next(const View& view) {
+  if (seen_ == view.belief().revision() || ++calls_ > kMostCalls) return std::nullopt;
+  seen_ = view.belief().revision();
+  const auto believed = believed_problem(view, view.base(), 0);
+  if (!believed) return std::nullopt;
+  BitGrid uncovered = uncovered_cells(view, *believed);
+  if (uncovered.count() == 0) return std::nullopt;
+  Polyline line = tour(view, *believed, uncovered);
+  if (line.size() < 2) return std::nullopt;
+  return Motion{std::move(line), true};
 }
 
 }  // namespace oxturn

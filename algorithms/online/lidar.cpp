@@ -7,8 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "maps/formats.hpp"
 #include "base/text.hpp"
+#include "maps/formats.hpp"
 
 namespace oxturn {
 namespace {
@@ -57,35 +57,35 @@ LidarSimulator::LidarSimulator(const Region& free, const Lidar& lidar) : lidar_(
   });
 }
 
-// From cell to cell. A corner that two edges share is seen at the same (rounded) side of the ray by both, so no ray
-// slips between them.
+/// From cell to cell. A vertex that two edges share is on the same (rounded) side of the ray for both, so no ray passes
+/// between them.
 double LidarSimulator::cast(const Point& eye, const Point& direction) const {
   double best = lidar_.range;
   bool met = false;
   int i = grid_.column(eye.x()), j = grid_.row(eye.y());
   const double cell = grid_.cell();
-  const auto first_line = [&](double at, double low, double d, int index) {
+  const auto first_border = [&](double at, double low, double d, int index) {
     return d == 0 ? kNothing : (low + cell * (index + (d > 0 ? 1 : 0)) - at) / d;
   };
-  double next_x = first_line(eye.x(), grid_.low().x(), direction.x(), i);
-  double next_y = first_line(eye.y(), grid_.low().y(), direction.y(), j);
+  double next_x = first_border(eye.x(), grid_.low().x(), direction.x(), i);
+  double next_y = first_border(eye.y(), grid_.low().y(), direction.y(), j);
   const double step_x = direction.x() == 0 ? kNothing : cell / std::abs(direction.x());
   const double step_y = direction.y() == 0 ? kNothing : cell / std::abs(direction.y());
   while (i >= 0 && j >= 0 && i < grid_.columns() && j < grid_.rows()) {
     const std::size_t c = grid_.index(i, j);
-    for (const std::uint32_t* e = grid_.begin(c); e != grid_.end(c); ++e) {
-      const EdgeIndex::Edge& edge = edges_[*e];
+    for (const std::uint32_t e : grid_.items(c)) {
+      const EdgeIndex::Edge& edge = edges_[e];
       const Point a = edge.a - eye, b = edge.b - eye;
       const double left = cross(direction, a), right = cross(direction, b);
       if ((left > 0) == (right > 0)) continue;
-      // Where ab meets the ray's line, between the ends whatever the rounding.
+      // Where ab meets the ray's line: between its ends, whatever the rounding.
       const double t = lerp(a, b, left / (left - right)).dot(direction);
       if (t >= 0 && t <= best) {
         best = t;
         met = true;
       }
     }
-    const double leave = std::min(next_x, next_y);
+    const double leave = std::min(next_x, next_y);  // the cell
     if (leave > best + 1e-6 * cell) break;
     if (next_x <= next_y) {
       i += direction.x() > 0 ? 1 : -1;

@@ -2,7 +2,7 @@
 
 namespace oxturn {
 
-// Rounding must not close a passage as wide as the robot (Problem::tolerance).
+// The radius less the problem's tolerance: rounding must not close a passage as wide as the robot.
 LidarCells::LidarCells(OnlineRobot& robot, double side)
     : robot_(robot),
       side_(side),
@@ -18,7 +18,7 @@ bool LidarCells::straight(const Cell& from, const Cell& to) {
 
 bool LidarCells::go_straight(const Cell& from, const Cell& to, bool tool) {
   if (robot_.go({{centre(to)}, tool})) return true;
-  // Stopped on the way by what it saw: back, for what lies behind was free when the robot came.
+  // Stopped on the way by what it saw. What lies behind was free when the robot came, so it goes back.
   robot_.go({{centre(from)}, tool});
   return false;
 }

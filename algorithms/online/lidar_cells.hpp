@@ -1,7 +1,10 @@
-// A lattice as a lidar shows it: what grid planners drive on without the map.
-//
-// A way between cells is passable where the belief is that the robot fits along it. What is unknown counts as wall, and
-// may open when more has been seen. Complexity: a question is one to the belief.
+/// A lattice as the lidar shows it: what grid planners drive on without the map.
+///
+///   LidarCells cells(online_robot, side);
+///   CellRobot robot(cells, side);
+///
+/// A step between cells is passable where the robot is believed to fit along it. What is unknown counts as wall, and
+/// may open when more has been seen. A query costs one to the belief.
 #pragma once
 
 #include "algorithms/lattice/cell_robot.hpp"
@@ -9,7 +12,7 @@
 
 namespace oxturn {
 
-/// Hangs on the start, along the axes.
+/// Has a node at the start, and runs along the axes.
 class LidarCells final : public CellWorld {
  public:
   LidarCells(OnlineRobot& robot, double side);

@@ -9,11 +9,12 @@
 namespace oxturn {
 namespace {
 
-constexpr double kShrink = 5e-7;
-constexpr double kSimpler[] = {1.0 / 128, 1.0 / 32};  // of the size
-constexpr double kAbout = 1.0 / 8;  // of the size: half the side of the square about a wall point that was overlooked
-constexpr double kNear = 8;         // sizes: wall points from nearer are kept on a fine lattice
-constexpr double kExact = 1e-3, kFine = 1.0 / 128, kCoarse = 1.0 / 16;  // of the size: squares with one point each
+// Lengths are in sizes of the robot.
+constexpr double kShrink = 5e-7;                      // of a star
+constexpr double kSimpler[] = {1.0 / 128, 1.0 / 32};  // what region() may lose, fine and coarse
+constexpr double kAround = 1.0 / 8;                   // half the side of the square around an overlooked wall point
+constexpr double kNear = 8;                           // wall points from nearer are kept on the finer lattice
+constexpr double kExact = 1e-3, kFine = 1.0 / 128, kCoarse = 1.0 / 16;  // squares of which one wall point is kept
 constexpr std::size_t kMostPending = 64;
 
 double angle_of(const Point& p) {
@@ -21,7 +22,7 @@ double angle_of(const Point& p) {
   return angle < 0 ? angle + 2 * kPi : angle;
 }
 
-/// Of squares of side * size; three lattices have different keys (or hardly ever the same).
+/// The key of the square of side * size that contains p. The three lattices have different keys, almost always.
 std::uint64_t square_of(const Point& p, double side, double size) {
   const auto i = static_cast<std::uint64_t>(std::llround(p.x() / (side * size)));
   const auto j = static_cast<std::uint64_t>(std::llround(p.y() / (side * size)));
@@ -39,38 +40,52 @@ bool Outline::Star::contains(const Point& p) const {
 }
 
 bool Outline::Star::says_free(const Point& p) const {
-  if (!contains(p)) return false;
-  for (std::size_t k = 0; k < cut.size(); ++k)
-    if (cut_box[k].contains(p) && oxturn::contains(cut[k], p)) return false;
-  return true;
+  return contains(p) && std::none_of(withdrawn.begin(), withdrawn.end(), [&](const Withdrawn& w) {
+           return w.box.contains(p) && oxturn::contains(w.region, p);
+         });
 }
 
-void Outline::Star::refute(const Point& p, const Box& box) {
+/// Between the two rays around p, in the box.
+void Outline::Star::withdraw(const Point& p, const Box& box) {
   const double first = std::floor(angle_of(p - eye) / step) * step, far = 2 * std::sqrt(reach2);
   const Point u(std::cos(first), std::sin(first)), v(std::cos(first + step), std::sin(first + step));
   const Region wedge{{Polygon{{eye, eye + far * u, eye + far * v}, {}}}};
-  cut_box.push_back(box);
-  cut.push_back(intersect(wedge, box_region(box.low, box.high)));
+  withdrawn.push_back({box, intersect(wedge, box_region(box.low, box.high))});
 }
 
-/// A part of the star that holds all that it has in the box.
+/// A part of the star that contains all that the star has in the box.
 Region Outline::Star::sector(const Box& box) const {
-  if (box.contains(eye)) return {{Polygon{ring, {}}}};
+  const auto whole = [this] { return Region{{Polygon{ring, {}}}}; };
+  if (box.contains(eye)) return whole();
   const Point middle = box.centre() - eye;
   const double half = std::atan2(box.size().norm() / 2, middle.norm()), at = angle_of(middle);
-  if (at - half < 0 || at + half > 2 * kPi) return {{Polygon{ring, {}}}};
+  if (at - half < 0 || at + half > 2 * kPi) return whole();
   const auto first = std::lower_bound(angle.begin(), angle.end(), at - half) - angle.begin();
   const auto last = std::upper_bound(angle.begin(), angle.end(), at + half) - angle.begin();
-  if (first == 0 || last == static_cast<std::ptrdiff_t>(angle.size())) return {{Polygon{ring, {}}}};
+  if (first == 0 || last == static_cast<std::ptrdiff_t>(angle.size())) return whole();
   Ring part{eye};
   part.insert(part.end(), ring.begin() + first - 1, ring.begin() + last + 1);
   return {{Polygon{std::move(part), {}}}};
 }
 
-Box Outline::about(const Point& p) const {
+/// At least what the star says is free in the box.
+Region Outline::Star::free_in(const Box& box) const {
+  Region free = sector(box);
+  std::vector<Region> cut;
+  for (const Withdrawn& w : withdrawn)
+    if (w.box.overlaps(box)) cut.push_back(w.region);
+  return cut.empty() ? free : subtract(free, unite(cut));
+}
+
+bool Outline::Star::may_reach(const Box& box) const {
+  const double away = std::max(0.0, distance(eye, box.centre()) - box.size().norm() / 2);
+  return away * away < reach2;
+}
+
+Box Outline::box_around(const Point& p) const {
   Box box;
   box.add(p);
-  box.grow(kAbout * size_);
+  box.grow(kAround * size_);
   return box;
 }
 
@@ -99,56 +114,63 @@ void Outline::add(const Ring& ring, const Point& eye, std::size_t rays) {
     star.reach2 = std::max(star.reach2, q.squaredNorm());
   }
   for (const Point& p : walls_)
-    if (star.says_free(p)) star.refute(p, about(p));
+    if (star.says_free(p)) star.withdraw(p, box_around(p));
   Region region{{Polygon{star.ring, {}}}};
-  if (!star.cut.empty()) region = subtract(region, unite(star.cut));
+  if (!star.withdrawn.empty()) {
+    std::vector<Region> cut;
+    for (const Withdrawn& w : star.withdrawn) cut.push_back(w.region);
+    region = subtract(region, unite(cut));
+  }
   stars_.push_back(std::move(star));
   pending_.push_back(std::move(region));
   simple_ = {};
   if (pending_.size() >= kMostPending) merge();
 }
 
+/// False if a wall point of this square is known.
+bool Outline::is_new(const Point& wall, double side) { return seen_.insert(square_of(wall, side, size_)).second; }
+
+/// Withdraws what stars say about p. The box where that changes what is free; nullopt: nowhere.
+std::optional<Box> Outline::add_wall(const Point& p) {
+  walls_.push_back(p);
+  if (!is_free(p)) return std::nullopt;
+  bool refuted = false;
+  for (Star& star : stars_)
+    if (star.says_free(p)) {
+      star.withdraw(p, box_around(p));
+      refuted = true;
+    }
+  return refuted ? std::optional(box_around(p)) : std::nullopt;
+}
+
 bool Outline::add_walls(const std::vector<Point>& hits, const std::vector<Point>& corners, const Point& eye) {
   std::vector<Box> boxes;
   const auto add = [&](const Point& p, double side) {
-    if (!seen_.insert(square_of(p, side, size_)).second) return;
-    walls_.push_back(p);
-    if (!is_free(p)) return;
-    bool wrong = false;
-    for (Star& star : stars_)
-      if (star.says_free(p)) {
-        star.refute(p, about(p));
-        wrong = true;
-      }
-    if (wrong) boxes.push_back(about(p));
+    if (!is_new(p, side)) return;
+    if (const auto box = add_wall(p)) boxes.push_back(*box);
   };
   for (const Point& p : hits) add(p, distance(p, eye) < kNear * size_ ? kFine : kCoarse);
   for (const Point& p : corners) add(p, kExact);
   if (boxes.empty()) return false;
-
-  // In the boxes all is united anew.
   merge();
-  std::vector<Region> squares, patches;
+  unite_again(boxes);
+  return true;
+}
+
+/// In the boxes, which stars have changed; the rest stays.
+void Outline::unite_again(const std::vector<Box>& boxes) {
+  std::vector<Region> squares, parts;
   for (const Box& box : boxes) {
     squares.push_back(box_region(box.low, box.high));
     std::vector<Region> sectors;
-    for (const Star& star : stars_) {
-      const double away = std::max(0.0, distance(star.eye, box.centre()) - box.size().norm() / 2);
-      if (away * away >= star.reach2) continue;
-      Region sector = star.sector(box);
-      std::vector<Region> cut;
-      for (std::size_t k = 0; k < star.cut.size(); ++k)
-        if (star.cut_box[k].overlaps(box)) cut.push_back(star.cut[k]);
-      if (!cut.empty()) sector = subtract(sector, unite(cut));
-      sectors.push_back(std::move(sector));
-    }
-    patches.push_back(intersect(unite(sectors), squares.back()));
+    for (const Star& star : stars_)
+      if (star.may_reach(box)) sectors.push_back(star.free_in(box));
+    parts.push_back(intersect(unite(sectors), squares.back()));
   }
-  patches.push_back(subtract(free_, unite(squares)));
-  free_ = unite(patches);
+  parts.push_back(subtract(free_, unite(squares)));
+  free_ = unite(parts);
   edges_.emplace(free_);
   simple_ = {};
-  return true;
 }
 
 const Region& Outline::region(bool coarse) const {
@@ -159,11 +181,11 @@ const Region& Outline::region(bool coarse) const {
 }
 
 bool Outline::free_for(const Point& a, const Point& b, double radius) const {
-  const auto holds = [&] { return edges_ && edges_->contains(a) && !edges_->nearest(a, b, radius); };
-  if (holds()) return true;
+  const auto inside = [&] { return edges_ && edges_->contains(a) && !edges_->nearest(a, b, radius); };
+  if (inside()) return true;
   if (pending_.empty()) return false;
   merge();
-  return holds();
+  return inside();
 }
 
 }  // namespace oxturn

@@ -24,7 +24,7 @@ PlannerInfo with_sensing(PlannerInfo planner) {
                               std::string("map"),
                               {},
                               {"map", "lidar"},
-                              "map: known beforehand; lidar: seen by the robot's lidar, explored first"};
+                              "map: known beforehand; lidar: explored first by the robot's lidar"};
   planner.capabilities.push_back(Capability::online);
   planner.parameters.push_back(sensing);
   planner.make = [make = std::move(planner.make), owner = "planner '" + planner.name + "'", sensing](

@@ -1,12 +1,16 @@
-// The parameter `sensing`: a planner that knows the map beforehand, or one that sees it by lidar.
+/// The parameter `sensing`: the planner knows the map beforehand, or sees it by lidar.
+///
+///   PlannerInfo berg() { return with_sensing(describe<Berg, Params>({...})); }
+///
+/// For planners that need a map: with sensing = lidar they plan on what survey_then_plan.hpp has explored.
 #pragma once
 
 #include "algorithms/coverage_planner.hpp"
 
 namespace oxturn {
 
-/// The planner with one parameter more, sensing = map | lidar, and the capability `online`. With lidar it never sees the
-/// true problem: survey_then_plan.hpp hands it what is believed.
+/// The planner with the further parameter sensing = map | lidar and the capability `online`. By lidar it never gets the
+/// true problem.
 PlannerInfo with_sensing(PlannerInfo planner);
 
 }  // namespace oxturn

@@ -7,8 +7,9 @@
 namespace oxturn {
 namespace {
 
-/// How much farther than its two outer hits are apart a wall may be drawn on.
+/// How far a wall may be extended, in distances between its two outer hits.
 constexpr double kFarthestReach = 10;
+constexpr std::size_t kFewestRays = 5;
 
 class Star {
  public:
@@ -34,14 +35,14 @@ class Star {
   }
 
  private:
-  /// The end of a wedge: from its first ray to its second, a third point between them or not.
+  /// The end of a wedge: a point on each ray, and perhaps one between them.
   struct Wedge {
     Point points[3];
     int count = 2;
   };
 
   std::size_t next(std::size_t i) const { return i + 1 < n_ ? i + 1 : 0; }
-  std::size_t back(std::size_t i, std::size_t by) const { return (i + n_ - by) % n_; }
+  std::size_t previous(std::size_t i, std::size_t by) const { return (i + n_ - by) % n_; }
   bool met(std::size_t i) const { return std::isfinite(scan_.reading[i]); }
 
   bool collinear(std::size_t i, std::size_t j, std::size_t k) const {
@@ -54,10 +55,10 @@ class Star {
   struct Wall {
     Point at{0, 0}, along{0, 0};  // `at`: the hit next to the wedge; `along`: away from the wedge
   };
-  /// The straight wall that ends the rays up to i (or from i on): three hits say so.
+  /// The straight wall that the rays up to i (or from i on) meet, if their last three hits lie in a line.
   std::optional<Wall> wall_before(std::size_t i) const {
-    if (!straight_[back(i, 2)]) return std::nullopt;
-    return Wall{hit_[i], hit_[back(i, 2)] - hit_[i]};
+    if (!straight_[previous(i, 2)]) return std::nullopt;
+    return Wall{hit_[i], hit_[previous(i, 2)] - hit_[i]};
   }
   std::optional<Wall> wall_after(std::size_t i) const {
     if (!straight_[i]) return std::nullopt;
@@ -77,7 +78,7 @@ class Star {
     return distance(wall.at, p) <= kFarthestReach * wall.along.norm();
   }
 
-  /// How far along the ray the wall's line is met; infinity if it is not, or too far to be drawn on.
+  /// How far along the ray it meets the wall's line; infinity if it does not.
   double meets(const Wall& wall, const Point& direction) const {
     const double turn = cross(direction, wall.along);
     const double t = turn == 0 ? -1 : cross(wall.at, wall.along) / turn;
@@ -102,7 +103,7 @@ class Star {
         return {{p, corner, q}, 3};
       }
     }
-    // One wall hides the other: it may go on up to the next ray, in front of whatever that one met.
+    // One wall hides the other: it may continue up to the next ray, in front of whatever that ray met.
     const double a = met(i) ? scan_.reading[i] : range, b = met(j) ? scan_.reading[j] : range;
     const double keep = std::max(0.0, 1 - rules_.caution * scan_.step());
     if (left)
@@ -132,7 +133,7 @@ class Star {
     if (beyond(wedge.points[wedge.count - 1])) ring.push_back(at_cut(direction_[next(i)]));
   }
 
-  /// Hits along one wall are one edge.
+  /// Hits along one wall become one edge.
   Ring without_straight_vertices(const Ring& ring) const {
     Ring kept;
     for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -140,9 +141,10 @@ class Star {
       if (!kept.empty() && distance(kept.back(), p) <= rules_.tolerance) continue;
       if (kept.size() >= 2 && k + 1 < ring.size()) {
         const Point& a = kept[kept.size() - 2];
-        const Point along = p - a, way = kept.back() - a;
+        const Point along = p - a, before = kept.back() - a;
         const double length = along.norm();
-        if (way.dot(along) > 0 && way.norm() < length && std::abs(cross(along, way)) <= rules_.tolerance * length)
+        if (before.dot(along) > 0 && before.norm() < length &&
+            std::abs(cross(along, before)) <= rules_.tolerance * length)
           kept.pop_back();
       }
       kept.push_back(p);
@@ -155,11 +157,9 @@ class Star {
   StarRules rules_;
   std::size_t n_;
   std::vector<Point> hit_;      // relative to the eye
-  std::vector<bool> straight_;  // hits i, i + 1, i + 2 lie in a line
+  std::vector<bool> straight_;  // whether hits i, i + 1, i + 2 lie in a line
   double cut_ = 0;
 };
-
-constexpr std::size_t kFewestRays = 5;
 
 }  // namespace
 

@@ -1,9 +1,14 @@
-// The online form of any planner: explore what can be reached, plan on what is believed, drive that, and go on until
-// nothing that has come to be known since is left bare.
-//
-// With a tether the robot goes home along its string in between, so that the planner finds the string along the
-// geodesic. Where the belief stops a planned path, the part that is still free is kept, joined by shortest paths. What
-// turns out to be free only while sweeping is covered at the end: nearest bare place first.
+/// The online form of any planner: explore what can be reached, plan on what is believed, drive that, and continue
+/// until nothing that has become known since is uncovered.
+///
+///   return plan_online(problem, context, [&](const Problem& believed, Context& inner) {
+///     return planner.plan(believed, inner);
+///   });
+///
+/// With a tether the robot returns to its start along the tether in between, so that the plan begins with the tether
+/// along the geodesic. Where the belief stops a planned path, the parts of the rest that are still free are kept and
+/// connected by shortest paths. What turns out to be free only while the plan is driven is covered at the end, nearest
+/// first.
 #pragma once
 
 #include <functional>
@@ -12,7 +17,7 @@
 
 namespace oxturn {
 
-/// Plans on a problem that is believed. What `plan` throws, this throws.
+/// Plans on the believed problem. Exceptions pass through.
 using OfflinePlan = std::function<Path(const Problem& believed, Context& context)>;
 
 /// For a planner's `sensing = lidar`. Throws Unsupported for a robot without a lidar.

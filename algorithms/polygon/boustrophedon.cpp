@@ -1,89 +1,107 @@
-// Back and forth: cells without a turn in them, each swept lane by lane, joined by transit.
+// Back-and-forth lanes in cells without critical points inside, joined by transit.
 //
-// Source      Choset, Pignon, "Coverage Path Planning: The Boustrophedon Cellular Decomposition", FSR 1997;
+// Source      Choset and Pignon, "Coverage Path Planning: The Boustrophedon Cellular Decomposition", FSR 1997;
 //             Choset, Autonomous Robots 9, 2000
-// Model       polygons with holes, offline, disc footprint
-// Guarantee   with `outline`: covers the whole target. Let C be configuration space, w the tool width, R the points
-//             of C at least w/2 from its boundary. Driving the boundary covers all within w/2 of it, inside and
-//             outside C. A point p of R lies in a slab no wider than w with centre line x; (x, p.y) is no farther
-//             from p than p from the boundary, hence in C and on the slab's lane, and covers p (lanes.hpp).
-//             Without `outline` slanted ends of lanes and a seam along the walls stay uncovered, as in the paper.
-// Complexity  n corners, m lanes, k crossings of walls with slab lines: O((n + k) log n) for the lanes (times up
-//             to 16 to find the direction), about O(m log m) steps and path searches for the order
-// Decisions   1. Lanes are projections of whole slabs, not samples on a line, and rings of the outline are spliced
-//                in where the path passes next to them: never a second visit to a wall.
-//             2. cells = slab (default): one set of slabs over the whole map, a cell is a longest run of lanes that
-//                follow each other one to one. Where two critical points are nearer than w the exact cells need an
-//                extra lane each; slabs never do. On traced laser maps that is most of the length.
-//             3. cells = exact: the paper's cells (of R with outline, of C without), lanes evenly spaced in each.
-//                A lane whose slab lies under lanes placed before is left out.
+// Model       polygons with holes, offline, disc or polygonal footprint
+// Guarantee   with `outline`: covers the whole target. Let C be configuration space, w the tool width, R the points of
+//             C at least w/2 from its boundary. Driving the boundary covers all points within w/2 of it, inside and
+//             outside C. A point p of R lies in a slab no wider than w with centre line x. The point (x, p.y) is no
+//             farther from p than p from the boundary, so it lies in C, on the slab's lane, and covers p (lanes.hpp).
+//             Without `outline`, slanted ends of lanes and a seam along the walls stay uncovered, as in the paper.
+// Complexity  n vertices, m lanes, k crossings of walls with slab lines: O((n + k) log n) for the lanes (up to 16 times
+//             that to find the direction), about O(m log m) steps and path searches for the order
+// Decisions   1. Lanes are projections of whole slabs, not samples on a line. The rings of the outline are inserted
+//                where the path passes next to them, so no wall needs a second visit.
+//             2. cells = slab (default): one set of slabs over the whole map; a cell is a longest run of lanes that
+//                follow each other one to one. Where two critical points are nearer than w, the exact cells need an
+//                extra lane each; slabs never do. On maps traced from laser scans that is most of the length.
+//             3. cells = exact: the paper's cells (of R with `outline`, of C without), with evenly spaced lanes in
+//                each. A lane whose part of the cell lies under lanes placed before is omitted.
 //             4. sweep = best counts a turn as 2 w and a break between cells as 4 w.
 //             5. Links longer than 3 w between lanes of a cell are transit.
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
+#include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/strips.hpp"
-#include "algorithms/lanes/lane_direction.hpp"
-#include "geometry/overlay/boolean.hpp"
 #include "geometry/mesh/partition.hpp"
+#include "geometry/overlay/boolean.hpp"
 
 namespace oxturn {
 namespace {
 
+constexpr double kMostBuckets = 1e7;
+
+enum class Decomposition { slab, exact };
+
 struct Params {
-  std::string sweep = "best";
+  LaneDirection sweep = LaneDirection::best;
   double angle = 0;
   bool outline = true;
-  std::string cells = "slab";
+  Decomposition cells = Decomposition::slab;
   double spacing = 1;
-  std::string order = "improved";
+  StripOrder order = StripOrder::improved;
 };
 
-struct Field {  // what the cells are made of, in the lanes' frame
-  const Frame& frame;
-  const Region& region;
-  const EdgeIndex& room;
-  double step, width, margin;  // lane spacing, tool width, how far lane ends keep off walls
+/// What strips are made from, in the lanes' frame.
+struct Field {
+  const LaneFrame& frame;
+  const Region& region;                      // to be covered by lanes
+  const EdgeIndex& space;                    // configuration space
+  double spacing, width;                     // of lanes; of the tool
+  double margin;                             // how far lane ends keep off walls
+  double join() const { return 2 * width; }  // pieces of a lane this near to each other become one
 };
 
-Strip to_world(const std::vector<LaneEnds>& lanes, const Frame& frame) {
+using Links = std::vector<std::pair<std::size_t, std::size_t>>;
+using Cells = std::vector<BoustrophedonCell>;
+
+Strip to_world(const std::vector<LaneEnds>& lanes, const LaneFrame& frame) {
   Strip strip;
-  for (const LaneEnds& l : lanes) strip.lanes.push_back({frame.back(l.low), frame.back(l.high)});
+  for (const LaneEnds& l : lanes) strip.lanes.push_back({frame.to_world(l.low), frame.to_world(l.high)});
   return strip;
 }
 
-// One set of slabs for all; cells are the longest one-to-one runs.
-std::vector<Strip> slab_strips(const Field& f) {
-  const Box box = bounding_box(f.region);
-  const Slabs slabs = slabs_over(box.low.x(), box.high.x(), f.step);
-  const Projection all = project(edges_of(f.region), slabs);
-  const Clipped lanes = clip(all.stretches, slabs, f.room, 2 * f.width, f.margin);
-  const std::size_t n = lanes.pieces.size();
-  std::vector<std::vector<std::size_t>> right(n), left(n);
-  std::vector<std::pair<std::size_t, std::size_t>> links;
-  for (const auto& [a, b] : all.links)
-    if (lanes.piece_of[a] != Clipped::kNone && lanes.piece_of[b] != Clipped::kNone)
+LaneEnds upright(double x, double low, double high) { return {{x, low}, {x, high}}; }
+
+/// Pairs of clipped lanes whose slabs the region connects. Sorted, unique.
+Links links_of(const Projection& projection, const ClippedLanes& lanes) {
+  Links links;
+  for (const auto& [a, b] : projection.links)
+    if (lanes.piece_of[a] != ClippedLanes::kNone && lanes.piece_of[b] != ClippedLanes::kNone)
       links.push_back({lanes.piece_of[a], lanes.piece_of[b]});
   std::sort(links.begin(), links.end());
   links.erase(std::unique(links.begin(), links.end()), links.end());
+  return links;
+}
+
+/// One set of slabs over the whole region; strips are the longest one-to-one runs of lanes.
+std::vector<Strip> slab_strips(const Field& f) {
+  const Box box = bounding_box(f.region);
+  const Slabs slabs = slabs_over(box.low.x(), box.high.x(), f.spacing);
+  const Projection projection = project(edges_of(f.region), slabs);
+  const ClippedLanes lanes = clip_lanes(projection.intervals, slabs, f.space, f.join(), f.margin);
+  const Links links = links_of(projection, lanes);
+  const std::size_t n = lanes.pieces.size();
+  std::vector<std::vector<std::size_t>> right(n), left(n);
   for (const auto& [a, b] : links) {
     right[a].push_back(b);
     left[b].push_back(a);
   }
-  const auto follows = [&](std::size_t a) { return right[a].size() == 1 && left[right[a][0]].size() == 1; };
+  const auto has_one_successor = [&](std::size_t a) { return right[a].size() == 1 && left[right[a][0]].size() == 1; };
   std::vector<Strip> strips;
-  std::vector<std::size_t> strip_of(n, Clipped::kNone);
-  for (std::size_t i = 0; i < n; ++i) {  // by slab: a run's first lane comes first
-    if (strip_of[i] != Clipped::kNone) continue;
+  std::vector<std::size_t> strip_of(n, ClippedLanes::kNone);
+  for (std::size_t i = 0; i < n; ++i) {  // by slab, so a run's first lane comes first
+    if (strip_of[i] != ClippedLanes::kNone) continue;
     std::vector<LaneEnds> run;
     for (std::size_t k = i;; k = right[k][0]) {
-      const Stretch& s = lanes.pieces[k];
-      const double x = slabs.centre(s.slab);
-      run.push_back({{x, s.low}, {x, s.high}});
+      const LaneInterval& s = lanes.pieces[k];
+      run.push_back(upright(slabs.centre(s.slab), s.low, s.high));
       strip_of[k] = strips.size();
-      if (!follows(k)) break;
+      if (!has_one_successor(k)) break;
     }
     strips.push_back(to_world(run, f.frame));
   }
@@ -95,6 +113,7 @@ std::vector<Strip> slab_strips(const Field& f) {
   return strips;
 }
 
+/// y of an x-monotone chain at x.
 double height_on(const Polyline& chain, double x) {
   for (std::size_t i = 1; i < chain.size(); ++i) {
     const Point& a = chain[i - 1];
@@ -105,7 +124,7 @@ double height_on(const Polyline& chain, double x) {
   return chain.back().y();
 }
 
-// Lowest and highest of a chain between two x.
+/// Least and greatest y of a chain between two x.
 std::pair<double, double> range_on(const Polyline& chain, double x0, double x1) {
   const double y0 = height_on(chain, x0), y1 = height_on(chain, x1);
   double low = std::min(y0, y1), high = std::max(y0, y1);
@@ -117,6 +136,7 @@ std::pair<double, double> range_on(const Polyline& chain, double x0, double x1) 
   return {low, high};
 }
 
+/// The vertices of a chain strictly between two points, and the points.
 Polyline chain_between(const Polyline& chain, const Point& from, const Point& to) {
   Polyline link{from};
   for (const Point& p : chain)
@@ -125,103 +145,107 @@ Polyline chain_between(const Polyline& chain, const Point& from, const Point& to
   return link;
 }
 
-struct Covered {  // lanes placed so far, by position across
-  double width;
-  std::vector<std::pair<double, Stretch>> lanes;  // x, and its extent
-  std::vector<std::vector<std::size_t>> buckets;
-  double origin;
-  std::size_t bucket(double x) const {
-    const double k = std::floor((x - origin) / width);
-    return static_cast<std::size_t>(std::clamp(k, 0.0, static_cast<double>(buckets.size() - 1)));
-  }
-  void add(double x, double low, double high) {
-    buckets[bucket(x)].push_back(lanes.size());
-    lanes.push_back({x, {0, low, high}});
-  }
-  // The box x0..x1, low..high lies under lanes that each span its whole height.
-  bool covers(double x0, double x1, double low, double high) const {
+/// Lanes placed so far, in buckets by x.
+class PlacedLanes {
+ public:
+  PlacedLanes(const Box& box, double width)
+      : width_(width),
+        origin_(box.low.x()),
+        buckets_(static_cast<std::size_t>(std::min(box.size().x() / width + 1, kMostBuckets))) {}
+
+  void add(const LaneEnds& lane) { buckets_[bucket(lane.low.x())].push_back(lane); }
+  /// True if the box from (x0, low) to (x1, high) lies under lanes that each span its whole height.
+  bool cover(double x0, double x1, double low, double high) const {
     std::vector<double> across;
-    for (std::size_t b = bucket(x0 - width); b <= bucket(x1 + width); ++b)
-      for (const std::size_t i : buckets[b])
-        if (lanes[i].second.low <= low && lanes[i].second.high >= high) across.push_back(lanes[i].first);
+    for (std::size_t b = bucket(x0 - width_); b <= bucket(x1 + width_); ++b)
+      for (const LaneEnds& lane : buckets_[b])
+        if (lane.low.y() <= low && lane.high.y() >= high) across.push_back(lane.low.x());
     std::sort(across.begin(), across.end());
     double reached = x0;
     for (const double x : across)
-      if (x - width / 2 <= reached) reached = std::max(reached, x + width / 2);
+      if (x - width_ / 2 <= reached) reached = std::max(reached, x + width_ / 2);
     return reached >= x1;
   }
+
+ private:
+  std::size_t bucket(double x) const {
+    const double k = std::floor((x - origin_) / width_);
+    return static_cast<std::size_t>(std::clamp(k, 0.0, static_cast<double>(buckets_.size() - 1)));
+  }
+  double width_, origin_;
+  std::vector<std::vector<LaneEnds>> buckets_;
 };
 
-// The paper's cells. With the outline driven: lanes are projections of slabs in the cell. Without: lanes from the
-// cell's first to its last vertical inclusive, and links that follow the boundary.
-std::vector<Strip> exact_strips(const Field& f, bool outline, Context& context) {
-  // United: turning the region may have made rings that touch cross by a hair, which the exact sweep refuses.
-  const std::vector<BoustrophedonCell> cells = boustrophedon_cells(unite({f.region}));
-  std::vector<Strip> of_cell(cells.size());
-  std::vector<std::size_t> order(cells.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  const auto extent = [&](std::size_t c) { return cells[c].lower.back().x() - cells[c].lower.front().x(); };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return extent(a) > extent(b); });
-  const Box box = bounding_box(f.region);
-  const auto buckets = static_cast<std::size_t>(std::min(box.size().x() / f.width + 1, 1e7));
-  Covered covered{f.width, {}, std::vector<std::vector<std::size_t>>(buckets), box.low.x()};
+double left_of(const BoustrophedonCell& cell) { return cell.lower.front().x(); }
+double right_of(const BoustrophedonCell& cell) { return cell.lower.back().x(); }
 
+/// A strip for each exact cell, if the outline is driven as well: the projections of slabs fitted to the cell. The
+/// widest cells come first; a lane whose part of the cell lies under lanes of other cells is omitted.
+std::vector<Strip> projected_strips(const Field& f, const Cells& cells, Context& context) {
+  std::vector<Strip> strips(cells.size());
+  std::vector<std::size_t> order(cells.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto extent = [&](std::size_t c) { return right_of(cells[c]) - left_of(cells[c]); };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return extent(a) > extent(b); });
+  PlacedLanes placed(bounding_box(f.region), f.width);
   for (const std::size_t c : order) {
     const BoustrophedonCell& cell = cells[c];
-    const double x0 = cell.lower.front().x(), x1 = cell.lower.back().x();
-    if (outline) {
-      const Slabs slabs = slabs_over(x0, x1, f.step);
-      std::vector<Stretch> stretches;
-      for (std::size_t k = 0; k < slabs.count; ++k) {
-        const double a = std::max(slabs.line(k), x0), b = std::min(slabs.line(k + 1), x1);
-        const double low = range_on(cell.lower, a, b).first, high = range_on(cell.upper, a, b).second;
-        if (!covered.covers(a, b, low, high)) stretches.push_back({k, low, high});
-      }
-      std::vector<LaneEnds> lanes;
-      for (const Stretch& s : clip(stretches, slabs, f.room, 2 * f.width, f.margin).pieces) {
-        const double x = slabs.centre(s.slab);
-        lanes.push_back({{x, s.low}, {x, s.high}});
-        covered.add(x, s.low, s.high);
-      }
-      of_cell[c] = to_world(lanes, f.frame);
-    } else {
-      const Slabs slabs = slabs_over(x0, x1, f.step);
-      std::vector<LaneEnds> lanes;
-      for (std::size_t k = 0; k <= slabs.count; ++k) {
-        const double x = k == slabs.count ? x1 : std::max(x0, slabs.line(k));
-        const double low = height_on(cell.lower, x), high = std::max(low, height_on(cell.upper, x));
-        const double keep = std::min(f.margin, (high - low) / 2);
-        lanes.push_back({{x, low + keep}, {x, high - keep}});
-      }
-      Strip strip = to_world(lanes, f.frame);
-      const auto links = [&](const Polyline& chain, auto end) {
-        std::vector<Polyline> all;
-        for (std::size_t k = 1; k < lanes.size(); ++k) {
-          Polyline link = chain_between(chain, end(lanes[k - 1]), end(lanes[k]));
-          for (Point& p : link) p = f.frame.back(p);
-          all.push_back(std::move(link));
-        }
-        return all;
-      };
-      strip.low_links = links(cell.lower, [](const LaneEnds& l) { return l.low; });
-      strip.high_links = links(cell.upper, [](const LaneEnds& l) { return l.high; });
-      of_cell[c] = std::move(strip);
+    const double x0 = left_of(cell), x1 = right_of(cell);
+    const Slabs slabs = slabs_over(x0, x1, f.spacing);
+    std::vector<LaneInterval> intervals;
+    for (std::size_t k = 0; k < slabs.count; ++k) {
+      const double a = std::max(slabs.line(k), x0), b = std::min(slabs.line(k + 1), x1);
+      const double low = range_on(cell.lower, a, b).first, high = range_on(cell.upper, a, b).second;
+      if (!placed.cover(a, b, low, high)) intervals.push_back({k, low, high});
     }
+    std::vector<LaneEnds> lanes;
+    for (const LaneInterval& s : clip_lanes(intervals, slabs, f.space, f.join(), f.margin).pieces) {
+      lanes.push_back(upright(slabs.centre(s.slab), s.low, s.high));
+      placed.add(lanes.back());
+    }
+    strips[c] = to_world(lanes, f.frame);
     if (context.cancelled()) break;
   }
-  if (context.wants_traces()) {
-    std::vector<Polyline> drawn;
-    for (const BoustrophedonCell& cell : cells) {
-      Polyline line = cell.lower;
-      line.insert(line.end(), cell.upper.rbegin(), cell.upper.rend());
-      line.push_back(line.front());
-      for (Point& p : line) p = f.frame.back(p);
-      drawn.push_back(std::move(line));
-    }
-    context.trace("cells", std::move(drawn));
+  return strips;
+}
+
+/// How a cell's boundary runs from one lane to the next, at the ends that `end_of` names.
+template <class EndOf>
+std::vector<Polyline> links_along(const Polyline& chain, const std::vector<LaneEnds>& lanes, const LaneFrame& frame,
+                                  EndOf end_of) {
+  std::vector<Polyline> links;
+  for (std::size_t k = 1; k < lanes.size(); ++k) {
+    links.push_back(chain_between(chain, end_of(lanes[k - 1]), end_of(lanes[k])));
+    for (Point& p : links.back()) p = frame.to_world(p);
   }
-  // Cells that need no lane of their own drop out; their neighbours stay connected through them only in the tour.
-  std::vector<std::size_t> index(cells.size(), Clipped::kNone);
+  return links;
+}
+
+/// A strip for each exact cell, as in the paper: evenly spaced lanes from the cell's left end to its right end,
+/// inclusive, and links that follow the boundary.
+std::vector<Strip> spaced_strips(const Field& f, const Cells& cells, Context& context) {
+  std::vector<Strip> strips(cells.size());
+  for (std::size_t c = 0; c < cells.size() && !context.cancelled(); ++c) {
+    const BoustrophedonCell& cell = cells[c];
+    const double x0 = left_of(cell), x1 = right_of(cell);
+    const Slabs slabs = slabs_over(x0, x1, f.spacing);
+    std::vector<LaneEnds> lanes;
+    for (std::size_t k = 0; k <= slabs.count; ++k) {
+      const double x = k == slabs.count ? x1 : std::max(x0, slabs.line(k));
+      const double low = height_on(cell.lower, x), high = std::max(low, height_on(cell.upper, x));
+      const double keep = std::min(f.margin, (high - low) / 2);
+      lanes.push_back(upright(x, low + keep, high - keep));
+    }
+    strips[c] = to_world(lanes, f.frame);
+    strips[c].low_links = links_along(cell.lower, lanes, f.frame, [](const LaneEnds& l) { return l.low; });
+    strips[c].high_links = links_along(cell.upper, lanes, f.frame, [](const LaneEnds& l) { return l.high; });
+  }
+  return strips;
+}
+
+/// The strips that have lanes, with the neighbours that their cells have.
+std::vector<Strip> without_empty(std::vector<Strip> of_cell, const Cells& cells) {
+  std::vector<std::size_t> index(cells.size(), ClippedLanes::kNone);
   std::vector<Strip> strips;
   for (std::size_t c = 0; c < cells.size(); ++c)
     if (!of_cell[c].lanes.empty()) {
@@ -230,30 +254,34 @@ std::vector<Strip> exact_strips(const Field& f, bool outline, Context& context) 
     }
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (const std::size_t o : cells[c].neighbours)
-      if (index[c] != Clipped::kNone && index[o] != Clipped::kNone) strips[index[c]].neighbours.push_back(index[o]);
+      if (index[c] != ClippedLanes::kNone && index[o] != ClippedLanes::kNone)
+        strips[index[c]].neighbours.push_back(index[o]);
   return strips;
+}
+
+void trace_cells(const Cells& cells, const LaneFrame& frame, Context& context) {
+  std::vector<Polyline> outlines;
+  for (const BoustrophedonCell& cell : cells) {
+    Polyline line = cell.lower;
+    line.insert(line.end(), cell.upper.rbegin(), cell.upper.rend());
+    line.push_back(line.front());
+    for (Point& p : line) p = frame.to_world(p);
+    outlines.push_back(std::move(line));
+  }
+  context.trace("cells", std::move(outlines));
 }
 
 class Boustrophedon final : public CoveragePlanner {
  public:
-  explicit Boustrophedon(Params p) : p_(std::move(p)) {}
+  explicit Boustrophedon(Params p) : p_(p) {}
 
   Path plan(const Problem& problem, Context& context) const override {
     const double w = problem.robot().tool_width;
     const Connector connector(problem);
-    const Region& c = problem.configuration_space();
-    const Region region = p_.outline ? lane_region(problem, w / 2, w / 50) : c;
+    const Region region = p_.outline ? lane_region(problem, w / 2, w / 50) : problem.configuration_space();
     Path path;
-    if (!region.empty()) {
-      const double step = p_.spacing * w;
-      const Frame frame(p_.sweep == "given" ? p_.angle : best_lane_direction(region, step));
-      const Region turned = frame.to(region);
-      const EdgeIndex room(frame.to(c));
-      const Field field{frame, turned, room, step, w, 2 * problem.tolerance()};
-      const std::vector<Strip> strips =
-          p_.cells == "exact" ? exact_strips(field, p_.outline, context) : slab_strips(field);
-      path = drive_strips(problem, strips, p_.order, connector, context);
-    }
+    if (!region.empty())
+      path = drive_strips(problem, strips_in(region, problem, context), p_.order, connector, context);
     if (p_.outline && !context.cancelled()) {
       context.publish(path);
       path = with_outline(problem, path, w, connector, context);
@@ -263,6 +291,21 @@ class Boustrophedon final : public CoveragePlanner {
   }
 
  private:
+  std::vector<Strip> strips_in(const Region& region, const Problem& problem, Context& context) const {
+    const double w = problem.robot().tool_width, spacing = p_.spacing * w;
+    const LaneFrame frame(p_.sweep == LaneDirection::given ? p_.angle : best_lane_direction(region, spacing));
+    const Region rotated = frame.to_frame(region);
+    const EdgeIndex space(frame.to_frame(problem.configuration_space()));
+    const Field field{frame, rotated, space, spacing, w, 2 * problem.tolerance()};
+    if (p_.cells == Decomposition::slab) return slab_strips(field);
+    // United first: rings that touch may cross by rounding once rotated, which the exact plane sweep rejects.
+    const Cells cells = boustrophedon_cells(unite({rotated}));
+    std::vector<Strip> strips =
+        p_.outline ? projected_strips(field, cells, context) : spaced_strips(field, cells, context);
+    if (context.wants_traces()) trace_cells(cells, frame, context);
+    return without_empty(std::move(strips), cells);
+  }
+
   Params p_;
 };
 
@@ -276,13 +319,20 @@ PlannerInfo boustrophedon() {
        .citation = "Choset, Pignon 1998",
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (with outline)",
-       .parameters = {
-           {"sweep", &Params::sweep, {"best", "given"}, "lane direction: the cheapest of up to 16, or `angle`"},
-           {"angle", &Params::angle, Range{-360, 360}, "degrees, lanes' direction if sweep is given"},
-           {"outline", &Params::outline, "drive every wall once; off: links follow the walls, as in the paper"},
-           {"cells", &Params::cells, {"slab", "exact"}, "slab: runs of lanes; exact: cut at critical points"},
-           {"spacing", &Params::spacing, Range{0.1, 1}, "distance of lanes, in tool widths"},
-           {"order", &Params::order, {"improved", "nearest", "dfs"}, "of cells; dfs: depth-first on their graph"}}});
+       .parameters =
+           {{"sweep", &Params::sweep, Choices{"best", "given"}, "lane direction: the cheapest of up to 16, or `angle`"},
+            {"angle", &Params::angle, Range{-360, 360}, "degrees; direction of the lanes if sweep is given"},
+            {"outline", &Params::outline, "drive every wall once; off: links follow the walls, as in the paper"},
+            {"cells", &Params::cells, Choices{"slab", "exact"}, "slab: runs of lanes; exact: cut at critical points"},
+            {"spacing", &Params::spacing, Range{0.1, 1}, "distance of lanes, in tool widths"},
+            {"order", &Params::order, Choices{"improved", "nearest", "dfs"},
+             "of cells; dfs: depth-first on their graph"}},
+       // The paper: vertical lanes, cells visited depth-first, boundaries only followed between lanes.
+       .published = {{"sweep", std::string("given")},
+                     {"angle", 90.0},
+                     {"outline", false},
+                     {"cells", std::string("exact")},
+                     {"order", std::string("dfs")}}});
 }
 
 }  // namespace oxturn

@@ -3,40 +3,36 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/uniform_grid.hpp"
 #include "geometry/predicates.hpp"
+#include "geometry/uniform_grid.hpp"
 
 namespace oxturn {
+namespace {
 
-LinkCrossings count_crossings(const std::vector<Polyline>& links, const std::vector<Polyline>& transits) {
-  std::vector<std::pair<Point, Point>> segments;
+using Link = std::pair<Point, Point>;
+using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Pairs of indices of crossing segments, the lower index first. Sorted, unique.
+std::vector<IndexPair> crossing_pairs(const std::vector<Link>& segments) {
   Box box;
   double total = 0;
-  const auto add = [&](const std::vector<Polyline>& lines) {
-    for (const Polyline& line : lines)
-      for (std::size_t i = 1; i < line.size(); ++i) {
-        segments.emplace_back(line[i - 1], line[i]);
-        box.add(line[i - 1]);
-        box.add(line[i]);
-        total += distance(line[i - 1], line[i]);
-      }
-  };
-  add(links);
-  const std::size_t of_links = segments.size();
-  add(transits);
-
+  for (const auto& [a, b] : segments) {
+    box.add(a);
+    box.add(b);
+    total += distance(a, b);
+  }
   UniformGrid grid(box, segments.size(), total);
   if (grid.empty()) return {};
   grid.fill(segments.size(), [&](std::size_t i, auto enter) {
     const Point ends[2] = {segments[i].first, segments[i].second};
     grid.visit(ends, 2, 0, enter);
   });
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  std::vector<IndexPair> pairs;
   for (int row = 0; row < grid.rows(); ++row)
     for (int column = 0; column < grid.columns(); ++column) {
-      const std::size_t c = grid.index(column, row);
-      for (const std::uint32_t* i = grid.begin(c); i != grid.end(c); ++i)
-        for (const std::uint32_t* j = i + 1; j != grid.end(c); ++j) {
+      const auto items = grid.items(grid.index(column, row));
+      for (auto i = items.begin(); i != items.end(); ++i)
+        for (auto j = i + 1; j != items.end(); ++j) {
           const auto& [a, b] = segments[*i];
           const auto& [p, q] = segments[*j];
           if (crossing(a, b, p, q) == Crossing::proper) pairs.emplace_back(std::min(*i, *j), std::max(*i, *j));
@@ -44,8 +40,22 @@ LinkCrossings count_crossings(const std::vector<Polyline>& links, const std::vec
     }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+}  // namespace
+
+LinkCrossings count_crossings(const std::vector<Polyline>& links, const std::vector<Polyline>& transits) {
+  std::vector<Link> segments;
+  const auto add = [&](const std::vector<Polyline>& lines) {
+    for (const Polyline& line : lines)
+      for (std::size_t i = 1; i < line.size(); ++i) segments.emplace_back(line[i - 1], line[i]);
+  };
+  add(links);
+  const std::size_t of_links = segments.size();
+  add(transits);
   LinkCrossings count;
-  for (const auto& [i, j] : pairs) ++(j < of_links ? count.links : count.transits);
+  for (const auto& [i, j] : crossing_pairs(segments)) ++(j < of_links ? count.links : count.transits);
   return count;
 }
 

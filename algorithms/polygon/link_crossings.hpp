@@ -1,4 +1,6 @@
-// How often do the links of a way cross each other?
+/// Counts how often the links of a path cross each other.
+///
+///   const LinkCrossings crossings = count_crossings(links, transits);
 #pragma once
 
 #include <cstddef>
@@ -9,10 +11,10 @@
 namespace oxturn {
 
 struct LinkCrossings {
-  std::size_t links = 0;     // pairs of segments of `links` whose insides cross in one point
+  std::size_t links = 0;     // pairs of segments of `links` that cross in one point interior to both
   std::size_t transits = 0;  // such pairs with at least one segment of `transits`
 };
-/// Exact; touching and running along each other is no crossing. Segments in a grid: O(n + pairs that share a cell).
+/// Exact. Touching and overlapping are no crossings. O(n + pairs of segments that share a cell of a grid).
 LinkCrossings count_crossings(const std::vector<Polyline>& links, const std::vector<Polyline>& transits);
 
 }  // namespace oxturn

@@ -1,8 +1,10 @@
-// The parts that zigzag fills one by one.
+/// The parts of a region that zigzag fills one by one.
+///
+///   std::vector<Part> parts = cut_into_parts(region, Partition::monotone);
+///   parts = with_slivers_merged(std::move(parts), tool_width);
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "geometry/region.hpp"
@@ -12,17 +14,22 @@ namespace oxturn {
 /// One or more rings that are filled together.
 struct Part {
   std::vector<Ring> rings;
-  double area = 0;
+  double area = 0;  // square metres
 };
 
-/// Cuts `region` by `partition`: convex (least number; throws std::invalid_argument above 150 corners, naming
-/// `approximate`), approximate, monotone, trapezoid, none (one part, all rings), auto (convex up to 150 corners,
-/// else approximate).
-std::vector<Part> cut_into_parts(const Region& region, const std::string& partition);
+/// automatic: convex up to 150 vertices if CGAL finds such a partition, else approximate; convex: the fewest convex
+/// parts; approximate: at most four times as many; none: one part with all rings. The others: see partition.hpp.
+enum class Partition { automatic, convex, approximate, monotone, trapezoid, none };
 
-/// A part smaller than w^2 / 4, or whose mean width is below w / 4 (area over half the boundary), is not worth a
-/// visit of its own. merge: it joins the part with which it shares most boundary. Else it is dropped.
-/// O(n) for n edges in ordinary partitions.
-std::vector<Part> without_slivers(std::vector<Part> parts, double width, bool merge);
+/// Throws std::invalid_argument for `convex` above 150 vertices; the message names `approximate`.
+std::vector<Part> cut_into_parts(const Region& region, Partition partition);
+
+// A sliver is a part that is not worth a visit of its own: its area is below w^2 / 4, or its mean width (area over half
+// the boundary) below w / 4, for a tool of width w.
+
+/// Each sliver joins the part with which it shares the most boundary. O(n) for n edges in ordinary partitions.
+std::vector<Part> with_slivers_merged(std::vector<Part> parts, double width);
+/// Slivers are dropped.
+std::vector<Part> without_slivers(std::vector<Part> parts, double width);
 
 }  // namespace oxturn

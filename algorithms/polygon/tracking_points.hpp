@@ -1,7 +1,10 @@
-// Where a robot that sweeps along horizontal lines touches something: the subgoals of Hyun's planner.
-//
-// Every maximal free interval of configuration space on a line gives two points, its left and its right contact, each with
-// what is touched there. O(n + k log k) for n edges of the space that cross lines k times.
+/// The contacts of a robot that moves along horizontal lines: the subgoals of Hyun's planner.
+///
+///   const TrackingLines lines = tracking_lines(problem.configuration_space(), 0.2, 1e-6, 0);
+///   lines.points[0].at;                                  // left contact of the first interval of the top line
+///
+/// Every maximal free interval of configuration space on a line gives two points, its left and its right contact, each
+/// with what the robot touches there. O(n + k log k) for n edges of the space that cross lines k times.
 #pragma once
 
 #include <vector>
@@ -17,19 +20,19 @@ struct TrackingPoint {
   Point at;
   int line;  // 0: the topmost
   Contact status;
-  int obstacle;  // 0: the wall; else which hole of the space, from 1
+  int obstacle;  // 0: the wall; else the number of the hole, from 1
 };
 
 struct TrackingLines {
-  std::vector<TrackingPoint>
-      points;                      // by lines, each from left to right: left and right contact of each interval in turn
-  std::vector<std::size_t> first;  // of each line, and one past the last
+  /// By line, each from left to right: the left and the right contact of each interval in turn.
+  std::vector<TrackingPoint> points;
+  std::vector<std::size_t> first;  // index of each line's first point; a last entry: points.size()
 };
 
-/// Lines `separation` apart from the top of the space, and a last one at its bottom. `spare`: how far lines keep off the
-/// top and the bottom, and contacts off the border, so that they are inside in spite of rounding; an interval shorter than
-/// twice that becomes its middle. `delta_x` > 0: contacts are moved inwards to multiples of it from the left end of the
-/// space, and intervals without any are left out.
-TrackingLines tracking_lines(const Region& space, double separation, double spare, double delta_x);
+/// Lines `separation` apart from the top of the space, and one at its bottom. `keep_off`: metres that lines keep from
+/// the top and the bottom, and contacts from the boundary, so that they are inside in spite of rounding; an interval
+/// shorter than twice that becomes its midpoint. `delta_x` > 0: contacts are moved inwards to multiples of it, counted
+/// from the left end of the space; intervals without such a point are omitted.
+TrackingLines tracking_lines(const Region& space, double separation, double keep_off, double delta_x);
 
 }  // namespace oxturn

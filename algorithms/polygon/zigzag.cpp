@@ -1,84 +1,93 @@
-// Parallel lines in each part of a partition, parts joined by a tour, then every wall once.
+// Parallel lanes in each part of a partition, parts joined by a tour, then every wall once.
 //
-// Source      "Path generation for the BeachBot" (thesis), 2.2.4 Zig Zag Filling; Greene 1983 for the parts
-// Model       polygons with holes, offline, disc footprint
-// Guarantee   covers the whole target with `fit` cover, `outline`, `small_parts` merge and `margin` at most w/2:
+// Source      BeachBot (Vollprecht 2014), zig zag filling; Greene 1983 for the optimal convex partition
+// Model       polygons with holes, offline, disc or polygonal footprint
+// Guarantee   covers the whole target with `fit` cover, `outline`, `small_parts` merge and `margin` at most w/2. Proof:
 //             let C be configuration space, w the tool width, m the margin, R the points of C at least m from its
-//             boundary. The walls, driven, cover all within w/2 of them. What is partitioned is R' =
-//             simplify_inward(E, 0.04 m), where E (lane_region) holds all points of C at least 0.96 m from its
-//             boundary. Simplifying takes away only points within 0.04 m of the boundary of E: a point of a sliver
-//             between a chain of dropped corners and its chord is, across the chord, no farther from the chain than
-//             the chain from the chord. Such a point is within m of C's boundary (or beyond it, where chords make E
-//             larger): covered by the walls. So R is in R' up to boundary points. The parts make up R', their slab
-//             projections that of R', and a point p of R in a slab no wider than w with centre x is covered from
-//             (x, p.y): no farther from p than p from the boundary, hence in C.
-//             fit = literal, small_parts = drop and larger margins leave gaps, as in the seed.
-// Complexity  O((n + k) log n) for n corners and k crossings of parts with slab lines, plus the partition (convex:
-//             cubic, at most 150 corners), plus the tour: about O(m log m) steps and path searches for m strips
-// Decisions   1. The seed puts a line *through* the start vertex: it has no two intersections there and the loop
-//                ends. The first line is w/2 inside the part (literal), or the slabs are fitted (cover).
-//             2. cover: all parts share one set of slabs; where two parts reach into the same slab each height
+//             boundary. Driving the walls covers all points within w/2 of them. The region that is partitioned is
+//             R' = simplify_inward(E, 0.04 m), where E (lane_region) contains all points of C at least 0.96 m from its
+//             boundary. Simplifying removes only points within 0.04 m of the boundary of E: a point between a chain of
+//             removed vertices and its chord is, measured across the chord, no farther from the chain than the chain
+//             from the chord. Such a point is within m of the boundary of C (or beyond it, where chords make E
+//             larger), so driving the walls covers it. Hence R is in R' up to boundary points. The parts make up R',
+//             their slab projections make up that of R', and a point p of R in a slab no wider than w with centre x is
+//             covered from (x, p.y), which is no farther from p than p from the boundary and so lies in C.
+//             fit = literal, small_parts = drop and larger margins leave gaps, as in the source.
+// Complexity  O((n + k) log n) for n vertices and k crossings of parts with slab lines, plus the partition (convex:
+//             cubic, at most 150 vertices), plus the tour: about O(m log m) steps and path searches for m strips
+// Decisions   1. The source draws a line through the start vertex. That line has no two intersections there, and the
+//                loop would end. The first line is w/2 inside the part (literal), or slabs are fitted (cover).
+//             2. cover: all parts share one set of slabs. Where two parts reach into the same slab, each height
 //                belongs to one of them, the larger part first, so a seam between parts costs no second lane.
-//             3. The seed's start rule (leftmost vertex for lanes steeper than 45 degrees, else bottommost) decides
-//                from which side the lines are counted (literal); where to enter a part is left to the tour.
-//             4. sweep = best: the least sum of widths of the parts; for one part (none) as boustrophedon.
-//             5. Slivers, dropped by the seed, join a neighbour (small_parts = merge).
+//             3. The source's start rule (leftmost vertex for lanes steeper than 45 degrees, else bottommost) decides
+//                from which side lines are counted (literal). The tour decides where a part is entered.
+//             4. sweep = best: the least sum of the parts' widths across the lanes; for one part (none) as in
+//                boustrophedon.
+//             5. Slivers, which the source drops, are merged into a neighbour (small_parts = merge).
+//             6. partition = auto is the source's optimal partition wherever CGAL can compute it.
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
+#include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
-#include "algorithms/polygon/parts.hpp"
 #include "algorithms/lanes/strips.hpp"
-#include "algorithms/lanes/lane_direction.hpp"
+#include "algorithms/polygon/parts.hpp"
 #include "geometry/raster.hpp"
 
 namespace oxturn {
 namespace {
 
+constexpr double kSimplify = 0.04;  // of the margin: how much the region to fill may shrink, for fewer vertices
+constexpr double kChord = 0.1;      // of the tool width: chord error of its round vertices
+constexpr double kClearlyLess = 1 - 1e-9;
+
+enum class Fit { cover, literal };
+enum class SmallParts { merge, drop };
+
 struct Params {
-  std::string partition = "auto";
+  Partition partition = Partition::automatic;
   double margin = 0;
-  std::string sweep = "best";
+  LaneDirection sweep = LaneDirection::best;
   double angle = 0;
   bool outline = true;
-  std::string fit = "cover";
-  std::string small_parts = "merge";
-  std::string order = "improved";
+  Fit fit = Fit::cover;
+  SmallParts small_parts = SmallParts::merge;
+  StripOrder order = StripOrder::improved;
 };
 
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  double width() const { return high - low; }
   void add(double x) {
     low = std::min(low, x);
     high = std::max(high, x);
   }
 };
 
-Extent across(const Part& part, const Frame& frame) {
+/// Extent of a part across the lanes.
+Extent extent_across(const Part& part, const LaneFrame& frame) {
   Extent e;
   for (const Ring& r : part.rings)
-    for (const Point& p : r) e.add(frame.to(p).x());
+    for (const Point& p : r) e.add(frame.to_frame(p).x());
   return e;
 }
 
-std::vector<Segment> turned_edges(const Part& part, const Frame& frame) {
+std::vector<Segment> edges_in(const LaneFrame& frame, const std::vector<Ring>& rings) {
   std::vector<Segment> edges;
-  for (const Ring& r : part.rings) add_ring(edges, r);
-  for (Segment& s : edges) s = {frame.to(s.a), frame.to(s.b)};
+  for (const Ring& r : rings) add_ring(edges, r);
+  for (Segment& s : edges) s = {frame.to_frame(s.a), frame.to_frame(s.b)};
   return edges;
 }
 
 double least_sum_of_widths(const Region& region, const std::vector<Part>& parts) {
   double best = std::numeric_limits<double>::infinity(), direction = 0;
   for (const double d : lane_directions(region)) {
-    const Frame frame(d);
+    const LaneFrame frame(d);
     double sum = 0;
-    for (const Part& p : parts) {
-      const Extent e = across(p, frame);
-      sum += e.high - e.low;
-    }
-    if (sum < best * (1 - 1e-9)) {
+    for (const Part& p : parts) sum += extent_across(p, frame).width();
+    if (sum < best * kClearlyLess) {
       best = sum;
       direction = d;
     }
@@ -86,150 +95,194 @@ double least_sum_of_widths(const Region& region, const std::vector<Part>& parts)
   return direction;
 }
 
-// The seed's start vertex lies on the low side of the lanes' frame?
-bool starts_low(const Part& part, double angle, const Frame& frame) {
-  const bool steep = std::abs(std::sin(angle * kPi / 180)) > std::abs(std::cos(angle * kPi / 180));
+/// What lanes are made from.
+struct Field {
+  const std::vector<Part>& parts;
+  const LaneFrame& frame;
+  double angle;            // of the lanes, degrees
+  const EdgeIndex& space;  // configuration space, in the frame
+  double width;            // of the tool
+  double margin;           // how far lane ends keep off walls
+};
+
+struct NumberedLane {
+  long number;  // lanes with consecutive numbers may follow each other
+  double x, low, high;
+};
+using LanesOfParts = std::vector<std::vector<NumberedLane>>;
+
+/// One set of slabs shared by all parts: each height of a slab belongs to the part that claims it first.
+class SharedSlabs {
+ public:
+  SharedSlabs(std::size_t slabs, std::size_t parts, double width) : taken_(slabs), lanes_(parts), width_(width) {}
+
+  /// Gives the part what is still free of the interval.
+  void claim(std::size_t part, const LaneInterval& wanted) {
+    for (const LaneInterval& free : free_parts(wanted)) add(part, free);
+  }
+  /// The part's intervals by slab, then bottom to top.
+  std::vector<LaneInterval> take(std::size_t part) {
+    std::vector<LaneInterval> lanes = std::move(lanes_[part]);
+    std::sort(lanes.begin(), lanes.end(), [](const LaneInterval& a, const LaneInterval& b) {
+      return std::pair(a.slab, a.low) < std::pair(b.slab, b.low);
+    });
+    return lanes;
+  }
+
+ private:
+  struct Taken {
+    double low, high;
+    std::size_t part, index;  // lanes_[part][index]
+  };
+
+  std::vector<LaneInterval> free_parts(const LaneInterval& wanted) const {
+    std::vector<LaneInterval> free;
+    double from = wanted.low;
+    for (const Taken& t : taken_[wanted.slab]) {
+      if (t.high < from) continue;
+      if (t.low > wanted.high) break;
+      if (t.low > from) free.push_back({wanted.slab, from, t.low});
+      from = std::max(from, t.high);
+      if (from >= wanted.high) return free;
+    }
+    free.push_back({wanted.slab, from, wanted.high});
+    return free;
+  }
+
+  void add(std::size_t part, const LaneInterval& free) {
+    std::vector<Taken>& taken = taken_[free.slab];
+    // A short remainder lengthens the lane that it touches; a longer one only a lane of the same part.
+    const auto extends = [&](const Taken& t) {
+      return (t.high == free.low || t.low == free.high) && (t.part == part || free.high - free.low < width_ / 2);
+    };
+    const auto beside = std::find_if(taken.begin(), taken.end(), extends);
+    if (beside != taken.end()) {
+      LaneInterval& lane = lanes_[beside->part][beside->index];
+      lane.low = beside->low = std::min(beside->low, free.low);
+      lane.high = beside->high = std::max(beside->high, free.high);
+      return;
+    }
+    const Taken t{free.low, free.high, part, lanes_[part].size()};
+    lanes_[part].push_back(free);
+    const auto lower = [](const Taken& a, const Taken& b) { return a.low < b.low; };
+    taken.insert(std::upper_bound(taken.begin(), taken.end(), t, lower), t);
+  }
+
+  std::vector<std::vector<Taken>> taken_;         // by slab; sorted, disjoint
+  std::vector<std::vector<LaneInterval>> lanes_;  // by part
+  double width_;
+};
+
+/// The part's intervals of slabs. Ring by ring: merged parts may overlap by rounding, which the even-odd rule over all
+/// edges together would turn inside out. A single part is the whole region, with its holes.
+std::vector<LaneInterval> intervals_of(const Field& f, const Part& part, const Slabs& slabs) {
+  if (f.parts.size() == 1) return project(edges_in(f.frame, part.rings), slabs).intervals;
+  std::vector<LaneInterval> all;
+  for (const Ring& r : part.rings) {
+    const std::vector<LaneInterval> of_ring = project(edges_in(f.frame, {r}), slabs).intervals;
+    all.insert(all.end(), of_ring.begin(), of_ring.end());
+  }
+  return all;
+}
+
+/// Lanes without gaps: each part's intervals of one common set of slabs, larger parts first, every height once.
+LanesOfParts covering_lanes(const Field& f) {
+  Extent all;
+  for (const Part& part : f.parts) {
+    const Extent e = extent_across(part, f.frame);
+    all.add(e.low);
+    all.add(e.high);
+  }
+  std::vector<std::size_t> order(f.parts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return f.parts[a].area > f.parts[b].area; });
+  const Slabs slabs = slabs_over(all.low, all.high, f.width);
+  SharedSlabs shared(slabs.count, f.parts.size(), f.width);
+  for (const std::size_t p : order)
+    for (const LaneInterval& s : intervals_of(f, f.parts[p], slabs)) shared.claim(p, s);
+  LanesOfParts lanes(f.parts.size());
+  for (std::size_t p = 0; p < f.parts.size(); ++p)
+    for (const LaneInterval& s : clip_lanes(shared.take(p), slabs, f.space, 2 * f.width, f.margin).pieces)
+      lanes[p].push_back({static_cast<long>(s.slab), slabs.centre(s.slab), s.low, s.high});
+  return lanes;
+}
+
+/// The source's start vertex of a part: does it lie on the low side of the lanes' frame?
+bool starts_low(const Field& f, const Part& part) {
+  const bool steep = std::abs(std::sin(f.angle * kPi / 180)) > std::abs(std::cos(f.angle * kPi / 180));
   const Point* first = &part.rings.front().front();
   for (const Ring& r : part.rings)
     for (const Point& p : r)
       if (steep ? before(p, *first) : std::pair(p.y(), p.x()) < std::pair(first->y(), first->x())) first = &p;
-  const Extent e = across(part, frame);
-  return frame.to(*first).x() <= (e.low + e.high) / 2;
+  const Extent e = extent_across(part, f.frame);
+  return f.frame.to_frame(*first).x() <= (e.low + e.high) / 2;
 }
 
-struct Lane {
-  long slab;  // lanes of neighbouring numbers may be driven one after the other
-  double x, low, high;
+/// The source's lines in one part: a tool width apart, the first half a width inside, counted from the start vertex.
+class SourceLines {
+ public:
+  SourceLines(const Field& f, const Part& part)
+      : extent_(extent_across(part, f.frame)),
+        width_(f.width),
+        from_low_(starts_low(f, part)),
+        crossings_(static_cast<std::size_t>(std::floor(extent_.width() / width_ + 0.5))) {
+    for (const Segment& s : edges_in(f.frame, part.rings)) cross(s);
+    for (std::vector<double>& ys : crossings_) std::sort(ys.begin(), ys.end());
+  }
+  std::size_t count() const { return crossings_.size(); }
+  double x(std::size_t k) const {
+    const double inside = (static_cast<double>(k) + 0.5) * width_;
+    return from_low_ ? extent_.low + inside : extent_.high - inside;
+  }
+  /// Heights at which the part's boundary crosses line k, ascending.
+  const std::vector<double>& crossings(std::size_t k) const { return crossings_[k]; }
+
+ private:
+  void cross(const Segment& s) {
+    const auto [x0, x1] = std::minmax(s.a.x(), s.b.x());
+    const double near = from_low_ ? x0 - extent_.low : extent_.high - x1;
+    const double far = from_low_ ? x1 - extent_.low : extent_.high - x0;
+    const auto from = static_cast<std::size_t>(std::max(0.0, std::floor(near / width_ - 0.5)));
+    const auto end = static_cast<std::size_t>(std::max(0.0, std::ceil(far / width_ - 0.5) + 1));
+    for (std::size_t k = from; k < std::min(end, count()); ++k)
+      if (const double at = x(k); x0 <= at && at < x1)
+        crossings_[k].push_back(s.a.y() + (at - s.a.x()) / (s.b.x() - s.a.x()) * (s.b.y() - s.a.y()));
+  }
+  Extent extent_;
+  double width_;
+  bool from_low_;
+  std::vector<std::vector<double>> crossings_;
 };
 
-// Takes each part's stretches out of one set of slabs, larger parts first, every height once.
-std::vector<std::vector<Lane>> fitted_lanes(const std::vector<Part>& parts, const Frame& frame, const EdgeIndex& room,
-                                            double width, double margin) {
-  Extent all;
-  std::vector<std::size_t> order(parts.size());
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    order[i] = i;
-    const Extent e = across(parts[i], frame);
-    all.add(e.low);
-    all.add(e.high);
-  }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return parts[a].area > parts[b].area; });
-  const Slabs slabs = slabs_over(all.low, all.high, width);
-  struct Held {
-    double low, high;
-    std::size_t part, index;
-  };
-  std::vector<std::vector<Held>> held(slabs.count);  // sorted, disjoint
-  std::vector<std::vector<Stretch>> owned(parts.size());
-  for (const std::size_t p : order) {
-    std::vector<Stretch> wanted;
-    // Ring by ring: merged parts may overlap in rounding, which even-odd over all edges would turn inside out.
-    if (parts.size() == 1) {
-      wanted = project(turned_edges(parts[p], frame), slabs).stretches;
-    } else {
-      for (const Ring& r : parts[p].rings) {
-        const auto some = project(turned_edges({{r}, 0}, frame), slabs).stretches;
-        wanted.insert(wanted.end(), some.begin(), some.end());
-      }
-    }
-    for (const Stretch& s : wanted) {
-      std::vector<Held>& taken = held[s.slab];
-      std::vector<Stretch> free;
-      double from = s.low;
-      bool open = true;
-      for (const Held& h : taken) {
-        if (h.high < from) continue;
-        if (h.low > s.high) break;
-        if (h.low > from) free.push_back({s.slab, from, h.low});
-        from = std::max(from, h.high);
-        if (from >= s.high) {
-          open = false;
-          break;
-        }
-      }
-      if (open) free.push_back({s.slab, from, s.high});
-      for (const Stretch& f : free) {
-        // A short remainder lengthens the lane that it touches; a longer one of the same part as well.
-        const auto joins = [&](const Held& h) {
-          return (h.high == f.low || h.low == f.high) && (h.part == p || f.high - f.low < width / 2);
-        };
-        const auto beside = std::find_if(taken.begin(), taken.end(), joins);
-        if (beside != taken.end()) {
-          Stretch& lane = owned[beside->part][beside->index];
-          lane.low = beside->low = std::min(beside->low, f.low);
-          lane.high = beside->high = std::max(beside->high, f.high);
-          continue;
-        }
-        const Held h{f.low, f.high, p, owned[p].size()};
-        owned[p].push_back(f);
-        taken.insert(
-            std::upper_bound(taken.begin(), taken.end(), h, [](const Held& a, const Held& b) { return a.low < b.low; }),
-            h);
-      }
-    }
-  }
-  std::vector<std::vector<Lane>> lanes(parts.size());
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    std::sort(owned[p].begin(), owned[p].end(),
-              [](const Stretch& a, const Stretch& b) { return std::pair(a.slab, a.low) < std::pair(b.slab, b.low); });
-    for (const Stretch& s : clip(owned[p], slabs, room, 2 * width, margin).pieces)
-      lanes[p].push_back({static_cast<long>(s.slab), slabs.centre(s.slab), s.low, s.high});
-  }
-  return lanes;
-}
-
-// The seed's lines: w apart, the first w/2 inside the part.
-std::vector<std::vector<Lane>> literal_lanes(const std::vector<Part>& parts, const Frame& frame, double angle,
-                                             const EdgeIndex& room, double width, double margin) {
-  std::vector<std::vector<Lane>> lanes(parts.size());
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    const Extent e = across(parts[p], frame);
-    const bool low_first = starts_low(parts[p], angle, frame);
-    const std::vector<Segment> edges = turned_edges(parts[p], frame);
-    const auto count = static_cast<long>(std::floor((e.high - e.low) / width + 0.5));
-    std::vector<std::vector<double>> cuts(static_cast<std::size_t>(std::max(count, 0L)));
-    const auto line = [&](long k) {
-      const double in = (static_cast<double>(k) + 0.5) * width;
-      return low_first ? e.low + in : e.high - in;
-    };
-    for (const Segment& s : edges) {
-      const auto [x0, x1] = std::minmax(s.a.x(), s.b.x());
-      const double near = low_first ? x0 - e.low : e.high - x1, far = low_first ? x1 - e.low : e.high - x0;
-      const long from = std::max(0L, static_cast<long>(std::floor(near / width - 0.5)));
-      const long to = std::min(count - 1, static_cast<long>(std::ceil(far / width - 0.5)));
-      for (long k = from; k <= to; ++k) {
-        const double x = line(k);
-        if (x0 <= x && x < x1)
-          cuts[static_cast<std::size_t>(k)].push_back(s.a.y() +
-                                                      (x - s.a.x()) / (s.b.x() - s.a.x()) * (s.b.y() - s.a.y()));
-      }
-    }
-    for (long k = 0; k < count; ++k) {
-      std::vector<double>& ys = cuts[static_cast<std::size_t>(k)];
-      std::sort(ys.begin(), ys.end());
+LanesOfParts literal_lanes(const Field& f) {
+  LanesOfParts lanes(f.parts.size());
+  for (std::size_t p = 0; p < f.parts.size(); ++p) {
+    const SourceLines lines(f, f.parts[p]);
+    for (std::size_t k = 0; k < lines.count(); ++k) {
+      const std::vector<double>& ys = lines.crossings(k);
       for (std::size_t i = 0; i + 1 < ys.size(); i += 2)
-        for (const auto& [low, high] : clip_vertical(room, line(k), ys[i], ys[i + 1], margin))
-          lanes[p].push_back({k, line(k), low, high});
+        for (const auto& [low, high] : clip_vertical(f.space, lines.x(k), ys[i], ys[i + 1], f.margin))
+          lanes[p].push_back({static_cast<long>(k), lines.x(k), low, high});
     }
   }
   return lanes;
 }
 
-// Runs of lanes of neighbouring slabs that overlap in height.
-void add_strips(std::vector<Strip>& strips, const std::vector<Lane>& lanes, const Frame& frame) {
-  struct Open {
+/// Appends the strips of one part: runs of lanes with consecutive numbers that overlap in height.
+void add_strips(std::vector<Strip>& strips, const std::vector<NumberedLane>& lanes, const LaneFrame& frame) {
+  struct Open {  // a strip that may go on
     std::size_t strip;
-    Lane last;
+    NumberedLane last;
   };
   std::vector<Open> open, next;
-  long slab = std::numeric_limits<long>::min();
-  for (const Lane& lane : lanes) {
-    if (lane.slab != slab) {
+  long number = std::numeric_limits<long>::min();
+  for (const NumberedLane& lane : lanes) {
+    if (lane.number != number) {
       open.swap(next);
-      if (lane.slab != slab + 1) open.clear();
+      if (lane.number != number + 1) open.clear();
       next.clear();
-      slab = lane.slab;
+      number = lane.number;
     }
     const auto fits = [&](const Open& o) { return o.last.low <= lane.high && lane.low <= o.last.high; };
     const auto found = std::find_if(open.begin(), open.end(), fits);
@@ -240,46 +293,33 @@ void add_strips(std::vector<Strip>& strips, const std::vector<Lane>& lanes, cons
     } else {
       strips.emplace_back();
     }
-    strips[strip].lanes.push_back({frame.back({lane.x, lane.low}), frame.back({lane.x, lane.high})});
+    strips[strip].lanes.push_back({frame.to_world({lane.x, lane.low}), frame.to_world({lane.x, lane.high})});
     next.push_back({strip, lane});
   }
 }
 
+void trace_parts(const std::vector<Part>& parts, Context& context) {
+  std::vector<Polyline> lines;
+  for (const Part& p : parts)
+    for (const Ring& r : p.rings) {
+      lines.push_back(r);
+      lines.back().push_back(r.front());
+    }
+  context.trace("parts", std::move(lines));
+}
+
 class Zigzag final : public CoveragePlanner {
  public:
-  explicit Zigzag(Params p) : p_(std::move(p)) {}
+  explicit Zigzag(Params p) : p_(p) {}
 
   Path plan(const Problem& problem, Context& context) const override {
     const double w = problem.robot().tool_width;
     const double inset = p_.margin > 0 ? p_.margin : w / 2;
     const Connector connector(problem);
-    const Region& c = problem.configuration_space();
-    const Region filled = simplify_inward(lane_region(problem, 0.96 * inset, 0.1 * w), 0.04 * inset);
+    const Region filled = simplify_inward(lane_region(problem, (1 - kSimplify) * inset, kChord * w), kSimplify * inset);
     Path path;
-    if (!filled.empty()) {
-      std::vector<Part> parts = cut_into_parts(filled, p_.partition);
-      if (parts.size() > 1) parts = without_slivers(std::move(parts), w, p_.small_parts == "merge");
-      if (context.wants_traces()) trace_parts(parts, context);
-      const double angle = p_.sweep == "given"      ? p_.angle
-                           : p_.partition == "none" ? best_lane_direction(filled, w)
-                                                    : least_sum_of_widths(filled, parts);
-      const Frame frame(angle);
-      const EdgeIndex room(frame.to(c));
-      const double margin = 2 * problem.tolerance();
-      std::vector<Strip> strips;
-      if (!parts.empty()) {
-        const auto lanes = p_.fit == "cover" ? fitted_lanes(parts, frame, room, w, margin)
-                                             : literal_lanes(parts, frame, angle, room, w, margin);
-        for (const std::vector<Lane>& of_part : lanes) {
-          if (p_.partition != "none") {
-            add_strips(strips, of_part, frame);
-          } else {
-            for (const Lane& lane : of_part) add_strips(strips, {lane}, frame);
-          }
-        }
-      }
-      path = drive_strips(problem, strips, p_.order, connector, context);
-    }
+    if (!filled.empty())
+      path = drive_strips(problem, strips_in(filled, problem, context), p_.order, connector, context);
     if (p_.outline && !context.cancelled()) {
       context.publish(path);
       path = with_outline(problem, path, w, connector, context);
@@ -289,15 +329,38 @@ class Zigzag final : public CoveragePlanner {
   }
 
  private:
-  static void trace_parts(const std::vector<Part>& parts, Context& context) {
-    std::vector<Polyline> lines;
-    for (const Part& p : parts)
-      for (const Ring& r : p.rings) {
-        lines.push_back(r);
-        lines.back().push_back(r.front());
-      }
-    context.trace("parts", std::move(lines));
+  std::vector<Part> parts_of(const Region& filled, double width) const {
+    std::vector<Part> parts = cut_into_parts(filled, p_.partition);
+    if (parts.size() <= 1) return parts;
+    return p_.small_parts == SmallParts::merge ? with_slivers_merged(std::move(parts), width)
+                                               : without_slivers(std::move(parts), width);
   }
+
+  double direction(const Region& filled, const std::vector<Part>& parts, double width) const {
+    if (p_.sweep == LaneDirection::given) return p_.angle;
+    return p_.partition == Partition::none ? best_lane_direction(filled, width) : least_sum_of_widths(filled, parts);
+  }
+
+  std::vector<Strip> strips_in(const Region& filled, const Problem& problem, Context& context) const {
+    const double w = problem.robot().tool_width;
+    const std::vector<Part> parts = parts_of(filled, w);
+    if (context.wants_traces()) trace_parts(parts, context);
+    const double angle = direction(filled, parts, w);
+    const LaneFrame frame(angle);
+    const EdgeIndex space(frame.to_frame(problem.configuration_space()));
+    std::vector<Strip> strips;
+    if (parts.empty()) return strips;
+    const Field field{parts, frame, angle, space, w, 2 * problem.tolerance()};
+    for (const std::vector<NumberedLane>& of_part :
+         p_.fit == Fit::cover ? covering_lanes(field) : literal_lanes(field)) {
+      if (p_.partition != Partition::none)
+        add_strips(strips, of_part, frame);
+      else
+        for (const NumberedLane& lane : of_part) add_strips(strips, {lane}, frame);  // every lane by itself
+    }
+    return strips;
+  }
+
   Params p_;
 };
 
@@ -308,24 +371,23 @@ PlannerInfo zigzag() {
       {.name = "zigzag",
        .family = "polygon",
        .title = "Zig zag filling",
-       .citation = "BeachBot thesis, 2.2.4; Greene 1983",
+       .citation = "BeachBot (Vollprecht 2014); Greene 1983",
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (fit cover, with outline, slivers merged, margin up to half a tool width)",
-       .parameters = {
-           {"partition",
-            &Params::partition,
-            {"auto", "convex", "approximate", "monotone", "trapezoid", "none"},
-            "parts; auto: convex up to 150 corners if CGAL finds one, else approximate; none: every line by itself"},
-           {"margin", &Params::margin, Range{0, 100}, "metres that lines keep off walls; 0: half the tool width"},
-           {"sweep", &Params::sweep, {"best", "given"}, "direction of lines: least sum of widths, or `angle`"},
-           {"angle", &Params::angle, Range{-360, 360}, "degrees, lines' direction if sweep is given"},
-           {"outline", &Params::outline, "drive every wall once"},
-           {"fit",
-            &Params::fit,
-            {"cover", "literal"},
-            "cover: no gaps; literal: lines a tool width apart, as in the seed"},
-           {"small_parts", &Params::small_parts, {"merge", "drop"}, "what becomes of slivers"},
-           {"order", &Params::order, {"improved", "nearest"}, "of the parts' runs of lines"}}});
+       .parameters =
+           {{"partition", &Params::partition, Choices{"auto", "convex", "approximate", "monotone", "trapezoid", "none"},
+             "parts; auto: convex up to 150 vertices if CGAL finds one, else approximate; none: every lane by itself"},
+            {"margin", &Params::margin, Range{0, 100}, "metres that lanes keep off walls; 0: half the tool width"},
+            {"sweep", &Params::sweep, Choices{"best", "given"}, "lane direction: least sum of widths, or `angle`"},
+            {"angle", &Params::angle, Range{-360, 360}, "degrees; direction of the lanes if sweep is given"},
+            {"outline", &Params::outline, "drive every wall once"},
+            {"fit", &Params::fit, Choices{"cover", "literal"},
+             "cover: no gaps; literal: lanes a tool width apart, as in the source"},
+            {"small_parts", &Params::small_parts, Choices{"merge", "drop"}, "what becomes of slivers"},
+            {"order", &Params::order, Choices{"improved", "nearest"}, "of the parts' runs of lanes"}},
+       // The source: a direction that the user chooses, gaps where lines a tool width apart leave them.
+       .published = {
+           {"fit", std::string("literal")}, {"small_parts", std::string("drop")}, {"sweep", std::string("given")}}});
 }
 
 }  // namespace oxturn

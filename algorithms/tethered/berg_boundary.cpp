@@ -7,13 +7,13 @@
 #include <queue>
 #include <tuple>
 
-#include "geometry/predicates.hpp"
 #include "geometry/paths/visibility.hpp"
+#include "geometry/predicates.hpp"
 
 namespace oxturn {
 namespace {
 
-/// Free space next to p: p itself, or the best of a few places `by` away.
+/// p itself if it is free and not on a wall; else the point with the most room among some points `by` metres away.
 Point off_the_wall(const Point& p, const EdgeIndex& walls, double by) {
   if (walls.contains(p) && !walls.nearest(p, by)) return p;
   constexpr int kTries = 32;
@@ -32,217 +32,199 @@ Point off_the_wall(const Point& p, const EdgeIndex& walls, double by) {
   return best;
 }
 
-bool lower_half(const Point& eye, const Point& p) { return p.y() < eye.y() || (p.y() == eye.y() && p.x() < eye.x()); }
+bool in_lower_half(const Point& eye, const Point& p) {
+  return p.y() < eye.y() || (p.y() == eye.y() && p.x() < eye.x());
+}
 
 double angle_between(const Point& from, const Point& to) { return std::atan2(cross(from, to), from.dot(to)); }
 
+/// 1 for left, -1 for right: turns orientations so that both sides can be treated alike.
+int sign(HiddenSide side) { return side == HiddenSide::left ? 1 : -1; }
+
+/// The side of the ray from the eye to the corner on which the corner hides something.
+HiddenSide hidden_side(const Point& eye, const BergSight::Corner& c) {
+  if (orientation(c.previous, c.at, c.next) >= 0) return HiddenSide::none;  // not a convex corner of an obstacle
+  const int previous = orientation(eye, c.at, c.previous), next = orientation(eye, c.at, c.next);
+  if (next < 0 && previous <= 0) return HiddenSide::right;
+  if (previous > 0 && next >= 0) return HiddenSide::left;
+  return HiddenSide::none;
+}
+
 }  // namespace
+
+/// Dijkstra's search over corners: each corner is looked at by the node that reaches it with the least tether.
+class BergBoundary::NodeSearch {
+ public:
+  NodeSearch(BergBoundary& boundary, double longest)
+      : b_(boundary), longest_(longest), looks_(b_.sight_.corners().size()) {}
+
+  void run() {
+    look_round(0);
+    while (!open_.empty()) {
+      const auto [length, k] = open_.top();
+      open_.pop();
+      Look& look = looks_[k];
+      if (look.done || length > look.length) continue;
+      look.done = true;
+      const BergSight::Corner& corner = b_.sight_.corners()[k];
+      const HiddenSide side = hidden_side(b_.nodes_[look.node].at, corner);
+      if (side == HiddenSide::none) continue;
+      b_.add_node(corner, side, look.node, length);
+      look_round(b_.nodes_.size() - 1);
+    }
+  }
+
+ private:
+  struct Look {  // the best one at a corner
+    double length = std::numeric_limits<double>::infinity();
+    std::size_t node = 0;
+    bool done = false;
+  };
+  using Candidate = std::pair<double, std::size_t>;  // length, corner
+
+  /// Looks at all corners in the node's sector.
+  void look_round(std::size_t index) {
+    const BergNode& node = b_.nodes_[index];
+    for (std::size_t k = 0; k < looks_.size(); ++k) {
+      const BergSight::Corner& corner = b_.sight_.corners()[k];
+      if (looks_[k].done || !BergSight::open_towards(corner, node.at)) continue;
+      const double length = node.before + distance(node.at, corner.at);
+      // Of two paths that differ by rounding alone the straighter one, which was found first, stays.
+      if (length > longest_ || length >= looks_[k].length - b_.tolerance_ * 1e-3) continue;
+      if (!b_.in_sector(node, corner.at) || !b_.sight_.sees(node.at, corner.at)) continue;
+      looks_[k].length = length;
+      looks_[k].node = index;
+      open_.push({length, k});
+    }
+  }
+
+  BergBoundary& b_;
+  double longest_;
+  std::vector<Look> looks_;  // by corner
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open_;
+};
 
 BergBoundary::BergBoundary(const Region& free, const EdgeIndex& walls, const std::vector<Polyline>& barriers,
                            const Point& anchor, double longest, double tolerance)
-    : walls_(walls), tolerance_(tolerance) {
-  for_each_ring(free, [&](const Ring& ring) {
-    const std::size_t n = ring.size();
-    for (std::size_t i = 0; i < n; ++i) corners_.push_back({ring[i], ring[(i + n - 1) % n], ring[(i + 1) % n]});
-  });
-  for (const Polyline& barrier : barriers) add_barrier(barrier.front(), barrier.back());
-  BergNode first;
-  first.at = off_the_wall(anchor, walls, tolerance);
-  nodes_.push_back(first);
-  find_nodes(longest);
+    : tolerance_(tolerance), sight_(free, walls, barriers, tolerance) {
+  nodes_.emplace_back().at = off_the_wall(anchor, walls, tolerance);
+  NodeSearch(*this, longest).run();
   find_reach(free);
-  find_dividers(longest);
+  events_.resize(nodes_.size());
+  add_children_events();
+  for (std::size_t v = 0; v < nodes_.size(); ++v) add_dividers(v, longest);
   sort_events();
+  number_dividers();
   drop_repeated_dividers();
-}
-
-void BergBoundary::add_barrier(const Point& from, const Point& to) {
-  const Point a = add_barrier_end(from, to), b = add_barrier_end(to, from);
-  barriers_.push_back({a, b});
-}
-
-/// Splits the corner there in two, or makes two on the wall. Returns where the barrier is to end for tests of sight.
-Point BergBoundary::add_barrier_end(const Point& at, const Point& other) {
-  const auto split = [&](std::size_t k) {
-    Corner second = corners_[k];
-    corners_[k].next = second.previous = other;
-    corners_[k].at_barrier = second.at_barrier = true;
-    corners_.push_back(second);
-  };
-  for (std::size_t k = 0; k < corners_.size(); ++k)
-    if (corners_[k].at == at && in_wedge(corners_[k], other)) {
-      const Corner& c = corners_[k];
-      barrier_ends_.push_back({at, other, c.previous, c.next});
-      split(k);
-      return at;
-    }
-  const auto wall = walls_.nearest(at);
-  if (!wall) return at;
-  const EdgeIndex::Edge& edge = walls_.edges()[wall->edge];
-  corners_.push_back({at, edge.a, edge.b, false});
-  split(corners_.size() - 1);
-  return at + 2 * tolerance_ * (at - other).normalized();
-}
-
-/// Closed; a place at the corner itself is in no wedge.
-bool BergBoundary::in_wedge(const Corner& c, const Point& p) {
-  if (p == c.at) return false;
-  const bool left_of_next = orientation(c.at, c.next, p) >= 0,
-             right_of_previous = orientation(c.at, c.previous, p) <= 0;
-  const int turn = orientation(c.at, c.next, c.previous);
-  const bool wide = turn < 0 || (turn == 0 && (c.next - c.at).dot(c.previous - c.at) > 0);  // more than half a turn
-  return wide ? left_of_next || right_of_previous : left_of_next && right_of_previous;
-}
-
-/// Exact; touching a corner does not block, unless the way leads between it and a barrier that ends there.
-bool BergBoundary::sees(const Point& eye, const Point& p) const {
-  if (!walls_.contains(eye, p)) return false;
-  for (const Barrier& b : barriers_)
-    if (crossing(eye, p, b.from, b.to) == Crossing::proper) return false;
-  for (const BarrierEnd& end : barrier_ends_) {
-    if (end.at == eye || end.at == p || !on_segment(end.at, eye, p)) continue;
-    const int previous = orientation(eye, p, end.previous), next = orientation(eye, p, end.next);
-    const int wall = previous != 0 ? previous : next != 0 ? next : (end.next - end.at).dot(p - eye) > 0 ? -1 : 1;
-    if (orientation(eye, p, end.other) * wall < 0) return false;
-  }
-  return true;
 }
 
 /// Closed, exact.
 bool BergBoundary::in_sector(const BergNode& node, const Point& p) const {
-  if (node.parent < 0) return true;
-  const Point& parent = nodes_[static_cast<std::size_t>(node.parent)].at;
-  return node.side * orientation(parent, node.at, p) >= 0 && node.side * orientation(node.at, node.hidden, p) <= 0;
+  if (!node.parent) return true;
+  const Point& parent = nodes_[*node.parent].at;
+  const int s = sign(node.side);
+  return s * orientation(parent, node.at, p) >= 0 && s * orientation(node.at, node.hidden, p) <= 0;
 }
 
-/// Outside by no more than the tolerance.
-bool BergBoundary::about_in_sector(const BergNode& node, const Point& p) const {
-  if (node.parent < 0) return true;
-  const Point along = (node.at - nodes_[static_cast<std::size_t>(node.parent)].at).normalized();
+/// In the sector, or outside of it by no more than the tolerance.
+bool BergBoundary::nearly_in_sector(const BergNode& node, const Point& p) const {
+  if (!node.parent) return true;
+  const Point along = (node.at - nodes_[*node.parent].at).normalized();
   const Point edge = (node.hidden - node.at).normalized(), d = p - node.at;
-  return node.side * cross(along, d) >= -tolerance_ && node.side * cross(edge, d) <= tolerance_;
+  const int s = sign(node.side);
+  return s * cross(along, d) >= -tolerance_ && s * cross(edge, d) <= tolerance_;
 }
 
-/// On which side of the ray eye -> corner the corner hides something: -1 right, +1 left, 0 nothing.
-int BergBoundary::hidden_side(const Point& eye, const Corner& c) const {
-  if (orientation(c.previous, c.at, c.next) >= 0) return 0;  // not a convex corner of an obstacle
-  const int previous = orientation(eye, c.at, c.previous), next = orientation(eye, c.at, c.next);
-  if (next < 0 && previous <= 0) return -1;
-  if (previous > 0 && next >= 0) return 1;
-  return 0;
-}
-
-void BergBoundary::find_nodes(double longest) {
-  constexpr double kNever = std::numeric_limits<double>::infinity();
-  struct First {  // to look at a corner
-    double length = kNever;
-    int node = -1;
-    bool done = false;
-  };
-  std::vector<First> first(corners_.size());
-  using Open = std::tuple<double, std::size_t>;
-  std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
-  const auto look_round = [&](int index) {
-    const BergNode node = nodes_[static_cast<std::size_t>(index)];
-    for (std::size_t k = 0; k < corners_.size(); ++k) {
-      const Point& c = corners_[k].at;
-      if (first[k].done || (corners_[k].at_barrier && !in_wedge(corners_[k], node.at))) continue;
-      const double length = node.before + distance(node.at, c);
-      // Of two ways equal but for rounding the straighter one, which was found first, stays.
-      if (length > longest || length >= first[k].length - tolerance_ * 1e-3) continue;
-      if (!in_sector(node, c) || !sees(node.at, c)) continue;
-      first[k].length = length;
-      first[k].node = index;
-      open.push({length, k});
-    }
-  };
-  look_round(0);
-  while (!open.empty()) {
-    const auto [length, k] = open.top();
-    open.pop();
-    if (first[k].done || length > first[k].length) continue;
-    first[k].done = true;
-    const Corner& corner = corners_[k];
-    const Point parent = nodes_[static_cast<std::size_t>(first[k].node)].at;
-    const int side = hidden_side(parent, corner);
-    if (side == 0) continue;
-    BergNode node;
-    node.at = corner.at;
-    node.before = length;
-    node.parent = first[k].node;
-    node.side = side;
-    node.hidden = side < 0 ? corner.next : corner.previous;
-    const Point along = corner.at - parent, edge = node.hidden - corner.at;
-    const Point right = side < 0 ? edge : along;
-    node.begin = std::atan2(right.y(), right.x());
-    node.width = std::abs(angle_between(edge, along));
-    nodes_.push_back(node);
-    look_round(static_cast<int>(nodes_.size()) - 1);
-  }
+void BergBoundary::add_node(const BergSight::Corner& corner, HiddenSide side, std::size_t parent, double before) {
+  const bool on_right = side == HiddenSide::right;
+  BergNode node;
+  node.at = corner.at;
+  node.before = before;
+  node.parent = parent;
+  node.side = side;
+  node.hidden = on_right ? corner.next : corner.previous;
+  const Point along = corner.at - nodes_[parent].at, edge = node.hidden - corner.at;
+  const Point right = on_right ? edge : along;
+  node.begin = std::atan2(right.y(), right.x());
+  node.width = std::abs(angle_between(edge, along));
+  nodes_.push_back(node);
 }
 
 void BergBoundary::find_reach(const Region& free) {
   const Visibility visibility(free);
   for (BergNode& node : nodes_) {
     const Ring seen = visibility.from(node.at, tolerance_);
-    // Ends of the sector, as places on its sides.
-    const Point along =
-        node.parent < 0 ? node.at : Point(2 * node.at - nodes_[static_cast<std::size_t>(node.parent)].at);
-    const Point &right = node.side < 0 ? node.hidden : along, &left = node.side < 0 ? along : node.hidden;
+    // A point on each side of the sector.
+    const Point along = node.parent ? Point(2 * node.at - nodes_[*node.parent].at) : node.at;
+    const bool on_left = node.side == HiddenSide::left;
+    const Point &right = on_left ? along : node.hidden, &left = on_left ? node.hidden : along;
     for (std::size_t i = 0; i < seen.size(); ++i) {
       const Point &a = seen[i], &b = seen[(i + 1) % seen.size()];
-      if (node.parent >= 0) {
-        const bool overlaps = about_in_sector(node, a) || about_in_sector(node, b) ||
-                              (cross(a - node.at, right - node.at) >= 0 && cross(left - node.at, b - node.at) >= 0 &&
-                               cross(a - node.at, b - node.at) > 0);
-        if (!overlaps) continue;
+      if (node.parent) {
+        const bool spans = cross(a - node.at, right - node.at) >= 0 && cross(left - node.at, b - node.at) >= 0 &&
+                           cross(a - node.at, b - node.at) > 0;
+        if (!nearly_in_sector(node, a) && !nearly_in_sector(node, b) && !spans) continue;
       }
       node.reach = std::max({node.reach, distance(node.at, a), distance(node.at, b)});
     }
   }
 }
 
-void BergBoundary::find_dividers(double longest) {
-  events_.resize(nodes_.size());
+void BergBoundary::add_children_events() {
   for (std::size_t v = 1; v < nodes_.size(); ++v) {
     const BergNode& node = nodes_[v];
-    const double d = distance(nodes_[static_cast<std::size_t>(node.parent)].at, node.at);
-    Event event;
-    event.at = node.at;
-    event.index = static_cast<int>(v);
-    event.group = node.side < 0 ? 0 : 2;
-    event.key = node.side < 0 ? d : -d;
-    event.rank = node.side < 0 ? 1 : 0;
-    events_[static_cast<std::size_t>(node.parent)].push_back(event);
+    events_[*node.parent].push_back({node.at, false, v, node.side, distance(nodes_[*node.parent].at, node.at)});
   }
-  for (std::size_t v = 0; v < nodes_.size(); ++v) {
-    const BergNode& node = nodes_[v];
-    const auto offer = [&](const Point& at, const Point& seen_at, int side) {
-      const double rho = distance(node.at, at);
-      if (rho == 0 || node.before + rho >= longest || !sees(node.at, seen_at)) return;
-      Event event;
-      event.at = at;
-      event.divides = true;
-      event.index = static_cast<int>(dividers_.size());
-      event.group = 1 + side;
-      event.key = -side * rho;
-      event.rank = side > 0 ? 1 : 0;
-      events_[v].push_back(event);
-      dividers_.push_back({at, static_cast<int>(v), node.before + rho});
-    };
-    const auto offer_foot = [&](const Point& a, const Point& b) {
-      const Point foot = nearest_on_segment(node.at, a, b);
-      const double rho = distance(node.at, foot);
-      if (rho > 0 && about_in_sector(node, foot)) offer(foot, lerp(foot, node.at, std::min(1.0, tolerance_ / rho)), 0);
-    };
-    for (const Corner& c : corners_) {
-      const bool from_next = (c.next - c.at).dot(node.at - c.at) > 0;  // the wall comes closer that way
-      const bool from_previous = (c.previous - c.at).dot(node.at - c.at) > 0;
-      if (!from_next && !from_previous && in_sector(node, c.at) && (!c.at_barrier || in_wedge(c, node.at)))
-        offer(c.at, c.at, hidden_side(node.at, c));
-      if (from_next && (c.at - c.next).dot(node.at - c.next) > 0) offer_foot(c.at, c.next);
-    }
+}
+
+void BergBoundary::add_dividers(std::size_t v, double longest) {
+  const BergNode& node = nodes_[v];
+  /// `visible`: the point that must be seen for `at` to count.
+  const auto offer = [&](const Point& at, const Point& visible, HiddenSide side) {
+    const double rho = distance(node.at, at);
+    if (rho == 0 || node.before + rho >= longest || !sight_.sees(node.at, visible)) return;
+    events_[v].push_back({at, true, dividers_.size(), side, rho});
+    dividers_.push_back({at, v, node.before + rho});
+  };
+  const auto offer_foot = [&](const Point& a, const Point& b) {
+    const Point foot = nearest_on_segment(node.at, a, b);
+    const double rho = distance(node.at, foot);
+    if (rho > 0 && nearly_in_sector(node, foot))
+      offer(foot, lerp(foot, node.at, std::min(1.0, tolerance_ / rho)), HiddenSide::none);
+  };
+  for (const BergSight::Corner& c : sight_.corners()) {
+    // Does the wall come nearer to the node from the corner towards its neighbour?
+    const bool nearer_at_next = (c.next - c.at).dot(node.at - c.at) > 0;
+    const bool nearer_at_previous = (c.previous - c.at).dot(node.at - c.at) > 0;
+    if (!nearer_at_next && !nearer_at_previous && in_sector(node, c.at) && BergSight::open_towards(c, node.at))
+      offer(c.at, c.at, hidden_side(node.at, c));
+    if (nearer_at_next && (c.at - c.next).dot(node.at - c.next) > 0) offer_foot(c.at, c.next);
   }
+}
+
+/// The order of two events that lie on one ray from the node. The boundary is walked counter-clockwise, that is from
+/// the right of the ray to its left:
+///
+///         left        right      1. Corners that hide something on the right, from near to far: the boundary passes
+///         :::::|::::::::            c1, then the region hidden behind c1, then c2, and so on. The divider at such a
+///         :::::c2#######            corner comes before the corner's child: it separates what lies in front of the
+///         :::::|::::::::            obstacle from the hidden region.
+///         #####c3:::::::         2. Corners and feet of perpendiculars that hide nothing.
+///              c1#######         3. Corners that hide something on the left, from far to near, each with its child
+///              |                    before its divider: the mirror image of 1.
+///              node
+///                                #: obstacles; ":": hidden regions, on the left behind c3, on the right behind c1, c2
+bool BergBoundary::earlier_in_line(const Event& a, const Event& b) {
+  if (a.side != b.side) return a.side < b.side;
+  switch (a.side) {
+    case HiddenSide::right:
+      return std::tuple(a.distance, !a.is_divider, a.index) < std::tuple(b.distance, !b.is_divider, b.index);
+    case HiddenSide::none:
+      break;
+    case HiddenSide::left:
+      return std::tuple(-a.distance, a.is_divider, a.index) < std::tuple(-b.distance, b.is_divider, b.index);
+  }
+  return a.index < b.index;
 }
 
 void BergBoundary::sort_events() {
@@ -250,56 +232,60 @@ void BergBoundary::sort_events() {
     const BergNode& node = nodes_[v];
     std::vector<Event>& events = events_[v];
     std::sort(events.begin(), events.end(), [&](const Event& a, const Event& b) {
-      if (node.parent < 0)
-        if (const bool la = lower_half(node.at, a.at), lb = lower_half(node.at, b.at); la != lb) return lb;
+      if (!node.parent)  // the whole circle, from the east on
+        if (const bool la = in_lower_half(node.at, a.at), lb = in_lower_half(node.at, b.at); la != lb) return lb;
       if (const int turn = orientation(node.at, a.at, b.at); turn != 0) return turn > 0;
-      return std::tuple(a.group, a.key, a.rank, a.index) < std::tuple(b.group, b.key, b.rank, b.index);
+      return earlier_in_line(a, b);
     });
     const Point right(std::cos(node.begin), std::sin(node.begin));
     double last = 0;
     for (Event& e : events) {
       double angle = angle_between(right, e.at - node.at);
-      if (node.parent < 0 && angle < 0) angle += 2 * kPi;
+      if (!node.parent && angle < 0) angle += 2 * kPi;
       last = e.angle = std::clamp(angle, last, std::max(last, node.width));
     }
   }
-  // Dividers are numbered as they come round the boundary.
-  std::vector<BergDivider> ordered;
+}
+
+/// Numbers dividers in the order in which they are met round the boundary.
+void BergBoundary::number_dividers() {
   struct Visit {
-    std::size_t node, next;
+    std::size_t node, next_event = 0;
   };
-  std::vector<Visit> stack{{0, 0}};
+  std::vector<BergDivider> ordered;
+  std::vector<Visit> stack{{0}};
   while (!stack.empty()) {
     Visit& visit = stack.back();
     std::vector<Event>& events = events_[visit.node];
-    if (visit.next == events.size()) {
+    if (visit.next_event == events.size()) {
       stack.pop_back();
       continue;
     }
-    Event& e = events[visit.next++];
-    if (e.divides) {
-      ordered.push_back(dividers_[static_cast<std::size_t>(e.index)]);
-      e.index = static_cast<int>(ordered.size()) - 1;
+    Event& e = events[visit.next_event++];
+    if (e.is_divider) {
+      ordered.push_back(dividers_[e.index]);
+      e.index = ordered.size() - 1;
     } else {
-      stack.push_back({static_cast<std::size_t>(e.index), 0});
+      stack.push_back({e.index});
     }
   }
   dividers_ = std::move(ordered);
 }
 
-/// A foot on the common side of two sectors is found by both nodes, one on a barrier from both ends: the second goes.
+/// A foot on the common side of two sectors is found by both nodes, one on a barrier from both ends: the second is
+/// dropped.
 void BergBoundary::drop_repeated_dividers() {
-  std::vector<int> number(dividers_.size());
+  std::vector<std::optional<std::size_t>> number(dividers_.size());  // nullopt: dropped
   std::vector<BergDivider> kept;
   for (std::size_t i = 0; i < dividers_.size(); ++i) {
-    const bool repeated = !kept.empty() && distance(kept.back().at, dividers_[i].at) <= tolerance_;
-    number[i] = repeated ? -1 : static_cast<int>(kept.size());
-    if (!repeated) kept.push_back(dividers_[i]);
+    if (!kept.empty() && distance(kept.back().at, dividers_[i].at) <= tolerance_) continue;
+    number[i] = kept.size();
+    kept.push_back(dividers_[i]);
   }
   for (std::vector<Event>& events : events_) {
-    std::erase_if(events, [&](const Event& e) { return e.divides && number[static_cast<std::size_t>(e.index)] < 0; });
+    std::erase_if(events, [&](const Event& e) { return e.is_divider && !number[e.index]; });
     for (Event& e : events)
-      if (e.divides) e.index = number[static_cast<std::size_t>(e.index)];
+      if (e.is_divider) e.index = *number[e.index];
   }
   dividers_ = std::move(kept);
 }
@@ -310,41 +296,47 @@ double BergBoundary::farthest() const {
   return most;
 }
 
-/// One round, from right to left.
+/// Samples one boundary, counter-clockwise.
 class BergBoundary::Walk {
  public:
   Walk(const BergBoundary& boundary, double length, double spacing)
       : b_(boundary), length_(length), spacing_(spacing), pieces_(1) {}
 
   std::vector<Piece> run() {
-    struct Visit {
-      std::size_t node, next;
-      double angle;
-      bool closed;  // the arc may begin at `angle` itself
+    struct Visit {  // of a node's sector
+      std::size_t node, next_event = 0;
+      double angle = 0;    // up to where the sector has been walked
+      bool closed = true;  // the next arc may begin at `angle` itself
     };
-    std::vector<Visit> stack{{0, 0, 0, true}};
+    std::vector<Visit> stack{{0}};
     while (!stack.empty()) {
       Visit& visit = stack.back();
       const BergNode& node = b_.nodes_[visit.node];
       const std::vector<Event>& events = b_.events_[visit.node];
-      if (visit.next == events.size()) {
-        arc(node, visit.angle, node.width, visit.closed, true);
+      if (visit.next_event == events.size()) {
+        sample_arc(node, visit.angle, node.width, visit.closed, true);
         stack.pop_back();
         continue;
       }
-      const Event& e = events[visit.next++];
-      const auto index = static_cast<std::size_t>(e.index);
-      if (e.divides ? b_.dividers_[index].length >= length_ : b_.nodes_[index].before >= length_) continue;
-      // The place straight behind a corner lies on that side of it where the line of sight passes.
-      arc(node, visit.angle, e.angle, visit.closed, e.group != 0);
+      const Event& e = events[visit.next_event++];
+      if ((e.is_divider ? b_.dividers_[e.index].length : b_.nodes_[e.index].before) >= length_) continue;
+      // The point straight behind a corner belongs to the side on which the line of sight passes the corner.
+      sample_arc(node, visit.angle, e.angle, visit.closed, e.side != HiddenSide::right);
       visit.angle = e.angle;
-      visit.closed = e.group != 2;
-      if (e.divides)
+      visit.closed = e.side != HiddenSide::left;
+      if (e.is_divider)
         pieces_.push_back({e.index, {}});
       else
-        stack.push_back({index, 0, 0, true});  // `visit` is void from here on
+        stack.push_back({e.index});  // invalidates `visit`
     }
-    // The round begins east of the anchor, not at a divider.
+    close_round();
+    return std::move(pieces_);
+  }
+
+ private:
+  /// The walk begins east of the anchor, not at a divider: what comes before the first divider belongs to the last
+  /// piece.
+  void close_round() {
     if (pieces_.size() > 1) {
       for (const Point& p : pieces_.front().points) add(p);
       pieces_.erase(pieces_.begin());
@@ -352,11 +344,8 @@ class BergBoundary::Walk {
                round.size() > 1 && distance(round.front(), round.back()) <= b_.tolerance_) {
       round.pop_back();
     }
-    return std::move(pieces_);
   }
-
- private:
-  void arc(const BergNode& node, double from, double to, bool with_from, bool with_to) {
+  void sample_arc(const BergNode& node, double from, double to, bool with_from, bool with_to) {
     const double radius = length_ - node.before;
     if (radius > node.reach + b_.tolerance_) return;
     const bool one_point = radius * (to - from) <= b_.tolerance_;
@@ -365,7 +354,7 @@ class BergBoundary::Walk {
     for (double k = with_from ? 0 : 1; k <= (with_to ? steps : steps - 1); ++k) {
       const double angle = node.begin + from + (to - from) * (k / steps);
       const Point p = node.at + radius * Point(std::cos(angle), std::sin(angle));
-      if (b_.sees(node.at, p)) add(p);
+      if (b_.sight_.sees(node.at, p)) add(p);
     }
   }
   void add(const Point& p) {

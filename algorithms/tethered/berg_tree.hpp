@@ -1,19 +1,22 @@
-// The tree of Berg's thesis: pieces of successive boundaries, each the child of the piece that it grew from. It
-// branches at dividers.
-//
-// Source      Berg, LTH 2021, section 3.1
-// Model       a lap is a boundary at k steps of tether, k = 1, 2, ...; a piece is what lies between two dividers of a
-//             lap; a region is a chain of pieces up to the next divider: the thesis's "area"
-// Complexity  p pieces, d dividers: O(p times pieces of a lap) for the tree, O(d) for the gates of one way
-// Decisions   1. The thesis lets the robot "come closer" to pass a divider (figures 3.4, 3.5), and does not say where.
-//                Here it goes through the gate of the divider: the place next to it, on the node's side, where the
-//                robot fits.
-//             2. On the way from one piece to another the gates of those dividers are passed that no other one between
-//                has to be passed farther in: the lowest one, and to both sides those that fall towards it. Of the two
-//                ways round, that whose lowest gate lies farther out.
+/// The tree of Berg 2021: pieces of successive boundaries, each a child of the piece that it grew from.
+///
+///   const BergTree tree(boundary, {.step = 0.2, .longest = 40, .spacing = 0.05}, keep, stop);
+///   for (const BergTree::Piece& piece : tree.pieces()) drive(piece.points);
+///
+/// Source      Berg 2021, section 3.1
+/// Model       a lap is the boundary at k steps of tether, k = 1, 2, ...; a piece lies between two dividers of a lap; a
+///             region is a chain of pieces up to the next divider (the "area" of Berg 2021)
+/// Complexity  p pieces, d dividers: O(p times pieces of a lap) for the tree, O(d) for the gates of one path
+/// Decisions   1. Berg 2021 lets the robot "come closer" to pass a divider (figures 3.4, 3.5), without saying where.
+///                Here it passes the divider's gate: the point next to the divider, on the node's side, where the robot
+///                fits.
+///             2. On the path from one piece to another the robot passes the gate of the lowest divider in between, and
+///                on both sides of it the gates of the dividers that are lower than all before them, seen from the end
+///                of the path. It turns to the side where the lowest gate lies farther out.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "algorithms/tethered/berg_boundary.hpp"
@@ -23,41 +26,48 @@ namespace oxturn {
 class BergTree {
  public:
   struct Piece {
-    int lap = 0;  // from 1
-    double length = 0;
-    int divider = -1;
-    int parent = -1;
-    std::vector<int> children;  // those that lead to anything
+    std::size_t lap = 0;                 // from 1
+    double length = 0;                   // of tether, metres
+    std::optional<std::size_t> divider;  // as BergBoundary::Piece
+    std::optional<std::size_t> parent;
+    std::vector<std::size_t> children;  // without those that lead to no points
     Polyline points;
   };
   struct Region {
-    std::vector<int> pieces;    // in the order of their laps
-    std::vector<int> children;  // beyond the next dividers
+    std::vector<std::size_t> pieces;    // by lap
+    std::vector<std::size_t> children;  // beyond the next dividers
+  };
+  struct Laps {          // all in metres
+    double step = 0;     // of tether between two laps
+    double longest = 0;  // tether
+    double spacing = 0;  // of samples
   };
 
-  /// Laps `step` apart up to `longest`. `keep(p, length)` says whether a sample is to be driven; `stop` is asked once a
-  /// lap.
-  BergTree(const BergBoundary& boundary, double step, double longest, double spacing,
-           const std::function<bool(const Point&, double)>& keep, const std::function<bool()>& stop);
+  /// `keep(p, length)` says whether a sample is to be driven; `stop` is called once per lap.
+  BergTree(const BergBoundary& boundary, const Laps& laps, const std::function<bool(const Point&, double)>& keep,
+           const std::function<bool()>& stop);
 
   const std::vector<Piece>& pieces() const { return pieces_; }
   const std::vector<Region>& regions() const { return regions_; }
-  /// Regions that no divider comes before.
-  const std::vector<int>& roots() const { return roots_; }
-  int laps() const { return laps_; }
-  /// Indices of dividers whose gates lie on the way from one piece to another, in order; none if one of them grew from
-  /// the other.
-  std::vector<int> between(int from, int to) const;
+  /// Regions without a divider before them.
+  const std::vector<std::size_t>& roots() const { return roots_; }
+  /// The dividers whose gates lie on the path from one piece to another, in order; none if one grew from the other.
+  std::vector<std::size_t> between(std::size_t from, std::size_t to) const;
 
  private:
-  std::vector<int> run(int from, int to, bool left) const;
-  bool grew_from(int piece, int ancestor) const;
+  void add_laps(const Laps& laps, const std::function<bool(const Point&, double)>& keep,
+                const std::function<bool()>& stop);
+  std::vector<bool> find_useful() const;
+  void add_regions(const std::vector<bool>& useful);
+  bool grew_from(std::size_t piece, std::size_t ancestor) const;
+  enum class Turn { left, right };
+  std::vector<std::size_t> dividers_on(Turn turn, std::size_t from, std::size_t to) const;
+  double length_at(std::size_t divider) const { return boundary_.dividers()[divider].length; }
 
   const BergBoundary& boundary_;
   std::vector<Piece> pieces_;
   std::vector<Region> regions_;
-  std::vector<int> roots_;
-  int laps_ = 0;
+  std::vector<std::size_t> roots_;
 };
 
 }  // namespace oxturn

@@ -1,15 +1,16 @@
-// Any planner on a leash: it sweeps the space cut open along the anchor's cut locus, then comes home.
+// Makes any planner safe for a tethered robot: it covers the space cut open along the anchor's cut locus.
 //
-// Source      ours; the cut locus: algorithms.md section 1
+// Source      ours; for the cut locus see tether_space.hpp
 // Model       that of the planner, offline, disc footprint
-// Guarantee   the string equals the geodesic of where the robot stands, except on the ways between parts that the cut
-//             isolates (leash.hpp): within the leash, never wound, never driven over; covers what the planner covers of
-//             each part
-// Complexity  the planner's, plus O((n + k) log n) for the cut
-// Decisions   1. The planner gets the cut space by Problem::restricted and is not told why: the cut is a wall to it. It
-//                drives along both sides of it, if it drives along walls.
-//             2. It is one of the zoo; its parameters are given beside `planner`, under their own names.
-//             3. Parts that the cut isolates (leash.hpp) are swept one after the other, each by a call of the planner.
+// Guarantee   the tether equals the geodesic to the robot's position, except on paths between components that the cut
+//             isolates: within the tether length limit, never wound, never driven over; covers what the planner covers
+//             of each component
+// Complexity  that of the planner, plus O((n + k) log n) for the cut
+// Decisions   1. The planner gets the cut space by Problem::restricted. The cut is a wall to it: if it drives along
+//                walls, it drives along both sides of the cut.
+//             2. The planner is a built-in one; its parameters are given beside `planner`, under their own names.
+//             3. Components that the cut isolates (tether_space.hpp) are covered one after the other, each by a call of
+//                the planner.
 #include <fmt/format.h>
 
 #include "algorithms/transit/tether_space.hpp"
@@ -25,10 +26,11 @@ class Leashed final : public CoveragePlanner {
       : inner_(std::move(inner)), return_home_(return_home) {}
 
   Path plan(const Problem& problem, Context& context) const override {
-    const TetherSpace leash(problem, "leashed");
-    if (context.wants_traces()) context.trace("cut", leash.cut());
-    return cover_parts(
-        leash, [&](const TetherSpace::Part& part, Context& inner) { return inner_->plan(part.within, inner); },
+    const TetherSpace space(problem, "leashed");
+    if (context.wants_traces()) context.trace("cut", space.cut());
+    return cover_components(
+        space,
+        [&](const TetherSpace::Component& component, Context& inner) { return inner_->plan(component.problem, inner); },
         return_home_, context);
   }
 
@@ -43,7 +45,7 @@ const PlannerInfo& inner_of(const Settings& settings, const Planners& planners) 
   const PlannerInfo& inner = planners.find(name != nullptr ? *name : "boustrophedon");
   if (inner.has(Capability::tether))
     throw std::invalid_argument(
-        fmt::format("{}: planner '{}' knows the tether by itself; expected one that does not", kOwner, inner.name));
+        fmt::format("{}: planner '{}' handles the tether itself; expected one that does not", kOwner, inner.name));
   return inner;
 }
 
@@ -53,10 +55,11 @@ PlannerInfo leashed() {
   PlannerInfo info;
   info.name = "leashed";
   info.family = "tethered";
-  info.title = "any planner, made tether-safe by the cut locus of the anchor";
+  info.title = "any planner, made safe for a tether by the cut locus of the anchor";
   info.citation = "oxturn";
   info.capabilities = {Capability::tether, Capability::holes};
-  info.guarantee = "within the leash, never over its own line; covers what `planner` covers of the cut space";
+  info.guarantee =
+      "within the tether length limit, never over its own tether; covers what `planner` covers of the cut space";
   info.parameters = {
       {"planner", std::string("boustrophedon"), {}, {}, "name of the planner; its own parameters go beside it"},
       {"return_home", true, {}, {}, "drive back to the start at the end"}};
@@ -66,13 +69,13 @@ PlannerInfo leashed() {
   info.make = [](const Settings& settings, const Planners& planners) -> std::unique_ptr<CoveragePlanner> {
     const PlannerInfo& inner = inner_of(settings, planners);
     const std::vector<ParameterInfo> parameters = parameters_of(leashed(), settings, planners);
-    Settings own, its;
+    Settings own, of_inner;
     for (const auto& [name, value] : settings) {
-      const bool mine = name == "planner" || name == "return_home";
-      (mine ? own : its)[name] = checked(kOwner, find_parameter(kOwner, parameters, name), value);
+      const bool is_own = name == "planner" || name == "return_home";
+      (is_own ? own : of_inner)[name] = checked(kOwner, find_parameter(kOwner, parameters, name), value);
     }
     const bool home = own.count("return_home") == 0 || std::get<bool>(own["return_home"]);
-    return std::make_unique<Leashed>(inner.make(its, planners), home);
+    return std::make_unique<Leashed>(inner.make(of_inner, planners), home);
   };
   return info;
 }

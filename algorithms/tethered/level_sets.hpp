@@ -1,34 +1,39 @@
-// Laps: places at equal tether length, as far as driving them is of use, and how they lie beside each other.
+/// Level sets of geodesic distance from the anchor, trimmed to what coverage needs, and their adjacency.
+///
+///   const std::vector<LevelSet> sets = level_sets(space, region, inner, tool_width, tool_width / 1000);
+///   const Outward outward = outward_neighbours(sets, space.field(), tool_width);
+///
+///        ------.           Level k is at distance (k + 1/2) * spacing. Driven with a tool as wide as the spacing, the
+///        ----.  \          level sets cover everything except the surroundings of the boundary, where they end.
+///        --.  \  |
+///       o   |  | |         o: the anchor
 #pragma once
 
 #include <vector>
 
-#include "algorithms/lanes/strips.hpp"
 #include "algorithms/transit/tether_space.hpp"
 
 namespace oxturn {
 
-/// One piece of a level set, counter-clockwise about the anchor (the string at the left).
+/// In spacings: as much longer than coverage needs a piece of a level set may be at each end.
+inline constexpr double kLevelSetTrim = 0.04;
+
+/// One connected piece of a level set, counter-clockwise about the anchor: driven like this, the robot has the tether
+/// on its left.
 struct LevelSet {
   std::size_t level = 0;  // at distance (level + 1/2) * spacing
   Polyline line;
 };
 
-/// Laps `spacing` apart in `inner`, which lies in `space` (all parts of the cut space); the boundary of `inner` is driven
-/// by somebody else. They are left out where no point farther than spacing / 2 from that boundary needs them: every point of `inner` is within spacing / 2 of a
-/// lap or of the boundary. In order of distance, then round the anchor. Chord error at most `chord`.
-/// O(levels * (arcs + triangles) + length / spacing * log) for the whole.
-std::vector<LevelSet> laps(const TetherSpace& leash, const Region& space, const Region& inner, double spacing, double chord);
+/// The level sets in `inner`, which lies in `region`, the space where the robot may drive; the boundary of `inner` is
+/// driven separately. Pieces are omitted where no point farther than spacing / 2 from that boundary needs them: every
+/// point of `inner` is within spacing / 2 of a level set or of the boundary. By level, then round the anchor. Chord
+/// error at most `chord` metres. O(levels * (arcs + triangles) + length / spacing * log) in all.
+std::vector<LevelSet> level_sets(const TetherSpace& space, const Region& region, const Region& inner, double spacing,
+                                 double chord);
 
-/// For each lap the laps one level farther out that lie beside it. Ascending.
-std::vector<std::vector<std::size_t>> outward_neighbours(const std::vector<LevelSet>& laps, const GeodesicField& field,
-                                                         double spacing);
-
-/// Runs of laps that follow each other one to one become strips (driven back and forth); `neighbours` join them. Runs of
-/// laps at most `lanes` spacings long (0: none) are swept by so many lanes along the string instead, between their first
-/// and their last lap: a lap no longer than the tool is wide is covered by passing its middle. `space`: where the robot
-/// may drive. `single`: every lap by itself.
-std::vector<Strip> strips_of(const std::vector<LevelSet>& laps, const std::vector<std::vector<std::size_t>>& outward,
-                             const EdgeIndex& space, double spacing, int lanes, bool single);
+/// For each level set the ones beside it one level farther out, ascending.
+using Outward = std::vector<std::vector<std::size_t>>;
+Outward outward_neighbours(const std::vector<LevelSet>& sets, const GeodesicField& field, double spacing);
 
 }  // namespace oxturn

@@ -1,7 +1,7 @@
-// Decisions  1. Where the cut is driven, the passes on its two sides lie w/2 off it, side by side; nearer than 0.7 w to
-//               walls they close up to the cut, so that no part is cut off.
-//            2. Where the string meets the cut at an angle a, two laps w apart that end there leave nothing farther
-//               than w / (2 cos a) from them: at most 1.11 w / 2.
+// Decisions  1. Where the cut is driven, the two passes along its sides lie w/2 from it, side by side. Nearer than 0.7
+//               w to walls they approach the cut, so that nothing is disconnected.
+//            2. Where the tether meets the cut at an angle a, two level sets w apart that end there leave no point
+//               farther than w / (2 cos a) from them: at most 1.11 w / 2 for a up to 25 degrees.
 //            3. Pockets between the two passes and a wall, farther than w/2 from both, are driven round as well.
 #include "algorithms/tethered/needed_boundary.hpp"
 
@@ -9,22 +9,34 @@
 #include <cmath>
 
 #include "geometry/overlay/boolean.hpp"
-#include "geometry/uniform_grid.hpp"
+#include "geometry/overlay/cut_along.hpp"
 #include "geometry/overlay/offset.hpp"
 #include "geometry/raster.hpp"
-#include "geometry/overlay/cut_along.hpp"
+#include "geometry/uniform_grid.hpp"
 
 namespace oxturn {
 namespace {
 
-constexpr double kShallow = 25 * kPi / 180;
+constexpr double kShallow = 25 * kPi / 180;  // half the angle between the two tethers that meet at the cut
+// In tool widths.
+constexpr double kWideFrom = 0.7;        // distance of the cut from walls above which both passes fit beside it
+constexpr double kPassesWidth = 0.98;    // distance between the two passes
+constexpr double kPocketReach = 1.2;     // distance from the cut within which there are pockets
+constexpr double kPocketCell = 0.5;      // side of the squares that enclose pockets
+constexpr double kLongRing = 30;         // longer rings are opened and split at turning points
+constexpr double kLeastTurn = 3;         // changes of the distance from the anchor by less are no turning points
+constexpr double kPiecesPerWidth = 4;    // pieces of the cut per tool width
+constexpr double kChordsPerWidth = 200;  // tool widths over the chord error of dilation
+constexpr double kShortestChain = 100;   // pieces over the length of chains that are dropped
 
-/// The cut in short pieces, sorted by what becomes of them.
-struct Pieces {
-  std::vector<Polyline> wide, thin, shallow;
+/// The cut in short pieces, each a polyline of two points.
+struct CutPieces {
+  std::vector<Polyline> wide;     // far from walls: the passes lie side by side
+  std::vector<Polyline> narrow;   // near walls
+  std::vector<Polyline> shallow;  // nearly along the tether: not driven
 };
 
-/// Half the angle between the two strings that meet at the middle of a piece of the cut.
+/// Half the angle between the two tethers that meet at the middle of a piece ab of the cut.
 double half_angle(const GeodesicField& field, const Point& a, const Point& b, double beside) {
   const Point middle = lerp(a, b, 0.5), aside = perpendicular(b - a).normalized() * beside;
   const Point one = middle - field.sight(middle + aside).from, other = middle - field.sight(middle - aside).from;
@@ -32,43 +44,44 @@ double half_angle(const GeodesicField& field, const Point& a, const Point& b, do
   return std::isfinite(c) ? std::acos(std::clamp(c, -1.0, 1.0)) / 2 : kPi / 2;
 }
 
-Pieces pieces_of(const TetherSpace& leash, bool open) {
-  const double w = leash.problem().robot().tool_width;
-  const EdgeIndex& walls = leash.problem().walls();
-  Pieces pieces;
-  // Pieces of one kind that follow each other on one segment are one: fewer strips to unite.
-  const auto add = [](std::vector<Polyline>& list, bool goes_on, const Point& a, const Point& b) {
-    if (goes_on && !list.empty() && list.back()[1] == a)
-      list.back()[1] = b;
-    else
-      list.push_back({a, b});
-  };
-  for (const Polyline& line : leash.cut())
+/// Pieces of one kind that follow each other on one segment are joined: fewer strips to unite later.
+void append_piece(std::vector<Polyline>& pieces, bool same_segment, const Point& a, const Point& b) {
+  if (same_segment && !pieces.empty() && pieces.back()[1] == a)
+    pieces.back()[1] = b;
+  else
+    pieces.push_back({a, b});
+}
+
+CutPieces pieces_of_cut(const TetherSpace& space, CutEdges edges) {
+  const double w = space.problem().robot().tool_width;
+  const EdgeIndex& walls = space.problem().walls();
+  CutPieces pieces;
+  for (const Polyline& line : space.cut())
     for (std::size_t i = 1; i < line.size(); ++i) {
-      const double n = std::max(1.0, std::ceil(distance(line[i - 1], line[i]) / (w / 4)));
+      const double n = std::max(1.0, std::ceil(distance(line[i - 1], line[i]) / (w / kPiecesPerWidth)));
       for (double k = 0; k < n; ++k) {
         const Point a = lerp(line[i - 1], line[i], k / n), b = lerp(line[i - 1], line[i], (k + 1) / n);
         if (a == b || (!walls.contains(a) && !walls.contains(b))) continue;
-        if (open && half_angle(leash.field(), a, b, 2 * leash.cut_width()) < kShallow)
-          add(pieces.shallow, k > 0, a, b);
-        else if (walls.contains(a) && walls.contains(b) && !walls.nearest(a, b, 0.7 * w))
-          add(pieces.wide, k > 0, a, b);
+        if (edges == CutEdges::across_tether && half_angle(space.field(), a, b, 2 * space.cut_width()) < kShallow)
+          append_piece(pieces.shallow, k > 0, a, b);
+        else if (walls.contains(a) && walls.contains(b) && !walls.nearest(a, b, kWideFrom * w))
+          append_piece(pieces.wide, k > 0, a, b);
         else
-          add(pieces.thin, k > 0, a, b);
+          append_piece(pieces.narrow, k > 0, a, b);
       }
     }
   return pieces;
 }
 
-/// Squares of side `cell` that hold all places within `reach` of the segments.
-Region about(const std::vector<Polyline>& segments, double reach, double cell) {
+/// A union of squares of side `cell` that contains all points within `reach` of the segments.
+Region squares_around(const std::vector<Polyline>& segments, double reach, double cell) {
   Box box;
   for (const Polyline& segment : segments)
     for (const Point& p : segment) box.add(p);
   box.grow(reach + cell);
   const Point size = box.size() / cell;
   BitGrid grid(box.low, cell, static_cast<int>(std::ceil(size.x())), static_cast<int>(std::ceil(size.y())));
-  const int around = static_cast<int>(std::ceil(reach / cell + 0.5));  // places are looked at half a cell apart
+  const int around = static_cast<int>(std::ceil(reach / cell + 0.5));  // samples are up to a cell apart
   for (const Polyline& segment : segments) {
     const double n = std::max(1.0, std::ceil(distance(segment[0], segment[1]) / cell));
     for (double k = 0; k <= n; ++k) {
@@ -81,155 +94,178 @@ Region about(const std::vector<Polyline>& segments, double reach, double cell) {
   return trace(grid);
 }
 
-/// Segments in a grid, for "is this place on one of them?".
-class Nearby {
+/// Segments in a grid, to find those near another segment.
+class SegmentIndex {
  public:
-  explicit Nearby(const std::vector<Polyline>& pieces) : pieces_(pieces) {
+  explicit SegmentIndex(const std::vector<Polyline>& segments) : segments_(segments) {
     Box box;
     double total = 0;
-    for (const Polyline& p : pieces) {
-      total += distance(p[0], p[1]);
-      for (const Point& q : p) box.add(q);
+    for (const Polyline& s : segments) {
+      total += distance(s[0], s[1]);
+      for (const Point& p : s) box.add(p);
     }
-    grid_ = UniformGrid(box, pieces.size(), total);
-    grid_.fill(pieces.size(), [&](std::size_t i, auto enter) { grid_.visit(pieces_[i].data(), 2, 0, enter); });
+    grid_ = UniformGrid(box, segments.size(), total);
+    grid_.fill(segments.size(), [&](std::size_t i, auto enter) { grid_.visit(segments_[i].data(), 2, 0, enter); });
   }
-  bool on(const Point& a, const Point& b, double within, bool middle_only) const {
-    const Point ends[2] = {a, b};
-    return grid_.visit(ends, 2, within, [&](std::size_t cell) {
-      return std::any_of(grid_.begin(cell), grid_.end(cell), [&](std::uint32_t i) {
-        const Polyline& piece = pieces_[i];
-        if (distance_to_segment(lerp(a, b, 0.5), piece[0], piece[1]) <= within) return true;
-        return !middle_only &&
-               (distance_to_segment(piece[0], a, b) <= within || distance_to_segment(piece[1], a, b) <= within);
-      });
+  /// Is the middle of ab within `reach` of a segment?
+  bool near_middle(const Point& a, const Point& b, double reach) const {
+    const Point middle = lerp(a, b, 0.5);
+    return any_near(a, b, reach, [&](const Polyline& s) { return distance_to_segment(middle, s[0], s[1]) <= reach; });
+  }
+  /// Is the middle of ab within `reach` of a segment, or an end of a segment within `reach` of ab?
+  bool near(const Point& a, const Point& b, double reach) const {
+    const Point middle = lerp(a, b, 0.5);
+    return any_near(a, b, reach, [&](const Polyline& s) {
+      return distance_to_segment(middle, s[0], s[1]) <= reach || distance_to_segment(s[0], a, b) <= reach ||
+             distance_to_segment(s[1], a, b) <= reach;
     });
   }
 
  private:
-  const std::vector<Polyline>& pieces_;
+  template <class Test>
+  bool any_near(const Point& a, const Point& b, double reach, Test test) const {
+    const Point ends[2] = {a, b};
+    return grid_.visit(ends, 2, reach, [&](std::size_t cell) {
+      const auto items = grid_.items(cell);
+      return std::any_of(items.begin(), items.end(), [&](std::uint32_t i) { return test(segments_[i]); });
+    });
+  }
+  const std::vector<Polyline>& segments_;
   UniformGrid grid_;
 };
 
-/// Cuts what lies along shallow pieces out of a ring: chains, or the whole ring if nothing does.
-void sort_out(const Ring& ring, const Nearby& shallow, double within, double step, NeededBoundary& rims) {
-  Polyline places{ring.front()};
-  std::vector<bool> needed;  // of the stretch up to places[i + 1]
+/// Adds what must be driven of a ring: the whole ring, or the chains between the parts along shallow pieces of the cut.
+void add_needed(const Ring& ring, const SegmentIndex& shallow, double reach, double step, NeededBoundary& boundary) {
+  Polyline points{ring.front()};
+  std::vector<bool> needed;  // of the segment that ends at points[i + 1]
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    const double n = shallow.on(a, b, within, false) ? std::max(1.0, std::ceil(distance(a, b) / step)) : 1.0;
+    const double n = shallow.near(a, b, reach) ? std::max(1.0, std::ceil(distance(a, b) / step)) : 1.0;
     for (double k = 0; k < n; ++k) {
       const Point c = lerp(a, b, (k + 1) / n);
-      needed.push_back(!shallow.on(places.back(), c, within, true));
-      places.push_back(c);
+      needed.push_back(!shallow.near_middle(points.back(), c, reach));
+      points.push_back(c);
     }
   }
-  const std::size_t n = needed.size();
   const auto gap = std::find(needed.begin(), needed.end(), false);
   if (gap == needed.end()) {
-    rims.rings.polygons.push_back({ring, {}});
+    boundary.rings.polygons.push_back({ring, {}});
     return;
   }
   const auto first = static_cast<std::size_t>(gap - needed.begin());
   Polyline chain;
-  for (std::size_t k = 1; k <= n; ++k) {
-    const std::size_t i = (first + k) % n;
+  for (std::size_t k = 1; k <= needed.size(); ++k) {
+    const std::size_t i = (first + k) % needed.size();
     if (needed[i]) {
-      if (chain.empty()) chain.push_back(places[i]);
-      chain.push_back(places[i + 1]);
+      if (chain.empty()) chain.push_back(points[i]);
+      chain.push_back(points[i + 1]);
     } else if (!chain.empty()) {
-      if (length(chain) > step / 100) rims.chains.push_back(chain);
+      if (length(chain) > step / kShortestChain) boundary.chains.push_back(chain);
       chain.clear();
     }
   }
 }
 
-/// A stretch parted at the turning points of the distance from the anchor.
-void part_at_turns(const Polyline& line, const GeodesicField& field, double least, std::vector<Polyline>& chains) {
-  std::vector<std::size_t> turns{0};
-  std::size_t high = 0, low = 0;
-  int heading = 0;  // outwards or inwards, once known
+/// Appends the parts of a chain between the turning points of the distance from the anchor. Changes of the distance by
+/// less than `least` are no turning points.
+void split_at_turns(const Polyline& chain, const GeodesicField& field, double least, std::vector<Polyline>& parts) {
+  enum class Trend { unknown, outwards, inwards };
   std::vector<double> away;
-  for (const Point& p : line) away.push_back(field.distance(p));
-  for (std::size_t i = 1; i < line.size(); ++i) {
+  for (const Point& p : chain) away.push_back(field.distance(p));
+  Trend trend = Trend::unknown;
+  std::vector<std::size_t> turns{0};
+  std::size_t high = 0, low = 0;  // farthest and nearest point since the last turn
+  const auto note = [&](std::size_t i) {
     if (away[i] > away[high]) high = i;
     if (away[i] < away[low]) low = i;
-    const bool back = heading >= 0 && away[high] - away[i] > least, out = heading <= 0 && away[i] - away[low] > least;
+  };
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    note(i);
+    const bool back = trend != Trend::inwards && away[high] - away[i] > least;
+    const bool out = trend != Trend::outwards && away[i] - away[low] > least;
     if (!back && !out) continue;
     const std::size_t turn = back ? high : low;
-    if (heading != 0) turns.push_back(turn);
-    heading = back ? -1 : 1;
+    if (trend != Trend::unknown) turns.push_back(turn);
+    trend = back ? Trend::inwards : Trend::outwards;
     high = low = i;
-    for (std::size_t k = turn; k <= i; ++k) {
-      if (away[k] > away[high]) high = k;
-      if (away[k] < away[low]) low = k;
-    }
+    for (std::size_t k = turn; k <= i; ++k) note(k);
   }
-  turns.push_back(line.size() - 1);
+  turns.push_back(chain.size() - 1);
   for (std::size_t k = 1; k < turns.size(); ++k)
     if (turns[k] > turns[k - 1])
-      chains.emplace_back(line.begin() + static_cast<std::ptrdiff_t>(turns[k - 1]),
-                          line.begin() + static_cast<std::ptrdiff_t>(turns[k]) + 1);
+      parts.emplace_back(chain.begin() + static_cast<std::ptrdiff_t>(turns[k - 1]),
+                         chain.begin() + static_cast<std::ptrdiff_t>(turns[k]) + 1);
 }
 
-/// The ring as a line that begins and ends where it is nearest to the anchor, with places at most `step` apart.
+/// The ring as a chain that begins and ends at its point nearest to the anchor, points at most `step` apart.
 Polyline opened(const Ring& ring, const GeodesicField& field, double step) {
-  Polyline line;
+  Polyline chain;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
     const double n = std::max(1.0, std::ceil(distance(a, b) / step));
-    for (double k = 0; k < n; ++k) line.push_back(lerp(a, b, k / n));
+    for (double k = 0; k < n; ++k) chain.push_back(lerp(a, b, k / n));
   }
   std::size_t nearest = 0;
-  double least = field.distance(line[0]);
-  for (std::size_t i = 1; i < line.size(); ++i)
-    if (const double d = field.distance(line[i]); d < least) {
+  double least = field.distance(chain[0]);
+  for (std::size_t i = 1; i < chain.size(); ++i)
+    if (const double d = field.distance(chain[i]); d < least) {
       least = d;
       nearest = i;
     }
-  std::rotate(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(nearest), line.end());
-  line.push_back(line.front());
-  return line;
+  std::rotate(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(nearest), chain.end());
+  chain.push_back(chain.front());
+  return chain;
+}
+
+/// Opens long rings, and splits chains at the turning points of the distance from the anchor: parts that lead one way
+/// fit better into a tour.
+void split_long(NeededBoundary& boundary, const GeodesicField& field, double w) {
+  std::vector<Polygon> rings = std::move(boundary.rings.polygons);
+  const std::vector<Polyline> chains = std::move(boundary.chains);
+  boundary.rings.polygons.clear();
+  boundary.chains.clear();
+  for (Polygon& ring : rings) {
+    const Polyline chain = opened(ring.outer, field, w);
+    if (length(chain) > kLongRing * w)
+      split_at_turns(chain, field, kLeastTurn * w, boundary.chains);
+    else
+      boundary.rings.polygons.push_back(std::move(ring));
+  }
+  for (const Polyline& chain : chains) split_at_turns(chain, field, kLeastTurn * w, boundary.chains);
+}
+
+/// What lies farther than w/2 from both passes along wide pieces of the cut and from walls (Decision 3).
+Region pockets_beside(const std::vector<Polyline>& wide, const Region& space, double w) {
+  const Region near = intersect(space, squares_around(wide, kPocketReach * w, w * kPocketCell));
+  return subtract(near, dilate(cut_along(near, wide, kPassesWidth * w), w / 2, w / kChordsPerWidth, Bound::inside));
 }
 
 }  // namespace
 
-NeededBoundary needed_boundary(const TetherSpace& leash, bool open) {
-  const double w = leash.problem().robot().tool_width, width = leash.cut_width();
-  NeededBoundary rims;
-  for (const TetherSpace::Part& part : leash.parts())
-    rims.space.polygons.push_back(part.within.configuration_space().polygons.front());
-  const Pieces pieces = pieces_of(leash, open);
-  const double passes = 0.98 * w;
-  const Region rimmed = pieces.wide.empty() ? rims.space : cut_along(rims.space, pieces.wide, passes);
+NeededBoundary needed_boundary(const TetherSpace& space, CutEdges edges) {
+  const double w = space.problem().robot().tool_width, cut_width = space.cut_width();
+  NeededBoundary boundary;
+  for (const TetherSpace::Component& component : space.components())
+    boundary.space.polygons.push_back(component.problem.configuration_space().polygons.front());
+  const CutPieces pieces = pieces_of_cut(space, edges);
+  const Region with_passes =
+      pieces.wide.empty() ? boundary.space : cut_along(boundary.space, pieces.wide, kPassesWidth * w);
   if (pieces.shallow.empty()) {
-    rims.inner = rimmed;
-  } else {
-    rims.inner = leash.problem().configuration_space();
-    if (!pieces.thin.empty()) rims.inner = cut_along(rims.inner, pieces.thin, width);
-    if (!pieces.wide.empty()) rims.inner = cut_along(rims.inner, pieces.wide, passes);
+    boundary.inner = with_passes;
+  } else {  // without the cut where it is shallow
+    boundary.inner = space.problem().configuration_space();
+    if (!pieces.narrow.empty()) boundary.inner = cut_along(boundary.inner, pieces.narrow, cut_width);
+    if (!pieces.wide.empty()) boundary.inner = cut_along(boundary.inner, pieces.wide, kPassesWidth * w);
   }
-  const Nearby shallow(pieces.shallow);
-  for_each_ring(rimmed, [&](const Ring& ring) { sort_out(ring, shallow, 2 * width, w / 4, rims); });
-  if (open) {
-    NeededBoundary parted = std::move(rims);
-    rims = {std::move(parted.space), std::move(parted.inner), {}, {}};
-    for (Polygon& ring : parted.rings.polygons) {
-      Polyline line = opened(ring.outer, leash.field(), w);
-      if (length(line) > 30 * w)
-        part_at_turns(line, leash.field(), 3 * w, rims.chains);
-      else
-        rims.rings.polygons.push_back(std::move(ring));
-    }
-    for (const Polyline& chain : parted.chains) part_at_turns(chain, leash.field(), 3 * w, rims.chains);
-  }
-  if (!pieces.wide.empty()) {
-    // What lies farther off than this is nobody's pocket.
-    const Region near = intersect(rims.space, about(pieces.wide, 1.2 * w, w / 2));
-    const Region pockets = subtract(near, dilate(cut_along(near, pieces.wide, passes), w / 2, w / 200, Bound::inside));
-    for_each_ring(pockets, [&](const Ring& ring) { rims.rings.polygons.push_back({ring, {}}); });
-  }
-  return rims;
+  const SegmentIndex shallow(pieces.shallow);
+  for_each_ring(with_passes,
+                [&](const Ring& ring) { add_needed(ring, shallow, 2 * cut_width, w / kPiecesPerWidth, boundary); });
+  if (edges == CutEdges::across_tether) split_long(boundary, space.field(), w);
+  if (!pieces.wide.empty())
+    for_each_ring(pockets_beside(pieces.wide, boundary.space, w), [&](const Ring& ring) {
+      boundary.rings.polygons.push_back({ring, {}});
+    });
+  return boundary;
 }
 
 }  // namespace oxturn

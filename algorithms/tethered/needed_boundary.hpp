@@ -1,4 +1,7 @@
-// Which parts of the boundary of the cut space must be driven, so that laps may do the rest.
+/// The part of the boundary of the cut space that must be driven, so that level sets can cover the rest.
+///
+///   const NeededBoundary boundary = needed_boundary(space, CutEdges::across_tether);
+///   level_sets(space, boundary.space, boundary.inner, ...);
 #pragma once
 
 #include <vector>
@@ -8,18 +11,21 @@
 namespace oxturn {
 
 struct NeededBoundary {
-  /// All parts of the cut space together.
+  /// All components of the cut space together.
   Region space;
-  /// Laps need not care for what is nearer than half a tool width to the boundary of this.
+  /// Level sets may leave out what is nearer than half a tool width to the boundary of this region.
   Region inner;
-  /// What must be driven: closed rings (as regions of one polygon each), and open stretches between two places where the
-  /// cut meets a wall. All lie in `space`.
+  /// To be driven, within `space`: closed rings (each a polygon of its own), and open chains, which end where the cut
+  /// meets a wall or at the turning points of the distance from the anchor.
   Region rings;
   std::vector<Polyline> chains;
 };
 
-/// `open`: where the cut runs nearly along the string (within 25 degrees), laps end at it and cover both sides of it, so
-/// it is not driven; what is left of a ring is then open. Otherwise all rings are closed.
-NeededBoundary needed_boundary(const TetherSpace& leash, bool open);
+/// Which parts of the cut's two sides are driven: all of them, so that every ring is closed; or only where the cut runs
+/// across the tether. Where it runs nearly along the tether (within 25 degrees), level sets end at it from both sides
+/// and cover it; rings are then open there.
+enum class CutEdges { all, across_tether };
+
+NeededBoundary needed_boundary(const TetherSpace& space, CutEdges edges);
 
 }  // namespace oxturn

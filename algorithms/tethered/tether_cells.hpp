@@ -1,8 +1,11 @@
-// The cells of a grid that a tethered robot gets to from its start, each with its tether distance.
-//
-// A cell's centre stands at the start; a cell is one place of the robot's centre.
-// Complexity  O(lattice) for the cells; a question to the geodesic field each, and for cells that are not wholly free
-//             one for the nearest wall
+/// The cells of a grid that a tethered robot reaches from its start, each with its geodesic distance from the anchor.
+///
+///   const TetherCells cells(problem, problem.configuration_space(), side, CellKind::any);
+///   cells[cells.root()].at;                              // the start
+///
+/// The start is the centre of a cell. A cell is one position of the robot's centre.
+/// Complexity  O(lattice nodes), one query of the geodesic field for each cell, and one for the nearest wall for each
+///             cell whose centre is not connected to the start over the lattice
 #pragma once
 
 #include <array>
@@ -16,27 +19,29 @@
 namespace oxturn {
 
 enum class CellKind {
-  joined,  // centre free, joined to the start's cell by free edges of the lattice
-  any,     // and every other cell in which the robot can stand at that free place which is nearest to the centre
+  any,     // `joined`, and every other cell in which the robot fits: at the free point nearest to the cell's centre
+  joined,  // centre free and connected to the start's cell by free edges of the lattice
 };
+
+using CellList = std::vector<std::size_t>;  // indices of cells
 
 class TetherCells {
  public:
   struct Cell {
     int column, row;
-    Point place;      // the centre, or the free place nearest to it
-    double distance;  // metres of string along the geodesic
+    Point at;         // the centre, or the free point nearest to it
+    double distance;  // metres of tether along the geodesic
   };
-  /// Throws Infeasible if there is no cell beside the start's.
+  /// Throws Infeasible if the start's cell is the only one.
   TetherCells(const Problem& problem, const Region& space, double side, CellKind kind);
 
-  /// Row by row.
+  /// Cells are numbered row by row.
   std::size_t size() const { return cells_.size(); }
   const Cell& operator[](std::size_t c) const { return cells_[c]; }
   std::size_t root() const { return root_; }  // the start's cell
   double side() const { return side_; }
-  /// The cell beside c, if the straight way from centre to centre is free; if one is no wholly free cell, if the way
-  /// from place to place is no longer than two cells.
+  /// The adjacent cell, if the segment between the centres is free, or, unless both centres are joined to the start
+  /// over the lattice, if the path between the cells' points is no longer than two cells.
   std::optional<std::size_t> neighbour(std::size_t c, Direction d) const {
     const std::size_t n = neighbours_[c][d];
     return n == kNone ? std::nullopt : std::optional(n);

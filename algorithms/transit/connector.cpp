@@ -14,7 +14,7 @@ Polyline Connector::path(const Point& a, const Point& b) const {
   if (straight(a, b)) return {a, b};
   auto found = paths_.path(a, b);
   if (!found)
-    throw std::runtime_error(fmt::format("no way from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) inside configuration space",
+    throw std::runtime_error(fmt::format("no path from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) inside configuration space",
                                          a.x(), a.y(), b.x(), b.y()));
   return std::move(*found);
 }

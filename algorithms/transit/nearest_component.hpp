@@ -1,16 +1,20 @@
-// The nearest of many parts by driven way.
-//
-// A wave runs from the robot over the triangles of the transit mesh (Dijkstra over the middles of their sides) until it
-// has met entry points of a few parts; shortest paths to these decide. So a question costs what lies nearer than the
-// answer, not all parts: behind a wall thousands may be near in the air.
-//
-// Complexity  add O(1); a question O(t log t) for t triangles nearer than the answer, and a handful of shortest paths
+/// The nearest of many connected components by driven path.
+///
+///   NearestComponent nearest(problem);
+///   for (...) nearest.add(entry_point, component, id);
+///   while (auto found = nearest.from(path.at())) { ...; nearest.remove(component); }
+///
+/// A wave spreads from the query point over the triangles of the transit mesh (Dijkstra over the midpoints of their
+/// sides) until it has met entry points of a few components; shortest paths to these decide. So a query costs what lies
+/// nearer than the answer, not all components: behind a wall thousands may be near by straight distance.
+/// add O(1); a query O(t log t) for t triangles nearer than the answer, and a few shortest paths.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "base/graph_search.hpp"
 #include "maps/problem.hpp"
 
 namespace oxturn {
@@ -18,39 +22,36 @@ namespace oxturn {
 class NearestComponent {
  public:
   explicit NearestComponent(const Problem& problem);
-  /// An entry point of a part, in configuration space; `id` is the caller's.
-  void add(const Point& p, int part, std::size_t id);
-  /// The part is done: its points no longer count.
-  void drop(int part);
+  /// An entry point of a component, in configuration space; `id` is the caller's.
+  void add(const Point& p, int component, std::size_t id);
+  /// The component's entry points do not count any more.
+  void remove(int component);
 
   struct Found {
     std::size_t id;
-    Polyline way;  // from the asking point to the entry, both included
+    Polyline path;  // from the query point to the entry point, both included
   };
-  /// nullopt if nothing that is left can be reached. Not safe from several threads.
+  /// nullopt if no entry point can be reached. Not safe from several threads.
   std::optional<Found> from(const Point& p);
 
  private:
   struct Entry {
     Point at;
-    int part;
+    int component;
     std::size_t id;
   };
-  struct Reached {
-    double distance = 0;
-    std::uint32_t stamp = 0;
-  };
-  bool dropped(int part) const {
-    return static_cast<std::size_t>(part) < dropped_.size() && dropped_[static_cast<std::size_t>(part)];
+  bool removed(int component) const {
+    return static_cast<std::size_t>(component) < removed_.size() && removed_[static_cast<std::size_t>(component)];
   }
   const Entry* nearest_in(std::size_t triangle, const Point& to);
+  std::vector<Entry> candidates(const Point& p, std::size_t triangle);
 
   const Problem& problem_;
   const Mesh& mesh_;
   std::vector<std::vector<Entry>> entries_;  // by triangle
-  std::vector<bool> dropped_;
-  std::vector<Reached> reached_;  // by triangle
-  std::uint32_t stamp_ = 0;
+  std::vector<bool> removed_;
+  SearchTree<double> wave_;
+  std::vector<Point> entered_at_;  // by triangle: where the wave came in
 };
 
 }  // namespace oxturn

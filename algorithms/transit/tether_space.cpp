@@ -1,13 +1,13 @@
-// The cut as a slit, and the parts that it leaves.
+// The cut as a strip that is removed, and the components that remain.
 //
-// Complexity  O((n + k) log n) for n corners of configuration space and k pieces of the cut; a search for each part
-//             that can only be entered across the cut
-// Decisions   1. The slit is r / 100 wide (w / 200 for robots without size): far above the chord error of the cut and
+// Complexity  O((n + k) log n) for n vertices of configuration space and k pieces of the cut; a search for each
+//             component that can be entered across the cut only
+// Decisions   1. The strip is r / 100 wide (w / 200 for robots without size): far above the chord error of the cut and
 //                above rounding, far below what a tool reaches over.
-//             2. The cut of free space reaches into the walls by r, as seen from configuration space, so it parts it
-//                without loose ends; for robots without size its ends are lengthened by a few widths of the slit.
-//             3. A part is entered at the corner of it that is nearest to the anchor.
-//             4. Parts smaller than a hundredth of the tool's width squared are crumbs.
+//             2. The cut of free space reaches into the walls by r as seen from configuration space, so it divides that
+//                without loose ends. For robots without size its ends are extended by a few widths of the strip.
+//             3. A component is entered at its vertex nearest to the anchor.
+//             4. Components smaller than a hundredth of the tool's width squared are ignored.
 #include "algorithms/transit/tether_space.hpp"
 
 #include <fmt/format.h>
@@ -21,20 +21,27 @@
 namespace oxturn {
 namespace {
 
+constexpr double kStripsPerRadius = 100;  // decision 1
+constexpr double kStripsPerTool = 200;
+constexpr int kLeastStripBits = -22;        // at least 2^this of the map's extent: cut_along() needs 2^-26
+constexpr double kComponentsPerTool = 100;  // decision 4
+constexpr double kEntrySlack = 6;           // radii by which the tether may be longer than the geodesic at an entry
+
 double width_of(const Problem& problem, const std::string& planner) {
   const Robot& robot = problem.robot();
   if (!robot.tether)
     throw Unsupported(fmt::format("planner '{}' needs a robot with a tether; robot '{}' has none (tether.length)",
                                   planner, robot.name));
-  const double wanted = robot.radius > 0 ? robot.radius / 100 : robot.tool_width / 200;
-  return std::max(wanted, std::ldexp(bounding_box(problem.configuration_space()).size().maxCoeff(), -22));
+  const double wanted = robot.radius > 0 ? robot.radius / kStripsPerRadius : robot.tool_width / kStripsPerTool;
+  return std::max(wanted, std::ldexp(bounding_box(problem.configuration_space()).size().maxCoeff(), kLeastStripBits));
 }
 
+/// The lines of the cut that meet the bounding box of configuration space.
 std::vector<Polyline> near_cut(const Problem& problem, double width) {
   Box box = bounding_box(problem.configuration_space());
   box.grow(width);
   std::vector<Polyline> kept;
-  for (Polyline& line : problem.tether()->geodesics().cut(width / 8)) {
+  for (Polyline& line : problem.tether()->geodesics().cut_locus(width / 8)) {
     Box around;
     for (const Point& p : line) around.add(p);
     if (line.size() < 2 || !around.overlaps(box)) continue;
@@ -48,8 +55,8 @@ std::vector<Polyline> near_cut(const Problem& problem, double width) {
   return kept;
 }
 
-bool holds(const Polygon& part, const Point& p, double tolerance) {
-  const EdgeIndex walls(Region{{part}});
+bool contains(const Polygon& component, const Point& p, double tolerance) {
+  const EdgeIndex walls(Region{{component}});
   return walls.contains(p) || walls.nearest(p, tolerance).has_value();
 }
 
@@ -64,147 +71,186 @@ TetherSpace::~TetherSpace() = default;
 void TetherSpace::cut_open() {
   const Region& space = problem_.configuration_space();
   Region all = cut_.empty() ? space : cut_along(space, cut_, width_);
-  const auto home = std::find_if(all.polygons.begin(), all.polygons.end(), [&](const Polygon& part) {
-    return holds(part, problem_.start(), problem_.tolerance());
+  const auto home = std::find_if(all.polygons.begin(), all.polygons.end(), [&](const Polygon& component) {
+    return contains(component, problem_.start(), problem_.tolerance());
   });
   if (home == all.polygons.end())
     throw Infeasible(
-        fmt::format("the start ({}, {}) lies where two ways round an obstacle are equally long from the anchor; "
+        fmt::format("the start ({}, {}) lies where two ways around an obstacle are equally long from the anchor; "
                     "a start a little to one side of it has one tether",
                     problem_.start().x(), problem_.start().y()));
-  // What everything else rests on.
-  for (const Polygon& part : all.polygons)
-    if (!part.holes.empty())
+  // Everything else relies on this.
+  for (const Polygon& component : all.polygons)
+    if (!component.holes.empty())
       throw std::logic_error(
-          fmt::format("the cut locus of '{}' does not open the way round the obstacle at ({:.6g}, {:.6g})",
-                      problem_.map().name, part.holes[0][0].x(), part.holes[0][0].y()));
-  parts_.push_back({problem_.restricted(Region{{*home}}), {problem_.start()}});
+          fmt::format("the cut locus of '{}' does not cut open the space around the obstacle at ({:.6g}, {:.6g})",
+                      problem_.map().name, component.holes[0][0].x(), component.holes[0][0].y()));
+  components_.push_back({problem_.restricted(Region{{*home}}), {problem_.start()}});
   all.polygons.erase(home);
+  add_components(std::move(all.polygons));
+}
 
-  const double crumb = problem_.robot().tool_width * problem_.robot().tool_width / 100;
+void TetherSpace::add_components(std::vector<Polygon> others) {
+  const double least_area = problem_.robot().tool_width * problem_.robot().tool_width / kComponentsPerTool;
   struct Found {
     double away;
-    Polygon* polygon;
-    Point entry;
-    Polyline way;
+    Polygon* component;
+    EntryPath entry;
   };
   std::vector<Found> found;
-  for (Polygon& polygon : all.polygons) {
-    Point entry{0, 0};
-    std::optional<Polyline> way;
-    if (area(polygon) > crumb) way = path_into(polygon, entry);
-    if (way)
-      found.push_back({field().distance(entry), &polygon, entry, std::move(*way)});
+  for (Polygon& component : others) {
+    std::optional<EntryPath> entry;
+    if (area(component) > least_area) entry = path_into(component);
+    if (entry)
+      found.push_back({field().distance(entry->entry), &component, std::move(*entry)});
     else
-      slivers_.polygons.push_back(polygon);
+      unreached_.polygons.push_back(component);
   }
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.away < b.away; });
   for (Found& f : found)
-    parts_.push_back({problem_.restricted(Region{{std::move(*f.polygon)}}, f.entry), std::move(f.way)});
+    components_.push_back(
+        {problem_.restricted(Region{{std::move(*f.component)}}, f.entry.entry), std::move(f.entry.path)});
 }
 
-std::optional<Polyline> TetherSpace::path_into(const Polygon& part, Point& entry) const {
+/// nullopt: the tether is too short.
+std::optional<TetherSpace::EntryPath> TetherSpace::path_into(const Polygon& component) const {
   const auto nearer = [&](const Point& a, const Point& b) {
     const double da = field().distance(a), db = field().distance(b);
     return da != db ? da < db : before(a, b);
   };
-  entry = *std::min_element(part.outer.begin(), part.outer.end(), nearer);
-  auto way = geodesic_path(world(), problem_.start(), entry, 6 * problem_.robot().radius + width_);
-  if (!way) return std::nullopt;
-  TautTether string(problem_.tether()->taut_space(), problem_.anchor());
-  string.drive(field().path(problem_.start()));
-  for (std::size_t k = 1; k < way->size(); ++k) {
-    string.drive((*way)[k]);
-    if (string.length() > longest() + problem_.tolerance()) return std::nullopt;
+  const Point entry = *std::min_element(component.outer.begin(), component.outer.end(), nearer);
+  auto path = geodesic_path(world(), problem_.start(), entry, kEntrySlack * problem_.robot().radius + width_);
+  if (!path || !within_tether(problem_.start(), *path)) return std::nullopt;
+  return EntryPath{entry, std::move(*path)};
+}
+
+/// The tether stays within its length while the robot drives `path`, if at `from`, where it begins, it is the geodesic.
+bool TetherSpace::within_tether(const Point& from, const Polyline& path) const {
+  TautTether tether(problem_.tether()->taut_space(), problem_.anchor());
+  tether.drive(field().path(from));
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    tether.drive(path[k]);
+    if (tether.length() > tether_length() + problem_.tolerance()) return false;
   }
-  return way;
+  return true;
 }
 
 const TetheredWorld& TetherSpace::world() const {
   if (!world_)
     world_ = std::make_unique<const TetheredWorld>(problem_.map().free, problem_.configuration_space(), cut_space(),
-                                                   field(), longest(), problem_.tolerance());
+                                                   field(), tether_length(), problem_.tolerance());
   return *world_;
 }
 
-Polyline TetherSpace::way(const Part& from_part, const Point& from, const Part& to_part, const Point& to) const {
-  const auto inside = [&](const Part& part, const Point& a, const Point& b) {
-    auto found = part.within.transit().path(a, b);
+Polyline TetherSpace::path(const Component& from_component, const Point& from, const Component& to_component,
+                           const Point& to) const {
+  const auto inside = [&](const Component& component, const Point& a, const Point& b) {
+    auto found = component.problem.transit().path(a, b);
     if (!found)
-      throw std::logic_error(fmt::format(
-          "no way from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) in one part of the cut space", a.x(), a.y(), b.x(), b.y()));
+      throw std::logic_error(
+          fmt::format("no path from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) in one component of the cut space", a.x(),
+                      a.y(), b.x(), b.y()));
     return std::move(*found);
   };
-  if (&from_part == &to_part) return inside(from_part, from, to);
-  Polyline whole = inside(from_part, from, from_part.within.start());
+  if (&from_component == &to_component) return inside(from_component, from, to);
+  Polyline whole = inside(from_component, from, from_component.problem.start());
   const auto append = [&](const Polyline& line) { whole.insert(whole.end(), line.begin() + 1, line.end()); };
-  append(Polyline(from_part.entry_path.rbegin(), from_part.entry_path.rend()));
-  append(to_part.entry_path);
-  append(inside(to_part, to_part.within.start(), to));
+  append(Polyline(from_component.entry_path.rbegin(), from_component.entry_path.rend()));
+  append(to_component.entry_path);
+  append(inside(to_component, to_component.problem.start(), to));
+  // Pulling the path taut keeps its class. On the shorter path the tether may exceed its length for a moment, on
+  // `whole` it never does.
   Polyline taut = pulled_taut(world(), whole);
-  // The pulled way keeps the class; on it the string may be longer than the leash for a moment, on the other one never.
-  TautTether string(problem_.tether()->taut_space(), problem_.anchor());
-  string.drive(field().path(from));
-  for (std::size_t k = 1; k < taut.size(); ++k) {
-    string.drive(taut[k]);
-    if (string.length() > longest() + problem_.tolerance()) return whole;
-  }
-  return taut;
+  return within_tether(from, taut) ? taut : whole;
 }
 
-Path cover_parts(const TetherSpace& leash, const std::function<Path(const TetherSpace::Part&, Context&)>& sweep, bool return_home,
-                 Context& context) {
-  const std::vector<TetherSpace::Part>& parts = leash.parts();
-  Path whole;
-  Point at = leash.problem().start();
-  const auto drive = [&](const Polyline& way) {
-    if (way.size() < 2) return;
-    at = way.back();
-    whole.legs.push_back({false, way});
+namespace {
+
+/// One run of cover_components().
+class ComponentCover {
+ public:
+  ComponentCover(const TetherSpace& tether, Context& context)
+      : tether_(tether), components_(tether.components()), context_(context), done_(components_.size(), false) {}
+
+  Path run(const std::function<Path(const TetherSpace::Component&, Context&)>& cover, bool return_home) {
+    for (std::size_t k = 0; k < components_.size() && !context_.cancelled(); ++k) add_next(cover, k);
+    if (covered_ == 0 && !refusal_.empty()) throw Infeasible(refusal_);
+    if (return_home && !context_.cancelled()) drive(tether_.path(components_[last_], at_, components_[0], start()));
+    return std::move(path_);
+  }
+
+ private:
+  struct Next {
+    std::size_t component;
+    Polyline path;
   };
-  std::vector<bool> done(parts.size(), false);
-  std::size_t last = 0, swept = 0;
-  std::string refusal;
-  for (std::size_t count = 0; count < parts.size() && !context.cancelled(); ++count) {
-    Polyline way;
-    std::size_t next = 0;
-    double least = std::numeric_limits<double>::infinity();
+  const Point& start() const { return tether_.problem().start(); }
+  double straight_to(std::size_t k) const { return distance(at_, components_[k].problem.start()); }
+
+  /// The component whose entry is nearest by path; the start's to begin with.
+  Next nearest() const {
     std::vector<std::size_t> left;
-    for (std::size_t k = 0; k < parts.size(); ++k)
-      if (!done[k] && (count > 0 || k == 0)) left.push_back(k);
-    const auto straight = [&](std::size_t k) { return distance(at, parts[k].within.start()); };
-    std::stable_sort(left.begin(), left.end(), [&](std::size_t a, std::size_t b) { return straight(a) < straight(b); });
+    for (std::size_t k = 0; k < components_.size(); ++k)
+      if (!done_[k] && (done_[0] || k == 0)) left.push_back(k);
+    std::stable_sort(left.begin(), left.end(),
+                     [&](std::size_t a, std::size_t b) { return straight_to(a) < straight_to(b); });
+    Next best{0, {}};
+    double least = std::numeric_limits<double>::infinity();
     for (const std::size_t k : left) {
-      if (straight(k) >= least) break;
-      Polyline candidate = leash.way(parts[last], at, parts[k], parts[k].within.start());
+      if (straight_to(k) >= least) break;
+      Polyline candidate = tether_.path(components_[last_], at_, components_[k], components_[k].problem.start());
       if (length(candidate) >= least) continue;
       least = length(candidate);
-      next = k;
-      way = std::move(candidate);
+      best = {k, std::move(candidate)};
     }
-    done[next] = true;
-    // What a part's sweep publishes does not begin at the problem's start: only whole parts are published.
-    Context::Sinks sinks;
-    if (context.wants_traces())
-      sinks.trace = [&](const Trace& trace) {
-        context.trace(count == 0 ? trace.name : fmt::format("{} {}", trace.name, count + 1), trace.lines);
+    return best;
+  }
+
+  void add_next(const std::function<Path(const TetherSpace::Component&, Context&)>& cover, std::size_t number) {
+    const Next next = nearest();
+    done_[next.component] = true;
+    // What covering a component publishes does not begin at the problem's start: only whole components are published.
+    Context::Sinks sinks = context_.traces_only();
+    if (number > 0 && sinks.trace)
+      sinks.trace = [this, number](const Trace& trace) {
+        context_.trace(fmt::format("{} {}", trace.name, number + 1), trace.lines);
       };
-    Context inner(context.rng().bits(), context.seconds_left(), std::move(sinks));
+    Context inner(context_.rng().bits(), context_.seconds_left(), std::move(sinks));
     try {
-      const Path path = sweep(parts[next], inner);
-      drive(way);
-      last = next;
-      for (const Leg& leg : path.legs) whole.legs.push_back(leg);
-      if (!path.legs.empty()) at = path.legs.back().points.back();
-      ++swept;
-      context.publish(whole);
+      const Path path = cover(components_[next.component], inner);
+      drive(next.path);
+      last_ = next.component;
+      for (const Leg& leg : path.legs) path_.legs.push_back(leg);
+      if (!path.legs.empty()) at_ = path.legs.back().points.back();
+      ++covered_;
+      context_.publish(path_);
     } catch (const Infeasible& e) {
-      if (refusal.empty()) refusal = e.what();
+      if (refusal_.empty()) refusal_ = e.what();
     }
   }
-  if (swept == 0 && !refusal.empty()) throw Infeasible(refusal);
-  if (return_home && !context.cancelled()) drive(leash.way(parts[last], at, parts[0], leash.problem().start()));
-  return whole;
+
+  void drive(const Polyline& transit) {
+    if (transit.size() < 2) return;
+    at_ = transit.back();
+    path_.legs.push_back({false, transit});
+  }
+
+  const TetherSpace& tether_;
+  const std::vector<TetherSpace::Component>& components_;
+  Context& context_;
+  std::vector<bool> done_;
+  Path path_;
+  Point at_ = start();
+  std::size_t last_ = 0, covered_ = 0;
+  std::string refusal_;
+};
+
+}  // namespace
+
+Path cover_components(const TetherSpace& tether,
+                      const std::function<Path(const TetherSpace::Component&, Context&)>& cover, bool return_home,
+                      Context& context) {
+  return ComponentCover(tether, context).run(cover, return_home);
 }
 
 }  // namespace oxturn

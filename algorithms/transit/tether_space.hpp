@@ -1,14 +1,25 @@
-// What tethered planners share: the problem's space cut open, so that a leash is no longer hard.
-//
-// Free space less the cut locus of the anchor is star-shaped about the anchor along geodesics, hence contractible. So
-// every robot path that starts with the string along the geodesic and never crosses the cut keeps its string equal to
-// the geodesic of where it stands: never longer than that, never wound, never driven over, in whatever order it
-// sweeps (algorithms.md section 1). A tethered problem becomes an ordinary one with a line that must not be crossed.
-// The tool may reach over the line.
-//
-// Where the cut passes an obstacle nearer than the robot can, it cuts configuration space into several parts although
-// free space is one. A part other than the start's is entered across the cut and back, next to that obstacle; inside,
-// the string is the geodesic again. On the way in it is a little longer than that.
+/// The problem's space cut open so that the tether is no longer a constraint: what tethered planners share.
+///
+///   const TetherSpace tether(problem, "berg");
+///   Path path = cover_components(tether, [&](const TetherSpace::Component& c, Context& inner) {
+///     return planner.plan(c.problem, inner);
+///   }, false, context);
+///
+/// Free space without the cut locus of the anchor is star-shaped about the anchor along geodesics, hence contractible.
+/// So for every robot path that starts with the tether along the geodesic and never crosses the cut, the taut tether is
+/// the geodesic of the robot's position: never longer than that, never wound around an obstacle, never driven over, in
+/// whatever order the robot covers the space. A tethered problem becomes an ordinary one with a line that must not be
+/// crossed. The tool may reach over the line.
+///
+///        +------------------+
+///        |       +--+~~~~~~~|     A  anchor
+///        |  A    |  |       |     ~  the cut, behind the obstacle
+///        |       +--+       |
+///        +------------------+
+///
+/// Where the cut passes an obstacle nearer than the robot can, it divides configuration space into several components
+/// although free space is connected. A component other than the start's is entered across the cut and back, next to
+/// that obstacle. Inside, the tether is the geodesic again; on the way in it is a little longer.
 #pragma once
 
 #include <functional>
@@ -23,55 +34,63 @@ namespace oxturn {
 
 class TetherSpace {
  public:
-  /// `problem` must outlive it. Throws Unsupported ("planner 'x' needs a robot with a tether; ...") if its robot has none,
-  /// Infeasible if the start lies in the cut itself (possible only if the anchor is elsewhere).
+  /// `problem` must outlive it. Throws Unsupported ("planner 'x' needs a robot with a tether; ...") if its robot has
+  /// none, Infeasible if the start lies in the cut itself (possible only if the anchor is elsewhere).
   TetherSpace(const Problem& problem, const std::string& planner);
   ~TetherSpace();
 
   const Problem& problem() const { return problem_; }
   const GeodesicField& field() const { return problem_.tether()->geodesics(); }
-  double longest() const { return problem_.robot().tether->length; }  // metres
+  double tether_length() const { return problem_.robot().tether->length; }  // metres
 
-  /// Where shortest ways meet, as far as that is of interest, with the slit's width.
+  /// The lines of the cut near configuration space, and the width that is removed along them.
   const std::vector<Polyline>& cut() const { return cut_; }
   double cut_width() const { return width_; }
 
-  /// A part of configuration space less the slit: simply connected.
-  struct Part {
-    Problem within;   // the problem with the part as configuration space; starts at its entry
-    Polyline entry_path;  // from the problem's start to the entry, in the class of the geodesic; the string keeps the leash
+  /// A connected component of configuration space without the cut: simply connected.
+  struct Component {
+    Problem problem;      // with the component as configuration space; starts at its entry
+    Polyline entry_path;  // from the start to the entry, in the class of the geodesic and within the tether's length
   };
-  /// The start's part first, then those that the robot can enter, by the distance of their entries from the anchor.
-  const std::vector<Part>& parts() const { return parts_; }
-  /// The start's part: its space, and the problem for any planner.
-  const Region& cut_space() const { return within().configuration_space(); }
-  const Problem& within() const { return parts_.front().within; }
-  /// What the cut isolates and the leash does not let the robot enter, and crumbs of no area.
-  const Region& slivers() const { return slivers_; }
+  /// The start's component first, then those that the robot can enter, by their entries' distance from the anchor.
+  const std::vector<Component>& components() const { return components_; }
+  /// Of the start's component: its space, and the problem for any planner.
+  const Region& cut_space() const { return cut_problem().configuration_space(); }
+  const Problem& cut_problem() const { return components_.front().problem; }
+  /// Components that the tether does not let the robot enter, or that are too small.
+  const Region& unreached() const { return unreached_; }
 
-  /// From a place in one part to a place in another (or the same), string the geodesic at both ends and within the
-  /// leash on the way.
-  Polyline way(const Part& from_part, const Point& from, const Part& to_part, const Point& to) const;
+  /// From a point of one component to a point of another (or the same). At both ends the tether is the geodesic, and it
+  /// is within its length on the way.
+  Polyline path(const Component& from_component, const Point& from, const Component& to_component,
+                const Point& to) const;
 
-  /// For ways of any class; built at the first call.
+  /// For paths of any class. Built at the first call.
   const TetheredWorld& world() const;
 
  private:
+  struct EntryPath {
+    Point entry;
+    Polyline path;
+  };
   void cut_open();
-  std::optional<Polyline> path_into(const Polygon& part, Point& entry) const;
+  void add_components(std::vector<Polygon> others);
+  std::optional<EntryPath> path_into(const Polygon& component) const;
+  bool within_tether(const Point& from, const Polyline& path) const;
 
   const Problem& problem_;
   double width_;
   std::vector<Polyline> cut_;
-  std::vector<Part> parts_;
-  Region slivers_;
+  std::vector<Component> components_;
+  Region unreached_;
   mutable std::unique_ptr<const TetheredWorld> world_;
 };
 
-/// Sweeps every part by `sweep` (which begins at the part's start) and joins the paths: the start's part first, then
-/// always the part whose entry is nearest by way; ways between are transit. A part for which `sweep` throws Infeasible
-/// is left out; if that is all of them, so is the answer.
-Path cover_parts(const TetherSpace& leash, const std::function<Path(const TetherSpace::Part&, Context&)>& sweep, bool return_home,
-                 Context& context);
+/// Covers every component by `cover` (whose path begins at the component's start) and joins the paths: the start's
+/// component first, then always the one whose entry is nearest by path; paths in between are transit. Components for
+/// which `cover` throws Infeasible are left out; if all are, this throws the first of these exceptions.
+Path cover_components(const TetherSpace& tether,
+                      const std::function<Path(const TetherSpace::Component&, Context&)>& cover, bool return_home,
+                      Context& context);
 
 }  // namespace oxturn

@@ -2,71 +2,49 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <queue>
 
 namespace oxturn {
 namespace {
 
-constexpr int kBlock = 8;
-constexpr int kReach = 4;
+constexpr int kBlock = 8;  // fine cells a side of a coarse one
+constexpr int kReach = 4;  // fine cells around a point in which its cell is searched
 constexpr double kMostCells = 1 << 22;
 constexpr int kSteps[8][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
 
 }  // namespace
 
-/// A* over the eight neighbours of the set cells in a window; `may(from i, j, to i, j)` tells which steps there are. Equal
-/// costs: the lower cell first. Empty if there is no way.
-template <class May>
-std::vector<std::size_t> Tlppa::search(const BitGrid& grid, const Window& w, std::size_t from, std::size_t to,
-                                       Notes& notes, May may) {
+/// A* over the eight neighbours of the set cells in a window; allowed(from, to) tells which steps exist. Empty if there
+/// is no path.
+template <class Allowed>
+Tlppa::Cells Tlppa::search(const BitGrid& grid, const Window& w, const Cell& from, const Cell& to,
+                           SearchTree<double>& tree, Allowed allowed) {
   const auto columns = static_cast<std::size_t>(w.right - w.left + 1);
-  const auto local = [&](int i, int j) {
-    return static_cast<std::size_t>(j - w.bottom) * columns + static_cast<std::size_t>(i - w.left);
+  const auto rows = static_cast<std::size_t>(w.top - w.bottom + 1);
+  const auto node = [&](const Cell& c) {
+    return static_cast<std::size_t>(c.j - w.bottom) * columns + static_cast<std::size_t>(c.i - w.left);
   };
-  const auto column = [&](std::size_t c) { return static_cast<int>(c % columns) + w.left; };
-  const auto row = [&](std::size_t c) { return static_cast<int>(c / columns) + w.bottom; };
-  const auto all = columns * static_cast<std::size_t>(w.top - w.bottom + 1);
-  const auto wide = static_cast<std::size_t>(grid.columns);
-  const std::size_t begin = local(static_cast<int>(from % wide), static_cast<int>(from / wide));
-  const std::size_t end = local(static_cast<int>(to % wide), static_cast<int>(to / wide));
-
-  if (notes.of.size() < all) notes.of.resize(all, {0, 0, -1, false});
-  const std::uint32_t now = ++notes.search;
-  std::vector<Notes::Note>& of = notes.of;
-  const auto closed = [&](std::size_t c) { return of[c].search == now && of[c].closed; };
-  const auto ahead = [&](int i, int j) {  // the least that eight directions allow
-    const int dx = std::abs(i - column(end)), dy = std::abs(j - row(end));
+  const auto cell = [&](std::size_t n) {
+    return Cell{static_cast<int>(n % columns) + w.left, static_cast<int>(n / columns) + w.bottom};
+  };
+  const auto neighbours = [&](std::size_t at, const auto& reach) {
+    const Cell c = cell(at);
+    for (int k = 0; k < 8; ++k) {
+      const Cell next{c.i + kSteps[k][0], c.j + kSteps[k][1]};
+      if (next.i < w.left || next.i > w.right || next.j < w.bottom || next.j > w.top) continue;
+      if (grid.get(next.i, next.j) && allowed(c, next)) reach(node(next), k < 4 ? 1 : std::sqrt(2.0));
+    }
+  };
+  const auto octile_distance = [&](std::size_t at) {
+    const Cell c = cell(at);
+    const int dx = std::abs(c.i - to.i), dy = std::abs(c.j - to.j);
     return std::max(dx, dy) + (std::sqrt(2.0) - 1) * std::min(dx, dy);
   };
-  using Item = std::pair<double, std::size_t>;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> open;
-  of[begin] = {0, now, -1, false};
-  open.push({ahead(column(begin), row(begin)), begin});
-  while (!open.empty() && !closed(end)) {
-    const std::size_t at = open.top().second;
-    open.pop();
-    if (of[at].closed) continue;
-    of[at].closed = true;
-    const int i = column(at), j = row(at);
-    for (int k = 0; k < 8; ++k) {
-      const int x = i + kSteps[k][0], y = j + kSteps[k][1];
-      if (x < w.left || x > w.right || y < w.bottom || y > w.top || !grid.get(x, y) || !may(i, j, x, y)) continue;
-      const double longer = of[at].cost + (k < 4 ? 1 : std::sqrt(2.0));
-      const std::size_t next = local(x, y);
-      if (of[next].search == now && (of[next].closed || longer >= of[next].cost)) continue;
-      of[next] = {longer, now, static_cast<std::int8_t>(k), false};
-      open.push({longer + ahead(x, y), next});
-    }
-  }
-  std::vector<std::size_t> way;
-  if (!closed(end)) return way;
-  for (std::size_t at = end;; at = local(column(at) - kSteps[of[at].came][0], row(at) - kSteps[of[at].came][1])) {
-    way.push_back(grid.at(column(at), row(at)));
-    if (at == begin) break;
-  }
-  std::reverse(way.begin(), way.end());
-  return way;
+  const std::size_t end = node(to);
+  Cells path;
+  if (a_star(
+          tree, columns * rows, node(from), neighbours, [&](std::size_t at) { return at == end; }, octile_distance))
+    for (const std::size_t at : tree.path_to(end)) path.push_back(cell(at));
+  return path;
 }
 
 Tlppa::Tlppa(const Problem& problem, double cell) : problem_(problem) {
@@ -80,110 +58,103 @@ Tlppa::Tlppa(const Problem& problem, double cell) : problem_(problem) {
   for (int j = 0; j < fine_.rows; ++j)
     for (int i = 0; i < fine_.columns; ++i)
       if (fine_.get(i, j)) coarse_.set(i / kBlock, j / kBlock, true);
-  may_.assign(coarse_.bits.size(), 0);
-  number_parts();
+  corridor_of_.assign(coarse_.bits.size(), 0);
+  const auto columns = static_cast<std::size_t>(fine_.columns);
+  components_ = connected_components(
+      fine_.bits.size(), [&](std::size_t c) { return fine_.bits[c] != 0; },
+      [&](std::size_t c, const auto& reach) {
+        const int i = static_cast<int>(c % columns), j = static_cast<int>(c / columns);
+        for (const auto& [di, dj] : kSteps)
+          if (fine_.inside(i + di, j + dj)) reach(fine_.at(i + di, j + dj));
+      });
 }
 
-void Tlppa::number_parts() {
-  part_.assign(fine_.bits.size(), -1);
-  std::int32_t parts = 0;
-  std::vector<std::uint32_t> queue;
-  for (std::size_t c = 0; c < part_.size(); ++c) {
-    if (part_[c] >= 0 || fine_.bits[c] == 0) continue;
-    part_[c] = parts;
-    queue.assign(1, static_cast<std::uint32_t>(c));
-    while (!queue.empty()) {
-      const int i = static_cast<int>(queue.back() % static_cast<std::uint32_t>(fine_.columns));
-      const int j = static_cast<int>(queue.back() / static_cast<std::uint32_t>(fine_.columns));
-      queue.pop_back();
-      for (const auto& step : kSteps) {
-        if (!fine_.get(i + step[0], j + step[1])) continue;
-        const std::size_t next = fine_.at(i + step[0], j + step[1]);
-        if (part_[next] >= 0) continue;
-        part_[next] = parts;
-        queue.push_back(static_cast<std::uint32_t>(next));
-      }
-    }
-    ++parts;
-  }
-}
-
-std::optional<std::size_t> Tlppa::join(const Point& p) const {
+/// Decision 4.
+std::optional<Tlppa::Cell> Tlppa::connect(const Point& p) const {
   const int i = static_cast<int>(std::floor((p.x() - fine_.origin.x()) / fine_.cell));
   const int j = static_cast<int>(std::floor((p.y() - fine_.origin.y()) / fine_.cell));
-  std::vector<std::pair<double, std::size_t>> near;
+  struct Candidate {
+    double distance;
+    Cell cell;
+  };
+  std::vector<Candidate> candidates;  // row by row
   for (int y = j - kReach; y <= j + kReach; ++y)
     for (int x = i - kReach; x <= i + kReach; ++x)
-      if (fine_.get(x, y)) near.emplace_back(distance(p, fine_.centre(x, y)), fine_.at(x, y));
-  std::sort(near.begin(), near.end());
-  for (const auto& [away, c] : near) {
-    const int x = static_cast<int>(c % static_cast<std::size_t>(fine_.columns));
-    const int y = static_cast<int>(c / static_cast<std::size_t>(fine_.columns));
-    if (problem_.walls().contains(p, fine_.centre(x, y))) return c;
-  }
+      if (fine_.get(x, y)) candidates.push_back({distance(p, fine_.centre(x, y)), {x, y}});
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  for (const auto& [distance, c] : candidates)
+    if (problem_.walls().contains(p, fine_.centre(c.i, c.j))) return c;
   return std::nullopt;
 }
 
-/// The blocks of the coarse way; none if there is none.
-std::vector<std::size_t> Tlppa::corridor(std::size_t from, std::size_t to) {
-  const auto block = [&](std::size_t c) {
-    const int i = static_cast<int>(c % static_cast<std::size_t>(fine_.columns));
-    const int j = static_cast<int>(c / static_cast<std::size_t>(fine_.columns));
-    return coarse_.at(i / kBlock, j / kBlock);
+/// Some free fine cell of one block has a free neighbour in the other.
+bool Tlppa::step_between_blocks(const Cell& from, const Cell& to) const {
+  // Fine cells of `from` on the side, or at the corner, that faces `to`.
+  const auto facing = [](int block, int d) {
+    return std::pair(block * kBlock + (d > 0 ? kBlock - 1 : 0), block * kBlock + (d < 0 ? 0 : kBlock - 1));
   };
-  const auto across = [&](int i, int j, int x, int y) {
-    // Fine cells of block (i, j) on the side, or at the corner, that faces (x, y).
-    const auto range = [](int b, int d) {
-      return std::pair(b * kBlock + (d > 0 ? kBlock - 1 : 0), b * kBlock + (d < 0 ? 0 : kBlock - 1));
-    };
-    const auto [left, right] = range(i, x - i);
-    const auto [bottom, top] = range(j, y - j);
-    for (int v = bottom; v <= top; ++v)
-      for (int u = left; u <= right; ++u) {
-        if (!fine_.get(u, v)) continue;
-        for (const auto& step : kSteps) {
-          const int a = u + step[0], b = v + step[1];
-          if (a / kBlock == x && b / kBlock == y && fine_.get(a, b)) return true;
-        }
+  const auto [left, right] = facing(from.i, to.i - from.i);
+  const auto [bottom, top] = facing(from.j, to.j - from.j);
+  for (int v = bottom; v <= top; ++v)
+    for (int u = left; u <= right; ++u) {
+      if (!fine_.get(u, v)) continue;
+      for (const auto& [di, dj] : kSteps) {
+        const int a = u + di, b = v + dj;
+        if (a / kBlock == to.i && b / kBlock == to.j && fine_.get(a, b)) return true;
       }
-    return false;
-  };
-  return search(coarse_, {0, 0, coarse_.columns - 1, coarse_.rows - 1}, block(from), block(to), on_coarse_, across);
+    }
+  return false;
+}
+
+/// Blocks.
+Tlppa::Cells Tlppa::coarse_path(const Cell& from, const Cell& to) {
+  return search(coarse_, {0, 0, coarse_.columns - 1, coarse_.rows - 1}, {from.i / kBlock, from.j / kBlock},
+                {to.i / kBlock, to.j / kBlock}, coarse_search_,
+                [this](const Cell& a, const Cell& b) { return step_between_blocks(a, b); });
+}
+
+/// Marks the blocks of a coarse path and their neighbours for the current query; returns the window of their cells.
+Tlppa::Window Tlppa::mark_corridor(const Cells& blocks) {
+  ++queries_;
+  Window window{fine_.columns, fine_.rows, 0, 0};
+  for (const Cell& block : blocks)
+    for (int y = std::max(0, block.j - 1); y <= std::min(coarse_.rows - 1, block.j + 1); ++y)
+      for (int x = std::max(0, block.i - 1); x <= std::min(coarse_.columns - 1, block.i + 1); ++x) {
+        corridor_of_[coarse_.at(x, y)] = queries_;
+        window = {std::min(window.left, x * kBlock), std::min(window.bottom, y * kBlock),
+                  std::max(window.right, x * kBlock + kBlock - 1), std::max(window.top, y * kBlock + kBlock - 1)};
+      }
+  window.right = std::min(window.right, fine_.columns - 1);
+  window.top = std::min(window.top, fine_.rows - 1);
+  return window;
+}
+
+/// Decision 3.
+Tlppa::Cells Tlppa::fine_path(const Cell& from, const Cell& to) {
+  if (const Cells blocks = coarse_path(from, to); !blocks.empty()) {
+    const Window window = mark_corridor(blocks);
+    const auto in_corridor = [this](const Cell&, const Cell& c) {
+      return corridor_of_[coarse_.at(c.i / kBlock, c.j / kBlock)] == queries_;
+    };
+    if (Cells path = search(fine_, window, from, to, fine_search_, in_corridor); !path.empty()) return path;
+  }
+  return search(fine_, {0, 0, fine_.columns - 1, fine_.rows - 1}, from, to, fine_search_,
+                [](const Cell&, const Cell&) { return true; });
 }
 
 std::optional<Polyline> Tlppa::path(const Point& a, const Point& b) {
-  const auto from = join(a), to = join(b);
-  if (!from || !to || part_[*from] != part_[*to]) return std::nullopt;
-  std::vector<std::size_t> way;
-  if (const std::vector<std::size_t> blocks = corridor(*from, *to); !blocks.empty()) {
-    Window window{fine_.columns, fine_.rows, 0, 0};
-    ++ways_;
-    for (const std::size_t block : blocks) {
-      const int i = static_cast<int>(block % static_cast<std::size_t>(coarse_.columns));
-      const int j = static_cast<int>(block / static_cast<std::size_t>(coarse_.columns));
-      for (int y = std::max(0, j - 1); y <= std::min(coarse_.rows - 1, j + 1); ++y)
-        for (int x = std::max(0, i - 1); x <= std::min(coarse_.columns - 1, i + 1); ++x) {
-          may_[coarse_.at(x, y)] = ways_;
-          window = {std::min(window.left, x * kBlock), std::min(window.bottom, y * kBlock),
-                    std::max(window.right, x * kBlock + kBlock - 1), std::max(window.top, y * kBlock + kBlock - 1)};
-        }
-    }
-    window.right = std::min(window.right, fine_.columns - 1);
-    window.top = std::min(window.top, fine_.rows - 1);
-    way = search(fine_, window, *from, *to, on_fine_,
-                 [&](int, int, int x, int y) { return may_[coarse_.at(x / kBlock, y / kBlock)] == ways_; });
-  }
-  if (way.empty())
-    way = search(fine_, {0, 0, fine_.columns - 1, fine_.rows - 1}, *from, *to, on_fine_,
-                 [](int, int, int, int) { return true; });
-  if (way.empty()) return std::nullopt;
+  const auto from = connect(a), to = connect(b);
+  if (!from || !to || component(*from) != component(*to)) return std::nullopt;
+  const Cells cells = fine_path(*from, *to);
+  if (cells.empty()) return std::nullopt;
   Polyline line{a};
-  for (std::size_t k = 0; k < way.size(); ++k) {
-    // Cell numbers step by a constant along a straight run.
-    if (k > 0 && k + 1 < way.size() && way[k + 1] - way[k] == way[k] - way[k - 1]) continue;
-    const int i = static_cast<int>(way[k] % static_cast<std::size_t>(fine_.columns));
-    const int j = static_cast<int>(way[k] / static_cast<std::size_t>(fine_.columns));
-    line.push_back(fine_.centre(i, j));
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const bool inner = k > 0 && k + 1 < cells.size();
+    if (inner && cells[k + 1].i - cells[k].i == cells[k].i - cells[k - 1].i &&
+        cells[k + 1].j - cells[k].j == cells[k].j - cells[k - 1].j)
+      continue;
+    line.push_back(fine_.centre(cells[k].i, cells[k].j));
   }
   line.push_back(b);
   return line;

@@ -8,8 +8,8 @@
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/online/survey_then_plan.hpp"
 #include "maps/generators.hpp"
-#include "tests/support/planners.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/planners.hpp"
 
 namespace oxturn {
 namespace {
@@ -54,20 +54,20 @@ Problem rooms_with_lidar(std::int64_t rays) {
 
 /// Places on a walk through the rooms.
 Polyline walk(const Problem& problem) {
-  Polyline places;
+  Polyline points;
   for (const Ring& ring : {problem.configuration_space().polygons[0].outer})
     for (std::size_t k = 0; k < ring.size(); ++k)
-      for (int s = 0; s < 10; ++s) places.push_back(lerp(ring[k], ring[(k + 1) % ring.size()], s / 10.0));
-  return places;
+      for (int s = 0; s < 10; ++s) points.push_back(lerp(ring[k], ring[(k + 1) % ring.size()], s / 10.0));
+  return points;
 }
 
 void BM_LidarScan(benchmark::State& state) {
   const Problem problem = rooms_with_lidar(state.range(0));
   const LidarSimulator lidar(problem.map().free, *problem.robot().lidar);
-  const Polyline places = walk(problem);
+  const Polyline points = walk(problem);
   Rng unused(1);
   std::size_t k = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(lidar.scan(places[k++ % places.size()], unused));
+  for (auto _ : state) benchmark::DoNotOptimize(lidar.scan(points[k++ % points.size()], unused));
   state.SetComplexityN(state.range(0));
 }
 
@@ -76,7 +76,7 @@ void BM_BeliefAdd(benchmark::State& state) {
   const LidarSimulator lidar(problem.map().free, *problem.robot().lidar);
   std::vector<Scan> scans;
   Rng unused(1);
-  for (const Point& place : walk(problem)) scans.push_back(lidar.scan(place, unused));
+  for (const Point& p : walk(problem)) scans.push_back(lidar.scan(p, unused));
   Belief belief(problem.robot(), problem.start());
   std::size_t k = 0;
   for (auto _ : state) belief.add(scans[k++ % scans.size()]);

@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/edge_index.hpp"
-#include "geometry/tether/geodesic_field.hpp"
-#include "geometry/mesh/mesh.hpp"
-#include "geometry/overlay/offset.hpp"
-#include "geometry/mesh/partition.hpp"
 #include "base/random.hpp"
-#include "geometry/raster.hpp"
-#include "geometry/paths/shortest_path.hpp"
+#include "geometry/edge_index.hpp"
+#include "geometry/mesh/mesh.hpp"
+#include "geometry/mesh/partition.hpp"
 #include "geometry/overlay/cut_along.hpp"
-#include "geometry/tether/taut_tether.hpp"
+#include "geometry/overlay/offset.hpp"
+#include "geometry/paths/shortest_path.hpp"
 #include "geometry/paths/visibility.hpp"
+#include "geometry/raster.hpp"
+#include "geometry/tether/geodesic_field.hpp"
+#include "geometry/tether/taut_tether.hpp"
 
 namespace oxturn {
 namespace {
@@ -40,7 +40,7 @@ Region hall(std::int64_t corners) {
   return {{p}};
 }
 
-/// One corridor that winds to and fro: every way across is long and bends often.
+/// One corridor that winds to and fro: every path across is long and bends often.
 Region meander(std::int64_t corners) {
   const int turns = std::max<int>(1, static_cast<int>(corners / 4));
   Polygon p;
@@ -168,17 +168,17 @@ BENCHMARK(BM_Visibility)->RangeMultiplier(4)->Range(1 << 9, 1 << 17)->Complexity
 /// A walk of `moves` straight pieces at random, up to `step` metres each, that keeps its heading where it can.
 Polyline walk(const EdgeIndex& index, const Box& box, int moves, double step) {
   Rng rng(4);
-  Polyline way{free_point(rng, index, box)};
+  Polyline path{free_point(rng, index, box)};
   double heading = 0;
-  while (static_cast<int>(way.size()) <= moves) {
-    const Point to = way.back() + step * rng.unit() * Point(std::cos(heading), std::sin(heading));
-    if (index.contains(way.back(), to)) {
-      way.push_back(to);
+  while (static_cast<int>(path.size()) <= moves) {
+    const Point to = path.back() + step * rng.unit() * Point(std::cos(heading), std::sin(heading));
+    if (index.contains(path.back(), to)) {
+      path.push_back(to);
     } else {
       heading = rng.between(0.0, 2 * kPi);
     }
   }
-  return way;
+  return path;
 }
 
 /// range(1): metres of a piece at most, in tenths. Simulated whole in each iteration.
@@ -187,17 +187,17 @@ void BM_TautTether(benchmark::State& state) {
   const TautSpace space(region);
   constexpr int kMoves = 100000;
   const double step = 0.1 * static_cast<double>(state.range(1));
-  const Polyline way = walk(EdgeIndex(region), bounding_box(region), kMoves, step);
+  const Polyline path = walk(EdgeIndex(region), bounding_box(region), kMoves, step);
   std::size_t bends = 0, most = 0;
   for (auto _ : state) {
-    TautTether string(space, way[0]);
+    TautTether tether(space, path[0]);
     bends = most = 0;
-    for (const Point& p : way) {
-      string.drive(p);
-      bends += string.bends().size();
-      most = std::max(most, string.bends().size());
+    for (const Point& p : path) {
+      tether.drive(p);
+      bends += tether.bends().size();
+      most = std::max(most, tether.bends().size());
     }
-    benchmark::DoNotOptimize(string.length());
+    benchmark::DoNotOptimize(tether.length());
   }
   state.counters["corners"] = static_cast<double>(vertex_count(region));
   state.counters["bends_mean"] = static_cast<double>(bends) / kMoves;
@@ -218,10 +218,10 @@ void BM_TautTetherAcross(benchmark::State& state) {
   const double side = bounding_box(region).high.x(), middle = std::floor(side / 2);
   std::erase_if(region.polygons[0].holes, [&](const Ring& r) { return std::floor(r[0].y()) == middle; });
   const TautSpace space(region);
-  TautTether string(space, {0.5, middle + 0.5});
-  string.drive(Point(side - 0.5, middle + 0.5));
+  TautTether tether(space, {0.5, middle + 0.5});
+  tether.drive(Point(side - 0.5, middle + 0.5));
   Rng rng(5);
-  for (auto _ : state) string.drive(Point(side - rng.unit(), middle + rng.unit()));
+  for (auto _ : state) tether.drive(Point(side - rng.unit(), middle + rng.unit()));
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(BM_TautTetherAcross)->RangeMultiplier(4)->Range(1 << 9, 1 << 17)->Complexity();
@@ -271,7 +271,7 @@ void BM_ConvexPartitionOptimal(benchmark::State& state) {
 }
 BENCHMARK(BM_ConvexPartitionOptimal)->RangeMultiplier(2)->Range(16, 128)->Complexity()->Unit(benchmark::kMillisecond);
 
-// The geodesic field of an anchor in a corner, with a way round every block on both sides.
+// The geodesic field of an anchor in a corner, with paths around both sides of every block.
 constexpr double kBarred = 0.15;  // a disc of this diameter: about one gap in five is too narrow
 
 void BM_Barriers(benchmark::State& state) {
@@ -294,10 +294,10 @@ void BM_GeodesicDistance(benchmark::State& state) {
   const GeodesicField field(region, {0.01, 0.02}, barriers(region, kBarred), 1e-9);
   const EdgeIndex index(region);
   Rng rng(3);
-  std::vector<Point> places(1024);
-  for (Point& p : places) p = free_point(rng, index, bounding_box(region));
+  std::vector<Point> points(1024);
+  for (Point& p : points) p = free_point(rng, index, bounding_box(region));
   std::size_t i = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(field.distance(places[i++ % places.size()]));
+  for (auto _ : state) benchmark::DoNotOptimize(field.distance(points[i++ % points.size()]));
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(BM_GeodesicDistance)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity();
@@ -306,7 +306,7 @@ void BM_GeodesicLevel(benchmark::State& state) {
   const Region region = hall(state.range(0));
   const GeodesicField field(region, {0.01, 0.02}, barriers(region, kBarred), 1e-9);
   const double half = field.farthest() / 2;
-  for (auto _ : state) benchmark::DoNotOptimize(field.level(half));
+  for (auto _ : state) benchmark::DoNotOptimize(field.level_set(half));
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(BM_GeodesicLevel)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity()->Unit(benchmark::kMillisecond);
@@ -314,14 +314,14 @@ BENCHMARK(BM_GeodesicLevel)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complex
 void BM_GeodesicCut(benchmark::State& state) {
   const Region region = hall(state.range(0));
   const GeodesicField field(region, {0.01, 0.02}, barriers(region, kBarred), 1e-9);
-  for (auto _ : state) benchmark::DoNotOptimize(field.cut(1e-3));
+  for (auto _ : state) benchmark::DoNotOptimize(field.cut_locus(1e-3));
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(BM_GeodesicCut)->RangeMultiplier(4)->Range(1 << 9, 1 << 15)->Complexity()->Unit(benchmark::kMillisecond);
 
 void BM_CutAlong(benchmark::State& state) {  // along the whole cut
   const Region region = hall(state.range(0));
-  const std::vector<Polyline> lines = GeodesicField(region, {0.01, 0.02}, {}, 1e-9).cut(1e-3);
+  const std::vector<Polyline> lines = GeodesicField(region, {0.01, 0.02}, {}, 1e-9).cut_locus(1e-3);
   for (auto _ : state) benchmark::DoNotOptimize(cut_along(region, lines, 2e-3));
   state.SetComplexityN(state.range(0));
 }

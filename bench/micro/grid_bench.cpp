@@ -1,5 +1,5 @@
-// Grid planners on open floors of 2^12 to 2^20 cells, on rooms, and on lattices of 2^10 to 10^6 cells of which a tenth is
-// blocked at random: all linear in the cells.
+// Grid planners on open floors of 2^12 to 2^20 cells, on rooms, and on lattices of 2^10 to 10^6 cells of which a tenth
+// is blocked at random: all linear in the cells.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 #include "base/random.hpp"
 #include "geometry/raster.hpp"
 #include "maps/generators.hpp"
-#include "tests/support/planners.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/planners.hpp"
 
 namespace oxturn {
 namespace {

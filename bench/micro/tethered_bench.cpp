@@ -7,8 +7,8 @@
 
 #include "algorithms/coverage_planner.hpp"
 #include "maps/generators.hpp"
-#include "tests/support/planners.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/planners.hpp"
 
 namespace oxturn {
 namespace {

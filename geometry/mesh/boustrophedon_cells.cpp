@@ -1,8 +1,7 @@
-// Cells from the sweep, joined where a cut was not needed, and the relation between them.
-//
-// The sweep breaks ties of x by y, so a vertical wall can cause a cut that no critical point asks for. Wherever
-// exactly one cell meets exactly one cell across a cut, the two are joined again: the result is the same for
-// vertical walls in floor and ceiling, and still monotone in x.
+// Method      The plane sweep breaks ties of x by y, so a vertical wall can cause a cut that no critical point asks
+//             for. Wherever exactly one cell meets exactly one cell across a cut, the two are joined again. So vertical
+//             walls in floor and ceiling make no cells of their own, and cells are still monotone in x.
+// Source      Choset and Pignon, "Coverage path planning: the boustrophedon cellular decomposition", 1997.
 #include <algorithm>
 
 #include "geometry/mesh/partition.hpp"
@@ -20,50 +19,61 @@ struct Side {
   bool operator<(const Side& o) const { return x != o.x ? x < o.x : low != o.low ? low < o.low : cell < o.cell; }
 };
 
-/// Pairs (left cell, right cell) that share a stretch of a cut: both lists are sorted and disjoint at each x.
+/// Pairs (left cell, right cell) that share part of a cut.
 std::vector<std::pair<std::size_t, std::size_t>> contacts(const std::vector<PlaneSweepCell>& cells) {
-  std::vector<Side> ends, begins;
+  std::vector<Side> left_sides, right_sides;  // sorted, and disjoint at each x
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const PlaneSweepCell& c = cells[i];
-    begins.push_back({c.lower.front().place.x(), c.lower.front().place.y(), c.upper.front().place.y(), i});
-    ends.push_back({c.lower.back().place.x(), c.lower.back().place.y(), c.upper.back().place.y(), i});
+    left_sides.push_back({c.lower.front().point.x(), c.lower.front().point.y(), c.upper.front().point.y(), i});
+    right_sides.push_back({c.lower.back().point.x(), c.lower.back().point.y(), c.upper.back().point.y(), i});
   }
-  std::sort(begins.begin(), begins.end());
-  std::sort(ends.begin(), ends.end());
+  std::sort(left_sides.begin(), left_sides.end());
+  std::sort(right_sides.begin(), right_sides.end());
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  for (std::size_t e = 0, b = 0; e < ends.size() && b < begins.size();) {
-    if (ends[e].x != begins[b].x) {
-      ends[e].x < begins[b].x ? ++e : ++b;
+  for (std::size_t r = 0, l = 0; r < right_sides.size() && l < left_sides.size();) {
+    const Side &right = right_sides[r], &left = left_sides[l];
+    if (right.x != left.x) {
+      right.x < left.x ? ++r : ++l;
       continue;
     }
-    if (std::min(ends[e].high, begins[b].high) > std::max(ends[e].low, begins[b].low)) {
-      pairs.emplace_back(ends[e].cell, begins[b].cell);
-    }
-    ends[e].high < begins[b].high ? ++e : ++b;
+    if (std::min(right.high, left.high) > std::max(right.low, left.low)) pairs.emplace_back(right.cell, left.cell);
+    right.high < left.high ? ++r : ++l;
   }
   return pairs;
 }
 
+/// Appends a chain at the cut that is undone: a common point that is no vertex of the region disappears.
 void append(Chain& chain, const Chain& more) {
-  std::size_t from = 0;
-  if (chain.back().place == more.front().place) {
-    if (!chain.back().corner && !more.front().corner) {
-      chain.pop_back();  // a cut that is no more
-      from = 1;
-    } else {
-      chain.back().corner = true;
-      from = 1;
-    }
+  auto from = more.begin();
+  if (chain.back().point == from->point) {
+    if (chain.back().is_vertex || from->is_vertex)
+      chain.back().is_vertex = true;
+    else
+      chain.pop_back();
+    ++from;
   }
-  chain.insert(chain.end(), more.begin() + static_cast<std::ptrdiff_t>(from), more.end());
+  chain.insert(chain.end(), from, more.end());
 }
 
 Polyline points(const Chain& chain) {
   Polyline line;
-  for (const ChainPoint& p : chain) {
-    if (line.empty() || line.back() != p.place) line.push_back(p.place);
-  }
+  for (const ChainPoint& p : chain)
+    if (line.empty() || line.back() != p.point) line.push_back(p.point);
   return line;
+}
+
+/// For each cell the one that continues it across a cut that is not needed, or kNone.
+std::vector<std::size_t> continuations(std::size_t cells,
+                                       const std::vector<std::pair<std::size_t, std::size_t>>& contacts) {
+  std::vector<int> to_right(cells, 0), to_left(cells, 0);
+  for (const auto& [left, right] : contacts) {
+    ++to_right[left];
+    ++to_left[right];
+  }
+  std::vector<std::size_t> next(cells, kNone);
+  for (const auto& [left, right] : contacts)
+    if (to_right[left] == 1 && to_left[right] == 1) next[left] = right;
+  return next;
 }
 
 }  // namespace
@@ -71,22 +81,15 @@ Polyline points(const Chain& chain) {
 std::vector<BoustrophedonCell> boustrophedon_cells(const Region& region) {
   std::vector<PlaneSweepCell> cells = plane_sweep_cells(region, Cuts::critical);
   const auto pairs = contacts(cells);
-  std::vector<int> to_right(cells.size(), 0), to_left(cells.size(), 0);
-  for (const auto& [left, right] : pairs) {
-    ++to_right[left];
-    ++to_left[right];
-  }
-  std::vector<std::size_t> next(cells.size(), kNone);
-  std::vector<bool> joined(cells.size(), false);
-  for (const auto& [left, right] : pairs) {
-    if (to_right[left] != 1 || to_left[right] != 1) continue;
-    next[left] = right;
-    joined[right] = true;
-  }
+  const std::vector<std::size_t> next = continuations(cells.size(), pairs);
+  std::vector<bool> continues_another(cells.size(), false);
+  for (const std::size_t k : next)
+    if (k != kNone) continues_another[k] = true;
+
   std::vector<BoustrophedonCell> out;
-  std::vector<std::size_t> number(cells.size());
+  std::vector<std::size_t> number(cells.size());  // in `out`, of each cell of the sweep
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (joined[i]) continue;
+    if (continues_another[i]) continue;
     number[i] = out.size();
     for (std::size_t k = next[i]; k != kNone; k = next[k]) {
       append(cells[i].lower, cells[k].lower);

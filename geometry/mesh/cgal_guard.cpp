@@ -1,6 +1,6 @@
 #include "geometry/mesh/cgal_guard.hpp"
 
-// config.h first: it says that CGAL is header-only
+// First: it says that CGAL is header-only.
 #include <CGAL/config.h>
 //
 #include <CGAL/assertions.h>

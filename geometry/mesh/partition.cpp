@@ -1,8 +1,9 @@
-// The optimal convex partition, by CGAL, piece by piece: it wants strictly simple polygons without holes.
+// The optimal convex partition of each simple piece, by CGAL.
 //
-// CGAL 5.5 sometimes returns parts that are not convex (seen where corners of several pieces line up). Its own check of
-// that is on in some builds only, so it is off here and every part is checked by us, in every build; a ring that begins at
-// another corner often does better, so a few beginnings are tried.
+// Decisions   1. CGAL 5.5 sometimes returns parts that are not convex (seen where vertices of several pieces are
+//                collinear). Its own check runs in some builds only, so it is off here, and we check every part in
+//                every build.
+//             2. The same ring beginning at another vertex often gives a correct result, so a few are tried.
 #define CGAL_NO_POSTCONDITIONS
 #include "geometry/mesh/partition.hpp"
 
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <iterator>
 #include <list>
+#include <optional>
 #include <stdexcept>
 
 #include "geometry/mesh/cgal_guard.hpp"
@@ -27,70 +29,68 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Traits = CGAL::Partition_traits_2<Kernel>;
 using CgalPolygon = Traits::Polygon_2;
 
-// Turns left or straight on at every corner, and once round in all.
+/// Does the ring turn left or not at all at every vertex, and once around in all?
 bool convex(const Ring& ring) {
   if (ring.size() < 3) return false;
-  int rises = 0;  // a convex ring passes its lowest point once
+  int minima = 0;  // a convex ring passes its lowest point once
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point &a = ring[i], &b = ring[(i + 1) % ring.size()], &c = ring[(i + 2) % ring.size()];
     if (orientation(a, b, c) < 0) return false;
     const auto upwards = [](const Point& p, const Point& q) {
       return q.y() > p.y() || (q.y() == p.y() && q.x() > p.x());
     };
-    rises += !upwards(a, b) && upwards(b, c);
+    minima += !upwards(a, b) && upwards(b, c);
   }
-  return rises == 1;
+  return minima == 1;
 }
 
-// Empty if CGAL's answer is no convex partition of the piece.
-std::vector<Ring> optimal_parts_from(const Ring& piece, std::size_t beginning) {
+/// CGAL's partition of the piece, its ring beginning at vertex `first`; nullopt if that is not a convex partition.
+std::optional<std::vector<Ring>> optimal_parts_from(const Ring& piece, std::size_t first) {
+  constexpr double kRounding = 1e-6;  // of the areas' sum
   CgalPolygon polygon;
   for (std::size_t i = 0; i < piece.size(); ++i) {
-    const Point& p = piece[(beginning + i) % piece.size()];
+    const Point& p = piece[(first + i) % piece.size()];
     polygon.push_back(Kernel::Point_2(p.x(), p.y()));
   }
-  std::list<CgalPolygon> cut;
+  std::list<CgalPolygon> found;
   cgal_guarded("optimal convex partition", [&] {
-    CGAL::optimal_convex_partition_2(polygon.vertices_begin(), polygon.vertices_end(), std::back_inserter(cut),
+    CGAL::optimal_convex_partition_2(polygon.vertices_begin(), polygon.vertices_end(), std::back_inserter(found),
                                      Traits());
   });
   std::vector<Ring> parts;
   double sum = 0;
-  for (const CgalPolygon& c : cut) {
+  for (const CgalPolygon& c : found) {
     Ring ring;
     for (auto v = c.vertices_begin(); v != c.vertices_end(); ++v) ring.emplace_back(v->x(), v->y());
-    if (!convex(ring)) return {};
+    if (!convex(ring)) return std::nullopt;
     sum += signed_area(ring);
     parts.push_back(std::move(ring));
   }
   const double whole = signed_area(piece);
-  return std::abs(sum - whole) <= 1e-6 * whole ? parts : std::vector<Ring>{};
+  if (!(std::abs(sum - whole) <= kRounding * whole)) return std::nullopt;
+  return parts;
 }
 
 std::vector<Ring> optimal_parts(const Ring& piece) {
-  constexpr std::size_t kBeginnings = 4;
-  for (std::size_t k = 0; k < kBeginnings; ++k) {
-    std::vector<Ring> parts = optimal_parts_from(piece, k * piece.size() / kBeginnings);
-    if (!parts.empty()) return parts;
-  }
+  constexpr std::size_t kAttempts = 4;
+  for (std::size_t k = 0; k < kAttempts; ++k)
+    if (auto parts = optimal_parts_from(piece, k * piece.size() / kAttempts)) return std::move(*parts);
   throw std::runtime_error(fmt::format("CGAL finds no optimal convex partition at ({}, {}); use the approximate one",
                                        piece.front().x(), piece.front().y()));
 }
 
 }  // namespace
 
-std::vector<Ring> convex_partition_optimal(const Region& region, std::size_t most_corners) {
-  const std::size_t corners = vertex_count(region);
-  if (corners > most_corners) {
+std::vector<Ring> convex_partition_optimal(const Region& region, std::size_t most_vertices) {
+  const std::size_t vertices = vertex_count(region);
+  if (vertices > most_vertices)
     throw std::invalid_argument(fmt::format(
-        "optimal convex partition of a region with {} corners would take too long; it is meant for up to {}: "
+        "optimal convex partition of a region with {} vertices would take too long; it is meant for up to {}: "
         "use the approximate one or simplify the region",
-        corners, most_corners));
-  }
+        vertices, most_vertices));
   std::vector<Ring> parts;
-  for (const Ring& piece : simple_pieces(region)) {
+  for (const Ring& piece : simple_pieces(region))
     for (Ring& part : optimal_parts(piece)) parts.push_back(std::move(part));
-  }
   return parts;
 }
 

@@ -11,15 +11,15 @@
 namespace oxturn {
 namespace {
 
-/// An edge, or what is left of it after a split; `left` comes before `right`. Free space lies above a lower edge (it
-/// bounds its cell from below) and below an upper one. `cell` is the open cell on the free side.
+/// An edge, or the rest of it after a split; `left` is before `right`. Free space is above a lower wall (which bounds
+/// its cell from below) and below an upper one. `cell` is the open cell on the free side.
 struct Wall {
   Point left, right;
   bool lower = false;
   mutable std::size_t cell = 0;
 };
 
-/// Walls that the line meets at the same time, from bottom to top; points compare with them too.
+/// Order of the walls that the line meets, from bottom to top. Walls can be compared with points, too.
 struct Below {
   using is_transparent = void;
   bool operator()(const Wall& a, const Wall& b) const {
@@ -42,7 +42,7 @@ struct Below {
 }
 
 /// Where the vertical line at x meets the wall.
-ChainPoint meet(const Wall& w, double x) {
+ChainPoint point_at(const Wall& w, double x) {
   if (x <= w.left.x()) return {w.left, false};
   if (x >= w.right.x()) return {w.right, false};
   const double t = (x - w.left.x()) / (w.right.x() - w.left.x());
@@ -50,15 +50,15 @@ ChainPoint meet(const Wall& w, double x) {
   return {{x, std::clamp(w.left.y() + t * (w.right.y() - w.left.y()), low, high)}, false};
 }
 
-/// Walls in sweep order, without those that lie on one another twice (they bound nothing).
-std::vector<Wall> walls(const Region& region) {
+/// The walls in sweep order, without pairs that lie on each other and so bound nothing.
+std::vector<Wall> walls_of(const Region& region) {
   std::vector<Wall> all;
   for_each_ring(region, [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point& a = ring[i];
       const Point& b = ring[i + 1 < ring.size() ? i + 1 : 0];
       if (!finite(a))
-        throw std::invalid_argument("region has a corner that is not finite; repair it before decomposing it");
+        throw std::invalid_argument("region has a vertex that is not finite; repair it before decomposing it");
       if (a == b) continue;
       if (before(a, b))
         all.push_back({a, b, true, 0});
@@ -73,118 +73,137 @@ std::vector<Wall> walls(const Region& region) {
   });
   std::vector<Wall> kept;
   for (const Wall& w : all) {
-    if (!kept.empty() && kept.back().left == w.left && kept.back().right == w.right && kept.back().lower != w.lower) {
+    if (!kept.empty() && kept.back().left == w.left && kept.back().right == w.right && kept.back().lower != w.lower)
       kept.pop_back();
-    } else {
+    else
       kept.push_back(w);
-    }
   }
   return kept;
 }
 
-class SuiteRun {
+std::vector<Point> ends_of(const std::vector<Wall>& walls) {
+  std::vector<Point> ends;
+  for (const Wall& w : walls) {
+    ends.push_back(w.left);
+    ends.push_back(w.right);
+  }
+  std::sort(ends.begin(), ends.end(), before);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
+
+class PlaneSweep {
  public:
-  explicit SuiteRun(Cuts cuts) : cuts_(cuts) {}
+  explicit PlaneSweep(Cuts cuts) : cuts_(cuts) {}
 
   std::vector<PlaneSweepCell> run(const Region& region) {
-    const std::vector<Wall> all = walls(region);
-    std::vector<Point> corners;
-    for (const Wall& w : all) {
-      corners.push_back(w.left);
-      corners.push_back(w.right);
-    }
-    std::sort(corners.begin(), corners.end(), before);
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    const std::vector<Wall> walls = walls_of(region);
     std::size_t next = 0;
-    for (const Point& v : corners) {
-      std::size_t end = next;
-      while (end < all.size() && all[end].left == v) ++end;
-      std::vector<Wall> starting(all.begin() + static_cast<std::ptrdiff_t>(next),
-                                 all.begin() + static_cast<std::ptrdiff_t>(end));
-      next = end;
-      corner(v, starting);
+    for (const Point& v : ends_of(walls)) {
+      std::vector<Wall> starting;
+      for (; next < walls.size() && walls[next].left == v; ++next) starting.push_back(walls[next]);
+      pass_vertex(v, std::move(starting));
     }
     if (!status_.empty()) inconsistent(status_.begin()->right);
-    return finished();
+    return finished_cells();
   }
 
  private:
   using Status = std::set<Wall, Below>;
+  /// What the line meets at a vertex: walls that end and start there, from bottom to top, and the walls next below and
+  /// above it (nullptr: none).
+  struct Event {
+    Point at;
+    std::vector<Wall> ending, starting;
+    const Wall *under = nullptr, *over = nullptr;
+    bool free_below = false, free_above = false;
+  };
 
-  void corner(const Point& v, std::vector<Wall>& starting) {
+  void pass_vertex(const Point& v, std::vector<Wall> starting) {
+    Event e{v, {}, std::move(starting)};
     const auto [first, last] = status_.equal_range(v);
-    const std::vector<Wall> ending(first, last);
-    for (const Wall& w : ending) {  // a corner of another ring on it: goes on from here
-      if (w.right != v) starting.push_back({v, w.right, w.lower, 0});
-    }
-    std::sort(starting.begin(), starting.end(),
+    e.ending.assign(first, last);
+    for (const Wall& w : e.ending)  // a vertex of another ring on the wall: the rest of it starts here
+      if (w.right != v) e.starting.push_back({v, w.right, w.lower, 0});
+    std::sort(e.starting.begin(), e.starting.end(),
               [&](const Wall& a, const Wall& b) { return orientation(v, a.right, b.right) > 0; });
     const auto above = status_.erase(first, last);
-    const Wall* over = above == status_.end() ? nullptr : &*above;
-    const Wall* under = above == status_.begin() ? nullptr : &*std::prev(above);
-    const bool free_below = ending.empty() ? under && under->lower : !ending.front().lower;
-    const bool free_above = ending.empty() ? free_below : ending.back().lower;
-    check(v, ending, free_below, free_above);
-    check(v, starting, free_below, free_above);
-    if ((free_below && !under) || (free_above && !over)) inconsistent(v);
-    if (ending.empty() && starting.empty()) return;
+    if (above != status_.end()) e.over = &*above;
+    if (above != status_.begin()) e.under = &*std::prev(above);
+    e.free_below = e.ending.empty() ? e.under && e.under->lower : !e.ending.front().lower;
+    e.free_above = e.ending.empty() ? e.free_below : e.ending.back().lower;
+    check(e);
+    if (e.ending.empty() && e.starting.empty()) return;
 
-    for (std::size_t i = 0; i + 1 < ending.size(); ++i) {
-      if (ending[i].lower) close(ending[i].cell, {v, true}, {v, true});
+    for (std::size_t i = 0; i + 1 < e.ending.size(); ++i)
+      if (e.ending[i].lower) close(e.ending[i].cell, {v, true}, {v, true});
+    if (e.ending.empty() || e.starting.empty() || cuts_ == Cuts::every_vertex)
+      cut(e);
+    else
+      continue_cells(e);
+    for (std::size_t i = 0; i + 1 < e.starting.size(); ++i)
+      if (e.starting[i].lower) e.starting[i].cell = e.starting[i + 1].cell = open({v, true}, {v, true});
+    insert(e, above);
+  }
+
+  /// The outermost walls that start continue the chains of the outermost walls that end.
+  void continue_cells(Event& e) {
+    if (e.free_below) {
+      e.starting.front().cell = e.ending.front().cell;
+      cells_[e.ending.front().cell].upper.push_back({e.at, true});
     }
-    const bool cut = ending.empty() || starting.empty() || cuts_ == Cuts::every_corner;
-    if (!cut) {
-      if (free_below) {
-        starting.front().cell = ending.front().cell;
-        cells_[ending.front().cell].upper.push_back({v, true});
-      }
-      if (free_above) {
-        starting.back().cell = ending.back().cell;
-        cells_[ending.back().cell].lower.push_back({v, true});
-      }
-    } else {
-      const ChainPoint here{v, true};
-      ChainPoint down = here, up = here;
-      if (free_below) {
-        down = meet(*under, v.x());
-        down.place.y() = std::min(down.place.y(), v.y());
-      }
-      if (free_above) {
-        up = meet(*over, v.x());
-        up.place.y() = std::max(up.place.y(), v.y());
-      }
-      if (ending.empty()) {
-        if (free_below) close(under->cell, down, up);
-      } else {
-        if (free_below) close(ending.front().cell, down, here);
-        if (free_above) close(ending.back().cell, here, up);
-      }
-      if (starting.empty()) {
-        if (free_below) under->cell = over->cell = open(down, up);
-      } else {
-        if (free_below) under->cell = starting.front().cell = open(down, here);
-        if (free_above) over->cell = starting.back().cell = open(here, up);
-      }
-    }
-    for (std::size_t i = 0; i + 1 < starting.size(); ++i) {
-      if (starting[i].lower) starting[i].cell = starting[i + 1].cell = open({v, true}, {v, true});
-    }
-    auto hint = above;
-    for (std::size_t i = starting.size(); i-- > 0;) {
-      const std::size_t size = status_.size();
-      hint = status_.insert(hint, starting[i]);
-      if (status_.size() == size) inconsistent(v);
+    if (e.free_above) {
+      e.starting.back().cell = e.ending.back().cell;
+      cells_[e.ending.back().cell].lower.push_back({e.at, true});
     }
   }
 
-  /// Free and blocked must take turns from below the corner to above it.
-  static void check(const Point& v, const std::vector<Wall>& walls, bool free_below, bool free_above) {
-    bool free = free_below;
-    for (const Wall& w : walls) {
-      if (w.lower == free) inconsistent(v);
-      free = w.lower;
+  /// Closes the cells on the left of the line through the vertex, down to the wall below and up to the wall above it,
+  /// and opens cells on its right.
+  void cut(Event& e) {
+    const ChainPoint here{e.at, true};
+    ChainPoint down = here, up = here;
+    if (e.free_below) {
+      down = point_at(*e.under, e.at.x());
+      down.point.y() = std::min(down.point.y(), e.at.y());
     }
-    if (free != free_above) inconsistent(v);
+    if (e.free_above) {
+      up = point_at(*e.over, e.at.x());
+      up.point.y() = std::max(up.point.y(), e.at.y());
+    }
+    if (e.ending.empty()) {
+      if (e.free_below) close(e.under->cell, down, up);
+    } else {
+      if (e.free_below) close(e.ending.front().cell, down, here);
+      if (e.free_above) close(e.ending.back().cell, here, up);
+    }
+    if (e.starting.empty()) {
+      if (e.free_below) e.under->cell = e.over->cell = open(down, up);
+    } else {
+      if (e.free_below) e.under->cell = e.starting.front().cell = open(down, here);
+      if (e.free_above) e.over->cell = e.starting.back().cell = open(here, up);
+    }
+  }
+
+  void insert(const Event& e, Status::iterator hint) {
+    for (std::size_t i = e.starting.size(); i-- > 0;) {
+      const std::size_t size = status_.size();
+      hint = status_.insert(hint, e.starting[i]);
+      if (status_.size() == size) inconsistent(e.at);
+    }
+  }
+
+  /// Free and blocked space must alternate around the vertex.
+  static void check(const Event& e) {
+    for (const auto* walls : {&e.ending, &e.starting}) {
+      bool free = e.free_below;
+      for (const Wall& w : *walls) {
+        if (w.lower == free) inconsistent(e.at);
+        free = w.lower;
+      }
+      if (free != e.free_above) inconsistent(e.at);
+    }
+    if ((e.free_below && !e.under) || (e.free_above && !e.over)) inconsistent(e.at);
   }
 
   std::size_t open(const ChainPoint& lower, const ChainPoint& upper) {
@@ -196,17 +215,18 @@ class SuiteRun {
     cells_[cell].upper.push_back(upper);
   }
 
+  /// Removes vertical edges at both ends.
   static void trim(Chain& chain) {
     std::size_t begin = 0, end = chain.size();
-    while (begin + 1 < end && chain[begin].place.x() == chain[begin + 1].place.x()) ++begin;
-    while (end > begin + 1 && chain[end - 1].place.x() == chain[end - 2].place.x()) --end;
+    while (begin + 1 < end && chain[begin].point.x() == chain[begin + 1].point.x()) ++begin;
+    while (end > begin + 1 && chain[end - 1].point.x() == chain[end - 2].point.x()) --end;
     chain = Chain(chain.begin() + static_cast<std::ptrdiff_t>(begin), chain.begin() + static_cast<std::ptrdiff_t>(end));
   }
 
-  std::vector<PlaneSweepCell> finished() {
+  std::vector<PlaneSweepCell> finished_cells() {
     std::vector<PlaneSweepCell> out;
     for (PlaneSweepCell& c : cells_) {
-      if (!(c.lower.front().place.x() < c.lower.back().place.x())) continue;
+      if (!(c.lower.front().point.x() < c.lower.back().point.x())) continue;
       trim(c.lower);
       trim(c.upper);
       out.push_back(std::move(c));
@@ -221,6 +241,6 @@ class SuiteRun {
 
 }  // namespace
 
-std::vector<PlaneSweepCell> plane_sweep_cells(const Region& region, Cuts cuts) { return SuiteRun(cuts).run(region); }
+std::vector<PlaneSweepCell> plane_sweep_cells(const Region& region, Cuts cuts) { return PlaneSweep(cuts).run(region); }
 
 }  // namespace oxturn

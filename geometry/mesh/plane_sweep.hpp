@@ -1,8 +1,8 @@
-// Private to geometry: the plane sweep behind boustrophedon_cells and trapezoid_partition.
-//
-// A vertical line moves along +x over the corners, equal x by rising y (as if the plane were sheared by an
-// infinitesimal amount). The status holds the edges under the line, ordered by exact predicates. Edges on which
-// another ring's corner lies are split there. O(n log n).
+/// The plane sweep behind boustrophedon_cells() and trapezoid_partition(). Private to geometry, not installed.
+///
+/// A vertical line moves along +x and stops at the vertices, those of equal x by increasing y (as if the plane were
+/// sheared by an infinitesimal amount). Its status is the list of edges that it meets, ordered by exact predicates. An
+/// edge is split at a vertex of another ring that lies on it. O(n log n).
 #pragma once
 
 #include <vector>
@@ -12,23 +12,24 @@
 namespace oxturn {
 
 struct ChainPoint {
-  Point place;
-  bool corner;  // of the region; else where a cut meets an edge
+  Point point;
+  bool is_vertex;  // of the region; otherwise a point in which the sweep line meets an edge
 };
 using Chain = std::vector<ChainPoint>;
 
-/// Between `lower` and `upper`, left to right. Both begin at the same x and end at the same x, and neither begins or
-/// ends with a vertical stretch. Cells without width are left out.
+/// The area between `lower` and `upper`, both from left to right and from the same x to the same x. Neither begins or
+/// ends with a vertical edge.
 struct PlaneSweepCell {
   Chain lower, upper;
 };
 
 enum class Cuts {
-  critical,      // only where the line through a corner extends both up and down into free space
-  every_corner,  // up and down from every corner to the first wall
+  critical,      // only where the line through a vertex extends into free space both upwards and downwards
+  every_vertex,  // from every vertex upwards and downwards to the first wall
 };
 
-/// In the order in which the line opens them. Throws std::invalid_argument where edges cross or overlap.
+/// The cells in the order in which the line opens them, those without width left out. Throws std::invalid_argument
+/// where edges cross or overlap.
 std::vector<PlaneSweepCell> plane_sweep_cells(const Region& region, Cuts cuts);
 
 }  // namespace oxturn

@@ -1,80 +1,74 @@
-// Exact planar overlay on an integer lattice: what booleans, offsets and repair stand on. Private to geometry: not
-// installed.
-//
-// Method      Closed rings become weighted edges on the lattice. Edges are split where they meet, intersections
-//             rounded to the lattice, and split again until no two meet but at common ends (iterated snap rounding:
-//             an edge also bends to any lattice point it passes within half a quantum, so slivers thinner than
-//             that close up). Winding numbers then follow by walking round the vertices; edges between inside
-//             and outside are kept.
-// Source      Halperin, Packer: Iterated snap rounding, 2002; winding numbers: McMains, Chen: Polygon offsetting
-//             by computing winding numbers, 2005.
-// Why not Clipper 6: its union is quadratic in the number of edges that a scan line meets (10^4 capsules: 2 s),
-//             and rounded results may cross themselves. Here every sign is an integer sign, and results are valid.
-// Complexity  O((n + k) log n) for n edges meeting k times, usual data; nearly O(n + k) where edges are short and spread
-//             evenly over the map: sorting (spread_sort.hpp), the search for meetings (close_pairs.hpp) and for what lies
-//             below a component (edge_below.hpp) are then linear. Pieces that met everything in one round are not sorted
-//             again, and only cells with a new piece are searched.
+/// Exact overlay of rings on an integer lattice, on which booleans, offsets and repair are built. Private to geometry,
+/// not installed.
+///
+///   std::vector<OverlayEdge> edges;
+///   add_region(edges, a, lattice, {1, 0});
+///   add_region(edges, b, lattice, {0, 1});
+///   const auto in_both = [](Windings w) { return w.first > 0 && w.second > 0; };
+///   return to_region(boundary_of(std::move(edges), in_both), lattice);
+///
+/// Method      Closed rings become weighted edges on the lattice. Edges are split where they meet, at points rounded to
+///             the lattice, and split again until any two meet at common ends only: iterated snap rounding. An edge
+///             also bends to every lattice point that it passes within half a quantum, so slivers thinner than that
+///             collapse. Winding numbers then follow by walking around the vertices; the result's boundary is the edges
+///             between inside and outside.
+/// Source      Halperin and Packer, "Iterated snap rounding", 2002; winding numbers: McMains and Chen, "Polygon
+///             offsetting by computing winding numbers", 2005.
+/// Complexity  O((n + k) log n) for n edges that meet k times, usual data; nearly O(n + k) where edges are short and
+///             spread evenly, because sorting (spread_sort.hpp), the search for meeting edges (close_pairs.hpp) and
+///             point location (edge_below.hpp) are then linear. Edges that met nothing in one round are not sorted
+///             again, and only cells with a new edge are searched.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "geometry/overlay/lattice.hpp"
 #include "geometry/region.hpp"
 
 namespace oxturn {
 
-/// A lattice point; |x|, |y| <= 2^29, so that products of differences fit 64 bits.
-struct Site {
-  std::int32_t x = 0, y = 0;
-  friend bool operator==(const Site&, const Site&) = default;
-  friend auto operator<=>(const Site&, const Site&) = default;
-};
-
-/// Doubles <-> lattice. The quantum is a power of two and the origin a multiple of it: what was snapped once to this
-/// or a coarser lattice is not moved again.
-class Lattice {
- public:
-  explicit Lattice(const Box& box);
-  Site snap(const Point& p) const;
-  Point place(const Site& s) const;
-  double quantum() const { return quantum_; }
-
- private:
-  double quantum_ = 1, x_ = 0, y_ = 0;  // origin in quanta
-};
-
-/// a < b; crossing it from its right to its left adds `first` and `second` to the two operands' winding numbers.
-struct OverlayEdge {
-  Site a, b;
+/// Winding numbers with respect to the first and second operand, or an edge's contribution to them.
+struct Windings {
   std::int32_t first = 0, second = 0;
+  friend bool operator==(const Windings&, const Windings&) = default;
+  friend Windings operator+(Windings v, Windings w) { return {v.first + w.first, v.second + w.second}; }
+  friend Windings operator-(Windings v, Windings w) { return {v.first - w.first, v.second - w.second}; }
 };
-/// An edge of a result: inside on the left.
+
+/// a < b. Crossing the edge from its right to its left adds `weight` to the winding numbers.
+struct OverlayEdge {
+  LatticePoint a, b;
+  Windings weight;
+};
+/// An edge of a result, with the inside on its left.
 struct BoundaryEdge {
-  Site from, to;
+  LatticePoint from, to;
 };
 
-using Inside = bool (*)(int first, int second);
+/// Adds a closed ring with a weight, as it runs: its left gets `weight`.
+void add_ring(std::vector<OverlayEdge>& edges, const std::vector<LatticePoint>& ring, Windings weight);
+/// Adds a region. Outer rings count as counter-clockwise and holes as clockwise, whatever their orientation.
+void add_region(std::vector<OverlayEdge>& edges, const Region& region, const Lattice& lattice, Windings weight);
+/// Adds the result of one overlay as an operand of another.
+void add_boundary(std::vector<OverlayEdge>& edges, const std::vector<BoundaryEdge>& boundary, Windings weight);
 
-/// The ring on the lattice, points that fall together once.
-std::vector<Site> snapped(const Ring& ring, const Lattice& lattice);
-/// Adds the closed ring with the given weights (1: counts as it runs, -1: as if reversed).
-void add_ring(std::vector<OverlayEdge>& edges, const std::vector<Site>& ring, int first, int second);
-/// Adds a region, outer rings counted counter-clockwise and holes clockwise, however they run.
-void add_region(std::vector<OverlayEdge>& edges, const Region& region, const Lattice& lattice, int first, int second);
-/// The rim of the set of points whose winding numbers satisfy `inside`.
-std::vector<BoundaryEdge> rim(std::vector<OverlayEdge> edges, Inside inside);
-/// Rims as operands of another overlay.
-void add_boundary(std::vector<OverlayEdge>& edges, const std::vector<BoundaryEdge>& rim, int first, int second);
-/// A rim's rings, nested, exactly collinear corners dropped; rings touch in points at most. Canonical order. The rim's
-/// edges come in the order in which rim() gives them.
-Region to_region(const std::vector<BoundaryEdge>& rim, const Lattice& lattice);
+using Inside = bool (*)(Windings);
+inline bool inside_first(Windings w) { return w.first > 0; }
+/// The boundary of the set of points whose winding numbers satisfy `inside`, in the order of the edges' lower ends.
+std::vector<BoundaryEdge> boundary_of(std::vector<OverlayEdge> edges, Inside inside);
 
-/// Straight corners dropped, the least corner first.
-Ring canonical_ring(const std::vector<Site>& sites, const Lattice& lattice);
-/// Sorts holes and polygons by their corners.
+/// Quanta by which offset curves are moved to the safe side. It covers the roundings of a curve (0.7 quanta for each
+/// vertex, shifted point and intersection, half a quantum where an edge bends) in up to five unions of halves and the
+/// final overlay; where rings and chains are straightened, by a quantum each, there are at most four unions.
+inline constexpr double kOffsetSlack = 10;
+
+/// The boundary as a canonical region: rings nested into polygons, exactly collinear vertices left out, rings touch
+/// each other in points at most and never themselves. The edges must be in the order of boundary_of().
+Region to_region(const std::vector<BoundaryEdge>& boundary, const Lattice& lattice);
+/// The ring in metres without collinear vertices, its lowest vertex (by x, then y) first.
+Ring canonical_ring(const std::vector<LatticePoint>& ring, const Lattice& lattice);
+/// Sorts holes and polygons by their vertices.
 void put_in_order(Region& region);
-
-/// Throws std::invalid_argument unless all coordinates are finite.
-Box finite_box(const Region& region);
 
 }  // namespace oxturn

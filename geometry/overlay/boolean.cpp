@@ -7,29 +7,26 @@
 namespace oxturn {
 namespace {
 
-bool in_first(int first, int) { return first > 0; }
-bool in_both(int first, int second) { return first > 0 && second > 0; }
-bool in_first_only(int first, int second) { return first > 0 && second <= 0; }
+bool in_both(Windings w) { return w.first > 0 && w.second > 0; }
+bool in_first_only(Windings w) { return w.first > 0 && w.second <= 0; }
 
-Lattice common_lattice(const Region& a, const Region& b) {
-  Box box = finite_box(a);
-  const Box other = finite_box(b);
-  if (!other.empty()) {
-    box.add(other.low);
-    box.add(other.high);
-  }
-  return Lattice(box);
+void add(Box& box, const Box& other) {
+  if (other.empty()) return;
+  box.add(other.low);
+  box.add(other.high);
 }
 
 Region combine(const Region& a, const Region& b, Inside inside) {
-  const Lattice lattice = common_lattice(a, b);
+  Box box = finite_box(a);
+  add(box, finite_box(b));
+  const Lattice lattice(box);
   std::vector<OverlayEdge> edges;
-  add_region(edges, a, lattice, 1, 0);
-  add_region(edges, b, lattice, 0, 1);
-  return to_region(rim(std::move(edges), inside), lattice);
+  add_region(edges, a, lattice, {1, 0});
+  add_region(edges, b, lattice, {0, 1});
+  return to_region(boundary_of(std::move(edges), inside), lattice);
 }
 
-/// Position along Morton's curve of a point in the unit square: neighbours are united first.
+/// Position along Morton's space-filling curve of a point in the unit square.
 std::uint64_t morton(double x, double y) {
   std::uint64_t code = 0;
   const auto i = static_cast<std::uint32_t>(x * 65535), j = static_cast<std::uint32_t>(y * 65535);
@@ -37,47 +34,56 @@ std::uint64_t morton(double x, double y) {
   return code;
 }
 
+/// The indices of the boxes that are not empty, neighbours near each other.
+std::vector<std::size_t> spatial_order(const std::vector<Box>& boxes, const Box& whole) {
+  std::vector<std::pair<std::uint64_t, std::size_t>> order;
+  const Point size = whole.size().cwiseMax(1e-300);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (boxes[i].empty()) continue;
+    const Point at = (boxes[i].centre() - whole.low).cwiseQuotient(size).cwiseMax(0).cwiseMin(1);
+    order.emplace_back(morton(at.x(), at.y()), i);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::size_t> indices;
+  for (const auto& [code, i] : order) indices.push_back(i);
+  return indices;
+}
+
+/// The boundaries of the unions of groups of consecutive items; add(edges, k) adds item k of n to an overlay.
+template <class Add>
+std::vector<std::vector<BoundaryEdge>> united_groups(std::size_t n, Add add_item) {
+  constexpr std::size_t kGroup = 32;
+  std::vector<std::vector<BoundaryEdge>> unions;
+  for (std::size_t i = 0; i < n; i += kGroup) {
+    std::vector<OverlayEdge> edges;
+    for (std::size_t k = i; k < std::min(i + kGroup, n); ++k) add_item(edges, k);
+    unions.push_back(boundary_of(std::move(edges), inside_first));
+  }
+  return unions;
+}
+
 }  // namespace
 
+// Groups of neighbours are united first, then groups of groups: parts that overlap many deep cost their sum, not its
+// square.
 Region unite(const std::vector<Region>& parts) {
   Box box;
   std::vector<Box> boxes;
   for (const Region& p : parts) {
     boxes.push_back(finite_box(p));
-    if (boxes.back().empty()) continue;
-    box.add(boxes.back().low);
-    box.add(boxes.back().high);
+    add(box, boxes.back());
   }
   if (box.empty()) return {};
   const Lattice lattice(box);
-
-  // In groups of neighbours, then groups of groups: parts that overlap many deep cost the sum, not the square.
-  constexpr std::size_t kGroup = 32;
-  std::vector<std::pair<std::uint64_t, std::size_t>> order;
-  const Point size = box.size().cwiseMax(1e-300);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (boxes[i].empty()) continue;
-    const Point at = (boxes[i].centre() - box.low).cwiseQuotient(size).cwiseMax(0).cwiseMin(1);
-    order.emplace_back(morton(at.x(), at.y()), i);
-  }
-  std::sort(order.begin(), order.end());
-  std::vector<std::vector<BoundaryEdge>> level;
-  for (std::size_t i = 0; i < order.size(); i += kGroup) {
-    std::vector<OverlayEdge> edges;
-    for (std::size_t k = i; k < std::min(i + kGroup, order.size()); ++k)
-      add_region(edges, parts[order[k].second], lattice, 1, 0);
-    level.push_back(rim(std::move(edges), in_first));
-  }
-  while (level.size() > 1) {
-    std::vector<std::vector<BoundaryEdge>> above;
-    for (std::size_t i = 0; i < level.size(); i += kGroup) {
-      std::vector<OverlayEdge> edges;
-      for (std::size_t k = i; k < std::min(i + kGroup, level.size()); ++k) add_boundary(edges, level[k], 1, 0);
-      above.push_back(rim(std::move(edges), in_first));
-    }
-    level.swap(above);
-  }
-  return to_region(level.front(), lattice);
+  const std::vector<std::size_t> order = spatial_order(boxes, box);
+  auto unions = united_groups(order.size(), [&](std::vector<OverlayEdge>& edges, std::size_t k) {
+    add_region(edges, parts[order[k]], lattice, {1, 0});
+  });
+  while (unions.size() > 1)
+    unions = united_groups(unions.size(), [&](std::vector<OverlayEdge>& edges, std::size_t k) {
+      add_boundary(edges, unions[k], {1, 0});
+    });
+  return to_region(unions.front(), lattice);
 }
 
 Region intersect(const Region& a, const Region& b) { return combine(a, b, in_both); }

@@ -1,9 +1,11 @@
-// Boolean operations on regions, on an integer lattice (arrangement.hpp).
-//
-// Coordinates are snapped to a power-of-two quantum of about 2^-30 of the operands' extent (50 m: 0.06
-// micrometre), relative to a shared origin; what lies on that lattice already stays where it is. Results are
-// canonical regions, valid whatever the operands. O((n + k) log n) for n edges that meet k times, usual data.
-// Throws std::invalid_argument for coordinates that are not finite.
+/// Boolean operations on regions.
+///
+///   const Region free = subtract(floor, unite(obstacles));
+///
+/// Coordinates are snapped to a lattice of about 2^-30 of the operands' extent (50 m: 0.06 micrometres), the same for
+/// both operands; a point that lies on it already is not moved. Results are canonical regions, and valid whatever the
+/// operands. O((n + k) log n) for n edges that meet k times, usual data; arrangement.hpp has the method, and figures
+/// against other libraries. All functions throw std::invalid_argument for coordinates that are not finite.
 #pragma once
 
 #include <vector>

@@ -7,125 +7,138 @@ namespace oxturn {
 namespace {
 
 constexpr std::size_t kLongestConcaveChain = 64;
-constexpr double kLeastBend = 3e-5;  // lines that cross at less cross too vaguely
-constexpr double kLeastCosine = 0.01;
-constexpr double kMargin = 4;  // quanta
+constexpr double kLeastBend = 3e-5;    // sine: where lines cross at less, the crossing is ill-conditioned
+constexpr double kLeastCosine = 0.01;  // of the whole chain's turn, which must stay below a quarter
+constexpr double kMargin = 4;          // quanta of overlap with the neighbouring strips
 
-Point difference(const Site& a, const Site& b) {
+Point difference(const LatticePoint& a, const LatticePoint& b) {
   return {static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y};
 }
 
-/// The edges begin .. end-1, seen from the corner `begin`.
-class Trial {
+/// A chain of edges that may grow. Coordinates are relative to its first vertex.
+class GrowingChain {
  public:
-  Trial(const Walk& walk, std::size_t begin, double reach) : w_(walk), begin_(begin), reach_(reach) { add_edge(); }
+  GrowingChain(const Walk& walk, std::size_t begin, double reach) : walk_(walk), begin_(begin), reach_(reach) {
+    add_edge();
+  }
 
-  /// One edge more; if the dent then cannot be written down, nothing changes and the answer is false.
+  /// Adds the next edge. If the conditions do not hold then, changes nothing and returns false.
   bool grow() {
     add_edge();
-    if (fits()) return true;
-    corner_.pop_back();
+    if (valid()) return true;
+    vertex_.pop_back();
     normal_.pop_back();
     return false;
   }
 
-  std::vector<Point> far() const {
-    if (size() == 1) return {reach_ * normal_[0], corner_[1] + reach_ * normal_[0]};
-    const Point apex = crossing();
+  std::vector<Point> far_side() const {
+    if (size() == 1) return {reach_ * normal_[0], vertex_[1] + reach_ * normal_[0]};
+    const Point apex = perpendiculars_cross();
     if (height(lowest(apex), apex) < reach_) return {apex};
-    return shifted_lines();
+    return envelope();
   }
 
  private:
   std::size_t size() const { return normal_.size(); }
-  const Point& along(std::size_t i) const { return w_.along[begin_ + i]; }
-  double height(std::size_t i, const Point& p) const { return (p - corner_[i]).dot(normal_[i]); }
+  const Point& along(std::size_t i) const { return walk_.along[begin_ + i]; }
+  /// Of p above the line of edge i.
+  double height(std::size_t i, const Point& p) const { return (p - vertex_[i]).dot(normal_[i]); }
 
   void add_edge() {
-    const std::size_t edge = begin_ + size(), n = w_.ring.size();
-    if (corner_.empty()) corner_.push_back({0, 0});
-    corner_.push_back(difference(w_.ring[edge + 1 == n ? 0 : edge + 1], w_.ring[begin_]));
-    normal_.push_back(w_.inwards(edge));
+    const std::size_t edge = begin_ + size(), n = walk_.ring.size();
+    if (vertex_.empty()) vertex_.push_back({0, 0});
+    vertex_.push_back(difference(walk_.ring[edge + 1 == n ? 0 : edge + 1], walk_.ring[begin_]));
+    normal_.push_back(walk_.normal(edge));
   }
 
-  /// How far past the end of an edge what is `high` above it is no nearer to it than to the next edge.
-  double next_takes_over(std::size_t corner, std::size_t next_edge, double high) const {
-    const std::size_t last = w_.before(corner);
-    const double half = w_.bend[corner] / (1 + w_.along[last].dot(w_.along[corner]));  // tangent of half the bend
-    return std::min(high * half, w_.length[next_edge]);
-  }
-
-  /// What is to be held against a way along normal j, so that it comes to be as far from line i as it is long.
-  double half_turn(std::size_t i, std::size_t j) const { return (normal_[i] - normal_[j]).squaredNorm() / 2; }
-
-  bool fits() const {
+  bool valid() const {
     const std::size_t last = size() - 1;
-    if (w_.bend[begin_ + last] < kLeastBend || normal_[last - 1].dot(normal_[last]) <= 0 ||
+    if (walk_.bend[begin_ + last] < kLeastBend || normal_[last - 1].dot(normal_[last]) <= 0 ||
         normal_[0].dot(normal_[last]) < kLeastCosine || !clear_before(last))
       return false;
     for (std::size_t i = 0; i < last; ++i)
       if (!clear_past(i)) return false;
-    const Point apex = crossing();
-    if (height(lowest(apex), apex) < reach_) return overlaps(apex.norm(), distance(apex, corner_[last + 1]));
-    return overlaps(depth(0, corner_[0]), depth(last, corner_[last + 1]));
+    const Point apex = perpendiculars_cross();
+    if (height(lowest(apex), apex) < reach_) return overlaps_neighbours(apex.norm(), distance(apex, vertex_[last + 1]));
+    return overlaps_neighbours(depth(0, vertex_[0]).length, depth(last, vertex_[last + 1]).length);
   }
 
-  /// Where the perpendiculars at the two ends cross. No corner is higher above any of the lines.
-  Point crossing() const {
+  /// Where the perpendiculars at the two ends cross.
+  Point perpendiculars_cross() const {
     const std::size_t last = size() - 1;
-    return corner_[last + 1].dot(along(last)) / normal_[0].dot(along(last)) * normal_[0];
+    return vertex_[last + 1].dot(along(last)) / normal_[0].dot(along(last)) * normal_[0];
   }
+  /// The line above which p is lowest.
   std::size_t lowest(const Point& p) const {
     std::size_t least = 0;
     for (std::size_t j = 1; j < size(); ++j)
       if (height(j, p) < height(least, p)) least = j;
     return least;
   }
-  /// How far it is from p along the normal of an edge until all lines are `reach` behind; the last of them.
-  double depth(std::size_t edge, const Point& p, std::size_t* line = nullptr) const {
-    double most = -1e300;
+  struct Depth {
+    double length;
+    std::size_t line;
+  };
+  /// How far it is from p along the normal of an edge to where all lines are `reach` behind, and the last of these
+  /// lines.
+  Depth depth(std::size_t edge, const Point& p) const {
+    Depth most{-1e300, 0};
     for (std::size_t j = 0; j < size(); ++j) {
       const double s = (reach_ - height(j, p)) / normal_[edge].dot(normal_[j]);
-      if (s <= most) continue;
-      most = s;
-      if (line != nullptr) *line = j;
+      if (s > most.length) most = {s, j};
     }
     return most;
   }
 
-  /// No point before the start, nearer to edge i than to the start, has its nearest place there.
-  bool clear_before(std::size_t i) const {
-    const double high = height(i, corner_[0]) / half_turn(0, i);  // where both are as near
-    if (high > reach_ + 1) return true;
-    const std::size_t corner = (begin_ + i + 1) % w_.ring.size();
-    return (corner_[i + 1] - high * normal_[0]).dot(along(i)) <= next_takes_over(corner, corner, high);
+  /// How far before the common vertex of two edges a point at this height above the one is no nearer to it than to the
+  /// other.
+  double neighbour_takes_over(std::size_t vertex, std::size_t neighbour, double height_above) const {
+    const std::size_t last = walk_.before(vertex);
+    const double tangent_of_half_bend = walk_.bend[vertex] / (1 + walk_.along[last].dot(walk_.along[vertex]));
+    return std::min(height_above * tangent_of_half_bend, walk_.length[neighbour]);
   }
-  bool clear_past(std::size_t i) const {
-    const std::size_t last = size() - 1, corner = begin_ + i;
-    const Point& end = corner_[last + 1];
-    const double high = height(i, end) / half_turn(i, last);
+  double one_minus_cosine(std::size_t i, std::size_t j) const { return (normal_[i] - normal_[j]).squaredNorm() / 2; }
+
+  /// Is there no point on the perpendicular at the chain's start whose nearest point is on edge i? From a certain
+  /// height on, such points are as near to line i as to the start; by then edge i + 1 must be nearer, or they are out
+  /// of reach.
+  bool clear_before(std::size_t i) const {
+    const double high = height(i, vertex_[0]) / one_minus_cosine(0, i);
     if (high > reach_ + 1) return true;
-    return (end + high * normal_[last] - corner_[i]).dot(along(i)) <= next_takes_over(corner, w_.before(corner), high);
+    const std::size_t vertex = (begin_ + i + 1) % walk_.ring.size();
+    return (vertex_[i + 1] - high * normal_[0]).dot(along(i)) <= neighbour_takes_over(vertex, vertex, high);
+  }
+  /// The same at the chain's end, with edge i - 1.
+  bool clear_past(std::size_t i) const {
+    const std::size_t last = size() - 1, vertex = begin_ + i;
+    const Point& end = vertex_[last + 1];
+    const double high = height(i, end) / one_minus_cosine(i, last);
+    if (high > reach_ + 1) return true;
+    return (end + high * normal_[last] - vertex_[i]).dot(along(i)) <=
+           neighbour_takes_over(vertex, walk_.before(vertex), high);
   }
 
-  /// Along the dent's two ends (so long), does the neighbouring edge take over some quanta before them?
-  bool overlaps(double first, double last) const {
-    const std::size_t head = (begin_ + size()) % w_.ring.size();
-    const auto gain = [&](double end, double sine, double neighbour) {
+  /// Do the strips of the edges before and after the chain overlap its end perpendiculars, of the given lengths, by
+  /// more than the margin?
+  bool overlaps_neighbours(double first, double last) const {
+    const std::size_t head = (begin_ + size()) % walk_.ring.size();
+    const auto enough = [&](double end, double sine, double neighbour) {
       return std::min(neighbour, end * sine) * sine / 2 > kMargin;
     };
-    return gain(first, w_.bend[begin_], w_.length[w_.before(begin_)]) && gain(last, w_.bend[head], w_.length[head]);
+    return enough(first, walk_.bend[begin_], walk_.length[walk_.before(begin_)]) &&
+           enough(last, walk_.bend[head], walk_.length[head]);
   }
 
-  /// The lower border of what lies beyond all lines shifted by the reach, from the first perpendicular to the last.
-  std::vector<Point> shifted_lines() const {
+  /// The lower boundary of what lies beyond all lines shifted by the reach, from the first perpendicular to the last.
+  std::vector<Point> envelope() const {
     const std::size_t k = size(), last = k - 1;
-    std::size_t line = 0;
-    Point at = depth(0, corner_[0], &line) * normal_[0];
+    const Depth start = depth(0, vertex_[0]);
+    std::size_t line = start.line;
+    Point at = start.length * normal_[0];
     std::vector<Point> out{at};
     while (line < k) {
-      double step = (corner_[k] - at).dot(along(last)) / normal_[line].dot(normal_[last]);
-      std::size_t next = k;
+      double step = (vertex_[k] - at).dot(along(last)) / normal_[line].dot(normal_[last]);
+      std::size_t next = k;  // the last perpendicular
       for (std::size_t l = line + 1; l < k; ++l) {
         const double s = (height(l, at) - reach_) / normal_[line].dot(along(l));
         if (s > step) continue;
@@ -139,15 +152,41 @@ class Trial {
     return out;
   }
 
-  const Walk& w_;
+  const Walk& walk_;
   std::size_t begin_;
   double reach_;
-  std::vector<Point> corner_, normal_;
+  std::vector<Point> vertex_, normal_;  // one vertex more than edges
 };
+
+/// Are all points strictly between positions `from` and `to` (cyclic) within a quantum of the segment between those
+/// two?
+bool dispensable(const std::vector<LatticePoint>& points, std::size_t from, std::size_t to) {
+  const Point chord = difference(points[to % points.size()], points[from]);
+  const double length = chord.norm();
+  for (std::size_t k = from + 1; k < to; ++k) {
+    const Point d = difference(points[k], points[from]);
+    const double along = chord.dot(d) / length;
+    if (!(std::abs(cross(chord, d)) <= length && along > 0 && along < length)) return false;
+  }
+  return true;
+}
+
+/// Leaves out points, greedily from the first; `end` is the last position that a segment may end at.
+std::vector<LatticePoint> straightened(const std::vector<LatticePoint>& points, std::size_t end) {
+  constexpr std::size_t kMostDropped = 8;  // in one segment, which bounds the cost
+  std::vector<LatticePoint> out;
+  for (std::size_t i = 0; i < points.size();) {
+    out.push_back(points[i]);
+    std::size_t next = i + 1;
+    while (next < end && next - i <= kMostDropped && dispensable(points, i, next + 1)) ++next;
+    i = next;
+  }
+  return out;
+}
 
 }  // namespace
 
-Walk::Walk(const std::vector<Site>& sites, double side_) : ring(sites), side(side_) {
+Walk::Walk(const std::vector<LatticePoint>& points, double side_) : ring(points), side(side_) {
   const std::size_t n = ring.size();
   along.resize(n);
   length.resize(n);
@@ -160,36 +199,22 @@ Walk::Walk(const std::vector<Site>& sites, double side_) : ring(sites), side(sid
   for (std::size_t i = 0; i < n; ++i) bend[i] = side * cross(along[before(i)], along[i]);
 }
 
-std::vector<Site> straightened(const std::vector<Site>& corners, bool ring) {
-  constexpr std::size_t kMostDropped = 8;  // at a time
-  const std::size_t n = corners.size(), end = ring ? n : n - 1;
-  const auto dispensable = [&](std::size_t from, std::size_t to) {
-    const Point chord = difference(corners[to % n], corners[from]);
-    const double length = chord.norm();
-    for (std::size_t k = from + 1; k < to; ++k) {
-      const Point d = difference(corners[k], corners[from]);
-      const double along = chord.dot(d) / length;
-      if (!(std::abs(cross(chord, d)) <= length && along > 0 && along < length)) return false;
-    }
-    return true;
-  };
-  std::vector<Site> out;
-  for (std::size_t i = 0; i < n;) {
-    out.push_back(corners[i]);
-    std::size_t next = i + 1;
-    while (next < end && next - i <= kMostDropped && dispensable(i, next + 1)) ++next;
-    i = next;
-  }
-  return ring && out.size() < 3 ? corners : out;
+std::vector<LatticePoint> straightened_ring(const std::vector<LatticePoint>& ring) {
+  std::vector<LatticePoint> out = straightened(ring, ring.size());
+  return out.size() < 3 ? ring : out;
+}
+
+std::vector<LatticePoint> straightened_line(const std::vector<LatticePoint>& line) {
+  return straightened(line, line.size() - 1);
 }
 
 ConcaveChain longest_concave_chain(const Walk& walk, std::size_t begin, std::size_t limit, double reach) {
-  Trial trial(walk, begin, reach);
+  GrowingChain chain(walk, begin, reach);
   std::size_t end = begin + 1;
-  while (end < std::min(limit, begin + kLongestConcaveChain) && trial.grow()) ++end;
-  ConcaveChain dent{begin, end, trial.far()};
-  for (Point& p : dent.far) p += Point(walk.ring[begin].x, walk.ring[begin].y);
-  return dent;
+  while (end < std::min(limit, begin + kLongestConcaveChain) && chain.grow()) ++end;
+  ConcaveChain out{begin, end, chain.far_side()};
+  for (Point& p : out.far) p += Point(walk.ring[begin].x, walk.ring[begin].y);
+  return out;
 }
 
 }  // namespace oxturn

@@ -1,51 +1,65 @@
-// A dent: consecutive edges of a ring, bent at each corner towards the side on which an offset of the ring lies.
-// What their strips (edge x reach) cover together, written down without an overlay. Private to geometry: not installed.
-//
-// Method      T: what lies behind none of the edges' lines, and neither before the first edge's start nor past the last
-//             edge's end (seen along those edges). The dent is {x in T: within `reach` of one of the lines}: a polygon of
-//             the edges, the two ends' perpendiculars, and in between either the edges' lines shifted by `reach`, as far
-//             as they bound what lies beyond all of them, or nothing, where the perpendiculars cross before.
-// Certain     Nothing of the dent is farther than `reach` from an edge: take its nearest line; the foot there is a
-//             point of the edge, for T excludes the rest of the line (another line or an end is in the way).
-//             Nothing is forgotten: let x be within `reach` of the ring's inside, y its nearest point, on an edge i of
-//             the dent. The edges turn by less than a quarter, so x is behind no line. If x lay before the first edge's
-//             start p, the way from x to y would cross p's perpendicular at a z that is no farther from y than from
-//             p, while edge i + 1 is no nearer to z. `clear` shows for every edge that there is no such z, or the
-//             dent ends earlier. The other end likewise.
-//             Rounding: the corners at the far side move by a quantum, which leaves cracks where the neighbouring
-//             edge's strip does not cover them: `overlaps` asks for some quanta more than that.
-// Complexity  k edges: O(k^2) for the longest dent from a given edge, k at most kLongestConcaveChain.
+/// The area within a given distance of a concave chain, as one polygon, without an overlay. Private to geometry, not
+/// installed.
+///
+/// A concave chain is a sequence of edges of a ring, bent at every inner vertex towards the side on which an offset of
+/// the ring lies, such as an arc that an earlier offset in the other direction left. Each edge's strip (edge x reach)
+/// overlaps most of the others, and uniting n strips by an overlay means n^2 crossings.
+///
+///            far side
+///         ,-----------.         Strips of five edges; the polygon is what they cover together:
+///        /             \        the edges themselves, the perpendiculars at the two ends, and
+///       |\             /|       on the far side the envelope of the shifted lines. Where the
+///       | \           / |       perpendiculars cross before the envelope begins, the far side
+///       |  `\_______/'  |       is the one point in which they cross.
+///
+/// Method      Let T be the set of points that are behind no line of an edge, nor before the first edge's start, nor
+///             past the last edge's end (measured along those two edges). The polygon is P = {x in T: x is within
+///             `reach` of at least one line}.
+/// Sound       No point x of P is farther than `reach` from the chain. Take the line nearest to x: the foot of x on it
+///             is a point of its edge, because T excludes all points whose foot lies on the rest of the line (another
+///             line or an end of the chain comes before).
+/// Complete    P contains every x for which the ring's nearest point y is on the chain and within `reach`. The chain
+///             turns by less than a quarter in all, so x is behind no line. Suppose that x is before the start p of the
+///             first edge. Then the segment xy crosses the perpendicular at p in a point z whose nearest point is y as
+///             well: if y is on edge i, neither p nor edge i + 1 is nearer to z. clear_before() proves for each i that
+///             no such z exists; otherwise the chain is ended earlier. The same holds at the other end.
+/// Rounding    Vertices on the far side move by up to a quantum. That may open gaps along the end perpendiculars, but
+///             the neighbouring edges' strips overlap them by several quanta: overlaps_neighbours() makes sure.
+/// Complexity  O(k^2) for the longest chain of k edges from a given edge; k is at most kLongestConcaveChain.
 #pragma once
 
 #include <vector>
 
-#include "geometry/overlay/arrangement.hpp"
+#include "geometry/overlay/lattice.hpp"
 
 namespace oxturn {
 
 /// A ring with its directions, seen from the side on which the offset lies.
 struct Walk {
-  Walk(const std::vector<Site>& sites, double side);  // side: +1 left, -1 right; at least two sites
+  /// At least two points; side: +1 left of the ring, -1 right.
+  Walk(const std::vector<LatticePoint>& points, double side);
   std::size_t before(std::size_t i) const { return i == 0 ? ring.size() - 1 : i - 1; }
-  Point inwards(std::size_t edge) const { return side * perpendicular(along[edge]); }
+  /// The unit normal of an edge towards the offset.
+  Point normal(std::size_t edge) const { return side * perpendicular(along[edge]); }
 
-  const std::vector<Site>& ring;
+  const std::vector<LatticePoint>& ring;
   double side;
-  std::vector<Point> along;          // edge i: from corner i to the next
-  std::vector<double> length, bend;  // sine of the bend at corner i; positive: inwards, the strips overlap
+  std::vector<Point> along;          // by edge, from vertex i to the next: unit direction
+  std::vector<double> length, bend;  // of edge i; sine of the bend at vertex i, positive towards the offset
 };
 
 struct ConcaveChain {
-  std::size_t begin, end;  // edges, end > begin
-  std::vector<Point> far;  // the dent's other side, from corner `begin` to corner `end`, in lattice units
+  std::size_t begin, end;  // its edges: begin .. end - 1
+  std::vector<Point> far;  // the polygon's far side, from above vertex `begin` to above vertex `end`, in quanta
 };
 
-/// The ring, or line, without corners that lie within a quantum of the way between those that are left: rounding put
-/// them there and made bends of straight walls.
-std::vector<Site> straightened(const std::vector<Site>& corners, bool ring);
+/// The points of a ring or open line without vertices that lie within a quantum of the segments between those that are
+/// left: rounding to the lattice put them there, and bends into straight walls.
+std::vector<LatticePoint> straightened_ring(const std::vector<LatticePoint>& ring);
+std::vector<LatticePoint> straightened_line(const std::vector<LatticePoint>& line);
 
-/// The longest dent found from edge `begin` on, before edge `limit`. The corners begin .. limit all bend inwards. One
-/// edge's dent is its strip.
+/// The longest concave chain found that begins with edge `begin` and ends before edge `limit`. All vertices from
+/// `begin` to `limit` must bend towards the offset. The chain of one edge is its strip. `reach` is in quanta.
 ConcaveChain longest_concave_chain(const Walk& walk, std::size_t begin, std::size_t limit, double reach);
 
 }  // namespace oxturn

@@ -1,4 +1,6 @@
-// A region cut open along lines.
+/// A region cut open along lines.
+///
+///   const Region open = cut_along(space, field.cut_locus(chord_error), 1e-5);
 #pragma once
 
 #include <vector>
@@ -7,9 +9,10 @@
 
 namespace oxturn {
 
-/// `region` less thin strips, `width` metres wide, about the lines (which may meet, cross and repeat each other). Where
-/// lines share points, the strips join without gaps. Rounding is far below `width`, which must be above 2^-26 of the
-/// region's extent. O((n + k) log n).
+/// `region` without thin strips, `width` metres wide, about the lines. The lines may meet, cross and repeat each other;
+/// strips of lines that share a point join without a gap. `width` must be above 2^-26 of the region's extent, far above
+/// the rounding of the result. O((n + k) log n) for n edges and segments that meet k times. Throws
+/// std::invalid_argument for a smaller width and for coordinates that are not finite.
 Region cut_along(const Region& region, const std::vector<Polyline>& lines, double width);
 
 }  // namespace oxturn

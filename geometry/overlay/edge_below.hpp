@@ -1,41 +1,46 @@
-// The edge next below a lattice point, for many points. Private to geometry: not installed.
+/// The edge next below a lattice point, for many points. Private to geometry, not installed.
+///
+///   const EdgeBelow below(edges);
+///   const std::uint32_t id = below.below(p);    // EdgeBelow::kNone if there is none
+///
+/// Method: columns bounded by quantiles of the edges' left ends, and in each column levels of equal height by the
+/// edges' lowest points. A query searches the levels of its column downwards until no edge farther down reaches up to
+/// the best one found. O(1) for edges spread evenly, O(sqrt(n)) where many share few levels. UniformGrid would not do:
+/// a query looks down a whole column, and its cells do not adapt to crowded areas.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "geometry/overlay/arrangement.hpp"
+#include "geometry/overlay/lattice.hpp"
 
 namespace oxturn {
 
-/// Twice the signed area of abc, exactly.
-inline std::int64_t turn(const Site& a, const Site& b, const Site& c) {
-  return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) - (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
-}
-
-/// Looks down along the line just left of a point. Edges (a < b) meet at common ends only. Columns at quantiles of
-/// the edges' left ends, their edges in levels by lowest point: a question searches levels downwards until no edge
-/// further down comes up to the best. O(1) for edges spread evenly, O(sqrt(n)) where they crowd on a few levels.
 class EdgeBelow {
  public:
   struct Edge {
-    Site a, b;  // a.x < b.x
+    LatticePoint a, b;  // a.x < b.x
     std::uint32_t id;
   };
+  /// The edges must meet at common ends only.
   explicit EdgeBelow(std::vector<Edge> edges);
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  /// The id of the first edge with a.x < p.x <= b.x below p; p must not lie on an edge that comes from its left.
-  std::uint32_t below(const Site& p) const;
+  /// The id of the first edge below p among those with a.x < p.x <= b.x, judged on the vertical line just left of p; p
+  /// must not lie on any of them.
+  std::uint32_t below(const LatticePoint& p) const;
 
  private:
+  template <class F>
+  void for_each_cell_of_edges(F f) const;
   std::size_t column(std::int32_t x) const;
   std::size_t level(std::int32_t y) const;
-  std::vector<Edge> edges_;
-  std::vector<std::int32_t> borders_;
-  std::int64_t low_ = 0, height_ = 1;  // of the lowest level; of each
-  std::size_t levels_ = 1;
-  std::vector<std::uint32_t> start_, index_;  // column by column, level by level
-  std::vector<std::int32_t> top_;             // the highest point of any edge of that column on this level or below
+
+  std::vector<Edge> edges_;                   // by a.x
+  std::vector<std::int32_t> borders_;         // left borders of the columns
+  std::int64_t low_ = 0, height_ = 1;         // of the lowest level; of each level
+  std::size_t levels_ = 1;                    // per column
+  std::vector<std::uint32_t> first_, items_;  // edges of cell c: items_[first_[c] .. first_[c + 1]); level by level
+  std::vector<std::int32_t> top_;  // by cell: the highest point of any edge of its column on its level or below
 };
 
 }  // namespace oxturn

@@ -1,20 +1,19 @@
-// As in offset.cpp, with a polygon for the disc: every ring is run round with each edge shifted by the corner of the
-// reflected body that reaches farthest to its left, along the reflected body's border about each corner at which the region
-// is reflex, by a detour over the corner itself at the others. The winding number of all these curves together is that
-// of the region less the number of parallelograms (edge x corner) and fans (corner x stretch of border) that cover a
-// point, so "above zero" is the answer exactly, for whatever overlaps.
-//
-// Why strips and fans are all that is to be taken off: grow the body at a free place p from a point until it first
-// touches a wall. It touches an edge with one of its corners (then p lies in the edge's parallelogram) or a corner of the
-// region with its border (then p lies in the corner's fan).
-//
-// Source      McMains, Chen: Polygon offsetting by computing winding numbers, 2005; convolution curves: Guibas, Ramshaw,
-//             Stolfi, A kinetic framework for computational geometry, 1983.
-// Decisions   1. An edge parallel to a side of the body is shifted by the side's first corner in the sense of the walk;
-//                the rest of the side belongs to the fan at the edge's end. Where the region is not reflex there, the
-//                next edge's strip holds it.
-//             2. Along a fine curve most edges are shifted by the same corner: their parallelograms lie side by side and
-//                cross nothing, so dents need no care of their own (offset.cpp unites them first).
+// Method      As in offset.cpp, with a polygon in place of the disc. Every ring is followed with each edge shifted by
+//             the vertex of the reflected body that is farthest to its left; at reflex vertices of the region the curve
+//             follows the reflected body's boundary about the vertex, at the others it makes a detour over the vertex
+//             itself. The winding number of all these curves together is that of the region minus the number of
+//             parallelograms (edge x vertex of the body) and fans (vertex of the region x part of the body's boundary)
+//             that contain the point. So "above zero" is the exact answer, whatever overlaps.
+//             Parallelograms and fans are all that has to be subtracted: grow the body at a free point p from a point
+//             until it first touches a wall. Either one of its vertices touches an edge, and p lies in the edge's
+//             parallelogram, or its boundary touches a vertex of the region, and p lies in that vertex's fan.
+// Source      McMains and Chen, "Polygon offsetting by computing winding numbers", 2005; convolution curves: Guibas,
+//             Ramshaw and Stolfi, "A kinetic framework for computational geometry", 1983.
+// Decisions   1. An edge parallel to a side of the body is shifted by that vertex of the side which comes first in the
+//                sense of the walk. The rest of the side belongs to the fan at the edge's end, or, where the region is
+//                not reflex there, to the next edge's parallelogram.
+//             2. Concave chains need no special care, unlike in offset.cpp: most of their edges are shifted by the same
+//                vertex, so their parallelograms lie side by side and do not cross.
 #include "geometry/overlay/minkowski.hpp"
 
 #include <algorithm>
@@ -26,115 +25,103 @@
 namespace oxturn {
 namespace {
 
-constexpr double kSlack = 10;  // quanta by which the body grows or shrinks: see offset.cpp
-
-std::int64_t cross(const Site& a, const Site& b) {
-  return std::int64_t{a.x} * std::int64_t{b.y} - std::int64_t{a.y} * std::int64_t{b.x};
-}
-Site operator-(const Site& a, const Site& b) { return {a.x - b.x, a.y - b.y}; }
-Site operator+(const Site& a, const Site& b) { return {a.x + b.x, a.y + b.y}; }
-
-/// The reflected body on the lattice, its corners clockwise: the order in which a walk with free space on its left
-/// comes by them at a reflex corner.
-class Body {
+/// The reflected body on the lattice. Its vertices are clockwise, the order in which the walk passes them at a reflex
+/// vertex.
+class ReflectedBody {
  public:
-  Body(const Ring& ring, double quantum, double grow) {
-    double inner = 1e300;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point along = ring[(i + 1) % ring.size()] - ring[i];
-      inner = std::min(inner, oxturn::cross(ring[i], along) / along.norm());
+  /// The body is made larger by `growth` quanta (smaller, if negative).
+  ReflectedBody(const Ring& body, double quantum, double growth) {
+    double inner_radius = 1e300;
+    for (std::size_t i = 0; i < body.size(); ++i) {
+      const Point along = body[(i + 1) % body.size()] - body[i];
+      inner_radius = std::min(inner_radius, oxturn::cross(body[i], along) / along.norm());
     }
-    if (!(inner > 0))
-      throw std::invalid_argument("body of a Minkowski difference does not hold the origin strictly inside");
-    const double scale = std::max(0.0, 1 + grow * quantum / inner) / quantum;
-    for (auto p = ring.rbegin(); p != ring.rend(); ++p) {
-      const Site s{static_cast<std::int32_t>(std::lround(-p->x() * scale)),
-                   static_cast<std::int32_t>(std::lround(-p->y() * scale))};
-      if (corners_.empty() || corners_.back() != s) corners_.push_back(s);
+    if (!(inner_radius > 0))
+      throw std::invalid_argument("body of a Minkowski difference does not contain the origin in its interior");
+    const double scale = std::max(0.0, 1 + growth * quantum / inner_radius) / quantum;
+    for (auto p = body.rbegin(); p != body.rend(); ++p) {
+      const LatticePoint s{static_cast<std::int32_t>(std::lround(-p->x() * scale)),
+                           static_cast<std::int32_t>(std::lround(-p->y() * scale))};
+      if (vertices_.empty() || vertices_.back() != s) vertices_.push_back(s);
     }
-    while (corners_.size() > 1 && corners_.back() == corners_.front()) corners_.pop_back();
+    while (vertices_.size() > 1 && vertices_.back() == vertices_.front()) vertices_.pop_back();
   }
 
-  /// The corner farthest to the left of direction d; of two, the first in the sense of the walk.
-  std::size_t farthest_left(const Site& d) const {
+  /// The vertex farthest to the left of direction d; of two, the first in the sense of the walk.
+  std::size_t farthest_left(const LatticePoint& d) const {
     std::size_t best = 0;
-    for (std::size_t i = 1; i < corners_.size(); ++i) {
-      const std::int64_t gain = cross(d, corners_[i]) - cross(d, corners_[best]);
-      if (gain > 0 || (gain == 0 && along(d, corners_[i]) < along(d, corners_[best]))) best = i;
+    for (std::size_t i = 1; i < vertices_.size(); ++i) {
+      const std::int64_t gain = cross(d, vertices_[i]) - cross(d, vertices_[best]);
+      if (gain > 0 || (gain == 0 && dot(d, vertices_[i]) < dot(d, vertices_[best]))) best = i;
     }
     return best;
   }
-  /// Clockwise.
-  std::vector<Site> about(const Site& centre) const {
-    std::vector<Site> ring;
-    for (const Site& s : corners_) ring.push_back(centre + s);
+  /// The whole boundary about a point, clockwise.
+  std::vector<LatticePoint> about(const LatticePoint& centre) const {
+    std::vector<LatticePoint> ring;
+    for (const LatticePoint& s : vertices_) ring.push_back(centre + s);
     return ring;
   }
-  const Site& at(std::size_t i) const { return corners_[i]; }
-  std::size_t next(std::size_t i) const { return i + 1 == corners_.size() ? 0 : i + 1; }
+  const LatticePoint& vertex(std::size_t i) const { return vertices_[i]; }
+  std::size_t next(std::size_t i) const { return i + 1 == vertices_.size() ? 0 : i + 1; }
 
  private:
-  static std::int64_t along(const Site& d, const Site& s) {
-    return std::int64_t{d.x} * std::int64_t{s.x} + std::int64_t{d.y} * std::int64_t{s.y};
-  }
-  std::vector<Site> corners_;
+  std::vector<LatticePoint> vertices_;
 };
 
-std::vector<Site> run(const std::vector<Site>& ring, const Body& body) {
-  std::vector<Site> out;
+/// The convolution curve of a ring of at least two points.
+std::vector<LatticePoint> convolution(const std::vector<LatticePoint>& ring, const ReflectedBody& body) {
+  std::vector<LatticePoint> out;
   const std::size_t n = ring.size();
-  std::vector<Site> along(n);
-  std::vector<std::size_t> shift(n);
+  std::vector<LatticePoint> along(n);
+  std::vector<std::size_t> shift(n);  // by edge: the body's vertex
   for (std::size_t i = 0; i < n; ++i) {
     along[i] = ring[i + 1 == n ? 0 : i + 1] - ring[i];
     shift[i] = body.farthest_left(along[i]);
   }
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t last = i == 0 ? n - 1 : i - 1;
-    const std::int64_t turn = cross(along[last], along[i]);
-    out.push_back(ring[i] + body.at(shift[last]));
-    if (turn > 0) {
+    out.push_back(ring[i] + body.vertex(shift[last]));
+    if (cross(along[last], along[i]) > 0) {
       if (shift[last] != shift[i]) out.push_back(ring[i]);
-    } else {  // straight on: nothing; straight back: half a round
-      for (std::size_t k = shift[last]; k != shift[i]; k = body.next(k)) out.push_back(ring[i] + body.at(k));
+    } else {  // reflex; where the ring runs straight back on itself, half the body's boundary
+      for (std::size_t k = shift[last]; k != shift[i]; k = body.next(k)) out.push_back(ring[i] + body.vertex(k));
     }
-    out.push_back(ring[i] + body.at(shift[i]));
+    out.push_back(ring[i] + body.vertex(shift[i]));
   }
   return out;
 }
-
-bool positive(int winding, int) { return winding > 0; }
 
 }  // namespace
 
 Region erode(const Region& region, const Ring& body, Bound bound) {
   Box box = finite_box(region);
-  Box reach;
+  Box body_box;
   for (const Point& p : body) {
     if (!finite(p)) throw std::invalid_argument("body of a Minkowski difference has a coordinate that is not finite");
-    reach.add(p);
+    body_box.add(p);
   }
-  if (body.empty()) throw std::invalid_argument("body of a Minkowski difference has no corners");
+  if (body.empty()) throw std::invalid_argument("body of a Minkowski difference has no vertices");
   if (box.empty()) return region;
-  box.grow(1.5 * std::max(reach.high.cwiseAbs().maxCoeff(), reach.low.cwiseAbs().maxCoeff()));
+  box.grow(1.5 * std::max(body_box.high.cwiseAbs().maxCoeff(), body_box.low.cwiseAbs().maxCoeff()));
   const Lattice lattice(box);
-  const Body grown(body, lattice.quantum(), bound == Bound::inside ? kSlack : -kSlack);
+  const ReflectedBody grown(body, lattice.quantum(), bound == Bound::inside ? kOffsetSlack : -kOffsetSlack);
 
   std::vector<OverlayEdge> edges;
   const auto add = [&](const Ring& ring, double sign) {
-    std::vector<Site> sites = snapped(ring, lattice);
-    if (sites.size() < 2) {  // smaller than the lattice resolves: no room inside, but still in the way
-      if (sign < 0) add_ring(edges, grown.about(sites[0]), 1, 0);
+    std::vector<LatticePoint> points = snapped(ring, lattice);
+    if (points.size() < 2) {  // smaller than the lattice resolves: no free space, but as a hole it is still a wall
+      if (sign < 0) add_ring(edges, grown.about(points[0]), {1, 0});
       return;
     }
-    if (signed_area(ring) * sign < 0) std::reverse(sites.begin(), sites.end());
-    add_ring(edges, run(sites, grown), 1, 0);
+    if (signed_area(ring) * sign < 0) std::reverse(points.begin(), points.end());
+    add_ring(edges, convolution(points, grown), {1, 0});
   };
   for (const Polygon& p : region.polygons) {
     add(p.outer, 1);
     for (const Ring& h : p.holes) add(h, -1);
   }
-  return to_region(rim(std::move(edges), positive), lattice);
+  return to_region(boundary_of(std::move(edges), inside_first), lattice);
 }
 
 }  // namespace oxturn

@@ -1,16 +1,17 @@
-// Each ring is run round at distance `reach` on one side: edges shifted, an arc about each corner that sticks out,
-// a detour over the corner itself where it does not. The winding number of all these curves together is that of
-// the region plus (dilate) or minus (erode) the number of strips and sectors that cover a point, so "above zero" is
-// the answer exactly, for whatever overlaps. Walls are shifted exactly; only arcs carry the chord error.
+// Method      Each ring is followed at distance `reach` on one side: edges are shifted, convex vertices (seen from that
+//             side) get an arc, concave ones a detour over the vertex itself. The winding number of all these curves
+//             together is that of the region plus (dilation) or minus (erosion) the number of strips (edge x reach) and
+//             sectors (about a vertex) that contain the point. So "above zero" is the exact answer, whatever overlaps.
+//             Straight walls are shifted exactly; only arcs have a chord error.
 //
-// Along a fine dent (the arc an earlier offset left) n strips would cross n^2 times. Growing, a dent is written down as
-// one polygon of a few edges where that can be done (dent.hpp), and crowds of short strips that are left are united by
-// halves first and enter as one. Shrinking, all dents are united by halves: paths hang on the last bits of configuration
-// space, so those were left as they are.
-//
-// Complexity  n corners: O(n) for the curves (O(k^2) for a dent of k <= 64 edges), O(m log m) for crowds of m strips, and
-//             the overlay (arrangement.hpp) of what comes to O(n) edges and k crossings.
-// Source      McMains, Chen: Polygon offsetting by computing winding numbers, 2005.
+//             Along a fine concave arc, such as an earlier offset leaves, n strips would cross n^2 times. Dilation
+//             writes concave chains down as single polygons where it can (concave_chain.hpp). Clusters of short strips
+//             that are left are united by halves and enter the overlay as one operand.
+// Source      McMains and Chen, "Polygon offsetting by computing winding numbers", 2005.
+// Complexity  n vertices: O(n) for the curves (O(k^2) for a concave chain of k <= 64 edges), O(m log m) for clusters of
+//             m strips, and the overlay of the resulting O(n) edges.
+// Decisions   1. Erosion does not use concave chains: configuration spaces, and with them all paths, would change in
+//                the last bits.
 #include "geometry/overlay/offset.hpp"
 
 #include <algorithm>
@@ -24,81 +25,80 @@
 namespace oxturn {
 namespace {
 
-// Corners and offset points are rounded (0.7 quanta each), intersections too, and edges bend by half a quantum, in
-// each of up to five unions of halves (four where rings and dents are straightened, by a quantum each) and the last
-// overlay: this many quanta cover the sum and keep bounds certain.
-constexpr double kSlack = 10;
-constexpr std::size_t kLargestCrowd = 32, kLargestCrowdOfChains = 16;
-constexpr std::size_t kLeastCrowd = 4;
+constexpr std::size_t kMostStripsOfCluster = 32, kMostChainsOfCluster = 16;
+constexpr std::size_t kLeastCluster = 4;  // fewer are left to the overlay
+constexpr double kFarApart = 0.25;        // of the reach: a longer strip or chain joins no cluster
 
-bool positive(int winding, int) { return winding > 0; }
+enum class Direction { outwards, inwards };
+enum class Arcs {
+  chords,    // the curve comes nearer to the ring than the radius
+  tangents,  // the curve keeps at least the radius
+};
 
-/// One ring's raw offset curve, in lattice units.
-class Runner {
+/// Offset curves of rings. Lengths are in quanta.
+class OffsetCurve {
  public:
-  /// side: +1 left of the ring, -1 right. circumscribed: arcs by tangents, otherwise by chords. trimmed: dents are
-  /// written down (dent.hpp) where that can be done.
-  Runner(double reach, double half_step, double side, bool circumscribed, bool trimmed)
-      : reach_(reach), half_step_(half_step), side_(side), circumscribed_(circumscribed), trimmed_(trimmed) {}
+  OffsetCurve(double reach, double half_step, Direction direction, Arcs arcs)
+      : reach_(reach),
+        half_step_(half_step),
+        side_(direction == Direction::outwards ? -1 : 1),
+        direction_(direction),
+        arcs_(arcs) {}
 
-  /// Adds the curve to an overlay.
-  void run(const std::vector<Site>& ring, std::vector<OverlayEdge>& edges) const {
-    std::vector<Site> out;
-    const std::size_t n = ring.size();
-    if (n == 1) {
-      arc(out, ring[0], {1, 0}, kPi);
-      arc(out, ring[0], {-1, 0}, kPi);
-      return add_ring(edges, out, 1, 0);
+  /// Adds the curve of a ring to an overlay.
+  void add(const std::vector<LatticePoint>& ring, std::vector<OverlayEdge>& edges) const {
+    std::vector<LatticePoint> curve;
+    if (ring.size() == 1) {
+      add_arc(curve, ring[0], {1, 0}, kPi);
+      add_arc(curve, ring[0], {-1, 0}, kPi);
+      return add_ring(edges, curve, {1, 0});
     }
     const Walk walk(ring, side_);
     const std::vector<Detour> detours = detours_of(walk, edges);
     auto detour = detours.begin();
-    bool from_detour = false;
-    for (std::size_t i = 0; i < n;) {
+    bool after_detour = false;
+    for (std::size_t i = 0; i < ring.size();) {
+      const bool before_detour = detour != detours.end() && detour->begin == i;
       const std::size_t last = walk.before(i);
-      const bool to_detour = detour != detours.end() && detour->begin == i;
       const double bend = walk.bend[i], ahead = walk.along[last].dot(walk.along[i]);
-      const Point from = walk.inwards(last), to = walk.inwards(i);
-      if (!from_detour) out.push_back(at(ring[i], reach_ * from));
-      if (from_detour || to_detour || bend > 0)
-        out.push_back(ring[i]);
+      if (!after_detour) curve.push_back(moved(ring[i], reach_ * walk.normal(last)));
+      if (after_detour || before_detour || bend > 0)
+        curve.push_back(ring[i]);
       else if (bend < 0 || ahead < 0)
-        arc(out, ring[i], from, bend < 0 ? std::atan2(-bend, ahead) : kPi);
-      from_detour = to_detour;
-      if (to_detour) {
-        out.insert(out.end(), detour->between.begin(), detour->between.end());
-        i = detour++->end;  // before the ring's last edge
+        add_arc(curve, ring[i], walk.normal(last), bend < 0 ? std::atan2(-bend, ahead) : kPi);
+      after_detour = before_detour;
+      if (before_detour) {
+        curve.insert(curve.end(), detour->between.begin(), detour->between.end());
+        i = detour++->end;  // never past the ring's last edge
       } else {
-        out.push_back(at(ring[i++], reach_ * to));
+        curve.push_back(moved(ring[i], reach_ * walk.normal(i)));
+        ++i;
       }
     }
-    add_ring(edges, out, 1, 0);
+    add_ring(edges, curve, {1, 0});
   }
 
  private:
-  /// How the curve gets from corner `begin` to corner `end`, both bent inwards.
+  /// How the curve gets from vertex `begin` to vertex `end`, both concave.
   struct Detour {
     std::size_t begin, end;
-    std::vector<Site> between;
+    std::vector<LatticePoint> between;
   };
 
-  static Site rounded(double x, double y) {
-    return {static_cast<std::int32_t>(std::floor(x + 0.5)), static_cast<std::int32_t>(std::floor(y + 0.5))};
-  }
-  static Site at(const Site& s, const Point& shift) { return rounded(s.x + shift.x(), s.y + shift.y()); }
-  /// The arc's points between its two ends.
-  void arc(std::vector<Site>& out, const Site& centre, const Point& from, double angle) const {
+  static LatticePoint moved(const LatticePoint& p, const Point& by) { return rounded(p.x + by.x(), p.y + by.y()); }
+  /// The points of an arc between its two ends; `from` is the direction of its first end.
+  void add_arc(std::vector<LatticePoint>& out, const LatticePoint& centre, const Point& from, double angle) const {
     const int steps = std::max(1, static_cast<int>(std::ceil(angle / (2 * half_step_) - 1e-9)));
     const double half = angle / steps / 2;
-    if (circumscribed_) {
+    if (arcs_ == Arcs::tangents) {
       const double radius = reach_ / std::cos(half);
-      for (int k = 0; k < steps; ++k) out.push_back(at(centre, radius * rotated(from, -side_ * (2 * k + 1) * half)));
+      for (int k = 0; k < steps; ++k) out.push_back(moved(centre, radius * rotated(from, -side_ * (2 * k + 1) * half)));
     } else {
-      for (int k = 1; k < steps; ++k) out.push_back(at(centre, reach_ * rotated(from, -side_ * 2 * k * half)));
+      for (int k = 1; k < steps; ++k) out.push_back(moved(centre, reach_ * rotated(from, -side_ * 2 * k * half)));
     }
   }
 
-  /// All edges whose two ends bend inwards, in detours; `edges` gets what crowds of them cover.
+  /// Detours for all edges with two concave ends. Clusters are added to `edges`.
   std::vector<Detour> detours_of(const Walk& walk, std::vector<OverlayEdge>& edges) const {
     std::vector<Detour> out;
     for (std::size_t i = 0; i + 1 < walk.ring.size(); ++i) {
@@ -109,72 +109,77 @@ class Runner {
     }
     return out;
   }
-
   void add_detours(const Walk& walk, std::size_t begin, std::size_t end, std::vector<Detour>& out,
                    std::vector<OverlayEdge>& edges) const {
-    std::vector<Detour> crowd;
-    const auto add_crowd = [&] {
-      if (crowd.size() >= kLeastCrowd) {
-        std::vector<std::vector<Site>> parts;
-        for (const Detour& d : crowd) parts.push_back(closed(walk.ring, d));
-        add_boundary(edges, united(parts, 0, parts.size()), side_ < 0 ? 1 : -1, 0);
-        const std::size_t first = crowd.front().begin, last = crowd.back().end;
-        crowd.assign(1, {first, last, std::vector<Site>(&walk.ring[first + 1], &walk.ring[last])});
-      }
-      out.insert(out.end(), crowd.begin(), crowd.end());
-      crowd.clear();
-    };
+    const bool chains = direction_ == Direction::outwards;
+    const std::size_t most = chains ? kMostChainsOfCluster : kMostStripsOfCluster;
+    std::vector<Detour> cluster;
     while (begin < end) {
-      Detour d = trimmed_ ? dent(walk, begin, end) : strip(walk, begin);
+      Detour d = chains ? chain(walk, begin, end) : strip(walk, begin);
       begin = d.end;
-      const bool apart = trimmed_ && far_apart(walk.ring[d.begin], walk.ring[d.end]);
-      if (apart || crowd.size() == (trimmed_ ? kLargestCrowdOfChains : kLargestCrowd)) add_crowd();
-      (apart ? out : crowd).push_back(std::move(d));
+      const bool alone = chains && far_apart(walk.ring[d.begin], walk.ring[d.end]);
+      if (alone || cluster.size() == most) close_cluster(walk, cluster, out, edges);
+      (alone ? out : cluster).push_back(std::move(d));
     }
-    add_crowd();
+    close_cluster(walk, cluster, out, edges);
+  }
+  /// Moves a cluster's detours to `out`. If they are many, their union becomes an operand of the overlay instead, and
+  /// the curve follows the ring itself.
+  void close_cluster(const Walk& walk, std::vector<Detour>& cluster, std::vector<Detour>& out,
+                     std::vector<OverlayEdge>& edges) const {
+    if (cluster.size() >= kLeastCluster) {
+      std::vector<std::vector<LatticePoint>> polygons;
+      for (const Detour& d : cluster) polygons.push_back(closed(walk.ring, d));
+      add_boundary(edges, united(polygons, 0, polygons.size()), {direction_ == Direction::outwards ? 1 : -1, 0});
+      const std::size_t first = cluster.front().begin, last = cluster.back().end;
+      cluster.assign(1, {first, last, std::vector<LatticePoint>(&walk.ring[first + 1], &walk.ring[last])});
+    }
+    out.insert(out.end(), cluster.begin(), cluster.end());
+    cluster.clear();
   }
 
-  Detour strip(const Walk& walk, std::size_t k) const {
-    const Point shift = reach_ * walk.inwards(k);
-    return {k, k + 1, {at(walk.ring[k], shift), at(walk.ring[k + 1], shift)}};
+  Detour strip(const Walk& walk, std::size_t edge) const {
+    const Point by = reach_ * walk.normal(edge);
+    return {edge, edge + 1, {moved(walk.ring[edge], by), moved(walk.ring[edge + 1], by)}};
   }
-  Detour dent(const Walk& walk, std::size_t begin, std::size_t limit) const {
-    const ConcaveChain dent = longest_concave_chain(walk, begin, limit, reach_);
-    if (dent.end == begin + 1) return strip(walk, begin);
-    Detour out{begin, dent.end, {}};
-    for (const Point& p : dent.far) out.between.push_back(rounded(p.x(), p.y()));
-    out.between.erase(std::unique(out.between.begin(), out.between.end()), out.between.end());
-    out.between = straightened(out.between, false);
-    return out;
+  Detour chain(const Walk& walk, std::size_t begin, std::size_t limit) const {
+    const ConcaveChain chain = longest_concave_chain(walk, begin, limit, reach_);
+    if (chain.end == begin + 1) return strip(walk, begin);
+    std::vector<LatticePoint> far;
+    for (const Point& p : chain.far) far.push_back(rounded(p.x(), p.y()));
+    far.erase(std::unique(far.begin(), far.end()), far.end());
+    return {begin, chain.end, straightened_line(far)};
   }
-  bool far_apart(const Site& a, const Site& b) const {
-    return std::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y) > reach_ / 4;
+  bool far_apart(const LatticePoint& a, const LatticePoint& b) const {
+    return std::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y) > kFarApart * reach_;
   }
-
-  std::vector<Site> closed(const std::vector<Site>& ring, const Detour& d) const {
-    std::vector<Site> out(&ring[d.begin], &ring[d.end] + 1);
+  /// The polygon between the ring and a detour, counter-clockwise.
+  std::vector<LatticePoint> closed(const std::vector<LatticePoint>& ring, const Detour& d) const {
+    std::vector<LatticePoint> out(&ring[d.begin], &ring[d.end] + 1);
     out.insert(out.end(), d.between.rbegin(), d.between.rend());
-    if (side_ < 0) std::reverse(out.begin(), out.end());
+    if (direction_ == Direction::outwards) std::reverse(out.begin(), out.end());
     return out;
   }
-
-  static std::vector<BoundaryEdge> united(const std::vector<std::vector<Site>>& parts, std::size_t begin, std::size_t end) {
+  /// The boundary of the union of polygons begin .. end - 1.
+  static std::vector<BoundaryEdge> united(const std::vector<std::vector<LatticePoint>>& polygons, std::size_t begin,
+                                          std::size_t end) {
     std::vector<OverlayEdge> edges;
     if (end - begin <= 2) {
-      for (std::size_t k = begin; k < end; ++k) add_ring(edges, parts[k], 1, 0);
+      for (std::size_t k = begin; k < end; ++k) add_ring(edges, polygons[k], {1, 0});
     } else {
       const std::size_t middle = begin + (end - begin) / 2;
-      add_boundary(edges, united(parts, begin, middle), 1, 0);
-      add_boundary(edges, united(parts, middle, end), 1, 0);
+      add_boundary(edges, united(polygons, begin, middle), {1, 0});
+      add_boundary(edges, united(polygons, middle, end), {1, 0});
     }
-    return rim(std::move(edges), positive);
+    return boundary_of(std::move(edges), inside_first);
   }
 
-  double reach_, half_step_, side_;
-  bool circumscribed_, trimmed_;
+  double reach_, half_step_, side_;  // side: +1 left of the ring, -1 right
+  Direction direction_;
+  Arcs arcs_;
 };
 
-Region shifted(const Region& region, double radius, double chord_error, bool outwards, bool more) {
+Region offset(const Region& region, double radius, double chord_error, Direction direction, Arcs arcs) {
   if (!(radius >= 0) || !std::isfinite(radius))
     throw std::invalid_argument("offset radius is " + std::to_string(radius) + ", expected a length of 0 or more");
   if (!(chord_error > 0))
@@ -183,34 +188,36 @@ Region shifted(const Region& region, double radius, double chord_error, bool out
   if (radius == 0 || box.empty()) return region;
   box.grow(radius * 1.5);
   const Lattice lattice(box);
-  const double reach = radius / lattice.quantum() + (more ? kSlack : -kSlack);
-  if (reach <= 0) return region;  // a smaller radius than the lattice resolves, on the side where none is certain
+  const double reach = radius / lattice.quantum() + (arcs == Arcs::tangents ? kOffsetSlack : -kOffsetSlack);
+  if (reach <= 0) return region;  // chords, and a radius smaller than the lattice resolves
   const double error = std::max(chord_error / lattice.quantum(), 1.0);
   const double half_step = std::min(std::acos(reach / (reach + error)), kPi / 4);
-  const Runner runner(reach, half_step, outwards ? -1 : 1, more, outwards);
+  const OffsetCurve curve(reach, half_step, direction, arcs);
 
   std::vector<OverlayEdge> edges;
   const auto add = [&](const Ring& ring, double sign) {
-    std::vector<Site> sites = snapped(ring, lattice);
-    if (sites.empty()) return;
-    if (signed_area(ring) * sign < 0) std::reverse(sites.begin(), sites.end());
-    runner.run(outwards ? straightened(sites, true) : sites, edges);
+    std::vector<LatticePoint> points = snapped(ring, lattice);
+    if (points.empty()) return;
+    if (signed_area(ring) * sign < 0) std::reverse(points.begin(), points.end());
+    curve.add(direction == Direction::outwards ? straightened_ring(points) : points, edges);
   };
   for (const Polygon& p : region.polygons) {
     add(p.outer, 1);
     for (const Ring& h : p.holes) add(h, -1);
   }
-  return to_region(rim(std::move(edges), positive), lattice);
+  return to_region(boundary_of(std::move(edges), inside_first), lattice);
 }
 
 }  // namespace
 
 Region dilate(const Region& region, double radius, double chord_error, Bound bound) {
-  return shifted(region, radius, chord_error, true, bound == Bound::outside);
+  return offset(region, radius, chord_error, Direction::outwards,
+                bound == Bound::outside ? Arcs::tangents : Arcs::chords);
 }
 
 Region erode(const Region& region, double radius, double chord_error, Bound bound) {
-  return shifted(region, radius, chord_error, false, bound == Bound::inside);
+  return offset(region, radius, chord_error, Direction::inwards,
+                bound == Bound::inside ? Arcs::tangents : Arcs::chords);
 }
 
 }  // namespace oxturn

@@ -1,5 +1,11 @@
-// Minkowski sum and difference of a region with a disc. Round arcs become chords; the side on which the chord
-// error falls is chosen, so that the answer is a certain inside or outside bound.
+/// Minkowski sum and difference of a region with a disc.
+///
+///   const Region space = erode(free, radius, 1e-3 * tool_width, Bound::inside);   // where the disc's centre may be
+///   const Region swept = dilate(space, radius, 1e-3 * tool_width, Bound::inside);
+///
+/// Arcs become chords or tangents: the caller chooses on which side the error falls, and gets a certain bound of the
+/// true set. Both functions throw std::invalid_argument for a negative radius, a chord error that is not positive, and
+/// coordinates that are not finite.
 #pragma once
 
 #include "geometry/region.hpp"
@@ -7,18 +13,18 @@
 namespace oxturn {
 
 enum class Bound {
-  inside,   // result is a subset of the true set
-  outside,  // result is a superset of the true set
+  inside,   // the result is a subset of the true set
+  outside,  // the result is a superset of the true set
 };
 
-/// region (+) disc(radius): all points within `radius` of it. Chord error at most `chord_error` (> 0). O(n log n) for
-/// usual data, also over the fine arcs that an erosion left: 10^6 corners in about a second (offset.cpp, dent.hpp).
+/// All points within `radius` of the region, with an error of at most `chord_error` metres on curved parts of the
+/// boundary and about 1e-8 of the extent on straight ones. O(n log n) for usual data, also for the fine arcs that an
+/// erosion leaves: 10^6 vertices take about a second.
 Region dilate(const Region& region, double radius, double chord_error, Bound bound);
 
-/// region (-) disc(radius): all points whose distance to the complement is at least `radius`. With
-/// Bound::inside every point of the result keeps at least `radius` (snapping included), so a passage not wider
-/// than 2 * (radius + chord_error) may close. Large inputs are the rule: 20 000 corners with 800 holes in well
-/// under a second.
+/// All points farther than `radius` from the complement, with errors as above. With Bound::inside every point of the
+/// result keeps that distance in spite of rounding, so a passage narrower than 2 (radius + chord_error) may close. 20
+/// 000 vertices with 800 holes take well under a second.
 Region erode(const Region& region, double radius, double chord_error, Bound bound);
 
 }  // namespace oxturn

@@ -1,4 +1,6 @@
-// Rings without corners that turn nowhere. Private to geometry: not installed.
+/// Removes the vertices of a ring at which it does not turn. Private to geometry, not installed.
+///
+///   ring = without_straight_vertices(ring, [](auto& a, auto& b, auto& c) { return orientation(a, b, c) == 0; });
 #pragma once
 
 #include <cstddef>
@@ -6,8 +8,9 @@
 
 namespace oxturn {
 
-/// Drops corners for which straight(before, corner, after) holds, until none is left: duplicates, collinear corners
-/// and spikes that run back exactly, in chains too. Fewer than three corners: nothing remains. O(n).
+/// Removes vertices for which straight(previous, vertex, next) is true until none is left: repeated points, collinear
+/// vertices and spikes that run back on themselves, also where one removal causes another. Empty if fewer than three
+/// vertices are left. O(n).
 template <class P, class Straight>
 std::vector<P> without_straight_vertices(const std::vector<P>& ring, Straight straight) {
   std::vector<P> out;

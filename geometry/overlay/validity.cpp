@@ -1,5 +1,6 @@
-// Crossings are looked for among close pairs with exact predicates. A region whose overlay on the integer lattice
-// gives its own rings back is sound, and keeps its coordinates to the last bit; any other is replaced by the overlay.
+// Method      Crossings are searched among close pairs of edges, with exact predicates. A region whose overlay on the
+//             integer lattice gives back its own rings is canonical already and keeps its coordinates to the last bit;
+//             any other is replaced by the overlay.
 #include "geometry/overlay/validity.hpp"
 
 #include <fmt/format.h>
@@ -10,18 +11,18 @@
 
 #include "geometry/overlay/arrangement.hpp"
 #include "geometry/overlay/close_pairs.hpp"
-#include "geometry/predicates.hpp"
 #include "geometry/overlay/straight_vertices.hpp"
+#include "geometry/predicates.hpp"
 
 namespace oxturn {
 namespace {
 
-Ring cleaned(const Ring& ring) {
-  return without_straight_vertices(
+Ring without_straight_vertices(const Ring& ring) {
+  return oxturn::without_straight_vertices(
       ring, [](const Point& a, const Point& b, const Point& c) { return orientation(a, b, c) == 0; });
 }
 
-bool three_different(const Ring& ring) {
+bool has_three_different_points(const Ring& ring) {
   const Point& a = ring[0];
   const auto b = std::find_if(ring.begin(), ring.end(), [&](const Point& p) { return p != a; });
   return std::any_of(b, ring.end(), [&](const Point& p) { return p != a && p != *b; });
@@ -31,73 +32,77 @@ struct Edge {
   Point a, b;
 };
 
-/// Where two edges cross, for the message.
-Point meeting(const Edge& e, const Edge& f) {
+/// Where two edges cross, rounded, for the message.
+Point meeting_point(const Edge& e, const Edge& f) {
   const Point d = e.b - e.a, g = f.b - f.a;
   const double det = cross(d, g);
   return det == 0 ? e.b : lerp(e.a, e.b, std::clamp(cross(f.a - e.a, g) / det, 0.0, 1.0));
 }
 
 std::optional<Flaw> find_crossing(const std::vector<Edge>& edges) {
+  constexpr double kRounding = 1e-14;  // of the coordinates, in the clipping of close pairs
   double size = 0;
   for (const auto& [a, b] : edges) size = std::max({size, a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()});
-  const auto stretch = [&](std::size_t i) {
+  const auto segment = [&](std::size_t i) {
     const auto& [a, b] = edges[i];
-    const bool east = a.x() <= b.x();
-    const Point &west = east ? a : b, &other = east ? b : a;
-    return SegmentPart{west.x(), west.y(), other.x(), other.y(), static_cast<std::uint32_t>(i)};
+    const bool a_first = a.x() <= b.x();
+    const Point &left = a_first ? a : b, &right = a_first ? b : a;
+    return SegmentPart{left.x(), left.y(), right.x(), right.y(), static_cast<std::uint32_t>(i)};
   };
-  std::pair<std::uint32_t, std::uint32_t> first{0xffffffffu, 0};  // the least pair: independent of search order
-  for_close_pairs(edges.size(), stretch, size * 1e-14, {}, [&](std::uint32_t i, std::uint32_t j) {
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> first;  // the least pair: independent of the search's order
+  for_close_pairs(edges.size(), segment, size * kRounding, {}, [&](std::uint32_t i, std::uint32_t j) {
     const std::pair pair(std::min(i, j), std::max(i, j));
-    if (pair < first && crossing(edges[i].a, edges[i].b, edges[j].a, edges[j].b) == Crossing::proper) first = pair;
+    if ((!first || pair < *first) && crossing(edges[i].a, edges[i].b, edges[j].a, edges[j].b) == Crossing::proper)
+      first = pair;
   });
-  if (first.first == 0xffffffffu) return std::nullopt;
-  return Flaw{"edges cross", meeting(edges[first.first], edges[first.second])};
+  if (!first) return std::nullopt;
+  return Flaw{"edges cross", meeting_point(edges[first->first], edges[first->second])};
 }
 
-/// Edges of a ring by rows, for point location.
-class Rows {
+/// Point location in one ring by horizontal bands. Unlike EdgeIndex, it tells the boundary from the inside.
+class RingLocator {
  public:
-  explicit Rows(const Ring& ring) : ring_(ring) {
+  explicit RingLocator(const Ring& ring) : ring_(ring) {
     Box box;
     for (const Point& p : ring) box.add(p);
     low_ = box.low.y();
     const std::size_t n = std::max<std::size_t>(1, ring.size() / 4);
     const double height = box.size().y();
-    scale_ = height > 0 ? static_cast<double>(n) / height : 0;
-    rows_.resize(n);
+    per_metre_ = height > 0 ? static_cast<double>(n) / height : 0;
+    bands_.resize(n);
     for (std::uint32_t i = 0; i < ring.size(); ++i) {
       const auto [a, b] = edge(i);
-      const std::size_t last = row(std::max(a.y(), b.y()));
-      for (std::size_t r = row(std::min(a.y(), b.y())); r <= last; ++r) rows_[r].push_back(i);
+      const std::size_t last = band(std::max(a.y(), b.y()));
+      for (std::size_t k = band(std::min(a.y(), b.y())); k <= last; ++k) bands_[k].push_back(i);
     }
   }
-  /// +1 inside, 0 on the ring, -1 outside.
-  int side(const Point& p) const {
+  enum class Location { inside, boundary, outside };
+  Location locate(const Point& p) const {
     bool odd = false;
-    for (const std::uint32_t i : rows_[row(p.y())]) {
+    for (const std::uint32_t i : bands_[band(p.y())]) {
       const auto [a, b] = edge(i);
-      if (on_segment(p, a, b)) return 0;
+      if (on_segment(p, a, b)) return Location::boundary;
       const bool up = a.y() <= p.y();
       if (up == (b.y() <= p.y()) || (a.x() < p.x() && b.x() < p.x())) continue;
       if ((orientation(a, b, p) > 0) == up) odd = !odd;
     }
-    return odd ? 1 : -1;
+    return odd ? Location::inside : Location::outside;
   }
 
  private:
   Edge edge(std::size_t i) const { return {ring_[i], ring_[i + 1 == ring_.size() ? 0 : i + 1]}; }
-  std::size_t row(double y) const {
-    const double r = std::floor((y - low_) * scale_);
-    return static_cast<std::size_t>(std::clamp(r, 0.0, static_cast<double>(rows_.size() - 1)));
+  std::size_t band(double y) const {
+    const double k = std::floor((y - low_) * per_metre_);
+    return static_cast<std::size_t>(std::clamp(k, 0.0, static_cast<double>(bands_.size() - 1)));
   }
+
   const Ring& ring_;
-  double low_ = 0, scale_ = 0;
-  std::vector<std::vector<std::uint32_t>> rows_;
+  double low_ = 0, per_metre_ = 0;
+  std::vector<std::vector<std::uint32_t>> bands_;  // edges
 };
 
-/// A point inside the ring, well away from its corners' heights.
+/// A point inside the ring: in the middle of the widest intersection with a horizontal line, which lies in the middle
+/// of the largest gap between the heights of vertices.
 Point inner_point(const Ring& ring) {
   std::vector<double> heights;
   for (const Point& p : ring) heights.push_back(p.y());
@@ -108,32 +113,42 @@ Point inner_point(const Ring& ring) {
     gap = heights[i] - heights[i - 1];
     y = heights[i - 1] + gap / 2;
   }
-  std::vector<double> across;
+  std::vector<double> crossings;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
     const Point &a = ring[j], &b = ring[i];
     if ((a.y() <= y) == (b.y() <= y)) continue;
-    across.push_back(a.x() + (b.x() - a.x()) * ((y - a.y()) / (b.y() - a.y())));
+    crossings.push_back(a.x() + (b.x() - a.x()) * ((y - a.y()) / (b.y() - a.y())));
   }
-  std::sort(across.begin(), across.end());
+  std::sort(crossings.begin(), crossings.end());
   Point best = ring[0];
   double width = -1;
-  for (std::size_t i = 1; i < across.size(); i += 2) {
-    if (across[i] - across[i - 1] <= width) continue;
-    width = across[i] - across[i - 1];
-    best = {across[i - 1] + width / 2, y};
+  for (std::size_t i = 1; i < crossings.size(); i += 2) {
+    if (crossings[i] - crossings[i - 1] <= width) continue;
+    width = crossings[i] - crossings[i - 1];
+    best = {crossings[i - 1] + width / 2, y};
   }
   return best;
 }
 
-/// No edges cross, so a hole with any corner inside its polygon is, at worst, partly cut out at the border.
-bool outside(const Ring& hole, const Rows& outer) {
+/// No edges cross, so a hole with one vertex inside its polygon lies in it, though it may touch the boundary.
+bool lies_outside(const Ring& hole, const RingLocator& outer) {
+  using Location = RingLocator::Location;
   bool some_outside = false;
   for (const Point& p : hole) {
-    const int side = outer.side(p);
-    if (side > 0) return false;
-    some_outside = some_outside || side < 0;
+    const Location location = outer.locate(p);
+    if (location == Location::inside) return false;
+    some_outside = some_outside || location == Location::outside;
   }
-  return some_outside || outer.side(inner_point(hole)) <= 0;
+  return some_outside || outer.locate(inner_point(hole)) != Location::inside;
+}
+
+/// What is wrong with a ring by itself, crossings apart.
+std::optional<Flaw> find_ring_flaw(const Ring& ring) {
+  for (const Point& p : ring)
+    if (!finite(p)) return Flaw{"coordinate is not a finite number", p};
+  if (ring.empty() || !has_three_different_points(ring))
+    return Flaw{"ring has fewer than 3 different points", ring.empty() ? Point(0, 0) : ring[0]};
+  return std::nullopt;
 }
 
 bool same(const Region& r, const Region& s) {
@@ -141,9 +156,24 @@ bool same(const Region& r, const Region& s) {
                     [](const Polygon& p, const Polygon& q) { return p.outer == q.outer && p.holes == q.holes; });
 }
 
-/// Outer rings wind +1, holes -1: an island in a hole counts 2 - 1. Away from holes, a ring that runs through itself
-/// at a corner has one part that winds -1: that is no less a part of it.
-bool outers_less_holes(int first, int second) { return second == 0 ? first != 0 : first + second > 0; }
+/// `first` counts outer rings (+1), `second` holes (-1): an island in a hole counts 2 - 1. Away from holes, a ring that
+/// passes through itself at a vertex has a part that counts -1 and belongs to the region nevertheless.
+bool in_outers_not_in_holes(Windings w) { return w.second == 0 ? w.first != 0 : w.first + w.second > 0; }
+
+/// Without straight vertices, rings in their orientation.
+Region cleaned(const Region& region) {
+  const auto oriented = [](const Ring& ring, double sign) {
+    Ring r = without_straight_vertices(ring);
+    if (signed_area(r) * sign < 0) std::reverse(r.begin(), r.end());
+    return r;
+  };
+  Region clean;
+  for (const Polygon& p : region.polygons) {
+    clean.polygons.push_back({oriented(p.outer, 1), {}});
+    for (const Ring& h : p.holes) clean.polygons.back().holes.push_back(oriented(h, -1));
+  }
+  return clean;
+}
 
 }  // namespace
 
@@ -151,61 +181,41 @@ std::optional<Flaw> find_flaw(const Region& region) {
   std::optional<Flaw> flaw;
   std::vector<Edge> edges;
   for_each_ring(region, [&](const Ring& r) {
-    if (flaw) return;
-    for (const Point& p : r)
-      if (!finite(p)) {
-        flaw = Flaw{"coordinate is not a finite number", p};
-        return;
-      }
-    if (r.empty() || !three_different(r)) {
-      flaw = Flaw{"ring has fewer than 3 different corners", r.empty() ? Point(0, 0) : r[0]};
-      return;
-    }
-    const Ring ring = cleaned(r);
+    if (flaw || (flaw = find_ring_flaw(r))) return;
+    const Ring ring = without_straight_vertices(r);
     if (ring.empty()) flaw = Flaw{"ring has no area", r[0]};
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) edges.push_back({ring[j], ring[i]});
   });
-  if (flaw) return flaw;
-  if ((flaw = find_crossing(edges))) return flaw;
+  if (flaw || (flaw = find_crossing(edges))) return flaw;
   for (const Polygon& p : region.polygons) {
     if (p.holes.empty()) continue;
-    const Rows outer(p.outer);
+    const RingLocator outer(p.outer);
     for (const Ring& h : p.holes)
-      if (outside(h, outer)) return Flaw{"hole lies outside its polygon", h[0]};
+      if (lies_outside(h, outer)) return Flaw{"hole lies outside its polygon", h[0]};
   }
   return std::nullopt;
 }
 
 Region repaired(const Region& region) {
   if (const auto flaw = find_flaw(region))
-    throw std::invalid_argument(fmt::format("{} at ({}, {})", flaw->reason, flaw->place.x(), flaw->place.y()));
-  Region clean;
-  for (const Polygon& p : region.polygons) {
-    const auto oriented = [](const Ring& ring, double sign) {
-      Ring r = cleaned(ring);
-      if (signed_area(r) * sign < 0) std::reverse(r.begin(), r.end());
-      return r;
-    };
-    clean.polygons.push_back({oriented(p.outer, 1), {}});
-    for (const Ring& h : p.holes) clean.polygons.back().holes.push_back(oriented(h, -1));
-  }
-
+    throw std::invalid_argument(fmt::format("{} at ({}, {})", flaw->reason, flaw->point.x(), flaw->point.y()));
+  Region clean = cleaned(region);
   const Lattice lattice(bounding_box(clean));
   std::vector<OverlayEdge> edges;
-  Region snapped;  // what the overlay gives if nothing is wrong
-  const auto add = [&](const Ring& ring, int first, int second) {
-    std::vector<Site> sites;
-    for (const Point& p : ring) sites.push_back(lattice.snap(p));
-    add_ring(edges, sites, first, second);
-    return canonical_ring(sites, lattice);
+  Region expected;  // the overlay's result if there is nothing to repair
+  const auto add = [&](const Ring& ring, Windings weight) {
+    std::vector<LatticePoint> points;
+    for (const Point& p : ring) points.push_back(lattice.snap(p));
+    add_ring(edges, points, weight);
+    return canonical_ring(points, lattice);
   };
   for (const Polygon& p : clean.polygons) {
-    snapped.polygons.push_back({add(p.outer, 1, 0), {}});
-    for (const Ring& h : p.holes) snapped.polygons.back().holes.push_back(add(h, 0, 1));
+    expected.polygons.push_back({add(p.outer, {1, 0}), {}});
+    for (const Ring& h : p.holes) expected.polygons.back().holes.push_back(add(h, {0, 1}));
   }
-  put_in_order(snapped);
-  Region overlay = to_region(rim(std::move(edges), outers_less_holes), lattice);
-  return same(snapped, overlay) ? clean : overlay;
+  put_in_order(expected);
+  Region overlay = to_region(boundary_of(std::move(edges), in_outers_not_in_holes), lattice);
+  return same(expected, overlay) ? clean : overlay;
 }
 
 }  // namespace oxturn

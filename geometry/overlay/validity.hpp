@@ -1,4 +1,7 @@
-// Is this a region, and if not, why and where?
+/// Validity of regions: the first flaw, and repair of what can be repaired without guessing.
+///
+///   if (const auto flaw = find_flaw(region)) std::cerr << flaw->reason << " at " << to_text(flaw->point);
+///   const Region clean = repaired(region);      // throws if there is a flaw
 #pragma once
 
 #include <optional>
@@ -10,19 +13,19 @@
 namespace oxturn {
 
 struct Flaw {
-  std::string reason;  // "edges cross", "ring has fewer than 3 corners", ...
-  Point place;
+  std::string reason;  // "edges cross", "ring has no area", ...
+  Point point;
 };
 
-/// The first flaw that cannot be repaired without guessing: a coordinate that is not finite, a ring with fewer
-/// than three different corners or no area, edges that cross (of one ring or of two), a hole outside its
-/// polygon. O(n log n) for usual data, by an index. Touching rings, spikes, duplicate and collinear points,
-/// wrong orientation are no flaws: `repaired` mends them.
+/// The first flaw that cannot be repaired without guessing: a coordinate that is not finite, a ring with fewer than
+/// three different points or without area, edges that cross (of one ring or of two), a hole outside its polygon. Not
+/// flaws, since repaired() removes them: touching rings, spikes, repeated and collinear points, wrong orientation. O(n
+/// log n) for usual data.
 std::optional<Flaw> find_flaw(const Region& region);
 
-/// The same point set in canonical shape: duplicate points, spikes and exactly collinear corners removed, rings
-/// oriented, touching or overlapping holes united, holes that touch the border cut out, sliver polygons with no
-/// area dropped. Throws std::invalid_argument "<reason> at (x, y)" for what find_flaw finds.
+/// The same set of points in canonical form: repeated points, spikes and exactly collinear vertices removed, rings
+/// oriented, touching or overlapping holes united, holes that touch the outer ring made part of it, polygons without
+/// area dropped. Throws std::invalid_argument "REASON at (X, Y)" for what find_flaw() finds. O(n log n) for usual data.
 Region repaired(const Region& region);
 
 }  // namespace oxturn

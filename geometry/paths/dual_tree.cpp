@@ -5,33 +5,86 @@
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
+namespace {
 
-DualTree::DualTree(const Mesh& mesh, const std::vector<std::int32_t>& part)
-    : mesh_(mesh), parent_(part.size(), -1), depth_(part.size(), -1) {
-  const std::int32_t parts = part.empty() ? 0 : *std::max_element(part.begin(), part.end()) + 1;
-  std::vector<std::size_t> triangles(static_cast<std::size_t>(parts), 0), sides(triangles);
+/// The shortest path through portals, by a funnel: an apex and the narrowest view of the portals passed so far. Where
+/// one side of the view crosses the other, the path bends there and a new view begins.
+class Funnel {
+ public:
+  /// The last portal is the goal, twice.
+  template <class Portal>
+  static Polyline path(const Point& start, const std::vector<Portal>& portals) {
+    Funnel f(start, portals[0].left, portals[0].right);
+    for (std::size_t i = 1; i < portals.size(); ++i) i = f.pass(i, portals[i].left, portals[i].right);
+    const Point& goal = portals.back().left;
+    if (goal != f.line_.back() || f.line_.size() == 1) f.line_.push_back(goal);
+    return std::move(f.line_);
+  }
+
+ private:
+  /// A side of the view, and the portal that it comes from.
+  struct Side {
+    Point at;
+    std::size_t portal;
+  };
+
+  Funnel(const Point& start, const Point& left, const Point& right)
+      : line_{start}, apex_(start), left_{left, 0}, right_{right, 0} {}
+
+  /// Narrows the view by portal i. Returns i, or the portal of a bend, from which to go on.
+  std::size_t pass(std::size_t i, const Point& left, const Point& right) {
+    if (orientation(apex_, right_.at, right) >= 0) {
+      if (apex_ != right_.at && orientation(apex_, left_.at, right) >= 0) return bend_at(left_);
+      right_ = {right, i};
+    }
+    if (orientation(apex_, left_.at, left) <= 0) {
+      if (apex_ != left_.at && orientation(apex_, right_.at, left) <= 0) return bend_at(right_);
+      left_ = {left, i};
+    }
+    return i;
+  }
+  std::size_t bend_at(const Side side) {
+    if (side.at != line_.back()) line_.push_back(side.at);
+    apex_ = side.at;
+    left_ = right_ = side;
+    return side.portal;
+  }
+
+  Polyline line_;
+  Point apex_;
+  Side left_, right_;
+};
+
+}  // namespace
+
+DualTree::DualTree(const Mesh& mesh, const ConnectedComponents& components)
+    : mesh_(mesh), parent_(mesh.triangles().size(), kNone), depth_(mesh.triangles().size(), kNone) {
+  // A connected graph is a tree if it has one edge less than nodes.
+  const auto count = static_cast<std::size_t>(components.count);
+  std::vector<std::size_t> triangles(count, 0), half_edges(count, 0);
   std::vector<std::int32_t> queue;
-  for (std::size_t root = 0; root < part.size(); ++root) {
-    ++triangles[static_cast<std::size_t>(part[root])];
+  for (std::size_t root = 0; root < mesh.triangles().size(); ++root) {
+    const auto component = static_cast<std::size_t>(components.of[root]);
+    ++triangles[component];
     for (const std::int32_t n : mesh.triangles()[root].neighbour)
-      if (n != Mesh::kWall) ++sides[static_cast<std::size_t>(part[root])];
-    if (depth_[root] >= 0) continue;
+      if (n != Mesh::kWall) ++half_edges[component];
+    if (depth_[root] != kNone) continue;
     depth_[root] = 0;
     queue.assign(1, static_cast<std::int32_t>(root));
-    for (std::size_t k = 0; k < queue.size(); ++k) {
-      const auto t = static_cast<std::size_t>(queue[k]);
-      for (const std::int32_t n : mesh.triangles()[t].neighbour) {
-        if (n == Mesh::kWall || depth_[static_cast<std::size_t>(n)] >= 0) continue;
-        depth_[static_cast<std::size_t>(n)] = depth_[t] + 1;
-        parent_[static_cast<std::size_t>(n)] = queue[k];
-        queue.push_back(n);
+    breadth_first(queue, [&](std::int32_t t, auto reach) {
+      for (const std::int32_t n : mesh.triangle(t).neighbour) {
+        if (n == Mesh::kWall || depth_[static_cast<std::size_t>(n)] != kNone) continue;
+        depth_[static_cast<std::size_t>(n)] = depth_[static_cast<std::size_t>(t)] + 1;
+        parent_[static_cast<std::size_t>(n)] = t;
+        reach(n);
       }
-    }
+    });
   }
-  for (std::size_t p = 0; p < triangles.size(); ++p) tree_.push_back(sides[p] == 2 * (triangles[p] - 1));
+  for (std::size_t c = 0; c < count; ++c) is_tree_.push_back(half_edges[c] == 2 * (triangles[c] - 1));
 }
 
-void DualTree::portals(std::int32_t from, std::int32_t to, std::vector<Portal>& out) const {
+/// The edges of the sleeve: from both ends up the tree to where they meet.
+void DualTree::find_portals(std::int32_t from, std::int32_t to, std::vector<Portal>& out) const {
   std::vector<std::int32_t> up{from}, down{to};
   const auto depth = [&](std::int32_t t) { return depth_[static_cast<std::size_t>(t)]; };
   while (up.back() != down.back()) {
@@ -41,54 +94,22 @@ void DualTree::portals(std::int32_t from, std::int32_t to, std::vector<Portal>& 
   up.insert(up.end(), down.rbegin() + 1, down.rend());
   out.clear();
   for (std::size_t i = 1; i < up.size(); ++i) {
-    const Mesh::Triangle& t = mesh_.triangles()[static_cast<std::size_t>(up[i - 1])];
-    std::size_t k = 0;
-    while (t.neighbour[k] != up[i]) ++k;
-    out.push_back({mesh_.points()[static_cast<std::size_t>(t.corner[(k + 2) % 3])],
-                   mesh_.points()[static_cast<std::size_t>(t.corner[(k + 1) % 3])]});
+    const std::size_t k = mesh_.edge_towards(up[i - 1], up[i]);
+    out.push_back({mesh_.vertex(up[i - 1], k + 2), mesh_.vertex(up[i - 1], k + 1)});
   }
 }
 
 Polyline DualTree::path(const Point& start, std::int32_t from, const Point& goal, std::int32_t to) const {
-  thread_local std::vector<Portal> sleeve;
-  portals(from, to, sleeve);
-  // A start that lies on the first portals has passed them: from there such a portal spans 180 degrees, which
-  // orientations cannot tell from none.
-  sleeve.erase(sleeve.begin(), std::find_if(sleeve.begin(), sleeve.end(),
-                                            [&](const Portal& p) { return orientation(p.right, p.left, start) > 0; }));
-  sleeve.push_back({goal, goal});
-  Polyline line{start};
-  // The funnel: an apex and the narrowest view of the portals so far. Where one side crosses the other, that one is a
-  // bend, and the view begins anew from there.
-  Point apex = start, left = sleeve[0].left, right = sleeve[0].right;
-  std::size_t at_left = 0, at_right = 0;
-  const auto turn = [&](const Point& bend, std::size_t& i, std::size_t at) {
-    if (bend != line.back()) line.push_back(bend);
-    apex = left = right = bend;
-    at_left = at_right = i = at;
-  };
-  for (std::size_t i = 1; i < sleeve.size(); ++i) {
-    const Portal& next = sleeve[i];
-    if (orientation(apex, right, next.right) >= 0) {
-      if (apex == right || orientation(apex, left, next.right) < 0) {
-        right = next.right;
-        at_right = i;
-      } else {
-        turn(left, i, at_left);
-        continue;
-      }
-    }
-    if (orientation(apex, left, next.left) <= 0) {
-      if (apex == left || orientation(apex, right, next.left) > 0) {
-        left = next.left;
-        at_left = i;
-      } else {
-        turn(right, i, at_right);
-      }
-    }
-  }
-  if (goal != line.back() || line.size() == 1) line.push_back(goal);
-  // Corners that the path only touches are no bends.
+  thread_local std::vector<Portal> portals;
+  find_portals(from, to, portals);
+  // A start on the first portals has passed them: seen from it they span 180 degrees, which orientations cannot tell
+  // from none.
+  portals.erase(portals.begin(), std::find_if(portals.begin(), portals.end(), [&](const Portal& p) {
+                  return orientation(p.right, p.left, start) > 0;
+                }));
+  portals.push_back({goal, goal});
+  const Polyline line = Funnel::path(start, portals);
+  // Vertices that the path only touches are not bends.
   Polyline bends{line.front()};
   for (std::size_t i = 1; i + 1 < line.size(); ++i)
     if (orientation(bends.back(), line[i], line[i + 1]) != 0) bends.push_back(line[i]);

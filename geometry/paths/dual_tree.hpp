@@ -1,35 +1,41 @@
-// Shortest paths where free space has no holes: the sleeve of triangles between two places is the only one.
-// Internal to geometry/.
-//
-// Source      Lee & Preparata, "Euclidean shortest paths in the presence of rectilinear barriers", 1984 (the funnel)
-// Complexity  build O(triangles); a path O(triangles of its sleeve), usually; nothing is searched
+/// Shortest paths in components of free space without holes. Private to geometry, not installed.
+///
+/// There the triangles, joined where they share an edge, form a tree. So the sequence of triangles (sleeve) between two
+/// points is unique, and a funnel through it gives the shortest path without a search.
+///
+/// Source      Lee and Preparata, "Euclidean shortest paths in the presence of rectilinear barriers", 1984 (the funnel)
+/// Complexity  build O(triangles); a path costs the triangles of its sleeve
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "base/graph_search.hpp"
 #include "geometry/mesh/mesh.hpp"
 
 namespace oxturn {
 
 class DualTree {
  public:
-  /// `part`: the number of each triangle's connected part, from 0.
-  DualTree(const Mesh& mesh, const std::vector<std::int32_t>& part);
-  /// The part has no holes: its triangles and the edges between them are a tree.
-  bool covers(std::int32_t part) const { return tree_[static_cast<std::size_t>(part)]; }
-  /// From a place in triangle `from` to one in `to` (of one covered part), both places included.
+  /// `components`: of the mesh's triangles.
+  DualTree(const Mesh& mesh, const ConnectedComponents& components);
+  /// Is the component free of holes?
+  bool is_tree(std::int32_t component) const { return is_tree_[static_cast<std::size_t>(component)]; }
+  /// The shortest path from a point of triangle `from` to one of triangle `to`, both points included. The triangles
+  /// must be in one component without holes.
   Polyline path(const Point& start, std::int32_t from, const Point& goal, std::int32_t to) const;
 
  private:
+  /// An edge between two triangles of a sleeve, seen in the direction of the path.
   struct Portal {
     Point left, right;
   };
-  void portals(std::int32_t from, std::int32_t to, std::vector<Portal>& out) const;
+  void find_portals(std::int32_t from, std::int32_t to, std::vector<Portal>& out) const;
 
+  static constexpr std::int32_t kNone = -1;
   const Mesh& mesh_;
-  std::vector<bool> tree_;
-  std::vector<std::int32_t> parent_, depth_;  // by triangle
+  std::vector<bool> is_tree_;                 // by component
+  std::vector<std::int32_t> parent_, depth_;  // by triangle; kNone: a root, not reached
 };
 
 }  // namespace oxturn

@@ -1,9 +1,13 @@
-// Euclidean shortest paths inside a region, among holes.
-//
-// Source      Cui, Harabor, Grastien, "Compromise-free Pathfinding on a Navigation Mesh" (Polyanya), IJCAI 2017
-// Optimal: A* over intervals of triangle edges; only what the answer needs is expanded, nothing is prepared but
-// the triangulation. Typical cost grows with the triangles between the ends, not with the region. In a part without holes
-// there is but one sleeve of triangles between two places: its funnel is taken at once (dual_tree.hpp).
+/// Shortest paths inside a region, among its holes.
+///
+///   const ShortestPaths paths(space, tolerance);
+///   const std::optional<Polyline> p = paths.path(from, to);     // nullopt: not connected
+///
+/// Source      Cui, Harabor and Grastien, "Compromise-free pathfinding on a navigation mesh" (Polyanya), IJCAI 2017
+/// Method      A* over intervals of triangle edges. Nothing is prepared but the triangulation: O(n log n) for n
+///             vertices. In components without holes the funnel of the only sleeve of triangles is taken at once
+///             (dual_tree.hpp).
+/// Complexity  the cost of a query usually grows with the triangles between the ends, not with the region
 #pragma once
 
 #include <functional>
@@ -17,31 +21,33 @@ namespace oxturn {
 
 class ShortestPaths {
  public:
-  /// `tolerance`: ends that lie outside the region by no more than this are taken as at the nearest place of its
-  /// boundary.
+  /// Ends of paths that lie outside the region by at most `tolerance` are moved to the nearest point of its boundary.
+  /// Throws std::invalid_argument for a negative tolerance.
   ShortestPaths(const Region& region, double tolerance);
   /// The same for a region that is meshed already.
   ShortestPaths(Mesh mesh, double tolerance);
   ~ShortestPaths();
   ShortestPaths(ShortestPaths&&) noexcept;
 
-  /// From a to b, both included, bending only at reflex corners of the region: no way is shorter but for the rounding of
-  /// lengths. It may run along walls, but not through a place where free space hangs together in a point only (an end
-  /// may lie there). nullopt if an end is outside, the two are not connected, or the length exceeds `longest`.
-  /// Deterministic; safe to call from several threads.
+  /// The shortest path from a to b, both included, optimal up to the rounding of lengths. It bends only at reflex
+  /// vertices of the region and may run along its boundary, but not through a point in which free space is connected by
+  /// that point alone (a and b may be such points). nullopt if an end is outside, the two are not connected, or the
+  /// length exceeds `longest`. Deterministic; may be called by several threads.
   std::optional<Polyline> path(const Point& a, const Point& b,
                                double longest = std::numeric_limits<double>::infinity()) const;
-  /// Every taut (locally shortest) path from a to b no longer than `longest`, which is one for each homotopy class, by
-  /// increasing length, until `visit` says false. Whatever begins like a path from a to a bend that `admits` (if given)
-  /// turns down is left out. False if `budget` expansions of a cone by a triangle did not do: there may be more.
-  /// Classes can be exponentially many; each costs about as much as one path.
+  /// Calls visit(path) for every taut (locally shortest) path from a to b not longer than `longest`, that is one for
+  /// each homotopy class, by increasing length, until `visit` returns false. Paths whose prefix from a to a bend
+  /// `admits` (if given) rejects are pruned. Returns false if the search ended because of `budget`, the number of cones
+  /// that it may continue through a triangle: then there may be more paths. There can be exponentially many classes;
+  /// each costs about as much as one path.
   bool for_each_taut_path(const Point& a, const Point& b, double longest, std::size_t budget,
                           const std::function<bool(const Polyline&)>& visit,
                           const std::function<bool(const Polyline&)>& admits = {}) const;
   const Mesh& mesh() const;
 
- private:
   struct Impl;
+
+ private:
   std::unique_ptr<const Impl> impl_;
 };
 

@@ -1,4 +1,7 @@
-// What a point sees of a region.
+/// What a point sees of a region.
+///
+///   const Visibility visibility(free_space);
+///   const Ring seen = visibility.from(eye);
 #pragma once
 
 #include <memory>
@@ -8,16 +11,18 @@
 
 namespace oxturn {
 
-/// Walls block, touching a corner does not. Built once, asked often; safe from several threads.
+/// Walls block sight, touching a vertex does not. Build once: O(n log n) for n vertices. May be used by several
+/// threads.
 class Visibility {
  public:
   explicit Visibility(const Region& region);
   ~Visibility();
   Visibility(Visibility&&) noexcept;
 
-  /// The star-shaped polygon that `eye` sees, counter-clockwise; corners are the region's corners and the (rounded)
-  /// places where rays past a corner end. From triangle to triangle: O(triangles seen). Exact predicates decide which
-  /// corners are seen. Throws std::invalid_argument if `eye` is outside the region by more than `tolerance`.
+  /// The star-shaped polygon that `eye` sees, counter-clockwise. Its vertices are vertices of the region and, rounded,
+  /// the points where rays past a vertex end. Exact predicates decide which vertices are seen. O(triangles seen),
+  /// usually. An eye outside the region by at most `tolerance` is moved into it; throws std::invalid_argument if it is
+  /// farther outside.
   Ring from(const Point& eye, double tolerance = 0) const;
 
  private:

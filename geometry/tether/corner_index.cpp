@@ -7,38 +7,35 @@
 namespace oxturn {
 namespace {
 
-/// One wall at a corner, seen from there. The obstacle lies counter-clockwise of a wall that comes in (free space is at
-/// the left of every ring), clockwise of one that goes out.
+/// A wall at a corner, seen from there. Free space is to the left of every ring, so the obstacle lies counter-clockwise
+/// of an incoming wall and clockwise of an outgoing one.
 struct Wall {
   Point at, to;
-  bool in;
+  bool incoming;
 };
 
 bool lower_half(const Point& at, const Point& to) { return to.y() < at.y() || (to.y() == at.y() && to.x() < at.x()); }
 
-/// By place; at one place counter-clockwise.
-bool around(const Wall& a, const Wall& b) {
+/// By point; at one point counter-clockwise.
+bool wall_order(const Wall& a, const Wall& b) {
   if (a.at != b.at) return before(a.at, b.at);
-  const bool low = lower_half(a.at, a.to), other = lower_half(b.at, b.to);
-  if (low != other) return other;
+  const bool a_low = lower_half(a.at, a.to), b_low = lower_half(b.at, b.to);
+  if (a_low != b_low) return b_low;
   const int turn = orientation(a.at, a.to, b.to);
-  return turn != 0 ? turn > 0 : a.in && !b.in;
+  return turn != 0 ? turn > 0 : a.incoming && !b.incoming;
 }
 
-/// A point strictly between the rays at -> from and at -> to, which turn left by less than 180 degrees. The test on which
-/// side of a string a wedge lies asks for this point, because its walls may be in line with the string but for rounding.
+/// A point strictly between the rays at -> from and at -> to, which turn left by less than 180 degrees. It decides on
+/// which side of the tether a wedge lies: the wedge's walls may be collinear with the tether up to rounding.
 Point between(const Point& at, const Point& from, const Point& to) {
   const Point u = from - at, v = to - at;
   const double reach = std::min(u.norm(), v.norm());
-  for (const Point& p : {Point(at + (u.normalized() + v.normalized()) * (reach / 2)), lerp(from, to, 0.5)}) {
+  for (const Point& p : {Point(at + (u.normalized() + v.normalized()) * (reach / 2)), lerp(from, to, 0.5)})
     if (orientation(at, from, p) > 0 && orientation(at, p, to) > 0) return p;
-  }
-  return from;  // a wedge with no double in its middle
+  return from;  // so narrow a wedge that there is no such double
 }
 
-}  // namespace
-
-CornerIndex::CornerIndex(const Region& free) {
+std::vector<Wall> walls_of(const Region& free) {
   std::vector<Wall> walls;
   for_each_ring(free, [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -48,14 +45,21 @@ CornerIndex::CornerIndex(const Region& free) {
       walls.push_back({b, a, true});
     }
   });
-  std::sort(walls.begin(), walls.end(), around);
+  std::sort(walls.begin(), walls.end(), wall_order);
+  return walls;
+}
+
+}  // namespace
+
+CornerIndex::CornerIndex(const Region& free) {
+  const std::vector<Wall> walls = walls_of(free);
   Box box;
   for (std::size_t first = 0; first < walls.size();) {
     std::size_t end = first;
     while (end < walls.size() && walls[end].at == walls[first].at) ++end;
     for (std::size_t i = first; i < end; ++i) {
       const Wall &wall = walls[i], &next = walls[i + 1 < end ? i + 1 : first];
-      if (!wall.in || next.in || orientation(wall.at, wall.to, next.to) <= 0) continue;
+      if (!wall.incoming || next.incoming || orientation(wall.at, wall.to, next.to) <= 0) continue;
       corners_.push_back({wall.at, between(wall.at, wall.to, next.to)});
       box.add(wall.at);
     }

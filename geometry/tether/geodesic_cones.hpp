@@ -1,23 +1,25 @@
-// The cones of sight of a geodesic field, triangle by triangle. Private to geometry: not installed.
-//
-// Source      Mitchell 1996 (continuous Dijkstra); windows filtered as by Xin & Wang 2009
-// Method      A cone leaves its root (the anchor, or a corner that a shortest way bends about) through edges of the
-//             mesh, nearest first, bounded by rays through given points only, so all questions of topology are exact.
-//             A corner in sight gets a label, and when no nearer cone is left, the corner is settled and opens the
-//             part of its surroundings that its predecessor does not see. A cone that is nowhere shortest is dropped.
-// Corners     are counted by fans: where rings touch or barriers end, each fan of triangles about the point is one.
+/// The cones of sight of a geodesic field, triangle by triangle. Private to geometry, not installed.
+///
+/// Source      Mitchell 1996 (continuous Dijkstra); windows are pruned as by Xin and Wang 2009
+/// Method      A cone leaves its root (the anchor, or a corner about which shortest paths bend) through edges of the
+///             mesh, nearest first. Its sides are rays through given points, so all topological decisions are exact. A
+///             corner in sight gets a label, the length of a path to it. When no nearer cone is left, the label is
+///             final: the corner is settled, becomes a root, and opens the part of its surroundings that its
+///             predecessor does not see. Cones that are shortest nowhere are pruned.
+/// Corners     are counted by fans: where rings touch or barriers end, each fan of triangles about the point is one
+///             corner.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "geometry/tether/geodesic_clip.hpp"
 #include "geometry/mesh/mesh.hpp"
+#include "geometry/tether/geodesic_clip.hpp"
 
 namespace oxturn {
 
-/// What one root sees of one triangle: the part between two rays (or all), `right` to `left` counter-clockwise.
+/// What one root sees of one triangle: the part between two rays, `right` to `left` counter-clockwise, or all of it.
 struct Cone {
   std::int32_t root;
   bool whole;
@@ -26,14 +28,15 @@ struct Cone {
 
 class GeodesicCones {
  public:
-  /// Throws std::invalid_argument if the anchor is outside.
+  /// Throws std::invalid_argument if the anchor is farther outside than `tolerance`.
   GeodesicCones(const Region& free, const Point& anchor, const std::vector<Polyline>& barriers, double tolerance);
 
+  static constexpr std::int32_t kNone = -1;
   struct Root {
     Point at;
-    double before;         // length of the shortest way from the anchor
-    std::int32_t parent;   // root that it comes from; -1 for the anchor
-    std::int32_t corners;  // on the way, itself included
+    double before;         // length of the shortest path from the anchor
+    std::int32_t parent;   // the previous root on that path; kNone for the anchor
+    std::int32_t corners;  // on that path, itself included
   };
   const Mesh& mesh() const { return mesh_; }
   /// The anchor first (moved into the mesh), parents before children.
@@ -43,70 +46,73 @@ class GeodesicCones {
     const auto t = static_cast<std::size_t>(triangle);
     return {cones_.data() + first_[t], cones_.data() + first_[t + 1]};
   }
-  /// Length of the shortest way to a triangle's corner, infinity if there is none.
-  double to_corner(std::int32_t triangle, std::size_t k) const;
-  Point corner(std::int32_t triangle, std::size_t k) const;
-  Facet facet(std::int32_t triangle) const { return {corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)}; }
+  /// Length of the shortest path to vertex k of a triangle; infinity if there is none.
+  double to_vertex(std::int32_t triangle, std::size_t k) const;
+  Facet facet(std::int32_t t) const { return {mesh_.vertex(t, 0), mesh_.vertex(t, 1), mesh_.vertex(t, 2)}; }
 
-  /// Does the cone hold p, a point of its triangle? What lies outside by rounding counts as inside.
-  bool holds(const Cone& cone, const Point& p) const {
+  /// Does the cone contain p, a point of its triangle? Points outside by rounding count as inside.
+  bool contains(const Cone& cone, const Point& p) const {
     if (cone.whole) return true;
     const Point d = p - root(cone.root).at;
     return cross(cone.left, d) <= rounding_ && cross(cone.right, d) >= -rounding_;
   }
-  /// The facet less what is outside of the cone.
+  /// Removes from the facet what is outside the cone.
   void clip(Facet& facet, const Cone& cone) const {
     if (cone.whole) return;
-    facet.keep(root(cone.root).at, cone.left, -1, rounding_);
-    if (!facet.empty()) facet.keep(root(cone.root).at, cone.right, 1, rounding_);
+    facet.clip(root(cone.root).at, cone.left, KeptSide::right, rounding_);
+    if (!facet.empty()) facet.clip(root(cone.root).at, cone.right, KeptSide::left, rounding_);
   }
-  /// Calls f(facet, cones) for parts of the triangle, so small that only a few of its cones can be shortest in each.
-  /// Parts for which wanted(facet, cones) is false are left out.
+  /// Divides the triangle into parts so small that only a few of its cones can be shortest in each, and calls
+  /// f(facet, cones) for them. Parts for which wanted(facet, cones) is false are left out.
   template <class Wanted, class F>
   void for_each_part(std::int32_t triangle, Wanted wanted, F f) const {
-    split(facet(triangle), cones(triangle), 0, wanted, f);
+    divide(facet(triangle), cones(triangle), 0, wanted, f);
   }
+  /// Length of the path to p by the cone's root.
   double distance_by(const Cone& cone, const Point& p) const {
     const Root& r = root(cone.root);
     return r.before + (p - r.at).norm();
   }
-  /// Are the shortest ways to p by roots a and b one curve: a straight stretch that one of them breaks off by corners
-  /// that it passes without a bend?
-  bool same_way(std::int32_t a, std::int32_t b, const Point& p) const;
+  /// Are the shortest paths to p by roots a and b the same curve? They are if one of them only has additional corners
+  /// that it passes without a bend.
+  bool same_path(std::int32_t a, std::int32_t b, const Point& p) const;
 
-  /// Moves p into the mesh (by no more than the tolerance) and lists the triangles that hold it, those included that
-  /// hold it but for rounding. False if it is outside.
-  bool place(Point& p, std::vector<std::int32_t>& found) const;
+  /// Moves p into the mesh, by at most the tolerance, and lists the triangles that contain it up to rounding. False if
+  /// p is farther outside.
+  bool move_inside(Point& p, std::vector<std::int32_t>& found) const { return mesh_.move_inside(p, tolerance_, found); }
   /// Metres by which computed points may be off.
   double rounding() const { return rounding_; }
-  /// Metres by which equal lengths of ways may differ by rounding.
+  /// Metres by which equal lengths of paths may differ by rounding.
   double tie() const { return tie_; }
 
  private:
-  friend class ConeSearch;
-  static constexpr std::size_t kFew = 14;
-  static constexpr int kDeep = 24;
-  /// The cones that may be shortest somewhere in the triangle `part`, of `from`.
+  friend class ContinuousDijkstra;
+  static constexpr std::size_t kFew = 14;  // cones of a part
+  static constexpr int kDeepestDivision = 24;
+
+  void search(const std::vector<std::int32_t>& home);
+  void prune();
+  /// Those cones of `from` that may be shortest somewhere in the part of the triangle.
   std::vector<Cone> needed(const Facet& part, std::span<const Cone> from) const;
-  /// Does the cone hold any of the facet? (May say yes in vain.)
+  /// May the cone contain a point of the facet?
   bool meets(const Cone& cone, const Facet& facet) const;
   bool beaten(const Cone& cone, const Facet& part, std::span<const Cone> others) const;
   template <class Wanted, class F>
-  void split(const Facet& part, std::span<const Cone> here, int depth, Wanted& wanted, F& f) const {
+  void divide(const Facet& part, std::span<const Cone> here, int depth, Wanted& wanted, F& f) const {
     if (here.empty() || !wanted(part, here)) return;
-    if (here.size() <= kFew || depth == kDeep) return f(part, here);
+    if (here.size() <= kFew || depth == kDeepestDivision) return f(part, here);
     const auto [a, b] = part.halves();
-    split(a, needed(a, here), depth + 1, wanted, f);
-    split(b, needed(b, here), depth + 1, wanted, f);
+    divide(a, needed(a, here), depth + 1, wanted, f);
+    divide(b, needed(b, here), depth + 1, wanted, f);
   }
 
   Mesh mesh_;
   double tolerance_, rounding_ = 0, tie_ = 0;
-  std::vector<std::int32_t> fan_;  // of corner k of triangle t at 3 t + k
-  std::vector<double> label_;      // by fan
+  std::vector<std::int32_t> fan_;  // of vertex k of triangle t, at 3 t + k
+  std::vector<double> label_;      // by fan: length of the shortest path
   std::vector<Root> roots_;
-  std::vector<Cone> cones_;  // by triangles
-  std::vector<std::size_t> first_;
+  std::vector<Cone> cones_;         // triangle by triangle
+  std::vector<std::size_t> first_;  // cones of triangle t: cones_[first_[t] .. first_[t + 1])
 };
 
 }  // namespace oxturn

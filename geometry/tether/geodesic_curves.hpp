@@ -1,4 +1,5 @@
-// Curves of a geodesic field, from its cones, triangle by triangle. Private to geometry: not installed.
+/// Level sets and cut locus of a geodesic field, from its cones, triangle by triangle. Private to geometry, not
+/// installed.
 #pragma once
 
 #include <vector>
@@ -8,9 +9,9 @@
 
 namespace oxturn {
 
-std::vector<std::vector<GeodesicField::Arc>> level_of(const GeodesicCones& cones, double l);
-std::vector<Polyline> cut_of(const GeodesicCones& cones, double chord);
-/// The distance is convex along every cone, so it is largest at a corner or at an end of a piece of the cut.
+/// See GeodesicField::level_set, cut_locus and farthest.
+std::vector<std::vector<GeodesicField::Arc>> level_set_of(const GeodesicCones& cones, double length);
+std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_error);
 double farthest_of(const GeodesicCones& cones);
 
 }  // namespace oxturn

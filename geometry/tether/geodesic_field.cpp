@@ -13,25 +13,24 @@ struct GeodesicField::Impl {
   Point anchor;
   GeodesicCones cones;
 
-  /// The root of the shortest way to p, and p's place in the mesh; -1 if there is none. Of equal ways that with fewest
-  /// corners.
+  /// The root of the shortest path to p, which is moved into the mesh; of equal paths the one with fewest corners.
+  /// kNone if there is none.
   std::int32_t last_root(Point& p) const {
+    constexpr double kEqual = 1e-12;  // relative
     thread_local std::vector<std::int32_t> found;
-    if (!finite(p) || !cones.place(p, found)) return -1;
-    double least = std::numeric_limits<double>::infinity();
-    const auto each = [&](auto f) {
-      for (const std::int32_t t : found) {
-        for (const Cone& c : cones.cones(t)) {
-          if (cones.holds(c, p)) f(c.root, cones.distance_by(c, p));
-        }
-      }
+    if (!finite(p) || !cones.move_inside(p, found)) return GeodesicCones::kNone;
+    const auto for_each_path = [&](auto f) {
+      for (const std::int32_t t : found)
+        for (const Cone& c : cones.cones(t))
+          if (cones.contains(c, p)) f(c.root, cones.distance_by(c, p));
     };
-    each([&](std::int32_t, double d) { least = std::min(least, d); });
-    std::int32_t best = -1;
-    each([&](std::int32_t root, double d) {
-      if (d > least * (1 + 1e-12)) return;
+    double least = std::numeric_limits<double>::infinity();
+    for_each_path([&](std::int32_t, double d) { least = std::min(least, d); });
+    std::int32_t best = GeodesicCones::kNone;
+    for_each_path([&](std::int32_t root, double d) {
+      if (d > least * (1 + kEqual)) return;
       const auto rank = [&](std::int32_t r) { return std::pair(cones.root(r).corners, r); };
-      if (best < 0 || rank(root) < rank(best)) best = root;
+      if (best == GeodesicCones::kNone || rank(root) < rank(best)) best = root;
     });
     return best;
   }
@@ -47,21 +46,20 @@ const Point& GeodesicField::anchor() const { return impl_->anchor; }
 const Mesh& GeodesicField::mesh() const { return impl_->cones.mesh(); }
 
 double GeodesicField::distance(const Point& p) const {
-  Point place = p;
-  const std::int32_t root = impl_->last_root(place);
-  if (root < 0) return std::numeric_limits<double>::infinity();
+  Point inside = p;
+  const std::int32_t root = impl_->last_root(inside);
+  if (root == GeodesicCones::kNone) return std::numeric_limits<double>::infinity();
   const GeodesicCones::Root& r = impl_->cones.root(root);
-  return r.before + (place - r.at).norm();
+  return r.before + (inside - r.at).norm();
 }
 
 Polyline GeodesicField::path(const Point& p) const {
-  Point place = p;
-  std::int32_t root = impl_->last_root(place);
-  if (root < 0) return {};
+  Point inside = p;
+  std::int32_t root = impl_->last_root(inside);
+  if (root == GeodesicCones::kNone) return {};
   Polyline line{p};
-  for (; root > 0; root = impl_->cones.root(root).parent) {
+  for (; root > 0; root = impl_->cones.root(root).parent)
     if (impl_->cones.root(root).at != line.back()) line.push_back(impl_->cones.root(root).at);
-  }
   if (line.size() > 1 && line.back() == impl_->anchor) line.pop_back();
   line.push_back(impl_->anchor);
   std::reverse(line.begin(), line.end());
@@ -69,23 +67,27 @@ Polyline GeodesicField::path(const Point& p) const {
 }
 
 GeodesicField::Sight GeodesicField::sight(const Point& p) const {
-  Point place = p;
-  const std::int32_t root = impl_->last_root(place);
-  if (root < 0) return {};
+  Point inside = p;
+  const std::int32_t root = impl_->last_root(inside);
+  if (root == GeodesicCones::kNone) return {};
   const GeodesicCones::Root& r = impl_->cones.root(root);
   return {root == 0 ? impl_->anchor : r.at, r.before, static_cast<std::size_t>(r.corners)};
 }
 
 double GeodesicField::farthest() const { return farthest_of(impl_->cones); }
-std::vector<std::vector<GeodesicField::Arc>> GeodesicField::level(double l) const { return level_of(impl_->cones, l); }
-std::vector<Polyline> GeodesicField::cut(double chord) const { return cut_of(impl_->cones, chord); }
+std::vector<std::vector<GeodesicField::Arc>> GeodesicField::level_set(double length) const {
+  return level_set_of(impl_->cones, length);
+}
+std::vector<Polyline> GeodesicField::cut_locus(double chord_error) const {
+  return cut_locus_of(impl_->cones, chord_error);
+}
 
-Polyline sampled(const std::vector<GeodesicField::Arc>& chain, double chord) {
-  if (!(chord > 0)) throw std::invalid_argument("chord error of an arc must be above 0 metres");
+Polyline sampled(const std::vector<GeodesicField::Arc>& chain, double chord_error) {
+  if (!(chord_error > 0)) throw std::invalid_argument("chord error of an arc must be above 0 metres");
   Polyline out;
   for (const GeodesicField::Arc& arc : chain) {
-    // A chord over the angle 2 h is off by r (1 - cos h) = 2 r sin^2(h / 2).
-    const double half = 2 * std::asin(std::min(1.0, std::sqrt(chord / (2 * arc.radius))));
+    // The error of a chord over the angle 2 h is r (1 - cos h) = 2 r sin^2(h / 2).
+    const double half = 2 * std::asin(std::min(1.0, std::sqrt(chord_error / (2 * arc.radius))));
     const int steps = std::max(1, static_cast<int>(std::ceil((arc.end - arc.begin) / (2 * half) - 1e-9)));
     for (int i = out.empty() ? 0 : 1; i <= steps; ++i)
       out.push_back(arc.at(arc.begin + (arc.end - arc.begin) * i / steps));

@@ -1,10 +1,14 @@
-// Geodesic distances from one point (a tether's anchor), among polygon obstacles and barriers: the shortest-path map.
-//
-// Source      Mitchell, "Shortest paths among obstacles in the plane", 1996 (continuous Dijkstra over cones of sight,
-//             here on a triangulation); windows are filtered as in Xin & Wang 2009 (improved Chen-Han)
-// Model       d(x) = min over settled corners c that see x of d(c) + |c - x|. Every corner keeps the cone that it is
-//             the last bend for; each triangle keeps the few cones that may be shortest somewhere in it.
-// Complexity  about O(n log n) for n corners on real maps; a question O(cones of one triangle)
+/// Geodesic distances from one point, a tether's anchor, among polygonal obstacles and barriers: the shortest-path map.
+///
+///   const GeodesicField field(free_space, anchor, barriers(free_space, 2 * radius), tolerance);
+///   field.distance(p);                          // infinity: not reachable
+///   for (const auto& chain : field.level_set(10.0)) drive(sampled(chain, chord_error));
+///
+/// Source      Mitchell, "Shortest paths among obstacles in the plane", 1996 (continuous Dijkstra over cones of sight,
+///             here on a triangulation); windows are pruned as in Xin and Wang 2009 (improved Chen-Han)
+/// Model       d(x) is the least of d(c) + |x - c| over all settled corners c that see x. Every corner keeps the cone
+///             for which it is the last bend; each triangle keeps the few cones that may be shortest somewhere in it.
+/// Complexity  about O(n log n) for n vertices on real maps; a query costs the cones of one triangle
 #pragma once
 
 #include <cstdint>
@@ -18,54 +22,55 @@
 
 namespace oxturn {
 
-/// Segments across gaps of free space that a disc of diameter `width` cannot pass: for every two obstacles (rings;
-/// the outer one counts as one) that a chain of such gaps joins, shortest gaps first, as many as it takes to join
-/// them (a minimum spanning forest over gaps < width). Their ends lie on the boundary: at a corner, or inside an edge.
-/// So closed, free space has the homotopy of where the disc's centre may be. O(n log n) for usual data.
+/// Segments that close gaps of free space narrower than `width`, which a disc of that diameter cannot pass. For every
+/// two obstacles (rings; the outer one counts as one) that a chain of such gaps connects, as many as it takes to
+/// connect them, shortest gaps first: a minimum spanning forest. Their ends lie on the boundary, at a vertex or inside
+/// an edge. Closed in this way, free space has the homotopy classes of the disc's configuration space. O(n log n) for
+/// usual data.
 std::vector<Polyline> barriers(const Region& free, double width);
 
 class GeodesicField {
  public:
-  /// `tolerance`: how far outside free space a point of a question may lie. Throws std::invalid_argument if the anchor
-  /// is farther outside than that.
+  /// Points of queries, and the anchor, may be outside free space by at most `tolerance`. Throws std::invalid_argument
+  /// if the anchor is farther outside.
   GeodesicField(const Region& free, const Point& anchor, const std::vector<Polyline>& barriers, double tolerance);
   ~GeodesicField();
   GeodesicField(GeodesicField&&) noexcept;
 
   const Point& anchor() const;
-  /// Length of the shortest way to p; infinity if there is none (other part of free space, or outside).
+  /// Length of the shortest path to p, metres; infinity if there is none.
   double distance(const Point& p) const;
-  /// anchor, corners, p: the shortest way. Empty if there is none.
+  /// The shortest path: anchor, corners, p. Empty if there is none.
   Polyline path(const Point& p) const;
-  /// The corner (or anchor) from which the shortest way comes straight, and the way's length up to there.
+  /// The last segment of the shortest path to a point.
   struct Sight {
-    Point from{0, 0};
-    double before = std::numeric_limits<double>::infinity();
-    std::size_t corners = 0;  // on the way, `from` included unless it is the anchor
+    Point from{0, 0};                                         // the last corner, or the anchor
+    double before = std::numeric_limits<double>::infinity();  // length of the path up to there
+    std::size_t corners = 0;                                  // on the path
   };
   Sight sight(const Point& p) const;
-  /// The largest distance within free space that can be reached, metres.
+  /// The largest distance of any point that can be reached, metres.
   double farthest() const;
 
-  /// Circular arc about a corner (or the anchor), counter-clockwise from angle `begin` to `end` (radians, begin < end).
+  /// A circular arc about a corner (or the anchor), counter-clockwise between two angles, radians.
   struct Arc {
     Point centre{0, 0};
     double radius = 0;
-    double begin = 0, end = 0;
+    double begin = 0, end = 0;  // begin < end
     Point at(double angle) const { return centre + radius * Point(std::cos(angle), std::sin(angle)); }
   };
-  /// The places at distance `l`, as chains of arcs, each chain one piece of the boundary of {distance < l}. Arcs follow
-  /// one another counter-clockwise; a chain goes on from a corner's arc to that of the next corner (where the shorter
-  /// way to both runs along one ray), and ends at walls, at barriers, and where two different ways round an obstacle
-  /// meet. A closed chain ends where it begins. Chains are in the order of their place round the anchor, by the first
-  /// corner where their ways part. O(triangles + arcs) a question.
-  std::vector<std::vector<Arc>> level(double l) const;
+  /// The points at distance `length`, as chains of arcs; each chain is one piece of the boundary of {distance <
+  /// length}. Its arcs follow one another counter-clockwise. A chain continues from the arc about one corner to that
+  /// about the next where the shortest paths to both run along one ray, and ends at walls, at barriers, and where two
+  /// different paths around an obstacle meet. A closed chain ends where it begins. Chains are ordered around the
+  /// anchor, by the first corner at which their paths part. O(triangles + arcs).
+  std::vector<std::vector<Arc>> level_set(double length) const;
 
-  /// The cut locus: where two or more shortest ways, different ones round an obstacle, meet. Pieces of hyperbolas as
-  /// polylines with at most `chord` metres of error. They join each hole of free space (with barriers) to another or to
-  /// the border, and meet each other in shared points; ends lie on walls (within 1e-6 of the map's extent). One
-  /// polyline lies in one triangle; they are not joined into longer ones.
-  std::vector<Polyline> cut(double chord) const;
+  /// The cut locus: the points to which there are two or more shortest paths, different ones around an obstacle. Pieces
+  /// of hyperbolas as polylines, with an error of at most `chord_error` metres; one polyline lies in one triangle. They
+  /// connect each hole of free space (with barriers) to another or to the outer boundary, and meet in common points;
+  /// ends on walls are accurate to 1e-6 of the map's extent. Throws std::invalid_argument unless the error is positive.
+  std::vector<Polyline> cut_locus(double chord_error) const;
 
   const Mesh& mesh() const;
 
@@ -74,7 +79,7 @@ class GeodesicField {
   std::unique_ptr<const Impl> impl_;
 };
 
-/// Points along the chain, chord error at most `chord`, arcs' ends exact.
-Polyline sampled(const std::vector<GeodesicField::Arc>& chain, double chord);
+/// Points along a chain with an error of at most `chord_error` metres; ends of arcs are exact.
+Polyline sampled(const std::vector<GeodesicField::Arc>& chain, double chord_error);
 
 }  // namespace oxturn

@@ -1,15 +1,16 @@
-// Decisions   1. A sweep is bounded by rays through given points: the robot's way points, corners and the anchor. The
-//                places where the turning string meets the driven segment are computed for reports and for the index
-//                only.
-//             2. A drive that comes within kNear of a corner goes through that corner. It changes no class where the way
-//                is valid (no obstacle lies between the way and the corner), and a way that rounding has put on the
-//                wrong side of a corner is led round it. So only a robot that stands exactly at a corner is a special
-//                case: the corner holds the string if its wedge lies between the string and the way that follows.
-//             3. In one straight piece the string turns in one direction only. Bends gained bend to this side and
-//                bends released to the other: first come releases, then gains.
-// Complexity  a release costs the cells of the triangle that it opens; of the first bend gained the cells of the rest,
-//             and each further one looks again at the corners left in the shrinking triangle. k bends gained in one
-//             straight piece among c corners: O(k c) at worst.
+// Method      A drive is divided into straight pieces at the corners that it passes. While the robot drives one piece,
+//             the tether's last segment sweeps over a triangle and turns in one direction only. Bends that it gains
+//             bend to that side and bends that it releases to the other, so first come releases, then gains.
+// Complexity  A release costs the grid cells of the triangle that it opens. The first bend gained costs the cells of
+//             the rest, and each further one looks again at the corners left in the shrinking triangle: k bends gained
+//             in one piece among c corners take O(k c) at worst.
+// Decisions   1. A sweep is bounded by rays through given points: the path's points, corners and the anchor. The points
+//                in which the turning tether meets the segment driven are computed only for reports and for the index.
+//             2. A drive that comes within kNear of a corner goes through that corner. On a valid path that does not
+//                change the homotopy class, since no obstacle lies between path and corner, and a path that rounding
+//                has put on the wrong side of a corner is led around it. So only a robot exactly at a corner is a
+//                special case: the corner stops the tether if its wedge lies between the tether and the path that
+//                follows.
 #include "geometry/tether/taut_tether.hpp"
 
 #include <fmt/format.h>
@@ -17,26 +18,26 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "geometry/tether/corner_index.hpp"
 #include "geometry/predicates.hpp"
+#include "geometry/tether/corner_index.hpp"
 
 namespace oxturn {
 namespace {
 
 using Corner = CornerIndex::Corner;
 
-/// Metres. Way points may lie so far inside a wall.
+/// Metres by which points of a path may lie inside a wall.
 constexpr double kNear = 2e-6;
 
-/// Leaves the pivot, which is one of its two points: towards `through`, or straight on from there.
-struct Ray {
+/// The ray from the tether's pivot, which is one of the two points, towards `through` or straight on from there.
+struct PivotRay {
   Point from, through;
 };
 
 void expect_finite(const Point& p, const char* what) {
   if (!finite(p))
     throw std::invalid_argument(
-        fmt::format("{} ({}, {}) of a taut string is not finite; give metres", what, p.x(), p.y()));
+        fmt::format("{} ({}, {}) of a taut tether is not finite; give metres", what, p.x(), p.y()));
 }
 
 }  // namespace
@@ -52,16 +53,26 @@ TautSpace::TautSpace(TautSpace&&) noexcept = default;
 /// One drive.
 class TautTether::Motion {
  public:
-  Motion(TautTether& string, const Point& to, const std::function<void(const Swing&)>& each)
-      : string_(string), corners_(string.space_->impl().corners), start_(string.robot_), to_(to), each_(each) {}
+  Motion(TautTether& tether, const Point& to, const std::function<void(const Swing&)>& each)
+      : tether_(tether), corners_(tether.space_->impl().corners), start_(tether.robot_), to_(to), each_(each) {}
 
   void run() {
-    string_.kept_ = string_.bends_.size();
+    tether_.kept_ = tether_.bends_.size();
     if (start_ == to_) return;
-    struct Via {
-      double along;
-      Point at;
-    };
+    for (const Via& v : corners_passed()) drive_piece(v.at, v.along);
+    drive_piece(to_, 1);
+    if (each_ && swinging_) {
+      swing_.to = to_;
+      each_(swing_);
+    }
+  }
+
+ private:
+  struct Via {
+    double along;  // the drive, 0 to 1
+    Point at;
+  };
+  std::vector<Via> corners_passed() const {
     std::vector<Via> via;
     const Point ends[2] = {start_, to_};
     corners_.for_each_near(ends, 2, kNear, [&](const Corner& c) {
@@ -76,55 +87,49 @@ class TautTether::Motion {
       via.erase(std::unique(via.begin(), via.end(), [](const Via& a, const Via& b) { return a.at == b.at; }),
                 via.end());
     }
-    for (const Via& v : via) go(v.at, v.along);
-    go(to_, 1);
-    if (each_ && begun_) {
-      swing_.to = to_;
-      each_(swing_);
-    }
+    return via;
   }
 
- private:
-  /// Straight from the robot to q; `along` is q's place on the whole drive.
-  void go(const Point& q, double along) {
-    p_ = string_.robot_;
+  /// Straight from the robot to q; `along` is the position of q on the whole drive.
+  void drive_piece(const Point& q, double along) {
+    p_ = tether_.robot_;
     q_ = q;
-    part_from_ = part_to_;
-    part_to_ = along;
+    piece_begin_ = piece_end_;
+    piece_end_ = along;
     t_ = 0;
-    turn_ = orientation(string_.pivot(), p_, q_);
+    turn_ = orientation(tether_.pivot(), p_, q_);
     if (turn_ != 0) sweep();
-    stretch(1);
-    string_.robot_ = q;
-    while (!string_.bends_.empty() && string_.pivot() == q) pop();
+    swing_until(1);
+    tether_.robot_ = q;
+    while (!tether_.bends_.empty() && tether_.pivot() == q) release();
   }
 
   void sweep() {
-    start_ray_ = {string_.pivot(), p_};
+    first_ray_ = {tether_.pivot(), p_};
     while (true) {
-      const Point b = string_.pivot();
-      const Point previous = string_.bends_.size() > 1 ? string_.bends_[string_.bends_.size() - 2].at : string_.anchor_;
+      const Point b = tether_.pivot();
+      const Point previous = tether_.bends_.size() > 1 ? tether_.bends_[tether_.bends_.size() - 2].at : tether_.anchor_;
       const bool releases =
-          !string_.bends_.empty() && string_.bends_.back().side == -turn_ && turn_ * orientation(previous, b, q_) >= 0;
+          !tether_.bends_.empty() && tether_.bends_.back().side == -turn_ && turn_ * orientation(previous, b, q_) >= 0;
       const double end = releases ? meeting(previous, b) : 1;
       const Corner* first = nullptr;
       const Point triangle[3] = {b, lerp(p_, q_, t_), lerp(p_, q_, end)};
       corners_.for_each_near(triangle, 3, kNear, [&](const Corner& c) {
         if (!swept(c) || (releases ? turn_ * orientation(previous, b, c.at) >= 0 : !before_end(c))) return;
-        if (blocks(c) && (first == nullptr || sooner(c, *first))) first = &c;
+        if (stops(c) && (first == nullptr || sooner(c, *first))) first = &c;
       });
       if (first != nullptr) return gain_from(*first);
       if (!releases) return;
-      stretch(end);
-      start_ray_ = {previous, b};
-      pop();
+      swing_until(end);
+      first_ray_ = {previous, b};
+      release();
     }
   }
 
-  /// Takes up `first` and what follows until the drive's end.
+  /// Gains `first` and all further bends of the piece.
   void gain_from(const Corner& first) {
     gain(first);
-    if (first.at == p_) return;  // the rest of the string is the way itself
+    if (first.at == p_) return;  // the rest of the tether is the path itself
     std::vector<const Corner*> left;
     const Point triangle[3] = {first.at, lerp(p_, q_, t_), q_};
     corners_.for_each_near(triangle, 3, kNear, [&](const Corner& c) { left.push_back(&c); });
@@ -132,80 +137,80 @@ class TautTether::Motion {
       std::erase_if(left, [&](const Corner* c) { return !swept(*c) || !before_end(*c); });
       const Corner* next = nullptr;
       for (const Corner* c : left)
-        if (blocks(*c) && (next == nullptr || sooner(*c, *next))) next = c;
+        if (stops(*c) && (next == nullptr || sooner(*c, *next))) next = c;
       if (next == nullptr) return;
       gain(*next);
     }
   }
 
-  /// Not before the sweep's first ray, and nearer than the robot (or where it starts).
+  /// Is the corner not before the sweep's first ray, and on the pivot's side of the piece (or where the piece begins)?
   bool swept(const Corner& c) const {
-    return turn_ * orientation(start_ray_.from, start_ray_.through, c.at) >= 0 &&
+    return turn_ * orientation(first_ray_.from, first_ray_.through, c.at) >= 0 &&
            (c.at == p_ || turn_ * orientation(p_, q_, c.at) > 0);
   }
-  /// A turn is left about a corner that the string meets before the robot is at its goal.
-  bool before_end(const Corner& c) const { return turn_ * orientation(string_.pivot(), c.at, q_) > 0; }
-  bool blocks(const Corner& c) const {
-    return turn_ * orientation(string_.pivot(), c.at, c.inside) > 0 &&
+  /// Does the tether meet the corner before the robot is at the end of the piece?
+  bool before_end(const Corner& c) const { return turn_ * orientation(tether_.pivot(), c.at, q_) > 0; }
+  bool stops(const Corner& c) const {
+    return turn_ * orientation(tether_.pivot(), c.at, c.inside) > 0 &&
            (c.at != p_ || turn_ * orientation(p_, q_, c.inside) > 0);
   }
-  /// Does the string meet a before b? Of two in line, the farther one counts as the first.
+  /// Does the tether meet a before b? Of two that are collinear with the pivot, the farther one counts as first.
   bool sooner(const Corner& a, const Corner& b) const {
-    const Point& pivot = string_.pivot();
+    const Point& pivot = tether_.pivot();
     const int order = turn_ * orientation(pivot, b.at, a.at);
     return order != 0 ? order < 0 : a.at != b.at && on_segment(b.at, pivot, a.at);
   }
 
   void gain(const Corner& c) {
-    const Point b = string_.pivot();
-    stretch(meeting(b, c.at));
-    string_.before_.push_back(string_.before_.back() + distance(b, c.at));
-    string_.bends_.push_back({c.at, turn_});
-    start_ray_ = {b, c.at};
+    const Point b = tether_.pivot();
+    swing_until(meeting(b, c.at));
+    tether_.before_.push_back(tether_.before_.back() + distance(b, c.at));
+    tether_.bends_.push_back({c.at, turn_});
+    first_ray_ = {b, c.at};
   }
-  void pop() {
-    string_.bends_.pop_back();
-    string_.before_.pop_back();
-    string_.kept_ = std::min(string_.kept_, string_.bends_.size());
+  void release() {
+    tether_.bends_.pop_back();
+    tether_.before_.pop_back();
+    tether_.kept_ = std::min(tether_.kept_, tether_.bends_.size());
   }
 
-  /// Where the line through a and b meets the straight piece, rounded, not before t_: 0 at p, 1 at q.
+  /// Where the line through a and b meets the piece: 0 at p, 1 at q, not before t_. Rounded.
   double meeting(const Point& a, const Point& b) const {
     const Point d = q_ - p_, line = b - a;
     const double across = cross(d, line), t = across != 0 ? cross(a - p_, line) / across : t_;
     return t > t_ ? std::min(t, 1.0) : t_;
   }
 
-  /// The string has turned about its pivot until the robot was at t of the straight piece.
-  void stretch(double t) {
+  /// The tether has turned about its pivot until the robot was at t of the piece.
+  void swing_until(double t) {
     t_ = t;
-    const double along = part_from_ + t * (part_to_ - part_from_);
+    const double along = piece_begin_ + t * (piece_end_ - piece_begin_);
     if (!each_ || along <= swung_to_) return;
-    const bool same = begun_ && swing_.pivot == string_.pivot() && swing_.bends == string_.bends_.size();
+    const bool same = swinging_ && swing_.pivot == tether_.pivot() && swing_.bends == tether_.bends_.size();
     if (!same) {
-      if (begun_) {
+      if (swinging_) {
         swing_.to = lerp(start_, to_, swung_to_);
         each_(swing_);
       }
-      swing_ = {string_.pivot(), string_.before_.back(), string_.bends_.size(), begun_ ? swing_.to : start_, to_};
-      begun_ = true;
+      swing_ = {tether_.pivot(), tether_.before_.back(), tether_.bends_.size(), swinging_ ? swing_.to : start_, to_};
+      swinging_ = true;
     }
     swung_to_ = along;
   }
 
-  TautTether& string_;
+  TautTether& tether_;
   const CornerIndex& corners_;
   const Point start_, to_;
   const std::function<void(const Swing&)>& each_;
 
-  Point p_{0, 0}, q_{0, 0};  // the straight piece under way
-  int turn_ = 0;             // of the string in it: +1 to the left
-  Ray start_ray_;
-  double t_ = 0;                        // place on the piece
-  double part_from_ = 0, part_to_ = 0;  // the piece's place on the whole drive, 0 to 1
-  Swing swing_;                         // not yet reported
-  bool begun_ = false;
-  double swung_to_ = 0;
+  Point p_{0, 0}, q_{0, 0};                 // the present piece
+  int turn_ = 0;                            // of the tether in it: +1 left
+  PivotRay first_ray_;                      // where the present sweep begins
+  double t_ = 0;                            // how far the piece is driven, 0 to 1
+  double piece_begin_ = 0, piece_end_ = 0;  // on the whole drive, 0 to 1
+  Swing swing_;                             // not reported yet
+  bool swinging_ = false;
+  double swung_to_ = 0;  // on the whole drive
 };
 
 TautTether::TautTether(const TautSpace& space, const Point& anchor) : space_(&space), anchor_(anchor), robot_(anchor) {
@@ -213,11 +218,11 @@ TautTether::TautTether(const TautSpace& space, const Point& anchor) : space_(&sp
 }
 
 void TautTether::drive(const Point& to, const std::function<void(const Swing&)>& each) {
-  expect_finite(to, "way point");
+  expect_finite(to, "path point");
   Motion(*this, to, each).run();
 }
 
-Polyline TautTether::line() const {
+Polyline TautTether::polyline() const {
   Polyline line{anchor_};
   for (const Bend& bend : bends_) line.push_back(bend.at);
   line.push_back(robot_);

@@ -1,13 +1,22 @@
-// A taut string from an anchor to a robot that drives among obstacles.
-//
-// The shortest curve in the homotopy class of the driven way, kept exactly: where it bends is decided by orientation
-// predicates on given points (corners, way points), never on rounded meeting points, and never by time steps.
-// Source      the string of algorithms.md section 1; oracle in the tests: Hershberger & Snoeyink 1994
-// Rules       1. A corner holds the string if its obstacle lies on the side towards which the string swings; a corner
-//                that it touches from its other side does not block.
-//             2. Of several corners that come into line at once only the farthest becomes a bend.
-//             3. A bend is released when the string comes into line with the part before it: at that very place.
-// Complexity  a drive costs O(corners in the cells of its swept triangles + bends changed); see taut_string.cpp
+/// A taut tether from an anchor to a robot that drives among obstacles.
+///
+///   const TautSpace space(free_space);
+///   TautTether tether(space, anchor);
+///   tether.drive(path);
+///   tether.length();                            // metres, of the shortest curve in the homotopy class of the path
+///   driven
+///
+/// The tether's bends are decided by orientation predicates on given points (corners and the path's points), never on
+/// rounded intersections and never by time steps.
+///
+/// Source      the taut tether of Xavier, "Shortest path planning for a tethered robot or an anchored cable", 1999; the
+///             tests' oracle is Hershberger and Snoeyink 1994
+/// Rules       1. A corner stops the tether if its obstacle lies on the side towards which the tether turns. A corner
+///                that the tether touches with the obstacle on the other side does not.
+///             2. If several corners become collinear with the tether at once, only the farthest becomes a bend.
+///             3. A bend is released when the tether's last segment becomes collinear with the segment before it.
+/// Complexity  a drive costs the corners in the grid cells of the triangles it sweeps over, and the bends that change:
+///             see taut_tether.cpp
 #pragma once
 
 #include <cstdint>
@@ -20,8 +29,8 @@
 
 namespace oxturn {
 
-/// The corners that a string can bend about: those where the boundary turns away from free space (more than 180
-/// degrees of it), indexed. Immutable; shared by any number of strings and threads.
+/// The corners about which a tether can bend, indexed: those where there is more than 180 degrees of free space.
+/// Immutable; shared by any number of tethers and threads.
 class TautSpace {
  public:
   explicit TautSpace(const Region& free);
@@ -36,26 +45,27 @@ class TautSpace {
 
 class TautTether {
  public:
-  /// A corner that the string turns about: left (+1; its obstacle lies at the string's left, as seen from the anchor)
-  /// or right (-1).
+  /// A corner about which the tether turns, seen from the anchor: left (+1, the obstacle is on the tether's left) or
+  /// right (-1).
   struct Bend {
     Point at;
     int side;
     bool operator==(const Bend&) const = default;
   };
-  /// A stretch of a drive, from `from` to `to`, during which the last segment of the string turns about one place.
+  /// A part of a drive, from `from` to `to`, during which the tether's last segment turns about one point.
   struct Swing {
-    Point pivot;            // last bend, or the anchor
-    double before = 0;      // metres of string from the anchor to the pivot
-    std::size_t bends = 0;  // number of bends, the pivot included unless it is the anchor
-    Point from, to;         // on the driven segment; ends inside of it are rounded
+    Point pivot;            // the last bend, or the anchor
+    double before = 0;      // metres of tether from the anchor to the pivot
+    std::size_t bends = 0;  // the number of bends, the pivot included unless it is the anchor
+    Point from, to;         // on the segment driven; rounded, except at its ends
   };
 
-  /// `space` must outlive the string. The anchor may lie on a wall or at a corner. The robot stands at the anchor.
+  /// `space` must outlive the tether. The anchor may be on a wall or at a corner. The robot is at the anchor.
   TautTether(const TautSpace& space, const Point& anchor);
 
-  /// Drives straight to `to`. The closed segment must lie in the closed free space (it may run along walls and
-  /// through corners, and errors of rounding are forgiven); `each`, if given, is called for every swing in order.
+  /// Drives straight to `to`. The segment must lie in the closed free space, up to rounding; it may run along walls and
+  /// through corners. `each`, if given, is called for every swing in order. Throws std::invalid_argument if `to` is not
+  /// finite.
   void drive(const Point& to, const std::function<void(const Swing&)>& each = {});
   void drive(const Polyline& points) {
     for (const Point& p : points) drive(p);
@@ -64,20 +74,21 @@ class TautTether {
   const Point& anchor() const { return anchor_; }
   const Point& robot() const { return robot_; }
   const std::vector<Bend>& bends() const { return bends_; }
-  /// So many bends, the first of bends(), have stayed as they were throughout the last drive.
+  /// So many of bends(), the first ones, did not change during the last drive.
   std::size_t kept() const { return kept_; }
   /// The last bend, or the anchor.
   const Point& pivot() const { return bends_.empty() ? anchor_ : bends_.back().at; }
+  /// Metres from the anchor to the robot.
   double length() const { return before_.back() + distance(pivot(), robot_); }
-  /// anchor, bends, robot (without repeated points, but at least anchor and robot).
-  Polyline line() const;
+  /// Anchor, bends, robot.
+  Polyline polyline() const;
 
  private:
   class Motion;
   const TautSpace* space_;
   Point anchor_, robot_;
   std::vector<Bend> bends_;
-  std::vector<double> before_{0};  // metres to the anchor, then to each bend
+  std::vector<double> before_{0};  // metres from the anchor to itself, then to each bend
   std::size_t kept_ = 0;
 };
 

@@ -1,21 +1,21 @@
-// Ways for a robot on a leash: one class after another, by length, until the string holds.
-//
-// Complexity  a way that the plain shortest path gives: that path and a simulation of the string along it; else up to
-//             `budget` expansions of the search for other classes, and a simulation for each bend that it tries
-// Decisions   1. The string is checked at the ends of a way's segments: on a straight one its length is convex (the
-//                universal cover of free space has no positive curvature), so it is longest at an end.
-//             2. What the string does not reach at a bend of a way it does not reach for any way that begins so: the
-//                search leaves such beginnings out, and so ends although there are endlessly many classes.
-//             3. On the best way of a class the string of a point robot is never longer than at both ends. For a disc
-//                rounding (its space's arcs are polygons) may breach the leash in the middle: such a way does not count.
-//             4. If the class of the geodesic breaks the leash when pulled taut, it is driven as it comes: back to the
+// Complexity  A path that the plain shortest path gives: that path, and a simulation of the tether along it. Otherwise
+//             up to `budget` expansions of the search for other classes, and a simulation for each bend that it tries.
+// Decisions   1. The tether is checked at the ends of a path's segments: on a straight segment its length is convex
+//                (the universal cover of free space has no positive curvature), so it is longest at an end.
+//             2. If the tether is too short at a bend of a path, it is for every path with that prefix. The search
+//                prunes such prefixes, and so ends although there are infinitely many classes.
+//             3. On the best path of a class the tether of a point robot is never longer than at both ends. For a disc,
+//                rounding may violate the limit in between, since its space's arcs are polygons: such a path is
+//                rejected.
+//             4. If the class of the geodesic violates the limit when pulled taut, it is driven as it is: back to the
 //                start, then from there.
-//             5. `untangle` looks for the place to leave the way back at its corners and at 64 or more places between,
-//                then halves the last step ten times.
-//             6. The way to a goal outside the cut space is looked for from the last place of the goal's geodesic where
-//                the robot can stand, and pulled taut; if that is not it, from the start.
-//             7. A goal outside the cut space has no such bound: if the budget does not do, back to the start and from
-//                there by the class of the geodesic, looked for among ways along which the string is little longer.
+//             5. `untangle` tries to leave the path back at its vertices and at 64 or more points between them, then
+//                bisects the last step ten times.
+//             6. The path to a goal outside the cut space is searched from the last point of the goal's geodesic at
+//                which the robot can be, and pulled taut; if that fails, from the start.
+//             7. A goal outside the cut space has no bound on the path's length. If the budget does not suffice, the
+//                path leads back to the start and from there follows the class of the geodesic, searched among paths
+//                along which the tether is little longer.
 #include "geometry/tether/tethered_path.hpp"
 
 #include <fmt/format.h>
@@ -30,15 +30,17 @@ namespace oxturn {
 
 struct TetheredWorld::Impl {
   TautSpace free, space;
-  EdgeIndex walls;
+  EdgeIndex walls;  // of `space`
   ShortestPaths paths, cut_paths;
   const GeodesicField& field;
   double longest, tolerance;
+
+  bool too_long(const TautTether& tether) const { return tether.length() > longest + tolerance; }
 };
 
 TetheredWorld::TetheredWorld(const Region& free, const Region& space, const Region& cut_space,
                              const GeodesicField& field, double longest, double tolerance) {
-  if (!(longest >= 0)) throw std::invalid_argument("a leash must be 0 or more metres long");
+  if (!(longest >= 0)) throw std::invalid_argument("a tether must be 0 or more metres long");
   impl_.reset(new Impl{TautSpace(free), TautSpace(space), EdgeIndex(space), ShortestPaths(space, tolerance),
                        ShortestPaths(cut_space, tolerance), field, longest, tolerance});
 }
@@ -46,20 +48,20 @@ TetheredWorld::~TetheredWorld() = default;
 
 namespace {
 
-using Way = TetheredRobot::Way;
+using World = TetheredWorld::Impl;
 
-/// `points` as a way from where `string` is; nullopt if the string gets longer than the leash.
-std::optional<Way> checked(const TetheredWorld::Impl& world, TautTether string, Polyline points) {
-  Way way;
-  way.tether_max = string.length();
+/// `points` as a path from where the tether's robot is; nullopt if the tether becomes too long.
+std::optional<TetheredPath> checked(const World& world, TautTether tether, Polyline points) {
+  TetheredPath path;
+  path.tether_max = tether.length();
   for (std::size_t k = 1; k < points.size(); ++k) {
-    string.drive(points[k]);
-    if (string.length() > world.longest + world.tolerance) return std::nullopt;
-    way.tether_max = std::max(way.tether_max, string.length());
+    tether.drive(points[k]);
+    if (world.too_long(tether)) return std::nullopt;
+    path.tether_max = std::max(path.tether_max, tether.length());
   }
-  way.tether_end = string.length();
-  way.points = std::move(points);
-  return way;
+  path.tether_end = tether.length();
+  path.points = std::move(points);
+  return path;
 }
 
 Polyline reversed(Polyline line) {
@@ -73,79 +75,96 @@ Polyline joined(Polyline first, const Polyline& second) {
 }
 
 Polyline taut(const TautSpace& space, const Polyline& line) {
-  TautTether string(space, line.front());
-  string.drive(line);
-  return string.line();
+  TautTether tether(space, line.front());
+  tether.drive(line);
+  return tether.polyline();
 }
 
-/// From `string`'s robot to the goal in the class of the geodesic: back along `shadow` to the start, then through the
-/// cut space. nullopt if the goal is no part of that.
-std::optional<Way> path_of_geodesic(const TetheredWorld::Impl& world, const TautTether& string, const TautTether& shadow,
-                                   const Point& goal, bool pulled) {
-  const auto out = world.cut_paths.path(shadow.anchor(), goal);
+/// In the class of the goal's geodesic: back along the trail to the start, then through the cut space. nullopt if the
+/// goal is not in that.
+std::optional<Polyline> by_geodesic(const World& world, const TautTether& trail, const Point& goal) {
+  const auto out = world.cut_paths.path(trail.anchor(), goal);
   if (!out) return std::nullopt;
-  const Polyline whole = joined(reversed(shadow.line()), *out);
-  if (pulled)
-    if (auto way = checked(world, string, taut(world.space, whole))) return way;
-  return checked(world, string, whole);
+  return joined(reversed(trail.polyline()), *out);
 }
 
-/// Back along `shadow` until `goal` is in straight reach.
-std::optional<Way> path_untangled(const TetheredWorld::Impl& world, const TautTether& string, const TautTether& shadow,
-                                 const Point& goal) {
-  const Polyline back = reversed(shadow.line());
-  const double step = length(back) / 64;
-  TautTether here = string;  // at back[k - 1]
-  const auto leave = [&](TautTether from, const Point& place, Polyline driven) -> std::optional<Way> {
-    if (!world.walls.contains(place, goal)) return std::nullopt;
-    from.drive(place);
-    from.drive(goal);
-    if (from.length() > world.longest + world.tolerance) return std::nullopt;
-    driven.push_back(place);
-    driven.push_back(goal);
-    return checked(world, string, std::move(driven));
-  };
-  if (auto way = leave(here, back.front(), {})) return way;
-  for (std::size_t k = 1; k < back.size(); ++k) {
-    const Polyline driven(back.begin(), back.begin() + static_cast<std::ptrdiff_t>(k));
-    const Point &a = back[k - 1], &b = back[k];
-    const int parts = step > 0 ? std::max(1, static_cast<int>(std::ceil(distance(a, b) / step))) : 1;
-    for (int i = 1; i <= parts; ++i) {
-      auto way = leave(here, i == parts ? b : lerp(a, b, double(i) / parts), driven);
-      if (!way) continue;
-      double bad = double(i - 1) / parts, good = double(i) / parts;
-      for (int halving = 0; halving < 10; ++halving) {
-        const double middle = (bad + good) / 2;
-        auto earlier = leave(here, lerp(a, b, middle), driven);
-        (earlier ? good : bad) = middle;
-        if (earlier) way = std::move(earlier);
-      }
-      return way;
+/// Back along the trail until the goal can be reached straight (Xavier 1999).
+class Untangling {
+ public:
+  Untangling(const World& world, const TautTether& tether, const TautTether& trail, const Point& goal)
+      : world_(world), tether_(tether), back_(reversed(trail.polyline())), goal_(goal) {}
+
+  /// nullopt if the goal can be reached straight from no point tried.
+  std::optional<TetheredPath> run() {
+    TautTether here = tether_;  // at back_[k - 1]
+    if (auto path = leave(here, back_.front(), {})) return path;
+    const double step = length(back_) / kSteps;
+    for (std::size_t k = 1; k < back_.size(); ++k) {
+      const Polyline driven(back_.begin(), back_.begin() + static_cast<std::ptrdiff_t>(k));
+      const Point &a = back_[k - 1], &b = back_[k];
+      const int parts = step > 0 ? std::max(1, static_cast<int>(std::ceil(distance(a, b) / step))) : 1;
+      for (int i = 1; i <= parts; ++i)
+        if (auto path = leave(here, i == parts ? b : lerp(a, b, double(i) / parts), driven)) {
+          const double last = double(i - 1) / parts, found = double(i) / parts;
+          return earliest(here, a, b, driven, last, found, std::move(path));
+        }
+      here.drive(b);
     }
-    here.drive(b);
+    return std::nullopt;
   }
-  return path_of_geodesic(world, string, shadow, goal, false);
-}
 
-/// Along `line` from where `string` is: by how much the string is longer than the geodesic, at most and at the end.
-std::pair<double, double> excess(const TetheredWorld::Impl& world, TautTether string, const Polyline& line) {
+ private:
+  static constexpr int kSteps = 64, kBisections = 10;
+
+  /// Along `driven` to p, from there straight to the goal. `from` is at the last point of `driven`.
+  std::optional<TetheredPath> leave(TautTether from, const Point& p, Polyline driven) const {
+    if (!world_.walls.contains(p, goal_)) return std::nullopt;
+    from.drive(p);
+    from.drive(goal_);
+    if (world_.too_long(from)) return std::nullopt;
+    driven.push_back(p);
+    driven.push_back(goal_);
+    return checked(world_, tether_, std::move(driven));
+  }
+  /// The earliest point to leave ab, between `bad` and `good`, where `best` leaves it.
+  std::optional<TetheredPath> earliest(const TautTether& here, const Point& a, const Point& b, const Polyline& driven,
+                                       double bad, double good, std::optional<TetheredPath> best) const {
+    for (int k = 0; k < kBisections; ++k) {
+      const double middle = (bad + good) / 2;
+      auto earlier = leave(here, lerp(a, b, middle), driven);
+      (earlier ? good : bad) = middle;
+      if (earlier) best = std::move(earlier);
+    }
+    return best;
+  }
+
+  const World& world_;
+  const TautTether& tether_;
+  const Polyline back_;
+  const Point goal_;
+};
+
+/// By how much the tether is longer than the geodesic along a line: at most, and at the line's end.
+struct Excess {
   double most = 0, last = 0;
+};
+Excess excess(const World& world, TautTether tether, const Polyline& line) {
+  Excess e;
   for (std::size_t k = 1; k < line.size(); ++k) {
-    string.drive(line[k]);
-    last = string.length() - world.field.distance(line[k]);
-    most = std::max(most, last);
+    tether.drive(line[k]);
+    e.last = tether.length() - world.field.distance(line[k]);
+    e.most = std::max(e.most, e.last);
   }
-  return {most, last};
+  return e;
 }
 
-/// Through the cut space to the last place on the goal's geodesic (looked for in steps of `step`) that is part of it.
-std::optional<Polyline> path_towards(const TetheredWorld::Impl& world, const Point& start, const Point& goal,
-                                    double step) {
-  const Polyline string = world.field.path(goal);
-  for (std::size_t k = string.size(); k-- > 1;) {
-    const double n = std::ceil(distance(string[k - 1], string[k]) / step);
+/// Through the cut space to the last point of the goal's geodesic, tried in steps of `step`, that is in it.
+std::optional<Polyline> path_towards(const World& world, const Point& start, const Point& goal, double step) {
+  const Polyline geodesic = world.field.path(goal);
+  for (std::size_t k = geodesic.size(); k-- > 1;) {
+    const double n = std::ceil(distance(geodesic[k - 1], geodesic[k]) / step);
     for (double i = 1; i <= n; ++i)
-      if (auto way = world.cut_paths.path(start, lerp(string[k], string[k - 1], i / n))) return way;
+      if (auto path = world.cut_paths.path(start, lerp(geodesic[k], geodesic[k - 1], i / n))) return path;
   }
   return std::nullopt;
 }
@@ -153,30 +172,34 @@ std::optional<Polyline> path_towards(const TetheredWorld::Impl& world, const Poi
 }  // namespace
 
 std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& start, const Point& goal, double slack,
-                                     std::size_t budget) {
-  const TetheredWorld::Impl& w = world.impl();
+                                      std::size_t budget) {
+  const World& w = world.impl();
   if (auto inside = w.cut_paths.path(start, goal)) return inside;
+  const auto tether_at = [&](const Point& p) {
+    TautTether tether(w.free, w.field.anchor());
+    tether.drive(w.field.path(p));
+    return tether;
+  };
+  const auto is_geodesic = [&](const TautTether& tether, const Polyline& line) {
+    const Excess e = excess(w, tether, line);
+    return e.most <= slack && e.last <= w.tolerance;
+  };
   const auto search = [&](const Point& from) {
-    TautTether at_from(w.free, w.field.anchor());
-    at_from.drive(w.field.path(from));
+    const TautTether tether = tether_at(from);
     std::optional<Polyline> found;
     w.paths.for_each_taut_path(
         from, goal, std::numeric_limits<double>::infinity(), budget,
         [&](const Polyline& line) {
-          const auto [most, last] = excess(w, at_from, line);
-          if (most <= slack && last <= w.tolerance) found = line;
+          if (is_geodesic(tether, line)) found = line;
           return !found;
         },
-        [&](const Polyline& beginning) { return excess(w, at_from, beginning).first <= slack; });
+        [&](const Polyline& prefix) { return excess(w, tether, prefix).most <= slack; });
     return found;
   };
   if (const auto first = path_towards(w, start, goal, slack / 24))
     if (const auto second = search(first->back())) {
       Polyline whole = taut(w.space, joined(*first, *second));
-      TautTether at_start(w.free, w.field.anchor());
-      at_start.drive(w.field.path(start));
-      const auto [most, last] = excess(w, at_start, whole);
-      if (most <= slack && last <= w.tolerance) return whole;
+      if (is_geodesic(tether_at(start), whole)) return whole;
     }
   return search(start);
 }
@@ -184,21 +207,22 @@ std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& s
 Polyline pulled_taut(const TetheredWorld& world, const Polyline& line) { return taut(world.impl().space, line); }
 
 TetheredRobot::TetheredRobot(const TetheredWorld& world, const Point& start)
-    : world_(&world), string_(world.impl().free, world.impl().field.anchor()), shadow_(world.impl().space, start) {
+    : world_(&world), tether_(world.impl().free, world.impl().field.anchor()), trail_(world.impl().space, start) {
   const Polyline out = world.impl().field.path(start);
   if (out.empty())
     throw std::invalid_argument(fmt::format("start ({}, {}) is out of reach of the tether's anchor ({}, {})", start.x(),
-                                            start.y(), string_.anchor().x(), string_.anchor().y()));
-  string_.drive(out);
+                                            start.y(), tether_.anchor().x(), tether_.anchor().y()));
+  tether_.drive(out);
 }
 
-std::optional<TetheredRobot::Way> TetheredRobot::path_to(const Point& goal, Retraction retraction,
-                                                        std::size_t budget) const {
-  const TetheredWorld::Impl& world = world_->impl();
+std::optional<TetheredPath> TetheredRobot::path_to(const Point& goal, Retraction retraction, std::size_t budget) const {
+  const World& world = world_->impl();
   if (!(world.field.distance(goal) <= world.longest + world.tolerance)) return std::nullopt;
   if (retraction == Retraction::untangle) {
-    auto way = path_untangled(world, string_, shadow_, goal);
-    return way ? way : path_by_start(goal, budget);
+    if (auto path = Untangling(world, tether_, trail_, goal).run()) return path;
+    if (const auto line = by_geodesic(world, trail_, goal))
+      if (auto path = checked(world, tether_, *line)) return path;
+    return path_by_start(goal, budget);
   }
 
   std::optional<Polyline> plain;
@@ -207,51 +231,56 @@ std::optional<TetheredRobot::Way> TetheredRobot::path_to(const Point& goal, Retr
   else
     plain = world.paths.path(at(), goal);
   if (!plain) return std::nullopt;
-  if (auto way = checked(world, string_, std::move(*plain))) return way;
+  if (auto path = checked(world, tether_, std::move(*plain))) return path;
 
-  std::optional<Way> best = path_of_geodesic(world, string_, shadow_, goal, true);
+  std::optional<TetheredPath> best;
+  if (const auto line = by_geodesic(world, trail_, goal)) {
+    best = checked(world, tether_, taut(world.space, *line));
+    if (!best) best = checked(world, tether_, *line);
+  }
   const double bound = best ? length(best->points) : std::numeric_limits<double>::infinity();
   bool found = false;
   const bool all = world.paths.for_each_taut_path(
       at(), goal, bound, budget,
       [&](const Polyline& line) {
-        auto way = checked(world, string_, line);
-        if (way) best = std::move(way);
-        found = way.has_value();
+        auto path = checked(world, tether_, line);
+        if (path) best = std::move(path);
+        found = path.has_value();
         return !found;
       },
-      [&](const Polyline& beginning) { return checked(world, string_, beginning).has_value(); });
-  if (!best && !all) best = path_by_start(goal, budget);  // no bound, no end of classes
+      [&](const Polyline& prefix) { return checked(world, tether_, prefix).has_value(); });
+  if (!best && !all) best = path_by_start(goal, budget);
   if (best) best->shortest = found || all;
   return best;
 }
 
-std::optional<TetheredRobot::Way> TetheredRobot::path_by_start(const Point& goal, std::size_t budget) const {
-  const TetheredWorld::Impl& world = world_->impl();
-  std::optional<Way> way;
-  if (at() == shadow_.anchor()) {
+/// Back to the start and on from there: where the cut space does not contain the goal and the search does not find it.
+std::optional<TetheredPath> TetheredRobot::path_by_start(const Point& goal, std::size_t budget) const {
+  const World& world = world_->impl();
+  std::optional<TetheredPath> path;
+  if (at() == trail_.anchor()) {
     const double longest = std::min(world.longest, world.field.farthest());
-    for (double slack = longest / 64; !way && slack <= longest; slack *= 4)
-      if (auto out = geodesic_path(*world_, at(), goal, slack)) way = checked(world, string_, std::move(*out));
+    for (double slack = longest / 64; !path && slack <= longest; slack *= 4)
+      if (auto out = geodesic_path(*world_, at(), goal, slack)) path = checked(world, tether_, std::move(*out));
   } else {
-    const Polyline back = reversed(shadow_.line());
+    const Polyline back = reversed(trail_.polyline());
     TetheredRobot home = *this;
     home.drive(back);
     if (auto out = home.path_to(goal, Retraction::automatic, budget))
-      way = checked(world, string_, joined(back, out->points));
+      path = checked(world, tether_, joined(back, out->points));
   }
-  if (way) way->shortest = false;
-  return way;
+  if (path) path->shortest = false;
+  return path;
 }
 
-std::optional<TetheredRobot::Way> TetheredRobot::path_home() const {
-  return checked(world_->impl(), string_, reversed(shadow_.line()));
+std::optional<TetheredPath> TetheredRobot::path_home() const {
+  return checked(world_->impl(), tether_, reversed(trail_.polyline()));
 }
 
 void TetheredRobot::drive(const Polyline& points) {
   for (const Point& p : points) {
-    string_.drive(p);
-    shadow_.drive(p);
+    tether_.drive(p);
+    trail_.drive(p);
   }
 }
 

@@ -32,7 +32,7 @@ std::string suffix_of(const std::string& file) {
   return suffix;
 }
 
-/// The format of this suffix among those for which `usable` holds; `known` collects all their suffixes.
+/// The format with this suffix among those with usable(format); `known` collects all their suffixes.
 template <class F>
 const MapFormat* format_with(const std::string& suffix, const MapFormats& formats, F usable,
                              std::vector<std::string>& known) {

@@ -1,14 +1,15 @@
 // Maps and problems as GeoJSON (RFC 7946 in shape), coordinates in planar metres.
 //
-// Reads      a Feature, a bare Polygon or MultiPolygon, or a FeatureCollection with exactly one polygonal feature.
+// Reads      a Feature, a Polygon or MultiPolygon, or a FeatureCollection with exactly one polygonal feature.
 // Decisions  1. Rings may run either way and may or may not repeat their first point.
-//            2. The region is repaired here, so that a flaw is named with the file; what changed is a remark.
-//            3. Coordinates that look like degrees are taken as metres all the same: there is no telling them apart.
-//            4. Foreign properties are let through, unknown keys of `robot` are not: a typing error there would
+//            2. The region is repaired here, so that a flaw is reported with the file; what changed is a remark.
+//            3. Coordinates that look like degrees are taken as metres as well: the two cannot be told apart.
+//            4. Unknown properties are ignored, but unknown keys of `robot` are refused: a typing error there would
 //               silently plan for another robot.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "base/files.hpp"
@@ -32,28 +33,16 @@ std::string type_of(const JsonAt& object, const std::string& expected) {
   if (!object.value.is_object()) object.refuse(expected);
   const Json* type = object.find("type");
   if (type == nullptr || !type->is_string())
-    throw std::invalid_argument(fmt::format("{} has no type, expected {}", object.place, expected));
+    throw std::invalid_argument(fmt::format("{} has no type, expected {}", object.where, expected));
   return type->get<std::string>();
 }
 
 Ring read_ring(const JsonAt& at) {
   if (!at.value.is_array()) at.refuse("a list of points");
-  Ring ring;
-  ring.reserve(at.value.size());
-  for (std::size_t i = 0; i < at.value.size(); ++i) {
-    const Json& v = at.value[i];
-    if (v.is_array() && v.size() >= 2 && v[0].is_number() && v[1].is_number()) {
-      const Point p(v[0].get<double>(), v[1].get<double>());
-      if (finite(p)) {
-        ring.push_back(p);
-        continue;
-      }
-    }
-    ring.push_back(JsonAt{v, fmt::format("{}, point {}", at.place, i + 1)}.point());  // says what is wrong
-  }
+  Ring ring = at.points(at.where);
   if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
   if (ring.size() < 3)
-    throw std::invalid_argument(fmt::format("{} has {} different points, expected at least 3", at.place, ring.size()));
+    throw std::invalid_argument(fmt::format("{} has {} different points, expected at least 3", at.where, ring.size()));
   return ring;
 }
 
@@ -61,7 +50,7 @@ Polygon read_polygon(const JsonAt& at) {
   if (!at.value.is_array() || at.value.empty()) at.refuse("a list of rings, the outer one first");
   Polygon polygon;
   for (std::size_t i = 0; i < at.value.size(); ++i) {
-    Ring ring = read_ring({at.value[i], fmt::format("{}, ring {}", at.place, i + 1)});
+    Ring ring = read_ring({at.value[i], fmt::format("{}, ring {}", at.where, i + 1)});
     if (i == 0)
       polygon.outer = std::move(ring);
     else
@@ -74,9 +63,9 @@ Region read_geometry(const JsonAt& at, const std::string& file) {
   const std::string type = type_of(at, "a Polygon or MultiPolygon");
   const Json* coordinates = at.find("coordinates");
   if (type != "Polygon" && type != "MultiPolygon")
-    throw std::invalid_argument(fmt::format("{} is a {}, expected a Polygon or MultiPolygon", at.place, type));
+    throw std::invalid_argument(fmt::format("{} is a {}, expected a Polygon or MultiPolygon", at.where, type));
   if (coordinates == nullptr || !coordinates->is_array() || coordinates->empty())
-    throw std::invalid_argument(fmt::format("{} has no coordinates, expected a list of rings", at.place));
+    throw std::invalid_argument(fmt::format("{} has no coordinates, expected a list of rings", at.where));
   Region region;
   if (type == "Polygon") {
     region.polygons.push_back(read_polygon({*coordinates, file + ": polygon 1"}));
@@ -87,28 +76,26 @@ Region read_geometry(const JsonAt& at, const std::string& file) {
   return region;
 }
 
-/// A plain value as a parameter's; a list of points [x, y] as "x y; x y".
+/// A JSON value as that of a parameter; a list of points [x, y] becomes "x y; x y".
 Value value_of(const JsonAt& at) {
   if (at.value.is_boolean()) return at.value.get<bool>();
   if (at.value.is_number_integer()) return at.value.get<std::int64_t>();
   if (at.value.is_number()) return at.number();
   if (at.value.is_string()) return at.text();
-  if (!at.value.is_array()) at.refuse("a number, a text, true, false or a list of points");
+  if (!at.value.is_array()) at.refuse("a number, a string, true, false or a list of points");
   std::string text;
-  for (std::size_t i = 0; i < at.value.size(); ++i) {
-    const Point p = JsonAt{at.value[i], fmt::format("{}, point {}", at.place, i + 1)}.point();
-    text += fmt::format("{}{} {}", i > 0 ? "; " : "", to_decimal(p.x()), to_decimal(p.y()));
-  }
+  for (const Point& p : at.points(at.where))
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", to_decimal(p.x()), to_decimal(p.y()));
   return text;
 }
 
-/// Members of groups ("tether": {"length": 40}) become tether_length and the like.
+/// Settings of a robot. Members of groups ("tether": {"length": 40}) get names like tether_length.
 Settings settings_in(const JsonAt& at, const std::string& prefix) {
   if (!at.value.is_object() || (at.value.empty() && !prefix.empty())) at.refuse("an object with members");
   Settings settings;
   for (const auto& [key, value] : at.value.items()) {
     if (value.is_null()) continue;
-    const JsonAt member{value, at.place + "." + key};
+    const JsonAt member{value, at.where + "." + key};
     const std::string name = prefix + key;
     if (prefix.empty() && std::count(robot_groups().begin(), robot_groups().end(), key) > 0)
       settings.merge(settings_in(member, key + "_"));
@@ -133,7 +120,7 @@ const Json& only_feature(const JsonAt& collection, std::vector<std::string>& rem
   const Json* features = collection.find("features");
   if (features == nullptr || !features->is_array())
     throw std::invalid_argument(
-        fmt::format("{} has no features, expected a list with one polygonal feature", collection.place));
+        fmt::format("{} has no features, expected a list with one polygonal feature", collection.where));
   const Json* found = nullptr;
   std::size_t polygonal = 0;
   for (const Json& feature : *features) {
@@ -144,9 +131,9 @@ const Json& only_feature(const JsonAt& collection, std::vector<std::string>& rem
   }
   if (polygonal != 1)
     throw std::invalid_argument(fmt::format(
-        "{} has {} features that are a Polygon or MultiPolygon, expected exactly one", collection.place, polygonal));
+        "{} has {} features that are a Polygon or MultiPolygon, expected exactly one", collection.where, polygonal));
   if (features->size() > 1)
-    remarks.push_back(fmt::format("{} features that are no polygons are not used", features->size() - 1));
+    remarks.push_back(fmt::format("{} features that are not polygons are ignored", features->size() - 1));
   return *found;
 }
 
@@ -183,7 +170,7 @@ std::string value_text(const std::string& name, const Value& value, const Robot&
   return std::holds_alternative<std::string>(value) ? json_text(std::get<std::string>(value)) : to_text(value);
 }
 
-/// The members of one group, or those of none.
+/// The members of one group of robot parameters; group "": those in no group.
 std::string members_text(const Robot& robot, const Settings& settings, const std::string& group) {
   std::string text;
   for (const Parameter<Robot>& parameter : robot_parameters()) {
@@ -216,54 +203,66 @@ std::string feature_text(const Map& map, const Point* start, const Point* anchor
 
 struct NoOptions {};
 
+/// Where a problem's parts are in a file.
+struct Parts {
+  const Json* geometry;
+  const Json* properties;
+};
+
+Parts parts_of(const Json& root, const std::string& file, std::vector<std::string>& remarks) {
+  static const Json kNone = Json::object();
+  const std::string expected = "a GeoJSON Feature, Polygon, MultiPolygon or FeatureCollection";
+  const std::string type = type_of({root, file}, expected);
+  if (is_polygonal(root)) return {&root, &kNone};
+  if (type != "Feature" && type != "FeatureCollection")
+    throw std::invalid_argument(fmt::format("{} is a {}, expected {}", file, type, expected));
+  const JsonAt feature{type == "Feature" ? root : only_feature({root, file}, remarks), file};
+  const Json* geometry = feature.find("geometry");
+  if (geometry == nullptr)
+    throw std::invalid_argument(fmt::format("{}: geometry is missing, expected a Polygon or MultiPolygon", file));
+  const Json* properties = feature.find("properties");
+  return {geometry, properties != nullptr ? properties : &kNone};
+}
+
+void read_properties(const JsonAt& properties, const std::string& file, MapFile& result) {
+  if (!properties.value.is_object()) properties.refuse("an object");
+  const auto named = [&](const char* key) -> std::optional<JsonAt> {
+    const Json* value = properties.find(key);
+    if (value == nullptr) return std::nullopt;
+    return JsonAt{*value, fmt::format("{}: {}", file, key)};
+  };
+  if (const auto name = named("name")) result.map.name = name->text();
+  if (const auto source = named("source")) result.map.source = source->text();
+  if (const auto start = named("start")) result.start = start->point();
+  if (const auto anchor = named("anchor")) result.anchor = anchor->point();
+  if (const auto robot = named("robot")) result.robot = read_robot(*robot, file);
+}
+
+/// The region in canonical form; what changed becomes a remark.
+Region repaired_region(const Region& written, const std::string& file, std::vector<std::string>& remarks) {
+  Region free;
+  try {
+    free = repaired(written);
+  } catch (const std::invalid_argument& e) { throw std::invalid_argument(fmt::format("{}: {}", file, e.what())); }
+  if (free.empty()) throw std::invalid_argument(fmt::format("{}: the polygons have no area", file));
+  const auto note = [&](std::size_t before, std::size_t after, const char* what, const char* why) {
+    if (before != after) remarks.push_back(fmt::format("repaired: {} {} became {}{}", before, what, after, why));
+  };
+  note(written.polygons.size(), free.polygons.size(), "polygons", "");
+  note(hole_count(written), hole_count(free), "holes",
+       " (those that touch each other are united, those that touch the boundary cut out)");
+  note(vertex_count(written), vertex_count(free), "vertices", "");
+  return free;
+}
+
 MapFile read_geojson(const std::string& file, const NoOptions&) {
   const Json root = parse_json(read_file(file), file);
   MapFile result;
-  const JsonAt top{root, file};
-  const std::string expected = "a GeoJSON Feature, Polygon, MultiPolygon or FeatureCollection";
-  const std::string type = type_of(top, expected);
-  const Json* feature = nullptr;
-  if (type == "FeatureCollection")
-    feature = &only_feature(top, result.remarks);
-  else if (type == "Feature")
-    feature = &root;
-  else if (!is_polygonal(root))
-    throw std::invalid_argument(fmt::format("{} is a {}, expected {}", file, type, expected));
-
-  static const Json kNothing = Json::object();
-  const Json *geometry = &root, *properties = &kNothing;
-  if (feature != nullptr) {
-    const JsonAt at{*feature, file};
-    geometry = at.find("geometry");
-    if (geometry == nullptr)
-      throw std::invalid_argument(fmt::format("{}: geometry is missing, expected a Polygon or MultiPolygon", file));
-    if (const Json* p = at.find("properties")) properties = p;
-  }
-  const JsonAt props{*properties, file + ": properties"};
-  if (!properties->is_object()) props.refuse("an object");
-
   result.map = {stem_of(file), {}, "file", file};
-  if (const Json* v = props.find("name")) result.map.name = JsonAt{*v, file + ": name"}.text();
-  if (const Json* v = props.find("source")) result.map.source = JsonAt{*v, file + ": source"}.text();
-  if (const Json* v = props.find("start")) result.start = JsonAt{*v, file + ": start"}.point();
-  if (const Json* v = props.find("anchor")) result.anchor = JsonAt{*v, file + ": anchor"}.point();
-  if (const Json* v = props.find("robot")) result.robot = read_robot({*v, file + ": robot"}, file);
-
-  const Region written = read_geometry({*geometry, file + ": geometry"}, file);
-  try {
-    result.map.free = repaired(written);
-  } catch (const std::invalid_argument& e) { throw std::invalid_argument(fmt::format("{}: {}", file, e.what())); }
-  const Region& free = result.map.free;
-  if (free.empty()) throw std::invalid_argument(fmt::format("{}: the polygons have no area", file));
-  if (written.polygons.size() != free.polygons.size())
-    result.remarks.push_back(
-        fmt::format("repaired: {} polygons became {}", written.polygons.size(), free.polygons.size()));
-  if (hole_count(written) != hole_count(free))
-    result.remarks.push_back(fmt::format(
-        "repaired: {} holes became {} (those that touch each other are united, those that touch the border cut out)",
-        hole_count(written), hole_count(free)));
-  if (vertex_count(written) != vertex_count(free))
-    result.remarks.push_back(fmt::format("repaired: {} corners became {}", vertex_count(written), vertex_count(free)));
+  const Parts parts = parts_of(root, file, result.remarks);
+  read_properties({*parts.properties, file + ": properties"}, file, result);
+  const Region written = read_geometry({*parts.geometry, file + ": geometry"}, file);
+  result.map.free = repaired_region(written, file, result.remarks);
   return result;
 }
 

@@ -1,4 +1,3 @@
-// JSON values that know their place, so that every complaint can name it.
 #include "maps/formats/json.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +16,7 @@ nlohmann::json parse_json(const std::string& text, const std::string& source) {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& e) {
     const std::size_t end = std::min(e.byte, text.size());
-    // The byte is the one after the last that was read: a line end there belongs to the line it ends.
+    // e.byte is one past the last byte read: a newline there belongs to the line that it ends.
     const auto line =
         1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end > 0 ? end - 1 : 0), '\n');
     std::string why = e.what();
@@ -31,7 +30,7 @@ nlohmann::json parse_json(const std::string& text, const std::string& source) {
 void JsonAt::refuse(const std::string& expected) const {
   std::string given = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   if (given.size() > 60) given = given.substr(0, 57) + "...";
-  throw std::invalid_argument(fmt::format("{} is {}, expected {}", place, given, expected));
+  throw std::invalid_argument(fmt::format("{} is {}, expected {}", where, given, expected));
 }
 
 double JsonAt::number(const char* expected) const {
@@ -42,16 +41,36 @@ double JsonAt::number(const char* expected) const {
 }
 
 std::string JsonAt::text() const {
-  if (!value.is_string()) refuse("a text");
+  if (!value.is_string()) refuse("a string");
   return value.get<std::string>();
 }
 
+namespace {
+
+bool is_point(const nlohmann::json& value) {
+  return value.is_array() && value.size() >= 2 && value[0].is_number() && value[1].is_number();
+}
+Point as_point(const nlohmann::json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
+
+}  // namespace
+
 Point JsonAt::point() const {
-  if (!value.is_array() || value.size() < 2 || !value[0].is_number() || !value[1].is_number())
-    refuse("[x, y], two numbers in metres");
-  const Point p(value[0].get<double>(), value[1].get<double>());
+  if (!is_point(value)) refuse("[x, y], two numbers in metres");
+  const Point p = as_point(value);
   if (!finite(p)) refuse("[x, y], two finite numbers in metres");
   return p;
+}
+
+Polyline JsonAt::points(const std::string& named) const {
+  Polyline points;
+  points.reserve(value.size());
+  for (const nlohmann::json& v : value) {
+    if (is_point(v) && finite(as_point(v)))
+      points.push_back(as_point(v));
+    else  // throws
+      points.push_back(JsonAt{v, fmt::format("{}, point {}", named, points.size() + 1)}.point());
+  }
+  return points;
 }
 
 const nlohmann::json* JsonAt::find(const char* key) const {

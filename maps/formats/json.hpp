@@ -1,4 +1,8 @@
-// JSON for the readers and writers of maps/formats/: values with a place to complain about. Not installed.
+/// JSON values that know where they are, for precise error messages. Private to maps/formats.
+///
+///   const nlohmann::json root = parse_json(text, "yard.geojson");
+///   const JsonAt at{root["start"], "yard.geojson: start"};
+///   const Point start = at.point();                     // else: "yard.geojson: start is [1], expected [x, y], ..."
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,25 +12,27 @@
 
 namespace oxturn {
 
-/// Parses; throws std::invalid_argument "FILE:LINE: not JSON: ...".
+/// Throws std::invalid_argument "FILE:LINE: not JSON: ...".
 nlohmann::json parse_json(const std::string& text, const std::string& source);
 
-/// A JSON value and where it is ("grove.geojson: polygon 1, ring 2, point 3").
+/// A JSON value and where it is ("grove.geojson: polygon 1, ring 2").
 struct JsonAt {
   const nlohmann::json& value;
-  std::string place;
+  std::string where;
 
-  /// Throws "PLACE is VALUE, expected EXPECTED".
+  /// Throws "WHERE is VALUE, expected EXPECTED".
   [[noreturn]] void refuse(const std::string& expected) const;
   double number(const char* expected = "a finite number") const;
   std::string text() const;
-  Point point() const;                                // [x, y]; further numbers (altitude) are ignored
+  Point point() const;  // [x, y]; further numbers (altitude) are ignored
+  /// Of a list of points. A bad one is called "NAMED, point 3".
+  Polyline points(const std::string& named) const;
   const nlohmann::json* find(const char* key) const;  // nullptr if absent or null
 };
 
-/// `"text"` with what JSON wants escaped; broken UTF-8 is replaced.
+/// `"text"`, escaped for JSON; invalid UTF-8 is replaced.
 std::string json_text(const std::string& text);
-/// to_decimal, or null for what JSON cannot say.
+/// The shortest decimal, or null for infinities and NaN.
 std::string json_number(double value);
 std::string json_point(const Point& p);
 

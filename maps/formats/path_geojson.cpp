@@ -1,7 +1,7 @@
 // Paths as GeoJSON: a FeatureCollection of LineStrings with `tool`, in driving order.
 //
-// What is read is not judged here: jumps, walls and wrong starts are a score's business. A coordinate that JSON has
-// no number for (NaN) is written as null, which the reader refuses by its place.
+// Paths are not judged here: jumps, walls and wrong starts concern the score. A coordinate that JSON cannot represent
+// (NaN) is written as null, which the reader refuses, naming the point.
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -20,31 +20,20 @@ const Json& member(const JsonAt& object, const char* key, const char* expected) 
   if (!object.value.is_object()) object.refuse("an object");
   const Json* value = object.find(key);
   if (value == nullptr)
-    throw std::invalid_argument(fmt::format("{} has no {}, expected {}", object.place, key, expected));
+    throw std::invalid_argument(fmt::format("{} has no {}, expected {}", object.where, key, expected));
   return *value;
 }
 
 Leg read_leg(const JsonAt& feature) {
-  const JsonAt geometry{member(feature, "geometry", "a LineString"), feature.place + ", geometry"};
-  const JsonAt type{member(geometry, "type", "LineString"), geometry.place + ", type"};
+  const JsonAt geometry{member(feature, "geometry", "a LineString"), feature.where + ", geometry"};
+  const JsonAt type{member(geometry, "type", "LineString"), geometry.where + ", type"};
   if (type.value != "LineString") type.refuse("LineString");
-  const JsonAt properties{member(feature, "properties", "an object with tool"), feature.place + ", properties"};
-  const JsonAt tool{member(properties, "tool", "true or false"), feature.place + ", tool"};
+  const JsonAt properties{member(feature, "properties", "an object with tool"), feature.where + ", properties"};
+  const JsonAt tool{member(properties, "tool", "true or false"), feature.where + ", tool"};
   if (!tool.value.is_boolean()) tool.refuse("true or false");
-  const JsonAt points{member(geometry, "coordinates", "a list of points"), feature.place + ", coordinates"};
+  const JsonAt points{member(geometry, "coordinates", "a list of points"), feature.where + ", coordinates"};
   if (!points.value.is_array() || points.value.size() < 2) points.refuse("a list of at least two points");
-  Leg leg{tool.value.get<bool>(), {}};
-  leg.points.reserve(points.value.size());
-  std::size_t i = 0;
-  for (const Json& point : points.value) {
-    ++i;
-    if (point.is_array() && point.size() >= 2 && point[0].is_number() && point[1].is_number() &&
-        finite(Point(point[0].get<double>(), point[1].get<double>())))
-      leg.points.emplace_back(point[0].get<double>(), point[1].get<double>());
-    else
-      (void)JsonAt{point, fmt::format("{}, point {}", feature.place, i)}.point();  // says what is wrong
-  }
-  return leg;
+  return {tool.value.get<bool>(), points.points(feature.where)};
 }
 
 }  // namespace

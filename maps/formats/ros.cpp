@@ -1,13 +1,13 @@
-// ROS map_server maps: YAML beside a picture.
+// ROS map_server maps: a YAML file beside an image.
 //
 // Source     ros-planning/navigation map_server, image_loader.cpp; navigation2 nav2_map_server, map_io.cpp
-// Decisions  1. p = (255 - grey) / 255 (negate: grey / 255); occupied above occupied_thresh, free below free_thresh,
-//               else unknown, as map_server has it in its modes trinary and scale. Mode raw: the grey value is the
-//               occupancy in percent, above 100 unknown; the thresholds then tell free from occupied.
-//            2. Unlike map_server, alpha is not averaged into the grey value in mode trinary: that turns the usual
-//               grey of unknown (205) into free as soon as a picture has an alpha channel. Pixels that are more
-//               than half transparent (mode scale: at all) are unknown.
-//            3. A key that map_server demands is demanded here too; no default is guessed.
+// Decisions  1. p = (255 - grey) / 255 (negate: grey / 255); a cell is occupied above occupied_thresh, free below
+//               free_thresh, else unknown, as in map_server's modes trinary and scale. Mode raw: the grey value is the
+//               occupancy in percent, above 100 unknown; the thresholds then separate free from occupied.
+//            2. Unlike map_server, alpha is not averaged into the grey value in mode trinary: that would turn the usual
+//               grey of unknown (205) into free as soon as an image has an alpha channel. Pixels that are more than
+//               half transparent (mode scale: transparent at all) are unknown.
+//            3. A key that map_server requires is required here too; no default is guessed.
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
@@ -22,6 +22,7 @@
 namespace oxturn {
 namespace {
 
+/// The keys of a map's YAML file. Every error names the file and the line.
 class RosYaml {
  public:
   explicit RosYaml(const std::string& file) : file_(file) {
@@ -50,7 +51,7 @@ class RosYaml {
   std::string text(const char* key, const char* expected) const {
     const YAML::Node node = at(key, expected);
     if (!node.IsScalar() || node.Scalar().empty())
-      refuse(node, fmt::format("{} is not a text, expected {}", key, expected));
+      refuse(node, fmt::format("{} is not a string, expected {}", key, expected));
     return node.Scalar();
   }
   double number(const YAML::Node& node, const std::string& key, const char* expected) const {
@@ -108,43 +109,58 @@ Placement placement_of(const RosYaml& yaml) {
   return placement;
 }
 
+/// How grey values become occupancies.
+struct Thresholds {
+  Mode mode = Mode::trinary;
+  bool negate = false;
+  double occupied = 0, free = 0;
+
+  Occupancy operator()(double grey) const {
+    const double shade = negate ? 255 - grey : grey;
+    if (mode == Mode::raw && shade > 100) return Occupancy::unknown;
+    const double p = mode == Mode::raw ? shade / 100 : (255 - shade) / 255;
+    return p > occupied ? Occupancy::occupied : p < free ? Occupancy::free : Occupancy::unknown;
+  }
+  /// Pixels with less alpha are unknown.
+  int least_alpha() const { return mode == Mode::scale ? 255 : 128; }
+};
+
+Thresholds thresholds_of(const RosYaml& yaml) {
+  Thresholds t;
+  t.mode = mode_of(yaml);
+  t.negate = yaml.flag("negate");
+  t.occupied = yaml.fraction("occupied_thresh");
+  t.free = yaml.fraction("free_thresh");
+  if (t.free > t.occupied)
+    yaml.refuse(yaml.at("free_thresh", ""),
+                fmt::format("free_thresh is {}, expected at most occupied_thresh, which is {}", to_decimal(t.free),
+                            to_decimal(t.occupied)));
+  return t;
+}
+
+GreyImage image_of(const RosYaml& yaml, const std::string& name, const std::string& file) {
+  try {
+    return read_image((std::filesystem::path(file).parent_path() / name).string());
+  } catch (const std::invalid_argument& e) { yaml.refuse(yaml.at("image", ""), e.what()); }
+}
+
 MapFile read_ros(const std::string& file, const RasterOptions& options) {
   const RosYaml yaml(file);
-  const std::string name = yaml.text("image", "the picture's file, relative to this one");
+  const std::string name = yaml.text("image", "the image's file, relative to this one");
   const Placement placement = placement_of(yaml);
-  const Mode mode = mode_of(yaml);
-  const bool negate = yaml.flag("negate");
-  const double occupied = yaml.fraction("occupied_thresh"), free = yaml.fraction("free_thresh");
-  if (free > occupied)
-    yaml.refuse(yaml.at("free_thresh", ""),
-                fmt::format("free_thresh is {}, expected at most occupied_thresh, which is {}", to_decimal(free),
-                            to_decimal(occupied)));
-  const std::string picture = (std::filesystem::path(file).parent_path() / name).string();
-  GreyImage image;
-  try {
-    image = read_image(picture);
-  } catch (const std::invalid_argument& e) { yaml.refuse(yaml.at("image", ""), e.what()); }
-
-  const int least_alpha = mode == Mode::scale ? 255 : 128;
-  std::vector<Occupancy> cells(image.grey.size());
-  const std::size_t width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
+  const Thresholds occupancy = thresholds_of(yaml);
+  const GreyImage image = image_of(yaml, name, file);
+  OccupancyGrid cells(image.width, image.height);
   std::size_t transparent = 0;
-  for (std::size_t row = 0; row < height; ++row)
-    for (std::size_t i = 0; i < width; ++i) {
-      const std::size_t from = row * width + i;
-      const double grey = static_cast<double>(image.grey[from]), shade = negate ? 255 - grey : grey;
-      const double p = mode == Mode::raw ? shade / 100 : (255 - shade) / 255;
-      Occupancy& cell = cells[(height - 1 - row) * width + i];
-      if (!image.alpha.empty() && image.alpha[from] < least_alpha) {
-        cell = Occupancy::unknown;
-        ++transparent;
-      } else if (mode == Mode::raw && shade > 100) {
-        cell = Occupancy::unknown;
-      } else {
-        cell = p > occupied ? Occupancy::occupied : p < free ? Occupancy::free : Occupancy::unknown;
-      }
+  for (int row = 0; row < image.height; ++row)
+    for (int i = 0; i < image.width; ++i) {
+      const std::size_t pixel = image.index(i, row);
+      if (!image.alpha.empty() && image.alpha[pixel] < occupancy.least_alpha())
+        ++transparent;  // stays unknown
+      else
+        cells.at(i, row) = occupancy(static_cast<double>(image.grey[pixel]));
     }
-  MapFile result = map_from_cells(file, image.width, image.height, std::move(cells), placement, options);
+  MapFile result = map_from_grid(file, cells, placement, options);
   if (transparent > 0)
     result.remarks.push_back(fmt::format("{} pixels are transparent and count as unknown", transparent));
   return result;
@@ -153,7 +169,7 @@ MapFile read_ros(const std::string& file, const RasterOptions& options) {
 }  // namespace
 
 MapFormat ros_format() {
-  return describe_format<RasterOptions>("ros", "ROS map_server: YAML with a PNG or PGM picture", {".yaml", ".yml"},
+  return describe_format<RasterOptions>("ros", "ROS map_server: YAML with a PNG or PGM image", {".yaml", ".yml"},
                                         with_raster_options<RasterOptions>({}), read_ros);
 }
 

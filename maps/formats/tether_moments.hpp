@@ -1,4 +1,6 @@
-// The tether at chosen moments of a path, to be drawn. Internal to maps/formats.
+/// The tether at chosen moments of a path, for pictures. Private to maps/formats.
+///
+///   for (const TetherMoment& m : tether_moments(problem, path, 8)) draw(m.line);
 #pragma once
 
 #include <vector>
@@ -9,14 +11,14 @@
 namespace oxturn {
 
 struct TetherMoment {
-  Polyline line;      // anchor, bends, robot
-  double length = 0;  // metres of it
-  double path_m = 0;  // driven
-  bool longest = false;
+  Polyline line;         // anchor, bends, robot
+  double length = 0;     // metres, of the tether
+  double path_m = 0;     // metres driven until then
+  bool longest = false;  // the tether is never longer than here
 };
 
-/// At `count` places equally far apart along the way, the last at its end, and where the tether is longest; in driving
-/// order. Up to where a tether can follow (maps/followed_path.hpp). Tethered problems only. Twice the string's cost.
+/// At `count` points of the path, equally far apart, the last at its end, and where the tether is longest; in driving
+/// order. Up to where a tether can follow (maps/followed_path.hpp). Tethered problems only. Simulates the tether twice.
 std::vector<TetherMoment> tether_moments(const Problem& problem, const Path& path, int count);
 
 }  // namespace oxturn

@@ -1,9 +1,8 @@
-// maps/generators/berg_rectangle.cpp
-// One room with one rectangular obstacle: the simple space of the tethered-navigation thesis, where a leash must go
-// round one thing and nothing else. O(1).
+// One room with one rectangular obstacle: the simple space of Berg 2021, with a single obstacle for a tether to go
+// round. O(1).
 //
-// Source      after Berg's rectangle room (thesis, figures 3.5, 4.1 and 4.3, table 4.1). The figures have no scale:
-//             sizes and places are parameters.
+// Source      after the rectangle room of Berg 2021 (figures 3.5, 4.1 and 4.3, table 4.1). The figures have no scale:
+//             sizes and positions are parameters.
 #include <algorithm>
 
 #include "maps/generators/shape.hpp"
@@ -22,7 +21,7 @@ struct Params : SiteSettings {
 
 Region make(const Params& p, Rng& rng) {
   check_site("berg-rectangle", p, 2);
-  const double gap = narrowest(p);
+  const double gap = narrowest_passage(p);
   const auto side = [&](const char* name, double metres, double share, double room) {
     const double most = room - 2 * gap;
     if (metres <= 0) metres = std::min(share * room, most);
@@ -33,14 +32,14 @@ Region make(const Params& p, Rng& rng) {
   };
   const double w = side("obstacle_width", p.obstacle_width, 1.0 / 3, p.width);
   const double h = side("obstacle_height", p.obstacle_height, 1.0 / 4, p.height);
-  // Both are drawn always, so that neither jitter nor place changes the other's luck.
+  // Always drawn, so that jitter changes no other draw.
   const double right = rng.between(-0.5, 0.5), higher = rng.between(-0.5, 0.5);
-  const auto place = [&](double share, double luck, double room, double size) {
-    return gap + (room - size - 2 * gap) * std::clamp(share + p.jitter * luck, 0.0, 1.0);
+  const auto position = [&](double share, double offset, double room, double size) {
+    return gap + (room - size - 2 * gap) * std::clamp(share + p.jitter * offset, 0.0, 1.0);
   };
-  const Point low(place(p.across, right, p.width, w), place(p.up, higher, p.height, h));
+  const Point low(position(p.across, right, p.width, w), position(p.up, higher, p.height, h));
   Polygon room{box_region({0, 0}, {p.width, p.height}).polygons[0].outer, {}};
-  room.holes.push_back(box_region(low, low + Point(w, h)).polygons[0].outer);  // turned round by finished()
+  room.holes.push_back(box_region(low, low + Point(w, h)).polygons[0].outer);  // reversed by finished()
   return finished({{std::move(room)}}, p);
 }
 
@@ -48,16 +47,17 @@ Region make(const Params& p, Rng& rng) {
 
 GeneratorInfo berg_rectangle() {
   return describe_generator<Params>(
-      "berg-rectangle", "one room with a rectangular obstacle, as in Berg's thesis on tethered navigation",
+      "berg-rectangle", "one room with a rectangular obstacle, as in Berg 2021",
       "one rectangle with one rectangular hole, at least `passage` robot diameters from every wall; the seed changes "
       "nothing unless jitter is above 0",
       with_site<Params>(
           {{"obstacle_width", &Params::obstacle_width, Range{0, 100000}, "metres; 0: a third of the room's width"},
            {"obstacle_height", &Params::obstacle_height, Range{0, 100000}, "metres; 0: a quarter of the room's height"},
            {"across", &Params::across, Range{0, 1},
-            "where the obstacle is; 0: as far left as a passage allows, 1: right"},
-           {"up", &Params::up, Range{0, 1}, "the same; 0: as low as a passage allows, 1: as high"},
-           {"jitter", &Params::jitter, Range{0, 1}, "how far the seed moves the obstacle from that place"}}),
+            "horizontal position of the obstacle; 0: as far left as a passage allows, 1: right"},
+           {"up", &Params::up, Range{0, 1},
+            "vertical position of the obstacle; 0: as low as a passage allows, 1: as high"},
+           {"jitter", &Params::jitter, Range{0, 1}, "how far the seed moves the obstacle from that position"}}),
       make);
 }
 

@@ -1,20 +1,20 @@
-// maps/generators/berg_rooms.cpp
-// A building with many ways round and small rooms that branch off: the complex space of the tethered-navigation thesis.
+// A building with many connections and small rooms that branch off: the complex space of Berg 2021.
 //
-// Source      after Berg's "complex spaces with many connecting paths and small branching rooms" (thesis, section 4,
-//             figures 4.4 and 4.5), of which only pictures exist: a grid of rooms is our reading.
+// Source      after the "complex spaces with many connecting paths and small branching rooms" of Berg 2021 (section 4,
+//             figures 4.4 and 4.5). There are only pictures: a grid of rooms is our reading.
 // Method      A grid of rooms of unequal size. Doors, often two in one wall, along a random spanning tree (Kruskal) and
 //             through `loops` of the other walls: nearly every wall is an island that a tether can catch on. Corners of
 //             rooms become small rooms with one door: dead ends.
-// Guarantee   Every room and every small room is reached; doors and what small rooms leave of a room are at least
+// Guarantee   Every room and every small room is reached. Doors, and what small rooms leave of a room, are at least
 //             `passage` robot diameters wide: a small room leaves at least half a door on its side of the wall's
-//             middle, so that two of them always leave a whole one.
+//             middle, so two of them always leave a whole door.
 // Complexity  O(cells of wall thickness)
 // Decisions   Everything is a multiple of the wall's thickness, stretched a little to fill the size, as in `rooms`.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "base/disjoint_sets.hpp"
 #include "geometry/raster.hpp"
 #include "maps/generators/shape.hpp"
 
@@ -33,13 +33,16 @@ struct Params : SiteSettings {
   double jitter = 0.3;
 };
 
-/// Where rooms begin and end along one axis, in wall thicknesses: [from, to).
+constexpr double kMostCells = 1e8;  // squares of the wall's thickness
+
+/// Extent of a room along one axis, in wall thicknesses: [from, to).
 struct Span {
   int from = 0, to = 0;
   int size() const { return to - from; }
 };
 
-/// `n` rooms with walls between them in `cells`; every room is at least `least` wide. The caller has checked the room.
+/// `n` rooms with walls between them in `cells`; every room is at least `least` wide. The caller has checked that they
+/// fit.
 std::vector<Span> spans(int n, int cells, int least, double jitter, Rng& rng) {
   const int spare = cells - (n - 1) - n * least;
   std::vector<double> weight;
@@ -61,8 +64,11 @@ std::vector<Span> spans(int n, int cells, int least, double jitter, Rng& rng) {
 struct Branch {
   int width = 0, height = 0;
 };
-/// The corners of a room: bit 0 is right, bit 1 is up.
-using Branches = std::array<Branch, 4>;
+enum Corner : std::size_t { kLowerLeft, kLowerRight, kUpperLeft, kUpperRight };
+constexpr std::array<Corner, 4> kCorners{kLowerLeft, kLowerRight, kUpperLeft, kUpperRight};
+bool is_right(Corner c) { return c == kLowerRight || c == kUpperRight; }
+bool is_upper(Corner c) { return c == kUpperLeft || c == kUpperRight; }
+using Branches = std::array<Branch, 4>;  // by corner
 
 class Building {
  public:
@@ -91,78 +97,87 @@ class Building {
   }
 
   void add_branches(std::size_t room) {
-    const Span &x = x_of(room), &y = y_of(room);
-    const int most_x = (x.size() - door_) / 2 - 1, most_y = (y.size() - door_) / 2 - 1;
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-      const bool wanted = rng_.chance(p_.branches);  // drawn always, so that a room's size changes nothing else
-      if (!wanted || most_x < door_ || most_y < door_) continue;
-      // A jamb on both sides of its door where there is room.
+    const int most_width = (x_of(room).size() - door_) / 2 - 1, most_height = (y_of(room).size() - door_) / 2 - 1;
+    for (const Corner corner : kCorners) {
+      const bool wanted = rng_.chance(p_.branches);  // always drawn, so that a room's size changes no other draw
+      if (!wanted || most_width < door_ || most_height < door_) continue;
+      // Where there is room, the door has a jamb on both sides.
       const auto size = [&](int most) { return rng_.between(std::min(door_ + 2, most), most); };
       Branch b;
-      b.width = size(most_x);
-      b.height = size(most_y);
+      b.width = size(most_width);
+      b.height = size(most_height);
       branches_[room][corner] = b;
-      const bool right = (corner & 1) != 0, up = (corner & 2) != 0;
-      // Its two walls, then its one door, through either.
-      const int wall_x = right ? x.to - b.width - 1 : x.from + b.width;
-      const int wall_y = up ? y.to - b.height - 1 : y.from + b.height;
-      const Span along_x = right ? Span{wall_x, x.to} : Span{x.from, wall_x + 1};
-      const Span along_y = up ? Span{wall_y, y.to} : Span{y.from, wall_y + 1};
-      open({wall_x, wall_x + 1}, along_y, false);
-      open(along_x, {wall_y, wall_y + 1}, false);
-      if (rng_.chance(0.5)) {
-        const int jamb = b.height >= door_ + 2 ? 1 : 0;
-        const int from = (up ? wall_y + 1 : y.from) + rng_.between(jamb, b.height - door_ - jamb);
-        open({wall_x, wall_x + 1}, {from, from + door_});
-      } else {
-        const int jamb = b.width >= door_ + 2 ? 1 : 0;
-        const int from = (right ? wall_x + 1 : x.from) + rng_.between(jamb, b.width - door_ - jamb);
-        open({from, from + door_}, {wall_y, wall_y + 1});
-      }
+      draw_branch(room, corner, b);
     }
   }
 
-  /// The stretch of the wall between two neighbours that no small room takes. At least a door long.
-  Span common(std::size_t a, std::size_t b, bool upright) const {
-    Span s = upright ? y_of(a) : x_of(a);
-    const auto taken = [&](std::size_t room, std::size_t corner) {
+  /// The two walls of a small room, then its one door, through either of them.
+  void draw_branch(std::size_t room, Corner corner, const Branch& b) {
+    const Span &x = x_of(room), &y = y_of(room);
+    const bool right = is_right(corner), upper = is_upper(corner);
+    const int wall_x = right ? x.to - b.width - 1 : x.from + b.width;
+    const int wall_y = upper ? y.to - b.height - 1 : y.from + b.height;
+    const Span along_x = right ? Span{wall_x, x.to} : Span{x.from, wall_x + 1};
+    const Span along_y = upper ? Span{wall_y, y.to} : Span{y.from, wall_y + 1};
+    open({wall_x, wall_x + 1}, along_y, false);
+    open(along_x, {wall_y, wall_y + 1}, false);
+    if (rng_.chance(0.5)) {
+      const int from = door_position(upper ? wall_y + 1 : y.from, b.height);
+      open({wall_x, wall_x + 1}, {from, from + door_});
+    } else {
+      const int from = door_position(right ? wall_x + 1 : x.from, b.width);
+      open({from, from + door_}, {wall_y, wall_y + 1});
+    }
+  }
+  int door_position(int from, int size) {
+    const int jamb = size >= door_ + 2 ? 1 : 0;
+    return from + rng_.between(jamb, size - door_ - jamb);
+  }
+
+  /// A wall between two neighbouring rooms; `b` lies to the right of `a` or above it.
+  struct Wall {
+    std::size_t a, b;
+    bool upright;
+  };
+
+  /// The part of a wall that no small room takes on either side. At least a door long.
+  Span common(const Wall& wall) const {
+    Span s = wall.upright ? y_of(wall.a) : x_of(wall.a);
+    const auto taken = [&](std::size_t room, Corner corner) {
       const Branch& branch = branches_[room][corner];
-      return branch.width == 0 ? 0 : (upright ? branch.height : branch.width) + 1;
+      return branch.width == 0 ? 0 : (wall.upright ? branch.height : branch.width) + 1;
     };
-    // An upright wall has a's right and b's left corners beside it; a level one a's upper and b's lower corners.
-    const std::size_t a_low = upright ? 1 : 2, b_low = 0, a_high = 3, b_high = upright ? 2 : 1;
-    s.from += std::max(taken(a, a_low), taken(b, b_low));
-    s.to -= std::max(taken(a, a_high), taken(b, b_high));
+    const Corner a_high = kUpperRight, b_low = kLowerLeft;
+    const Corner a_low = wall.upright ? kLowerRight : kUpperLeft, b_high = wall.upright ? kUpperLeft : kLowerRight;
+    s.from += std::max(taken(wall.a, a_low), taken(wall.b, b_low));
+    s.to -= std::max(taken(wall.a, a_high), taken(wall.b, b_high));
     return s;
   }
 
   void open_doors() {
-    struct Wall {
-      std::size_t a, b;
-      bool upright;
-    };
     std::vector<Wall> walls;
     for (std::size_t room = 0; room < branches_.size(); ++room) {
       if (room % xs_.size() + 1 < xs_.size()) walls.push_back({room, room + 1, true});
       if (room / xs_.size() + 1 < ys_.size()) walls.push_back({room, room + xs_.size(), false});
     }
     rng_.shuffle(walls);
-    Groups groups(branches_.size());
+    DisjointSets connected(branches_.size());
     for (const Wall& wall : walls) {
       const bool extra = rng_.chance(p_.loops);
-      if (!groups.join(static_cast<int>(wall.a), static_cast<int>(wall.b)) && !extra) continue;
-      const Span stretch = common(wall.a, wall.b, wall.upright);
-      const int line = wall.upright ? x_of(wall.a).to : y_of(wall.a).to;
-      // Two doors are parted by as much wall as a door is wide.
-      const int fit = std::clamp((stretch.size() + door_) / (2 * door_), 1, p_.doors);
-      const int doors = rng_.between(1, fit);
-      for (int k = 0; k < doors; ++k) {
-        const int from = stretch.from + stretch.size() * k / doors,
-                  to = stretch.from + stretch.size() * (k + 1) / doors;
-        const int room = to - from - door_ - (k + 1 < doors ? door_ / 2 : 0);
-        const int at = from + rng_.between(0, std::max(0, room));
-        for (int c = at; c < at + door_; ++c) grid_.set(wall.upright ? line : c, wall.upright ? c : line, true);
-      }
+      if (connected.unite(wall.a, wall.b) || extra) open_doors_in(wall);
+    }
+  }
+  void open_doors_in(const Wall& wall) {
+    const Span span = common(wall);
+    const int line = wall.upright ? x_of(wall.a).to : y_of(wall.a).to;
+    // Between two doors there is as much wall as a door is wide.
+    const int fit = std::clamp((span.size() + door_) / (2 * door_), 1, p_.doors);
+    const int doors = rng_.between(1, fit);
+    for (int k = 0; k < doors; ++k) {
+      const int from = span.from + span.size() * k / doors, to = span.from + span.size() * (k + 1) / doors;
+      const int room = to - from - door_ - (k + 1 < doors ? door_ / 2 : 0);
+      const int at = from + rng_.between(0, std::max(0, room));
+      for (int c = at; c < at + door_; ++c) grid_.set(wall.upright ? line : c, wall.upright ? c : line, true);
     }
   }
 
@@ -177,11 +192,11 @@ class Building {
 Region make(const Params& p, Rng& rng) {
   check_site("berg-rooms", p);
   const double door_width = passage_width("berg-rooms", "door", p.door, 2, p);
-  if (p.width < p.wall || p.height < p.wall || p.width / p.wall * (p.height / p.wall) > 1e8)
+  if (p.width < p.wall || p.height < p.wall || p.width / p.wall * (p.height / p.wall) > kMostCells)
     refuse("berg-rooms", "wall is " + number(p.wall) + " m in " + number(p.width) + " x " + number(p.height) +
                              " m, expected thinner than the size and no more than 10^8 squares of its thickness");
   const int across = static_cast<int>(p.width / p.wall), up = static_cast<int>(p.height / p.wall);
-  // Capped before the cast: a door wider than the floor is refused below.
+  // Limited before the cast: a door wider than the floor is refused below.
   const int door = static_cast<int>(std::min(std::ceil(door_width / p.wall), 1.0 * std::max(across, up)));
   const auto fit = [&](const char* name, int n, int cells, double metres) {
     const int most = (cells + 1) / (2 * door + 2);  // a room is a little over two doors wide, and a wall thick
@@ -200,7 +215,7 @@ Region make(const Params& p, Rng& rng) {
 
 GeneratorInfo berg_rooms() {
   return describe_generator<Params>(
-      "berg-rooms", "a building with many connecting ways and small branching rooms, as in Berg's thesis",
+      "berg-rooms", "a building with many connections and small branching rooms, as in Berg 2021",
       "every room and small room reached, small rooms by one door; doors at least `passage` robot diameters wide",
       with_site<Params>({{"columns", &Params::columns, Range{1, 10000}, "rooms side by side"},
                          {"rows", &Params::rows, Range{1, 10000}, "rooms above each other"},

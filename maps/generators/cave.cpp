@@ -1,17 +1,17 @@
-// maps/generators/cave.cpp
-// A cave: noise settled by a cellular automaton, opened to the robot's width, its halls joined by tunnels.
+// A cave: noise smoothed by a cellular automaton, opened to the robot's width, its halls connected by tunnels.
 //
 // Source      cellular automaton caves: Johnson, Yannakakis, Togelius 2010
-// Guarantee   Free space is a union of squares of k x k cells (k cells >= narrowest passage, k >= 2) whose
-//             positions form one 4-connected set, so a disc of k cells drives everywhere. Cutting a corner by half
-//             a cell, and the two new corners by an eighth to a quarter, spares that disc for k >= 2.
+// Guarantee   Free space is a union of squares of k x k cells (k cells >= narrowest passage, k >= 2) whose positions
+//             form one 4-connected set, so a disc of k cells passes everywhere. Cutting a corner by half a cell, and
+//             the two new corners by an eighth to a quarter of a cell, does not touch that disc for k >= 2.
 // Complexity  O(cells)
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
+#include "base/disjoint_sets.hpp"
+#include "base/graph_search.hpp"
 #include "geometry/raster.hpp"
 #include "maps/generators/shape.hpp"
 
@@ -25,7 +25,9 @@ struct Params : SiteSettings {
   int smoothing = 2;
 };
 
-/// How many bits are set in a box, in O(1).
+constexpr double kMostCells = 1e8;
+
+/// Counts the bits that are set in a box, in O(1).
 class Sums {
  public:
   explicit Sums(const BitGrid& g)
@@ -36,7 +38,7 @@ class Sums {
       for (int i = 0; i < columns_; ++i)
         sum_[at(i + 1, j + 1)] = sum_[at(i, j + 1)] + sum_[at(i + 1, j)] - sum_[at(i, j)] + (g.get(i, j) ? 1 : 0);
   }
-  /// Columns i0 .. i1 - 1, rows j0 .. j1 - 1; what lies outside the grid counts nothing.
+  /// In columns i0 .. i1 - 1 and rows j0 .. j1 - 1; bits outside the grid count as 0.
   int count(int i0, int j0, int i1, int j1) const {
     i0 = std::max(i0, 0), j0 = std::max(j0, 0), i1 = std::min(i1, columns_), j1 = std::min(j1, rows_);
     return i0 < i1 && j0 < j1 ? sum_[at(i1, j1)] - sum_[at(i0, j1)] - sum_[at(i1, j0)] + sum_[at(i0, j0)] : 0;
@@ -50,7 +52,7 @@ class Sums {
   std::vector<int> sum_;
 };
 
-/// Free cells: noise, then by majority of the nine (rock outside).
+/// Free cells: noise, then in each round the majority of the nine cells of a neighbourhood (rock outside).
 BitGrid settled(int columns, int rows, const Params& p, Rng& rng) {
   BitGrid free({0, 0}, 1, columns, rows);
   for (auto& bit : free.bits) bit = rng.chance(p.rock) ? 0 : 1;
@@ -62,8 +64,8 @@ BitGrid settled(int columns, int rows, const Params& p, Rng& rng) {
   return free;
 }
 
-/// Where a k x k square of free cells has its lower left cell.
-BitGrid places(const BitGrid& free, int k) {
+/// The lower left cells of all k x k squares of free cells.
+BitGrid square_positions(const BitGrid& free, int k) {
   const Sums sums(free);
   BitGrid result({0, 0}, 1, free.columns - k + 1, free.rows - k + 1);
   for (int j = 0; j < result.rows; ++j)
@@ -71,112 +73,139 @@ BitGrid places(const BitGrid& free, int k) {
   return result;
 }
 
-/// The squares themselves.
-BitGrid squares(const BitGrid& at, int k) {
-  const Sums sums(at);
-  BitGrid result({0, 0}, 1, at.columns + k - 1, at.rows + k - 1);
+/// The union of the squares at these positions.
+BitGrid union_of_squares(const BitGrid& positions, int k) {
+  const Sums sums(positions);
+  BitGrid result({0, 0}, 1, positions.columns + k - 1, positions.rows + k - 1);
   for (int j = 0; j < result.rows; ++j)
     for (int i = 0; i < result.columns; ++i) result.set(i, j, sums.count(i - k + 1, j - k + 1, i + 1, j + 1) > 0);
   return result;
 }
 
-/// Drops halls of fewer than `least` places and digs tunnels between the others: a flood from all halls at once,
-/// then the shortest ways between neighbouring floods, by Kruskal.
-void join_halls(BitGrid& at, int least) {
-  const int n = static_cast<int>(at.bits.size());
-  std::vector<int> hall(at.bits.size(), 0), from(at.bits.size(), -1), steps(at.bits.size(), 0), queue;
-  const auto index = [](int cell) { return static_cast<std::size_t>(cell); };
-  // Calls f for the up to four neighbours: east, north, west, south.
-  const auto around = [&](int cell, auto f) {
-    const int i = cell % at.columns, j = cell / at.columns;
-    if (i + 1 < at.columns) f(cell + 1);
-    if (j + 1 < at.rows) f(cell + at.columns);
-    if (i > 0) f(cell - 1);
-    if (j > 0) f(cell - at.columns);
+/// Connects the halls (4-connected sets of positions) by tunnels: a breadth-first search from all halls at once, then
+/// the shortest paths between neighbouring searches, by Kruskal's algorithm.
+class Tunnels {
+ public:
+  explicit Tunnels(BitGrid& positions)
+      : grid_(positions),
+        hall_(grid_.bits.size(), kNone),
+        from_(grid_.bits.size(), kNone),
+        steps_(grid_.bits.size(), 0) {}
+
+  /// Removes halls with fewer than `least` positions and connects the others.
+  void dig(std::size_t least) {
+    find_halls(least);
+    spread();
+    std::vector<Tunnel> tunnels = candidates();
+    std::sort(tunnels.begin(), tunnels.end(), [](const Tunnel& x, const Tunnel& y) {
+      return std::tie(x.length, x.a, x.b) < std::tie(y.length, y.a, y.b);
+    });
+    DisjointSets connected(halls_);
+    for (const Tunnel& t : tunnels)
+      if (connected.unite(hall_[t.a], hall_[t.b]))
+        for (std::size_t c : {t.a, t.b})
+          for (; c != kNone; c = from_[c]) grid_.bits[c] = 1;
+  }
+
+ private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  struct Tunnel {  // between the adjacent cells a and b
+    std::size_t length, a, b;
   };
-  int halls = 0;
-  std::vector<int> all;
-  for (int seed = 0; seed < n; ++seed) {
-    if (at.bits[index(seed)] == 0 || hall[index(seed)] != 0) continue;
-    ++halls;
-    queue.assign(1, seed);
-    hall[index(seed)] = halls;
-    for (std::size_t head = 0; head < queue.size(); ++head)
-      around(queue[head], [&](int c) {
-        if (at.bits[index(c)] == 0 || hall[index(c)] != 0) return;
-        hall[index(c)] = halls;
-        queue.push_back(c);
+
+  /// Calls f(cell) for the up to four neighbours: east, north, west, south.
+  template <class F>
+  void for_each_neighbour(std::size_t cell, F f) const {
+    const auto columns = static_cast<std::size_t>(grid_.columns);
+    const std::size_t i = cell % columns, j = cell / columns;
+    if (i + 1 < columns) f(cell + 1);
+    if (j + 1 < static_cast<std::size_t>(grid_.rows)) f(cell + columns);
+    if (i > 0) f(cell - 1);
+    if (j > 0) f(cell - columns);
+  }
+
+  void find_halls(std::size_t least) {
+    std::vector<std::size_t> hall;
+    for (std::size_t seed = 0; seed < hall_.size(); ++seed) {
+      if (grid_.bits[seed] == 0 || hall_[seed] != kNone) continue;
+      hall.assign(1, seed);
+      hall_[seed] = halls_;
+      breadth_first(hall, [&](std::size_t at, auto reach) {
+        for_each_neighbour(at, [&](std::size_t c) {
+          if (grid_.bits[c] == 0 || hall_[c] != kNone) return;
+          hall_[c] = halls_;
+          reach(c);
+        });
       });
-    if (static_cast<int>(queue.size()) < least) {
-      for (const int c : queue) at.bits[index(c)] = 0, hall[index(c)] = 0;
-      --halls;
-    } else {
-      all.insert(all.end(), queue.begin(), queue.end());
+      if (hall.size() < least) {
+        for (const std::size_t c : hall) grid_.bits[c] = 0, hall_[c] = kNone;
+      } else {
+        cells_.insert(cells_.end(), hall.begin(), hall.end());
+        ++halls_;
+      }
     }
   }
-  for (std::size_t head = 0; head < all.size(); ++head)
-    around(all[head], [&](int c) {
-      if (hall[index(c)] != 0) return;
-      hall[index(c)] = hall[index(all[head])];
-      from[index(c)] = all[head];
-      steps[index(c)] = steps[index(all[head])] + 1;
-      all.push_back(c);
+
+  /// Assigns every cell to the nearest hall.
+  void spread() {
+    breadth_first(cells_, [&](std::size_t at, auto reach) {
+      for_each_neighbour(at, [&](std::size_t c) {
+        if (hall_[c] != kNone) return;
+        hall_[c] = hall_[at];
+        from_[c] = at;
+        steps_[c] = steps_[at] + 1;
+        reach(c);
+      });
     });
-  struct Tunnel {
-    int length, a, b;
-  };
-  std::vector<Tunnel> tunnels;
-  for (const int a : all)
-    around(a, [&](int b) {
-      if (a < b && hall[index(a)] != hall[index(b)]) tunnels.push_back({steps[index(a)] + steps[index(b)], a, b});
-    });
-  std::sort(tunnels.begin(), tunnels.end(), [](const Tunnel& x, const Tunnel& y) {
-    return std::tie(x.length, x.a, x.b) < std::tie(y.length, y.a, y.b);
-  });
-  std::vector<int> group(static_cast<std::size_t>(halls) + 1);
-  std::iota(group.begin(), group.end(), 0);
-  const auto find = [&](int g) {
-    while (group[index(g)] != g) g = group[index(g)] = group[index(group[index(g)])];
-    return g;
-  };
-  for (const Tunnel& t : tunnels) {
-    const int a = find(hall[index(t.a)]), b = find(hall[index(t.b)]);
-    if (a == b) continue;
-    group[index(std::max(a, b))] = std::min(a, b);
-    for (int c : {t.a, t.b})
-      for (; c >= 0; c = from[index(c)]) at.bits[index(c)] = 1;
   }
-}
+
+  std::vector<Tunnel> candidates() const {
+    std::vector<Tunnel> tunnels;
+    for (const std::size_t a : cells_)
+      for_each_neighbour(a, [&](std::size_t b) {
+        if (a < b && hall_[a] != hall_[b]) tunnels.push_back({steps_[a] + steps_[b], a, b});
+      });
+    return tunnels;
+  }
+
+  BitGrid& grid_;
+  // All by cell.
+  std::vector<std::size_t> hall_;   // number of the (nearest) hall
+  std::vector<std::size_t> from_;   // the cell before on the path from the nearest hall; kNone in a hall
+  std::vector<std::size_t> steps_;  // from the nearest hall
+  std::vector<std::size_t> cells_;  // of the halls, one after the other; then all cells by distance
+  std::size_t halls_ = 0;
+};
 
 Region make(const Params& p, Rng& rng) {
   check_site("cave", p, 2);
-  // Default: halls about four robots wide. The cells are square and fill the size but for part of one.
-  const double grain = p.grain > 0 ? p.grain : std::max(2 * p.robot, narrowest(p) / 2);
+  // By default halls are about four robots wide. The cells are square; what remains of the size is divided equally.
+  const double grain = p.grain > 0 ? p.grain : std::max(2 * p.robot, narrowest_passage(p) / 2);
   const double across = std::floor(p.width / grain), up = std::floor(p.height / grain);
-  if (across * up > 1e8)
+  if (across * up > kMostCells)
     refuse("cave", "grain is " + number(grain) + " m in " + number(p.width) + " x " + number(p.height) +
                        " m, expected no more than 10^8 cells; raise it");
-  const double needed = std::max(2.0, std::ceil(narrowest(p) / grain));
+  const double needed = std::max(2.0, std::ceil(narrowest_passage(p) / grain));
   if (across < 2 * needed || up < 2 * needed)
     refuse("cave", "grain is " + number(grain) + " m in " + number(p.width) + " x " + number(p.height) +
                        " m, expected at least " + number(2 * needed) + " cells each way; lower it");
   const int k = static_cast<int>(needed), columns = static_cast<int>(across), rows = static_cast<int>(up);
-  BitGrid at = places(settled(columns, rows, p, rng), k);
-  join_halls(at, k * k);
-  if (at.count() == 0)
+  BitGrid positions = square_positions(settled(columns, rows, p, rng), k);
+  Tunnels(positions).dig(static_cast<std::size_t>(k) * static_cast<std::size_t>(k));
+  if (positions.count() == 0)
     refuse("cave", "rock " + number(p.rock) + " leaves no hall " + number(k * grain) +
                        " m wide; lower rock or grain, or take a larger size");
-  Region region = trace(squares(at, k));
+  Region region = trace(union_of_squares(positions, k));
   const Point shift((p.width - columns * grain) / 2, (p.height - rows * grain) / 2);
-  const auto carve = [&](Ring& ring) {
+  const auto smooth = [&](Ring& ring) {
     ring = without_straight_vertices(ring);
     if (p.smoothing >= 1) ring = cut_vertices(ring, 0.5, 0.5);
     if (p.smoothing >= 2) ring = cut_vertices(ring, 0.25, 0.25);
     for (Point& q : ring) q = shift + grain * q;
   };
   for (Polygon& polygon : region.polygons) {
-    carve(polygon.outer);
-    for (Ring& hole : polygon.holes) carve(hole);
+    smooth(polygon.outer);
+    for (Ring& hole : polygon.holes) smooth(hole);
   }
   return finished(std::move(region), p);
 }
@@ -186,11 +215,11 @@ Region make(const Params& p, Rng& rng) {
 GeneratorInfo cave() {
   return describe_generator<Params>(
       "cave", "a natural cave with pillars",
-      "all halls joined; a disc `passage` robot diameters wide drives through the whole",
+      "all halls connected; a disc `passage` robot diameters wide reaches all of it",
       with_site<Params>(
-          {{"rock", &Params::rock, Range{0, 0.9}, "share of rock in the noise; near 0.5 the cave is most tangled"},
+          {{"rock", &Params::rock, Range{0, 0.9}, "share of rock in the noise; near 0.5 the cave is most complex"},
            {"grain", &Params::grain, Range{0, 1000}, "metres; side of the automaton's cells; 0: one robot diameter"},
-           {"rounds", &Params::rounds, Range{0, 50}, "of the automaton; few: rugged"},
+           {"rounds", &Params::rounds, Range{0, 50}, "rounds of the automaton; few: rugged walls"},
            {"smoothing", &Params::smoothing, Range{0, 2}, "0: square cells; 1: cut corners; 2: cut twice"}}),
       make);
 }

@@ -1,9 +1,9 @@
-// maps/generators/clutter.cpp
 // A rectangle full of convex obstacles: discs (chords of them) and polygons.
 //
 // Method      Random sequential placement, large ones first, in a grid of buckets: O(1) for each try. Two obstacles
-//             are far enough apart if their round hulls are, or if an edge of one parts them by the gap.
-// Guarantee   Obstacles blown up by the robot stay apart, so free space is connected for it.
+//             are far enough apart if their circumscribed circles are, or if the line of an edge of one separates them
+//             by the gap.
+// Guarantee   Obstacles dilated by the robot stay disjoint, so free space is connected for it.
 // Complexity  O(obstacles) well below the densest random packing
 #include <algorithm>
 #include <utility>
@@ -22,8 +22,9 @@ struct Params : SiteSettings {
   int disc_chords = 32;
 };
 
-constexpr int kTries = 5000;  // for one obstacle
-constexpr int kAttempts = 6;
+constexpr int kTries = 5000;            // to find a position for one obstacle
+constexpr int kAttempts = 6;            // for all obstacles
+constexpr double kMostObstacles = 1e7;  // roughly
 
 struct Obstacle {
   double radius;
@@ -32,8 +33,8 @@ struct Obstacle {
   Point centre{0, 0};
 };
 
-/// From where to where an obstacle reaches along a unit vector.
-std::pair<double, double> reach(const Obstacle& o, const Point& along) {
+/// Extent of an obstacle along a unit vector.
+std::pair<double, double> extent(const Obstacle& o, const Point& along) {
   if (o.round) return {o.centre.dot(along) - o.radius, o.centre.dot(along) + o.radius};
   double low = o.ring[0].dot(along), high = low;
   for (const Point& p : o.ring) {
@@ -43,17 +44,18 @@ std::pair<double, double> reach(const Obstacle& o, const Point& along) {
   return {low, high};
 }
 
-/// An edge of `a` has all of `b` at least `gap` in front of it.
-bool parted_by_an_edge(const Obstacle& a, const Obstacle& b, double gap) {
+/// Does all of `b` lie at least `gap` beyond the line of an edge of `a`?
+bool separated_by_an_edge(const Obstacle& a, const Obstacle& b, double gap) {
   if (a.round) return false;
   for (std::size_t i = 0; i < a.ring.size(); ++i) {
     const Point edge = a.ring[(i + 1) % a.ring.size()] - a.ring[i];
     const Point outwards = -perpendicular(edge) / edge.norm();
-    if (reach(b, outwards).first >= a.ring[i].dot(outwards) + gap) return true;
+    if (extent(b, outwards).first >= a.ring[i].dot(outwards) + gap) return true;
   }
   return false;
 }
 
+/// Obstacles about the origin, enough for the density, largest first.
 std::vector<Obstacle> drawn(const Params& p, double most, Rng& rng) {
   std::vector<Obstacle> obstacles;
   const double goal = p.density * p.width * p.height;
@@ -70,22 +72,22 @@ std::vector<Obstacle> drawn(const Params& p, double most, Rng& rng) {
   return obstacles;
 }
 
-/// Moves the obstacles to their places; how many found one.
-std::size_t place(std::vector<Obstacle>& obstacles, const Params& p, double most, Rng& rng) {
-  const double gap = narrowest(p);
+/// Moves the obstacles to random positions; returns how many fit.
+std::size_t move_apart(std::vector<Obstacle>& obstacles, const Params& p, double most, Rng& rng) {
+  const double gap = narrowest_passage(p);
   Spacing spacing(p.width, p.height, most, gap);
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     Obstacle& o = obstacles[k];
     const Ring shape = o.ring;
-    const auto [left, right] = reach(o, {1, 0});
-    const auto [bottom, top] = reach(o, {0, 1});
+    const auto [left, right] = extent(o, {1, 0});
+    const auto [bottom, top] = extent(o, {0, 1});
     for (int tries = 0;; ++tries) {
       if (tries == kTries) return k;
       o.centre.x() = rng.between(gap - left, p.width - gap - right);
       o.centre.y() = rng.between(gap - bottom, p.height - gap - top);
       for (std::size_t i = 0; i < shape.size(); ++i) o.ring[i] = shape[i] + o.centre;
       if (spacing.fits(o.centre, o.radius, [&](std::size_t other) {
-            return parted_by_an_edge(o, obstacles[other], gap) || parted_by_an_edge(obstacles[other], o, gap);
+            return separated_by_an_edge(o, obstacles[other], gap) || separated_by_an_edge(obstacles[other], o, gap);
           }))
         break;
     }
@@ -96,22 +98,22 @@ std::size_t place(std::vector<Obstacle>& obstacles, const Params& p, double most
 
 Region make(const Params& p, Rng& rng) {
   check_site("clutter", p);
-  const double gap = narrowest(p), most = std::min(p.most, (std::min(p.width, p.height) / 2 - gap) * 0.999);
+  const double gap = narrowest_passage(p), most = std::min(p.most, (std::min(p.width, p.height) / 2 - gap) * 0.999);
   if (p.least > p.most)
     refuse("clutter", "least is " + number(p.least) + " m, expected no more than most, " + number(p.most) + " m");
   if (p.density > 0 && p.least > most)
     refuse("clutter", "obstacles of radius " + number(p.least) + " m do not fit in " + number(p.width) + " x " +
                           number(p.height) + " m with passages of " + number(gap) + " m; lower least");
-  if (p.density * p.width * p.height > 1e7 * p.least * p.least)
+  if (p.density * p.width * p.height > kMostObstacles * p.least * p.least)
     refuse("clutter", "density " + number(p.density) + " of obstacles as small as " + number(p.least) +
                           " m makes millions of them in " + number(p.width) + " x " + number(p.height) +
                           " m; raise least or lower density");
   for (int attempt = 1;; ++attempt) {
     std::vector<Obstacle> obstacles = drawn(p, most, rng);
-    const std::size_t fit = place(obstacles, p, most, rng);
-    if (fit < obstacles.size() && attempt < kAttempts) continue;  // another draw may fit
+    const std::size_t fit = move_apart(obstacles, p, most, rng);
+    if (fit < obstacles.size() && attempt < kAttempts) continue;  // other obstacles may fit
     if (fit < obstacles.size())
-      refuse("clutter", "density " + number(p.density) + " cannot be reached, only " + std::to_string(fit) + " of " +
+      refuse("clutter", "density " + number(p.density) + " cannot be reached: only " + std::to_string(fit) + " of " +
                             std::to_string(obstacles.size()) +
                             " obstacles fit; lower density, or take larger obstacles or a narrower passage");
     Polygon polygon{box_region({0, 0}, {p.width, p.height}).polygons[0].outer, {}};
@@ -131,7 +133,7 @@ GeneratorInfo clutter() {
            {"least", &Params::least, Range{0.001, 10000}, "metres; radius of the smallest obstacle"},
            {"most", &Params::most, Range{0.001, 10000}, "metres; radius of the largest obstacle (or what fits)"},
            {"discs", &Params::discs, Range{0, 1}, "share of discs among the obstacles"},
-           {"corners", &Params::corners, Range{3, 100}, "most corners of an obstacle that is no disc"},
+           {"corners", &Params::corners, Range{3, 100}, "most vertices of an obstacle that is no disc"},
            {"disc_chords", &Params::disc_chords, Range{8, 1000}, "chords of a disc"}}),
       make);
 }

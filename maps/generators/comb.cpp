@@ -1,4 +1,3 @@
-// maps/generators/comb.cpp
 // A corridor with dead-end aisles, as in a warehouse or a library. O(aisles).
 #include <algorithm>
 
@@ -16,21 +15,23 @@ struct Params : SiteSettings {
   bool both_sides = false;
 };
 
+constexpr double kMostShortened = 0.75;  // of an aisle's depth, by jitter
+
 Region make(const Params& p, Rng& rng) {
   check_site("comb", p);
   const double corridor = passage_width("comb", "corridor", p.corridor, 3, p);
   const double aisle = (p.width - (p.aisles - 1) * p.wall) / p.aisles;
-  if (aisle < narrowest(p))
+  if (aisle < narrowest_passage(p))
     refuse("comb", std::to_string(p.aisles) + " aisles and walls of " + number(p.wall) + " m in a width of " +
                        number(p.width) + " m leave aisles of " + number(std::max(0.0, aisle)) +
-                       " m, expected at least " + number(narrowest(p)) + " m; take fewer or a larger width");
+                       " m, expected at least " + number(narrowest_passage(p)) +
+                       " m; take fewer aisles or a larger width");
   const double depth = (p.height - corridor) / (p.both_sides ? 2 : 1);
   if (depth <= 0)
     refuse("comb",
            "corridor is " + number(corridor) + " m wide, expected less than the height of " + number(p.height) + " m");
   const double low = p.both_sides ? depth : 0, high = low + corridor;
-  // Up to three quarters of an aisle's depth are taken away by jitter.
-  const auto reach = [&] { return depth * (1 - 0.75 * p.jitter * rng.unit()); };
+  const auto reach = [&] { return depth * (1 - kMostShortened * p.jitter * rng.unit()); };
   const auto left = [&](int i) { return i * (aisle + p.wall); };
   const auto right = [&](int i) { return i + 1 == p.aisles ? p.width : i * (aisle + p.wall) + aisle; };
   Ring ring;

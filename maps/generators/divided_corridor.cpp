@@ -1,8 +1,9 @@
-// A tall narrow room divided lengthwise by a wall that is open at the top, with small obstacles on the left and the right
-// side by turns. O(obstacles).
+// A tall narrow room divided lengthwise by a wall that is open at the top, with small obstacles alternating between the
+// left and the right side. O(obstacles).
 //
-// The weakness that MyCarbot's rectangles admit ("zweigeteilte Raeume"): the first rectangle from the bottom is now on the
-// left side, now on the right, and the robot shuttles.
+// Source      MyCarbot (TH Nuernberg): an admitted weakness of its rectangles ("zweigeteilte Raeume"). The first
+//             rectangle from the bottom lies alternately on the left and on the right, so the robot goes back and forth
+//             between them.
 #include <algorithm>
 
 #include "maps/generators/shape.hpp"
@@ -21,10 +22,10 @@ struct Params : SiteSettings {
 Region make(const Params& p, Rng& rng) {
   check_site("divided-corridor", p);
   const double opening = passage_width("divided-corridor", "opening", p.opening, 3, p);
-  const double side = (p.width - p.wall) / 2, gap = narrowest(p);
+  const double side = (p.width - p.wall) / 2, gap = narrowest_passage(p);
   const double room = p.height - opening;
   const double pitch = p.obstacles > 0 ? room / p.obstacles : room;
-  // An obstacle leaves the narrowest passage on both of its sides, and between it and the next.
+  // Each obstacle leaves the narrowest passage on both of its sides, and between itself and the next.
   const double size = std::min(side - 2 * gap, pitch / 2 - gap);
   if (size <= 0)
     refuse("divided-corridor", std::to_string(p.obstacles) + " obstacles on each side, " + number(std::max(0.0, side)) +
@@ -33,11 +34,12 @@ Region make(const Params& p, Rng& rng) {
   Polygon polygon;
   polygon.outer = {{0, 0},       {side, 0},           {side, room}, {side + p.wall, room}, {side + p.wall, 0},
                    {p.width, 0}, {p.width, p.height}, {0, p.height}};
-  for (int k = 0; k < 2 * p.obstacles; ++k) {  // left and right by turns, half a pitch apart
+  for (int k = 0; k < 2 * p.obstacles; ++k) {  // alternating sides, half a pitch apart
+    const bool on_left = k % 2 == 0;
     const double half = size / 2 * (1 - 0.5 * p.jitter * rng.unit());
     const double spare = (pitch - 2 * size - gap) / 4;
     const Point centre(
-        (k % 2 == 0 ? 0 : side + p.wall) + side / 2,
+        (on_left ? 0 : side + p.wall) + side / 2,
         gap + size / 2 + (k * 0.5) * pitch * (room - size - gap) / room + p.jitter * std::max(0.0, spare) * rng.unit());
     const Ring box = box_region(centre - Point(half, half), centre + Point(half, half)).polygons[0].outer;
     polygon.holes.emplace_back(box.rbegin(), box.rend());
@@ -49,13 +51,13 @@ Region make(const Params& p, Rng& rng) {
 
 GeneratorInfo divided_corridor() {
   return describe_generator<Params>(
-      "divided-corridor", "a corridor divided lengthwise, obstacles on either side by turns",
+      "divided-corridor", "a corridor divided lengthwise, with obstacles on alternating sides",
       "disjoint square holes at least `passage` robot diameters from the walls: connected",
       with_site<Params>({{"wall", &Params::wall, Range{0.001, 10000}, "metres; thickness of the dividing wall"},
                          {"opening", &Params::opening, Range{0, 10000},
                           "metres; at the upper end of the dividing wall; 0: 3 robot diameters"},
                          {"obstacles", &Params::obstacles, Range{0, 100000}, "on each side"},
-                         {"jitter", &Params::jitter, Range{0, 1}, "how unequal they are, and how unevenly spaced"}}),
+                         {"jitter", &Params::jitter, Range{0, 1}, "how much obstacles differ in size and spacing"}}),
       make);
 }
 

@@ -1,4 +1,4 @@
-// The list of map generators. Adding one: its file, its line twice here, its line in CMake, a test.
+// The list of map generators. To add one: its file, two lines here, one line in CMakeLists.txt, a test.
 #include "maps/generators.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 
 namespace oxturn {
 
-// In a namespace of their own: a planner may have the same name ('field', 'spiral').
+// In a namespace of their own: a planner may have the same name as a generator.
 namespace generator {
 GeneratorInfo rectangle();
 GeneratorInfo polygon();
@@ -41,7 +41,7 @@ Map generate(const std::string& generator, const Settings& settings, std::uint64
 }
 
 Map generate(const GeneratorInfo& info, const Settings& settings, std::uint64_t seed) {
-  // The name is mixed in, so that maps of two families with the same seed are not made of the same draws.
+  // The name is mixed in, so that two families with the same seed do not use the same random numbers.
   Rng rng(mix(seed, info.name));
   Map map;
   map.name = fmt::format("{}-{}", info.name, seed);
@@ -49,10 +49,10 @@ Map generate(const GeneratorInfo& info, const Settings& settings, std::uint64_t 
   map.source = fmt::format("{} --seed {}", info.name, seed);
   for (const auto& [name, value] : settings) map.source += fmt::format(" --set {}={}", name, to_text(value));
   map.free = info.make(settings, rng);
-  // A promise of every generator: what breaks it is a fault here, and must not reach a results table.
+  // Every generator guarantees this: a violation is our fault, and must not reach a results table.
   if (const auto flaw = find_flaw(map.free))
     throw std::logic_error(fmt::format("fault of generator '{}' ({}): {} at ({}, {})", info.name, map.source,
-                                       flaw->reason, flaw->place.x(), flaw->place.y()));
+                                       flaw->reason, flaw->point.x(), flaw->point.y()));
   if (map.free.polygons.size() != 1)
     throw std::logic_error(fmt::format("fault of generator '{}' ({}): {} polygons instead of 1", info.name, map.source,
                                        map.free.polygons.size()));

@@ -1,5 +1,4 @@
-// maps/generators/maze.cpp
-// A rectangular maze by the growing-tree method: one spanning tree of corridors, then loops by chance.
+// A rectangular maze by the growing-tree method: one spanning tree of corridors, then random loops.
 //
 // Source      growing tree: Buck, Mazes for Programmers, 2015 (newest cell: depth-first; random cell: Prim)
 // Complexity  O(cells)
@@ -22,7 +21,9 @@ struct Params : SiteSettings {
   double branching = 0.1;
 };
 
-/// Where the lattice lines are: corridor, wall, corridor, ..., corridor.
+constexpr double kMostCells = 4e6;
+
+/// Coordinates of the lattice lines: corridor, wall, corridor, ..., corridor.
 std::vector<double> bands(int cells, double size, double wall) {
   const double corridor = (size - (cells - 1) * wall) / cells;
   std::vector<double> lines;
@@ -33,8 +34,8 @@ std::vector<double> bands(int cells, double size, double wall) {
   return lines;
 }
 
+/// Cell (i, j) is bit (2i, 2j); the bit between two cells is the wall between them.
 BitGrid grown(int columns, int rows, const Params& p, Rng& rng) {
-  // Cell (i, j) is bit (2i, 2j); the bit between two cells is their wall.
   BitGrid grid({0, 0}, 1, 2 * columns - 1, 2 * rows - 1);
   struct Cell {
     int i, j;
@@ -74,8 +75,8 @@ Region make(const Params& p, Rng& rng) {
   if (across < 1 || up < 1)
     refuse("maze", "corridor is " + number(corridor) + " m, expected no more than the size, " + number(p.width) +
                        " x " + number(p.height) + " m");
-  if (across * up > 4e6)
-    refuse("maze", number(p.width) + " x " + number(p.height) + " m hold " + number(across * up) +
+  if (across * up > kMostCells)
+    refuse("maze", number(p.width) + " x " + number(p.height) + " m have " + number(across * up) +
                        " cells, expected no more than 4000000; take a wider corridor or a smaller size");
   const int columns = static_cast<int>(across), rows = static_cast<int>(up);
   return finished(
@@ -87,12 +88,12 @@ Region make(const Params& p, Rng& rng) {
 GeneratorInfo maze() {
   return describe_generator<Params>(
       "maze", "a maze of corridors",
-      "every cell reached, one way only if loops is 0; corridors at least `passage` robot diameters wide",
+      "every cell reached, by a single path if loops is 0; corridors at least `passage` robot diameters wide",
       with_site<Params>(
           {{"corridor", &Params::corridor, Range{0, 10000}, "metres, at least; 0: 2.5 robot diameters"},
            {"wall", &Params::wall, Range{0.001, 10000}, "metres; thickness of walls"},
-           {"loops", &Params::loops, Range{0, 1}, "probability that a wall the tree left is opened"},
-           {"branching", &Params::branching, Range{0, 1}, "0: long winding ways; 1: many short dead ends"}}),
+           {"loops", &Params::loops, Range{0, 1}, "probability that a wall that the tree left closed is opened"},
+           {"branching", &Params::branching, Range{0, 1}, "0: long winding corridors; 1: many short dead ends"}}),
       make);
 }
 

@@ -1,6 +1,7 @@
-// A hall full of pillars in staggered rows: ways along the rows are shut, ways aslant are open. O(pillars).
+// A hall full of pillars in staggered rows: passages along the rows are closed, diagonal ones are open. O(pillars).
 //
-// The weakness that MyCarbot's rectangles admit ("sehr viele kleine Hindernisse ... versetzt angeordnet").
+// Source      MyCarbot (TH Nuernberg): an admitted weakness of its rectangles ("sehr viele kleine Hindernisse ...
+//             versetzt angeordnet")
 #include <algorithm>
 #include <cmath>
 
@@ -17,18 +18,22 @@ struct Params : SiteSettings {
   int chords = 4;
 };
 
+constexpr double kExcess = 1.15;     // default spacing over the least
+constexpr double kRowsApart = 2.15;  // default spacing in pillar radii, at least: rows do not overlap
+constexpr double kMostVertices = 2e7;
+
 Region make(const Params& p, Rng& rng) {
   check_site("pillars", p);
-  const double gap = narrowest(p);
-  // Neighbours aslant are spacing * sqrt 2 apart, and so are the ways between them wide, less a pillar; jitter takes up
-  // to half of what is to spare on either side.
+  const double gap = narrowest_passage(p);
+  // Diagonal neighbours are spacing * sqrt 2 apart; the passage between them is that less two radii. Jitter takes up to
+  // half of the excess on either side.
   const double least = (gap + 2 * p.pillar) / std::sqrt(2.0);
-  const double spacing = p.spacing > 0 ? p.spacing : std::max(1.15 * least, 2.15 * p.pillar);
+  const double spacing = p.spacing > 0 ? p.spacing : std::max(kExcess * least, kRowsApart * p.pillar);
   if (spacing < least)
     refuse("pillars", "spacing is " + number(p.spacing) + " m, expected at least " + number(least) +
                           " m for a robot between pillars of radius " + number(p.pillar) + " m");
-  if (p.width / spacing * p.height / spacing / 2 * p.chords > 2e7)
-    refuse("pillars", "pillars " + number(spacing) + " m apart make more than 2 * 10^7 corners in " + number(p.width) +
+  if (p.width / spacing * p.height / spacing / 2 * p.chords > kMostVertices)
+    refuse("pillars", "pillars " + number(spacing) + " m apart make more than 2 * 10^7 vertices in " + number(p.width) +
                           " x " + number(p.height) + " m; take a larger spacing or fewer chords");
   const double slack = p.jitter * (spacing - least) / 2;
   Polygon polygon{box_region({0, 0}, {p.width, p.height}).polygons[0].outer, {}};
@@ -51,8 +56,8 @@ GeneratorInfo pillars() {
       with_site<Params>(
           {{"pillar", &Params::pillar, Range{0.001, 10000}, "metres; radius of a pillar"},
            {"spacing", &Params::spacing, Range{0, 10000},
-            "metres between rows, and between columns; 0: so that ways aslant are open and those along rows are not"},
-           {"jitter", &Params::jitter, Range{0, 1}, "how far pillars are off their places"},
+            "metres between rows, and between columns; 0: diagonal passages are open and those along rows are not"},
+           {"jitter", &Params::jitter, Range{0, 1}, "how far pillars are off their regular positions"},
            {"chords", &Params::chords, Range{3, 1000}, "corners of a pillar"}}),
       make);
 }

@@ -1,11 +1,10 @@
-// maps/generators/polygon.cpp
-// A random simple polygon, from nearly round to strongly non-convex: grown triangle by triangle on a jittered mesh.
+// A random simple polygon, from nearly round to strongly non-convex, grown triangle by triangle on a jittered mesh.
 //
-// Method      Start with one triangle; add a triangle across a border edge if its third corner is new (one corner
-//             more), or fill an ear, a triangle with two border edges (one corner less). The polygon stays simple.
-// Guarantee   Only triangles whose least height is the narrowest passage are used; a disc of that diameter passes
-//             from any of them to the next, so the polygon stays in one piece for the robot.
-// Complexity  O(corners log corners)
+// Method      Start with one triangle. Add a triangle across a boundary edge if its third vertex is new (one vertex
+//             more), or fill an ear, a triangle with two boundary edges (one vertex less). The polygon stays simple.
+// Guarantee   Only triangles whose least height is at least the narrowest passage are used. A disc of that diameter
+//             passes from any of them to the next, so the polygon is connected for the robot.
+// Complexity  O(vertices log vertices)
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,15 +23,18 @@ struct Params : SiteSettings {
   double jitter = 0.9;
 };
 
-constexpr int kNone = -1;
+constexpr double kMostMoved = 0.24;  // cells: jitter of a mesh vertex. Cells stay convex, so both diagonals are usable
+constexpr double kFirstDensity = 1.3;  // mesh vertices per vertex of the polygon
+constexpr double kLooser = 1.2;        // factor of the density after a failed attempt
+constexpr int kAttempts = 12;
 
 struct Triangle {
-  std::array<int, 3> corner{};                        // counter-clockwise
-  std::array<int, 3> neighbour{kNone, kNone, kNone};  // across the edge corner[k], corner[k + 1]
+  std::array<std::size_t, 3> vertex{};                    // counter-clockwise
+  std::array<std::optional<std::size_t>, 3> neighbour{};  // across the edge from vertex[k] to vertex[(k + 1) % 3]
   bool usable = false;
 };
 
-struct Net {
+struct TriangleMesh {
   std::vector<Point> points;
   std::vector<Triangle> triangles;
 };
@@ -42,67 +44,70 @@ double least_height(const Point& a, const Point& b, const Point& c) {
   return cross(b - a, c - a) / std::sqrt(longest);
 }
 
-/// A grid of about `points` points, each moved by up to 0.24 of a cell (cells stay convex, so either diagonal is
-/// good), cells cut by a random diagonal.
-Net net(const Params& p, double points, Rng& rng) {
-  const int columns = std::max(1, static_cast<int>(std::sqrt(points * p.width / p.height) - 0.5));
-  const int rows = std::max(1, static_cast<int>(std::ceil(points / (columns + 1))) - 1);
-  Net m;
-  const double dx = p.width / (columns + 0.48 * p.jitter), dy = p.height / (rows + 0.48 * p.jitter);
-  for (int j = 0; j <= rows; ++j)
-    for (int i = 0; i <= columns; ++i) {
-      const double x = i + p.jitter * (0.24 + rng.between(-0.24, 0.24));
-      const double y = j + p.jitter * (0.24 + rng.between(-0.24, 0.24));
-      m.points.emplace_back(x * dx, y * dy);
-    }
-  const auto at = [&](int i, int j) { return j * (columns + 1) + i; };
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i) {
-      const int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
-      const bool rising = rng.chance(0.5);
-      for (const auto& corner : rising ? std::array{std::array{a, b, c}, std::array{a, c, d}}
-                                       : std::array{std::array{a, b, d}, std::array{b, c, d}}) {
-        Triangle t;
-        t.corner = corner;
-        const auto q = [&](std::size_t k) { return m.points[static_cast<std::size_t>(corner[k])]; };
-        t.usable = least_height(q(0), q(1), q(2)) >= narrowest(p);
-        m.triangles.push_back(t);
-      }
-    }
-  struct Side {
-    int low, high, triangle, k;
+/// Finds the neighbours of all triangles by sorting their edges.
+void link_neighbours(std::vector<Triangle>& triangles) {
+  struct Edge {
+    std::size_t low, high, triangle, k;
   };
-  std::vector<Side> sides;
-  for (std::size_t t = 0; t < m.triangles.size(); ++t)
+  std::vector<Edge> edges;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
-      const int a = m.triangles[t].corner[k], b = m.triangles[t].corner[(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), static_cast<int>(t), static_cast<int>(k)});
+      const std::size_t a = triangles[t].vertex[k], b = triangles[t].vertex[(k + 1) % 3];
+      edges.push_back({std::min(a, b), std::max(a, b), t, k});
     }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
     return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
   });
-  for (std::size_t s = 1; s < sides.size(); ++s) {
-    const Side &a = sides[s - 1], &b = sides[s];
+  for (std::size_t s = 1; s < edges.size(); ++s) {
+    const Edge &a = edges[s - 1], &b = edges[s];
     if (a.low != b.low || a.high != b.high) continue;
-    m.triangles[static_cast<std::size_t>(a.triangle)].neighbour[static_cast<std::size_t>(a.k)] = b.triangle;
-    m.triangles[static_cast<std::size_t>(b.triangle)].neighbour[static_cast<std::size_t>(b.k)] = a.triangle;
+    triangles[a.triangle].neighbour[a.k] = b.triangle;
+    triangles[b.triangle].neighbour[b.k] = a.triangle;
   }
-  return m;
 }
 
+/// A jittered grid of about `points` points whose cells are divided by a random diagonal.
+TriangleMesh jittered_mesh(const Params& p, double points, Rng& rng) {
+  const int columns = std::max(1, static_cast<int>(std::sqrt(points * p.width / p.height) - 0.5));
+  const int rows = std::max(1, static_cast<int>(std::ceil(points / (columns + 1))) - 1);
+  TriangleMesh mesh;
+  const double dx = p.width / (columns + 2 * kMostMoved * p.jitter), dy = p.height / (rows + 2 * kMostMoved * p.jitter);
+  for (int j = 0; j <= rows; ++j)
+    for (int i = 0; i <= columns; ++i) {
+      const double x = i + p.jitter * (kMostMoved + rng.between(-kMostMoved, kMostMoved));
+      const double y = j + p.jitter * (kMostMoved + rng.between(-kMostMoved, kMostMoved));
+      mesh.points.emplace_back(x * dx, y * dy);
+    }
+  const auto at = [&](int i, int j) { return static_cast<std::size_t>(j * (columns + 1) + i); };
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      const std::size_t a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+      const bool rising = rng.chance(0.5);
+      for (const auto& vertex : rising ? std::array{std::array{a, b, c}, std::array{a, c, d}}
+                                       : std::array{std::array{a, b, d}, std::array{b, c, d}}) {
+        const Point &q0 = mesh.points[vertex[0]], &q1 = mesh.points[vertex[1]], &q2 = mesh.points[vertex[2]];
+        mesh.triangles.push_back({vertex, {}, least_height(q0, q1, q2) >= narrowest_passage(p)});
+      }
+    }
+  link_neighbours(mesh.triangles);
+  return mesh;
+}
+
+/// A polygon that grows on a mesh.
 class Growth {
  public:
-  Growth(const Net& m, Rng& rng) : mesh_(m), rng_(rng), in_(m.triangles.size(), false), used_(m.points.size(), false) {}
+  Growth(const TriangleMesh& mesh, Rng& rng)
+      : mesh_(mesh), rng_(rng), inside_(mesh.triangles.size(), false), used_(mesh.points.size(), false) {}
 
-  /// A ring with `corners` corners, or nothing if the polygon got stuck.
+  /// A ring with as many vertices as asked for; nullopt if the polygon cannot grow so far.
   std::optional<Ring> ring(const Params& p) {
-    std::vector<int> usable;
+    std::vector<std::size_t> usable;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (mesh_.triangles[t].usable) usable.push_back(static_cast<int>(t));
+      if (mesh_.triangles[t].usable) usable.push_back(t);
     if (usable.empty()) return {};
     add(usable[rng_.below(usable.size())]);
-    corners_ = 3;
-    while (corners_ < p.corners) {
+    vertices_ = 3;
+    while (vertices_ < p.corners) {
       if (rng_.chance(p.compactness)) fill_an_ear();
       if (!grow(p.winding)) return {};
     }
@@ -110,96 +115,92 @@ class Growth {
   }
 
  private:
-  const Triangle& triangle(int t) const { return mesh_.triangles[static_cast<std::size_t>(t)]; }
-  bool in(int t) const { return in_[static_cast<std::size_t>(t)]; }
-
-  void add(int t) {
-    in_[static_cast<std::size_t>(t)] = true;
-    for (const int c : triangle(t).corner) used_[static_cast<std::size_t>(c)] = true;
-    // Shuffled, or `winding` would always turn to the same side.
-    std::array<int, 3> next = triangle(t).neighbour;
-    rng_.shuffle(next);
-    for (const int n : next) {
-      if (n == kNone || in(n) || !triangle(n).usable) continue;
-      int inside = 0;
-      for (const int o : triangle(n).neighbour)
-        if (o != kNone && in(o)) ++inside;
-      (inside == 2 ? ears_ : front_).push_back(n);
+  void add(std::size_t t) {
+    inside_[t] = true;
+    for (const std::size_t v : mesh_.triangles[t].vertex) used_[v] = true;
+    // Shuffled; otherwise `winding` would always turn to the same side.
+    auto neighbours = mesh_.triangles[t].neighbour;
+    rng_.shuffle(neighbours);
+    for (const auto& n : neighbours) {
+      if (!n || inside_[*n] || !mesh_.triangles[*n].usable) continue;
+      int shared = 0;  // boundary edges
+      for (const auto& o : mesh_.triangles[*n].neighbour)
+        if (o && inside_[*o]) ++shared;
+      (shared == 2 ? ears_ : front_).push_back(*n);
     }
   }
 
   void fill_an_ear() {
     while (!ears_.empty()) {
-      const int t = take(ears_, rng_.below(ears_.size()));
-      if (in(t)) continue;
+      const std::size_t t = take(ears_, rng_.below(ears_.size()));
+      if (inside_[t]) continue;
       add(t);
-      --corners_;
+      --vertices_;
       return;
     }
   }
 
   bool grow(double winding) {
     while (!front_.empty()) {
-      const int t = take(front_, rng_.chance(winding) ? front_.size() - 1 : rng_.below(front_.size()));
-      if (in(t)) continue;
-      int fresh = 0;
-      for (const int c : triangle(t).corner)
-        if (!used_[static_cast<std::size_t>(c)]) ++fresh;
-      // Not fresh: its third corner is the border's already. It comes back as an ear, or never.
-      if (fresh == 0) continue;
+      const std::size_t t = take(front_, rng_.chance(winding) ? front_.size() - 1 : rng_.below(front_.size()));
+      if (inside_[t]) continue;
+      const auto& vertex = mesh_.triangles[t].vertex;
+      // If its third vertex is on the boundary already, it returns as an ear, or never.
+      if (std::all_of(vertex.begin(), vertex.end(), [&](std::size_t v) { return used_[v]; })) continue;
       add(t);
-      ++corners_;
+      ++vertices_;
       return true;
     }
     return false;
   }
 
-  static int take(std::vector<int>& from, std::size_t k) {
+  static std::size_t take(std::vector<std::size_t>& from, std::size_t k) {
     std::swap(from[k], from.back());
-    const int t = from.back();
+    const std::size_t t = from.back();
     from.pop_back();
     return t;
   }
 
   Ring outline() const {
-    std::vector<int> next(mesh_.points.size(), kNone);
-    int first = kNone;
-    for (std::size_t t = 0; t < in_.size(); ++t) {
-      if (!in_[t]) continue;
-      const Triangle& tr = mesh_.triangles[t];
+    std::vector<std::size_t> next(mesh_.points.size());  // along the boundary
+    std::size_t first = 0;
+    for (std::size_t t = 0; t < inside_.size(); ++t) {
+      if (!inside_[t]) continue;
+      const Triangle& triangle = mesh_.triangles[t];
       for (std::size_t k = 0; k < 3; ++k) {
-        if (tr.neighbour[k] != kNone && in(tr.neighbour[k])) continue;
-        next[static_cast<std::size_t>(tr.corner[k])] = tr.corner[(k + 1) % 3];
-        first = tr.corner[k];
+        if (triangle.neighbour[k] && inside_[*triangle.neighbour[k]]) continue;
+        next[triangle.vertex[k]] = triangle.vertex[(k + 1) % 3];
+        first = triangle.vertex[k];
       }
     }
     Ring ring;
-    int at = first;
+    std::size_t at = first;
     do {
-      ring.push_back(mesh_.points[static_cast<std::size_t>(at)]);
-      at = next[static_cast<std::size_t>(at)];
+      ring.push_back(mesh_.points[at]);
+      at = next[at];
     } while (at != first);
     return ring;
   }
 
-  const Net& mesh_;
+  const TriangleMesh& mesh_;
   Rng& rng_;
-  std::vector<bool> in_, used_;
-  std::vector<int> front_, ears_;
-  int corners_ = 0;
+  std::vector<bool> inside_, used_;  // triangles of the polygon; points of those
+  std::vector<std::size_t> front_;   // triangles outside with one boundary edge when they were found
+  std::vector<std::size_t> ears_;    // with two
+  int vertices_ = 0;
 };
 
 Region make(const Params& p, Rng& rng) {
   check_site("polygon", p, 2);
-  // Tight meshes fill the site better but growth may get stuck; then a looser one.
-  double points = 1.3 * p.corners + 2;
-  for (int attempt = 0; attempt < 12; ++attempt, points *= 1.2) {
-    const Net m = net(p, points, rng);
-    if (const auto ring = Growth(m, rng).ring(p)) return finished({{{*ring, {}}}}, p);
+  // Dense meshes fill the site better, but growth may get stuck; then a looser mesh is tried.
+  double points = kFirstDensity * p.corners + 2;
+  for (int attempt = 0; attempt < kAttempts; ++attempt, points *= kLooser) {
+    const TriangleMesh mesh = jittered_mesh(p, points, rng);
+    if (const auto ring = Growth(mesh, rng).ring(p)) return finished({{{*ring, {}}}}, p);
   }
-  refuse("polygon", std::to_string(p.corners) + " corners do not fit in " + number(p.width) + " x " + number(p.height) +
-                        " m with passages of " + number(narrowest(p)) +
-                        " m; take fewer corners, a larger size or a smaller robot");
+  refuse("polygon", std::to_string(p.corners) + " vertices do not fit in " + number(p.width) + " x " +
+                        number(p.height) + " m with passages of " + number(narrowest_passage(p)) +
+                        " m; lower corners, take a larger size or a smaller robot");
 }
 
 }  // namespace
@@ -208,12 +209,12 @@ GeneratorInfo polygon() {
   return describe_generator<Params>(
       "polygon", "a random simple polygon",
       "one simple polygon without holes, connected for a disc `passage` robot diameters wide",
-      with_site<Params>(
-          {{"corners", &Params::corners, Range{3, 200000}, "number of corners (without jitter straight ones vanish)"},
-           {"winding", &Params::winding, Range{0, 1}, "0: grows everywhere; 1: one long winding arm"},
-           {"compactness", &Params::compactness, Range{0, 0.9},
-            "how eagerly notches are filled; 0: strongly non-convex"},
-           {"jitter", &Params::jitter, Range{0, 1}, "how far corners lie off a grid"}}),
+      with_site<Params>({{"corners", &Params::corners, Range{3, 200000},
+                          "number of vertices (without jitter, those on a straight line vanish)"},
+                         {"winding", &Params::winding, Range{0, 1}, "0: grows everywhere; 1: one long winding arm"},
+                         {"compactness", &Params::compactness, Range{0, 0.9},
+                          "how eagerly notches are filled; 0: strongly non-convex"},
+                         {"jitter", &Params::jitter, Range{0, 1}, "how far vertices lie off a grid"}}),
       make);
 }
 

@@ -1,5 +1,4 @@
-// maps/generators/rectangle.cpp
-// An empty rectangle: the map on which every planner's overhead shows.
+// An empty rectangle: shows the overhead of every planner. O(1).
 #include "maps/generators/shape.hpp"
 
 namespace oxturn::generator {

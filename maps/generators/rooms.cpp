@@ -1,18 +1,18 @@
-// maps/generators/rooms.cpp
 // An apartment or office floor: rooms by recursive halving, corridors, doors.
 //
 // Method      Halve the floor until every piece is a room; large pieces are halved by a corridor instead of a wall.
-//             Doors along a spanning tree that prefers corridors (Kruskal), then loops by chance.
-// Guarantee   Every room is reached through doors at least `passage` robot diameters wide. Rooms are at least two
-//             doors wide, so the first rooms on either side of any cut share room for a door: the tree exists.
+//             Doors along a spanning tree that prefers corridors (Kruskal), then random further doors.
+// Guarantee   Every room is reached through doors at least `passage` robot diameters wide. Rooms are at least two doors
+//             wide, so the first rooms on either side of any cut share enough wall for a door: the tree exists.
 // Complexity  O(cells of wall thickness)
-// Decisions   1. Everything is a multiple of the wall's thickness, stretched a little to fill the size; drawn on
-//                bits and traced, so walls are exact.
-//             2. Two corridors that meet are open to each other over the whole width.
+// Decisions   1. Everything is a multiple of the wall's thickness, stretched a little to fill the size; drawn on bits
+//                and traced, so walls are exact.
+//             2. Where two corridors meet, they are open to each other over the whole width.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
+#include "base/disjoint_sets.hpp"
 #include "geometry/raster.hpp"
 #include "maps/generators/shape.hpp"
 
@@ -31,7 +31,10 @@ struct Params : SiteSettings {
 };
 
 constexpr int kTries = 50;
-constexpr int kCrossing = 12;  // pieces of more rooms are cut by a corridor across, smaller ones by one along
+constexpr double kMostCells = 1e8;  // squares of the wall's thickness
+constexpr int kLeastServed = 4;     // rooms: smaller pieces get no corridor
+constexpr int kCrossing = 12;       // pieces with more rooms are cut by a corridor across, smaller ones by one along
+constexpr int kCallsPerRoom = 20, kMoreCalls = 1000;  // of halve(), before an attempt is given up
 
 struct Rect {
   int x0, y0, x1, y1;  // half-open, in wall thicknesses
@@ -43,19 +46,19 @@ class Plan {
   Plan(const Params& p, int door, int corridor, Rng& rng)
       : p_(p), rng_(rng), corridor_(corridor), least_(2 * door + 3) {}
 
-  /// Cuts `r` into n rooms; nothing is kept if it fails.
+  /// Divides `r` into n rooms; leaves the plan as it was and returns false if that fails.
   bool halve(const Rect& r, int n, bool corridors_wanted) {
-    // A floor too tight would be tried in exponentially many ways: give up early, the next attempt is cheap.
-    if (++calls_ > 20LL * p_.rooms + 1000) return false;
+    // Without a limit a tight floor takes exponential time. Another attempt is cheap.
+    if (++calls_ > static_cast<long long>(kCallsPerRoom) * p_.rooms + kMoreCalls) return false;
     if (n == 1) {
       rooms.push_back(r);
       return true;
     }
     const bool wide = r.size(0) > r.size(1) || (r.size(0) == r.size(1) && rng_.chance(0.5));
     const int longer = wide ? 0 : 1;
-    if (corridors_wanted && n >= 4) {
+    if (corridors_wanted && n >= kLeastServed) {
       const int axis = n > kCrossing ? longer : 1 - longer;
-      // The halves of the last corridor, along the piece, are served by it.
+      // A corridor along the piece serves both halves; they need none of their own.
       if (cut(r, n, axis, corridor_ + 2, n > kCrossing)) return true;
     }
     return cut(r, n, longer, 1, corridors_wanted) || cut(r, n, 1 - longer, 1, corridors_wanted);
@@ -66,14 +69,14 @@ class Plan {
  private:
   int capacity(const Rect& r) const { return ((r.size(0) + 1) / (least_ + 1)) * ((r.size(1) + 1) / (least_ + 1)); }
 
-  /// Tries a cut `thick` wide; nothing is kept if it fails.
+  /// Tries a cut `thick` wide; as halve() if it fails.
   bool cut(const Rect& r, int n, int axis, int thick, bool corridors_wanted) {
     const int usable = r.size(axis) - thick;
     if (usable < 2 * least_) return false;
     const double share = 0.5 + p_.jitter * rng_.between(-0.3, 0.3);
     const int n1 = std::clamp(static_cast<int>(n * share + 0.5), 1, n - 1);
-    const double place = static_cast<double>(n1) / n + (n == 2 ? p_.jitter * rng_.between(-0.2, 0.2) : 0);
-    const int at = std::clamp(static_cast<int>(usable * place + 0.5), least_, usable - least_);
+    const double position = static_cast<double>(n1) / n + (n == 2 ? p_.jitter * rng_.between(-0.2, 0.2) : 0);
+    const int at = std::clamp(static_cast<int>(usable * position + 0.5), least_, usable - least_);
     Rect a = r, b = r, strip = r;
     if (axis == 0) {
       a.x1 = r.x0 + at, b.x0 = a.x1 + thick, strip.x0 = a.x1 + 1, strip.x1 = b.x0 - 1;
@@ -95,19 +98,38 @@ class Plan {
   long long calls_ = 0;
 };
 
-/// A straight stretch of wall with one room on either side.
-struct Stretch {
-  int a, b;      // labels, from 1; rooms first, then corridors
+/// Rooms and corridors drawn on cells, with their labels.
+struct Floor {
+  BitGrid grid;            // free cells
+  std::vector<int> label;  // by cell: 0 for wall, rooms from 1, then corridors
+  int rooms, labels;       // how many
+};
+
+Floor drawn(const Plan& plan, int columns, int rows) {
+  Floor floor{BitGrid({0, 0}, 1, columns, rows), {}, static_cast<int>(plan.rooms.size()), 0};
+  floor.label.assign(floor.grid.bits.size(), 0);
+  for (const auto* rects : {&plan.rooms, &plan.corridors})
+    for (const Rect& r : *rects) {
+      ++floor.labels;
+      for (int y = r.y0; y < r.y1; ++y)
+        for (int x = r.x0; x < r.x1; ++x) {
+          floor.label[floor.grid.at(x, y)] = floor.labels;
+          floor.grid.set(x, y, true);
+        }
+    }
+  return floor;
+}
+
+/// A straight piece of wall between one room and another.
+struct WallPiece {
+  int a, b;      // labels
   bool upright;  // a vertical wall at x = line
   int line, from, to;
 };
 
-/// Labels by cell, 0 for wall; then runs along the walls.
-std::vector<Stretch> stretches(const std::vector<int>& label, int columns, int rows) {
-  std::vector<Stretch> all;
-  const auto at = [&](int x, int y) {
-    return label[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)];
-  };
+std::vector<WallPiece> wall_pieces(const Floor& floor) {
+  std::vector<WallPiece> all;
+  const auto at = [&](int x, int y) { return floor.label[floor.grid.at(x, y)]; };
   const auto scan = [&](bool upright, int lines, int cells) {
     for (int line = 1; line + 1 < lines; ++line) {
       for (int k = 0; k < cells; ++k) {
@@ -123,36 +145,35 @@ std::vector<Stretch> stretches(const std::vector<int>& label, int columns, int r
       }
     }
   };
-  scan(true, columns, rows);
-  scan(false, rows, columns);
+  scan(true, floor.grid.columns, floor.grid.rows);
+  scan(false, floor.grid.rows, floor.grid.columns);
   return all;
 }
 
-void open_doors(BitGrid& grid, const std::vector<Stretch>& walls, int rooms, int labels, int door, double loops,
-                Rng& rng) {
+void open_doors(Floor& floor, int door, double loops, Rng& rng) {
   struct Candidate {
     int corridors;
     std::uint64_t order;
-    Stretch wall;
+    WallPiece wall;
   };
   std::vector<Candidate> candidates;
-  for (const Stretch& w : walls)
-    if (w.to - w.from >= door) candidates.push_back({(w.a > rooms) + (w.b > rooms), rng.bits(), w});
+  for (const WallPiece& w : wall_pieces(floor))
+    if (w.to - w.from >= door) candidates.push_back({(w.a > floor.rooms) + (w.b > floor.rooms), rng.bits(), w});
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
     return std::tuple(-x.corridors, x.order) < std::tuple(-y.corridors, y.order);
   });
-  Groups groups(static_cast<std::size_t>(labels) + 1);
+  DisjointSets connected(static_cast<std::size_t>(floor.labels) + 1);
   for (const Candidate& c : candidates) {
-    const Stretch& w = c.wall;
-    const bool extra = rng.chance(loops);  // drawn always, so that loops changes nothing else
-    if (!groups.join(w.a, w.b) && !extra) continue;
+    const WallPiece& w = c.wall;
+    const bool extra = rng.chance(loops);  // always drawn, so that `loops` changes no other draw
+    if (!connected.unite(static_cast<std::size_t>(w.a), static_cast<std::size_t>(w.b)) && !extra) continue;
     int from = w.from, to = w.to;
     if (c.corridors < 2) {
-      const int margin = to - from >= door + 2 ? 1 : 0;  // a jamb on both sides where there is room
-      from = rng.between(w.from + margin, w.to - margin - door);
+      const int jamb = to - from >= door + 2 ? 1 : 0;  // on both sides, where there is room
+      from = rng.between(w.from + jamb, w.to - jamb - door);
       to = from + door;
     }
-    for (int k = from; k < to; ++k) grid.set(w.upright ? w.line : k, w.upright ? k : w.line, true);
+    for (int k = from; k < to; ++k) floor.grid.set(w.upright ? w.line : k, w.upright ? k : w.line, true);
   }
 }
 
@@ -160,31 +181,20 @@ Region make(const Params& p, Rng& rng) {
   check_site("rooms", p);
   const double door_width = passage_width("rooms", "door", p.door, 2.25, p);
   const double corridor_width = std::max(door_width, passage_width("rooms", "corridor", p.corridor, 3, p));
-  if (p.width < p.wall || p.height < p.wall || p.width / p.wall * (p.height / p.wall) > 1e8)
+  if (p.width < p.wall || p.height < p.wall || p.width / p.wall * (p.height / p.wall) > kMostCells)
     refuse("rooms", "wall is " + number(p.wall) + " m in " + number(p.width) + " x " + number(p.height) +
                         " m, expected thinner than the size and no more than 10^8 squares of its thickness");
   const int columns = static_cast<int>(p.width / p.wall), rows = static_cast<int>(p.height / p.wall);
-  // Capped before the cast: a door wider than the floor is refused below like any other that does not fit.
+  // Limited before the cast: a door wider than the floor is refused below like any other that does not fit.
   const double most = std::max(columns, rows);
   const int door = static_cast<int>(std::min(std::ceil(door_width / p.wall), most));
   const int corridor = static_cast<int>(std::min(std::ceil(corridor_width / p.wall), most));
   for (int attempt = 0; attempt < kTries; ++attempt) {
     Plan plan(p, door, corridor, rng);
     if (!plan.halve({0, 0, columns, rows}, p.rooms, p.corridors)) continue;
-    BitGrid grid({0, 0}, 1, columns, rows);
-    std::vector<int> label(grid.bits.size(), 0);
-    int next = 0;
-    for (const auto* rects : {&plan.rooms, &plan.corridors})
-      for (const Rect& r : *rects) {
-        ++next;
-        for (int y = r.y0; y < r.y1; ++y)
-          for (int x = r.x0; x < r.x1; ++x) {
-            label[grid.at(x, y)] = next;
-            grid.set(x, y, true);
-          }
-      }
-    open_doors(grid, stretches(label, columns, rows), static_cast<int>(plan.rooms.size()), next, door, p.loops, rng);
-    return finished(placed(trace(grid), lattice_lines(columns, p.width), lattice_lines(rows, p.height)), p);
+    Floor floor = drawn(plan, columns, rows);
+    open_doors(floor, door, p.loops, rng);
+    return finished(placed(trace(floor.grid), lattice_lines(columns, p.width), lattice_lines(rows, p.height)), p);
   }
   refuse("rooms", std::to_string(p.rooms) + " rooms with doors of " + number(door_width) + " m do not fit in " +
                       number(p.width) + " x " + number(p.height) +

@@ -4,14 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 #include "geometry/predicates.hpp"
 
 namespace oxturn::generator {
 
-double narrowest(const SiteSettings& site) { return 2 * site.robot * site.passage * (1 + 1.0 / 1024); }
+namespace {
+
+constexpr double kWider = 1 + 1.0 / 1024;      // factor by which passages exceed what is asked for
+constexpr double kMostBuckets = 2048;          // per side; larger buckets only mean more comparisons
+constexpr int kSeriesTerms = 9;                // of sine and cosine within an eighth of a turn: the rest is below 1e-19
+constexpr double kCoarsestGrid = 1.0 / 65536;  // metres
+constexpr double kGridPerPassage = 1.0 / 4096;  // grid of the final snapping, in narrowest passages
+
+}  // namespace
+
+double narrowest_passage(const SiteSettings& site) { return 2 * site.robot * site.passage * kWider; }
 
 void refuse(const std::string& name, const std::string& sentence) {
   throw std::invalid_argument(fmt::format("generator '{}': {}", name, sentence));
@@ -20,7 +29,7 @@ void refuse(const std::string& name, const std::string& sentence) {
 std::string number(double value) { return fmt::format("{:.4g}", value); }
 
 void check_site(const std::string& name, const SiteSettings& site, double passages) {
-  const double least = passages * narrowest(site);
+  const double least = passages * narrowest_passage(site);
   for (const auto& [side, metres] : {std::pair{"width", site.width}, std::pair{"height", site.height}})
     if (metres < least)
       refuse(name, fmt::format("{} is {} m, expected at least {} m ({} times the narrowest passage: passage {} x robot "
@@ -31,14 +40,14 @@ void check_site(const std::string& name, const SiteSettings& site, double passag
 
 double passage_width(const std::string& name, const std::string& what, double value, double diameters,
                      const SiteSettings& site) {
-  if (value <= 0) return std::max(narrowest(site), diameters * 2 * site.robot);
-  // The thousandth to spare is ours to give, not the user's to ask for.
+  if (value <= 0) return std::max(narrowest_passage(site), diameters * 2 * site.robot);
+  // The user's value need not include the extra thousandth.
   if (value < 2 * site.robot * site.passage)
     refuse(name, fmt::format("{} is {} m, expected at least {} m (passage {} x robot diameter {} m); widen it or lower "
                              "passage",
                              what, number(value), number(2 * site.robot * site.passage), number(site.passage),
                              number(2 * site.robot)));
-  return std::max(value, narrowest(site));
+  return std::max(value, narrowest_passage(site));
 }
 
 Point direction(double turns) {
@@ -47,7 +56,7 @@ Point direction(double turns) {
   const double x = (quarters - whole) * (kPi / 2);  // within an eighth of a turn
   const double x2 = x * x;
   double c = 0, s = 0;
-  for (int k = 9; k >= 1; --k) {  // Horner; the term left out is below 1e-19
+  for (int k = kSeriesTerms; k >= 1; --k) {  // Horner's scheme
     c = (1 + c) * (-x2 / ((2 * k - 1) * (2 * k)));
     s = (1 + s) * (-x2 / ((2 * k) * (2 * k + 1)));
   }
@@ -65,28 +74,27 @@ Point direction(double turns) {
   }
 }
 
-Ring convex_blob(Rng& rng, int corners, double radius, const Point& centre) {
-  const double squash = rng.between(0.65, 1.0);
+Ring convex_blob(Rng& rng, int vertices, double radius, const Point& centre) {
+  const double compression = rng.between(0.65, 1.0);
   const double first = rng.unit();
   const Point axis = direction(rng.unit());
   Ring ring;
-  for (int i = 0; i < corners; ++i) {
-    const Point d = direction(first + (i + rng.between(-0.3, 0.3)) / corners);
-    ring.push_back(centre + radius * (d.x() * axis + squash * d.y() * perpendicular(axis)));
+  for (int i = 0; i < vertices; ++i) {
+    const Point d = direction(first + (i + rng.between(-0.3, 0.3)) / vertices);
+    ring.push_back(centre + radius * (d.x() * axis + compression * d.y() * perpendicular(axis)));
   }
   return ring;
 }
 
-Ring disc(int corners, double radius, const Point& centre) {
+Ring disc(int vertices, double radius, const Point& centre) {
   Ring ring;
-  for (int i = 0; i < corners; ++i) ring.push_back(centre + radius * direction(static_cast<double>(i) / corners));
+  for (int i = 0; i < vertices; ++i) ring.push_back(centre + radius * direction(static_cast<double>(i) / vertices));
   return ring;
 }
 
 Spacing::Spacing(double width, double height, double largest_radius, double gap)
-    // No more than 2048 buckets a side; larger ones only mean more comparisons.
     : gap_(gap),
-      cell_(std::max(2 * largest_radius + gap, std::max(width, height) / 2048)),
+      cell_(std::max(2 * largest_radius + gap, std::max(width, height) / kMostBuckets)),
       columns_(static_cast<int>(width / cell_) + 1),
       rows_(static_cast<int>(height / cell_) + 1),
       buckets_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
@@ -116,7 +124,7 @@ Ring without_straight_vertices(const Ring& ring) {
     while (kept.size() >= 2 && orientation(kept[kept.size() - 2], kept.back(), p) == 0) kept.pop_back();
     kept.push_back(p);
   }
-  // The seam: the same, round the end.
+  // The same where the ring closes.
   std::size_t first = 0;
   for (bool changed = true; changed && kept.size() - first >= 3;) {
     changed = false;
@@ -147,14 +155,14 @@ Ring cut_vertices(const Ring& ring, double share, double most) {
 
 Region placed(const Region& lattice, const std::vector<double>& xs, const std::vector<double>& ys) {
   Region result = lattice;
-  const auto place = [&](Ring& ring) {
+  const auto look_up = [&](Ring& ring) {
     for (Point& p : ring)
       p = {xs[static_cast<std::size_t>(std::floor(p.x() + 0.5))],
            ys[static_cast<std::size_t>(std::floor(p.y() + 0.5))]};
   };
   for (Polygon& polygon : result.polygons) {
-    place(polygon.outer);
-    for (Ring& hole : polygon.holes) place(hole);
+    look_up(polygon.outer);
+    for (Ring& hole : polygon.holes) look_up(hole);
   }
   return result;
 }
@@ -165,36 +173,19 @@ std::vector<double> lattice_lines(int cells, double size) {
   return at;
 }
 
-Groups::Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-int Groups::find(int a) {
-  while (parent_[static_cast<std::size_t>(a)] != a) {
-    int& up = parent_[static_cast<std::size_t>(a)];
-    up = parent_[static_cast<std::size_t>(up)];
-    a = up;
-  }
-  return a;
-}
-
-bool Groups::join(int a, int b) {
-  a = find(a), b = find(b);
-  parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-  return a != b;
-}
-
 namespace {
 
-/// Largest power of two not above the narrowest passage / 4096, and not above 2^-16 m.
-double quantum(const SiteSettings& site) {
-  double q = 1.0 / 65536;
-  while (q > narrowest(site) / 4096) q /= 2;
-  return q;
+/// Largest power of two that is neither above narrowest passage / 4096 nor above 2^-16 m.
+double grid_of(const SiteSettings& site) {
+  double grid = kCoarsestGrid;
+  while (grid > narrowest_passage(site) * kGridPerPassage) grid /= 2;
+  return grid;
 }
 
 }  // namespace
 
 Region finished(Region region, const SiteSettings& site) {
-  const double q = quantum(site);
+  const double grid = grid_of(site);
   const Point d = direction(site.rotation / 360);
   const Point centre(site.width / 2, site.height / 2);
   const auto finish = [&](Ring& ring, bool counter_clockwise) {
@@ -202,7 +193,7 @@ Region finished(Region region, const SiteSettings& site) {
     for (Point& p : ring) {
       const Point v = p - centre;
       if (site.rotation != 0) p = centre + Point(d.x() * v.x() - d.y() * v.y(), d.y() * v.x() + d.x() * v.y());
-      p = {std::floor(p.x() / q + 0.5) * q, std::floor(p.y() / q + 0.5) * q};
+      p = {std::floor(p.x() / grid + 0.5) * grid, std::floor(p.y() / grid + 0.5) * grid};
     }
     ring = without_straight_vertices(ring);
     if ((signed_area(ring) > 0) != counter_clockwise) std::reverse(ring.begin(), ring.end());

@@ -1,8 +1,12 @@
-// What all generators share: the size and scale of a site, exact turning, blobs, spacing, finishing.
-// Private to maps/generators.
-//
-// Same bytes on every machine: only + - * / sqrt floor of doubles (correctly rounded everywhere) and Rng; sines
-// come from a series written out here, not from libm; finished maps are snapped to a power-of-two grid.
+/// Common parts of all generators: size and scale of a site, exact rotation, convex polygons, spacing, finishing.
+///
+///   struct Params : SiteSettings { double jitter = 0; };            // a generator's own parameters
+///   check_site("hall", p);
+///   return finished(box_region({0, 0}, {p.width, p.height}), p);    // the last step
+///
+/// Private to maps/generators. Maps have the same bytes on every machine: only + - * / sqrt floor of doubles are used,
+/// which are correctly rounded everywhere, and Rng. Sines come from a series written out here, not from libm, and
+/// finished maps are snapped to a power-of-two grid.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +19,7 @@
 
 namespace oxturn::generator {
 
-/// The parameters every generator has.
+/// The parameters of every generator.
 struct SiteSettings {
   double width = 20, height = 20;  // metres, before rotation
   double robot = 0.2;              // metres, radius
@@ -23,7 +27,7 @@ struct SiteSettings {
   double rotation = 0;             // degrees
 };
 
-/// A generator's own lines, between the size and the scale that all have.
+/// A generator's own parameters between those for size and scale, which all have.
 template <class P>
 std::vector<Parameter<P>> with_site(const std::vector<Parameter<P>>& own) {
   std::vector<Parameter<P>> lines{{"width", &P::width, Range{0.001, 100000}, "metres, before rotation"},
@@ -31,36 +35,36 @@ std::vector<Parameter<P>> with_site(const std::vector<Parameter<P>>& own) {
   lines.insert(lines.end(), own.begin(), own.end());
   lines.push_back({"robot", &P::robot, Range{0.001, 1000}, "metres; radius of the robot the map is scaled for"});
   lines.push_back({"passage", &P::passage, Range{0.05, 1000},
-                   "narrowest passage in robot diameters; below 1 the robot may be shut out"});
-  lines.push_back({"rotation", &P::rotation, Range{-360, 360}, "degrees off the axes, about the centre"});
+                   "narrowest passage in robot diameters; below 1 the robot may not fit through"});
+  lines.push_back({"rotation", &P::rotation, Range{-360, 360}, "degrees, counter-clockwise about the centre"});
   return lines;
 }
 
-/// The narrowest passage in metres, with a thousandth to spare for the final snapping.
-double narrowest(const SiteSettings& site);
+/// The narrowest passage in metres, a thousandth wider so that the final snapping does not make it too narrow.
+double narrowest_passage(const SiteSettings& site);
 /// Throws std::invalid_argument("generator 'NAME': SENTENCE").
 [[noreturn]] void refuse(const std::string& name, const std::string& sentence);
-/// Refuses a site narrower than `passages` of its narrowest passages.
+/// Refuses a site whose width or height is below `passages` narrowest passages.
 void check_site(const std::string& name, const SiteSettings& site, double passages = 1);
-/// `value`, or `diameters` robot diameters (never under the narrowest passage) if it is 0. Refuses a value under
-/// the narrowest passage; `what` is the parameter's name.
+/// `value`; for 0 `diameters` robot diameters, but at least the narrowest passage. Refuses a value below the narrowest
+/// passage; `what` is the parameter's name.
 double passage_width(const std::string& name, const std::string& what, double value, double diameters,
                      const SiteSettings& site);
-/// "1.25" for sentences.
+/// "1.25", for messages.
 std::string number(double value);
 
-/// (cos, sin) of so many full turns. Within 1e-15; quarter turns are exact.
+/// (cos, sin) of this many full turns. Within 1e-15; quarter turns are exact.
 Point direction(double turns);
-/// A convex ring with `corners` corners in a circle about `centre`: a squashed circle's inscribed polygon.
-Ring convex_blob(Rng& rng, int corners, double radius, const Point& centre);
+/// A convex polygon inscribed in a circle that is compressed along one axis.
+Ring convex_blob(Rng& rng, int vertices, double radius, const Point& centre);
 /// A regular polygon inscribed in the circle.
-Ring disc(int corners, double radius, const Point& centre);
+Ring disc(int vertices, double radius, const Point& centre);
 
-/// Circles that keep a distance, in a grid of buckets: O(1) for each question.
+/// Circles that keep a distance from each other, in a grid of buckets: O(1) per query.
 class Spacing {
  public:
   Spacing(double width, double height, double largest_radius, double gap);
-  /// No circle is nearer than the gap, unless clear(its number) says that it does no harm.
+  /// True if no circle is nearer than the gap, except those with clear(number of the circle).
   template <class F>
   bool fits(const Point& centre, double radius, F clear) const {
     for (const Circle* c : near(centre)) {
@@ -72,7 +76,7 @@ class Spacing {
   bool fits(const Point& centre, double radius) const {
     return fits(centre, radius, [](std::size_t) { return false; });
   }
-  /// Circles are numbered from 0 in the order they are added.
+  /// Circles are numbered from 0 in the order in which they are added.
   void add(const Point& centre, double radius);
 
  private:
@@ -89,29 +93,18 @@ class Spacing {
   std::vector<std::vector<Circle>> buckets_;
 };
 
-/// Corners repeated or exactly straight on are dropped.
+/// The ring without repeated vertices and without vertices on a straight line (exact).
 Ring without_straight_vertices(const Ring& ring);
-/// Every corner becomes two, `share` of the edge away from it but no more than `most` (share <= 0.5).
+/// Every vertex becomes two, on the edges beside it: `share` of the edge's length away, but at most `most` metres
+/// (share <= 0.5).
 Ring cut_vertices(const Ring& ring, double share, double most);
-/// Lattice corners (whole numbers) looked up in tables of coordinates.
+/// Replaces lattice coordinates (whole numbers) by those in two tables.
 Region placed(const Region& lattice, const std::vector<double>& xs, const std::vector<double>& ys);
-/// Where the lines of a lattice of so many cells are, stretched to `size`.
+/// Coordinates of the lines of a lattice with this many cells, scaled to `size` metres.
 std::vector<double> lattice_lines(int cells, double size);
 
-/// Which of n things are connected (union-find with path halving).
-class Groups {
- public:
-  explicit Groups(std::size_t n);
-  int find(int a);
-  /// False if they were together already.
-  bool join(int a, int b);
-
- private:
-  std::vector<int> parent_;
-};
-
-/// The last step of every generator: turned about the site's centre, snapped to a grid of 2^-16 m (finer for
-/// robots under 0.1 m), rings oriented and without straight corners.
+/// The last step of every generator: the region rotated about the site's centre and snapped to a grid of 2^-16 m (finer
+/// for robots under 0.1 m), its rings oriented and without straight vertices.
 Region finished(Region region, const SiteSettings& site);
 
 }  // namespace oxturn::generator

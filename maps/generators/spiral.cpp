@@ -1,8 +1,8 @@
-// maps/generators/spiral.cpp
-// A spiral corridor from the rim to the middle, square or round: the longest way with the fewest choices.
-// O(corners).
+// A spiral corridor from the outside to the middle, square or round: the longest path with the fewest choices.
+// O(vertices).
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "maps/generators/shape.hpp"
 
@@ -17,15 +17,28 @@ struct Params : SiteSettings {
   bool round = false;
 };
 
-constexpr int kChords = 64;  // of a round lap
+constexpr int kChords = 64;  // of one round of a round spiral
+// A ray crosses the corridor at an angle (at most atan(1 / 2 pi)), and chords cut in by cos(pi / 64): 2 % in all.
+constexpr double kRayPerCorridor = 1.02;
 
-/// Square: the corridor's middle line goes round inside a shrinking box.
-Ring square(const Params& p, double corridor, Rng& rng) {
-  const double half = corridor / 2, pitch = corridor + p.wall;
+[[noreturn]] void refuse_arms(const std::string& found, double pitch, const std::string& size, int wanted) {
+  refuse("spiral", "only " + found + " of " + number(pitch) + " m (corridor and wall) fit in " + size +
+                       " m, expected " + std::to_string(std::max(2, wanted)) +
+                       "; take a larger size, or a smaller corridor or wall");
+}
+
+/// Arms of a square spiral lead east, north, west, south, and so on.
+Point heading(std::size_t arm) {
+  static const std::array<Point, 4> kHeadings{Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1)};
+  return kHeadings[arm % 4];
+}
+
+/// The corridor's middle line: round the inside of a box that shrinks by `pitch` after each arm.
+Polyline square_middle_line(const Params& p, double half, double pitch) {
   Point low(half, half), high(p.width - half, p.height - half);
   Polyline line{low};
-  const int most = p.arms > 0 ? p.arms : 1 << 30;
-  for (int arm = 0; arm < most; ++arm) {
+  const std::size_t most = p.arms > 0 ? static_cast<std::size_t>(p.arms) : std::numeric_limits<std::size_t>::max();
+  for (std::size_t arm = 0; arm < most; ++arm) {
     Point to = line.back();
     switch (arm % 4) {
       case 0:
@@ -46,56 +59,55 @@ Ring square(const Params& p, double corridor, Rng& rng) {
         break;
     }
     // Two parallel arms are as far apart as the arm between them is long.
-    const Point step = to - line.back();
-    const double along = arm % 4 == 0 ? step.x() : arm % 4 == 1 ? step.y() : arm % 4 == 2 ? -step.x() : -step.y();
-    if (along < pitch) break;
+    if ((to - line.back()).dot(heading(arm)) < pitch) break;
     line.push_back(to);
   }
+  return line;
+}
+
+/// One wall of a square spiral: `side` is 1 for the left wall and -1 for the right one, `offsets` are the wall's
+/// distances from the middle line, by arm. At a corner each of the two arms fixes one coordinate.
+Ring square_wall(const Polyline& line, const std::vector<double>& offsets, double side, double half) {
+  const auto offset = [&](std::size_t arm) { return Point(side * offsets[arm] * perpendicular(heading(arm))); };
+  const std::size_t arms = offsets.size();
+  Ring wall{line[0] - half * heading(0) + offset(0)};
+  for (std::size_t i = 1; i < arms; ++i) wall.push_back(line[i] + offset(i - 1) + offset(i));
+  wall.push_back(line[arms] + half * heading(arms - 1) + offset(arms - 1));
+  return wall;
+}
+
+Ring square(const Params& p, double corridor, Rng& rng) {
+  const double half = corridor / 2, pitch = corridor + p.wall;
+  const Polyline line = square_middle_line(p, half, pitch);
   const int arms = static_cast<int>(line.size()) - 1;
   if (arms < 2 || arms < p.arms)
-    refuse("spiral", "only " + std::to_string(arms) + " arms of " + number(pitch) + " m (corridor and wall) fit in " +
-                         number(p.width) + " x " + number(p.height) + " m, expected " +
-                         std::to_string(std::max(2, p.arms)) + "; take a larger size, or a smaller corridor or wall");
-  const std::array<Point, 4> ways{Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1)};
-  const auto way = [&](int arm) { return ways[static_cast<std::size_t>(arm % 4)]; };
-  const auto at = [&](int i) { return line[static_cast<std::size_t>(i)]; };
-  const double slack = p.jitter * (half - narrowest(p) / 2);
+    refuse_arms(std::to_string(arms) + " arms", pitch, number(p.width) + " x " + number(p.height), p.arms);
+  const double slack = p.jitter * (half - narrowest_passage(p) / 2);
   std::vector<double> left, right;
   for (int i = 0; i < arms; ++i) {
     left.push_back(half - slack * rng.unit());
     right.push_back(half - slack * rng.unit());
   }
-  // Where the walls of arm i - 1 and arm i meet: each fixes one coordinate.
-  const auto corner = [&](int i, const std::vector<double>& offset, double side) {
-    const auto off = [&](int arm) {
-      return Point(side * offset[static_cast<std::size_t>(arm)] * perpendicular(way(arm)));
-    };
-    if (i == 0) return Point(at(0) - half * way(0) + off(0));
-    if (i == arms) return Point(at(arms) + half * way(arms - 1) + off(arms - 1));
-    return Point(at(i) + off(i - 1) + off(i));
-  };
-  Ring ring;
-  for (int i = 0; i <= arms; ++i) ring.push_back(corner(i, right, -1));
-  for (int i = arms; i >= 0; --i) ring.push_back(corner(i, left, 1));
+  Ring ring = square_wall(line, right, -1, half);
+  const Ring back = square_wall(line, left, 1, half);
+  ring.insert(ring.end(), back.rbegin(), back.rend());
   return ring;
 }
 
-/// Round: Archimedes' spiral; both walls have their corners on the same rays, so chords stay parallel.
+/// Archimedes' spiral. Both walls have their vertices on the same rays, so chords are parallel.
 Ring archimedes(const Params& p, double corridor, Rng& rng) {
-  // A ray crosses the corridor aslant (at most atan(1 / 2 pi)) and chords cut in by cos(pi / 64): 2 % in all.
-  const double across = corridor * 1.02, pitch = across + p.wall;
-  const double rim = std::min(p.width, p.height) / 2 - across / 2;
-  const int fit = static_cast<int>((rim - pitch) / pitch * kChords);
+  const double across = corridor * kRayPerCorridor, pitch = across + p.wall;
+  const double outermost = std::min(p.width, p.height) / 2 - across / 2;  // radius of the middle line
+  const int fit = static_cast<int>((outermost - pitch) / pitch * kChords);
   const int steps = p.arms > 0 ? p.arms * kChords / 4 : fit;
   if (fit < kChords / 2 || steps > fit)
-    refuse("spiral", "only " + std::to_string(std::max(0, fit * 4 / kChords)) + " quarter laps of " + number(pitch) +
-                         " m (corridor and wall) fit in " + number(2 * rim + across) + " m, expected " +
-                         std::to_string(std::max(2, p.arms)) + "; take a larger size, or a smaller corridor or wall");
+    refuse_arms(std::to_string(std::max(0, fit * 4 / kChords)) + " quarter rounds", pitch,
+                number(2 * outermost + across), p.arms);
   const Point centre(p.width / 2, p.height / 2);
-  const double slack = p.jitter * (across / 2 - 1.02 * narrowest(p) / 2);
+  const double slack = p.jitter * (across / 2 - kRayPerCorridor * narrowest_passage(p) / 2);
   Ring outer, inner;
   for (int i = 0; i <= steps; ++i) {
-    const double radius = rim - pitch * i / kChords;
+    const double radius = outermost - pitch * i / kChords;
     const Point d = direction(static_cast<double>(i) / kChords);
     outer.push_back(centre + (radius + across / 2 - slack * rng.unit()) * d);
     inner.push_back(centre + (radius - across / 2 + slack * rng.unit()) * d);
@@ -118,10 +130,11 @@ GeneratorInfo spiral() {
       "one polygon without holes; the corridor at least `passage` robot diameters wide; random only with jitter",
       with_site<Params>(
           {{"corridor", &Params::corridor, Range{0, 10000}, "metres; 0: 2.5 robot diameters"},
-           {"wall", &Params::wall, Range{0.001, 10000}, "metres; thickness between two laps"},
-           {"jitter", &Params::jitter, Range{0, 1}, "uneven walls; 1: some places as narrow as passage allows"},
-           {"arms", &Params::arms, Range{0, 1000000}, "straight arms or quarter laps; 0: as many as fit"},
-           {"round", &Params::round, "round laps (the smaller of width and height across) instead of square ones"}}),
+           {"wall", &Params::wall, Range{0.001, 10000}, "metres; thickness between two rounds"},
+           {"jitter", &Params::jitter, Range{0, 1}, "uneven walls; 1: as narrow as `passage` allows in some points"},
+           {"arms", &Params::arms, Range{0, 1000000}, "straight arms or quarter rounds; 0: as many as fit"},
+           {"round", &Params::round,
+            "a round spiral, as wide as the smaller of width and height, instead of a square one"}}),
       make);
 }
 

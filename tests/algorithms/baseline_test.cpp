@@ -1,4 +1,4 @@
-// Vacuum habits: what they feel, that they stop, and what they are worth at equal length.
+// The habits of vacuum cleaners: what they feel, when they stop, and how much they cover at equal length.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,28 +11,14 @@
 #include "geometry/overlay/boolean.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
-#include "tests/support/seeds.hpp"
-#include "tests/support/planners.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
 
 const std::vector<std::string> kHabits{"random-walk", "spiral-out", "wall-follow", "vacuum-mix"};
-
-struct Planned {
-  Path path;
-  std::map<std::string, double> reports;
-};
-
-Planned plan(const std::string& name, const Problem& problem, const Settings& settings = {}, std::uint64_t seed = 1) {
-  Planned out;
-  Context::Sinks sinks;
-  sinks.record = [&](const std::string& figure, double value) { out.reports[figure] = value; };
-  Context context(seed, 1e9, sinks);
-  out.path = built_in_planner(name, settings)->plan(problem, context);
-  return out;
-}
 
 std::vector<std::pair<std::string, Settings>> small_maps() {
   return {{"rectangle", {{"width", 4.0}, {"height", 3.0}}},
@@ -45,7 +31,7 @@ std::vector<std::pair<std::string, Settings>> small_maps() {
           {"spiral", {{"width", 6.0}, {"height", 6.0}}}};
 }
 
-// Along a segment, all edges one after the other.
+// Where a segment first meets a wall, by brute force.
 double first_wall(const Problem& problem, const Point& a, const Point& b) {
   double first = std::numeric_limits<double>::infinity();
   for_each_ring(problem.configuration_space(), [&](const Ring& ring) {
@@ -60,7 +46,7 @@ double first_wall(const Problem& problem, const Point& a, const Point& b) {
   return first;
 }
 
-TEST(Bumper, StopsAHairBeforeTheFirstWall) {
+TEST(Bumper, StopsJustBeforeTheFirstWall) {
   for (const auto& [generator, settings] : small_maps())
     for (const auto seed : seeds(4)) {
       SCOPED_TRACE(fmt::format("{} --seed {}", generator, seed));
@@ -78,14 +64,14 @@ TEST(Bumper, StopsAHairBeforeTheFirstWall) {
         if (!contact) continue;
         EXPECT_LE(gone, wall);
         EXPECT_NEAR(contact->norm(), 1, 1e-9);
-        const double steep = -contact->dot(to - from) / far;
-        EXPECT_GT(steep, 0);
-        EXPECT_GE(gone, wall - 1e-6 / steep);
+        const double approach = -contact->dot(to - from) / far;
+        EXPECT_GT(approach, 0);
+        EXPECT_GE(gone, wall - 1e-6 / approach);
       }
     }
 }
 
-TEST(Bumper, SlidesAlongAWallAndFeelsItNoFartherThanAsked) {
+TEST(Bumper, SlidesAlongAWallAndFeelsItWithinTheReach) {
   const Problem problem({"room", box_region({0, 0}, {4, 3}), "test", ""}, Robot{}, Point(1, 1));
   Bumper robot(problem);
   EXPECT_FALSE(robot.feel(0.7, {1, 0}, -2));
@@ -93,7 +79,7 @@ TEST(Bumper, SlidesAlongAWallAndFeelsItNoFartherThanAsked) {
   ASSERT_TRUE(contact);
   EXPECT_LT(distance(*contact, {0, 1}), 1e-9);
   EXPECT_NEAR(robot.at().y(), 0.2, 1e-3);
-  EXPECT_FALSE(robot.drive({3, robot.at().y()})) << "along a wall is no contact";
+  EXPECT_FALSE(robot.drive({3, robot.at().y()})) << "sliding along a wall is no contact";
   const auto wall = robot.feel(0.1, {1, 0}, -2);
   ASSERT_TRUE(wall);
   EXPECT_LT(distance(wall->away, {0, 1}), 1e-9);
@@ -120,7 +106,7 @@ TEST(SweptCells, CountsWhatASweepCovers) {
             area += 0.05 * 0.05;
             break;
           }
-    EXPECT_NEAR(swept.area(), area, 3 * 0.0025) << seed;  // a centre on the rim may fall either way
+    EXPECT_NEAR(swept.area(), area, 3 * 0.0025) << seed;  // a centre on the boundary may fall either way
   }
 }
 
@@ -130,16 +116,16 @@ TEST(Habits, AreValidDeterministicAndStopByTheirRule) {
       const Problem problem(generate(generator, settings, seed), Robot{});
       for (const std::string& habit : kHabits) {
         SCOPED_TRACE(fmt::format("{} on {} --seed {}", habit, generator, seed));
-        const Planned a = plan(habit, problem, {{"passes", 4.0}}, seed),
-                      b = plan(habit, problem, {{"passes", 4.0}}, seed);
+        const RecordedPlan a = plan_recorded(habit, problem, {{"passes", 4.0}}, seed),
+                           b = plan_recorded(habit, problem, {{"passes", 4.0}}, seed);
         EXPECT_EQ(find_flaw(problem, a.path), "");
         ASSERT_EQ(a.path.legs.size(), 1u);
         ASSERT_EQ(a.path.legs[0].points.size(), b.path.legs[0].points.size());
         for (std::size_t k = 0; k < a.path.legs[0].points.size(); ++k)
           ASSERT_EQ(a.path.legs[0].points[k], b.path.legs[0].points[k]);
-        EXPECT_NEAR(a.path.length(), 4 * a.reports.at("swept_m2") / 0.4, 1e-3);
+        EXPECT_NEAR(a.path.length(), 4 * a.figures.at("swept_m2") / 0.4, 1e-3);
         const Score scored = score(problem, a.path);
-        EXPECT_NEAR(a.reports.at("swept_m2") / area(problem.target()), *scored.value("coverage"), 0.03);
+        EXPECT_NEAR(a.figures.at("swept_m2") / area(problem.target()), *scored.value("coverage"), 0.03);
       }
     }
 }
@@ -148,21 +134,22 @@ TEST(Habits, KeepTheLengthLimitAndFollowTheSeed) {
   const Problem problem(generate("rooms", {{"width", 6.0}, {"height", 5.0}, {"rooms", std::int64_t{3}}}, 1), Robot{});
   for (const std::string& habit : kHabits) {
     const Settings settings{{"passes", 1000.0}, {"length_limit", 77.0}};
-    EXPECT_NEAR(plan(habit, problem, settings, 1).path.length(), 77, 1e-5) << habit;
-    EXPECT_NE(plan(habit, problem, settings, 1).path.legs[0].points.back(),
-              plan(habit, problem, settings, 2).path.legs[0].points.back())
+    EXPECT_NEAR(plan_recorded(habit, problem, settings, 1).path.length(), 77, 1e-5) << habit;
+    EXPECT_NE(plan_recorded(habit, problem, settings, 1).path.legs[0].points.back(),
+              plan_recorded(habit, problem, settings, 2).path.legs[0].points.back())
         << habit;
   }
 }
 
-TEST(Habits, InAClosetTheyEndToo) {
+TEST(Habits, EndInAClosetAsWell) {
   const Problem problem({"closet", box_region({0, 0}, {0.42, 0.42}), "test", ""}, Robot{});
-  for (const std::string& habit : kHabits) EXPECT_EQ(find_flaw(problem, plan(habit, problem).path), "") << habit;
+  for (const std::string& habit : kHabits)
+    EXPECT_EQ(find_flaw(problem, plan_recorded(habit, problem).path), "") << habit;
 }
 
-TEST(SpiralOut, ItsFirstSpiralIsArchimedes) {
+TEST(SpiralOut, TheFirstSpiralIsArchimedes) {
   const Problem problem({"hall", box_region({0, 0}, {20, 20}), "test", ""}, Robot{}, Point(10, 10));
-  const Path path = plan("spiral-out", problem, {{"length_limit", 900.0}, {"passes", 100.0}}).path;
+  const Path path = plan_recorded("spiral-out", problem, {{"length_limit", 900.0}, {"passes", 100.0}}).path;
   const Polyline& line = path.legs[0].points;
   const double pitch = 0.9 * 0.4;
   const auto turned = [](const Point& p) { return p.norm() * 2 * kPi / (0.9 * 0.4); };  // by the radius
@@ -175,8 +162,8 @@ TEST(SpiralOut, ItsFirstSpiralIsArchimedes) {
     last = p.norm();
     const double angle = begin + turned(p);
     ASSERT_LT(distance(p, p.norm() * Point(std::cos(angle), std::sin(angle))), 1e-6) << k;
-    if (p.norm() < pitch) continue;  // there it runs across its laps rather than along them
-    // The spiral crosses the ray through the chord's middle a chord error farther out.
+    if (p.norm() < pitch) continue;  // near the centre it runs across its turns rather than along them
+    // The spiral meets the ray through the chord's midpoint a chord error farther out.
     const double lap = std::round((begin + turned(middle) - std::atan2(middle.y(), middle.x())) / (2 * kPi));
     const double radius = (std::atan2(middle.y(), middle.x()) + 2 * kPi * lap - begin) * pitch / (2 * kPi);
     ASSERT_LE(std::abs(radius - middle.norm()), 0.4 / 1000 * (1 + 1e-6)) << k;
@@ -184,15 +171,16 @@ TEST(SpiralOut, ItsFirstSpiralIsArchimedes) {
   EXPECT_GT(last, 9);
 }
 
-TEST(WallFollow, KeepsItsDistanceAllRound) {
+TEST(WallFollow, KeepsItsDistanceAllAround) {
   for (const double gap : {0.0, 0.15}) {
     const Problem problem(generate("polygon", {{"width", 8.0}, {"height", 8.0}, {"corners", std::int64_t{10}}}, 2),
                           Robot{});
-    const Path path = plan("wall-follow", problem,
-                           {{"distance", gap}, {"laps", std::int64_t{0}}, {"length_limit", 80.0}, {"passes", 100.0}})
-                          .path;
-    // Every place on the wall has been passed (corners may be cut by as much as the gap), and after the first contact
-    // the robot is never much farther from the wall than it should be.
+    const Path path =
+        plan_recorded("wall-follow", problem,
+                      {{"distance", gap}, {"laps", std::int64_t{0}}, {"length_limit", 80.0}, {"passes", 100.0}})
+            .path;
+    // The robot has passed the middle of every edge (vertices may be cut by as much as the gap), and after the first
+    // contact it is never much farther from the wall than it should be.
     const Polyline& line = path.legs[0].points;
     const Ring& wall = problem.configuration_space().polygons[0].outer;
     for (std::size_t k = 0; k < wall.size(); ++k) {
@@ -206,7 +194,7 @@ TEST(WallFollow, KeepsItsDistanceAllRound) {
   }
 }
 
-// Rooms in a row; the doors leave the robot half a millimetre to a tenth of a metre.
+// Rooms in a row; their doors are half a millimetre to a tenth of a metre wider than the robot.
 Region rooms_with_narrow_doors(Rng& rng, const Robot& robot) {
   std::vector<Region> parts;
   double x = 0;
@@ -224,9 +212,9 @@ Region rooms_with_narrow_doors(Rng& rng, const Robot& robot) {
   return transformed(unite(parts), rng.between(0.0, 6.0), {0, 0});
 }
 
-// Regression: the wall across turned the robot round, and that one's wall across again, for ever. Contact is kept at 0.4
-// mm, so the narrowest doors cannot have it on both sides. (At a larger distance it passes by such doors.)
-TEST(WallFollow, GoesOnThroughPassagesHardlyWiderThanItself) {
+// Regression: in a passage the opposite wall turned the robot around, again and again. Contact is kept at 0.4 mm, so in
+// the narrowest doors that is not possible on both sides. (At a larger distance the robot passes by such doors.)
+TEST(WallFollow, PassesPassagesHardlyWiderThanTheRobot) {
   for (const auto seed : seeds(200)) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     Rng rng(seed);
@@ -235,7 +223,7 @@ TEST(WallFollow, GoesOnThroughPassagesHardlyWiderThanItself) {
     const Region& space = problem.configuration_space();
     const Settings settings{
         {"laps", std::int64_t{0}}, {"length_limit", 2 + 1.5 * perimeter(space)}, {"passes", 1000.0}};
-    const Path path = plan("wall-follow", problem, settings).path;
+    const Path path = plan_recorded("wall-follow", problem, settings).path;
     const Polyline& line = path.legs[0].points;
     for_each_ring(space, [&](const Ring& wall) {
       for (std::size_t k = 0; k < wall.size(); ++k) {
@@ -248,9 +236,9 @@ TEST(WallFollow, GoesOnThroughPassagesHardlyWiderThanItself) {
   }
 }
 
-// `pillars` showed it: at its rim the gaps between pillars and wall leave the robot 0.5 mm. At larger distances it comes
-// upon islands on its way, and must notice that it goes round and round them.
-TEST(WallFollow, FindsMoreThanOnePlaceBetweenCloseObstacles) {
+// At the boundary of `pillars` the gaps between pillars and wall are 0.5 mm wider than the robot. At larger distances
+// the robot comes upon islands, and must notice that it circles them.
+TEST(WallFollow, LeavesAnIslandBetweenCloseObstacles) {
   Robot robot;
   robot.radius = 0.25;
   for (const char* generator : {"pillars", "clutter", "cave"})
@@ -259,13 +247,13 @@ TEST(WallFollow, FindsMoreThanOnePlaceBetweenCloseObstacles) {
       const Problem problem(generate(generator, {{"width", 8.0}, {"height", 8.0}}, seed), robot);
       for (const double gap : {0.0, 0.1, 0.3}) {
         const auto found =
-            plan("wall-follow", problem, {{"distance", gap}, {"length_limit", 120.0}, {"passes", 1000.0}});
-        EXPECT_GT(found.reports.at("swept_m2"), 0.1 * area(problem.target())) << gap;
+            plan_recorded("wall-follow", problem, {{"distance", gap}, {"length_limit", 120.0}, {"passes", 1000.0}});
+        EXPECT_GT(found.figures.at("swept_m2"), 0.1 * area(problem.target())) << gap;
       }
     }
 }
 
-// Hasan's claim: no single habit wins, a combination does. At four times the length that lanes would need.
+// The claim of Hasan et al.: no single habit wins, a combination does. At four times the length that lanes would need.
 TEST(VacuumMix, CoversMoreThanAnySingleHabitAtTheSameLength) {
   std::map<std::string, double> covered;
   int runs = 0;
@@ -275,8 +263,8 @@ TEST(VacuumMix, CoversMoreThanAnySingleHabitAtTheSameLength) {
       const double target = area(problem.target());
       ++runs;
       for (const std::string& habit : kHabits)
-        covered[habit] += plan(habit, problem, {{"length_limit", 4 * target / 0.4}, {"passes", 1000.0}}, seed)
-                              .reports.at("swept_m2") /
+        covered[habit] += plan_recorded(habit, problem, {{"length_limit", 4 * target / 0.4}, {"passes", 1000.0}}, seed)
+                              .figures.at("swept_m2") /
                           target;
     }
   for (const std::string& habit : kHabits) RecordProperty(habit, fmt::format("{:.3f}", covered[habit] / runs));
@@ -284,14 +272,14 @@ TEST(VacuumMix, CoversMoreThanAnySingleHabitAtTheSameLength) {
     if (habit != "vacuum-mix") { EXPECT_GT(covered["vacuum-mix"], covered[habit] + 0.04 * runs) << habit; }
 }
 
-TEST(SpiralTrap, CatchesSpiralsAndTheMixGetsOut) {
+TEST(VacuumMix, LeavesASpiralCorridorThatTrapsSpirals) {
   double spirals = 0, mix = 0;
   for (const auto seed : seeds(5)) {
     const Problem problem(generate("spiral", {{"width", 10.0}, {"height", 10.0}}, 1), Robot{});
     const double target = area(problem.target());
     const Settings settings{{"length_limit", 4 * target / 0.4}, {"passes", 1000.0}};
-    spirals += plan("spiral-out", problem, settings, seed).reports.at("swept_m2") / target / 5;
-    mix += plan("vacuum-mix", problem, settings, seed).reports.at("swept_m2") / target / 5;
+    spirals += plan_recorded("spiral-out", problem, settings, seed).figures.at("swept_m2") / target / 5;
+    mix += plan_recorded("vacuum-mix", problem, settings, seed).figures.at("swept_m2") / target / 5;
   }
   EXPECT_LT(spirals, 0.6);
   EXPECT_GT(mix, spirals + 0.2);

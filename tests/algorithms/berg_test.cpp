@@ -1,4 +1,4 @@
-// Berg's planner: boundaries, nodes and dividers by oracles of their own; then the planner's promises and its flaws.
+// Berg's planner: boundaries, nodes and dividers against independent oracles; then its guarantees and known flaws.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,12 +10,12 @@
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/tethered/berg_tree.hpp"
 #include "geometry/tether/taut_tether.hpp"
+#include "geometry/trace.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
-#include "tests/support/seeds.hpp"
-#include "geometry/trace.hpp"
-#include "tests/support/planners.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
@@ -39,7 +39,7 @@ Path plan_berg(const Problem& problem, const Settings& settings = {}, Context::S
   return built_in_planner("berg", settings)->plan(problem, context);
 }
 
-/// A boundary with what it refers to.
+/// A boundary and the data that it refers to.
 struct Scene {
   Region free;
   EdgeIndex walls;
@@ -60,7 +60,7 @@ Region with_holes(const Point& low, const Point& high, const std::vector<Box>& b
   return room;
 }
 
-/// Scattered blocks, upright and turned.
+/// Scattered blocks, some of them rotated.
 Region blocks(std::uint64_t seed, int columns, int rows) {
   Rng rng(seed);
   Polygon p;
@@ -87,7 +87,7 @@ Point free_point(Rng& rng, const EdgeIndex& walls, const Box& box, double room =
   }
 }
 
-/// Shortest ways from one place, over the graph of all corners that see each other: O(n^3), knows no sectors.
+/// Shortest paths from one point over the visibility graph of all corners, without sectors: O(n^3).
 class AllCorners {
  public:
   AllCorners(const Region& region, const EdgeIndex& walls, const Point& from) : walls_(walls) {
@@ -122,12 +122,12 @@ class AllCorners {
 
 // --- boundaries ---
 
-TEST(BergBoundary, InAnEmptyRoomTheyAreCirclesClippedToIt) {
+TEST(BergBoundary, InAnEmptyRoomIsACircleClippedToTheRoom) {
   const Point anchor(2, 1.5);
   const Scene s(box_region({0, 0}, {6, 4}), anchor);
   EXPECT_EQ(s.boundary.nodes().size(), 1u);
   for (double l = 0.2; l < 5; l += 0.3) {
-    double inside = 0;  // metres of the circle, counted by angles
+    double inside = 0;  // metres of the circle, by sampling angles
     for (int k = 0; k < 20000; ++k) {
       const double angle = 2 * kPi * (k + 0.5) / 20000;
       const Point p = anchor + l * Point(std::cos(angle), std::sin(angle));
@@ -137,7 +137,7 @@ TEST(BergBoundary, InAnEmptyRoomTheyAreCirclesClippedToIt) {
     for (const BergBoundary::Piece& piece : s.boundary.at(l, 0.01)) {
       for (const Point& p : piece.points) EXPECT_NEAR(distance(anchor, p), l, 1e-12);
       found += length(piece.points);
-      if (piece.divider < 0 && piece.points.size() > 1) found += distance(piece.points.front(), piece.points.back());
+      if (!piece.divider && piece.points.size() > 1) found += distance(piece.points.front(), piece.points.back());
     }
     EXPECT_NEAR(found, inside, 0.1) << l;  // at most a spacing is lost at each of the eight ends
   }
@@ -157,16 +157,16 @@ TEST(BergBoundary, NodesAreTheCornersOfABlockThatHideSomething) {
   EXPECT_NEAR(near_high->before, high, 1e-12);
   EXPECT_NEAR(far_low->before, low + 2, 1e-12);
   EXPECT_NEAR(far_high->before, high + 2, 1e-12);
-  EXPECT_EQ(near_low->side, 1);  // the block lies to the left of the tether that passes below it
-  EXPECT_EQ(near_high->side, -1);
-  // From the continuation of the tether, sloping down, to the lower wall of the block.
+  EXPECT_EQ(near_low->side, HiddenSide::left);  // the block lies to the left of the tether that passes below it
+  EXPECT_EQ(near_high->side, HiddenSide::right);
+  // The sector: from the continuation of the tether, which slopes down, to the lower wall of the block.
   EXPECT_NEAR(near_low->begin, std::atan2(-1.1, 3), 1e-12);
   EXPECT_NEAR(near_low->width, std::atan2(1.1, 3), 1e-12);
   EXPECT_NEAR(far_low->begin, 0, 1e-12);
   EXPECT_NEAR(far_low->width, kPi / 2, 1e-12);
 }
 
-TEST(BergBoundary, NodesLieOnShortestWays) {
+TEST(BergBoundary, NodesLieOnShortestPaths) {
   for (const auto seed : seeds(15)) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     Rng rng(seed);
@@ -180,7 +180,7 @@ TEST(BergBoundary, NodesLieOnShortestWays) {
   }
 }
 
-TEST(BergBoundary, EveryPlaceWithinReachLiesOnTheBoundaryOfItsDistance) {
+TEST(BergBoundary, EveryPointLiesOnTheBoundaryAtItsDistance) {
   for (const auto seed : seeds(8)) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     Rng rng(seed + 100);
@@ -210,7 +210,7 @@ TEST(BergBoundary, ACornerOfTheRoomThatHidesNothingIsNoNode) {
 }
 
 TEST(BergBoundary, NothingPassesABarrier) {
-  // Two blocks with a slot between them that the anchor looks through.
+  // Two blocks, and a slot between them through which the anchor sees.
   const Region slot = with_holes({0, 0}, {10, 6}, {Box{{4, 1}, {6, 2.9}}, Box{{4, 3.1}, {6, 5}}});
   const Region filled = with_holes({0, 0}, {10, 6}, {Box{{4, 1}, {6, 5}}});
   const Point anchor(1, 3), behind(8, 3.01);
@@ -226,7 +226,7 @@ TEST(BergBoundary, NothingPassesABarrier) {
   EXPECT_LT(nearest(open, distance(anchor, behind)), 0.02);
   EXPECT_GT(nearest(closed, distance(anchor, behind)), 0.1);
   EXPECT_LT(nearest(closed, round), 0.02);
-  // Shortest ways are those round both blocks as one, for nodes at the barrier's ends as well.
+  // Shortest paths go round both blocks together; the barrier's ends are no nodes.
   EXPECT_TRUE(std::none_of(closed.boundary.nodes().begin(), closed.boundary.nodes().end(),
                            [](const BergNode& n) { return n.at == Point(4, 2.9) || n.at == Point(4, 3.1); }));
   for (const BergBoundary::Piece& piece : closed.boundary.at(4, 0.02))  // the barrier divides as a wall does
@@ -246,7 +246,7 @@ TEST(BergBoundary, NodesLieOnTheProblemsGeodesicsWhereGapsAreClosed) {
       const GeodesicField field(free, problem.anchor(), closed, kTolerance);
       const Scene s(free, problem.anchor(), kFar, closed);
       for (const BergNode& node : s.boundary.nodes()) {
-        bool at_gap = false;  // there are two ways to it, from both sides
+        bool at_gap = false;  // such a node can be reached from both sides of the barrier
         for (const Polyline& gap : closed) at_gap = at_gap || gap.front() == node.at || gap.back() == node.at;
         const double least = field.distance(node.at);
         EXPECT_GE(node.before, least - 1e-9);
@@ -259,14 +259,14 @@ TEST(BergBoundary, NodesLieOnTheProblemsGeodesicsWhereGapsAreClosed) {
 // --- dividers ---
 
 TEST(BergDividers, ThreeWallsHaveThreeNearestPoints) {
-  // As figures 3.5 and 3.6: the point, an obstacle's corner X in front of it, two walls with feet Y and Z.
+  // As in figures 3.5 and 3.6 of Berg 2021: an obstacle's corner X in front of the anchor, two walls with feet Y and Z.
   const Region room{{{{{0, 0}, {12, 0}, {12, 4}, {7, 4}, {6, 3}, {5, 4}, {0, 4}}, {}}}};
   const Point anchor(6, 1.5);
   const Scene s(room, anchor, 6);  // the walls left and right are out of reach
   std::vector<std::pair<double, double>> found;
   for (const BergDivider& d : s.boundary.dividers()) {
     found.emplace_back(d.at.x(), d.at.y());
-    EXPECT_EQ(d.node, 0);
+    EXPECT_EQ(d.node, 0u);
     EXPECT_NEAR(d.length, distance(d.at, anchor), 1e-12);
   }
   // Counter-clockwise from east: the corner above, the foot below; the slanted walls rise away from the anchor.
@@ -310,7 +310,7 @@ TEST(BergDividers, AreTheLocalMinimaOfTheWallsDistanceOverTheAngle) {
       if (d.node == 0) {
         const Point v = d.at - anchor;
         ours.push_back(static_cast<int>((std::atan2(v.y(), v.x()) / (2 * kPi) + 1) * kRays) % kRays);
-        // A ray may pass just beside a corner.
+        // A sampled ray may just miss a corner.
         const auto at = [&](int k) { return graph[static_cast<std::size_t>((ours.back() + k + kRays) % kRays)]; };
         EXPECT_NEAR(std::min({at(-1), at(0), at(1)}), d.length, 0.02);
       }
@@ -323,7 +323,7 @@ TEST(BergDividers, AreTheLocalMinimaOfTheWallsDistanceOverTheAngle) {
 }
 
 TEST(BergDividers, APieceIsNeverBroken) {
-  // Wherever a wall breaks a boundary, a divider that acts already lies between; so samples of a piece follow closely.
+  // Wherever a wall interrupts a boundary there is a divider that already acts. So samples of a piece are close.
   for (const auto seed : seeds(12)) {
     Rng rng(seed + 50);
     const Region free = blocks(seed, 3, 3);
@@ -371,15 +371,15 @@ TEST(BergTree, PiecesGrowFromThePieceTheyWereCutFrom) {
     const EdgeIndex walls(free);
     const Scene s(free, free_point(rng, walls, bounding_box(free)));
     const BergTree tree(
-        s.boundary, 0.1, kFar, 0.025, [](const Point&, double) { return true; }, [] { return false; });
+        s.boundary, {0.1, kFar, 0.025}, [](const Point&, double) { return true; }, [] { return false; });
     std::size_t driven = 0;
     int all = 0, strays = 0;
     for (const BergTree::Piece& piece : tree.pieces()) {
-      if (piece.points.empty() || piece.parent < 0) continue;
+      if (piece.points.empty() || !piece.parent) continue;
       ++driven;
-      const BergTree::Piece& parent = tree.pieces()[static_cast<std::size_t>(piece.parent)];
+      const BergTree::Piece& parent = tree.pieces()[*piece.parent];
       EXPECT_EQ(parent.lap, piece.lap - 1);
-      // The parent's arcs hold a place a step nearer to the anchor for each place of ours.
+      // The parent's arcs contain a point one step nearer to the anchor for each point of the piece.
       for (const Point& p : piece.points) {
         double nearest = 1e300;
         for (const Point& q : parent.points) nearest = std::min(nearest, distance(p, q));
@@ -387,38 +387,38 @@ TEST(BergTree, PiecesGrowFromThePieceTheyWereCutFrom) {
         strays += nearest > 0.1 + 0.01;
       }
     }
-    EXPECT_LT(strays, all / 100);  // stretches shorter than the samples' spacing may have none
+    EXPECT_LT(strays, all / 100);  // pieces shorter than the sample spacing may have none
     EXPECT_GT(driven, 100u);
-    std::set<int> seen;
+    std::set<std::size_t> seen;
     for (const BergTree::Region& region : tree.regions())
-      for (const int p : region.pieces) EXPECT_TRUE(seen.insert(p).second);
+      for (const std::size_t p : region.pieces) EXPECT_TRUE(seen.insert(p).second);
     for (std::size_t i = 0; i < tree.pieces().size(); ++i)
-      EXPECT_TRUE(tree.pieces()[i].points.empty() || seen.count(static_cast<int>(i)) == 1) << i;
+      EXPECT_TRUE(tree.pieces()[i].points.empty() || seen.count(i) == 1) << i;
   }
 }
 
-TEST(BergTree, TheWayPastADividerComesCloser) {
-  // A block in front of the anchor: from lap to lap behind it, back to the block's near side.
+TEST(BergTree, ThePathPastADividerComesCloser) {
+  // A block in front of the anchor: from one side of the block to the other the robot passes its near side.
   const Scene s(with_holes({0, 0}, {10, 6}, {Box{{4, 2}, {6, 4}}}), {1, 3});
   const BergTree tree(
-      s.boundary, 0.2, kFar, 0.05, [](const Point&, double) { return true; }, [] { return false; });
+      s.boundary, {0.2, kFar, 0.05}, [](const Point&, double) { return true; }, [] { return false; });
   const auto piece_near = [&](const Point& p) {
-    int best = -1;
+    std::size_t best = 0;
     double least = 1e300;
     for (std::size_t i = 0; i < tree.pieces().size(); ++i)
       for (const Point& q : tree.pieces()[i].points)
         if (distance(p, q) < least) {
           least = distance(p, q);
-          best = static_cast<int>(i);
+          best = i;
         }
     return best;
   };
-  const int below = piece_near({5, 1.5}), above = piece_near({5, 4.5}), far_above = piece_near({7, 5});
-  std::vector<Point> way;
-  for (const int d : tree.between(below, above)) way.push_back(s.boundary.dividers()[static_cast<std::size_t>(d)].at);
-  ASSERT_FALSE(way.empty());
-  EXPECT_THAT(way, testing::Contains(Point(4, 3)));
-  EXPECT_TRUE(tree.between(above, far_above).empty());  // it grew from there
+  const std::size_t below = piece_near({5, 1.5}), above = piece_near({5, 4.5}), far_above = piece_near({7, 5});
+  std::vector<Point> passed;
+  for (const std::size_t d : tree.between(below, above)) passed.push_back(s.boundary.dividers()[d].at);
+  ASSERT_FALSE(passed.empty());
+  EXPECT_THAT(passed, testing::Contains(Point(4, 3)));
+  EXPECT_TRUE(tree.between(above, far_above).empty());  // one grew from the other
   auto back = tree.between(above, below);
   std::reverse(back.begin(), back.end());
   EXPECT_EQ(back, tree.between(below, above));
@@ -452,17 +452,17 @@ TEST(Berg, OrdersDriveTheSamePieces) {
 }
 
 TEST(Berg, ARectangularRoomCostsAboutTwiceTheLeastLength) {
-  // The thesis: 94.1 % covered in its rectangle room. Laps a radius apart overlap by half.
+  // Berg 2021 reports 94.1 % coverage of a rectangular room. Laps a radius apart overlap by half.
   const Problem problem({"room", box_region({0, 0}, {9, 7}), "test", ""}, tethered_robot(20), Point(4.03, 3.11));
   const Score result = score(problem, plan_berg(problem));
   EXPECT_EQ(result.flaw, "");
   EXPECT_GE(result.value("coverage_upper").value_or(0), 0.90);
-  EXPECT_LE(result.value("coverage_upper").value_or(1), 0.999);  // corners and walls: the known flaw
+  EXPECT_LE(result.value("coverage_upper").value_or(1), 0.999);  // known flaw 1: corners and walls
   EXPECT_GE(result.value("length_ratio").value_or(0), 1.6);
   EXPECT_LE(result.value("length_ratio").value_or(9), 2.6);
 }
 
-TEST(Berg, TrimKeepsWhatLiesAtItsGeodesicDistance) {
+TEST(Berg, TrimKeepsTheSamplesAtTheirGeodesicDistance) {
   for (const auto seed : seeds(4)) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     const Problem problem({"blocks", blocks(seed, 3, 2), "test", ""}, tethered_robot(9));
@@ -493,7 +493,7 @@ TEST(Berg, TrimKeepsWhatLiesAtItsGeodesicDistance) {
   }
 }
 
-TEST(Berg, StaysInConfigurationSpaceAndBreaksTheLeashOnlyWhereItMay) {
+TEST(Berg, StaysInConfigurationSpaceAndExceedsTheTetherOnlyRoundObstacles) {
   int runs = 0, breaches = 0, with_holes = 0;
   for (const char* generator : {"polygon", "clutter", "rooms", "cave", "comb"})
     for (const auto seed : seeds(2))
@@ -502,25 +502,25 @@ TEST(Berg, StaysInConfigurationSpaceAndBreaksTheLeashOnlyWhereItMay) {
         const Problem problem(generate(generator, {}, seed), tethered_robot(7));
         const Path path = plan_berg(problem, {{"order", std::string(order)}});
         EXPECT_EQ(find_flaw(problem, path, {.tether_counts = false}), "");
-        TautTether string(problem.tether()->taut_space(), problem.anchor());
+        TautTether tether(problem.tether()->taut_space(), problem.anchor());
         double longest = 0;
-        string.drive(problem.start());
+        tether.drive(problem.start());
         for (const Leg& leg : path.legs)
           for (const Point& p : leg.points) {
-            string.drive(p);
-            longest = std::max(longest, string.length());
+            tether.drive(p);
+            longest = std::max(longest, tether.length());
           }
         const bool breach = longest > problem.robot().tether->length + 1e-3;
         const bool holes = hole_count(problem.map().free) > 0;
         ++runs;
         breaches += breach;
         with_holes += holes;
-        // Without obstacles to go round there is one class of ways: joins cannot wind the tether.
+        // Without obstacles there is one class of paths: connections cannot wind the tether.
         EXPECT_FALSE(!holes && breach) << longest;
       }
   RecordProperty("runs", runs);
   RecordProperty("breaches", breaches);
-  EXPECT_GT(breaches, 0);  // the known flaw; if it goes, the header has to say so
+  EXPECT_GT(breaches, 0);  // known flaw 2; if it disappears, the header must be changed
   EXPECT_LE(breaches, with_holes);
   EXPECT_LT(with_holes, runs);
 }
@@ -535,7 +535,7 @@ TEST(Berg, SameInputSamePath) {
   }
 }
 
-TEST(Berg, WhatItCannotDoIsASentence) {
+TEST(Berg, UnsupportedProblemsAreOneSentence) {
   const Region room = box_region({0, 0}, {5, 4});
   EXPECT_THAT(
       [&] {

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "coverage_oracle.hpp"
-#include "tests/support/drawn.hpp"
-#include "tests/support/seeds.hpp"
 #include "geometry/trace.hpp"
-#include "tests/support/planners.hpp"
+#include "tests/support/drawn.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
@@ -39,7 +39,7 @@ TEST(Boustrophedon, EverySettingWithOutlineCoversWhole) {
   }
 }
 
-// As in the paper: no promise to cover the seams along walls, but valid, and most is covered.
+// As in the paper: seams along walls may stay uncovered, but the path is valid and covers most.
 TEST(Boustrophedon, WithoutOutlineIsValidAndCoversMost) {
   for (const Problem& p : sample_problems(2))
     for (const char* cells : {"exact", "slab"}) {
@@ -57,24 +57,24 @@ TEST(Boustrophedon, FieldOfThePublishedSizeIsNearTheLeastLength) {
   }
 }
 
-// A rectangle by hand: outline of C, lanes 0.4 apart in what is left.
+// A rectangle by hand: the outline of C, and lanes 0.4 apart in R.
 TEST(Boustrophedon, EmptyRectangleTakesItsOutlineAndItsLanes) {
   const Problem p(Map{"hall", box_region({0, 0}, {6, 4.4}), "", ""}, disc(0.2, 0.4));
   const Path path = plan("boustrophedon", p);
-  // C is 5.6 x 4, R is 5.2 x 3.6: 9 lanes of 5.2, 8 links of 0.4, once round C, once from the start to a corner of R
-  // and a step to the wall and back.
+  // C is 5.6 x 4, R is 5.2 x 3.6: 9 lanes of 5.2, 8 links of 0.4, once round C, from the start to a vertex of R, and
+  // to the wall and back.
   const double work = 9 * 5.2 + 8 * 0.4 + 2 * (5.6 + 4);
   EXPECT_GT(path.length(), work - 0.01);
   EXPECT_LT(path.length(), work + 3.4 + 2 * 0.4);
 }
 
-TEST(Boustrophedon, MovedTurnedAndMirroredMapsTakeTheSameLength) {
+TEST(Boustrophedon, ShiftedRotatedAndMirroredMapsTakeTheSameLength) {
   for (const char* name : {"field", "clutter"}) {
     const Map map = generate(name, {{"width", 16.0}, {"height", 11.0}}, 3);
     const Problem base(map, Robot{});
     const double length = plan("boustrophedon", base).length();
     const auto length_of = [&](Region region, Point start) {
-      return plan("boustrophedon", Problem(Map{"moved", std::move(region), "", ""}, Robot{}, start)).length();
+      return plan("boustrophedon", Problem(Map{"transformed", std::move(region), "", ""}, Robot{}, start)).length();
     };
     const Point s = base.start(), shift(1e4, -3e4);
     EXPECT_NEAR(length_of(transformed(map.free, 0, shift), s + shift) / length, 1, 0.05) << name;
@@ -106,13 +106,13 @@ TEST(Boustrophedon, CorridorsWhereOnlyTheWallsAreDriven) {
 }
 
 TEST(Boustrophedon, DegenerateMaps) {
-  // One cell, barely room to turn; a pillar smaller than the tool; a wall touching a corner; two rooms and a door.
+  // One cell with hardly any room; a pillar smaller than the tool; walls that touch in a corner; two rooms and a door.
   expect_complete(drawn({"."}, {.cell = 0.41}));
   expect_complete(drawn({"."}, {.cell = 0.8}));
   expect_complete(drawn({"....", ".#..", "....", "...."}, {.cell = 0.3, .robot = disc(0.05, 0.5)}));
   expect_complete(drawn({"....", "..#.", ".#..", "...."}));
   expect_complete(drawn({".....#.....", ".....#.....", "...........", ".....#.....", ".....#....."}, {.cell = 0.45}));
-  // Robots of no size, tools wider and narrower than the robot.
+  // A robot without size; tools narrower and wider than the robot.
   expect_complete(drawn({"...", ".#.", "..."}, {.robot = disc(0, 0.3)}));
   expect_complete(drawn({"...", ".#.", "..."}, {.robot = disc(0.4, 0.2)}));
   expect_complete(drawn({"...", ".#.", "..."}, {.robot = disc(0.1, 0.9)}));
@@ -126,7 +126,7 @@ TEST(Boustrophedon, FarAndTinyCoordinates) {
   }
 }
 
-TEST(Boustrophedon, OtherPartsOfFreeSpaceAreLeftAlone) {
+TEST(Boustrophedon, OtherComponentsOfFreeSpaceAreNotVisited) {
   const Problem p = drawn({"S..#...", "...#...", "...#..."});
   const Path path = plan("boustrophedon", p);
   expect_valid(p, path);

@@ -1,5 +1,6 @@
-// Planners that walk from cell to cell, on thousands of small drawn maps: nothing reachable is left out, paths are valid,
-// explorers keep their bounds. The oracle is the drawing: letters, a flood fill, counts of cells, edges and holes.
+// Planners that drive from cell to cell, on thousands of small drawn maps: every reachable cell is visited, paths are
+// valid, explorers keep their bounds. The oracle is the drawing: its letters, a flood fill, counts of cells, edges and
+// holes.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,9 +13,9 @@
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/drawn.hpp"
-#include "tests/support/seeds.hpp"
-#include "tests/support/planners.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
@@ -22,7 +23,7 @@ namespace {
 using Location = std::pair<int, int>;  // column, row
 const std::vector<Location> kFour{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
 
-// A robot much smaller than a letter, a tool as wide as its diagonal: free cells are the letters, exactly.
+// A robot much smaller than a letter, with a tool as wide as its diagonal: the letters are exactly the free cells.
 Drawing small_robot() {
   Robot robot;
   robot.radius = 0.2;
@@ -30,19 +31,7 @@ Drawing small_robot() {
   return {.robot = robot};
 }
 
-struct Plan {
-  Path path;
-  std::map<std::string, double> figures;
-};
-Plan plan(const std::string& name, const Problem& problem, Settings settings = {}) {
-  Plan result;
-  Context::Sinks sinks;
-  sinks.record = [&](const std::string& figure, double value) { result.figures[figure] = value; };
-  Context context(1, 1e9, sinks);
-  result.path = built_in_planner(name, settings)->plan(problem, context);
-  return result;
-}
-// Wavefront's lattice hangs on the walls, which are 0.2 m off; the others' on the start.
+// The lattice of wavefront is placed by the walls, which are 0.2 m off; those of the others by the start.
 Settings on_letters(const std::string& name) {
   if (name != "wavefront") return {{"cell_size", 1.0}};
   return {{"cell_size", 1.0}, {"shift_x", 0.3}, {"shift_y", 0.3}};
@@ -92,7 +81,7 @@ Drawn random_drawing(std::uint64_t seed, int most) {
   return drawn;
 }
 
-// The cells whose middle a tool-on leg passes.
+// The cells whose centre a leg with the tool on passes.
 std::set<Location> cells_under(const Path& path, const Location& start) {
   std::set<Location> cells{start};
   for (const Leg& leg : path.legs) {
@@ -130,7 +119,7 @@ const std::vector<Variant>& complete_planners() {
   return all;
 }
 
-TEST(CellPlanners, LeaveNoReachableCellOut) {
+TEST(CellPlanners, VisitEveryReachableCell) {
   for (const auto seed : seeds(1200)) {
     const Drawn drawn_map = random_drawing(seed, 12);
     const std::set<Location> reachable = drawn_map.reachable();
@@ -140,7 +129,7 @@ TEST(CellPlanners, LeaveNoReachableCellOut) {
     for (const Variant& variant : complete_planners()) {
       Settings settings = on_letters(variant.name);
       settings.insert(variant.settings.begin(), variant.settings.end());
-      const Plan result = plan(variant.name, problem, settings);
+      const RecordedPlan result = plan_recorded(variant.name, problem, settings);
       ASSERT_EQ(cells_under(result.path, drawn_map.start()), reachable) << variant.name;
       ASSERT_EQ(result.figures.at("cells"), static_cast<double>(reachable.size())) << variant.name;
       if (seed % 8 == 0) { ASSERT_EQ(find_flaw(problem, result.path), "") << variant.name; }
@@ -150,7 +139,7 @@ TEST(CellPlanners, LeaveNoReachableCellOut) {
 
 // --- bounds of the explorers ---
 
-// Walls that hang together over corners with the world outside; the rest are holes.
+// Walls that are connected to the world outside by eight neighbours; the rest are holes.
 std::set<Location> outside(const Drawn& map, const std::set<Location>& cells) {
   const int columns = static_cast<int>(map.rows[0].size()), rows = static_cast<int>(map.rows.size());
   std::set<Location> seen{{-1, -1}};
@@ -187,7 +176,7 @@ Counts count(const Drawn& map, const std::set<Location>& cells) {
             if (!cells.count(to) && known.insert(to).second) queue.push_back(to);
           }
     }
-  // A reflex corner of the outer wall: one wall cell among the four about a lattice point, or two across it.
+  // Reflex vertices of the outer wall: one wall cell among the four around a lattice point, or two diagonal ones.
   for (const Location& w : outer)
     for (const int di : {-1, 1})
       for (const int dj : {-1, 1})
@@ -195,7 +184,7 @@ Counts count(const Drawn& map, const std::set<Location>& cells) {
   return counts;
 }
 
-// A random drawing with the start at its outer wall, at the reachable cell that the seed picks; without holes on demand.
+// A random drawing with the start at a reachable cell of its outer wall, on demand without holes.
 std::optional<Drawn> explorers_world(std::uint64_t seed, bool holes) {
   Drawn map = random_drawing(seed, 11);
   std::set<Location> cells = map.reachable();
@@ -207,22 +196,22 @@ std::optional<Drawn> explorers_world(std::uint64_t seed, bool holes) {
       if (!holes && !outer.count({i, j})) cells.insert({i, j});
       map.set({i, j}, cells.count({i, j}) ? '.' : '#');
     }
-  std::vector<Location> rim;
+  std::vector<Location> boundary;
   for (const Location& c : cells)
     if (std::any_of(kFour.begin(), kFour.end(), [&](const Location& d) {
           return outer.count({c.first + d.first, c.second + d.second});
         }))
-      rim.push_back(c);
+      boundary.push_back(c);
   if (cells.size() < 2) return std::nullopt;
   Rng rng(seed);
-  map.set(rim[rng.below(rim.size())], 'S');
+  map.set(boundary[rng.below(boundary.size())], 'S');
   return map;
 }
 
-int moves(const Plan& result, const Drawn& map) {
+int moves(const RecordedPlan& result, const Drawn& map) {
   EXPECT_EQ(cells_under(result.path, map.start()), map.reachable());
   const Point end = result.path.legs.back().points.back();
-  EXPECT_LT(distance(end, *drawn_point(map.rows, 'S')), 1e-9) << "not home";
+  EXPECT_LT(distance(end, *drawn_point(map.rows, 'S')), 1e-9) << "does not return to the start";
   return static_cast<int>(std::lround(result.path.length()));
 }
 
@@ -233,7 +222,7 @@ TEST(SmartDfs, KeepsItsBoundWithoutHoles) {
     const Counts n = count(*map, map->reachable());
     ASSERT_EQ(n.holes, 0);
     const Problem problem = drawn(map->rows, small_robot());
-    ASSERT_LE(2 * moves(plan("smart-dfs", problem, {{"cell_size", 1.0}}), *map), 2 * n.cells + n.edges - 6)
+    ASSERT_LE(2 * moves(plan_recorded("smart-dfs", problem, {{"cell_size", 1.0}}), *map), 2 * n.cells + n.edges - 6)
         << "seed " << seed << map->text();
   }
 }
@@ -245,7 +234,7 @@ TEST(CellExplore, KeepsItsBoundWithHoles) {
     if (!map) continue;
     const Counts n = count(*map, map->reachable());
     const Problem problem = drawn(map->rows, small_robot());
-    ASSERT_LE(2 * moves(plan("cell-explore", problem, {{"cell_size", 1.0}}), *map),
+    ASSERT_LE(2 * moves(plan_recorded("cell-explore", problem, {{"cell_size", 1.0}}), *map),
               2 * n.cells + n.edges + 6 * n.holes + 2 * n.reflex - 4)
         << "seed " << seed << map->text();
     with_holes += n.holes > 0;
@@ -255,23 +244,24 @@ TEST(CellExplore, KeepsItsBoundWithHoles) {
 
 // --- single rules ---
 
-TEST(Wavefront, StopsWhereItIsClosedInIfTold) {
+TEST(Wavefront, StopsWhereItIsClosedInOnDemand) {
   const Drawn map{{"......", "......", "..S...", "......"}};
   const Problem problem = drawn(map.rows, small_robot());
   Settings settings = on_letters("wavefront");
   settings["stop"] = std::string("closed");
-  EXPECT_LT(cells_under(plan("wavefront", problem, settings).path, map.start()).size(), 24u);
+  EXPECT_LT(cells_under(plan_recorded("wavefront", problem, settings).path, map.start()).size(), 24u);
 }
 
-TEST(Wavefront, GoesOnToPartsThatNoStepLeadsTo) {
-  // The right room's cells are half a cell off: the way through the slanted door is none of the lattice.
+TEST(Wavefront, GoesOnToComponentsThatNoStepLeadsTo) {
+  // The cells of the right room are half a cell off: no lattice edge leads through the slanted door.
   Polygon rooms;
   rooms.outer = {{0, 0},  {4, 0}, {4, 1.2}, {6, 1.7}, {6, 0}, {10, 0},
                  {10, 4}, {6, 4}, {6, 2.3}, {4, 1.8}, {4, 4}, {0, 4}};
   const Problem problem({"rooms", {{rooms}}, "test", ""}, Robot{}, Point(2, 2));
   const auto covered = [&](const char* components) {
-    return score(problem,
-                 plan("wavefront", problem, {{"cell_size", 0.6}, {"components", std::string(components)}}).path)
+    return score(
+               problem,
+               plan_recorded("wavefront", problem, {{"cell_size", 0.6}, {"components", std::string(components)}}).path)
         .value("coverage")
         .value();
   };
@@ -287,7 +277,7 @@ TEST(Bsa, StepsPerCellAmongScatteredObstacles) {
   map.set({30, 30}, 'S');
   const Problem problem = drawn(map.rows, small_robot());
   const double cells = static_cast<double>(map.reachable().size());
-  EXPECT_LE(plan("bsa", problem, {{"cell_size", 1.0}}).path.length() / cells, 1.28);
+  EXPECT_LE(plan_recorded("bsa", problem, {{"cell_size", 1.0}}).path.length() / cells, 1.28);
 }
 
 TEST(CellPlanners, FollowingWallsCoversWhatCellsLeave) {
@@ -295,7 +285,8 @@ TEST(CellPlanners, FollowingWallsCoversWhatCellsLeave) {
     const Problem problem(generate(generator, {}, 5), Robot{});
     for (const char* name : {"bsa", "linked-spiral"}) {
       SCOPED_TRACE(fmt::format("{} on {}", name, generator));
-      const Path without = plan(name, problem).path, with = plan(name, problem, {{"partial", true}}).path;
+      const Path without = plan_recorded(name, problem).path,
+                 with = plan_recorded(name, problem, {{"partial", true}}).path;
       const Score plain = score(problem, without), walls = score(problem, with);
       EXPECT_EQ(plain.flaw, "");
       EXPECT_EQ(walls.flaw, "");
@@ -309,22 +300,23 @@ TEST(CellPlanners, AreDeterministicAndTurnWithTheWalls) {
   const Region room = box_region({0, 0}, {7.3, 5.1});
   for (const char* name : {"bsa", "linked-spiral", "ba-star", "smart-dfs", "cell-explore"}) {
     const Problem straight({"room", room, "test", ""}, Robot{}, Point(1, 1));
-    const Path once = plan(name, straight).path;
-    const Path again = plan(name, straight).path;
+    const Path once = plan_recorded(name, straight).path;
+    const Path again = plan_recorded(name, straight).path;
     ASSERT_EQ(once.legs.size(), again.legs.size());
     for (std::size_t k = 0; k < once.legs.size(); ++k) ASSERT_EQ(once.legs[k].points, again.legs[k].points);
     const Problem turned({"room", transformed(room, 0.6, {3, -8}), "test", ""}, Robot{},
                          Point(rotated({1, 1}, 0.6) + Point(3, -8)));
-    EXPECT_NEAR(plan(name, turned, {{"align", std::string("edges")}}).path.length(), once.length(), 1e-6) << name;
+    EXPECT_NEAR(plan_recorded(name, turned, {{"align", std::string("edges")}}).path.length(), once.length(), 1e-6)
+        << name;
   }
 }
 
-TEST(CellPlanners, BoxedInIsASentence) {
+TEST(CellPlanners, AnEnclosedStartIsOneSentence) {
   const Problem problem = drawn({"S"}, small_robot());
   for (const char* name : {"bsa", "linked-spiral", "ba-star", "smart-dfs", "cell-explore"})
     EXPECT_THAT(
         [&] {
-          plan(name, problem, {{"cell_size", 1.0}});
+          plan_recorded(name, problem, {{"cell_size", 1.0}});
         },
         testing::ThrowsMessage<Infeasible>(testing::HasSubstr("smaller cell_size")))
         << name;
@@ -337,7 +329,7 @@ TEST(CellPlanners, ByLidarTheSameCellsAsOnTheMap) {
   const Problem problem = drawn(map.rows, {.cell = 0.5, .robot = robot});
   for (const char* name : {"bsa", "linked-spiral", "ba-star", "smart-dfs", "cell-explore"}) {
     SCOPED_TRACE(name);
-    const Plan seen = plan(name, problem, {{"sensing", std::string("lidar")}, {"cell_size", 0.5}});
+    const RecordedPlan seen = plan_recorded(name, problem, {{"sensing", std::string("lidar")}, {"cell_size", 0.5}});
     EXPECT_EQ(find_flaw(problem, seen.path), "");
     EXPECT_EQ(seen.figures.at("cells"), static_cast<double>(map.reachable().size()));
   }
@@ -346,15 +338,15 @@ TEST(CellPlanners, ByLidarTheSameCellsAsOnTheMap) {
 TEST(CellPlanners, LidarNeedsALidarAndNoMap) {
   const Problem problem(generate("rectangle", {}, 1), Robot{});
   const std::string lidar = "lidar";
-  EXPECT_THROW(plan("bsa", problem, {{"sensing", lidar}}), Unsupported);
+  EXPECT_THROW(plan_recorded("bsa", problem, {{"sensing", lidar}}), Unsupported);
   EXPECT_THAT(
       [&] {
-        plan("bsa", problem, {{"sensing", lidar}, {"align", std::string("edges")}});
+        plan_recorded("bsa", problem, {{"sensing", lidar}, {"align", std::string("edges")}});
       },
       testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("align = axes")));
   EXPECT_THAT(
       [&] {
-        plan("bsa", problem, {{"sensing", lidar}, {"partial", true}});
+        plan_recorded("bsa", problem, {{"sensing", lidar}, {"partial", true}});
       },
       testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("partial = false")));
 }

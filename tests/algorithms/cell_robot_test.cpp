@@ -12,9 +12,9 @@
 namespace oxturn {
 namespace {
 
-TEST(CellRobot, FeelsWhatIsNearAndNothingElse) {
+TEST(CellRobot, FeelsNearCellsOnly) {
   const Problem problem = drawn({"......", ".S#...", "......"});
-  const GridGraph graph = grid_about_start(problem, 1);
+  const GridGraph graph = grid_at_start(problem, 1);
   CellRobot robot = robot_at_start(problem, graph);
   EXPECT_TRUE(robot.free({-1, 0}));
   EXPECT_FALSE(robot.free({1, 0}));
@@ -29,9 +29,9 @@ TEST(CellRobot, FeelsWhatIsNearAndNothingElse) {
   EXPECT_TRUE(robot_at_start(problem, graph, 3).free({3, 1}));
 }
 
-TEST(CellRobot, WalksOneSegmentForEachRun) {
+TEST(CellRobot, DrivesOneSegmentForEachRun) {
   const Problem problem = drawn({".....", ".....", "S...."});
-  const GridGraph graph = grid_about_start(problem, 1);
+  const GridGraph graph = grid_at_start(problem, 1);
   CellRobot robot = robot_at_start(problem, graph);
   for (const Direction d : {kEast, kEast, kNorth, kWest}) EXPECT_TRUE(robot.step(d));
   EXPECT_TRUE(robot.step(kWest, false));
@@ -44,23 +44,23 @@ TEST(CellRobot, WalksOneSegmentForEachRun) {
   EXPECT_FALSE(path.legs[1].tool);
 }
 
-TEST(CellRobot, AStartBoxedInIsASentence) {
+TEST(CellRobot, AnEnclosedStartIsOneSentence) {
   const Problem problem = drawn({"S"});
-  const GridGraph graph = grid_about_start(problem, 1);
+  const GridGraph graph = grid_at_start(problem, 1);
   EXPECT_THAT([&] { (void)robot_at_start(problem, graph); },
               testing::ThrowsMessage<Infeasible>(testing::HasSubstr("smaller cell_size")));
 }
 
-TEST(CellRobot, EntersALatticeUnderTheStartOrByTheShortestWay) {
+TEST(CellRobot, EntersALatticeUnderTheStartOrByTheShortestPath) {
   const Problem problem = drawn({"..#..", "S.#..", "....."});
   const auto here = entry_from_start(problem, GridGraph(problem.configuration_space(), 1, 0, {0, 0}, 5, 3));
   ASSERT_TRUE(here);
   EXPECT_EQ(std::make_pair(here->column, here->row), std::make_pair(0, 1));
-  // Of this lattice only the cells at the right are there.
+  // This lattice covers the cells on the right only.
   const auto far = entry_from_start(problem, GridGraph(problem.configuration_space(), 1, 0, {3, 0}, 2, 3));
   ASSERT_TRUE(far);
   EXPECT_EQ(std::make_pair(far->column, far->row), std::make_pair(0, 0));
-  EXPECT_GT(far->way.size(), 2u);
+  EXPECT_GT(far->path.size(), 2u);
   const auto none = entry_from_start(problem, GridGraph(problem.configuration_space(), 1, 0, {9, 9}, 2, 2));
   EXPECT_FALSE(none);
 }

@@ -1,5 +1,5 @@
-// Truth for polygon planners by brute force: distances of every segment and of sampled points, nothing shared with
-// planners, metrics or the edge index.
+// Oracle for planners by brute force: distances of every segment and of sampled points. Shares nothing with planners,
+// metrics or the edge index.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,8 +12,8 @@
 #include "algorithms/coverage_planner.hpp"
 #include "base/random.hpp"
 #include "maps/generators.hpp"
-#include "tests/support/planners.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/planners.hpp"
 
 namespace oxturn {
 
@@ -40,7 +40,7 @@ inline double segment_distance(const Point& a, const Point& b, const Point& c, c
                    distance_to_segment(d, a, b)});
 }
 
-/// Begins at the start, is joined, and keeps the robot's radius from every wall of the map itself.
+/// The path begins at the start, does not jump, and keeps the robot's radius from every wall of the map.
 inline void expect_valid(const Problem& problem, const Path& path) {
   ASSERT_FALSE(path.legs.empty());
   EXPECT_EQ(path.legs.front().points.front(), problem.start());
@@ -63,7 +63,7 @@ inline void expect_valid(const Problem& problem, const Path& path) {
   }
 }
 
-/// Share of `samples` points of the target that no tool-on segment comes within half a tool width of.
+/// The share of `samples` random points of the target that are farther than half a tool width from all work.
 inline double uncovered_share(const Problem& problem, const Path& path, int samples) {
   std::vector<std::pair<Point, Point>> work;
   for (const Leg& leg : path.legs)
@@ -71,7 +71,7 @@ inline double uncovered_share(const Problem& problem, const Path& path, int samp
   const Box box = bounding_box(problem.target());
   const double reach = problem.robot().tool_width / 2 * (1 + 1e-5) + problem.tolerance();
   Rng rng(7);
-  int bare = 0;
+  int uncovered = 0;
   for (int n = 0; n < samples;) {
     const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
     if (!contains(problem.target(), p)) continue;
@@ -79,9 +79,9 @@ inline double uncovered_share(const Problem& problem, const Path& path, int samp
     bool covered = false;
     for (std::size_t i = 0; i < work.size() && !covered; ++i)
       covered = distance_to_segment(p, work[i].first, work[i].second) <= reach;
-    if (!covered) ++bare;
+    if (!covered) ++uncovered;
   }
-  return static_cast<double>(bare) / samples;
+  return static_cast<double>(uncovered) / samples;
 }
 
 /// One problem of every family, small enough for brute force.

@@ -1,5 +1,5 @@
-// Every planner of the zoo on the degenerate set: a valid path or a clear refusal, never a crash; planners that promise
-// the whole target cover it.
+// Every built-in planner on degenerate maps: a valid path or a clear refusal, never a crash. Planners that guarantee to
+// cover the whole target do so.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -66,7 +66,7 @@ std::vector<Case> cases() {
        sized(1),
        {}},
       {"spike in the wall", {{{{{0, 0}, {5, 0}, {5, 2}, {7, 2}, {5, 2}, {5, 4}, {0, 4}}, {}}}}, sized(1), {}},
-      {"ten thousand collinear corners", many_collinear(), sized(1), {}},
+      {"ten thousand collinear vertices", many_collinear(), sized(1), {}},
       {"a million metres off", transformed(room, 0.3, {1e6, -1e6}), sized(1), {}},
       {"a millimetre large", box_region({0, 0}, {5e-3, 4e-3}), sized(1e-3), {}},
       {"disconnected free space", unite({room, box_region({7, 0}, {9, 4})}), sized(1), Point(1, 1)},
@@ -107,26 +107,24 @@ TEST_P(Degenerate, ValidPathOrClearRefusal) {
     for (const Settings& settings :
          {Settings{}, planner.name == "boustrophedon" ? Settings{{"cells", std::string("exact")}} : Settings{}}) {
       SCOPED_TRACE(fmt::format("{} on '{}'", planner.name, c.name));
-      const bool promises_all = planner.name == "boustrophedon" || planner.name == "zigzag";
+      const bool guarantees_all = planner.name == "boustrophedon" || planner.name == "zigzag";
       Context context(1);
       Path path;
       try {
         path = planner.make(settings, built_in())->plan(problem, context);
       } catch (const Infeasible& refusal) {
-        EXPECT_FALSE(promises_all) << refusal.what();
+        EXPECT_FALSE(guarantees_all) << refusal.what();
         continue;
       }
       const Score result = score(problem, path);
       EXPECT_EQ(result.flaw, "");
       EXPECT_GE(result.value("length_ratio").value_or(1), 1);
-      if (promises_all) {
-        EXPECT_GE(result.value("coverage_lower").value_or(0), 0.99);
-      }
+      if (guarantees_all) { EXPECT_GE(result.value("coverage_lower").value_or(0), 0.99); }
     }
   }
 }
 
-TEST_P(Degenerate, OnALeashAsWell) {
+TEST_P(Degenerate, WithATetherAsWell) {
   const Case c = cases()[GetParam()];
   for (const double reach : {1.2, 0.6}) {
     Robot robot = c.robot;
@@ -135,21 +133,19 @@ TEST_P(Degenerate, OnALeashAsWell) {
     for (const PlannerInfo& planner : built_in()) {
       if (!planner.has(Capability::tether)) continue;
       SCOPED_TRACE(fmt::format("{} on '{}', reach {}", planner.name, c.name, reach));
-      const bool promises_all = planner.name == "leashed" || planner.name == "berg-complete";
+      const bool guarantees_all = planner.name == "leashed" || planner.name == "berg-complete";
       Context context(1);
       Path path;
       try {
         path = planner.make({}, built_in())->plan(problem, context);
       } catch (const Infeasible& refusal) {
-        EXPECT_FALSE(promises_all) << refusal.what();
+        EXPECT_FALSE(guarantees_all) << refusal.what();
         continue;
       }
-      // The literal berg does not look at its tether while it joins pieces.
+      // The literal `berg` ignores its tether while it connects pieces.
       const Score result = score(problem, path, ScoreOptions{.tether_counts = planner.name != "berg"});
       EXPECT_EQ(result.flaw, "");
-      if (promises_all) {
-        EXPECT_GE(result.value("coverage_upper").value_or(0), 0.99);
-      }
+      if (guarantees_all) { EXPECT_GE(result.value("coverage_upper").value_or(0), 0.99); }
     }
   }
 }

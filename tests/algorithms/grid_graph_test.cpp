@@ -17,7 +17,7 @@ TEST(GridGraph, AgreesWithExactSegmentTests) {
       Rng rng(seed);
       const double side = rng.between(0.15, 0.5), angle = rng.between(0.0, 1.5);
       const Box box = bounding_box(problem.configuration_space());
-      // Turned and placed at random: no wall lies on a lattice line, so the two must agree on every node and edge.
+      // At a random position and angle no wall lies on a lattice line, so both must agree on every node and edge.
       const Point origin = box.centre() - rotated({20 * side, 20 * side}, angle);
       const GridGraph graph(problem.configuration_space(), side, angle, origin, 40, 40);
       const EdgeIndex& space = problem.walls();
@@ -35,9 +35,9 @@ TEST(GridGraph, AgreesWithExactSegmentTests) {
     }
 }
 
-TEST(GridGraph, FirstCentresStandAtTheWall) {
+TEST(GridGraph, FirstCentresLieAtTheWall) {
   const Problem problem({"room", box_region({5, 5}, {9, 8}), "test", ""}, Robot{});
-  const GridGraph graph = make_grid_graph(problem, {}, 0.25, 2);
+  const GridGraph graph = make_grid_graph(problem, {.side = 0.25, .block = 2});
   EXPECT_NEAR(graph.centre(0, 0).x(), 5.2, 1e-5);
   EXPECT_NEAR(graph.centre(0, 0).y(), 5.2, 1e-5);
   EXPECT_TRUE(graph.free(0, 0));
@@ -49,9 +49,9 @@ TEST(GridGraph, DominantDirectionOfATurnedRoom) {
     EXPECT_NEAR(dominant_direction(transformed(box_region({0, 0}, {4, 2}), angle, {0, 0})), angle, 1e-9);
 }
 
-TEST(GridGraph, TooManyCellsIsASentence) {
+TEST(GridGraph, TooManyCellsIsOneSentence) {
   const Problem problem({"hall", box_region({0, 0}, {1000, 1000}), "test", ""}, Robot{});
-  EXPECT_THROW(make_grid_graph(problem, {}, 1e-3, 2), std::invalid_argument);
+  EXPECT_THROW(make_grid_graph(problem, {.side = 1e-3, .block = 2}), std::invalid_argument);
 }
 
 }  // namespace

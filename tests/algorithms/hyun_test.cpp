@@ -14,27 +14,27 @@
 #include "metrics/score.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/seeds.hpp"
-#include "tests/support/planners.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
 
 using Records = std::map<std::string, double>;
 
-Path plan_with(const char* planner, const Problem& problem, const Settings& settings = {}, Records* reports = nullptr) {
+Path plan_with(const char* planner, const Problem& problem, const Settings& settings = {}, Records* records = nullptr) {
   Context::Sinks sinks;
-  if (reports != nullptr) sinks.record = [reports](const std::string& name, double v) { (*reports)[name] = v; };
+  if (records != nullptr) sinks.record = [records](const std::string& name, double v) { (*records)[name] = v; };
   Context context(1, 1e9, std::move(sinks));
   return built_in_planner(planner, settings)->plan(problem, context);
 }
 
-Path plan_hyun(const Problem& problem, const Settings& settings = {}, Records* reports = nullptr) {
-  return plan_with("hyun", problem, settings, reports);
+Path plan_hyun(const Problem& problem, const Settings& settings = {}, Records* records = nullptr) {
+  return plan_with("hyun", problem, settings, records);
 }
 
-Settings said(const std::string& name, const std::string& value) { return {{name, value}}; }
+Settings setting(const std::string& name, const std::string& value) { return {{name, value}}; }
 
 /// A convex polygon about the origin.
 Ring random_footprint(Rng& rng, double radius) {
@@ -46,7 +46,7 @@ Ring random_footprint(Rng& rng, double radius) {
   return ring;
 }
 
-/// Caves of squares, and boxes of random triangles: small, and seldom of one piece.
+/// Small maps: caves of squares, and rooms with random polygons; configuration space is often disconnected.
 Problem small_map(std::uint64_t seed) {
   Rng rng(mix(seed, "hyun"));
   Robot robot;
@@ -72,6 +72,13 @@ Problem small_map(std::uint64_t seed) {
   return Problem({"triangles", std::move(free), "test", ""}, robot);
 }
 
+/// nullopt if the robot fits nowhere.
+std::optional<Problem> small_problem(std::uint64_t seed) {
+  try {
+    return small_map(seed);
+  } catch (const std::invalid_argument&) { return std::nullopt; }
+}
+
 double separation_of(const Problem& problem) {
   return std::min(height(problem.robot()), problem.robot().tool_width) / 2;
 }
@@ -80,35 +87,33 @@ TEST(Hyun, EveryPathIsValidAndEveryPointIsVisitedOnce) {
   int polygonal = 0;
   for (const std::uint64_t seed : seeds(1000)) {
     SCOPED_TRACE(fmt::format("small map {}", seed));
-    std::optional<Problem> made;
-    try {
-      made.emplace(small_map(seed));
-    } catch (const std::invalid_argument&) { continue; }  // the robot fits nowhere
+    const std::optional<Problem> made = small_problem(seed);
+    if (!made) continue;
     const Problem& problem = *made;
     polygonal += problem.robot().footprint.empty() ? 0 : 1;
-    Records reports;
-    const Path path = plan_hyun(problem, said("transit", seed % 2 == 0 ? "tlppa" : "visibility"), &reports);
+    Records records;
+    const Path path = plan_hyun(problem, setting("transit", seed % 2 == 0 ? "tlppa" : "visibility"), &records);
     ASSERT_EQ(find_flaw(problem, path), "");
 
-    const double spare = 1e-6 * problem.robot().tool_width;
-    const TrackingLines lines = tracking_lines(problem.configuration_space(), separation_of(problem), spare, 0);
-    EXPECT_EQ(reports["tracking_points"], static_cast<double>(lines.points.size()));
-    std::map<std::pair<double, double>, int> left;
+    const double keep_off = 1e-6 * problem.robot().tool_width;
+    const TrackingLines lines = tracking_lines(problem.configuration_space(), separation_of(problem), keep_off, 0);
+    EXPECT_EQ(records["tracking_points"], static_cast<double>(lines.points.size()));
+    std::map<std::pair<double, double>, int> unvisited;
     for (const TrackingPoint& t : lines.points)
-      left[{t.at.x(), t.at.y()}] = 1;  // a stretch without length is one place
-    Polyline way;
+      unvisited[{t.at.x(), t.at.y()}] = 1;  // an interval without length is one point
+    Polyline points;
     for (const Leg& leg : path.legs)
       for (const Point& p : leg.points)
-        if (way.empty() || way.back() != p) way.push_back(p);
-    for (std::size_t i = 0; i < way.size(); ++i) {
-      const auto found = left.find({way[i].x(), way[i].y()});
-      if (found == left.end() || --found->second >= 0) continue;
-      // Again only in passing, where a step turns from level to upright.
-      ASSERT_TRUE(i > 0 && i + 1 < way.size()) << "twice at " << way[i].transpose();
-      EXPECT_EQ(way[i - 1].y(), way[i].y()) << "twice at " << way[i].transpose();
-      EXPECT_EQ(way[i + 1].x(), way[i].x()) << "twice at " << way[i].transpose();
+        if (points.empty() || points.back() != p) points.push_back(p);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto found = unvisited.find({points[i].x(), points[i].y()});
+      if (found == unvisited.end() || --found->second >= 0) continue;
+      // A second time only in passing, where a step turns from horizontal to vertical.
+      ASSERT_TRUE(i > 0 && i + 1 < points.size()) << "twice at " << points[i].transpose();
+      EXPECT_EQ(points[i - 1].y(), points[i].y()) << "twice at " << points[i].transpose();
+      EXPECT_EQ(points[i + 1].x(), points[i].x()) << "twice at " << points[i].transpose();
     }
-    for (const auto& [at, times] : left) EXPECT_LE(times, 0) << "never at " << at.first << " " << at.second;
+    for (const auto& [at, count] : unvisited) EXPECT_LE(count, 0) << "never at " << at.first << " " << at.second;
   }
   EXPECT_GT(polygonal, 300);
 }
@@ -124,13 +129,11 @@ bool crosses(const Point& a, const Point& b, const Point& c, const Point& d) {
 TEST(Hyun, LinksNeverCross) {
   for (const std::uint64_t seed : seeds(600)) {
     SCOPED_TRACE(fmt::format("small map {}", seed));
-    std::optional<Problem> made;
-    try {
-      made.emplace(small_map(seed));
-    } catch (const std::invalid_argument&) { continue; }
-    Records reports;
-    const Path path = plan_hyun(*made, said("nearest", seed % 2 == 0 ? "air" : "way"), &reports);
-    EXPECT_EQ(reports["links_crossing"], 0);
+    const std::optional<Problem> made = small_problem(seed);
+    if (!made) continue;
+    Records records;
+    const Path path = plan_hyun(*made, setting("nearest", seed % 2 == 0 ? "air" : "path"), &records);
+    EXPECT_EQ(records["links_crossing"], 0);
     std::vector<std::pair<Point, Point>> on;
     for (const Leg& leg : path.legs)
       for (std::size_t i = 1; leg.tool && i < leg.points.size(); ++i) on.emplace_back(leg.points[i - 1], leg.points[i]);
@@ -172,24 +175,22 @@ TEST(LinkCrossings, AreCountedByTheDefinition) {
   }
 }
 
-// Intervals by point location alone: inside an interval everything is free, outside nothing; ends touch what they say.
-TEST(TrackingPoints, AreTheEndsOfWhatIsFree) {
+// By point location alone: an interval is free inside and not beyond its ends; its ends touch the obstacle they name.
+TEST(TrackingPoints, AreTheEndsOfFreeIntervals) {
   for (const std::uint64_t seed : seeds(500)) {
     SCOPED_TRACE(fmt::format("small map {}", seed));
-    std::optional<Problem> made;
-    try {
-      made.emplace(small_map(seed));
-    } catch (const std::invalid_argument&) { continue; }
+    const std::optional<Problem> made = small_problem(seed);
+    if (!made) continue;
     const Region& space = made->configuration_space();
     const Box box = bounding_box(space);
-    const double spare = 1e-7;
-    const TrackingLines lines = tracking_lines(space, 0.17, spare, 0);
+    const double keep_off = 1e-7;
+    const TrackingLines lines = tracking_lines(space, 0.17, keep_off, 0);
     EXPECT_EQ(lines.first.back(), lines.points.size());
     Rng rng(seed);
     for (std::size_t k = 0; k + 1 < lines.first.size(); ++k) {
       const double y = lines.points.empty() ? 0 : lines.points[lines.first[k]].at.y();
       if (lines.first[k] == lines.first[k + 1]) continue;
-      if (k + 2 < lines.first.size()) { EXPECT_NEAR(y, box.high.y() - spare - static_cast<double>(k) * 0.17, 1e-9); }
+      if (k + 2 < lines.first.size()) { EXPECT_NEAR(y, box.high.y() - keep_off - static_cast<double>(k) * 0.17, 1e-9); }
       for (int n = 0; n < 12; ++n) {
         const double x = rng.between(box.low.x() - 0.1, box.high.x() + 0.1);
         bool in = false, near = false;
@@ -209,13 +210,13 @@ TEST(TrackingPoints, AreTheEndsOfWhatIsFree) {
         double away = 1e300;
         for (std::size_t e = 0; e < touched.size(); ++e)
           away = std::min(away, distance_to_segment(t.at, touched[e], touched[(e + 1) % touched.size()]));
-        EXPECT_LE(away, 2 * spare);
+        EXPECT_LE(away, 2 * keep_off);
       }
     }
   }
 }
 
-TEST(TrackingPoints, OnARasterTheyStayInside) {
+TEST(TrackingPoints, OnARasterStayInside) {
   const Region space = box_region({0.03, 0}, {9.97, 1});
   const TrackingLines lines = tracking_lines(space, 0.5, 1e-7, 0.25);
   ASSERT_EQ(lines.points.size(), 6u);
@@ -223,42 +224,40 @@ TEST(TrackingPoints, OnARasterTheyStayInside) {
   EXPECT_NEAR(lines.points[1].at.x(), 9.78, 1e-12);
 }
 
-TEST(Tlppa, EveryWayIsFree) {
+TEST(Tlppa, EveryPathIsFree) {
   int found = 0;
   for (const std::uint64_t seed : seeds(400)) {
     SCOPED_TRACE(fmt::format("small map {}", seed));
-    std::optional<Problem> made;
-    try {
-      made.emplace(small_map(seed));
-    } catch (const std::invalid_argument&) { continue; }
+    const std::optional<Problem> made = small_problem(seed);
+    if (!made) continue;
     Tlppa tlppa(*made, 0.06);
     Rng rng(seed);
     const Box box = bounding_box(made->configuration_space());
     for (int k = 0; k < 5; ++k) {
       const Point a(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
       if (!made->walls().contains(a)) continue;
-      const auto way = tlppa.path(a, made->start());
+      const auto path = tlppa.path(a, made->start());
       const auto shortest = made->transit().path(a, made->start());
       ASSERT_TRUE(shortest);
-      if (!way) continue;
+      if (!path) continue;
       ++found;
-      EXPECT_EQ(way->front(), a);
-      EXPECT_EQ(way->back(), made->start());
-      for (std::size_t i = 1; i < way->size(); ++i) EXPECT_TRUE(made->walls().contains((*way)[i - 1], (*way)[i]));
-      EXPECT_GE(length(*way), length(*shortest) - 1e-9);
+      EXPECT_EQ(path->front(), a);
+      EXPECT_EQ(path->back(), made->start());
+      for (std::size_t i = 1; i < path->size(); ++i) EXPECT_TRUE(made->walls().contains((*path)[i - 1], (*path)[i]));
+      EXPECT_GE(length(*path), length(*shortest) - 1e-9);
     }
   }
   EXPECT_GT(found, 900);
 }
 
-// Where nothing is in the way, eight directions cost at most 1 / cos(22.5 degrees) more, and the ends some cells.
+// Without obstacles, eight directions cost at most 1 / cos(22.5 degrees) more, and the ends a few cells.
 TEST(Tlppa, IsAsShortAsEightDirectionsAllow) {
   const Problem problem({"hall", box_region({0, 0}, {20, 10}), "test", ""}, Robot{}, Point(1, 1));
   Tlppa tlppa(problem, 0.1);
   for (const Point& to : {Point(19, 1), Point(19, 9), Point(7, 8.5), Point(0.3, 9.7)}) {
-    const auto way = tlppa.path({1, 1}, to);
-    ASSERT_TRUE(way);
-    EXPECT_LE(length(*way), distance({1, 1}, to) / std::cos(kPi / 8) + 0.4);
+    const auto path = tlppa.path({1, 1}, to);
+    ASSERT_TRUE(path);
+    EXPECT_LE(length(*path), distance({1, 1}, to) / std::cos(kPi / 8) + 0.4);
   }
 }
 
@@ -271,21 +270,21 @@ TEST(Tlppa, APassageNarrowerThanItsCellsIsNotSeen) {
   EXPECT_FALSE(Tlppa(problem, 0.1).path(problem.start(), {9.5, 1.5}));
   EXPECT_TRUE(Tlppa(problem, 0.01).path(problem.start(), {9.5, 1.5}));
   EXPECT_TRUE(problem.transit().path(problem.start(), {9.5, 1.5}));
-  Records reports;  // the planner says so, and gets there all the same
-  const Path path = plan_hyun(problem, {{"cell_size", 0.1}}, &reports);
+  Records records;  // the planner records it, and gets there nevertheless
+  const Path path = plan_hyun(problem, {{"cell_size", 0.1}}, &records);
   EXPECT_EQ(find_flaw(problem, path), "");
 }
 
-TEST(Hyun, AnEmptyRoomIsLanesOnly) {
+TEST(Hyun, AnEmptyRoomTakesLanesOnly) {
   Robot robot;
   robot.footprint = parse_footprint("octagon:1");
   robot.tool_width = 1;
   const Problem problem({"hall", box_region({0, 0}, {11, 8}), "test", ""}, robot, Point(5, 4));
-  Records reports;
-  const Path path = plan_hyun(problem, {}, &reports);
-  EXPECT_EQ(reports["links_planned"], 0);
-  EXPECT_EQ(reports["transits_crossing"], 0);
-  EXPECT_EQ(reports["tracking_points"], 30);  // 7 m, lines half a metre apart, both ends
+  Records records;
+  const Path path = plan_hyun(problem, {}, &records);
+  EXPECT_EQ(records["links_planned"], 0);
+  EXPECT_EQ(records["transits_crossing"], 0);
+  EXPECT_EQ(records["tracking_points"], 30);  // 7 m, lines half a metre apart, both ends
   EXPECT_NEAR(path.length(true), 15 * 10 + 7, 1e-4);
   const Score s = score(problem, path);
   EXPECT_EQ(s.flaw, "");
@@ -300,20 +299,20 @@ Robot octagonal() {
   return robot;
 }
 
-TEST(Hyun, TheWorldOfThePaper) {
+TEST(Hyun, TheMapOfThePaper) {
   for (const std::uint64_t seed : seeds(8)) {
     SCOPED_TRACE(seed);
     const Problem problem(generate("hyun", {{"jitter", seed == 1 ? 0.0 : 1.0}}, seed), octagonal());
-    Records reports;
-    const Path path = plan_hyun(problem, {}, &reports);
+    Records records;
+    const Path path = plan_hyun(problem, {}, &records);
     const Score s = score(problem, path);
     EXPECT_EQ(s.flaw, "");
     EXPECT_GT(*s.value("coverage"), 0.99);
-    EXPECT_EQ(reports["links_crossing"], 0);
-    EXPECT_EQ(reports["tlppa_failed"], 0);
-    EXPECT_GE(reports["links_planned"], 1);
-    EXPECT_LE(reports["links_planned"], 8);
-    // Back and forth: what is driven with the tool on is level, or leads to the next line along a wall.
+    EXPECT_EQ(records["links_crossing"], 0);
+    EXPECT_EQ(records["tlppa_failed"], 0);
+    EXPECT_GE(records["links_planned"], 1);
+    EXPECT_LE(records["links_planned"], 8);
+    // Back and forth: with the tool on the robot drives along lines, or to the next line along a wall.
     for (const Leg& leg : path.legs)
       for (std::size_t i = 1; leg.tool && i < leg.points.size(); ++i) {
         const Point d = leg.points[i] - leg.points[i - 1];
@@ -324,35 +323,33 @@ TEST(Hyun, TheWorldOfThePaper) {
   }
 }
 
-TEST(Hyun, TheRulesAsPrintedEndToo) {
+TEST(Hyun, ThePublishedRulesEndToo) {
   for (const std::uint64_t seed : seeds(150)) {
     SCOPED_TRACE(fmt::format("small map {}", seed));
-    std::optional<Problem> made;
-    try {
-      made.emplace(small_map(seed));
-    } catch (const std::invalid_argument&) { continue; }
+    const std::optional<Problem> made = small_problem(seed);
+    if (!made) continue;
     for (const char* passes : {"both", "alternate"}) {
-      const Path path = plan_hyun(*made, {{"rules", std::string("literal")}, {"passes", std::string(passes)}});
+      const Path path = plan_hyun(*made, {{"rules", std::string("published")}, {"passes", std::string(passes)}});
       EXPECT_EQ(find_flaw(*made, path), "") << passes;
     }
   }
-  // In the paper's world they leave much undone: walls' contacts are linked across, obstacles' on one side.
+  // On the paper's map they leave much uncovered: contacts at walls are linked across, those at obstacles on one side.
   const Problem problem(generate("hyun", {}, 1), octagonal());
-  Records resolved, literal;
-  const Path ours = plan_hyun(problem, {}, &resolved);
-  const Path printed = plan_hyun(problem, said("rules", "literal"), &literal);
-  EXPECT_EQ(literal["tracking_points"], resolved["tracking_points"]);
-  EXPECT_GT(literal["links_planned"], resolved["links_planned"]);
+  Records improved, published;
+  const Path ours = plan_hyun(problem, {}, &improved);
+  const Path printed = plan_hyun(problem, setting("rules", "published"), &published);
+  EXPECT_EQ(published["tracking_points"], improved["tracking_points"]);
+  EXPECT_GT(published["links_planned"], improved["links_planned"]);
   EXPECT_LT(*score(problem, printed).value("coverage"), *score(problem, ours).value("coverage") - 0.1);
 }
 
-// The arms of a spiral: the nearest point as the crow flies is behind the wall, and the way there goes round.
-TEST(Hyun, ByWayItDoesNotCommuteThroughThinWalls) {
+// The arms of a spiral: the nearest point by straight distance is behind the wall, and the path to it goes round.
+TEST(Hyun, ByPathLengthItDoesNotGoBackAndForthBetweenArms) {
   const Problem problem(generate("spiral", {{"width", 12.0}, {"height", 12.0}}, 3), Robot{});
-  const Path air = plan_hyun(problem), way = plan_hyun(problem, said("nearest", "way"));
-  EXPECT_EQ(find_flaw(problem, air), "");
-  EXPECT_EQ(find_flaw(problem, way), "");
-  EXPECT_LT(way.length(false), 0.5 * air.length(false));
+  const Path by_air = plan_hyun(problem), by_path = plan_hyun(problem, setting("nearest", "path"));
+  EXPECT_EQ(find_flaw(problem, by_air), "");
+  EXPECT_EQ(find_flaw(problem, by_path), "");
+  EXPECT_LT(by_path.length(false), 0.5 * by_air.length(false));
 }
 
 TEST(Hyun, OutlineRaisesCoverage) {
@@ -365,19 +362,22 @@ TEST(Hyun, OutlineRaisesCoverage) {
   EXPECT_GT(*b.value("coverage"), 0.995);
 }
 
-TEST(Hyun, WithoutAnyPointItSaysSo) {
+TEST(Hyun, NoTrackingPointIsOneSentence) {
   const Problem problem({"hall", box_region({0, 0}, {3, 2}), "test", ""}, Robot{}, Point(1, 1));
   EXPECT_THAT(complaint([&] {
                 plan_hyun(problem, {{"delta_x", 50.0}, {"separation", 0.2}});
               }),
-              testing::HasSubstr("no sweep line has a tracking point"));
-  EXPECT_THAT(complaint([&] { plan_hyun(problem, {{"separation", 1e-9}}); }), testing::HasSubstr("sweep lines"));
+              testing::HasSubstr("no line has a tracking point"));
+  EXPECT_THAT(complaint([&] {
+                plan_hyun(problem, {{"separation", 1e-9}});
+              }),
+              testing::HasSubstr("lines, expected at most"));
   const Path path = plan_hyun(problem, {{"delta_x", 0.1}});
   EXPECT_EQ(find_flaw(problem, path), "");
 }
 
-// Who says `footprint` is given polygonal robots, and keeps them in configuration space.
-TEST(Footprints, EveryPlannerThatTakesThemIsValid) {
+// Planners with the capability `footprint` keep polygonal robots in configuration space.
+TEST(Footprints, EveryPlannerWithTheCapabilityIsValid) {
   for (const PlannerInfo& planner : built_in()) {
     if (!planner.has(Capability::footprint) || planner.has(Capability::tether)) continue;
     for (const char* generator : {"hyun", "polygon", "clutter", "rooms", "cave", "comb", "field"}) {

@@ -1,4 +1,4 @@
-// The online driver: what the lidar sees, what is believed of it, and robots that know nothing else.
+// Robots that know only what their lidar sees: the lidar, the belief, the driver, exploration and planning.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,15 +8,15 @@
 #include "algorithms/online/outline.hpp"
 #include "algorithms/online/star.hpp"
 #include "algorithms/online/survey_then_plan.hpp"
+#include "coverage_oracle.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "maps/followed_path.hpp"
 #include "metrics/score.hpp"
-#include "coverage_oracle.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/seeds.hpp"
-#include "tests/support/planners.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
@@ -31,7 +31,7 @@ Robot with_lidar(double range = 8, int rays = 360, double noise = 0, Robot robot
   return robot;
 }
 
-/// Small ones of many kinds, for a robot with a lidar.
+/// Small maps of many kinds.
 std::vector<Problem> small_problems(std::uint64_t seed, const Robot& robot) {
   std::vector<Problem> all;
   for (const auto& [name, settings] : std::vector<std::pair<std::string, Settings>>{
@@ -56,7 +56,7 @@ Point random_point(const Problem& problem, Rng& rng) {
 
 // ------------------------------------------------------------------------------------------------------ lidar
 
-/// All edges, one after the other, in extended precision.
+/// Over all edges, in extended precision.
 double cast_by_brute_force(const Region& free, const Point& eye, double angle, double range) {
   using Real = long double;
   const Real dx = std::cos(static_cast<Real>(angle)), dy = std::sin(static_cast<Real>(angle));
@@ -75,7 +75,7 @@ double cast_by_brute_force(const Region& free, const Point& eye, double angle, d
   return best <= range ? static_cast<double>(best) : kNothing;
 }
 
-TEST(Lidar, MeasuresARectangleAsGeometrySays) {
+TEST(Lidar, MeasuresARectangle) {
   const LidarSimulator lidar(box_region({0, 0}, {6, 4}), {10, 8, 0});
   Rng rng(1);
   const Scan scan = lidar.scan({2, 1}, rng);
@@ -148,9 +148,11 @@ TEST(Lidar, BadInputIsOneSentence) {
       },
       ThrowsMessage<std::invalid_argument>("lidar.noise is -0.1, expected metres of at least 0"));
   Robot robot = with_lidar(5, 0);
-  EXPECT_EQ(complaint([&] { check(robot); }), "parameter 'lidar_rays' of robot 'disc' is 0, expected a whole number from 1 to 1e+06");
+  EXPECT_EQ(complaint([&] { check(robot); }),
+            "parameter 'lidar_rays' of robot 'disc' is 0, expected a whole number from 1 to 1e+06");
   robot = with_lidar(5, 8, -1);
-  EXPECT_EQ(complaint([&] { check(robot); }), "parameter 'lidar_noise' of robot 'disc' is -1, expected a number from 0 to 1e+09");
+  EXPECT_EQ(complaint([&] { check(robot); }),
+            "parameter 'lidar_noise' of robot 'disc' is -1, expected a number from 0 to 1e+09");
 }
 
 // ----------------------------------------------------------------------------------------------------- belief
@@ -159,23 +161,23 @@ double beyond_truth(const Belief& belief, const Problem& problem, int level) {
   return area(subtract(belief.region(level), problem.map().free));
 }
 
-/// Scans every 20 cm on the way to some random places.
+/// Scans every 20 cm along paths to random points.
 void wander(Belief& belief, const Problem& problem, std::uint64_t seed, int goals) {
   const LidarSimulator lidar(problem.map().free, *problem.robot().lidar);
   Rng rng(seed), noise(seed);
-  Polyline way{problem.start()};
+  Polyline path{problem.start()};
   for (int goal = 0; goal < goals; ++goal) {
-    const auto leg = problem.transit().path(way.back(), random_point(problem, rng));
-    way.insert(way.end(), leg->begin() + 1, leg->end());
+    const auto leg = problem.transit().path(path.back(), random_point(problem, rng));
+    path.insert(path.end(), leg->begin() + 1, leg->end());
   }
-  for (std::size_t k = 1; k < way.size(); ++k) {
-    const int steps = 1 + static_cast<int>(distance(way[k - 1], way[k]) / 0.2);
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    const int steps = 1 + static_cast<int>(distance(path[k - 1], path[k]) / 0.2);
     for (int s = 1; s <= steps; ++s)
-      belief.add(lidar.scan(lerp(way[k - 1], way[k], static_cast<double>(s) / steps), noise));
+      belief.add(lidar.scan(lerp(path[k - 1], path[k], static_cast<double>(s) / steps), noise));
   }
 }
 
-// Wherever the robot goes, whatever it has seen: nothing is believed free that is not, and nothing taken back.
+// Wherever the robot drives, nothing is believed free that is not, and nothing is withdrawn.
 TEST(Belief, IsAPartOfTheTruth) {
   for (const auto seed : seeds(4))
     for (const Problem& p : small_problems(seed, with_lidar(6, 360))) {
@@ -188,7 +190,7 @@ TEST(Belief, IsAPartOfTheTruth) {
     }
 }
 
-// Few rays overlook the tip of a wedge from afar; hits take that back when the robot comes near.
+// Few rays overlook the tip of a wedge from afar; hits correct that when the robot comes near.
 TEST(Belief, WithFewRaysOnlyDetailsFromAfarAreWrong) {
   for (const auto seed : seeds(2))
     for (const Problem& p : small_problems(seed, with_lidar(6, 90))) {
@@ -207,7 +209,7 @@ TEST(Belief, OneScanOfARoomIsTheWholeRoomLessACellAtItsWalls) {
   belief.add(lidar.scan(room.start(), unused));
   const double most = area(room.map().free), lost = 2 * (3.1 + 2.3) * belief.cell();
   EXPECT_LT(belief.free_area(), most);
-  EXPECT_GT(belief.free_area(), most - lost - 4 * 0.03 * 0.03);  // corners are cut by a chord
+  EXPECT_GT(belief.free_area(), most - lost - 4 * 0.03 * 0.03);  // a chord cuts each corner
 }
 
 TEST(Belief, KnowsNothingBehindAPillar) {
@@ -222,7 +224,7 @@ TEST(Belief, KnowsNothingBehindAPillar) {
   EXPECT_TRUE(belief.free_for({1.5, 1.0}, {1.5, 4.0}, 0.2));   // beside it
 }
 
-// Far off and through tiny doors: the window grows, and gets coarser rather than too large.
+// A long hall and a tiny robot: the window grows, and becomes coarser rather than too large.
 TEST(Belief, GrowsAndCoarsensWithoutForgetting) {
   const Problem hall(Map{"hall", box_region({0, 0}, {90, 4}), "", ""}, with_lidar(4, 720, 0, disc(0.02, 0.04)),
                      Point(2.01, 2.02));
@@ -236,8 +238,8 @@ TEST(Belief, GrowsAndCoarsensWithoutForgetting) {
   EXPECT_FALSE(belief.free_for({2.5, 2.02}, {89.5, 2.02}, 0.02));
 }
 
-// What is planned on has the true walls: straight, and where they are.
-TEST(Outline, ARoomSeenFromThreePlacesIsTheRoom) {
+// The outline has the true walls: straight, and in the right position.
+TEST(Outline, ARoomSeenFromThreePointsIsTheRoom) {
   const Problem room(Map{"room", transformed(box_region({0, 0}, {3.1, 2.3}), 0.3, {5, 7}), "", ""}, with_lidar());
   const LidarSimulator lidar(room.map().free, *room.robot().lidar);
   Belief belief(room.robot(), room.start());
@@ -249,37 +251,37 @@ TEST(Outline, ARoomSeenFromThreePlacesIsTheRoom) {
   EXPECT_LT(vertex_count(belief.region(0)), 30u);
   // The robot may touch a wall.
   const auto wall = EdgeIndex(room.map().free).nearest(room.start());
-  const Point by = wall->place + 0.2 * (room.start() - wall->place).normalized();
+  const Point by = wall->point + 0.2 * (room.start() - wall->point).normalized();
   EXPECT_TRUE(belief.free_for(room.start(), by, 0.2 - 1e-6));
-  EXPECT_FALSE(belief.free_for(room.start(), wall->place + 0.19 * (by - wall->place) / 0.2, 0.2 - 1e-6));
+  EXPECT_FALSE(belief.free_for(room.start(), wall->point + 0.19 * (by - wall->point) / 0.2, 0.2 - 1e-6));
 }
 
-Ring round_ring(double radius) {
+Ring circle(double radius) {
   Ring ring;
   for (const Point& d : ray_directions(64)) ring.push_back(radius * d);
   return ring;
 }
 
-TEST(Outline, AWallPointTakesBackWhatStarsSayAboutItAlsoLater) {
+TEST(Outline, AWallPointRefutesEarlierAndLaterStars) {
   Outline outline(0.2);
-  outline.add(round_ring(2), {0, 0}, 64);
+  outline.add(circle(2), {0, 0}, 64);
   EXPECT_TRUE(outline.free_for({0, 0}, {1, 0}, 0.3));
   const Point pole(0.8, 0.1);
   EXPECT_TRUE(outline.add_walls({pole}, {}, {0.5, 0}));
   EXPECT_FALSE(outline.free_for({0, 0}, {1, 0}, 0.3));
   EXPECT_FALSE(contains(outline.region(), pole));
   EXPECT_TRUE(outline.free_for({0, 0}, {0, 1}, 0.3));
-  outline.add(round_ring(2), {-0.1, 0}, 64);  // overlooks it once more
+  outline.add(circle(2), {-0.1, 0}, 64);  // overlooks it once more
   EXPECT_FALSE(contains(outline.region(), pole));
   EXPECT_FALSE(outline.free_for({0, 0}, {1, 0}, 0.3));
-  // A star that ends before it counts: close about the pole there is free space after all.
-  outline.add(round_ring(0.2), {0.59, 0.1}, 64);
+  // A star that ends before the pole counts: there is free space close to it after all.
+  outline.add(circle(0.2), {0.59, 0.1}, 64);
   EXPECT_TRUE(contains(outline.region(), pole - Point(0.015, 0)));
   EXPECT_FALSE(outline.add_walls({pole, {3, 3}}, {}, {0.5, 0}));  // nothing new
 }
 
-// No place that was ever hit lies in what is believed free, with rays so few that every scan overlooks something.
-TEST(Outline, HoldsNoWallPoint) {
+// No point that was ever hit is believed free, even with so few rays that every scan overlooks something.
+TEST(Outline, ContainsNoWallPoint) {
   for (const auto seed : seeds(2))
     for (const Problem& p : small_problems(seed, with_lidar(6, 60))) {
       SCOPED_TRACE(p.map().source);
@@ -297,7 +299,7 @@ TEST(Outline, HoldsNoWallPoint) {
         for (Point& c : corners) c += scan.eye;
         outline.add_walls(hits, {}, scan.eye);
         outline.add(ring, scan.eye, 60);
-        // Hits less than a lattice square from an earlier one are not kept: a wall point apart stands for them.
+        // The outline keeps one hit of each lattice square.
         for (const Point& h : hits)
           if (std::none_of(all.begin(), all.end(), [&](const Point& q) { return distance(q, h) < 0.03; }))
             all.push_back(h);
@@ -307,8 +309,8 @@ TEST(Outline, HoldsNoWallPoint) {
     }
 }
 
-// A pole that falls between the rays from afar is found in time.
-TEST(Belief, APoleThinnerThanTheRaysAreApartIsNeverHit) {
+// A pole that lies between the rays from afar is seen in time.
+TEST(Belief, APoleBetweenTheRaysIsNotHit) {
   Region hall = box_region({0, 0}, {9, 3});
   for (const Point& at : {Point(6.03, 1.52), Point(7.51, 0.9), Point(5.2, 2.31)}) {
     Ring pole = box_region(at, at + Point(0.03, 0.03)).polygons[0].outer;
@@ -333,14 +335,14 @@ TEST(Belief, AFewWrongHitsDoNotCloseACorridor) {
   for (double x = 0.5; x < 5.5; x += 0.2) belief.add(lidar.scan({x, 0.5}, noise));
   ASSERT_TRUE(belief.free_for({0.5, 0.5}, {5.4, 0.5}, 0.2));
   Scan wrong = lidar.scan({3, 0.5}, noise);
-  for (std::size_t k = 0; k < wrong.reading.size(); k += 40) wrong.reading[k] = 0.25;  // flies
+  for (std::size_t k = 0; k < wrong.reading.size(); k += 40) wrong.reading[k] = 0.25;  // as by flies
   belief.add(wrong);
   EXPECT_TRUE(belief.free_for({0.5, 0.5}, {5.4, 0.5}, 0.2));
 }
 
 // ----------------------------------------------------------------------------------------------------- driver
 
-/// Drives what a test tells it.
+/// Drives given motions.
 struct Scripted final : Policy {
   std::vector<Motion> motions;
   std::size_t asked = 0, stopped = 0;
@@ -351,7 +353,7 @@ struct Scripted final : Policy {
   }
 };
 
-TEST(DriveOnline, StopsBeforeAWallThatThePolicyDoesNotSee) {
+TEST(DriveOnline, StopsBeforeAWallThatThePolicyIgnores) {
   const Problem p = drawn({"S...#...", "....#..."}, {.robot = with_lidar()});
   Scripted policy;
   policy.motions = {{{{7.5, 1.5}}, true}, {{{0.5, 0.5}}, false}};
@@ -366,7 +368,7 @@ TEST(DriveOnline, StopsBeforeAWallThatThePolicyDoesNotSee) {
   EXPECT_EQ(path.legs[1].points.back(), Point(0.5, 0.5));
 }
 
-TEST(DriveOnline, APolicyThatOnlyEverAsksForWallsEnds) {
+TEST(DriveOnline, APolicyThatOnlyAsksForWallsEnds) {
   struct Stubborn final : Policy {
     int asked = 0;
     std::optional<Motion> next(const View&, Context&) override {
@@ -381,16 +383,16 @@ TEST(DriveOnline, APolicyThatOnlyEverAsksForWallsEnds) {
   EXPECT_LT(policy.asked, 10);
 }
 
-// The same drive, asked for and steered; motion by motion or all at once.
-TEST(DriveOnline, AProgramSteersAsAPolicyIsAsked) {
+// The same motions from a policy and from a program.
+TEST(DriveOnline, AProgramDrivesAsAPolicyDoes) {
   const Problem p = drawn({"S...#...", "....#..."}, {.robot = with_lidar()});
   const std::vector<Motion> motions{{{{2.5, 0.5}, {2.5, 1.5}}, true}, {{{7.5, 1.5}}, true}, {{{0.5, 0.5}}, false}};
   Scripted policy;
   policy.motions = motions;
   Context context(1), same(1);
-  const Path asked = drive_online(p, policy, context);
+  const Path by_policy = drive_online(p, policy, context);
   std::vector<bool> arrived;
-  const Path steered = drive_online(
+  const Path by_program = drive_online(
       p,
       [&](OnlineRobot& robot, Context&) {
         for (const Motion& motion : motions) arrived.push_back(robot.go(motion));
@@ -399,11 +401,12 @@ TEST(DriveOnline, AProgramSteersAsAPolicyIsAsked) {
       },
       same);
   EXPECT_THAT(arrived, testing::ElementsAre(true, false, true));
-  ASSERT_EQ(asked.legs.size(), steered.legs.size());
-  for (std::size_t i = 0; i < asked.legs.size(); ++i) EXPECT_EQ(asked.legs[i].points, steered.legs[i].points);
+  ASSERT_EQ(by_policy.legs.size(), by_program.legs.size());
+  for (std::size_t i = 0; i < by_policy.legs.size(); ++i)
+    EXPECT_EQ(by_policy.legs[i].points, by_program.legs[i].points);
 }
 
-// A path of very many small motions is not copied at every one of them.
+// A path of very many small motions is not published at each of them.
 TEST(DriveOnline, PublishesSeldomButNearlyAll) {
   const Problem p = drawn({"....", "S..."}, {.robot = with_lidar()});
   Context::Sinks sinks;
@@ -427,7 +430,7 @@ TEST(DriveOnline, PublishesSeldomButNearlyAll) {
   EXPECT_LT(times, 500u);
 }
 
-TEST(DriveOnline, ACancelledRobotGoesNowhere) {
+TEST(DriveOnline, ACancelledRobotDoesNotMove) {
   const Problem p = drawn({"....", "S..."}, {.robot = with_lidar()});
   Context context(1);
   const Path path = drive_online(
@@ -441,7 +444,7 @@ TEST(DriveOnline, ACancelledRobotGoesNowhere) {
   EXPECT_DOUBLE_EQ(path.length(), 1);
 }
 
-TEST(DriveOnline, NoLidarAndTooShortALidarAreSentences) {
+TEST(DriveOnline, NoLidarAndAUselessLidarAreOneSentence) {
   const auto boustrophedon = [](const Problem& believed, Context& c) {
     return built_in_planner("boustrophedon")->plan(believed, c);
   };
@@ -454,17 +457,17 @@ TEST(DriveOnline, NoLidarAndTooShortALidarAreSentences) {
   for (const Robot& blind : {with_lidar(0.05), with_lidar(8, 1), with_lidar(8, 4)}) {
     const Problem p = drawn({"..", "S."}, {.robot = blind});
     EXPECT_THAT([&] { plan_online(p, context, boustrophedon); },
-                ThrowsMessage<Infeasible>(HasSubstr("shows robot 'disc' no place to go from its start (0.5, 0.5)")));
+                ThrowsMessage<Infeasible>(HasSubstr("shows robot 'disc' nowhere to go from its start (0.5, 0.5)")));
   }
 }
 
-TEST(DriveOnline, AReportHasAPlainName) {
-  std::vector<std::string> heard;
+TEST(DriveOnline, ARecordedFigureHasAPlainName) {
+  std::vector<std::string> recorded;
   Context::Sinks sinks;
-  sinks.record = [&](const std::string& name, double) { heard.push_back(name); };
+  sinks.record = [&](const std::string& name, double) { recorded.push_back(name); };
   Context context(1, 1e9, sinks);
   context.record("explored_share", 1);
-  EXPECT_THAT(heard, testing::ElementsAre("explored_share"));
+  EXPECT_THAT(recorded, testing::ElementsAre("explored_share"));
   for (const char* bad : {"", "a,b", "Share", "a b", "x\n"})
     EXPECT_THAT([&] { context.record(bad, 1); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("expected small letters")));
@@ -472,7 +475,7 @@ TEST(DriveOnline, AReportHasAPlainName) {
 
 // --------------------------------------------------------------------------------------------------- exploring
 
-/// Explores and does nothing else; keeps what is believed at the end.
+/// Only explores; keeps what is believed at the end.
 struct OnlyExplores final : Policy {
   Explorer explorer;
   Region believed;
@@ -491,7 +494,7 @@ TEST(Explorer, SeesWhatCanBeSeen) {
       Context context(1);
       const Path path = drive_online(p, policy, context);
       expect_valid(p, path);
-      // Places that the tool can reach, 3 cm off the walls: each is seen from where the tool would be.
+      // Points that the tool can reach, 3 cm off the walls: each can be seen from where the robot would be.
       const EdgeIndex walls(p.map().free), believed(policy.believed);
       const Box box = bounding_box(p.target());
       Rng rng(seed);
@@ -507,30 +510,30 @@ TEST(Explorer, SeesWhatCanBeSeen) {
     }
 }
 
-// The string, simulated in the true map, never exceeds the leash while the robot explores.
-TEST(Explorer, KeepsTheLeash) {
+// The tether, simulated in the true map, never exceeds its length while the robot explores.
+TEST(Explorer, KeepsTheTetherLength) {
   int explored = 0;
   for (const auto seed : seeds(1))
-    for (const double leash : {1.5, 4.0}) {
+    for (const double length : {1.5, 4.0}) {
       Robot robot = with_lidar();
-      robot.tether = Tether{leash};
+      robot.tether = Tether{length};
       for (const Problem& p : small_problems(seed, robot)) {
-        SCOPED_TRACE(fmt::format("{} leash {}", p.map().source, leash));
+        SCOPED_TRACE(fmt::format("{} tether {}", p.map().source, length));
         OnlyExplores policy;
         Context context(1);
         Path path;
         try {
           path = drive_online(p, policy, context);
         } catch (const Infeasible&) {
-          continue;  // all that the leash reaches is seen from the start
+          continue;  // all that the tether reaches is seen from the start
         }
         ++explored;
         expect_valid(p, path);
-        TautTether string = tether_at_start(p);
+        TautTether tether = tether_at_start(p);
         for (const Leg& leg : path.legs)
           for (const Point& q : leg.points) {
-            string.drive(q);
-            ASSERT_LE(string.length(), leash + p.tolerance());
+            tether.drive(q);
+            ASSERT_LE(tether.length(), length + p.tolerance());
           }
       }
     }
@@ -545,7 +548,7 @@ Path boustrophedon_online(const Problem& problem, Context& context) {
   });
 }
 
-TEST(SurveyThenPlan, CoversAsTheMapWouldLetItAtHalfAsMuchAgainAtMost) {
+TEST(SurveyThenPlan, CoversAsMuchAsWithTheMapOnAPathHalfAsLongAgain) {
   std::vector<double> ratios;
   for (const auto seed : seeds(2))
     for (const Problem& p : small_problems(seed, with_lidar())) {
@@ -562,8 +565,8 @@ TEST(SurveyThenPlan, CoversAsTheMapWouldLetItAtHalfAsMuchAgainAtMost) {
   EXPECT_LT(ratios[ratios.size() / 2], 1.5);
 }
 
-// On a leash: survey, home along the string, then a tethered planner on what is believed. Each that can.
-TEST(SurveyThenPlan, TetheredPlannersKeepTheLeashAndTheirCoverage) {
+// With a tether: survey, back to the start along the tether, then a plan on what is believed, for all such planners.
+TEST(SurveyThenPlan, TetheredPlannersKeepTheTetherLengthAndTheirCoverage) {
   std::size_t planners = 0;
   for (const PlannerInfo& info : built_in()) {
     if (!info.has(Capability::online) || !info.has(Capability::tether)) continue;
@@ -602,23 +605,23 @@ TEST(SurveyThenPlan, NoiseCostsAStripAlongTheWallsButNoCollision) {
   }
 }
 
-TEST(SurveyThenPlan, SameSeedSamePathAndReports) {
+TEST(SurveyThenPlan, SameSeedSamePathAndFigures) {
   const Problem p(generate("rooms", {{"width", 5.0}, {"height", 5.0}, {"rooms", std::int64_t{2}}}, 4),
                   with_lidar(8, 360, 0.005));
-  std::map<std::string, double> reports[2];
+  std::map<std::string, double> figures[2];
   Path paths[2];
   for (int k = 0; k < 2; ++k) {
     Context::Sinks sinks;
-    sinks.record = [&](const std::string& name, double value) { reports[k][name] = value; };
+    sinks.record = [&](const std::string& name, double value) { figures[k][name] = value; };
     Context context(7, 1e9, sinks);
     paths[k] = boustrophedon_online(p, context);
   }
   ASSERT_EQ(paths[0].legs.size(), paths[1].legs.size());
   for (std::size_t i = 0; i < paths[0].legs.size(); ++i) EXPECT_EQ(paths[0].legs[i].points, paths[1].legs[i].points);
-  EXPECT_EQ(reports[0], reports[1]);
-  ASSERT_TRUE(reports[0].contains("explored_share") && reports[0].contains("replans"));
-  EXPECT_GT(reports[0]["explored_share"], 0.9);
-  EXPECT_LE(reports[0]["explored_share"], 1);
+  EXPECT_EQ(figures[0], figures[1]);
+  ASSERT_TRUE(figures[0].contains("explored_share") && figures[0].contains("replans"));
+  EXPECT_GT(figures[0]["explored_share"], 0.9);
+  EXPECT_LE(figures[0]["explored_share"], 1);
 }
 
 TEST(SurveyThenPlan, ACancelledRunReturnsWhatItDrove) {
@@ -638,7 +641,7 @@ TEST(SurveyThenPlan, ACancelledRunReturnsWhatItDrove) {
   EXPECT_EQ(path.length(), published.length());
 }
 
-// A start at a wall, in a corner, and in a passage that is hardly wider than the robot.
+// Starts in corners and at a wall.
 TEST(SurveyThenPlan, TightStarts) {
   for (const Point& start : {Point(0.2, 0.2), Point(0.2, 1.7), Point(3.8, 0.2)}) {
     const Problem p(Map{"room", box_region({0, 0}, {4, 3}), "", ""}, with_lidar(), start);

@@ -1,4 +1,4 @@
-// Loops round obstacles: each step against analytic cases or brute force, the whole on thousands of drawn maps.
+// Loops around obstacles: each step against analytic cases or brute force, the planner on thousands of drawn maps.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,40 +6,23 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/grid/bisector_nodes.hpp"
 #include "algorithms/grid/branch_tree.hpp"
 #include "algorithms/grid/node_loops.hpp"
+#include "base/disjoint_sets.hpp"
 #include "base/random.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/drawn.hpp"
-#include "tests/support/seeds.hpp"
-#include "geometry/trace.hpp"
-#include "tests/support/planners.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/planners.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
-
-struct Planned {
-  Path path;
-  std::map<std::string, double> figures;
-  std::set<std::string> traces;
-};
-
-Planned plan_with(const char* name, const Problem& problem, const Settings& settings = {}) {
-  Planned result;
-  Context::Sinks sinks;
-  sinks.record = [&](const std::string& figure, double value) { result.figures[figure] = value; };
-  sinks.trace = [&](const Trace& trace) { result.traces.insert(trace.name); };
-  Context context(1, 1e9, sinks);
-  result.path = built_in_planner(name, settings)->plan(problem, context);
-  return result;
-}
 
 std::vector<std::string> random_drawing(Rng& rng, int columns, int rows, double blocked) {
   std::vector<std::string> drawing(static_cast<std::size_t>(rows), std::string(static_cast<std::size_t>(columns), '.'));
@@ -52,17 +35,17 @@ std::vector<std::string> random_drawing(Rng& rng, int columns, int rows, double 
 
 // --- bisectors ---
 
-TEST(BisectorNodes, SquareAndLShapeAsOnPaper) {
+TEST(BisectorNodes, SquareAndLShape) {
   const auto square = bisector_nodes({{0, 0}, {2, 0}, {2, 2}, {0, 2}}, 0.5, 4);
   ASSERT_EQ(square.size(), 4u);
   const Point outside[] = {{-0.5, -0.5}, {2.5, -0.5}, {2.5, 2.5}, {-0.5, 2.5}};
   for (std::size_t k = 0; k < 4; ++k) EXPECT_LT(distance(square[k].at, outside[k]), 1e-12);
-  // The border of a room, clockwise: every corner is reflex, nodes are inside.
+  // The boundary of a room, clockwise: every vertex is reflex, nodes are inside.
   const auto room = bisector_nodes({{0, 0}, {0, 2}, {2, 2}, {2, 0}}, 0.5, 4);
   ASSERT_EQ(room.size(), 4u);
   const Point inside[] = {{0.5, 0.5}, {0.5, 1.5}, {1.5, 1.5}, {1.5, 0.5}};
   for (std::size_t k = 0; k < 4; ++k) EXPECT_LT(distance(room[k].at, inside[k]), 1e-12);
-  // An L's inner corner, where the slide's arccos would end inside the obstacle.
+  // An L's inner vertex, where the arccos of the slides would lead into the obstacle.
   const auto ell = bisector_nodes({{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}, 0.25, 4);
   ASSERT_EQ(ell.size(), 6u);
   EXPECT_LT(distance(ell[3].at, {1.25, 1.25}), 1e-12);
@@ -76,9 +59,9 @@ TEST(BisectorNodes, OffBothEdgesByTheOffset) {
     for (const Ring& ring : {Ring{a, b, c}, Ring{a, c, b}}) {  // once as an obstacle, once as a room
       const double offset = 0.05, limit = 3;
       for (const BisectorNode& node : bisector_nodes(ring, offset, limit)) {
-        const auto k = static_cast<std::size_t>(std::find(ring.begin(), ring.end(), node.corner) - ring.begin());
+        const auto k = static_cast<std::size_t>(std::find(ring.begin(), ring.end(), node.vertex) - ring.begin());
         const Point &v = ring[k], &next = ring[(k + 1) % 3], &previous = ring[(k + 2) % 3];
-        // Free space is at the right of previous -> v -> next.
+        // Free space is on the right of previous -> v -> next.
         const double d1 = cross((v - previous).normalized(), node.at - v),
                      d2 = cross((next - v).normalized(), node.at - v);
         const double far = distance(node.at, v);
@@ -86,7 +69,7 @@ TEST(BisectorNodes, OffBothEdgesByTheOffset) {
         if (far < limit * offset * (1 - 1e-9) || cross(v - previous, next - v) < 0) {
           EXPECT_NEAR(d1, -offset, 1e-9);
           EXPECT_NEAR(d2, -offset, 1e-9);
-        } else {  // one of the two that cut the corner: off one edge by the offset, off the corner by no less
+        } else {  // one of the two that cut the vertex: off one edge by the offset, off the vertex by no less
           EXPECT_NEAR(std::max(std::abs(d1 + offset) < std::abs(d2 + offset) ? d1 : d2, -1.0), -offset, 1e-9);
           EXPECT_GE(far, offset);
           const Point bisector = ((v - previous).normalized() + (v - next).normalized()).normalized();
@@ -100,16 +83,16 @@ TEST(BisectorNodes, OffBothEdgesByTheOffset) {
 TEST(BisectorNodes, DegenerateWalls) {
   EXPECT_TRUE(bisector_nodes({}, 0.2, 2).empty());
   EXPECT_TRUE(bisector_nodes({{1, 1}, {1, 1}}, 0.2, 2).empty());
-  // A hair: both tips are cut with two nodes each.
+  // A wall without area: both tips are cut with two nodes each.
   EXPECT_EQ(bisector_nodes({{0, 0}, {1, 0}}, 0.2, 2).size(), 4u);
-  // A cleft closes to a hair: nothing is thrown far away.
+  // A cleft that closes to almost no width: no node lies far away.
   for (const BisectorNode& node : bisector_nodes({{0, 0}, {-1e-9, 3}, {1e-9, 3}, {1, 0}, {1, 5}, {-1, 5}}, 0.2, 2))
-    EXPECT_LT(distance(node.at, node.corner), 6);
+    EXPECT_LT(distance(node.at, node.vertex), 6);
 }
 
 // --- nodes ---
 
-TEST(NodeLoops, CountAndGapOfTheSlides) {
+TEST(NodeLoops, CountAndGapAsOnTheSlides) {
   for (const auto& [d_node, count] : {std::pair{1.0, 3}, {1.1, 3}, {0.9, 4}, {4.0, 0}, {9.0, 0}}) {
     const auto loops = node_loops({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, d_node);
     ASSERT_EQ(loops.size(), 1u);
@@ -121,25 +104,25 @@ TEST(NodeLoops, CountAndGapOfTheSlides) {
     EXPECT_EQ(loop.edges.front().second, NodeLoop::kNone);
     EXPECT_EQ(loop.edges.back().second, NodeLoop::kNone);
   }
-  // Two squares that touch in the start's coordinates are two loops.
+  // Two squares that touch at the start are two loops.
   EXPECT_EQ(node_loops({{0, 0}, {1, 0}, {1, 1}, {0, 0}, {-1, 0}, {-1, -1}}, 0.6).size(), 2u);
   EXPECT_TRUE(node_loops({{1, 1}}, 1).empty());
   EXPECT_TRUE(node_loops({{1, 1}, {1, 1}}, 1).empty());
 }
 
-TEST(NodeLoops, TheWalkFindsWhatALookAtEveryNodeFinds) {
+TEST(NodeLoops, TheWalkFindsAllInvalidNodes) {
   Rng rng(3);
   for (int n = 0; n < 3000; ++n) {
-    std::vector<Point> corners;
+    std::vector<Point> vertices;
     const std::size_t size = 3 + rng.below(6);
     for (std::size_t k = 0; k < size; ++k) {
       const double angle = 2 * kPi * static_cast<double>(k) / static_cast<double>(size);
-      corners.emplace_back(std::cos(angle), std::sin(angle));
+      vertices.emplace_back(std::cos(angle), std::sin(angle));
     }
-    auto loops = node_loops(corners, 0.2 + rng.unit());
+    auto loops = node_loops(vertices, 0.2 + rng.unit());
     ASSERT_EQ(loops.size(), 1u);
     NodeLoop& loop = loops[0];
-    // Edges in any order in each node's list, but for the start, whose first and only edge is taken.
+    // The edges of a node may come in any order, except at the start, which has one edge only.
     for (auto& edges : loop.edges)
       if (edges.second != NodeLoop::kNone && rng.chance(0.5)) std::swap(edges.first, edges.second);
     std::vector<bool> out(loop.at.size());
@@ -152,7 +135,7 @@ TEST(NodeLoops, TheWalkFindsWhatALookAtEveryNodeFinds) {
     const auto bad = invalid_nodes(loop, 0, [&](std::size_t k) { return out[k]; });
     EXPECT_EQ(bad, expected);
 
-    // Components by union of neighbours: as many chains, the same nodes, each started at a free end.
+    // As many chains as there are valid nodes after an invalid one, with the same nodes, each from a free end.
     const std::vector<NodeChain> chains = chains_of(loop, bad);
     const std::size_t ring = loop.at.size() - 1;
     std::size_t starts = 0, left = 0;
@@ -182,76 +165,76 @@ TEST(NodeLoops, TheWalkFindsWhatALookAtEveryNodeFinds) {
 
 // --- the tree ---
 
-TEST(BranchTree, IsATreeWhateverIsHungOnItAndIsWalkedRound) {
+void expect_acyclic(const BranchTree& tree) {
+  const auto edges = tree.edges();
+  ASSERT_EQ(edges.size() + 1, tree.vertices().size());
+  DisjointSets sets(tree.vertices().size());
+  for (const auto& [a, b] : edges) EXPECT_TRUE(sets.unite(a, b)) << "a cycle in the tree";
+}
+
+/// The path around: closed, in free space, over every vertex; each branch and chain twice, each round once.
+void expect_drive_around(BranchTree& tree, const EdgeIndex& space, double once, double twice) {
+  const Polyline path = tree.path_around();
+  EXPECT_EQ(path.front(), path.back());
+  double most = once;
+  for (const auto& [a, b] : tree.edges()) most += 2 * distance(tree.vertices()[a], tree.vertices()[b]);
+  for (std::size_t k = 1; k < path.size(); ++k) EXPECT_TRUE(space.contains(path[k - 1], path[k]));
+  EXPECT_LE(length(path), most + 1e-9);
+  EXPECT_GE(length(path), once + 2 * twice - 1e-9);
+  for (const Point& p : tree.vertices()) {
+    double nearest = 1e9;
+    for (std::size_t k = 1; k < path.size(); ++k)
+      nearest = std::min(nearest, distance_to_segment(p, path[k - 1], path[k]));
+    EXPECT_LT(nearest, 1e-9) << "a vertex is left out";
+  }
+}
+
+TEST(BranchTree, IsATreeWhateverIsAttachedAndIsDrivenAround) {
   for (const auto seed : seeds(1500)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
     const auto drawing = random_drawing(rng, 6, 5, 0.35);
     const Problem problem = drawn(drawing);
     const EdgeIndex& space = problem.walls();
-    const auto place = [&] {
+    const auto random_point = [&] {
       for (;;)
         if (const Point p(6 * rng.unit(), 5 * rng.unit()); space.contains(p)) return p;
     };
-    // Ways over a lattice, coarse enough to lead to no vertex on many maps.
+    // Paths over a lattice so coarse that on many maps it leads to no vertex.
     const GridGraph lattice = make_grid_graph_at(problem.configuration_space(), "drawn", problem.start(), 0.5);
-    LatticePaths ways(lattice, problem.walls());
-    BranchTree tree(problem, 0.5, ways);
+    LatticePaths paths(lattice, problem.walls());
+    BranchTree tree(problem, 0.5, paths);
     tree.begin({problem.start()}, BranchTree::Kind::chain);
     double once = 0, twice = 0;
     for (int n = 0; n < 12; ++n) {
-      Polyline piece{place()};
+      Polyline piece{random_point()};
       for (int k = 0; k < 3; ++k)
-        if (const Point p = place(); space.contains(piece.back(), p)) piece.push_back(p);
+        if (const Point p = random_point(); space.contains(piece.back(), p)) piece.push_back(p);
       auto kind = BranchTree::Kind::chain;
       if (piece.size() > 2 && space.contains(piece.back(), piece.front())) {
         piece.push_back(piece.front());
         kind = rng.unit() < 0.5 ? BranchTree::Kind::round : BranchTree::Kind::loop;
       }
-      // The nearest visible vertex, by looking at all.
+      // The nearest visible vertex, by brute force.
       double least = std::numeric_limits<double>::infinity();
       for (const Point& v : tree.vertices())
         if (space.contains(v, piece.front())) least = std::min(least, distance(v, piece.front()));
       const std::size_t before = tree.vertices().size(), edges_before = tree.edges().size();
-      const auto hung = tree.hang(piece, kind);
-      EXPECT_EQ(hung, std::isfinite(least) ? BranchTree::Hung::straight : BranchTree::Hung::by_path);
+      const auto attached = tree.attach(piece, kind);
+      EXPECT_EQ(attached, std::isfinite(least) ? BranchTree::Attached::straight : BranchTree::Attached::by_path);
       (kind == BranchTree::Kind::round ? once : twice) += length(piece);
       const auto edges = tree.edges();
-      for (std::size_t e = edges_before; e < edges.size(); ++e) {  // the branch: between old and new, or along the way
+      for (std::size_t e = edges_before; e < edges.size(); ++e) {  // the branch: between old and new, or along the path
         const Point &a = tree.vertices()[edges[e].first], &b = tree.vertices()[edges[e].second];
         EXPECT_TRUE(space.contains(a, b));
-        if (edges[e].first < before || hung == BranchTree::Hung::by_path) {
+        if (edges[e].first < before || attached == BranchTree::Attached::by_path) {
           const bool branch = edges[e].first < before || edges[e].second != edges[e].first + 1;
-          if (branch && hung == BranchTree::Hung::straight) { EXPECT_DOUBLE_EQ(distance(a, b), least); }
+          if (branch && attached == BranchTree::Attached::straight) { EXPECT_DOUBLE_EQ(distance(a, b), least); }
         }
       }
     }
-    const auto edges = tree.edges();
-    ASSERT_EQ(edges.size() + 1, tree.vertices().size());
-    std::vector<std::size_t> root(tree.vertices().size());
-    std::iota(root.begin(), root.end(), 0u);
-    const auto find = [&](std::size_t v) {
-      while (root[v] != v) v = root[v] = root[root[v]];
-      return v;
-    };
-    for (const auto& [a, b] : edges) {
-      EXPECT_NE(find(a), find(b)) << "a ring in the tree";
-      root[find(a)] = find(b);
-    }
-    // The way round: closed, in free space, over every vertex; every branch and chain twice, every round once.
-    const Polyline way = tree.way_round();
-    EXPECT_EQ(way.front(), way.back());
-    double most = once;
-    for (const auto& [a, b] : edges) most += 2 * distance(tree.vertices()[a], tree.vertices()[b]);
-    for (std::size_t k = 1; k < way.size(); ++k) EXPECT_TRUE(space.contains(way[k - 1], way[k]));
-    EXPECT_LE(length(way), most + 1e-9);
-    EXPECT_GE(length(way), once + 2 * twice - 1e-9);
-    for (const Point& p : tree.vertices()) {
-      double nearest = 1e9;
-      for (std::size_t k = 1; k < way.size(); ++k)
-        nearest = std::min(nearest, distance_to_segment(p, way[k - 1], way[k]));
-      EXPECT_LT(nearest, 1e-9) << "a vertex is left out";
-    }
+    expect_acyclic(tree);
+    expect_drive_around(tree, space, once, twice);
   }
 }
 
@@ -261,14 +244,14 @@ TEST(StcLoops, ValidOnThousandsOfDrawnMaps) {
   for (const auto seed : seeds(1500)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
-    // Corridors of 0.45 to 1.3 m: some too narrow for a coarse cell, some hardly wide enough for the robot.
+    // Corridors of 0.45 to 1.3 m: some are too narrow for a coarse cell, some hardly wide enough for the robot.
     const double cell = 0.45 + 0.85 * rng.unit();
     const auto drawing = random_drawing(rng, 7, 6, 0.4 * rng.unit());
     const Problem problem = drawn(drawing, {.cell = cell});
     for (const char* fill : {"none", "spots"}) {
-      Planned run;
+      RecordedPlan run;
       try {
-        run = plan_with("stc-loops", problem, {{"fill", std::string(fill)}, {"close_loops", seed % 2 == 0}});
+        run = plan_recorded("stc-loops", problem, {{"fill", std::string(fill)}, {"close_loops", seed % 2 == 0}});
       } catch (const Infeasible&) { continue; }
       EXPECT_EQ(find_flaw(problem, run.path), "");
       EXPECT_EQ(run.figures["branches_lost"], 0);
@@ -276,7 +259,7 @@ TEST(StcLoops, ValidOnThousandsOfDrawnMaps) {
   }
 }
 
-TEST(StcLoops, CoversMoreThanStcWhereverThatMissedSomething) {
+TEST(StcLoops, CoversMoreThanStcWhereStcMissesSomething) {
   for (const char* generator : {"rectangle", "polygon", "clutter", "rooms", "maze", "cave", "comb", "spiral"})
     for (const auto seed : seeds(3)) {
       SCOPED_TRACE(fmt::format("{} --seed {}", generator, seed));
@@ -285,13 +268,11 @@ TEST(StcLoops, CoversMoreThanStcWhereverThatMissedSomething) {
       const Problem problem(generate(generator, size, seed), Robot{});
       double before = 0;
       try {
-        before = score(problem, plan_with("stc", problem).path).value("coverage_upper").value();
+        before = score(problem, plan_recorded("stc", problem).path).value("coverage_upper").value();
       } catch (const Infeasible&) {}
-      const Score slides = score(
-          problem,
-          plan_with("stc-loops", problem, {{"fill", std::string("none")}, {"epsilon", 0.05}, {"close_loops", false}})
-              .path);
-      const Score whole = score(problem, plan_with("stc-loops", problem).path);
+      const Settings as_on_slides{{"fill", std::string("none")}, {"epsilon", 0.05}, {"close_loops", false}};
+      const Score slides = score(problem, plan_recorded("stc-loops", problem, as_on_slides).path);
+      const Score whole = score(problem, plan_recorded("stc-loops", problem).path);
       EXPECT_EQ(slides.flaw, "");
       EXPECT_EQ(whole.flaw, "");
       if (before < 0.97) { EXPECT_GT(slides.value("coverage_lower").value(), before); }
@@ -306,7 +287,8 @@ TEST(StcLoops, ASquarePillarHasOneUnbrokenLoop) {
   const Settings slides{{"fill", std::string("none")}};
   Settings walked = slides;
   walked["close_loops"] = false;
-  const Planned once = plan_with("stc-loops", problem, slides), twice = plan_with("stc-loops", problem, walked);
+  const RecordedPlan once = plan_recorded("stc-loops", problem, slides),
+                     twice = plan_recorded("stc-loops", problem, walked);
   EXPECT_EQ(once.figures.at("loops"), 2);
   EXPECT_EQ(once.figures.at("broken_loops"), 0);
   EXPECT_EQ(once.figures.at("chains"), 2);
@@ -316,15 +298,15 @@ TEST(StcLoops, ASquarePillarHasOneUnbrokenLoop) {
               testing::IsSupersetOf({"spanning tree", "bisectors", "nodes", "broken loops", "merged tree"}));
 }
 
-TEST(StcLoops, LoopsBrokenInManyPlaces) {
-  // A comb of pillars along a wall, too near to it and to each other for the robot: every loop is broken.
+TEST(StcLoops, LoopsBrokenManyTimes) {
+  // A row of pillars along a wall, too near to it and to each other for the robot: every loop is broken.
   Polygon room = box_region({0, 0}, {10, 4}).polygons.front();
   for (int k = 0; k < 6; ++k) {
     const double x = 1.5 + 1.2 * k;
     room.holes.push_back({{x, 0.3}, {x, 1.2}, {x + 0.9, 1.2}, {x + 0.9, 0.3}});
   }
   const Problem problem({"pillars", {{room}}, "test", ""}, Robot{}, Point(1, 3));
-  const Planned run = plan_with("stc-loops", problem);
+  const RecordedPlan run = plan_recorded("stc-loops", problem);
   EXPECT_EQ(run.figures.at("loops"), 7);
   EXPECT_EQ(run.figures.at("broken_loops"), 7);
   EXPECT_GE(run.figures.at("chains"), 7);
@@ -333,10 +315,10 @@ TEST(StcLoops, LoopsBrokenInManyPlaces) {
   EXPECT_GE(result.value("coverage_lower").value(), 0.99);
 }
 
-TEST(StcLoops, WithoutACoarseCellTheLoopsHangOnTheStart) {
+TEST(StcLoops, WithoutACoarseCellLoopsAreAttachedToTheStart) {
   const Problem problem({"corridor", box_region({0, 0}, {6, 0.6}), "test", ""}, Robot{}, Point(3, 0.3));
-  EXPECT_THROW(plan_with("stc", problem), Infeasible);
-  const Score result = score(problem, plan_with("stc-loops", problem).path);
+  EXPECT_THROW(plan_recorded("stc", problem), Infeasible);
+  const Score result = score(problem, plan_recorded("stc-loops", problem).path);
   EXPECT_EQ(result.flaw, "");
   EXPECT_GE(result.value("coverage_lower").value(), 0.99);
 }

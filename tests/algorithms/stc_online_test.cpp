@@ -1,5 +1,5 @@
-// stc-spiral, stc-scan and partial cells: on drawings whose letters are the sub-cells, so that a flood fill of the letters
-// is all the truth there is.
+// stc-spiral, stc-scan and partial cells, on drawings whose letters are the sub-cells. The oracle is a flood fill of
+// the letters.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,37 +13,37 @@
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/drawn.hpp"
-#include "tests/support/seeds.hpp"
 #include "tests/support/planners.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
 
 using Location = std::pair<int, int>;
-using Drawing2 = std::vector<std::string>;
+using Letters = std::vector<std::string>;
 
 constexpr Location kSteps[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
 
-bool free_at(const Drawing2& rows, const Location& p) {
+bool free_at(const Letters& rows, const Location& p) {
   const int n = static_cast<int>(rows.size());
   if (p.first < 0 || p.second < 0 || p.second >= n || p.first >= static_cast<int>(rows[0].size())) return false;
   return rows[static_cast<std::size_t>(n - 1 - p.second)][static_cast<std::size_t>(p.first)] != '#';
 }
 
-// Letters are sub-cells of 1 m; the robot is just narrower, so free letters that share a side can be driven between.
-Problem on_letters(const Drawing2& rows) {
+// Letters are sub-cells of 1 m. The robot is a little narrower, so it can drive between free letters that share a side.
+Problem on_letters(const Letters& rows) {
   Robot robot;
   robot.radius = 0.45;
   robot.tool_width = std::sqrt(2.0);
   return drawn(rows, {.robot = robot});
 }
 
-Drawing2 random_drawing(Rng& rng) {
+Letters random_drawing(Rng& rng) {
   const std::size_t columns = 3 + rng.below(9), rows = 3 + rng.below(9);
   const double blocked = 0.4 * rng.unit();
-  const bool blocks = rng.chance(0.4);  // of two by two letters: whole coarse cells are many
+  const bool blocks = rng.chance(0.4);  // of two by two letters, so that many coarse cells are entirely free
   const std::size_t shift = rng.below(2);
-  Drawing2 drawing(rows, std::string(columns, '.'));
+  Letters drawing(rows, std::string(columns, '.'));
   std::map<Location, bool> wall;
   for (std::size_t j = 0; j < rows; ++j)
     for (std::size_t i = 0; i < columns; ++i) {
@@ -55,7 +55,7 @@ Drawing2 random_drawing(Rng& rng) {
   return drawing;
 }
 
-Location start_of(const Drawing2& rows) {
+Location start_of(const Letters& rows) {
   const Point p = *drawn_point(rows, 'S');
   return {static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))};
 }
@@ -72,7 +72,7 @@ std::set<Location> flood(const Location& from, const std::function<bool(const Lo
   return seen;
 }
 
-// How often the path's tool-on legs come to each letter (the first place does not count as come to).
+// How often the legs with the tool on enter each letter. The first point does not count.
 std::map<Location, int> visits(const Path& path, double& length) {
   std::map<Location, int> all;
   length = 0;
@@ -92,13 +92,13 @@ std::map<Location, int> visits(const Path& path, double& length) {
   return all;
 }
 
-std::set<Location> places(const std::map<Location, int>& visits) {
+std::set<Location> letters_of(const std::map<Location, int>& visits) {
   std::set<Location> all;
   for (const auto& visit : visits) all.insert(visit.first);
   return all;
 }
 
-std::size_t beside_a_wall(const Drawing2& rows, const std::set<Location>& cells) {
+std::size_t beside_a_wall(const Letters& rows, const std::set<Location>& cells) {
   std::size_t m = 0;
   for (const Location& c : cells) {
     bool touches = false;
@@ -114,9 +114,10 @@ Path plan(const char* name, const Problem& problem, const Settings& settings = {
   return built_in_planner(name, settings)->plan(problem, context);
 }
 
-// The sub-cells of the wholly free coarse cells about the start; empty if it is in none. Which of the four sub-cells the
-// start is: the first choice that is wholly free (lower left, lower right, upper left, upper right).
-std::set<Location> whole_cells(const Drawing2& rows) {
+// The sub-cells of the entirely free coarse cells connected to the start's; empty if that one is not free. The start is
+// the lower left, lower right, upper left or upper right sub-cell of its coarse cell: the first choice that is entirely
+// free.
+std::set<Location> whole_cells(const Letters& rows) {
   const Location s = start_of(rows);
   for (const Location& choice : {Location{0, 0}, Location{-1, 0}, Location{0, -1}, Location{-1, -1}}) {
     const auto whole = [&](const Location& coarse) {
@@ -135,12 +136,12 @@ std::set<Location> whole_cells(const Drawing2& rows) {
   return {};
 }
 
-TEST(StcOnline, EachSubCellOfTheWhollyFreePartExactlyOnce) {
+TEST(StcOnline, DrivesEachSubCellOfWholeCellsExactlyOnce) {
   int planned = 0;
   for (const auto seed : seeds(3000)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
-    const Drawing2 rows = random_drawing(rng);
+    const Letters rows = random_drawing(rng);
     const std::set<Location> expected = whole_cells(rows);
     if (expected.empty()) continue;
     const Problem problem = on_letters(rows);
@@ -149,9 +150,9 @@ TEST(StcOnline, EachSubCellOfTheWhollyFreePartExactlyOnce) {
       SCOPED_TRACE(name);
       const Path path = plan(name, problem);
       double length = 0;
-      const auto come_to = visits(path, length);
-      EXPECT_EQ(places(come_to), expected);
-      for (const auto& [place, times] : come_to) EXPECT_EQ(times, 1) << place.first << ", " << place.second;
+      const auto entered = visits(path, length);
+      EXPECT_EQ(letters_of(entered), expected);
+      for (const auto& [letter, times] : entered) EXPECT_EQ(times, 1) << letter.first << ", " << letter.second;
       EXPECT_EQ(length, static_cast<double>(expected.size()));
       EXPECT_LT(distance(path.legs.back().points.back(), problem.start()), 1e-9) << "not closed";
       EXPECT_EQ(find_flaw(problem, path), "");
@@ -160,13 +161,13 @@ TEST(StcOnline, EachSubCellOfTheWhollyFreePartExactlyOnce) {
   EXPECT_GT(planned, 1000);
 }
 
-// Offline, all parts: the lattice begins at the lower left of what the robot can reach.
-TEST(StcOffline, EachSubCellOfEveryPartExactlyOnceInOneRound) {
-  int of_many_parts = 0;
+// Offline, all components: the lattice begins at the lower left of what the robot can reach.
+TEST(StcOffline, DrivesEachSubCellOfEveryComponentExactlyOnce) {
+  int with_many_components = 0;
   for (const auto seed : seeds(3000)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
-    const Drawing2 rows = random_drawing(rng);
+    const Letters rows = random_drawing(rng);
     const std::set<Location> reach = flood(start_of(rows), [&](const Location& p) { return free_at(rows, p); });
     Location low = *reach.begin();
     for (const Location& p : reach) low = {std::min(low.first, p.first), std::min(low.second, p.second)};
@@ -175,37 +176,38 @@ TEST(StcOffline, EachSubCellOfEveryPartExactlyOnceInOneRound) {
       if ((p.first - low.first) % 2 != 0 || (p.second - low.second) % 2 != 0) continue;
       std::vector<Location> quarters;
       for (int k = 0; k < 4; ++k) quarters.emplace_back(p.first + k % 2, p.second + k / 2);
-      if (!std::all_of(quarters.begin(), quarters.end(), [&](const Location& q) { return reach.count(q) > 0; })) continue;
+      if (!std::all_of(quarters.begin(), quarters.end(), [&](const Location& q) { return reach.count(q) > 0; }))
+        continue;
       corners.insert(p);
       expected.insert(quarters.begin(), quarters.end());
     }
     if (expected.empty()) continue;
     const std::set<Location> first = flood(*corners.begin(), [&](const Location& p) { return expected.count(p) > 0; });
-    of_many_parts += first.size() < expected.size();
+    with_many_components += first.size() < expected.size();
     const Problem problem = on_letters(rows);
     for (const char* tree : {"bfs", "dfs", "minimum-turn", "random", "weighted"}) {
       SCOPED_TRACE(tree);
       const Path path = plan("stc", problem, {{"tree", std::string(tree)}});
       double length = 0;
-      const auto come_to = visits(path, length);
-      EXPECT_EQ(places(come_to), expected);
-      for (const auto& [place, times] : come_to) EXPECT_EQ(times, 1) << place.first << ", " << place.second;
+      const auto entered = visits(path, length);
+      EXPECT_EQ(letters_of(entered), expected);
+      for (const auto& [letter, times] : entered) EXPECT_EQ(times, 1) << letter.first << ", " << letter.second;
       EXPECT_EQ(length, static_cast<double>(expected.size()));
       EXPECT_EQ(find_flaw(problem, path), "");
-      // Closed: back to where the round began, which the way from the start leads to, or over.
+      // Closed: it ends where it began, which is on the path from the start.
       const Polyline& begin = path.legs.front().points;
       const Point end = path.legs.back().points.back();
       EXPECT_TRUE(std::any_of(begin.begin(), begin.end(), [&](const Point& p) { return distance(p, end) < 1e-9; }));
     }
   }
-  EXPECT_GT(of_many_parts, 500);
+  EXPECT_GT(with_many_components, 500);
 }
 
-TEST(StcOnline, PartialVisitsAllThatCanBeReachedWithinTheBound) {
+TEST(StcOnline, PartialVisitsAllReachableSubCellsWithinTheBound) {
   for (const auto seed : seeds(3000)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
-    const Drawing2 rows = random_drawing(rng);
+    const Letters rows = random_drawing(rng);
     const std::set<Location> expected = flood(start_of(rows), [&](const Location& p) { return free_at(rows, p); });
     if (expected.size() < 2) continue;
     const Problem problem = on_letters(rows);
@@ -214,7 +216,7 @@ TEST(StcOnline, PartialVisitsAllThatCanBeReachedWithinTheBound) {
       SCOPED_TRACE(name);
       const Path path = plan(name, problem, {{"partial", true}});
       double length = 0;
-      EXPECT_EQ(places(visits(path, length)), expected);
+      EXPECT_EQ(letters_of(visits(path, length)), expected);
       EXPECT_LE(length, bound);
       EXPECT_LT(distance(path.legs.back().points.back(), problem.start()), 1e-9) << "not closed";
       EXPECT_EQ(find_flaw(problem, path), "");
@@ -223,7 +225,7 @@ TEST(StcOnline, PartialVisitsAllThatCanBeReachedWithinTheBound) {
       SCOPED_TRACE(tree);
       const Path path = plan("stc", problem, {{"partial", true}, {"cell_size", 1.0}, {"tree", std::string(tree)}});
       double length = 0;
-      auto seen = places(visits(path, length));
+      auto seen = letters_of(visits(path, length));
       EXPECT_EQ(seen, expected);
       EXPECT_LE(length, bound);
       EXPECT_EQ(find_flaw(problem, path), "");
@@ -231,30 +233,27 @@ TEST(StcOnline, PartialVisitsAllThatCanBeReachedWithinTheBound) {
   }
 }
 
-TEST(StcOnline, PartialOnPaper) {
-  const auto length = [](const Drawing2& rows) {
+TEST(StcOnline, PartialLengthsByHand) {
+  const auto length = [](const Letters& rows) {
     return plan("stc-spiral", on_letters(rows), {{"partial", true}}).length();
   };
   EXPECT_NEAR(length({"S......"}), 12, 1e-9);                       // there and back
   EXPECT_NEAR(length({"S.", ".#"}), 4, 1e-9);                       // three sub-cells of one coarse cell
-  EXPECT_NEAR(length({"....", "....", "....", "S..."}), 16, 1e-9);  // all whole: each once
-  // A ring one letter wide about a pillar of four by four letters.
+  EXPECT_NEAR(length({"....", "....", "....", "S..."}), 16, 1e-9);  // all cells are whole: each sub-cell once
+  // A ring one letter wide around a pillar of four by four letters.
   EXPECT_LE(length({"......", ".####.", ".####.", ".####.", ".####.", "S....."}), 40);
 }
 
 TEST(StcOnline, ScanDrivesLanes) {
   const Problem room({"room", box_region({0, 0}, {12, 9}), "test", ""}, Robot{}, Point(6, 4));
   const auto turns = [&](const char* name) { return score(room, plan(name, room)).value("turns").value(); };
-  // 42 x 32 sub-cells: lanes of the height of the room, but for what lies between them.
+  // 42 x 32 sub-cells: lanes as long as the room is high, and the turns between them.
   EXPECT_LT(turns("stc-scan"), 120);
   EXPECT_LT(plan("stc-scan", room).length(), plan("stc-spiral", room).length() + 1e-6);
-  // A pillar catches the spiral; lanes only go round it.
-  Polygon hall = box_region({0, 0}, {12, 9}).polygons.front();
-  hall.holes.push_back({{3, 3}, {3, 4}, {4, 4}, {4, 3}});
   EXPECT_EQ(find_flaw(room, plan("stc-scan", room)), "");
 }
 
-TEST(StcOnline, ByLidarTheyAreValidAsWell) {
+TEST(StcOnline, ByLidarPathsAreValidAsWell) {
   Robot robot;
   robot.lidar = Lidar{6, 360};
   for (const char* name : {"stc-spiral", "stc-scan"})
@@ -268,7 +267,7 @@ TEST(StcOnline, ByLidarTheyAreValidAsWell) {
     }
 }
 
-TEST(StcOnline, NoCellFittingIsASentence) {
+TEST(StcOnline, NoFittingCellIsOneSentence) {
   EXPECT_THAT([] { plan("stc-spiral", on_letters({"S...."})); },
               testing::ThrowsMessage<Infeasible>(testing::HasSubstr("partial = true may help")));
 }

@@ -8,8 +8,8 @@
 
 #include "algorithms/coverage_planner.hpp"
 #include "maps/generators.hpp"
-#include "tests/support/planners.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/planners.hpp"
 
 namespace oxturn {
 namespace {
@@ -21,14 +21,14 @@ Path plan_stc(const Problem& problem, const Settings& settings = {}) {
   return built_in_planner("stc", settings)->plan(problem, context);
 }
 
-// The sub-cells that a tool-on leg stands on, in driving order, counted along the leg from its own first point: shares
-// nothing with the planner's grid but the side.
+// The sub-cells on a leg with the tool on, in driving order, counted from the leg's first point: nothing but the side
+// is taken from the planner's grid.
 std::vector<Cell> cells_driven(const Polyline& line, double side) {
   std::vector<Cell> cells;
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
     const Point d = line[k + 1] - line[k];
     const int steps = static_cast<int>(std::lround(d.norm() / side));
-    EXPECT_NEAR(d.norm(), steps * side, 1e-9) << "a segment is no whole number of cells";
+    EXPECT_NEAR(d.norm(), steps * side, 1e-9) << "a segment is not a whole number of cells long";
     for (int s = 0; s < steps; ++s) {
       const Point at = line[k] + d * (double(s) / steps) - line[0];
       cells.push_back({static_cast<int>(std::lround(at.x() / side)), static_cast<int>(std::lround(at.y() / side))});
@@ -37,8 +37,8 @@ std::vector<Cell> cells_driven(const Polyline& line, double side) {
   return cells;
 }
 
-// Coarse cells by the definition alone: a square through four sub-cell centres inside configuration space; neighbours
-// joined by two ways inside it. Flood from the coarse cell with lower left centre `corner`.
+// Coarse cells by their definition: the square through four sub-cell centres lies in configuration space, and
+// neighbours are connected by two segments in it. Flood fill from the coarse cell with lower left centre `corner`.
 std::size_t sub_cells_reachable(const Problem& problem, const Point& corner, double side) {
   const EdgeIndex& space = problem.walls();
   const auto at = [&](int i, int j) { return Point(corner + side * Point(i, j)); };  // sub-cell centres
@@ -47,7 +47,7 @@ std::size_t sub_cells_reachable(const Problem& problem, const Point& corner, dou
     return space.contains(at(i, j), at(i + 1, j)) && space.contains(at(i + 1, j), at(i + 1, j + 1)) &&
            space.contains(at(i + 1, j + 1), at(i, j + 1)) && space.contains(at(i, j + 1), at(i, j));
   };
-  const auto joined = [&](const Cell& c, int di, int dj) {
+  const auto connected = [&](const Cell& c, int di, int dj) {
     const int i = 2 * c.first, j = 2 * c.second;
     for (int k = 0; k < 2; ++k) {
       const Point a = di != 0 ? at(i + (di > 0), j + k) : at(i + k, j + (dj > 0));
@@ -61,21 +61,20 @@ std::size_t sub_cells_reachable(const Problem& problem, const Point& corner, dou
   for (std::size_t k = 0; k < queue.size(); ++k) {
     const Cell c = queue[k];
     for (const Cell& step : {Cell{1, 0}, Cell{0, 1}, Cell{-1, 0}, Cell{0, -1}})
-      if (joined(c, step.first, step.second) && seen.insert({c.first + step.first, c.second + step.second}).second)
+      if (connected(c, step.first, step.second) && seen.insert({c.first + step.first, c.second + step.second}).second)
         queue.push_back({c.first + step.first, c.second + step.second});
   }
   return 4 * seen.size();
 }
 
-// The lower left centre of the coarse cell that the round begins in: the round goes counter-clockwise inside cells, so
-// the first two driven cells tell which quarter the first one is.
+// The path is closed, drives each sub-cell once, and as many of them as a flood fill reaches.
 void expect_round(const Problem& problem, const Polyline& line, double side) {
   EXPECT_LT(distance(line.front(), line.back()), 1e-9) << "not closed";
   const std::vector<Cell> cells = cells_driven(line, side);
   const std::set<Cell> once(cells.begin(), cells.end());
   EXPECT_EQ(once.size(), cells.size()) << "a sub-cell is driven twice";
   EXPECT_NEAR(length(line), side * static_cast<double>(cells.size()), 1e-6);
-  // Whole coarse cells only: exactly one of the four ways to pair sub-cells up fits.
+  // Whole coarse cells only: one of the four possible pairings of sub-cells fits.
   int fits = 0;
   for (const Cell& offset : {Cell{0, 0}, Cell{-1, 0}, Cell{0, -1}, Cell{-1, -1}}) {
     std::map<Cell, int> quarters;
@@ -90,7 +89,7 @@ void expect_round(const Problem& problem, const Polyline& line, double side) {
                 << cells.size() << " driven)";
 }
 
-TEST(Stc, EachSubCellOnceAndAllThatAFloodFillReaches) {
+TEST(Stc, DrivesEachSubCellThatAFloodFillReachesOnce) {
   for (const char* generator : {"rectangle", "polygon", "clutter", "rooms", "cave"})
     for (std::uint64_t seed = 1; seed <= 12; ++seed)
       for (const char* tree : {"bfs", "dfs", "minimum-turn", "random", "weighted"}) {
@@ -109,7 +108,7 @@ TEST(Stc, EachSubCellOnceAndAllThatAFloodFillReaches) {
       }
 }
 
-TEST(Stc, ASquareThatFitsExactlyIsCoveredToTheLastCell) {
+TEST(Stc, CoversASquareThatFitsExactly) {
   // 4 m x 4 m, square tool as wide as the robot: 10 x 10 cells of 0.4 m touch the walls on all sides.
   Robot robot;
   const Problem problem({"square", box_region({0, 0}, {4.00001, 4.00001}), "test", ""}, robot, Point(1, 1));
@@ -117,8 +116,8 @@ TEST(Stc, ASquareThatFitsExactlyIsCoveredToTheLastCell) {
   EXPECT_NEAR(path.length(true), 100 * 0.4, 1e-6);
 }
 
-TEST(Stc, GoesOnToOtherPartsUnlessToldNotTo) {
-  // Two rooms joined by a corridor that a coarse cell does not fit into.
+TEST(Stc, GoesOnToOtherComponentsByDefault) {
+  // Two rooms connected by a corridor that is too narrow for a coarse cell.
   Polygon rooms;
   rooms.outer = {{0, 0},  {4, 0}, {4, 1.8}, {6, 1.8}, {6, 0}, {10, 0},
                  {10, 4}, {6, 4}, {6, 2.3}, {4, 2.3}, {4, 4}, {0, 4}};
@@ -133,7 +132,7 @@ TEST(Stc, GoesOnToOtherPartsUnlessToldNotTo) {
 }
 
 TEST(Stc, TurnsWithTheMap) {
-  // The same room, turned: with align = edges the round is as long as with the grid on the axes.
+  // The same room, turned: with align = edges the path is as long as on the axes.
   const Region room = box_region({0, 0}, {7.3, 5.1});
   const double straight = plan_stc(Problem({"room", room, "test", ""}, Robot{}, Point(1, 1))).length(true);
   for (const double angle : {0.2, 0.6, 1.1}) {
@@ -143,7 +142,7 @@ TEST(Stc, TurnsWithTheMap) {
   }
 }
 
-TEST(Stc, NoCellFittingIsASentence) {
+TEST(Stc, NoFittingCellIsOneSentence) {
   const Problem problem({"closet", box_region({0, 0}, {0.6, 0.6}), "test", ""}, Robot{});
   EXPECT_THAT([&] { plan_stc(problem); }, testing::ThrowsMessage<Infeasible>(testing::HasSubstr("smaller cell_size")));
 }

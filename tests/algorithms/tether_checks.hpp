@@ -1,4 +1,4 @@
-// What a tethered path must keep, looked at with a string of its own along the way.
+// Checks of tethered paths: drives a path with an independent taut tether and measures what it does.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,25 +15,24 @@
 
 namespace oxturn {
 
-struct TetherReport {
-  double longest = 0;         // metres of string, at most
-  double excess = 0;          // most that the string is longer than the geodesic
+struct TetherFigures {        // metres
+  double longest = 0;         // greatest length of the tether
+  double excess = 0;          // the most by which the tether is longer than the geodesic
   double excess_at_work = 0;  // the same while the tool is on
-  int crossings = 0;          // drives over its own line
-  double length = 0;          // of the path
+  int crossings = 0;          // how often the robot drives over its own tether
 };
 
-/// Drives the path, its segments cut to at most `step`. Crossings by brute force over all of the string's segments but
-/// the last.
-inline TetherReport drive_tethered(const Problem& problem, const Path& path, double step) {
-  TetherReport report;
-  TautTether string(problem.tether()->taut_space(), problem.anchor());
-  string.drive(problem.tether()->geodesics().path(problem.start()));
+/// Drives the path, its segments divided into parts of at most `step` metres. Crossings by brute force over all
+/// segments of the tether but the last.
+inline TetherFigures drive_tethered(const Problem& problem, const Path& path, double step) {
+  TetherFigures figures;
+  TautTether tether(problem.tether()->taut_space(), problem.anchor());
+  tether.drive(problem.tether()->geodesics().path(problem.start()));
   const auto look = [&](bool tool) {
-    report.longest = std::max(report.longest, string.length());
-    const double excess = string.length() - problem.tether()->geodesics().distance(string.robot());
-    report.excess = std::max(report.excess, excess);
-    if (tool) report.excess_at_work = std::max(report.excess_at_work, excess);
+    figures.longest = std::max(figures.longest, tether.length());
+    const double excess = tether.length() - problem.tether()->geodesics().distance(tether.robot());
+    figures.excess = std::max(figures.excess, excess);
+    if (tool) figures.excess_at_work = std::max(figures.excess_at_work, excess);
   };
   look(true);
   for (const Leg& leg : path.legs)
@@ -41,19 +40,18 @@ inline TetherReport drive_tethered(const Problem& problem, const Path& path, dou
       const Point &a = leg.points[i - 1], &b = leg.points[i];
       const int n = std::max(1, static_cast<int>(std::ceil(distance(a, b) / step)));
       for (int k = 1; k <= n; ++k) {
-        const Polyline line = string.line();
-        const Point from = string.robot(), to = k == n ? b : lerp(a, b, double(k) / n);
+        const Polyline line = tether.polyline();
+        const Point from = tether.robot(), to = k == n ? b : lerp(a, b, static_cast<double>(k) / n);
         for (std::size_t s = 1; s + 1 < line.size(); ++s)
-          if (crossing(from, to, line[s - 1], line[s]) == Crossing::proper) ++report.crossings;
-        string.drive(to, [&](const TautTether::Swing& swing) {
-          report.longest = std::max({report.longest, swing.before + distance(swing.pivot, swing.from),
-                                     swing.before + distance(swing.pivot, swing.to)});
+          if (crossing(from, to, line[s - 1], line[s]) == Crossing::proper) ++figures.crossings;
+        tether.drive(to, [&](const TautTether::Swing& swing) {
+          figures.longest = std::max({figures.longest, swing.before + distance(swing.pivot, swing.from),
+                                      swing.before + distance(swing.pivot, swing.to)});
         });
         look(leg.tool);
       }
-      report.length += distance(a, b);
     }
-  return report;
+  return figures;
 }
 
 inline Robot tethered_robot(double reach, double radius = 0.2, double tool_width = 0.4) {
@@ -64,7 +62,7 @@ inline Robot tethered_robot(double reach, double radius = 0.2, double tool_width
   return robot;
 }
 
-/// Small maps with ways round obstacles, one of each family.
+/// Small maps, one of each family; most have obstacles to go round.
 inline std::vector<Map> tether_maps(std::uint64_t seed) {
   std::vector<Map> all;
   for (const auto& [name, settings] : std::vector<std::pair<std::string, Settings>>{

@@ -1,72 +1,72 @@
-// The cut makes any order of sweeping tether-safe: leashed, berg-complete, and the cut space itself.
+// The cut space, in which any order of covering is safe for the tether, and its users: leashed, berg-complete.
 #include "algorithms/transit/tether_space.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "metrics/score.hpp"
 #include "coverage_oracle.hpp"
+#include "maps/path_file.hpp"
+#include "metrics/score.hpp"
+#include "tests/support/maps.hpp"
+#include "tests/support/planners.hpp"
 #include "tests/support/seeds.hpp"
 #include "tether_checks.hpp"
-#include "maps/path_file.hpp"
-#include "tests/support/planners.hpp"
-#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
 
 using testing::HasSubstr;
 
-/// The string equals the geodesic all along; on ways into parts that the cut isolates it may be a little longer.
+/// The tether always equals the geodesic; on paths into components that the cut isolates it may be a little longer.
 void expect_geodesic(const Problem& problem, const Path& path) {
-  const TetherReport report = drive_tethered(problem, path, 0.5);
-  const bool one_part = TetherSpace(problem, "test").parts().size() == 1;
-  EXPECT_LE(report.longest, problem.robot().tether->length + problem.tolerance());
-  EXPECT_LE(report.excess_at_work, 1e-7);
-  EXPECT_LE(report.excess, one_part ? 1e-7 : 6.1 * problem.robot().radius);
-  EXPECT_EQ(report.crossings, 0);
+  const TetherFigures figures = drive_tethered(problem, path, 0.5);
+  const bool one_component = TetherSpace(problem, "test").components().size() == 1;
+  EXPECT_LE(figures.longest, problem.robot().tether->length + problem.tolerance());
+  EXPECT_LE(figures.excess_at_work, 1e-7);
+  EXPECT_LE(figures.excess, one_component ? 1e-7 : 6.1 * problem.robot().radius);
+  EXPECT_EQ(figures.crossings, 0);
   const Score result = score(problem, path);
   EXPECT_EQ(result.flaw, "");
 }
 
 // --------------------------------------------------------------------------------------------------- the cut
 
-TEST(TetherSpace, CutSpaceHasNoHolesAndItsShortestPathsAreGeodesics) {
+TEST(TetherSpace, ComponentsHaveNoHolesAndLoseOnlyTheCut) {
   for (const auto seed : seeds(3))
     for (const Map& map : tether_maps(seed)) {
       SCOPED_TRACE(map.source);
       const Problem problem(map, tethered_robot(1.1));
-      const TetherSpace leash(problem, "test");
-      double lost = area(problem.configuration_space()) - area(leash.slivers());
-      for (const TetherSpace::Part& part : leash.parts()) {
-        EXPECT_EQ(hole_count(part.within.configuration_space()), 0u);
-        EXPECT_EQ(part.within.configuration_space().polygons.size(), 1u);
-        lost -= area(part.within.configuration_space());
+      const TetherSpace space(problem, "test");
+      double lost = area(problem.configuration_space()) - area(space.unreached());
+      for (const TetherSpace::Component& component : space.components()) {
+        EXPECT_EQ(hole_count(component.problem.configuration_space()), 0u);
+        EXPECT_EQ(component.problem.configuration_space().polygons.size(), 1u);
+        lost -= area(component.problem.configuration_space());
       }
       double cut = 0;
-      for (const Polyline& line : leash.cut()) cut += length(line);
+      for (const Polyline& line : space.cut()) cut += length(line);
       EXPECT_GE(lost, -1e-6);
-      EXPECT_LE(lost, (cut + 1) * leash.cut_width() * 1.2);
-      EXPECT_LE(area(leash.slivers()), 0.001 * area(problem.configuration_space()));
+      EXPECT_LE(lost, (cut + 1) * space.cut_width() * 1.2);
+      EXPECT_LE(area(space.unreached()), 0.001 * area(problem.configuration_space()));
     }
 }
 
-TEST(TetherSpace, WanderingInTheCutSpaceKeepsTheStringGeodesic) {
+TEST(TetherSpace, RandomPathsInTheCutSpaceKeepTheTetherGeodesic) {
   for (const auto seed : seeds(4))
     for (const Map& map : tether_maps(seed)) {
       SCOPED_TRACE(map.source);
       const Problem problem(map, tethered_robot(0.8));
-      const TetherSpace leash(problem, "test");
+      const TetherSpace space(problem, "test");
       Rng rng(seed);
-      const Box box = bounding_box(leash.cut_space());
+      const Box box = bounding_box(space.cut_space());
       PathBuilder path(problem.start());
       for (int n = 0; n < 40;) {
         const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
-        if (!contains(leash.cut_space(), p)) continue;
+        if (!contains(space.cut_space(), p)) continue;
         ++n;
-        const auto way = leash.within().transit().path(path.at(), p);
-        ASSERT_TRUE(way);
-        path.drive(*way, true);
+        const auto leg = space.cut_problem().transit().path(path.at(), p);
+        ASSERT_TRUE(leg);
+        path.drive(*leg, true);
       }
       expect_geodesic(problem, path.take());
     }
@@ -118,7 +118,7 @@ TEST(Leashed, TakesThePlannersOwnParameters) {
       [&] {
         plan("leashed", problem, {{"planner", std::string("leashed")}});
       },
-      testing::ThrowsMessage<std::invalid_argument>(HasSubstr("knows the tether by itself")));
+      testing::ThrowsMessage<std::invalid_argument>(HasSubstr("handles the tether itself")));
   EXPECT_THAT(
       [&] {
         plan("leashed", problem, {{"planner", std::string("zigzac")}});
@@ -128,7 +128,7 @@ TEST(Leashed, TakesThePlannersOwnParameters) {
 
 // --------------------------------------------------------------------------------------------- berg-complete
 
-TEST(BergComplete, CoversWhatTheLeashReachesAndStaysGeodesic) {
+TEST(BergComplete, CoversWhatTheTetherReachesAndStaysGeodesic) {
   for (const auto seed : seeds(2))
     for (const Map& map : tether_maps(seed))
       for (const double reach : {0.6, 1.2}) {
@@ -154,8 +154,8 @@ TEST(BergComplete, EveryOrderAndWindingCoversTheSame) {
   }
 }
 
-// In an empty disc-like room laps are circles: the string stays at the side asked for on every lap.
-TEST(BergComplete, WindingKeepsTheStringAtOneSideOnLaps) {
+// In an empty round room level sets are circles: the tether stays on the side asked for on all of them.
+TEST(BergComplete, WindingKeepsTheTetherOnOneSide) {
   Ring wall;
   for (int k = 0; k < 200; ++k) wall.push_back(4 * Point(std::cos(k * kPi / 100), std::sin(k * kPi / 100)));
   const Problem problem(Map{"disc", Region{{{wall, {}}}}, "", ""}, tethered_robot(1.1), Point(0, 0));
@@ -196,15 +196,15 @@ TEST(BergComplete, TackingKeepsTheHeadingFromThePull) {
 }
 
 // The map by lidar only.
-TEST(BergComplete, SeesByLidarWhatItSweeps) {
+TEST(BergComplete, CoversByLidar) {
   for (const char* name : {"rectangle", "clutter"}) {
     SCOPED_TRACE(name);
     Robot robot = tethered_robot(1.2);
     robot.lidar = Lidar{6, 180};
     const Problem problem(oxturn::generate(name, {{"width", 4.0}, {"height", 3.5}}, 2), robot);
     const Path path = plan("berg-complete", problem, {{"sensing", std::string("lidar")}});
-    const TetherReport report = drive_tethered(problem, path, 0.5);
-    EXPECT_LE(report.longest, problem.robot().tether->length + problem.tolerance());
+    const TetherFigures figures = drive_tethered(problem, path, 0.5);
+    EXPECT_LE(figures.longest, problem.robot().tether->length + problem.tolerance());
     const Score result = score(problem, path);
     EXPECT_EQ(result.flaw, "");
     EXPECT_GE(result.value("coverage_upper").value_or(0), 0.99);

@@ -1,4 +1,4 @@
-// Grid planners on a leash: shnaps-rimon, shnaps-rimon-banded, tether-tree, tethered-stc.
+// Tethered grid planners: shnaps-rimon, shnaps-rimon-banded, tether-tree, tethered-stc.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,13 +6,13 @@
 #include <set>
 
 #include "algorithms/transit/tether_space.hpp"
-#include "metrics/score.hpp"
 #include "coverage_oracle.hpp"
+#include "maps/path_file.hpp"
+#include "metrics/score.hpp"
 #include "tests/support/drawn.hpp"
+#include "tests/support/maps.hpp"
 #include "tests/support/seeds.hpp"
 #include "tether_checks.hpp"
-#include "maps/path_file.hpp"
-#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -22,8 +22,8 @@ using Cell = std::pair<int, int>;
 
 const double kSide = 0.4 / std::sqrt(2.0);
 
-/// Cells about the start by the definition alone, each with its depth: centres `side` apart, neighbours if the straight
-/// way between them lies in `space`.
+/// Cells about the start by definition, each with its depth: centres `side` apart, neighbours if the segment between
+/// the centres lies in `space`.
 std::map<Cell, int> flood(const Region& space, const Point& start, double side) {
   const EdgeIndex walls(space);
   std::map<Cell, int> depth{{{0, 0}, 0}};
@@ -63,19 +63,19 @@ Path expect_sound(const std::string& planner, const Problem& problem, const Sett
   } catch (const Infeasible&) { return path; }
   const Score result = score(problem, path);
   EXPECT_EQ(result.flaw, "");
-  const TetherReport report = drive_tethered(problem, path, 0.5);
-  EXPECT_LE(report.longest, problem.robot().tether->length + problem.tolerance());
+  const TetherFigures figures = drive_tethered(problem, path, 0.5);
+  EXPECT_LE(figures.longest, problem.robot().tether->length + problem.tolerance());
   return path;
 }
 
 // ----------------------------------------------------------------------------------------------- shnaps-rimon
 
-/// Where the robot must have been: centres of the flood's cells; with `any`, for every other cell of the lattice the
-/// place of `space` nearest to its centre, if it lies in the cell. By a scan of all edges.
-std::vector<Point> places_wanted(const Region& space, const Point& start, double side, bool any) {
+/// Where the robot must have been: at the centres of the flood's cells; with `any`, for every other cell of the lattice
+/// at the point of `space` nearest to its centre, if that lies in the cell. By a scan of all edges.
+std::vector<Point> points_wanted(const Region& space, const Point& start, double side, bool any) {
   const std::map<Cell, int> joined = flood(space, start, side);
-  std::vector<Point> places;
-  for (const auto& [cell, depth] : joined) places.push_back(start + side * Point(cell.first, cell.second));
+  std::vector<Point> points;
+  for (const auto& [cell, depth] : joined) points.push_back(start + side * Point(cell.first, cell.second));
   const Box box = bounding_box(space);
   const auto index = [&](double from, double to, bool up) {
     return static_cast<int>(up ? std::ceil((to - from) / side) : std::floor((to - from) / side));
@@ -88,16 +88,16 @@ std::vector<Point> places_wanted(const Region& space, const Point& start, double
       double least = contains(space, centre) ? 0 : 1e300;
       for_each_ring(space, [&](const Ring& ring) {
         for (std::size_t k = 0; k < ring.size(); ++k) {
-          const Point place = nearest_on_segment(centre, ring[k], ring[(k + 1) % ring.size()]);
-          if (distance(place, centre) >= least) continue;
-          least = distance(place, centre);
-          nearest = place;
+          const Point candidate = nearest_on_segment(centre, ring[k], ring[(k + 1) % ring.size()]);
+          if (distance(candidate, centre) >= least) continue;
+          least = distance(candidate, centre);
+          nearest = candidate;
         }
       });
-      // A hair less than the cell: rounding may go either way.
-      if ((nearest - centre).cwiseAbs().maxCoeff() < side * (0.5 - 1e-9)) places.push_back(nearest);
+      // A little less than the cell: at its border rounding decides.
+      if ((nearest - centre).cwiseAbs().maxCoeff() < side * (0.5 - 1e-9)) points.push_back(nearest);
     }
-  return places;
+  return points;
 }
 
 double distance_to(const Path& path, const Point& p) {
@@ -115,23 +115,22 @@ void expect_every_cell(const std::string& planner, const Problem& problem, const
   all["cell_size"] = side;
   all["cells"] = std::string(any ? "any" : "joined");
   const Path path = expect_sound(planner, problem, all);
-  const std::vector<Point> places = places_wanted(problem.configuration_space(), problem.start(), side, any);
+  const std::vector<Point> points = points_wanted(problem.configuration_space(), problem.start(), side, any);
   if (path.legs.empty()) {
-    EXPECT_EQ(places.size(), 1u);
+    EXPECT_EQ(points.size(), 1u);
     return;
   }
-  for (const Point& place : places)
-    EXPECT_LT(distance_to(path, place), 1e-9) << "place " << place.transpose() << " is missed";
-  EXPECT_LE(path.length(), 2 * problem.robot().tether->length * static_cast<double>(places.size()));
+  for (const Point& point : points) EXPECT_LT(distance_to(path, point), 1e-9) << "misses " << point.transpose();
+  EXPECT_LE(path.length(), 2 * problem.robot().tether->length * static_cast<double>(points.size()));
   EXPECT_EQ(path.legs.back().points.back(), problem.start());
-  // At the end the string is as it was at the start.
-  TautTether string(problem.tether()->taut_space(), problem.anchor());
-  string.drive(problem.tether()->geodesics().path(problem.start()));
-  for (const Leg& leg : path.legs) string.drive(leg.points);
-  EXPECT_NEAR(string.length(), problem.tether()->geodesics().distance(problem.start()), 1e-9);
+  // At the end the tether is as it was at the start.
+  TautTether tether(problem.tether()->taut_space(), problem.anchor());
+  tether.drive(problem.tether()->geodesics().path(problem.start()));
+  for (const Leg& leg : path.legs) tether.drive(leg.points);
+  EXPECT_NEAR(tether.length(), problem.tether()->geodesics().distance(problem.start()), 1e-9);
 }
 
-TEST(ShnapsRimon, VisitsEveryCellWithinTheBoundAndTheLeash) {
+TEST(ShnapsRimon, VisitsEveryCellWithinTheLengthBoundAndTheTether) {
   std::uint64_t n = 0;
   for (const auto seed : seeds(2))
     for (const Map& map : tether_maps(seed))
@@ -171,7 +170,7 @@ TEST(ShnapsRimon, AnAnchorElsewhere) {
   }
 }
 
-// Two dead ends right and left of the anchor, 4 cells wide: the split order finishes one before the other.
+// Two dead ends left and right of the anchor, 4 cells wide: the split order finishes one before the other.
 TEST(ShnapsRimon, SplitFinishesOneSideFirst) {
   const std::vector<std::string> rows{"...........", "...........", "...##S##...", "...........",
                                       "...........", "...#####...", "...#####...", "...#####..."};
@@ -192,12 +191,12 @@ TEST(ShnapsRimon, SplitFinishesOneSideFirst) {
   EXPECT_EQ(changes("split"), 1);
 }
 
-TEST(ShnapsRimonBanded, BandsAreNeverTakenBackAndAngleGrowsInEach) {
+TEST(ShnapsRimonBanded, BandsComeInOrderAndTheAngleIncreasesInEach) {
   const Problem problem(generate("rectangle", {{"width", 6.0}, {"height", 5.0}}, 1), tethered_robot(1.1));
   const Path path = plan("shnaps-rimon-banded", problem, {{"return_home", false}, {"cells", std::string("joined")}});
   long long band = 0;
   double angle = -1;
-  for (const Point& p : path.legs.front().points) {  // no obstacles: straight from cell to cell
+  for (const Point& p : path.legs.front().points) {  // without obstacles: straight from cell to cell
     const Point arm = p - problem.anchor();
     const auto now = static_cast<long long>(arm.norm() / kSide + 1e-6);
     const double turn = arm.norm() > 0 ? std::fmod(std::atan2(arm.y(), arm.x()) + 2 * kPi, 2 * kPi) : 0;
@@ -210,7 +209,7 @@ TEST(ShnapsRimonBanded, BandsAreNeverTakenBackAndAngleGrowsInEach) {
 
 // ------------------------------------------------------------------------------------------------- tether-tree
 
-TEST(TetherTree, ThereAndBackOverEveryEdgeAndNoDeeperThanTheLeash) {
+TEST(TetherTree, ThereAndBackOverEveryEdgeAndNoDeeperThanTheTether) {
   for (const auto seed : seeds(2))
     for (const Map& map : tether_maps(seed))
       for (const double reach : {0.5, 1.0, 2.0}) {
@@ -218,9 +217,9 @@ TEST(TetherTree, ThereAndBackOverEveryEdgeAndNoDeeperThanTheLeash) {
         const Problem problem(map, tethered_robot(reach));
         const double longest = problem.robot().tether->length;
         for (const bool geodesic : {false, true}) {
-          const TetherSpace leash(problem, "test");
+          const TetherSpace space(problem, "test");
           const std::map<Cell, int> depth =
-              flood(geodesic ? leash.cut_space() : problem.configuration_space(), problem.start(), kSide);
+              flood(geodesic ? space.cut_space() : problem.configuration_space(), problem.start(), kSide);
           std::set<Cell> wanted;
           for (const auto& [cell, d] : depth)
             if (geodesic || d * kSide <= longest * (1 + 1e-12)) wanted.insert(cell);
@@ -230,23 +229,23 @@ TEST(TetherTree, ThereAndBackOverEveryEdgeAndNoDeeperThanTheLeash) {
           EXPECT_EQ(cells_driven(path, problem.start(), kSide), wanted);
           EXPECT_NEAR(path.length(), 2 * kSide * static_cast<double>(wanted.size() - 1), 1e-6);
           EXPECT_EQ(path.legs.back().points.back(), problem.start());
-          TautTether string(problem.tether()->taut_space(), problem.anchor());
+          TautTether tether(problem.tether()->taut_space(), problem.anchor());
           for (const Leg& leg : path.legs)
             for (const Point& p : leg.points) {
-              string.drive(p);
+              tether.drive(p);
               const Point cell = (p - problem.start()) / kSide;
               const int d =
                   depth.at({static_cast<int>(std::lround(cell.x())), static_cast<int>(std::lround(cell.y()))});
-              EXPECT_LE(string.length(), d * kSide + 1e-9);
+              EXPECT_LE(tether.length(), d * kSide + 1e-9);
             }
-          EXPECT_TRUE(string.bends().empty());
+          EXPECT_TRUE(tether.bends().empty());
         }
       }
 }
 
 // ------------------------------------------------------------------------------------------------ tethered-stc
 
-TEST(TetheredStc, EachSubCellOnceAndTheStringIsTheGeodesic) {
+TEST(TetheredStc, EachSubCellOnceAndTheTetherIsTheGeodesic) {
   std::size_t rounds = 0;
   for (const auto seed : seeds(2))
     for (const Map& map : tether_maps(seed))
@@ -262,11 +261,11 @@ TEST(TetheredStc, EachSubCellOnceAndTheStringIsTheGeodesic) {
           EXPECT_EQ(path.legs.front().points.back(), problem.start());
           const std::set<Cell> driven = cells_driven(path, problem.start(), side);
           EXPECT_NEAR(path.length(), side * static_cast<double>(driven.size()), 1e-6);
-          const TetherReport report = drive_tethered(problem, path, 0.1);
-          EXPECT_LE(report.excess, 1e-7);
-          EXPECT_EQ(report.crossings, 0);
+          const TetherFigures figures = drive_tethered(problem, path, 0.1);
+          EXPECT_LE(figures.excess, 1e-7);
+          EXPECT_EQ(figures.crossings, 0);
 
-          // Coarse cells are whole for one of the four places of the start in its own; depth by a flood over them.
+          // For one of the four positions of the start in its coarse cell all coarse cells are whole. Depth by a flood.
           int fits = 0;
           for (const Cell& corner : {Cell{0, 0}, Cell{-1, 0}, Cell{0, -1}, Cell{-1, -1}}) {
             std::map<Cell, int> quarters;
@@ -274,15 +273,15 @@ TEST(TetheredStc, EachSubCellOnceAndTheStringIsTheGeodesic) {
             if (std::any_of(quarters.begin(), quarters.end(), [](const auto& q) { return q.second != 4; })) continue;
             ++fits;
             const Point root = problem.start() + side * Point(corner.first + 0.5, corner.second + 0.5);
-            TautTether string(problem.tether()->taut_space(), problem.anchor());
+            TautTether tether(problem.tether()->taut_space(), problem.anchor());
             std::map<Cell, int> depth = flood(TetherSpace(problem, "test").cut_space(), root, 2 * side);
             for (const Point& p : path.legs.front().points) {
-              string.drive(p);
+              tether.drive(p);
               const Point at = (p - root) / (2 * side);
               const Cell cell{static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
-              // The flood looks at centre lines only, so it knows every tree edge: its depth is no more than the tree's.
+              // The flood tests centre lines only, so it contains every tree edge: its depth is at most the tree's.
               ASSERT_TRUE(depth.count(cell));
-              EXPECT_LE(string.length(), problem.robot().tether->length);
+              EXPECT_LE(tether.length(), problem.robot().tether->length);
               if (std::string(measure) == "depth") {
                 EXPECT_LE(2 * depth.at(cell) * side + std::sqrt(2.0) * side,
                           problem.robot().tether->length * (1 + 1e-9));
@@ -294,20 +293,20 @@ TEST(TetheredStc, EachSubCellOnceAndTheStringIsTheGeodesic) {
   EXPECT_GT(rounds, 50u);
 }
 
-// On open ground depth is |i| + |j|: the bound can be told from where the robot stands.
-TEST(TetheredStc, StringWithinDepthTimesTwoCellsAndADiagonal) {
+// In the open depth is |i| + |j|, so the bound follows from the robot's position.
+TEST(TetheredStc, TetherIsAtMostDepthTimesTwoCellsAndADiagonal) {
   const Problem problem(Map{"square", box_region({0, 0}, {8, 8}), "", ""}, tethered_robot(0.6), Point(4, 4));
   const double longest = problem.robot().tether->length;
   const Path path = plan("tethered-stc", problem);
-  // Which corner of its coarse cell the start is: all four are equal here, so the first is taken.
+  // All four positions of the start in its coarse cell are equal here, so the first is taken.
   std::set<Cell> coarse;
-  TautTether string(problem.tether()->taut_space(), problem.anchor());
+  TautTether tether(problem.tether()->taut_space(), problem.anchor());
   for (const Cell& c : cells_driven(path, problem.start(), kSide)) coarse.insert({c.first >> 1, c.second >> 1});
   for (const Point& p : path.legs.front().points) {
-    string.drive(p);
+    tether.drive(p);
     const Point at = (p - problem.start()) / kSide;
     const int i = static_cast<int>(std::lround(at.x())) >> 1, j = static_cast<int>(std::lround(at.y())) >> 1;
-    EXPECT_LE(string.length(), (std::abs(i) + std::abs(j)) * 2 * kSide + std::sqrt(2.0) * kSide + 1e-9);
+    EXPECT_LE(tether.length(), (std::abs(i) + std::abs(j)) * 2 * kSide + std::sqrt(2.0) * kSide + 1e-9);
   }
   std::set<Cell> wanted;
   const auto deepest = static_cast<int>((longest - std::sqrt(2.0) * kSide) / (2 * kSide));

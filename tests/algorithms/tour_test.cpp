@@ -36,7 +36,7 @@ double straight_cost(const Point& start, const std::vector<TourElement>& element
   return sum;
 }
 
-// All orders and all ways round.
+// By brute force: all orders and all directions.
 double least_cost(const Point& start, const std::vector<TourElement>& elements) {
   std::vector<TourStop> tour(elements.size());
   std::vector<std::size_t> order(elements.size());
@@ -58,7 +58,7 @@ void expect_each_once(const std::vector<TourStop>& tour, std::size_t n) {
   EXPECT_EQ(seen.size(), n);
 }
 
-TEST(OpenTour, ImprovedToursAreNearTheLeast) {
+TEST(OpenTour, ImprovedToursAreNearlyOptimal) {
   const Problem p = hall();
   const Connector connector(p);
   double ratio = 0;
@@ -100,7 +100,7 @@ TEST(OpenTour, PatternsAreTheBestForTheOrder) {
   }
 }
 
-TEST(OpenTour, ImprovingNeverCostsAndKeepsEveryElement) {
+TEST(OpenTour, ImprovingShortensAndKeepsEveryElement) {
   const Problem p = hall();
   const Connector connector(p);
   for (const auto seed : seeds(5)) {
@@ -115,11 +115,11 @@ TEST(OpenTour, ImprovingNeverCostsAndKeepsEveryElement) {
   }
 }
 
-TEST(OpenTour, DepthFirstStaysAmongNeighboursWhileThereAreAny) {
+TEST(OpenTour, DepthFirstGoesToNeighboursWhileThereAreAny) {
   const Problem p = hall();
   const Connector connector(p);
   const auto elements = random_segments(30, 3);
-  std::vector<std::vector<std::size_t>> ring(30);  // a cycle: depth first must walk along it
+  std::vector<std::vector<std::size_t>> ring(30);  // a cycle: depth-first must follow it
   for (std::size_t i = 0; i < 30; ++i) ring[i] = {(i + 1) % 30, (i + 29) % 30};
   Context context;
   const auto tour = OpenTour(p.start(), elements, connector).depth_first(ring, context);
@@ -132,8 +132,8 @@ TEST(OpenTour, DepthFirstStaysAmongNeighboursWhileThereAreAny) {
   EXPECT_EQ(jumps, 0);
 }
 
-// Straight through the wall is nearest, by path it is not.
-TEST(OpenTour, NearestCountsTheWayRoundWalls) {
+// The nearest by straight distance lies behind a wall.
+TEST(OpenTour, NearestMeasuresPathsAroundWalls) {
   const Problem p = drawn({".......", "...#...", "...#...", "..S#..."});
   const Connector connector(p);
   const std::vector<TourElement> elements{segment({4.3, 0.5}, {4.3, 0.7}), segment({0.3, 0.5}, {0.3, 0.7})};

@@ -4,8 +4,8 @@
 #include "algorithms/polygon/parts.hpp"
 #include "coverage_oracle.hpp"
 #include "tests/support/drawn.hpp"
-#include "tests/support/seeds.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
@@ -40,7 +40,7 @@ TEST(Zigzag, EveryPartitionCoversWhole) {
     }
 }
 
-// The seed's own way leaves gaps, but never leaves the free space.
+// The source's lines leave gaps, but the path never leaves configuration space.
 TEST(Zigzag, LiteralIsValidAndCoversMost) {
   for (const Problem& p : sample_problems(5)) {
     SCOPED_TRACE(p.map().source);
@@ -52,7 +52,7 @@ TEST(Zigzag, LiteralIsValidAndCoversMost) {
   }
 }
 
-// The seed's picture, by hand: upright lines in a square of 3.2 inside the margin, 0.4 apart, the first 0.2 inside.
+// The source's figure, by hand: vertical lines in a square of 3.2 inside the margin, 0.4 apart, the first 0.2 inside.
 TEST(Zigzag, LiteralLinesInASquare) {
   const Problem p(Map{"square", box_region({0, 0}, {4, 4}), "", ""}, disc(0.2, 0.4));
   const Path path =
@@ -66,16 +66,16 @@ TEST(Zigzag, LiteralLinesInASquare) {
   for (std::size_t k = 0; k < 8; ++k) EXPECT_NEAR(lines[k], 0.6 + 0.4 * static_cast<double>(k), 0.01);
 }
 
-TEST(Zigzag, TooManyCornersForTheOptimalPartitionIsOneSentence) {
+TEST(Zigzag, TooManyVerticesForTheOptimalPartitionIsOneSentence) {
   const Problem p(generate("clutter", {{"width", 20.0}, {"height", 20.0}}, 1), Robot{});
   EXPECT_THAT(
       [&] {
         plan("zigzag", p, {{"partition", text("convex")}});
       },
-      ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("150 corners"), HasSubstr("approximate"))));
+      ThrowsMessage<std::invalid_argument>(AllOf(HasSubstr("150 vertices"), HasSubstr("approximate"))));
 }
 
-TEST(Zigzag, FewCornersTakeTheOptimalPartition) {
+TEST(Zigzag, TheOptimalPartitionOfSmallMaps) {
   expect_complete(drawn({"...", ".#.", "..."}), {{"partition", text("convex")}});
   expect_complete(drawn({"...", "..#", "..."}), {{"partition", text("convex")}});
 }
@@ -89,15 +89,15 @@ TEST(Zigzag, DegenerateMaps) {
   expect_complete(drawn({"...", ".#.", "..."}, {.robot = disc(0.4, 0.2)}));
 }
 
-TEST(Zigzag, MovedTurnedAndMirroredMapsTakeAboutTheSameLength) {
+TEST(Zigzag, ShiftedRotatedAndMirroredMapsTakeAboutTheSameLength) {
   const Map map = generate("field", {{"width", 16.0}, {"height", 11.0}, {"ponds", std::int64_t{4}}}, 3);
   const Problem base(map, Robot{});
   const double length = plan("zigzag", base).length();
   const auto length_of = [&](Region region, Point start) {
-    return plan("zigzag", Problem(Map{"moved", std::move(region), "", ""}, Robot{}, start)).length();
+    return plan("zigzag", Problem(Map{"transformed", std::move(region), "", ""}, Robot{}, start)).length();
   };
   const Point s = base.start();
-  // Triangulations have ties that turning decides anew, so parts and lengths may differ a little.
+  // Rotation decides ties of the triangulation differently, so parts and lengths may differ a little.
   EXPECT_NEAR(length_of(transformed(map.free, 0, {5, 9}), s + Point(5, 9)) / length, 1, 0.15);
   EXPECT_NEAR(length_of(transformed(map.free, kPi / 2, {0, 0}), rotated(s, kPi / 2)) / length, 1, 0.15);
   EXPECT_NEAR(length_of(mirrored(map.free), {-s.x(), s.y()}) / length, 1, 0.15);
@@ -106,27 +106,28 @@ TEST(Zigzag, MovedTurnedAndMirroredMapsTakeAboutTheSameLength) {
 TEST(Parts, PartsMakeUpTheRegion) {
   for (const auto seed : seeds(5)) {
     const Region region = generate("polygon", {}, seed).free;
-    for (const char* partition : {"approximate", "monotone", "trapezoid", "none"}) {
+    for (const Partition partition :
+         {Partition::approximate, Partition::monotone, Partition::trapezoid, Partition::none}) {
       double sum = 0;
       for (const Part& p : cut_into_parts(region, partition)) sum += p.area;
-      EXPECT_NEAR(sum / area(region), 1, 1e-6) << partition << " " << seed;
+      EXPECT_NEAR(sum / area(region), 1, 1e-6) << static_cast<int>(partition) << " " << seed;
     }
   }
 }
 
-TEST(Parts, SliversJoinTheNeighbourWithTheLongestCommonSide) {
+TEST(Parts, SliversAreMergedWithTheNeighbourThatSharesTheMostBoundary) {
   const auto box = [](double x0, double y0, double x1, double y1) {
     const Ring ring = box_region({x0, y0}, {x1, y1}).polygons[0].outer;
     return Part{{ring}, (x1 - x0) * (y1 - y0)};
   };
-  // A thin strip between a small part (1 m of common side) and a large one (3 m, as two edges).
+  // A sliver between a small part (1 m of common boundary) and a large one (3 m, as two edges).
   const std::vector<Part> parts{box(0, 1.01, 1, 2), box(0, 1, 3, 1.01), box(0, 0, 3, 1)};
-  const std::vector<Part> merged = without_slivers(parts, 1, true);
+  const std::vector<Part> merged = with_slivers_merged(parts, 1);
   ASSERT_EQ(merged.size(), 2u);
   EXPECT_NEAR(merged[0].area, 0.99, 1e-12);
   EXPECT_NEAR(merged[1].area, 3.03, 1e-12);
   EXPECT_EQ(merged[1].rings.size(), 2u);
-  EXPECT_EQ(without_slivers(parts, 1, false).size(), 2u);
+  EXPECT_EQ(without_slivers(parts, 1).size(), 2u);
 }
 
 }  // namespace

@@ -18,18 +18,18 @@ struct Params {
 };
 
 std::vector<Parameter<Params>> lines() {
-  return {{"diagonal", &Params::diagonal, "also step across corners"},
+  return {{"diagonal", &Params::diagonal, "also step diagonally"},
           {"teeth", &Params::teeth, Range{1, 100}, "how many"},
           {"cell_size", &Params::cell_size, Range{0, 10}, "metres"},
-          {"order", &Params::order, Choices{"nearest", "sweep"}, "next piece"}};
+          {"order", &Params::order, Choices{"nearest", "improved"}, "next piece"}};
 }
 
 Params with(const Settings& settings) { return with_settings<Params>("planner 'x'", lines(), settings); }
-std::string why(const Settings& settings) {
+std::string error_for(const Settings& settings) {
   return complaint([&] { with(settings); });
 }
 
-TEST(Parameters, FallbacksAreTheStructsOwn) {
+TEST(Parameters, FallbacksAreTheDefaultsOfTheStruct) {
   const auto infos = infos_of(lines());
   ASSERT_EQ(infos.size(), 4u);
   EXPECT_EQ(infos[0].fallback, Value(false));
@@ -38,44 +38,48 @@ TEST(Parameters, FallbacksAreTheStructsOwn) {
   EXPECT_EQ(infos[3].fallback, Value(std::string("nearest")));
 }
 
-TEST(Parameters, SettingsAreWrittenOverThem) {
-  const Params p = with({{"teeth", std::int64_t{3}}, {"cell_size", std::int64_t{2}}, {"order", std::string("sweep")}});
+TEST(Parameters, SettingsOverwriteDefaults) {
+  const Params p =
+      with({{"teeth", std::int64_t{3}}, {"cell_size", std::int64_t{2}}, {"order", std::string("improved")}});
   EXPECT_FALSE(p.diagonal);
   EXPECT_EQ(p.teeth, 3);
-  EXPECT_EQ(p.cell_size, 2.0);  // a whole number passes as a real
-  EXPECT_EQ(p.order, "sweep");
+  EXPECT_EQ(p.cell_size, 2.0);  // a whole number is accepted for a real
+  EXPECT_EQ(p.order, "improved");
 }
 
-TEST(Parameters, EveryRefusalNamesParameterOwnerAndMend) {
-  EXPECT_EQ(why({{"cel_size", 1.0}}),
+TEST(Parameters, ErrorsNameParameterOwnerAndWhatIsExpected) {
+  EXPECT_EQ(error_for({{"cel_size", 1.0}}),
             "unknown parameter 'cel_size' of planner 'x'; it has: diagonal, teeth, cell_size, order");
-  EXPECT_EQ(why({{"teeth", std::int64_t{0}}}),
+  EXPECT_EQ(error_for({{"teeth", std::int64_t{0}}}),
             "parameter 'teeth' of planner 'x' is 0, expected a whole number from 1 to 100");
-  EXPECT_EQ(why({{"teeth", 2.5}}), "parameter 'teeth' of planner 'x' is 2.5, expected a whole number from 1 to 100");
-  EXPECT_EQ(why({{"cell_size", 11.0}}), "parameter 'cell_size' of planner 'x' is 11, expected a number from 0 to 10");
-  EXPECT_EQ(why({{"cell_size", std::nan("")}}),
+  EXPECT_EQ(error_for({{"teeth", 2.5}}),
+            "parameter 'teeth' of planner 'x' is 2.5, expected a whole number from 1 to 100");
+  EXPECT_EQ(error_for({{"cell_size", 11.0}}),
+            "parameter 'cell_size' of planner 'x' is 11, expected a number from 0 to 10");
+  EXPECT_EQ(error_for({{"cell_size", std::nan("")}}),
             "parameter 'cell_size' of planner 'x' is nan, expected a finite number");
-  EXPECT_EQ(why({{"cell_size", std::string("1")}}),
+  EXPECT_EQ(error_for({{"cell_size", std::string("1")}}),
             "parameter 'cell_size' of planner 'x' is '1', expected a number from 0 to 10");
-  EXPECT_EQ(why({{"diagonal", std::int64_t{1}}}), "parameter 'diagonal' of planner 'x' is 1, expected true or false");
-  EXPECT_EQ(why({{"order", std::string("far")}}),
-            "parameter 'order' of planner 'x' is 'far', expected one of: nearest, sweep");
+  EXPECT_EQ(error_for({{"diagonal", std::int64_t{1}}}),
+            "parameter 'diagonal' of planner 'x' is 1, expected true or false");
+  EXPECT_EQ(error_for({{"order", std::string("far")}}),
+            "parameter 'order' of planner 'x' is 'far', expected one of: nearest, improved");
 }
 
-TEST(Parameters, WholeNumbersThatDoNotFitAreRefused) {
+TEST(Parameters, WholeNumbersThatDoNotFitAnIntAreRefused) {
   const ParameterInfo unbounded{"n", std::int64_t{1}, {}, {}, ""};
   EXPECT_THROW(checked("x", unbounded, std::int64_t{1} << 40), std::invalid_argument);
   EXPECT_THROW(parse_value("x", unbounded, "99999999999999999999"), std::invalid_argument);
 }
 
-TEST(Parameters, TextsAreReadInTheParametersType) {
+TEST(Parameters, TextsAreParsedAsTheParametersType) {
   const auto infos = infos_of(lines());
   const auto read = [&](std::size_t i, const char* text) { return parse_value("x", infos[i], text); };
   EXPECT_EQ(read(0, "true"), Value(true));
   EXPECT_EQ(read(0, "off"), Value(false));
   EXPECT_EQ(read(1, "+12"), Value(std::int64_t{12}));
   EXPECT_EQ(read(2, "1e-3"), Value(0.001));
-  EXPECT_EQ(read(3, "sweep"), Value(std::string("sweep")));
+  EXPECT_EQ(read(3, "improved"), Value(std::string("improved")));
   for (const char* bad : {"", " ", "1 ", "x", "1,5", "0x10", "--1", "+-1"}) {
     SCOPED_TRACE(bad);
     EXPECT_THROW(read(1, bad), std::invalid_argument);
@@ -86,7 +90,7 @@ TEST(Parameters, TextsAreReadInTheParametersType) {
   EXPECT_THROW(read(0, "maybe"), std::invalid_argument);
 }
 
-TEST(Parameters, TextOfAValueReadsBackTheSame) {
+TEST(Parameters, TextOfAValueIsParsedBackToIt) {
   const ParameterInfo real{"r", 1.0, {}, {}, ""};
   for (const double d : {0.1, 1.0 / 3, 1e300, 5e-324, -2.0, 0.35})
     EXPECT_EQ(parse_value("x", real, to_text(d)), Value(d));
@@ -95,7 +99,7 @@ TEST(Parameters, TextOfAValueReadsBackTheSame) {
   EXPECT_EQ(to_text(Value(true)), "true");
 }
 
-TEST(Parameters, NearestNameIsNearest) {
+TEST(Parameters, NearestNameHasTheLeastEditDistance) {
   const std::vector<std::string> planners{"boustrophedon", "zigzag", "stc", "rectangles"};
   EXPECT_EQ(nearest_name("boustrofedon", planners), "boustrophedon");
   EXPECT_EQ(nearest_name("sct", planners), "stc");

@@ -10,7 +10,7 @@
 namespace oxturn {
 namespace {
 
-// Written from the papers, and held to published values before it judges Rng.
+// Oracles written from the papers, themselves checked against published values.
 struct Splitmix {
   std::uint64_t x;
   std::uint64_t next() {
@@ -48,13 +48,13 @@ TEST(Rng, IsXoshiroSeededBySplitmix) {
   }
 }
 
-TEST(Rng, BelowIsEven) {
+TEST(Rng, BelowIsUniform) {
   Rng rng(7);
   std::vector<int> seen(10);
   for (int k = 0; k < 100000; ++k) ++seen[rng.below(10)];
   for (const int n : seen) EXPECT_NEAR(n, 10000, 500);  // 5 sigma
   for (int k = 0; k < 100; ++k) EXPECT_EQ(rng.below(1), 0u);
-  // Two thirds of 2^64: without rejection the lower half would come twice as often.
+  // n is two thirds of 2^64: without rejection the lower half would be twice as likely as the upper.
   const std::uint64_t n = 0xaaaaaaaaaaaaaaaau;
   int low = 0;
   for (int k = 0; k < 10000; ++k) low += rng.below(n) < n / 2 ? 1 : 0;
@@ -78,7 +78,7 @@ TEST(Rng, DrawsStayInTheirRanges) {
   EXPECT_TRUE(ends[0] && ends[1]);
 }
 
-TEST(Rng, NormalHasItsMoments) {
+TEST(Rng, NormalHasTheRightMoments) {
   Rng rng(9);
   constexpr int n = 100000;
   double one = 0, two = 0, four = 0;
@@ -94,7 +94,7 @@ TEST(Rng, NormalHasItsMoments) {
   EXPECT_NEAR(within / double{n}, 0.6827, 0.008);
 }
 
-TEST(Rng, ShuffleKeepsEverythingAndFavoursNoOrder) {
+TEST(Rng, ShuffleIsAUniformPermutation) {
   Rng rng(4);
   std::vector<int> orders(6);
   for (int k = 0; k < 60000; ++k) {
@@ -106,7 +106,7 @@ TEST(Rng, ShuffleKeepsEverythingAndFavoursNoOrder) {
   for (const int n : orders) EXPECT_NEAR(n, 10000, 500);
 }
 
-TEST(Mix, DependsOnSeedAndEveryLetter) {
+TEST(Mix, DependsOnSeedAndEveryCharacter) {
   EXPECT_EQ(mix(1, "planner"), mix(1, "planner"));
   EXPECT_NE(mix(1, "planner"), mix(2, "planner"));
   EXPECT_NE(mix(1, "planner"), mix(1, "plannes"));

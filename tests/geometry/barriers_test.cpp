@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "geometry/edge_index.hpp"
-#include "geometry/tether/geodesic_field.hpp"
 #include "geometry/mesh/mesh.hpp"
 #include "geometry/overlay/offset.hpp"
+#include "geometry/tether/geodesic_field.hpp"
 #include "random_region.hpp"
 
 namespace oxturn {
@@ -148,7 +148,7 @@ TEST(Barriers, OtherPolygonsAreBehindWalls) {
 double mesh_area(const Mesh& mesh) {
   double sum = 0;
   for (const Mesh::Triangle& t : mesh.triangles()) {
-    const auto at = [&](std::size_t k) { return mesh.points()[static_cast<std::size_t>(t.corner[k])]; };
+    const auto at = [&](std::size_t k) { return mesh.points()[static_cast<std::size_t>(t.vertex[k])]; };
     sum += cross(at(1) - at(0), at(2) - at(0)) / 2;
   }
   return sum;
@@ -176,7 +176,7 @@ TEST(MeshWithBarriers, IsTheSameAreaWithWallsOnBothSidesOfThem) {
   }
 }
 
-TEST(MeshWithBarriers, ABarrierInTheOpenBendsWaysAtItsEnd) {
+TEST(MeshWithBarriers, ABarrierInTheOpenBendsPathsAtItsEnd) {
   const Region box = box_region({0, 0}, {4, 4});
   const Mesh mesh(box, {{{2, 0}, {2, 3}}});
   ASSERT_EQ(mesh.points().size(), 6u);

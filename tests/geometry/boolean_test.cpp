@@ -11,7 +11,7 @@ namespace {
 
 void expect_sound(const Region& r) {
   const auto flaw = find_flaw(r);
-  EXPECT_FALSE(flaw) << flaw->reason << " at " << flaw->place.transpose();
+  EXPECT_FALSE(flaw) << flaw->reason << " at " << flaw->point.transpose();
   for (const Polygon& p : r.polygons) {
     EXPECT_GT(signed_area(p.outer), 0);
     for (const Ring& h : p.holes) EXPECT_LT(signed_area(h), 0);
@@ -130,7 +130,7 @@ TEST(Boolean, NearlyEqualOperandsStaySound) {
   }
 }
 
-TEST(Boolean, WorksAtAnyScaleAndPlace) {
+TEST(Boolean, WorksAtAnyScaleAndPosition) {
   for (const double scale : {1e-6, 1e-3, 1.0, 1e5})
     for (const double far : {0.0, 1e6}) {
       const Region a = box_region({far, far}, {far + scale, far + scale});

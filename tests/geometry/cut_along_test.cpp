@@ -13,19 +13,19 @@ namespace {
 
 const Region kBox = box_region({0, 0}, {10, 10});
 
-TEST(Slit, NoLinesLeaveTheRegion) {
+TEST(CutAlong, NoLinesLeaveTheRegion) {
   EXPECT_EQ(area(cut_along(kBox, {}, 0.1)), 100);
   EXPECT_TRUE(cut_along(Region{}, {{{0, 0}, {1, 1}}}, 0.1).empty());
 }
 
-TEST(Slit, AStripReachesHalfItsWidthPastItsEnds) {
+TEST(CutAlong, AStripReachesHalfItsWidthPastItsEnds) {
   const Region r = cut_along(kBox, {{{2, 5}, {8, 5}}}, 0.5);
   ASSERT_EQ(r.polygons.size(), 1u);
   ASSERT_EQ(hole_count(r), 1u);
   EXPECT_NEAR(area(r), 100 - 6.5 * 0.5, 1e-6);
 }
 
-TEST(Slit, WallToWallCutsInTwoWhateverTheDirection) {
+TEST(CutAlong, WallToWallCutsInTwoWhateverTheDirection) {
   for (int k = 0; k < 60; ++k) {
     const double angle = 0.1 * k;
     const Point d(std::cos(angle), std::sin(angle));
@@ -37,7 +37,7 @@ TEST(Slit, WallToWallCutsInTwoWhateverTheDirection) {
   }
 }
 
-TEST(Slit, StripsThatShareAPointLeaveNoGap) {
+TEST(CutAlong, StripsThatShareAPointLeaveNoGap) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Rng rng(seed);
@@ -58,7 +58,7 @@ TEST(Slit, StripsThatShareAPointLeaveNoGap) {
   }
 }
 
-TEST(Slit, WhatIsTakenAwayIsWithinTheWidthOfTheLines) {
+TEST(CutAlong, WhatIsTakenAwayIsWithinTheWidthOfTheLines) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Rng rng(seed);
     const Region region = clutter_box(rng, 3, 3, false);
@@ -84,7 +84,7 @@ TEST(Slit, WhatIsTakenAwayIsWithinTheWidthOfTheLines) {
   }
 }
 
-TEST(Slit, RefusesWhatItCannotCut) {
+TEST(CutAlong, RefusesWhatItCannotCut) {
   using testing::HasSubstr;
   using testing::ThrowsMessage;
   EXPECT_THAT(

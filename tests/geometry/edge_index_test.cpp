@@ -97,8 +97,8 @@ TEST(EdgeIndex, NearestAgreesWithAScanOfAllEdges) {
         const auto found = index.nearest(p);
         ASSERT_TRUE(found);
         EXPECT_NEAR(found->distance, truth, 1e-12 * (1 + p.norm()));
-        EXPECT_NEAR(boundary_distance(index.edges(), found->place), 0, 1e-12 * (1 + p.norm()));
-        EXPECT_NEAR(distance(found->from, found->place), found->distance, 1e-12 * (1 + p.norm()));
+        EXPECT_NEAR(boundary_distance(index.edges(), found->point), 0, 1e-12 * (1 + p.norm()));
+        EXPECT_NEAR(distance(found->from, found->point), found->distance, 1e-12 * (1 + p.norm()));
         EXPECT_FALSE(index.nearest(p, truth * 0.999));
         if (truth > 0) { EXPECT_TRUE(index.nearest(p, truth * 1.001)); }
       }
@@ -130,7 +130,7 @@ TEST(EdgeIndex, NearestToASegmentAgreesWithAScanOfAllEdges) {
         ASSERT_TRUE(found);
         EXPECT_NEAR(found->distance, truth, eps);
         EXPECT_NEAR(distance_to_segment(found->from, a, b), 0, eps);
-        EXPECT_NEAR(distance(found->from, found->place), found->distance, eps);
+        EXPECT_NEAR(distance(found->from, found->point), found->distance, eps);
         if (truth > 1e-9) {
           EXPECT_FALSE(index.nearest(a, b, truth * 0.999));
           EXPECT_TRUE(index.nearest(a, b, truth * 1.001));
@@ -226,7 +226,7 @@ TEST(EdgeIndex, NearListsEveryEdgeThatMeetsTheBox) {
   }
 }
 
-TEST(EdgeIndex, AnswersForNothingAndForPlacesThatAreNone) {
+TEST(EdgeIndex, AnswersForEmptyRegionsAndForPointsThatAreNotFinite) {
   const EdgeIndex none{Region{}};
   EXPECT_FALSE(none.nearest({0, 0}));
   EXPECT_FALSE(none.contains({0, 0}));

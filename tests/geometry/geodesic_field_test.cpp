@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "geodesic_oracle.hpp"
-#include "geometry/paths/shortest_path.hpp"
 #include "geometry/overlay/cut_along.hpp"
+#include "geometry/paths/shortest_path.hpp"
 #include "random_region.hpp"
 #include "samples.hpp"
 #include "tests/support/seeds.hpp"
@@ -20,7 +20,7 @@ namespace {
 using Arc = GeodesicField::Arc;
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-/// Blocks of half a metre, one in the middle of each square metre: equal ways everywhere.
+/// Blocks of half a metre, one in the middle of each square metre: equally long paths everywhere.
 Region lattice(int n) {
   Polygon p{{{0, 0}, {1.0 * n, 0}, {1.0 * n, 1.0 * n}, {0, 1.0 * n}}, {}};
   for (int j = 0; j < n; ++j) {
@@ -121,8 +121,8 @@ TEST(GeodesicField, DistancesWithBarriersAgreeWithAVisibilityGraph) {
   });
 }
 
-// Turned maps, so that no place on a wall is exact: a rounded place must not fall out of its cone.
-TEST(GeodesicField, PlacesOnWallsAreAsFarAsPlacesBesideThem) {
+// Turned maps, so that no point on a wall is exact: a rounded point must not fall out of its cone.
+TEST(GeodesicField, PointsOnWallsAreAsFarAsPointsBesideThem) {
   for_each_scene(25, {0, 1, 2, 3, 4}, [](const Scene& scene, Rng& rng) {
     const double angle = rng.between(0.0, 6.0);
     const Point shift(rng.between(-1000.0, 1000.0), rng.between(-1000.0, 1000.0));
@@ -193,7 +193,7 @@ TEST(GeodesicField, LevelsAndCutOfACutRoomStayOnTheirSideOfTheBarrier) {
   const GeodesicField field(box, {1, 1}, {{{2, 0}, {2, 4}}}, 1e-9);
   EXPECT_EQ(field.distance({3, 1}), kInf);
   EXPECT_NEAR(field.farthest(), std::sqrt(10.0), 1e-12);
-  for (const auto& chain : field.level(1.5)) {
+  for (const auto& chain : field.level_set(1.5)) {
     for (const Arc& a : chain) EXPECT_LE(a.at((a.begin + a.end) / 2).x(), 2);
   }
 }
@@ -201,12 +201,12 @@ TEST(GeodesicField, LevelsAndCutOfACutRoomStayOnTheirSideOfTheBarrier) {
 // The circle about (2, 0.5), seen edge on: one chain on each side of the wall of no thickness.
 TEST(GeodesicField, AnArcEndsAtABarrierThatPointsAtItsCentre) {
   const GeodesicField field(box_region({0, 0}, {4, 4}), {2, 0.5}, {{{2, 1}, {2, 4}}}, 1e-9);
-  const auto chains = field.level(1.5);
+  const auto chains = field.level_set(1.5);
   ASSERT_EQ(chains.size(), 2u);
   EXPECT_NEAR(chains[0].front().end, kPi / 2, 1e-9);
   EXPECT_NEAR(chains[1].front().begin, kPi / 2, 1e-9);
-  EXPECT_EQ(field.level(0.4).size(), 1u);
-  EXPECT_NEAR(field.level(0.4)[0][0].end - field.level(0.4)[0][0].begin, 2 * kPi, 1e-12);
+  EXPECT_EQ(field.level_set(0.4).size(), 1u);
+  EXPECT_NEAR(field.level_set(0.4)[0][0].end - field.level_set(0.4)[0][0].begin, 2 * kPi, 1e-12);
 }
 
 TEST(GeodesicField, TenThousandCornersInLineAreCheap) {
@@ -224,7 +224,7 @@ TEST(GeodesicField, TenThousandCornersInLineAreCheap) {
   EXPECT_NEAR(field.distance({9.5, 2}), 9, 1e-12);  // along the flush wall
   EXPECT_NEAR(field.distance({5, 0.9}), distance({0.5, 2}, {4, 1}) + distance({4, 1}, {5, 0.9}), 1e-12);
   EXPECT_LE(field.path({9.5, 2}).size(), 4u);
-  EXPECT_FALSE(field.level(6).empty());
+  EXPECT_FALSE(field.level_set(6).empty());
 }
 
 TEST(GeodesicField, RefusesAnAnchorOutsideAndBadNumbers) {
@@ -247,7 +247,7 @@ TEST(GeodesicField, RefusesAnAnchorOutsideAndBadNumbers) {
   EXPECT_EQ(field.anchor(), Point(-0.0005, 0.5));
   EXPECT_NEAR(field.distance({1.0005, 0.5}), 1, 1e-9);
   EXPECT_EQ(field.distance({1.01, 0.5}), kInf);
-  EXPECT_THROW(field.cut(0), std::invalid_argument);
+  EXPECT_THROW(field.cut_locus(0), std::invalid_argument);
   EXPECT_THROW(sampled({{{0, 0}, 1, 0, 1}}, 0), std::invalid_argument);
 }
 
@@ -290,7 +290,7 @@ TEST(GeodesicField, LevelsAreAtTheirDistance) {
     const GeodesicField field(scene.region, anchor, {}, 1e-9);
     for (int k = 0; k < 3; ++k) {
       const double l = field.farthest() * rng.between(0.05, 1.0);
-      for (const Arc& a : arcs_of(field.level(l))) {
+      for (const Arc& a : arcs_of(field.level_set(l))) {
         EXPECT_LT(a.begin, a.end);
         EXPECT_LE(std::abs(a.begin), kPi + 1e-9);
         EXPECT_LE(a.end, a.begin + 2 * kPi + 1e-9);
@@ -307,7 +307,7 @@ TEST(GeodesicField, LevelsAreWhollyThere) {
   for_each_scene(25, {0, 1, 2, 3, 4}, [](const Scene& scene, Rng& rng) {
     const GeodesicField field(scene.region, scene.anywhere(rng), {}, 1e-9);
     const double l = field.farthest() * rng.between(0.1, 0.95);
-    const std::vector<Arc> arcs = arcs_of(field.level(l));
+    const std::vector<Arc> arcs = arcs_of(field.level_set(l));
     for (int q = 0; q < 200; ++q) {
       const Point p = scene.open(rng);
       const double angle = rng.between(0.0, 2 * kPi), step = 0.05 * scene.box.size().norm();
@@ -324,11 +324,11 @@ TEST(GeodesicField, LevelsAreWhollyThere) {
   });
 }
 
-TEST(GeodesicField, ChainsHangTogetherAndEndWhereTheyMay) {
+TEST(GeodesicField, ChainsAreConnectedAndEndWhereTheyMay) {
   int chains_seen = 0, joints_seen = 0, meetings = 0;
   for_each_scene(25, {0, 1, 2, 3, 4}, [&](const Scene& scene, Rng& rng) {
     const GeodesicField field(scene.region, scene.anywhere(rng), {}, 1e-9);
-    const auto chains = field.level(field.farthest() * rng.between(0.1, 0.95));
+    const auto chains = field.level_set(field.farthest() * rng.between(0.1, 0.95));
     const double near = 1e-7;
     const auto first = [](const auto& c) { return c.front().at(c.front().begin); };
     const auto last = [](const auto& c) { return c.back().at(c.back().end); };
@@ -345,7 +345,7 @@ TEST(GeodesicField, ChainsHangTogetherAndEndWhereTheyMay) {
         EXPECT_LT((a - b).norm(), 1e-4) << end.transpose();
       }
       if (distance(first(chain), last(chain)) < near) continue;  // closed
-      // An open end lies on a wall, or another way round meets there: that one's chain goes on with the boundary.
+      // An open end lies on a wall, or a path around another side meets there, and its chain continues the boundary.
       const auto met = [&](const Point& p, auto end_of) {
         return std::any_of(chains.begin(), chains.end(), [&](const auto& c) { return distance(end_of(c), p) < near; });
       };
@@ -363,7 +363,7 @@ TEST(GeodesicField, ChainsHangTogetherAndEndWhereTheyMay) {
 
 TEST(GeodesicField, LevelsInTheOpenAreRoundAndSampledWithinTheChord) {
   const GeodesicField field(box_region({0, 0}, {4, 4}), {2, 1}, {}, 1e-9);
-  const auto whole = field.level(0.5);
+  const auto whole = field.level_set(0.5);
   ASSERT_EQ(whole.size(), 1u);
   ASSERT_EQ(whole[0].size(), 1u);
   EXPECT_NEAR(whole[0][0].end - whole[0][0].begin, 2 * kPi, 1e-12);
@@ -372,10 +372,10 @@ TEST(GeodesicField, LevelsInTheOpenAreRoundAndSampledWithinTheChord) {
   EXPECT_LT(line.size(), 60u);
   for (std::size_t i = 1; i < line.size(); ++i)
     EXPECT_GE(distance((line[i] + line[i - 1]) / 2, {2, 1}), 0.5 - 1.0001e-3);
-  EXPECT_EQ(field.level(1.5).size(), 1u);  // open below
-  EXPECT_TRUE(field.level(0).empty());
-  EXPECT_TRUE(field.level(-1).empty());
-  EXPECT_TRUE(field.level(field.farthest() + 1e-6).empty());
+  EXPECT_EQ(field.level_set(1.5).size(), 1u);  // open below
+  EXPECT_TRUE(field.level_set(0).empty());
+  EXPECT_TRUE(field.level_set(-1).empty());
+  EXPECT_TRUE(field.level_set(field.farthest() + 1e-6).empty());
 }
 
 // Round one block: the chains follow one another counter-clockwise as seen from the anchor.
@@ -385,7 +385,7 @@ TEST(GeodesicField, ChainsAreInOrderRoundTheAnchor) {
   for (const double l : {1.0, 2.5, 3.5, 4.5, 6.0}) {
     const GeodesicField field(region, {2.5, 4}, {}, 1e-9);
     double before = -kPi;
-    for (const auto& chain : field.level(l)) {
+    for (const auto& chain : field.level_set(l)) {
       const Arc& a = chain.front();
       const Polyline path = field.path(a.at((a.begin + a.end) / 2));
       const Point d = path[1] - path[0];
@@ -409,7 +409,7 @@ TEST(GeodesicField, TurningTheMapTurnsLevelsAndCut) {
       EXPECT_NEAR(a.distance(p), b.distance(rotated(p, angle) + shift), 1e-9);
     }
     const double l = a.farthest() * rng.between(0.2, 0.9);
-    EXPECT_NEAR(total_length(arcs_of(a.level(l))), total_length(arcs_of(b.level(l))), 1e-5);
+    EXPECT_NEAR(total_length(arcs_of(a.level_set(l))), total_length(arcs_of(b.level_set(l))), 1e-5);
   });
 }
 
@@ -433,16 +433,16 @@ TEST(GeodesicField, FarFromTheOriginAndInMillimetres) {
         EXPECT_NEAR(other.distance(moved(p)), scale * field.distance(p), slack);
       }
       const double l = rng.between(0.2, 0.9) * field.farthest(), width = 1e-5 * scale * scene.box.size().norm();
-      EXPECT_NEAR(total_length(arcs_of(other.level(scale * l))), scale * total_length(arcs_of(field.level(l))),
+      EXPECT_NEAR(total_length(arcs_of(other.level_set(scale * l))), scale * total_length(arcs_of(field.level_set(l))),
                   1e-4 * scale);
-      EXPECT_EQ(hole_count(cut_along(region, other.cut(width), width)), 0u);
+      EXPECT_EQ(hole_count(cut_along(region, other.cut_locus(width), width)), 0u);
     }
   });
 }
 
 // --- the cut ---------------------------------------------------------------------------------------------
 
-/// Ways round an obstacle: does the closed line turn about the middle of some (convex) hole?
+/// Does the closed line wind around the middle of some (convex) hole?
 bool goes_round_a_hole(const Region& region, const Polyline& loop) {
   for (const Polygon& polygon : region.polygons) {
     for (const Ring& hole : polygon.holes) {
@@ -459,13 +459,13 @@ bool goes_round_a_hole(const Region& region, const Polyline& loop) {
   return false;
 }
 
-TEST(GeodesicField, AtTheCutTwoEquallyLongWaysGoRoundAnObstacle) {
+TEST(GeodesicField, AtTheCutTwoEquallyLongPathsEncloseAnObstacle) {
   int tried = 0;
   for_each_scene(30, {0, 1}, [&](const Scene& scene, Rng& rng) {
     const Point anchor = scene.anywhere(rng);
     const GeodesicOracle oracle(scene.region, anchor);
     const GeodesicField field(scene.region, anchor, {}, 1e-9);
-    for (const Polyline& piece : field.cut(1e-6)) {
+    for (const Polyline& piece : field.cut_locus(1e-6)) {
       if (length(piece) < 1e-3) continue;
       const std::size_t i = piece.size() / 2;  // a point of the curve; of a straight piece its middle
       const bool straight = piece.size() == 2;
@@ -493,7 +493,7 @@ TEST(GeodesicField, SpaceCutOpenHasNoHolesAndTheSameDistances) {
     const Point anchor = scene.open(rng);
     const GeodesicField field(scene.region, anchor, {}, 1e-9);
     const double width = 1e-5 * scene.box.size().norm();
-    const Region open = cut_along(scene.region, field.cut(width), width);
+    const Region open = cut_along(scene.region, field.cut_locus(width), width);
     EXPECT_EQ(hole_count(open), 0u);
     const ShortestPaths paths(open, 2 * width);
     const EdgeIndex index(open);
@@ -513,7 +513,7 @@ TEST(GeodesicField, TheCutRespectsBarriers) {
     std::vector<Polyline> lines = barriers(scene.region, rng.between(0.1, 0.4));
     const GeodesicField field(scene.region, anchor, lines, 1e-9);
     const double width = 1e-5 * scene.box.size().norm();
-    std::vector<Polyline> cut = field.cut(width);
+    std::vector<Polyline> cut = field.cut_locus(width);
     cut.insert(cut.end(), lines.begin(), lines.end());
     const Region open = cut_along(scene.region, cut, width);
     const ShortestPaths paths(open, 2 * width);
@@ -539,7 +539,7 @@ TEST(GeodesicField, BehindASquarePillarTheCutIsStraight) {
   const GeodesicField field(region, {1, 2}, {}, 1e-9);
   double sum = 0;
   Box box;
-  for (const Polyline& piece : field.cut(1e-3)) {
+  for (const Polyline& piece : field.cut_locus(1e-3)) {
     sum += length(piece);
     for (const Point& p : piece) {
       EXPECT_NEAR(p.y(), 2, 1e-9);
@@ -553,14 +553,14 @@ TEST(GeodesicField, BehindASquarePillarTheCutIsStraight) {
 
 TEST(GeodesicField, WithoutHolesNothingIsCut) {
   for_each_scene(40, {2}, [](const Scene& scene, Rng& rng) {
-    EXPECT_TRUE(GeodesicField(scene.region, scene.anywhere(rng), {}, 1e-9).cut(0.1).empty());
+    EXPECT_TRUE(GeodesicField(scene.region, scene.anywhere(rng), {}, 1e-9).cut_locus(0.1).empty());
   });
 }
 
 TEST(GeodesicField, CutCurvesKeepTheChord) {
   for_each_scene(10, {0, 3}, [](const Scene& scene, Rng& rng) {
     const GeodesicField field(scene.region, scene.open(rng), {}, 1e-9);
-    const auto fine = field.cut(1e-6), coarse = field.cut(1e-2);
+    const auto fine = field.cut_locus(1e-6), coarse = field.cut_locus(1e-2);
     ASSERT_EQ(fine.size(), coarse.size());
     for (std::size_t k = 0; k < fine.size(); ++k) {
       EXPECT_EQ(fine[k].front(), coarse[k].front());

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "geometry/edge_index.hpp"
 #include "base/random.hpp"
+#include "geometry/edge_index.hpp"
 #include "geometry/region.hpp"
 
 namespace oxturn {

@@ -13,7 +13,7 @@ namespace oxturn {
 namespace {
 
 const Point& corner(const Mesh& mesh, const Mesh::Triangle& t, int i) {
-  return mesh.points()[static_cast<std::size_t>(t.corner[static_cast<std::size_t>(i % 3)])];
+  return mesh.points()[static_cast<std::size_t>(t.vertex[static_cast<std::size_t>(i % 3)])];
 }
 
 double total_area(const Mesh& mesh) {
@@ -69,8 +69,8 @@ void check(const Region& region) {
       bool back = false;
       for (std::size_t j = 0; j < 3; ++j) {
         back =
-            back || (n.neighbour[j] == static_cast<std::int32_t>(k) && n.corner[(j + 1) % 3] == t.corner[(i + 2) % 3] &&
-                     n.corner[(j + 2) % 3] == t.corner[(i + 1) % 3]);
+            back || (n.neighbour[j] == static_cast<std::int32_t>(k) && n.vertex[(j + 1) % 3] == t.vertex[(i + 2) % 3] &&
+                     n.vertex[(j + 2) % 3] == t.vertex[(i + 1) % 3]);
       }
       EXPECT_TRUE(back);
     }
@@ -147,7 +147,7 @@ TEST(Mesh, IsTheSameEveryTime) {
   const Region region = clutter_box(rng, 10, 10, true);
   const Mesh a(region), b(region);
   ASSERT_EQ(a.triangles().size(), b.triangles().size());
-  for (std::size_t i = 0; i < a.triangles().size(); ++i) EXPECT_EQ(a.triangles()[i].corner, b.triangles()[i].corner);
+  for (std::size_t i = 0; i < a.triangles().size(); ++i) EXPECT_EQ(a.triangles()[i].vertex, b.triangles()[i].vertex);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ double gauge(const Ring& body, const Point& p, const Region& region) {
   return least;
 }
 
-/// The other way to say it: the region less, edge by edge, the hull of the reflected body at both ends.
+/// The same by definition: the region without, edge by edge, the hull of the reflected body at both ends.
 Region less_swept_edges(const Region& region, const Ring& body) {
   std::vector<Region> parts;
   for_each_ring(region, [&](const Ring& ring) {
@@ -81,7 +81,8 @@ TEST(Minkowski, ABoxAndAnOctagonByTheBook) {
   EXPECT_NEAR(area(in), 4 * 2, 1e-6);
   EXPECT_LE(area(in), 8);
   EXPECT_GE(area(erode(box_region({1, 1}, {6, 4}), octagon(1), Bound::outside)), 8);
-  // Round a square pillar of side 1 the octagon of width 1 keeps off their sum, whose area is that of both and twice the mixed one.
+  // Round a square pillar of side 1 the octagon of width 1 keeps off their sum, whose area is that of both and twice
+  // the mixed one.
   Region pillar = box_region({0, 0}, {10, 10});
   pillar.polygons[0].holes.push_back({{4, 4}, {4, 5}, {5, 5}, {5, 4}});
   const double own = signed_area(octagon(1)), sum = 1 + own + 4 * 0.5;  // square + octagon + 4 sides x half width
@@ -160,7 +161,7 @@ TEST(Minkowski, NarrowAndDegenerate) {
   EXPECT_THROW(erode(box_region({0, 0}, {1, 1}), Ring{{1, 1}, {2, 1}, {1, 2}}, Bound::inside), std::invalid_argument);
   EXPECT_THROW(erode(box_region({0, 0}, {1, 1}), Ring{{1, std::nan("")}, {-1, 1}, {0, -1}}, Bound::inside),
                std::invalid_argument);
-  // A hole smaller than the lattice resolves is still in the way.
+  // A hole smaller than the lattice resolves is still in the path.
   Region speck = box_region({0, 0}, {10, 10});
   speck.polygons[0].holes.push_back({{5, 5}, {5, 5 + 1e-13}, {5 + 1e-13, 5}});
   EXPECT_NEAR(area(erode(speck, octagon(1), Bound::inside)), 81 - signed_area(octagon(1)), 1e-5);

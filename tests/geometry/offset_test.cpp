@@ -105,7 +105,7 @@ TEST(Offset, BoundsAreCertainOnTracedMaps) {
   }
 }
 
-// Dents left by an earlier offset, undone at the same, a smaller and a larger radius.
+// Concave chains left by an earlier offset, undone at the same, a smaller and a larger radius.
 TEST(Offset, BoundsAreCertainOnArcs) {
   Rng rng(33);
   Region map = box_region({0, 0}, {4, 4});
@@ -159,8 +159,8 @@ TEST(Offset, BoundsAreCertainOnManySmallHalls) {
   }
 }
 
-/// The region and everything within r of its rim, as a union of its edges' rectangles and its corners' polygons, which
-/// lie inside of their discs or round them.
+/// The region and everything within r of its boundary, as a union of its edges' rectangles and its corners' polygons,
+/// which lie inside of their discs or round them.
 Region swept_boundary(const Region& region, double r, int corners, bool outside) {
   std::vector<Region> parts{region};
   for_each_ring(region, [&](const Ring& ring) {
@@ -177,7 +177,7 @@ Region swept_boundary(const Region& region, double r, int corners, bool outside)
   return unite(parts);
 }
 
-TEST(Offset, GrownAreasAgreeWithASweptRim) {
+TEST(Offset, GrownAreasAgreeWithASweptBoundary) {
   Rng rng(36);
   for (int round = 0; round < 20; ++round) {
     SCOPED_TRACE(round);
@@ -197,13 +197,13 @@ TEST(Offset, GrownAreasAgreeWithASweptRim) {
   }
 }
 
-TEST(Offset, DoesNotDependOnPlaceOrDirection) {
+TEST(Offset, DoesNotDependOnPositionOrDirection) {
   Rng rng(34);
   const Region map = samples::holed_star(rng, {0, 0}, 2);
   const double a = area(erode(map, 0.1, 1e-4, Bound::inside));
   EXPECT_NEAR(area(erode(transformed(map, 1.1, {300, -200}), 0.1, 1e-4, Bound::inside)), a, 1e-3);
   EXPECT_NEAR(area(erode(transformed(map, 0, {1e6, 1e6}), 0.1, 1e-4, Bound::inside)), a, 1e-6);
-  Region turned = map;  // rings that run the wrong way are read as meant
+  Region turned = map;  // rings of the wrong orientation are read as meant
   std::reverse(turned.polygons[0].outer.begin(), turned.polygons[0].outer.end());
   EXPECT_EQ(area(erode(turned, 0.1, 1e-4, Bound::inside)), a);
 }

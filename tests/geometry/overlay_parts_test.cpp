@@ -1,20 +1,20 @@
-// What overlays are made of, by brute force: sorting by spreading, close pairs, the edge below.
+// The parts of an overlay against brute force: spread_sort, close pairs, the edge below a point.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "geometry/overlay/close_pairs.hpp"
-#include "geometry/overlay/edge_below.hpp"
 #include "base/random.hpp"
 #include "base/spread_sort.hpp"
+#include "geometry/overlay/close_pairs.hpp"
+#include "geometry/overlay/edge_below.hpp"
 #include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
 
-TEST(SpreadSort, SortsEvenCrowdedAndEqualKeys) {
+TEST(SpreadSort, SortsEvenlySpreadClusteredAndEqualKeys) {
   for (const auto seed : seeds(60)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
@@ -35,12 +35,12 @@ TEST(SpreadSort, SortsEvenCrowdedAndEqualKeys) {
   }
 }
 
-std::vector<SegmentPart> stretches(Rng& rng) {
+std::vector<SegmentPart> random_segments(Rng& rng) {
   const int kind = rng.between(0, 4), n = rng.between(2, 1500);
   std::vector<SegmentPart> out;
   for (int k = 0; k < n; ++k) {
     double x = rng.between(0.0, 1e6), y = rng.between(0.0, 1e6), reach = 2e4;
-    if (kind == 1 && k > 9) x /= 1e3, y /= 1e3, reach /= 1e3;  // all in one corner
+    if (kind == 1 && k > 9) x /= 1e3, y /= 1e3, reach /= 1e3;  // almost all in one corner
     if (kind == 2) reach = rng.chance(0.02) ? 1e6 : 1e4;       // a few long ones
     if (kind == 3) y = std::floor(y / 1e5) * 1e5;              // on a few lines
     if (kind == 4) x = 5e5;
@@ -51,7 +51,7 @@ std::vector<SegmentPart> stretches(Rng& rng) {
   return out;
 }
 
-/// Segments nearer to each other than the slack, by a bound that is certain from below.
+/// Are the segments within `slack` of each other? Never false where they are.
 bool near(const SegmentPart& s, const SegmentPart& t, double slack) {
   const Point a(s.x0, s.y0), b(s.x1, s.y1), c(t.x0, t.y0), d(t.x1, t.y1);
   const auto side = [](const Point& p, const Point& q, const Point& r) { return cross(q - p, r - p); };
@@ -60,37 +60,37 @@ bool near(const SegmentPart& s, const SegmentPart& t, double slack) {
                    distance_to_segment(d, a, b)}) <= slack;
 }
 
-TEST(ClosePairs, NoneIsForgotten) {
+TEST(ClosePairs, NoPairWithinTheSlackIsMissing) {
   for (const auto seed : seeds(60)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
-    const std::vector<SegmentPart> all = stretches(rng);
-    std::vector<std::uint8_t> loud;
+    const std::vector<SegmentPart> all = random_segments(rng);
+    std::vector<std::uint8_t> active;
     const double share = rng.chance(0.3) ? 1 : rng.chance(0.5) ? 0.02 : 0.5;
-    for (std::size_t k = 0; k < all.size(); ++k) loud.push_back(rng.chance(share) ? 1 : 0);
+    for (std::size_t k = 0; k < all.size(); ++k) active.push_back(rng.chance(share) ? 1 : 0);
     std::set<std::pair<std::uint32_t, std::uint32_t>> found;
     for_close_pairs(
-        all.size(), [&](std::size_t k) { return all[k]; }, 1.0, loud,
+        all.size(), [&](std::size_t k) { return all[k]; }, 1.0, active,
         [&](std::uint32_t i, std::uint32_t j) {
           found.insert({std::min(i, j), std::max(i, j)});
         });
     std::size_t wanted = 0;
     for (std::uint32_t i = 0; i < all.size(); ++i)
       for (std::uint32_t j = i + 1; j < all.size(); ++j) {
-        if ((loud[i] == 0 && loud[j] == 0) || !near(all[i], all[j], 1.0)) continue;
+        if ((active[i] == 0 && active[j] == 0) || !near(all[i], all[j], 1.0)) continue;
         ++wanted;
         EXPECT_TRUE(found.count({i, j})) << i << " " << j;
       }
     EXPECT_LE(wanted, found.size());
-    for (const auto& [i, j] : found) EXPECT_TRUE(loud[i] != 0 || loud[j] != 0);
+    for (const auto& [i, j] : found) EXPECT_TRUE(active[i] != 0 || active[j] != 0);
   }
 }
 
-TEST(EdgeBelow, IsTheHighestOfThoseBelow) {
+TEST(EdgeBelow, IsTheHighestOfTheEdgesBelow) {
   for (const auto seed : seeds(200)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
-    // Edges that do not cross: one above the other, some of them long, each cut into pieces.
+    // Edges that do not cross: chains one above the other, with some long edges.
     std::vector<EdgeBelow::Edge> edges;
     const int lines = rng.between(1, 30);
     for (int l = 0; l < lines; ++l) {
@@ -108,7 +108,7 @@ TEST(EdgeBelow, IsTheHighestOfThoseBelow) {
       std::swap(shuffled[k - 1], shuffled[static_cast<std::size_t>(rng.between(0, static_cast<int>(k) - 1))]);
     const EdgeBelow below(shuffled);
     for (int q = 0; q < 100; ++q) {
-      const Site p{rng.between(-1100, 2000), rng.between(-100, 3100)};
+      const LatticePoint p{rng.between(-1100, 2000), rng.between(-100, 3100)};
       std::uint32_t best = EdgeBelow::kNone;
       double top = -1e9;
       bool on_edge = false;

@@ -1,7 +1,7 @@
 // Oracle for shortest paths: visibility graph over all corners, then Dijkstra. Shares nothing with the mesh.
 //
-// Where rings touch, free space about a corner falls into several sectors, and no way leads from one to another through
-// the corner. So a node is a sector of a corner.
+// Where rings touch, free space about a corner falls into several sectors, and no path leads from one to another
+// through the corner. So a node is a sector of a corner.
 #pragma once
 
 #include <algorithm>

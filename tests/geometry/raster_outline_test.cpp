@@ -2,10 +2,10 @@
 
 #include <set>
 
-#include "geometry/raster.hpp"
 #include "geometry/overlay/validity.hpp"
-#include "tests/geometry/samples.hpp"
+#include "geometry/raster.hpp"
 #include "geometry/trace.hpp"
+#include "tests/geometry/samples.hpp"
 
 namespace oxturn {
 namespace {

@@ -59,7 +59,7 @@ inline double distance_to_boundary(const Region& region, const Point& p) {
   return best;
 }
 
-/// Is p inside, by the sum of the angles under which it sees the edges? (Not near the rim.)
+/// Is p inside, by the sum of the angles under which it sees the edges? (Not near the boundary.)
 inline bool sees_all_round(const Region& region, const Point& p) {
   double sum = 0;
   for_each_ring(region, [&](const Ring& r) {

@@ -13,9 +13,9 @@
 #include "geometry/overlay/offset.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/raster.hpp"
+#include "paths_oracle.hpp"
 #include "random_region.hpp"
 #include "taut_paths.hpp"
-#include "paths_oracle.hpp"
 
 namespace oxturn {
 namespace {
@@ -55,7 +55,7 @@ Point any_end(Rng& rng, const PathsOracle& oracle, const Mesh& mesh, const Box& 
         break;
       case 3: {
         const Mesh::Triangle& t = mesh.triangles()[rng.below(mesh.triangles().size())];
-        const auto at = [&](std::size_t i) { return mesh.points()[static_cast<std::size_t>(t.corner[i % 3])]; };
+        const auto at = [&](std::size_t i) { return mesh.points()[static_cast<std::size_t>(t.vertex[i % 3])]; };
         const std::size_t i = rng.below(3);
         p = on(at(i), at(i + 1));
         break;
@@ -69,7 +69,8 @@ Point any_end(Rng& rng, const PathsOracle& oracle, const Mesh& mesh, const Box& 
   return oracle.corners().front();  // little free space
 }
 
-/// One way from each of `starts` places to six, against the oracle: as long, in the region, and none where there is none.
+/// Paths from each of `starts` points to six others, against the oracle: as long, in the region, none where there is
+/// none.
 void compare(const Region& region, Rng& rng, int starts) {
   if (region.empty()) return;
   const PathsOracle oracle(region);
@@ -182,20 +183,20 @@ TEST(ShortestPaths, AgreesWithAVisibilityGraphInPetalsThatTouchInOnePoint) {
   }
 }
 
-// Regression: without holes, a way from an inner edge of the mesh went round by that edge's end.
+// Regression: without holes, a path from an inner edge of the mesh went round by that edge's end.
 TEST(ShortestPaths, LeavesAnEdgeOfTheMeshOnBothSides) {
   const Region bend{{{{{0, 0}, {4, 0}, {4, 1.25}, {2, 1.5}, {1.5, 2}, {1.25, 4}, {0, 4}}, {}}}};
   const ShortestPaths paths(bend, 1e-9);
-  for (const Point b : {Point(3.5, 0.25), Point(0.25, 3.5)})
-    for (const Point a : {Point(1, 0.75), Point(0.75, 1)}) {
+  for (const Point& b : {Point(3.5, 0.25), Point(0.25, 3.5)})
+    for (const Point& a : {Point(1, 0.75), Point(0.75, 1)}) {
       EXPECT_EQ(paths.path(a, b), (Polyline{a, b}));
       EXPECT_EQ(paths.path(b, a), (Polyline{b, a}));
     }
 }
 
-// Regression: with both ends in line with an edge of the mesh, one on either side of it by rounding, the search took the
-// way for too long.
-TEST(ShortestPaths, TheStraightWayAlongAnEdgeOfTheMeshIsNotTooLong) {
+// Regression: with both ends in line with an edge of the mesh, one on either side of it by rounding, the search took
+// the path for too long.
+TEST(ShortestPaths, TheStraightPathAlongAnEdgeOfTheMeshIsNotTooLong) {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Rng rng(seed);
@@ -204,7 +205,7 @@ TEST(ShortestPaths, TheStraightWayAlongAnEdgeOfTheMeshIsNotTooLong) {
     const Mesh::Triangle& t = paths.mesh().triangles()[rng.below(paths.mesh().triangles().size())];
     const std::size_t i = rng.below(3);
     if (t.neighbour[i] == Mesh::kWall) continue;
-    const auto at = [&](std::size_t k) { return paths.mesh().points()[static_cast<std::size_t>(t.corner[k % 3])]; };
+    const auto at = [&](std::size_t k) { return paths.mesh().points()[static_cast<std::size_t>(t.vertex[k % 3])]; };
     const Point a = lerp(at(i + 1), at(i + 2), rng.unit()), b = lerp(at(i + 1), at(i + 2), rng.unit());
     double first = kInf;
     EXPECT_TRUE(paths.for_each_taut_path(a, b, distance(a, b) * (1 + 1e-9), 10000, [&](const Polyline& line) {
@@ -274,7 +275,7 @@ TEST(ShortestPaths, EndsALittleOutsideAreTakenAsOnTheBoundaryAndKept) {
   EXPECT_FALSE(paths.path({-0.002, 5}, b));
 }
 
-TEST(ShortestPaths, DoesNotDependOnPlaceTurnOrScale) {
+TEST(ShortestPaths, DoesNotDependOnPositionTurnOrScale) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Rng rng(seed);

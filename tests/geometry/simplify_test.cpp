@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "geometry/overlay/boolean.hpp"
-#include "geometry/raster.hpp"
 #include "geometry/overlay/validity.hpp"
+#include "geometry/raster.hpp"
 #include "tests/geometry/samples.hpp"
 
 namespace oxturn {

@@ -76,7 +76,7 @@ struct World {
   explicit World(Region r)
       : region(std::move(r)), index(region), mesh(region), space(region), box(bounding_box(region)) {}
 
-  Point place(Rng& rng) const {
+  Point random_point(Rng& rng) const {
     while (true) {
       const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
       if (index.contains(p)) return p;
@@ -89,7 +89,7 @@ struct World {
     const EdgeIndex::Edge& e = index.edges()[rng.below(index.edges().size())];
     const Point middle = lerp(e.a, e.b, 0.5);
     if (rng.chance(0.2) && index.contains(middle)) return middle;
-    return place(rng);
+    return random_point(rng);
   }
   /// Somewhere that can be driven to straight: mostly near, often at a corner, on a lattice, on a wall, or back.
   Point next(Rng& rng, const Point& at, const Point& earlier) const {
@@ -120,12 +120,12 @@ struct World {
 };
 
 /// Each part lies in free space and each bend turns about an obstacle at the right side.
-void expect_taut(const World& world, const TautTether& string) {
-  const Polyline line = string.line();
+void expect_taut(const World& world, const TautTether& tether) {
+  const Polyline line = tether.polyline();
   for (std::size_t i = 1; i < line.size(); ++i) {
     EXPECT_TRUE(world.index.contains(line[i - 1], line[i]))
         << fmt::format("({}, {}) to ({}, {})", line[i - 1].x(), line[i - 1].y(), line[i].x(), line[i].y());
-    if (i + 1 < line.size()) { EXPECT_EQ(orientation(line[i - 1], line[i], line[i + 1]), string.bends()[i - 1].side); }
+    if (i + 1 < line.size()) { EXPECT_EQ(orientation(line[i - 1], line[i], line[i + 1]), tether.bends()[i - 1].side); }
   }
 }
 
@@ -135,7 +135,7 @@ long moves_wanted() {
   return wanted != nullptr ? std::atol(wanted) : 50000;
 }
 
-TEST(TautTether, AgreesWithTheFunnelOverTheWholeWay) {
+TEST(TautTether, AgreesWithTheFunnelOverTheWholePath) {
   const long wanted = moves_wanted();
   long moves = 0, bends = 0, most = 0;
   for (std::uint64_t seed = 1; moves < wanted; ++seed) {
@@ -144,30 +144,30 @@ TEST(TautTether, AgreesWithTheFunnelOverTheWholeWay) {
     const World world(random_map(rng, kind));
     for (int walk = 0; walk < 4; ++walk) {
       const Point anchor = world.anchor(rng);
-      TautTether string(world.space, anchor);
+      TautTether tether(world.space, anchor);
       TautOracle oracle(world.mesh, anchor);
       Polyline driven{anchor};
       for (int i = rng.between(50, 150); i > 0; --i) {
         const Point to = world.next(rng, driven.back(), driven[rng.below(driven.size())]);
         const TautOracle before = oracle;
-        if (!oracle.drive(to)) {  // through a place where two fans of free space touch
+        if (!oracle.drive(to)) {  // through a point where two fans of free space touch
           ASSERT_GE(kind, 4);
           if (driven.size() == 1) break;
           oracle = before;
           continue;
         }
-        string.drive(to);
+        tether.drive(to);
         driven.push_back(to);
         const Polyline expected = oracle.line();
         ++moves;
-        bends += static_cast<long>(string.bends().size());
-        most = std::max(most, static_cast<long>(string.bends().size()));
-        if (string.bends() != TautOracle::bends(expected) || std::abs(string.length() - length(expected)) > 1e-9) {
-          std::string way;
-          for (const Point& p : driven) way += fmt::format("({:.17g}, {:.17g}) ", p.x(), p.y());
+        bends += static_cast<long>(tether.bends().size());
+        most = std::max(most, static_cast<long>(tether.bends().size()));
+        if (tether.bends() != TautOracle::bends(expected) || std::abs(tether.length() - length(expected)) > 1e-9) {
+          std::string path;
+          for (const Point& p : driven) path += fmt::format("({:.17g}, {:.17g}) ", p.x(), p.y());
           FAIL() << fmt::format("map kind {} seed {} walk {} after {} moves, {} m against {} m\n", kind, seed, walk,
-                                driven.size() - 1, string.length(), length(expected))
-                 << way << "\nstring " << testing::PrintToString(string.bends()) << "\noracle "
+                                driven.size() - 1, tether.length(), length(expected))
+                 << path << "\nstring " << testing::PrintToString(tether.bends()) << "\noracle "
                  << testing::PrintToString(TautOracle::bends(expected));
         }
       }
@@ -178,95 +178,95 @@ TEST(TautTether, AgreesWithTheFunnelOverTheWholeWay) {
   RecordProperty("bends_max", std::to_string(most));
 }
 
-/// Calls f(world, way, rng) for random walks on maps of all kinds; on those with touching rings only walks that the oracle
-/// can follow.
+/// Calls f(world, path, rng) for random walks on maps of all kinds; on those with touching rings only walks that the
+/// oracle can follow.
 template <class F>
 void for_random_paths(int maps, int moves, F f) {
   for (const std::uint64_t seed : seeds(static_cast<std::uint64_t>(maps))) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     Rng rng(1000 + seed);
     const World world(random_map(rng, static_cast<int>(seed % kKinds)));
-    Polyline way{world.anchor(rng)};
-    TautOracle oracle(world.mesh, way[0]);
+    Polyline path{world.anchor(rng)};
+    TautOracle oracle(world.mesh, path[0]);
     for (int i = 0; i < moves; ++i) {
-      const Point to = world.next(rng, way.back(), way[rng.below(way.size())]);
+      const Point to = world.next(rng, path.back(), path[rng.below(path.size())]);
       const TautOracle before = oracle;
       if (oracle.drive(to)) {
-        way.push_back(to);
+        path.push_back(to);
       } else {
         oracle = before;
       }
     }
-    f(world, way, rng);
+    f(world, path, rng);
     if (testing::Test::HasFailure()) return;
   }
 }
 
 TEST(TautTether, IsLocallyShortestAndNeverLongerThanTheWay) {
-  for_random_paths(35, 80, [](const World& world, const Polyline& way, Rng&) {
-    TautTether string(world.space, way[0]);
+  for_random_paths(35, 80, [](const World& world, const Polyline& path, Rng&) {
+    TautTether tether(world.space, path[0]);
     double driven = 0;
-    for (std::size_t i = 1; i < way.size(); ++i) {
-      string.drive(way[i]);
-      driven += distance(way[i - 1], way[i]);
-      expect_taut(world, string);
-      EXPECT_LE(string.length(), driven * (1 + 1e-12));
-      EXPECT_NEAR(string.length(), length(string.line()), 1e-9);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      tether.drive(path[i]);
+      driven += distance(path[i - 1], path[i]);
+      expect_taut(world, tether);
+      EXPECT_LE(tether.length(), driven * (1 + 1e-12));
+      EXPECT_NEAR(tether.length(), length(tether.polyline()), 1e-9);
     }
   });
 }
 
 TEST(TautTether, DrivingBackRestoresEveryState) {
-  for_random_paths(70, 80, [](const World& world, const Polyline& way, Rng&) {
-    TautTether string(world.space, way[0]);
-    std::vector<TautTether> states{string};
-    for (std::size_t i = 1; i < way.size(); ++i) {
-      string.drive(way[i]);
-      states.push_back(string);
+  for_random_paths(70, 80, [](const World& world, const Polyline& path, Rng&) {
+    TautTether tether(world.space, path[0]);
+    std::vector<TautTether> states{tether};
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      tether.drive(path[i]);
+      states.push_back(tether);
     }
-    for (std::size_t i = way.size(); i-- > 0;) {
-      string.drive(way[i]);
-      ASSERT_EQ(string.bends(), states[i].bends()) << "way point " << i;
-      ASSERT_EQ(string.length(), states[i].length());  // bit for bit
+    for (std::size_t i = path.size(); i-- > 0;) {
+      tether.drive(path[i]);
+      ASSERT_EQ(tether.bends(), states[i].bends()) << "vertex " << i;
+      ASSERT_EQ(tether.length(), states[i].length());  // bit for bit
     }
-    EXPECT_THAT(string.bends(), IsEmpty());
-    EXPECT_EQ(string.length(), 0);
+    EXPECT_THAT(tether.bends(), IsEmpty());
+    EXPECT_EQ(tether.length(), 0);
   });
 }
 
-TEST(TautTether, DependsOnTheClassOfTheWayOnly) {  // not on how finely the way is cut, nor on a loop driven and undone
-  for_random_paths(70, 60, [](const World& world, const Polyline& way, Rng& rng) {
-    TautTether string(world.space, way[0]), other(world.space, way[0]);
-    for (std::size_t i = 1; i < way.size(); ++i) {
-      string.drive(way[i]);
-      const Point middle = lerp(way[i - 1], way[i], 0.5);
-      if (world.index.contains(way[i - 1], middle) && world.index.contains(middle, way[i])) other.drive(middle);
-      other.drive(way[i]);
-      const Point aside = world.next(rng, way[i], way[i]);
+TEST(TautTether, DependsOnTheClassOfTheWayOnly) {  // not on how finely the path is cut, nor on a loop driven and undone
+  for_random_paths(70, 60, [](const World& world, const Polyline& path, Rng& rng) {
+    TautTether tether(world.space, path[0]), other(world.space, path[0]);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      tether.drive(path[i]);
+      const Point middle = lerp(path[i - 1], path[i], 0.5);
+      if (world.index.contains(path[i - 1], middle) && world.index.contains(middle, path[i])) other.drive(middle);
+      other.drive(path[i]);
+      const Point aside = world.next(rng, path[i], path[i]);
       other.drive(aside);
-      other.drive(way[i]);
-      ASSERT_EQ(string.bends(), other.bends());
-      ASSERT_EQ(string.length(), other.length());
+      other.drive(path[i]);
+      ASSERT_EQ(tether.bends(), other.bends());
+      ASSERT_EQ(tether.length(), other.length());
     }
   });
 }
 
 TEST(TautTether, SwingsCoverTheDriveWithoutGaps) {
-  for_random_paths(70, 60, [](const World& world, const Polyline& way, Rng&) {
-    TautTether string(world.space, way[0]);
-    for (std::size_t i = 1; i < way.size(); ++i) {
-      const TautTether before = string;
+  for_random_paths(70, 60, [](const World& world, const Polyline& path, Rng&) {
+    TautTether tether(world.space, path[0]);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const TautTether before = tether;
       std::vector<TautTether::Swing> swings;
-      string.drive(way[i], [&](const TautTether::Swing& s) { swings.push_back(s); });
-      if (way[i] == way[i - 1]) {
+      tether.drive(path[i], [&](const TautTether::Swing& s) { swings.push_back(s); });
+      if (path[i] == path[i - 1]) {
         EXPECT_THAT(swings, IsEmpty());
         continue;
       }
       ASSERT_FALSE(swings.empty());
-      EXPECT_EQ(swings.front().from, way[i - 1]);
-      EXPECT_EQ(swings.back().to, way[i]);
-      EXPECT_NEAR(swings.front().before + distance(swings.front().pivot, way[i - 1]), before.length(), 1e-9);
-      EXPECT_NEAR(swings.back().before + distance(swings.back().pivot, way[i]), string.length(), 1e-9);
+      EXPECT_EQ(swings.front().from, path[i - 1]);
+      EXPECT_EQ(swings.back().to, path[i]);
+      EXPECT_NEAR(swings.front().before + distance(swings.front().pivot, path[i - 1]), before.length(), 1e-9);
+      EXPECT_NEAR(swings.back().before + distance(swings.back().pivot, path[i]), tether.length(), 1e-9);
       double sum = 0;
       for (std::size_t k = 0; k < swings.size(); ++k) {
         const TautTether::Swing& s = swings[k];
@@ -285,14 +285,14 @@ TEST(TautTether, SwingsCoverTheDriveWithoutGaps) {
         EXPECT_EQ(part.bends().size(), s.bends);
         EXPECT_NEAR(part.length(), s.before + distance(s.pivot, part.robot()), 1e-12 * (1 + part.length()));
       }
-      EXPECT_NEAR(sum, distance(way[i - 1], way[i]), 1e-9);
+      EXPECT_NEAR(sum, distance(path[i - 1], path[i]), 1e-9);
     }
   });
 }
 
-/// The map and the way, moved by an exact map of the plane.
+/// The map and the path, moved by an exact map of the plane.
 template <class Move>
-void expect_same_moved(const Region& region, const Polyline& way, int sides, double scale, Move move) {
+void expect_same_moved(const Region& region, const Polyline& path, int sides, double scale, Move move) {
   Region moved = region;
   for (Polygon& p : moved.polygons) {
     const auto each = [&](Ring& r) {
@@ -303,14 +303,14 @@ void expect_same_moved(const Region& region, const Polyline& way, int sides, dou
     for (Ring& h : p.holes) each(h);
   }
   const TautSpace space(region), other_space(moved);
-  TautTether string(space, way[0]), other(other_space, move(way[0]));
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    string.drive(way[i]);
-    other.drive(move(way[i]));
+  TautTether tether(space, path[0]), other(other_space, move(path[0]));
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    tether.drive(path[i]);
+    other.drive(move(path[i]));
     std::vector<Bend> expected;
-    for (const Bend& b : string.bends()) expected.push_back({move(b.at), sides * b.side});
-    ASSERT_EQ(other.bends(), expected) << "way point " << i;
-    ASSERT_NEAR(other.length(), scale * string.length(), 1e-9 * scale);
+    for (const Bend& b : tether.bends()) expected.push_back({move(b.at), sides * b.side});
+    ASSERT_EQ(other.bends(), expected) << "vertex " << i;
+    ASSERT_NEAR(other.length(), scale * tether.length(), 1e-9 * scale);
   }
 }
 
@@ -319,20 +319,20 @@ TEST(TautTether, ShiftTurnMirrorAndScaleChangeNothing) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     Rng rng(seed);
     const World world(seed % 2 == 0 ? clutter_box(rng, 6, 6, true) : rooms(rng, 6));
-    Polyline way{world.place(rng)};
+    Polyline path{world.random_point(rng)};
     const auto on_lattice = [](const Point& p) {
       return Point(std::round(64 * p.x()) / 64, std::round(64 * p.y()) / 64);
     };
-    do way[0] = on_lattice(world.place(rng));
-    while (!world.index.contains(way[0]));
-    while (way.size() < 60) {
-      const Point to = on_lattice(world.next(rng, way.back(), way[0]));
-      if (to != way.back() && world.index.contains(way.back(), to)) way.push_back(to);
+    do path[0] = on_lattice(world.random_point(rng));
+    while (!world.index.contains(path[0]));
+    while (path.size() < 60) {
+      const Point to = on_lattice(world.next(rng, path.back(), path[0]));
+      if (to != path.back() && world.index.contains(path.back(), to)) path.push_back(to);
     }
-    expect_same_moved(world.region, way, 1, 1, [](const Point& p) { return Point(p.x() + 4096, p.y() - 1000.5); });
-    expect_same_moved(world.region, way, 1, 1, [](const Point& p) { return Point(-p.y(), p.x()); });
-    expect_same_moved(world.region, way, -1, 1, [](const Point& p) { return Point(-p.x(), p.y()); });
-    expect_same_moved(world.region, way, 1, 1024, [](const Point& p) { return Point(1024 * p.x(), 1024 * p.y()); });
+    expect_same_moved(world.region, path, 1, 1, [](const Point& p) { return Point(p.x() + 4096, p.y() - 1000.5); });
+    expect_same_moved(world.region, path, 1, 1, [](const Point& p) { return Point(-p.y(), p.x()); });
+    expect_same_moved(world.region, path, -1, 1, [](const Point& p) { return Point(-p.x(), p.y()); });
+    expect_same_moved(world.region, path, 1, 1024, [](const Point& p) { return Point(1024 * p.x(), 1024 * p.y()); });
   }
 }
 
@@ -346,13 +346,13 @@ Region pillar() { return hall({block(2, 2, 3, 3)}); }
 
 TEST(TautTether, WindsTwiceRoundAPillarAndBack) {
   const TautSpace space(pillar());
-  TautTether string(space, {1, 1});
+  TautTether tether(space, {1, 1});
   const Polyline lap{{4, 1}, {4, 4}, {1, 4}, {1, 1}};
   std::vector<std::vector<Bend>> states{{}};
   for (int i = 0; i < 2; ++i)
     for (const Point& p : lap) {
-      string.drive(p);
-      states.push_back(string.bends());
+      tether.drive(p);
+      states.push_back(tether.bends());
     }
   const Bend a{kA, kLeft}, b{kB, kLeft}, c{kC, kLeft}, d{kD, kLeft};
   EXPECT_THAT(states[1], IsEmpty());
@@ -360,61 +360,61 @@ TEST(TautTether, WindsTwiceRoundAPillarAndBack) {
   EXPECT_THAT(states[3], ElementsAre(b, c));
   EXPECT_THAT(states[4], ElementsAre(b, c, d));
   EXPECT_THAT(states[8], ElementsAre(b, c, d, a, b, c, d));
-  EXPECT_NEAR(string.length(), 2 * std::sqrt(5) + 6, 1e-12);
+  EXPECT_NEAR(tether.length(), 2 * std::sqrt(5) + 6, 1e-12);
   for (int i = 7; i >= 0; --i) {
-    string.drive(i % 4 == 0 ? Point(1, 1) : lap[static_cast<std::size_t>(i % 4 - 1)]);
-    EXPECT_EQ(string.bends(), states[static_cast<std::size_t>(i)]);
+    tether.drive(i % 4 == 0 ? Point(1, 1) : lap[static_cast<std::size_t>(i % 4 - 1)]);
+    EXPECT_EQ(tether.bends(), states[static_cast<std::size_t>(i)]);
   }
-  EXPECT_EQ(string.length(), 0);
+  EXPECT_EQ(tether.length(), 0);
 }
 
 TEST(TautTether, RunsAlongAWallAndThroughItsCorners) {
   const TautSpace space(pillar());
-  TautTether string(space, {1, 1});
-  string.drive(kA);
-  EXPECT_THAT(string.bends(), IsEmpty());
-  string.drive(Point(2.5, 2));
-  string.drive(kB);
-  EXPECT_THAT(string.bends(), IsEmpty());
-  string.drive(Point(3, 2.5));
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}));
-  string.drive(Point(3, 4));  // through C, straight on
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}));
-  string.drive(Point(2, 4));
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}, Bend{kC, kLeft}));
-  string.drive(kC);
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}));
-  string.drive(Point(4, 2.625));
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}));
-  string.drive(Point(5, 3));  // in line with the anchor and B: no turn is left
-  EXPECT_THAT(string.bends(), IsEmpty());
-  EXPECT_NEAR(string.length(), std::sqrt(20), 1e-15);
+  TautTether tether(space, {1, 1});
+  tether.drive(kA);
+  EXPECT_THAT(tether.bends(), IsEmpty());
+  tether.drive(Point(2.5, 2));
+  tether.drive(kB);
+  EXPECT_THAT(tether.bends(), IsEmpty());
+  tether.drive(Point(3, 2.5));
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}));
+  tether.drive(Point(3, 4));  // through C, straight on
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}));
+  tether.drive(Point(2, 4));
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}, Bend{kC, kLeft}));
+  tether.drive(kC);
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}));
+  tether.drive(Point(4, 2.625));
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}));
+  tether.drive(Point(5, 3));  // in line with the anchor and B: no turn is left
+  EXPECT_THAT(tether.bends(), IsEmpty());
+  EXPECT_NEAR(tether.length(), std::sqrt(20), 1e-15);
 }
 
 TEST(TautTether, RunsStraightThroughACornerThatHoldsItLater) {
   const TautSpace space(pillar());
-  TautTether string(space, {2, 1});
-  string.drive(Point(3, 1));
-  string.drive(Point(3, 4));  // through B and C at once
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}));
-  string.drive(Point(2, 4));
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}, Bend{kC, kLeft}));
+  TautTether tether(space, {2, 1});
+  tether.drive(Point(3, 1));
+  tether.drive(Point(3, 4));  // through B and C at once
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}));
+  tether.drive(Point(2, 4));
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}, Bend{kC, kLeft}));
 }
 
 TEST(TautTether, PassesOverItsPivotAndItsAnchor) {
   const TautSpace space(pillar());
-  TautTether string(space, {1, 1});
-  string.drive(Point(1.5, 1));
-  string.drive(Point(0.5, 1));  // over the anchor
-  EXPECT_THAT(string.bends(), IsEmpty());
-  EXPECT_EQ(string.length(), 0.5);
-  string.drive(Point(4, 1));
-  string.drive(Point(4, 3));
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}));
+  TautTether tether(space, {1, 1});
+  tether.drive(Point(1.5, 1));
+  tether.drive(Point(0.5, 1));  // over the anchor
+  EXPECT_THAT(tether.bends(), IsEmpty());
+  EXPECT_EQ(tether.length(), 0.5);
+  tether.drive(Point(4, 1));
+  tether.drive(Point(4, 3));
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}));
   std::vector<TautTether::Swing> swings;
-  string.drive(Point(2, 1), [&](const TautTether::Swing& s) { swings.push_back(s); });  // over B
-  EXPECT_THAT(string.bends(), IsEmpty());
-  EXPECT_EQ(string.length(), 1);
+  tether.drive(Point(2, 1), [&](const TautTether::Swing& s) { swings.push_back(s); });  // over B
+  EXPECT_THAT(tether.bends(), IsEmpty());
+  EXPECT_EQ(tether.length(), 1);
   ASSERT_EQ(swings.size(), 2u);
   EXPECT_EQ(swings[0].pivot, kB);
   EXPECT_EQ(swings[0].to, kB);
@@ -423,68 +423,68 @@ TEST(TautTether, PassesOverItsPivotAndItsAnchor) {
 
 TEST(TautTether, DrivesBackAlongItselfToNothing) {
   const TautSpace space(pillar());
-  TautTether string(space, {2.5, 1});
-  for (const Point& p : Polyline{{4, 1}, {4, 4}, {1, 4}, {1, 1}, {4, 1}}) string.drive(p);
-  EXPECT_EQ(string.bends().size(), 4u);
-  Polyline back = string.line();
+  TautTether tether(space, {2.5, 1});
+  for (const Point& p : Polyline{{4, 1}, {4, 4}, {1, 4}, {1, 1}, {4, 1}}) tether.drive(p);
+  EXPECT_EQ(tether.bends().size(), 4u);
+  Polyline back = tether.polyline();
   while (back.size() > 1) {
     back.pop_back();
-    string.drive(lerp(string.robot(), back.back(), 0.5));
-    EXPECT_EQ(string.bends().size(), back.size() - 1);
-    string.drive(back.back());
-    EXPECT_EQ(string.bends().size(), back.size() > 1 ? back.size() - 2 : 0);
+    tether.drive(lerp(tether.robot(), back.back(), 0.5));
+    EXPECT_EQ(tether.bends().size(), back.size() - 1);
+    tether.drive(back.back());
+    EXPECT_EQ(tether.bends().size(), back.size() > 1 ? back.size() - 2 : 0);
   }
-  EXPECT_EQ(string.length(), 0);
-  EXPECT_THAT(string.line(), ElementsAre(Point(2.5, 1), Point(2.5, 1)));
+  EXPECT_EQ(tether.length(), 0);
+  EXPECT_THAT(tether.polyline(), ElementsAre(Point(2.5, 1), Point(2.5, 1)));
 }
 
 TEST(TautTether, OfCornersInLineOnlyTheFarthestIsABend) {
   const TautSpace space(hall({block(2, 2, 3, 3), block(4, 2, 5, 3)}));
   for (const Point& anchor : {Point(1, 2), Point(1.5, 2)}) {
-    TautTether string(space, anchor);
-    string.drive(Point(6, 2));  // along both
-    EXPECT_THAT(string.bends(), IsEmpty());
-    string.drive(Point(6, 4));
-    EXPECT_THAT(string.bends(), ElementsAre(Bend{{5, 2}, kLeft}));
-    string.drive(Point(6, 1));
-    EXPECT_THAT(string.bends(), IsEmpty());
-    string.drive(Point(3.5, 1));
-    string.drive(Point(3.5, 4));
-    EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}));
-    // From B into line with (4, 2) and (5, 2): a place where nothing turns.
-    string.drive(Point(3.5, 2));
-    EXPECT_THAT(string.bends(), IsEmpty());
+    TautTether tether(space, anchor);
+    tether.drive(Point(6, 2));  // along both
+    EXPECT_THAT(tether.bends(), IsEmpty());
+    tether.drive(Point(6, 4));
+    EXPECT_THAT(tether.bends(), ElementsAre(Bend{{5, 2}, kLeft}));
+    tether.drive(Point(6, 1));
+    EXPECT_THAT(tether.bends(), IsEmpty());
+    tether.drive(Point(3.5, 1));
+    tether.drive(Point(3.5, 4));
+    EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}));
+    // From B into line with (4, 2) and (5, 2): a point where nothing turns.
+    tether.drive(Point(3.5, 2));
+    EXPECT_THAT(tether.bends(), IsEmpty());
   }
 }
 
 TEST(TautTether, AnObstacleAtItsOtherSideDoesNotHoldIt) {
   const TautSpace space(hall({block(2, 2, 3, 3), block(4, 1, 5, 2)}));  // above the line y = 2, and below it
-  TautTether string(space, {1, 2});
-  string.drive(Point(6, 2));
-  EXPECT_THAT(string.bends(), IsEmpty());
-  string.drive(Point(6, 3));
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}));
-  string.drive(Point(6, 1));
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{{5, 2}, kRight}));
-  string.drive(Point(6, 2));
-  EXPECT_THAT(string.bends(), IsEmpty());
-  EXPECT_EQ(string.length(), 5);
+  TautTether tether(space, {1, 2});
+  tether.drive(Point(6, 2));
+  EXPECT_THAT(tether.bends(), IsEmpty());
+  tether.drive(Point(6, 3));
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}));
+  tether.drive(Point(6, 1));
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{{5, 2}, kRight}));
+  tether.drive(Point(6, 2));
+  EXPECT_THAT(tether.bends(), IsEmpty());
+  EXPECT_EQ(tether.length(), 5);
 }
 
 TEST(TautTether, GainsAndReleasesSeveralInOneDrive) {
   const TautSpace space(hall({block(2, 2, 3, 3), block(4, 3, 5, 4)}));
-  TautTether string(space, {1, 1.5});
+  TautTether tether(space, {1, 1.5});
   std::vector<std::size_t> bends;
   const auto count = [&](const TautTether::Swing& s) { bends.push_back(s.bends); };
-  string.drive(Point(7, 1));
-  string.drive(Point(7, 4.9), count);
+  tether.drive(Point(7, 1));
+  tether.drive(Point(7, 4.9), count);
   EXPECT_THAT(bends, ElementsAre(0u, 1u, 2u));
-  string.drive(Point(1, 3.5));
-  EXPECT_THAT(string.bends(),
+  tether.drive(Point(1, 3.5));
+  EXPECT_THAT(tether.bends(),
               ElementsAre(Bend{kB, kLeft}, Bend{{5, 3}, kLeft}, Bend{{5, 4}, kLeft}, Bend{{4, 4}, kLeft}));
-  string.drive(Point(7, 4.9));
+  tether.drive(Point(7, 4.9));
   bends.clear();
-  string.drive(Point(7, 1), count);
+  tether.drive(Point(7, 1), count);
   EXPECT_THAT(bends, ElementsAre(2u, 1u, 0u));
 }
 
@@ -514,55 +514,55 @@ TEST(TautTether, AnchorOnAWallOrAtACorner) {
 TEST(TautTether, TouchingRingsHoldItAsOne) {
   // Two blocks that share the corner (3, 3), and one that touches the border.
   const TautSpace space(hall({block(2, 2, 3, 3), block(3, 3, 4, 4), {{6, 0}, {5, 1}, {6, 2}, {7, 1}}}));
-  TautTether string(space, {1, 1});
-  string.drive(Polyline{{3.5, 1}, {3.5, 2.9}});
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}));
-  string.drive(kC);  // the shared corner, from below
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}));
-  string.drive(Polyline{{4, 3}, {4.5, 4.5}, {2.5, 4.5}});
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}, Bend{{4, 3}, kLeft}, Bend{{4, 4}, kLeft}));
-  string.drive(kC);  // the same place from above: it is not the same
-  EXPECT_THAT(string.bends(),
+  TautTether tether(space, {1, 1});
+  tether.drive(Polyline{{3.5, 1}, {3.5, 2.9}});
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}));
+  tether.drive(kC);  // the shared corner, from below
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}));
+  tether.drive(Polyline{{4, 3}, {4.5, 4.5}, {2.5, 4.5}});
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}, Bend{{4, 3}, kLeft}, Bend{{4, 4}, kLeft}));
+  tether.drive(kC);  // the same point from above, but another bend
+  EXPECT_THAT(tether.bends(),
               ElementsAre(Bend{kB, kLeft}, Bend{{4, 3}, kLeft}, Bend{{4, 4}, kLeft}, Bend{{3, 4}, kLeft}));
-  string.drive(Polyline{{2.5, 4.5}, {1, 4}, {1, 1}});
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}, Bend{{4, 3}, kLeft}, Bend{{4, 4}, kLeft},
+  tether.drive(Polyline{{2.5, 4.5}, {1, 4}, {1, 1}});
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}, Bend{{4, 3}, kLeft}, Bend{{4, 4}, kLeft},
                                           Bend{{3, 4}, kLeft}, Bend{kD, kLeft}));
 }
 
 TEST(TautTether, ZeroLengthDriveChangesNothing) {
   const TautSpace space(pillar());
-  TautTether string(space, {1, 1});
+  TautTether tether(space, {1, 1});
   int calls = 0;
-  string.drive(Point(1, 1), [&](const TautTether::Swing&) { ++calls; });
+  tether.drive(Point(1, 1), [&](const TautTether::Swing&) { ++calls; });
   EXPECT_EQ(calls, 0);
-  EXPECT_EQ(string.length(), 0);
-  string.drive(Polyline{{4, 1}, {4, 4}, {4, 4}});
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}));
+  EXPECT_EQ(tether.length(), 0);
+  tether.drive(Polyline{{4, 1}, {4, 4}, {4, 4}});
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}));
 }
 
-TEST(TautTether, ACopyGoesItsOwnWay) {
+TEST(TautTether, ACopyIsIndependent) {
   const TautSpace space(pillar());
-  TautTether string(space, {1, 1});
-  string.drive(Polyline{{4, 1}, {4, 4}});
-  TautTether copy = string;
+  TautTether tether(space, {1, 1});
+  tether.drive(Polyline{{4, 1}, {4, 4}});
+  TautTether copy = tether;
   copy.drive(Point(1, 4));
   EXPECT_EQ(copy.bends().size(), 2u);
-  EXPECT_THAT(string.bends(), ElementsAre(Bend{kB, kLeft}));
-  string = copy;
-  EXPECT_EQ(string.bends().size(), 2u);
+  EXPECT_THAT(tether.bends(), ElementsAre(Bend{kB, kLeft}));
+  tether = copy;
+  EXPECT_EQ(tether.bends().size(), 2u);
 }
 
 TEST(TautTether, WithoutObstaclesItIsAStraightLine) {
   const TautSpace nothing(Region{}), hall_only(box_region({0, 0}, {2, 1}));
   for (const TautSpace* space : {&nothing, &hall_only}) {
-    TautTether string(*space, {0, 0});
-    string.drive(Polyline{{2, 0}, {2, 1}, {0, 1}});
-    EXPECT_THAT(string.line(), ElementsAre(Point(0, 0), Point(0, 1)));
+    TautTether tether(*space, {0, 0});
+    tether.drive(Polyline{{2, 0}, {2, 1}, {0, 1}});
+    EXPECT_THAT(tether.polyline(), ElementsAre(Point(0, 0), Point(0, 1)));
   }
 }
 
-/// Way points beside walls and corners, `off` metres outside (or, below 0, inside) of them.
-TEST(TautTether, ForgivesWayPointsALittleInsideOfWalls) {
+/// Points beside walls and corners, `off` metres outside (or, below 0, inside) of them.
+TEST(TautTether, ToleratesPointsALittleInsideWalls) {
   for (const std::uint64_t seed : seeds(60)) {
     Rng rng(seed);
     const Ring hole = convex_ring(rng, {4, 2.5}, rng.between(0.5, 1.5), rng.between(3, 9));
@@ -598,20 +598,20 @@ TEST(TautTether, ForgivesWayPointsALittleInsideOfWalls) {
 }
 
 TEST(TautTether, ForgivesTheRoundingOfATurnedMap) {  // walls are followed and corners met only but for rounding
-  for_random_paths(140, 80, [](const World& world, const Polyline& way, Rng& rng) {
+  for_random_paths(140, 80, [](const World& world, const Polyline& path, Rng& rng) {
     const double angle = rng.between(0.1, 6.0);
     const Point shift(rng.between(-50.0, 50.0), rng.between(-50.0, 50.0)), noise(1e-7 * rng.unit(), 1e-7 * rng.unit());
     const TautSpace turned(transformed(world.region, angle, shift));
     const auto move = [&](const Point& p) {
       return transformed({{{{p}, {}}}}, angle, shift).polygons[0].outer[0];  // corners meet corners
     };
-    TautTether string(world.space, way[0]), other(turned, move(way[0])), noisy(turned, move(way[0]) + noise);
-    for (std::size_t i = 1; i < way.size(); ++i) {
-      string.drive(way[i]);
-      other.drive(move(way[i]));
-      noisy.drive(move(way[i]) + noise * rng.between(-1.0, 1.0));
-      ASSERT_NEAR(other.length(), string.length(), 1e-9) << "way point " << i;
-      ASSERT_NEAR(noisy.length(), string.length(), 1e-5) << "way point " << i;
+    TautTether tether(world.space, path[0]), other(turned, move(path[0])), noisy(turned, move(path[0]) + noise);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      tether.drive(path[i]);
+      other.drive(move(path[i]));
+      noisy.drive(move(path[i]) + noise * rng.between(-1.0, 1.0));
+      ASSERT_NEAR(other.length(), tether.length(), 1e-9) << "vertex " << i;
+      ASSERT_NEAR(noisy.length(), tether.length(), 1e-5) << "vertex " << i;
     }
   });
 }
@@ -620,28 +620,28 @@ TEST(TautTether, EndsWhereverAWayLeadsThatNoRobotCanDrive) {  // through walls: 
   for (const std::uint64_t seed : seeds(30)) {
     Rng rng(seed);
     const World world(random_map(rng, static_cast<int>(seed % kKinds)));
-    TautTether string(world.space, world.place(rng));
+    TautTether tether(world.space, world.random_point(rng));
     for (int i = 0; i < 300; ++i) {
       const Point to(rng.between(world.box.low.x() - 1, world.box.high.x() + 1),
                      rng.between(world.box.low.y() - 1, world.box.high.y() + 1));
-      string.drive(rng.chance(0.3) ? world.mesh.points()[rng.below(world.mesh.points().size())] : to);
-      ASSERT_TRUE(std::isfinite(string.length()));
-      ASSERT_NEAR(string.length(), length(string.line()), 1e-9 * (1 + string.length()));
+      tether.drive(rng.chance(0.3) ? world.mesh.points()[rng.below(world.mesh.points().size())] : to);
+      ASSERT_TRUE(std::isfinite(tether.length()));
+      ASSERT_NEAR(tether.length(), length(tether.polyline()), 1e-9 * (1 + tether.length()));
     }
   }
 }
 
-TEST(TautTether, PlacesThatAreNotFiniteAreOneSentence) {
+TEST(TautTether, RefusesPointsThatAreNotFinite) {
   const TautSpace space(pillar());
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(
       [&] {
         TautTether(space, {nan, 1});
       },
-      ThrowsMessage<std::invalid_argument>(HasSubstr("anchor (nan, 1) of a taut string is not finite")));
-  TautTether string(space, {1, 1});
-  EXPECT_THAT([&] { string.drive(Point(1, std::numeric_limits<double>::infinity())); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr("way point (1, inf) of a taut string is not finite")));
+      ThrowsMessage<std::invalid_argument>(HasSubstr("anchor (nan, 1) of a taut tether is not finite")));
+  TautTether tether(space, {1, 1});
+  EXPECT_THAT([&] { tether.drive(Point(1, std::numeric_limits<double>::infinity())); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("path point (1, inf) of a taut tether is not finite")));
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "geometry/edge_index.hpp"
-#include "geometry/overlay/offset.hpp"
 #include "geometry/overlay/cut_along.hpp"
+#include "geometry/overlay/offset.hpp"
 #include "random_region.hpp"
 #include "taut_paths.hpp"
 #include "tests/support/seeds.hpp"
@@ -22,7 +22,7 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 /// The part of `space` within `longest` of the anchor... that holds `start`, cut open along the field's cut.
 Region cut_open(const Region& space, const GeodesicField& field, const Point& start) {
   constexpr double kWidth = 1e-4;
-  std::vector<Polyline> lines = field.cut(kWidth / 8);
+  std::vector<Polyline> lines = field.cut_locus(kWidth / 8);
   std::erase_if(lines, [](const Polyline& line) { return line.size() < 2 || length(line) <= 0; });
   for (Polyline& line : lines) {
     const Point first = line[0] - line[1], last = line[line.size() - 1] - line[line.size() - 2];
@@ -47,7 +47,7 @@ struct World {
   TetheredRobot robot;
 };
 
-/// What homotopy is told by: the crossings of a way with one ray a hole, straight up, with signs; neighbours that undo
+/// The homotopy class of a path: its signed crossings with one vertical ray for each hole; neighbours that undo
 /// each other are gone.
 using Word = std::vector<std::pair<std::size_t, int>>;
 
@@ -92,20 +92,20 @@ Point free_point(Rng& rng, const EdgeIndex& index, const Box& box) {
   }
 }
 
-void expect_within(const Region& space, const TetheredRobot& robot, const Polyline& way, double longest) {
+void expect_within(const Region& space, const TetheredRobot& robot, const Polyline& path, double longest) {
   const EdgeIndex walls(space);
-  TautTether string = robot.string();
-  ASSERT_EQ(way.front(), robot.at());
-  for (std::size_t k = 1; k < way.size(); ++k) {
-    EXPECT_TRUE(walls.contains(way[k - 1], way[k]) || walls.nearest(lerp(way[k - 1], way[k], 0.5), 1e-9));
+  TautTether tether = robot.tether();
+  ASSERT_EQ(path.front(), robot.at());
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    EXPECT_TRUE(walls.contains(path[k - 1], path[k]) || walls.nearest(lerp(path[k - 1], path[k], 0.5), 1e-9));
     for (int i = 1; i <= 16; ++i) {
-      string.drive(i == 16 ? way[k] : lerp(way[k - 1], way[k], i / 16.0));
-      EXPECT_LE(string.length(), longest + 2e-9);
+      tether.drive(i == 16 ? path[k] : lerp(path[k - 1], path[k], i / 16.0));
+      EXPECT_LE(tether.length(), longest + 2e-9);
     }
   }
 }
 
-TEST(TetheredPath, ShortestOfAllClassesThatTheLeashAllows) {
+TEST(TetheredPath, ShortestOfAllClassesThatTheTetherAllows) {
   std::size_t other_class = 0, geodesic = 0;
   for (const auto seed : seeds(120)) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -124,16 +124,16 @@ TEST(TetheredPath, ShortestOfAllClassesThatTheLeashAllows) {
     for (int k = 0; k < 6; ++k) {
       const Point goal = free_point(rng, index, box);
       SCOPED_TRACE(fmt::format("goal {} at ({}, {})", k, goal.x(), goal.y()));
-      const auto way = world.robot.path_to(goal, Retraction::automatic, 100000);
+      const auto path = world.robot.path_to(goal, Retraction::automatic, 100000);
       std::vector<std::pair<Word, double>> states;
       for (const Polyline& line : oracle.from(anchor, goal, longest)) states.push_back({words.of(line), length(line)});
-      ASSERT_EQ(way.has_value(), !states.empty());
-      if (!way) continue;
-      EXPECT_TRUE(way->shortest);
-      expect_within(free, world.robot, way->points, longest);
+      ASSERT_EQ(path.has_value(), !states.empty());
+      if (!path) continue;
+      EXPECT_TRUE(path->shortest);
+      expect_within(free, world.robot, path->points, longest);
       // The first class by length that ends in one of the goal's states.
       double best = kInf, best_end = 0, plain = kInf;
-      for (const Polyline& line : oracle.from(world.robot.at(), goal, length(way->points) * (1 + 1e-9))) {
+      for (const Polyline& line : oracle.from(world.robot.at(), goal, length(path->points) * (1 + 1e-9))) {
         plain = std::min(plain, length(line));
         for (const auto& [state, end] : states)
           if (state == words.of(line, word) && length(line) < best) {
@@ -141,20 +141,20 @@ TEST(TetheredPath, ShortestOfAllClassesThatTheLeashAllows) {
             best_end = end;
           }
       }
-      EXPECT_NEAR(length(way->points), best, 1e-9);
-      EXPECT_NEAR(way->tether_end, best_end, 1e-9);
+      EXPECT_NEAR(length(path->points), best, 1e-9);
+      EXPECT_NEAR(path->tether_end, best_end, 1e-9);
       other_class += best > plain;
-      geodesic += std::abs(way->tether_end - world.field.distance(goal)) < 1e-9;
-      word = words.of(way->points, word);
-      world.robot.drive(way->points);
-      EXPECT_NEAR(world.robot.string().length(), best_end, 1e-9);
+      geodesic += std::abs(path->tether_end - world.field.distance(goal)) < 1e-9;
+      word = words.of(path->points, word);
+      world.robot.drive(path->points);
+      EXPECT_NEAR(world.robot.tether().length(), best_end, 1e-9);
     }
   }
   EXPECT_GT(other_class, 50u);
   EXPECT_GT(geodesic, 300u);
 }
 
-TEST(TetheredPath, AnEndlessLeashLeavesThePlainShortestPath) {
+TEST(TetheredPath, AnEndlessTetherLeavesThePlainShortestPath) {
   for (const auto seed : seeds(40)) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     Rng rng(seed);
@@ -165,16 +165,16 @@ TEST(TetheredPath, AnEndlessLeashLeavesThePlainShortestPath) {
     World world(free, free, start, start, kInf);
     for (int k = 0; k < 10; ++k) {
       const Point goal = free_point(rng, index, bounding_box(free));
-      const auto way = world.robot.path_to(goal);
-      ASSERT_TRUE(way);
-      EXPECT_EQ(way->points, *paths.path(world.robot.at(), goal));
-      world.robot.drive(way->points);
+      const auto path = world.robot.path_to(goal);
+      ASSERT_TRUE(path);
+      EXPECT_EQ(path->points, *paths.path(world.robot.at(), goal));
+      world.robot.drive(path->points);
     }
   }
 }
 
-TEST(TetheredPath, ADiscNeverBreaksTheLeashAndStaysInItsSpace) {
-  std::size_t ways = 0, cheap = 0;
+TEST(TetheredPath, ADiscKeepsTheTetherLengthAndStaysInItsSpace) {
+  std::size_t paths = 0, cheap = 0;
   for (const auto seed : seeds(40)) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     Rng rng(seed);
@@ -189,38 +189,38 @@ TEST(TetheredPath, ADiscNeverBreaksTheLeashAndStaysInItsSpace) {
     World world(free, part, anchor, start, longest);
     for (int k = 0; k < 8; ++k) {
       const Point goal = free_point(rng, index, box);
-      const auto way = world.robot.path_to(goal, k % 3 == 2 ? Retraction::untangle : Retraction::automatic, 500);
-      EXPECT_EQ(way.has_value(), world.field.distance(goal) <= longest) << "goal " << k;
-      if (!way) continue;
-      EXPECT_EQ(way->points.back(), goal);
-      expect_within(part, world.robot, way->points, longest);
-      world.robot.drive(way->points);
-      EXPECT_EQ(way->tether_end, world.robot.string().length());
-      ++ways;
-      cheap += way->shortest;
+      const auto path = world.robot.path_to(goal, k % 3 == 2 ? Retraction::untangle : Retraction::automatic, 500);
+      EXPECT_EQ(path.has_value(), world.field.distance(goal) <= longest) << "goal " << k;
+      if (!path) continue;
+      EXPECT_EQ(path->points.back(), goal);
+      expect_within(part, world.robot, path->points, longest);
+      world.robot.drive(path->points);
+      EXPECT_EQ(path->tether_end, world.robot.tether().length());
+      ++paths;
+      cheap += path->shortest;
     }
   }
-  EXPECT_GT(ways, 150u);
+  EXPECT_GT(paths, 150u);
   EXPECT_GT(cheap, 100u);
 }
 
 /// A room 10 m square with a pillar 2 m square in its middle.
 Region pillar() { return {{{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{4, 4}, {4, 6}, {6, 6}, {6, 4}}}}}}; }
 
-TEST(TetheredPath, TheOtherWayRoundIfTheLeashIsTooShort) {
+TEST(TetheredPath, AroundTheOtherSideIfTheTetherIsTooShort) {
   const Point anchor(1, 5);
   World world(pillar(), pillar(), anchor, anchor, 9.5);
   world.robot.drive({{5, 2}, {8, 4.9}});  // below the pillar
-  EXPECT_NEAR(world.robot.string().length(), std::sqrt(10.0) + 2 + distance({6, 4}, {8, 4.9}), 1e-12);
-  // Up past the pillar's right side the string would be 9.66 m long.
+  EXPECT_NEAR(world.robot.tether().length(), std::sqrt(10.0) + 2 + distance({6, 4}, {8, 4.9}), 1e-12);
+  // Up past the pillar's right side the tether would be 9.66 m long.
   const Point goal(6, 8.5);
-  const auto way = world.robot.path_to(goal);
-  ASSERT_TRUE(way);
-  EXPECT_TRUE(way->shortest);
-  EXPECT_EQ(way->points, (Polyline{{8, 4.9}, {6, 4}, {4, 4}, {4, 6}, goal}));
-  EXPECT_NEAR(way->tether_end, distance(anchor, goal), 1e-12);
-  EXPECT_NEAR(way->tether_max, world.robot.string().length(), 1e-12);
-  // With a little more it is the short way.
+  const auto path = world.robot.path_to(goal);
+  ASSERT_TRUE(path);
+  EXPECT_TRUE(path->shortest);
+  EXPECT_EQ(path->points, (Polyline{{8, 4.9}, {6, 4}, {4, 4}, {4, 6}, goal}));
+  EXPECT_NEAR(path->tether_end, distance(anchor, goal), 1e-12);
+  EXPECT_NEAR(path->tether_max, world.robot.tether().length(), 1e-12);
+  // With a little more tether, the short path.
   World longer(pillar(), pillar(), anchor, anchor, 10.7);
   longer.robot.drive({{5, 2}, {8, 4.9}});
   EXPECT_EQ(longer.robot.path_to(goal)->points, (Polyline{{8, 4.9}, goal}));
@@ -232,14 +232,14 @@ TEST(TetheredPath, WoundTwiceItUnwindsAsFarAsItMust) {
   const Polyline lap{{5, 2}, {8, 5}, {5, 8}, {2, 5}};
   world.robot.drive(lap);
   world.robot.drive(lap);
-  EXPECT_NEAR(world.robot.string().length(), std::sqrt(10.0) + 14 + std::sqrt(5.0), 1e-9);
+  EXPECT_NEAR(world.robot.tether().length(), std::sqrt(10.0) + 14 + std::sqrt(5.0), 1e-9);
   EXPECT_EQ(world.robot.path_to({4, 2})->points, (Polyline{{2, 5}, {4, 2}}));
   world.robot.drive({{5, 2}, {8, 5}, {5, 8}});
-  EXPECT_NEAR(world.robot.string().length(), std::sqrt(10.0) + 20 + std::sqrt(5.0), 1e-9);
-  const auto way = world.robot.path_to({1.5, 3});
-  ASSERT_TRUE(way);
-  EXPECT_GT(way->tether_max, 24);
-  EXPECT_LE(way->tether_max, 30);
+  EXPECT_NEAR(world.robot.tether().length(), std::sqrt(10.0) + 20 + std::sqrt(5.0), 1e-9);
+  const auto path = world.robot.path_to({1.5, 3});
+  ASSERT_TRUE(path);
+  EXPECT_GT(path->tether_max, 24);
+  EXPECT_LE(path->tether_max, 30);
   World shorter(pillar(), pillar(), anchor, anchor, 27);
   shorter.robot.drive(lap);
   shorter.robot.drive(lap);
@@ -254,17 +254,17 @@ TEST(TetheredPath, UntangledIsBackUntilStraightInReach) {
   const Point anchor(1, 5), goal(6, 8.5);
   World world(pillar(), pillar(), anchor, anchor, 9.5);
   world.robot.drive({{5, 2}, {8, 4.9}});
-  const auto way = world.robot.path_to(goal, Retraction::untangle);
-  ASSERT_TRUE(way);
+  const auto path = world.robot.path_to(goal, Retraction::untangle);
+  ASSERT_TRUE(path);
   // Back along (8, 4.9), (6, 4), (4, 4), (1, 5): from the last stretch, where (4, 6) no longer hides the goal.
-  ASSERT_EQ(way->points.size(), 5u);
-  EXPECT_EQ(way->points[2], Point(4, 4));
+  ASSERT_EQ(path->points.size(), 5u);
+  EXPECT_EQ(path->points[2], Point(4, 4));
   const double slope = 2.5 / 2;  // the line from the goal through (4, 6)
-  const Point left = way->points[3];
+  const Point left = path->points[3];
   EXPECT_NEAR(6 + slope * (left.x() - 4), left.y(), 0.01);
   EXPECT_LT(distance_to_segment(left, {4, 4}, anchor), 1e-12);
-  EXPECT_EQ(way->points.back(), goal);
-  EXPECT_NEAR(way->tether_end, distance(anchor, goal), 1e-9);
+  EXPECT_EQ(path->points.back(), goal);
+  EXPECT_NEAR(path->tether_end, distance(anchor, goal), 1e-9);
   // In straight reach at once.
   World longer(pillar(), pillar(), anchor, anchor, 10.7);
   longer.robot.drive({{5, 2}, {8, 4.9}});

@@ -23,14 +23,14 @@ void expect_fixed(const Region& r) {
   }
 }
 
-TEST(FindFlaw, NamesReasonAndPlace) {
+TEST(FindFlaw, NamesReasonAndPoint) {
   const auto bow = find_flaw(polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}}));
   ASSERT_TRUE(bow);
   EXPECT_EQ(bow->reason, "edges cross");
-  EXPECT_LT(distance(bow->place, {1, 1}), 1e-12);
+  EXPECT_LT(distance(bow->point, {1, 1}), 1e-12);
   EXPECT_EQ(find_flaw(polygon({{0, 0}, {1, std::nan("")}, {2, 0}}))->reason, "coordinate is not a finite number");
-  EXPECT_EQ(find_flaw(polygon({{0, 0}, {1, 1}, {0, 0}, {1, 1}}))->reason, "ring has fewer than 3 different corners");
-  EXPECT_EQ(find_flaw(polygon({}))->reason, "ring has fewer than 3 different corners");
+  EXPECT_EQ(find_flaw(polygon({{0, 0}, {1, 1}, {0, 0}, {1, 1}}))->reason, "ring has fewer than 3 different points");
+  EXPECT_EQ(find_flaw(polygon({}))->reason, "ring has fewer than 3 different points");
   EXPECT_EQ(find_flaw(polygon({{0, 0}, {1, 1}, {3, 3}, {2, 2}}))->reason, "ring has no area");
   EXPECT_EQ(find_flaw(polygon(square(0, 0, 4), {square(9, 9, 1)}))->reason, "hole lies outside its polygon");
   EXPECT_EQ(find_flaw(polygon(square(0, 0, 4), {square(4, 1, 1)}))->reason, "hole lies outside its polygon");
@@ -63,7 +63,7 @@ TEST(FindFlaw, FindsWhatAllPairsFind) {
       }
     const auto flaw = find_flaw(polygon(ring));
     EXPECT_EQ(flaw.has_value(), crosses);
-    if (flaw) { EXPECT_LT(samples::distance_to_boundary(polygon(ring), flaw->place), 1e-12); }
+    if (flaw) { EXPECT_LT(samples::distance_to_boundary(polygon(ring), flaw->point), 1e-12); }
     flawed += crosses ? 1 : 0;
   }
   EXPECT_GT(flawed, 50);
@@ -77,7 +77,7 @@ TEST(Repaired, SoundRegionsKeepEveryBit) {
 }
 
 TEST(Repaired, OrientsAndCleans) {
-  // wrong way round, doubled points, a spike, points in line
+  // wrong orientation, doubled points, a spike, points in line
   const Region r = repaired(
       polygon(reversed({{0, 0}, {0, 0}, {1, 0}, {2, 0}, {2, -5}, {2, 0}, {4, 0}, {4, 4}, {4, 4}, {0, 4}, {0, 2}}),
               {square(1, 1, 1)}));

@@ -108,7 +108,7 @@ TEST(Visibility, AnEmptyRoomIsItsOwnRing) {
 }
 
 TEST(Visibility, CornersInLineDoNotBlock) {
-  // Two teeth hang down to y = 2, where the eye looks along: all below, and the first bay above.
+  // Two teeth extend down to y = 2, where the eye looks along: all below, and the first bay above.
   const Region comb{
       {{{{0, 0}, {10, 0}, {10, 4}, {6, 4}, {6, 2}, {5, 2}, {5, 4}, {3, 4}, {3, 2}, {2, 2}, {2, 4}, {0, 4}}, {}}}};
   const Ring seen = Visibility(comb).from({0, 2});

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
+#include "base/files.hpp"
 #include "base/random.hpp"
+#include "base/sha256.hpp"
+#include "base/text.hpp"
 #include "maps/formats.hpp"
 #include "maps/map.hpp"
 #include "maps/robot.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/seeds.hpp"
-#include "base/files.hpp"
-#include "base/sha256.hpp"
-#include "base/text.hpp"
 
 namespace oxturn {
 namespace {
@@ -27,7 +27,7 @@ void spin(Ring& ring, Rng& rng) {
   std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(rng.below(ring.size())), ring.end());
 }
 
-TEST(Canonical, SameRegionWrittenOtherwiseHasTheSameBytes) {
+TEST(Canonical, TheSameRegionWrittenDifferentlyHasTheSameBytes) {
   const std::string bytes = canonical_bytes(sample());
   for (const auto seed : seeds(50)) {
     Rng rng(seed);
@@ -42,7 +42,7 @@ TEST(Canonical, SameRegionWrittenOtherwiseHasTheSameBytes) {
   }
 }
 
-TEST(Canonical, RingThatTouchesItselfInItsSmallestCorner) {
+TEST(Canonical, RingThatTouchesItselfInItsSmallestVertex) {
   const Ring bow{{0, 0}, {2, -1}, {2, 0}, {0, 0}, {2, 1}, {1, 2}};
   for (std::size_t k = 0; k < bow.size(); ++k) {
     Ring r = bow;
@@ -72,7 +72,7 @@ TEST(Canonical, MinusZeroIsZero) {
   EXPECT_EQ(canonical_bytes(r), canonical_bytes(sample()));
 }
 
-TEST(Canonical, NameAndSourceDoNotCount) {
+TEST(Canonical, NameAndSourceMakeNoDifference) {
   EXPECT_EQ(content_hash(Map{"a", sample(), "file", "x"}), content_hash(Map{"b", sample(), "rooms", "y"}));
 }
 
@@ -83,7 +83,7 @@ TEST(Sha256, PublishedVectors) {
   EXPECT_EQ(sha256(std::string(1000000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-TEST(Decimal, ShortestThatReadsBack) {
+TEST(Decimal, IsTheShortestThatReadsBackExactly) {
   EXPECT_EQ(to_decimal(0.1), "0.1");
   EXPECT_EQ(to_decimal(-0.0), "0");
   EXPECT_EQ(to_decimal(40), "40");
@@ -94,7 +94,7 @@ TEST(Decimal, ShortestThatReadsBack) {
   }
 }
 
-TEST(Files, WrittenWholeOrNotAtAll) {
+TEST(Files, AreWrittenCompletelyOrNotAtAll) {
   const TemporaryFolder folder;
   const std::string file = folder.file("a.txt");
   write_file(file, "one");
@@ -110,7 +110,7 @@ TEST(Files, WrittenWholeOrNotAtAll) {
   EXPECT_EQ(files, 1u) << "a temporary file was left";
 }
 
-TEST(Files, UnreadableOnesAreSentences) {
+TEST(Files, UnreadableFilesAreOneSentence) {
   const TemporaryFolder folder;
   EXPECT_EQ(complaint([&] { read_file(folder.file("x")); }), "no such file: '" + folder.file("x") + "'");
   EXPECT_THAT(complaint([&] { read_file(folder.path().string()); }), testing::HasSubstr("it is a folder"));

@@ -1,12 +1,12 @@
-// Robots that are no discs: what is a footprint, how files say it, and where such a robot fits.
+// Robots that are not discs: which footprints are valid, how files give them, and where such a robot fits.
 #include <gmock/gmock.h>
 
+#include "base/files.hpp"
 #include "maps/formats.hpp"
 #include "maps/locations.hpp"
+#include "maps/path_file.hpp"
 #include "maps/problem.hpp"
 #include "tests/support/files.hpp"
-#include "base/files.hpp"
-#include "maps/path_file.hpp"
 #include "tests/support/maps.hpp"
 
 namespace oxturn {
@@ -34,10 +34,11 @@ TEST(Footprint, NamedShapes) {
   EXPECT_DOUBLE_EQ(height(shaped(octagon)), 1);
   EXPECT_EQ(parse_footprint("square:0.5"), (Ring{{.25, -.25}, {.25, .25}, {-.25, .25}, {-.25, -.25}}));
   for (const char* bad : {"octagon", "octagon:", "octagon:-1", "octagon:0", "octagon:1m", "octagon:inf", "star:1", ""})
-    EXPECT_THAT(complaint([&] { parse_footprint(bad); }), HasSubstr("expected disc, square:WIDTH or octagon:WIDTH")) << bad;
+    EXPECT_THAT(complaint([&] { parse_footprint(bad); }), HasSubstr("expected disc, square:WIDTH or octagon:WIDTH"))
+        << bad;
 }
 
-TEST(Footprint, EachFlawIsASentence) {
+TEST(Footprint, EachFlawIsOneSentence) {
   EXPECT_EQ(flaw_of(shaped({{1, 0}, {0, 1}})), "robot 'r': footprint has 2 vertices, expected at least 3");
   EXPECT_THAT(flaw_of(shaped({{1, 0}, {0, std::nan("")}, {-1, -1}})), HasSubstr("vertex 2 is not finite"));
   EXPECT_THAT(flaw_of(shaped({{1, 0}, {-1, -1}, {0, 1}})), HasSubstr("runs clockwise"));
@@ -45,7 +46,7 @@ TEST(Footprint, EachFlawIsASentence) {
   EXPECT_THAT(flaw_of(shaped({{1, -1}, {1, 0}, {1, 1}, {-1, 1}, {-1, -1}})), HasSubstr("not convex at vertex 2"));
   EXPECT_THAT(flaw_of(shaped({{2, 0}, {3, 0}, {3, 1}})), HasSubstr("does not hold the robot's centre"));
   EXPECT_THAT(flaw_of(shaped({{0, 0}, {1, 0}, {0, 1}})), HasSubstr("does not hold the robot's centre"));
-  Ring star;  // five points, twice round
+  Ring star;  // five points, winding number 2
   for (int k = 0; k < 5; ++k) star.push_back(rotated({1, 0}, 4 * kPi * k / 5));
   EXPECT_THAT(flaw_of(shaped(star)), HasSubstr("more than once"));
   Robot leashed = shaped(parse_footprint("square:1"));
@@ -69,7 +70,7 @@ TEST(Footprint, ConfigurationSpaceAndTarget) {
   EXPECT_THAT(complaint([&] { Problem(hall(), p.robot(), Point(0.5, 4)); }), HasSubstr("too near a wall"));
 }
 
-TEST(Footprint, CountsForTheHash) {
+TEST(Footprint, ChangesTheHash) {
   const Point at(5, 4);
   Robot disc;
   disc.radius = 0.5;
@@ -80,13 +81,13 @@ TEST(Footprint, CountsForTheHash) {
   EXPECT_NE(square, octagon);
 }
 
-TEST(Footprint, ACornerStartHasSomethingToSpare) {
+TEST(Footprint, ACornerStartKeepsAMargin) {
   const Robot robot = shaped({{0.5, -0.25}, {0.5, 0.25}, {-1, 0.25}, {-1, -0.25}});
-  const StartAndAnchor places = resolve(hall(), robot, Location{"corner", {0, 0}}, {});
-  ASSERT_TRUE(places.start);
-  EXPECT_GE(places.start->x(), 1.004);
-  EXPECT_GE(places.start->y(), 0.254);
-  EXPECT_LT(places.start->norm(), 1.1);
+  const StartAndAnchor resolved = resolve(hall(), robot, Location{"corner", {0, 0}}, {});
+  ASSERT_TRUE(resolved.start);
+  EXPECT_GE(resolved.start->x(), 1.004);
+  EXPECT_GE(resolved.start->y(), 0.254);
+  EXPECT_LT(resolved.start->norm(), 1.1);
 }
 
 TEST(Footprint, GeoJsonThereAndBack) {
@@ -110,7 +111,8 @@ TEST(Footprint, GeoJsonThereAndBack) {
 
   EXPECT_THAT(complaint([&] { read(R"({"footprint":"octagon:1","radius":1})"); }),
               HasSubstr("a radius and a footprint, expected one of the two"));
-  EXPECT_THAT(complaint([&] { read(R"({"footprint":3})"); }), HasSubstr("'footprint' of robot 'disc' is 3, expected a text"));
+  EXPECT_THAT(complaint([&] { read(R"({"footprint":3})"); }),
+              HasSubstr("'footprint' of robot 'disc' is 3, expected a text"));
   EXPECT_THAT(complaint([&] { read(R"({"footprint":[]})"); }), HasSubstr("footprint is '', expected disc"));
   EXPECT_THAT(complaint([&] { read(R"({"footprint":[[1,0],[0,"x"],[0,0]]})"); }), HasSubstr("footprint, point 2"));
   EXPECT_THAT(complaint([&] { read(R"({"footprint":"star:1"})"); }), HasSubstr("footprint is 'star:1'"));

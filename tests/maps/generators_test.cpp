@@ -1,5 +1,4 @@
-// Every promise of every generator, by measures that the generators do not use themselves: validity, erosion by
-// Clipper, flood on a raster, hashes.
+// The guarantees of every generator, by measures that the generators do not use themselves: validity, erosion, hashes.
 #include "maps/generators.hpp"
 
 #include <fmt/format.h>
@@ -9,11 +8,11 @@
 #include <chrono>
 #include <set>
 
+#include "base/sha256.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/overlay/offset.hpp"
-#include "geometry/raster.hpp"
 #include "geometry/overlay/validity.hpp"
-#include "base/sha256.hpp"
+#include "geometry/raster.hpp"
 #include "tests/support/maps.hpp"
 
 namespace oxturn {
@@ -27,7 +26,7 @@ struct Case {
   bool random = true;  // different seeds, different maps
 };
 
-/// Small maps, two or three settings each; every third one off the axes.
+/// Small maps, two or three settings of each generator; every third one rotated.
 std::vector<Case> cases() {
   const auto size = [](double w, double h) { return Settings{{"width", w}, {"height", h}}; };
   const auto with = [](Settings s, const Settings& more) {
@@ -79,7 +78,7 @@ T setting(const Case& c, const std::string& name) {
   return std::get<T>(find_parameter("test", info.parameters, name).fallback);
 }
 
-std::string told(const Case& c, std::uint64_t seed) {
+std::string source_of(const Case& c, std::uint64_t seed) {
   std::string text = fmt::format("{} --seed {}", c.name, seed);
   for (const auto& [k, v] : c.settings) text += fmt::format(" --set {}={}", k, to_text(v));
   return text;
@@ -87,10 +86,10 @@ std::string told(const Case& c, std::uint64_t seed) {
 
 constexpr std::uint64_t kSeeds = 20;
 
-TEST(Generators, AreValidAndOfOnePiece) {
+TEST(Generators, AreValidAndConnected) {
   for (const Case& c : cases())
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-      SCOPED_TRACE(told(c, seed));
+      SCOPED_TRACE(source_of(c, seed));
       const Map map = oxturn::generate(c.name, c.settings, seed);
       const auto flaw = find_flaw(map.free);
       EXPECT_FALSE(flaw) << flaw->reason;
@@ -99,14 +98,14 @@ TEST(Generators, AreValidAndOfOnePiece) {
       for (const Ring& hole : map.free.polygons[0].holes) EXPECT_LT(signed_area(hole), 0);
       EXPECT_EQ(map.name, fmt::format("{}-{}", c.name, seed));
       EXPECT_EQ(map.family, c.name);
-      EXPECT_EQ(map.source, told(c, seed));
+      EXPECT_EQ(map.source, source_of(c, seed));
     }
 }
 
 TEST(Generators, KeepToTheirSize) {
   for (const Case& c : cases())
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-      SCOPED_TRACE(told(c, seed));
+      SCOPED_TRACE(source_of(c, seed));
       const Map map = oxturn::generate(c.name, c.settings, seed);
       const double w = setting<double>(c, "width"), h = setting<double>(c, "height");
       const double turn = -setting<double>(c, "rotation") * kPi / 180;
@@ -133,16 +132,16 @@ double largest_share(const Region& region) {
   return region.empty() ? 0 : most / area(region);
 }
 
-TEST(Generators, LetADiscOfThePromisedWidthThrough) {
+TEST(Generators, AreConnectedForADiscAsWideAsTheNarrowestPassage) {
   for (const Case& c : cases())
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-      SCOPED_TRACE(told(c, seed));
+      SCOPED_TRACE(source_of(c, seed));
       const Map map = oxturn::generate(c.name, c.settings, seed);
       const double robot = setting<double>(c, "robot"), passage = setting<double>(c, "passage");
       const Region for_robot = erode(map.free, robot, robot / 200, Bound::inside);
       EXPECT_GT(largest_share(for_robot), 0.999);
-      const Region for_promise = erode(map.free, 0.98 * passage * robot, robot / 200, Bound::inside);
-      EXPECT_GT(largest_share(for_promise), 0.999);
+      const Region for_passage = erode(map.free, 0.98 * passage * robot, robot / 200, Bound::inside);
+      EXPECT_GT(largest_share(for_passage), 0.999);
     }
 }
 
@@ -150,7 +149,7 @@ TEST(Generators, GiveTheSameBytesForTheSameSeed) {
   for (const Case& c : cases()) {
     std::set<std::string> hashes;
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-      SCOPED_TRACE(told(c, seed));
+      SCOPED_TRACE(source_of(c, seed));
       const std::string hash = content_hash(oxturn::generate(c.name, c.settings, seed));
       EXPECT_EQ(hash, content_hash(oxturn::generate(c.name, c.settings, seed)));
       hashes.insert(hash);
@@ -159,8 +158,8 @@ TEST(Generators, GiveTheSameBytesForTheSameSeed) {
   }
 }
 
-// No libm in the shape, so one hash holds for every compiler and preset. It proves determinism only: a deliberate
-// change of a generator changes it.
+// Generators do not use libm, so one hash is valid for every compiler and preset. It proves determinism only: a
+// deliberate change of a generator changes it.
 TEST(Generators, GiveTheSameBytesOnEveryMachine) {
   std::string all;
   for (const Case& c : cases())
@@ -168,7 +167,7 @@ TEST(Generators, GiveTheSameBytesOnEveryMachine) {
   EXPECT_EQ(sha256(all), "af78ca37d367b0c005de1c8e7edf8b486f60b4e6944f890a42ebfbef1639b635");
 }
 
-TEST(Generators, TurningChangesNothingButTheAngle) {
+TEST(Generators, RotationChangesNothingElse) {
   for (const GeneratorInfo& g : built_in_maps()) {
     SCOPED_TRACE(g.name);
     const Region straight = oxturn::generate(g.name, {}, 5).free,
@@ -184,8 +183,7 @@ TEST(Generators, TurningChangesNothingButTheAngle) {
 }
 
 TEST(Generators, ScaleWithTheRobot) {
-  // Twice the size for twice the robot, everything else by default: the same map twice as large, where every
-  // length is relative.
+  // Twice the size for a robot twice as large gives the same map twice as large, if every length is relative.
   for (const std::string name : {"polygon", "cave", "spiral"}) {
     Settings twice;
     const GeneratorInfo& g = built_in_maps().find(name);
@@ -198,7 +196,7 @@ TEST(Generators, ScaleWithTheRobot) {
   }
 }
 
-TEST(Generators, MakeImpassableMapsWhenAsked) {
+TEST(Generators, MakeImpassableMapsOnRequest) {
   // Doors of half a robot: valid, one polygon, but not for the robot.
   const Map map = oxturn::generate("rooms", {{"passage", 0.5}, {"door", 0.2}, {"wall", 0.1}}, 1);
   EXPECT_GT(erode(map.free, 0.2, 0.001, Bound::inside).polygons.size(), 3u);
@@ -210,14 +208,14 @@ TEST(Rectangle, IsARectangle) {
   EXPECT_DOUBLE_EQ(area(r), 12);
 }
 
-TEST(Polygon, HasTheCornersAskedFor) {
+TEST(Polygon, HasAsManyVerticesAsAskedFor) {
   for (const std::int64_t n : {3, 4, 17, 100}) {
     const Region r = oxturn::generate("polygon", {{"corners", n}}, 2).free;
     EXPECT_EQ(vertex_count(r), static_cast<std::size_t>(n));
   }
 }
 
-TEST(Polygon, IsStronglyNonConvexWhenAsked) {
+TEST(Polygon, IsStronglyNonConvexOnRequest) {
   // Isoperimetric quotient: 1 for a disc, 0.785 for a square.
   const Region r = oxturn::generate("polygon", {{"compactness", 0.0}, {"corners", std::int64_t{80}}}, 2).free;
   EXPECT_LT(4 * kPi * area(r) / (perimeter(r) * perimeter(r)), 0.12);
@@ -245,9 +243,8 @@ TEST(Maze, ReachesEveryCell) {
     for (int i = 0; i < 16; ++i) EXPECT_TRUE(index.contains(Point(i * pitch + 0.5, j * pitch + 0.5)));
 }
 
-TEST(Rooms, AllRoomsAreThere) {
-  // Doors narrower than the rooms are shut by opening the map with a disc wider than any door: one piece a room
-  // (corridors are off).
+TEST(Rooms, HasAllRooms) {
+  // Eroding the map by a disc wider than any door leaves one component per room (without corridors).
   for (const std::int64_t n : {1, 2, 7, 16}) {
     const Region r =
         oxturn::generate("rooms", {{"rooms", n}, {"corridors", false}, {"door", 0.6}, {"width", 20.0}}, 6).free;
@@ -263,7 +260,7 @@ TEST(Rooms, LoopsAddDoors) {
 
 TEST(Comb, HasItsTeeth) {
   const Region r = oxturn::generate("comb", {{"aisles", std::int64_t{6}}, {"jitter", 0.0}}, 0).free;
-  // 6 aisles and 5 walls: four corners a wall's end and aisle's end pair, less what falls together.
+  // The outer rectangle, and four vertices for each of the 5 walls between 6 aisles.
   EXPECT_EQ(vertex_count(r), 4u + 4u * 5u);
   EXPECT_NEAR(area(r), 20 * 1.2 + (20 - 5 * 0.6) * (12 - 1.2), 1e-3);
 }
@@ -272,20 +269,20 @@ TEST(Field, HasTheHolesOfThePublishedExample) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const Polygon p = oxturn::generate("field", {}, seed).free.polygons.at(0);
     EXPECT_EQ(p.holes.size(), 15u);
-    std::size_t corners = 0;
-    for (const Ring& hole : p.holes) corners += hole.size();
-    EXPECT_EQ(corners, 71u);
+    std::size_t vertices = 0;
+    for (const Ring& hole : p.holes) vertices += hole.size();
+    EXPECT_EQ(vertices, 71u);
   }
   const Polygon p = oxturn::generate("field", {{"ponds", std::int64_t{4}}, {"pond_corners", std::int64_t{30}}}, 1)
                         .free.polygons.at(0);
-  std::size_t corners = 0;
-  for (const Ring& hole : p.holes) corners += hole.size();
+  std::size_t vertices = 0;
+  for (const Ring& hole : p.holes) vertices += hole.size();
   EXPECT_EQ(p.holes.size(), 4u);
-  EXPECT_EQ(corners, 30u);
+  EXPECT_EQ(vertices, 30u);
 }
 
-// 400 m x 400 m and a tool of 0.4 m: 10^6 cells. The limit is loose (sanitizers); measured times are in
-// bench/micro/maps_bench.cpp.
+// 400 m x 400 m, 10^6 cells of a tool of 0.4 m. The limit is generous because of sanitizers; bench/micro/maps_bench.cpp
+// measures the times.
 TEST(Generators, MakeAMillionCellsInSeconds) {
   for (const GeneratorInfo& g : built_in_maps()) {
     SCOPED_TRACE(g.name);
@@ -302,7 +299,7 @@ TEST(Generators, MakeAMillionCellsInSeconds) {
   }
 }
 
-TEST(HyunWorld, HasFiveObstaclesThatTheRobotPasses) {
+TEST(HyunMap, HasFiveObstaclesThatTheRobotPasses) {
   const Region fixed = oxturn::generate("hyun", {}, 1).free;
   EXPECT_EQ(hole_count(fixed), 5u);
   EXPECT_EQ(bounding_box(fixed).size(), Point(50, 50));
@@ -311,7 +308,7 @@ TEST(HyunWorld, HasFiveObstaclesThatTheRobotPasses) {
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     const Map map = oxturn::generate("hyun", {{"jitter", 1.0}}, seed);
     hashes.insert(content_hash(map));
-    // All the way round each obstacle, and still five: nowhere narrower than the promise.
+    // Still five obstacles after erosion: nowhere narrower than the narrowest passage.
     const Region space = erode(map.free, 0.98 * 1.25 * 0.5, 0.001, Bound::inside);
     ASSERT_EQ(space.polygons.size(), 1u);
     EXPECT_EQ(hole_count(space), 5u);
@@ -320,7 +317,7 @@ TEST(HyunWorld, HasFiveObstaclesThatTheRobotPasses) {
   EXPECT_THROW(oxturn::generate("hyun", {{"robot", 3.0}}, 1), std::invalid_argument);
 }
 
-TEST(BergRectangle, HasItsObstacleWhereItIsAskedFor) {
+TEST(BergRectangle, HasItsObstacleWhereAskedFor) {
   const Settings sized{{"width", 10.0}, {"height", 8.0}, {"obstacle_width", 3.0}, {"obstacle_height", 2.0}};
   const auto obstacle = [&](double across, double up) {
     Settings all = sized;
@@ -340,13 +337,13 @@ TEST(BergRectangle, HasItsObstacleWhereItIsAskedFor) {
   EXPECT_NEAR(distance(obstacle(1, 1).high, {9.5, 7.5}), 0, 2e-3);
 }
 
-TEST(BergRooms, HasManyWaysRoundUnlessToldOtherwise) {
+TEST(BergRooms, HasManyLoopsUnlessToldOtherwise) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const auto holes = [&](double loops, std::int64_t doors) {
       return hole_count(
           oxturn::generate("berg-rooms", {{"loops", loops}, {"doors", doors}, {"branches", 0.0}}, seed).free);
     };
-    // 4 x 3 rooms have 17 walls between them, of which a tree takes 11; a hole for each further one that is open.
+    // 4 x 3 rooms have 17 walls between them, of which a tree opens 11. Each further open wall makes a hole.
     EXPECT_EQ(holes(0, 1), 0u);
     EXPECT_EQ(holes(1, 1), 6u);
     EXPECT_GT(holes(1, 2), 8u);
@@ -354,8 +351,7 @@ TEST(BergRooms, HasManyWaysRoundUnlessToldOtherwise) {
 }
 
 TEST(BergRooms, SmallRoomsAreDeadEnds) {
-  // Filling a dead end changes neither the ways round nor, one door narrower than what is left, the number of large
-  // rooms; but it is a room of its own to a disc wider than any door.
+  // Erosion by a disc wider than any door separates the rooms: 12 large ones, and the small ones besides.
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const auto made = [&](double branches) {
       return oxturn::generate("berg-rooms",
@@ -372,7 +368,7 @@ TEST(BergRooms, SmallRoomsAreDeadEnds) {
     const Region with = made(1), none = made(0);
     const auto rooms = [](const Region& r) { return erode(r, 0.39, 0.001, Bound::inside).polygons.size(); };
     EXPECT_EQ(rooms(none), 12u);
-    // Four in each of 12 rooms, of which each is at least as wide as a door.
+    // Up to four in each of the 12 rooms; those not much wider than a door vanish.
     EXPECT_GT(rooms(with), 12u + 24u);
     EXPECT_LT(area(with), area(none));
   }
@@ -413,8 +409,8 @@ TEST(Generators, RefuseInOneSentence) {
       {"comb", {{"corridor", 13.0}}, "corridor is 13 m"},
       {"spiral", {{"corridor", 11.0}}, "arms"},
       {"spiral", {{"arms", I{500}}}, "arms"},
-      {"spiral", {{"round", true}, {"corridor", 9.0}}, "quarter laps"},
-      {"polygon", {{"corners", I{50000}}}, "50000 corners do not fit"},
+      {"spiral", {{"round", true}, {"corridor", 9.0}}, "quarter rounds"},
+      {"polygon", {{"corners", I{50000}}}, "50000 vertices do not fit"},
       {"polygon", {{"robot", 9.0}}, "width"},
       {"field", {{"pond_corners", I{20}}}, "pond_corners is 20"},
       {"field", {{"ponds", I{5000}}}, "ponds fit"},
@@ -431,15 +427,15 @@ TEST(Generators, RefuseInOneSentence) {
       {"pillars", {{"width", 100000.0}, {"height", 100000.0}}, "larger spacing"},
   };
   for (const auto& [name, settings, words] : all) {
-    const std::string said = refusal(name, settings);
-    EXPECT_THAT(said, HasSubstr(words));
-    EXPECT_EQ(said.find('\n'), std::string::npos);
-    EXPECT_GT(said.size(), 25u);
+    const std::string message = refusal(name, settings);
+    EXPECT_THAT(message, HasSubstr(words));
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+    EXPECT_GT(message.size(), 25u);
   }
 }
 
-// Everything a description allows ends in a map or in a sentence: never in a crash, a hang or a broken map (which
-// generate() reports as a logic_error, failing here).
+// Every setting that a description allows gives a map or an error message, never a crash or an invalid map (for which
+// generate() throws std::logic_error, failing here).
 TEST(Generators, AnySettingIsAMapOrASentence) {
   Rng rng(99);
   int maps = 0, sentences = 0;
@@ -459,7 +455,7 @@ TEST(Generators, AnySettingIsAMapOrASentence) {
               static_cast<std::int64_t>(std::clamp(around * rng.between(0.3, 2.5), p.range.least, p.range.most));
         }
       }
-      SCOPED_TRACE(told({g.name, settings}, static_cast<std::uint64_t>(k)));
+      SCOPED_TRACE(source_of({g.name, settings}, static_cast<std::uint64_t>(k)));
       try {
         const Map map = oxturn::generate(g.name, settings, static_cast<std::uint64_t>(k));
         ++maps;

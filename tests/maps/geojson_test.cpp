@@ -2,14 +2,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/files.hpp"
 #include "base/random.hpp"
 #include "maps/formats.hpp"
+#include "maps/path_file.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/seeds.hpp"
-#include "base/files.hpp"
-#include "maps/path_file.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
@@ -19,7 +19,7 @@ using testing::StartsWith;
 
 std::string sample(const std::string& name) { return OXTURN_SOURCE_DIR "/tests/data/geojson/" + name; }
 
-/// The sentence for a file of this content, without the folder's name.
+/// The error message for a file with this content, without the folder's name.
 std::string why(const std::string& content) {
   const TemporaryFolder folder;
   write_file(folder.file("m.geojson"), content);
@@ -64,7 +64,7 @@ TEST(GeoJson, WholeProblem) {
   EXPECT_TRUE(m.remarks.empty());
 }
 
-TEST(GeoJson, GeometryInAllItsWrappings) {
+TEST(GeoJson, GeometryInEveryKindOfObject) {
   const auto size = [](const std::string& s) { return area(read(s).map.free); };
   EXPECT_DOUBLE_EQ(size(kSquare), 16);
   EXPECT_DOUBLE_EQ(size(feature(kSquare, "null")), 16);
@@ -75,18 +75,18 @@ TEST(GeoJson, GeometryInAllItsWrappings) {
       {"type":"Feature","properties":{"name":"yard"},"geometry":)" +
                          kSquare + "}]}");
   EXPECT_EQ(m.map.name, "yard");
-  EXPECT_THAT(m.remarks, testing::ElementsAre("1 features that are no polygons are not used"));
+  EXPECT_THAT(m.remarks, testing::ElementsAre("1 features that are not polygons are ignored"));
   EXPECT_EQ(read(kSquare).map.name, "m");
 }
 
-TEST(GeoJson, OrientationClosingAndAltitudeDoNotMatter) {
+TEST(GeoJson, OrientationClosingAndAltitudeMakeNoDifference) {
   const std::string hash = content_hash(read(kSquare).map);
   EXPECT_EQ(content_hash(read(R"({"type":"Polygon","coordinates":[[[0,0],[0,4],[4,4],[4,0]]]})").map), hash);
   EXPECT_EQ(content_hash(read(R"({"type":"Polygon","coordinates":[[[4,0,9],[4,4,9],[0,4,9],[0,0,9],[4,0,9]]]})").map),
             hash);
 }
 
-TEST(GeoJson, RepairsAreSaid) {
+TEST(GeoJson, RepairsAreRemarks) {
   // A point on an edge, and two holes side by side.
   const MapFile m = read(R"({"type":"Polygon","coordinates":[[[0,0],[5,0],[10,0],[10,10],[0,10]],
       [[2,2],[2,4],[4,4],[4,2]], [[4,2],[4,4],[6,4],[6,2]]]})");
@@ -94,10 +94,10 @@ TEST(GeoJson, RepairsAreSaid) {
   EXPECT_EQ(hole_count(m.map.free), 1u);
   ASSERT_EQ(m.remarks.size(), 2u);
   EXPECT_THAT(m.remarks[0], HasSubstr("2 holes became 1"));
-  EXPECT_THAT(m.remarks[1], HasSubstr("13 corners became 8"));
+  EXPECT_THAT(m.remarks[1], HasSubstr("13 vertices became 8"));
 }
 
-TEST(GeoJson, BadContentIsOneSentenceWithItsPlace) {
+TEST(GeoJson, BadContentIsOneSentenceThatNamesThePart) {
   EXPECT_THAT(why("{\n\"type\": \"Feature\",\n\"geometry\": nope}"), StartsWith("m.geojson:3: not JSON: "));
   EXPECT_THAT(why(""), StartsWith("m.geojson:1: not JSON: "));
   EXPECT_THAT(why(R"({"type":"Polygon","coordinates":[[[0,0],[4,NaN],[4,4]]]})"),
@@ -124,7 +124,7 @@ TEST(GeoJson, BadContentIsOneSentenceWithItsPlace) {
               StartsWith("m.geojson has 2 features"));
 }
 
-TEST(GeoJson, SelfCrossingPolygonIsNamedWithThePlace) {
+TEST(GeoJson, ASelfCrossingPolygonIsReportedWithThePoint) {
   const std::string text = complaint([] { read_map(sample("crossed.geojson")); });
   EXPECT_THAT(text, HasSubstr("crossed.geojson: edges cross at (1, 1)"));
 }
@@ -136,8 +136,10 @@ TEST(GeoJson, BadPropertiesAreNamed) {
       "m.geojson: unknown parameter 'toolwidth' of robot 'disc'; it has: name, radius, footprint, tool_width, speed, "
       "acceleration, turn_rate, min_turn_radius, tether_length, tether_reach, tether_sharp_angle, lidar_range, "
       "lidar_rays, lidar_noise");
-  EXPECT_EQ(with(R"({"robot":{"radius":"0.2"}})"), "m.geojson: parameter 'radius' of robot 'disc' is '0.2', expected a number from 0 to 1e+09");
-  EXPECT_EQ(with(R"({"robot":{"tool_width":0}})"), "m.geojson: parameter 'tool_width' of robot 'disc' is 0, expected a number above 0, at most 1e+09");
+  EXPECT_EQ(with(R"({"robot":{"radius":"0.2"}})"),
+            "m.geojson: parameter 'radius' of robot 'disc' is '0.2', expected a number from 0 to 1e+09");
+  EXPECT_EQ(with(R"({"robot":{"tool_width":0}})"),
+            "m.geojson: parameter 'tool_width' of robot 'disc' is 0, expected a number above 0, at most 1e+09");
   EXPECT_EQ(with(R"({"robot":{"tether":40}})"), "m.geojson: robot.tether is 40, expected an object with members");
   EXPECT_EQ(with(R"({"robot":{"tether":{}}})"), "m.geojson: robot.tether is {}, expected an object with members");
   EXPECT_EQ(with(R"({"robot":{"lidar":{"range":3,"rays":0.5}}})"),
@@ -145,7 +147,7 @@ TEST(GeoJson, BadPropertiesAreNamed) {
   EXPECT_EQ(with(R"({"robot":[1]})"), "m.geojson: robot is [1], expected an object with members");
   EXPECT_EQ(with(R"({"start":[1]})"), "m.geojson: start is [1], expected [x, y], two numbers in metres");
   EXPECT_EQ(with(R"({"start":"here"})"), "m.geojson: start is \"here\", expected [x, y], two numbers in metres");
-  EXPECT_EQ(with(R"({"name":7})"), "m.geojson: name is 7, expected a text");
+  EXPECT_EQ(with(R"({"name":7})"), "m.geojson: name is 7, expected a string");
   EXPECT_EQ(with("[]"), "m.geojson: properties is [], expected an object");
 }
 
@@ -195,7 +197,7 @@ TEST(GeoJson, ProblemReadsBackTheSame) {
   EXPECT_EQ(ring.front(), ring.back());
 }
 
-TEST(GeoJson, MapFileWithoutProblemSaysOnlyWhatItKnows) {
+TEST(GeoJson, MapFileWithoutAProblemHasOnlyItsOwnProperties) {
   MapFile m;
   m.map = {"two", {{{{{0, 0}, {1, 0}, {1, 1}}, {}}, {{{5, 5}, {6, 5}, {6, 6}}, {}}}}, "file", "x"};
   const auto json = nlohmann::json::parse(to_geojson(m));
@@ -217,7 +219,7 @@ Path random_path(std::uint64_t seed) {
   return path;
 }
 
-TEST(PathGeoJson, ReadsBackToTheLastBit) {
+TEST(PathGeoJson, ReadsBackExactly) {
   for (const auto seed : seeds(20)) {
     const Path path = random_path(seed);
     const Path again = path_from_geojson(to_geojson(path), "p");

@@ -1,4 +1,4 @@
-// Places by name, against scans of sampled points.
+// Locations by name, against scans of sampled points.
 #include "maps/locations.hpp"
 
 #include <fmt/format.h>
@@ -10,8 +10,8 @@
 #include "maps/problem.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/seeds.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 Location at(double x, double y) { return {"", {x, y}}; }
 
-TEST(StartAndAnchor, WordsAndCoordinates) {
+TEST(StartAndAnchor, NamesAndCoordinates) {
   EXPECT_EQ(parse_location(LocationKind::start, "corner").name, "corner");
   EXPECT_EQ(parse_location(LocationKind::anchor, "wall").name, "wall");
   EXPECT_EQ(parse_location(LocationKind::anchor, "-1.5,+2"), at(-1.5, 2));
@@ -33,42 +33,43 @@ TEST(StartAndAnchor, MistakesAreOneSentence) {
     EXPECT_EQ(
         complaint([&] { parse_location(LocationKind::start, text); }),
         fmt::format("start is '{}', expected X,Y: two finite numbers in metres, or one of: middle, corner", text));
-  EXPECT_THAT(complaint([] { parse_location(LocationKind::anchor, "middle"); }), HasSubstr("one of: start, wall, corner"));
+  EXPECT_THAT(complaint([] { parse_location(LocationKind::anchor, "middle"); }),
+              HasSubstr("one of: start, wall, corner"));
 }
 
-TEST(StartAndAnchor, NothingSaidIsNothing) {
+TEST(StartAndAnchor, NotGivenIsEmpty) {
   const Map map = generate("rooms", {}, 1);
-  const StartAndAnchor places = resolve(map, Robot{}, {}, {});
-  EXPECT_FALSE(places.start);
-  EXPECT_FALSE(places.anchor);
+  const StartAndAnchor resolved = resolve(map, Robot{}, {}, {});
+  EXPECT_FALSE(resolved.start);
+  EXPECT_FALSE(resolved.anchor);
   const StartAndAnchor given = resolve(map, Robot{}, at(1, 2), at(3, 4));
   EXPECT_EQ(given.start, Point(1, 2));
   EXPECT_EQ(given.anchor, Point(3, 4));
 }
 
-TEST(StartAndAnchor, WorkedOutOnPaper) {
+TEST(StartAndAnchor, ByHand) {
   const Map map{"drawn", drawn_region({"######", "#....#", "#....#", "#.##.#", "######"}), "drawn", ""};
-  const StartAndAnchor places = resolve(map, Robot{}, Location{"corner"}, Location{"wall"});
+  const StartAndAnchor resolved = resolve(map, Robot{}, Location{"corner"}, Location{"wall"});
   // Free space begins at (1, 1); the robot's radius is 0.2, a hundredth of its tool 0.004.
-  EXPECT_NEAR(distance(*places.start, {1.204, 1.204}), 0, 1e-3);
-  EXPECT_NEAR(distance(*places.start, *places.anchor), 0.204, 1e-3);
+  EXPECT_NEAR(distance(*resolved.start, {1.204, 1.204}), 0, 1e-3);
+  EXPECT_NEAR(distance(*resolved.start, *resolved.anchor), 0.204, 1e-3);
   EXPECT_EQ(resolve(map, Robot{}, at(2.6, 2.5), Location{"wall"}).anchor, Point(2.6, 2));
   EXPECT_EQ(resolve(map, Robot{}, at(2.6, 2.5), Location{"corner"}).anchor, Point(2, 2));
   EXPECT_EQ(resolve(map, Robot{}, at(2.6, 2.5), Location{"start"}).anchor, Point(2.6, 2.5));
   EXPECT_EQ(resolve(map, Robot{}, {}, Location{"start"}).start, default_start(map, Robot{}));
 }
 
-// The corner next door is nearer, but behind a wall.
-TEST(StartAndAnchor, ACornerThatCannotBeSeenIsNoAnchor) {
+// The corner in the next room is nearer, but behind a wall.
+TEST(StartAndAnchor, AnInvisibleCornerIsNoAnchor) {
   const Region region = drawn_region({"#######", "#.....#", "#.....#", "#.....#", "#.###.#", "#.#...#", "#######"}, 1);
   const Map map{"drawn", region, "drawn", ""};
   // The small room's upper left corner (3, 2) is 1.2 m from the start, those of the large room 1.5 m.
-  const StartAndAnchor places = resolve(map, Robot{}, at(3.5, 3.1), Location{"corner"});
-  EXPECT_TRUE(EdgeIndex(region).contains(*places.start, *places.anchor));
-  EXPECT_EQ(places.anchor, Point(2, 3));
+  const StartAndAnchor resolved = resolve(map, Robot{}, at(3.5, 3.1), Location{"corner"});
+  EXPECT_TRUE(EdgeIndex(region).contains(*resolved.start, *resolved.anchor));
+  EXPECT_EQ(resolved.anchor, Point(2, 3));
 }
 
-TEST(StartAndAnchor, AreWhereTheyPromise) {
+TEST(StartAndAnchor, AreWhereTheHeaderSays) {
   for (const std::string family : {"clutter", "cave", "rooms", "berg-rooms", "polygon"})
     for (const std::uint64_t seed : seeds(6)) {
       SCOPED_TRACE(fmt::format("{} --seed {}", family, seed));
@@ -76,14 +77,14 @@ TEST(StartAndAnchor, AreWhereTheyPromise) {
           generate(family, {{"width", 10.0}, {"height", 8.0}, {"rotation", 10.0 * static_cast<double>(seed)}}, seed);
       Robot robot;
       robot.tether = Tether{3};
-      const StartAndAnchor places = resolve(map, robot, Location{"corner"}, Location{"wall"});
+      const StartAndAnchor resolved = resolve(map, robot, Location{"corner"}, Location{"wall"});
       const EdgeIndex walls(map.free);
-      EXPECT_TRUE(walls.contains(*places.anchor));
+      EXPECT_TRUE(walls.contains(*resolved.anchor));
       Robot fat;
       fat.radius = 0.204;
-      const Problem loose(map, fat, places.start);
-      const Point &start = *places.start, &anchor = *places.anchor;
-      // Against samples: nothing of configuration space is lower, nothing of the walls nearer.
+      const Problem loose(map, fat, resolved.start);
+      const Point &start = *resolved.start, &anchor = *resolved.anchor;
+      // No sampled point of configuration space is farther to the lower left, no wall nearer.
       for_each_ring(loose.configuration_space(), [&](const Ring& ring) {
         for (const Point& p : ring) EXPECT_GE(p.x() + p.y(), start.x() + start.y());
       });

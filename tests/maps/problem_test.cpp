@@ -44,7 +44,7 @@ std::vector<std::string> random_rows(std::uint64_t seed, int n) {
   return rows;
 }
 
-/// Target against a closed form.
+/// The target's area against a closed form.
 void expect_target(const Problem& p, double truth) {
   EXPECT_LE(area(p.target()), truth * (1 + 1e-12));
   EXPECT_GE(area(p.target()) + p.target_excess(), truth * (1 - 1e-12));
@@ -52,7 +52,7 @@ void expect_target(const Problem& p, double truth) {
   EXPECT_GE(p.target_excess(), 0);
 }
 
-TEST(Problem, SquareByTheBook) {
+TEST(Problem, SquareByHand) {
   const Problem p(square(10), disc(0.5, 1), Point(5, 5));
   EXPECT_NEAR(area(p.configuration_space()), 81, 1e-4);
   expect_target(p, area(p.configuration_space()) + 36 * 0.5 + kPi * 0.25);  // Steiner's formula, 9 x 9 and r = 0.5
@@ -64,7 +64,7 @@ TEST(Problem, ToolWiderThanTheRobotStopsAtWalls) {
   EXPECT_GE(area(p.target()) + p.target_excess(), 100 - 1e-6);  // the corners lie 0.71 from (0.5, 0.5): reached
 }
 
-TEST(Problem, NarrowToolLeavesTheRim) {
+TEST(Problem, ANarrowToolLeavesTheBoundaryUncovered) {
   const Problem p(square(10), disc(0.5, 0.5), Point(5, 5));
   const Box box = bounding_box(p.configuration_space());
   const Point s = box.size();
@@ -77,7 +77,7 @@ TEST(Problem, RadiusZeroIsTheMapItself) {
   EXPECT_DOUBLE_EQ(area(p.target()), 100);
 }
 
-// A room of its own inside an obstacle is free space too, and a start there counts.
+// A room inside an obstacle is free space too, and a valid location for a start.
 TEST(Problem, RoomsInsideObstaclesStay) {
   const std::vector<std::string> rows{".....", ".###.", ".#S#.", ".###.", "....."};
   const Problem p = drawn(rows);
@@ -85,7 +85,7 @@ TEST(Problem, RoomsInsideObstaclesStay) {
   EXPECT_NEAR(area(p.configuration_space()), 0.36, 1e-6);
 }
 
-// Oracle: distance to all walls by brute force, connection by the start's part only.
+// Oracle: distance to all walls by brute force, and only the start's connected component.
 TEST(Problem, ConfigurationSpaceKeepsItsDistance) {
   for (const auto seed : seeds(12)) {
     SCOPED_TRACE(seed);
@@ -99,7 +99,7 @@ TEST(Problem, ConfigurationSpaceKeepsItsDistance) {
         EXPECT_GE(distance_to_walls(p.map().free, (ring[i] + ring[(i + 1) % ring.size()]) / 2), radius - 1e-9);
       }
     });
-    // Nothing that fits well is missing: from a point inside, a short step that stays clear of walls stays inside.
+    // Nothing is missing: from a point inside, a short step that keeps off walls stays inside.
     Rng rng(seed);
     const Box box = bounding_box(p.configuration_space());
     int inside = 0;
@@ -117,7 +117,7 @@ TEST(Problem, ConfigurationSpaceKeepsItsDistance) {
   }
 }
 
-// Oracle: a point is in the target if a disc of w/2 around it meets configuration space, and free.
+// Oracle: a point is in the target if it is free and a disc of radius w/2 about it meets configuration space.
 TEST(Problem, TargetIsWhatTheToolReaches) {
   for (const auto seed : seeds(8)) {
     SCOPED_TRACE(seed);
@@ -140,19 +140,19 @@ TEST(Problem, TargetIsWhatTheToolReaches) {
       }
     }
     EXPECT_GT(in, 100);
-    if (tool / 2 < 0.3) { EXPECT_GT(out, 10); }  // the wide tool may well reach every corner
+    if (tool / 2 < 0.3) { EXPECT_GT(out, 10); }  // the wide tool may reach every corner
   }
 }
 
 TEST(Problem, PassagesOpenAndCloseWhereTheHeaderSays) {
-  // Two rooms 4 x 4 joined by a slit of the given width, 1 long.
-  const auto rooms = [](double slit) {
-    const double low = 2 - slit / 2, high = 2 + slit / 2;
+  // Two rooms of 4 x 4, connected by a passage of the given width, 1 long.
+  const auto rooms = [](double passage) {
+    const double low = 2 - passage / 2, high = 2 + passage / 2;
     Region r;
     r.polygons.push_back(
         {{{0, 0}, {4, 0}, {4, low}, {5, low}, {5, 0}, {9, 0}, {9, 4}, {5, 4}, {5, high}, {4, high}, {4, 4}, {0, 4}},
          {}});
-    return Map{"slit", r, "test", ""};
+    return Map{"passage", r, "test", ""};
   };
   const double radius = 0.3, tool = 0.5, open = 2 * radius + tool / 500;
   const Problem through(rooms(open * 1.001), disc(radius, tool), Point(2, 2));
@@ -177,9 +177,9 @@ TEST(Problem, StartOnTheBoundaryCounts) {
   EXPECT_THROW(Problem(square(10), disc(0.5, 1), too_far), std::invalid_argument);
 }
 
-TEST(Problem, StartInAWallIsOneSentenceWithAPlaceThatWorks) {
+TEST(Problem, StartInAWallIsOneSentenceWithAPointThatFits) {
   const std::vector<std::string> rows{"#####", "#...#", "#.#.#", "#...#", "#####"};
-  const auto place_for = [&](Point start) -> Point {
+  const auto point_for = [&](Point start) -> Point {
     const std::string text = complaint([&] { drawn(rows, {.start = start}); });
     const std::size_t open = text.rfind('(');
     EXPECT_NE(open, std::string::npos) << text;
@@ -187,8 +187,9 @@ TEST(Problem, StartInAWallIsOneSentenceWithAPlaceThatWorks) {
     EXPECT_EQ(std::sscanf(text.c_str() + open, "(%lf, %lf)", &p.x(), &p.y()), 2) << text;
     return p;
   };
-  EXPECT_THAT(complaint([&] { drawn(rows, {.start = Point(2.5, 2.25)}); }),
-              HasSubstr("start (2.5, 2.25) is inside a wall of 'drawn'; nearest point where the robot fits: (2.5, 1.79"));
+  EXPECT_THAT(
+      complaint([&] { drawn(rows, {.start = Point(2.5, 2.25)}); }),
+      HasSubstr("start (2.5, 2.25) is inside a wall of 'drawn'; nearest point where the robot fits: (2.5, 1.79"));
   EXPECT_THAT(complaint([&] { drawn(rows, {.start = Point(1.1, 1.1)}); }),
               HasSubstr("start (1.1, 1.1) is too near a wall of 'drawn' for robot 'disc' (radius 0.2)"));
   Rng rng(3);
@@ -196,9 +197,9 @@ TEST(Problem, StartInAWallIsOneSentenceWithAPlaceThatWorks) {
     const Point start(rng.between(-3.0, 8.0), rng.between(-3.0, 8.0));
     const Problem middle = drawn(rows, {.start = Point(1.5, 1.5)});
     if (middle.walls().contains(start)) continue;
-    const Point place = place_for(start);
-    EXPECT_NO_THROW(drawn(rows, {.start = place}));
-    EXPECT_LE(distance(place, start), distance_to_walls(middle.configuration_space(), start) + 0.02);
+    const Point point = point_for(start);
+    EXPECT_NO_THROW(drawn(rows, {.start = point}));
+    EXPECT_LE(distance(point, start), distance_to_walls(middle.configuration_space(), start) + 0.02);
   }
 }
 
@@ -215,7 +216,8 @@ TEST(Problem, HostileInputIsOneSentence) {
   EXPECT_EQ(why({"void", {}, "test", ""}, disc(0.1, 0.2)), "map 'void' has no free space at all");
   EXPECT_EQ(why(square(1), disc(0.5, 1)),
             "robot 'disc' (radius 0.5) fits nowhere in map 'square'; its widest passage is too narrow");
-  EXPECT_EQ(why(square(1), disc(0.1, 0)), "parameter 'tool_width' of robot 'disc' is 0, expected a number above 0, at most 1e+09");
+  EXPECT_EQ(why(square(1), disc(0.1, 0)),
+            "parameter 'tool_width' of robot 'disc' is 0, expected a number above 0, at most 1e+09");
   EXPECT_EQ(why(square(4), disc(0.1, 1), Point(std::nan(""), 1)), "start (nan, 1) is not finite, expected metres");
   EXPECT_EQ(why(square(4), disc(0.1, 1), Point(1, 1), Point(1, INFINITY)),
             "anchor (1, inf) is not finite, expected metres");
@@ -223,7 +225,7 @@ TEST(Problem, HostileInputIsOneSentence) {
             "anchor (9, 1) is inside a wall of 'square', expected a point in free space");
 }
 
-TEST(Problem, DefaultStartIsInsideAndTheLargestRoomsOwn) {
+TEST(Problem, DefaultStartIsInsideTheLargestRoom) {
   const std::vector<std::string> rows{"#########", "#..#....#", "#..#....#", "####....#", "#########"};
   const Problem p = drawn(rows);
   EXPECT_GT(p.start().x(), 4);
@@ -254,7 +256,7 @@ TEST(Problem, RestrictedHasLessRoomAndTheSameTarget) {
               HasSubstr("does not hold the start (5, 5)"));
 }
 
-TEST(Problem, HashCountsWhatDeterminesThePlan) {
+TEST(Problem, HashDependsOnWhatDeterminesThePlan) {
   const auto hash = [](Map map, Robot robot, Point start) {
     return Problem(std::move(map), robot, start).content_hash();
   };

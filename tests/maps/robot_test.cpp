@@ -51,7 +51,7 @@ TEST(Robot, SettingsThereAndBack) {
   EXPECT_EQ(canonical_text(back), canonical_text(robot));
 }
 
-// Every parameter changes the robot, and what is written of it: a field that is described nowhere else cannot be lost.
+// Every parameter changes the robot and its written form, so no field can be lost.
 TEST(Robot, EveryParameterIsWrittenAndHashed) {
   for (const Parameter<Robot>& parameter : robot_parameters()) {
     const std::string& name = parameter.info.name;

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <map>
 
+#include "base/files.hpp"
 #include "base/random.hpp"
 #include "maps/formats.hpp"
 #include "tests/support/files.hpp"
-#include "tests/support/seeds.hpp"
-#include "base/files.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
@@ -20,12 +20,12 @@ using testing::HasSubstr;
 
 std::string sample(const std::string& name) { return OXTURN_SOURCE_DIR "/tests/data/ros/" + name; }
 
-/// A folder with map.yaml and its picture.
+/// A folder with map.yaml and its image.
 class RosFolder {
  public:
   std::map<std::string, std::string> keys{{"image", "map.pgm"}, {"resolution", "0.5"},       {"origin", "[0, 0, 0]"},
                                           {"negate", "0"},      {"occupied_thresh", "0.65"}, {"free_thresh", "0.196"}};
-  void picture(const std::string& bytes, const std::string& name = "map.pgm") { write_file(folder_.file(name), bytes); }
+  void image(const std::string& bytes, const std::string& name = "map.pgm") { write_file(folder_.file(name), bytes); }
   MapFile read(const Settings& options = {}) const {
     std::string yaml;
     for (const auto& [key, value] : keys) yaml += key + ": " + value + "\n";
@@ -51,7 +51,7 @@ std::string pgm(int columns, int rows, const std::vector<int>& values) {
   return bytes;
 }
 
-/// Free or not, cell by cell, read off a region by point location: shares nothing with the tracing.
+/// Free or not, cell by cell, by point location in the region: shares nothing with the tracing.
 std::vector<std::string> cells_of(const Region& free, const Point& origin, double cell, int columns, int rows) {
   std::vector<std::string> result;
   for (int row = 0; row < rows; ++row) {
@@ -75,18 +75,18 @@ TEST(Ros, SmallMapCellByCell) {
   EXPECT_THAT(m.remarks, ElementsAre("3 cells are unknown and count as wall"));
 }
 
-TEST(Ros, CornersAreWholePixelsFromTheOrigin) {
+TEST(Ros, VerticesAreWholePixelsFromTheOrigin) {
   const MapFile m = read_map(sample("small.yaml"));
   for_each_ring(m.map.free, [](const Ring& ring) {
     for (const Point& p : ring) {
       const double i = std::round((p.x() + 1.5) / 0.05), j = std::round((p.y() - 2.25) / 0.05);
-      EXPECT_EQ(p.x(), -1.5 + i * 0.05);  // to the last bit: one multiplication, one addition
+      EXPECT_EQ(p.x(), -1.5 + i * 0.05);  // exactly: one multiplication, one addition
       EXPECT_EQ(p.y(), 2.25 + j * 0.05);
     }
   });
 }
 
-TEST(Ros, UnknownIsFreeOnlyIfToldSo) {
+TEST(Ros, UnknownIsFreeOnlyByOption) {
   Settings options;
   options["unknown_free"] = true;
   const MapFile m = read_map(sample("small.yaml"), options);
@@ -94,7 +94,7 @@ TEST(Ros, UnknownIsFreeOnlyIfToldSo) {
   EXPECT_THAT(m.remarks, ElementsAre("3 cells are unknown and count as free"));
 }
 
-TEST(Ros, SpeckleIsDroppedUpToTheAreaAndSaid) {
+TEST(Ros, SpeckleIsDroppedUpToTheAreaWithARemark) {
   Settings options;
   options["drop_speckle"] = 0.0025;  // exactly one cell
   const MapFile m = read_map(sample("small.yaml"), options);
@@ -103,23 +103,23 @@ TEST(Ros, SpeckleIsDroppedUpToTheAreaAndSaid) {
   EXPECT_THAT(m.remarks, testing::Contains("1 specks of at most 0.0025 m2 dropped (1 cells)"));
   options["drop_speckle"] = 0.0024;
   EXPECT_EQ(hole_count(read_map(sample("small.yaml"), options).map.free), 1u);
-  options["drop_speckle"] = 1e6;  // walls that reach the border are no specks
+  options["drop_speckle"] = 1e6;  // walls that touch the border are no specks
   EXPECT_NEAR(area(read_map(sample("small.yaml"), options).map.free), 19 * 0.0025, 1e-12);
 }
 
 TEST(Ros, DiagonalCellsAreOneSpeck) {
   RosFolder f;
-  f.picture(pgm(6, 4, {255, 255, 255, 255, 255, 255, 255, 0,   255, 255, 0,   255,
-                       255, 255, 0,   255, 255, 255, 255, 255, 255, 255, 255, 255}));
+  f.image(pgm(6, 4, {255, 255, 255, 255, 255, 255, 255, 0,   255, 255, 0,   255,
+                     255, 255, 0,   255, 255, 255, 255, 255, 255, 255, 255, 255}));
   Settings options;
-  options["drop_speckle"] = 0.25;  // one cell of 0.5 m: takes the single one, leaves the pair
+  options["drop_speckle"] = 0.25;  // one cell of 0.5 m: drops the single one, keeps the pair
   const MapFile m = f.read(options);
   EXPECT_DOUBLE_EQ(area(m.map.free), 22 * 0.25);
   EXPECT_THAT(m.remarks, ElementsAre("1 specks of at most 0.25 m2 dropped (1 cells)"));
 }
 
 // Oracle: map_server's rule written out by hand for every grey value.
-TEST(Ros, ThresholdsAsMapServerHasThem) {
+TEST(Ros, ThresholdsAsInMapServer) {
   for (const bool negate : {false, true})
     for (const char* mode : {"trinary", "scale"}) {
       RosFolder f;
@@ -127,7 +127,7 @@ TEST(Ros, ThresholdsAsMapServerHasThem) {
       f.keys["mode"] = mode;
       std::vector<int> values;
       for (int v = 0; v < 256; ++v) values.push_back(v);
-      f.picture(pgm(16, 16, values));
+      f.image(pgm(16, 16, values));
       double free = 0, unknown = 0;
       for (int v = 0; v < 256; ++v) {
         const double occ = negate ? v / 255.0 : (255 - v) / 255.0;
@@ -144,17 +144,17 @@ TEST(Ros, ThresholdsAsMapServerHasThem) {
 TEST(Ros, RawValuesArePercent) {
   RosFolder f;
   f.keys["mode"] = "raw";
-  f.picture(pgm(5, 1, {0, 19, 50, 100, 255}));
+  f.image(pgm(5, 1, {0, 19, 50, 100, 255}));
   EXPECT_THAT(cells_of(f.read().map.free, {0, 0}, 0.5, 5, 1), ElementsAre("..###"));
   Settings options;
   options["unknown_free"] = true;
   EXPECT_THAT(cells_of(f.read(options).map.free, {0, 0}, 0.5, 5, 1), ElementsAre("...#."));
 }
 
-TEST(Ros, YawTurnsAboutTheOrigin) {
+TEST(Ros, YawRotatesAboutTheOrigin) {
   RosFolder f;
   f.keys["origin"] = "[10, 20, 1.5707963267948966]";
-  f.picture(pgm(3, 1, {255, 255, 0}));  // free from (0, 0) to (1, 0.5) before it is placed
+  f.image(pgm(3, 1, {255, 255, 0}));  // free from (0, 0) to (1, 0.5) before it is placed
   const Box box = bounding_box(f.read().map.free);
   EXPECT_NEAR(box.low.x(), 9.5, 1e-12);
   EXPECT_NEAR(box.high.x(), 10, 1e-12);
@@ -163,7 +163,7 @@ TEST(Ros, YawTurnsAboutTheOrigin) {
   EXPECT_GT(area(f.read().map.free), 0);
 }
 
-TEST(Ros, RandomPicturesCellByCell) {
+TEST(Ros, RandomImagesCellByCell) {
   for (const auto seed : seeds(20)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
@@ -179,7 +179,7 @@ TEST(Ros, RandomPicturesCellByCell) {
         truth.back() += free ? '.' : '#';
       }
     }
-    f.picture(pgm(columns, rows, values));
+    f.image(pgm(columns, rows, values));
     EXPECT_EQ(cells_of(f.read().map.free, {0, 0}, 0.5, columns, rows), truth);
   }
 }
@@ -190,7 +190,7 @@ TEST(Ros, SimplifyingNeverGrowsFreeSpace) {
   for (int j = 0; j < 40; ++j)
     for (int i = 0; i < 40; ++i)
       values.push_back(std::hypot(i - 20, j - 20) < 18 && std::hypot(i - 25, j - 22) > 5 ? 255 : 0);
-  f.picture(pgm(40, 40, values));
+  f.image(pgm(40, 40, values));
   const MapFile exact = f.read();
   Settings options;
   options["simplify"] = 0.5;
@@ -202,7 +202,7 @@ TEST(Ros, SimplifyingNeverGrowsFreeSpace) {
     const Point p(rng.between(0.0, 20.0), rng.between(0.0, 20.0));
     if (contains(simple.map.free, p)) { EXPECT_TRUE(contains(exact.map.free, p)); }
   }
-  EXPECT_THAT(simple.remarks, testing::Contains(HasSubstr("corners simplified to")));
+  EXPECT_THAT(simple.remarks, testing::Contains(HasSubstr("vertices simplified to")));
 }
 
 // --- PNG, written here by libpng's simplified interface ------------------------------------------------------
@@ -220,13 +220,13 @@ void write_png(const std::string& file, std::uint32_t format, std::uint32_t colu
       0);
 }
 
-TEST(Ros, PngInEveryDress) {
+TEST(Ros, PngOfEveryKind) {
   const std::vector<std::string> truth{".#..", "..#."};
   const std::vector<std::uint8_t> bright{254, 0, 254, 254, 254, 254, 0, 254};
   RosFolder f;
   f.keys["image"] = "map.png";
-  const auto check_cells = [&](const char* dress) {
-    SCOPED_TRACE(dress);
+  const auto check_cells = [&](const char* kind) {
+    SCOPED_TRACE(kind);
     EXPECT_EQ(cells_of(f.read().map.free, {0, 0}, 0.5, 4, 2), truth);
   };
   write_png(f.file("map.png"), PNG_FORMAT_GRAY, 4, 2, bright);
@@ -258,13 +258,13 @@ TEST(Ros, AlphaDoesNotMakeUnknownFree) {
 
 TEST(Ros, PgmOfEveryKind) {
   RosFolder f;
-  f.picture("P2 # comment\n3 # another\n1 100\n100\t0 #x\n 100");
+  f.image("P2 # comment\n3 # another\n1 100\n100\t0 #x\n 100");
   EXPECT_THAT(cells_of(f.read().map.free, {0, 0}, 0.5, 3, 1), ElementsAre(".#."));
-  f.picture(std::string("P5 3 1 1000\n\x03\xe8\x00\x00\x03\xe7", 18));
+  f.image(std::string("P5 3 1 1000\n\x03\xe8\x00\x00\x03\xe7", 18));
   EXPECT_THAT(cells_of(f.read().map.free, {0, 0}, 0.5, 3, 1), ElementsAre(".#."));
 }
 
-TEST(PlainImage, NeedsAScaleAndThenIsAMap) {
+TEST(PlainImage, NeedsAScale) {
   const TemporaryFolder folder;
   write_file(folder.file("plan.pgm"), pgm(3, 2, {255, 255, 0, 0, 255, 205}));
   EXPECT_EQ(complaint([&] { read_map(folder.file("plan.pgm")); }),
@@ -279,7 +279,7 @@ TEST(Ros, BadYamlIsOneSentenceWithItsLine) {
   EXPECT_EQ(complaint([] { read_map(sample("backwards.yaml")); }),
             sample("backwards.yaml") + ":4: resolution is -0.05, expected metres per pixel above 0");
   RosFolder good;
-  good.picture(pgm(2, 1, {255, 255}));
+  good.image(pgm(2, 1, {255, 255}));
   EXPECT_EQ(good.why(), "");
   const auto with = [&](const char* key, const char* value) {
     const auto keys = good.keys;
@@ -313,20 +313,20 @@ TEST(Ros, BadYamlIsOneSentenceWithItsLine) {
   }
 }
 
-TEST(Ros, BadPicturesAreOneSentence) {
+TEST(Ros, BadImagesAreOneSentence) {
   RosFolder f;
   const auto with = [&](const std::string& bytes) {
-    f.picture(bytes);
+    f.image(bytes);
     return f.why();
   };
   EXPECT_THAT(with(""), HasSubstr("map.pgm: the file is empty"));
   EXPECT_THAT(with("GIF89a........"), HasSubstr("map.pgm: neither a PNG nor a PGM"));
-  EXPECT_THAT(with("P5\n3 2\n255\nabc"), HasSubstr("map.pgm: the file ends in the middle of the picture"));
-  EXPECT_THAT(with("P2\n3 2\n255\n1 2 3"), HasSubstr("map.pgm: the file ends in the middle of the picture"));
+  EXPECT_THAT(with("P5\n3 2\n255\nabc"), HasSubstr("map.pgm: the file ends in the middle of the image"));
+  EXPECT_THAT(with("P2\n3 2\n255\n1 2 3"), HasSubstr("map.pgm: the file ends in the middle of the image"));
   EXPECT_THAT(with("P2\n2 1\n255\n1 300"), HasSubstr("map.pgm: pixel 2 is 300, expected at most 255"));
-  EXPECT_THAT(with("P5\n0 2\n255\nabc"), HasSubstr("the picture is 0 x 2 pixels, expected at least 1 x 1"));
+  EXPECT_THAT(with("P5\n0 2\n255\nabc"), HasSubstr("the image is 0 x 2 pixels, expected at least 1 x 1"));
   EXPECT_THAT(with("P5\n90000 90000\n255\nabc"),
-              HasSubstr("the picture is 90000 x 90000 pixels, expected at most 100 million"));
+              HasSubstr("the image is 90000 x 90000 pixels, expected at most 100 million"));
   EXPECT_THAT(with("P5\nx 2\n255\nabc"), HasSubstr("width is not a whole number"));
   EXPECT_THAT(with(pgm(2, 1, {0, 205})), HasSubstr("no cell is free (1 occupied, 1 unknown)"));
 
@@ -334,11 +334,11 @@ TEST(Ros, BadPicturesAreOneSentence) {
   write_png(f.file("map.png"), PNG_FORMAT_GRAY, 64, 64, std::vector<std::uint8_t>(64 * 64, 254));
   const std::string whole = read_file(f.file("map.png"));
   for (std::size_t keep = 8; keep < whole.size(); keep += 7) {
-    f.picture(whole.substr(0, keep), "map.png");
+    f.image(whole.substr(0, keep), "map.png");
     EXPECT_THAT(f.why(), HasSubstr("map.png: not a readable PNG: ")) << keep;
   }
-  f.picture(whole.substr(0, whole.size() / 2), "map.png");
-  EXPECT_THAT(f.why(), HasSubstr("map.png: not a readable PNG: the file ends in the middle of the picture"));
+  f.image(whole.substr(0, whole.size() / 2), "map.png");
+  EXPECT_THAT(f.why(), HasSubstr("map.png: not a readable PNG: the file ends in the middle of the image"));
 }
 
 TEST(Ros, RandomDamageNeverCrashes) {
@@ -351,7 +351,7 @@ TEST(Ros, RandomDamageNeverCrashes) {
     Rng rng(seed);
     std::string bad = whole;
     for (int k = rng.between(1, 5); k > 0; --k) bad[rng.below(bad.size())] = static_cast<char>(rng.below(256));
-    f.picture(bad, "map.png");
+    f.image(bad, "map.png");
     try {
       f.read();
     } catch (const std::invalid_argument& e) { EXPECT_THAT(e.what(), HasSubstr("map.png")); }

@@ -1,12 +1,12 @@
-// Configuration space and target of a robot on a leash.
+// Configuration space and target of a tethered robot.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "geometry/overlay/boolean.hpp"
 #include "maps/generators.hpp"
 #include "maps/problem.hpp"
-#include "tests/support/seeds.hpp"
 #include "tests/support/maps.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
@@ -42,14 +42,14 @@ TEST(TetheredProblem, ReachesADiscInTheOpen) {
   EXPECT_TRUE(p.limited());
 }
 
-TEST(TetheredProblem, ALongLeashLimitsNothing) {
+TEST(TetheredProblem, ALongTetherLimitsNothing) {
   const Problem p(hall(), tethered(20), Point(5, 5));
   EXPECT_EQ(&p.tether()->robot_space(), &p.configuration_space());
   EXPECT_FALSE(p.limited());
   EXPECT_EQ(area(Problem(hall(), Robot{}, Point(5, 5)).configuration_space()), area(p.configuration_space()));
 }
 
-TEST(TetheredProblem, ReachIsAMultipleOfTheFarthestPlace) {
+TEST(TetheredProblem, ReachIsAMultipleOfTheFarthestDistance) {
   Robot robot = tethered(0);
   robot.tether = Tether{0, 0.5};
   const Problem p(hall(), robot, Point(5, 5));
@@ -57,7 +57,7 @@ TEST(TetheredProblem, ReachIsAMultipleOfTheFarthestPlace) {
   EXPECT_EQ(p.robot().tether->reach, 0);
 }
 
-// Behind the pillar the string goes round a corner: distances by hand.
+// Behind the pillar the tether goes round a corner: distances by hand.
 TEST(TetheredProblem, GoesRoundCorners) {
   const Problem p(hall_with_pillar(), tethered(5), Point(5, 2));
   const double to_corner = std::hypot(1, 2) + 2;  // (5, 2) - (6, 4) - (6, 6)
@@ -67,7 +67,7 @@ TEST(TetheredProblem, GoesRoundCorners) {
   EXPECT_FALSE(contains(p.configuration_space(), Point(6 - 0.75 * left, 6 + 0.75 * left)));
 }
 
-// A thin string would get through a gap that the robot cannot pass: it must not.
+// A thin tether would fit through a gap that the robot cannot pass, but the gap counts as closed.
 TEST(TetheredProblem, GapsNarrowerThanTheRobotAreClosed) {
   const Map map{"gap",
                 subtract(box_region({0, 0}, {10, 10}),
@@ -101,7 +101,7 @@ TEST(TetheredProblem, SpaceIsWhereTheGeodesicIsShortEnough) {
           if (contains(p.configuration_space(), q)) {
             EXPECT_LE(d, limit + p.tolerance());
           } else if (d < limit - 1e-3) {
-            // Within the leash, but cut off: only past places that the leash does not reach.
+            // Within the tether's reach, but every path to it leads beyond the reach.
             EXPECT_FALSE(p.transit().path(p.start(), q));
           }
         }
@@ -117,7 +117,7 @@ TEST(TetheredProblem, AnchorInAWallSocketStartsNextToIt) {
   EXPECT_NEAR(distance(corner.start(), {9.8, 9.8}), 0, 0.05);
 }
 
-TEST(TetheredProblem, BadLeashesAreOneSentence) {
+TEST(TetheredProblem, BadTethersAreOneSentence) {
   EXPECT_THAT(complaint([] { Problem(hall(), tethered(1), Point(5, 5), Point(2, 5)); }),
               testing::AllOf(HasSubstr("too short for the start (5, 5)"), HasSubstr("3 m from the anchor (2, 5)")));
   EXPECT_THAT(complaint([] { Problem(hall_with_pillar(), tethered(9), Point(1, 1), Point(5, 5)); }),

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/files.hpp"
 #include "maps/formats.hpp"
+#include "maps/path_file.hpp"
 #include "metrics/score.hpp"
 #include "shapes.hpp"
-#include "base/files.hpp"
-#include "maps/path_file.hpp"
 
 namespace oxturn {
 namespace {

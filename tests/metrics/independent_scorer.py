@@ -33,7 +33,8 @@ def load(name):
 
 def legs_of(path):
     for feature in path["features"]:
-        yield bool(feature["properties"]["tool"]), [tuple(map(float, p[:2])) for p in feature["geometry"]["coordinates"]]
+        points = feature["geometry"]["coordinates"]
+        yield bool(feature["properties"]["tool"]), [tuple(map(float, p[:2])) for p in points]
 
 
 def pieces(points):

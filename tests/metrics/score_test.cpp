@@ -143,7 +143,8 @@ TEST(Score, ShiftAndRotation) {
     for (std::size_t i = 0; i < s.values.size(); ++i) {
       ASSERT_EQ(s.values[i].value.has_value(), base.values[i].value.has_value());
       if (!s.values[i].value) continue;
-      EXPECT_NEAR(*s.values[i].value, *base.values[i].value, 2e-3 * (0.1 + std::abs(*base.values[i].value))) << s.values[i].name;
+      EXPECT_NEAR(*s.values[i].value, *base.values[i].value, 2e-3 * (0.1 + std::abs(*base.values[i].value)))
+          << s.values[i].name;
     }
   }
 }

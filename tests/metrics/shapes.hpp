@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "geometry/path.hpp"
 #include "base/random.hpp"
+#include "geometry/path.hpp"
 #include "geometry/region.hpp"
 #include "maps/problem.hpp"
 

@@ -69,7 +69,7 @@ void compare(const Region& target, const Path& path, double width) {
   // The grid errs by pitch^2 times half the root of the cells on the boundary; this is some four times that.
   const double slack = 0.004 * (truth.swept + width * width) + 0.002 * truth.target;
   EXPECT_NEAR(s.covered_m2, truth.covered, slack);
-  EXPECT_NEAR(s.seen_m2, truth.covered, slack);
+  EXPECT_NEAR(s.covered_estimate_m2, truth.covered, slack);
   EXPECT_NEAR(s.coverage.middle() * area(target), truth.covered, slack);
   EXPECT_NEAR(s.union_m2, truth.swept, slack);
   EXPECT_NEAR(s.legs_m2, truth.legs, 0.004 * truth.legs + slack);
@@ -113,11 +113,12 @@ TEST(SweptOracle, FineLiesInCoarse) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
     const Path path = random_walk(rng, bounding_box(two_holes()), 4, 40, 1.0);
-    const SweptArea fine = swept_area(two_holes(), 0, 0.3, path, 1e-5), coarse = swept_area(two_holes(), 0, 0.3, path, 0.01);
+    const SweptArea fine = swept_area(two_holes(), 0, 0.3, path, 1e-5),
+                    coarse = swept_area(two_holes(), 0, 0.3, path, 0.01);
     EXPECT_LE(fine.coverage.upper - fine.coverage.lower, 1e-5);
     EXPECT_LE(coarse.coverage.lower, fine.coverage.upper);
     EXPECT_GE(coarse.coverage.upper, fine.coverage.lower);
-    EXPECT_NEAR(coarse.seen_m2 / area(two_holes()), fine.coverage.middle(), 2e-4);
+    EXPECT_NEAR(coarse.covered_estimate_m2 / area(two_holes()), fine.coverage.middle(), 2e-4);
   }
 }
 
@@ -131,7 +132,7 @@ TEST(SweptOracle, NeverMoreThanItsLengthCanSweep) {
     const SweptArea s = swept_area(two_holes(), 0, w, path);
     EXPECT_LE(s.covered_m2, path.length() * w + kPi * w * w / 4);
     EXPECT_LE(s.union_m2, (path.length() * w + kPi * w * w / 4) * 1.0003);
-    EXPECT_GE(s.visits_m2, s.seen_m2 * 0.998);
+    EXPECT_GE(s.visits_m2, s.covered_estimate_m2 * 0.998);
   }
 }
 

@@ -15,7 +15,7 @@ void expect_bracket(const SweptArea& s, double target_m2, double truth_m2) {
   EXPECT_GE(s.coverage.upper, truth_m2 / target_m2 - 1e-12);
   EXPECT_LE(s.coverage.upper - s.coverage.lower, 0.001);
   EXPECT_LE(s.covered_m2, truth_m2 + 1e-12 * target_m2);
-  EXPECT_NEAR(s.seen_m2, truth_m2, 2e-4 * truth_m2);
+  EXPECT_NEAR(s.covered_estimate_m2, truth_m2, 2e-4 * truth_m2);
 }
 
 TEST(SweptArea, OneStraightSwath) {
@@ -75,7 +75,7 @@ TEST(SweptArea, LegsThatJoinAreOneStretch) {
 TEST(SweptArea, ThereAndBack) {
   const SweptArea s = swept_area(box_region({-5, -5}, {15, 5}), 0, 1, work({{0, 0}, {7, 0}, {0, 0}}));
   EXPECT_NEAR(s.union_m2, 7 + kDisc, 1e-4);
-  // On the way back begin the visits of all that is not in the last disc.
+  // On the path back begin the visits of all that is not in the last disc.
   EXPECT_NEAR(s.visits_m2, 7 + kDisc + 7, 1e-9);
 }
 
@@ -107,7 +107,7 @@ TEST(SweptArea, TargetWithHolesNotCovered) {
 }
 
 TEST(SweptArea, SumOfTargetOverTilesIsItsArea) {
-  // Fine lanes over everything: the tiles' target areas must add up to the polygon's, at any angle and place.
+  // Fine lanes over everything: the tiles' target areas must add up to the polygon's, at any angle and position.
   for (const double angle : {0.0, 0.3, kPi / 4, 2.1}) {
     for (const Point& shift : {Point(0, 0), Point(0.137, -3.77)}) {
       const Region target = transformed(two_holes(), angle, shift);
@@ -148,7 +148,7 @@ TEST(SweptArea, ShiftRotateScale) {
   const Path path = random_walk(rng, bounding_box(target), 5, 30, 1.5);
   const SweptArea base = swept_area(target, 0, 0.4, path);
   const auto same = [&](const SweptArea& s, double scale2, double tolerance) {
-    EXPECT_NEAR(s.seen_m2 / scale2, base.seen_m2, tolerance * base.seen_m2);
+    EXPECT_NEAR(s.covered_estimate_m2 / scale2, base.covered_estimate_m2, tolerance * base.covered_estimate_m2);
     EXPECT_NEAR(s.union_m2 / scale2, base.union_m2, tolerance * base.union_m2);
     EXPECT_NEAR(s.legs_m2 / scale2, base.legs_m2, tolerance * base.legs_m2);
     EXPECT_NEAR(s.visits_m2 / scale2, base.visits_m2, 10 * tolerance * base.visits_m2);

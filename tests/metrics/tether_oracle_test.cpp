@@ -1,12 +1,12 @@
-// The exact string against an elastic one that follows its robot in small steps: rounded arithmetic, a scan of all
+// The exact tether against an elastic one that follows its robot in small steps: rounded arithmetic, a scan of all
 // corners, no events. On random maps and walks both must tell the same length, bends and crossings.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "tethered.hpp"
 #include "metrics/tether.hpp"
 #include "tests/support/seeds.hpp"
+#include "tethered.hpp"
 
 namespace oxturn {
 namespace {
@@ -94,10 +94,10 @@ TEST(TetherOracle, AgreesWithAnElasticInSmallSteps) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
     const Problem p = leashed(pillars(rng, rng.between(1, 8)), {0.5, 0.5});
-    const Polyline way = free_walk(p, rng, 40, 5);
-    const TetherRun r = tether_run(p, work(way), EdgeIndex(p.map().free)).value();
+    const Polyline path = free_walk(p, rng, 40, 5);
+    const TetherRun r = tether_run(p, work(path), EdgeIndex(p.map().free)).value();
     Elastic elastic(p.map().free, p.anchor());
-    for (std::size_t i = 1; i < way.size(); ++i) elastic.drive(way[i], 0.002);
+    for (std::size_t i = 1; i < path.size(); ++i) elastic.drive(path[i], 0.002);
     EXPECT_NEAR(r.longest_m, elastic.longest, 1e-9);
     EXPECT_NEAR(r.end_m, elastic.length(), 1e-9);
     EXPECT_EQ(r.bends_max, elastic.most_bends);

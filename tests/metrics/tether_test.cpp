@@ -3,17 +3,17 @@
 
 #include <gmock/gmock.h>
 
-#include "tethered.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/seeds.hpp"
+#include "tethered.hpp"
 
 namespace oxturn {
 namespace {
 
-TetherRun run(const Problem& p, const Polyline& way) {
-  return tether_run(p, work(way), EdgeIndex(p.map().free)).value();
+TetherRun run(const Problem& p, const Polyline& walk) {
+  return tether_run(p, work(walk), EdgeIndex(p.map().free)).value();
 }
-std::size_t crossings(const Problem& p, const Polyline& way) { return run(p, way).crossings.size(); }
+std::size_t crossings(const Problem& p, const Polyline& walk) { return run(p, walk).crossings.size(); }
 double mean_angle(const TetherRun& r) { return r.angle_sum / r.path_m; }
 
 TEST(Tether, StraightOutAndBack) {
@@ -32,7 +32,7 @@ TEST(Tether, StraightOutAndBack) {
   EXPECT_EQ(back.sharp_m, 6);
   EXPECT_EQ(back.path_m, 14);
   EXPECT_EQ(back.end_m, 2);
-  EXPECT_TRUE(back.crossings.empty()) << "driving back along the string is no crossing";
+  EXPECT_TRUE(back.crossings.empty()) << "driving back along the tether is no crossing";
 }
 
 // Past the anchor at a distance: the integral of atan2(h, s) by Simpson's rule, the share by trigonometry.
@@ -75,16 +75,16 @@ TEST(Tether, OnceRoundAPillar) {
   EXPECT_TRUE(home.crossings.empty());
 }
 
-// An arc about a pillar: the string winds about its corners as the robot goes round.
+// An arc about a pillar: the tether winds about its corners as the robot goes round.
 TEST(Tether, CircleAboutAHexagon) {
   Region room = box_region({-5, -5}, {5, 5});
   Ring hexagon;
   for (int k = 6; k-- > 0;) hexagon.push_back(rotated({1, 0}, k * kPi / 3));
   room.polygons[0].holes.push_back(hexagon);
   const Problem p = leashed(room, {0, -3});
-  Polyline way = arc({0, 0}, 3, -kPi / 2, 3 * kPi / 2 - 0.4, 300);
-  way[0] = {0, -3};
-  const TetherRun r = run(p, way);
+  Polyline walk = arc({0, 0}, 3, -kPi / 2, 3 * kPi / 2 - 0.4, 300);
+  walk[0] = {0, -3};
+  const TetherRun r = run(p, walk);
   // From (0, -3) to the corner (1, 0), along the sides to the corner that the robot's tangent touches.
   const double angle = 3 * kPi / 2 - 0.4;
   const Point robot = rotated({3, 0}, angle);
@@ -102,26 +102,26 @@ TEST(Tether, CircleAboutAHexagon) {
 }
 
 Polyline laps(int n) {
-  Polyline way{{1, 5}, {3, 5}};
-  for (int k = 0; k < n; ++k) append(way, {{3, 3}, {7, 3}, {7, 7}, {3, 7}, {3, 5}});
-  return way;
+  Polyline walk{{1, 5}, {3, 5}};
+  for (int k = 0; k < n; ++k) append(walk, {{3, 3}, {7, 3}, {7, 7}, {3, 7}, {3, 5}});
+  return walk;
 }
 
-// Each lap crosses the string's first segment, (1, 5) to (4, 4), at x = 3; so does each lap back.
+// Each lap crosses the tether's first segment, (1, 5) to (4, 4), at x = 3; so does each lap back.
 TEST(Tether, LapsCrossOnceEach) {
   const Problem p = leashed(pillar_room(), {1, 5});
   EXPECT_EQ(crossings(p, laps(0)), 0u);
   for (int n : {1, 2, 3}) {
-    Polyline way = laps(n);
-    way.push_back({3, 3});
-    const TetherRun r = run(p, way);
+    Polyline walk = laps(n);
+    walk.push_back({3, 3});
+    const TetherRun r = run(p, walk);
     ASSERT_EQ(r.crossings.size(), static_cast<std::size_t>(n));
     EXPECT_NEAR(r.crossings[0].at.x(), 3, 1e-12);
     EXPECT_NEAR(r.crossings[0].at.y(), 5 - 2.0 / 3, 1e-12);
     EXPECT_NEAR(r.crossings[0].path_m, 2 + 2 + 4 + 4 + 4 + 2 + 2.0 / 3, 1e-12);
     EXPECT_EQ(r.bends_max, static_cast<std::size_t>(4 * n));
-    Polyline there_and_back = way;
-    there_and_back.insert(there_and_back.end(), way.rbegin() + 1, way.rend());
+    Polyline there_and_back = walk;
+    there_and_back.insert(there_and_back.end(), walk.rbegin() + 1, walk.rend());
     const TetherRun back = run(p, there_and_back);
     EXPECT_EQ(back.crossings.size(), 2 * static_cast<std::size_t>(n));
     EXPECT_EQ(back.end_m, 0);
@@ -129,16 +129,16 @@ TEST(Tether, LapsCrossOnceEach) {
   }
 }
 
-// The string lies along y = 4 from the anchor (0, 4) to the corner (6, 4); the robot comes from above.
+// The tether lies along y = 4 from the anchor (0, 4) to the corner (6, 4); the robot comes from above.
 TEST(Tether, TouchingIsNoCrossing) {
   const Problem p = leashed(pillar_room(), {0, 4});
   const auto after = [&](const Polyline& more) {
-    Polyline way{{0, 4}, {0, 3}, {7, 3}, {7, 7}, {2, 7}};
-    append(way, more);
-    return crossings(p, way);
+    Polyline walk{{0, 4}, {0, 3}, {7, 3}, {7, 7}, {2, 7}};
+    append(walk, more);
+    return crossings(p, walk);
   };
   EXPECT_EQ(after({{2, 1}}), 1u);
-  EXPECT_EQ(after({{2, 4}, {2, 1}}), 1u) << "a way point on it";
+  EXPECT_EQ(after({{2, 4}, {2, 1}}), 1u) << "a vertex on it";
   EXPECT_EQ(after({{2, 4}, {1, 7}}), 0u) << "there and away again";
   EXPECT_EQ(after({{2, 4}}), 0u) << "only there";
   EXPECT_EQ(after({{2, 4}, {3, 4}, {3, 1}}), 1u) << "along it";
@@ -150,36 +150,36 @@ TEST(Tether, TouchingIsNoCrossing) {
   EXPECT_EQ(after({{2, 1}, {2, 7}, {2, 1}}), 3u);
 }
 
-// A point robot goes down the pillar's wall and over the corner (4, 4), about which the string bends.
+// A point robot goes down the pillar's wall and over the corner (4, 4), about which the tether bends.
 TEST(Tether, OverABend) {
   const Problem p = leashed(pillar_room(), {1, 5}, {}, 1000, 0);
   const auto after = [&](const Polyline& more) {
-    Polyline way{{1, 5}, {3, 3}, {7, 3}, {7, 7}, {3, 7}, {3, 5.5}, {4, 5}};
-    append(way, more);
-    return crossings(p, way);
+    Polyline walk{{1, 5}, {3, 3}, {7, 3}, {7, 7}, {3, 7}, {3, 5.5}, {4, 5}};
+    append(walk, more);
+    return crossings(p, walk);
   };
   EXPECT_EQ(after({{4, 3}}), 1u);
   EXPECT_EQ(after({{4, 4}, {4, 3}}), 1u);
   EXPECT_EQ(after({{4, 4}, {3.5, 5}}), 0u);
   EXPECT_EQ(after({{4, 4}, {4, 5}}), 0u);
-  EXPECT_EQ(after({{4, 4}, {1.75, 4.75}, {1, 6}}), 0u) << "from the bend along the string, and up again";
+  EXPECT_EQ(after({{4, 4}, {1.75, 4.75}, {1, 6}}), 0u) << "from the bend along the tether, and up again";
   EXPECT_EQ(after({{4, 4}, {1.75, 4.75}, {1, 4}}), 1u) << "and down";
 }
 
-// Two rounds about two pillars: both layers of the string between them are crossed at one place.
+// Two rounds about two pillars: both layers of the tether between them are crossed at one point.
 TEST(Tether, LayersCountOnce) {
   Region r = box_region({0, 0}, {14, 10});
   r.polygons[0].holes.push_back({{3, 4}, {3, 6}, {5, 6}, {5, 4}});
   r.polygons[0].holes.push_back({{9, 4}, {9, 6}, {11, 6}, {11, 4}});
   const Problem p = leashed(r, {7, 1});
-  Polyline way{{7, 1}};
-  for (int k = 0; k < 2; ++k) append(way, {{12, 2}, {12, 8}, {2, 8}, {2, 2}});
-  append(way, {{7, 2}, {12, 2}, {12, 8}, {7, 8}});
-  const std::size_t before = crossings(p, way);
-  way.push_back({7, 5});  // over the upper layers, y = 6
-  EXPECT_EQ(crossings(p, way), before + 1);
-  way.push_back({7, 2});  // and the lower ones, y = 4
-  EXPECT_EQ(crossings(p, way), before + 2);
+  Polyline walk{{7, 1}};
+  for (int k = 0; k < 2; ++k) append(walk, {{12, 2}, {12, 8}, {2, 8}, {2, 2}});
+  append(walk, {{7, 2}, {12, 2}, {12, 8}, {7, 8}});
+  const std::size_t before = crossings(p, walk);
+  walk.push_back({7, 5});  // over the upper layers, y = 6
+  EXPECT_EQ(crossings(p, walk), before + 1);
+  walk.push_back({7, 2});  // and the lower ones, y = 4
+  EXPECT_EQ(crossings(p, walk), before + 2);
 }
 
 TEST(Tether, AnchorAwayFromTheStartBeginsAsTheGeodesic) {
@@ -189,7 +189,7 @@ TEST(Tether, AnchorAwayFromTheStartBeginsAsTheGeodesic) {
   EXPECT_NEAR(r.longest_m, below, 1e-12);
   EXPECT_EQ(r.bends_max, 2u);
   EXPECT_EQ(r.path_m, 0);
-  // Round the other way it winds off.
+  // Round the other walk it winds off.
   EXPECT_NEAR(run(p, {{7, 5}, {7, 3}, {2, 3}}).end_m, distance({0, 4.5}, {2, 3}), 1e-12);
 }
 
@@ -206,9 +206,9 @@ TEST(Tether, ColumnsAreEmptyWithoutOne) {
 
 TEST(Tether, Columns) {
   const Problem p = leashed(pillar_room(), {1, 5}, {}, 40);
-  Polyline way = laps(1);
-  way.push_back({3, 3});
-  const Score s = score(p, work(way));
+  Polyline walk = laps(1);
+  walk.push_back({3, 3});
+  const Score s = score(p, work(walk));
   EXPECT_EQ(s.flaw, "");
   EXPECT_EQ(s.value("tether_limit_m"), 40);
   EXPECT_NEAR(*s.value("tether_max_m"), std::sqrt(10) + 6 + std::sqrt(10), 1e-12);
@@ -216,12 +216,12 @@ TEST(Tether, Columns) {
   EXPECT_EQ(s.value("tether_angle_min_rad"), 0);
   EXPECT_EQ(s.value("tether_crossings"), 1);
   EXPECT_EQ(s.value("tether_entangled"), 1);
-  const TetherRun r = run(p, way);
+  const TetherRun r = run(p, walk);
   EXPECT_EQ(s.value("tether_angle_mean_rad"), mean_angle(r));
   EXPECT_EQ(s.value("tether_sharp_fraction"), r.sharp_m / r.path_m);
-  way.pop_back();
-  append(way, {{3, 7}, {7, 7}, {7, 3}, {3, 3}});
-  EXPECT_EQ(score(p, work(way)).value("tether_entangled"), 0);
+  walk.pop_back();
+  append(walk, {{3, 7}, {7, 7}, {7, 3}, {3, 3}});
+  EXPECT_EQ(score(p, work(walk)).value("tether_entangled"), 0);
   const Score still = score(p, work({{1, 5}, {1, 5}}));
   EXPECT_EQ(still.value("tether_max_m"), 0);
   EXPECT_FALSE(still.value("tether_angle_min_rad") || still.value("tether_angle_mean_rad"));
@@ -236,7 +236,7 @@ TEST(Tether, NoStringFollowsThroughWallsOrJumps) {
     EXPECT_EQ(s.value("tether_limit_m"), 1000);
     EXPECT_FALSE(s.value("tether_max_m") || s.value("tether_crossings") || s.value("tether_entangled"));
   }
-  // Too near a wall for the robot, but a string follows: measured.
+  // Too near a wall for the robot, but a tether follows: measured.
   EXPECT_NEAR(*score(p, work({{1, 5}, {3.9, 5}})).value("tether_max_m"), 2.9, 1e-12);
 }
 
@@ -268,8 +268,8 @@ TEST(Tether, Invariances) {
     const Region map = pillars(rng, 6);
     const Point start(0.5, 0.5);
     const Problem p = leashed(map, start);
-    const Polyline way = free_walk(p, rng, 60, 4);
-    const TetherRun base = run(p, way);
+    const Polyline walk = free_walk(p, rng, 60, 4);
+    const TetherRun base = run(p, walk);
     const auto expect_same = [&](const TetherRun& r) {
       EXPECT_NEAR(r.longest_m, base.longest_m, 1e-9);
       EXPECT_EQ(r.bends_max, base.bends_max);
@@ -281,9 +281,9 @@ TEST(Tether, Invariances) {
       EXPECT_EQ(r.crossings.size(), base.crossings.size());
     };
     Polyline fine;
-    for (std::size_t i = 1; i < way.size(); ++i)
-      for (int k = 0; k < 7; ++k) fine.push_back(lerp(way[i - 1], way[i], k / 7.0));
-    fine.push_back(way.back());
+    for (std::size_t i = 1; i < walk.size(); ++i)
+      for (int k = 0; k < 7; ++k) fine.push_back(lerp(walk[i - 1], walk[i], k / 7.0));
+    fine.push_back(walk.back());
     expect_same(run(p, fine));
 
     const auto moved_run = [&](auto move, bool mirrored) {
@@ -297,7 +297,7 @@ TEST(Tether, Invariances) {
         for (Ring& hole : polygon.holes) change(hole);
       }
       Polyline path;
-      for (const Point& q : way) path.push_back(move(q));
+      for (const Point& q : walk) path.push_back(move(q));
       expect_same(run(leashed(there, move(start)), path));
     };
     moved_run([](const Point& q) { return Point(q.x() + 1024, q.y() - 512); }, false);

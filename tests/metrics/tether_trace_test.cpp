@@ -3,11 +3,11 @@
 
 #include <gmock/gmock.h>
 
-#include "tethered.hpp"
 #include "metrics/mission.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/seeds.hpp"
+#include "tethered.hpp"
 
 namespace oxturn {
 namespace {
@@ -25,7 +25,7 @@ TEST(TetherTrace, EventsOfALap) {
     events.push_back(row.event);
     bends.push_back(row.bends);
   }
-  // (4, 4) is gained where (1, 5), (4, 4) and the robot are in line: that is the way point (7, 3).
+  // (4, 4) is gained where (1, 5), (4, 4) and the robot are in line: that is the vertex (7, 3).
   EXPECT_THAT(events, testing::ElementsAre(Event::start, Event::waypoint, Event::waypoint, Event::waypoint,
                                            Event::bend_gained, Event::bend_gained, Event::waypoint, Event::bend_gained,
                                            Event::waypoint, Event::bend_gained, Event::crossing, Event::waypoint));
@@ -70,7 +70,7 @@ TEST(TetherTrace, DenseEnoughInOrderAndConsistentWithTheMetrics) {
       EXPECT_LE(metres, step + 1e-12);
       EXPECT_GE(rows[i].mission_s, rows[i - 1].mission_s - 1e-9);
       EXPECT_LE(distance(rows[i].at, rows[i - 1].at), metres + 1e-12);
-      // After a way point the heading is another: the row before does not tell it.
+      // The heading changes at a vertex, so the row before it says nothing of it.
       const bool turned = rows[i - 1].event == Event::waypoint || !rows[i - 1].angle_rad;
       angle += metres * (turned ? *rows[i].angle_rad : (*rows[i].angle_rad + *rows[i - 1].angle_rad) / 2);
     }
@@ -102,7 +102,8 @@ TEST(TetherTrace, Csv) {
 TEST(TetherTrace, BadStepIsOneSentence) {
   const Problem p = leashed(pillar_room(), {1, 5});
   for (const double step : {0.0, -1.0, std::nan("")})
-    EXPECT_THAT(complaint([&] { tether_trace(p, work(kLevelSet), step); }), testing::StartsWith("tether trace: step is "));
+    EXPECT_THAT(complaint([&] { tether_trace(p, work(kLevelSet), step); }),
+                testing::StartsWith("tether trace: step is "));
 }
 
 // A metre: 0.5 m/s^2 up to 0.5 m/s takes 1 s and 0.25 m, the same down, 0.5 m in between.

@@ -1,8 +1,8 @@
 // Tethered problems and paths that the tests of the tether's metrics share.
 #pragma once
 
-#include "geometry/edge_index.hpp"
 #include "base/random.hpp"
+#include "geometry/edge_index.hpp"
 #include "maps/problem.hpp"
 #include "shapes.hpp"
 
@@ -42,15 +42,15 @@ inline Region pillars(Rng& rng, int count) {
   return r;
 }
 
-/// A walk of so many segments in the problem's configuration space, from its start. Way points are dyadic.
+/// A walk of so many segments in the problem's configuration space, from its start. Vertices are dyadic.
 inline Polyline free_walk(const Problem& problem, Rng& rng, int segments, double step) {
-  Polyline way{problem.start()};
-  while (static_cast<int>(way.size()) <= segments) {
-    Point to = way.back() + Point(rng.between(-step, step), rng.between(-step, step));
+  Polyline path{problem.start()};
+  while (static_cast<int>(path.size()) <= segments) {
+    Point to = path.back() + Point(rng.between(-step, step), rng.between(-step, step));
     to = Point(std::round(to.x() * 1024), std::round(to.y() * 1024)) / 1024;
-    if (to != way.back() && problem.walls().contains(way.back(), to)) way.push_back(to);
+    if (to != path.back() && problem.walls().contains(path.back(), to)) path.push_back(to);
   }
-  return way;
+  return path;
 }
 
 }  // namespace oxturn

@@ -48,7 +48,7 @@ TEST(Validity, Walls) {
 }
 
 TEST(Validity, ThinWallBetweenTwoGoodPoints) {
-  // 1 mm of wall: both ends are free, the way is not; with a disc and with a robot without size.
+  // 1 mm of wall: both ends are free, the path is not; with a disc and with a robot without size.
   Region r = box_region({0, 0}, {4, 4});
   r.polygons[0].holes.push_back({{2, 1}, {2, 3}, {2.001, 3}, {2.001, 1}});
   for (const double radius : {0.0, 0.2}) {

@@ -13,9 +13,9 @@ import results  # noqa: E402
 
 
 def row(suite, map_name, planner, params, outcome, **more):
-    cells = {"suite": suite, "map": map_name, "map_sha256": map_name, "robot": "tied", "repeat": "1", "planner": planner,
-             "params": params, "outcome": outcome, "reason": "", "path_sha256": "", "plan_wall_s": "123.456",
-             "variant": f"{planner}[{params}]" if params else planner}
+    cells = {"suite": suite, "map": map_name, "map_sha256": map_name, "robot": "tied", "repeat": "1",
+             "planner": planner, "params": params, "outcome": outcome, "reason": "", "path_sha256": "",
+             "plan_wall_s": "123.456", "variant": f"{planner}[{params}]" if params else planner}
     return results.Row(cells, **more)
 
 

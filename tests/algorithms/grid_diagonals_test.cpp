@@ -1,4 +1,4 @@
-// What lies between the nodes of a lattice, against the edge index's exact answers.
+// Diagonals and straight segments of a lattice, against the exact answers of the edge index.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace oxturn {
 namespace {
 
-TEST(GridGraph, DiagonalsAndStraightWaysAreFreeExactlyThen) {
+TEST(GridGraph, DiagonalsAndStraightSegmentsAgreeWithTheEdgeIndex) {
   int diagonals = 0, straight = 0, blocked = 0;
   for (const char* generator : {"polygon", "clutter", "rooms", "cave"})
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -18,7 +18,7 @@ TEST(GridGraph, DiagonalsAndStraightWaysAreFreeExactlyThen) {
       const Problem problem(generate(generator, {}, seed), Robot{});
       const Region& space = problem.configuration_space();
       GridGraph graph = make_grid_graph_at(space, "test", problem.start(), 0.3, seed % 2 ? 0.0 : 0.4);
-      graph.look_between(space);
+      graph.add_diagonals(space);
       for (int j = 0; j + 1 < graph.rows(); ++j)
         for (int i = 0; i + 1 < graph.columns(); ++i)
           for (const int d : {0, 1}) {
@@ -41,7 +41,7 @@ TEST(GridGraph, DiagonalsAndStraightWaysAreFreeExactlyThen) {
     }
   EXPECT_GT(diagonals, 10000);
   EXPECT_GT(straight, 5000);
-  EXPECT_LT(blocked, straight / 4);  // only where a wall comes into a square that the way meets
+  EXPECT_LT(blocked, straight / 4);  // only where a wall enters a square that the segment meets
 }
 
 }  // namespace

@@ -1,0 +1,17 @@
+/// Drives to cells in a given order by tethered shortest paths, then home.
+///
+///   const Path path = visit_cells(space, cells, order, parameters, context);
+#pragma once
+
+#include "algorithms/tethered/cell_parameters.hpp"
+#include "algorithms/transit/tether_space.hpp"
+
+namespace oxturn {
+
+/// From the problem's start, with the tool on except on the way home. Ends early if cancelled; publishes the path so
+/// far sixteen times. Records the figures cells_missed (cells to which no path keeps the tether length limit) and
+/// paths_unproven (paths that may not be the shortest, because the search's budget ran out). Traces "missed".
+Path visit_cells(const TetherSpace& space, const TetherCells& cells, const CellList& order, const VisitParameters& how,
+                 Context& context);
+
+}  // namespace oxturn

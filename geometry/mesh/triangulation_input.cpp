@@ -1,0 +1,176 @@
+#include "geometry/mesh/triangulation_input.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "geometry/edge_index.hpp"
+
+namespace oxturn {
+namespace {
+
+using Id = std::int32_t;  // of a point
+using Segment = TriangulationInput::Segment;
+
+std::size_t at(Id i) { return static_cast<std::size_t>(i); }
+Segment segment(Id a, Id b) { return std::minmax(a, b); }
+
+/// Numbers different points in the order of their first occurrence and appends them to `points`; returns the number of
+/// each point of `all`.
+std::vector<Id> number_points(const std::vector<Point>& all, std::vector<Point>& points) {
+  std::vector<Id> order(all.size()), first(all.size()), id(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) order[i] = static_cast<Id>(i);
+  std::sort(order.begin(), order.end(),
+            [&](Id i, Id j) { return all[at(i)] != all[at(j)] ? before(all[at(i)], all[at(j)]) : i < j; });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool repeated = k > 0 && all[at(order[k])] == all[at(order[k - 1])];
+    first[at(order[k])] = repeated ? first[at(order[k - 1])] : order[k];
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (at(first[i]) == i) {
+      id[i] = static_cast<Id>(points.size());
+      points.push_back(all[i]);
+    } else {
+      id[i] = id[at(first[i])];
+    }
+  }
+  return id;
+}
+
+void keep_those_of_odd_number(std::vector<Segment>& edges) {
+  std::sort(edges.begin(), edges.end());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t end = i;
+    while (end < edges.size() && edges[end] == edges[i]) ++end;
+    if ((end - i) % 2 == 1) edges[kept++] = edges[i];
+    i = end;
+  }
+  edges.resize(kept);
+}
+
+TriangulationInput triangulation_input(const Region& region) {
+  std::vector<Point> all;
+  for_each_ring(region, [&](const Ring& ring) { all.insert(all.end(), ring.begin(), ring.end()); });
+  for (const Point& p : all)
+    if (!finite(p)) throw std::invalid_argument("region has a vertex that is not finite; repair it before meshing");
+  TriangulationInput out;
+  const std::vector<Id> id = number_points(all, out.points);
+  std::size_t first = 0;
+  for_each_ring(region, [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Id a = id[first + i], b = id[first + (i + 1 < ring.size() ? i + 1 : 0)];
+      if (a != b) out.edges.push_back(segment(a, b));
+    }
+    first += ring.size();
+  });
+  keep_those_of_odd_number(out.edges);
+  return out;
+}
+
+/// Finds points by their coordinates.
+class PointNumbers {
+ public:
+  explicit PointNumbers(const std::vector<Point>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i) numbered_.push_back({points[i], static_cast<Id>(i)});
+    std::sort(numbered_.begin(), numbered_.end());
+  }
+  static constexpr Id kUnknown = -1;
+  Id find(const Point& p) const {
+    const auto k = std::lower_bound(numbered_.begin(), numbered_.end(), Numbered{p, 0});
+    return k != numbered_.end() && k->at == p ? k->id : kUnknown;
+  }
+
+ private:
+  struct Numbered {
+    Point at;
+    Id id;
+    bool operator<(const Numbered& o) const { return before(at, o.at); }
+  };
+  std::vector<Numbered> numbered_;
+};
+
+/// The barriers' points that are no vertices of the region, sorted, each once.
+std::vector<Point> new_points(const std::vector<Polyline>& barriers, const PointNumbers& vertices) {
+  std::vector<Point> fresh;
+  for (const Polyline& line : barriers)
+    for (const Point& p : line) {
+      if (!finite(p)) throw std::invalid_argument("a barrier has a point that is not finite");
+      if (vertices.find(p) == PointNumbers::kUnknown) fresh.push_back(p);
+    }
+  std::sort(fresh.begin(), fresh.end(), before);
+  fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
+  return fresh;
+}
+
+/// A point by which an edge is to be split.
+struct Split {
+  std::size_t edge;
+  double along;  // metres from the edge's first end
+  Id point;
+  bool operator<(const Split& o) const {
+    return edge != o.edge ? edge < o.edge : along != o.along ? along < o.along : point < o.point;
+  }
+};
+
+/// The points from number `first` on that lie on an edge, up to rounding. Others are ends or bends in the open.
+std::vector<Split> find_splits(const Region& region, const TriangulationInput& outline, std::size_t first,
+                               const PointNumbers& vertices) {
+  const EdgeIndex index(region);
+  Box box;
+  for (const Point& p : outline.points) box.add(p);
+  const double near = 1e-9 * (box.size().norm() + 1e-3 * std::max(box.low.norm(), box.high.norm()));
+  std::vector<Split> splits;
+  for (std::size_t i = first; i < outline.points.size(); ++i) {
+    const Point& p = outline.points[i];
+    const auto hit = index.nearest(p, near);
+    if (!hit) continue;
+    const EdgeIndex::Edge& e = index.edges()[hit->edge];
+    const Segment ends = segment(vertices.find(e.a), vertices.find(e.b));
+    const auto edge = std::lower_bound(outline.edges.begin(), outline.edges.end(), ends);
+    if (edge == outline.edges.end() || *edge != ends) continue;
+    const Point& from = outline.points[at(ends.first)];
+    splits.push_back({static_cast<std::size_t>(edge - outline.edges.begin()), distance(from, p), static_cast<Id>(i)});
+  }
+  std::sort(splits.begin(), splits.end());
+  return splits;
+}
+
+void split_edges(std::vector<Segment>& edges, const std::vector<Split>& splits) {
+  for (std::size_t i = 0; i < splits.size();) {
+    const std::size_t edge = splits[i].edge;
+    const auto [first, last] = edges[edge];
+    Id from = splits[i].point;
+    edges[edge] = {first, from};
+    for (++i; i < splits.size() && splits[i].edge == edge; ++i) {
+      edges.emplace_back(from, splits[i].point);
+      from = splits[i].point;
+    }
+    edges.emplace_back(from, last);
+  }
+}
+
+void add_barriers(const Region& region, const std::vector<Polyline>& barriers, TriangulationInput& out) {
+  const PointNumbers vertices(out.points);
+  const std::size_t first_new = out.points.size();
+  const std::vector<Point> fresh = new_points(barriers, vertices);
+  out.points.insert(out.points.end(), fresh.begin(), fresh.end());
+  const PointNumbers all(out.points);
+  for (const Polyline& line : barriers)
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const Id a = all.find(line[i - 1]), b = all.find(line[i]);
+      if (a != b) out.barriers.push_back(segment(a, b));
+    }
+  std::sort(out.barriers.begin(), out.barriers.end());
+  out.barriers.erase(std::unique(out.barriers.begin(), out.barriers.end()), out.barriers.end());
+  if (!fresh.empty()) split_edges(out.edges, find_splits(region, out, first_new, vertices));
+}
+
+}  // namespace
+
+TriangulationInput triangulation_input(const Region& region, const std::vector<Polyline>& barriers) {
+  TriangulationInput out = triangulation_input(region);
+  if (!barriers.empty() && out.edges.size() >= 3) add_barriers(region, barriers, out);
+  return out;
+}
+
+}  // namespace oxturn

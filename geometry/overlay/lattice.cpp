@@ -1,0 +1,42 @@
+#include "geometry/overlay/lattice.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace oxturn {
+
+Lattice::Lattice(const Box& box) {
+  if (box.empty()) return;
+  constexpr int kBits = 30;          // of a coordinate, sign included
+  constexpr int kMantissaBits = 52;  // of a double
+  constexpr int kLeastExponent = -960;
+  const double extent = std::max(box.size().x(), box.size().y());
+  const double far = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+  int extent_bits = -1000, far_bits = -1000;
+  if (extent > 0) std::frexp(extent, &extent_bits);
+  if (far > 0) std::frexp(far, &far_bits);
+  // Far from the origin the lattice is no finer than the doubles there, so that point() is exact.
+  quantum_ = std::ldexp(1.0, std::max({extent_bits - kBits, far_bits - kMantissaBits, kLeastExponent}));
+  x_ = std::floor(box.centre().x() / quantum_ + 0.5);
+  y_ = std::floor(box.centre().y() / quantum_ + 0.5);
+}
+
+std::vector<LatticePoint> snapped(const Ring& ring, const Lattice& lattice) {
+  std::vector<LatticePoint> points;
+  for (const Point& p : ring) {
+    const LatticePoint s = lattice.snap(p);
+    if (points.empty() || points.back() != s) points.push_back(s);
+  }
+  while (points.size() > 1 && points.back() == points.front()) points.pop_back();
+  return points;
+}
+
+Box finite_box(const Region& region) {
+  for_each_ring(region, [](const Ring& r) {
+    for (const Point& p : r)
+      if (!finite(p)) throw std::invalid_argument("region has a coordinate that is not a finite number");
+  });
+  return bounding_box(region);
+}
+
+}  // namespace oxturn

@@ -1,0 +1,252 @@
+// Method      In each triangle, for every two roots u and v: the curve on which their paths are equally long, a branch
+//             of a hyperbola. Let w = v - u and c = before(u) - before(v). Seen from u in direction e, a unit vector,
+//             the curve is at distance (|w|^2 - c^2) / (2 (e . w + c)). Where it meets a line, or another such curve
+//             about u, is linear in e, so all ends of pieces are known in closed form. The later root, with the greater
+//             `before`, takes the part of u: its side of the curve is convex and star-shaped about it.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "geometry/tether/geodesic_clip.hpp"
+#include "geometry/tether/geodesic_curves.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr double kLeastAngle = 1e-15;  // radians: shorter pieces are rounding
+
+/// Where the paths by roots u and v are equally long.
+struct Bisector {
+  Point u, w;
+  double before;  // of u
+  double c, k;    // k = (|w|^2 - c^2) / 2
+  Bisector(const GeodesicCones::Root& of, const GeodesicCones::Root& other)
+      : u(of.at),
+        w(other.at - of.at),
+        before(of.before),
+        c(of.before - other.before),
+        k((w.norm() - c) * (w.norm() + c) / 2) {}
+  /// Distance from u in direction e; infinite or negative if the curve is not met.
+  double reach(const Point& e) const { return k / (e.dot(w) + c); }
+  Point at(double angle) const {
+    const Point e = direction_of(angle);
+    return u + reach(e) * e;
+  }
+  /// Calls f(angle) for the directions in which it meets the line through p along d.
+  template <class F>
+  void meet_line(const Point& p, const Point& d, F f) const {
+    const Point n = perpendicular(d);
+    const double h = n.dot(p - u);
+    for_each_angle(k * n - h * w, h * c, f);
+  }
+  /// The same for another bisector about the same u.
+  template <class F>
+  void meet(const Bisector& o, F f) const {
+    for_each_angle(k * o.w - o.k * w, o.k * c - k * o.c, f);
+  }
+};
+
+/// Finds the pieces of the cut locus.
+class CutLocus {
+ public:
+  explicit CutLocus(const GeodesicCones& cones) : cones_(cones) {}
+
+  /// Calls curve(bisector, begin, end) or straight(root, a, b) for every piece in triangle t.
+  template <class Curve, class Straight>
+  void for_each_piece(std::int32_t t, Curve curve, Straight straight) {
+    const auto several = [](const Facet&, std::span<const Cone> here) { return here.size() > 1; };
+    cones_.for_each_part(t, several, [&](const Facet& part, std::span<const Cone> here) {
+      here_ = here;
+      for (const Cone& a : here) {
+        Facet seen = part;
+        cones_.clip(seen, a);
+        if (seen.empty()) continue;
+        for (const Cone& b : here)
+          if (a.root != b.root && is_later(a, b)) find_pieces(a, b, part, seen, curve, straight);
+      }
+    });
+  }
+
+ private:
+  bool is_later(const Cone& a, const Cone& b) const {
+    const double u = cones_.root(a.root).before, v = cones_.root(b.root).before;
+    return u > v || (u == v && a.root > b.root);
+  }
+
+  /// `seen`: what of the part is in cone a.
+  template <class Curve, class Straight>
+  void find_pieces(const Cone& a, const Cone& b, const Facet& part, const Facet& seen, Curve curve, Straight straight) {
+    const GeodesicCones::Root &u = cones_.root(a.root), &v = cones_.root(b.root);
+    const double slack = distance(u.at, v.at) - (u.before - v.before);
+    if (slack < -cones_.tie()) return;  // the path by v is shorter everywhere
+    if (slack <= cones_.tie()) return find_straight_pieces(a, b, part, straight);
+    Facet both = seen;
+    cones_.clip(both, b);
+    if (!both.empty()) find_curved_pieces(a, b, both, curve);
+  }
+
+  /// Is no other path clearly shorter than those by a and b?
+  bool is_shortest(const Cone& a, const Cone& b, const Point& x) const {
+    const double best = std::min(cones_.distance_by(a, x), cones_.distance_by(b, x)) - cones_.tie();
+    return std::none_of(here_.begin(), here_.end(),
+                        [&](const Cone& o) { return cones_.distance_by(o, x) < best && cones_.contains(o, x); });
+  }
+
+  struct Interval {
+    double begin, end;
+  };
+  /// Sorts breaks_ and calls f(interval) for the intervals between consecutive breaks that are long enough.
+  template <class F>
+  void for_each_interval(F f) {
+    std::sort(breaks_.begin(), breaks_.end());
+    for (std::size_t i = 1; i < breaks_.size(); ++i)
+      if (breaks_[i] - breaks_[i - 1] >= kLeastAngle) f(Interval{breaks_[i - 1], breaks_[i]});
+  }
+
+  /// breaks_ are angles, relative to the direction of the facet's middle.
+  template <class Curve>
+  void find_curved_pieces(const Cone& a, const Cone& b, const Facet& facet, Curve curve) {
+    const Bisector line(cones_.root(a.root), cones_.root(b.root));
+    const Point towards = facet.middle() - line.u;
+    const double zero = std::atan2(towards.y(), towards.x());
+    const auto middle_of = [&](const Interval& i) { return line.at(zero + (i.begin + i.end) / 2); };
+    breaks_.clear();
+    const auto add = [&](double angle) {
+      const Point e = direction_of(angle);
+      if (e.dot(line.w) + line.c > 0) breaks_.push_back(wrapped(angle - zero));
+    };
+    for (std::size_t i = 0; i < facet.vertices().size(); ++i)
+      line.meet_line(facet.vertices()[i], facet.next(i) - facet.vertices()[i], add);
+    if (breaks_.size() < 2) return;
+    std::optional<Interval> inside;  // the part of the curve in the facet
+    for_each_interval([&](const Interval& i) {
+      if (!facet.contains(middle_of(i), cones_.rounding())) return;
+      if (!inside) inside = i;
+      inside->end = i.end;
+    });
+    if (!inside) return;
+    for (const Cone& o : here_)
+      if (o.root != a.root && o.root != b.root) add_breaks(line, a, o, add);
+    std::optional<Interval> piece;
+    for_each_interval([&](const Interval& i) {
+      if (i.begin < inside->begin || i.end > inside->end) return;
+      const Point x = middle_of(i);
+      if (facet.contains(x, cones_.rounding()) && is_shortest(a, b, x)) {
+        if (!piece) piece = i;
+        piece->end = i.end;
+      } else if (piece) {
+        curve(line, zero + piece->begin, zero + piece->end);
+        piece.reset();
+      }
+    });
+    if (piece) curve(line, zero + piece->begin, zero + piece->end);
+  }
+  /// Where a third cone may become shorter, or may begin or end.
+  template <class Add>
+  void add_breaks(const Bisector& line, const Cone& a, const Cone& o, Add add) const {
+    const GeodesicCones::Root& third = cones_.root(o.root);
+    line.meet(Bisector(cones_.root(a.root), third), add);
+    if (o.whole) return;
+    line.meet_line(third.at, o.left, add);
+    line.meet_line(third.at, o.right, add);
+  }
+
+  /// The curve has degenerated to a ray: the path by v passes through u. It belongs to the cut locus only if u has its
+  /// length from another path. breaks_ are distances from u along the ray.
+  template <class Straight>
+  void find_straight_pieces(const Cone& a, const Cone& b, const Facet& part, Straight straight) {
+    const GeodesicCones::Root &u = cones_.root(a.root), &v = cones_.root(b.root);
+    if (u.parent == b.root || u.at == v.at) return;
+    const Point e = (u.at - v.at).normalized();
+    breaks_.assign(1, 0);
+    const auto add_line = [&](const Point& p, const Point& d) {
+      const double across = cross(e, d);
+      if (across != 0) breaks_.push_back(cross(p - u.at, d) / across);
+    };
+    for (std::size_t i = 0; i < 3; ++i) add_line(part.vertices()[i], part.next(i) - part.vertices()[i]);
+    for (const Cone& o : here_) {
+      const GeodesicCones::Root& third = cones_.root(o.root);
+      if (!o.whole) {
+        add_line(third.at, o.left);
+        add_line(third.at, o.right);
+      }
+      if (o.root != a.root && o.root != b.root) breaks_.push_back(Bisector(u, third).reach(e));
+    }
+    std::erase_if(breaks_, [](double s) { return !(s >= 0 && s < 1e300); });
+    std::sort(breaks_.begin(), breaks_.end());
+    for (std::size_t i = 1; i < breaks_.size(); ++i) {
+      if (breaks_[i] - breaks_[i - 1] <= cones_.rounding()) continue;
+      const Point x = u.at + (breaks_[i - 1] + breaks_[i]) / 2 * e;
+      if (!part.contains(x, cones_.rounding()) || !cones_.contains(a, x) || !cones_.contains(b, x) ||
+          !is_shortest(a, b, x) || cones_.same_path(a.root, b.root, x))
+        continue;
+      straight(u, Point(u.at + breaks_[i - 1] * e), Point(u.at + breaks_[i] * e));
+    }
+  }
+
+  const GeodesicCones& cones_;
+  std::span<const Cone> here_;
+  std::vector<double> breaks_;
+};
+
+/// Appends points of the curve after `begin` up to `end`, at most `depth` halvings deep, so that chords stay within the
+/// error.
+void append_points(const Bisector& curve, double begin, double end, double chord_error, int depth, Polyline& out) {
+  const Point a = out.back(), b = curve.at(end);
+  const auto off = [&](double part) { return distance_to_segment(curve.at(begin + part * (end - begin)), a, b); };
+  // Half of what is allowed: the largest error may be between the points tried.
+  if (depth > 0 && std::max({off(0.25), off(0.5), off(0.75)}) > chord_error / 2) {
+    const double middle = (begin + end) / 2;
+    append_points(curve, begin, middle, chord_error, depth - 1, out);
+    append_points(curve, middle, end, chord_error, depth - 1, out);
+  } else {
+    out.push_back(b);
+  }
+}
+
+template <class Curve, class Straight>
+void for_each_piece(const GeodesicCones& cones, Curve curve, Straight straight) {
+  CutLocus locus(cones);
+  for (std::int32_t t = 0; t < static_cast<std::int32_t>(cones.mesh().triangles().size()); ++t)
+    locus.for_each_piece(t, curve, straight);
+}
+
+}  // namespace
+
+std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_error) {
+  constexpr int kMostHalvings = 40;
+  if (!(chord_error > 0)) throw std::invalid_argument("chord error of a cut locus must be above 0 metres");
+  std::vector<Polyline> out;
+  for_each_piece(
+      cones,
+      [&](const Bisector& curve, double begin, double end) {
+        out.push_back({curve.at(begin)});
+        append_points(curve, begin, end, chord_error, kMostHalvings, out.back());
+      },
+      [&](const GeodesicCones::Root&, const Point& a, const Point& b) {
+        out.push_back({a, b});
+      });
+  return out;
+}
+
+/// The distance is convex along every cone, so it is largest at a vertex of the mesh or at the end of a piece of the
+/// cut locus.
+double farthest_of(const GeodesicCones& cones) {
+  double most = 0;
+  for (std::int32_t t = 0; t < static_cast<std::int32_t>(cones.mesh().triangles().size()); ++t)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const double d = cones.to_vertex(t, k); std::isfinite(d)) most = std::max(most, d);
+  for_each_piece(
+      cones,
+      [&](const Bisector& curve, double begin, double end) {
+        for (const double angle : {begin, end})
+          most = std::max(most, curve.before + distance(curve.u, curve.at(angle)));
+      },
+      [&](const GeodesicCones::Root& u, const Point&, const Point& b) {
+        most = std::max(most, u.before + distance(u.at, b));
+      });
+  return most;
+}
+
+}  // namespace oxturn

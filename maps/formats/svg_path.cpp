@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "maps/formats/svg_parts.hpp"
+#include "maps/picture.hpp"
+
+namespace oxturn::svg {
+namespace {
+
+constexpr int kPieces = 480;  // of the path, each with a colour and an element of its own
+
+/// The legs with the tool on, or those with the tool off.
+std::string legs_data(const Canvas& canvas, const Path& path, bool tool) {
+  PathData data(canvas, kLeastLineStep);
+  for (const Leg& leg : path.legs)
+    if (leg.tool == tool) data.add(leg.points);
+  return data.take();
+}
+
+/// The work legs in pieces, each one colour. The whole path (transit too) is divided into kPieces equal lengths.
+class ColouredPath {
+ public:
+  ColouredPath(std::string& out, const Canvas& canvas, double total)
+      : out_(out), data_(canvas, kLeastLineStep), total_(total) {}
+
+  void add(const Leg& leg) {
+    for (std::size_t i = 1; i < leg.points.size(); ++i) {
+      const Point a = leg.points[i - 1], b = leg.points[i];
+      const double len = distance(a, b);
+      if (leg.tool && (i == 1 || data_.empty())) data_.move(a);
+      // Where a piece ends within this segment the next colour begins.
+      while (piece_ + 1 < kPieces && driven_ + len > piece_end() && len > 0) {
+        const Point at = lerp(a, b, std::clamp((piece_end() - driven_) / len, 0.0, 1.0));
+        if (leg.tool) data_.line(at);
+        finish_piece();
+        ++piece_;
+        if (leg.tool) data_.move(at);
+      }
+      if (leg.tool) data_.line(b);
+      driven_ += len;
+    }
+  }
+  void finish_piece() {
+    if (!data_.empty())
+      out_ += fmt::format("<path stroke=\"{}\" d=\"{}\"/>\n", time_colour((piece_ + 0.5) / kPieces), data_.take());
+  }
+
+ private:
+  double piece_end() const { return (piece_ + 1) * total_ / kPieces; }  // metres
+  std::string& out_;
+  PathData data_;
+  double total_, driven_ = 0;  // metres
+  int piece_ = 0;
+};
+
+void append_work(std::string& out, const Canvas& canvas, const Path& path, double line_px) {
+  const double total = path.length();
+  if (!(total > 0) || !std::isfinite(total)) return;
+  out += fmt::format(
+      "<g id=\"path\" fill=\"none\" stroke-width=\"{}\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
+      px(line_px));
+  ColouredPath coloured(out, canvas, total);
+  for (const Leg& leg : path.legs) coloured.add(leg);
+  coloured.finish_piece();
+  out += "</g>\n";
+}
+
+}  // namespace
+
+void append_swath(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path) {
+  const double tool_px = problem.robot().tool_width * canvas.scale;
+  out += fmt::format(
+      "<path id=\"swath\" fill=\"none\" stroke=\"#b9d9f7\" stroke-opacity=\"0.8\" stroke-width=\"{}\" "
+      "stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\"{}\"/>\n",
+      px(std::max(tool_px, 0.02)), legs_data(canvas, path, true));
+}
+
+void append_path(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path) {
+  const double tool_px = problem.robot().tool_width * canvas.scale;
+  const double line_px = std::clamp(tool_px * 0.14, 0.5, 2.2);
+  const std::string transit = legs_data(canvas, path, false);
+  if (!transit.empty())
+    out += fmt::format(
+        "<path id=\"transit\" fill=\"none\" stroke=\"#555\" stroke-width=\"{}\" stroke-dasharray=\"{} {}\" "
+        "d=\"{}\"/>\n",
+        px(std::max(0.7, line_px * 0.8)), px(std::max(3.0, 3 * line_px)), px(std::max(2.0, 2 * line_px)), transit);
+  append_work(out, canvas, path, line_px);
+}
+
+void append_traces(std::string& out, const Canvas& canvas, const std::vector<Trace>& traces) {
+  static constexpr std::array<const char*, 6> kColours{"#7a3fa8", "#0b7a75", "#b5651d",
+                                                       "#d6336c", "#1b4f9c", "#5c7a00"};
+  std::vector<std::string> names;  // in order of appearance
+  for (const Trace& trace : traces) {
+    const auto known = std::find(names.begin(), names.end(), trace.name);
+    const auto order = static_cast<std::size_t>(known - names.begin());
+    if (known == names.end()) names.push_back(trace.name);
+    PathData data(canvas, kLeastLineStep);
+    for (const Polyline& line : trace.lines) data.add(line);
+    out += fmt::format(
+        "<g id=\"{0}\" fill=\"none\" stroke=\"{2}\" stroke-width=\"1\" stroke-opacity=\"0.7\">"
+        "<title>{0}</title><path d=\"{1}\"/></g>\n",
+        escape_xml(trace.name), data.take(), kColours[order % kColours.size()]);
+  }
+}
+
+}  // namespace oxturn::svg

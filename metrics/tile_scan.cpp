@@ -1,0 +1,250 @@
+#include "metrics/tile_scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace oxturn {
+namespace {
+
+constexpr double kHalfDiagonal = 0.70710678118654757;  // of a tile
+constexpr Extent kTile{{0, 0}, {0.5, 0.5}};
+constexpr double kSpare = 1e-9;  // tile sides: an extra candidate costs little, a missing one would be wrong
+// Chords per half disc.
+constexpr int kFirstChords = 16, kMostChords = 1024, kVisitChords = 32;
+constexpr double kLeastWanted = 0.1;  // tiles: budgets of tiles with less target are not smaller
+
+const Convex& unit_square() {
+  static const Convex square = [] {
+    Convex c;
+    c.add({-0.5, -0.5});
+    c.add({0.5, -0.5});
+    c.add({0.5, 0.5});
+    c.add({-0.5, 0.5});
+    return c;
+  }();
+  return square;
+}
+
+std::int64_t floor_of(double x) { return static_cast<std::int64_t>(std::floor(x)); }
+
+/// Huygens: cancels the leading errors of both.
+double estimate(double inscribed, double circumscribed) { return inscribed / 3 + 2 * circumscribed / 3; }
+
+}  // namespace
+
+double TileScan::Uncovered::estimate() const { return oxturn::estimate(most, least); }
+
+TileScan::TileScan(const Region& target, const Point& origin, double side, const CapsuleSet& capsules, double margin)
+    : rows_(target, origin, side), capsules_(capsules), margin_(margin), visit_chords_(kVisitChords) {
+  for (int n = kFirstChords; n <= kMostChords; n *= 2) chords_.emplace_back(n);
+}
+
+std::int64_t TileScan::first_row(std::uint32_t capsule) const {
+  const Capsule& k = capsules_.all[capsule];
+  return floor_of(std::min(k.a.y, k.b.y) - kToolRadius);
+}
+std::int64_t TileScan::last_row(std::uint32_t capsule) const {
+  const Capsule& k = capsules_.all[capsule];
+  return floor_of(std::max(k.a.y, k.b.y) + kToolRadius);
+}
+
+TileSums TileScan::run(double budget) {
+  budget_ = budget;
+  std::vector<std::uint32_t> order(capsules_.all.size()), active;
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::uint32_t l, std::uint32_t r) {
+    const std::int64_t rl = first_row(l), rr = first_row(r);
+    return rl != rr ? rl < rr : l < r;
+  });
+  std::size_t next = 0;
+  std::int64_t row = 0;
+  while (next < order.size() || !active.empty()) {
+    if (active.empty()) row = first_row(order[next]);
+    for (; next < order.size() && first_row(order[next]) <= row; ++next) active.push_back(order[next]);
+    collect(row, active);
+    scan_row(row);
+    std::erase_if(active, [&](std::uint32_t i) { return last_row(i) <= row; });
+    ++row;
+  }
+  return sums_;
+}
+
+/// Fills near_ for a row.
+void TileScan::collect(std::int64_t row, const std::vector<std::uint32_t>& active) {
+  near_.clear();
+  for (const std::uint32_t i : active) add_near(row, i);
+  sort_near();
+}
+
+/// Adds the capsule to all tiles of the row that it may touch.
+void TileScan::add_near(std::int64_t row, std::uint32_t capsule) {
+  const Capsule& k = capsules_.all[capsule];
+  const double low = static_cast<double>(row);
+  const double reach = kToolRadius + kHalfDiagonal + kSpare;
+  double from = std::min(k.a.x, k.b.x), to = std::max(k.a.x, k.b.x);
+  if (k.a.y != k.b.y) {  // the part of the segment within a radius of the row
+    const double slope = (k.b.x - k.a.x) / (k.b.y - k.a.y);
+    const double x0 = k.a.x + (low - kToolRadius - k.a.y) * slope, x1 = k.a.x + (low + 1 + kToolRadius - k.a.y) * slope;
+    from = std::max(from, std::min(x0, x1));
+    to = std::min(to, std::max(x0, x1));
+  }
+  for (std::int64_t c = floor_of(from - kToolRadius - kSpare); c <= floor_of(to + kToolRadius + kSpare); ++c) {
+    const double d2 = squared_distance({static_cast<double>(c) + 0.5, low + 0.5}, k);
+    if (d2 < reach * reach) near_.push_back({c, d2, capsule});
+  }
+}
+
+/// By column, then nearest first: by a counting sort of the columns if they are dense.
+void TileScan::sort_near() {
+  if (near_.empty()) return;
+  const auto nearer = [](const Near& l, const Near& r) {
+    return l.distance2 != r.distance2 ? l.distance2 < r.distance2 : l.capsule < r.capsule;
+  };
+  const auto [least, most] =
+      std::minmax_element(near_.begin(), near_.end(), [](const Near& l, const Near& r) { return l.column < r.column; });
+  const std::int64_t base = least->column;
+  const auto columns = static_cast<std::uint64_t>(most->column - base) + 1;
+  if (columns > 8 * near_.size() + 64) {
+    std::sort(near_.begin(), near_.end(),
+              [&](const Near& l, const Near& r) { return l.column != r.column ? l.column < r.column : nearer(l, r); });
+    return;
+  }
+  first_of_column_.assign(columns + 1, 0);
+  for (const Near& n : near_) ++first_of_column_[static_cast<std::size_t>(n.column - base) + 1];
+  for (std::size_t c = 1; c < first_of_column_.size(); ++c) first_of_column_[c] += first_of_column_[c - 1];
+  sorted_.resize(near_.size());
+  fill_ = first_of_column_;
+  for (const Near& n : near_) sorted_[fill_[static_cast<std::size_t>(n.column - base)]++] = n;
+  for (std::size_t c = 0; c + 1 < first_of_column_.size(); ++c)
+    std::sort(sorted_.begin() + static_cast<std::ptrdiff_t>(first_of_column_[c]),
+              sorted_.begin() + static_cast<std::ptrdiff_t>(first_of_column_[c + 1]), nearer);
+  near_.swap(sorted_);
+}
+
+void TileScan::scan_row(std::int64_t row) {
+  rows_.start_row(row);
+  for (std::size_t from = 0; from < near_.size();) {
+    const std::int64_t column = near_[from].column;
+    std::size_t to = from + 1;
+    while (to < near_.size() && near_[to].column == column) ++to;
+    const Vec centre{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
+    scan_tile({near_.data() + from, near_.data() + to, centre}, rows_.tile(column));
+    from = to;
+  }
+}
+
+void TileScan::scan_tile(const Tile& tile, const TileTarget& target) {
+  const double wanted = target.inside() ? 1 : target.outside() ? 0 : target.area_in(unit_square());
+  const Uncovered left = uncovered(tile, kAllLegs);
+  const double swept = 1 - left.estimate();
+  sums_.target += wanted;
+  sums_.swept += swept;
+  if (wanted > 0 && !most_.empty()) add_missed(tile, target, wanted);
+  add_legs(tile, swept);
+  if (!target.inside()) add_visits(tile, target);
+}
+
+/// Does the capsule certainly contain the whole tile?
+bool TileScan::covers_tile(const Near& near, Vec centre) const {
+  const double r = kToolRadius - margin_;
+  if (near.distance2 >= r * r) return false;
+  const double sure = r - kHalfDiagonal - kSpare;
+  if (near.distance2 <= sure * sure) return true;
+  for (const Vec corner : {Vec{-0.5, -0.5}, Vec{0.5, -0.5}, Vec{0.5, 0.5}, Vec{-0.5, 0.5}})
+    if (squared_distance(centre + corner, capsules_.all[near.capsule]) > r * r) return false;
+  return true;
+}
+
+/// pieces = tile without the polygons of its capsules (of one leg, or all).
+void TileScan::remainder(const Tile& tile, const Chords& chords, Bound bound, std::uint32_t leg,
+                         std::vector<Convex>& pieces) {
+  pieces.assign(1, unit_square());
+  Extent where = kTile;  // box of the pieces: it shrinks fast, and capsules that do not reach it are skipped
+  double span = kHalfDiagonal;
+  const bool inscribed = bound == Bound::inscribed;
+  const double side = inscribed ? kToolRadius - margin_ : kToolRadius + margin_;
+  const double cap = inscribed ? kToolRadius * chords.inscribed() - margin_ : kToolRadius + margin_;
+  for (const Near* n = tile.begin(); n != tile.end() && !pieces.empty(); ++n) {
+    const Capsule& k = capsules_.all[n->capsule];
+    if (!counts(k, leg)) continue;
+    const double far = side + span + kSpare;
+    if (squared_distance(tile.centre + where.centre, k) >= far * far) continue;
+    polygon_of(k, tile.centre, where, chords, side, cap, cut_);
+    subtract(pieces, cut_, spare_);
+    where = extent_of(pieces);
+    span = std::hypot(where.half.x, where.half.y);
+  }
+}
+
+/// Uncovered area of the tile by the coarsest chords; leaves the pieces in most_ and least_.
+TileScan::Uncovered TileScan::uncovered(const Tile& tile, std::uint32_t leg) {
+  most_.clear();
+  least_.clear();
+  for (const Near& n : tile)
+    if (counts(capsules_.all[n.capsule], leg) && covers_tile(n, tile.centre)) return {};
+  remainder(tile, chords_[0], Bound::inscribed, leg, most_);
+  if (most_.empty()) return {};
+  remainder(tile, chords_[0], Bound::circumscribed, leg, least_);
+  return {area(most_), area(least_)};
+}
+
+/// Refines the chords until the bounds of the missed target are within the budget.
+void TileScan::add_missed(const Tile& tile, const TileTarget& target, double wanted) {
+  double most = target.area_in(most_), least = target.area_in(least_);
+  sums_.missed += std::min(wanted, estimate(most, least));
+  for (std::size_t n = 1; n < chords_.size() && most - least > budget_ * std::max(wanted, kLeastWanted); ++n) {
+    remainder(tile, chords_[n], Bound::inscribed, kAllLegs, most_);
+    remainder(tile, chords_[n], Bound::circumscribed, kAllLegs, least_);
+    most = target.area_in(most_);
+    least = target.area_in(least_);
+  }
+  sums_.missed_most += std::min(most, wanted);
+  sums_.missed_least += std::min(least, wanted);
+}
+
+/// `swept`: by all legs together.
+void TileScan::add_legs(const Tile& tile, double swept) {
+  legs_.clear();
+  for (const Near& n : tile)
+    if (!capsules_.all[n.capsule].visits_only) legs_.push_back(capsules_.all[n.capsule].leg);
+  std::sort(legs_.begin(), legs_.end());
+  legs_.erase(std::unique(legs_.begin(), legs_.end()), legs_.end());
+  if (legs_.size() == 1) sums_.legs += swept;
+  if (legs_.size() <= 1) return;
+  for (const std::uint32_t leg : legs_) sums_.legs += 1 - uncovered(tile, leg).estimate();
+}
+
+/// The area outside the target where visits begin.
+void TileScan::add_visits(const Tile& tile, const TileTarget& target) {
+  const double cap = kToolRadius * visit_chords_.equal_area();
+  std::vector<Convex>& begun = most_;
+  for (const Near& n : tile) {
+    const Capsule& k = capsules_.all[n.capsule];
+    if (k.disc && !k.visits_only) continue;
+    begun.clear();
+    polygon_of(k, tile.centre, kTile, visit_chords_, kToolRadius, cap, cut_);
+    clip_to_cut(unit_square(), 0);
+    if (!k.disc && !begun.empty()) {
+      disc_of(k, tile.centre, kTile, visit_chords_, cap, cut_);
+      subtract(begun, cut_, spare_);
+    }
+    sums_.visits_outside += std::max(0.0, area(begun) - target.area_in(begun));
+  }
+}
+
+/// Appends `piece` clipped to cut_[from] and all later half-planes to most_, in halves where it gets too many vertices.
+void TileScan::clip_to_cut(Convex piece, std::size_t from) {
+  for (; from < cut_.size() && piece.size >= 3; ++from) {
+    if (piece.size > Convex::kWide) {
+      const auto [one, two] = halves(piece);
+      clip_to_cut(one, from);
+      clip_to_cut(two, from);
+      return;
+    }
+    piece = clipped(piece, cut_[from]);
+  }
+  if (piece.size >= 3) most_.push_back(piece);
+}
+
+}  // namespace oxturn

@@ -1,0 +1,91 @@
+/// Adds up covered, swept and visited areas tile by tile: the main loop of swept_area.hpp. Private to metrics/.
+///
+///   TileScan scan(target, origin, side, capsules, margin);
+///   const TileSums sums = scan.run(0.0005);
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "metrics/capsules.hpp"
+#include "metrics/target_rows.hpp"
+
+namespace oxturn {
+
+inline constexpr double kToolRadius = 1;  // in tile sides
+
+/// Areas in tiles.
+struct TileSums {
+  double target = 0;          // of the touched tiles
+  double missed_most = 0;     // target not covered: upper bound
+  double missed_least = 0;    // lower bound
+  double missed = 0;          // estimate
+  double swept = 0;           // union of all swaths, estimate
+  double legs = 0;            // sum over legs of the areas of their swaths, estimate
+  double visits_outside = 0;  // where visits begin outside the target, estimate
+};
+
+class TileScan {
+ public:
+  /// Tile coordinates: (p - origin) / side. `margin`: by how much polygons are shrunk or grown, in tile sides. Keeps a
+  /// reference to `capsules`.
+  TileScan(const Region& target, const Point& origin, double side, const CapsuleSet& capsules, double margin);
+
+  /// `budget`: how much of a tile's target may stay undecided between the bounds. Once per object.
+  TileSums run(double budget);
+
+ private:
+  /// A capsule near a tile of the present row.
+  struct Near {
+    std::int64_t column;
+    double distance2;  // from the tile's centre to the segment, squared
+    std::uint32_t capsule;
+  };
+  /// The capsules near one tile.
+  struct Tile {
+    const Near *first, *last;  // half-open
+    Vec centre;
+    const Near* begin() const { return first; }
+    const Near* end() const { return last; }
+  };
+  enum class Bound { inscribed, circumscribed };  // polygons in place of capsules
+  struct Uncovered {                              // of one tile
+    double most = 0, least = 0;
+    double estimate() const;
+  };
+  static constexpr std::uint32_t kAllLegs = 0xffffffff;
+
+  bool counts(const Capsule& capsule, std::uint32_t leg) const {
+    return !capsule.visits_only && (leg == kAllLegs || capsule.leg == leg);
+  }
+  std::int64_t first_row(std::uint32_t capsule) const;
+  std::int64_t last_row(std::uint32_t capsule) const;
+  void collect(std::int64_t row, const std::vector<std::uint32_t>& active);
+  void add_near(std::int64_t row, std::uint32_t capsule);
+  void sort_near();
+  void scan_row(std::int64_t row);
+  void scan_tile(const Tile& tile, const TileTarget& target);
+  bool covers_tile(const Near& near, Vec centre) const;
+  void remainder(const Tile& tile, const Chords& chords, Bound bound, std::uint32_t leg, std::vector<Convex>& pieces);
+  Uncovered uncovered(const Tile& tile, std::uint32_t leg);
+  void add_missed(const Tile& tile, const TileTarget& target, double wanted);
+  void add_legs(const Tile& tile, double swept);
+  void add_visits(const Tile& tile, const TileTarget& target);
+  void clip_to_cut(Convex piece, std::size_t from);
+
+  TargetRows rows_;
+  const CapsuleSet& capsules_;
+  double margin_, budget_ = 0;
+  std::vector<Chords> chords_;  // coarse to fine
+  Chords visit_chords_;
+  TileSums sums_;
+  // Of the present row or tile; members so that their memory is reused.
+  std::vector<Near> near_, sorted_;  // by column, then nearest first
+  std::vector<std::size_t> first_of_column_, fill_;
+  std::vector<Convex> most_, least_;  // what remains uncovered of the present tile, upper and lower bound
+  std::vector<Convex> spare_;
+  std::vector<HalfPlane> cut_;  // polygon of the present capsule
+  std::vector<std::uint32_t> legs_;
+};
+
+}  // namespace oxturn
