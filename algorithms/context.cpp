@@ -58,6 +58,12 @@ void Context::promise(const Region& region) {
   if (sinks_.promise) sinks_.promise(region);
 }
 
+Context::Sinks Context::traces_only() const {
+  Sinks sinks;
+  sinks.trace = sinks_.trace;
+  return sinks;
+}
+
 void Context::record(const std::string& name, double value) {
   const auto good = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
   if (name.empty() || name.size() > 64 || !std::all_of(name.begin(), name.end(), good))
