@@ -18,6 +18,22 @@
 namespace oxturn {
 namespace {
 
+/// All that a suite means, as text.
+std::string described(const Suite& suite) {
+  std::string text =
+      fmt::format("{} seed {} repeats {} target {} wall {} cpu {} memory {}\n", suite.name, suite.seed, suite.repeats,
+                  suite.target_coverage, suite.limits.wall_s, suite.limits.cpu_s, suite.limits.memory_mb);
+  for (const Robot& robot : suite.robots) text += fmt::format("robot {} {}\n", robot.name, canonical_text(robot));
+  for (const MapSpec& m : suite.maps) {
+    text += fmt::format("map {} {} {} {} {}", m.name, m.generator, to_text(m.settings), m.seed, m.file);
+    if (m.start) text += " start " + to_text(*m.start);
+    if (m.anchor) text += " anchor " + to_text(*m.anchor);
+    text += '\n';
+  }
+  for (const PlannerSpec& p : suite.planners) text += fmt::format("planner {}\n", p.variant());
+  return text;
+}
+
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -120,7 +136,7 @@ TEST(Suite, FootprintsAreNamedOrListed) {
   ASSERT_EQ(listed.robots.size(), 1u);
   EXPECT_EQ(listed.robots[0].name, "r");
   EXPECT_EQ(listed.robots[0].footprint, (Ring{{1, 0}, {0, 1}, {-1, -1.5}}));
-  EXPECT_NE(content_hash(named), content_hash(listed));
+  EXPECT_NE(described(named), described(listed));
 }
 
 TEST(Suite, TheStarNamesThoseNotNamed) {
@@ -204,7 +220,7 @@ TEST(Suite, IgnoredTethersAreVariants) {
   EXPECT_THAT(variants(read("name = \"*\"\nignore_tether = [true, false]\n")),
               ElementsAre("test[ignore_tether=true]", "test", "other[ignore_tether=true]", "other", "tied"));
   EXPECT_THAT(variants(read("name = \"tied\"\nignore_tether = false\n")), ElementsAre("tied"));
-  EXPECT_NE(content_hash(read("name = \"test\"\nignore_tether = true\n")), content_hash(read("name = \"test\"\n")));
+  EXPECT_NE(described(read("name = \"test\"\nignore_tether = true\n")), described(read("name = \"test\"\n")));
   EXPECT_THAT(sentence_of(start + "[[planners]]\nname = \"tied\"\nignore_tether = true\n", registry_with_tied()),
               StartsWith("t.toml:11: planner 'tied' plans for the tether"));
   EXPECT_THAT(sentence_of(start + "[[planners]]\nname = \"test\"\nignore_tether = 1\n"),
@@ -214,9 +230,10 @@ TEST(Suite, IgnoredTethersAreVariants) {
 TEST(Suite, RunsThatIgnoreTheTetherHaveNamesOfTheirOwn) {
   const PlannerInfo& planner = testing::test_registry().planners.find("test");
   Settings settings = full_settings(planner, {}, testing::test_registry().planners);
-  const std::string plain = run_id("m", "r", "p", planner.name, settings, 7, 1);
+  const std::string plain = run_id("m", "r", "p", planner.name, settings, 7, 1, "b");
   settings[kIgnoreTether] = true;
-  EXPECT_NE(run_id("m", "r", "p", planner.name, settings, 7, 1), plain);
+  EXPECT_NE(run_id("m", "r", "p", planner.name, settings, 7, 1, "b"), plain);
+  EXPECT_NE(run_id("m", "r", "p", planner.name, settings, 7, 1, "another build"), plain);
 }
 
 // Every kind of mistake: one sentence, with the line. Long because it is a table.
@@ -286,22 +303,22 @@ TEST(Suite, MistakesAreOneSentenceWithTheirLine) {
               ::testing::ThrowsMessage<std::invalid_argument>(HasSubstr("no such file: '/nowhere/t.toml'")));
 }
 
-TEST(Suite, HashKnowsMeaningFromLooks) {
+TEST(Suite, ReadsTheMeaningNotTheLooks) {
   const std::string a = fmt::format("{}{}{}{}", kHead, kRobot, kMap, kPlanner);
-  EXPECT_EQ(content_hash(suite_of(a)), content_hash(suite_of("# a comment\n" + a)));
-  EXPECT_NE(content_hash(suite_of(a)), content_hash(suite_of(a + "how = \"x\"\n")));
+  EXPECT_EQ(described(suite_of(a)), described(suite_of("# a comment\n" + a)));
+  EXPECT_NE(described(suite_of(a)), described(suite_of(a + "how = \"x\"\n")));
 }
 
-TEST(Suite, HashCoversLocationsAndTethers) {
+TEST(Suite, KeepsLocationsAndTethersApart) {
   const std::string maps = fmt::format("{}{}{}{}", kHead, kRobot, kMap, kPlanner);
-  std::set<std::string> hashes{content_hash(suite_of(maps))};
+  std::set<std::string> hashes{described(suite_of(maps))};
   const std::vector<std::string> robots{"tether.length = 4\n", "tether.reach = 4\n",
                                         "tether = { length = 4, sharp_angle = 1.0 }\n"};
   for (const std::string& line : robots)
-    hashes.insert(content_hash(suite_of(fmt::format("{}{}{}{}{}", kHead, kRobot, line, kMap, kPlanner))));
+    hashes.insert(described(suite_of(fmt::format("{}{}{}{}{}", kHead, kRobot, line, kMap, kPlanner))));
   for (const std::string line :
        {"anchor = \"start\"\n", "anchor = \"wall\"\n", "anchor = [1, 1]\n", "start = [1, 1]\n"})
-    hashes.insert(content_hash(suite_of(fmt::format("{}{}{}{}{}", kHead, kRobot, kMap, line, kPlanner))));
+    hashes.insert(described(suite_of(fmt::format("{}{}{}{}{}", kHead, kRobot, kMap, line, kPlanner))));
   EXPECT_EQ(hashes.size(), 8u);
 }
 
@@ -363,7 +380,7 @@ TEST(Suite, LeashedHasTheRobotsAndMapsOfTether) {
     suite->name = "";
     suite->planners.clear();
   }
-  EXPECT_EQ(content_hash(leashed), content_hash(tether));
+  EXPECT_EQ(described(leashed), described(tether));
 }
 
 // And so is docs/tether-online.md, but its robots have a lidar besides.
@@ -374,7 +391,7 @@ TEST(Suite, TetherOnlineHasTheMapsAndTethersOfTether) {
     suite->planners.clear();
     for (auto& robot : suite->robots) robot.lidar.reset();
   }
-  EXPECT_EQ(content_hash(online), content_hash(tether));
+  EXPECT_EQ(described(online), described(tether));
 }
 
 }  // namespace
