@@ -14,6 +14,7 @@
 #include "base/named_list.hpp"
 #include "base/parameters.hpp"
 #include "maps/problem.hpp"
+#include "maps/promise.hpp"
 
 namespace oxturn {
 
@@ -29,6 +30,7 @@ struct PlannerInfo {
   std::string name, family, title, citation;
   std::vector<Capability> capabilities;
   std::string guarantee;
+  Promise promise = Promise::nothing;  // to cover, with the default settings (Context::promise for others)
   std::vector<ParameterInfo> parameters;
   /// Settings with which the planner does exactly what its source says: the meaning of `variant = published`. Empty:
   /// the planner has no such parameter.
@@ -61,6 +63,7 @@ struct Description {
   std::string name, family, title, citation;
   std::vector<Capability> capabilities;
   std::string guarantee;
+  Promise promise = Promise::nothing;
   std::vector<Parameter<P>> parameters;
   Settings published = {};
 };
@@ -70,8 +73,9 @@ ParameterInfo variant_parameter(const Settings& published);
 
 template <class Planner, class P>
 PlannerInfo describe(Description<P> d) {
-  PlannerInfo info{d.name,      d.family, d.title, d.citation, d.capabilities, d.guarantee, infos_of(d.parameters),
-                   d.published, {},       {}};
+  PlannerInfo info{d.name,         d.family,    d.title,   d.citation,
+                   d.capabilities, d.guarantee, d.promise, infos_of(d.parameters),
+                   d.published,    {},          {}};
   if (!d.published.empty()) info.parameters.push_back(variant_parameter(d.published));
   info.make = [self = info, lines = std::move(d.parameters)](const Settings& settings, const Planners&) {
     const std::string owner = "planner '" + self.name + "'";

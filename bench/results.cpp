@@ -36,6 +36,9 @@ Column text(std::string name, std::string help, std::string empty = "") {
 Column whole(std::string name, std::string help, std::string empty = "") {
   return {std::move(name), "integer", "1", "", std::move(help), std::move(empty)};
 }
+Column real(std::string name, std::string unit, std::string help, std::string empty = "") {
+  return {std::move(name), "real", std::move(unit), "", std::move(help), std::move(empty)};
+}
 Column timing(std::string name, std::string unit, std::string help) {
   return {std::move(name),
           "real",
@@ -56,11 +59,22 @@ Columns run_columns(const Metrics& metrics) {
               text("map", "name of the map, unique within the suite"),
               text("map_family", "generator, or \"file\"", "the map could not be made"),
               text("map_sha256", "content address of the map's free space", "the map could not be made"),
+              text("map_params", "of the generator or reader, k=v;k=v", "all defaults"),
+              real("map_area_m2", "m2", "area of the free space", "the map could not be made"),
+              real("map_perimeter_m", "m", "total length of its boundary", "the map could not be made"),
+              whole("map_holes", "obstacles inside it", "the map could not be made"),
+              whole("map_reflex_vertices", "vertices with an interior angle above pi", "the map could not be made"),
+              real("map_narrowest_m", "m", "width of the narrowest passage", "none, or above 5000 vertices"),
+              real("map_area_tools", "1", "area over the square of the tool width", "the map could not be made"),
               text("planner", "name of the planner"),
               text("planner_family", "family of the planner"),
               text("variant", "planner with the settings that are not the defaults"),
               text("params", "those settings, k=v;k=v", "all defaults"),
+              text("promise", "what the planner promises to cover: target, cells or nothing"),
               text("robot", "name of the robot"),
+              real("robot_radius_m", "m", "radius of the robot's disc", "the robot has a polygonal footprint"),
+              real("tool_width_m", "m", "width of the tool"),
+              text("problem_sha256", "hash of map, robot, start and anchor", "the problem could not be built"),
               whole("seed", "seed of the planner's random generator", "the problem could not be built"),
               whole("repeat", "1 .. repeats"),
               text("outcome", "how the run ended"),
@@ -77,6 +91,8 @@ Columns run_columns(const Metrics& metrics) {
   all.push_back(timing("peak_rss_bytes", "bytes", "growth of resident memory during plan(), at its peak"));
   all.push_back(timing("score_s", "s", "time that scoring the path took"));
   all.back().empty = "no path was scored";
+  all.push_back(timing("load", "1", "processes ready to run on the machine, when the run began"));
+  all.back().empty = "the system does not say";
   all.push_back(text("path_sha256", "hash of the path's legs as GeoJSON", "no path"));
   all.push_back(text("path_file", "path within the results folder", "no path that could be written"));
   return all;

@@ -16,6 +16,7 @@
 #include "bench/run_id.hpp"
 #include "bench/verdict.hpp"
 #include "bench/wire.hpp"
+#include "maps/map_features.hpp"
 
 namespace oxturn {
 
@@ -42,12 +43,27 @@ struct Setting {
   std::optional<Map> map;
   std::optional<Problem> problem;
   mutable std::optional<Problem> loose;  // without the tether, for planners that ignore it; made for the first of them
-  std::string map_hash;
-  std::string hash;  // of the problem, or what stands for it
+  std::map<std::string, std::string> cells;  // that describe map and robot, the same for all runs
+  std::string hash;                          // of the problem, or what stands for it
   Outcome outcome = Outcome::ok;
   std::string reason;  // why there is no problem
   std::string problem_file;
 };
+
+std::map<std::string, std::string> map_cells(const MapSpec& spec, const Map& map, double tool_width) {
+  const MapFeatures features = map_features(map);
+  std::map<std::string, std::string> cells{
+      {"map_family", map.family},
+      {"map_sha256", content_hash(map)},
+      {"map_params", to_text(spec.generator.empty() ? spec.read : spec.settings)},
+      {"map_area_m2", to_decimal(features.area_m2)},
+      {"map_perimeter_m", to_decimal(features.perimeter_m)},
+      {"map_holes", std::to_string(features.holes)},
+      {"map_reflex_vertices", std::to_string(features.reflex_vertices)},
+      {"map_area_tools", to_decimal(features.area_m2 / (tool_width * tool_width))}};
+  if (features.narrowest_m) cells["map_narrowest_m"] = to_decimal(*features.narrowest_m);
+  return cells;
+}
 
 /// Scoring needs these parts of a problem and would build them for the second planner but not for the first.
 void build_shared_parts(const Problem& problem) {
@@ -72,7 +88,7 @@ Setting set_up(const Work& work, const SuiteCell& cell) {
       s.map = generate(spec.generator, spec.settings, spec.seed, work.registry.generators);
     }
     s.map->name = spec.name;
-    s.map_hash = content_hash(*s.map);
+    s.cells = map_cells(spec, *s.map, robot.tool_width);
     const StartAndAnchor located = resolve(*s.map, robot, start, anchor);
     s.problem.emplace(*s.map, robot, located.start, located.anchor);
     s.hash = s.problem->content_hash();
@@ -112,27 +128,31 @@ Row row_of(const Work& work, std::size_t index, const Setting& setting) {
   const SuiteCell& cell = work.cells[index];
   const PlannerSpec& spec = work.suite.planners[cell.planner];
   const PlannerInfo& planner = work.registry.planners.find(spec.name);
-  const std::string& robot = work.suite.robots[cell.robot].name;
+  const Robot& robot = work.suite.robots[cell.robot];
   const std::uint64_t seed = run_seed(work.suite.seed, spec.name, setting.hash, cell.repeat);
   Settings settings = full_settings(planner, spec.settings, work.registry.planners);
   if (spec.ignore_tether) settings[kIgnoreTether] = true;
   Row row;
   const std::string& map = work.suite.maps[cell.map].name;
-  row.cells = {{"schema", "1"},
-               {"run_id", run_id(map, robot, setting.hash, spec.name, settings, seed, cell.repeat, build_identity())},
-               {"attempt", "1"},
-               {"suite", work.suite.name},
-               {"map", map},
-               {"planner", spec.name},
-               {"planner_family", planner.family},
-               {"variant", spec.variant()},
-               {"params", to_text(spec.said())},
-               {"robot", robot},
-               {"repeat", std::to_string(cell.repeat)}};
-  if (setting.problem) row.cells["seed"] = std::to_string(seed);
-  if (setting.map) {
-    row.cells["map_family"] = setting.map->family;
-    row.cells["map_sha256"] = setting.map_hash;
+  row.cells = {
+      {"schema", "1"},
+      {"run_id", run_id(map, robot.name, setting.hash, spec.name, settings, seed, cell.repeat, build_identity())},
+      {"attempt", "1"},
+      {"suite", work.suite.name},
+      {"map", map},
+      {"planner", spec.name},
+      {"planner_family", planner.family},
+      {"variant", spec.variant()},
+      {"params", to_text(spec.said())},
+      {"promise", to_text(planner.promise)},
+      {"robot", robot.name},
+      {"tool_width_m", to_decimal(robot.tool_width)},
+      {"repeat", std::to_string(cell.repeat)}};
+  row.cells.insert(setting.cells.begin(), setting.cells.end());
+  if (robot.footprint.empty()) row.cells["robot_radius_m"] = to_decimal(robot.radius);
+  if (setting.problem) {
+    row.cells["seed"] = std::to_string(seed);
+    row.cells["problem_sha256"] = setting.hash;
   }
   return row;
 }
@@ -175,7 +195,7 @@ void run_one(const Work& work, const Setting& setting, std::size_t index, int fd
     options.seed = run_seed(work.suite.seed, spec.name, setting.hash, work.cells[index].repeat);
     options.warm_ups = work.suite.warm_ups;
     options.traces = work.options.traces;
-    row.cells["load"] = to_decimal(load_average());
+    if (const double load = load_average(); load >= 0) row.cells["load"] = to_decimal(load);
     options.log_file = fmt::format("{}/logs/{}.log", work.options.folder, row.get("run_id"));
     const auto make = [&] { return planner.make(spec.settings, work.registry.planners); };
     const Planned planned = plan_isolated(make, problem, options);

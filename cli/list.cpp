@@ -51,6 +51,7 @@ Json planners(const Registry& registry) {
                    {"citation", p.citation},
                    {"capabilities", capabilities},
                    {"guarantee", p.guarantee},
+                   {"promise", to_text(p.promise)},
                    {"parameters", to_json(p.parameters)}});
   }
   return all;

@@ -1,7 +1,9 @@
 // Planners at their worst, one process each.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -10,8 +12,10 @@
 #include <filesystem>
 
 #include "base/files.hpp"
+#include "bench/process_info.hpp"
 #include "bench/run_suite.hpp"
 #include "maps/path_file.hpp"
+#include "reports/built_in_registry.hpp"
 #include "test_planners.hpp"
 
 namespace oxturn {
@@ -82,6 +86,80 @@ TEST(Isolate, AllocatingTooMuchIsStopped) {
   options.limits.wall_s = 1.5;
   const Outcome mapped = run("allocate_by_mmap", options).outcome;
   EXPECT_TRUE(mapped == Outcome::timeout || mapped == Outcome::out_of_memory) << to_text(mapped);
+}
+
+TEST(Isolate, ProcessorTimeHasALimitOfItsOwn) {
+  IsolationOptions options = short_limits();
+  options.limits = {.wall_s = 20, .cpu_s = 0.2, .memory_mb = 200};
+  const Planned spinning = run("spin", options);
+  EXPECT_EQ(spinning.outcome, Outcome::timeout);
+  EXPECT_EQ(spinning.reason, "no result after 0.2 s of processor time");
+  options.limits.wall_s = 0.5;
+  EXPECT_EQ(run("sleep", options).reason, "no result after 0.5 s");
+}
+
+TEST(Isolate, MemoryOfAllProcessesCounts) {
+  IsolationOptions options = short_limits();
+  options.limits.wall_s = 20;
+  const Planned planned = run("allocate_in_children", options);
+  EXPECT_EQ(planned.outcome, Outcome::out_of_memory);
+  EXPECT_EQ(planned.reason, "needs more than 200 MB of memory");
+}
+
+// The limit is the one that is given, from both sides.
+TEST(Isolate, TheMemoryLimitIsAccurate) {
+  IsolationOptions options = short_limits();
+  options.limits = {.wall_s = 20, .memory_mb = 45};
+  EXPECT_EQ(run("measure", options).outcome, Outcome::out_of_memory);  // 50 MB
+  options.limits.memory_mb = 80;
+  EXPECT_EQ(run("measure", options).outcome, Outcome::ok);
+}
+
+TEST(Isolate, DaemonsAreKilledToo) {
+  IsolationOptions options = short_limits();
+  options.limits.wall_s = 10;
+  EXPECT_EQ(run("leave_daemon", options).outcome, Outcome::ok);
+  EXPECT_TRUE(descendants(::getpid()).empty());
+}
+
+TEST(Isolate, RecordsAndTracesAreBounded) {
+  IsolationOptions options = short_limits();
+  options.limits = {.wall_s = 20, .memory_mb = 1000};
+  options.traces = true;
+  const Planned records = run("record_megabytes", options);
+  EXPECT_EQ(records.outcome, Outcome::ok);
+  EXPECT_EQ(records.records.size(), kMostRecords);
+  const Planned traces = run("trace_megabytes", options);
+  EXPECT_EQ(traces.outcome, Outcome::ok);
+  EXPECT_FALSE(traces.traces.empty());
+  EXPECT_LE(traces.traces.size() * 16'000'000, kMostTraceBytes);
+}
+
+TEST(Isolate, WarmUpsAreNotTheRunThatCounts) {
+  IsolationOptions options = short_limits();
+  options.limits.wall_s = 10;
+  options.warm_ups = 2;
+  EXPECT_EQ(run("count_calls", options).records, (Records{{"calls", 3}}));
+}
+
+TEST(Isolate, APromiseComesBack) {
+  const Planned planned = run("promise");
+  ASSERT_TRUE(planned.promised);
+  EXPECT_DOUBLE_EQ(area(*planned.promised), 1);
+}
+
+TEST(Isolate, MapsThatNeverEndAreBad) {
+  const testing::Folder folder;
+  const std::string fifo = folder.file("fifo.geojson");
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  const std::string zeros = folder.file("zeros.png");
+  std::filesystem::create_symlink("/dev/zero", zeros);
+  const MapFormats formats = built_in_registry().formats;
+  for (const std::string& file : {fifo, zeros}) {
+    const ReadResult result = read_map_isolated(file, {}, formats, short_limits().limits);
+    EXPECT_EQ(result.report.outcome, Outcome::error) << file;
+    EXPECT_THAT(result.report.reason, HasSubstr("is not a regular file")) << file;
+  }
 }
 
 TEST(Isolate, ExceptionsAndExits) {

@@ -15,6 +15,7 @@
 #include "base/csv.hpp"
 #include "base/files.hpp"
 #include "base/sha256.hpp"
+#include "bench/build_info.hpp"
 #include "maps/path_file.hpp"
 #include "metrics/score.hpp"
 #include "test_planners.hpp"
@@ -241,14 +242,62 @@ TEST(SuiteRun, ResumeRetriesCancelledAndInfrastructure) {
   EXPECT_EQ(parse_csv(read_file(out + "/runs.csv"), "t").size(), 1u + 5u);  // one row an attempt
 }
 
+// A suite that has gained a planner and a map: what was there stays as it is, only the rest is run.
+TEST(SuiteRun, ResumeExtendsAFolder) {
+  const Folder folder;
+  const std::string out = folder.file("out");
+  run_suite(rectangles({"good"}), test_registry(), into(out));
+  const std::string before = read_file(out + "/runs.csv");
+  Suite larger = rectangles({"good", "partial"});
+  larger.maps.push_back(larger.maps[0]);
+  larger.maps.back().name = "another";
+  larger.maps.back().seed = 2;
+  const Results results = run_suite(larger, test_registry(), into(out, 1, true));
+  EXPECT_EQ(results.rows.size(), larger.maps.size() * 2);
+  const std::string after = read_file(out + "/runs.csv");
+  std::size_t kept = 0, begin = before.find('\n') + 1;
+  for (std::size_t end; (end = before.find('\n', begin)) != std::string::npos; begin = end + 1, ++kept)
+    EXPECT_THAT(after, HasSubstr(before.substr(begin, end + 1 - begin)));
+  EXPECT_EQ(kept, larger.maps.size() - 1);
+}
+
+TEST(SuiteRun, BytesThatAreNoTextDoNotSpoilTheFile) {
+  const Folder folder;
+  const Results results = run_suite(rectangles({"throw_bytes"}), test_registry(), into(folder.file("out")));
+  ASSERT_FALSE(results.rows.empty());
+  EXPECT_EQ(results.rows[0].get("reason"), "caf\xEF\xBF\xBD \xEF\xBF\xBD \"is\", closed");
+}
+
+// Reading and making maps, building problems: a breach of a limit is a row.
+TEST(SuiteRun, SettingUpAProblemHasLimits) {
+  const Folder folder;
+  Suite suite = rectangles({"good"});
+  suite.limits = {.wall_s = 0.3, .memory_mb = 2000};
+  suite.maps[0].generator = "clutter";
+  suite.maps[0].settings = {{"width", 400.0}, {"height", 400.0}};
+  const Results slow = run_suite(suite, test_registry(), into(folder.file("slow")));
+  EXPECT_EQ(slow.rows[0].outcome(), Outcome::timeout);
+  EXPECT_THAT(slow.rows[0].get("reason"), HasSubstr("setting up the problem: no result after 0.3 s"));
+  suite.limits = {.wall_s = 60, .memory_mb = 20};
+  const Results large = run_suite(suite, test_registry(), into(folder.file("large")));
+  EXPECT_EQ(large.rows[0].outcome(), Outcome::out_of_memory) << large.rows[0].get("reason");
+}
+
 TEST(SuiteRun, RefusesWhatItWouldSpoil) {
   const Folder folder;
   const std::string out = folder.file("out");
   run_suite(rectangles({"good"}), test_registry(), into(out));
   EXPECT_THAT([&] { run_suite(rectangles({"good"}), test_registry(), into(out)); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("already holds results")));
-  EXPECT_THAT([&] { run_suite(rectangles({"null"}), test_registry(), into(out, 1, true)); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr("another suite")));
+  Suite other = rectangles({"good"});
+  other.name = "other";
+  EXPECT_THAT([&] { run_suite(other, test_registry(), into(out, 1, true)); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("holds results of the suite")));
+  std::string session = read_file(out + "/session.json");
+  session.replace(session.find(build_identity()), build_identity().size(), "0123456789abcdef");
+  write_file(out + "/session.json", session);
+  EXPECT_THAT([&] { run_suite(rectangles({"good"}), test_registry(), into(out, 1, true)); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("another build")));
   write_file(folder.file("file"), "x");
   EXPECT_THAT([&] { run_suite(rectangles({"good"}), test_registry(), into(folder.file("file/out"))); },
               ThrowsMessage<std::runtime_error>(HasSubstr("cannot write")));

@@ -253,7 +253,7 @@ TEST(Suite, MistakesAreOneSentenceWithTheirLine) {
       {std::string(kHead) + "seed = \"x\"\n", "t.toml:3: ", "seed is the text \"x\", expected a whole number"},
       {std::string(kHead) + "target_coverage = nan\n", "t.toml:3: ", "expected a number from 0 to 1"},
       {std::string(kHead) + "[limits]\nwall = 3\n",
-       "t.toml:4: ", "unknown key 'wall' in [limits]; expected: wall_s, memory_mb"},
+       "t.toml:4: ", "unknown key 'wall' in [limits]; expected: wall_s, cpu_s, memory_mb"},
       {std::string(kHead) + "[limits]\nwall_s = -1\n", "t.toml:4: ", "wall_s is -1"},
       {std::string(kHead) + kMap + kPlanner, "t.toml:", "no [robots.NAME] table"},
       {std::string(kHead) + "[robots.r]\ntool_width = 0\n", "t.toml:4: ", "parameter 'tool_width' of robot 'r' is 0"},

@@ -89,6 +89,8 @@ class TestPlanner final : public CoveragePlanner {
     }
     if (how == "throw") throw std::runtime_error("my tour\nis broken");
     if (how == "throw_int") throw 3;
+    if (how == "throw_bytes") throw std::runtime_error("caf\xe9 \xff\n\"is\", closed");
+    if (how == "sleep") ::sleep(1000);
     if (how == "infeasible") throw Infeasible("the map is too small for me");
     if (how == "unsupported") throw Unsupported("no rectangles, please");
     if (how == "exit") std::exit(3);
@@ -108,6 +110,25 @@ class TestPlanner final : public CoveragePlanner {
         ::_exit(0);
       }
       return lanes(problem);
+    }
+    if (how == "leave_daemon") {
+      if (::fork() == 0) {
+        ::setsid();
+        if (::fork() != 0) ::_exit(0);
+        for (int fd = 0; fd < 64; ++fd) ::close(fd);
+        ::sleep(1000);
+        ::_exit(0);
+      }
+      return lanes(problem);
+    }
+    if (how == "allocate_in_children") {  // each one within the limit
+      for (int k = 0; k < 4; ++k) {
+        if (::fork() != 0) continue;
+        const std::vector<char> block(100'000'000, 1);
+        ::sleep(1000);
+        ::_exit(block[0] == 2 ? 1 : 0);
+      }
+      ::sleep(1000);
     }
     if (how == "wall") {
       PathBuilder path(start);
@@ -135,7 +156,7 @@ class TestPlanner final : public CoveragePlanner {
   }
 
   /// A good path, and something beside it.
-  void behave(const Problem&, Context& context) const {
+  void behave(const Problem& problem, Context& context) const {
     const std::string& how = p_.how;
     if (how == "babble") {
       for (int i = 0; i < 1000; ++i) std::printf("\x01\xff garbage \n");
@@ -147,6 +168,19 @@ class TestPlanner final : public CoveragePlanner {
       context.record("laps", 4);  // the last one counts
       context.record("nothing", std::nan(""));
     }
+    if (how == "record_megabytes") {
+      for (int i = 0; i < 400'000; ++i)
+        context.record("a_figure_with_a_long_name_that_is_number_" + std::to_string(i), i);
+    }
+    if (how == "trace_megabytes") {
+      const Polyline line(1'000'000, problem.start());
+      for (int i = 0; i < 20; ++i) context.trace("line " + std::to_string(i), {line});
+    }
+    if (how == "count_calls") {
+      static int calls = 0;
+      context.record("calls", ++calls);
+    }
+    if (how == "promise") context.promise(Region{{{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}}});
     if (how == "measure") {  // 50 MB resident for a tenth of a second of work
       std::vector<char> block(50'000'000, 1);
       const auto until = Context::Clock::now() + std::chrono::milliseconds(100);
