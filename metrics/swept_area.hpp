@@ -31,6 +31,18 @@ struct Interval {
   double middle() const { return (lower + upper) / 2; }
 };
 
+/// How much of the target had been covered when `path_m` metres were driven.
+struct CoveragePoint {
+  double path_m, coverage;  // coverage: share of the target
+};
+
+/// A connected piece of the target that was certainly not covered.
+struct MissedPiece {
+  double area_m2 = 0;
+  Point at{0, 0};             // inside
+  std::vector<Ring> outline;  // convex parts of the piece, disjoint, counter-clockwise
+};
+
 struct SweptArea {
   Interval coverage;               // share of the target, certified
   double covered_m2 = 0;           // covered part of the target, certified lower bound
@@ -38,6 +50,8 @@ struct SweptArea {
   double union_m2 = 0;             // union of the swaths of all legs with the tool on, inside the target or not
   double legs_m2 = 0;              // sum of the areas of these legs' own swaths
   double visits_m2 = 0;            // integral over the target of the number of separate visits
+  std::vector<CoveragePoint> curve;
+  std::vector<MissedPiece> missed;  // largest first; pieces above a hundredth of the tool's disc
 };
 
 /// `target` may be smaller than the true target by at most `target_excess` m^2. `width`: the tool's, metres. The
