@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace oxturn {
 namespace {
 
-constexpr double kStraight = 1e-10;  // tile sides: points this near to a merged segment are on it
+constexpr double kStraight = 1e-10;  // tile sides: rounding
 
 /// Clips the segment ab to `room` (Liang and Barsky); false if nothing is left.
 bool clip_to(const Box& room, Vec& a, Vec& b) {
@@ -30,80 +31,182 @@ bool clip_to(const Box& room, Vec& a, Vec& b) {
   return true;
 }
 
-class Collector {
+/// The directions in which a segment from a given point passes the points added so far within `width`.
+class Funnel {
  public:
-  Collector(const Box& room, CapsuleSet& set) : room_(room), set_(set) {}
+  Funnel(Vec from, double width) : from_(from), width_(width) {}
 
-  void switch_on(Vec at, std::uint32_t leg) {
-    if (!room_.contains({at.x, at.y})) return;
-    set_.all.push_back({at, at, {1, 0}, leg, true, true});
-    ++set_.discs;
+  /// Is the segment to `p` near to all points added so far, and does none of them lie beyond it?
+  bool admits(Vec p) const {
+    const Vec v = p - from_;
+    if (dot(v, v) < least_ * least_) return false;
+    return !narrow_ || (dot(v, ahead_) > 0 && cross(low_, v) >= 0 && cross(v, high_) >= 0);
   }
-
-  /// The segments of a leg, merged where they run straight on.
-  void add_leg(const std::vector<Vec>& points, std::uint32_t leg) {
-    bool any = false;
-    Vec a = points.front(), b = a;  // the merged segment
-    double bend = 0;                // how far points between a and b may be off it
-    for (const Vec c : points) {
-      const Vec step = c - b;
-      if (step.x == 0 && step.y == 0) continue;
-      const Vec so_far = b - a, whole = c - a;
-      if (any && dot(so_far, step) > 0) {
-        const double off = std::abs(cross(so_far, step)) / std::hypot(whole.x, whole.y);
-        if (bend + off <= kStraight) {
-          bend += off;
-          b = c;
-          continue;
-        }
-      }
-      if (any) add_segment(a, b, leg);
-      a = b;
-      b = c;
-      bend = 0;
-      any = true;
-    }
-    if (any)
-      add_segment(a, b, leg);
-    else if (room_.contains({a.x, a.y}))  // a leg without length covers a disc
-      set_.all.push_back({a, a, {1, 0}, leg, true, false});
+  void add(Vec p) {
+    const Vec v = p - from_;
+    const double length = std::sqrt(dot(v, v));
+    least_ = std::max(least_, length - width_);
+    if (length <= width_) return;
+    const double sine = width_ / length, cosine = std::sqrt(1 - sine * sine);
+    const Vec low{cosine * v.x + sine * v.y, cosine * v.y - sine * v.x};
+    const Vec high{cosine * v.x - sine * v.y, cosine * v.y + sine * v.x};
+    if (!narrow_) ahead_ = v;
+    if (!narrow_ || cross(low_, low) > 0) low_ = low;
+    if (!narrow_ || cross(high, high_) > 0) high_ = high;
+    narrow_ = true;
   }
 
  private:
-  void add_segment(Vec a, Vec b, std::uint32_t leg) {
-    const Vec d = b - a;
-    const Vec along = (1 / std::hypot(d.x, d.y)) * d;
-    if (!clip_to(room_, a, b)) return;
-    set_.all.push_back({a, b, along, leg, false, false});
-    set_.work += std::hypot(b.x - a.x, b.y - a.y);
+  Vec from_;
+  double width_;
+  bool narrow_ = false;
+  Vec low_{0, 0}, high_{0, 0}, ahead_{0, 0};
+  double least_ = 0;
+};
+
+class Collector {
+ public:
+  Collector(const Box& room, double slack, CapsuleSet& set) : room_(room), slack_(slack), set_(set) {}
+
+  void add_chain(const WorkChains::Station* first, const WorkChains::Station* last) {
+    add_disc(*first, true);
+    if (last - first == 1) return add_disc(*first, false);
+    while (last - first > 1) {
+      Funnel funnel(first->at, slack_ / 2);
+      const WorkChains::Station* end = first + 1;
+      for (funnel.add(end->at); end + 1 < last && funnel.admits((end + 1)->at); ++end) funnel.add((end + 1)->at);
+      add_segment(first, end);
+      first = end;
+    }
+  }
+
+ private:
+  void add_disc(const WorkChains::Station& at, bool switched_on) {
+    if (!room_.contains({at.at.x, at.at.y})) return;
+    Capsule k{at.at, at.at, {1, 0}, at.path_m};
+    k.disc = true;
+    k.visits_only = switched_on;
+    set_.all.push_back(k);
+    if (switched_on) ++set_.discs;
+  }
+  /// One segment in place of the chain from `from` to `to`.
+  void add_segment(const WorkChains::Station* from, const WorkChains::Station* to) {
+    Capsule k;
+    k.a = from->at;
+    k.b = to->at;
+    const Vec d = k.b - k.a;
+    const double length = std::hypot(d.x, d.y);
+    if (!(length > 0)) return;
+    k.along = (1 / length) * d;
+    double off2 = 0;
+    for (const WorkChains::Station* s = from + 1; s < to; ++s) off2 = std::max(off2, squared_distance(s->at, k));
+    if (off2 > kStraight * kStraight) k.slack = std::sqrt(off2);
+    if (!clip_to(room_, k.a, k.b)) return;
+    const double skipped = std::hypot(k.a.x - from->at.x, k.a.y - from->at.y) / length;
+    k.path_m = from->path_m + skipped * (to->path_m - from->path_m);
+    set_.all.push_back(k);
+    set_.work += std::hypot(k.b.x - k.a.x, k.b.y - k.a.y);
   }
   const Box& room_;
+  double slack_;
   CapsuleSet& set_;
 };
 
-}  // namespace
+/// A capsule with its ends in lexicographic order.
+struct Undirected {
+  Vec low, high;
+  std::uint32_t index;
+  bool swapped;
+};
 
-CapsuleSet capsules(const Path& path, const Point& origin, double side, const Box& room, double joint) {
-  CapsuleSet set;
-  Collector collector(room, set);
-  const Point* before = nullptr;  // end of the previous leg, if it had the tool on
-  std::vector<Vec> points;
-  std::uint32_t index = 0;
-  for (const Leg& leg : path.legs) {
-    const std::uint32_t number = index++;
-    if (!leg.tool || leg.points.empty()) {
-      if (!leg.tool) before = nullptr;
+Undirected undirected(const Capsule& k, std::uint32_t index) {
+  const bool swapped = k.b.x < k.a.x || (k.b.x == k.a.x && k.b.y < k.a.y);
+  return swapped ? Undirected{k.b, k.a, index, true} : Undirected{k.a, k.b, index, false};
+}
+
+/// Keeps the first of equal segments, which counts the others.
+void merge_repeated(std::vector<Capsule>& all) {
+  std::vector<Undirected> order;
+  for (std::uint32_t i = 0; i < all.size(); ++i)
+    if (!all[i].disc) order.push_back(undirected(all[i], i));
+  const auto key = [&](const Undirected& u) {
+    return std::tuple(u.low.x, u.low.y, u.high.x, u.high.y, all[u.index].slack);
+  };
+  std::sort(order.begin(), order.end(), [&](const Undirected& l, const Undirected& r) {
+    const auto left = key(l), right = key(r);
+    return left != right ? left < right : l.index < r.index;
+  });
+  std::vector<bool> repeated(all.size());
+  for (std::size_t i = 1, first = 0; i < order.size(); ++i) {
+    if (key(order[i]) != key(order[first])) {
+      first = i;
       continue;
     }
-    points.clear();
-    for (const Point& p : leg.points) {
-      const Point q = (p - origin) / side;
-      points.push_back({q.x(), q.y()});
-    }
-    if (before == nullptr || distance(*before, leg.points.front()) > joint) collector.switch_on(points.front(), number);
-    collector.add_leg(points, number);
-    before = &leg.points.back();
+    Capsule& kept = all[order[first].index];
+    ++(order[i].swapped == order[first].swapped ? kept.forth : kept.back);
+    repeated[order[i].index] = true;
   }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!repeated[i]) all[kept++] = all[i];
+  all.resize(kept, all.empty() ? Capsule{} : all.front());
+}
+
+}  // namespace
+
+WorkChains work_chains(const Path& path, const Point& origin, double side, double joint) {
+  WorkChains chains;
+  const Point* before = nullptr;  // end of the previous leg, if it had the tool on
+  double driven = 0;
+  const auto add = [&](const Point& p) {
+    const Point q = (p - origin) / side;
+    chains.stations.push_back({{q.x(), q.y()}, driven});
+  };
+  for (const Leg& leg : path.legs) {
+    if (leg.points.empty()) continue;
+    if (!leg.tool) {
+      before = nullptr;
+    } else if (before == nullptr || distance(*before, leg.points.front()) > joint) {
+      if (!chains.stations.empty()) chains.ends.push_back(chains.stations.size());
+      add(leg.points.front());
+    } else if (*before != leg.points.front()) {
+      add(leg.points.front());
+    }
+    for (std::size_t i = 1; i < leg.points.size(); ++i) {
+      const double step = distance(leg.points[i - 1], leg.points[i]);
+      driven += step;
+      if (leg.tool && step > 0) add(leg.points[i]);
+    }
+    if (leg.tool) before = &leg.points.back();
+  }
+  if (!chains.stations.empty()) chains.ends.push_back(chains.stations.size());
+  return chains;
+}
+
+double length_in(const WorkChains& chains, const Box& room) {
+  double length = 0;
+  std::size_t begin = 0;
+  for (const std::size_t end : chains.ends) {
+    for (std::size_t i = begin + 1; i < end; ++i) {
+      Vec a = chains.stations[i - 1].at, b = chains.stations[i].at;
+      if (clip_to(room, a, b)) length += std::hypot(b.x - a.x, b.y - a.y);
+    }
+    begin = end;
+  }
+  return length;
+}
+
+CapsuleSet capsules(const WorkChains& chains, const Box& room, double slack) {
+  CapsuleSet set;
+  slack = std::max(slack, kStraight);
+  Collector collector(room, slack, set);
+  std::size_t begin = 0;
+  for (const std::size_t end : chains.ends) {
+    collector.add_chain(chains.stations.data() + begin, chains.stations.data() + end);
+    begin = end;
+  }
+  merge_repeated(set.all);
+  for (const Capsule& k : set.all) set.slack = std::max(set.slack, k.slack);
   return set;
 }
 
@@ -152,12 +255,12 @@ void polygon_of(const Capsule& k, Vec centre, const Extent& where, const Chords&
   if (-dot(k.along, a) < reach) half_disc(where, a, -1.0 * k.along, chords, cap, out);
 }
 
-void disc_of(const Capsule& k, Vec centre, const Extent& where, const Chords& chords, double cap,
+void disc_of(Vec at, Vec along, Vec centre, const Extent& where, const Chords& chords, double cap,
              std::vector<HalfPlane>& out) {
   out.clear();
-  const Vec a = k.a - (centre + where.centre);
-  half_disc(where, a, k.along, chords, cap, out);
-  half_disc(where, a, -1.0 * k.along, chords, cap, out);
+  const Vec a = at - (centre + where.centre);
+  half_disc(where, a, along, chords, cap, out);
+  half_disc(where, a, -1.0 * along, chords, cap, out);
 }
 
 }  // namespace oxturn

@@ -16,22 +16,40 @@
 namespace oxturn {
 
 struct Capsule {
-  Vec a, b, along;  // along: unit vector
-  std::uint32_t leg = 0;
-  bool disc = false;         // a == b: where the tool is switched on, or a leg without length
-  bool visits_only = false;  // counts for visits, not for areas
+  Vec a, b, along;                    // along: unit vector
+  double path_m = 0;                  // driven before `a`, metres
+  double slack = 0;                   // the path is within this distance of the segment, and the segment of the path
+  bool disc = false;                  // a == b: where the tool is switched on, or a chain without length
+  bool visits_only = false;           // counts for visits, not for areas
+  std::uint32_t forth = 1, back = 0;  // how often the path drives the segment from a to b, and from b to a
 };
 
 struct CapsuleSet {
-  std::vector<Capsule> all;
-  double work = 0;        // total length of the segments
-  std::size_t discs = 0;  // how often the tool was switched on inside `room`
+  std::vector<Capsule> all;  // in driving order, each segment once
+  double work = 0;           // total length of the driven segments
+  std::size_t discs = 0;     // how often the tool was switched on inside `room`
+  double slack = 0;          // the greatest
 };
 
-/// The segments of `path` with the tool on, as (p - origin) / side, clipped to `room`. Consecutive segments are merged
-/// while every point in between stays within 1e-10 of the merged segment (users shrink polygons by more than that).
-/// Between legs with the tool on that join within `joint` metres the tool stays on.
-CapsuleSet capsules(const Path& path, const Point& origin, double side, const Box& room, double joint);
+/// The path with the tool on: chains of points, the same however the path is cut into legs.
+struct WorkChains {
+  struct Station {
+    Vec at;
+    double path_m;  // driven before it, metres
+  };
+  std::vector<Station> stations;
+  std::vector<std::size_t> ends;  // of the chains, in `stations`
+};
+/// The points p of `path` with the tool on, as (p - origin) / side. Between legs with the tool on that join within
+/// `joint` metres the tool stays on. Repeated points are dropped, except in chains without length.
+WorkChains work_chains(const Path& path, const Point& origin, double side, double joint);
+/// Length of the chains inside `room`, in tile sides.
+double length_in(const WorkChains& chains, const Box& room);
+
+/// The segments of the chains, clipped to `room`. Consecutive segments are merged as long as they and the merged segment
+/// are within `slack` of each other and the path does not turn back (slack below 1e-9 counts as rounding, users shrink
+/// polygons by that). O(n log n).
+CapsuleSet capsules(const WorkChains& chains, const Box& room, double slack);
 
 /// Directions of the normals of a half disc's n chords: (k + 1/2) / n * 180 degrees from -90 degrees.
 class Chords {
@@ -53,8 +71,8 @@ class Chords {
 /// that contain all of `where` are left out.
 void polygon_of(const Capsule& capsule, Vec centre, const Extent& where, const Chords& chords, double side, double cap,
                 std::vector<HalfPlane>& out);
-/// The same for the disc about the capsule's first point.
-void disc_of(const Capsule& capsule, Vec centre, const Extent& where, const Chords& chords, double cap,
+/// The same for the disc about the point `at`; one of its chords is perpendicular to `along`.
+void disc_of(Vec at, Vec along, Vec centre, const Extent& where, const Chords& chords, double cap,
              std::vector<HalfPlane>& out);
 
 inline double squared_distance(Vec p, const Capsule& k) {

@@ -29,7 +29,7 @@ const Metric kLengthRatio{
     "path length over the shortest that could cover as much; empty: no more than one tool disc covered, or legs do "
     "not join",
     [](const Scored& s) -> std::optional<double> {
-      if (!legs_join(s.path, s.problem.tolerance())) return std::nullopt;
+      if (!legs_join(s.path, s.tolerance)) return std::nullopt;
       const double w = s.problem.robot().tool_width;
       const double swept = s.swept.covered_m2 - kPi * w * w / 4;
       if (swept <= kRounding * w * w) return std::nullopt;

@@ -1,7 +1,7 @@
-// How much the legs cover again of each other's area, 0 for disjoint legs:
-//   (sum over legs with the tool on of area(swath of the leg)) / area(union of these swaths) - 1
-// A leg that crosses itself counts that area once; `revisits` counts it again. Estimated (swept_area.hpp). Empty if the
-// tool is never on.
+// How much of the work was done twice, 0 for none:
+//   work_m * w / (area swept with the tool on) - 1,   w = tool width
+// It depends on the curve that is driven, not on how it is cut into legs. What a path sweeps at its ends can make it
+// negative; then it is 0. Estimated (swept_area.hpp). Empty if the tool is never on.
 #include <algorithm>
 
 #include "metrics/score.hpp"
@@ -11,10 +11,10 @@ namespace oxturn {
 extern const Metric kOverlap;
 
 const Metric kOverlap{"overlap", "1", Better::lower,
-                      "legs' own swept areas over their union, less 1; empty: the tool is never on",
+                      "work length times tool width over the area swept, less 1; empty: the tool is never on",
                       [](const Scored& s) -> std::optional<double> {
                         if (!(s.swept.union_m2 > 0)) return std::nullopt;
-                        return std::max(0.0, s.swept.legs_m2 / s.swept.union_m2 - 1);
+                        return std::max(0.0, s.swept.work_m2 / s.swept.union_m2 - 1);
                       }};
 
 }  // namespace oxturn

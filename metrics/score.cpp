@@ -9,6 +9,8 @@ namespace oxturn {
 // One metric a file, named as its column.
 extern const Metric kCoverage, kCoverageLower, kCoverageUpper, kCoverageOfFree, kTargetM2;
 extern const Metric kPathM, kWorkM, kTransitM, kLengthRatio, kOverlap, kRevisits;
+extern const Metric kPromiseCoverage, kPath90M, kPath95M, kPath99M, kMission90S, kMission95S, kMission99S;
+extern const Metric kMissedPieces, kMissedLargestM2;
 extern const Metric kTurns, kTurnRad, kClearanceM, kMissionS;
 extern const Metric kTetherLimitM, kTetherMaxM, kTetherBendsMax, kTetherAngleMinRad, kTetherAngleMeanRad;
 extern const Metric kTetherSharpFraction, kTetherCrossings, kTetherEntangled;
@@ -25,6 +27,15 @@ Metrics built_in_metrics() {
                             kLengthRatio,
                             kOverlap,
                             kRevisits,
+                            kPromiseCoverage,
+                            kPath90M,
+                            kPath95M,
+                            kPath99M,
+                            kMission90S,
+                            kMission95S,
+                            kMission99S,
+                            kMissedPieces,
+                            kMissedLargestM2,
                             kTurns,
                             kTurnRad,
                             kClearanceM,
@@ -62,13 +73,29 @@ bool measurable(const Path& path) {
   return any && std::isfinite(path.length());  // finite points can be too far apart
 }
 
+/// Covered share of what is promised, certified lower bound.
+std::optional<double> kept_promise(const Problem& problem, const Path& path, const SweptArea& swept,
+                                   const ScoreOptions& options) {
+  switch (options.promise) {
+    case Promise::target:
+      return swept.coverage.lower;
+    case Promise::cells:
+      if (options.promised == nullptr || !(area(*options.promised) > 0)) return std::nullopt;
+      return swept_area(*options.promised, 0, problem.robot().tool_width, path).coverage.lower;
+    case Promise::nothing:
+      break;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Score score(const Problem& problem, const Path& path, const Metrics& metrics, const ScoreOptions& options) {
   Score result;
   for (const Metric& metric : metrics) result.values.push_back({metric.name, std::nullopt});
   const EdgeIndex& walls = problem.map_edges();
-  result.flaw = find_flaw(problem, path, walls);
+  const double tolerance = problem.tolerance() + options.tolerance;
+  result.flaw = find_flaw(problem, path, walls, tolerance);
   if (!measurable(path)) return result;
   std::optional<TetherRun> tether;
   if (problem.robot().tether) {
@@ -76,9 +103,19 @@ Score score(const Problem& problem, const Path& path, const Metrics& metrics, co
     if (result.flaw.empty() && options.tether_counts) result.flaw = find_tether_flaw(problem, tether);
   }
   const SweptArea swept = swept_area(problem.target(), problem.target_excess(), problem.robot().tool_width, path);
-  const Scored scored{problem, path, swept, clearance(problem, path, walls), tether ? &*tether : nullptr};
+  const MissionClock clock(problem, path);
+  const Scored scored{problem,
+                      path,
+                      swept,
+                      clearance(problem, path, walls),
+                      tether ? &*tether : nullptr,
+                      &clock,
+                      tolerance,
+                      kept_promise(problem, path, swept, options)};
   std::size_t i = 0;
   for (const Metric& metric : metrics) result.values[i++].value = metric.compute(scored);
+  for (const CoveragePoint& p : swept.curve) result.curve.push_back({p.path_m, clock.at(p.path_m), p.coverage});
+  result.missed = swept.missed;
   return result;
 }
 
@@ -88,7 +125,7 @@ Score score(const Problem& problem, const Path& path, const ScoreOptions& option
 
 std::string find_flaw(const Problem& problem, const Path& path, const ScoreOptions& options) {
   const EdgeIndex& walls = problem.map_edges();
-  const std::string flaw = find_flaw(problem, path, walls);
+  const std::string flaw = find_flaw(problem, path, walls, problem.tolerance() + options.tolerance);
   if (!flaw.empty() || !options.tether_counts || !problem.robot().tether) return flaw;
   return find_tether_flaw(problem, tether_run(problem, path, walls));
 }

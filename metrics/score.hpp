@@ -13,6 +13,7 @@
 #include "base/named_list.hpp"
 #include "geometry/path.hpp"
 #include "maps/problem.hpp"
+#include "metrics/mission.hpp"
 #include "metrics/swept_area.hpp"
 #include "metrics/tether.hpp"
 
@@ -25,6 +26,9 @@ struct Scored {
   const SweptArea& swept;
   double clearance;                   // metres, see clearance_m.cpp
   const TetherRun* tether = nullptr;  // nullptr: no tether, or none can follow the path
+  const MissionClock* clock = nullptr;
+  double tolerance = 0;                // metres within which legs must join
+  std::optional<double> kept_promise;  // certified lower bound of the covered share of what the planner promises
 };
 
 enum class Better { lower, higher, neither };
@@ -48,16 +52,31 @@ struct MetricValue {
   bool operator==(const MetricValue&) const = default;
 };
 
+/// What had been covered when `path_m` metres were driven.
+struct CurvePoint {
+  double path_m, mission_s, coverage;  // coverage: share of the target
+};
+
 struct Score {
   std::string flaw;                 // why the path is invalid: which rule, where, by how much; empty: it is valid
   std::vector<MetricValue> values;  // one for each metric, in their order; all empty if the path has no points or is
                                     // not finite
+  std::vector<CurvePoint> curve;  // from (0, 0, 0) to the path's end, at most 200 points; linear interpolation errs by
+                                  // less than 0.005. Empty if the values are
+  std::vector<MissedPiece> missed;  // largest first
   /// Of one metric; nullopt if it is empty or not in the list.
   std::optional<double> value(const std::string& metric) const;
 };
 
+/// What the planner's description promises to cover.
+enum class Promise { target, cells, nothing };
+
 struct ScoreOptions {
   bool tether_counts = true;  // false: a path that exceeds the tether length limit is valid, but still measured
+  Promise promise = Promise::nothing;
+  const Region* promised = nullptr;  // for Promise::cells: their union
+  double tolerance = 0;  // metres, added to the problem's: how far outside configuration space a path may be, and how
+                         // near it must start to the start and legs must join
 };
 
 /// Validity and every metric of the list. O(n log n) for n segments on ordinary paths; 10^5 segments take under a

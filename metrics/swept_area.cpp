@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kAttempts = 4;         // with smaller and smaller budgets
 constexpr double kReach = 3;         // tool radii beyond the target's box that count (Decision 1)
+constexpr double kSlackShare = 0.1;  // simplification of chains in tool radii, over the certainty
 constexpr double kArcsAtLeast = 10;  // `certainty` over what the arcs get if the target's own error takes the rest
 
 void check(double width, const Path& path) {
@@ -21,20 +22,27 @@ void check(double width, const Path& path) {
   if (!std::isfinite(path.length())) throw std::invalid_argument("the path's length is not finite");
 }
 
-/// Scans with smaller budgets until the bounds of the missed target are close enough.
-TileSums scanned(const Region& target, const Point& origin, double side, const CapsuleSet& set, double margin,
-                 double certainty, double wanted) {
+struct Scan {
+  CapsuleSet set;
   TileSums sums;
-  double budget = certainty / 2;
-  for (int attempt = 0; attempt < kAttempts; ++attempt, budget /= 4) {
-    sums = TileScan(target, origin, side, set, margin).run(budget);
-    if (sums.missed_most - sums.missed_least <= 0.9 * certainty * wanted) break;
+};
+
+/// Scans with smaller budgets until the bounds of the missed target are close enough.
+Scan scanned(const Region& target, const Point& origin, double side, const WorkChains& chains, const Box& room,
+             double margin, double certainty, double wanted) {
+  Scan scan;
+  double budget = certainty / 2, slack = kToolRadius * certainty * kSlackShare;
+  for (int attempt = 0; attempt < kAttempts; ++attempt, budget /= 4, slack /= 4) {
+    scan.set = capsules(chains, room, slack);
+    scan.sums = TileScan(target, origin, side, scan.set, margin).run(budget);
+    if (scan.sums.missed_most - scan.sums.missed_least <= 0.9 * certainty * wanted) break;
   }
-  return sums;
+  return scan;
 }
 
 /// Sums of tiles as areas. `wanted`: the target in tiles; `excess`: by how much it may be larger.
-SweptArea areas_of(const TileSums& sums, const CapsuleSet& set, double wanted, double excess, double tile_m2) {
+SweptArea areas_of(const Scan& scan, double wanted, double excess, double tile_m2) {
+  const TileSums& sums = scan.sums;
   double untouched = wanted - sums.target;
   if (untouched < 1e-12 * wanted) untouched = 0;  // rounding of the sums
   const double hit_least = std::max(0.0, sums.target - sums.missed_most);
@@ -47,8 +55,8 @@ SweptArea areas_of(const TileSums& sums, const CapsuleSet& set, double wanted, d
   s.covered_m2 = hit_least * tile_m2;
   s.covered_estimate_m2 = std::max(hit_least, sums.target - sums.missed) * tile_m2;
   s.union_m2 = sums.swept * tile_m2;
-  s.legs_m2 = sums.legs * tile_m2;
-  const double begun = 2 * kToolRadius * set.work + static_cast<double>(set.discs) * kPi * kToolRadius * kToolRadius;
+  const double begun =
+      2 * kToolRadius * scan.set.work + static_cast<double>(scan.set.discs) * kPi * kToolRadius * kToolRadius;
   s.visits_m2 = std::max(0.0, begun - sums.visits_outside) * tile_m2;
   return s;
 }
@@ -68,15 +76,16 @@ SweptArea swept_area(const Region& target, double target_excess, double width, c
   room.add(size);
   room.grow(kReach * kToolRadius);
   const double joint = 1e-6 * width + 1e-12 * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
-  const CapsuleSet set = capsules(path, box.low, side, room, joint);
+  const WorkChains chains = work_chains(path, box.low, side, joint);
 
   const double wanted = wanted_m2 / tile_m2, excess = target_excess / tile_m2;
   // What the target's own error leaves of the interval is for the arcs.
   const double arcs = std::max(certainty - excess / wanted, certainty / kArcsAtLeast);
   // Coordinates are rounded to 1e-16 of the map's size in tiles; the margin is above that on maps of any size.
   const double margin = 1e-9 + 1e-15 * size.maxCoeff();
-  const TileSums sums = scanned(target, box.low, side, set, margin, arcs, wanted);
-  return areas_of(sums, set, wanted, excess, tile_m2);
+  SweptArea s = areas_of(scanned(target, box.low, side, chains, room, margin, arcs, wanted), wanted, excess, tile_m2);
+  s.work_m2 = length_in(chains, room) * side * width;
+  return s;
 }
 
 }  // namespace oxturn

@@ -13,9 +13,12 @@
 /// Complexity  O(n + tiles touched + capsules per tile + target edges per row); near-linear for real paths
 /// Decisions   1. Only the path within 1.5 tool widths of the target's bounding box counts: no valid path leaves that,
 ///                and one that goes astray costs no more than the map.
-///             2. Areas without a certificate (union, legs, estimates) are 1/3 inscribed + 2/3 circumscribed, which
+///             2. Areas without a certificate (union, estimates) are 1/3 inscribed + 2/3 circumscribed, which
 ///                cancels the leading errors of both (Huygens).
-///             3. During a segment a visit begins at the points of its capsule outside of the disc about the segment's
+///             3. Curves are simplified: short segments that stay within a small distance of one long segment are
+///                replaced by it, and the tool's radius is reduced (lower bound) or increased (upper bound) by that
+///                distance. Segments that are driven again count once for areas.
+///             4. During a segment a visit begins at the points of its capsule outside of the disc about the segment's
 ///                first point (capsules are convex), and where the tool is switched on, at the points of the disc
 ///                there. So visits are counted by areas: width * length + discs over the whole plane, less what lies
 ///                outside the target. Between legs that join the tool stays on.
@@ -31,13 +34,27 @@ struct Interval {
   double middle() const { return (lower + upper) / 2; }
 };
 
+/// How much of the target had been covered when `path_m` metres were driven.
+struct CoveragePoint {
+  double path_m, coverage;  // coverage: share of the target
+};
+
+/// A connected piece of the target that was certainly not covered.
+struct MissedPiece {
+  double area_m2 = 0;
+  Point at{0, 0};             // inside
+  std::vector<Ring> outline;  // convex parts of the piece, disjoint, counter-clockwise
+};
+
 struct SweptArea {
   Interval coverage;               // share of the target, certified
   double covered_m2 = 0;           // covered part of the target, certified lower bound
   double covered_estimate_m2 = 0;  // covered part of the target, best estimate
-  double union_m2 = 0;             // union of the swaths of all legs with the tool on, inside the target or not
-  double legs_m2 = 0;              // sum of the areas of these legs' own swaths
+  double union_m2 = 0;             // area swept with the tool on, inside the target or not
+  double work_m2 = 0;              // length driven with the tool on, times the width
   double visits_m2 = 0;            // integral over the target of the number of separate visits
+  std::vector<CoveragePoint> curve;
+  std::vector<MissedPiece> missed;  // largest first; pieces above a hundredth of the tool's disc
 };
 
 /// `target` may be smaller than the true target by at most `target_excess` m^2. `width`: the tool's, metres. The

@@ -36,17 +36,21 @@ double estimate(double inscribed, double circumscribed) { return inscribed / 3 +
 double TileScan::Uncovered::estimate() const { return oxturn::estimate(most, least); }
 
 TileScan::TileScan(const Region& target, const Point& origin, double side, const CapsuleSet& capsules, double margin)
-    : rows_(target, origin, side), capsules_(capsules), margin_(margin), visit_chords_(kVisitChords) {
+    : rows_(target, origin, side),
+      capsules_(capsules),
+      margin_(margin),
+      reach_(kToolRadius + capsules.slack + kSpare),
+      visit_chords_(kVisitChords) {
   for (int n = kFirstChords; n <= kMostChords; n *= 2) chords_.emplace_back(n);
 }
 
 std::int64_t TileScan::first_row(std::uint32_t capsule) const {
   const Capsule& k = capsules_.all[capsule];
-  return floor_of(std::min(k.a.y, k.b.y) - kToolRadius);
+  return floor_of(std::min(k.a.y, k.b.y) - reach_);
 }
 std::int64_t TileScan::last_row(std::uint32_t capsule) const {
   const Capsule& k = capsules_.all[capsule];
-  return floor_of(std::max(k.a.y, k.b.y) + kToolRadius);
+  return floor_of(std::max(k.a.y, k.b.y) + reach_);
 }
 
 TileSums TileScan::run(double budget) {
@@ -81,15 +85,15 @@ void TileScan::collect(std::int64_t row, const std::vector<std::uint32_t>& activ
 void TileScan::add_near(std::int64_t row, std::uint32_t capsule) {
   const Capsule& k = capsules_.all[capsule];
   const double low = static_cast<double>(row);
-  const double reach = kToolRadius + kHalfDiagonal + kSpare;
+  const double reach = reach_ + kHalfDiagonal;
   double from = std::min(k.a.x, k.b.x), to = std::max(k.a.x, k.b.x);
   if (k.a.y != k.b.y) {  // the part of the segment within a radius of the row
     const double slope = (k.b.x - k.a.x) / (k.b.y - k.a.y);
-    const double x0 = k.a.x + (low - kToolRadius - k.a.y) * slope, x1 = k.a.x + (low + 1 + kToolRadius - k.a.y) * slope;
+    const double x0 = k.a.x + (low - reach_ - k.a.y) * slope, x1 = k.a.x + (low + 1 + reach_ - k.a.y) * slope;
     from = std::max(from, std::min(x0, x1));
     to = std::min(to, std::max(x0, x1));
   }
-  for (std::int64_t c = floor_of(from - kToolRadius - kSpare); c <= floor_of(to + kToolRadius + kSpare); ++c) {
+  for (std::int64_t c = floor_of(from - reach_); c <= floor_of(to + reach_); ++c) {
     const double d2 = squared_distance({static_cast<double>(c) + 0.5, low + 0.5}, k);
     if (d2 < reach * reach) near_.push_back({c, d2, capsule});
   }
@@ -136,18 +140,16 @@ void TileScan::scan_row(std::int64_t row) {
 
 void TileScan::scan_tile(const Tile& tile, const TileTarget& target) {
   const double wanted = target.inside() ? 1 : target.outside() ? 0 : target.area_in(unit_square());
-  const Uncovered left = uncovered(tile, kAllLegs);
-  const double swept = 1 - left.estimate();
+  const Uncovered left = uncovered(tile);
   sums_.target += wanted;
-  sums_.swept += swept;
+  sums_.swept += 1 - left.estimate();
   if (wanted > 0 && !most_.empty()) add_missed(tile, target, wanted);
-  add_legs(tile, swept);
   if (!target.inside()) add_visits(tile, target);
 }
 
 /// Does the capsule certainly contain the whole tile?
 bool TileScan::covers_tile(const Near& near, Vec centre) const {
-  const double r = kToolRadius - margin_;
+  const double r = kToolRadius - capsules_.all[near.capsule].slack - margin_;
   if (near.distance2 >= r * r) return false;
   const double sure = r - kHalfDiagonal - kSpare;
   if (near.distance2 <= sure * sure) return true;
@@ -156,18 +158,17 @@ bool TileScan::covers_tile(const Near& near, Vec centre) const {
   return true;
 }
 
-/// pieces = tile without the polygons of its capsules (of one leg, or all).
-void TileScan::remainder(const Tile& tile, const Chords& chords, Bound bound, std::uint32_t leg,
-                         std::vector<Convex>& pieces) {
+/// pieces = tile without the polygons of its capsules.
+void TileScan::remainder(const Tile& tile, const Chords& chords, Bound bound, std::vector<Convex>& pieces) {
   pieces.assign(1, unit_square());
   Extent where = kTile;  // box of the pieces: it shrinks fast, and capsules that do not reach it are skipped
   double span = kHalfDiagonal;
   const bool inscribed = bound == Bound::inscribed;
-  const double side = inscribed ? kToolRadius - margin_ : kToolRadius + margin_;
-  const double cap = inscribed ? kToolRadius * chords.inscribed() - margin_ : kToolRadius + margin_;
   for (const Near* n = tile.begin(); n != tile.end() && !pieces.empty(); ++n) {
     const Capsule& k = capsules_.all[n->capsule];
-    if (!counts(k, leg)) continue;
+    if (k.visits_only) continue;
+    const double side = inscribed ? kToolRadius - k.slack - margin_ : kToolRadius + k.slack + margin_;
+    const double cap = inscribed ? (kToolRadius - k.slack) * chords.inscribed() - margin_ : side;
     const double far = side + span + kSpare;
     if (squared_distance(tile.centre + where.centre, k) >= far * far) continue;
     polygon_of(k, tile.centre, where, chords, side, cap, cut_);
@@ -178,14 +179,14 @@ void TileScan::remainder(const Tile& tile, const Chords& chords, Bound bound, st
 }
 
 /// Uncovered area of the tile by the coarsest chords; leaves the pieces in most_ and least_.
-TileScan::Uncovered TileScan::uncovered(const Tile& tile, std::uint32_t leg) {
+TileScan::Uncovered TileScan::uncovered(const Tile& tile) {
   most_.clear();
   least_.clear();
   for (const Near& n : tile)
-    if (counts(capsules_.all[n.capsule], leg) && covers_tile(n, tile.centre)) return {};
-  remainder(tile, chords_[0], Bound::inscribed, leg, most_);
+    if (!capsules_.all[n.capsule].visits_only && covers_tile(n, tile.centre)) return {};
+  remainder(tile, chords_[0], Bound::inscribed, most_);
   if (most_.empty()) return {};
-  remainder(tile, chords_[0], Bound::circumscribed, leg, least_);
+  remainder(tile, chords_[0], Bound::circumscribed, least_);
   return {area(most_), area(least_)};
 }
 
@@ -194,8 +195,8 @@ void TileScan::add_missed(const Tile& tile, const TileTarget& target, double wan
   double most = target.area_in(most_), least = target.area_in(least_);
   sums_.missed += std::min(wanted, estimate(most, least));
   for (std::size_t n = 1; n < chords_.size() && most - least > budget_ * std::max(wanted, kLeastWanted); ++n) {
-    remainder(tile, chords_[n], Bound::inscribed, kAllLegs, most_);
-    remainder(tile, chords_[n], Bound::circumscribed, kAllLegs, least_);
+    remainder(tile, chords_[n], Bound::inscribed, most_);
+    remainder(tile, chords_[n], Bound::circumscribed, least_);
     most = target.area_in(most_);
     least = target.area_in(least_);
   }
@@ -203,34 +204,28 @@ void TileScan::add_missed(const Tile& tile, const TileTarget& target, double wan
   sums_.missed_least += std::min(least, wanted);
 }
 
-/// `swept`: by all legs together.
-void TileScan::add_legs(const Tile& tile, double swept) {
-  legs_.clear();
-  for (const Near& n : tile)
-    if (!capsules_.all[n.capsule].visits_only) legs_.push_back(capsules_.all[n.capsule].leg);
-  std::sort(legs_.begin(), legs_.end());
-  legs_.erase(std::unique(legs_.begin(), legs_.end()), legs_.end());
-  if (legs_.size() == 1) sums_.legs += swept;
-  if (legs_.size() <= 1) return;
-  for (const std::uint32_t leg : legs_) sums_.legs += 1 - uncovered(tile, leg).estimate();
-}
-
 /// The area outside the target where visits begin.
 void TileScan::add_visits(const Tile& tile, const TileTarget& target) {
   const double cap = kToolRadius * visit_chords_.equal_area();
-  std::vector<Convex>& begun = most_;
   for (const Near& n : tile) {
     const Capsule& k = capsules_.all[n.capsule];
     if (k.disc && !k.visits_only) continue;
-    begun.clear();
-    polygon_of(k, tile.centre, kTile, visit_chords_, kToolRadius, cap, cut_);
-    clip_to_cut(unit_square(), 0);
-    if (!k.disc && !begun.empty()) {
-      disc_of(k, tile.centre, kTile, visit_chords_, cap, cut_);
-      subtract(begun, cut_, spare_);
-    }
-    sums_.visits_outside += std::max(0.0, area(begun) - target.area_in(begun));
+    sums_.visits_outside += k.forth * visits_begun(tile, target, k, k.a, cap);
+    if (k.back > 0) sums_.visits_outside += k.back * visits_begun(tile, target, k, k.b, cap);
   }
+}
+
+/// The area outside the target where visits begin while the robot drives the capsule's segment from its end `from`.
+double TileScan::visits_begun(const Tile& tile, const TileTarget& target, const Capsule& k, Vec from, double cap) {
+  std::vector<Convex>& begun = most_;
+  begun.clear();
+  polygon_of(k, tile.centre, kTile, visit_chords_, kToolRadius, cap, cut_);
+  clip_to_cut(unit_square(), 0);
+  if (!k.disc && !begun.empty()) {
+    disc_of(from, k.along, tile.centre, kTile, visit_chords_, cap, cut_);
+    subtract(begun, cut_, spare_);
+  }
+  return std::max(0.0, area(begun) - target.area_in(begun));
 }
 
 /// Appends `piece` clipped to cut_[from] and all later half-planes to most_, in halves where it gets too many vertices.

@@ -21,7 +21,6 @@ struct TileSums {
   double missed_least = 0;    // lower bound
   double missed = 0;          // estimate
   double swept = 0;           // union of all swaths, estimate
-  double legs = 0;            // sum over legs of the areas of their swaths, estimate
   double visits_outside = 0;  // where visits begin outside the target, estimate
 };
 
@@ -53,11 +52,6 @@ class TileScan {
     double most = 0, least = 0;
     double estimate() const;
   };
-  static constexpr std::uint32_t kAllLegs = 0xffffffff;
-
-  bool counts(const Capsule& capsule, std::uint32_t leg) const {
-    return !capsule.visits_only && (leg == kAllLegs || capsule.leg == leg);
-  }
   std::int64_t first_row(std::uint32_t capsule) const;
   std::int64_t last_row(std::uint32_t capsule) const;
   void collect(std::int64_t row, const std::vector<std::uint32_t>& active);
@@ -66,16 +60,17 @@ class TileScan {
   void scan_row(std::int64_t row);
   void scan_tile(const Tile& tile, const TileTarget& target);
   bool covers_tile(const Near& near, Vec centre) const;
-  void remainder(const Tile& tile, const Chords& chords, Bound bound, std::uint32_t leg, std::vector<Convex>& pieces);
-  Uncovered uncovered(const Tile& tile, std::uint32_t leg);
+  void remainder(const Tile& tile, const Chords& chords, Bound bound, std::vector<Convex>& pieces);
+  Uncovered uncovered(const Tile& tile);
   void add_missed(const Tile& tile, const TileTarget& target, double wanted);
-  void add_legs(const Tile& tile, double swept);
   void add_visits(const Tile& tile, const TileTarget& target);
+  double visits_begun(const Tile& tile, const TileTarget& target, const Capsule& k, Vec from, double cap);
   void clip_to_cut(Convex piece, std::size_t from);
 
   TargetRows rows_;
   const CapsuleSet& capsules_;
   double margin_, budget_ = 0;
+  double reach_;                // how far a capsule extends from its segment at most
   std::vector<Chords> chords_;  // coarse to fine
   Chords visit_chords_;
   TileSums sums_;
@@ -85,7 +80,6 @@ class TileScan {
   std::vector<Convex> most_, least_;  // what remains uncovered of the present tile, upper and lower bound
   std::vector<Convex> spare_;
   std::vector<HalfPlane> cut_;  // polygon of the present capsule
-  std::vector<std::uint32_t> legs_;
 };
 
 }  // namespace oxturn

@@ -15,9 +15,8 @@ namespace {
 std::string text(const Point& p) { return fmt::format("({:.6g}, {:.6g})", p.x(), p.y()); }
 
 /// Rules about legs, points and joints.
-std::string find_shape_flaw(const Problem& problem, const Path& path) {
+std::string find_shape_flaw(const Problem& problem, const Path& path, double tolerance) {
   if (path.legs.empty()) return "path has no legs";
-  const double tolerance = problem.tolerance();
   for (std::size_t l = 0; l < path.legs.size(); ++l) {
     const Polyline& points = path.legs[l].points;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -38,8 +37,8 @@ std::string find_shape_flaw(const Problem& problem, const Path& path) {
   return "";
 }
 
-std::string find_footprint_flaw(const Problem& problem, const Path& path, const EdgeIndex& walls) {
-  const auto hit = first_hit(path, problem.robot().footprint, problem.tolerance(), walls);
+std::string find_footprint_flaw(const Problem& problem, const Path& path, const EdgeIndex& walls, double tolerance) {
+  const auto hit = first_hit(path, problem.robot().footprint, tolerance, walls);
   if (!hit) return "";
   return fmt::format("leaves configuration space at {}: the footprint reaches {:.3g} m into a wall", text(hit->at),
                      hit->depth);
@@ -62,12 +61,11 @@ std::string find_disc_flaw(const Point& a, const Point& b, double radius, double
 
 }  // namespace
 
-std::string find_flaw(const Problem& problem, const Path& path, const EdgeIndex& walls) {
-  if (std::string flaw = find_shape_flaw(problem, path); !flaw.empty()) return flaw;
-  const double tolerance = problem.tolerance();
+std::string find_flaw(const Problem& problem, const Path& path, const EdgeIndex& walls, double tolerance) {
+  if (std::string flaw = find_shape_flaw(problem, path, tolerance); !flaw.empty()) return flaw;
   const Point& start = path.legs.front().points.front();
   if (!nearly_contains(walls, start, tolerance)) return fmt::format("starts at {}, inside a wall", text(start));
-  if (!problem.robot().footprint.empty()) return find_footprint_flaw(problem, path, walls);
+  if (!problem.robot().footprint.empty()) return find_footprint_flaw(problem, path, walls, tolerance);
   for (const Leg& leg : path.legs)
     for (std::size_t i = 1; i < leg.points.size(); ++i) {
       std::string flaw = find_disc_flaw(leg.points[i - 1], leg.points[i], problem.robot().radius, tolerance, walls);

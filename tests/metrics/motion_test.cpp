@@ -17,7 +17,8 @@ double value(const std::string& metric, const Path& path, const Problem& p) {
   for (const Metric& m : built_in_metrics()) {
     if (m.name != metric) continue;
     const SweptArea none;
-    return m.compute(Scored{p, path, none, 0}).value();
+    const MissionClock clock(p, path);
+    return m.compute(Scored{p, path, none, 0, nullptr, &clock, p.tolerance(), {}}).value();
   }
   throw std::logic_error("no metric " + metric);
 }

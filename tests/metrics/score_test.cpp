@@ -28,6 +28,15 @@ TEST(Score, ColumnsOfTheDesign) {
                                         "length_ratio",
                                         "overlap",
                                         "revisits",
+                                        "promise_coverage",
+                                        "path_90_m",
+                                        "path_95_m",
+                                        "path_99_m",
+                                        "mission_90_s",
+                                        "mission_95_s",
+                                        "mission_99_s",
+                                        "missed_pieces",
+                                        "missed_largest_m2",
                                         "turns",
                                         "turn_rad",
                                         "clearance_m",
@@ -67,7 +76,7 @@ TEST(Score, LanesOverAHall) {
   EXPECT_NEAR(s.value("work_m").value(), length, 1e-9);
   EXPECT_EQ(s.value("transit_m").value(), 0);
   EXPECT_NEAR(s.value("length_ratio").value(), length * 0.4 / (target - missed - kPi * 0.04), 1e-3);
-  EXPECT_EQ(s.value("overlap").value(), 0);
+  EXPECT_NEAR(s.value("overlap").value(), length * 0.4 / (60 - 4 * (0.04 - kPi * 0.01) - missed) - 1, 1e-3);
   EXPECT_EQ(s.value("turns").value(), 28);
   EXPECT_NEAR(s.value("clearance_m").value(), 0, 1e-9);
   EXPECT_LT(s.value("revisits").value(), 0.05);
@@ -77,7 +86,7 @@ TEST(Score, RevisitsCountLaps) {
   const Problem p = problem_in(box_region({0, 0}, {10, 0.44}), {0.21, 0.22});
   const Score s = score(p, work({{0.21, 0.22}, {9.79, 0.22}, {0.21, 0.22}, {9.79, 0.22}}));
   // Three passes; each turn's disc is left once only, so every pass after the first begins length * width of visits.
-  EXPECT_NEAR(s.value("revisits").value(), 2 * 9.58 * 0.4 / s.value("target_m2").value(), 1e-3);
+  EXPECT_NEAR(s.value("revisits").value(), 2 * 9.58 * 0.4 / (9.58 * 0.4 + kPi * 0.04), 1e-3);
 }
 
 TEST(Score, WhatCannotBeMeasuredIsEmpty) {

@@ -24,7 +24,7 @@ TEST(SweptArea, OneStraightSwath) {
     const double truth = 7 + kDisc;
     expect_bracket(s, 200, truth);
     EXPECT_NEAR(s.union_m2, truth, 1e-4);
-    EXPECT_EQ(s.legs_m2, s.union_m2);
+    EXPECT_NEAR(s.work_m2, 7, 1e-12);
     EXPECT_NEAR(s.visits_m2, truth, 1e-9);
   }
 }
@@ -59,7 +59,7 @@ TEST(SweptArea, CrossOfTwoLegsOverlapsByASquare) {
   const SweptArea s = swept_area(box_region({-10, -10}, {10, 10}), 0, 1, path);
   const double each = 10 + kDisc;
   expect_bracket(s, 400, 2 * each - 1);
-  EXPECT_NEAR(s.legs_m2, 2 * each, 4e-4);
+  EXPECT_NEAR(s.work_m2, 20, 1e-12);
   EXPECT_NEAR(s.union_m2, 2 * each - 1, 4e-4);
   EXPECT_NEAR(s.visits_m2, 2 * each, 1e-9);
 }
@@ -68,7 +68,7 @@ TEST(SweptArea, LegsThatJoinAreOneStretch) {
   Path path{{Leg{true, {{-5, 0}, {0, 0}}}, Leg{true, {{0, 0}, {5, 0}}}}};
   const SweptArea s = swept_area(box_region({-10, -10}, {10, 10}), 0, 1, path);
   EXPECT_NEAR(s.visits_m2, 10 + kDisc, 1e-9);
-  EXPECT_NEAR(s.legs_m2, 10 + 2 * kDisc, 4e-4);
+  EXPECT_NEAR(s.work_m2, 10, 1e-12);
   EXPECT_NEAR(s.union_m2, 10 + kDisc, 4e-4);
 }
 
@@ -150,7 +150,7 @@ TEST(SweptArea, ShiftRotateScale) {
   const auto same = [&](const SweptArea& s, double scale2, double tolerance) {
     EXPECT_NEAR(s.covered_estimate_m2 / scale2, base.covered_estimate_m2, tolerance * base.covered_estimate_m2);
     EXPECT_NEAR(s.union_m2 / scale2, base.union_m2, tolerance * base.union_m2);
-    EXPECT_NEAR(s.legs_m2 / scale2, base.legs_m2, tolerance * base.legs_m2);
+    EXPECT_NEAR(s.work_m2 / scale2, base.work_m2, tolerance * base.work_m2);
     EXPECT_NEAR(s.visits_m2 / scale2, base.visits_m2, 10 * tolerance * base.visits_m2);
     EXPECT_LE(s.coverage.lower, base.coverage.upper);
     EXPECT_GE(s.coverage.upper, base.coverage.lower);
