@@ -22,6 +22,7 @@ namespace frames {
 constexpr char kStage = 'S';   // name of the stage that begins
 constexpr char kCell = 'C';    // column, cell
 constexpr char kScore = 'M';   // flaw, then name, has value, value of each metric
+constexpr char kCurve = 'V';   // a line of trace.csv
 constexpr char kRemark = 'N';  // a stage after scoring failed
 }  // namespace frames
 
@@ -125,12 +126,18 @@ class FinishChild {
     const auto before = std::chrono::steady_clock::now();
     ScoreOptions options;
     options.tether_counts = task_.tether_counts;
-    const Score result = score(task_.problem, path, task_.metrics, options);
+    options.promise = task_.planned.promised ? Promise::cells : task_.promise;
+    if (task_.planned.promised) options.promised = &*task_.planned.promised;
+    Score result = score(task_.problem, path, task_.metrics, options);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
     cell("score_s", to_decimal(seconds));
     for (const MetricValue& metric : result.values)
       if (metric.value) cell(metric.name, to_decimal(*metric.value));
+    for (const CurvePoint& p : result.curve)
+      wire::send(fd_, frames::kCurve,
+                 fmt::format("{},{},{}", to_decimal(p.path_m), to_decimal(p.mission_s), to_decimal(p.coverage)));
     wire::send(fd_, frames::kScore, pack(result));
+    for (MissedPiece& piece : result.missed) missed_.insert(missed_.end(), piece.outline.begin(), piece.outline.end());
   }
 
   /// The tether's length, bends and angle along the path.
@@ -141,6 +148,7 @@ class FinishChild {
   void draw(const Path& path) const {
     PictureOptions options;
     options.traces = &task_.planned.traces;
+    options.missed = &missed_;
     write_file(fmt::format("{}/{}", task_.options.folder, picture_name(task_.run_id)),
                to_svg(task_.problem, &path, options));
   }
@@ -148,6 +156,7 @@ class FinishChild {
   const FinishTask& task_;
   int fd_;
   bool stored_ = false;
+  std::vector<Ring> missed_;
 };
 
 }  // namespace
@@ -165,6 +174,8 @@ Finished finish_isolated(const FinishTask& task, const Limits& limits) {
     } else if (type == frames::kCell) {
       const std::string column = wire::take_text(payload);
       finished.cells[column] = wire::take_text(payload);
+    } else if (type == frames::kCurve) {
+      finished.trace.emplace_back(payload);
     } else if (type == frames::kScore) {
       finished.score = score_from(payload);
     } else {

@@ -25,11 +25,13 @@ struct FinishTask {
   std::string problem_file;  // within the results folder
   std::string run_id;
   bool tether_counts = true;
+  Promise promise = Promise::nothing;
 };
 
 struct Finished {
   std::map<std::string, std::string> cells;  // path_file, path_sha256, score_s and all metrics
-  std::optional<Score> score;                // if the path was scored
+  std::optional<Score> score;                // if the path was scored; without curve and missed pieces
+  std::vector<std::string> trace;            // of trace.csv: path_m,mission_s,coverage
   std::optional<Verdict> breach;             // storing or scoring broke a limit, or failed
   std::vector<std::string> remarks;          // what went wrong after that: drawing, traces
 };

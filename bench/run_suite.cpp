@@ -28,9 +28,9 @@
 #include "base/text.hpp"
 #include "bench/build_info.hpp"
 #include "bench/child_process.hpp"
-#include "bench/metrics_file.hpp"
 #include "bench/process_info.hpp"
 #include "bench/progress.hpp"
+#include "bench/run_lines.hpp"
 #include "bench/session.hpp"
 #include "bench/verdict.hpp"
 #include "bench/wire.hpp"
@@ -108,7 +108,8 @@ class SuiteRun {
       : options_(options),
         columns_(run_columns(registry.metrics)),
         session_(suite, columns_, options),
-        metrics_(options.folder),
+        metrics_(options.folder, "metrics.csv", kMetricsHeader),
+        trace_(options.folder, "trace.csv", kTraceHeader),
         cells_(cells_of(suite)),
         runs_(cells_.size()),
         earlier_(summary(session_)),
@@ -141,8 +142,8 @@ class SuiteRun {
   struct Run {
     bool begun = false, done = false, kept = false;
     std::string id;
-    Row row;  // what is known of it so far
-    Records records;
+    Row row;                                  // what is known of it so far
+    std::vector<std::string> metrics, trace;  // lines of metrics.csv and trace.csv
   };
 
   static std::map<std::string, Earlier> summary(const Session& session) {
@@ -255,11 +256,8 @@ class SuiteRun {
     if (type == messages::kBegun) {
       run.begun = true;
       run.row = row_from(payload);
-    } else if (type == messages::kRecords) {
-      while (!payload.empty()) {
-        const double value = wire::take<double>(payload);
-        run.records.emplace_back(wire::take_text(payload), value);
-      }
+    } else if (type == messages::kMetrics || type == messages::kTrace) {
+      (type == messages::kMetrics ? run.metrics : run.trace) = lines_from(payload);
     } else if (type == messages::kKept) {
       run.done = run.kept = true;
       run.id = payload;
@@ -312,7 +310,8 @@ class SuiteRun {
   }
 
   void append(const Run& run) {
-    metrics_.append(run.id, run.records);
+    metrics_.append(run.id, run.metrics);
+    trace_.append(run.id, run.trace);
     session_.append(csv_line(run.row, columns_));
   }
 
@@ -362,13 +361,14 @@ class SuiteRun {
     std::vector<std::string> ids;
     for (const Run& run : runs_) ids.push_back(run.id);
     metrics_.put_in_order(ids);
+    trace_.put_in_order(ids);
   }
 
   const Orphans orphans_;
   const SuiteRunOptions& options_;
   Columns columns_;
   Session session_;
-  MetricsFile metrics_;
+  RunLines metrics_, trace_;
   std::vector<SuiteCell> cells_;
   std::vector<Run> runs_;
   std::map<std::string, Earlier> earlier_;

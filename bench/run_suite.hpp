@@ -3,7 +3,8 @@
 ///   const Registry registry = built_in_registry();
 ///   const Results results = run_suite(read_suite("quick.toml", registry), registry, {.folder = "out", .jobs = 2});
 ///
-/// The output folder: runs.csv; metrics.csv (figures that planners recorded, if any did); columns.json; session.json;
+/// The output folder: runs.csv; metrics.csv (figures that planners recorded, if any did); trace.csv
+/// (coverage along the paths); columns.json; session.json;
 /// paths/RUN_ID.geojson; maps/PROBLEM_HASH.geojson (problem file: map, robot, start; readable by `oxturn plan` and by
 /// Shapely); pictures/RUN_ID.svg; traces/RUN_ID.json; tethers/RUN_ID.csv; logs/RUN_ID.log (what the planner printed).
 #pragma once

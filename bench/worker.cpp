@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <new>
 #include <stdexcept>
@@ -124,6 +125,14 @@ const Problem& given(const Setting& setting, const PlannerSpec& spec) {
   return *setting.loose;
 }
 
+/// A planner that runs another one promises what that one does.
+Promise promise_of(const Work& work, const PlannerSpec& spec) {
+  const PlannerInfo& planner = work.registry.planners.find(spec.name);
+  const auto inner = spec.settings.find("planner");
+  if (!planner.more_parameters || inner == spec.settings.end()) return planner.promise;
+  return work.registry.planners.find(std::get<std::string>(inner->second)).promise;
+}
+
 Row row_of(const Work& work, std::size_t index, const Setting& setting) {
   const SuiteCell& cell = work.cells[index];
   const PlannerSpec& spec = work.suite.planners[cell.planner];
@@ -144,7 +153,7 @@ Row row_of(const Work& work, std::size_t index, const Setting& setting) {
       {"planner_family", planner.family},
       {"variant", spec.variant()},
       {"params", to_text(spec.said())},
-      {"promise", to_text(planner.promise)},
+      {"promise", to_text(promise_of(work, spec))},
       {"robot", robot.name},
       {"tool_width_m", to_decimal(robot.tool_width)},
       {"repeat", std::to_string(cell.repeat)}};
@@ -166,23 +175,33 @@ void write_process(const Planned& planned, Row& row) {
   row.cells["peak_rss_bytes"] = to_decimal(planned.peak_rss_bytes);
 }
 
+/// Lines of metrics.csv; empty means not applicable.
+std::vector<std::string> metric_lines(const Records& records) {
+  std::vector<std::string> lines;
+  for (const auto& [name, value] : records)
+    lines.push_back(fmt::format("{},{}", name, std::isfinite(value) ? to_decimal(value) : ""));
+  return lines;
+}
+
 /// Scores and stores what came of planning, in a process of its own.
-void finish_run(const Work& work, const Setting& setting, const Planned& planned, bool tether_counts, int fd,
-                Row& row) {
+void finish_run(const Work& work, const Setting& setting, std::size_t index, const Planned& planned, int fd, Row& row) {
   write_process(planned, row);
+  const PlannerSpec& spec = work.suite.planners[work.cells[index].planner];
   FinishTask task{*setting.problem,     planned,           work.registry.metrics, work.options,
-                  setting.problem_file, row.get("run_id"), tether_counts};
+                  setting.problem_file, row.get("run_id"), !spec.ignore_tether,   promise_of(work, spec)};
   const Finished finished = finish_isolated(task, work.suite.limits);
   for (const auto& [column, cell] : finished.cells) row.cells[column] = cell;
   const Verdict verdict =
       finished.breach ? *finished.breach : judge(planned, finished.score, work.suite.target_coverage);
   end(row, verdict.outcome, verdict.reason);
+  if (planned.promised) row.cells["promise"] = to_text(Promise::cells);
+  if (!planned.records.empty()) send_message(fd, messages::kMetrics, index, joined(metric_lines(planned.records)));
+  if (!finished.trace.empty()) send_message(fd, messages::kTrace, index, joined(finished.trace));
   for (const std::string& remark : finished.remarks)
     send_message(fd, messages::kRemark, 0, fmt::format("{} on {}: {}", row.get("variant"), row.get("map"), remark));
 }
 
-/// `records` takes the figures that the planner recorded, packed.
-void run_one(const Work& work, const Setting& setting, std::size_t index, int fd, Row& row, std::string& records) {
+void run_one(const Work& work, const Setting& setting, std::size_t index, int fd, Row& row) {
   const PlannerSpec& spec = work.suite.planners[work.cells[index].planner];
   const PlannerInfo& planner = work.registry.planners.find(spec.name);
   if (!setting.problem) return end(row, setting.outcome, setting.reason);
@@ -199,11 +218,7 @@ void run_one(const Work& work, const Setting& setting, std::size_t index, int fd
     options.log_file = fmt::format("{}/logs/{}.log", work.options.folder, row.get("run_id"));
     const auto make = [&] { return planner.make(spec.settings, work.registry.planners); };
     const Planned planned = plan_isolated(make, problem, options);
-    for (const auto& [name, value] : planned.records) {
-      wire::put(records, value);
-      wire::put_text(records, name);
-    }
-    finish_run(work, setting, planned, !spec.ignore_tether, fd, row);
+    finish_run(work, setting, index, planned, fd, row);
   } catch (const std::exception& e) {
     // A defect or limit of the harness: a full disk, no more processes, a metric that throws.
     end(row, Outcome::infrastructure, e.what());
@@ -217,6 +232,18 @@ void send_message(int fd, char type, std::size_t index, const std::string& paylo
   wire::put(message, static_cast<std::uint64_t>(index));
   message += payload;
   if (!wire::send(fd, type, message)) throw std::runtime_error("the parent process has closed the pipe");
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string bytes;
+  for (const std::string& line : lines) wire::put_text(bytes, line);
+  return bytes;
+}
+
+std::vector<std::string> lines_from(std::string_view bytes) {
+  std::vector<std::string> lines;
+  while (!bytes.empty()) lines.push_back(wire::take_text(bytes));
+  return lines;
 }
 
 std::string pack(const Row& row) {
@@ -270,9 +297,7 @@ void run_unit(const Work& work, const Unit& unit, int fd) {
       row.cells["attempt"] = std::to_string(earlier->second.attempts + 1);
     }
     send_message(fd, messages::kBegun, index, pack(row));
-    std::string records;
-    run_one(work, setting, index, fd, row, records);
-    if (!records.empty()) send_message(fd, messages::kRecords, index, records);
+    run_one(work, setting, index, fd, row);
     send_message(fd, messages::kDone, index, pack(row));
   }
 }

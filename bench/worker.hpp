@@ -44,7 +44,8 @@ struct Work {
 namespace messages {
 inline constexpr char kReady = 'S';    // the problem is set up, or cannot be
 inline constexpr char kBegun = 'B';    // the row so far, packed
-inline constexpr char kRecords = 'V';  // [value f64, name] for each figure the planner recorded; before kDone, if any
+inline constexpr char kMetrics = 'V';  // lines of metrics.csv; before kDone, if any
+inline constexpr char kTrace = 'T';    // lines of trace.csv; before kDone, if any
 inline constexpr char kDone = 'D';     // the row, packed
 inline constexpr char kKept = 'K';     // run_id of a row that an earlier session left
 inline constexpr char kRemark = 'N';   // a sentence for the user
@@ -53,6 +54,10 @@ inline constexpr char kBroken = 'X';   // why the worker gives up
 
 /// Throws std::runtime_error if the parent has closed the pipe.
 void send_message(int fd, char type, std::size_t index, const std::string& payload);
+
+/// Lines as one payload, and back.
+std::string joined(const std::vector<std::string>& lines);
+std::vector<std::string> lines_from(std::string_view bytes);
 
 /// A row as bytes, and back.
 std::string pack(const Row& row);

@@ -26,5 +26,6 @@ Command plan_command();
 Command score_command();
 Command run_command();
 Command report_command();
+Command rescore_command();
 
 }  // namespace oxturn::cli

@@ -16,10 +16,13 @@
 namespace oxturn::cli {
 namespace {
 
+constexpr std::size_t kMostShown = 10;  // runs that fall short
+
 struct Options {
   std::string suite;
   SuiteRunOptions run;
   bool quiet = false;
+  std::string require;  // the worst outcome for exit code 0; empty: any
 };
 
 /// As typed, for session.json.
@@ -28,6 +31,23 @@ std::vector<std::string> command_line() {
   std::vector<std::string> words;
   for (std::string word; std::getline(in, word, '\0');) words.push_back(word);
   return words;
+}
+
+/// Says which runs fall short of what is required.
+bool meets(const Results& results, const std::string& required) {
+  if (required.empty()) return true;
+  std::size_t count = 0;
+  for (const Row& row : results.rows) {
+    const Outcome outcome = row.outcome();
+    if (outcome == Outcome::ok || (outcome == Outcome::partial && required == "partial")) continue;
+    if (++count <= kMostShown)
+      fmt::print(stderr, "oxturn: {} on {}: {}: {}\n", row.get("variant"), row.get("map"), to_text(outcome),
+                 row.get("reason"));
+  }
+  if (count > 0)
+    fmt::print(stderr, "oxturn: {} of {} runs are not {}\n", count, results.rows.size(),
+               required == "ok" ? "ok" : "ok or partial");
+  return count == 0;
 }
 
 int run(const Options& options, const Registry& registry) {
@@ -46,7 +66,7 @@ int run(const Options& options, const Registry& registry) {
   const std::filesystem::path folder = run_options.folder;
   fmt::print("{}\ntable     {}\nrows      {}\npictures  {}\n", registry.tables.find("comparison").markdown(results),
              (folder / "report.md").string(), (folder / "runs.csv").string(), (folder / "gallery.html").string());
-  return 0;
+  return meets(results, options.require) ? 0 : 1;
 }
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
@@ -58,6 +78,10 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
       ->type_name("N");
   app.add_flag("--resume", options->run.resume, "keep the rows that are there, run the missing ones");
   app.add_flag("--traces", options->run.traces, "keep and draw the planners' insides too (costs them time)");
+  app.add_flag("!--no-pictures", options->run.pictures, "draw no pictures");
+  app.add_option("--require", options->require, "exit with code 1 unless every run is ok (or partial)")
+      ->check(CLI::IsMember({"ok", "partial"}))
+      ->type_name("ok|partial");
   app.add_flag("-q,--quiet", options->quiet, "no progress");
   return [options, &registry] { return run(*options, registry); };
 }
@@ -66,7 +90,8 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
 
 Command run_command() {
   return {"run", "run a suite: every planner on every map, one row each",
-          "  oxturn run quick -o out\n  oxturn run my.toml -o out -j 4\n  oxturn run my.toml -o out --resume\n",
+          "  oxturn run quick -o out\n  oxturn run my.toml -o out -j 4\n  oxturn run my.toml -o out --resume\n"
+          "  oxturn run quick -o out --require ok        exit code 1 if a run is not ok\n",
           attach};
 }
 

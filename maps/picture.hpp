@@ -16,6 +16,7 @@ namespace oxturn {
 struct PictureOptions {
   double width_px = 1000;
   bool swath = true;                           // draws the tool's swath under the path
+  const std::vector<Ring>* missed = nullptr;   // parts of the target that the path missed
   const std::vector<Trace>* traces = nullptr;  // each in a colour of its own, by their order
   // Robots with a tether: it is drawn so often, equally spaced along the path, and where it is longest; 0: not at all.
   int tethers = 8;

@@ -13,6 +13,7 @@
 #include "base/named_list.hpp"
 #include "geometry/path.hpp"
 #include "maps/problem.hpp"
+#include "maps/promise.hpp"
 #include "metrics/mission.hpp"
 #include "metrics/swept_area.hpp"
 #include "metrics/tether.hpp"
@@ -67,9 +68,6 @@ struct Score {
   /// Of one metric; nullopt if it is empty or not in the list.
   std::optional<double> value(const std::string& metric) const;
 };
-
-/// What the planner's description promises to cover.
-enum class Promise { target, cells, nothing };
 
 struct ScoreOptions {
   bool tether_counts = true;  // false: a path that exceeds the tether length limit is valid, but still measured

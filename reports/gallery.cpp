@@ -35,17 +35,24 @@ figcaption { padding: .4rem .6rem; font-size: .85rem; font-variant-numeric: tabu
 
 std::string figure(const Row& row, const Results& results, bool show_repeat) {
   const std::string outcome = to_text(row.outcome());
-  const std::string label = row.get("variant") + " on " + row.get("map") + ": " + outcome;
+  const std::string title = row.get("variant") + " on " + row.get("map") + ": " + outcome;
   std::string out = fmt::format("<figure id=\"{}\">", escape_xml(row.get("run_id")));
   if (const auto it = results.pictures.find(row.get("run_id")); it != results.pictures.end()) {
     const std::string link = escape_xml(escape_url(it->second));
-    out += fmt::format("<a href=\"{0}\"><img loading=\"lazy\" src=\"{0}\" alt=\"{1}\"></a>", link, escape_xml(label));
+    out += fmt::format("<a href=\"{0}\"><img loading=\"lazy\" src=\"{0}\" alt=\"{1}\"></a>", link, escape_xml(title));
   } else {
     out += "<div class=\"none\">no path</div>";
   }
   out += fmt::format("<figcaption><span class=\"badge {0}\">{0}</span>", outcome);
   if (const auto c = row.number("coverage")) out += fmt::format(" coverage {:.4f}", *c);
-  if (const auto r = row.number("length_ratio")) out += fmt::format(" &middot; ratio {:.3f}", *r);
+  const auto add = [&](const char* column, const char* label, const char* unit) {
+    if (const auto value = row.number(column)) out += fmt::format(" &middot; {} {:.3g}{}", label, *value, unit);
+  };
+  add("path_m", "path", " m");
+  add("mission_s", "mission", " s");
+  add("overlap", "overlap", "");
+  add("missed_pieces", "missed", "");
+  add("plan_cpu_s", "CPU", " s");
   if (show_repeat) out += " &middot; repeat " + escape_xml(row.get("repeat"));
   if (row.outcome() != Outcome::ok && !row.get("reason").empty())
     out += "<span class=\"reason\">" + escape_xml(row.get("reason")) + "</span>";
@@ -62,7 +69,9 @@ std::string gallery_page(const Results& results) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>oxturn: {0}</title>\n"
       "<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n"
       "<p>Every run, one picture: walls grey, the robot's path from blue to red, transit dashed, start green, end red. "
-      "What remains sand-coloured could have been covered and was not. Click for the full size; "
+      "Swath light blue, darker where it overlaps; arrowheads show the direction. Missed pieces of the target are "
+      "magenta; "
+      "what else remains sand-coloured is smaller than they count. Click for the full size; "
       "the figures are in <a href=\"report.md\">report.md</a>.</p>\n"
       "<div class=\"scroll\"><table>\n<thead><tr><th></th>",
       escape_xml(suite), kStyle);

@@ -107,6 +107,7 @@ std::string to_svg(const Problem& problem, const Path* path, const PictureOption
   out += fmt::format("<path id=\"target\" fill=\"#fbe9c6\" fill-rule=\"evenodd\" d=\"{}\"/>\n",
                      svg::region_data(canvas, problem.target()));
   if (path != nullptr && options.swath) svg::append_swath(out, canvas, problem, shown);
+  if (options.missed != nullptr) svg::append_missed(out, canvas, *options.missed);
   if (options.traces != nullptr) svg::append_traces(out, canvas, *options.traces);
   if (path != nullptr) svg::append_path(out, canvas, problem, shown);
   if (path != nullptr && tethered) svg::append_tethers(out, canvas, problem, shown, options.tethers);

@@ -24,9 +24,11 @@ std::string time_colour(double t);
 
 // svg_path.cpp
 
-/// The area under the tool.
+/// The area under the tool, within free space; darker where it is covered again.
 void append_swath(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path);
-/// Transit dashed, work coloured by the distance driven.
+/// Convex parts of the target that the path missed.
+void append_missed(std::string& out, const Canvas& canvas, const std::vector<Ring>& missed);
+/// Transit dashed, work coloured by the distance driven, with arrowheads.
 void append_path(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path);
 /// Traces of one name have one colour.
 void append_traces(std::string& out, const Canvas& canvas, const std::vector<Trace>& traces);

@@ -10,7 +10,15 @@
 namespace oxturn::svg {
 namespace {
 
+constexpr std::size_t kMostShaded = 20'000;  // vertices of a path whose overlap is shaded
+constexpr int kArrows = 24;
 constexpr int kPieces = 480;  // of the path, each with a colour and an element of its own
+
+/// A change of heading by more than 60 degrees.
+bool sharp_turn(const Point& a, const Point& b, const Point& c) {
+  const Point before = b - a, after = c - b;
+  return before.dot(after) < 0.5 * before.norm() * after.norm();
+}
 
 /// The legs with the tool on, or those with the tool off.
 std::string legs_data(const Canvas& canvas, const Path& path, bool tool) {
@@ -68,14 +76,88 @@ void append_work(std::string& out, const Canvas& canvas, const Path& path, doubl
   out += "</g>\n";
 }
 
+/// The work in parts that end at sharp turns, so that each part shades what another one has covered already. Very long
+/// paths are one part.
+std::vector<std::string> swath_parts(const Canvas& canvas, const Path& path) {
+  std::size_t segments = 0;
+  for (const Leg& leg : path.legs) segments += leg.points.size();
+  std::vector<std::string> parts;
+  if (segments > kMostShaded) {
+    parts.push_back(legs_data(canvas, path, true));
+    return parts;
+  }
+  for (const Leg& leg : path.legs) {
+    if (!leg.tool) continue;
+    Polyline part;
+    for (const Point& p : leg.points) {
+      if (part.size() > 1 && sharp_turn(part[part.size() - 2], part.back(), p)) {
+        PathData data(canvas, kLeastLineStep);
+        data.add(part);
+        parts.push_back(data.take());
+        part = {part.back()};
+      }
+      if (part.empty() || part.back() != p) part.push_back(p);
+    }
+    PathData data(canvas, kLeastLineStep);
+    data.add(part);
+    parts.push_back(data.take());
+  }
+  return parts;
+}
+
+/// Arrowheads in the direction of driving, equally spaced along the work.
+void append_arrows(std::string& out, const Canvas& canvas, const Path& path, double size) {
+  double total = 0;
+  for (const Leg& leg : path.legs)
+    if (leg.tool) total += length(leg.points);
+  if (!(total > 0) || !std::isfinite(total)) return;
+  const double step = total / kArrows;
+  double next = step / 2, driven = 0;
+  PathData data(canvas, 0);
+  for (const Leg& leg : path.legs) {
+    if (!leg.tool) continue;
+    for (std::size_t i = 1; i < leg.points.size(); ++i) {
+      const Point a = leg.points[i - 1], b = leg.points[i];
+      const double len = distance(a, b);
+      for (; next < driven + len; next += step) {
+        const Point tip = lerp(a, b, (next - driven) / len), back = size * (a - b) / len,
+                    side = 0.5 * perpendicular(back);
+        data.add({tip + back + side, tip, tip + back - side});
+      }
+      driven += len;
+    }
+  }
+  out += fmt::format(
+      "<path id=\"direction\" fill=\"none\" stroke=\"#222\" stroke-width=\"1\" stroke-linejoin=\"round\" "
+      "d=\"{}\"/>\n",
+      data.take());
+}
+
 }  // namespace
 
 void append_swath(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path) {
   const double tool_px = problem.robot().tool_width * canvas.scale;
   out += fmt::format(
-      "<path id=\"swath\" fill=\"none\" stroke=\"#b9d9f7\" stroke-opacity=\"0.8\" stroke-width=\"{}\" "
-      "stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\"{}\"/>\n",
-      px(std::max(tool_px, 0.02)), legs_data(canvas, path, true));
+      "<clipPath id=\"inside\"><path clip-rule=\"evenodd\" d=\"{}\"/></clipPath>\n"
+      "<g id=\"swath\" clip-path=\"url(#inside)\" fill=\"none\" stroke=\"#8fc3f2\" stroke-opacity=\"0.55\" "
+      "stroke-width=\"{}\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
+      region_data(canvas, problem.map().free), px(std::max(tool_px, 0.02)));
+  for (const std::string& part : swath_parts(canvas, path)) out += fmt::format("<path d=\"{}\"/>\n", part);
+  out += "</g>\n";
+}
+
+void append_missed(std::string& out, const Canvas& canvas, const std::vector<Ring>& missed) {
+  if (missed.empty()) return;
+  PathData data(canvas, 0);
+  for (const Ring& ring : missed) {
+    data.add(ring);
+    data.close();
+  }
+  // The outline closes the seams between the parts of a piece and keeps small pieces visible.
+  out += fmt::format(
+      "<path id=\"missed\" fill=\"#e5006d\" stroke=\"#e5006d\" stroke-width=\"1.2\" stroke-linejoin=\"round\" "
+      "d=\"{}\"/>\n",
+      data.take());
 }
 
 void append_path(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path) {
@@ -88,6 +170,7 @@ void append_path(std::string& out, const Canvas& canvas, const Problem& problem,
         "d=\"{}\"/>\n",
         px(std::max(0.7, line_px * 0.8)), px(std::max(3.0, 3 * line_px)), px(std::max(2.0, 2 * line_px)), transit);
   append_work(out, canvas, path, line_px);
+  append_arrows(out, canvas, path, std::max(5.0, 3 * line_px) / canvas.scale);
 }
 
 void append_traces(std::string& out, const Canvas& canvas, const std::vector<Trace>& traces) {
