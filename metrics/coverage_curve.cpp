@@ -84,14 +84,14 @@ std::vector<CoveragePoint> CoverageCurve::points(double coverage) const {
   double sum = 0;
   const double bin_m = length_m_ / static_cast<double>(kBins);
   for (std::size_t i = 0; i < kBins && length_m_ > 0; ++i) {
-    const bool rises = bins_[i] > 0;
-    if (!rises && i + 1 < kBins) continue;
-    const double begin = static_cast<double>(i) * bin_m, share = all > 0 ? sum / all * coverage : 0;
+    if (!(bins_[i] > 0)) continue;
+    const double begin = static_cast<double>(i) * bin_m, share = sum / all * coverage;
     if (begin > points.back().path_m) points.push_back({begin, share});
     sum += bins_[i];
-    points.push_back({static_cast<double>(i + 1) * bin_m, all > 0 ? sum / all * coverage : 0});
+    points.push_back({static_cast<double>(i + 1) * bin_m, sum / all * coverage});
   }
-  points.back().coverage = all > 0 ? coverage : 0;
+  if (all > 0) points.back().coverage = coverage;
+  if (points.back().path_m < length_m_ * (1 - 0.5 / kBins)) points.push_back({length_m_, points.back().coverage});
   if (length_m_ > 0) points.back().path_m = length_m_;
   return points;
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kAttempts = 4;         // with smaller and smaller budgets
 constexpr double kReach = 3;         // tool radii beyond the target's box that count (Decision 1)
-constexpr double kSlackShare = 0.1;  // simplification of chains in tool radii, over the certainty
+constexpr double kSlackShare = 0.3;  // simplification of chains in tool radii, over the certainty
 constexpr double kArcsAtLeast = 10;  // `certainty` over what the arcs get if the target's own error takes the rest
 
 void check(double width, const Path& path) {
