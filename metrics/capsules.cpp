@@ -83,7 +83,7 @@ class Collector {
  private:
   void add_disc(const WorkChains::Station& at, bool switched_on) {
     if (!room_.contains({at.at.x, at.at.y})) return;
-    Capsule k{at.at, at.at, {1, 0}, at.path_m};
+    Capsule k{at.at, at.at, {1, 0}, at.path_m, at.path_m};
     k.disc = true;
     k.visits_only = switched_on;
     set_.all.push_back(k);
@@ -96,14 +96,18 @@ class Collector {
     k.b = to->at;
     const Vec d = k.b - k.a;
     const double length = std::hypot(d.x, d.y);
-    if (!(length > 0)) return;
-    k.along = (1 / length) * d;
+    k.disc = !(length > 0);
+    k.along = k.disc ? Vec{1, 0} : (1 / length) * d;
     double off2 = 0;
     for (const WorkChains::Station* s = from + 1; s < to; ++s) off2 = std::max(off2, squared_distance(s->at, k));
     if (off2 > kStraight * kStraight) k.slack = std::sqrt(off2);
     if (!clip_to(room_, k.a, k.b)) return;
-    const double skipped = std::hypot(k.a.x - from->at.x, k.a.y - from->at.y) / length;
-    k.path_m = from->path_m + skipped * (to->path_m - from->path_m);
+    const auto driven_at = [&](Vec p) {
+      const double part = k.disc ? 0 : dot(p - from->at, k.along) / length;
+      return from->path_m + part * (to->path_m - from->path_m);
+    };
+    k.path_m = driven_at(k.a);
+    k.end_m = driven_at(k.b);
     set_.all.push_back(k);
     set_.work += std::hypot(k.b.x - k.a.x, k.b.y - k.a.y);
   }

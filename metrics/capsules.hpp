@@ -17,7 +17,7 @@ namespace oxturn {
 
 struct Capsule {
   Vec a, b, along;                    // along: unit vector
-  double path_m = 0;                  // driven before `a`, metres
+  double path_m = 0, end_m = 0;       // driven before `a` and `b`, metres
   double slack = 0;                   // the path is within this distance of the segment, and the segment of the path
   bool disc = false;                  // a == b: where the tool is switched on, or a chain without length
   bool visits_only = false;           // counts for visits, not for areas

@@ -3,105 +3,184 @@
 #include <algorithm>
 #include <cmath>
 
-#include "metrics/heading.hpp"
+#include "metrics/smooth_path.hpp"
 
 namespace oxturn {
 namespace {
 
-/// Radius of the curve at a vertex between straight pieces of these lengths. Where a curve continues in its tangent,
-/// the vertex has half a chord's change of heading.
-double local_radius(double before, double after, double angle) {
-  const double least = std::min(before, after), most = std::max(before, after);
-  return most > 2 * least ? least / (2 * angle) : (before + after) / (2 * angle);
-}
+constexpr double kHalfWidth = 0.1;    // of the smoothing, in tool widths
+constexpr double kStep = 0.5;         // half-widths between samples near bends, at most
+constexpr double kMostTurn = 0.15;    // radians between samples, unless they are nearer than the next
+constexpr double kLeastStep = 1e-3;   // half-widths
+constexpr double kNoHeading = 1e-6;   // the curve's derivative by arc length; below, it turns back on itself
+constexpr double kRounding = 1e-9;    // of the same derivative
+constexpr double kWholeSteps = 1e-6;  // rounding of a number of steps
 
-/// Time over `length` from speed u to speed v (both reachable), never above `top`.
-double drive_time(double length, double u, double v, double top, double acceleration) {
+/// Seconds over `length` from speed u to speed v (both reachable), never above `top`.
+double seconds(double length, double u, double v, double top, double acceleration) {
   const double peak2 = (u * u + v * v) / 2 + acceleration * length;
   if (peak2 <= top * top) return (2 * std::sqrt(peak2) - u - v) / acceleration;
   const double ramps = (2 * top * top - u * u - v * v) / (2 * acceleration);
   return (2 * top - u - v) / acceleration + std::max(0.0, length - ramps) / top;
 }
 
-/// Time over the first `part` metres of the same drive.
-double part_time(double part, double length, double u, double v, double top, double acceleration) {
-  if (part >= length) return drive_time(length, u, v, top, acceleration);
+/// Seconds over the first `part` metres of the same drive.
+double seconds_of_part(double part, double length, double u, double v, double top, double acceleration) {
   const double peak = std::min(top, std::sqrt((u * u + v * v) / 2 + acceleration * length));
   const double up = (peak * peak - u * u) / (2 * acceleration), down = (peak * peak - v * v) / (2 * acceleration);
   if (part <= up) return (std::sqrt(u * u + 2 * acceleration * part) - u) / acceleration;
-  const double rest = length - part;
+  const double rest = std::max(0.0, length - part);
   if (rest >= down) return (peak - u) / acceleration + (part - up) / peak;
-  const double all = drive_time(length, u, v, top, acceleration);
+  const double all = seconds(length, u, v, top, acceleration);
   return all - (std::sqrt(v * v + 2 * acceleration * rest) - v) / acceleration;
 }
 
-/// Length of straight i, which ends at turn i; the last straight ends the path.
-double straight_length(const Headings& h, std::size_t i) { return i < h.turns.size() ? h.turns[i].before : h.after; }
-
-bool is_linked(const Headings& h, std::size_t i) { return i < h.turns.size() && h.turns[i].linked; }
-
-/// How a turn limits the robot.
-struct TurnLimit {
-  double through = 0;  // speed
-  double turning = 0;  // seconds on the spot
-  bool tight = false;  // part of a curve that the robot cannot drive
-};
-
-TurnLimit limit_of(const Headings& h, std::size_t i, const Robot& robot) {
-  const Turn& turn = h.turns[i];
-  const double angle = std::abs(turn.angle);
-  const double radius = local_radius(turn.before, straight_length(h, i + 1), angle);
-  const bool tight = radius < robot.min_turn_radius, curve = turn.linked || is_linked(h, i + 1);
-  if (!curve && (angle > kCorner || tight)) return {0, angle / robot.turn_rate, false};
-  return {std::min(robot.speed, robot.turn_rate * radius), 0, tight};
-}
-
-/// Speeds at both ends of straight i: ends[i] and ends[i + 1]. By the limits of the turns, stops at the ends of tight
-/// curves, and the acceleration in both directions.
-std::vector<double> end_speeds(const Headings& h, const std::vector<TurnLimit>& limits, double acceleration) {
-  const std::size_t n = limits.size();
-  std::vector<double> ends(n + 2, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool begins = limits[i].tight && !(i > 0 && limits[i - 1].tight && is_linked(h, i));
-    const bool stops = limits[i].tight && !(i + 1 < n && limits[i + 1].tight && is_linked(h, i + 1));
-    ends[i + 1] = begins || stops ? 0 : limits[i].through;
-  }
-  const double twice = 2 * acceleration;
-  for (std::size_t i = 0; i <= n; ++i)
-    ends[i + 1] = std::min(ends[i + 1], std::sqrt(ends[i] * ends[i] + twice * straight_length(h, i)));
-  for (std::size_t i = n + 1; i-- > 0;)
-    ends[i] = std::min(ends[i], std::sqrt(ends[i + 1] * ends[i + 1] + twice * straight_length(h, i)));
-  return ends;
+/// 0 if `a` is no heading.
+double turn_between(const Point& a, const Point& b) {
+  if (a == Point(0, 0)) return 0;
+  return std::abs(std::atan2(cross(a, b), a.dot(b)));
 }
 
 }  // namespace
 
+/// Samples the smooth path, left to right.
+class MissionClock::Sampler {
+ public:
+  Sampler(SmoothPath& path, const Robot& robot, std::vector<Interval>& out) : path_(path), robot_(robot), out_(out) {}
+
+  void run() {
+    const double reach = 2 * path_.half_width();
+    const std::vector<double>& bends = path_.bends();
+    last_ = sample(-reach);
+    double from = -reach, to = -reach;  // of consecutive bends whose windows overlap
+    for (const double bend : bends) {
+      if (bend - reach > to) {
+        add_window(from, to);
+        advance(sample(bend - reach));
+        from = bend - reach;
+      }
+      to = bend + reach;
+    }
+    add_window(from, to);
+    out_.push_back({last_.state.progress, 0, 0, last_.limit, 0, 0});
+    cap_tight_turns();
+  }
+
+ private:
+  struct Sample {
+    double s;
+    SmoothPath::State state;
+    double stretch;  // metres of the curve per metre of the path
+    double limit;    // of the speed
+    bool heads;      // has a heading
+  };
+
+  Sample sample(double s) {
+    const SmoothPath::State state = path_.at(s);
+    const double rate = state.first.norm();
+    const bool drives = state.rate > kRounding;  // not at the path's very ends
+    Sample result{s, state, 1, robot_.speed, drives && rate > kNoHeading * state.rate};
+    if (drives) result.stretch = std::min(1.0, rate / state.rate);
+    const double turning = std::abs(cross(state.first, state.second));
+    if (result.heads && turning > 0)
+      result.limit = std::min(robot_.speed, robot_.turn_rate * rate * rate * rate / turning);
+    if (!result.heads && drives) result.limit = kNoHeading * robot_.speed;
+    return result;
+  }
+
+  /// Of the speed at this radius of curvature. Below the least radius the robot turns partly at rest, so it drives
+  /// faster in between; at a cusp it stops.
+  double limit(double radius) const {
+    const double least = robot_.min_turn_radius;
+    return std::min(robot_.speed, robot_.turn_rate * (radius >= least ? radius : std::sqrt(least * radius)));
+  }
+
+  void add_window(double from, double to) {
+    const double steps = std::ceil((to - from) / (kStep * path_.half_width()) - kWholeSteps);
+    for (double k = 1; k <= steps; ++k) refine(sample(from + (to - from) * (k / steps)));
+  }
+
+  /// Advances to `next`, in smaller steps where the curve turns a lot.
+  void refine(const Sample& next) {
+    const Point& heading = last_.heads ? last_.state.first : heading_;
+    if (next.heads && turn_between(heading, next.state.first) > kMostTurn &&
+        next.s - last_.s > kLeastStep * path_.half_width()) {
+      refine(sample((last_.s + next.s) / 2));
+      refine(next);
+      return;
+    }
+    advance(next);
+  }
+
+  void advance(const Sample& next) {
+    if (last_.heads) heading_ = last_.state.first;
+    Interval interval{last_.state.progress, 0, 0, last_.limit, 0, 0};
+    interval.length = (next.state.progress - last_.state.progress) * (last_.stretch + next.stretch) / 2;
+    if (next.heads) interval.turn = turn_between(heading_, next.state.first);
+    out_.push_back(interval);
+    last_ = next;
+  }
+
+  /// Where the heading changes too fast to be sampled, the robot turns on the spot.
+  void cap_tight_turns() {
+    for (std::size_t i = 0; i + 1 < out_.size(); ++i) {
+      if (out_[i].turn <= 2 * kMostTurn) continue;
+      const double most = limit(out_[i].length / out_[i].turn);
+      out_[i].speed = std::min(out_[i].speed, most);
+      out_[i + 1].speed = std::min(out_[i + 1].speed, most);
+    }
+  }
+
+  SmoothPath& path_;
+  const Robot& robot_;
+  std::vector<Interval>& out_;
+  Sample last_{};
+  Point heading_{0, 0};  // the last one
+};
+
 MissionClock::MissionClock(const Problem& problem, const Path& path) : acceleration_(problem.robot().acceleration) {
   const Robot& robot = problem.robot();
-  const Headings h = headings(problem, path);
-  const std::size_t n = h.turns.size();
-  if (n == 0 && !(h.after > 0)) return;
-  std::vector<TurnLimit> limits;
-  for (std::size_t i = 0; i < n; ++i) limits.push_back(limit_of(h, i, robot));
-  const std::vector<double> ends = end_speeds(h, limits, robot.acceleration);
-  double driven = 0;
-  for (std::size_t i = 0; i <= n; ++i) {
-    const double length = straight_length(h, i);
-    const bool in_curve = i > 0 && is_linked(h, i);  // a chord of a curve
-    const double limit = in_curve ? std::max(limits[i - 1].through, limits[i].through) : robot.speed;
-    const double top = std::max({limit, ends[i], ends[i + 1]});
-    straights_.push_back({driven, total_, length, ends[i], ends[i + 1], top});
-    driven += length;
-    total_ += drive_time(length, ends[i], ends[i + 1], top, acceleration_) + (i < n ? limits[i].turning : 0);
+  SmoothPath smooth(path, kHalfWidth * robot.tool_width);
+  if (!(smooth.length() > 0)) return;
+  Sampler(smooth, robot, intervals_).run();
+  find_speeds();
+  for (std::size_t i = 0; i + 1 < intervals_.size(); ++i) {
+    Interval& here = intervals_[i];
+    here.begin_s = total_;
+    const double drive = seconds(here.length, here.speed, intervals_[i + 1].speed, here.top, acceleration_);
+    double driving = here.turn;  // turned while driving
+    if (robot.min_turn_radius > 0) driving = std::min(driving, here.length / robot.min_turn_radius);
+    total_ += std::max(drive, driving / robot.turn_rate) + (here.turn - driving) / robot.turn_rate;
   }
+  intervals_.back().begin_s = total_;
+}
+
+/// From the limits at the samples to speeds: at rest at both ends, and by the acceleration in both directions.
+void MissionClock::find_speeds() {
+  const double twice = 2 * acceleration_;
+  const std::size_t last = intervals_.size() - 1;
+  for (std::size_t i = 0; i < last; ++i) intervals_[i].top = std::max(intervals_[i].speed, intervals_[i + 1].speed);
+  intervals_[0].speed = intervals_[last].speed = 0;
+  const auto slow_down = [&](std::size_t from, std::size_t to, double length) {
+    const double v = intervals_[from].speed;
+    intervals_[to].speed = std::min(intervals_[to].speed, std::sqrt(v * v + twice * length));
+  };
+  for (std::size_t i = 0; i < last; ++i) slow_down(i, i + 1, intervals_[i].length);
+  for (std::size_t i = last; i-- > 0;) slow_down(i + 1, i, intervals_[i].length);
 }
 
 double MissionClock::at(double path_m) const {
-  if (straights_.empty() || path_m <= 0) return 0;
-  const auto after = std::lower_bound(straights_.begin(), straights_.end(), path_m,
-                                      [](const Straight& s, double m) { return s.begin_m < m; });
-  const Straight& s = *std::prev(after);  // the first begins at 0, so there is one before
-  return s.begin_s + part_time(path_m - s.begin_m, s.length, s.from_speed, s.to_speed, s.top, acceleration_);
+  if (intervals_.empty() || path_m <= 0) return 0;
+  const auto after = std::lower_bound(intervals_.begin(), intervals_.end(), path_m,
+                                      [](const Interval& i, double m) { return i.path_m < m; });
+  if (after == intervals_.end()) return total_;
+  const Interval &here = *std::prev(after), &next = *after;  // the first begins at 0, so there is one before
+  const double part = (path_m - here.path_m) / (next.path_m - here.path_m), whole_s = next.begin_s - here.begin_s;
+  const double drive = seconds(here.length, here.speed, next.speed, here.top, acceleration_);
+  if (!(drive > 0)) return here.begin_s + part * whole_s;
+  const double driven =
+      seconds_of_part(part * here.length, here.length, here.speed, next.speed, here.top, acceleration_);
+  return here.begin_s + std::min(1.0, driven / drive) * whole_s;
 }
 
 }  // namespace oxturn

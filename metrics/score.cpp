@@ -1,6 +1,8 @@
 #include "metrics/score.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "metrics/walls.hpp"
 
@@ -62,6 +64,9 @@ std::optional<double> Score::value(const std::string& metric) const {
 
 namespace {
 
+constexpr std::size_t kCurvePoints = 200;
+constexpr double kCurveError = 0.0045;
+
 /// Has points, all finite, and a finite length.
 bool measurable(const Path& path) {
   bool any = false;
@@ -71,6 +76,37 @@ bool measurable(const Path& path) {
       if (!finite(p)) return false;
   }
   return any && std::isfinite(path.length());  // finite points can be too far apart
+}
+
+/// Points of the curve such that linear interpolation errs by at most `error`.
+std::vector<CoveragePoint> thinned(const std::vector<CoveragePoint>& curve, double error) {
+  std::vector<CoveragePoint> kept{curve.front()};
+  double low = -std::numeric_limits<double>::infinity(),
+         high = -low;  // slopes that pass all points since the last kept
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    const auto slope_to = [&](double coverage) {
+      return (coverage - kept.back().coverage) / (curve[i].path_m - kept.back().path_m);
+    };
+    const double slope = slope_to(curve[i].coverage);
+    if (slope < low || slope > high) {
+      kept.push_back(curve[i - 1]);
+      low = -std::numeric_limits<double>::infinity(), high = -low;
+    }
+    low = std::max(low, slope_to(curve[i].coverage - error));
+    high = std::min(high, slope_to(curve[i].coverage + error));
+  }
+  if (curve.size() > 1) kept.push_back(curve.back());
+  return kept;
+}
+
+/// At most kCurvePoints points.
+std::vector<CurvePoint> coverage_curve(const SweptArea& swept, const MissionClock& clock) {
+  double error = kCurveError;
+  std::vector<CoveragePoint> points = thinned(swept.curve, error);
+  while (points.size() > kCurvePoints) points = thinned(swept.curve, error *= 1.1);
+  std::vector<CurvePoint> result;
+  for (const CoveragePoint& p : points) result.push_back({p.path_m, clock.at(p.path_m), p.coverage});
+  return result;
 }
 
 /// Covered share of what is promised, certified lower bound.
@@ -114,7 +150,7 @@ Score score(const Problem& problem, const Path& path, const Metrics& metrics, co
                       kept_promise(problem, path, swept, options)};
   std::size_t i = 0;
   for (const Metric& metric : metrics) result.values[i++].value = metric.compute(scored);
-  for (const CoveragePoint& p : swept.curve) result.curve.push_back({p.path_m, clock.at(p.path_m), p.coverage});
+  result.curve = coverage_curve(swept, clock);
   result.missed = swept.missed;
   return result;
 }

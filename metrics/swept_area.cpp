@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kAttempts = 4;         // with smaller and smaller budgets
 constexpr double kReach = 3;         // tool radii beyond the target's box that count (Decision 1)
-constexpr double kSlackShare = 0.1;  // simplification of chains in tool radii, over the certainty
+constexpr double kSlackShare = 0.3;  // simplification of chains in tool radii, over the certainty
 constexpr double kArcsAtLeast = 10;  // `certainty` over what the arcs get if the target's own error takes the rest
 
 void check(double width, const Path& path) {
@@ -25,16 +25,18 @@ void check(double width, const Path& path) {
 struct Scan {
   CapsuleSet set;
   TileSums sums;
+  CoverageCurve curve;
 };
 
 /// Scans with smaller budgets until the bounds of the missed target are close enough.
 Scan scanned(const Region& target, const Point& origin, double side, const WorkChains& chains, const Box& room,
-             double margin, double certainty, double wanted) {
-  Scan scan;
+             double margin, double certainty, double wanted, double path_m) {
+  Scan scan{{}, {}, {path_m, wanted}};
   double budget = certainty / 2, slack = kToolRadius * certainty * kSlackShare;
   for (int attempt = 0; attempt < kAttempts; ++attempt, budget /= 4, slack /= 4) {
     scan.set = capsules(chains, room, slack);
-    scan.sums = TileScan(target, origin, side, scan.set, margin).run(budget);
+    scan.curve = {path_m, wanted};
+    scan.sums = TileScan(target, origin, side, scan.set, margin, scan.curve).run(budget);
     if (scan.sums.missed_most - scan.sums.missed_least <= 0.9 * certainty * wanted) break;
   }
   return scan;
@@ -52,6 +54,7 @@ SweptArea areas_of(const Scan& scan, double wanted, double excess, double tile_m
   SweptArea s;
   s.coverage.lower = hit_least / (hit_least + missed_most);
   s.coverage.upper = std::clamp(hit_most / (hit_most + missed_least), s.coverage.lower, 1.0);
+  s.curve = scan.curve.points(s.coverage.middle());
   s.covered_m2 = hit_least * tile_m2;
   s.covered_estimate_m2 = std::max(hit_least, sums.target - sums.missed) * tile_m2;
   s.union_m2 = sums.swept * tile_m2;
@@ -83,7 +86,8 @@ SweptArea swept_area(const Region& target, double target_excess, double width, c
   const double arcs = std::max(certainty - excess / wanted, certainty / kArcsAtLeast);
   // Coordinates are rounded to 1e-16 of the map's size in tiles; the margin is above that on maps of any size.
   const double margin = 1e-9 + 1e-15 * size.maxCoeff();
-  SweptArea s = areas_of(scanned(target, box.low, side, chains, room, margin, arcs, wanted), wanted, excess, tile_m2);
+  SweptArea s = areas_of(scanned(target, box.low, side, chains, room, margin, arcs, wanted, path.length()), wanted,
+                         excess, tile_m2);
   s.work_m2 = length_in(chains, room) * side * width;
   return s;
 }

@@ -5,6 +5,15 @@
 
 namespace oxturn {
 
+bool TileTarget::contains(Vec p) const {
+  int winding = winding_;
+  for (const Step& s : crossings_)
+    if (s.x < p.x) winding += s.sign;
+  for (const Edge& e : edges_)
+    if (e.from < p.x && p.x <= e.to && dot(e.above.normal, p) <= e.above.reach) winding += e.sign;
+  return winding > 0;
+}
+
 double TileTarget::area_in(const Convex& c) const {
   if (c.size < 3) return 0;
   double left = c.at[0].x, right = left;

@@ -31,6 +31,7 @@ class TileTarget {
  public:
   bool outside() const { return edges_.empty() && crossings_.empty() && winding_ == 0; }
   bool inside() const { return edges_.empty() && crossings_.empty() && winding_ == 1; }
+  bool contains(Vec p) const;
   /// Area of the target within `c`.
   double area_in(const Convex& c) const;
   double area_in(const std::vector<Convex>& pieces) const;

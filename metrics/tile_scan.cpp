@@ -12,7 +12,8 @@ constexpr Extent kTile{{0, 0}, {0.5, 0.5}};
 constexpr double kSpare = 1e-9;  // tile sides: an extra candidate costs little, a missing one would be wrong
 // Chords per half disc.
 constexpr int kFirstChords = 16, kMostChords = 1024, kVisitChords = 32;
-constexpr double kLeastWanted = 0.1;  // tiles: budgets of tiles with less target are not smaller
+constexpr double kStillShrinks = 0.9;  // of the gap between bounds, with twice the chords
+constexpr double kLeastWanted = 0.1;   // tiles: budgets of tiles with less target are not smaller
 
 const Convex& unit_square() {
   static const Convex square = [] {
@@ -35,9 +36,11 @@ double estimate(double inscribed, double circumscribed) { return inscribed / 3 +
 
 double TileScan::Uncovered::estimate() const { return oxturn::estimate(most, least); }
 
-TileScan::TileScan(const Region& target, const Point& origin, double side, const CapsuleSet& capsules, double margin)
+TileScan::TileScan(const Region& target, const Point& origin, double side, const CapsuleSet& capsules, double margin,
+                   CoverageCurve& curve)
     : rows_(target, origin, side),
       capsules_(capsules),
+      curve_(curve),
       margin_(margin),
       reach_(kToolRadius + capsules.slack + kSpare),
       visit_chords_(kVisitChords) {
@@ -65,7 +68,9 @@ TileSums TileScan::run(double budget) {
   std::int64_t row = 0;
   while (next < order.size() || !active.empty()) {
     if (active.empty()) row = first_row(order[next]);
+    const auto old = static_cast<std::ptrdiff_t>(active.size());
     for (; next < order.size() && first_row(order[next]) <= row; ++next) active.push_back(order[next]);
+    std::inplace_merge(active.begin(), active.begin() + old, active.end());
     collect(row, active);
     scan_row(row);
     std::erase_if(active, [&](std::uint32_t i) { return last_row(i) <= row; });
@@ -99,30 +104,23 @@ void TileScan::add_near(std::int64_t row, std::uint32_t capsule) {
   }
 }
 
-/// By column, then nearest first: by a counting sort of the columns if they are dense.
+/// By column, then in driving order: by a counting sort of the columns if they are dense.
 void TileScan::sort_near() {
   if (near_.empty()) return;
-  const auto nearer = [](const Near& l, const Near& r) {
-    return l.distance2 != r.distance2 ? l.distance2 < r.distance2 : l.capsule < r.capsule;
-  };
-  const auto [least, most] =
-      std::minmax_element(near_.begin(), near_.end(), [](const Near& l, const Near& r) { return l.column < r.column; });
+  const auto by_column = [](const NearCapsule& l, const NearCapsule& r) { return l.column < r.column; };
+  const auto [least, most] = std::minmax_element(near_.begin(), near_.end(), by_column);
   const std::int64_t base = least->column;
   const auto columns = static_cast<std::uint64_t>(most->column - base) + 1;
   if (columns > 8 * near_.size() + 64) {
-    std::sort(near_.begin(), near_.end(),
-              [&](const Near& l, const Near& r) { return l.column != r.column ? l.column < r.column : nearer(l, r); });
+    std::stable_sort(near_.begin(), near_.end(), by_column);
     return;
   }
   first_of_column_.assign(columns + 1, 0);
-  for (const Near& n : near_) ++first_of_column_[static_cast<std::size_t>(n.column - base) + 1];
+  for (const NearCapsule& n : near_) ++first_of_column_[static_cast<std::size_t>(n.column - base) + 1];
   for (std::size_t c = 1; c < first_of_column_.size(); ++c) first_of_column_[c] += first_of_column_[c - 1];
   sorted_.resize(near_.size());
   fill_ = first_of_column_;
-  for (const Near& n : near_) sorted_[fill_[static_cast<std::size_t>(n.column - base)]++] = n;
-  for (std::size_t c = 0; c + 1 < first_of_column_.size(); ++c)
-    std::sort(sorted_.begin() + static_cast<std::ptrdiff_t>(first_of_column_[c]),
-              sorted_.begin() + static_cast<std::ptrdiff_t>(first_of_column_[c + 1]), nearer);
+  for (const NearCapsule& n : near_) sorted_[fill_[static_cast<std::size_t>(n.column - base)]++] = n;
   near_.swap(sorted_);
 }
 
@@ -133,7 +131,7 @@ void TileScan::scan_row(std::int64_t row) {
     std::size_t to = from + 1;
     while (to < near_.size() && near_[to].column == column) ++to;
     const Vec centre{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
-    scan_tile({near_.data() + from, near_.data() + to, centre}, rows_.tile(column));
+    scan_tile({{near_.data() + from, near_.data() + to}, centre}, rows_.tile(column));
     from = to;
   }
 }
@@ -143,14 +141,17 @@ void TileScan::scan_tile(const Tile& tile, const TileTarget& target) {
   const Uncovered left = uncovered(tile);
   sums_.target += wanted;
   sums_.swept += 1 - left.estimate();
-  if (wanted > 0 && !most_.empty()) add_missed(tile, target, wanted);
+  if (wanted > 0) {
+    const double missed = most_.empty() ? 0 : add_missed(tile, target, wanted);
+    if (wanted > missed) curve_.add(tile.centre, tile.near, capsules_.all, target, wanted - missed);
+  }
   if (!target.inside()) add_visits(tile, target);
 }
 
 /// Does the capsule certainly contain the whole tile?
-bool TileScan::covers_tile(const Near& near, Vec centre) const {
+bool TileScan::covers_tile(const NearCapsule& near, Vec centre) const {
   const double r = kToolRadius - capsules_.all[near.capsule].slack - margin_;
-  if (near.distance2 >= r * r) return false;
+  if (near.distance2 > (r - 0.5) * (r - 0.5)) return false;  // a tile extends at least so far in every direction
   const double sure = r - kHalfDiagonal - kSpare;
   if (near.distance2 <= sure * sure) return true;
   for (const Vec corner : {Vec{-0.5, -0.5}, Vec{0.5, -0.5}, Vec{0.5, 0.5}, Vec{-0.5, 0.5}})
@@ -158,20 +159,27 @@ bool TileScan::covers_tile(const Near& near, Vec centre) const {
   return true;
 }
 
-/// pieces = tile without the polygons of its capsules.
-void TileScan::remainder(const Tile& tile, const Chords& chords, Bound bound, std::vector<Convex>& pieces) {
+bool TileScan::any_covers(const Tile& tile) const {
+  return std::any_of(tile.near.begin(), tile.near.end(), [&](const NearCapsule& n) {
+    return !capsules_.all[n.capsule].visits_only && covers_tile(n, tile.centre);
+  });
+}
+
+/// pieces = tile without the polygons of the capsules in nearest_.
+void TileScan::remainder(Vec centre, const Chords& chords, Bound bound, std::vector<Convex>& pieces) {
   pieces.assign(1, unit_square());
   Extent where = kTile;  // box of the pieces: it shrinks fast, and capsules that do not reach it are skipped
   double span = kHalfDiagonal;
   const bool inscribed = bound == Bound::inscribed;
-  for (const Near* n = tile.begin(); n != tile.end() && !pieces.empty(); ++n) {
-    const Capsule& k = capsules_.all[n->capsule];
+  for (const NearCapsule& n : nearest_) {
+    if (pieces.empty()) return;
+    const Capsule& k = capsules_.all[n.capsule];
     if (k.visits_only) continue;
     const double side = inscribed ? kToolRadius - k.slack - margin_ : kToolRadius + k.slack + margin_;
     const double cap = inscribed ? (kToolRadius - k.slack) * chords.inscribed() - margin_ : side;
     const double far = side + span + kSpare;
-    if (squared_distance(tile.centre + where.centre, k) >= far * far) continue;
-    polygon_of(k, tile.centre, where, chords, side, cap, cut_);
+    if (squared_distance(centre + where.centre, k) >= far * far) continue;
+    polygon_of(k, centre, where, chords, side, cap, cut_);
     subtract(pieces, cut_, spare_);
     where = extent_of(pieces);
     span = std::hypot(where.half.x, where.half.y);
@@ -182,32 +190,40 @@ void TileScan::remainder(const Tile& tile, const Chords& chords, Bound bound, st
 TileScan::Uncovered TileScan::uncovered(const Tile& tile) {
   most_.clear();
   least_.clear();
-  for (const Near& n : tile)
-    if (!capsules_.all[n.capsule].visits_only && covers_tile(n, tile.centre)) return {};
-  remainder(tile, chords_[0], Bound::inscribed, most_);
+  if (any_covers(tile)) return {};
+  nearest_.assign(tile.near.begin(), tile.near.end());
+  std::sort(nearest_.begin(), nearest_.end(), [](const NearCapsule& l, const NearCapsule& r) {
+    return l.distance2 != r.distance2 ? l.distance2 < r.distance2 : l.capsule < r.capsule;
+  });
+  remainder(tile.centre, chords_[0], Bound::inscribed, most_);
   if (most_.empty()) return {};
-  remainder(tile, chords_[0], Bound::circumscribed, least_);
+  remainder(tile.centre, chords_[0], Bound::circumscribed, least_);
   return {area(most_), area(least_)};
 }
 
-/// Refines the chords until the bounds of the missed target are within the budget.
-void TileScan::add_missed(const Tile& tile, const TileTarget& target, double wanted) {
-  double most = target.area_in(most_), least = target.area_in(least_);
-  sums_.missed += std::min(wanted, estimate(most, least));
+/// Refines the chords until the bounds of the missed target are within the budget, or as near as they get (the
+/// capsules' slack remains). Returns the estimate.
+double TileScan::add_missed(const Tile& tile, const TileTarget& target, double wanted) {
+  double most = target.area_in(most_), least = target.area_in(least_), gap = std::numeric_limits<double>::infinity();
+  const double missed = std::min(wanted, estimate(most, least));
   for (std::size_t n = 1; n < chords_.size() && most - least > budget_ * std::max(wanted, kLeastWanted); ++n) {
-    remainder(tile, chords_[n], Bound::inscribed, most_);
-    remainder(tile, chords_[n], Bound::circumscribed, least_);
+    if (most - least > kStillShrinks * gap) break;
+    gap = most - least;
+    remainder(tile.centre, chords_[n], Bound::inscribed, most_);
+    remainder(tile.centre, chords_[n], Bound::circumscribed, least_);
     most = target.area_in(most_);
     least = target.area_in(least_);
   }
+  sums_.missed += missed;
   sums_.missed_most += std::min(most, wanted);
   sums_.missed_least += std::min(least, wanted);
+  return missed;
 }
 
 /// The area outside the target where visits begin.
 void TileScan::add_visits(const Tile& tile, const TileTarget& target) {
   const double cap = kToolRadius * visit_chords_.equal_area();
-  for (const Near& n : tile) {
+  for (const NearCapsule& n : tile.near) {
     const Capsule& k = capsules_.all[n.capsule];
     if (k.disc && !k.visits_only) continue;
     sums_.visits_outside += k.forth * visits_begun(tile, target, k, k.a, cap);

@@ -5,9 +5,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "metrics/capsules.hpp"
+#include "metrics/coverage_curve.hpp"
 #include "metrics/target_rows.hpp"
 
 namespace oxturn {
@@ -26,26 +28,19 @@ struct TileSums {
 
 class TileScan {
  public:
-  /// Tile coordinates: (p - origin) / side. `margin`: by how much polygons are shrunk or grown, in tile sides. Keeps a
-  /// reference to `capsules`.
-  TileScan(const Region& target, const Point& origin, double side, const CapsuleSet& capsules, double margin);
+  /// Tile coordinates: (p - origin) / side. `margin`: by how much polygons are shrunk or grown, in tile sides. Keeps
+  /// references to `capsules` and `curve`.
+  TileScan(const Region& target, const Point& origin, double side, const CapsuleSet& capsules, double margin,
+           CoverageCurve& curve);
 
   /// `budget`: how much of a tile's target may stay undecided between the bounds. Once per object.
   TileSums run(double budget);
 
  private:
-  /// A capsule near a tile of the present row.
-  struct Near {
-    std::int64_t column;
-    double distance2;  // from the tile's centre to the segment, squared
-    std::uint32_t capsule;
-  };
   /// The capsules near one tile.
   struct Tile {
-    const Near *first, *last;  // half-open
+    std::span<const NearCapsule> near;  // in driving order
     Vec centre;
-    const Near* begin() const { return first; }
-    const Near* end() const { return last; }
   };
   enum class Bound { inscribed, circumscribed };  // polygons in place of capsules
   struct Uncovered {                              // of one tile
@@ -59,23 +54,26 @@ class TileScan {
   void sort_near();
   void scan_row(std::int64_t row);
   void scan_tile(const Tile& tile, const TileTarget& target);
-  bool covers_tile(const Near& near, Vec centre) const;
-  void remainder(const Tile& tile, const Chords& chords, Bound bound, std::vector<Convex>& pieces);
+  bool covers_tile(const NearCapsule& near, Vec centre) const;
+  bool any_covers(const Tile& tile) const;
+  void remainder(Vec centre, const Chords& chords, Bound bound, std::vector<Convex>& pieces);
   Uncovered uncovered(const Tile& tile);
-  void add_missed(const Tile& tile, const TileTarget& target, double wanted);
+  double add_missed(const Tile& tile, const TileTarget& target, double wanted);
   void add_visits(const Tile& tile, const TileTarget& target);
   double visits_begun(const Tile& tile, const TileTarget& target, const Capsule& k, Vec from, double cap);
   void clip_to_cut(Convex piece, std::size_t from);
 
   TargetRows rows_;
   const CapsuleSet& capsules_;
+  CoverageCurve& curve_;
   double margin_, budget_ = 0;
   double reach_;                // how far a capsule extends from its segment at most
   std::vector<Chords> chords_;  // coarse to fine
   Chords visit_chords_;
   TileSums sums_;
   // Of the present row or tile; members so that their memory is reused.
-  std::vector<Near> near_, sorted_;  // by column, then nearest first
+  std::vector<NearCapsule> near_, sorted_;  // by column, then in driving order
+  std::vector<NearCapsule> nearest_;        // of the tile, nearest first
   std::vector<std::size_t> first_of_column_, fill_;
   std::vector<Convex> most_, least_;  // what remains uncovered of the present tile, upper and lower bound
   std::vector<Convex> spare_;

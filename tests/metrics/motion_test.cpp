@@ -5,6 +5,7 @@
 
 #include "metrics/score.hpp"
 #include "shapes.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
@@ -114,19 +115,55 @@ TEST(Mission, StraightLines) {
   EXPECT_NEAR(mission({{0, 0}, {1, 0}, {4, 0}, {10, 0}}), 21, 1e-9);
 }
 
-TEST(Mission, StopsAtCornersAndTurns) {
-  const double side = 4 / 0.5 + 1, turn = kPi / 2 / 1.5;
-  EXPECT_NEAR(mission({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}), 4 * side + 3 * turn, 1e-9);
-  EXPECT_NEAR(mission({{0, 0}, {4, 0}, {0, 0}}), 2 * side + kPi / 1.5, 1e-9);
+TEST(Mission, ThereAndBackTurnsOnTheSpot) {
+  EXPECT_NEAR(mission({{0, 0}, {40, 0}, {0, 0}}), 2 * (40 / 0.5 + 1) + kPi / 1.5, 1e-3 * 164);
+  EXPECT_NEAR(mission({{0, 0}, {90, 0}, {20, 0}, {90, 0}, {0, 0}}), 2 * 181 + 2 * 141 + 3 * kPi / 1.5, 1e-3 * 644);
+}
+
+// By numerical integration of the model for one corner: fine steps along the smoothed corner in closed form.
+double corner_by_fine_steps(double arm, double angle, const Robot& robot) {
+  const double h = robot.tool_width / 10;
+  const int n = 200000;
+  std::vector<double> length(n), top(n + 1);
+  for (int i = 0; i <= n; ++i) {
+    const double t = -1 + 2.0 * i / n;                                              // position in 2 h
+    const double part = t < 0 ? (1 + t) * (1 + t) / 2 : 1 - (1 - t) * (1 - t) / 2;  // of the second heading
+    const double rate = (1 - std::abs(t)) / (2 * h);
+    const Point first = (1 - part) * Point(1, 0) + part * rotated({1, 0}, angle);
+    const Point second = rate * (rotated({1, 0}, angle) - Point(1, 0));
+    const double turning = std::abs(cross(first, second)) / first.squaredNorm();
+    top[i] = std::min(robot.speed, turning > 0 ? robot.turn_rate * first.norm() / turning : robot.speed);
+    if (i < n) length[i] = 4 * h / n * first.norm();
+  }
+  for (int i = n / 2; i < n; ++i)
+    top[i + 1] = std::min(top[i + 1], std::sqrt(top[i] * top[i] + 2 * robot.acceleration * length[i]));
+  for (int i = n; i > n / 2; --i)
+    top[i - 1] = std::min(top[i - 1], std::sqrt(top[i] * top[i] + 2 * robot.acceleration * length[i - 1]));
+  for (int i = n / 2; i-- > 0;)
+    top[i] = std::min(top[i], std::sqrt(top[i + 1] * top[i + 1] + 2 * robot.acceleration * length[i]));
+  double time = 0;
+  for (int i = 0; i < n; ++i) time += 2 * length[i] / (top[i] + top[i + 1]);
+  const double ramp = (2 * robot.speed - top[0]) / robot.acceleration;
+  const double ramps = (2 * robot.speed * robot.speed - top[0] * top[0]) / (2 * robot.acceleration);
+  return time + 2 * (ramp + (arm - 2 * h - ramps) / robot.speed);
+}
+
+TEST(Mission, OneCornerByFineSteps) {
+  const Robot robot;
+  for (const double angle : {0.05, 0.3, 1.0, kPi / 2, 2.0, 2.5, 3.0}) {
+    const Point end = Point(4, 0) + rotated({4, 0}, angle);
+    const double truth = corner_by_fine_steps(4, angle, robot);
+    EXPECT_NEAR(mission({{0, 0}, {4, 0}, end}), truth, (angle < 2.9 ? 1e-3 : 1.5e-3) * truth) << angle;
+  }
 }
 
 TEST(Mission, CirclesAtTheTurnRate) {
   // Radius 0.2: 1.5 rad/s allows 0.3 m/s. Twenty laps, so that the ramps hardly count.
   const double laps = 20, length = 2 * kPi * 0.2 * laps;
   const Polyline circle = arc({0, 0}, 0.2, 0, 2 * kPi * laps, chords(0.2, 2 * kPi * laps, 1));
-  EXPECT_NEAR(mission(circle), length / 0.3 + 0.3 / 0.5, 0.01 * length / 0.3);
+  EXPECT_NEAR(mission(circle), length / 0.3 + 0.3 / 0.5, 0.02 * length / 0.3) << "the smoothing cuts 1.4 % off";
   // Radius 2: speed is the limit.
-  EXPECT_NEAR(mission(arc({0, 0}, 2, 0, 2 * kPi, chords(2, 2 * kPi, 1))), 4 * kPi / 0.5 + 1, 0.05);
+  EXPECT_NEAR(mission(arc({0, 0}, 2, 0, 2 * kPi, chords(2, 2 * kPi, 1))), 4 * kPi / 0.5 + 1, 1e-3 * 26);
 }
 
 TEST(Mission, SamplingHardlyMatters) {
@@ -140,7 +177,8 @@ TEST(Mission, SamplingHardlyMatters) {
   for (const double share : {1.0, 0.1, 0.01}) EXPECT_NEAR(mission(spiral(0.1, 0.06, 8, share)), fine, 0.01 * fine);
 }
 
-TEST(Mission, TooTightIsAStopButOnlyAtItsEnds) {
+// Radius 0.5 for a robot that needs 1: half of each quarter turn is made up at rest.
+TEST(Mission, TooTightIsTurnedAtRest) {
   Robot car;
   car.min_turn_radius = 1;
   const Problem p(Map{"plain", box_region({-100, -100}, {100, 100}), "test", "test"}, car, Point(0, 0));
@@ -148,19 +186,93 @@ TEST(Mission, TooTightIsAStopButOnlyAtItsEnds) {
     return value("mission_s", work(rounded_rectangle(9, 8, r, share)), p);
   };
   EXPECT_NEAR(time(2, 1), mission(rounded_rectangle(9, 8, 2, 1)), 1e-9);
-  EXPECT_GT(time(0.5, 1), mission(rounded_rectangle(9, 8, 0.5, 1)) + 4);
-  EXPECT_NEAR(time(0.5, 1), time(0.5, 0.01), 0.01 * time(0.5, 0.01));
-  EXPECT_NEAR(time(0.5, 0.3), time(0.5, 0.01), 0.01 * time(0.5, 0.01));
+  for (const double share : {1.0, 0.3, 0.01})
+    EXPECT_NEAR(time(0.5, share), mission(rounded_rectangle(9, 8, 0.5, share)) + 4 * kPi / 4 / 1.5, 0.2);
+  EXPECT_NEAR(time(0.999, 0.1), time(1.001, 0.1), 0.1) << "no jump";
 }
 
-TEST(Mission, NeverFasterThanFullSpeed) {
+TEST(Mission, AboutAtFullSpeedAtMost) {
   Rng rng(4);
   for (int k = 0; k < 100; ++k) {
     const Path path = random_walk(rng, Box{{-9, -9}, {9, 9}}, 3, 10, k % 2 ? 3 : 0.1);
-    const double t = value("mission_s", path, plain());
-    EXPECT_GE(t, path.length() / 0.5);
+    const MissionClock clock(plain(), path);
+    const double t = clock.total(), length = path.length();
+    if (k % 2) { EXPECT_GE(t, (length - 0.08 * 30) / 0.5); }  // corners are cut by at most 4 h / 3 each
     EXPECT_LT(t, 1e4);
+    double last = 0;
+    for (int i = 0; i <= 1000; ++i) {
+      const double now = clock.at(length * i / 1000);
+      EXPECT_GE(now, last);
+      last = now;
+    }
+    EXPECT_NEAR(last, t, 1e-6);
+    EXPECT_EQ(clock.at(length + 1), t);
   }
+}
+
+/// Steps of at least half a tool width.
+Polyline spaced_walk(Rng& rng, int n) {
+  Polyline line{{0, 0}};
+  for (int k = 0; k < n; ++k)
+    line.push_back(line.back() + rotated({rng.between(kTool / 2, 3.0), 0}, rng.between(-kPi, kPi)));
+  return line;
+}
+
+TEST(Mission, PointsOnStraightLinesChangeNothing) {
+  for (const auto seed : seeds(50)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    Polyline line = spaced_walk(rng, 20);
+    line.push_back(line[line.size() - 2]);  // there and back
+    Polyline dense{line[0]};
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const int n = 2 + static_cast<int>(rng.below(49));
+      for (int k = 1; k <= n; ++k) dense.push_back(k == n ? line[i] : lerp(line[i - 1], line[i], k / (n + 0.0)));
+    }
+    EXPECT_NEAR(mission(dense), mission(line), 1e-6 * mission(line));
+  }
+}
+
+TEST(Mission, AMillimetreIsAMillimetre) {
+  for (const auto seed : seeds(100)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    Polyline line = spaced_walk(rng, 20);
+    if (seed % 3 == 0)
+      for (std::size_t k = 2; k < line.size(); k += 2) line[k] = line[k - 2];  // reversals
+    Polyline shaken = line;
+    for (Point& p : shaken) p += rotated({rng.between(0.0, 0.001), 0}, rng.between(-kPi, kPi));
+    EXPECT_NEAR(mission(shaken), mission(line), 0.01 * mission(line));
+  }
+}
+
+TEST(Mission, ACornerIsASmallArc) {
+  for (const double angle : {0.3, 0.9, kPi / 2, 2.2, 3.0, kPi}) {
+    SCOPED_TRACE(angle);
+    const double arm = angle < kPi ? 3 : 15;  // a U-turn of this size begins to turn while it brakes: 0.4 s less
+    const Point end = rotated({arm, 0}, angle);
+    const double corner = mission({{-arm, 0}, {0, 0}, end});
+    for (const int n : {1, 3, 10, 100}) {
+      const double r = kTool / 100;  // of an arc that begins with heading 0 and ends with `angle`
+      Polyline line{{-arm, 0}};
+      append(line, arc({0, r}, r, -kPi / 2, angle - kPi / 2, n));
+      line.push_back(line.back() + end);
+      EXPECT_NEAR(mission(line), corner, 0.01 * corner) << n;
+    }
+  }
+}
+
+TEST(Mission, MillimetreSteps) {
+  Polyline few, many;
+  const auto at = [](double m) { return Point(0.9 * m, 3 * std::sin(m / 8)); };
+  for (int k = 0; k <= 100; ++k) few.push_back(at(k));
+  for (int k = 0; k < 100; ++k)
+    for (int i = 0; i < 1000; ++i) many.push_back(lerp(few[k], few[k + 1], i / 1000.0));
+  many.push_back(few.back());
+  EXPECT_NEAR(mission(many), mission(few), 0.01 * mission(few));
+  many.clear();
+  for (int k = 0; k <= 100000; ++k) many.push_back(at(k / 1000.0));
+  EXPECT_NEAR(mission(many), mission(few), 0.01 * mission(few));
 }
 
 }  // namespace

@@ -1,0 +1,99 @@
+#include "metrics/coverage_curve.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "metrics/tile_scan.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr std::size_t kBins = 65536;
+constexpr double kSamples = 1e5;  // in the target
+constexpr std::array<std::array<int, 2>, 6> kLattices{{{5, 3}, {13, 8}, {34, 21}, {89, 55}, {233, 144}, {610, 377}}};
+
+std::vector<Vec> lattice(double tiles) {
+  std::size_t which = 0;
+  while (which + 1 < kLattices.size() && kLattices[which][0] * tiles < kSamples) ++which;
+  const auto [n, step] = kLattices[which];
+  std::vector<Vec> samples;
+  for (int i = 0; i < n; ++i) samples.push_back({(i + 0.5) / n - 0.5, ((i * step) % n + 0.5) / n - 0.5});
+  return samples;
+}
+
+}  // namespace
+
+CoverageCurve::CoverageCurve(double length_m, double tiles)
+    : length_m_(length_m), samples_(lattice(tiles)), bins_(kBins, 0.0) {}
+
+std::size_t CoverageCurve::bin_of(double path_m) const {
+  if (!(length_m_ > 0)) return 0;
+  const double at = path_m / length_m_ * static_cast<double>(kBins);
+  return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(kBins - 1)));
+}
+
+/// Where on the path the tool reaches `p`, which the capsule contains, first.
+double CoverageCurve::first_reached(const Capsule& k, Vec p) const {
+  const double length = dot(k.b - k.a, k.along);
+  if (!(length > 0)) return k.path_m;
+  const double along = dot(p - k.a, k.along), off = cross(k.along, p - k.a);
+  const double half = std::sqrt(std::max(0.0, kToolRadius * kToolRadius - off * off));
+  return k.path_m + std::clamp((along - half) / length, 0.0, 1.0) * (k.end_m - k.path_m);
+}
+
+/// Moves samples from open_ to reached_.
+void CoverageCurve::collect(Vec centre, std::span<const NearCapsule> near, const std::vector<Capsule>& capsules) {
+  reached_.clear();
+  for (const NearCapsule& n : near) {
+    const Capsule& k = capsules[n.capsule];
+    if (k.visits_only) continue;
+    for (std::size_t i = 0; i < open_.size();) {
+      const Vec p = centre + open_[i];
+      if (squared_distance(p, k) > kToolRadius * kToolRadius) {
+        ++i;
+        continue;
+      }
+      reached_.push_back(bin_of(first_reached(k, p)));
+      open_[i] = open_.back();
+      open_.pop_back();
+    }
+    if (open_.empty()) return;
+  }
+}
+
+void CoverageCurve::add(Vec centre, std::span<const NearCapsule> near, const std::vector<Capsule>& capsules,
+                        const TileTarget& target, double covered) {
+  open_.assign(samples_.begin(), samples_.end());
+  if (!target.inside()) std::erase_if(open_, [&](Vec p) { return !target.contains(p); });
+  collect(centre, near, capsules);
+  if (reached_.empty()) {  // a sliver between the samples
+    open_.assign(samples_.begin(), samples_.end());
+    collect(centre, near, capsules);
+  }
+  if (reached_.empty())
+    for (const NearCapsule& n : near)
+      if (!capsules[n.capsule].visits_only) reached_.push_back(bin_of(capsules[n.capsule].path_m));
+  for (const std::size_t bin : reached_) bins_[bin] += covered / static_cast<double>(reached_.size());
+}
+
+std::vector<CoveragePoint> CoverageCurve::points(double coverage) const {
+  double all = 0;
+  for (const double area : bins_) all += area;
+  std::vector<CoveragePoint> points{{0, 0}};
+  double sum = 0;
+  const double bin_m = length_m_ / static_cast<double>(kBins);
+  for (std::size_t i = 0; i < kBins && length_m_ > 0; ++i) {
+    if (!(bins_[i] > 0)) continue;
+    const double begin = static_cast<double>(i) * bin_m, share = sum / all * coverage;
+    if (begin > points.back().path_m) points.push_back({begin, share});
+    sum += bins_[i];
+    points.push_back({static_cast<double>(i + 1) * bin_m, sum / all * coverage});
+  }
+  if (all > 0) points.back().coverage = coverage;
+  if (points.back().path_m < length_m_ * (1 - 0.5 / kBins)) points.push_back({length_m_, points.back().coverage});
+  if (length_m_ > 0) points.back().path_m = length_m_;
+  return points;
+}
+
+}  // namespace oxturn
