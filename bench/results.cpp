@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -195,6 +196,36 @@ std::string picture_name(const std::string& run_id) {
   return "pictures/" + run_id + ".svg";
 }
 
+namespace {
+
+/// What a reader of the tables must know of the session; nothing if there is no session.json, or it is not ours.
+std::vector<std::string> session_summary(const std::string& folder) {
+  const std::string file = folder + "/session.json";
+  if (!std::filesystem::exists(file)) return {};
+  std::vector<std::string> lines;
+  try {
+    const auto json = nlohmann::json::parse(read_file(file));
+    const auto& limits = json.at("limits");
+    lines.push_back(fmt::format("Limits of each run: {} s wall time, {}{} MB of memory; target coverage {}",
+                                limits.at("wall_s").dump(),
+                                limits.at("cpu_s") > 0 ? limits.at("cpu_s").dump() + " s processor time, " : "",
+                                limits.at("memory_mb").dump(), json.at("target_coverage").dump()));
+    for (const auto& [name, robot] : json.at("robots").items())
+      lines.push_back(fmt::format("Robot {}: {}", name, robot.get<std::string>()));
+    const auto& session = json.at("sessions").back();
+    const auto& machine = session.at("machine");
+    lines.push_back(fmt::format("Machine: {}, {} cores, {} at a time; build {} ({})", machine.value("cpu", "unknown"),
+                                machine.at("cores").dump(), session.at("jobs").dump(),
+                                json.at("build").at("revision").get<std::string>(),
+                                json.at("build").at("identity").get<std::string>()));
+  } catch (const nlohmann::json::exception&) {
+    return {};  // of another version: the tables do without
+  }
+  return lines;
+}
+
+}  // namespace
+
 Results read_results(const std::string& folder) {
   const std::string file = folder + "/runs.csv";
   if (!std::filesystem::is_directory(folder))
@@ -203,7 +234,8 @@ Results read_results(const std::string& folder) {
     throw std::invalid_argument(
         fmt::format("no runs.csv in '{}'; expected a folder that `oxturn run -o` made", folder));
   const std::string text = read_file(file);
-  Results results{folder, {}, {}, {}};
+  Results results;
+  results.folder = folder;
   std::map<std::string, std::size_t> seen;  // run_id -> index in rows
   for (Row& row : rows_from_csv(text, file)) {
     const auto [known, fresh] = seen.emplace(row.get("run_id"), results.rows.size());
@@ -215,6 +247,7 @@ Results read_results(const std::string& folder) {
   for (const Row& row : results.rows)
     if (const std::string name = picture_name(row.get("run_id")); std::filesystem::exists(folder + "/" + name))
       results.pictures[row.get("run_id")] = name;
+  results.about = session_summary(folder);
   results.columns = parse_csv(text.substr(0, text.find('\n') + 1), file).at(0);
   return results;
 }

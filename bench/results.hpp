@@ -55,6 +55,7 @@ struct Results {
   std::string folder;
   std::vector<Row> rows;             // in suite order; of several attempts the last
   std::vector<std::string> columns;  // as the file has them
+  std::vector<std::string> about;    // machine, build, limits, robots: from session.json, if it is there
   /// run_id -> its picture, relative to the folder; runs without one are missing.
   std::map<std::string, std::string> pictures;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace oxturn {
 
@@ -58,6 +59,15 @@ std::vector<double> numbers(const std::vector<const Row*>& rows, const std::stri
 bool valid_path(const Row& row) {
   const Outcome outcome = row.outcome();
   return outcome == Outcome::ok || outcome == Outcome::partial;
+}
+
+std::string two_digits(std::optional<double> value) {
+  if (!value || !std::isfinite(*value)) return "";
+  if (*value == 0) return "0";
+  const double unit = std::pow(10, std::floor(std::log10(std::abs(*value))) - 1);
+  const double rounded = std::round(*value / unit) * unit;
+  const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(std::abs(rounded) * (1 + 1e-12)))));
+  return fmt::format("{:.{}f}", rounded, decimals);
 }
 
 std::string seconds(std::optional<double> value) {

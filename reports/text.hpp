@@ -19,6 +19,9 @@ std::optional<double> median(std::vector<double> values);
 /// `digits` decimals; "" for an empty value.
 std::string fixed(std::optional<double> value, int digits);
 
+/// With two significant digits, never as a power of ten: "0.0031", "1300"; "" for an empty value.
+std::string two_digits(std::optional<double> value);
+
 /// A value of `column` for every row that has one.
 std::vector<double> numbers(const std::vector<const Row*>& rows, const std::string& column);
 /// The run gave a valid path: `ok` or `partial`.

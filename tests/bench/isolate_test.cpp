@@ -150,13 +150,13 @@ TEST(Isolate, APromiseComesBack) {
 
 TEST(Isolate, MapsThatNeverEndAreBad) {
   const testing::Folder folder;
-  const std::string fifo = folder.file("fifo.geojson");
+  const std::string fifo = folder.file("fifo.png");
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
   const std::string zeros = folder.file("zeros.png");
   std::filesystem::create_symlink("/dev/zero", zeros);
   const MapFormats formats = built_in_registry().formats;
   for (const std::string& file : {fifo, zeros}) {
-    const ReadResult result = read_map_isolated(file, {}, formats, short_limits().limits);
+    const ReadResult result = read_map_isolated(file, {{"scale", 0.05}}, formats, short_limits().limits);
     EXPECT_EQ(result.report.outcome, Outcome::error) << file;
     EXPECT_THAT(result.report.reason, HasSubstr("is not a regular file")) << file;
   }

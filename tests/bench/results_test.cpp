@@ -23,13 +23,17 @@ const Columns& all_columns() {
 TEST(Results, HeaderIsTheContract) {
   EXPECT_EQ(
       csv_header(all_columns()),
-      "schema,run_id,attempt,suite,map,map_family,map_sha256,planner,planner_family,variant,params,robot,seed,repeat,"
+      "schema,run_id,attempt,suite,map,map_family,map_sha256,map_params,map_area_m2,map_perimeter_m,map_holes,"
+      "map_reflex_vertices,map_narrowest_m,map_area_tools,"
+      "planner,planner_family,variant,params,promise,robot,robot_radius_m,tool_width_m,problem_sha256,seed,repeat,"
       "outcome,reason,exit_code,signal,"
       "coverage,coverage_lower,coverage_upper,coverage_of_free,target_m2,"
-      "path_m,work_m,transit_m,length_ratio,overlap,revisits,turns,turn_rad,clearance_m,mission_s,"
+      "path_m,work_m,transit_m,length_ratio,overlap,revisits,promise_coverage,"
+      "path_90_m,path_95_m,path_99_m,mission_90_s,mission_95_s,mission_99_s,missed_pieces,missed_largest_m2,"
+      "turns,turn_rad,clearance_m,mission_s,"
       "tether_limit_m,tether_max_m,tether_bends_max,tether_angle_min_rad,tether_angle_mean_rad,"
       "tether_sharp_fraction,tether_crossings,tether_entangled,"
-      "plan_wall_s,plan_cpu_s,peak_rss_bytes,score_s,path_sha256,path_file\n");
+      "plan_wall_s,plan_cpu_s,peak_rss_bytes,score_s,load,path_sha256,path_file\n");
 }
 
 TEST(Results, EveryColumnExplainsItself) {
