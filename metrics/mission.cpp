@@ -9,7 +9,7 @@ namespace oxturn {
 namespace {
 
 constexpr double kHalfWidth = 0.1;    // of the smoothing, in tool widths
-constexpr double kStep = 0.5;         // half-widths between samples near bends, at most
+constexpr double kStep = 1;           // half-widths between samples near bends, at most
 constexpr double kMostTurn = 0.15;    // radians between samples, unless they are nearer than the next
 constexpr double kLeastStep = 1e-3;   // half-widths
 constexpr double kNoHeading = 1e-6;   // the curve's derivative by arc length; below, it turns back on itself

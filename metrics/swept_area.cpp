@@ -9,10 +9,11 @@
 namespace oxturn {
 namespace {
 
-constexpr int kAttempts = 4;         // with smaller and smaller budgets
-constexpr double kReach = 3;         // tool radii beyond the target's box that count (Decision 1)
-constexpr double kSlackShare = 0.3;  // simplification of chains in tool radii, over the certainty
-constexpr double kArcsAtLeast = 10;  // `certainty` over what the arcs get if the target's own error takes the rest
+constexpr int kAttempts = 4;          // with smaller and smaller budgets
+constexpr double kReach = 3;          // tool radii beyond the target's box that count (Decision 1)
+constexpr double kSlackShare = 0.3;   // simplification of chains in tool radii, over the certainty
+constexpr double kLeastPiece = 0.01;  // missed pieces, in discs of the tool
+constexpr double kArcsAtLeast = 10;   // `certainty` over what the arcs get if the target's own error takes the rest
 
 void check(double width, const Path& path) {
   if (!(width > 0)) throw std::invalid_argument("tool width is not above 0, expected metres");
@@ -26,17 +27,19 @@ struct Scan {
   CapsuleSet set;
   TileSums sums;
   CoverageCurve curve;
+  UncoveredPieces pieces;
 };
 
 /// Scans with smaller budgets until the bounds of the missed target are close enough.
 Scan scanned(const Region& target, const Point& origin, double side, const WorkChains& chains, const Box& room,
              double margin, double certainty, double wanted, double path_m) {
-  Scan scan{{}, {}, {path_m, wanted}};
+  Scan scan{{}, {}, {path_m, wanted}, {}};
   double budget = certainty / 2, slack = kToolRadius * certainty * kSlackShare;
   for (int attempt = 0; attempt < kAttempts; ++attempt, budget /= 4, slack /= 4) {
     scan.set = capsules(chains, room, slack);
     scan.curve = {path_m, wanted};
-    scan.sums = TileScan(target, origin, side, scan.set, margin, scan.curve).run(budget);
+    scan.pieces = {};
+    scan.sums = TileScan(target, origin, side, scan.set, margin, scan.curve, scan.pieces).run(budget);
     if (scan.sums.missed_most - scan.sums.missed_least <= 0.9 * certainty * wanted) break;
   }
   return scan;
@@ -86,8 +89,9 @@ SweptArea swept_area(const Region& target, double target_excess, double width, c
   const double arcs = std::max(certainty - excess / wanted, certainty / kArcsAtLeast);
   // Coordinates are rounded to 1e-16 of the map's size in tiles; the margin is above that on maps of any size.
   const double margin = 1e-9 + 1e-15 * size.maxCoeff();
-  SweptArea s = areas_of(scanned(target, box.low, side, chains, room, margin, arcs, wanted, path.length()), wanted,
-                         excess, tile_m2);
+  Scan scan = scanned(target, box.low, side, chains, room, margin, arcs, wanted, path.length());
+  SweptArea s = areas_of(scan, wanted, excess, tile_m2);
+  s.missed = scan.pieces.take(box.low, side, kLeastPiece * kPi * kToolRadius * kToolRadius);
   s.work_m2 = length_in(chains, room) * side * width;
   return s;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace oxturn {
 
@@ -12,6 +13,46 @@ bool TileTarget::contains(Vec p) const {
   for (const Edge& e : edges_)
     if (e.from < p.x && p.x <= e.to && dot(e.above.normal, p) <= e.above.reach) winding += e.sign;
   return winding > 0;
+}
+
+namespace {
+
+/// Divides each piece along the line that bounds `h`, if the piece reaches across it and meets from <= x <= to.
+void divide(std::vector<Convex>& pieces, const HalfPlane& h, double from, double to, std::vector<Convex>& spare) {
+  const HalfPlane other{{-h.normal.x, -h.normal.y}, -h.reach};
+  spare.clear();
+  for (const Convex& c : pieces) {
+    const Extent box = extent_of({c});
+    if (box.centre.x + box.half.x <= from || box.centre.x - box.half.x >= to) {
+      spare.push_back(c);
+      continue;
+    }
+    if (c.size > Convex::kWide) {
+      const auto [one, two] = halves(c);
+      for (const Convex& half : {one, two})
+        for (const HalfPlane& side : {h, other})
+          if (const Convex part = clipped(half, side); part.size >= 3) spare.push_back(part);
+      continue;
+    }
+    for (const HalfPlane& side : {h, other})
+      if (const Convex part = clipped(c, side); part.size >= 3) spare.push_back(part);
+  }
+  pieces.swap(spare);
+}
+
+}  // namespace
+
+void TileTarget::cut(std::vector<Convex>& pieces, std::vector<Convex>& spare) const {
+  if (edges_.size() > kMostEdges) return;
+  const auto upright = [&](double x) {
+    if (std::abs(x) < 0.5) divide(pieces, {{1, 0}, x}, -1, 1, spare);
+  };
+  for (const Step& s : crossings_) upright(s.x);
+  for (const Edge& e : edges_) {
+    upright(e.from);
+    upright(e.to);
+  }
+  for (const Edge& e : edges_) divide(pieces, e.above, e.from + kSlack, e.to - kSlack, spare);
 }
 
 double TileTarget::area_in(const Convex& c) const {
@@ -50,6 +91,8 @@ TargetRows::TargetRows(const Region& region, const Point& origin, double side) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point a = (ring[i] - origin) / side, b = (ring[i + 1 == ring.size() ? 0 : i + 1] - origin) / side;
       edges_.push_back({{a.x(), a.y()}, {b.x(), b.y()}});
+      last_row_ = std::max(last_row_, static_cast<std::int64_t>(std::floor(a.y())));
+      last_column_ = std::max(last_column_, static_cast<std::int64_t>(std::floor(a.x())));
     }
   });
   std::stable_sort(edges_.begin(), edges_.end(),
@@ -88,6 +131,15 @@ void TargetRows::add_to_row(std::size_t edge) {
   in_row_.push_back({static_cast<std::int64_t>(std::floor(std::min(x0, x1) - kSpare)),
                      static_cast<std::int64_t>(std::floor(std::max(x0, x1) + kSpare)), edge});
   if ((a.y < low) != (b.y < low)) crossings_.push_back({x_at(low), a.y < low ? -1 : 1});
+}
+
+std::int64_t TargetRows::alike_until(std::int64_t column) const {
+  if (!here_.empty()) return column + 1;
+  std::int64_t until = std::numeric_limits<std::int64_t>::max();
+  if (next_in_row_ < in_row_.size()) until = in_row_[next_in_row_].first;
+  if (next_crossing_ < crossings_.size())
+    until = std::min(until, static_cast<std::int64_t>(std::floor(crossings_[next_crossing_].x)));
+  return std::max(until, column + 1);
 }
 
 const TileTarget& TargetRows::tile(std::int64_t column) {

@@ -32,12 +32,16 @@ class TileTarget {
   bool outside() const { return edges_.empty() && crossings_.empty() && winding_ == 0; }
   bool inside() const { return edges_.empty() && crossings_.empty() && winding_ == 1; }
   bool contains(Vec p) const;
+  /// Cuts the pieces so that none has points on both sides of the target's boundary. Tiles with more than kMostEdges
+  /// edges are left as they are.
+  void cut(std::vector<Convex>& pieces, std::vector<Convex>& spare) const;
   /// Area of the target within `c`.
   double area_in(const Convex& c) const;
   double area_in(const std::vector<Convex>& pieces) const;
 
  private:
   friend class TargetRows;
+  static constexpr std::size_t kMostEdges = 64;
   struct Edge {  // over from <= x <= to
     double from, to;
     HalfPlane above;
@@ -59,6 +63,11 @@ class TargetRows {
   /// Rows must be requested in ascending order, and within a row columns in ascending order.
   void start_row(std::int64_t row);
   const TileTarget& tile(std::int64_t column);
+  /// The tiles from this one on are all alike up to this column (excluded), if tile(column) is inside or outside.
+  std::int64_t alike_until(std::int64_t column) const;
+  /// The last row and the last column with an edge.
+  std::int64_t last_row() const { return last_row_; }
+  std::int64_t last_column() const { return last_column_; }
 
  private:
   struct Edge {
@@ -72,7 +81,7 @@ class TargetRows {
   std::vector<Edge> edges_;  // by lowest y
   std::size_t next_ = 0;     // first edge that the rows have not reached yet
   std::vector<std::size_t> active_;
-  std::int64_t row_ = 0;
+  std::int64_t row_ = 0, last_row_ = 0, last_column_ = 0;
   std::vector<InRow> in_row_;  // by first column
   std::size_t next_in_row_ = 0;
   std::vector<InRow> here_;                  // those of the present column

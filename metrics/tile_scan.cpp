@@ -37,10 +37,11 @@ double estimate(double inscribed, double circumscribed) { return inscribed / 3 +
 double TileScan::Uncovered::estimate() const { return oxturn::estimate(most, least); }
 
 TileScan::TileScan(const Region& target, const Point& origin, double side, const CapsuleSet& capsules, double margin,
-                   CoverageCurve& curve)
+                   CoverageCurve& curve, UncoveredPieces& pieces)
     : rows_(target, origin, side),
       capsules_(capsules),
       curve_(curve),
+      pieces_(pieces),
       margin_(margin),
       reach_(kToolRadius + capsules.slack + kSpare),
       visit_chords_(kVisitChords) {
@@ -65,16 +66,14 @@ TileSums TileScan::run(double budget) {
     return rl != rr ? rl < rr : l < r;
   });
   std::size_t next = 0;
-  std::int64_t row = 0;
-  while (next < order.size() || !active.empty()) {
-    if (active.empty()) row = first_row(order[next]);
+  std::int64_t row = order.empty() ? 0 : std::min<std::int64_t>(0, first_row(order.front()));
+  for (; next < order.size() || !active.empty() || row <= rows_.last_row(); ++row) {
     const auto old = static_cast<std::ptrdiff_t>(active.size());
     for (; next < order.size() && first_row(order[next]) <= row; ++next) active.push_back(order[next]);
     std::inplace_merge(active.begin(), active.begin() + old, active.end());
     collect(row, active);
     scan_row(row);
     std::erase_if(active, [&](std::uint32_t i) { return last_row(i) <= row; });
-    ++row;
   }
   return sums_;
 }
@@ -126,13 +125,33 @@ void TileScan::sort_near() {
 
 void TileScan::scan_row(std::int64_t row) {
   rows_.start_row(row);
+  pieces_.start_row(row);
+  std::int64_t untouched = 0;  // from this column on
+  const std::int64_t end = rows_.last_column() + 1;
   for (std::size_t from = 0; from < near_.size();) {
     const std::int64_t column = near_[from].column;
     std::size_t to = from + 1;
     while (to < near_.size() && near_[to].column == column) ++to;
     const Vec centre{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
+    add_untouched(untouched, std::min(column, end));
+    untouched = std::max(untouched, column + 1);
     scan_tile({{near_.data() + from, near_.data() + to}, centre}, rows_.tile(column));
     from = to;
+  }
+  add_untouched(untouched, end);
+}
+
+/// Tiles of the row that no capsule touches.
+void TileScan::add_untouched(std::int64_t from, std::int64_t to) {
+  while (from < to) {
+    const TileTarget& target = rows_.tile(from);
+    if (!target.inside() && !target.outside()) {
+      pieces_.add_tile(from++, {unit_square()}, target);
+      continue;
+    }
+    const std::int64_t until = std::min(to, rows_.alike_until(from));
+    if (target.inside()) pieces_.add_run(from, until);
+    from = until;
   }
 }
 
@@ -143,6 +162,7 @@ void TileScan::scan_tile(const Tile& tile, const TileTarget& target) {
   sums_.swept += 1 - left.estimate();
   if (wanted > 0) {
     const double missed = most_.empty() ? 0 : add_missed(tile, target, wanted);
+    if (missed > 0 && !least_.empty()) pieces_.add_tile(floor_of(tile.centre.x), least_, target);
     if (wanted > missed) curve_.add(tile.centre, tile.near, capsules_.all, target, wanted - missed);
   }
   if (!target.inside()) add_visits(tile, target);

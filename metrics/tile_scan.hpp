@@ -11,6 +11,7 @@
 #include "metrics/capsules.hpp"
 #include "metrics/coverage_curve.hpp"
 #include "metrics/target_rows.hpp"
+#include "metrics/uncovered_pieces.hpp"
 
 namespace oxturn {
 
@@ -29,9 +30,9 @@ struct TileSums {
 class TileScan {
  public:
   /// Tile coordinates: (p - origin) / side. `margin`: by how much polygons are shrunk or grown, in tile sides. Keeps
-  /// references to `capsules` and `curve`.
+  /// references to all but the region.
   TileScan(const Region& target, const Point& origin, double side, const CapsuleSet& capsules, double margin,
-           CoverageCurve& curve);
+           CoverageCurve& curve, UncoveredPieces& pieces);
 
   /// `budget`: how much of a tile's target may stay undecided between the bounds. Once per object.
   TileSums run(double budget);
@@ -53,6 +54,7 @@ class TileScan {
   void add_near(std::int64_t row, std::uint32_t capsule);
   void sort_near();
   void scan_row(std::int64_t row);
+  void add_untouched(std::int64_t from, std::int64_t to);
   void scan_tile(const Tile& tile, const TileTarget& target);
   bool covers_tile(const NearCapsule& near, Vec centre) const;
   bool any_covers(const Tile& tile) const;
@@ -66,6 +68,7 @@ class TileScan {
   TargetRows rows_;
   const CapsuleSet& capsules_;
   CoverageCurve& curve_;
+  UncoveredPieces& pieces_;
   double margin_, budget_ = 0;
   double reach_;                // how far a capsule extends from its segment at most
   std::vector<Chords> chords_;  // coarse to fine

@@ -1,0 +1,164 @@
+#include "metrics/uncovered_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/disjoint_sets.hpp"
+
+namespace oxturn {
+namespace {
+
+// In tile sides.
+constexpr double kNear = 1e-9;   // rounding
+constexpr double kTouch = 1e-6;  // parts that share less of an edge are not connected
+constexpr double kLeastArea = 1e-9;
+
+Vec middle_of(const Convex& c) {
+  Vec sum{0, 0};
+  for (std::size_t i = 0; i < c.size; ++i) sum = sum + c.at[i];
+  return (1.0 / static_cast<double>(c.size)) * sum;
+}
+
+bool boxes_touch(const Extent& a, const Extent& b) {
+  return std::abs(a.centre.x - b.centre.x) <= a.half.x + b.half.x + kNear &&
+         std::abs(a.centre.y - b.centre.y) <= a.half.y + b.half.y + kNear;
+}
+
+/// Do the segments ab and cd lie on one line and overlap?
+bool share_line(Vec a, Vec b, Vec c, Vec d) {
+  const Vec ab = b - a;
+  const double length = std::sqrt(dot(ab, ab));
+  if (length < kTouch) return false;
+  const Vec u = (1 / length) * ab;
+  if (std::abs(cross(u, c - a)) > kNear || std::abs(cross(u, d - a)) > kNear) return false;
+  const double s = dot(u, c - a), t = dot(u, d - a);
+  return std::min(length, std::max(s, t)) - std::max(0.0, std::min(s, t)) > kTouch;
+}
+
+bool share_edge(const Convex& a, const Convex& b) {
+  for (std::size_t i = 0; i < a.size; ++i)
+    for (std::size_t k = 0; k < b.size; ++k)
+      if (share_line(a.at[i], a.at[(i + 1) % a.size], b.at[k], b.at[(k + 1) % b.size])) return true;
+  return false;
+}
+
+}  // namespace
+
+void UncoveredPieces::start_row(std::int64_t row) {
+  join(below_, bottom_);
+  below_.clear();
+  if (row == row_ + 1) below_.swap(top_);
+  bottom_.clear();
+  top_.clear();
+  right_.clear();
+  row_ = row;
+  column_ = -1;
+}
+
+/// Joins parts on both sides of a border where they share some of it.
+void UncoveredPieces::join(std::vector<Touch>& left, std::vector<Touch>& right) {
+  const auto by_from = [](const Touch& l, const Touch& r) { return l.from < r.from; };
+  std::sort(left.begin(), left.end(), by_from);
+  std::sort(right.begin(), right.end(), by_from);
+  for (std::size_t i = 0, k = 0; i < left.size() && k < right.size();) {
+    if (std::min(left[i].to, right[k].to) - std::max(left[i].from, right[k].from) > kTouch)
+      joined_.emplace_back(left[i].part, right[k].part);
+    left[i].to < right[k].to ? ++i : ++k;
+  }
+}
+
+/// `c` is relative to `centre`.
+void UncoveredPieces::add_part(const Convex& c, double area, Vec centre) {
+  const std::size_t part = parts_.size();
+  parts_.push_back({vertices_.size(), area});
+  for (std::size_t i = 0; i < c.size; ++i) {
+    const Vec p = c.at[i], q = c.at[(i + 1) % c.size];
+    vertices_.push_back(centre + p);
+    const auto touch = [&](double a, double b) { return Touch{std::min(a, b), std::max(a, b), part}; };
+    const auto on = [](double a, double b, double border) {
+      return std::abs(a - border) < kNear && std::abs(b - border) < kNear;
+    };
+    if (on(p.x, q.x, -0.5)) left_.push_back(touch(centre.y + p.y, centre.y + q.y));
+    if (on(p.x, q.x, 0.5)) right_.push_back(touch(centre.y + p.y, centre.y + q.y));
+    if (on(p.y, q.y, -0.5)) bottom_.push_back(touch(centre.x + p.x, centre.x + q.x));
+    if (on(p.y, q.y, 0.5)) top_.push_back(touch(centre.x + p.x, centre.x + q.x));
+  }
+}
+
+void UncoveredPieces::add_tile(std::int64_t column, const std::vector<Convex>& uncovered, const TileTarget& target) {
+  std::vector<Touch> before;
+  before.swap(right_);
+  left_.clear();
+  pieces_ = uncovered;
+  target.cut(pieces_, spare_);
+  const Vec centre{static_cast<double>(column) + 0.5, static_cast<double>(row_) + 0.5};
+  const std::size_t first = parts_.size();
+  std::vector<Extent> boxes;
+  std::size_t kept = 0;
+  for (const Convex& c : pieces_) {
+    const double size = area(c);
+    if (size < kLeastArea || !target.contains(middle_of(c))) continue;
+    add_part(c, size, centre);
+    boxes.push_back(extent_of({c}));
+    pieces_[kept++] = c;
+  }
+  for (std::size_t i = 0; i < kept; ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (boxes_touch(boxes[i], boxes[k]) && share_edge(pieces_[i], pieces_[k]))
+        joined_.emplace_back(first + k, first + i);
+  if (column == column_) join(before, left_);
+  column_ = column + 1;
+}
+
+void UncoveredPieces::add_run(std::int64_t from, std::int64_t to) {
+  std::vector<Touch> before;
+  before.swap(right_);
+  const double low = static_cast<double>(row_), left = static_cast<double>(from), right = static_cast<double>(to);
+  const std::size_t part = parts_.size();
+  parts_.push_back({vertices_.size(), right - left});
+  for (const Vec p : {Vec{left, low}, Vec{right, low}, Vec{right, low + 1}, Vec{left, low + 1}}) vertices_.push_back(p);
+  left_.assign(1, {low, low + 1, part});
+  right_.assign(1, {low, low + 1, part});
+  bottom_.push_back({left, right, part});
+  top_.push_back({left, right, part});
+  if (from == column_) join(before, left_);
+  column_ = to;
+}
+
+std::vector<MissedPiece> UncoveredPieces::take(const Point& origin, double side, double least) {
+  start_row(row_ + 2);  // joins the last row
+  DisjointSets sets(parts_.size());
+  for (const auto& [a, b] : joined_) sets.unite(a, b);
+  std::vector<double> areas(parts_.size());
+  for (std::size_t i = 0; i < parts_.size(); ++i) areas[sets.find(i)] += parts_[i].area;
+  std::vector<std::size_t> piece_of(parts_.size()), largest;  // largest: part of a piece
+  std::vector<MissedPiece> pieces;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const std::size_t root = sets.find(i);
+    if (areas[root] <= least) continue;
+    if (piece_of[root] == 0) {
+      pieces.push_back({areas[root] * side * side, {}, {}});
+      largest.push_back(i);
+      piece_of[root] = pieces.size();
+    }
+    const std::size_t piece = piece_of[root] - 1;
+    const std::size_t end = i + 1 < parts_.size() ? parts_[i + 1].first : vertices_.size();
+    Ring ring;
+    Point middle(0, 0);
+    for (std::size_t v = parts_[i].first; v < end; ++v) {
+      ring.push_back(origin + side * Point(vertices_[v].x, vertices_[v].y));
+      middle += ring.back();
+    }
+    if (ring.size() > 0 && parts_[i].area >= parts_[largest[piece]].area) {
+      largest[piece] = i;
+      pieces[piece].at = middle / static_cast<double>(ring.size());
+    }
+    pieces[piece].outline.push_back(std::move(ring));
+  }
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const MissedPiece& l, const MissedPiece& r) { return l.area_m2 > r.area_m2; });
+  *this = {};
+  return pieces;
+}
+
+}  // namespace oxturn

@@ -1,0 +1,58 @@
+/// Connected pieces of the target that the path leaves uncovered. Private to metrics/.
+///
+///   UncoveredPieces pieces;
+///   pieces.start_row(7);
+///   pieces.add_tile(3, {convex...}, target);          // what is left uncovered of tile (3, 7)
+///   pieces.add_run(4, 90);                            // tiles (4, 7) to (89, 7): all of them target, none covered
+///   std::vector<MissedPiece> missed = pieces.take(origin, side, least);
+///
+/// Method      Tiles are added row by row. The uncovered polygons of a tile are cut along the target's edges; the parts
+///             that share an edge, in the tile or across its border, are joined (disjoint sets).
+/// Complexity  near-linear in the parts; a tile with p parts O(p^2), p is small
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "metrics/convex.hpp"
+#include "metrics/swept_area.hpp"
+#include "metrics/target_rows.hpp"
+
+namespace oxturn {
+
+class UncoveredPieces {
+ public:
+  /// Rows in ascending order, and columns within a row.
+  void start_row(std::int64_t row);
+  /// `uncovered`: relative to the tile's centre.
+  void add_tile(std::int64_t column, const std::vector<Convex>& uncovered, const TileTarget& target);
+  /// Whole tiles, `to` excluded.
+  void add_run(std::int64_t from, std::int64_t to);
+
+  /// Pieces of more than `least` tiles, largest first. Tile coordinates are (p - origin) / side. Empties this object.
+  std::vector<MissedPiece> take(const Point& origin, double side, double least);
+
+ private:
+  struct Part {
+    std::size_t first;  // its vertices up to those of the next part, in tile coordinates
+    double area;
+  };
+  /// An edge of a part on a border of its tile.
+  struct Touch {
+    double from, to;  // along the border
+    std::size_t part;
+  };
+  void add_part(const Convex& c, double area, Vec centre);
+  void join(std::vector<Touch>& left, std::vector<Touch>& right);
+
+  std::int64_t row_ = -1, column_ = -1;  // column_: right of the tile added last
+  std::vector<Vec> vertices_;
+  std::vector<Part> parts_;
+  std::vector<std::pair<std::size_t, std::size_t>> joined_;
+  std::vector<Touch> left_, right_;          // of the present tile, of the one before
+  std::vector<Touch> bottom_, top_, below_;  // of the present row; below_: top_ of the row before
+  std::vector<Convex> pieces_, spare_;
+};
+
+}  // namespace oxturn
