@@ -48,7 +48,7 @@ constexpr double kNewCells = 4;        // area seen since the partition, in cell
 
 double turn_of(const RectangleOptions& p) { return p.lanes == Lanes::diagonal ? kPi / 4 : 0; }
 
-void record_left(Context& context, const RectangleCleaner::Counts& counts) {
+void record_left(Context& context, const CleanedRectangles& counts) {
   context.record("skipped_columns", static_cast<double>(counts.skipped_columns));
   context.record("skipped_cells", static_cast<double>(counts.skipped_cells));
   context.record("small_cells", static_cast<double>(counts.small_cells));
@@ -60,11 +60,10 @@ Path clean_known(const RectangleOptions& p, const Problem& problem, Context& con
       make_grid_graph(problem, {.side = side,
                                 .angle = lattice_angle(p.align, problem.map().free) + turn_of(p),
                                 .margin = static_cast<int>(std::ceil(problem.robot().radius / side)) + 1});
-  RectangleCleaner cleaner(p, problem, graph, std::vector<bool>(graph.size(), false), context);
-  Path path = cleaner.clean();
-  context.record("rectangles", static_cast<double>(cleaner.counts().rectangles));
-  record_left(context, cleaner.counts());
-  return path;
+  CleanedRectangles cleaned = clean_rectangles(p, problem, graph, std::vector<bool>(graph.size(), false), context);
+  context.record("rectangles", static_cast<double>(cleaned.rectangles));
+  record_left(context, cleaned);
+  return std::move(cleaned.path);
 }
 
 /// Scans and cleans a world that the robot sees by lidar.
@@ -80,15 +79,17 @@ class Discovery {
       if (context_.cancelled()) return;
     }
     context_.record("scan_m", view().driven());
-    RectangleCleaner::Counts last;  // what the last partition skips stays skipped
+    CleanedRectangles last;  // what the last partition skips stays skipped
     std::size_t partitions = 0;
     double before = -1;
     while (partitions < kMostPartitions && !context_.cancelled()) {
       const std::uint64_t seen = view().belief().revision();
-      const auto path = partition(last);
-      if (!path || path->legs.empty()) break;
+      const std::optional<Problem> believed = world();
+      if (!believed) break;
+      last = partition(*believed);
+      if (last.path.legs.empty()) break;
       ++partitions;
-      const bool finished = clean(*path);
+      const bool finished = clean(last.path);
       const bool moved = view().driven() > before;
       before = view().driven();
       // Otherwise the next partition would end in the same way.
@@ -107,19 +108,15 @@ class Discovery {
     return believed_problem(view(), view().pose(), 0);
   }
 
-  std::optional<Path> partition(RectangleCleaner::Counts& counts) {
-    const std::optional<Problem> believed = world();
-    if (!believed) return std::nullopt;
-    if (!angle_) angle_ = lattice_angle(p_.align, believed->map().free) + turn_of(p_);
+  CleanedRectangles partition(const Problem& believed) {
+    if (!angle_) angle_ = lattice_angle(p_.align, believed.map().free) + turn_of(p_);
     const GridGraph graph =
-        make_grid_graph_at(believed->configuration_space(), "belief", view().start(), p_.side(view().robot()), *angle_);
+        make_grid_graph_at(believed.configuration_space(), "belief", view().start(), p_.side(view().robot()), *angle_);
     Context inner(1, context_.seconds_left(), context_.traces_only());
-    RectangleCleaner cleaner(p_, *believed, graph, done(graph), inner);
-    Path path = cleaner.clean();
-    counts = cleaner.counts();
-    if (!path.legs.empty() && believed->start() != view().pose())
-      robot_.go({{view().pose(), believed->start()}, false});
-    return path;
+    CleanedRectangles cleaned = clean_rectangles(p_, believed, graph, done(graph), inner);
+    if (!cleaned.path.legs.empty() && believed.start() != view().pose())
+      robot_.go({{view().pose(), believed.start()}, false});
+    return cleaned;
   }
 
   /// The nodes that have been driven along their column with the tool on.

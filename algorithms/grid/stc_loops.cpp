@@ -201,7 +201,7 @@ class StcWithLoops {
     TreeGrower grower(cells_, p_.tree, context_.rng());
     const auto attach_component = [&](const ComponentOrder::Entry& entry) {
       grower.grow(entry.coarse);
-      const Polyline round = round_tree(fine_, cells_, entry.i, entry.j, RoundPoints::at_every_cell);
+      const Polyline round = round_tree(fine_, cells_, entry.at, RoundPoints::at_every_cell);
       if (tree_.vertices().empty())
         tree_.begin(round, BranchTree::Kind::round);
       else if (!attach(round, BranchTree::Kind::round))

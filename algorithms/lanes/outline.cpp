@@ -321,4 +321,15 @@ Path with_rings(const Problem& problem, const Region& rings, const Path& path, d
   return RingDrive(tree, problem.start(), width, connector).run(flat);
 }
 
+Path drive_strips_and_walls(const Problem& problem, const std::vector<Strip>& strips, StripOrder order, bool outline,
+                            Context& context) {
+  const Connector connector(problem);
+  Path path = drive_strips(problem, strips, order, connector, context);
+  context.publish(path);
+  if (!outline || context.cancelled()) return path;
+  path = with_outline(problem, path, problem.robot().tool_width, connector, context);
+  context.publish(path);
+  return path;
+}
+
 }  // namespace oxturn

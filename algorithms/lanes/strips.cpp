@@ -83,19 +83,19 @@ std::vector<StripLeg> legs_of(const Strip& strip, const StripPattern& pattern, d
 /// The strips in driving order, each with its pattern.
 std::vector<TourStop> tour_of(const std::vector<Strip>& strips, const std::vector<TourElement>& elements,
                               const Point& start, StripOrder order, const Connector& connector, Context& context) {
-  const OpenTour tours(start, elements, connector);
+  const TourCosts costs(start, elements, connector);
   std::vector<TourStop> tour;
   if (order == StripOrder::given) {
     for (std::size_t i = 0; i < elements.size(); ++i) tour.push_back({i, 0});
   } else if (order == StripOrder::depth_first) {
     std::vector<std::vector<std::size_t>> neighbours;
     for (const Strip& s : strips) neighbours.push_back(s.neighbours);
-    tour = tours.depth_first(neighbours, context);
+    tour = depth_first_tour(costs, neighbours, context);
   } else {
-    tour = tours.nearest(context);
+    tour = nearest_tour(costs, context);
   }
-  if (order == StripOrder::improved) tours.improve(tour, context);
-  if (!context.cancelled()) tours.choose_patterns(tour);
+  if (order == StripOrder::improved) improve_tour(costs, tour, context);
+  if (!context.cancelled()) choose_patterns(costs, tour);
   return tour;
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "algorithms/lattice/grid_graph.hpp"
 #include "algorithms/transit/tether_space.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
@@ -15,7 +16,6 @@
 namespace oxturn {
 namespace {
 
-constexpr int kMostRefusals = 3;     // motions in a row that a policy may ask for in vain
 constexpr double kLookAhead = 10;    // scan steps for which the rest of a motion is checked
 constexpr int kScansWithNoise = 10;  // at one position
 constexpr double kGrown = 1.02;      // times its length when last published: the path is published again
@@ -48,14 +48,14 @@ Polyline View::path_from_base() const { return robot_.tether ? path_from_start()
 /// One run. The only class that knows both the truth and the view.
 class Drive {
  public:
-  Drive(const Problem& truth, Context& context, const OnlineSettings& settings)
+  Drive(const Problem& truth, Context& context)
       : truth_(truth),
         context_(context),
         lidar_(truth.map().free, *truth.robot().lidar),
         noise_(context.rng().bits()),
         view_(truth.robot(), truth.start(), truth.anchor()) {
     const Robot& robot = truth.robot();
-    scan_step_ = settings.scan_step > 0 ? settings.scan_step : robot.radius > 0 ? robot.radius : robot.tool_width / 2;
+    scan_step_ = robot_size(robot);
     radius_ = std::max(0.0, robot.radius - truth.tolerance());
     if (!robot.tether) return;
     tether_ = tether_at_start(truth);
@@ -80,12 +80,12 @@ class Drive {
   const View& view() const { return view_; }
 
   bool go(const Motion& motion) {
-    view_.stopped_ = !drive(motion);
+    const bool arrived = drive(motion);
     if (view_.driven_ > kGrown * published_) {
       context_.publish(view_.path_);
       published_ = view_.driven_;
     }
-    return !view_.stopped_;
+    return arrived;
   }
 
  private:
@@ -216,8 +216,7 @@ class Drive {
 const View& OnlineRobot::view() const { return drive_.view(); }
 bool OnlineRobot::go(const Motion& motion) { return drive_.go(motion); }
 
-Path drive_online(const Problem& truth, const std::function<void(OnlineRobot&, Context&)>& program, Context& context,
-                  const OnlineSettings& settings) {
+Path drive_online(const Problem& truth, const std::function<void(OnlineRobot&, Context&)>& program, Context& context) {
   if (!truth.robot().lidar)
     throw Unsupported(fmt::format("robot '{}' has no lidar, which an online planner sees by; give it range and rays",
                                   truth.robot().name));
@@ -226,21 +225,7 @@ Path drive_online(const Problem& truth, const std::function<void(OnlineRobot&, C
         fmt::format("robot '{}' has a polygonal footprint; what a lidar shows is judged for discs only, so "
                     "give it a radius instead",
                     truth.robot().name));
-  return Drive(truth, context, settings).run(program);
-}
-
-Path drive_online(const Problem& truth, Policy& policy, Context& context, const OnlineSettings& settings) {
-  const auto program = [&](OnlineRobot& robot, Context& inner) {
-    const View& view = robot.view();
-    for (int refusals = 0; refusals < kMostRefusals && !inner.cancelled();) {
-      const auto motion = policy.next(view, inner);
-      if (!motion) return;
-      const double before = view.driven();
-      robot.go(*motion);
-      refusals = view.driven() > before ? 0 : refusals + 1;
-    }
-  };
-  return drive_online(truth, program, context, settings);
+  return Drive(truth, context).run(program);
 }
 
 namespace {

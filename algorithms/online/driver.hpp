@@ -1,11 +1,11 @@
 /// Drives a robot through a world that it only learns by lidar: simulates motion and scans, and keeps the belief. An
-/// online planner is a Policy, which is asked where to go next, or a function that drives an OnlineRobot.
+/// online planner is a program: a function that drives an OnlineRobot.
 ///
-///   return drive_online(problem, [&](OnlineRobot& robot, Context& context) {
+///   return drive_online(problem, [&](OnlineRobot& robot, Context&) {
 ///     while (const auto motion = explorer.next(robot.view())) robot.go(*motion);
 ///   }, context);
 ///
-/// The robot scans at its start, every `scan_step` metres and at the end of every motion, but nowhere twice (with noise
+/// The robot scans at its start, after every radius driven (half its tool's width if it has none) and at the end of every motion, but nowhere twice (with noise
 /// ten times), because the world does not change. Its pose is known exactly.
 /// Each piece of a motion is checked against the newest belief before it is driven. Where the belief blocks the rest of
 /// a motion, the robot stops and the planner must plan anew; going straight back to the point that it came from is
@@ -46,8 +46,6 @@ class View {
   Polyline path_from_base() const;
   /// The driven path from the start to the pose.
   Polyline path_from_start() const;
-  /// The last motion was stopped before its end.
-  bool stopped() const { return stopped_; }
   /// How many points of the last motion were reached.
   std::size_t reached() const { return reached_; }
 
@@ -59,24 +57,12 @@ class View {
   Belief belief_;
   Path path_;
   double driven_ = 0;
-  bool stopped_ = false;
   std::size_t reached_ = 0;
 };
 
 struct Motion {
   Polyline points;  // a first point equal to the pose is skipped
   bool tool = true;
-};
-
-class Policy {
- public:
-  virtual ~Policy() = default;
-  /// Where to go next; nullopt: done.
-  virtual std::optional<Motion> next(const View& view, Context& context) = 0;
-};
-
-struct OnlineSettings {
-  double scan_step = 0;  // metres between scans; 0: the robot's radius (half its tool's width if it has none)
 };
 
 class OnlineRobot {
@@ -96,10 +82,7 @@ class OnlineRobot {
 /// Publishes what has been driven whenever it has grown by a fiftieth; records `explored_share` (the part of the true
 /// target that is believed free), `replans` and `scans`. Throws Unsupported for a robot without a lidar, Infeasible if
 /// it never moved.
-Path drive_online(const Problem& truth, const std::function<void(OnlineRobot&, Context&)>& program, Context& context,
-                  const OnlineSettings& settings = {});
-/// The same with a policy. Ends also when three motions in a row cannot even begin.
-Path drive_online(const Problem& truth, Policy& policy, Context& context, const OnlineSettings& settings = {});
+Path drive_online(const Problem& truth, const std::function<void(OnlineRobot&, Context&)>& program, Context& context);
 
 /// The world as believed, at a level of the belief (belief.hpp), as a problem to plan on. It starts at `start`, or,
 /// where the believed walls are too near for that, at the nearest possible point within a few cells (drive_online

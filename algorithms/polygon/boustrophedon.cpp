@@ -26,7 +26,6 @@
 #include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
-#include "algorithms/lanes/strips.hpp"
 #include "geometry/mesh/partition.hpp"
 #include "geometry/overlay/boolean.hpp"
 
@@ -271,48 +270,32 @@ void trace_cells(const Cells& cells, const LaneFrame& frame, Context& context) {
   context.trace("cells", std::move(outlines));
 }
 
-class Boustrophedon final : public CoveragePlanner {
- public:
-  explicit Boustrophedon(Params p) : p_(p) {}
+std::vector<Strip> strips_in(const Region& region, const Params& p, const Problem& problem, Context& context) {
+  if (region.empty()) return {};
+  const double w = problem.robot().tool_width, spacing = p.spacing * w;
+  const LaneFrame frame(p.sweep == LaneDirection::given ? p.angle : best_lane_direction(region, spacing));
+  const Region rotated = frame.to_frame(region);
+  const EdgeIndex space(frame.to_frame(problem.configuration_space()));
+  const Field field{frame, rotated, space, spacing, w, 2 * problem.tolerance()};
+  if (p.cells == Decomposition::slab) return slab_strips(field);
+  // United first: rings that touch may cross by rounding once rotated, which the exact plane sweep rejects.
+  const Cells cells = boustrophedon_cells(unite({rotated}));
+  std::vector<Strip> strips =
+      p.outline ? projected_strips(field, cells, context) : spaced_strips(field, cells, context);
+  if (context.wants_traces()) trace_cells(cells, frame, context);
+  return without_empty(std::move(strips), cells);
+}
 
-  Path plan(const Problem& problem, Context& context) const override {
-    const double w = problem.robot().tool_width;
-    const Connector connector(problem);
-    const Region region = p_.outline ? lane_region(problem, w / 2, w / 50) : problem.configuration_space();
-    Path path;
-    if (!region.empty())
-      path = drive_strips(problem, strips_in(region, problem, context), p_.order, connector, context);
-    if (p_.outline && !context.cancelled()) {
-      context.publish(path);
-      path = with_outline(problem, path, w, connector, context);
-    }
-    context.publish(path);
-    return path;
-  }
-
- private:
-  std::vector<Strip> strips_in(const Region& region, const Problem& problem, Context& context) const {
-    const double w = problem.robot().tool_width, spacing = p_.spacing * w;
-    const LaneFrame frame(p_.sweep == LaneDirection::given ? p_.angle : best_lane_direction(region, spacing));
-    const Region rotated = frame.to_frame(region);
-    const EdgeIndex space(frame.to_frame(problem.configuration_space()));
-    const Field field{frame, rotated, space, spacing, w, 2 * problem.tolerance()};
-    if (p_.cells == Decomposition::slab) return slab_strips(field);
-    // United first: rings that touch may cross by rounding once rotated, which the exact plane sweep rejects.
-    const Cells cells = boustrophedon_cells(unite({rotated}));
-    std::vector<Strip> strips =
-        p_.outline ? projected_strips(field, cells, context) : spaced_strips(field, cells, context);
-    if (context.wants_traces()) trace_cells(cells, frame, context);
-    return without_empty(std::move(strips), cells);
-  }
-
-  Params p_;
-};
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  const double w = problem.robot().tool_width;
+  const Region region = p.outline ? lane_region(problem, w / 2, w / 50) : problem.configuration_space();
+  return drive_strips_and_walls(problem, strips_in(region, p, problem, context), p.order, p.outline, context);
+}
 
 }  // namespace
 
 PlannerInfo boustrophedon() {
-  return describe<Boustrophedon, Params>(
+  return describe<Params, plan>(
       {.name = "boustrophedon",
        .family = "polygon",
        .title = "Boustrophedon decomposition",

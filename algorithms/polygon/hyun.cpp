@@ -325,33 +325,25 @@ class HyunRun {
   std::size_t planned_ = 0, tlppa_failed_ = 0;
 };
 
-class Hyun final : public CoveragePlanner {
- public:
-  explicit Hyun(Params p) : p_(p) {}
-
-  Path plan(const Problem& problem, Context& context) const override {
-    const double tool = problem.robot().tool_width, robot = height(problem.robot());
-    const double separation = p_.separation > 0 ? p_.separation : (robot > 0 ? std::min(robot, tool) : tool) / 2;
-    const double lines = bounding_box(problem.configuration_space()).size().y() / separation;
-    if (lines > kMostLines)
-      throw std::invalid_argument(
-          fmt::format("planner 'hyun': separation {} m makes {:.0f} lines, expected at most {}; take a larger "
-                      "separation or a wider tool",
-                      separation, lines, kMostLines));
-    Path path = HyunRun(p_, problem, context, separation).run();
-    if (!p_.outline || context.cancelled()) return path;
-    context.publish(path);
-    return with_outline(problem, path, tool, Connector(problem), context);
-  }
-
- private:
-  Params p_;
-};
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  const double tool = problem.robot().tool_width, robot = height(problem.robot());
+  const double separation = p.separation > 0 ? p.separation : (robot > 0 ? std::min(robot, tool) : tool) / 2;
+  const double lines = bounding_box(problem.configuration_space()).size().y() / separation;
+  if (lines > kMostLines)
+    throw std::invalid_argument(
+        fmt::format("planner 'hyun': separation {} m makes {:.0f} lines, expected at most {}; take a larger "
+                    "separation or a wider tool",
+                    separation, lines, kMostLines));
+  Path path = HyunRun(p, problem, context, separation).run();
+  if (!p.outline || context.cancelled()) return path;
+  context.publish(path);
+  return with_outline(problem, path, tool, Connector(problem), context);
+}
 
 }  // namespace
 
 PlannerInfo hyun() {
-  return describe<Hyun, Params>(
+  return describe<Params, plan>(
       {.name = "hyun",
        .family = "grid",
        .title = "heuristic sweep from contact to contact",

@@ -32,7 +32,6 @@
 #include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
-#include "algorithms/lanes/strips.hpp"
 #include "algorithms/polygon/parts.hpp"
 #include "geometry/raster.hpp"
 
@@ -308,66 +307,49 @@ void trace_parts(const std::vector<Part>& parts, Context& context) {
   context.trace("parts", std::move(lines));
 }
 
-class Zigzag final : public CoveragePlanner {
- public:
-  explicit Zigzag(Params p) : p_(p) {}
+std::vector<Part> parts_of(const Region& filled, const Params& p, double width) {
+  std::vector<Part> parts = cut_into_parts(filled, p.partition);
+  if (parts.size() <= 1) return parts;
+  return p.small_parts == SmallParts::merge ? with_slivers_merged(std::move(parts), width)
+                                            : without_slivers(std::move(parts), width);
+}
 
-  Path plan(const Problem& problem, Context& context) const override {
-    const double w = problem.robot().tool_width;
-    const double inset = p_.margin > 0 ? p_.margin : w / 2;
-    const Connector connector(problem);
-    const Region filled = simplify_inward(lane_region(problem, (1 - kSimplify) * inset, kChord * w), kSimplify * inset);
-    Path path;
-    if (!filled.empty())
-      path = drive_strips(problem, strips_in(filled, problem, context), p_.order, connector, context);
-    if (p_.outline && !context.cancelled()) {
-      context.publish(path);
-      path = with_outline(problem, path, w, connector, context);
-    }
-    context.publish(path);
-    return path;
+double direction(const Region& filled, const std::vector<Part>& parts, const Params& p, double width) {
+  if (p.sweep == LaneDirection::given) return p.angle;
+  return p.partition == Partition::none ? best_lane_direction(filled, width) : least_sum_of_widths(filled, parts);
+}
+
+std::vector<Strip> strips_in(const Region& filled, const Params& p, const Problem& problem, Context& context) {
+  if (filled.empty()) return {};
+  const double w = problem.robot().tool_width;
+  const std::vector<Part> parts = parts_of(filled, p, w);
+  if (context.wants_traces()) trace_parts(parts, context);
+  if (parts.empty()) return {};
+  const double angle = direction(filled, parts, p, w);
+  const LaneFrame frame(angle);
+  const EdgeIndex space(frame.to_frame(problem.configuration_space()));
+  const Field field{parts, frame, angle, space, w, 2 * problem.tolerance()};
+  std::vector<Strip> strips;
+  for (const std::vector<NumberedLane>& of_part : p.fit == Fit::cover ? covering_lanes(field) : literal_lanes(field)) {
+    if (p.partition != Partition::none)
+      add_strips(strips, of_part, frame);
+    else
+      for (const NumberedLane& lane : of_part) add_strips(strips, {lane}, frame);  // every lane by itself
   }
+  return strips;
+}
 
- private:
-  std::vector<Part> parts_of(const Region& filled, double width) const {
-    std::vector<Part> parts = cut_into_parts(filled, p_.partition);
-    if (parts.size() <= 1) return parts;
-    return p_.small_parts == SmallParts::merge ? with_slivers_merged(std::move(parts), width)
-                                               : without_slivers(std::move(parts), width);
-  }
-
-  double direction(const Region& filled, const std::vector<Part>& parts, double width) const {
-    if (p_.sweep == LaneDirection::given) return p_.angle;
-    return p_.partition == Partition::none ? best_lane_direction(filled, width) : least_sum_of_widths(filled, parts);
-  }
-
-  std::vector<Strip> strips_in(const Region& filled, const Problem& problem, Context& context) const {
-    const double w = problem.robot().tool_width;
-    const std::vector<Part> parts = parts_of(filled, w);
-    if (context.wants_traces()) trace_parts(parts, context);
-    const double angle = direction(filled, parts, w);
-    const LaneFrame frame(angle);
-    const EdgeIndex space(frame.to_frame(problem.configuration_space()));
-    std::vector<Strip> strips;
-    if (parts.empty()) return strips;
-    const Field field{parts, frame, angle, space, w, 2 * problem.tolerance()};
-    for (const std::vector<NumberedLane>& of_part :
-         p_.fit == Fit::cover ? covering_lanes(field) : literal_lanes(field)) {
-      if (p_.partition != Partition::none)
-        add_strips(strips, of_part, frame);
-      else
-        for (const NumberedLane& lane : of_part) add_strips(strips, {lane}, frame);  // every lane by itself
-    }
-    return strips;
-  }
-
-  Params p_;
-};
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  const double w = problem.robot().tool_width;
+  const double inset = p.margin > 0 ? p.margin : w / 2;
+  const Region filled = simplify_inward(lane_region(problem, (1 - kSimplify) * inset, kChord * w), kSimplify * inset);
+  return drive_strips_and_walls(problem, strips_in(filled, p, problem, context), p.order, p.outline, context);
+}
 
 }  // namespace
 
 PlannerInfo zigzag() {
-  return describe<Zigzag, Params>(
+  return describe<Params, plan>(
       {.name = "zigzag",
        .family = "polygon",
        .title = "Zig zag filling",

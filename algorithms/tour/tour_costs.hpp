@@ -7,17 +7,32 @@
 /// Path lengths are remembered: an unknown one costs a shortest-path search.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <unordered_map>
+#include <vector>
 
-#include "algorithms/tour/open_tour.hpp"
+#include "algorithms/transit/connector.hpp"
 
 namespace oxturn {
+
+/// How an element can be driven. `reverse` is the index of the pattern that drives it backwards, from `exit` to
+/// `entry`, at the same cost.
+struct Pattern {
+  Point entry, exit;
+  double cost = 0;
+  std::size_t reverse = 0;
+};
+using TourElement = std::vector<Pattern>;  // at least one pattern
+struct TourStop {
+  std::size_t element = 0, pattern = 0;
+};
 
 class TourCosts {
  public:
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 
+  /// Keeps references to `elements` and `connector`.
   TourCosts(const Point& start, const std::vector<TourElement>& elements, const Connector& connector);
 
   const std::vector<TourElement>& elements() const { return elements_; }

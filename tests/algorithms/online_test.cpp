@@ -342,25 +342,27 @@ TEST(Belief, AFewWrongHitsDoNotCloseACorridor) {
 
 // ----------------------------------------------------------------------------------------------------- driver
 
-/// Drives given motions.
-struct Scripted final : Policy {
-  std::vector<Motion> motions;
-  std::size_t asked = 0, stopped = 0;
-  std::optional<Motion> next(const View& view, Context&) override {
-    stopped += view.stopped() ? 1 : 0;
-    if (asked == motions.size()) return std::nullopt;
-    return motions[asked++];
-  }
-};
-
-TEST(DriveOnline, StopsBeforeAWallThatThePolicyIgnores) {
-  const Problem p = drawn({"S...#...", "....#..."}, {.robot = with_lidar()});
-  Scripted policy;
-  policy.motions = {{{{7.5, 1.5}}, true}, {{{0.5, 0.5}}, false}};
+/// Drives the motions; keeps whether each arrived.
+Path drive_motions(const Problem& p, const std::vector<Motion>& motions, std::vector<bool>& arrived) {
   Context context(1);
-  const Path path = drive_online(p, policy, context);
+  return drive_online(
+      p,
+      [&](OnlineRobot& robot, Context&) {
+        for (const Motion& motion : motions) {
+          arrived.push_back(robot.go(motion));
+          EXPECT_DOUBLE_EQ(robot.view().driven(), robot.view().path().length());
+        }
+        EXPECT_EQ(robot.view().pose(), motions.back().points.back());
+      },
+      context);
+}
+
+TEST(DriveOnline, StopsBeforeAWallThatTheProgramIgnores) {
+  const Problem p = drawn({"S...#...", "....#..."}, {.robot = with_lidar()});
+  std::vector<bool> arrived;
+  const Path path = drive_motions(p, {{{{7.5, 1.5}}, true}, {{{0.5, 0.5}}, false}}, arrived);
   expect_valid(p, path);
-  EXPECT_EQ(policy.stopped, 1u);
+  EXPECT_THAT(arrived, testing::ElementsAre(false, true));
   ASSERT_EQ(path.legs.size(), 2u);
   EXPECT_GT(path.legs[0].points.back().x(), 3.3);
   EXPECT_LE(path.legs[0].points.back().x(), 3.8);
@@ -368,42 +370,12 @@ TEST(DriveOnline, StopsBeforeAWallThatThePolicyIgnores) {
   EXPECT_EQ(path.legs[1].points.back(), Point(0.5, 0.5));
 }
 
-TEST(DriveOnline, APolicyThatOnlyAsksForWallsEnds) {
-  struct Stubborn final : Policy {
-    int asked = 0;
-    std::optional<Motion> next(const View&, Context&) override {
-      ++asked;
-      return Motion{{{20, 20}}, true};
-    }
-  } policy;
-  const Problem p = drawn({"..", "S."}, {.robot = with_lidar()});
-  Context context(1);
-  const Path path = drive_online(p, policy, context);
-  expect_valid(p, path);
-  EXPECT_LT(policy.asked, 10);
-}
-
-// The same motions from a policy and from a program.
-TEST(DriveOnline, AProgramDrivesAsAPolicyDoes) {
+TEST(DriveOnline, GoesOnAfterAMotionThatWasStopped) {
   const Problem p = drawn({"S...#...", "....#..."}, {.robot = with_lidar()});
-  const std::vector<Motion> motions{{{{2.5, 0.5}, {2.5, 1.5}}, true}, {{{7.5, 1.5}}, true}, {{{0.5, 0.5}}, false}};
-  Scripted policy;
-  policy.motions = motions;
-  Context context(1), same(1);
-  const Path by_policy = drive_online(p, policy, context);
   std::vector<bool> arrived;
-  const Path by_program = drive_online(
-      p,
-      [&](OnlineRobot& robot, Context&) {
-        for (const Motion& motion : motions) arrived.push_back(robot.go(motion));
-        EXPECT_EQ(robot.view().pose(), Point(0.5, 0.5));
-        EXPECT_DOUBLE_EQ(robot.view().driven(), robot.view().path().length());
-      },
-      same);
+  expect_valid(
+      p, drive_motions(p, {{{{2.5, 0.5}, {2.5, 1.5}}, true}, {{{7.5, 1.5}}, true}, {{{0.5, 0.5}}, false}}, arrived));
   EXPECT_THAT(arrived, testing::ElementsAre(true, false, true));
-  ASSERT_EQ(by_policy.legs.size(), by_program.legs.size());
-  for (std::size_t i = 0; i < by_policy.legs.size(); ++i)
-    EXPECT_EQ(by_policy.legs[i].points, by_program.legs[i].points);
 }
 
 // A path of very many small motions is not published at each of them.
@@ -475,27 +447,28 @@ TEST(DriveOnline, ARecordedFigureHasAPlainName) {
 
 // --------------------------------------------------------------------------------------------------- exploring
 
-/// Only explores; keeps what is believed at the end.
-struct OnlyExplores final : Policy {
-  Explorer explorer;
-  Region believed;
-  std::optional<Motion> next(const View& view, Context&) override {
-    auto motion = explorer.next(view);
-    if (!motion) believed = view.belief().region(0);
-    return motion;
-  }
-};
+/// Only explores; `believed` gets what is believed free at the end.
+Path explore(const Problem& p, Region& believed) {
+  Context context(1);
+  return drive_online(
+      p,
+      [&](OnlineRobot& robot, Context&) {
+        Explorer explorer;
+        while (const auto motion = explorer.next(robot.view())) robot.go(*motion);
+        believed = robot.view().belief().region(0);
+      },
+      context);
+}
 
 TEST(Explorer, SeesWhatCanBeSeen) {
   for (const auto seed : seeds(2))
     for (const Problem& p : small_problems(seed, with_lidar())) {
       SCOPED_TRACE(p.map().source);
-      OnlyExplores policy;
-      Context context(1);
-      const Path path = drive_online(p, policy, context);
+      Region free;
+      const Path path = explore(p, free);
       expect_valid(p, path);
       // Points that the tool can reach, 3 cm off the walls: each can be seen from where the robot would be.
-      const EdgeIndex walls(p.map().free), believed(policy.believed);
+      const EdgeIndex walls(p.map().free), believed(free);
       const Box box = bounding_box(p.target());
       Rng rng(seed);
       int all = 0, seen = 0;
@@ -519,11 +492,10 @@ TEST(Explorer, KeepsTheTetherLength) {
       robot.tether = Tether{length};
       for (const Problem& p : small_problems(seed, robot)) {
         SCOPED_TRACE(fmt::format("{} tether {}", p.map().source, length));
-        OnlyExplores policy;
-        Context context(1);
+        Region free;
         Path path;
         try {
-          path = drive_online(p, policy, context);
+          path = explore(p, free);
         } catch (const Infeasible&) {
           continue;  // all that the tether reaches is seen from the start
         }
