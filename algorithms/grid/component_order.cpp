@@ -1,7 +1,6 @@
 #include "algorithms/grid/component_order.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace oxturn {
 

@@ -175,10 +175,7 @@ class RingTree {
     for (std::size_t k = 0; k < pieces; ++k) {
       const Point a = lerp(source.a, source.b, static_cast<double>(k) / n),
                   b = lerp(source.a, source.b, static_cast<double>(k + 1) / n);
-      Box box;
-      box.add(a);
-      box.add(b);
-      grid.near(box, reach, [&](const RingGrid::Item& item) {
+      grid.near(Box{a.cwiseMin(b), a.cwiseMax(b)}, reach, [&](const RingGrid::Item& item) {
         if (attached_[item.ring]) return;
         const Ring& ring = *rings_[item.ring];
         const Approach m = nearest_approach(a, b, ring[item.edge], ring[(item.edge + 1) % ring.size()]);

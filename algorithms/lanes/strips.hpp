@@ -37,6 +37,9 @@ struct Strip {
   TourElement patterns() const;
 };
 
+/// Makes two different strips neighbours.
+void connect(std::vector<Strip>& strips, std::size_t a, std::size_t b);
+
 /// How a strip is driven.
 struct StripPattern {
   bool first_up;   // the first lane is driven from low to high

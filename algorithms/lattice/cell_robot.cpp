@@ -42,10 +42,10 @@ void CellRobot::drive(const Polyline& points, const Cell& end, bool tool) {
   ++steps_;
 }
 
-bool CellRobot::go_straight(const Cell& to, bool tool) {
-  if (!graph_) return world_->go_straight(at_, to, tool) && (at_ = to, ++steps_, true);
+bool CellRobot::go_straight(const Cell& to) {
+  if (!graph_) return world_->go_straight(at_, to, false) && (at_ = to, ++steps_, true);
   if (!straight(at_, to)) return false;
-  drive({centre(to)}, to, tool);
+  drive({centre(to)}, to, false);
   return true;
 }
 

@@ -18,18 +18,14 @@
 
 namespace oxturn {
 
-/// A lattice that is not read from the true map (but seen by lidar: algorithms/online/lidar_cells.hpp).
+/// A lattice that is not read from the true map (but seen by lidar: algorithms/grid/cell_planner.cpp).
 /// Answers may change from wall to free while the robot learns.
 class CellWorld {
  public:
   virtual ~CellWorld() = default;
-  virtual bool free(const Cell& c) = 0;
-  virtual bool passable(const Cell& c, Direction d) = 0;
-  /// Drives from the centre of c to its neighbour's. False if the robot was stopped; it is back in the centre of c
-  /// then.
-  virtual bool step(const Cell& c, Direction d, bool tool) = 0;
-  /// The same for cells that are not neighbours, across squares between cells that are known to be free entirely.
+  /// The segment between two centres is known to be free, and so are all squares between cells that it meets.
   virtual bool straight(const Cell& from, const Cell& to) = 0;
+  /// Drives there. False if the robot was stopped; it is back in the centre of `from` then.
   virtual bool go_straight(const Cell& from, const Cell& to, bool tool) = 0;
   virtual Point centre(const Cell& c) const = 0;
 };
@@ -53,23 +49,27 @@ class CellRobot final {
   /// Throws std::logic_error for a cell farther away than reach(), as does passable().
   bool free(const Cell& c) const {
     check(c);
-    return graph_ ? graph_->free(in_graph(c)) : world_->free(c);
+    return graph_ ? graph_->free(in_graph(c)) : world_->straight(c, c);
   }
   /// The segment from the centre of c to its neighbour's is free.
   bool passable(const Cell& c, Direction d) const {
     check(c);
     check(neighbour(c, d));
-    return graph_ ? graph_->passable(in_graph(c), d) : world_->passable(c, d);
+    return graph_ ? graph_->passable(in_graph(c), d) : world_->straight(c, neighbour(c, d));
   }
-  bool passable(Direction d) const { return graph_ ? graph_->passable(in_graph(at_), d) : world_->passable(at_, d); }
+  bool passable(Direction d) const {
+    return graph_ ? graph_->passable(in_graph(at_), d) : world_->straight(at_, neighbour(at_, d));
+  }
   /// The robot knows by now that this step is free, at whatever distance. False on the true map, where it knows no more
   /// than it feels.
-  bool known_open(const Cell& c, Direction d) const { return world_ != nullptr && world_->passable(c, d); }
+  bool known_open(const Cell& c, Direction d) const {
+    return world_ != nullptr && world_->straight(c, neighbour(c, d));
+  }
 
   /// Drives to the neighbour's centre. False if that is not possible; the robot stays where it is then.
   bool step(Direction d, bool tool = true) {
     if (!graph_) {
-      if (!world_->step(at_, d, tool)) return false;
+      if (!world_->go_straight(at_, neighbour(at_, d), tool)) return false;
     } else {
       if (!passable(d)) return false;
       if (d != heading_ || tool != tool_) turn(d, tool);
@@ -84,8 +84,8 @@ class CellRobot final {
   bool straight(const Cell& from, const Cell& to) const {
     return graph_ ? graph_->straight(in_graph(from), in_graph(to)) : world_->straight(from, to);
   }
-  /// Drives straight to a cell; false if that is not possible.
-  bool go_straight(const Cell& to, bool tool);
+  /// Drives straight to a cell, with the tool off; false if that is not possible.
+  bool go_straight(const Cell& to);
   /// Leaves the lattice along `points`, which end in the centre of `end`. True map only; the caller knows it is free.
   void drive(const Polyline& points, const Cell& end, bool tool = true);
 

@@ -283,10 +283,4 @@ const Region& Belief::region(int level) const {
   return *known;
 }
 
-double Belief::free_area() const {
-  std::size_t n = 0;
-  for (std::size_t c = 0; c < mark_.size(); ++c) n += is_free(c) ? 1 : 0;
-  return static_cast<double>(n) * cell_ * cell_;
-}
-
 }  // namespace oxturn

@@ -62,7 +62,6 @@ class Belief {
   /// Without noise the outline, less up to radius / 128 at its walls (radius / 32 at coarser levels); else the free
   /// cells with fewer vertices, less up to 1.1 cells.
   const Region& region(int level) const;
-  double free_area() const;
   /// No scan makes anything farther away free: there rays are more than half a radius apart.
   double trusted_range() const;
 

@@ -36,6 +36,22 @@ Polyline path_along_tether(const Problem& truth) {
   }
 }
 
+/// p, or the nearest point of the region if that is nearer than `within`.
+std::optional<Point> moved_into(const Region& region, const Point& p, double within) {
+  const EdgeIndex edges(region);
+  if (edges.contains(p)) return p;
+  const auto hit = edges.nearest(p, within);
+  return hit ? std::optional(hit->point) : std::nullopt;
+}
+
+/// nullopt where the start is too near to a wall, or the robot does not fit at all.
+std::optional<Problem> possible_problem(const Map& map, const Robot& robot, const Point& start,
+                                        const std::optional<Point>& anchor) {
+  try {
+    return Problem(map, robot, start, anchor);
+  } catch (const std::invalid_argument&) { return std::nullopt; }
+}
+
 }  // namespace
 
 Polyline View::path_from_start() const {
@@ -227,26 +243,6 @@ Path drive_online(const Problem& truth, const std::function<void(OnlineRobot&, C
                     truth.robot().name));
   return Drive(truth, context).run(program);
 }
-
-namespace {
-
-/// p, or the nearest point of the region if that is nearer than `within`.
-std::optional<Point> moved_into(const Region& region, const Point& p, double within) {
-  const EdgeIndex edges(region);
-  if (edges.contains(p)) return p;
-  const auto hit = edges.nearest(p, within);
-  return hit ? std::optional(hit->point) : std::nullopt;
-}
-
-/// nullopt where the start is too near to a wall, or the robot does not fit at all.
-std::optional<Problem> possible_problem(const Map& map, const Robot& robot, const Point& start,
-                                        const std::optional<Point>& anchor) {
-  try {
-    return Problem(map, robot, start, anchor);
-  } catch (const std::invalid_argument&) { return std::nullopt; }
-}
-
-}  // namespace
 
 std::optional<Problem> believed_problem(const View& view, const Point& start, int level) {
   Robot robot = view.robot();

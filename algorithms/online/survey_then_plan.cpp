@@ -1,7 +1,6 @@
 #include "algorithms/online/survey_then_plan.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
 #include <utility>
 

@@ -20,7 +20,6 @@
 //             4. sweep = best counts a turn as 2 w and a break between cells as 4 w.
 //             5. Links longer than 3 w between lanes of a cell are transit.
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "algorithms/lanes/lane_direction.hpp"
@@ -104,11 +103,7 @@ std::vector<Strip> slab_strips(const Field& f) {
     }
     strips.push_back(to_world(run, f.frame));
   }
-  for (const auto& [a, b] : links)
-    if (strip_of[a] != strip_of[b]) {
-      strips[strip_of[a]].neighbours.push_back(strip_of[b]);
-      strips[strip_of[b]].neighbours.push_back(strip_of[a]);
-    }
+  for (const auto& [a, b] : links) connect(strips, strip_of[a], strip_of[b]);
   return strips;
 }
 

@@ -74,9 +74,7 @@ class PartNeighbours {
     const double len = distance(a, b);
     if (len <= 0) return;
     const Point u = (b - a) / len;
-    Box box;
-    box.add(a);
-    box.add(b);
+    Box box{a.cwiseMin(b), a.cwiseMax(b)};
     box.grow(near);
     index_.for_each_near(box, [&](std::size_t e) {
       const EdgeIndex::Edge& edge = index_.edges()[e];

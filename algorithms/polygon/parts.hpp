@@ -4,7 +4,6 @@
 ///   parts = with_slivers_merged(std::move(parts), tool_width);
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "geometry/region.hpp"

@@ -127,26 +127,14 @@ class PieceDrive {
   /// Removes and returns the item whose piece has the end nearest to the robot by path length.
   template <class PieceOf>
   std::size_t take_nearest(Indices& waiting, PieceOf piece_of) const {
-    struct End {
-      double straight;
-      std::size_t index;
-      const Point* at;
-    };
-    std::vector<End> ends;
+    std::vector<std::pair<double, std::pair<std::size_t, const Point*>>> ends;  // of pieces, by index in `waiting`
     for (std::size_t i = 0; i < waiting.size() && waiting.size() > 1; ++i)
       for (const Point* p : {&points(piece_of(waiting[i])).front(), &points(piece_of(waiting[i])).back()})
-        ends.push_back({distance(builder_.at(), *p), i, p});
-    std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.straight < b.straight; });
-    double least = std::numeric_limits<double>::infinity();
-    std::size_t best = ends.empty() ? 0 : ends.front().index;
-    for (const End& e : ends) {
-      if (e.straight >= least) break;
-      const double d = connector_.length(builder_.at(), *e.at, least);
-      if (d < least) {
-        least = d;
-        best = e.index;
-      }
-    }
+        ends.push_back({distance(builder_.at(), *p), {i, p}});
+    const auto found = nearest_by_path(std::move(ends), [this](const auto& end, double longest) {
+      return connector_.length(builder_.at(), *end.second, longest);
+    });
+    const std::size_t best = found ? found->first : 0;
     const std::size_t item = waiting[best];
     waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(best));
     return item;

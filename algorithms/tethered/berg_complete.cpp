@@ -26,7 +26,6 @@
 //                component is planned with and without them, and the shorter path is driven. lanes = 0, or a
 //                min_tether_angle, uses level sets only.
 #include <algorithm>
-#include <cmath>
 
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/online/survey_then_plan.hpp"

@@ -32,7 +32,7 @@ struct Params : VisitParameters {
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const TetherSpace space(problem, "shnaps-rimon");
-  const TetherCells cells(problem, problem.configuration_space(), cell_side(p.cell_size, problem.robot()), p.cells);
+  const TetherCells cells(problem, problem.configuration_space(), p.side(problem.robot()), p.cells);
   CellList order;
   if (p.order == Order::split) {
     ForestOrder forest = forest_order(cells);

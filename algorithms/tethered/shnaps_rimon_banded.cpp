@@ -53,7 +53,7 @@ CellList banded(const Params& p, const TetherCells& cells, const GeodesicField& 
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const TetherSpace space(problem, "shnaps-rimon-banded");
-  const TetherCells cells(problem, problem.configuration_space(), cell_side(p.cell_size, problem.robot()), p.cells);
+  const TetherCells cells(problem, problem.configuration_space(), p.side(problem.robot()), p.cells);
   return visit_cells(space, cells, banded(p, cells, space.field()), p, context);
 }
 

@@ -13,9 +13,6 @@
 //             3. `reach = geodesic` (ours): the tree grows in the space cut open along the anchor's cut locus. There
 //                the tether is the geodesic whatever the path, so all cells within the tether's reach stay.
 //             4. The walk visits children in the order in which they were found, always with the tool on.
-#include <algorithm>
-#include <cmath>
-
 #include "algorithms/online/survey_then_plan.hpp"
 #include "algorithms/tethered/cell_parameters.hpp"
 #include "algorithms/transit/tether_space.hpp"
@@ -77,7 +74,7 @@ Path plan(const TreeParameters& p, const Problem& problem, Context& context) {
   const TetherSpace space(problem, "tether-tree");
   const bool geodesic = p.reach == TreeReach::geodesic;
   const TetherCells cells(problem, geodesic ? space.cut_space() : problem.configuration_space(),
-                          cell_side(p.cell_size, problem.robot()), CellKind::joined);
+                          p.side(problem.robot()), CellKind::joined);
   const double remaining = space.tether_length() - cells[cells.root()].distance;
   const auto deepest = geodesic ? cells.size() : static_cast<std::size_t>(remaining / cells.side() + 1e-9);
   if (deepest == 0)

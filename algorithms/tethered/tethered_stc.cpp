@@ -57,7 +57,7 @@ std::optional<Tour> larger_tour(std::size_t than, const TetherSpace& space, doub
 
 Path plan(const TreeParameters& p, const Problem& problem, Context& context) {
   const TetherSpace space(problem, "tethered-stc");
-  const double side = cell_side(p.cell_size, problem.robot());
+  const double side = p.side(problem.robot());
   const std::size_t deepest = deepest_cell(p.reach, space, side);
   Tour best;
   for (const Point& shift : {Point(0, 0), Point(1, 0), Point(0, 1), Point(1, 1)})

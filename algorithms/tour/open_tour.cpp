@@ -1,7 +1,6 @@
 #include "algorithms/tour/open_tour.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "algorithms/tour/point_grid.hpp"
 
@@ -92,13 +91,8 @@ std::optional<std::size_t> nearest_neighbour(const TourCosts& costs, std::size_t
         offers.push_back({costs.bound(at, costs.port(n, q)), costs.port(n, q)});
   if (offers.empty()) return std::nullopt;
   std::sort(offers.begin(), offers.end());
-  Best best{offers.front().second, kFar};
-  for (const auto& [straight, port] : offers) {
-    if (straight >= best.length) break;
-    const double length = costs.searched(at, port, best.length);
-    if (length < best.length) best = {port, length};
-  }
-  return best.port;
+  return nearest_by_path(offers, [&](std::size_t port, double longest) { return costs.searched(at, port, longest); })
+      .value_or(offers.front().second);
 }
 
 }  // namespace

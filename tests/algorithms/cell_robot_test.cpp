@@ -59,7 +59,7 @@ TEST(CellRobot, EntersALatticeUnderTheStartOrByTheShortestPath) {
   // This lattice covers the cells on the right only.
   const auto far = entry_from_start(problem, GridGraph(problem.configuration_space(), 1, 0, {3, 0}, 2, 3));
   ASSERT_TRUE(far);
-  EXPECT_EQ(std::make_pair(far->column, far->row), std::make_pair(0, 0));
+  EXPECT_EQ(far->cell, Cell{});
   EXPECT_GT(far->path.size(), 2u);
   const auto none = entry_from_start(problem, GridGraph(problem.configuration_space(), 1, 0, {9, 9}, 2, 2));
   EXPECT_FALSE(none);
