@@ -29,9 +29,9 @@ class LidarCells final : public CellWorld {
   LidarCells(OnlineRobot& robot, double side)
       : robot_(robot),
         side_(side),
-        radius_(std::max(0.0, robot.view().robot().radius - 1e-6 * robot.view().robot().tool_width)) {}
+        radius_(std::max(0.0, robot.view().robot.radius - 1e-6 * robot.view().robot.tool_width)) {}
   bool straight(const Cell& from, const Cell& to) override {
-    return robot_.view().belief().free_for(centre(from), centre(to), radius_);
+    return robot_.view().belief.free_for(centre(from), centre(to), radius_);
   }
   bool go_straight(const Cell& from, const Cell& to, bool tool) override {
     if (robot_.go({{centre(to)}, tool})) return true;
@@ -39,7 +39,7 @@ class LidarCells final : public CellWorld {
     robot_.go({{centre(from)}, tool});
     return false;
   }
-  Point centre(const Cell& c) const override { return robot_.view().start() + side_ * Point(c.i, c.j); }
+  Point centre(const Cell& c) const override { return robot_.view().start + side_ * Point(c.i, c.j); }
 
  private:
   OnlineRobot& robot_;

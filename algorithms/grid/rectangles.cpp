@@ -73,27 +73,24 @@ class Discovery {
       : p_(p), robot_(robot), context_(context) {}
 
   void run() {
-    WorldScan scan;
-    while (const auto motion = scan.next(view())) {
-      robot_.go(*motion);
-      if (context_.cancelled()) return;
-    }
-    context_.record("scan_m", view().driven());
+    scan_world(robot_, context_);
+    if (context_.cancelled()) return;
+    context_.record("scan_m", view().driven);
     CleanedRectangles last;  // what the last partition skips stays skipped
     std::size_t partitions = 0;
     double before = -1;
     while (partitions < kMostPartitions && !context_.cancelled()) {
-      const std::uint64_t seen = view().belief().revision();
+      const std::uint64_t seen = view().belief.revision();
       const std::optional<Problem> believed = world();
       if (!believed) break;
       last = partition(*believed);
       if (last.path.legs.empty()) break;
       ++partitions;
       const bool finished = clean(last.path);
-      const bool moved = view().driven() > before;
-      before = view().driven();
+      const bool moved = view().driven > before;
+      before = view().driven;
       // Otherwise the next partition would end in the same way.
-      if (!moved || (finished && view().belief().revision() == seen)) break;
+      if (!moved || (finished && view().belief.revision() == seen)) break;
     }
     context_.record("partitions", static_cast<double>(partitions));
     record_left(context_, last);
@@ -104,18 +101,18 @@ class Discovery {
 
   std::optional<Problem> world() const {
     for (int level = kBeliefLevel; level > 0; --level)
-      if (auto believed = believed_problem(view(), view().pose(), level)) return believed;
-    return believed_problem(view(), view().pose(), 0);
+      if (auto believed = believed_problem(view(), view().pose, level)) return believed;
+    return believed_problem(view(), view().pose, 0);
   }
 
   CleanedRectangles partition(const Problem& believed) {
     if (!angle_) angle_ = lattice_angle(p_.align, believed.map().free) + turn_of(p_);
     const GridGraph graph =
-        make_grid_graph_at(believed.configuration_space(), "belief", view().start(), p_.side(view().robot()), *angle_);
+        make_grid_graph_at(believed.configuration_space(), "belief", view().start, p_.side(view().robot), *angle_);
     Context inner(1, context_.seconds_left(), context_.traces_only());
     CleanedRectangles cleaned = clean_rectangles(p_, believed, graph, done(graph), inner);
-    if (!cleaned.path.legs.empty() && believed.start() != view().pose())
-      robot_.go({{view().pose(), believed.start()}, false});
+    if (!cleaned.path.legs.empty() && believed.start() != view().pose)
+      robot_.go({{view().pose, believed.start()}, false});
     return cleaned;
   }
 
@@ -123,7 +120,7 @@ class Discovery {
   std::vector<bool> done(const GridGraph& graph) const {
     std::vector<bool> nodes(graph.size(), false);
     constexpr double kOff = 1e-3;  // cells
-    for (const Leg& leg : view().path().legs)
+    for (const Leg& leg : view().path.legs)
       for (std::size_t k = 1; leg.tool && k < leg.points.size(); ++k) {
         const Point a = graph.coordinates(leg.points[k - 1]), b = graph.coordinates(leg.points[k]);
         const int i = static_cast<int>(std::lround(a.x()));
@@ -138,12 +135,12 @@ class Discovery {
 
   /// False if the world has to be partitioned anew before the end of the path.
   bool clean(const Path& path) {
-    const double cell = view().belief().cell(), side = p_.side(view().robot());
+    const double cell = view().belief.cell(), side = p_.side(view().robot);
     const auto enough = static_cast<std::uint64_t>(kNewCells * side * side / (cell * cell));
-    const std::uint64_t before = view().belief().gained();
+    const std::uint64_t before = view().belief.gained();
     for (const Leg& leg : path.legs) {
       if (!robot_.go({leg.points, leg.tool})) return false;
-      if (leg.tool && view().belief().gained() > before + enough) return false;
+      if (leg.tool && view().belief.gained() > before + enough) return false;
     }
     return true;
   }

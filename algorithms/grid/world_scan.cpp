@@ -146,21 +146,31 @@ Point point_along(const Polyline& path, double metres) {
   return path.back();
 }
 
-}  // namespace
-
-std::optional<Motion> WorldScan::next(const View& view) {
-  const Robot& robot = view.robot();
+/// Where to drive next; nullopt: the outer wall is closed. `refused`: points that are taken as wall (Decision 2).
+std::optional<Motion> next_motion(const View& view, std::vector<Point>& refused) {
+  const Robot& robot = view.robot;
   const double size = robot_size(robot);
   const double radius = std::max(0.0, robot.radius - 5e-7 * robot.tool_width);  // touching a wall is allowed
-  while (refused_.size() < kMost) {
-    const BitGrid room = room_of(view.belief().cells(Belief::kCoarsest), robot.radius, refused_);
-    const Polyline path = path_out(room, view.pose());
+  while (refused.size() < kMost) {
+    const BitGrid room = room_of(view.belief.cells(Belief::kCoarsest), robot.radius, refused);
+    const Polyline path = path_out(room, view.pose);
     if (path.empty()) return std::nullopt;
-    Polyline part = known_part(view.belief(), path, radius, size / 8);
+    Polyline part = known_part(view.belief, path, radius, size / 8);
     if (length(part) > size / 4) return Motion{std::move(part), false};
-    refused_.push_back(point_along(path, length(part) + size / 2));
+    refused.push_back(point_along(path, length(part) + size / 2));
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+void scan_world(OnlineRobot& robot, const Context& context) {
+  std::vector<Point> refused;
+  while (!context.cancelled()) {
+    const auto motion = next_motion(robot.view(), refused);
+    if (!motion) return;
+    robot.go(*motion);
+  }
 }
 
 }  // namespace oxturn

@@ -254,8 +254,6 @@ double dominant_direction(const Region& region) {
   return angle;
 }
 
-double cell_side(double given, const Robot& robot) { return given > 0 ? given : robot.tool_width / std::sqrt(2.0); }
-
 GridGraph make_grid_graph(const Problem& problem, const LatticePlacement& placement) {
   constexpr double kMostShrinking = 1e-3;  // of a cell, where a box is a whole number of cells wide but for rounding
   Box box;

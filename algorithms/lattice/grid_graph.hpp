@@ -131,9 +131,6 @@ inline double robot_size(const Robot& robot) { return robot.radius > 0 ? robot.r
 /// The connected components of the free nodes.
 ConnectedComponents components_of(const GridGraph& graph);
 
-/// Side of a cell: `given`, or if that is 0 tool width / sqrt 2, so that a disc tool on the centre lines covers cells.
-double cell_side(double given, const Robot& robot);
-
 /// Where a lattice over a problem's configuration space lies.
 struct LatticePlacement {
   double side;        // of a cell, metres

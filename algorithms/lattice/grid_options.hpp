@@ -8,6 +8,7 @@
 /// the map, `CellOptions` for those whose robot steps from cell to cell, on the map or by lidar.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,8 +30,8 @@ inline double lattice_angle(Align align, const Region& free) {
 
 struct CellSize {
   double cell_size = 0;
-  /// Metres: `cell_size`, or tool width / sqrt 2 if that is 0.
-  double side(const Robot& robot) const { return cell_side(cell_size, robot); }
+  /// Metres: `cell_size`, or if that is 0 tool width / sqrt 2, so that a disc tool on the centre lines covers cells.
+  double side(const Robot& robot) const { return cell_size > 0 ? cell_size : robot.tool_width / std::sqrt(2.0); }
 };
 
 struct GridOptions : CellSize {

@@ -104,9 +104,6 @@ class Belief {
     std::vector<double> crossings;           // of edges with the line through the cells' centres
     std::vector<std::pair<int, int>> edges;  // columns that an edge comes near
   };
-  struct Interval {
-    double low, high;
-  };
 
   bool noisy() const { return lidar_.noise > 0; }
   double far_apart() const { return size_ / 2; }

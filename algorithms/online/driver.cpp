@@ -55,14 +55,13 @@ std::optional<Problem> possible_problem(const Map& map, const Robot& robot, cons
 }  // namespace
 
 Polyline View::path_from_start() const {
-  Polyline points{start_};
-  for (const Leg& leg : path_.legs) points.insert(points.end(), leg.points.begin() + 1, leg.points.end());
+  Polyline points{start};
+  for (const Leg& leg : path.legs) points.insert(points.end(), leg.points.begin() + 1, leg.points.end());
   return points;
 }
-Polyline View::path_from_base() const { return robot_.tether ? path_from_start() : Polyline{pose_}; }
 
 /// One run. The only class that knows both the truth and the view.
-class Drive {
+class Drive final : public OnlineRobot {
  public:
   Drive(const Problem& truth, Context& context)
       : truth_(truth),
@@ -75,15 +74,14 @@ class Drive {
     radius_ = std::max(0.0, robot.radius - truth.tolerance());
     if (!robot.tether) return;
     tether_ = tether_at_start(truth);
-    if (truth.anchor() != truth.start()) view_.path_along_tether_ = path_along_tether(truth);
+    if (truth.anchor() != truth.start()) view_.path_along_tether = path_along_tether(truth);
   }
 
   Path run(const std::function<void(OnlineRobot&, Context&)>& program) {
     scan();
-    OnlineRobot robot(*this);
-    program(robot, context_);
-    const Path& path = view_.path_;
-    if (view_.driven_ > published_) context_.publish(path);
+    program(*this, context_);
+    const Path& path = view_.path;
+    if (view_.driven > published_) context_.publish(path);
     context_.record("explored_share", explored_share());
     context_.record("replans", static_cast<double>(replans_));
     context_.record("scans", static_cast<double>(scans_));
@@ -93,13 +91,13 @@ class Drive {
     return path;
   }
 
-  const View& view() const { return view_; }
+  const View& view() const override { return view_; }
 
-  bool go(const Motion& motion) {
+  bool go(const Motion& motion) override {
     const bool arrived = drive(motion);
-    if (view_.driven_ > kGrown * published_) {
-      context_.publish(view_.path_);
-      published_ = view_.driven_;
+    if (view_.driven > kGrown * published_) {
+      context_.publish(view_.path);
+      published_ = view_.driven;
     }
     return arrived;
   }
@@ -114,25 +112,25 @@ class Drive {
   }
   void scan_here(int& before) {
     ++before;
-    view_.belief_.add(lidar_.scan(view_.pose_, noise_));
-    seen_from_ = view_.pose_;
+    view_.belief.add(lidar_.scan(view_.pose, noise_));
+    seen_from_ = view_.pose;
     ++scans_;
   }
   /// Of a lattice of half a scan step.
   std::pair<long long, long long> square_of_pose() const {
-    const Point at = (view_.pose_ - truth_.start()) / (scan_step_ / 2);
+    const Point at = (view_.pose - truth_.start()) / (scan_step_ / 2);
     return {std::llround(at.x()), std::llround(at.y())};
   }
 
-  bool free(const Point& a, const Point& b) const { return view_.belief_.free_for(a, b, radius_); }
+  bool free(const Point& a, const Point& b) const { return view_.belief.free_for(a, b, radius_); }
 
   /// Free as believed; if not, one more scan from here decides.
   bool free_from_here(const Point& to) {
-    if (free(view_.pose_, to)) return true;
-    if (seen_from_ == view_.pose_) return false;
+    if (free(view_.pose, to)) return true;
+    if (seen_from_ == view_.pose) return false;
     since_scan_ = 0;
     scan_here(scans_at_[square_of_pose()]);
-    return free(view_.pose_, to);
+    return free(view_.pose, to);
   }
 
   /// Pulls the tether along if it is long enough.
@@ -147,7 +145,7 @@ class Drive {
 
   /// Whether the motion is free from the pose on, up to kLookAhead.
   bool free_ahead(const Polyline& points, std::size_t next) const {
-    Point from = view_.pose_;
+    Point from = view_.pose;
     double ahead = kLookAhead * scan_step_;
     for (std::size_t k = next; k < points.size() && ahead > 0; ++k) {
       const double length = distance(from, points[k]);
@@ -161,11 +159,11 @@ class Drive {
 
   /// False if the robot was stopped.
   bool drive(const Motion& motion) {
-    view_.reached_ = 0;
-    std::uint64_t lost = view_.belief_.lost();
+    view_.reached = 0;
+    std::uint64_t lost = view_.belief.lost();
     for (std::size_t k = 0; k < motion.points.size(); ++k) {
       if (!drive_to(motion, k, lost)) return false;
-      view_.reached_ = k + 1;
+      view_.reached = k + 1;
     }
     if (since_scan_ > 0) scan();
     return true;
@@ -175,19 +173,19 @@ class Drive {
   bool drive_to(const Motion& motion, std::size_t k, std::uint64_t& lost) {
     const Point to = motion.points[k];
     // Back over the segment by which it came: free, whatever is believed by now.
-    const bool back = view_.pose_ == came_to_ && to == came_from_;
-    if (!back) came_from_ = view_.pose_;
-    while (view_.pose_ != to) {
+    const bool back = view_.pose == came_to_ && to == came_from_;
+    if (!back) came_from_ = view_.pose;
+    while (view_.pose != to) {
       if (context_.cancelled()) return false;
-      const double left = distance(view_.pose_, to), piece = scan_step_ - since_scan_;
-      const Point at = piece >= left ? to : lerp(view_.pose_, to, piece / left);
+      const double left = distance(view_.pose, to), piece = scan_step_ - since_scan_;
+      const Point at = piece >= left ? to : lerp(view_.pose, to, piece / left);
       if ((!back && !free_from_here(at)) || !tether_allows(at)) return refuse();
       move(at, motion.tool);
       came_to_ = at;
       if (since_scan_ < scan_step_ * (1 - 1e-9)) continue;
       scan();
-      if (view_.belief_.lost() == lost) continue;
-      lost = view_.belief_.lost();
+      if (view_.belief.lost() == lost) continue;
+      lost = view_.belief.lost();
       if (!back && !free_ahead(motion.points, k)) return refuse();
     }
     return true;
@@ -198,12 +196,12 @@ class Drive {
   }
 
   void move(const Point& to, bool tool) {
-    const Point from = view_.pose_;
+    const Point from = view_.pose;
     const double length = distance(from, to);
     since_scan_ += length;
-    view_.driven_ += length;
-    view_.pose_ = to;
-    Path& path = view_.path_;
+    view_.driven += length;
+    view_.pose = to;
+    Path& path = view_.path;
     if (path.legs.empty() || path.legs.back().tool != tool)
       path.legs.push_back({tool, {from, to}});
     else
@@ -213,7 +211,7 @@ class Drive {
   double explored_share() const {
     const double all = area(truth_.target());
     if (!(all > 0)) return 1;
-    return std::min(1.0, area(intersect(view_.belief_.region(0), truth_.target())) / all);
+    return std::min(1.0, area(intersect(view_.belief.region(0), truth_.target())) / all);
   }
 
   const Problem& truth_;
@@ -229,9 +227,6 @@ class Drive {
   Point came_from_{0, 0}, came_to_{0, 0};                    // the last straight segment driven
 };
 
-const View& OnlineRobot::view() const { return drive_.view(); }
-bool OnlineRobot::go(const Motion& motion) { return drive_.go(motion); }
-
 Path drive_online(const Problem& truth, const std::function<void(OnlineRobot&, Context&)>& program, Context& context) {
   if (!truth.robot().lidar)
     throw Unsupported(fmt::format("robot '{}' has no lidar, which an online planner sees by; give it range and rays",
@@ -245,15 +240,15 @@ Path drive_online(const Problem& truth, const std::function<void(OnlineRobot&, C
 }
 
 std::optional<Problem> believed_problem(const View& view, const Point& start, int level) {
-  Robot robot = view.robot();
-  const Map map{"belief", view.belief().region(level), "belief", "belief"};
+  Robot robot = view.robot;
+  const Map map{"belief", view.belief.region(level), "belief", "belief"};
   if (map.free.empty()) return std::nullopt;
-  const double near = 5 * view.belief().cell() * (1 << level);
+  const double near = 5 * view.belief.cell() * (1 << level);
   std::optional<Point> anchor;
   if (robot.tether) {
-    anchor = moved_into(map.free, view.anchor(), near);
+    anchor = moved_into(map.free, view.anchor, near);
     if (!anchor) return std::nullopt;
-    robot.tether->length -= distance(*anchor, view.anchor());
+    robot.tether->length -= distance(*anchor, view.anchor);
     if (robot.tether->length <= 0) return std::nullopt;
   }
   if (auto problem = possible_problem(map, robot, start, anchor)) return problem;

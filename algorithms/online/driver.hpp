@@ -21,43 +21,28 @@
 
 namespace oxturn {
 
-class Drive;
-
 /// All that a planner may know.
-class View {
- public:
-  View(Robot robot, const Point& start, const Point& anchor)
-      : robot_(std::move(robot)), start_(start), anchor_(anchor), pose_(start), belief_(robot_, start) {}
+struct View {
+  View(Robot robot_, const Point& start_, const Point& anchor_)
+      : robot(std::move(robot_)), start(start_), anchor(anchor_), pose(start_), belief(robot, start_) {}
 
-  const Robot& robot() const { return robot_; }
-  const Point& start() const { return start_; }
-  const Point& anchor() const { return anchor_; }  // of the tether; the start without one
+  Robot robot;
+  Point start, anchor;  // anchor: of the tether; the start without one
   /// A tethered robot knows how its tether lies at the start: a path for it along the tether, from the start to the
   /// point nearest to the anchor. Empty if that is the start.
-  const Polyline& path_along_tether() const { return path_along_tether_; }
-  const Point& pose() const { return pose_; }
-  const Belief& belief() const { return belief_; }
-  /// Driven so far.
-  const Path& path() const { return path_; }
-  double driven() const { return driven_; }  // metres
+  Polyline path_along_tether;
+  Point pose;
+  Belief belief;
+  Path path;                // driven so far
+  double driven = 0;        // metres
+  std::size_t reached = 0;  // how many points of the last motion were reached
+
   /// Where planning begins: at the pose, or with a tether at the start, where it is known how the tether lies.
-  const Point& base() const { return robot_.tether ? start_ : pose_; }
+  const Point& base() const { return robot.tether ? start : pose; }
   /// The driven path from the base to the pose.
-  Polyline path_from_base() const;
+  Polyline path_from_base() const { return robot.tether ? path_from_start() : Polyline{pose}; }
   /// The driven path from the start to the pose.
   Polyline path_from_start() const;
-  /// How many points of the last motion were reached.
-  std::size_t reached() const { return reached_; }
-
- private:
-  friend class Drive;
-  Robot robot_;
-  Point start_, anchor_, pose_;
-  Polyline path_along_tether_;
-  Belief belief_;
-  Path path_;
-  double driven_ = 0;
-  std::size_t reached_ = 0;
 };
 
 struct Motion {
@@ -67,15 +52,11 @@ struct Motion {
 
 class OnlineRobot {
  public:
-  const View& view() const;
+  virtual ~OnlineRobot() = default;
+  virtual const View& view() const = 0;
   /// Drives the motion and scans on the way. False if it was stopped before its end, by what has come to be believed or
   /// because the run is cancelled.
-  bool go(const Motion& motion);
-
- private:
-  friend class Drive;
-  explicit OnlineRobot(Drive& drive) : drive_(drive) {}
-  Drive& drive_;
+  virtual bool go(const Motion& motion) = 0;
 };
 
 /// Runs the program until it returns. When cancelled, the robot does not move any more, and the program should return.

@@ -79,9 +79,9 @@ void Leftover::planned(const Problem& believed, const Path& path) {
 
 /// Of the believed target, without what the plan left out on purpose; components that are not worth it are dropped.
 BitGrid Leftover::uncovered_cells(const View& view, const Problem& believed) const {
-  const Robot& robot = view.robot();
+  const Robot& robot = view.robot;
   const double reach = robot.tool_width / 2;
-  const BitGrid window = view.belief().cells(kLevel).free;
+  const BitGrid window = view.belief.cells(kLevel).free;
   const auto raster = [&](const Region& region, CellRule rule) {
     return rasterise(region, window.origin, window.cell, window.columns, window.rows, rule);
   };
@@ -91,7 +91,7 @@ BitGrid Leftover::uncovered_cells(const View& view, const Problem& believed) con
   clear_under(left_out, path_, reach);
   for (std::size_t c = 0; c < uncovered.bits.size(); ++c)
     uncovered.bits[c] = uncovered.bits[c] != 0 && left_out.bits[c] == 0 ? 1 : 0;
-  clear_under(uncovered, view.path(), reach);
+  clear_under(uncovered, view.path, reach);
   const auto least =
       static_cast<std::size_t>(kWorth * robot.tool_width * robot.tool_width / (window.cell * window.cell)) + 1;
   if (static_cast<double>(drop_small(uncovered, least)) <= kShare * target)
@@ -101,9 +101,9 @@ BitGrid Leftover::uncovered_cells(const View& view, const Problem& believed) con
 
 /// From the pose over the uncovered cells, nearest first; clears what it covers or gives up.
 Polyline Leftover::tour(const View& view, const Problem& believed, BitGrid& uncovered) {
-  const double reach = view.robot().tool_width / 2;
+  const double reach = view.robot.tool_width / 2;
   const BelievedPaths paths(believed, view.path_from_base());
-  Polyline tour{view.pose()};
+  Polyline tour{view.pose};
   while (const auto cell = nearest(uncovered, tour.back())) {
     uncovered.set(cell->i, cell->j, false);  // one attempt each
     const auto goal = point_that_covers(believed, uncovered.centre(cell->i, cell->j));
@@ -123,8 +123,8 @@ Polyline Leftover::tour(const View& view, const Problem& believed, BitGrid& unco
 }
 
 std::optional<Motion> Leftover::next(const View& view) {
-  if (seen_ == view.belief().revision() || ++calls_ > kMostCalls) return std::nullopt;
-  seen_ = view.belief().revision();
+  if (seen_ == view.belief.revision() || ++calls_ > kMostCalls) return std::nullopt;
+  seen_ = view.belief.revision();
   const auto believed = believed_problem(view, view.base(), 0);
   if (!believed) return std::nullopt;
   BitGrid uncovered = uncovered_cells(view, *believed);

@@ -40,15 +40,15 @@ class SurveyThenPlan {
   /// False once the run is cancelled, or motion after motion cannot even begin.
   bool active() const { return refusals_ < kMostRefusals && !context_.cancelled(); }
   bool go(const Motion& motion) {
-    const double before = view().driven();
+    const double before = view().driven;
     const bool arrived = robot_.go(motion);
-    refusals_ = view().driven() > before ? 0 : refusals_ + 1;
+    refusals_ = view().driven > before ? 0 : refusals_ + 1;
     return arrived;
   }
 
   /// There and back. Until the corridor of the tether has been seen, it might seem to lie in another one.
   void drive_along_tether() {
-    Polyline there_and_back = view().path_along_tether();
+    Polyline there_and_back = view().path_along_tether;
     if (there_and_back.empty() || !active()) return;
     const Polyline there = there_and_back;
     there_and_back.insert(there_and_back.end(), there.rbegin() + 1, there.rend());
@@ -83,7 +83,7 @@ class SurveyThenPlan {
       if (!motion) break;
       go(*motion);
     }
-    figures_.plan_end_m = view().driven();
+    figures_.plan_end_m = view().driven;
   }
 
   void cover_leftover() {
@@ -102,20 +102,20 @@ class SurveyThenPlan {
   }
 
   /// A robot without a tether is at home everywhere.
-  bool is_home() const { return !view().robot().tether || view().pose() == view().start(); }
+  bool is_home() const { return !view().robot.tether || view().pose == view().start; }
 
   /// Home by the driven path pulled taut, if that is believed free all along; else by the driven path itself. In the
   /// finest world first, because that one contains the driven path.
   Motion homewards() const {
-    const Robot& robot = view().robot();
+    const Robot& robot = view().robot;
     const double radius = std::max(0.0, robot.radius - 2e-6 * robot.tool_width);  // touching a wall is allowed
     const auto is_free = [&](const Polyline& line) {
       for (std::size_t k = 1; k < line.size(); ++k)
-        if (!view().belief().free_for(line[k - 1], line[k], radius)) return false;
+        if (!view().belief.free_for(line[k - 1], line[k], radius)) return false;
       return true;
     };
     for (const int level : {0, 1, Belief::kCoarsest}) {
-      const auto believed = believed_problem(view(), view().start(), level);
+      const auto believed = believed_problem(view(), view().start, level);
       if (!believed) continue;
       const BelievedPaths paths(*believed, view().path_from_start());
       if (auto path = paths.home(); path && is_free(*path)) return Motion{std::move(*path), true};
@@ -133,10 +133,10 @@ class SurveyThenPlan {
     Context inner(context_.rng().bits(), context_.seconds_left(), context_.traces_only());
     const Path path = plan_(*believed, inner);
     leftover_.planned(*believed, path);
-    if (believed->start() != view().pose()) legs_.push_back({{view().pose(), believed->start()}, true});
+    if (believed->start() != view().pose) legs_.push_back({{view().pose, believed->start()}, true});
     for (const Leg& leg : path.legs) legs_.push_back({leg.points, leg.tool});
     context_.trace("belief", believed->map().free);
-    figures_.survey_m = view().driven();
+    figures_.survey_m = view().driven;
     return true;
   }
 
@@ -147,10 +147,9 @@ class SurveyThenPlan {
     if (++repairs_ > kMostRepairs) return;
     const auto believed = believed_problem(view(), view().base(), 0);
     if (!believed) return;
-    stopped.points.erase(stopped.points.begin(),
-                         stopped.points.begin() + static_cast<std::ptrdiff_t>(view().reached()));
+    stopped.points.erase(stopped.points.begin(), stopped.points.begin() + static_cast<std::ptrdiff_t>(view().reached));
     left.push_front(std::move(stopped));
-    Point from = view().pose();
+    Point from = view().pose;
     Polyline whole;
     for (const Motion& motion : left) {
       Motion part = free_part(*believed, motion, from);

@@ -270,7 +270,6 @@ class HyunRun {
     if (std::abs(point(from).line - point(to).line) == 1 && distance(a, b) <= problem_.robot().tool_width)
       if (const Polyline path = step(from, to); !path.empty()) return link(to, path);
     if (connector_.straight(a, b)) return transit(to, {a, b});
-    ++planned_;
     const Polyline path = planned_path(a, b, std::move(target.shortest));
     planned_paths_.push_back(path);
     return transit(to, path);
@@ -292,7 +291,7 @@ class HyunRun {
   void record_figures(std::size_t all) {
     const LinkCrossings crossings = count_crossings(links_, transits_);
     context_.record("tracking_points", static_cast<double>(all));
-    context_.record("links_planned", static_cast<double>(planned_));
+    context_.record("links_planned", static_cast<double>(planned_paths_.size()));
     context_.record("links_crossing", static_cast<double>(crossings.links));
     context_.record("transits_crossing", static_cast<double>(crossings.transits));
     if (p_.transit == TransitBy::tlppa) context_.record("tlppa_failed", static_cast<double>(tlppa_failed_));
@@ -322,7 +321,7 @@ class HyunRun {
   int direction_ = 1;  // of the last step to a neighbouring line: 1 down, -1 up
   PathBuilder path_;
   std::vector<Polyline> links_, transits_, planned_paths_;
-  std::size_t planned_ = 0, tlppa_failed_ = 0;
+  std::size_t tlppa_failed_ = 0;
 };
 
 Path plan(const Params& p, const Problem& problem, Context& context) {

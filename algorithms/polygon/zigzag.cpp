@@ -284,16 +284,6 @@ void add_strips(std::vector<Strip>& strips, const std::vector<NumberedLane>& lan
   }
 }
 
-void trace_parts(const std::vector<Part>& parts, Context& context) {
-  std::vector<Polyline> lines;
-  for (const Part& p : parts)
-    for (const Ring& r : p.rings) {
-      lines.push_back(r);
-      lines.back().push_back(r.front());
-    }
-  context.trace("parts", std::move(lines));
-}
-
 std::vector<Part> parts_of(const Region& filled, const Params& p, double width) {
   std::vector<Part> parts = cut_into_parts(filled, p.partition);
   if (parts.size() <= 1) return parts;
@@ -310,7 +300,7 @@ std::vector<Strip> strips_in(const Region& filled, const Params& p, const Proble
   if (filled.empty()) return {};
   const double w = problem.robot().tool_width;
   const std::vector<Part> parts = parts_of(filled, p, w);
-  if (context.wants_traces()) trace_parts(parts, context);
+  if (context.wants_traces()) context.trace("parts", as_region(parts));
   if (parts.empty()) return {};
   const double angle = direction(filled, parts, p, w);
   const LaneFrame frame(angle);

@@ -7,6 +7,7 @@
 /// Path lengths are remembered: an unknown one costs a shortest-path search.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <unordered_map>
@@ -33,7 +34,16 @@ class TourCosts {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 
   /// Keeps references to `elements` and `connector`.
-  TourCosts(const Point& start, const std::vector<TourElement>& elements, const Connector& connector);
+  TourCosts(const Point& start, const std::vector<TourElement>& elements, const Connector& connector)
+      : elements_(elements), connector_(connector), start_(start) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      first_.push_back(ports_.size());
+      for (const Pattern& p : elements[i]) {
+        ports_.push_back(p.entry);
+        owner_.push_back(i);
+      }
+    }
+  }
 
   const std::vector<TourElement>& elements() const { return elements_; }
   /// Positions of all ports but the start.
@@ -52,7 +62,20 @@ class TourCosts {
   /// Straight distance, a lower bound of exact().
   double bound(std::size_t a, std::size_t b) const { return distance(at(a), at(b)); }
   /// Path length, or kFar if it is longer than `longest`: limits keep searches for hopeless moves short.
-  double exact(std::size_t a, std::size_t b, double longest = kFar) const;
+  double exact(std::size_t a, std::size_t b, double longest = kFar) const {
+    if (a == b) return 0;
+    const auto [low, high] = std::minmax(a, b);
+    Known& known = known_[static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high)];
+    if (known.length < kFar) return known.length <= longest ? known.length : kFar;
+    if (longest <= known.none_up_to || longest < bound(a, b)) return kFar;
+    ++searches_;
+    const double d = searched(low, high, longest);
+    if (d < kFar)
+      known.length = d;
+    else if (longest < kFar)
+      known.none_up_to = longest;
+    return d;
+  }
   /// The same, but neither looked up nor remembered.
   double searched(std::size_t a, std::size_t b, double longest) const {
     return connector_.length(at(a), at(b), longest);

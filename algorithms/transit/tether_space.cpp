@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/transit/connector.hpp"
 #include "geometry/overlay/cut_along.hpp"
 #include "geometry/trace.hpp"
 
@@ -74,35 +75,23 @@ class ComponentCover {
   }
 
  private:
-  struct Next {
-    std::size_t component;
-    Polyline path;
-  };
   const Point& start() const { return tether_.problem().start(); }
-  double straight_to(std::size_t k) const { return distance(at_, components_[k].problem.start()); }
+  Polyline path_to(std::size_t k) const {
+    return tether_.path(components_[last_], at_, components_[k], components_[k].problem.start());
+  }
 
   /// The component whose entry is nearest by path; the start's to begin with.
-  Next nearest() const {
-    std::vector<std::size_t> left;
+  std::size_t nearest() const {
+    if (!done_[0]) return 0;
+    std::vector<std::pair<double, std::size_t>> left;  // with straight distances
     for (std::size_t k = 0; k < components_.size(); ++k)
-      if (!done_[k] && (done_[0] || k == 0)) left.push_back(k);
-    std::stable_sort(left.begin(), left.end(),
-                     [&](std::size_t a, std::size_t b) { return straight_to(a) < straight_to(b); });
-    Next best{0, {}};
-    double least = std::numeric_limits<double>::infinity();
-    for (const std::size_t k : left) {
-      if (straight_to(k) >= least) break;
-      Polyline candidate = tether_.path(components_[last_], at_, components_[k], components_[k].problem.start());
-      if (length(candidate) >= least) continue;
-      least = length(candidate);
-      best = {k, std::move(candidate)};
-    }
-    return best;
+      if (!done_[k]) left.push_back({distance(at_, components_[k].problem.start()), k});
+    return *nearest_by_path(std::move(left), [this](std::size_t k, double) { return length(path_to(k)); });
   }
 
   void add_next(const std::function<Path(const TetherSpace::Component&, Context&)>& cover, std::size_t number) {
-    const Next next = nearest();
-    done_[next.component] = true;
+    const std::size_t next = nearest();
+    done_[next] = true;
     // What covering a component publishes does not begin at the problem's start: only whole components are published.
     Context::Sinks sinks = context_.traces_only();
     if (number > 0 && sinks.trace)
@@ -111,9 +100,9 @@ class ComponentCover {
       };
     Context inner(context_.rng().bits(), context_.seconds_left(), std::move(sinks));
     try {
-      const Path path = cover(components_[next.component], inner);
-      drive(next.path);
-      last_ = next.component;
+      const Path path = cover(components_[next], inner);
+      drive(path_to(next));
+      last_ = next;
       for (const Leg& leg : path.legs) path_.legs.push_back(leg);
       if (!path.legs.empty()) at_ = path.legs.back().points.back();
       ++covered_;

@@ -354,9 +354,9 @@ Path drive_motions(const Problem& p, const std::vector<Motion>& motions, std::ve
       [&](OnlineRobot& robot, Context&) {
         for (const Motion& motion : motions) {
           arrived.push_back(robot.go(motion));
-          EXPECT_DOUBLE_EQ(robot.view().driven(), robot.view().path().length());
+          EXPECT_DOUBLE_EQ(robot.view().driven, robot.view().path.length());
         }
-        EXPECT_EQ(robot.view().pose(), motions.back().points.back());
+        EXPECT_EQ(robot.view().pose, motions.back().points.back());
       },
       context);
 }
@@ -398,7 +398,7 @@ TEST(DriveOnline, PublishesSeldomButNearlyAll) {
       [&](OnlineRobot& robot, Context&) {
         for (int k = 0; k < 5000; ++k) {
           ASSERT_TRUE(robot.go({{Point(k % 2 == 0 ? 0.7 : 0.5, 0.5)}, true}));
-          ASSERT_GE(published, 0.98 * robot.view().driven());
+          ASSERT_GE(published, 0.98 * robot.view().driven);
         }
       },
       context);
@@ -459,7 +459,7 @@ Path explore(const Problem& p, Region& believed) {
       [&](OnlineRobot& robot, Context&) {
         Explorer explorer;
         while (const auto motion = explorer.next(robot.view())) robot.go(*motion);
-        believed = robot.view().belief().region(0);
+        believed = robot.view().belief.region(0);
       },
       context);
 }
