@@ -31,9 +31,10 @@ struct BisectorNode {
 std::vector<BisectorNode> bisector_nodes(const Ring& wall, double offset, double miter_limit);
 
 /// Loops of nodes as on the slides: open chains whose last node has the coordinates of the first. The given vertices in
-/// a loop, with ceil(distance / d_node - 1) nodes evenly between two neighbours; d_node > 0. The first node's coordinates
-/// appear again at the very end only, because there the slides' walk along the loop stops: a loop that touches itself at
-/// its first node is cut into two. Vertices that repeat their predecessor count once; fewer than two make no loop.
+/// a loop, with ceil(distance / d_node - 1) nodes evenly between two neighbours; d_node > 0. The first node's
+/// coordinates appear again at the very end only, because there the slides' walk along the loop stops: a loop that
+/// touches itself at its first node is cut into two. Vertices that repeat their predecessor count once; fewer than two
+/// make no loop.
 std::vector<Polyline> node_loops(const std::vector<Point>& vertices, double d_node);
 
 struct NodeChain {

@@ -5,8 +5,9 @@
 ///     while (const auto motion = explorer.next(robot.view())) robot.go(*motion);
 ///   }, context);
 ///
-/// The robot scans at its start, after every radius driven (half its tool's width if it has none) and at the end of every motion, but nowhere twice (with noise
-/// ten times), because the world does not change. Its pose is known exactly.
+/// The robot scans at its start, each time it has driven its radius (half its tool's width if it has none), and at the
+/// end of every motion, but nowhere twice (with noise ten times), because the world does not change. Its pose is known
+/// exactly.
 /// Each piece of a motion is checked against the newest belief before it is driven. Where the belief blocks the rest of
 /// a motion, the robot stops and the planner must plan anew; going straight back to the point that it came from is
 /// always allowed. A tether stops the robot where it is pulled tight. Nothing of the true map can be reached: planners

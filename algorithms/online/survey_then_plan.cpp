@@ -48,9 +48,9 @@ class SurveyThenPlan {
 
   /// There and back. Until the corridor of the tether has been seen, it might seem to lie in another one.
   void drive_along_tether() {
-    Polyline there_and_back = view().path_along_tether;
-    if (there_and_back.empty() || !active()) return;
-    const Polyline there = there_and_back;
+    const Polyline& there = view().path_along_tether;
+    if (there.empty() || !active()) return;
+    Polyline there_and_back = there;
     there_and_back.insert(there_and_back.end(), there.rbegin() + 1, there.rend());
     go({std::move(there_and_back), true});
   }

@@ -93,8 +93,8 @@ class PieceDrive {
     }
   }
 
-  // Sibling regions wait as a group. The next region is the nearest of one group: depth-first of the last group, else of
-  // the first.
+  // Sibling regions wait as a group. The next region is the nearest of one group: depth-first of the last group, else
+  // of the first.
   void drive_regions(Order order) {
     std::deque<Indices> groups{tree_.roots()};
     while (!groups.empty() && !context_.cancelled()) {

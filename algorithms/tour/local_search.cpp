@@ -132,8 +132,8 @@ class LocalSearch {
     return true;
   }
 
-  /// Moves `count` stops from i on to before stop `to` if that makes the tour shorter: a single stop in any pattern, more
-  /// of them in either direction.
+  /// Moves `count` stops from i on to before stop `to` if that makes the tour shorter: a single stop in any pattern,
+  /// more of them in either direction.
   bool try_move(std::size_t i, std::size_t count, std::size_t to) {
     const std::size_t last = i + count - 1;
     if (to >= i && to <= last + 1) return false;

@@ -55,7 +55,7 @@ TEST(CellRobot, EntersALatticeUnderTheStartOrByTheShortestPath) {
   const Problem problem = drawn({"..#..", "S.#..", "....."});
   const auto here = entry_from_start(problem, GridGraph(problem.configuration_space(), 1, 0, {0, 0}, 5, 3));
   ASSERT_TRUE(here);
-  EXPECT_EQ(std::make_pair(here->column, here->row), std::make_pair(0, 1));
+  EXPECT_EQ(here->cell, (Cell{0, 1}));
   // This lattice covers the cells on the right only.
   const auto far = entry_from_start(problem, GridGraph(problem.configuration_space(), 1, 0, {3, 0}, 2, 3));
   ASSERT_TRUE(far);
