@@ -3,23 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace oxturn {
 
 std::string to_text(Capability capability) {
-  switch (capability) {
-    case Capability::tether:
-      return "tether";
-    case Capability::online:
-      return "online";
-    case Capability::holes:
-      return "holes";
-    case Capability::curvature:
-      return "curvature";
-    case Capability::footprint:
-      return "footprint";
-  }
-  return "unknown";  // not reached: the switch covers all values
+  static const std::array kNames{"tether", "online", "holes", "curvature", "footprint"};  // in the enumerators' order
+  return kNames.at(static_cast<std::size_t>(capability));
 }
 
 bool PlannerInfo::has(Capability capability) const {

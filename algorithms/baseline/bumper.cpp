@@ -48,9 +48,8 @@ std::optional<Bumper::Hit> Bumper::first_hit(const Point& along, double length) 
   const double step = kLookAhead * tool_width_;
   for (double from = 0; from < length; from += step) {
     const double until = std::min(length, from + step);
-    Box box;
-    box.add(at_ + from * along);
-    box.add(at_ + until * along);
+    const Point a = at_ + from * along, b = at_ + until * along;
+    Box box{a.cwiseMin(b), a.cwiseMax(b)};
     box.grow(4 * gap_);
     std::optional<Hit> first;
     walls_.for_each_near(box, [&](std::size_t edge) {
@@ -76,8 +75,7 @@ std::optional<Point> Bumper::drive(const Point& to) {
 }
 
 std::optional<Bumper::Wall> Bumper::feel(double reach, const Point& towards, double cosine) const {
-  Box box;
-  box.add(at_);
+  Box box{at_, at_};
   box.grow(reach);
   std::optional<Wall> nearest;
   walls_.for_each_near(box, [&](std::size_t edge) {

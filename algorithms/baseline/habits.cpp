@@ -15,76 +15,6 @@ constexpr double kChordError = 1e-3;  // tool widths, at most, of a spiral
 
 Point unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-}  // namespace
-
-Vacuum::Vacuum(const Problem& problem, Context& context, const StopRule& rule)
-    : problem_(problem),
-      context_(context),
-      rule_(rule),
-      bumper_(problem),
-      swept_(problem.start(), problem.robot().tool_width) {
-  swept_.sweep(at(), at());
-}
-
-double Vacuum::metres_left() const {
-  const double by_passes = rule_.passes * swept_.area() / tool_width() - driven();
-  return rule_.length_limit > 0 ? std::min(by_passes, rule_.length_limit - driven()) : by_passes;
-}
-
-bool Vacuum::done() const {
-  return metres_left() < kNowhere * tool_width() || stuck_ >= kMostStuck || context_.cancelled();
-}
-
-std::optional<Point> Vacuum::drive(const Point& to) {
-  const Point from = at();
-  const double length = distance(from, to), left = std::max(0.0, metres_left());
-  const auto contact = bumper_.drive(length > left ? lerp(from, to, left / length) : to);
-  swept_.sweep(from, at());
-  bumps_ += contact.has_value();
-  stuck_ = distance(from, at()) > kNowhere * tool_width() ? 0 : stuck_ + 1;
-  return contact;
-}
-
-std::optional<Point> Vacuum::drive_on(const Point& heading) {
-  while (!done())
-    if (const auto contact = drive(at() + metres_left() * heading)) return contact;
-  return std::nullopt;
-}
-
-void Vacuum::leave_wall(const Point& heading, double farthest) {
-  drive(at() + farthest * context_.rng().unit() * heading);
-}
-
-Point Vacuum::any_heading() { return unit(2 * kPi * context_.rng().unit()); }
-
-Point Vacuum::heading_off(const Point& away) {
-  return unit(std::atan2(away.y(), away.x()) + kPi * (context_.rng().unit() - 0.5));
-}
-
-Path Vacuum::finish() {
-  context_.record("swept_m2", swept_.area());
-  context_.record("bumps", static_cast<double>(bumps_));
-  if (bumper_.path().size() < 2)
-    throw Infeasible(fmt::format("robot '{}' touches walls on all sides of its start ({:.6g}, {:.6g})",
-                                 problem_.robot().name, problem_.start().x(), problem_.start().y()));
-  return Path{{{true, bumper_.path()}}};
-}
-
-std::optional<Point> spiral(Vacuum& vacuum, double pitch, const Point& heading) {
-  const Point centre = vacuum.at();
-  const double a = pitch / (2 * kPi), begin = std::atan2(heading.y(), heading.x());
-  const double error = 0.8 * vacuum.tool_width() * kChordError;
-  for (double turned = 0; !vacuum.done();) {
-    // The chord over a small angle errs by angle^2 / 8 * curvature * (length per angle)^2.
-    const double bow = a * (2 + turned * turned) / std::sqrt(1 + turned * turned);
-    turned += std::min(0.5, std::sqrt(8 * error / bow));
-    if (const auto contact = vacuum.drive(centre + a * turned * unit(begin + turned))) return contact;
-  }
-  return std::nullopt;
-}
-
-namespace {
-
 /// One run of follow_wall().
 class WallFollowing {
  public:
@@ -160,6 +90,72 @@ class WallFollowing {
 };
 
 }  // namespace
+
+Vacuum::Vacuum(const Problem& problem, Context& context, const StopRule& rule)
+    : problem_(problem),
+      context_(context),
+      rule_(rule),
+      bumper_(problem),
+      swept_(problem.start(), problem.robot().tool_width) {
+  swept_.sweep(at(), at());
+}
+
+double Vacuum::metres_left() const {
+  const double by_passes = rule_.passes * swept_.area() / tool_width() - driven();
+  return rule_.length_limit > 0 ? std::min(by_passes, rule_.length_limit - driven()) : by_passes;
+}
+
+bool Vacuum::done() const {
+  return metres_left() < kNowhere * tool_width() || stuck_ >= kMostStuck || context_.cancelled();
+}
+
+std::optional<Point> Vacuum::drive(const Point& to) {
+  const Point from = at();
+  const double length = distance(from, to), left = std::max(0.0, metres_left());
+  const auto contact = bumper_.drive(length > left ? lerp(from, to, left / length) : to);
+  swept_.sweep(from, at());
+  bumps_ += contact.has_value();
+  stuck_ = distance(from, at()) > kNowhere * tool_width() ? 0 : stuck_ + 1;
+  return contact;
+}
+
+std::optional<Point> Vacuum::drive_on(const Point& heading) {
+  while (!done())
+    if (const auto contact = drive(at() + metres_left() * heading)) return contact;
+  return std::nullopt;
+}
+
+void Vacuum::leave_wall(const Point& heading, double farthest) {
+  drive(at() + farthest * context_.rng().unit() * heading);
+}
+
+Point Vacuum::any_heading() { return unit(2 * kPi * context_.rng().unit()); }
+
+Point Vacuum::heading_off(const Point& away) {
+  return unit(std::atan2(away.y(), away.x()) + kPi * (context_.rng().unit() - 0.5));
+}
+
+Path Vacuum::finish() {
+  context_.record("swept_m2", swept_.area());
+  context_.record("bumps", static_cast<double>(bumps_));
+  if (bumper_.path().size() < 2)
+    throw Infeasible(fmt::format("robot '{}' touches walls on all sides of its start ({:.6g}, {:.6g})",
+                                 problem_.robot().name, problem_.start().x(), problem_.start().y()));
+  return Path{{{true, bumper_.path()}}};
+}
+
+std::optional<Point> spiral(Vacuum& vacuum, double pitch, const Point& heading) {
+  const Point centre = vacuum.at();
+  const double a = pitch / (2 * kPi), begin = std::atan2(heading.y(), heading.x());
+  const double error = 0.8 * vacuum.tool_width() * kChordError;
+  for (double turned = 0; !vacuum.done();) {
+    // The chord over a small angle errs by angle^2 / 8 * curvature * (length per angle)^2.
+    const double bow = a * (2 + turned * turned) / std::sqrt(1 + turned * turned);
+    turned += std::min(0.5, std::sqrt(8 * error / bow));
+    if (const auto contact = vacuum.drive(centre + a * turned * unit(begin + turned))) return contact;
+  }
+  return std::nullopt;
+}
 
 void follow_wall(Vacuum& vacuum, double gap, double longest, Point& away) {
   WallFollowing(vacuum, gap, away).run(longest);

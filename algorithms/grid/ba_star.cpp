@@ -93,7 +93,7 @@ class LanesAndPoints {
       });
       if (!found && !other) return walk_.escape();  // by lidar, steps may have opened since
       if (!found) path = walk_.path_to_cell(*other);
-      if (smooth_ ? walk_.follow_smoothed(*path, false) : walk_.follow(*path, false)) return true;
+      if (smooth_ ? walk_.follow_smoothed(*path) : walk_.follow(*path)) return true;
     }
     return false;
   }

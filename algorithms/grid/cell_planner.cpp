@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "algorithms/online/lidar_cells.hpp"
+#include "algorithms/online/driver.hpp"
 
 namespace oxturn {
 namespace {
@@ -20,6 +20,31 @@ std::vector<Polyline> lattice_lines(const GridGraph& graph) {
       }
   return lines;
 }
+
+/// A lattice as the lidar shows it, with a node at the start and along the axes. A step between cells is passable where
+/// the robot is believed to fit along it. What is unknown counts as wall, and may open when more has been seen.
+class LidarCells final : public CellWorld {
+ public:
+  // The radius less the problem's tolerance: rounding must not close a passage as wide as the robot.
+  LidarCells(OnlineRobot& robot, double side)
+      : robot_(robot),
+        side_(side),
+        radius_(std::max(0.0, robot.view().robot.radius - 1e-6 * robot.view().robot.tool_width)) {}
+  bool straight(const Cell& from, const Cell& to) override {
+    return robot_.view().belief.free_for(centre(from), centre(to), radius_);
+  }
+  bool go_straight(const Cell& from, const Cell& to, bool tool) override {
+    if (robot_.go({{centre(to)}, tool})) return true;
+    // Stopped on the way by what it saw. What lies behind was free when the robot came, so it goes back.
+    robot_.go({{centre(from)}, tool});
+    return false;
+  }
+  Point centre(const Cell& c) const override { return robot_.view().start + side_ * Point(c.i, c.j); }
+
+ private:
+  OnlineRobot& robot_;
+  double side_, radius_;
+};
 
 Path drive_by_lidar(const Problem& problem, Context& context, const CellOptions& options, const CellNeeds& needs,
                     const std::function<void(CellRobot&)>& drive) {

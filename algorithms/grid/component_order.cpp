@@ -1,7 +1,6 @@
 #include "algorithms/grid/component_order.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace oxturn {
 
@@ -25,13 +24,13 @@ ComponentOrder::ComponentOrder(const Problem& problem, const GridGraph& fine, co
 }
 
 ComponentOrder::Entry ComponentOrder::entry_at(std::size_t node, Polyline path, std::size_t from) const {
-  return {fine_.column(node), fine_.row(node), coarse(node), std::move(path), from};
+  return {fine_.cell(node), coarse(node), std::move(path), from};
 }
 
 /// Notes that the component has been entered.
 std::optional<ComponentOrder::Entry> ComponentOrder::entered(std::optional<Entry> entry) {
   if (!entry) return std::nullopt;
-  at_ = fine_.at(entry->i, entry->j);
+  at_ = fine_.at(entry->at);
   done_[static_cast<std::size_t>(components_.of[entry->coarse])] = true;
   --left_[static_cast<std::size_t>(paths_.component(at_))];
   if (walls_) walls_->remove(components_.of[entry->coarse]);
@@ -49,12 +48,10 @@ std::optional<ComponentOrder::Entry> ComponentOrder::first() {
 std::optional<ComponentOrder::Entry> ComponentOrder::next(const Point& from) { return entered(among_walls(from)); }
 
 std::optional<ComponentOrder::Entry> ComponentOrder::under(const Point& p) const {
-  const Point at = fine_.coordinates(p);
-  const int i = static_cast<int>(std::lround(at.x())), j = static_cast<int>(std::lround(at.y()));
-  if (!fine_.inside(i, j) || !left(fine_.at(i, j))) return std::nullopt;
-  const Point to = fine_.centre(i, j);
-  if (!problem_.walls().contains(p, to)) return std::nullopt;
-  return entry_at(fine_.at(i, j), {p, to});
+  const Cell at = fine_.cell_of(p);
+  if (!fine_.inside(at.i, at.j) || !left(fine_.at(at))) return std::nullopt;
+  if (!problem_.walls().contains(p, fine_.centre(at))) return std::nullopt;
+  return entry_at(fine_.at(at), {p, fine_.centre(at)});
 }
 
 std::optional<ComponentOrder::Entry> ComponentOrder::over_lattice(const Point& p) {

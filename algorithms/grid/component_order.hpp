@@ -29,7 +29,7 @@ class ComponentOrder {
                  const ConnectedComponents& components, LatticePaths& paths);
   /// How a component is entered.
   struct Entry {
-    int i, j;              // sub-cell
+    Cell at;               // sub-cell
     std::size_t coarse;    // its coarse cell
     Polyline path;         // to the sub-cell
     std::size_t from = 0;  // of a branch: the sub-cell, by number, where the path begins

@@ -12,7 +12,7 @@ namespace {
 
 struct Passable {
   const GridGraph* fine;
-  bool operator()(const Cell& c, Direction d) const { return fine->passable(c.i, c.j, d); }
+  bool operator()(const Cell& c, Direction d) const { return fine->passable(c, d); }
 };
 using Tree = SubCellTree<Passable>;
 
@@ -49,16 +49,16 @@ struct SubCellComponents {
 
   explicit SubCellComponents(const GridGraph& fine) : of(fine.size(), -1) {
     for (std::size_t node = 0; node < fine.size(); ++node) {
-      const Cell first{fine.column(node), fine.row(node)};
-      if (!fine.free(first.i, first.j) || of[node] >= 0) continue;
+      const Cell first = fine.cell(node);
+      if (!fine.free(first) || of[node] >= 0) continue;
       const int number = static_cast<int>(cells.size());
       std::vector<Cell> component{first};
       of[node] = number;
       breadth_first(component, [&](const Cell& at, const auto& reach) {
         for (const Direction d : kAllDirections) {
           const Cell c = neighbour(at, d);
-          if (!fine.passable(at.i, at.j, d) || of[fine.at(c.i, c.j)] >= 0) continue;
-          of[fine.at(c.i, c.j)] = number;
+          if (!fine.passable(at, d) || of[fine.at(c)] >= 0) continue;
+          of[fine.at(c)] = number;
           reach(c);
         }
       });
@@ -84,8 +84,8 @@ class PartialStc {
     if (!entry) throw Infeasible("no sub-cell is free; a smaller cell_size may help");
     const std::size_t count = options_.components == Components::all ? components_.cells.size() : 1;
     for (std::size_t done = 0; entry && !context_.cancelled();) {
-      const Cell root{entry->column, entry->row};
-      const int component = components_.of[fine_.at(root.i, root.j)];
+      const Cell root = entry->cell;
+      const int component = components_.of[fine_.at(root)];
       const std::vector<Cell>& cells = components_.cells[static_cast<std::size_t>(component)];
       grow_tree(root, cells);
       path_.drive(entry->path, cells.size() == 1);  // a single sub-cell is covered on arrival
@@ -113,7 +113,7 @@ class PartialStc {
   void grow_weighted(const std::vector<Cell>& cells) {
     const auto unite = [&](const Cell& c, Direction d) {
       const Cell to = neighbour(c, d);
-      return joined_.unite(fine_.at(c.i, c.j), fine_.at(to.i, to.j));
+      return joined_.unite(fine_.at(c), fine_.at(to));
     };
     for (const Cell& c : cells)
       if (!tree_.contains(c)) tree_.add_node(c);
@@ -127,15 +127,13 @@ class PartialStc {
 
   /// The closed path around the tree, with a point at each turn.
   Polyline round(const Cell& root) {
-    Polyline line{fine_.centre(root.i, root.j)};
+    Polyline line{fine_.centre(root)};
     Cell at = root;
     std::optional<Direction> last;
     const auto drive = [&](Direction d) {
       at = neighbour(at, d);
-      if (last == d)
-        line.back() = fine_.centre(at.i, at.j);
-      else
-        line.push_back(fine_.centre(at.i, at.j));
+      if (last == d) line.pop_back();
+      line.push_back(fine_.centre(at));
       last = d;
       return true;
     };
@@ -150,19 +148,16 @@ class PartialStc {
       nearest_.emplace(problem_);
       for (const std::vector<Cell>& cells : components_.cells)
         for (const Cell& c : cells)
-          if (on_boundary(c)) {
-            const std::size_t node = fine_.at(c.i, c.j);
-            nearest_->add(fine_.centre(c.i, c.j), components_.of[node], node);
-          }
+          if (on_boundary(c)) nearest_->add(fine_.centre(c), components_.of[fine_.at(c)], fine_.at(c));
     }
     nearest_->remove(component);
     auto found = nearest_->from(path_.at());
     if (!found) return std::nullopt;
-    return Entry{fine_.column(found->id), fine_.row(found->id), std::move(found->path)};
+    return Entry{fine_.cell(found->id), std::move(found->path)};
   }
   bool on_boundary(const Cell& c) const {
     return std::any_of(kAllDirections.begin(), kAllDirections.end(),
-                       [&](Direction d) { return !fine_.passable(c.i, c.j, d); });
+                       [&](Direction d) { return !fine_.passable(c, d); });
   }
 
   const Problem& problem_;

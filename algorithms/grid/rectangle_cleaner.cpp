@@ -5,292 +5,307 @@
 #include <unordered_map>
 
 namespace oxturn {
+namespace {
 
-double RectangleOptions::side(const Robot& robot) const {
-  if (cell_size > 0) return cell_size;
-  return robot.radius > 0 ? robot.radius : robot.tool_width / 2;
-}
+/// One run.
+class RectangleCleaner {
+ public:
+  RectangleCleaner(const RectangleOptions& options, const Problem& problem, const GridGraph& graph,
+                   std::vector<bool> done, Context& context)
+      : p_(options),
+        problem_(problem),
+        graph_(graph),
+        context_(context),
+        paths_(graph, problem.walls()),
+        side_(graph.side()),
+        done_(std::move(done)),
+        path_(problem.start()) {}
 
-RectangleCleaner::RectangleCleaner(const RectangleOptions& options, const Problem& problem, const GridGraph& graph,
-                                   std::vector<bool> done, Context& context)
-    : p_(options),
-      problem_(problem),
-      graph_(graph),
-      context_(context),
-      paths_(graph, problem.walls()),
-      side_(graph.side()),
-      done_(std::move(done)),
-      path_(problem.start()) {}
-
-Path RectangleCleaner::clean() {
-  const bool diagonal = p_.lanes == Lanes::diagonal;
-  const std::vector<Job> all = diagonal ? std::vector<Job>{} : jobs();
-  if (begin(all)) {
-    if (diagonal)
-      clean_lanes();
-    else if (p_.choose == NextRectangle::nearest)
-      clean_jobs_nearest_first(all);
-    else
-      clean_jobs_in_order(all);
-    if (p_.revisit_skipped) revisit();
+  CleanedRectangles clean() {
+    const bool diagonal = p_.lanes == Lanes::diagonal;
+    const std::vector<Job> all = diagonal ? std::vector<Job>{} : jobs();
+    if (begin(all)) {
+      diagonal ? clean_lanes() : clean_jobs(all);
+      if (p_.revisit_skipped) revisit();
+    }
+    if (context_.wants_traces()) context_.trace("skipped", skipped_);
+    result_.path = path_.take();
+    return std::move(result_);
   }
-  if (context_.wants_traces()) context_.trace("skipped", skipped_);
-  return path_.take();
-}
 
-/// From the start onto the lattice: to a node in sight, else by a shortest path to the first node that has to be
-/// driven.
-bool RectangleCleaner::begin(const std::vector<Job>& jobs) {
-  if (jobs.empty() && !p_.revisit_skipped && p_.lanes != Lanes::diagonal) return false;
-  if (const auto node = paths_.node_near(problem_.start())) {
-    at_ = *node;
-    path_.drive(graph_.centre(at_), false);
+ private:
+  /// Lattice nodes in one column that can be driven without leaving it.
+  struct Run {
+    int column, low, high;
+  };
+  struct Job {
+    CellRectangle rectangle;
+    Run start;
+  };
+  enum class Approach { work_if_short, transit };
+
+  /// The lattice's cells that lie entirely in free space, without those that are done.
+  BitGrid dirty_cells() const {
+    BitGrid free =
+        without_gaps(rasterise(problem_.map().free, graph_, 1, 0, CellRule::inside), p_.gap, p_.small_obstacle);
+    for (std::size_t c = 0; c < done_.size(); ++c)
+      if (done_[c]) free.bits[c] = 0;
+    return free;
+  }
+
+  std::vector<Run> runs(int i, int bottom, int top) const {
+    std::vector<Run> found;
+    for (int j = bottom; j <= top; ++j) {
+      if (!graph_.free(i, j)) continue;
+      int end = j;
+      while (end < top && graph_.passable(i, end, kNorth)) ++end;
+      found.push_back({i, j, end});
+      j = end;
+    }
+    return found;
+  }
+
+  /// Maximal runs of nodes that are not done.
+  std::vector<Run> uncleaned_lanes() const {
+    std::vector<Run> lanes;
+    for (int i = 0; i < graph_.columns(); ++i)
+      for (const Run& whole : runs(i, 0, graph_.rows() - 1))
+        for (int j = whole.low; j <= whole.high; ++j) {
+          if (done_[graph_.at(i, j)]) continue;
+          Run lane{i, j, j};
+          while (lane.high < whole.high && !done_[graph_.at(i, lane.high + 1)]) ++lane.high;
+          lanes.push_back(lane);
+          j = lane.high;
+        }
+    return lanes;
+  }
+
+  /// MyCarbot, section 2.3: as near to the lower left as possible, up to `shift` cells higher; otherwise in the next
+  /// column. The rectangle loses columns without such a start.
+  std::optional<Run> start_of(CellRectangle& r) const {
+    for (; r.left <= r.right; ++r.left) {
+      const std::vector<Run> found = runs(r.left, r.bottom, std::min(r.top, r.bottom + p_.shift));
+      if (!found.empty()) return found.front();
+    }
+    return std::nullopt;
+  }
+
+  std::vector<Job> jobs() {
+    const std::vector<CellRectangle> all = rectangles_of(dirty_cells(), p_.scan);
+    if (context_.wants_traces()) trace_rectangles(all);
+    std::vector<Job> drivable;
+    for (const CellRectangle& whole : all) {
+      CellRectangle r = whole;
+      const std::optional<Run> start = start_of(r);
+      if (!start || r.width() < p_.smallest || r.height() < p_.smallest) {
+        result_.small_cells += static_cast<std::size_t>(whole.width() * whole.height());
+        continue;
+      }
+      for (int i = whole.left; i < r.left; ++i) {
+        ++result_.skipped_columns;
+        skip(i, r.bottom, r.top);
+      }
+      skip(r.left, r.bottom, start->low - 1);
+      drivable.push_back({r, *start});
+    }
+    return drivable;
+  }
+  std::size_t start_node(const Job& job) const { return graph_.at(job.start.column, job.start.low); }
+
+  /// From the start onto the lattice: to a node in sight, else by a shortest path to the first node that has to be
+  /// driven.
+  bool begin(const std::vector<Job>& jobs) {
+    if (jobs.empty() && !p_.revisit_skipped && p_.lanes != Lanes::diagonal) return false;
+    if (const auto node = paths_.node_near(problem_.start())) {
+      at_ = *node;
+      path_.drive(graph_.centre(at_), false);
+      return true;
+    }
+    if (!jobs.empty())
+      at_ = start_node(jobs.front());
+    else
+      while (at_ < graph_.size() && paths_.component(at_) < 0) ++at_;
+    if (at_ == graph_.size()) return false;
+    go_among_walls(0);
     return true;
   }
-  if (!jobs.empty())
-    at_ = start_node(jobs.front());
-  else
-    while (at_ < graph_.size() && paths_.component(at_) < 0) ++at_;
-  if (at_ == graph_.size()) return false;
-  go_among_walls(0);
-  return true;
-}
 
-/// The lattice's cells that lie entirely in free space, without those that are done.
-BitGrid RectangleCleaner::dirty_cells() const {
-  BitGrid free =
-      without_gaps(rasterise(problem_.map().free, graph_, 1, 0, CellRule::inside), p_.gap, p_.small_obstacle);
-  for (std::size_t c = 0; c < done_.size(); ++c)
-    if (done_[c]) free.bits[c] = 0;
-  return free;
-}
-
-std::vector<RectangleCleaner::Run> RectangleCleaner::runs(int i, int bottom, int top) const {
-  std::vector<Run> found;
-  for (int j = bottom; j <= top; ++j) {
-    if (!graph_.free(i, j)) continue;
-    int end = j;
-    while (end < top && graph_.passable(i, end, kNorth)) ++end;
-    found.push_back({i, j, end});
-    j = end;
-  }
-  return found;
-}
-
-void RectangleCleaner::skip(int column, int bottom, int top) {
-  if (bottom > top) return;
-  counts_.skipped_cells += static_cast<std::size_t>(top - bottom + 1);
-  if (context_.wants_traces()) skipped_.push_back({graph_.centre(column, bottom), graph_.centre(column, top)});
-}
-
-/// MyCarbot, section 2.3: as near to the lower left as possible, up to `shift` cells higher; otherwise in the next
-/// column. The rectangle loses columns without such a start.
-std::optional<RectangleCleaner::Run> RectangleCleaner::start_of(CellRectangle& r) const {
-  for (; r.left <= r.right; ++r.left) {
-    const std::vector<Run> found = runs(r.left, r.bottom, std::min(r.top, r.bottom + p_.shift));
-    if (!found.empty()) return found.front();
-  }
-  return std::nullopt;
-}
-
-std::vector<RectangleCleaner::Job> RectangleCleaner::jobs() {
-  const std::vector<CellRectangle> all = rectangles_of(dirty_cells(), p_.scan);
-  if (context_.wants_traces()) trace_rectangles(all);
-  std::vector<Job> drivable;
-  for (const CellRectangle& whole : all) {
-    CellRectangle r = whole;
-    const std::optional<Run> start = start_of(r);
-    if (!start || r.width() < p_.smallest || r.height() < p_.smallest) {
-      counts_.small_cells += static_cast<std::size_t>(whole.width() * whole.height());
-      continue;
+  /// In order, or nearest over the lattice first; where the lattice leads to none, the first that is left.
+  void clean_jobs(const std::vector<Job>& jobs) {
+    std::vector<bool> cleaned(jobs.size(), false);
+    std::unordered_map<std::size_t, std::size_t> starts;  // node -> job; looked up, never listed
+    std::unordered_map<int, std::size_t> left_in;         // starts left, by components of the lattice
+    for (std::size_t k = 0; k < jobs.size(); ++k) {
+      starts[start_node(jobs[k])] = k;
+      ++left_in[paths_.component(start_node(jobs[k]))];
     }
-    for (int i = whole.left; i < r.left; ++i) {
-      ++counts_.skipped_columns;
-      skip(i, r.bottom, r.top);
+    std::size_t first = 0;
+    for (std::size_t n = 0; n < jobs.size() && !context_.cancelled(); ++n) {
+      while (cleaned[first]) ++first;
+      std::size_t k = first;
+      if (p_.choose == NextRectangle::nearest && left_in[paths_.component(at_)] > 0)
+        if (const auto found = paths_.nearest(at_, [&](std::size_t node) { return starts.count(node) > 0; }))
+          k = starts.at(found->node);
+      --left_in[paths_.component(start_node(jobs[k]))];
+      starts.erase(start_node(jobs[k]));
+      cleaned[k] = true;
+      clean_rectangle(jobs[k]);
+      ++result_.rectangles;
+      context_.progress(static_cast<double>(n + 1) / static_cast<double>(jobs.size()));
     }
-    skip(r.left, r.bottom, start->low - 1);
-    drivable.push_back({r, *start});
   }
-  return drivable;
-}
 
-void RectangleCleaner::clean_job(const Job& job, std::size_t number, std::size_t of) {
-  clean_rectangle(job);
-  ++counts_.rectangles;
-  context_.progress(static_cast<double>(number) / static_cast<double>(of));
-}
-
-void RectangleCleaner::clean_jobs_in_order(const std::vector<Job>& jobs) {
-  for (std::size_t k = 0; k < jobs.size() && !context_.cancelled(); ++k) clean_job(jobs[k], k + 1, jobs.size());
-}
-
-/// Nearest over the lattice; where the lattice leads to none, the first that is left.
-void RectangleCleaner::clean_jobs_nearest_first(const std::vector<Job>& jobs) {
-  std::vector<bool> cleaned(jobs.size(), false);
-  std::unordered_map<std::size_t, std::size_t> starts;  // node -> job; looked up, never listed
-  std::vector<std::size_t> left_in(1, 0);               // starts left, by components of the lattice
-  const auto component = [&](std::size_t node) { return static_cast<std::size_t>(paths_.component(node)); };
-  for (std::size_t k = 0; k < jobs.size(); ++k) {
-    const std::size_t node = start_node(jobs[k]);
-    starts[node] = k;
-    left_in.resize(std::max(left_in.size(), component(node) + 1), 0);
-    ++left_in[component(node)];
+  /// MyCarbot, section 5.2: no rectangles, but lanes over the whole grid; always on to the nearest end of one.
+  void clean_lanes() {
+    const std::vector<Run> lanes = uncleaned_lanes();
+    std::vector<std::int32_t> lane_at(graph_.size(), -1);  // at the ends of lanes that are left
+    for (std::size_t k = 0; k < lanes.size(); ++k)
+      for (const int end : {lanes[k].low, lanes[k].high})
+        lane_at[graph_.at(lanes[k].column, end)] = static_cast<std::int32_t>(k);
+    if (context_.wants_traces()) {
+      std::vector<Polyline> lines;
+      for (const Run& s : lanes) lines.push_back({graph_.centre(s.column, s.low), graph_.centre(s.column, s.high)});
+      context_.trace("lanes", std::move(lines));
+    }
+    std::size_t first = 0;
+    for (std::size_t n = 0; n < lanes.size() && !context_.cancelled(); ++n) {
+      const auto found = paths_.nearest(at_, [&](std::size_t node) { return lane_at[node] >= 0; });
+      while (!found && done_[graph_.at(lanes[first].column, lanes[first].low)]) ++first;
+      const Run& lane = lanes[found ? static_cast<std::size_t>(lane_at[found->node]) : first];
+      const bool up = !found || found->node == graph_.at(lane.column, lane.low);
+      for (const int end : {lane.low, lane.high}) lane_at[graph_.at(lane.column, end)] = -1;
+      drive(lane, up, Approach::work_if_short);
+      context_.progress(static_cast<double>(n + 1) / static_cast<double>(lanes.size()));
+    }
   }
-  std::size_t first = 0;
-  for (std::size_t n = 0; n < jobs.size() && !context_.cancelled(); ++n) {
-    while (cleaned[first]) ++first;
-    std::size_t k = first;
-    if (component(at_) < left_in.size() && left_in[component(at_)] > 0)
-      if (const auto found = paths_.nearest(at_, [&](std::size_t node) { return starts.count(node) > 0; }))
-        k = starts.at(found->node);
-    const std::size_t node = start_node(jobs[k]);
-    --left_in[component(node)];
-    starts.erase(node);
-    cleaned[k] = true;
-    clean_job(jobs[k], n + 1, jobs.size());
-  }
-}
 
-/// Maximal runs of nodes that are not done.
-std::vector<RectangleCleaner::Run> RectangleCleaner::uncleaned_lanes() const {
-  std::vector<Run> lanes;
-  for (int i = 0; i < graph_.columns(); ++i)
-    for (const Run& whole : runs(i, 0, graph_.rows() - 1))
-      for (int j = whole.low; j <= whole.high; ++j) {
-        if (done_[graph_.at(i, j)]) continue;
-        Run lane{i, j, j};
-        while (lane.high < whole.high && !done_[graph_.at(i, lane.high + 1)]) ++lane.high;
-        lanes.push_back(lane);
-        j = lane.high;
+  void clean_rectangle(const Job& job) {
+    const CellRectangle& r = job.rectangle;
+    const int ci = (r.left + r.right) / 2, cj = (r.bottom + r.top) / 2;
+    if (p_.via_centre && graph_.free(ci, cj)) go(graph_.at(ci, cj), Approach::transit, 0);
+    const int columns_under_tool = static_cast<int>(problem_.robot().tool_width / side_ + 1e-9);
+    const int step = p_.columns == ColumnStep::tool ? std::max(1, columns_under_tool) : 1;
+    bool up = true;
+    Approach approach = Approach::transit;
+    for (int i = r.left;; i = std::min(i + step, r.right)) {
+      // The first column counts from the start; cells below a shifted one are left.
+      std::vector<Run> column = runs(i, i == r.left ? job.start.low : r.bottom, r.top);
+      if (column.empty()) {
+        ++result_.skipped_columns;
+        skip(i, r.bottom, r.top);
       }
-  return lanes;
-}
-
-/// MyCarbot, section 5.2: no rectangles, but lanes over the whole grid; always on to the nearest end of one.
-void RectangleCleaner::clean_lanes() {
-  const std::vector<Run> lanes = uncleaned_lanes();
-  std::vector<std::int32_t> lane_at(graph_.size(), -1);  // at the ends of lanes that are left
-  for (std::size_t k = 0; k < lanes.size(); ++k)
-    for (const int end : {lanes[k].low, lanes[k].high})
-      lane_at[graph_.at(lanes[k].column, end)] = static_cast<std::int32_t>(k);
-  if (context_.wants_traces()) {
-    std::vector<Polyline> lines;
-    for (const Run& s : lanes) lines.push_back({graph_.centre(s.column, s.low), graph_.centre(s.column, s.high)});
-    context_.trace("lanes", std::move(lines));
-  }
-  std::size_t first = 0;
-  for (std::size_t n = 0; n < lanes.size() && !context_.cancelled(); ++n) {
-    const auto found = paths_.nearest(at_, [&](std::size_t node) { return lane_at[node] >= 0; });
-    while (!found && done_[graph_.at(lanes[first].column, lanes[first].low)]) ++first;
-    const Run& lane = lanes[found ? static_cast<std::size_t>(lane_at[found->node]) : first];
-    const bool up = !found || found->node == graph_.at(lane.column, lane.low);
-    for (const int end : {lane.low, lane.high}) lane_at[graph_.at(lane.column, end)] = -1;
-    drive(lane, up, Approach::work_if_short);
-    context_.progress(static_cast<double>(n + 1) / static_cast<double>(lanes.size()));
-  }
-}
-
-void RectangleCleaner::clean_rectangle(const Job& job) {
-  const CellRectangle& r = job.rectangle;
-  const int ci = (r.left + r.right) / 2, cj = (r.bottom + r.top) / 2;
-  if (p_.via_centre && graph_.free(ci, cj)) go(graph_.at(ci, cj), Approach::transit, 0);
-  const int columns_under_tool = static_cast<int>(problem_.robot().tool_width / side_ + 1e-9);
-  const int step = p_.columns == ColumnStep::tool ? std::max(1, columns_under_tool) : 1;
-  bool up = true;
-  Approach approach = Approach::transit;
-  for (int i = r.left;; i = std::min(i + step, r.right)) {
-    // The first column counts from the start; cells below a shifted one are left.
-    std::vector<Run> column = runs(i, i == r.left ? job.start.low : r.bottom, r.top);
-    if (column.empty()) {
-      ++counts_.skipped_columns;
-      skip(i, r.bottom, r.top);
+      if (!up) std::reverse(column.begin(), column.end());
+      for (const Run& s : column) {
+        drive(s, up, approach);
+        approach = Approach::work_if_short;
+      }
+      if (!column.empty()) up = !up;
+      if (i == r.right) break;
     }
-    if (!up) std::reverse(column.begin(), column.end());
-    for (const Run& s : column) {
-      drive(s, up, approach);
-      approach = Approach::work_if_short;
-    }
-    if (!column.empty()) up = !up;
-    if (i == r.right) break;
   }
-}
 
-void RectangleCleaner::drive(const Run& run, bool up, Approach approach) {
-  // A run of one node has no length to cover: there the tool is switched on for the last bit of the approach.
-  go(graph_.at(run.column, up ? run.low : run.high), approach, run.low == run.high ? side_ : 0);
-  at_ = graph_.at(run.column, up ? run.high : run.low);
-  path_.drive(graph_.centre(at_), true);
-  for (int j = run.low; j <= run.high; ++j) done_[graph_.at(run.column, j)] = true;
-}
+  void drive(const Run& run, bool up, Approach approach) {
+    // A run of one node has no length to cover: there the tool is switched on for the last bit of the approach.
+    go(graph_.at(run.column, up ? run.low : run.high), approach, run.low == run.high ? side_ : 0);
+    at_ = graph_.at(run.column, up ? run.high : run.low);
+    path_.drive(graph_.centre(at_), true);
+    for (int j = run.low; j <= run.high; ++j) done_[graph_.at(run.column, j)] = true;
+  }
 
-/// To a node: straight with the tool on if that is possible and short (the step to the next column), else over the
-/// lattice with the tool off except for the last `tail` metres. Where the lattice leads nowhere, by a shortest path
-/// among walls.
-void RectangleCleaner::go(std::size_t node, Approach approach, double tail) {
-  if (node == at_) return;
-  const Point to = graph_.centre(node);
-  if (approach == Approach::work_if_short &&
-      distance(path_.at(), to) <= 2 * std::max(side_, problem_.robot().tool_width) &&
-      problem_.walls().contains(path_.at(), to)) {
+  /// To a node: straight with the tool on if that is possible and short (the step to the next column), else over the
+  /// lattice with the tool off except for the last `tail` metres. Where the lattice leads nowhere, by a shortest path
+  /// among walls.
+  void go(std::size_t node, Approach approach, double tail) {
+    if (node == at_) return;
+    const Point to = graph_.centre(node);
+    if (approach == Approach::work_if_short &&
+        distance(path_.at(), to) <= 2 * std::max(side_, problem_.robot().tool_width) &&
+        problem_.walls().contains(path_.at(), to)) {
+      at_ = node;
+      path_.drive(to, true);
+      return;
+    }
+    Polyline path = paths_.path(at_, node);
     at_ = node;
-    path_.drive(to, true);
-    return;
+    path.empty() ? go_among_walls(tail) : go_along(std::move(path), tail);
   }
-  Polyline path = paths_.path(at_, node);
-  at_ = node;
-  path.empty() ? go_among_walls(tail) : go_along(std::move(path), tail);
-}
 
-void RectangleCleaner::go_among_walls(double tail) {
-  auto path = problem_.transit().path(path_.at(), graph_.centre(at_));
-  if (!path) throw std::logic_error("two points of configuration space are not connected");
-  go_along(std::move(*path), tail);
-}
-
-void RectangleCleaner::go_along(Polyline path, double tail) {
-  Polyline last{path.back()};
-  while (path.size() > 1 && tail > 0) {
-    const Point end = path.back();
-    path.pop_back();
-    const double step = distance(path.back(), end);
-    if (step > tail) path.push_back(lerp(end, path.back(), tail / step));
-    last.insert(last.begin(), path.back());
-    tail -= step;
+  void go_among_walls(double tail) {
+    auto path = problem_.transit().path(path_.at(), graph_.centre(at_));
+    if (!path) throw std::logic_error("two points of configuration space are not connected");
+    go_along(std::move(*path), tail);
   }
-  path_.drive(path, false);
-  if (last.size() > 1) path_.drive(last, true);
-}
 
-/// Ours: drives every node that the robot can reach and has not driven, the nearest first, with all undriven nodes
-/// above and below it. Components that the lattice does not connect come one after the other.
-void RectangleCleaner::revisit() {
-  const auto undriven = [&](std::size_t node) { return paths_.component(node) >= 0 && !done_[node]; };
-  std::size_t next = 0;
-  while (!context_.cancelled()) {
-    std::size_t node;
-    if (const auto found = paths_.nearest(at_, undriven)) {
-      node = found->node;
-    } else {
-      while (next < graph_.size() && !undriven(next)) ++next;
-      if (next == graph_.size()) return;
-      node = next;
+  void go_along(Polyline path, double tail) {
+    Polyline last{path.back()};
+    while (path.size() > 1 && tail > 0) {
+      const Point end = path.back();
+      path.pop_back();
+      const double step = distance(path.back(), end);
+      if (step > tail) path.push_back(lerp(end, path.back(), tail / step));
+      last.insert(last.begin(), path.back());
+      tail -= step;
     }
-    const int i = graph_.column(node), j = graph_.row(node);
-    Run run{i, j, j};
-    while (graph_.passable(i, run.low, kSouth) && undriven(graph_.at(i, run.low - 1))) --run.low;
-    while (graph_.passable(i, run.high, kNorth) && undriven(graph_.at(i, run.high + 1))) ++run.high;
-    drive(run, j - run.low <= run.high - j, Approach::work_if_short);
+    path_.drive(path, false);
+    if (last.size() > 1) path_.drive(last, true);
   }
-}
 
-void RectangleCleaner::trace_rectangles(const std::vector<CellRectangle>& rectangles) {
-  std::vector<Polyline> lines;
-  for (const CellRectangle& r : rectangles) {
-    const Point a = graph_.centre(r.left - 0.5, r.bottom - 0.5), b = graph_.centre(r.right + 0.5, r.bottom - 0.5);
-    const Point c = graph_.centre(r.right + 0.5, r.top + 0.5), d = graph_.centre(r.left - 0.5, r.top + 0.5);
-    lines.push_back({a, b, c, d, a});
+  /// Ours: drives every node that the robot can reach and has not driven, the nearest first, with all undriven nodes
+  /// above and below it. Components that the lattice does not connect come one after the other.
+  void revisit() {
+    const auto undriven = [&](std::size_t node) { return paths_.component(node) >= 0 && !done_[node]; };
+    std::size_t next = 0;
+    while (!context_.cancelled()) {
+      std::size_t node;
+      if (const auto found = paths_.nearest(at_, undriven)) {
+        node = found->node;
+      } else {
+        while (next < graph_.size() && !undriven(next)) ++next;
+        if (next == graph_.size()) return;
+        node = next;
+      }
+      const int i = graph_.column(node), j = graph_.row(node);
+      Run run{i, j, j};
+      while (graph_.passable(i, run.low, kSouth) && undriven(graph_.at(i, run.low - 1))) --run.low;
+      while (graph_.passable(i, run.high, kNorth) && undriven(graph_.at(i, run.high + 1))) ++run.high;
+      drive(run, j - run.low <= run.high - j, Approach::work_if_short);
+    }
   }
-  context_.trace("rectangles", std::move(lines));
+
+  void skip(int column, int bottom, int top) {
+    if (bottom > top) return;
+    result_.skipped_cells += static_cast<std::size_t>(top - bottom + 1);
+    if (context_.wants_traces()) skipped_.push_back({graph_.centre(column, bottom), graph_.centre(column, top)});
+  }
+
+  void trace_rectangles(const std::vector<CellRectangle>& rectangles) {
+    std::vector<Polyline> lines;
+    for (const CellRectangle& r : rectangles) {
+      const Point a = graph_.centre(r.left - 0.5, r.bottom - 0.5), b = graph_.centre(r.right + 0.5, r.bottom - 0.5);
+      const Point c = graph_.centre(r.right + 0.5, r.top + 0.5), d = graph_.centre(r.left - 0.5, r.top + 0.5);
+      lines.push_back({a, b, c, d, a});
+    }
+    context_.trace("rectangles", std::move(lines));
+  }
+
+  const RectangleOptions& p_;
+  const Problem& problem_;
+  const GridGraph& graph_;
+  Context& context_;
+  LatticePaths paths_;
+  double side_;
+  std::vector<bool> done_;
+  std::size_t at_ = 0;  // the node where the path ends
+  CleanedRectangles result_;
+  std::vector<Polyline> skipped_;
+  PathBuilder path_;
+};
+
+}  // namespace
+
+CleanedRectangles clean_rectangles(const RectangleOptions& options, const Problem& problem, const GridGraph& graph,
+                                   std::vector<bool> done, Context& context) {
+  return RectangleCleaner(options, problem, graph, std::move(done), context).clean();
 }
 
 }  // namespace oxturn

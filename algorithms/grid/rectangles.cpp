@@ -48,7 +48,7 @@ constexpr double kNewCells = 4;        // area seen since the partition, in cell
 
 double turn_of(const RectangleOptions& p) { return p.lanes == Lanes::diagonal ? kPi / 4 : 0; }
 
-void record_left(Context& context, const RectangleCleaner::Counts& counts) {
+void record_left(Context& context, const CleanedRectangles& counts) {
   context.record("skipped_columns", static_cast<double>(counts.skipped_columns));
   context.record("skipped_cells", static_cast<double>(counts.skipped_cells));
   context.record("small_cells", static_cast<double>(counts.small_cells));
@@ -60,11 +60,10 @@ Path clean_known(const RectangleOptions& p, const Problem& problem, Context& con
       make_grid_graph(problem, {.side = side,
                                 .angle = lattice_angle(p.align, problem.map().free) + turn_of(p),
                                 .margin = static_cast<int>(std::ceil(problem.robot().radius / side)) + 1});
-  RectangleCleaner cleaner(p, problem, graph, std::vector<bool>(graph.size(), false), context);
-  Path path = cleaner.clean();
-  context.record("rectangles", static_cast<double>(cleaner.counts().rectangles));
-  record_left(context, cleaner.counts());
-  return path;
+  CleanedRectangles cleaned = clean_rectangles(p, problem, graph, std::vector<bool>(graph.size(), false), context);
+  context.record("rectangles", static_cast<double>(cleaned.rectangles));
+  record_left(context, cleaned);
+  return std::move(cleaned.path);
 }
 
 /// Scans and cleans a world that the robot sees by lidar.
@@ -74,25 +73,24 @@ class Discovery {
       : p_(p), robot_(robot), context_(context) {}
 
   void run() {
-    WorldScan scan;
-    while (const auto motion = scan.next(view())) {
-      robot_.go(*motion);
-      if (context_.cancelled()) return;
-    }
-    context_.record("scan_m", view().driven());
-    RectangleCleaner::Counts last;  // what the last partition skips stays skipped
+    scan_world(robot_, context_);
+    if (context_.cancelled()) return;
+    context_.record("scan_m", view().driven);
+    CleanedRectangles last;  // what the last partition skips stays skipped
     std::size_t partitions = 0;
     double before = -1;
     while (partitions < kMostPartitions && !context_.cancelled()) {
-      const std::uint64_t seen = view().belief().revision();
-      const auto path = partition(last);
-      if (!path || path->legs.empty()) break;
+      const std::uint64_t seen = view().belief.revision();
+      const std::optional<Problem> believed = world();
+      if (!believed) break;
+      last = partition(*believed);
+      if (last.path.legs.empty()) break;
       ++partitions;
-      const bool finished = clean(*path);
-      const bool moved = view().driven() > before;
-      before = view().driven();
+      const bool finished = clean(last.path);
+      const bool moved = view().driven > before;
+      before = view().driven;
       // Otherwise the next partition would end in the same way.
-      if (!moved || (finished && view().belief().revision() == seen)) break;
+      if (!moved || (finished && view().belief.revision() == seen)) break;
     }
     context_.record("partitions", static_cast<double>(partitions));
     record_left(context_, last);
@@ -103,30 +101,26 @@ class Discovery {
 
   std::optional<Problem> world() const {
     for (int level = kBeliefLevel; level > 0; --level)
-      if (auto believed = believed_problem(view(), view().pose(), level)) return believed;
-    return believed_problem(view(), view().pose(), 0);
+      if (auto believed = believed_problem(view(), view().pose, level)) return believed;
+    return believed_problem(view(), view().pose, 0);
   }
 
-  std::optional<Path> partition(RectangleCleaner::Counts& counts) {
-    const std::optional<Problem> believed = world();
-    if (!believed) return std::nullopt;
-    if (!angle_) angle_ = lattice_angle(p_.align, believed->map().free) + turn_of(p_);
+  CleanedRectangles partition(const Problem& believed) {
+    if (!angle_) angle_ = lattice_angle(p_.align, believed.map().free) + turn_of(p_);
     const GridGraph graph =
-        make_grid_graph_at(believed->configuration_space(), "belief", view().start(), p_.side(view().robot()), *angle_);
+        make_grid_graph_at(believed.configuration_space(), "belief", view().start, p_.side(view().robot), *angle_);
     Context inner(1, context_.seconds_left(), context_.traces_only());
-    RectangleCleaner cleaner(p_, *believed, graph, done(graph), inner);
-    Path path = cleaner.clean();
-    counts = cleaner.counts();
-    if (!path.legs.empty() && believed->start() != view().pose())
-      robot_.go({{view().pose(), believed->start()}, false});
-    return path;
+    CleanedRectangles cleaned = clean_rectangles(p_, believed, graph, done(graph), inner);
+    if (!cleaned.path.legs.empty() && believed.start() != view().pose)
+      robot_.go({{view().pose, believed.start()}, false});
+    return cleaned;
   }
 
   /// The nodes that have been driven along their column with the tool on.
   std::vector<bool> done(const GridGraph& graph) const {
     std::vector<bool> nodes(graph.size(), false);
     constexpr double kOff = 1e-3;  // cells
-    for (const Leg& leg : view().path().legs)
+    for (const Leg& leg : view().path.legs)
       for (std::size_t k = 1; leg.tool && k < leg.points.size(); ++k) {
         const Point a = graph.coordinates(leg.points[k - 1]), b = graph.coordinates(leg.points[k]);
         const int i = static_cast<int>(std::lround(a.x()));
@@ -141,12 +135,12 @@ class Discovery {
 
   /// False if the world has to be partitioned anew before the end of the path.
   bool clean(const Path& path) {
-    const double cell = view().belief().cell(), side = p_.side(view().robot());
+    const double cell = view().belief.cell(), side = p_.side(view().robot);
     const auto enough = static_cast<std::uint64_t>(kNewCells * side * side / (cell * cell));
-    const std::uint64_t before = view().belief().gained();
+    const std::uint64_t before = view().belief.gained();
     for (const Leg& leg : path.legs) {
       if (!robot_.go({leg.points, leg.tool})) return false;
-      if (leg.tool && view().belief().gained() > before + enough) return false;
+      if (leg.tool && view().belief.gained() > before + enough) return false;
     }
     return true;
   }

@@ -52,7 +52,7 @@ class RoundWithBranches {
   }
 
   void drive(const Entry& root, const Context& context) {
-    line_ = {fine_.centre(root.i, root.j)};
+    line_ = {fine_.centre(root.at)};
     enter(root);
     while (!open_.empty() && !context.cancelled()) {
       if (open_.back().branch != kNone)
@@ -67,14 +67,12 @@ class RoundWithBranches {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   struct Round {
     const Entry* component;
-    int i, j;
+    Cell at;
     std::uint32_t branch;  // the next one to be driven from here
   };
 
-  std::uint32_t branch_at(int i, int j) const { return first_.empty() ? kNone : first_[fine_.at(i, j)]; }
-  void enter(const Entry& component) {
-    open_.push_back({&component, component.i, component.j, branch_at(component.i, component.j)});
-  }
+  std::uint32_t branch_at(const Cell& c) const { return first_.empty() ? kNone : first_[fine_.at(c)]; }
+  void enter(const Entry& component) { open_.push_back({&component, component.at, branch_at(component.at)}); }
   void leave_for_branch() {
     Round& here = open_.back();
     const Entry& component = branches_[here.branch];
@@ -84,14 +82,13 @@ class RoundWithBranches {
   }
   void step() {
     Round& here = open_.back();
-    const Direction d = round_step(cells_, here.i, here.j);
-    here.i += kColumnStep[d];
-    here.j += kRowStep[d];
+    const Direction d = round_step(cells_, here.at);
+    here.at = neighbour(here.at, d);
     if (last_ == d) line_.pop_back();
-    line_.push_back(fine_.centre(here.i, here.j));
+    line_.push_back(fine_.centre(here.at));
     last_ = d;
-    if (here.i != here.component->i || here.j != here.component->j) {
-      here.branch = branch_at(here.i, here.j);
+    if (here.at != here.component->at) {
+      here.branch = branch_at(here.at);
       return;
     }
     const Entry* component = here.component;  // once around

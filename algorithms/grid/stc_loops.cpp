@@ -11,7 +11,7 @@
 //             2. The slides' epsilon of 0.01 has no unit; here it is a share of the radius. As 0.01 m on a robot of 0.2
 //                m (epsilon = 0.05, the slides' reading) it leaves a strip uncovered that alone is 2 % of a narrow
 //                corridor. It is at least twice the chord error of configuration space (w / 500).
-//             3. The slides' arccos is right at convex vertices only; see bisector_nodes.hpp, also for sharp vertices.
+//             3. The slides' arccos is right at convex vertices only; see wall_loops.hpp, also for sharp vertices.
 //             4. d_node is not given on the slides: default D.
 //             5. A loop begins at its first vertex. If it touches itself there, it is cut into two, because the slides'
 //                walk ends where it meets the start's coordinates.
@@ -32,12 +32,11 @@
 #include <cmath>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/bisector_nodes.hpp"
 #include "algorithms/grid/branch_tree.hpp"
 #include "algorithms/grid/component_order.hpp"
-#include "algorithms/grid/node_loops.hpp"
 #include "algorithms/grid/spanning_trees.hpp"
 #include "algorithms/grid/uncovered_samples.hpp"
+#include "algorithms/grid/wall_loops.hpp"
 
 namespace oxturn {
 namespace {
@@ -98,23 +97,22 @@ class Loops {
       vertices.push_back(node.at);
       if (context_.wants_traces()) bisectors_.push_back({node.vertex, node.at});
     }
-    for (const NodeLoop& loop : node_loops(vertices, p_.d_node > 0 ? p_.d_node : side_)) {
+    for (const Polyline& loop : node_loops(vertices, p_.d_node > 0 ? p_.d_node : side_)) {
       const std::vector<bool> outside = nodes_outside(loop);
-      const std::vector<std::size_t> bad = invalid_nodes(loop, 0, [&](std::size_t k) { return outside[k]; });
       ++count_;
-      broken_ += !bad.empty();
-      for (NodeChain& chain : chains_of(loop, bad)) chains_.push_back(std::move(chain));
+      broken_ += std::find(outside.begin(), outside.end(), true) != outside.end();
+      for (NodeChain& chain : chains_of(loop, outside)) chains_.push_back(std::move(chain));
       if (!context_.wants_traces()) continue;
-      whole_.push_back(loop.at);
-      for (std::size_t k = 0; k < loop.at.size(); ++k) (outside[k] ? invalid_ : valid_).push_back(loop.at[k]);
+      whole_.push_back(loop);
+      for (std::size_t k = 0; k < loop.size(); ++k) (outside[k] ? invalid_ : valid_).push_back(loop[k]);
     }
   }
 
   /// Decision 1.
-  std::vector<bool> nodes_outside(const NodeLoop& loop) const {
-    std::vector<bool> outside(loop.at.size(), false);
-    for (std::size_t k = 0; k + 1 < loop.at.size(); ++k)
-      if (!problem_.walls().contains(loop.at[k], loop.at[k + 1])) outside[k] = outside[k + 1] = true;
+  std::vector<bool> nodes_outside(const Polyline& loop) const {
+    std::vector<bool> outside(loop.size(), false);
+    for (std::size_t k = 0; k + 1 < loop.size(); ++k)
+      if (!problem_.walls().contains(loop[k], loop[k + 1])) outside[k] = outside[k + 1] = true;
     outside.front() = outside.back() = outside.front() || outside.back();  // the same point
     return outside;
   }
@@ -201,7 +199,7 @@ class StcWithLoops {
     TreeGrower grower(cells_, p_.tree, context_.rng());
     const auto attach_component = [&](const ComponentOrder::Entry& entry) {
       grower.grow(entry.coarse);
-      const Polyline round = round_tree(fine_, cells_, entry.i, entry.j, RoundPoints::at_every_cell);
+      const Polyline round = round_tree(fine_, cells_, entry.at, RoundPoints::at_every_cell);
       if (tree_.vertices().empty())
         tree_.begin(round, BranchTree::Kind::round);
       else if (!attach(round, BranchTree::Kind::round))

@@ -29,7 +29,6 @@
 /// Complexity  O(1) for a query, a link and a step; 2 bytes a sub-cell of the window
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "algorithms/lattice/cell_map.hpp"

@@ -27,25 +27,16 @@ void cut_at_borders(const Point& u, const Point& v, std::vector<double>& cuts) {
 
 }  // namespace
 
-WallFollower::WallFollower(const Problem& problem, const CellRobot& robot) : problem_(problem), robot_(robot) {
+WallFollower::WallFollower(const Problem& problem, const CellRobot& robot)
+    : problem_(problem), robot_(robot), lattice_(robot.lattice()) {
   for_each_ring(problem.configuration_space(), [&](const Ring& ring) { add_ring(ring); });
-}
-
-bool WallFollower::free(const Cell& c) const {
-  const CellRobot::Lattice lattice = robot_.lattice();
-  return lattice.graph.free(c.i + lattice.column, c.j + lattice.row);
-}
-
-bool WallFollower::passable(const Cell& c, Direction d) const {
-  const CellRobot::Lattice lattice = robot_.lattice();
-  return lattice.graph.passable(c.i + lattice.column, c.j + lattice.row, d);
 }
 
 // The lane through the centre of a free cell covers a wall that it runs along.
 bool WallFollower::worth_following(const Point& a, const Point& b, const Cell& cell) const {
   const Point along = b - a, out = robot_.centre(cell) - a;
   const double away = std::abs(along.x() * out.y() - along.y() * out.x()) / along.norm();
-  return !free(cell) || away > kWorth * robot_.side();
+  return !lattice_.graph.free(in_graph(cell)) || away > kWorth * robot_.side();
 }
 
 void WallFollower::begin_section(const Point& at, const Cell& cell, bool continues) {
@@ -64,14 +55,13 @@ void WallFollower::begin_section(const Point& at, const Cell& cell, bool continu
 
 // Free space is on the left of a ring's edges: along the ring, the wall is on the right.
 void WallFollower::add_ring(const Ring& ring) {
-  const CellRobot::Lattice lattice = robot_.lattice();
-  const Point origin(lattice.column, lattice.row);
+  const Point origin(lattice_.first.i, lattice_.first.j);
   const auto first = static_cast<std::uint32_t>(sections_.size());
   bool continues = false;  // the piece before ended sections_.back()
   std::vector<double> cuts;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Point &a = ring[k], &b = ring[(k + 1) % ring.size()];
-    const Point u = lattice.graph.coordinates(a) - origin, v = lattice.graph.coordinates(b) - origin;
+    const Point u = lattice_.graph.coordinates(a) - origin, v = lattice_.graph.coordinates(b) - origin;
     cut_at_borders(u, v, cuts);
     for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
       if (cuts[c + 1] <= cuts[c] || a == b) continue;
@@ -135,7 +125,7 @@ std::optional<std::vector<Cell>> WallFollower::cells_to(const Cell& from, const 
     if (path.size() > kDetour) continue;
     for (const Direction d : kAllDirections) {
       const Cell to = neighbour(path.back(), d);
-      if (!passable(path.back(), d) ||
+      if (!lattice_.graph.passable(in_graph(path.back()), d) ||
           std::any_of(paths.begin(), paths.end(), [&](const auto& p) { return p.back() == to; }))
         continue;
       paths.push_back(path);

@@ -58,8 +58,7 @@ class WallFollower {
   void begin_section(const Point& at, const Cell& cell, bool continues);
   bool worth_following(const Point& a, const Point& b, const Cell& cell) const;
   void close_ring(std::uint32_t first, const Point& end, bool continues);
-  bool free(const Cell& c) const;
-  bool passable(const Cell& c, Direction d) const;
+  Cell in_graph(const Cell& c) const { return {c.i + lattice_.first.i, c.j + lattice_.first.j}; }
   std::uint32_t first_in(const Cell& c) const { return first_.get(c) - 1; }  // wraps to kNone
   bool any_unfollowed_in(const Cell& c) const;
   std::optional<std::uint32_t> nearest_point_in_sight(const Section& section, const Point& eye) const;
@@ -69,6 +68,7 @@ class WallFollower {
 
   const Problem& problem_;
   const CellRobot& robot_;
+  const CellRobot::Lattice lattice_;
   std::vector<Point> points_;
   std::vector<Section> sections_;
   CellMap<std::uint32_t> first_;  // of each cell: its first section's number plus one

@@ -245,7 +245,7 @@ class Climb {
 void cover_other_components(const Problem& problem, const GridGraph& graph, Climb& climb, PathBuilder& path) {
   std::vector<std::size_t> left;
   for (std::size_t c = 0; c < graph.size(); ++c)
-    if (graph.free(graph.column(c), graph.row(c)) && !climb.visited(c)) left.push_back(c);
+    if (graph.free(graph.cell(c)) && !climb.visited(c)) left.push_back(c);
   if (left.empty()) return;
   // Each cell is a component for this purpose: most are single cells, and the cells of larger ones are skipped once
   // visited.
@@ -274,7 +274,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   // The entry may be its component's only cell, so the tool is on already when the robot arrives.
   path.drive(entry->path, true);
   Climb climb(p, graph, context);
-  climb.cover_from(graph.at(entry->column, entry->row), path);
+  climb.cover_from(graph.at(entry->cell), path);
   if (p.components == Components::all && p.stop == Stop::backtrack) cover_other_components(problem, graph, climb, path);
   context.record("cells", static_cast<double>(climb.visited_count()));
   return path.take();

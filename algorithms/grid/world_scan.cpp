@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/graph_search.hpp"
+#include "algorithms/lattice/grid_graph.hpp"
 
 namespace oxturn {
 namespace {
 
 constexpr int kBegin = 4;           // cells around the pose, which may be nearer to a wall than cells can show
 constexpr std::size_t kMost = 500;  // refusals; more would mean a belief that never settles
-
-struct Cell {
-  int i, j;
-};
 
 /// Removes the cells whose centres are within `reach` cells of (x, y).
 void remove_disc(BitGrid& room, double x, double y, double reach) {
@@ -61,8 +57,7 @@ class SearchOut {
 
   /// The cells of the path whose end is nearest, by steps, to the point far up; empty if there is none.
   std::vector<Cell> run(const Point& pose) {
-    const Point at = (pose - room_.origin) / room_.cell;
-    const int ci = static_cast<int>(std::floor(at.x())), cj = static_cast<int>(std::floor(at.y()));
+    const auto [ci, cj] = cell_at(room_, pose);
     const auto enqueue = [this](const Cell& c) { queue_.push_back(c); };
     reach({ci, cj}, std::nullopt, 0, enqueue);
     for (int y = -kBegin; y <= kBegin; ++y)
@@ -73,8 +68,7 @@ class SearchOut {
         return;
       }
       const int steps = at_cell(c).steps + 1;
-      for (const Cell& to : {Cell{c.i + 1, c.j}, Cell{c.i, c.j + 1}, Cell{c.i - 1, c.j}, Cell{c.i, c.j - 1}})
-        reach(to, c, steps, append);
+      for (const Direction d : kAllDirections) reach(neighbour(c, d), c, steps, append);
     });
     std::vector<Cell> path;
     for (std::optional<Cell> c = best_; c; c = at_cell(*c).from) path.push_back(*c);
@@ -152,21 +146,31 @@ Point point_along(const Polyline& path, double metres) {
   return path.back();
 }
 
-}  // namespace
-
-std::optional<Motion> WorldScan::next(const View& view) {
-  const Robot& robot = view.robot();
-  const double size = robot.radius > 0 ? robot.radius : robot.tool_width / 2;
+/// Where to drive next; nullopt: the outer wall is closed. `refused`: points that are taken as wall (Decision 2).
+std::optional<Motion> next_motion(const View& view, std::vector<Point>& refused) {
+  const Robot& robot = view.robot;
+  const double size = robot_size(robot);
   const double radius = std::max(0.0, robot.radius - 5e-7 * robot.tool_width);  // touching a wall is allowed
-  while (refused_.size() < kMost) {
-    const BitGrid room = room_of(view.belief().cells(Belief::kCoarsest), robot.radius, refused_);
-    const Polyline path = path_out(room, view.pose());
+  while (refused.size() < kMost) {
+    const BitGrid room = room_of(view.belief.cells(Belief::kCoarsest), robot.radius, refused);
+    const Polyline path = path_out(room, view.pose);
     if (path.empty()) return std::nullopt;
-    Polyline part = known_part(view.belief(), path, radius, size / 8);
+    Polyline part = known_part(view.belief, path, radius, size / 8);
     if (length(part) > size / 4) return Motion{std::move(part), false};
-    refused_.push_back(point_along(path, length(part) + size / 2));
+    refused.push_back(point_along(path, length(part) + size / 2));
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+void scan_world(OnlineRobot& robot, const Context& context) {
+  std::vector<Point> refused;
+  while (!context.cancelled()) {
+    const auto motion = next_motion(robot.view(), refused);
+    if (!motion) return;
+    robot.go(*motion);
+  }
 }
 
 }  // namespace oxturn

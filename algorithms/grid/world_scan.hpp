@@ -1,8 +1,7 @@
 /// MyCarbot's scan of an unknown world: the robot heads for a point outside the world until no path leads there any
 /// more.
 ///
-///   WorldScan scan;
-///   while (const auto motion = scan.next(robot.view())) robot.go(*motion);
+///   scan_world(robot, context);
 ///
 /// Source      MyCarbot (TH Nuernberg), section 2.1
 /// Guarantee   Unknown space counts as free, and each stop shows more of the outer wall. When no path is left, the
@@ -14,19 +13,11 @@
 ///                ahead is taken as wall from then on, so that the scan ends.
 #pragma once
 
-#include <optional>
-
 #include "algorithms/online/driver.hpp"
 
 namespace oxturn {
 
-class WorldScan {
- public:
-  /// Where to drive next; nullopt: the outer wall is closed.
-  std::optional<Motion> next(const View& view);
-
- private:
-  std::vector<Point> refused_;
-};
+/// Drives until the outer wall is closed or the run is cancelled.
+void scan_world(OnlineRobot& robot, const Context& context);
 
 }  // namespace oxturn

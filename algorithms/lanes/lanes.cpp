@@ -15,64 +15,6 @@ constexpr double kSlack = 1e-6;     // in slab widths: differences up to this ar
 constexpr double kThinnest = 1e-3;  // in lane spacings: the least width of a slab
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-}  // namespace
-
-LaneFrame::LaneFrame(double lane_degrees) {
-  const double turn = std::remainder(90 - lane_degrees, 360.0);
-  if (std::fmod(turn, 90.0) == 0) {
-    const int quarter = (static_cast<int>(turn / 90) + 4) % 4;
-    c_ = quarter == 0 ? 1 : quarter == 2 ? -1 : 0;
-    s_ = quarter == 1 ? 1 : quarter == 3 ? -1 : 0;
-  } else {
-    c_ = std::cos(turn * kPi / 180);
-    s_ = std::sin(turn * kPi / 180);
-  }
-}
-
-Region LaneFrame::to_frame(const Region& region) const {
-  Region rotated = region;
-  for (Polygon& polygon : rotated.polygons) {
-    for (Point& p : polygon.outer) p = to_frame(p);
-    for (Ring& hole : polygon.holes)
-      for (Point& p : hole) p = to_frame(p);
-  }
-  return rotated;
-}
-
-Region lane_region(const Problem& problem, double inset, double chord) {
-  // A point at least `inset` from the boundary of C is at least radius + inset from every wall. Intersecting with C
-  // keeps the component of the start and respects a restricted C. The C of a polygonal robot has no arcs, so eroding in
-  // two steps loses nothing there.
-  const Region &space = problem.configuration_space(), &free = problem.map().free;
-  const Robot& robot = problem.robot();
-  const Region inner = robot.footprint.empty()
-                           ? erode(free, robot.radius + inset, chord, Bound::outside)
-                           : erode(erode(free, robot.footprint, Bound::outside), inset, chord, Bound::outside);
-  // Only C knows the boundaries that are no walls (the tether's reach, a cut).
-  return problem.limited() ? intersect(inner, erode(space, inset, chord, Bound::outside)) : intersect(inner, space);
-}
-
-void add_ring(std::vector<Segment>& edges, const Ring& ring) {
-  for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
-}
-
-std::vector<Segment> edges_of(const Region& region) {
-  std::vector<Segment> edges;
-  edges.reserve(vertex_count(region));
-  for_each_ring(region, [&](const Ring& ring) { add_ring(edges, ring); });
-  return edges;
-}
-
-Slabs slabs_over(double low, double high, double most) {
-  // Offsets are snapped to a grid: a width of exactly n lanes must not become n + 1 by rounding.
-  const double wanted = std::ceil((high - low) / most * (1 - kSlack));
-  const double count = std::max(1.0, wanted);
-  const double width = std::max((high - low) / count, most * kThinnest);
-  return {(low + high) / 2 - count * width / 2, width, static_cast<std::size_t>(count)};
-}
-
-namespace {
-
 using YInterval = std::pair<double, double>;  // low, high
 
 /// y of the edge at x, the same for both directions of the edge.
@@ -219,25 +161,13 @@ class Projector {
   std::vector<std::size_t> first_;  // index of the slab's first interval in the result
 };
 
-}  // namespace
-
-Projection project(const std::vector<Segment>& edges, const Slabs& slabs) {
-  if (edges.empty() || slabs.count == 0) return {};
-  return Projector(edges, slabs).run();
-}
-
-namespace {
-
 /// Heights between low and high at which an edge of `space` meets the vertical line at x, sorted; then `high`.
 std::vector<double> stops_on(const EdgeIndex& space, double x, double low, double high) {
   std::vector<double> stops;
   const auto add = [&](double y) {
     if (y > low && y < high) stops.push_back(y);
   };
-  Box box;
-  box.add({x, low});
-  box.add({x, high});
-  space.for_each_near(box, [&](std::size_t i) {
+  space.for_each_near(Box{{x, low}, {x, high}}, [&](std::size_t i) {
     const EdgeIndex::Edge& e = space.edges()[i];
     if (std::min(e.a.x(), e.b.x()) > x || std::max(e.a.x(), e.b.x()) < x) return;
     if (e.a.x() == e.b.x()) {
@@ -253,6 +183,65 @@ std::vector<double> stops_on(const EdgeIndex& space, double x, double low, doubl
 }
 
 }  // namespace
+
+LaneFrame::LaneFrame(double lane_degrees) {
+  const double turn = std::remainder(90 - lane_degrees, 360.0);
+  if (std::fmod(turn, 90.0) == 0) {
+    const int quarter = (static_cast<int>(turn / 90) + 4) % 4;
+    c_ = quarter == 0 ? 1 : quarter == 2 ? -1 : 0;
+    s_ = quarter == 1 ? 1 : quarter == 3 ? -1 : 0;
+  } else {
+    c_ = std::cos(turn * kPi / 180);
+    s_ = std::sin(turn * kPi / 180);
+  }
+}
+
+Region LaneFrame::to_frame(const Region& region) const {
+  Region rotated = region;
+  for (Polygon& polygon : rotated.polygons) {
+    for (Point& p : polygon.outer) p = to_frame(p);
+    for (Ring& hole : polygon.holes)
+      for (Point& p : hole) p = to_frame(p);
+  }
+  return rotated;
+}
+
+Region lane_region(const Problem& problem, double inset, double chord) {
+  // A point at least `inset` from the boundary of C is at least radius + inset from every wall. Intersecting with C
+  // keeps the component of the start and respects a restricted C. The C of a polygonal robot has no arcs, so eroding in
+  // two steps loses nothing there.
+  const Region &space = problem.configuration_space(), &free = problem.map().free;
+  const Robot& robot = problem.robot();
+  const Region inner = robot.footprint.empty()
+                           ? erode(free, robot.radius + inset, chord, Bound::outside)
+                           : erode(erode(free, robot.footprint, Bound::outside), inset, chord, Bound::outside);
+  // Only C knows the boundaries that are no walls (the tether's reach, a cut).
+  return problem.limited() ? intersect(inner, erode(space, inset, chord, Bound::outside)) : intersect(inner, space);
+}
+
+void add_ring(std::vector<Segment>& edges, const Ring& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+}
+
+std::vector<Segment> edges_of(const Region& region) {
+  std::vector<Segment> edges;
+  edges.reserve(vertex_count(region));
+  for_each_ring(region, [&](const Ring& ring) { add_ring(edges, ring); });
+  return edges;
+}
+
+Slabs slabs_over(double low, double high, double most) {
+  // Offsets are snapped to a grid: a width of exactly n lanes must not become n + 1 by rounding.
+  const double wanted = std::ceil((high - low) / most * (1 - kSlack));
+  const double count = std::max(1.0, wanted);
+  const double width = std::max((high - low) / count, most * kThinnest);
+  return {(low + high) / 2 - count * width / 2, width, static_cast<std::size_t>(count)};
+}
+
+Projection project(const std::vector<Segment>& edges, const Slabs& slabs) {
+  if (edges.empty() || slabs.count == 0) return {};
+  return Projector(edges, slabs).run();
+}
 
 std::vector<std::pair<double, double>> clip_vertical(const EdgeIndex& space, double x, double low, double high,
                                                      double margin) {

@@ -175,10 +175,7 @@ class RingTree {
     for (std::size_t k = 0; k < pieces; ++k) {
       const Point a = lerp(source.a, source.b, static_cast<double>(k) / n),
                   b = lerp(source.a, source.b, static_cast<double>(k + 1) / n);
-      Box box;
-      box.add(a);
-      box.add(b);
-      grid.near(box, reach, [&](const RingGrid::Item& item) {
+      grid.near(Box{a.cwiseMin(b), a.cwiseMax(b)}, reach, [&](const RingGrid::Item& item) {
         if (attached_[item.ring]) return;
         const Ring& ring = *rings_[item.ring];
         const Approach m = nearest_approach(a, b, ring[item.edge], ring[(item.edge + 1) % ring.size()]);
@@ -319,6 +316,17 @@ Path with_rings(const Problem& problem, const Region& rings, const Path& path, d
   const FlatPath flat = flattened(path, problem.start());
   const RingTree tree(std::move(all), flat.points, width, context);
   return RingDrive(tree, problem.start(), width, connector).run(flat);
+}
+
+Path drive_strips_and_walls(const Problem& problem, const std::vector<Strip>& strips, StripOrder order, bool outline,
+                            Context& context) {
+  const Connector connector(problem);
+  Path path = drive_strips(problem, strips, order, connector, context);
+  context.publish(path);
+  if (!outline || context.cancelled()) return path;
+  path = with_outline(problem, path, problem.robot().tool_width, connector, context);
+  context.publish(path);
+  return path;
 }
 
 }  // namespace oxturn

@@ -15,8 +15,7 @@
 ///                  '--------'
 #pragma once
 
-#include "algorithms/coverage_planner.hpp"
-#include "algorithms/transit/connector.hpp"
+#include "algorithms/lanes/strips.hpp"
 
 namespace oxturn {
 
@@ -26,5 +25,8 @@ Path with_outline(const Problem& problem, const Path& path, double width, const 
 /// The same with the rings of `rings`, which lies in configuration space.
 Path with_rings(const Problem& problem, const Region& rings, const Path& path, double width, const Connector& connector,
                 Context& context);
+/// The strips (drive_strips), and with `outline` the walls as well, a tool width from the path. Publishes both.
+Path drive_strips_and_walls(const Problem& problem, const std::vector<Strip>& strips, StripOrder order, bool outline,
+                            Context& context);
 
 }  // namespace oxturn

@@ -12,40 +12,6 @@ const Point& end_of(const LaneEnds& lane, bool up) { return up ? lane.high : lan
 
 Polyline line_of(const LaneEnds& lane) { return lane.curve.empty() ? Polyline{lane.low, lane.high} : lane.curve; }
 
-}  // namespace
-
-std::vector<bool> Strip::directions(bool first_up) const {
-  std::vector<bool> up{first_up};
-  for (std::size_t i = 1; i < lanes.size(); ++i) {
-    if (!low_links.empty()) {  // links follow the boundary: strictly alternating
-      up.push_back(!up.back());
-      continue;
-    }
-    const Point& at = end_of(lanes[i - 1], up.back());
-    const double to_low = distance(at, lanes[i].low), to_high = distance(at, lanes[i].high);
-    up.push_back(to_low == to_high ? !up.back() : to_low < to_high);
-  }
-  return up;
-}
-
-TourElement Strip::patterns() const {
-  TourElement all;
-  for (const bool first_up : {true, false}) {
-    const std::vector<bool> up = directions(first_up);
-    const Point entry = begin_of(lanes.front(), up.front()), exit = end_of(lanes.back(), up.back());
-    double links = 0;
-    for (std::size_t i = 1; i < lanes.size(); ++i)
-      links += distance(end_of(lanes[i - 1], up[i - 1]), begin_of(lanes[i], up[i]));
-    const std::size_t forwards = all.size(), backwards = forwards + 1;
-    all.push_back({entry, exit, links, backwards});
-    all.push_back({exit, entry, links, forwards});
-    if (lanes.size() == 1) break;  // beginning at the other end is the same lane backwards
-  }
-  return all;
-}
-
-namespace {
-
 struct StripLeg {
   bool tool;
   Polyline points;
@@ -83,19 +49,19 @@ std::vector<StripLeg> legs_of(const Strip& strip, const StripPattern& pattern, d
 /// The strips in driving order, each with its pattern.
 std::vector<TourStop> tour_of(const std::vector<Strip>& strips, const std::vector<TourElement>& elements,
                               const Point& start, StripOrder order, const Connector& connector, Context& context) {
-  const OpenTour tours(start, elements, connector);
+  const TourCosts costs(start, elements, connector);
   std::vector<TourStop> tour;
   if (order == StripOrder::given) {
     for (std::size_t i = 0; i < elements.size(); ++i) tour.push_back({i, 0});
   } else if (order == StripOrder::depth_first) {
     std::vector<std::vector<std::size_t>> neighbours;
     for (const Strip& s : strips) neighbours.push_back(s.neighbours);
-    tour = tours.depth_first(neighbours, context);
+    tour = depth_first_tour(costs, neighbours, context);
   } else {
-    tour = tours.nearest(context);
+    tour = nearest_tour(costs, context);
   }
-  if (order == StripOrder::improved) tours.improve(tour, context);
-  if (!context.cancelled()) tours.choose_patterns(tour);
+  if (order == StripOrder::improved) improve_tour(costs, tour, context);
+  if (!context.cancelled()) choose_patterns(costs, tour);
   return tour;
 }
 
@@ -107,6 +73,42 @@ void trace_lanes(const std::vector<Strip>& strips, Context& context) {
 }
 
 }  // namespace
+
+std::vector<bool> Strip::directions(bool first_up) const {
+  std::vector<bool> up{first_up};
+  for (std::size_t i = 1; i < lanes.size(); ++i) {
+    if (!low_links.empty()) {  // links follow the boundary: strictly alternating
+      up.push_back(!up.back());
+      continue;
+    }
+    const Point& at = end_of(lanes[i - 1], up.back());
+    const double to_low = distance(at, lanes[i].low), to_high = distance(at, lanes[i].high);
+    up.push_back(to_low == to_high ? !up.back() : to_low < to_high);
+  }
+  return up;
+}
+
+void connect(std::vector<Strip>& strips, std::size_t a, std::size_t b) {
+  if (a == b) return;
+  strips[a].neighbours.push_back(b);
+  strips[b].neighbours.push_back(a);
+}
+
+TourElement Strip::patterns() const {
+  TourElement all;
+  for (const bool first_up : {true, false}) {
+    const std::vector<bool> up = directions(first_up);
+    const Point entry = begin_of(lanes.front(), up.front()), exit = end_of(lanes.back(), up.back());
+    double links = 0;
+    for (std::size_t i = 1; i < lanes.size(); ++i)
+      links += distance(end_of(lanes[i - 1], up[i - 1]), begin_of(lanes[i], up[i]));
+    const std::size_t forwards = all.size(), backwards = forwards + 1;
+    all.push_back({entry, exit, links, backwards});
+    all.push_back({exit, entry, links, forwards});
+    if (lanes.size() == 1) break;  // beginning at the other end is the same lane backwards
+  }
+  return all;
+}
 
 Path drive_strips(const Problem& problem, const std::vector<Strip>& strips, StripOrder order,
                   const Connector& connector, Context& context) {

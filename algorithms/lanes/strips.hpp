@@ -37,6 +37,9 @@ struct Strip {
   TourElement patterns() const;
 };
 
+/// Makes two different strips neighbours.
+void connect(std::vector<Strip>& strips, std::size_t a, std::size_t b);
+
 /// How a strip is driven.
 struct StripPattern {
   bool first_up;   // the first lane is driven from low to high
@@ -49,7 +52,7 @@ inline constexpr std::array<StripPattern, 4> kStripPatterns{
 enum class StripOrder { improved, nearest, depth_first, given };
 
 /// Drives all strips from the problem's start. Within a strip, links up to 3 tool widths long have the tool on; longer
-/// ones and the paths between strips are transit. Traces "lanes". Ends early if cancelled. Cost: see OpenTour.
+/// ones and the paths between strips are transit. Traces "lanes". Ends early if cancelled. Cost: see open_tour.hpp.
 Path drive_strips(const Problem& problem, const std::vector<Strip>& strips, StripOrder order,
                   const Connector& connector, Context& context);
 

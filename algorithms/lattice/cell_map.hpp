@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "algorithms/lattice/cell_robot.hpp"
+#include "algorithms/lattice/grid_graph.hpp"
 
 namespace oxturn {
 

@@ -12,11 +12,6 @@
 namespace oxturn {
 namespace {
 
-Cell cell_of_start(const Problem& problem, const GridGraph& graph) {
-  const Point at = graph.coordinates(problem.start());
-  return {static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
-}
-
 /// True if no wall's bounding box meets that of ab. Cheaper than the index of walls, which may be larger than the
 /// lattice, if it has not been built yet.
 bool far_from_walls(const Region& space, const Point& a, const Point& b) {
@@ -47,16 +42,16 @@ void CellRobot::drive(const Polyline& points, const Cell& end, bool tool) {
   ++steps_;
 }
 
-bool CellRobot::go_straight(const Cell& to, bool tool) {
-  if (!graph_) return world_->go_straight(at_, to, tool) && (at_ = to, ++steps_, true);
+bool CellRobot::go_straight(const Cell& to) {
+  if (!graph_) return world_->go_straight(at_, to, false) && (at_ = to, ++steps_, true);
   if (!straight(at_, to)) return false;
-  drive({centre(to)}, to, tool);
+  drive({centre(to)}, to, false);
   return true;
 }
 
 CellRobot::Lattice CellRobot::lattice() const {
   if (!graph_) throw std::logic_error("a robot's lattice is known on the true map only");
-  return {*graph_, i0_, j0_};
+  return {*graph_, first_};
 }
 
 Path CellRobot::take() {
@@ -69,25 +64,24 @@ GridGraph grid_at_start(const Problem& problem, double side, double angle) {
 }
 
 CellRobot robot_at_start(const Problem& problem, const GridGraph& graph, int reach) {
-  const Cell at = cell_of_start(problem, graph);
-  if (std::none_of(kAllDirections.begin(), kAllDirections.end(),
-                   [&](Direction d) { return graph.passable(at.i, at.j, d); }))
+  const Cell at = graph.cell_of(problem.start());
+  if (std::none_of(kAllDirections.begin(), kAllDirections.end(), [&](Direction d) { return graph.passable(at, d); }))
     throw Infeasible("no neighbour of the start's cell can be reached; a smaller cell_size may help");
-  return CellRobot(graph, at.i, at.j, PathBuilder(problem.start()), reach);
+  return CellRobot(graph, at, PathBuilder(problem.start()), reach);
 }
 
 std::optional<Entry> entry_from_start(const Problem& problem, const GridGraph& graph) {
-  const Cell at = cell_of_start(problem, graph);
-  const Point centre = graph.centre(at.i, at.j);
-  if (graph.free(at.i, at.j) && (far_from_walls(problem.configuration_space(), problem.start(), centre) ||
-                                 problem.walls().contains(problem.start(), centre)))
-    return Entry{at.i, at.j, {problem.start(), centre}};
+  const Cell at = graph.cell_of(problem.start());
+  const Point centre = graph.centre(at);
+  if (graph.free(at) && (far_from_walls(problem.configuration_space(), problem.start(), centre) ||
+                         problem.walls().contains(problem.start(), centre)))
+    return Entry{at, {problem.start(), centre}};
   NearestComponent nearest(problem);
   for (std::size_t node = 0; node < graph.size(); ++node)
-    if (graph.free(graph.column(node), graph.row(node))) nearest.add(graph.centre(node), 0, node);
+    if (graph.free(graph.cell(node))) nearest.add(graph.centre(node), 0, node);
   auto found = nearest.from(problem.start());
   if (!found) return std::nullopt;
-  return Entry{graph.column(found->id), graph.row(found->id), std::move(found->path)};
+  return Entry{graph.cell(found->id), std::move(found->path)};
 }
 
 }  // namespace oxturn

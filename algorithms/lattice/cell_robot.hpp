@@ -18,24 +18,14 @@
 
 namespace oxturn {
 
-struct Cell {
-  int i = 0, j = 0;
-  bool operator==(const Cell&) const = default;
-};
-inline Cell neighbour(const Cell& c, Direction d) { return {c.i + kColumnStep[d], c.j + kRowStep[d]}; }
-
-/// A lattice that is not read from the true map (but seen by lidar: algorithms/online/lidar_cells.hpp).
+/// A lattice that is not read from the true map (but seen by lidar: algorithms/grid/cell_planner.cpp).
 /// Answers may change from wall to free while the robot learns.
 class CellWorld {
  public:
   virtual ~CellWorld() = default;
-  virtual bool free(const Cell& c) = 0;
-  virtual bool passable(const Cell& c, Direction d) = 0;
-  /// Drives from the centre of c to its neighbour's. False if the robot was stopped; it is back in the centre of c
-  /// then.
-  virtual bool step(const Cell& c, Direction d, bool tool) = 0;
-  /// The same for cells that are not neighbours, across squares between cells that are known to be free entirely.
+  /// The segment between two centres is known to be free, and so are all squares between cells that it meets.
   virtual bool straight(const Cell& from, const Cell& to) = 0;
+  /// Drives there. False if the robot was stopped; it is back in the centre of `from` then.
   virtual bool go_straight(const Cell& from, const Cell& to, bool tool) = 0;
   virtual Point centre(const Cell& c) const = 0;
 };
@@ -43,8 +33,8 @@ class CellWorld {
 class CellRobot final {
  public:
   /// On the true map, in the given cell of the lattice. `path` must end at its centre. `graph` must outlive the robot.
-  CellRobot(const GridGraph& graph, int first_column, int first_row, PathBuilder path, int reach = 1)
-      : graph_(&graph), i0_(first_column), j0_(first_row), reach_(reach), side_(graph.side()), path_(std::move(path)) {}
+  CellRobot(const GridGraph& graph, const Cell& first, PathBuilder path, int reach = 1)
+      : graph_(&graph), first_(first), reach_(reach), side_(graph.side()), path_(std::move(path)) {}
   /// In another world, which records the path itself: take() must not be called.
   CellRobot(CellWorld& world, double side, int reach = 1)
       : world_(&world), reach_(reach), side_(side), path_(world.centre({0, 0})) {}
@@ -54,30 +44,32 @@ class CellRobot final {
   /// How far it feels, in cells; a diagonal step counts as one.
   int reach() const { return reach_; }
   std::size_t steps() const { return steps_; }
-  Point centre(const Cell& c) const { return graph_ ? graph_->centre(c.i + i0_, c.j + j0_) : world_->centre(c); }
+  Point centre(const Cell& c) const { return graph_ ? graph_->centre(in_graph(c)) : world_->centre(c); }
 
   /// Throws std::logic_error for a cell farther away than reach(), as does passable().
   bool free(const Cell& c) const {
     check(c);
-    return graph_ ? graph_->free(c.i + i0_, c.j + j0_) : world_->free(c);
+    return graph_ ? graph_->free(in_graph(c)) : world_->straight(c, c);
   }
   /// The segment from the centre of c to its neighbour's is free.
   bool passable(const Cell& c, Direction d) const {
     check(c);
     check(neighbour(c, d));
-    return graph_ ? graph_->passable(c.i + i0_, c.j + j0_, d) : world_->passable(c, d);
+    return graph_ ? graph_->passable(in_graph(c), d) : world_->straight(c, neighbour(c, d));
   }
   bool passable(Direction d) const {
-    return graph_ ? graph_->passable(at_.i + i0_, at_.j + j0_, d) : world_->passable(at_, d);
+    return graph_ ? graph_->passable(in_graph(at_), d) : world_->straight(at_, neighbour(at_, d));
   }
   /// The robot knows by now that this step is free, at whatever distance. False on the true map, where it knows no more
   /// than it feels.
-  bool known_open(const Cell& c, Direction d) const { return world_ != nullptr && world_->passable(c, d); }
+  bool known_open(const Cell& c, Direction d) const {
+    return world_ != nullptr && world_->straight(c, neighbour(c, d));
+  }
 
   /// Drives to the neighbour's centre. False if that is not possible; the robot stays where it is then.
   bool step(Direction d, bool tool = true) {
     if (!graph_) {
-      if (!world_->step(at_, d, tool)) return false;
+      if (!world_->go_straight(at_, neighbour(at_, d), tool)) return false;
     } else {
       if (!passable(d)) return false;
       if (d != heading_ || tool != tool_) turn(d, tool);
@@ -90,17 +82,17 @@ class CellRobot final {
   /// The segment between two centres is free, and so are all squares between centres that it meets. At any distance:
   /// meant for cells where the robot has been. On the true map only after graph.add_diagonals().
   bool straight(const Cell& from, const Cell& to) const {
-    return graph_ ? graph_->straight(from.i + i0_, from.j + j0_, to.i + i0_, to.j + j0_) : world_->straight(from, to);
+    return graph_ ? graph_->straight(in_graph(from), in_graph(to)) : world_->straight(from, to);
   }
-  /// Drives straight to a cell; false if that is not possible.
-  bool go_straight(const Cell& to, bool tool);
+  /// Drives straight to a cell, with the tool off; false if that is not possible.
+  bool go_straight(const Cell& to);
   /// Leaves the lattice along `points`, which end in the centre of `end`. True map only; the caller knows it is free.
   void drive(const Polyline& points, const Cell& end, bool tool = true);
 
   /// The lattice and where the robot's cell {0, 0} lies in it, for what is driven off the lattice. True map only.
   struct Lattice {
     const GridGraph& graph;
-    int column, row;
+    Cell first;
   };
   Lattice lattice() const;
 
@@ -108,6 +100,7 @@ class CellRobot final {
   Path take();
 
  private:
+  Cell in_graph(const Cell& c) const { return {c.i + first_.i, c.j + first_.j}; }
   void check(const Cell& c) const {
     if (std::abs(c.i - at_.i) > reach_ || std::abs(c.j - at_.j) > reach_) [[unlikely]]
       throw_out_of_reach(c);
@@ -125,7 +118,8 @@ class CellRobot final {
 
   const GridGraph* graph_ = nullptr;  // either this
   CellWorld* world_ = nullptr;        // or that
-  int i0_ = 0, j0_ = 0, reach_;
+  Cell first_;                        // in the graph
+  int reach_;
   double side_;
   Cell at_;
   std::size_t steps_ = 0;
@@ -141,7 +135,7 @@ CellRobot robot_at_start(const Problem& problem, const GridGraph& graph, int rea
 
 /// Where a lattice is entered from the start.
 struct Entry {
-  int column, row;
+  Cell cell;
   Polyline path;  // from the start to that cell's centre
 };
 /// The cell under the start if its centre can be reached straight, else the nearest cell by driven path (which builds

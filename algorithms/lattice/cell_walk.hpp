@@ -92,21 +92,19 @@ class CellWalk {
     return std::nullopt;
   }
 
-  /// False if a step was refused; the robot is where it was stopped then.
-  bool follow(const Steps& steps, bool tool) {
-    for (const Direction d : steps)
-      if (!step(d, tool)) return false;
-    return true;
+  /// With the tool off. False if a step was refused; the robot is where it was stopped then.
+  bool follow(const Steps& steps) {
+    return std::all_of(steps.begin(), steps.end(), [this](Direction d) { return step(d, false); });
   }
   /// The same, but from each cell straight to the farthest cell of the path for which that is possible.
-  bool follow_smoothed(const Steps& steps, bool tool) {
+  bool follow_smoothed(const Steps& steps) {
     std::vector<Cell> cells{at()};
     for (const Direction d : steps) cells.push_back(neighbour(cells.back(), d));
     for (std::size_t k = 0; k < steps.size();) {
       std::size_t to = k + 1;
       while (to < steps.size() && robot_.straight(cells[k], cells[to + 1])) ++to;
-      if (to == k + 1 || !go_straight(cells[to], tool)) {
-        if (!step(steps[k], tool)) return false;
+      if (to == k + 1 || !go_straight(cells[to])) {
+        if (!step(steps[k], false)) return false;
         to = k + 1;
       }
       k = to;
@@ -117,21 +115,11 @@ class CellWalk {
   /// Goes to the nearest visited cell with goal(cell), by another path where a step is refused. False if there is none,
   /// or the run is cancelled.
   template <class Goal>
-  bool go_to(Goal goal, bool tool = false) {
-    while (!cancelled()) {
-      const auto steps = path_to(goal);
-      if (!steps) return false;
-      if (follow(*steps, tool)) return true;
-    }
-    return false;
+  bool go_to(Goal goal) {
+    return go_by([&] { return path_to(goal); });
   }
-  bool go_to_cell(const Cell& cell, bool tool = false) {
-    while (!cancelled()) {
-      const auto steps = path_to_cell(cell);
-      if (!steps) return false;
-      if (follow(*steps, tool)) return true;
-    }
-    return false;
+  bool go_to_cell(const Cell& cell) {
+    return go_by([&] { return path_to_cell(cell); });
   }
   /// Goes to the nearest visited cell beside an unvisited one: for a robot that is closed in.
   bool escape() {
@@ -185,6 +173,15 @@ class CellWalk {
   };
   static constexpr std::uint32_t kLastSearch = (1u << 30) - 1;
 
+  template <class PathTo>
+  bool go_by(PathTo path) {
+    while (!cancelled()) {
+      const std::optional<Steps> steps = path();
+      if (!steps) return false;
+      if (follow(*steps)) return true;
+    }
+    return false;
+  }
   void arrive() {
     Mark mark = marks_[at()];
     if (!mark.visited) {
@@ -207,8 +204,8 @@ class CellWalk {
     here_.open &= ~(1 << d);
     marks_[at()] = here_;
   }
-  bool go_straight(const Cell& to, bool tool) {
-    if (!robot_.go_straight(to, tool)) return false;
+  bool go_straight(const Cell& to) {
+    if (!robot_.go_straight(to)) return false;
     arrive();
     return true;
   }

@@ -3,11 +3,7 @@
 namespace oxturn {
 
 CoarseCells::CoarseCells(const GridGraph& fine)
-    : fine_(fine),
-      columns_(fine.columns() / 2),
-      rows_(fine.rows() / 2),
-      free_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
-      tree_(free_.size(), 0) {
+    : CellNumbers(fine.columns() / 2, fine.rows() / 2), fine_(fine), free_(size()), tree_(size(), 0) {
   for (int j = 0; j < rows_; ++j)
     for (int i = 0; i < columns_; ++i)
       free_[at(i, j)] = fine.passable(2 * i, 2 * j, kEast) && fine.passable(2 * i, 2 * j, kNorth) &&
@@ -49,27 +45,24 @@ std::vector<std::size_t> grow_breadth_first(CoarseCells& cells, std::size_t root
 }
 
 // Counter-clockwise inside each coarse cell, unless a tree edge leads out of it; so the tree stays on the left.
-Direction round_step(const CoarseCells& cells, int i, int j) {
-  const bool west = i % 2 == 0, south = j % 2 == 0;  // which of the four sub-cells
+Direction round_step(const CoarseCells& cells, const Cell& at) {
+  const bool west = at.i % 2 == 0, south = at.j % 2 == 0;  // which of the four sub-cells
   // Over the side of the coarse cell that is on the right of the path, if the tree crosses it.
   const Direction out = south ? (west ? kSouth : kEast) : (west ? kWest : kNorth);
-  return cells.in_tree(cells.at(i / 2, j / 2), out) ? out : left_of(out);
+  return cells.in_tree(cells.at(at.i / 2, at.j / 2), out) ? out : left_of(out);
 }
 
-Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, int i0, int j0, RoundPoints points) {
-  Polyline line{fine.centre(i0, j0)};
-  int i = i0, j = j0;
+Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, const Cell& first, RoundPoints points) {
+  Polyline line{fine.centre(first)};
+  Cell at = first;
   std::optional<Direction> last;
   do {
-    const Direction d = round_step(cells, i, j);
-    i += kColumnStep[d];
-    j += kRowStep[d];
-    if (last == d && points == RoundPoints::at_turns)
-      line.back() = fine.centre(i, j);
-    else
-      line.push_back(fine.centre(i, j));
+    const Direction d = round_step(cells, at);
+    at = neighbour(at, d);
+    if (last == d && points == RoundPoints::at_turns) line.pop_back();
+    line.push_back(fine.centre(at));
     last = d;
-  } while (i != i0 || j != j0);
+  } while (at != first);
   return line;
 }
 

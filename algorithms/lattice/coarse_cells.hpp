@@ -3,7 +3,7 @@
 ///
 ///   CoarseCells cells(fine);
 ///   grow_breadth_first(cells, cells.at(0, 0));
-///   path.drive(round_tree(fine, cells, 0, 0), true);
+///   path.drive(round_tree(fine, cells, {0, 0}), true);
 ///
 ///   +-------+-------+
 ///   | o - o - o - o |     o  sub-cell centres, joined by the closed path
@@ -24,18 +24,12 @@
 namespace oxturn {
 
 /// The coarse cells over a lattice of sub-cells, with the tree edges chosen so far.
-class CoarseCells {
+class CoarseCells : public CellNumbers {
  public:
   /// A coarse cell is free if the square through its four sub-cell centres is: nothing else is driven inside it.
   /// `fine` must outlive it.
   explicit CoarseCells(const GridGraph& fine);
 
-  std::size_t size() const { return free_.size(); }
-  std::size_t at(int i, int j) const {
-    return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
-  }
-  int column(std::size_t c) const { return static_cast<int>(c % static_cast<std::size_t>(columns_)); }
-  int row(std::size_t c) const { return static_cast<int>(c / static_cast<std::size_t>(columns_)); }
   bool free(std::size_t c) const { return free_[c]; }
   /// Some tree edge ends here.
   bool linked(std::size_t c) const { return tree_[c] != 0; }
@@ -43,9 +37,7 @@ class CoarseCells {
 
   /// Both cells are free, and so are the two lattice edges between their sub-cells.
   bool adjacent(std::size_t c, Direction d) const;
-  std::size_t neighbour(std::size_t c, Direction d) const {
-    return at(column(c) + kColumnStep[d], row(c) + kRowStep[d]);
-  }
+  std::size_t neighbour(std::size_t c, Direction d) const { return at(oxturn::neighbour(cell(c), d)); }
   void link(std::size_t c, Direction d) {
     tree_[c] |= static_cast<std::uint8_t>(1 << d);
     tree_[neighbour(c, d)] |= static_cast<std::uint8_t>(1 << opposite(d));
@@ -54,7 +46,6 @@ class CoarseCells {
 
  private:
   const GridGraph& fine_;
-  int columns_, rows_;
   std::vector<bool> free_;
   std::vector<std::uint8_t> tree_;  // of each cell a bit for each direction
 };
@@ -64,11 +55,11 @@ class CoarseCells {
 std::vector<std::size_t> grow_breadth_first(CoarseCells& cells, std::size_t root,
                                             std::size_t deepest = std::numeric_limits<std::size_t>::max());
 
-/// Counter-clockwise around the tree: where the path leads from sub-cell (i, j).
-Direction round_step(const CoarseCells& cells, int i, int j);
+/// Counter-clockwise around the tree: where the path leads from a sub-cell.
+Direction round_step(const CoarseCells& cells, const Cell& at);
 enum class RoundPoints { at_turns, at_every_cell };
-/// The closed path around the tree from sub-cell (i0, j0), counter-clockwise: each sub-cell of the tree's cells once.
-Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, int i0, int j0,
+/// The closed path around the tree from sub-cell `first`, counter-clockwise: each sub-cell of the tree's cells once.
+Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, const Cell& first,
                     RoundPoints points = RoundPoints::at_turns);
 
 /// A segment for every tree edge, for pictures.

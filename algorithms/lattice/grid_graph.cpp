@@ -63,13 +63,12 @@ void GridGraph::for_each_wall(const Region& space, F f) const {
 }
 
 GridGraph::GridGraph(const Region& space, double side, double angle, const Point& origin, int columns, int rows)
-    : side_(side),
+    : CellNumbers(columns, rows),
+      side_(side),
       origin_(origin),
       across_(std::cos(angle), std::sin(angle)),
       up_(perpendicular(across_)),
-      columns_(columns),
-      rows_(rows),
-      cells_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0) {
+      cells_(size(), 0) {
   mark_free_nodes(space);
   open_edges_between_free_nodes();
   close_edges_at_walls(space);
@@ -176,8 +175,10 @@ void GridGraph::close_squares_at(const Edge& wall) {
   }
 }
 
-bool GridGraph::straight(int i, int j, int i2, int j2) const {
-  if (i2 < i) return straight(i2, j2, i, j);
+bool GridGraph::straight(const Cell& from, const Cell& to) const {
+  if (to.i < from.i) return straight(to, from);
+  const auto [i, j] = from;
+  const auto [i2, j2] = to;
   if (i == i2) {
     for (int y = std::min(j, j2); y < std::max(j, j2); ++y)
       if (!passable(i, y, kNorth)) return false;
@@ -198,6 +199,35 @@ bool GridGraph::straight(int i, int j, int i2, int j2) const {
       if (!clear(x, static_cast<int>(y))) return false;
   }
   return true;
+}
+
+Cell GridGraph::cell_of(const Point& p) const {
+  const Point at = coordinates(p);
+  return {static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y()))};
+}
+
+ConnectedComponents components_of(const GridGraph& graph) {
+  return connected_components(
+      graph.size(), [&](std::size_t node) { return graph.free(graph.cell(node)); },
+      [&](std::size_t node, const auto& reach) {
+        const Cell c = graph.cell(node);
+        for (const Direction d : kAllDirections)
+          if (graph.passable(c, d)) reach(graph.at(neighbour(c, d)));
+      });
+}
+
+std::vector<Cell> take_component(BitGrid& grid, const Cell& cell, int reach) {
+  std::vector<Cell> component{cell};
+  grid.set(cell.i, cell.j, false);
+  breadth_first(component, [&](const Cell& at, const auto& take) {
+    for (int j = at.j - reach; j <= at.j + reach; ++j)
+      for (int i = at.i - reach; i <= at.i + reach; ++i) {
+        if (!grid.get(i, j)) continue;
+        grid.set(i, j, false);
+        take({i, j});
+      }
+  });
+  return component;
 }
 
 BitGrid rasterise(const Region& region, const GridGraph& lattice, int parts, int margin, CellRule rule) {
@@ -223,8 +253,6 @@ double dominant_direction(const Region& region) {
   if (angle < 1e-9 || angle > kPi / 2 - 1e-9) angle = 0;  // on the axes but for rounding
   return angle;
 }
-
-double cell_side(double given, const Robot& robot) { return given > 0 ? given : robot.tool_width / std::sqrt(2.0); }
 
 GridGraph make_grid_graph(const Problem& problem, const LatticePlacement& placement) {
   constexpr double kMostShrinking = 1e-3;  // of a cell, where a box is a whole number of cells wide but for rounding

@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
+#include "base/graph_search.hpp"
 #include "geometry/raster.hpp"
 #include "maps/problem.hpp"
 
@@ -27,16 +27,43 @@ inline Direction opposite(Direction d) { return static_cast<Direction>((d + 2) %
 inline Direction left_of(Direction d) { return static_cast<Direction>((d + 1) % 4); }
 inline Direction right_of(Direction d) { return static_cast<Direction>((d + 3) % 4); }
 
-class GridGraph {
+/// A cell of a lattice: column i, row j.
+struct Cell {
+  int i = 0, j = 0;
+  bool operator==(const Cell&) const = default;
+};
+inline Cell neighbour(const Cell& c, Direction d) { return {c.i + kColumnStep[d], c.j + kRowStep[d]}; }
+
+/// Numbers for the cells of a lattice, row by row.
+class CellNumbers {
+ public:
+  CellNumbers(int columns, int rows) : columns_(columns), rows_(rows) {}
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  std::size_t size() const { return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_); }
+  bool inside(int i, int j) const { return i >= 0 && j >= 0 && i < columns_ && j < rows_; }
+  std::size_t at(int i, int j) const {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
+  }
+  std::size_t at(const Cell& c) const { return at(c.i, c.j); }
+  int column(std::size_t number) const { return static_cast<int>(number % static_cast<std::size_t>(columns_)); }
+  int row(std::size_t number) const { return static_cast<int>(number / static_cast<std::size_t>(columns_)); }
+  Cell cell(std::size_t number) const { return {column(number), row(number)}; }
+
+ protected:
+  int columns_, rows_;
+};
+
+class GridGraph : public CellNumbers {
  public:
   /// Nodes at origin + rotation by `angle` of ((i + 1/2) side, (j + 1/2) side).
   GridGraph(const Region& configuration_space, double side, double angle, const Point& origin, int columns, int rows);
 
-  int columns() const { return columns_; }
-  int rows() const { return rows_; }
   double side() const { return side_; }
+  bool free(const Cell& c) const { return free(c.i, c.j); }
   bool free(int i, int j) const { return inside(i, j) && (cells_[at(i, j)] & kFree) != 0; }
-  /// The edge from (i, j) to its neighbour is free.
+  /// The edge from a cell's centre to its neighbour's is free.
+  bool passable(const Cell& c, Direction d) const { return passable(c.i, c.j, d); }
   bool passable(int i, int j, Direction d) const {
     if (!inside(i, j)) return false;
     switch (d) {
@@ -60,24 +87,19 @@ class GridGraph {
     return (square & (di == dj ? kRisingOpen : kFallingOpen)) != 0;
   }
   /// The segment between two nodes is free, and so are the squares between nodes that it meets.
-  bool straight(int i, int j, int i2, int j2) const;
+  bool straight(const Cell& from, const Cell& to) const;
 
-  /// Nodes are numbered row by row.
-  std::size_t at(int i, int j) const {
-    return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
-  }
-  int column(std::size_t node) const { return static_cast<int>(node % static_cast<std::size_t>(columns_)); }
-  int row(std::size_t node) const { return static_cast<int>(node / static_cast<std::size_t>(columns_)); }
-  std::size_t size() const { return cells_.size(); }
-  bool inside(int i, int j) const { return i >= 0 && j >= 0 && i < columns_ && j < rows_; }
   /// Of cell (i, j); fractions address points between centres.
   Point centre(double i, double j) const { return origin_ + side_ * ((i + 0.5) * across_ + (j + 0.5) * up_); }
+  Point centre(const Cell& c) const { return centre(c.i, c.j); }
   Point centre(std::size_t node) const { return centre(column(node), row(node)); }
   /// Cell coordinates of a point, with fractions: the inverse of centre().
   Point coordinates(const Point& p) const {
     const Point q = p - origin_;
     return {q.dot(across_) / side_ - 0.5, q.dot(up_) / side_ - 0.5};
   }
+  /// The cell that contains the point, which may be outside of the lattice.
+  Cell cell_of(const Point& p) const;
 
  private:
   struct Edge {
@@ -101,12 +123,13 @@ class GridGraph {
 
   double side_;
   Point origin_, across_, up_;
-  int columns_, rows_;
   std::vector<std::uint8_t> cells_;
 };
 
-/// Side of a cell: `given`, or if that is 0 tool width / sqrt 2, so that a disc tool on the centre lines covers cells.
-double cell_side(double given, const Robot& robot);
+/// Half the width of the robot: its radius, or half its tool if it has no radius. Metres.
+inline double robot_size(const Robot& robot) { return robot.radius > 0 ? robot.radius : robot.tool_width / 2; }
+/// The connected components of the free nodes.
+ConnectedComponents components_of(const GridGraph& graph);
 
 /// Where a lattice over a problem's configuration space lies.
 struct LatticePlacement {
@@ -130,6 +153,14 @@ GridGraph make_grid_graph_at(const Region& space, const std::string& map_name, c
 /// A region as cells of the lattice, each divided into `parts` x `parts` cells, with a margin of so many of the
 /// lattice's cells on every side.
 BitGrid rasterise(const Region& region, const GridGraph& lattice, int parts, int margin, CellRule rule);
+
+/// The grid's cell that contains the point.
+inline Cell cell_at(const BitGrid& grid, const Point& p) {
+  const Point at = (p - grid.origin) / grid.cell;
+  return {static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
+}
+/// The cell and all that steps of at most `reach` columns and rows over set cells connect to it; clears them.
+std::vector<Cell> take_component(BitGrid& grid, const Cell& cell, int reach);
 
 /// Direction (radians, in [0, pi/2)) of most of the boundary's length, modulo a quarter turn.
 double dominant_direction(const Region& region);

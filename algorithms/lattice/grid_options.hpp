@@ -8,6 +8,7 @@
 /// the map, `CellOptions` for those whose robot steps from cell to cell, on the map or by lidar.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,26 +23,33 @@ enum class Sensing { map, lidar };
 /// Which connected components of the free cells a planner covers.
 enum class Components { all, start };
 
+/// Radians by which a lattice is turned: 0, or the direction in which most of the region's boundary runs.
+inline double lattice_angle(Align align, const Region& free) {
+  return align == Align::edges ? dominant_direction(free) : 0;
+}
+
 struct CellSize {
   double cell_size = 0;
-  /// Metres: `cell_size`, or tool width / sqrt 2 if that is 0.
-  double side(const Robot& robot) const { return cell_side(cell_size, robot); }
+  /// Metres: `cell_size`, or if that is 0 tool width / sqrt 2, so that a disc tool on the centre lines covers cells.
+  double side(const Robot& robot) const { return cell_size > 0 ? cell_size : robot.tool_width / std::sqrt(2.0); }
 };
 
 struct GridOptions : CellSize {
   Align align = Align::axes;
   double shift_x = 0, shift_y = 0;
   /// The lattice over the problem's map, in whole blocks of `block` x `block` cells.
-  GridGraph lattice(const Problem& problem, int block) const;
+  GridGraph lattice(const Problem& problem, int block) const {
+    return make_grid_graph(problem, {.side = side(problem.robot()),
+                                     .angle = lattice_angle(align, problem.map().free),
+                                     .shift = {shift_x, shift_y},
+                                     .block = block});
+  }
 };
 
 struct CellOptions : CellSize {
   Align align = Align::axes;
   Sensing sensing = Sensing::map;
 };
-
-/// Radians by which a lattice is turned: 0, or the direction in which most of the region's boundary runs.
-double lattice_angle(Align align, const Region& free);
 
 /// One line each, for planners that need only some of them or another help text.
 template <class P>

@@ -44,22 +44,17 @@ LatticePaths::LatticePaths(const GridGraph& graph, const EdgeIndex& walls)
       walls_(walls),
       columns_(static_cast<std::uint32_t>(graph.columns())),
       step_{1, graph.columns(), -1, -graph.columns()},
-      states_(graph.size()) {
+      states_(graph.size()),
+      components_(components_of(graph)) {
   for (int j = 0; j < graph.rows(); ++j)
     for (int i = 0; i < graph.columns(); ++i)
       for (const Direction d : kAllDirections)
         if (graph.passable(i, j, d)) states_[graph.at(i, j)].open |= 1 << d;
-  components_ = connected_components(
-      graph.size(), [&](std::size_t node) { return graph_.free(column(node), row(node)); },
-      [&](std::size_t node, const auto& reach) {
-        for (const Direction d : kAllDirections)
-          if (open(node, d)) reach(neighbour(node, d));
-      });
 }
 
 std::optional<std::size_t> LatticePaths::node_near(const Point& p) const {
   const Point at = graph_.coordinates(p);
-  const int ci = static_cast<int>(std::lround(at.x())), cj = static_cast<int>(std::lround(at.y()));
+  const auto [ci, cj] = graph_.cell_of(p);
   std::optional<std::size_t> best;
   double least = std::numeric_limits<double>::infinity();
   for (int j = cj - kNear; j <= cj + kNear; ++j)

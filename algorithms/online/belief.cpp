@@ -6,6 +6,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "algorithms/lattice/grid_graph.hpp"
 #include "algorithms/online/star.hpp"
 
 namespace oxturn {
@@ -16,10 +17,8 @@ constexpr double kSigmas = 3;                          // by which stars keep of
 constexpr double kCaution = 2, kCautionWithNoise = 3;  // StarRules::caution
 constexpr std::uint64_t kEveryByte = 0x0101010101010101;
 
-double size_of(const Robot& robot) { return robot.radius > 0 ? robot.radius : robot.tool_width / 2; }
-
 double first_cell(const Robot& robot) {
-  const double size = size_of(robot);
+  const double size = robot_size(robot);
   const double noise = robot.lidar->noise;
   return noise > 0 ? std::clamp(noise / 2, size / kCellsWithNoise, size / 4) : size / kCellsARadius;
 }
@@ -30,7 +29,7 @@ Belief::Belief(const Robot& robot, const Point& start) {
   if (!robot.lidar) throw std::logic_error("a belief needs a robot with a lidar");
   lidar_ = *robot.lidar;
   radius_ = robot.radius;
-  size_ = size_of(robot);
+  size_ = robot_size(robot);
   tolerance_ = 1e-9 * robot.tool_width + 1e-15 * start.cwiseAbs().maxCoeff();
   direction_ = ray_directions(lidar_.rays);
   cell_ = first_cell(robot);
@@ -282,12 +281,6 @@ const Region& Belief::region(int level) const {
     known = simplify_inward(trace(grid), 1.05 * grid.cell);
   }
   return *known;
-}
-
-double Belief::free_area() const {
-  std::size_t n = 0;
-  for (std::size_t c = 0; c < mark_.size(); ++c) n += is_free(c) ? 1 : 0;
-  return static_cast<double>(n) * cell_ * cell_;
 }
 
 }  // namespace oxturn

@@ -62,7 +62,6 @@ class Belief {
   /// Without noise the outline, less up to radius / 128 at its walls (radius / 32 at coarser levels); else the free
   /// cells with fewer vertices, less up to 1.1 cells.
   const Region& region(int level) const;
-  double free_area() const;
   /// No scan makes anything farther away free: there rays are more than half a radius apart.
   double trusted_range() const;
 
@@ -104,9 +103,6 @@ class Belief {
   struct Row {
     std::vector<double> crossings;           // of edges with the line through the cells' centres
     std::vector<std::pair<int, int>> edges;  // columns that an edge comes near
-  };
-  struct Interval {
-    double low, high;
   };
 
   bool noisy() const { return lidar_.noise > 0; }

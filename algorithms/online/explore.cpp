@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/lattice/grid_graph.hpp"
 #include "algorithms/online/believed_paths.hpp"
 #include "base/graph_search.hpp"
 
@@ -15,17 +16,6 @@ constexpr int kBegin = 8;               // cells around the robot from which the
 constexpr int kStride = 4;              // cells between viewpoints that are tried
 constexpr int kTouching = 2;            // cells at most between cells of one frontier
 constexpr double kTrusted = 0.9;        // of the trusted range: farthest distance to a frontier
-
-struct Cell {
-  int i, j;
-};
-
-double size_of(const Robot& robot) { return robot.radius > 0 ? robot.radius : robot.tool_width / 2; }
-
-Cell cell_at(const BitGrid& grid, const Point& p) {
-  const Point at = (p - grid.origin) / grid.cell;
-  return {static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
-}
 
 /// Calls set(i) for the set cells of a row or column and all within `reach` of them.
 template <class Get, class Set>
@@ -81,16 +71,7 @@ std::vector<Frontier> frontiers_of(BitGrid open, double least) {
   for (int j = 0; j < open.rows; ++j)
     for (int i = 0; i < open.columns; ++i) {
       if (!open.get(i, j)) continue;
-      std::vector<Cell> group{{i, j}};
-      open.set(i, j, false);
-      breadth_first(group, [&](const Cell& at, const auto& reach) {
-        for (int y = at.j - kTouching; y <= at.j + kTouching; ++y)
-          for (int x = at.i - kTouching; x <= at.i + kTouching; ++x) {
-            if (!open.get(x, y)) continue;
-            open.set(x, y, false);
-            reach({x, y});
-          }
-      });
+      const std::vector<Cell> group = take_component(open, {i, j}, kTouching);
       if (static_cast<double>(group.size()) * open.cell < least) continue;
       Frontier f;
       const std::size_t every = std::max<std::size_t>(1, group.size() / kSamples);
@@ -205,7 +186,7 @@ class ViewpointSearch {
 
 /// Only ever finer: the driven path must lie in the world in which it is judged.
 std::optional<Problem> Explorer::world(const View& view) {
-  while (level_ > 0 && view.belief().cell() * (1 << level_) > size_of(view.robot()) / 7) --level_;
+  while (level_ > 0 && view.belief.cell() * (1 << level_) > robot_size(view.robot) / 7) --level_;
   for (; level_ > 0; --level_)
     if (auto believed = believed_problem(view, view.base(), level_)) return believed;
   return believed_problem(view, view.base(), 0);
@@ -222,14 +203,14 @@ double& Explorer::look_from(const BitGrid& grid, int i, int j, double farthest) 
 /// Free cells next to unknown ones, without those that have been looked at in vain from next to them.
 BitGrid Explorer::open_cells(const View& view, const Belief::Cells& cells) {
   const BitGrid& free = cells.free;
-  const Robot& robot = view.robot();
-  const double size = size_of(robot), farthest = kTrusted * view.belief().trusted_range();
+  const Robot& robot = view.robot;
+  const double size = robot_size(robot), farthest = kTrusted * view.belief.trusted_range();
   const double band = robot.lidar->noise > 0 ? 0.75 * size : size / 4;  // with noise stars end farther from the walls
   const BitGrid walled = widened(cells.wall, std::max(1, static_cast<int>(band / free.cell)));
   BitGrid open = walled;
   for (std::size_t c = 0; c < open.bits.size(); ++c) open.bits[c] = free.bits[c] == 0 && walled.bits[c] == 0 ? 1 : 0;
   open = widened(open, 1);
-  const Cell here = cell_at(free, view.pose());
+  const Cell here = cell_at(free, view.pose);
   for (int j = 0; j < free.rows; ++j)
     for (int i = 0; i < free.columns; ++i) {
       if (!open.get(i, j)) continue;
@@ -246,13 +227,12 @@ BitGrid Explorer::open_cells(const View& view, const Belief::Cells& cells) {
 std::optional<Motion> Explorer::next(const View& view) {
   const auto believed = world(view);
   if (!believed) return std::nullopt;
-  const Belief::Cells& cells = view.belief().cells(level_);
+  const Belief::Cells& cells = view.belief.cells(level_);
   const BitGrid& free = cells.free;
-  look_origin_ = view.start();
-  const double size = size_of(view.robot()), farthest = kTrusted * view.belief().trusted_range();
-  std::vector<Frontier> frontiers =
-      frontiers_of(open_cells(view, cells), settings_.least > 0 ? settings_.least : size / 2);
-  if (view.robot().tether) drop_out_of_reach(frontiers, free, *believed);
+  look_origin_ = view.start;
+  const double size = robot_size(view.robot), farthest = kTrusted * view.belief.trusted_range();
+  std::vector<Frontier> frontiers = frontiers_of(open_cells(view, cells), size / 2);
+  if (view.robot.tether) drop_out_of_reach(frontiers, free, *believed);
   if (frontiers.empty()) return std::nullopt;
   for (Frontier& f : frontiers)
     for (const Cell& c : f.cells) f.from.push_back(look_from(free, c.i, c.j, farthest));
@@ -263,7 +243,7 @@ std::optional<Motion> Explorer::next(const View& view) {
   ViewpointSearch search(free, room, frontiers, paths);
   // Half of a frontier, and not just around the corner; or else anything.
   for (const auto& [share, nearest] : {std::pair(0.5, 3 * size), std::pair(0.0, free.cell)})
-    if (auto path = search.run(view.pose(), {share, nearest, size})) return Motion{std::move(*path), true};
+    if (auto path = search.run(view.pose, {share, nearest, size})) return Motion{std::move(*path), true};
   return std::nullopt;
 }
 

@@ -8,7 +8,7 @@
 /// frontier although it was looked at must be looked at from half as far the next time, and is given up when the robot
 /// has been next to it. So exploration ends.
 /// Decisions   1. Cells of radius / 8 and one world of that resolution (finer where the robot would not fit into it).
-///             2. A frontier shorter than `least` is left to the coverage path, which passes it anyway.
+///             2. A frontier shorter than half the robot's radius is left to the coverage path, which passes it anyway.
 ///             3. Frontiers beyond the tether's reach are ignored.
 ///             4. The drive to the nearest viewpoint is one whole motion, so the robot does not go back and forth.
 /// A call O(cells of the window) and, without a tether, one shortest path.
@@ -21,13 +21,8 @@
 
 namespace oxturn {
 
-struct ExploreSettings {
-  double least = 0;  // metres; 0: half the robot's radius
-};
-
 class Explorer {
  public:
-  explicit Explorer(const ExploreSettings& settings = {}) : settings_(settings) {}
   /// The next motion; nullopt: all that can be reached has been seen. With a tether every motion keeps its length.
   std::optional<Motion> next(const View& view);
 
@@ -36,7 +31,6 @@ class Explorer {
   double& look_from(const BitGrid& grid, int i, int j, double farthest);
   BitGrid open_cells(const View& view, const Belief::Cells& cells);
 
-  ExploreSettings settings_;
   int level_ = Belief::kCoarsest;
   std::map<std::pair<std::int64_t, std::int64_t>, double> look_from_;  // cell -> how near it must be looked at from
   double look_cell_ = 0;                                               // side of these cells

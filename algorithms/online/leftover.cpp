@@ -1,11 +1,10 @@
 #include "algorithms/online/leftover.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "algorithms/lattice/grid_graph.hpp"
 #include "algorithms/online/believed_paths.hpp"
 #include "algorithms/tour/cell_ring.hpp"
-#include "base/graph_search.hpp"
 
 namespace oxturn {
 namespace {
@@ -15,19 +14,13 @@ constexpr double kWorth = 1.0 / 64;  // tool widths square: a component
 constexpr double kShare = 5e-4;      // of the target: all components
 constexpr int kMostCalls = 8;
 
-struct Cell {
-  int i, j;
-};
-
-int floor_int(double v) { return static_cast<int>(std::floor(v)); }
-
 /// Clears the cells whose centre is within `reach` of the segment.
 void clear_around(BitGrid& grid, const Point& a, const Point& b, double reach) {
-  const auto column = [&](double x) { return floor_int((x - grid.origin.x()) / grid.cell); };
-  const auto row = [&](double y) { return floor_int((y - grid.origin.y()) / grid.cell); };
-  const Point low = a.cwiseMin(b), high = a.cwiseMax(b);
-  for (int j = std::max(0, row(low.y() - reach)); j <= std::min(grid.rows - 1, row(high.y() + reach)); ++j)
-    for (int i = std::max(0, column(low.x() - reach)); i <= std::min(grid.columns - 1, column(high.x() + reach)); ++i)
+  Box box{a.cwiseMin(b), a.cwiseMax(b)};
+  box.grow(reach);
+  const Cell low = cell_at(grid, box.low), high = cell_at(grid, box.high);
+  for (int j = std::max(0, low.j); j <= std::min(grid.rows - 1, high.j); ++j)
+    for (int i = std::max(0, low.i); i <= std::min(grid.columns - 1, high.i); ++i)
       if (grid.get(i, j) && distance_to_segment(grid.centre(i, j), a, b) <= reach) grid.set(i, j, false);
 }
 
@@ -44,16 +37,7 @@ std::size_t drop_small(BitGrid& grid, std::size_t least) {
   for (int j = 0; j < grid.rows; ++j)
     for (int i = 0; i < grid.columns; ++i) {
       if (!left.get(i, j)) continue;
-      std::vector<Cell> component{{i, j}};
-      left.set(i, j, false);
-      breadth_first(component, [&](const Cell& at, const auto& reach) {
-        for (int y = at.j - 1; y <= at.j + 1; ++y)
-          for (int x = at.i - 1; x <= at.i + 1; ++x) {
-            if (!left.get(x, y)) continue;
-            left.set(x, y, false);
-            reach({x, y});
-          }
-      });
+      const std::vector<Cell> component = take_component(left, {i, j}, 1);
       if (component.size() >= least)
         kept += component.size();
       else
@@ -64,8 +48,7 @@ std::size_t drop_small(BitGrid& grid, std::size_t least) {
 
 /// The set cell nearest to p.
 std::optional<Cell> nearest(const BitGrid& grid, const Point& p) {
-  const Point at = (p - grid.origin) / grid.cell;
-  const int ci = floor_int(at.x()), cj = floor_int(at.y());
+  const auto [ci, cj] = cell_at(grid, p);
   std::optional<Cell> best;
   double least = std::numeric_limits<double>::infinity();
   for (int ring = 0; ring <= grid.columns + grid.rows && (!best || (ring - 1) * grid.cell <= least); ++ring)
@@ -96,9 +79,9 @@ void Leftover::planned(const Problem& believed, const Path& path) {
 
 /// Of the believed target, without what the plan left out on purpose; components that are not worth it are dropped.
 BitGrid Leftover::uncovered_cells(const View& view, const Problem& believed) const {
-  const Robot& robot = view.robot();
+  const Robot& robot = view.robot;
   const double reach = robot.tool_width / 2;
-  const BitGrid window = view.belief().cells(kLevel).free;
+  const BitGrid window = view.belief.cells(kLevel).free;
   const auto raster = [&](const Region& region, CellRule rule) {
     return rasterise(region, window.origin, window.cell, window.columns, window.rows, rule);
   };
@@ -108,7 +91,7 @@ BitGrid Leftover::uncovered_cells(const View& view, const Problem& believed) con
   clear_under(left_out, path_, reach);
   for (std::size_t c = 0; c < uncovered.bits.size(); ++c)
     uncovered.bits[c] = uncovered.bits[c] != 0 && left_out.bits[c] == 0 ? 1 : 0;
-  clear_under(uncovered, view.path(), reach);
+  clear_under(uncovered, view.path, reach);
   const auto least =
       static_cast<std::size_t>(kWorth * robot.tool_width * robot.tool_width / (window.cell * window.cell)) + 1;
   if (static_cast<double>(drop_small(uncovered, least)) <= kShare * target)
@@ -118,9 +101,9 @@ BitGrid Leftover::uncovered_cells(const View& view, const Problem& believed) con
 
 /// From the pose over the uncovered cells, nearest first; clears what it covers or gives up.
 Polyline Leftover::tour(const View& view, const Problem& believed, BitGrid& uncovered) {
-  const double reach = view.robot().tool_width / 2;
+  const double reach = view.robot.tool_width / 2;
   const BelievedPaths paths(believed, view.path_from_base());
-  Polyline tour{view.pose()};
+  Polyline tour{view.pose};
   while (const auto cell = nearest(uncovered, tour.back())) {
     uncovered.set(cell->i, cell->j, false);  // one attempt each
     const auto goal = point_that_covers(believed, uncovered.centre(cell->i, cell->j));
@@ -140,8 +123,8 @@ Polyline Leftover::tour(const View& view, const Problem& believed, BitGrid& unco
 }
 
 std::optional<Motion> Leftover::next(const View& view) {
-  if (seen_ == view.belief().revision() || ++calls_ > kMostCalls) return std::nullopt;
-  seen_ = view.belief().revision();
+  if (seen_ == view.belief.revision() || ++calls_ > kMostCalls) return std::nullopt;
+  seen_ = view.belief.revision();
   const auto believed = believed_problem(view, view.base(), 0);
   if (!believed) return std::nullopt;
   BitGrid uncovered = uncovered_cells(view, *believed);

@@ -68,13 +68,12 @@ Region Outline::Star::sector(const Box& box) const {
   return {{Polygon{std::move(part), {}}}};
 }
 
-/// At least what the star says is free in the box.
-Region Outline::Star::free_in(const Box& box) const {
-  Region free = sector(box);
+/// `part` of the star, without what was withdrawn in the box: at least what the star says is free there.
+Region Outline::Star::free_of(Region part, const Box& box) const {
   std::vector<Region> cut;
   for (const Withdrawn& w : withdrawn)
     if (w.box.overlaps(box)) cut.push_back(w.region);
-  return cut.empty() ? free : subtract(free, unite(cut));
+  return cut.empty() ? part : subtract(part, unite(cut));
 }
 
 bool Outline::Star::may_reach(const Box& box) const {
@@ -83,8 +82,7 @@ bool Outline::Star::may_reach(const Box& box) const {
 }
 
 Box Outline::box_around(const Point& p) const {
-  Box box;
-  box.add(p);
+  Box box{p, p};
   box.grow(kAround * size_);
   return box;
 }
@@ -115,12 +113,8 @@ void Outline::add(const Ring& ring, const Point& eye, std::size_t rays) {
   }
   for (const Point& p : walls_)
     if (star.says_free(p)) star.withdraw(p, box_around(p));
-  Region region{{Polygon{star.ring, {}}}};
-  if (!star.withdrawn.empty()) {
-    std::vector<Region> cut;
-    for (const Withdrawn& w : star.withdrawn) cut.push_back(w.region);
-    region = subtract(region, unite(cut));
-  }
+  Box everywhere{{-1e300, -1e300}, {1e300, 1e300}};
+  Region region = star.free_of({{Polygon{star.ring, {}}}}, everywhere);
   stars_.push_back(std::move(star));
   pending_.push_back(std::move(region));
   simple_ = {};
@@ -164,7 +158,7 @@ void Outline::unite_again(const std::vector<Box>& boxes) {
     squares.push_back(box_region(box.low, box.high));
     std::vector<Region> sectors;
     for (const Star& star : stars_)
-      if (star.may_reach(box)) sectors.push_back(star.free_in(box));
+      if (star.may_reach(box)) sectors.push_back(star.free_of(star.sector(box), box));
     parts.push_back(intersect(unite(sectors), squares.back()));
   }
   parts.push_back(subtract(free_, unite(squares)));

@@ -60,7 +60,7 @@ class Outline {
     bool says_free(const Point& p) const;
     void withdraw(const Point& p, const Box& box);
     Region sector(const Box& box) const;
-    Region free_in(const Box& box) const;
+    Region free_of(Region part, const Box& box) const;
     bool may_reach(const Box& box) const;
   };
   Box box_around(const Point& p) const;

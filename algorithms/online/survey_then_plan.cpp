@@ -1,166 +1,155 @@
 #include "algorithms/online/survey_then_plan.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
+#include <utility>
 
 #include "algorithms/online/believed_paths.hpp"
 #include "algorithms/online/explore.hpp"
 #include "algorithms/online/leftover.hpp"
-#include "geometry/trace.hpp"
 
 namespace oxturn {
 namespace {
 
+constexpr int kMostRefusals = 3;    // motions in a row that cannot even begin
 constexpr int kMostSurveys = 3;     // driving the plan may open new rooms
 constexpr int kMostHomings = 50;    // attempts to return to the start before planning
 constexpr int kMostRepairs = 2000;  // of a planned path that was stopped
 
-/// Each stage hands out motions until it is over, and then sets the next one.
-class SurveyThenPlan final : public Policy {
+/// What a run records.
+struct Figures {
+  std::optional<double> survey_m, plan_end_m;  // metres driven when the plan was made, and when it had been driven
+};
+
+/// One run.
+class SurveyThenPlan {
  public:
-  explicit SurveyThenPlan(const OfflinePlan& plan) : plan_(plan) {}
+  SurveyThenPlan(const OfflinePlan& plan, OnlineRobot& robot, Context& context, Figures& figures)
+      : plan_(plan), robot_(robot), context_(context), figures_(figures) {}
 
-  std::optional<Motion> next(const View& view, Context& context) override {
-    while (stage_ != Stage::over && !context.cancelled())
-      if (auto motion = motion_of_stage(view, context)) return motion;
-    return std::nullopt;
-  }
-
-  /// Records how long the survey was (with the return to the start), and what came after the plan.
-  void record_figures(Context& context, double driven) const {
-    context.record("survey_m", planned_ ? survey_m_ : driven);
-    context.record("leftover_m", plan_end_m_ ? driven - *plan_end_m_ : 0);
+  void run() {
+    drive_along_tether();
+    survey();
+    if (!return_home() || !make_plan()) return;
+    drive_plan();
+    cover_leftover();
   }
 
  private:
-  enum class Stage { tether, survey, home, plan, drive, leftover, over };
-
-  /// nullopt: the stage is over, and the next one is set.
-  std::optional<Motion> motion_of_stage(const View& view, Context& context) {
-    switch (stage_) {
-      case Stage::tether:
-        return along_tether(view);
-      case Stage::survey:
-        return survey(view);
-      case Stage::home:
-        return return_home(view);
-      case Stage::plan:
-        make_plan(view, context);
-        return std::nullopt;
-      case Stage::drive:
-        return drive_plan(view);
-      case Stage::leftover:
-        return cover_leftover(view);
-      case Stage::over:
-        break;
-    }
-    return std::nullopt;
-  }
-  std::nullopt_t change_to(Stage stage) {
-    stage_ = stage;
-    return std::nullopt;
+  const View& view() const { return robot_.view(); }
+  /// False once the run is cancelled, or motion after motion cannot even begin.
+  bool active() const { return refusals_ < kMostRefusals && !context_.cancelled(); }
+  bool go(const Motion& motion) {
+    const double before = view().driven;
+    const bool arrived = robot_.go(motion);
+    refusals_ = view().driven > before ? 0 : refusals_ + 1;
+    return arrived;
   }
 
   /// There and back. Until the corridor of the tether has been seen, it might seem to lie in another one.
-  std::optional<Motion> along_tether(const View& view) {
-    stage_ = Stage::survey;
-    const Polyline& there = view.path_along_tether();
-    if (there.empty()) return std::nullopt;
+  void drive_along_tether() {
+    const Polyline& there = view().path_along_tether;
+    if (there.empty() || !active()) return;
     Polyline there_and_back = there;
     there_and_back.insert(there_and_back.end(), there.rbegin() + 1, there.rend());
-    return Motion{std::move(there_and_back), true};
+    go({std::move(there_and_back), true});
   }
 
-  std::optional<Motion> survey(const View& view) {
-    if (auto motion = explorer_.next(view)) return motion;
-    return change_to(Stage::home);
-  }
-
-  std::optional<Motion> return_home(const View& view) {
-    if (is_home(view)) return change_to(Stage::plan);
-    if (++homings_ > kMostHomings) return change_to(Stage::over);
-    return homewards(view);
-  }
-
-  std::optional<Motion> drive_plan(const View& view) {
-    if (view.stopped() && driving_plan_) repair(view);
-    driving_plan_ = !legs_.empty();
-    if (driving_plan_) {
-      current_ = std::move(legs_.front());
-      legs_.pop_front();
-      return current_;
+  void survey() {
+    while (active()) {
+      const auto motion = explorer_.next(view());
+      if (!motion) return;
+      go(*motion);
     }
-    if (++surveys_ < kMostSurveys)
-      if (auto motion = explorer_.next(view)) return motion;
-    plan_end_m_ = view.driven();
-    return change_to(Stage::leftover);
   }
 
-  std::optional<Motion> cover_leftover(const View& view) {
-    if (auto motion = leftover_.next(view)) {
-      left_home_ = true;
-      return motion;
+  bool return_home() {
+    for (int homings = 0; active() && !is_home(); ++homings) {
+      if (homings == kMostHomings) return false;
+      go(homewards());
     }
-    if (!left_home_ || is_home(view)) return change_to(Stage::over);
-    left_home_ = false;
-    return homewards(view);
+    return active();
+  }
+
+  void drive_plan() {
+    for (int surveys = 1; active();) {
+      if (!legs_.empty()) {
+        Motion leg = std::move(legs_.front());
+        legs_.pop_front();
+        if (!go(leg) && active()) repair(std::move(leg));
+        continue;
+      }
+      const auto motion = surveys++ < kMostSurveys ? explorer_.next(view()) : std::nullopt;
+      if (!motion) break;
+      go(*motion);
+    }
+    figures_.plan_end_m = view().driven;
+  }
+
+  void cover_leftover() {
+    bool left_home = false;
+    while (active()) {
+      if (const auto motion = leftover_.next(view())) {
+        left_home = true;
+        go(*motion);
+      } else if (left_home && !is_home()) {
+        left_home = false;
+        go(homewards());
+      } else {
+        return;
+      }
+    }
   }
 
   /// A robot without a tether is at home everywhere.
-  static bool is_home(const View& view) { return !view.robot().tether || view.pose() == view.start(); }
+  bool is_home() const { return !view().robot.tether || view().pose == view().start; }
 
   /// Home by the driven path pulled taut, if that is believed free all along; else by the driven path itself. In the
   /// finest world first, because that one contains the driven path.
-  static Motion homewards(const View& view) {
-    const Robot& robot = view.robot();
+  Motion homewards() const {
+    const Robot& robot = view().robot;
     const double radius = std::max(0.0, robot.radius - 2e-6 * robot.tool_width);  // touching a wall is allowed
     const auto is_free = [&](const Polyline& line) {
       for (std::size_t k = 1; k < line.size(); ++k)
-        if (!view.belief().free_for(line[k - 1], line[k], radius)) return false;
+        if (!view().belief.free_for(line[k - 1], line[k], radius)) return false;
       return true;
     };
     for (const int level : {0, 1, Belief::kCoarsest}) {
-      const auto believed = believed_problem(view, view.start(), level);
+      const auto believed = believed_problem(view(), view().start, level);
       if (!believed) continue;
-      const BelievedPaths paths(*believed, view.path_from_start());
+      const BelievedPaths paths(*believed, view().path_from_start());
       if (auto path = paths.home(); path && is_free(*path)) return Motion{std::move(*path), true};
     }
-    Polyline back = view.path_from_start();
+    Polyline back = view().path_from_start();
     std::reverse(back.begin(), back.end());
     return Motion{std::move(back), true};
   }
 
-  void make_plan(const View& view, Context& context) {
-    const auto believed = believed_problem(view, view.base(), 0);
-    if (!believed) {
-      stage_ = Stage::over;
-      return;
-    }
+  /// False if the robot does not fit into what is believed.
+  bool make_plan() {
+    const auto believed = believed_problem(view(), view().base(), 0);
+    if (!believed) return false;
     // A context of its own: what it publishes is a plan, not what has been driven.
-    Context inner(context.rng().bits(), context.seconds_left(), context.traces_only());
+    Context inner(context_.rng().bits(), context_.seconds_left(), context_.traces_only());
     const Path path = plan_(*believed, inner);
     leftover_.planned(*believed, path);
-    if (believed->start() != view.pose()) legs_.push_back({{view.pose(), believed->start()}, true});
+    if (believed->start() != view().pose) legs_.push_back({{view().pose, believed->start()}, true});
     for (const Leg& leg : path.legs) legs_.push_back({leg.points, leg.tool});
-    context.trace("belief", believed->map().free);
-    planned_ = true;
-    survey_m_ = view.driven();
-    stage_ = Stage::drive;
+    context_.trace("belief", believed->map().free);
+    figures_.survey_m = view().driven;
+    return true;
   }
 
-  /// The last motion was stopped: replaces the legs by what is free of the rest of it and of the legs. With a tether
-  /// that does not allow that, nothing is left.
-  void repair(const View& view) {
-    std::deque<Motion> left{std::move(current_)};
-    for (Motion& leg : legs_) left.push_back(std::move(leg));
-    legs_.clear();
+  /// A leg was stopped: replaces the legs by what is free of the rest of it and of the others. With a tether that does
+  /// not allow that, nothing is left.
+  void repair(Motion stopped) {
+    std::deque<Motion> left = std::exchange(legs_, {});
     if (++repairs_ > kMostRepairs) return;
-    const auto believed = believed_problem(view, view.base(), 0);
+    const auto believed = believed_problem(view(), view().base(), 0);
     if (!believed) return;
-    Polyline& stopped = left.front().points;
-    stopped.erase(stopped.begin(), stopped.begin() + static_cast<std::ptrdiff_t>(view.reached()));
-    Point from = view.pose();
+    stopped.points.erase(stopped.points.begin(), stopped.points.begin() + static_cast<std::ptrdiff_t>(view().reached));
+    left.push_front(std::move(stopped));
+    Point from = view().pose;
     Polyline whole;
     for (const Motion& motion : left) {
       Motion part = free_part(*believed, motion, from);
@@ -168,7 +157,7 @@ class SurveyThenPlan final : public Policy {
       whole.insert(whole.end(), part.points.begin(), part.points.end());
       legs_.push_back(std::move(part));
     }
-    const BelievedPaths paths(*believed, view.path_from_base());
+    const BelievedPaths paths(*believed, view().path_from_base());
     if (!paths.within_tether(whole)) legs_.clear();
   }
 
@@ -192,26 +181,56 @@ class SurveyThenPlan final : public Policy {
   }
 
   const OfflinePlan& plan_;
+  OnlineRobot& robot_;
+  Context& context_;
+  Figures& figures_;
   Explorer explorer_;
   Leftover leftover_;
-  Stage stage_ = Stage::tether;
   std::deque<Motion> legs_;  // of the plan, not yet driven
-  Motion current_;           // the leg that is being driven
-  bool planned_ = false;
-  bool driving_plan_ = false;  // the last motion was a leg of the plan
-  bool left_home_ = false;     // for what was left over
-  double survey_m_ = 0;
-  std::optional<double> plan_end_m_;  // metres driven when the plan had been driven
-  int surveys_ = 0, homings_ = 0, repairs_ = 0;
+  int refusals_ = 0, repairs_ = 0;
+};
+
+/// A planner that gets what has been explored in place of the true problem.
+class Surveyed final : public CoveragePlanner {
+ public:
+  explicit Surveyed(std::unique_ptr<CoveragePlanner> planner) : planner_(std::move(planner)) {}
+  Path plan(const Problem& problem, Context& context) const override {
+    return plan_online(problem, context,
+                       [&](const Problem& believed, Context& inner) { return planner_->plan(believed, inner); });
+  }
+
+ private:
+  std::unique_ptr<CoveragePlanner> planner_;
 };
 
 }  // namespace
 
-Path plan_online(const Problem& truth, Context& context, const OfflinePlan& plan, const OnlineSettings& settings) {
-  SurveyThenPlan policy(plan);
-  Path path = drive_online(truth, policy, context, settings);
-  policy.record_figures(context, path.length());
+Path plan_online(const Problem& truth, Context& context, const OfflinePlan& plan) {
+  Figures figures;
+  const auto program = [&](OnlineRobot& robot, Context& inner) { SurveyThenPlan(plan, robot, inner, figures).run(); };
+  Path path = drive_online(truth, program, context);
+  context.record("survey_m", figures.survey_m.value_or(path.length()));
+  context.record("leftover_m", figures.plan_end_m ? path.length() - *figures.plan_end_m : 0);
   return path;
+}
+
+PlannerInfo with_sensing(PlannerInfo planner) {
+  const ParameterInfo sensing{"sensing",
+                              std::string("map"),
+                              {},
+                              {"map", "lidar"},
+                              "map: known beforehand; lidar: explored first by the robot's lidar"};
+  planner.capabilities.push_back(Capability::online);
+  planner.parameters.push_back(sensing);
+  planner.make = [make = std::move(planner.make), owner = "planner '" + planner.name + "'", sensing](
+                     Settings settings, const Planners& planners) -> std::unique_ptr<CoveragePlanner> {
+    const auto given = settings.extract("sensing");
+    const bool lidar = given && std::get<std::string>(checked(owner, sensing, given.mapped())) == "lidar";
+    auto offline = make(settings, planners);
+    if (!lidar) return offline;
+    return std::make_unique<Surveyed>(std::move(offline));
+  };
+  return planner;
 }
 
 }  // namespace oxturn

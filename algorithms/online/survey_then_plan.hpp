@@ -20,7 +20,14 @@ namespace oxturn {
 /// Plans on the believed problem. Exceptions pass through.
 using OfflinePlan = std::function<Path(const Problem& believed, Context& context)>;
 
-/// For a planner's `sensing = lidar`. Throws Unsupported for a robot without a lidar.
-Path plan_online(const Problem& truth, Context& context, const OfflinePlan& plan, const OnlineSettings& settings = {});
+/// Records `survey_m` (metres driven before the plan, with the return to the start) and `leftover_m` (after it). Throws
+/// Unsupported for a robot without a lidar.
+Path plan_online(const Problem& truth, Context& context, const OfflinePlan& plan);
+
+/// The planner with the further parameter sensing = map | lidar and the capability `online`: by lidar it plans as
+/// plan_online does and never gets the true problem.
+///
+///   PlannerInfo berg() { return with_sensing(describe<Params, plan>({...})); }
+PlannerInfo with_sensing(PlannerInfo planner);
 
 }  // namespace oxturn

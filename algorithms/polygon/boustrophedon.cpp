@@ -20,13 +20,11 @@
 //             4. sweep = best counts a turn as 2 w and a break between cells as 4 w.
 //             5. Links longer than 3 w between lanes of a cell are transit.
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
-#include "algorithms/lanes/strips.hpp"
 #include "geometry/mesh/partition.hpp"
 #include "geometry/overlay/boolean.hpp"
 
@@ -105,11 +103,7 @@ std::vector<Strip> slab_strips(const Field& f) {
     }
     strips.push_back(to_world(run, f.frame));
   }
-  for (const auto& [a, b] : links)
-    if (strip_of[a] != strip_of[b]) {
-      strips[strip_of[a]].neighbours.push_back(strip_of[b]);
-      strips[strip_of[b]].neighbours.push_back(strip_of[a]);
-    }
+  for (const auto& [a, b] : links) connect(strips, strip_of[a], strip_of[b]);
   return strips;
 }
 
@@ -271,48 +265,32 @@ void trace_cells(const Cells& cells, const LaneFrame& frame, Context& context) {
   context.trace("cells", std::move(outlines));
 }
 
-class Boustrophedon final : public CoveragePlanner {
- public:
-  explicit Boustrophedon(Params p) : p_(p) {}
+std::vector<Strip> strips_in(const Region& region, const Params& p, const Problem& problem, Context& context) {
+  if (region.empty()) return {};
+  const double w = problem.robot().tool_width, spacing = p.spacing * w;
+  const LaneFrame frame(p.sweep == LaneDirection::given ? p.angle : best_lane_direction(region, spacing));
+  const Region rotated = frame.to_frame(region);
+  const EdgeIndex space(frame.to_frame(problem.configuration_space()));
+  const Field field{frame, rotated, space, spacing, w, 2 * problem.tolerance()};
+  if (p.cells == Decomposition::slab) return slab_strips(field);
+  // United first: rings that touch may cross by rounding once rotated, which the exact plane sweep rejects.
+  const Cells cells = boustrophedon_cells(unite({rotated}));
+  std::vector<Strip> strips =
+      p.outline ? projected_strips(field, cells, context) : spaced_strips(field, cells, context);
+  if (context.wants_traces()) trace_cells(cells, frame, context);
+  return without_empty(std::move(strips), cells);
+}
 
-  Path plan(const Problem& problem, Context& context) const override {
-    const double w = problem.robot().tool_width;
-    const Connector connector(problem);
-    const Region region = p_.outline ? lane_region(problem, w / 2, w / 50) : problem.configuration_space();
-    Path path;
-    if (!region.empty())
-      path = drive_strips(problem, strips_in(region, problem, context), p_.order, connector, context);
-    if (p_.outline && !context.cancelled()) {
-      context.publish(path);
-      path = with_outline(problem, path, w, connector, context);
-    }
-    context.publish(path);
-    return path;
-  }
-
- private:
-  std::vector<Strip> strips_in(const Region& region, const Problem& problem, Context& context) const {
-    const double w = problem.robot().tool_width, spacing = p_.spacing * w;
-    const LaneFrame frame(p_.sweep == LaneDirection::given ? p_.angle : best_lane_direction(region, spacing));
-    const Region rotated = frame.to_frame(region);
-    const EdgeIndex space(frame.to_frame(problem.configuration_space()));
-    const Field field{frame, rotated, space, spacing, w, 2 * problem.tolerance()};
-    if (p_.cells == Decomposition::slab) return slab_strips(field);
-    // United first: rings that touch may cross by rounding once rotated, which the exact plane sweep rejects.
-    const Cells cells = boustrophedon_cells(unite({rotated}));
-    std::vector<Strip> strips =
-        p_.outline ? projected_strips(field, cells, context) : spaced_strips(field, cells, context);
-    if (context.wants_traces()) trace_cells(cells, frame, context);
-    return without_empty(std::move(strips), cells);
-  }
-
-  Params p_;
-};
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  const double w = problem.robot().tool_width;
+  const Region region = p.outline ? lane_region(problem, w / 2, w / 50) : problem.configuration_space();
+  return drive_strips_and_walls(problem, strips_in(region, p, problem, context), p.order, p.outline, context);
+}
 
 }  // namespace
 
 PlannerInfo boustrophedon() {
-  return describe<Boustrophedon, Params>(
+  return describe<Params, plan>(
       {.name = "boustrophedon",
        .family = "polygon",
        .title = "Boustrophedon decomposition",

@@ -270,7 +270,6 @@ class HyunRun {
     if (std::abs(point(from).line - point(to).line) == 1 && distance(a, b) <= problem_.robot().tool_width)
       if (const Polyline path = step(from, to); !path.empty()) return link(to, path);
     if (connector_.straight(a, b)) return transit(to, {a, b});
-    ++planned_;
     const Polyline path = planned_path(a, b, std::move(target.shortest));
     planned_paths_.push_back(path);
     return transit(to, path);
@@ -292,7 +291,7 @@ class HyunRun {
   void record_figures(std::size_t all) {
     const LinkCrossings crossings = count_crossings(links_, transits_);
     context_.record("tracking_points", static_cast<double>(all));
-    context_.record("links_planned", static_cast<double>(planned_));
+    context_.record("links_planned", static_cast<double>(planned_paths_.size()));
     context_.record("links_crossing", static_cast<double>(crossings.links));
     context_.record("transits_crossing", static_cast<double>(crossings.transits));
     if (p_.transit == TransitBy::tlppa) context_.record("tlppa_failed", static_cast<double>(tlppa_failed_));
@@ -322,36 +321,28 @@ class HyunRun {
   int direction_ = 1;  // of the last step to a neighbouring line: 1 down, -1 up
   PathBuilder path_;
   std::vector<Polyline> links_, transits_, planned_paths_;
-  std::size_t planned_ = 0, tlppa_failed_ = 0;
+  std::size_t tlppa_failed_ = 0;
 };
 
-class Hyun final : public CoveragePlanner {
- public:
-  explicit Hyun(Params p) : p_(p) {}
-
-  Path plan(const Problem& problem, Context& context) const override {
-    const double tool = problem.robot().tool_width, robot = height(problem.robot());
-    const double separation = p_.separation > 0 ? p_.separation : (robot > 0 ? std::min(robot, tool) : tool) / 2;
-    const double lines = bounding_box(problem.configuration_space()).size().y() / separation;
-    if (lines > kMostLines)
-      throw std::invalid_argument(
-          fmt::format("planner 'hyun': separation {} m makes {:.0f} lines, expected at most {}; take a larger "
-                      "separation or a wider tool",
-                      separation, lines, kMostLines));
-    Path path = HyunRun(p_, problem, context, separation).run();
-    if (!p_.outline || context.cancelled()) return path;
-    context.publish(path);
-    return with_outline(problem, path, tool, Connector(problem), context);
-  }
-
- private:
-  Params p_;
-};
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  const double tool = problem.robot().tool_width, robot = height(problem.robot());
+  const double separation = p.separation > 0 ? p.separation : (robot > 0 ? std::min(robot, tool) : tool) / 2;
+  const double lines = bounding_box(problem.configuration_space()).size().y() / separation;
+  if (lines > kMostLines)
+    throw std::invalid_argument(
+        fmt::format("planner 'hyun': separation {} m makes {:.0f} lines, expected at most {}; take a larger "
+                    "separation or a wider tool",
+                    separation, lines, kMostLines));
+  Path path = HyunRun(p, problem, context, separation).run();
+  if (!p.outline || context.cancelled()) return path;
+  context.publish(path);
+  return with_outline(problem, path, tool, Connector(problem), context);
+}
 
 }  // namespace
 
 PlannerInfo hyun() {
-  return describe<Hyun, Params>(
+  return describe<Params, plan>(
       {.name = "hyun",
        .family = "grid",
        .title = "heuristic sweep from contact to contact",

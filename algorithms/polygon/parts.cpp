@@ -62,21 +62,13 @@ class PartNeighbours {
   static Key key(const Point& a, const Point& b) {
     return before(a, b) ? Key{a.x(), a.y(), b.x(), b.y()} : Key{b.x(), b.y(), a.x(), a.y()};
   }
-  static Region as_region(const std::vector<Part>& parts) {
-    Region all;
-    for (const Part& p : parts)
-      for (const Ring& r : p.rings) all.polygons.push_back({r, {}});
-    return all;
-  }
   /// Adds the lengths over which edges of other parts lie on ab.
   void add_shared(std::size_t part, const Point& a, const Point& b, double near,
                   std::map<std::size_t, double>& shared) const {
     const double len = distance(a, b);
     if (len <= 0) return;
     const Point u = (b - a) / len;
-    Box box;
-    box.add(a);
-    box.add(b);
+    Box box{a.cwiseMin(b), a.cwiseMax(b)};
     box.grow(near);
     index_.for_each_near(box, [&](std::size_t e) {
       const EdgeIndex::Edge& edge = index_.edges()[e];
@@ -123,6 +115,13 @@ std::vector<Ring> rings_of(const Region& region, Partition partition) {
 }
 
 }  // namespace
+
+Region as_region(const std::vector<Part>& parts) {
+  Region all;
+  for (const Part& p : parts)
+    for (const Ring& r : p.rings) all.polygons.push_back({r, {}});
+  return all;
+}
 
 std::vector<Part> cut_into_parts(const Region& region, Partition partition) {
   std::vector<Part> parts;

@@ -4,7 +4,6 @@
 ///   parts = with_slivers_merged(std::move(parts), tool_width);
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "geometry/region.hpp"
@@ -20,6 +19,9 @@ struct Part {
 /// automatic: convex up to 150 vertices if CGAL finds such a partition, else approximate; convex: the fewest convex
 /// parts; approximate: at most four times as many; none: one part with all rings. The others: see partition.hpp.
 enum class Partition { automatic, convex, approximate, monotone, trapezoid, none };
+
+/// Every ring as a polygon of its own.
+Region as_region(const std::vector<Part>& parts);
 
 /// Throws std::invalid_argument for `convex` above 150 vertices; the message names `approximate`.
 std::vector<Part> cut_into_parts(const Region& region, Partition partition);

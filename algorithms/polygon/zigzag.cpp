@@ -32,7 +32,6 @@
 #include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
-#include "algorithms/lanes/strips.hpp"
 #include "algorithms/polygon/parts.hpp"
 #include "geometry/raster.hpp"
 
@@ -57,21 +56,12 @@ struct Params {
   StripOrder order = StripOrder::improved;
 };
 
-struct Extent {
-  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
-  double width() const { return high - low; }
-  void add(double x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-};
-
-/// Extent of a part across the lanes.
-Extent extent_across(const Part& part, const LaneFrame& frame) {
-  Extent e;
+/// Bounding box in the frame.
+Box box_in(const LaneFrame& frame, const Part& part) {
+  Box box;
   for (const Ring& r : part.rings)
-    for (const Point& p : r) e.add(frame.to_frame(p).x());
-  return e;
+    for (const Point& p : r) box.add(frame.to_frame(p));
+  return box;
 }
 
 std::vector<Segment> edges_in(const LaneFrame& frame, const std::vector<Ring>& rings) {
@@ -86,7 +76,7 @@ double least_sum_of_widths(const Region& region, const std::vector<Part>& parts)
   for (const double d : lane_directions(region)) {
     const LaneFrame frame(d);
     double sum = 0;
-    for (const Part& p : parts) sum += extent_across(p, frame).width();
+    for (const Part& p : parts) sum += box_in(frame, p).size().x();
     if (sum < best * kClearlyLess) {
       best = sum;
       direction = d;
@@ -187,17 +177,14 @@ std::vector<LaneInterval> intervals_of(const Field& f, const Part& part, const S
 
 /// Lanes without gaps: each part's intervals of one common set of slabs, larger parts first, every height once.
 LanesOfParts covering_lanes(const Field& f) {
-  Extent all;
-  for (const Part& part : f.parts) {
-    const Extent e = extent_across(part, f.frame);
-    all.add(e.low);
-    all.add(e.high);
-  }
+  Box all;
+  for (const Part& part : f.parts)
+    for (const Box box = box_in(f.frame, part); const Point& p : {box.low, box.high}) all.add(p);
   std::vector<std::size_t> order(f.parts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return f.parts[a].area > f.parts[b].area; });
-  const Slabs slabs = slabs_over(all.low, all.high, f.width);
+  const Slabs slabs = slabs_over(all.low.x(), all.high.x(), f.width);
   SharedSlabs shared(slabs.count, f.parts.size(), f.width);
   for (const std::size_t p : order)
     for (const LaneInterval& s : intervals_of(f, f.parts[p], slabs)) shared.claim(p, s);
@@ -215,25 +202,24 @@ bool starts_low(const Field& f, const Part& part) {
   for (const Ring& r : part.rings)
     for (const Point& p : r)
       if (steep ? before(p, *first) : std::pair(p.y(), p.x()) < std::pair(first->y(), first->x())) first = &p;
-  const Extent e = extent_across(part, f.frame);
-  return f.frame.to_frame(*first).x() <= (e.low + e.high) / 2;
+  return f.frame.to_frame(*first).x() <= box_in(f.frame, part).centre().x();
 }
 
 /// The source's lines in one part: a tool width apart, the first half a width inside, counted from the start vertex.
 class SourceLines {
  public:
   SourceLines(const Field& f, const Part& part)
-      : extent_(extent_across(part, f.frame)),
+      : box_(box_in(f.frame, part)),
         width_(f.width),
         from_low_(starts_low(f, part)),
-        crossings_(static_cast<std::size_t>(std::floor(extent_.width() / width_ + 0.5))) {
+        crossings_(static_cast<std::size_t>(std::floor(box_.size().x() / width_ + 0.5))) {
     for (const Segment& s : edges_in(f.frame, part.rings)) cross(s);
     for (std::vector<double>& ys : crossings_) std::sort(ys.begin(), ys.end());
   }
   std::size_t count() const { return crossings_.size(); }
   double x(std::size_t k) const {
     const double inside = (static_cast<double>(k) + 0.5) * width_;
-    return from_low_ ? extent_.low + inside : extent_.high - inside;
+    return from_low_ ? box_.low.x() + inside : box_.high.x() - inside;
   }
   /// Heights at which the part's boundary crosses line k, ascending.
   const std::vector<double>& crossings(std::size_t k) const { return crossings_[k]; }
@@ -241,15 +227,15 @@ class SourceLines {
  private:
   void cross(const Segment& s) {
     const auto [x0, x1] = std::minmax(s.a.x(), s.b.x());
-    const double near = from_low_ ? x0 - extent_.low : extent_.high - x1;
-    const double far = from_low_ ? x1 - extent_.low : extent_.high - x0;
+    const double near = from_low_ ? x0 - box_.low.x() : box_.high.x() - x1;
+    const double far = from_low_ ? x1 - box_.low.x() : box_.high.x() - x0;
     const auto from = static_cast<std::size_t>(std::max(0.0, std::floor(near / width_ - 0.5)));
     const auto end = static_cast<std::size_t>(std::max(0.0, std::ceil(far / width_ - 0.5) + 1));
     for (std::size_t k = from; k < std::min(end, count()); ++k)
       if (const double at = x(k); x0 <= at && at < x1)
         crossings_[k].push_back(s.a.y() + (at - s.a.x()) / (s.b.x() - s.a.x()) * (s.b.y() - s.a.y()));
   }
-  Extent extent_;
+  Box box_;
   double width_;
   bool from_low_;
   std::vector<std::vector<double>> crossings_;
@@ -298,76 +284,49 @@ void add_strips(std::vector<Strip>& strips, const std::vector<NumberedLane>& lan
   }
 }
 
-void trace_parts(const std::vector<Part>& parts, Context& context) {
-  std::vector<Polyline> lines;
-  for (const Part& p : parts)
-    for (const Ring& r : p.rings) {
-      lines.push_back(r);
-      lines.back().push_back(r.front());
-    }
-  context.trace("parts", std::move(lines));
+std::vector<Part> parts_of(const Region& filled, const Params& p, double width) {
+  std::vector<Part> parts = cut_into_parts(filled, p.partition);
+  if (parts.size() <= 1) return parts;
+  return p.small_parts == SmallParts::merge ? with_slivers_merged(std::move(parts), width)
+                                            : without_slivers(std::move(parts), width);
 }
 
-class Zigzag final : public CoveragePlanner {
- public:
-  explicit Zigzag(Params p) : p_(p) {}
+double direction(const Region& filled, const std::vector<Part>& parts, const Params& p, double width) {
+  if (p.sweep == LaneDirection::given) return p.angle;
+  return p.partition == Partition::none ? best_lane_direction(filled, width) : least_sum_of_widths(filled, parts);
+}
 
-  Path plan(const Problem& problem, Context& context) const override {
-    const double w = problem.robot().tool_width;
-    const double inset = p_.margin > 0 ? p_.margin : w / 2;
-    const Connector connector(problem);
-    const Region filled = simplify_inward(lane_region(problem, (1 - kSimplify) * inset, kChord * w), kSimplify * inset);
-    Path path;
-    if (!filled.empty())
-      path = drive_strips(problem, strips_in(filled, problem, context), p_.order, connector, context);
-    if (p_.outline && !context.cancelled()) {
-      context.publish(path);
-      path = with_outline(problem, path, w, connector, context);
-    }
-    context.publish(path);
-    return path;
+std::vector<Strip> strips_in(const Region& filled, const Params& p, const Problem& problem, Context& context) {
+  if (filled.empty()) return {};
+  const double w = problem.robot().tool_width;
+  const std::vector<Part> parts = parts_of(filled, p, w);
+  if (context.wants_traces()) context.trace("parts", as_region(parts));
+  if (parts.empty()) return {};
+  const double angle = direction(filled, parts, p, w);
+  const LaneFrame frame(angle);
+  const EdgeIndex space(frame.to_frame(problem.configuration_space()));
+  const Field field{parts, frame, angle, space, w, 2 * problem.tolerance()};
+  std::vector<Strip> strips;
+  for (const std::vector<NumberedLane>& of_part : p.fit == Fit::cover ? covering_lanes(field) : literal_lanes(field)) {
+    if (p.partition != Partition::none)
+      add_strips(strips, of_part, frame);
+    else
+      for (const NumberedLane& lane : of_part) add_strips(strips, {lane}, frame);  // every lane by itself
   }
+  return strips;
+}
 
- private:
-  std::vector<Part> parts_of(const Region& filled, double width) const {
-    std::vector<Part> parts = cut_into_parts(filled, p_.partition);
-    if (parts.size() <= 1) return parts;
-    return p_.small_parts == SmallParts::merge ? with_slivers_merged(std::move(parts), width)
-                                               : without_slivers(std::move(parts), width);
-  }
-
-  double direction(const Region& filled, const std::vector<Part>& parts, double width) const {
-    if (p_.sweep == LaneDirection::given) return p_.angle;
-    return p_.partition == Partition::none ? best_lane_direction(filled, width) : least_sum_of_widths(filled, parts);
-  }
-
-  std::vector<Strip> strips_in(const Region& filled, const Problem& problem, Context& context) const {
-    const double w = problem.robot().tool_width;
-    const std::vector<Part> parts = parts_of(filled, w);
-    if (context.wants_traces()) trace_parts(parts, context);
-    const double angle = direction(filled, parts, w);
-    const LaneFrame frame(angle);
-    const EdgeIndex space(frame.to_frame(problem.configuration_space()));
-    std::vector<Strip> strips;
-    if (parts.empty()) return strips;
-    const Field field{parts, frame, angle, space, w, 2 * problem.tolerance()};
-    for (const std::vector<NumberedLane>& of_part :
-         p_.fit == Fit::cover ? covering_lanes(field) : literal_lanes(field)) {
-      if (p_.partition != Partition::none)
-        add_strips(strips, of_part, frame);
-      else
-        for (const NumberedLane& lane : of_part) add_strips(strips, {lane}, frame);  // every lane by itself
-    }
-    return strips;
-  }
-
-  Params p_;
-};
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  const double w = problem.robot().tool_width;
+  const double inset = p.margin > 0 ? p.margin : w / 2;
+  const Region filled = simplify_inward(lane_region(problem, (1 - kSimplify) * inset, kChord * w), kSimplify * inset);
+  return drive_strips_and_walls(problem, strips_in(filled, p, problem, context), p.order, p.outline, context);
+}
 
 }  // namespace
 
 PlannerInfo zigzag() {
-  return describe<Zigzag, Params>(
+  return describe<Params, plan>(
       {.name = "zigzag",
        .family = "polygon",
        .title = "Zig zag filling",

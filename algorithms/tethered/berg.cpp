@@ -28,10 +28,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/online/sensing.hpp"
+#include "algorithms/lattice/grid_graph.hpp"
+#include "algorithms/online/survey_then_plan.hpp"
 #include "algorithms/tethered/berg_tree.hpp"
 #include "algorithms/transit/connector.hpp"
 
@@ -70,15 +72,7 @@ class PieceDrive {
         builder_(problem.start()) {}
 
   Path run(Order order) {
-    if (order == Order::bfs) {
-      drive_laps();
-    } else {
-      std::vector<Indices> groups{tree_.roots()};
-      if (order == Order::dfs)
-        drive_depth_first(groups);
-      else
-        drive_breadth_first(groups);
-    }
+    order == Order::bfs ? drive_laps() : drive_regions(order);
     return builder_.take();
   }
 
@@ -99,31 +93,25 @@ class PieceDrive {
     }
   }
 
-  // Sibling regions wait as a group. The next region is the nearest of one group: of the last group, or of the first.
-  void drive_depth_first(std::vector<Indices>& groups) {
+  // Sibling regions wait as a group. The next region is the nearest of one group: depth-first of the last group, else
+  // of the first.
+  void drive_regions(Order order) {
+    std::deque<Indices> groups{tree_.roots()};
     while (!groups.empty() && !context_.cancelled()) {
-      if (groups.back().empty())
-        groups.pop_back();
+      Indices& group = order == Order::dfs ? groups.back() : groups.front();
+      if (!group.empty())
+        groups.push_back(drive_region(take_nearest(group, [this](std::size_t r) { return first_piece(r); })));
       else
-        drive_region(groups, groups.size() - 1);
+        order == Order::dfs ? groups.pop_back() : groups.pop_front();
     }
   }
-  void drive_breadth_first(std::vector<Indices>& groups) {
-    for (std::size_t first = 0; first < groups.size() && !context_.cancelled();) {
-      if (groups[first].empty())
-        ++first;
-      else
-        drive_region(groups, first);
-    }
-  }
-  /// The nearest region of a group; its children become the last group.
-  void drive_region(std::vector<Indices>& groups, std::size_t group) {
-    const std::size_t index = take_nearest(groups[group], [this](std::size_t region) { return first_piece(region); });
+  /// Returns the region's children.
+  const Indices& drive_region(std::size_t index) {
     const BergTree::Region& region = tree_.regions()[index];
     for (const std::size_t p : region.pieces)
       if (!points(p).empty()) drive_piece(p);
-    groups.push_back(region.children);
     context_.progress(static_cast<double>(++regions_done_) / static_cast<double>(tree_.regions().size()));
+    return region.children;
   }
 
   /// The first piece of a region that has points.
@@ -139,35 +127,17 @@ class PieceDrive {
   /// Removes and returns the item whose piece has the end nearest to the robot by path length.
   template <class PieceOf>
   std::size_t take_nearest(Indices& waiting, PieceOf piece_of) const {
-    const std::size_t k = nearest(waiting, piece_of);
-    const std::size_t item = waiting[k];
-    waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(k));
-    return item;
-  }
-  template <class PieceOf>
-  std::size_t nearest(const Indices& waiting, PieceOf piece_of) const {
-    if (waiting.size() == 1) return 0;
-    struct End {
-      double straight;
-      std::size_t index;
-      const Point* at;
-    };
-    std::vector<End> ends;
-    for (std::size_t i = 0; i < waiting.size(); ++i)
+    std::vector<std::pair<double, std::pair<std::size_t, const Point*>>> ends;  // of pieces, by index in `waiting`
+    for (std::size_t i = 0; i < waiting.size() && waiting.size() > 1; ++i)
       for (const Point* p : {&points(piece_of(waiting[i])).front(), &points(piece_of(waiting[i])).back()})
-        ends.push_back({distance(builder_.at(), *p), i, p});
-    std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.straight < b.straight; });
-    double least = std::numeric_limits<double>::infinity();
-    std::size_t best = ends.front().index;
-    for (const End& e : ends) {
-      if (e.straight >= least) break;
-      const double d = connector_.length(builder_.at(), *e.at, least);
-      if (d < least) {
-        least = d;
-        best = e.index;
-      }
-    }
-    return best;
+        ends.push_back({distance(builder_.at(), *p), {i, p}});
+    const auto found = nearest_by_path(std::move(ends), [this](const auto& end, double longest) {
+      return connector_.length(builder_.at(), *end.second, longest);
+    });
+    const std::size_t best = found ? found->first : 0;
+    const std::size_t item = waiting[best];
+    waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(best));
+    return item;
   }
 
   void go(const Point& to) { builder_.drive(connector_.path(builder_.at(), to), true); }
@@ -235,75 +205,66 @@ class PieceDrive {
   std::size_t regions_done_ = 0;
 };
 
-class Berg final : public CoveragePlanner {
- public:
-  explicit Berg(Params p) : p_(p) {}
+BergTree::Laps laps_for(const Params& p, const Robot& robot) {
+  const double step = p.step > 0 ? p.step : robot_size(robot);
+  return {step, robot.tether->length, p.sampling > 0 ? p.sampling : step / kStepsPerSpacing};
+}
 
-  Path plan(const Problem& problem, Context& context) const override {
-    const Robot& robot = problem.robot();
-    if (!robot.tether)
-      throw Unsupported(
-          fmt::format("planner 'berg' drives laps of equal tether length and robot '{}' has no tether; give it one, or "
-                      "take a planner without",
-                      robot.name));
-    const BergBoundary boundary(problem.map().free, problem.map_edges(), problem.tether()->closed_gaps(),
-                                problem.anchor(), robot.tether->length, problem.tolerance());
-    const BergTree::Laps laps = laps_for(robot);
-    const BergTree tree = tree_of(boundary, laps, problem, context);
-    if (context.wants_traces()) trace(boundary, tree, context);
-    if (tree.roots().empty()) {
-      if (context.cancelled()) return {};
-      throw Infeasible(
-          fmt::format("planner 'berg': no lap {} m apart passes a point where robot '{}' fits in '{}'; a smaller step "
-                      "may find one",
-                      laps.step, robot.name, problem.map().name));
-    }
-    Path path = PieceDrive(problem, boundary, tree, laps.spacing, context).run(p_.order);
-    context.publish(path);
-    return path;
+BergTree tree_of(const BergBoundary& boundary, const BergTree::Laps& laps, Trim trim, const Problem& problem,
+                 Context& context) {
+  const GeodesicField& field = problem.tether()->geodesics();
+  const double slack = 1e-6 * problem.robot().tool_width + 1e-9 * laps.longest;
+  const auto keep = [&](const Point& p, double length) {
+    return problem.walls().contains(p) && (trim == Trim::none || std::abs(field.distance(p) - length) <= slack);
+  };
+  return BergTree(boundary, laps, keep, [&] { return context.cancelled(); });
+}
+
+void trace(const BergBoundary& boundary, const BergTree& tree, Context& context) {
+  std::vector<Polyline> laps, nodes, dividers, branches;
+  for (const BergTree::Piece& piece : tree.pieces()) {
+    if (piece.points.size() > 1) laps.push_back(piece.points);
+    if (piece.points.empty() || !piece.parent) continue;
+    const Polyline& from = tree.pieces()[*piece.parent].points;
+    if (!from.empty()) branches.push_back({from[from.size() / 2], piece.points[piece.points.size() / 2]});
   }
+  for (const BergNode& node : boundary.nodes())
+    if (node.parent) nodes.push_back({boundary.nodes()[*node.parent].at, node.at});
+  for (const BergDivider& d : boundary.dividers()) dividers.push_back({boundary.nodes()[d.node].at, d.at});
+  context.trace("boundaries", std::move(laps));
+  context.trace("nodes", std::move(nodes));
+  context.trace("dividers", std::move(dividers));
+  context.trace("tree", std::move(branches));
+}
 
- private:
-  BergTree::Laps laps_for(const Robot& robot) const {
-    const double step = p_.step > 0 ? p_.step : robot.radius > 0 ? robot.radius : robot.tool_width / 2;
-    return {step, robot.tether->length, p_.sampling > 0 ? p_.sampling : step / kStepsPerSpacing};
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  const Robot& robot = problem.robot();
+  if (!robot.tether)
+    throw Unsupported(
+        fmt::format("planner 'berg' drives laps of equal tether length and robot '{}' has no tether; give it one, or "
+                    "take a planner without",
+                    robot.name));
+  const BergBoundary boundary(problem.map().free, problem.map_edges(), problem.tether()->closed_gaps(),
+                              problem.anchor(), robot.tether->length, problem.tolerance());
+  const BergTree::Laps laps = laps_for(p, robot);
+  const BergTree tree = tree_of(boundary, laps, p.trim, problem, context);
+  if (context.wants_traces()) trace(boundary, tree, context);
+  if (tree.roots().empty()) {
+    if (context.cancelled()) return {};
+    throw Infeasible(
+        fmt::format("planner 'berg': no lap {} m apart passes a point where robot '{}' fits in '{}'; a smaller step "
+                    "may find one",
+                    laps.step, robot.name, problem.map().name));
   }
-
-  BergTree tree_of(const BergBoundary& boundary, const BergTree::Laps& laps, const Problem& problem,
-                   Context& context) const {
-    const EdgeIndex& space = problem.walls();
-    const GeodesicField& field = problem.tether()->geodesics();
-    const double slack = 1e-6 * problem.robot().tool_width + 1e-9 * laps.longest;
-    const auto keep = [&](const Point& p, double length) {
-      return space.contains(p) && (p_.trim == Trim::none || std::abs(field.distance(p) - length) <= slack);
-    };
-    return BergTree(boundary, laps, keep, [&] { return context.cancelled(); });
-  }
-
-  static void trace(const BergBoundary& boundary, const BergTree& tree, Context& context) {
-    std::vector<Polyline> laps, nodes, dividers, branches;
-    for (const BergTree::Piece& piece : tree.pieces()) {
-      if (piece.points.size() > 1) laps.push_back(piece.points);
-      if (piece.points.empty() || !piece.parent) continue;
-      const Polyline& from = tree.pieces()[*piece.parent].points;
-      if (!from.empty()) branches.push_back({from[from.size() / 2], piece.points[piece.points.size() / 2]});
-    }
-    for (const BergNode& node : boundary.nodes())
-      if (node.parent) nodes.push_back({boundary.nodes()[*node.parent].at, node.at});
-    for (const BergDivider& d : boundary.dividers()) dividers.push_back({boundary.nodes()[d.node].at, d.at});
-    context.trace("boundaries", std::move(laps));
-    context.trace("nodes", std::move(nodes));
-    context.trace("dividers", std::move(dividers));
-    context.trace("tree", std::move(branches));
-  }
-
-  Params p_;
-};
+  Path path = PieceDrive(problem, boundary, tree, laps.spacing, context).run(p.order);
+  context.publish(path);
+  return path;
+}
 
 }  // namespace
 
 PlannerInfo berg() {
-  return with_sensing(describe<Berg, Params>(
+  return with_sensing(describe<Params, plan>(
       {.name = "berg",
        .family = "tethered",
        .title = "Berg's laps of equal tether length",

@@ -92,8 +92,7 @@ class BergBoundary::NodeSearch {
       // Of two paths that differ by rounding alone the straighter one, which was found first, stays.
       if (length > longest_ || length >= looks_[k].length - b_.tolerance_ * 1e-3) continue;
       if (!b_.in_sector(node, corner.at) || !b_.sight_.sees(node.at, corner.at)) continue;
-      looks_[k].length = length;
-      looks_[k].node = index;
+      looks_[k] = {length, index};
       open_.push({length, k});
     }
   }

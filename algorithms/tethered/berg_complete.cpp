@@ -26,10 +26,9 @@
 //                component is planned with and without them, and the shorter path is driven. lanes = 0, or a
 //                min_tether_angle, uses level sets only.
 #include <algorithm>
-#include <cmath>
 
 #include "algorithms/lanes/outline.hpp"
-#include "algorithms/online/sensing.hpp"
+#include "algorithms/online/survey_then_plan.hpp"
 #include "algorithms/tethered/level_set_strips.hpp"
 #include "algorithms/tethered/needed_boundary.hpp"
 #include "algorithms/tethered/tacking.hpp"
@@ -109,98 +108,90 @@ std::vector<std::size_t> depth_first(const Outward& outward) {
   return sequence;
 }
 
-class BergComplete final : public CoveragePlanner {
- public:
-  explicit BergComplete(Params p) : p_(p) {}
+Path with_task_rings(const Task& task, const Path& path, Context& context) {
+  return with_rings(task.problem, task.rings, path, task.problem.robot().tool_width, task.connector, context);
+}
 
-  Path plan(const Problem& problem, Context& context) const override {
-    const TetherSpace space(problem, "berg-complete");
-    const double w = problem.robot().tool_width;
-    const bool open = p_.order == Order::tour && p_.winding == Winding::any;
-    const NeededBoundary boundary = needed_boundary(space, open ? CutEdges::across_tether : CutEdges::all);
-    const std::vector<LevelSet> sets = level_sets(space, boundary.space, boundary.inner, w, w / kChordsPerWidth);
-    if (context.wants_traces()) trace(space, boundary, sets, context);
-    const auto cover = [&](const TetherSpace::Component& component, Context& inner) {
-      Task task = task_in(component, sets, boundary, space.field(), w, problem.tolerance());
-      if (p_.winding == Winding::right) reverse(task.rings);
-      return p_.winding == Winding::any ? cover_by_tour(task, inner)
-                                        : with_task_rings(task, drive_one_way(task, inner), inner);
-    };
-    Path path = cover_components(space, cover, p_.return_home, context);
-    if (p_.min_tether_angle > 0) path = tacked(space, path, p_.min_tether_angle, w / kTackPerWidth);
-    context.publish(path);
-    return path;
+Path drive(Order by, const Task& task, std::vector<Strip> strips, Context& context) {
+  const StripOrder order = by == Order::bfs   ? StripOrder::given
+                           : by == Order::dfs ? StripOrder::depth_first
+                                              : StripOrder::improved;
+  strips.insert(strips.end(), task.chains.begin(), task.chains.end());
+  return with_task_rings(task, drive_strips(task.problem, strips, order, task.connector, context), context);
+}
+
+/// Radial lanes save the steps between short level sets, but an odd number of them ends at the far end of the run. So
+/// both are tried.
+Path cover_by_tour(const Params& p, const Task& task, Context& context) {
+  if (p.order == Order::bfs) return drive(p.order, task, strips_of_sets(task.sets, task.outward), context);
+  const std::vector<Strip> runs = strips_of_runs(task.sets, task.outward);
+  Path best = drive(p.order, task, runs, context);
+  if (p.lanes == 0 || p.min_tether_angle > 0 || context.cancelled()) return best;
+  const std::vector<Strip> radial =
+      strips_with_radial_lanes(task.sets, task.outward, task.problem.walls(),
+                               {static_cast<std::size_t>(p.lanes), task.problem.robot().tool_width});
+  if (lane_count(radial) == lane_count(runs)) return best;  // no run is suited
+  Path other = drive(p.order, task, radial, context);
+  return !context.cancelled() && other.length() < best.length() ? other : best;
+}
+
+/// Each level set in the one direction, depth-first or level by level.
+Path drive_one_way(const Params& p, const Task& task, Context& context) {
+  std::vector<std::size_t> sequence;
+  if (p.order == Order::bfs)
+    for (std::size_t k = 0; k < task.sets.size(); ++k) sequence.push_back(k);
+  else
+    sequence = depth_first(task.outward);
+  PathBuilder path(task.problem.start());
+  for (const std::size_t k : sequence) {
+    if (context.cancelled()) break;
+    Polyline line = task.sets[k].line;
+    if (p.winding == Winding::right) std::reverse(line.begin(), line.end());
+    path.drive(task.connector.path(path.at(), line.front()), false);
+    path.drive(line, true);
   }
+  return path.take();
+}
 
- private:
-  static Path with_task_rings(const Task& task, const Path& path, Context& context) {
-    return with_rings(task.problem, task.rings, path, task.problem.robot().tool_width, task.connector, context);
+void trace(const TetherSpace& space, const NeededBoundary& boundary, const std::vector<LevelSet>& sets,
+           Context& context) {
+  const Outward outward = outward_neighbours(sets, space.field(), space.problem().robot().tool_width);
+  context.trace("cut", space.cut());
+  context.trace("rings", boundary.rings);
+  context.trace("chains", boundary.chains);
+  std::vector<Polyline> lines, tree;
+  const auto middle = [&](std::size_t k) { return sets[k].line[sets[k].line.size() / 2]; };
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    lines.push_back(sets[k].line);
+    for (const std::size_t b : outward[k]) tree.push_back({middle(k), middle(b)});
   }
+  context.trace("level sets", std::move(lines));
+  context.trace("tree of pieces", std::move(tree));
+}
 
-  Path drive(const Task& task, std::vector<Strip> strips, Context& context) const {
-    const StripOrder order = p_.order == Order::bfs   ? StripOrder::given
-                             : p_.order == Order::dfs ? StripOrder::depth_first
-                                                      : StripOrder::improved;
-    strips.insert(strips.end(), task.chains.begin(), task.chains.end());
-    return with_task_rings(task, drive_strips(task.problem, strips, order, task.connector, context), context);
-  }
-
-  /// Radial lanes save the steps between short level sets, but an odd number of them ends at the far end of the run. So
-  /// both are tried.
-  Path cover_by_tour(const Task& task, Context& context) const {
-    if (p_.order == Order::bfs) return drive(task, strips_of_sets(task.sets, task.outward), context);
-    const std::vector<Strip> runs = strips_of_runs(task.sets, task.outward);
-    Path best = drive(task, runs, context);
-    if (p_.lanes == 0 || p_.min_tether_angle > 0 || context.cancelled()) return best;
-    const std::vector<Strip> radial =
-        strips_with_radial_lanes(task.sets, task.outward, task.problem.walls(),
-                                 {static_cast<std::size_t>(p_.lanes), task.problem.robot().tool_width});
-    if (lane_count(radial) == lane_count(runs)) return best;  // no run is suited
-    Path other = drive(task, radial, context);
-    return !context.cancelled() && other.length() < best.length() ? other : best;
-  }
-
-  /// Each level set in the one direction, depth-first or level by level.
-  Path drive_one_way(const Task& task, Context& context) const {
-    std::vector<std::size_t> sequence;
-    if (p_.order == Order::bfs)
-      for (std::size_t k = 0; k < task.sets.size(); ++k) sequence.push_back(k);
-    else
-      sequence = depth_first(task.outward);
-    PathBuilder path(task.problem.start());
-    for (const std::size_t k : sequence) {
-      if (context.cancelled()) break;
-      Polyline line = task.sets[k].line;
-      if (p_.winding == Winding::right) std::reverse(line.begin(), line.end());
-      path.drive(task.connector.path(path.at(), line.front()), false);
-      path.drive(line, true);
-    }
-    return path.take();
-  }
-
-  static void trace(const TetherSpace& space, const NeededBoundary& boundary, const std::vector<LevelSet>& sets,
-                    Context& context) {
-    const Outward outward = outward_neighbours(sets, space.field(), space.problem().robot().tool_width);
-    context.trace("cut", space.cut());
-    context.trace("rings", boundary.rings);
-    context.trace("chains", boundary.chains);
-    std::vector<Polyline> lines, tree;
-    const auto middle = [&](std::size_t k) { return sets[k].line[sets[k].line.size() / 2]; };
-    for (std::size_t k = 0; k < sets.size(); ++k) {
-      lines.push_back(sets[k].line);
-      for (const std::size_t b : outward[k]) tree.push_back({middle(k), middle(b)});
-    }
-    context.trace("level sets", std::move(lines));
-    context.trace("tree of pieces", std::move(tree));
-  }
-
-  Params p_;
-};
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  const TetherSpace space(problem, "berg-complete");
+  const double w = problem.robot().tool_width;
+  const bool open = p.order == Order::tour && p.winding == Winding::any;
+  const NeededBoundary boundary = needed_boundary(space, open ? CutEdges::across_tether : CutEdges::all);
+  const std::vector<LevelSet> sets = level_sets(space, boundary.space, boundary.inner, w, w / kChordsPerWidth);
+  if (context.wants_traces()) trace(space, boundary, sets, context);
+  const auto cover = [&](const TetherSpace::Component& component, Context& inner) {
+    Task task = task_in(component, sets, boundary, space.field(), w, problem.tolerance());
+    if (p.winding == Winding::right) reverse(task.rings);
+    return p.winding == Winding::any ? cover_by_tour(p, task, inner)
+                                     : with_task_rings(task, drive_one_way(p, task, inner), inner);
+  };
+  Path path = cover_components(space, cover, p.return_home, context);
+  if (p.min_tether_angle > 0) path = tacked(space, path, p.min_tether_angle, w / kTackPerWidth);
+  context.publish(path);
+  return path;
+}
 
 }  // namespace
 
 PlannerInfo berg_complete() {
-  return with_sensing(describe<BergComplete, Params>(
+  return with_sensing(describe<Params, plan>(
       {.name = "berg-complete",
        .family = "tethered",
        .title = "level sets of tether distance, complete",

@@ -1,7 +1,6 @@
 #include "algorithms/tethered/berg_tree.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace oxturn {

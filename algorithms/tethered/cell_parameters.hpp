@@ -7,16 +7,15 @@
 
 #include <vector>
 
+#include "algorithms/lattice/grid_options.hpp"
 #include "algorithms/tethered/tether_cells.hpp"
-#include "base/parameters.hpp"
 #include "geometry/tether/tethered_path.hpp"
 
 namespace oxturn {
 
 /// Of planners that visit cells one by one.
-struct VisitParameters {
+struct VisitParameters : CellSize {
   CellKind cells = CellKind::any;
-  double cell_size = 0;  // metres; 0: tool width / sqrt 2
   Retraction retraction = Retraction::automatic;
   int budget = 2000;
   bool return_home = true;
@@ -26,7 +25,7 @@ template <class P>
 std::vector<Parameter<P>> with_visit_parameters(std::vector<Parameter<P>> own) {
   own.push_back({"cells", &P::cells, Choices{"any", "joined"},
                  "any: at walls, a cell's free point nearest to its centre counts for it; joined: wholly free cells"});
-  own.push_back({"cell_size", &P::cell_size, Range{0, 1000}, "metres; side of a cell; 0: tool width / sqrt 2"});
+  own.push_back(cell_size_line<P>("metres; side of a cell; 0: tool width / sqrt 2"));
   own.push_back({"retraction", &P::retraction, Choices{"automatic", "untangle"},
                  "untangle: back along the path driven until the next cell can be reached straight"});
   own.push_back({"budget", &P::budget, Range{0, 1e9}, "expansions per path, of the search in other homotopy classes"});
@@ -38,15 +37,13 @@ std::vector<Parameter<P>> with_visit_parameters(std::vector<Parameter<P>> own) {
 enum class TreeReach { depth, geodesic };
 
 /// Of planners that follow a shortest-path tree of cells.
-struct TreeParameters {
-  double cell_size = 0;  // metres; 0: tool width / sqrt 2
+struct TreeParameters : CellSize {
   TreeReach reach = TreeReach::depth;
 };
 
 template <class P>
 std::vector<Parameter<P>> with_tree_parameters(std::vector<Parameter<P>> own) {
-  own.push_back(
-      {"cell_size", &P::cell_size, Range{0, 1000}, "metres; side of a cell, or of a sub-cell; 0: tool width / sqrt 2"});
+  own.push_back(cell_size_line<P>("metres; side of a cell, or of a sub-cell; 0: tool width / sqrt 2"));
   own.push_back({"reach", &P::reach, Choices{"depth", "geodesic"},
                  "depth: tether length is measured along the tree; geodesic: along the geodesic, in the cut space"});
   return own;

@@ -47,11 +47,7 @@ class StripList {
   /// The strips, adjacent where their level sets are.
   std::vector<Strip> take(const Outward& outward) {
     for (std::size_t a = 0; a < outward.size(); ++a)
-      for (const std::size_t b : outward[a])
-        if (strip_of_[a] != strip_of_[b]) {
-          strips_[strip_of_[a]].neighbours.push_back(strip_of_[b]);
-          strips_[strip_of_[b]].neighbours.push_back(strip_of_[a]);
-        }
+      for (const std::size_t b : outward[a]) connect(strips_, strip_of_[a], strip_of_[b]);
     return std::move(strips_);
   }
 

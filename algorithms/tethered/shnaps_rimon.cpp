@@ -17,7 +17,7 @@
 //                a wall counts as well: at its free point nearest to the centre, if that lies in the cell. According to
 //                Berg 2021 the robot gets close to walls and into corners.
 //             5. All paths are driven with the tool on: scattered cells would not be covered otherwise.
-#include "algorithms/online/sensing.hpp"
+#include "algorithms/online/survey_then_plan.hpp"
 #include "algorithms/tethered/band_forest.hpp"
 #include "algorithms/tethered/visit_cells.hpp"
 
@@ -30,43 +30,35 @@ struct Params : VisitParameters {
   Order order = Order::distance;
 };
 
-class ShnapsRimon final : public CoveragePlanner {
- public:
-  explicit ShnapsRimon(Params p) : p_(p) {}
-
-  Path plan(const Problem& problem, Context& context) const override {
-    const TetherSpace space(problem, "shnaps-rimon");
-    const TetherCells cells(problem, problem.configuration_space(), cell_side(p_.cell_size, problem.robot()), p_.cells);
-    CellList order;
-    if (p_.order == Order::split) {
-      const BandForest forest(cells);
-      order = forest.order();
-      if (context.wants_traces()) context.trace("tree of pieces", forest.edges());
-    } else {
-      for (std::size_t c = 0; c < cells.size(); ++c) order.push_back(c);
-      sort_by_distance(order, cells);
-    }
-    return visit_cells(space, cells, order, p_, context);
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  const TetherSpace space(problem, "shnaps-rimon");
+  const TetherCells cells(problem, problem.configuration_space(), p.side(problem.robot()), p.cells);
+  CellList order;
+  if (p.order == Order::split) {
+    ForestOrder forest = forest_order(cells);
+    order = std::move(forest.cells);
+    context.trace("tree of pieces", std::move(forest.edges));
+  } else {
+    for (std::size_t c = 0; c < cells.size(); ++c) order.push_back(c);
+    sort_by_distance(order, cells);
   }
-
- private:
-  Params p_;
-};
+  return visit_cells(space, cells, order, p, context);
+}
 
 }  // namespace
 
 PlannerInfo shnaps_rimon() {
-  return with_sensing(describe<ShnapsRimon, Params>(
-      {.name = "shnaps-rimon",
-       .family = "tethered",
-       .title = "cell after cell by distance along the tether",
-       .citation = "after Shnaps & Rimon 2014",
-       .capabilities = {Capability::tether, Capability::holes},
-       .guarantee = "visits every cell; length at most 2 L n, home included",
-       .parameters = with_visit_parameters<Params>(
-           {{"order", &Params::order, Choices{"distance", "split"},
-             "distance: literal; split: one side of an obstacle is finished before the other"}}),
-       .published = {{"order", std::string("distance")}, {"cells", std::string("joined")}}}));
+  return with_sensing(
+      describe<Params, plan>({.name = "shnaps-rimon",
+                              .family = "tethered",
+                              .title = "cell after cell by distance along the tether",
+                              .citation = "after Shnaps & Rimon 2014",
+                              .capabilities = {Capability::tether, Capability::holes},
+                              .guarantee = "visits every cell; length at most 2 L n, home included",
+                              .parameters = with_visit_parameters<Params>(
+                                  {{"order", &Params::order, Choices{"distance", "split"},
+                                    "distance: literal; split: one side of an obstacle is finished before the other"}}),
+                              .published = {{"order", std::string("distance")}, {"cells", std::string("joined")}}}));
 }
 
 }  // namespace oxturn

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "algorithms/online/sensing.hpp"
+#include "algorithms/online/survey_then_plan.hpp"
 #include "algorithms/tethered/visit_cells.hpp"
 
 namespace oxturn {
@@ -29,51 +29,38 @@ struct Params : VisitParameters {
   Group group = Group::none;
 };
 
-class ShnapsRimonBanded final : public CoveragePlanner {
- public:
-  explicit ShnapsRimonBanded(Params p) : p_(p) {}
-
-  Path plan(const Problem& problem, Context& context) const override {
-    const TetherSpace space(problem, "shnaps-rimon-banded");
-    const TetherCells cells(problem, problem.configuration_space(), cell_side(p_.cell_size, problem.robot()), p_.cells);
-    return visit_cells(space, cells, banded(cells, space.field()), p_, context);
+CellList banded(const Params& p, const TetherCells& cells, const GeodesicField& field) {
+  // Band; the bend, if cells are grouped by it (metres of tether up to it, position); angle; cell.
+  using Key = std::tuple<long long, double, double, double, double, std::size_t>;
+  std::vector<Key> keys;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const GeodesicField::Sight sight = field.sight(cells[c].at);
+    const Point arm = cells[c].at - sight.from;
+    double angle = std::atan2(arm.y(), arm.x());
+    if (angle < 0) angle += 2 * kPi;
+    const auto band = static_cast<long long>(cells[c].distance / (p.band * cells.side()) + kSameDistance);
+    if (p.alternate && band % 2 == 1) angle = -angle;
+    if (p.group == Group::bend)
+      keys.emplace_back(band, sight.before, sight.from.x(), sight.from.y(), angle, c);
+    else
+      keys.emplace_back(band, 0, 0, 0, angle, c);
   }
+  std::sort(keys.begin(), keys.end());
+  CellList order;
+  for (const Key& key : keys) order.push_back(std::get<std::size_t>(key));
+  return order;
+}
 
- private:
-  CellList banded(const TetherCells& cells, const GeodesicField& field) const {
-    struct Key {
-      long long band;
-      double before, x, y;  // the bend, if cells are grouped by it: metres of tether up to it, position
-      double angle;
-      std::size_t cell;
-      auto tied() const { return std::tie(band, before, x, y, angle, cell); }
-    };
-    std::vector<Key> keys;
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      const GeodesicField::Sight sight = field.sight(cells[c].at);
-      const Point arm = cells[c].at - sight.from;
-      double angle = std::atan2(arm.y(), arm.x());
-      if (angle < 0) angle += 2 * kPi;
-      const auto band = static_cast<long long>(cells[c].distance / (p_.band * cells.side()) + kSameDistance);
-      if (p_.alternate && band % 2 == 1) angle = -angle;
-      if (p_.group == Group::bend)
-        keys.push_back({band, sight.before, sight.from.x(), sight.from.y(), angle, c});
-      else
-        keys.push_back({band, 0, 0, 0, angle, c});
-    }
-    std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.tied() < b.tied(); });
-    CellList order;
-    for (const Key& key : keys) order.push_back(key.cell);
-    return order;
-  }
-
-  Params p_;
-};
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  const TetherSpace space(problem, "shnaps-rimon-banded");
+  const TetherCells cells(problem, problem.configuration_space(), p.side(problem.robot()), p.cells);
+  return visit_cells(space, cells, banded(p, cells, space.field()), p, context);
+}
 
 }  // namespace
 
 PlannerInfo shnaps_rimon_banded() {
-  return with_sensing(describe<ShnapsRimonBanded, Params>(
+  return with_sensing(describe<Params, plan>(
       {.name = "shnaps-rimon-banded",
        .family = "tethered",
        .title = "cells in bands of similar tether distance, by angle",

@@ -27,8 +27,7 @@ using CellList = std::vector<std::size_t>;  // indices of cells
 
 class TetherCells {
  public:
-  struct Cell {
-    int column, row;
+  struct Position {
     Point at;         // the centre, or the free point nearest to it
     double distance;  // metres of tether along the geodesic
   };
@@ -37,7 +36,7 @@ class TetherCells {
 
   /// Cells are numbered row by row.
   std::size_t size() const { return cells_.size(); }
-  const Cell& operator[](std::size_t c) const { return cells_[c]; }
+  const Position& operator[](std::size_t c) const { return cells_[c]; }
   std::size_t root() const { return root_; }  // the start's cell
   double side() const { return side_; }
   /// The adjacent cell, if the segment between the centres is free, or, unless both centres are joined to the start
@@ -49,7 +48,7 @@ class TetherCells {
 
  private:
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-  std::vector<Cell> cells_;
+  std::vector<Position> cells_;
   std::vector<std::array<std::size_t, 4>> neighbours_;
   std::size_t root_ = 0;
   double side_;

@@ -13,10 +13,7 @@
 //             3. `reach = geodesic` (ours): the tree grows in the space cut open along the anchor's cut locus. There
 //                the tether is the geodesic whatever the path, so all cells within the tether's reach stay.
 //             4. The walk visits children in the order in which they were found, always with the tool on.
-#include <algorithm>
-#include <cmath>
-
-#include "algorithms/online/sensing.hpp"
+#include "algorithms/online/survey_then_plan.hpp"
 #include "algorithms/tethered/cell_parameters.hpp"
 #include "algorithms/transit/tether_space.hpp"
 #include "base/graph_search.hpp"
@@ -73,32 +70,24 @@ std::vector<Polyline> edges_of(const TetherCells& cells, const Children& childre
   return lines;
 }
 
-class TetherTree final : public CoveragePlanner {
- public:
-  explicit TetherTree(TreeParameters p) : p_(p) {}
-
-  Path plan(const Problem& problem, Context& context) const override {
-    const TetherSpace space(problem, "tether-tree");
-    const bool geodesic = p_.reach == TreeReach::geodesic;
-    const TetherCells cells(problem, geodesic ? space.cut_space() : problem.configuration_space(),
-                            cell_side(p_.cell_size, problem.robot()), CellKind::joined);
-    const double remaining = space.tether_length() - cells[cells.root()].distance;
-    const auto deepest = geodesic ? cells.size() : static_cast<std::size_t>(remaining / cells.side() + 1e-9);
-    if (deepest == 0)
-      throw Infeasible("the tether does not reach the cells beside that of the start; a smaller cell_size may help");
-    const Children children = shortest_path_tree(cells, deepest);
-    if (context.wants_traces()) context.trace("tree", edges_of(cells, children));
-    return walk(problem, cells, children, context);
-  }
-
- private:
-  TreeParameters p_;
-};
+Path plan(const TreeParameters& p, const Problem& problem, Context& context) {
+  const TetherSpace space(problem, "tether-tree");
+  const bool geodesic = p.reach == TreeReach::geodesic;
+  const TetherCells cells(problem, geodesic ? space.cut_space() : problem.configuration_space(),
+                          p.side(problem.robot()), CellKind::joined);
+  const double remaining = space.tether_length() - cells[cells.root()].distance;
+  const auto deepest = geodesic ? cells.size() : static_cast<std::size_t>(remaining / cells.side() + 1e-9);
+  if (deepest == 0)
+    throw Infeasible("the tether does not reach the cells beside that of the start; a smaller cell_size may help");
+  const Children children = shortest_path_tree(cells, deepest);
+  if (context.wants_traces()) context.trace("tree", edges_of(cells, children));
+  return walk(problem, cells, children, context);
+}
 
 }  // namespace
 
 PlannerInfo tether_tree() {
-  return with_sensing(describe<TetherTree, TreeParameters>(
+  return with_sensing(describe<TreeParameters, plan>(
       {.name = "tether-tree",
        .family = "tethered",
        .title = "there and back along a shortest-path tree of cells",

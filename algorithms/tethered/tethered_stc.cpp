@@ -30,63 +30,53 @@ struct Tour {
   std::vector<Polyline> tree;
 };
 
-class TetheredStc final : public CoveragePlanner {
- public:
-  explicit TetheredStc(TreeParameters p) : p_(p) {}
+std::size_t deepest_cell(TreeReach reach, const TetherSpace& space, double side) {
+  if (reach == TreeReach::geodesic) return std::numeric_limits<std::size_t>::max();
+  const double remaining =
+      space.tether_length() - space.field().distance(space.problem().start()) - std::sqrt(2.0) * side;
+  if (remaining < 0)
+    throw Infeasible("the tether is too short to go round one coarse cell; a smaller cell_size may help");
+  return static_cast<std::size_t>(remaining / (2 * side) + 1e-9);
+}
 
-  Path plan(const Problem& problem, Context& context) const override {
-    const TetherSpace space(problem, "tethered-stc");
-    const double side = cell_side(p_.cell_size, problem.robot());
-    const std::size_t deepest = deepest_cell(space, side);
-    Tour best;
-    for (const Point& shift : {Point(0, 0), Point(1, 0), Point(0, 1), Point(1, 1)})
-      if (auto tour = larger_tour(best.cells, space, side, shift, deepest)) best = std::move(*tour);
-    if (best.cells == 0)
-      throw Infeasible("no coarse cell of twice the cell size fits at the start; a smaller cell_size may help");
-    if (context.wants_traces()) {
-      context.trace("cut", space.cut());
-      context.trace("tree", std::move(best.tree));
-    }
-    PathBuilder path(problem.start());
-    path.drive(best.points, true);
-    return path.take();
+/// With the start's sub-cell at (0, 0) + shift in its coarse cell; nullopt if the tree has at most `than` cells.
+std::optional<Tour> larger_tour(std::size_t than, const TetherSpace& space, double side, const Point& shift,
+                                std::size_t deepest) {
+  const Point& start = space.problem().start();
+  const GridGraph fine = make_grid_graph_at(space.cut_space(), space.problem().map().name, start - side * shift, side);
+  CoarseCells cells(fine);
+  const Cell first = fine.cell_of(start);
+  const std::size_t root = cells.at(first.i / 2, first.j / 2);
+  if (!cells.free(root)) return std::nullopt;
+  const std::size_t count = grow_breadth_first(cells, root, deepest).size();
+  if (count <= than) return std::nullopt;
+  Tour tour{count, round_tree(fine, cells, first), tree_lines(cells)};
+  tour.points.front() = tour.points.back() = start;  // exactly, not rounded
+  return tour;
+}
+
+Path plan(const TreeParameters& p, const Problem& problem, Context& context) {
+  const TetherSpace space(problem, "tethered-stc");
+  const double side = p.side(problem.robot());
+  const std::size_t deepest = deepest_cell(p.reach, space, side);
+  Tour best;
+  for (const Point& shift : {Point(0, 0), Point(1, 0), Point(0, 1), Point(1, 1)})
+    if (auto tour = larger_tour(best.cells, space, side, shift, deepest)) best = std::move(*tour);
+  if (best.cells == 0)
+    throw Infeasible("no coarse cell of twice the cell size fits at the start; a smaller cell_size may help");
+  if (context.wants_traces()) {
+    context.trace("cut", space.cut());
+    context.trace("tree", std::move(best.tree));
   }
-
- private:
-  std::size_t deepest_cell(const TetherSpace& space, double side) const {
-    if (p_.reach == TreeReach::geodesic) return std::numeric_limits<std::size_t>::max();
-    const double remaining =
-        space.tether_length() - space.field().distance(space.problem().start()) - std::sqrt(2.0) * side;
-    if (remaining < 0)
-      throw Infeasible("the tether is too short to go round one coarse cell; a smaller cell_size may help");
-    return static_cast<std::size_t>(remaining / (2 * side) + 1e-9);
-  }
-
-  /// With the start's sub-cell at (0, 0) + shift in its coarse cell; nullopt if the tree has at most `than` cells.
-  static std::optional<Tour> larger_tour(std::size_t than, const TetherSpace& space, double side, const Point& shift,
-                                         std::size_t deepest) {
-    const Point& start = space.problem().start();
-    const GridGraph fine =
-        make_grid_graph_at(space.cut_space(), space.problem().map().name, start - side * shift, side);
-    CoarseCells cells(fine);
-    const Point at = fine.coordinates(start);
-    const int i = static_cast<int>(std::lround(at.x())), j = static_cast<int>(std::lround(at.y()));
-    const std::size_t root = cells.at(i / 2, j / 2);
-    if (!cells.free(root)) return std::nullopt;
-    const std::size_t count = grow_breadth_first(cells, root, deepest).size();
-    if (count <= than) return std::nullopt;
-    Tour tour{count, round_tree(fine, cells, i, j), tree_lines(cells)};
-    tour.points.front() = tour.points.back() = start;  // exactly, not rounded
-    return tour;
-  }
-
-  TreeParameters p_;
-};
+  PathBuilder path(problem.start());
+  path.drive(best.points, true);
+  return path.take();
+}
 
 }  // namespace
 
 PlannerInfo tethered_stc() {
-  return describe<TetheredStc, TreeParameters>(
+  return describe<TreeParameters, plan>(
       {.name = "tethered-stc",
        .family = "tethered",
        .title = "spanning tree coverage round the shortest-path tree",

@@ -1,11 +1,8 @@
 #include "algorithms/tour/open_tour.hpp"
 
 #include <algorithm>
-#include <limits>
 
-#include "algorithms/tour/local_search.hpp"
 #include "algorithms/tour/point_grid.hpp"
-#include "algorithms/tour/tour_costs.hpp"
 
 namespace oxturn {
 namespace {
@@ -94,80 +91,61 @@ std::optional<std::size_t> nearest_neighbour(const TourCosts& costs, std::size_t
         offers.push_back({costs.bound(at, costs.port(n, q)), costs.port(n, q)});
   if (offers.empty()) return std::nullopt;
   std::sort(offers.begin(), offers.end());
-  Best best{offers.front().second, kFar};
-  for (const auto& [straight, port] : offers) {
-    if (straight >= best.length) break;
-    const double length = costs.searched(at, port, best.length);
-    if (length < best.length) best = {port, length};
-  }
-  return best.port;
+  return nearest_by_path(offers, [&](std::size_t port, double longest) { return costs.searched(at, port, longest); })
+      .value_or(offers.front().second);
 }
 
 }  // namespace
 
-OpenTour::OpenTour(const Point& start, const std::vector<TourElement>& elements, const Connector& connector)
-    : costs_(std::make_unique<const TourCosts>(start, elements, connector)) {}
-OpenTour::~OpenTour() = default;
-
-std::vector<TourStop> OpenTour::nearest(Context& context) const {
+std::vector<TourStop> nearest_tour(const TourCosts& costs, Context& context) {
   std::vector<TourStop> tour;
-  Remaining remaining(*costs_);
-  std::size_t at = costs_->start();
+  Remaining remaining(costs);
+  std::size_t at = costs.start();
   while (!remaining.empty() && !context.cancelled()) {
-    tour.push_back(costs_->stop_at(remaining.nearest(at)));
+    tour.push_back(costs.stop_at(remaining.nearest(at)));
     remaining.remove(tour.back().element);
-    at = costs_->exit(tour.back());
+    at = costs.exit(tour.back());
   }
   return tour;
 }
 
-std::vector<TourStop> OpenTour::depth_first(const std::vector<std::vector<std::size_t>>& neighbours,
-                                            Context& context) const {
+std::vector<TourStop> depth_first_tour(const TourCosts& costs, const std::vector<std::vector<std::size_t>>& neighbours,
+                                       Context& context) {
   std::vector<TourStop> tour;
-  Remaining remaining(*costs_);
-  std::vector<bool> visited(costs_->elements().size(), false);
+  Remaining remaining(costs);
+  std::vector<bool> visited(costs.elements().size(), false);
   std::vector<std::size_t> stack;
-  std::size_t at = costs_->start();
+  std::size_t at = costs.start();
   while (!remaining.empty() && !context.cancelled()) {
     std::optional<std::size_t> port;
     while (!stack.empty() && !port) {
-      port = nearest_neighbour(*costs_, at, neighbours[stack.back()], visited);
+      port = nearest_neighbour(costs, at, neighbours[stack.back()], visited);
       if (!port) stack.pop_back();
     }
-    tour.push_back(costs_->stop_at(port ? *port : remaining.nearest(at)));
+    tour.push_back(costs.stop_at(port ? *port : remaining.nearest(at)));
     visited[tour.back().element] = true;
     remaining.remove(tour.back().element);
     stack.push_back(tour.back().element);
-    at = costs_->exit(tour.back());
+    at = costs.exit(tour.back());
   }
   return tour;
 }
 
-double OpenTour::cost(const std::vector<TourStop>& tour) const {
-  double sum = 0;
-  std::size_t at = costs_->start();
-  for (const TourStop& s : tour) {
-    sum += costs_->exact(at, costs_->entry(s)) + costs_->pattern_cost(s);
-    at = costs_->exit(s);
-  }
-  return sum;
-}
-
-void OpenTour::choose_patterns(std::vector<TourStop>& tour) const {
+void choose_patterns(const TourCosts& costs, std::vector<TourStop>& tour) {
   if (tour.empty()) return;
   std::vector<std::vector<std::size_t>> best_before(tour.size());  // [stop][pattern]: pattern of the stop before
   std::vector<double> reached{0.0};  // cost up to the end of each pattern of the last stop
-  std::vector<std::size_t> exits{costs_->start()};
+  std::vector<std::size_t> exits{costs.start()};
   for (std::size_t i = 0; i < tour.size(); ++i) {
-    const std::size_t e = tour[i].element, patterns = costs_->elements()[e].size();
+    const std::size_t e = tour[i].element, patterns = costs.elements()[e].size();
     std::vector<double> next(patterns, kFar);
     best_before[i].assign(patterns, 0);
     for (std::size_t q = 0; q < patterns; ++q) {
-      const std::size_t port = costs_->port(e, q);
-      const double own = costs_->pattern_cost({e, q});
+      const std::size_t port = costs.port(e, q);
+      const double own = costs.pattern_cost({e, q});
       for (std::size_t k = 0; k < exits.size(); ++k) {
-        if (reached[k] + costs_->bound(exits[k], port) + own >= next[q]) continue;
-        const double d = reached[k] + costs_->exact(exits[k], port, next[q] - reached[k] - own) + own;
+        if (reached[k] + costs.bound(exits[k], port) + own >= next[q]) continue;
+        const double d = reached[k] + costs.exact(exits[k], port, next[q] - reached[k] - own) + own;
         if (d < next[q]) {
           next[q] = d;
           best_before[i][q] = k;
@@ -175,7 +153,7 @@ void OpenTour::choose_patterns(std::vector<TourStop>& tour) const {
       }
     }
     exits.clear();
-    for (std::size_t q = 0; q < patterns; ++q) exits.push_back(costs_->exit({e, q}));
+    for (std::size_t q = 0; q < patterns; ++q) exits.push_back(costs.exit({e, q}));
     reached = next;
   }
   auto q = static_cast<std::size_t>(std::min_element(reached.begin(), reached.end()) - reached.begin());
@@ -183,10 +161,6 @@ void OpenTour::choose_patterns(std::vector<TourStop>& tour) const {
     tour[i].pattern = q;
     q = best_before[i][q];
   }
-}
-
-void OpenTour::improve(std::vector<TourStop>& tour, Context& context) const {
-  if (tour.size() > 1) LocalSearch(*costs_, tour, context).run();
 }
 
 }  // namespace oxturn

@@ -7,18 +7,43 @@
 /// Path lengths are remembered: an unknown one costs a shortest-path search.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <unordered_map>
+#include <vector>
 
-#include "algorithms/tour/open_tour.hpp"
+#include "algorithms/transit/connector.hpp"
 
 namespace oxturn {
+
+/// How an element can be driven. `reverse` is the index of the pattern that drives it backwards, from `exit` to
+/// `entry`, at the same cost.
+struct Pattern {
+  Point entry, exit;
+  double cost = 0;
+  std::size_t reverse = 0;
+};
+using TourElement = std::vector<Pattern>;  // at least one pattern
+struct TourStop {
+  std::size_t element = 0, pattern = 0;
+};
 
 class TourCosts {
  public:
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 
-  TourCosts(const Point& start, const std::vector<TourElement>& elements, const Connector& connector);
+  /// Keeps references to `elements` and `connector`.
+  TourCosts(const Point& start, const std::vector<TourElement>& elements, const Connector& connector)
+      : elements_(elements), connector_(connector), start_(start) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      first_.push_back(ports_.size());
+      for (const Pattern& p : elements[i]) {
+        ports_.push_back(p.entry);
+        owner_.push_back(i);
+      }
+    }
+  }
 
   const std::vector<TourElement>& elements() const { return elements_; }
   /// Positions of all ports but the start.
@@ -37,7 +62,20 @@ class TourCosts {
   /// Straight distance, a lower bound of exact().
   double bound(std::size_t a, std::size_t b) const { return distance(at(a), at(b)); }
   /// Path length, or kFar if it is longer than `longest`: limits keep searches for hopeless moves short.
-  double exact(std::size_t a, std::size_t b, double longest = kFar) const;
+  double exact(std::size_t a, std::size_t b, double longest = kFar) const {
+    if (a == b) return 0;
+    const auto [low, high] = std::minmax(a, b);
+    Known& known = known_[static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high)];
+    if (known.length < kFar) return known.length <= longest ? known.length : kFar;
+    if (longest <= known.none_up_to || longest < bound(a, b)) return kFar;
+    ++searches_;
+    const double d = searched(low, high, longest);
+    if (d < kFar)
+      known.length = d;
+    else if (longest < kFar)
+      known.none_up_to = longest;
+    return d;
+  }
   /// The same, but neither looked up nor remembered.
   double searched(std::size_t a, std::size_t b, double longest) const {
     return connector_.length(at(a), at(b), longest);

@@ -7,8 +7,11 @@
 /// A straight connection costs one exact segment test, others a shortest-path query.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "maps/problem.hpp"
 
@@ -31,5 +34,24 @@ class Connector {
   const EdgeIndex& walls_;
   const ShortestPaths& paths_;
 };
+
+/// The candidate that is nearest by path, of pairs (straight distance, candidate); of equally near ones that with the
+/// lower straight distance. `length(candidate, longest)` is the length of the path there, infinity if it is longer than
+/// `longest`; it is called only where the straight distance leaves hope. nullopt if no path is found.
+template <class Candidate, class Length>
+std::optional<Candidate> nearest_by_path(std::vector<std::pair<double, Candidate>> candidates, Length length) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::optional<Candidate> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [straight, candidate] : candidates) {
+    if (straight >= least) break;
+    const double path = length(candidate, least);
+    if (path >= least) continue;
+    least = path;
+    best = candidate;
+  }
+  return best;
+}
 
 }  // namespace oxturn

@@ -10,7 +10,6 @@
 /// add O(1); a query O(t log t) for t triangles nearer than the answer, and a few shortest paths.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/transit/connector.hpp"
 #include "geometry/overlay/cut_along.hpp"
 #include "geometry/trace.hpp"
 
@@ -59,6 +60,73 @@ bool contains(const Polygon& component, const Point& p, double tolerance) {
   const EdgeIndex walls(Region{{component}});
   return walls.contains(p) || walls.nearest(p, tolerance).has_value();
 }
+
+/// One run of cover_components().
+class ComponentCover {
+ public:
+  ComponentCover(const TetherSpace& tether, Context& context)
+      : tether_(tether), components_(tether.components()), context_(context), done_(components_.size(), false) {}
+
+  Path run(const std::function<Path(const TetherSpace::Component&, Context&)>& cover, bool return_home) {
+    for (std::size_t k = 0; k < components_.size() && !context_.cancelled(); ++k) add_next(cover, k);
+    if (covered_ == 0 && !refusal_.empty()) throw Infeasible(refusal_);
+    if (return_home && !context_.cancelled()) drive(tether_.path(components_[last_], at_, components_[0], start()));
+    return std::move(path_);
+  }
+
+ private:
+  const Point& start() const { return tether_.problem().start(); }
+  Polyline path_to(std::size_t k) const {
+    return tether_.path(components_[last_], at_, components_[k], components_[k].problem.start());
+  }
+
+  /// The component whose entry is nearest by path; the start's to begin with.
+  std::size_t nearest() const {
+    if (!done_[0]) return 0;
+    std::vector<std::pair<double, std::size_t>> left;  // with straight distances
+    for (std::size_t k = 0; k < components_.size(); ++k)
+      if (!done_[k]) left.push_back({distance(at_, components_[k].problem.start()), k});
+    return *nearest_by_path(std::move(left), [this](std::size_t k, double) { return length(path_to(k)); });
+  }
+
+  void add_next(const std::function<Path(const TetherSpace::Component&, Context&)>& cover, std::size_t number) {
+    const std::size_t next = nearest();
+    done_[next] = true;
+    // What covering a component publishes does not begin at the problem's start: only whole components are published.
+    Context::Sinks sinks = context_.traces_only();
+    if (number > 0 && sinks.trace)
+      sinks.trace = [this, number](const Trace& trace) {
+        context_.trace(fmt::format("{} {}", trace.name, number + 1), trace.lines);
+      };
+    Context inner(context_.rng().bits(), context_.seconds_left(), std::move(sinks));
+    try {
+      const Path path = cover(components_[next], inner);
+      drive(path_to(next));
+      last_ = next;
+      for (const Leg& leg : path.legs) path_.legs.push_back(leg);
+      if (!path.legs.empty()) at_ = path.legs.back().points.back();
+      ++covered_;
+      context_.publish(path_);
+    } catch (const Infeasible& e) {
+      if (refusal_.empty()) refusal_ = e.what();
+    }
+  }
+
+  void drive(const Polyline& transit) {
+    if (transit.size() < 2) return;
+    at_ = transit.back();
+    path_.legs.push_back({false, transit});
+  }
+
+  const TetherSpace& tether_;
+  const std::vector<TetherSpace::Component>& components_;
+  Context& context_;
+  std::vector<bool> done_;
+  Path path_;
+  Point at_ = start();
+  std::size_t last_ = 0, covered_ = 0;
+  std::string refusal_;
+};
 
 }  // namespace
 
@@ -163,89 +231,6 @@ Polyline TetherSpace::path(const Component& from_component, const Point& from, c
   Polyline taut = pulled_taut(world(), whole);
   return within_tether(from, taut) ? taut : whole;
 }
-
-namespace {
-
-/// One run of cover_components().
-class ComponentCover {
- public:
-  ComponentCover(const TetherSpace& tether, Context& context)
-      : tether_(tether), components_(tether.components()), context_(context), done_(components_.size(), false) {}
-
-  Path run(const std::function<Path(const TetherSpace::Component&, Context&)>& cover, bool return_home) {
-    for (std::size_t k = 0; k < components_.size() && !context_.cancelled(); ++k) add_next(cover, k);
-    if (covered_ == 0 && !refusal_.empty()) throw Infeasible(refusal_);
-    if (return_home && !context_.cancelled()) drive(tether_.path(components_[last_], at_, components_[0], start()));
-    return std::move(path_);
-  }
-
- private:
-  struct Next {
-    std::size_t component;
-    Polyline path;
-  };
-  const Point& start() const { return tether_.problem().start(); }
-  double straight_to(std::size_t k) const { return distance(at_, components_[k].problem.start()); }
-
-  /// The component whose entry is nearest by path; the start's to begin with.
-  Next nearest() const {
-    std::vector<std::size_t> left;
-    for (std::size_t k = 0; k < components_.size(); ++k)
-      if (!done_[k] && (done_[0] || k == 0)) left.push_back(k);
-    std::stable_sort(left.begin(), left.end(),
-                     [&](std::size_t a, std::size_t b) { return straight_to(a) < straight_to(b); });
-    Next best{0, {}};
-    double least = std::numeric_limits<double>::infinity();
-    for (const std::size_t k : left) {
-      if (straight_to(k) >= least) break;
-      Polyline candidate = tether_.path(components_[last_], at_, components_[k], components_[k].problem.start());
-      if (length(candidate) >= least) continue;
-      least = length(candidate);
-      best = {k, std::move(candidate)};
-    }
-    return best;
-  }
-
-  void add_next(const std::function<Path(const TetherSpace::Component&, Context&)>& cover, std::size_t number) {
-    const Next next = nearest();
-    done_[next.component] = true;
-    // What covering a component publishes does not begin at the problem's start: only whole components are published.
-    Context::Sinks sinks = context_.traces_only();
-    if (number > 0 && sinks.trace)
-      sinks.trace = [this, number](const Trace& trace) {
-        context_.trace(fmt::format("{} {}", trace.name, number + 1), trace.lines);
-      };
-    Context inner(context_.rng().bits(), context_.seconds_left(), std::move(sinks));
-    try {
-      const Path path = cover(components_[next.component], inner);
-      drive(next.path);
-      last_ = next.component;
-      for (const Leg& leg : path.legs) path_.legs.push_back(leg);
-      if (!path.legs.empty()) at_ = path.legs.back().points.back();
-      ++covered_;
-      context_.publish(path_);
-    } catch (const Infeasible& e) {
-      if (refusal_.empty()) refusal_ = e.what();
-    }
-  }
-
-  void drive(const Polyline& transit) {
-    if (transit.size() < 2) return;
-    at_ = transit.back();
-    path_.legs.push_back({false, transit});
-  }
-
-  const TetherSpace& tether_;
-  const std::vector<TetherSpace::Component>& components_;
-  Context& context_;
-  std::vector<bool> done_;
-  Path path_;
-  Point at_ = start();
-  std::size_t last_ = 0, covered_ = 0;
-  std::string refusal_;
-};
-
-}  // namespace
 
 Path cover_components(const TetherSpace& tether,
                       const std::function<Path(const TetherSpace::Component&, Context&)>& cover, bool return_home,

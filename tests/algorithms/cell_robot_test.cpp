@@ -55,11 +55,11 @@ TEST(CellRobot, EntersALatticeUnderTheStartOrByTheShortestPath) {
   const Problem problem = drawn({"..#..", "S.#..", "....."});
   const auto here = entry_from_start(problem, GridGraph(problem.configuration_space(), 1, 0, {0, 0}, 5, 3));
   ASSERT_TRUE(here);
-  EXPECT_EQ(std::make_pair(here->column, here->row), std::make_pair(0, 1));
+  EXPECT_EQ(here->cell, (Cell{0, 1}));
   // This lattice covers the cells on the right only.
   const auto far = entry_from_start(problem, GridGraph(problem.configuration_space(), 1, 0, {3, 0}, 2, 3));
   ASSERT_TRUE(far);
-  EXPECT_EQ(std::make_pair(far->column, far->row), std::make_pair(0, 0));
+  EXPECT_EQ(far->cell, Cell{});
   EXPECT_GT(far->path.size(), 2u);
   const auto none = entry_from_start(problem, GridGraph(problem.configuration_space(), 1, 0, {9, 9}, 2, 2));
   EXPECT_FALSE(none);

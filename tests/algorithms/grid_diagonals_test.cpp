@@ -31,8 +31,8 @@ TEST(GridGraph, DiagonalsAndStraightSegmentsAgreeWithTheEdgeIndex) {
       for (int k = 0; k < 4000; ++k) {
         const int i = rng.between(0, graph.columns() - 1), j = rng.between(0, graph.rows() - 1);
         const int i2 = i + rng.between(-6, 6), j2 = j + rng.between(-6, 6);
-        const bool found = graph.straight(i, j, i2, j2);
-        ASSERT_EQ(graph.straight(i2, j2, i, j), found);
+        const bool found = graph.straight({i, j}, {i2, j2});
+        ASSERT_EQ(graph.straight({i2, j2}, {i, j}), found);
         const bool free = problem.walls().contains(graph.centre(i, j), graph.centre(i2, j2));
         if (found) { ASSERT_TRUE(free) << i << " " << j << " to " << i2 << " " << j2; }
         straight += found;

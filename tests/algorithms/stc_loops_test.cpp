@@ -9,9 +9,8 @@
 #include <set>
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/bisector_nodes.hpp"
 #include "algorithms/grid/branch_tree.hpp"
-#include "algorithms/grid/node_loops.hpp"
+#include "algorithms/grid/wall_loops.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/random.hpp"
 #include "maps/generators.hpp"
@@ -96,13 +95,11 @@ TEST(NodeLoops, CountAndGapAsOnTheSlides) {
   for (const auto& [d_node, count] : {std::pair{1.0, 3}, {1.1, 3}, {0.9, 4}, {4.0, 0}, {9.0, 0}}) {
     const auto loops = node_loops({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, d_node);
     ASSERT_EQ(loops.size(), 1u);
-    const NodeLoop& loop = loops[0];
-    EXPECT_EQ(loop.at.size(), static_cast<std::size_t>(4 * (count + 1) + 1));
-    EXPECT_EQ(loop.at.front(), loop.at.back());
-    for (std::size_t k = 0; k + 1 < loop.at.size(); ++k)
-      EXPECT_NEAR(distance(loop.at[k], loop.at[k + 1]), 4.0 / (count + 1), 1e-12);
-    EXPECT_EQ(loop.edges.front().second, NodeLoop::kNone);
-    EXPECT_EQ(loop.edges.back().second, NodeLoop::kNone);
+    const Polyline& loop = loops[0];
+    EXPECT_EQ(loop.size(), static_cast<std::size_t>(4 * (count + 1) + 1));
+    EXPECT_EQ(loop.front(), loop.back());
+    for (std::size_t k = 0; k + 1 < loop.size(); ++k)
+      EXPECT_NEAR(distance(loop[k], loop[k + 1]), 4.0 / (count + 1), 1e-12);
   }
   // Two squares that touch at the start are two loops.
   EXPECT_EQ(node_loops({{0, 0}, {1, 0}, {1, 1}, {0, 0}, {-1, 0}, {-1, -1}}, 0.6).size(), 2u);
@@ -110,7 +107,7 @@ TEST(NodeLoops, CountAndGapAsOnTheSlides) {
   EXPECT_TRUE(node_loops({{1, 1}, {1, 1}}, 1).empty());
 }
 
-TEST(NodeLoops, TheWalkFindsAllInvalidNodes) {
+TEST(NodeLoops, ChainsAreWhatRemainsBetweenInvalidNodes) {
   Rng rng(3);
   for (int n = 0; n < 3000; ++n) {
     std::vector<Point> vertices;
@@ -119,31 +116,22 @@ TEST(NodeLoops, TheWalkFindsAllInvalidNodes) {
       const double angle = 2 * kPi * static_cast<double>(k) / static_cast<double>(size);
       vertices.emplace_back(std::cos(angle), std::sin(angle));
     }
-    auto loops = node_loops(vertices, 0.2 + rng.unit());
+    const auto loops = node_loops(vertices, 0.2 + rng.unit());
     ASSERT_EQ(loops.size(), 1u);
-    NodeLoop& loop = loops[0];
-    // The edges of a node may come in any order, except at the start, which has one edge only.
-    for (auto& edges : loop.edges)
-      if (edges.second != NodeLoop::kNone && rng.chance(0.5)) std::swap(edges.first, edges.second);
-    std::vector<bool> out(loop.at.size());
+    const Polyline& loop = loops[0];
+    std::vector<bool> out(loop.size());
     const double share = rng.unit();
     for (std::size_t k = 0; k + 1 < out.size(); ++k) out[k] = rng.unit() < share;
     out.back() = out.front();
-    std::vector<std::size_t> expected;
-    for (std::size_t k = 0; k < out.size(); ++k)
-      if (out[k]) expected.push_back(k);
-    const auto bad = invalid_nodes(loop, 0, [&](std::size_t k) { return out[k]; });
-    EXPECT_EQ(bad, expected);
-
     // As many chains as there are valid nodes after an invalid one, with the same nodes, each from a free end.
-    const std::vector<NodeChain> chains = chains_of(loop, bad);
-    const std::size_t ring = loop.at.size() - 1;
+    const std::vector<NodeChain> chains = chains_of(loop, out);
+    const std::size_t ring = loop.size() - 1;
     std::size_t starts = 0, left = 0;
     for (std::size_t k = 0; k < ring; ++k) {
       left += !out[k];
       starts += !out[k] && out[(k + ring - 1) % ring];
     }
-    if (bad.empty()) {
+    if (left == ring) {
       ASSERT_EQ(chains.size(), 1u);
       EXPECT_TRUE(chains[0].closed);
       EXPECT_EQ(chains[0].nodes.front(), chains[0].nodes.back());
@@ -155,9 +143,9 @@ TEST(NodeLoops, TheWalkFindsAllInvalidNodes) {
       EXPECT_FALSE(chain.closed);
       nodes += chain.nodes.size();
       const auto first =
-          static_cast<std::size_t>(std::find(loop.at.begin(), loop.at.end(), chain.nodes.front()) - loop.at.begin());
+          static_cast<std::size_t>(std::find(loop.begin(), loop.end(), chain.nodes.front()) - loop.begin());
       EXPECT_TRUE(out[(first + ring - 1) % ring]) << "does not start at a free end";
-      for (std::size_t k = 0; k < chain.nodes.size(); ++k) EXPECT_EQ(chain.nodes[k], loop.at[(first + k) % ring]);
+      for (std::size_t k = 0; k < chain.nodes.size(); ++k) EXPECT_EQ(chain.nodes[k], loop[(first + k) % ring]);
     }
     EXPECT_EQ(nodes, left);
   }
