@@ -11,6 +11,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "base/throw_invalid.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -29,19 +31,19 @@ struct Descriptor {
 std::string read_file(const std::string& file) {
   struct stat about {};
   if (::stat(file.c_str(), &about) != 0) {
-    if (errno == ENOENT || errno == ENOTDIR) throw std::invalid_argument(fmt::format("no such file: '{}'", file));
-    throw std::invalid_argument(fmt::format("cannot read '{}': {}", file, std::strerror(errno)));
+    if (errno == ENOENT || errno == ENOTDIR) throw_invalid("no such file: '{}'", file);
+    throw_invalid("cannot read '{}': {}", file, std::strerror(errno));
   }
-  if (S_ISDIR(about.st_mode)) throw std::invalid_argument(fmt::format("cannot read '{}': it is a folder", file));
+  if (S_ISDIR(about.st_mode)) throw_invalid("cannot read '{}': it is a folder", file);
   const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
-  if (in.number < 0) throw std::invalid_argument(fmt::format("cannot read '{}': {}", file, std::strerror(errno)));
+  if (in.number < 0) throw_invalid("cannot read '{}': {}", file, std::strerror(errno));
   std::string content;
   char buffer[1 << 16];
   for (;;) {
     const ssize_t got = ::read(in.number, buffer, sizeof buffer);
     if (got == 0) return content;
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw std::invalid_argument(fmt::format("cannot read '{}': {}", file, std::strerror(errno)));
+    if (got < 0) throw_invalid("cannot read '{}': {}", file, std::strerror(errno));
     content.append(buffer, static_cast<std::size_t>(got));
   }
 }

@@ -6,9 +6,9 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "base/text.hpp"
+#include "base/throw_invalid.hpp"
 
 namespace oxturn {
 namespace {
@@ -28,8 +28,7 @@ const char* type_name(const Value& value) {
 
 [[noreturn]] void refuse(const std::string& owner, const ParameterInfo& parameter, const std::string& given,
                          const std::string& expected) {
-  throw std::invalid_argument(
-      fmt::format("parameter '{}' of {} is {}, expected {}", parameter.name, owner, given, expected));
+  throw_invalid("parameter '{}' of {} is {}, expected {}", parameter.name, owner, given, expected);
 }
 
 std::string range_text(const ParameterInfo& parameter) {
@@ -122,10 +121,8 @@ const ParameterInfo& find_parameter(const std::string& owner, const std::vector<
     if (parameter.name == name) return parameter;
     names.push_back(parameter.name);
   }
-  if (names.empty())
-    throw std::invalid_argument(fmt::format("unknown parameter '{}' of {}; it has no parameters", name, owner));
-  throw std::invalid_argument(
-      fmt::format("unknown parameter '{}' of {}; it has: {}", name, owner, fmt::join(names, ", ")));
+  if (names.empty()) throw_invalid("unknown parameter '{}' of {}; it has no parameters", name, owner);
+  throw_invalid("unknown parameter '{}' of {}; it has: {}", name, owner, fmt::join(names, ", "));
 }
 
 Settings checked(const std::string& owner, const std::vector<ParameterInfo>& parameters, const Settings& settings) {

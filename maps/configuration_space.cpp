@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 
 #include "base/text.hpp"
+#include "base/throw_invalid.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/overlay/minkowski.hpp"
 #include "geometry/overlay/offset.hpp"
@@ -40,9 +40,8 @@ Region eroded(const Map& map, const Region& free, const Robot& robot) {
                : robot.radius > 0       ? erode(free, robot.radius, robot.tool_width / 1000, Bound::inside)
                                         : free;
   if (all.empty())
-    throw std::invalid_argument(
-        fmt::format("robot '{}' ({}) fits nowhere in map '{}'; its widest passage is too narrow", robot.name,
-                    size_text(robot), map.name));
+    throw_invalid("robot '{}' ({}) fits nowhere in map '{}'; its widest passage is too narrow", robot.name,
+                  size_text(robot), map.name);
   return all;
 }
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "base/text.hpp"
+#include "base/throw_invalid.hpp"
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
@@ -54,9 +54,7 @@ bool has_group(const Robot& robot, const std::string& group) {
 /// Counter-clockwise round the origin once, with a left turn at every vertex and the origin left of every edge.
 void check_footprint(const Robot& robot) {
   const Ring& ring = robot.footprint;
-  const auto refuse = [&](const std::string& what) {
-    throw std::invalid_argument(fmt::format("robot '{}': footprint {}", robot.name, what));
-  };
+  const auto refuse = [&](const std::string& what) { throw_invalid("robot '{}': footprint {}", robot.name, what); };
   const std::size_t n = ring.size();
   if (n < 3) refuse(fmt::format("has {} {}, expected at least 3", n, n == 1 ? "vertex" : "vertices"));
   for (std::size_t i = 0; i < n; ++i)
@@ -154,7 +152,7 @@ void change(Robot& robot, const Settings& settings) {
   const bool named = name != settings.end() && std::holds_alternative<std::string>(name->second);
   const std::string owner = named ? fmt::format("robot '{}'", std::get<std::string>(name->second)) : owner_of(robot);
   if (settings.contains("radius") && settings.contains("footprint"))
-    throw std::invalid_argument(fmt::format("{} has a radius and a footprint, expected one of the two", owner));
+    throw_invalid("{} has a radius and a footprint, expected one of the two", owner);
   apply_settings(owner, robot_parameters(), settings, robot);
 }
 
@@ -190,10 +188,10 @@ Ring parse_footprint(const std::string& text) {
   }
   Ring ring = parse_vertices(text);
   if (!ring.empty()) return ring;
-  throw std::invalid_argument(
-      fmt::format("footprint is '{}', expected disc, square:WIDTH or octagon:WIDTH in metres, or vertices such as "
-                  "\"0.5 0; 0 0.5; -0.5 0; 0 -0.5\"",
-                  text));
+  throw_invalid(
+      "footprint is '{}', expected disc, square:WIDTH or octagon:WIDTH in metres, or vertices such as "
+      "\"0.5 0; 0 0.5; -0.5 0; 0 -0.5\"",
+      text);
 }
 
 double in_radius(const Ring& footprint) {
@@ -223,10 +221,9 @@ void check(const Robot& robot) {
   if (!robot.footprint.empty()) check_footprint(robot);
   if (!robot.tether) return;
   if (robot.tether->reach != 0 && robot.tether->length != 0)
-    throw std::invalid_argument(fmt::format("{}: tether has a length and a reach, expected one of the two", owner));
+    throw_invalid("{}: tether has a length and a reach, expected one of the two", owner);
   if (robot.tether->reach == 0 && robot.tether->length == 0)
-    throw std::invalid_argument(
-        fmt::format("{}: tether has no length, expected tether_length in metres or tether_reach", owner));
+    throw_invalid("{}: tether has no length, expected tether_length in metres or tether_reach", owner);
 }
 
 }  // namespace oxturn

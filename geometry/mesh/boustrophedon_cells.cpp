@@ -4,6 +4,7 @@
 // Source      Choset and Pignon, "Coverage path planning: the boustrophedon cellular decomposition", 1997.
 #include <algorithm>
 
+#include "base/sorting.hpp"
 #include "geometry/mesh/partition.hpp"
 #include "geometry/mesh/plane_sweep.hpp"
 
@@ -103,10 +104,7 @@ std::vector<BoustrophedonCell> boustrophedon_cells(const Region& region) {
     out[number[left]].neighbours.push_back(number[right]);
     out[number[right]].neighbours.push_back(number[left]);
   }
-  for (BoustrophedonCell& c : out) {
-    std::sort(c.neighbours.begin(), c.neighbours.end());
-    c.neighbours.erase(std::unique(c.neighbours.begin(), c.neighbours.end()), c.neighbours.end());
-  }
+  for (BoustrophedonCell& c : out) sort_unique(c.neighbours);
   return out;
 }
 

@@ -75,7 +75,6 @@ class Mesh {
  private:
   void find_reflex_points();
   bool fan_is_reflex(std::int32_t first, std::size_t k) const;
-  void fill_grid();
 
   std::vector<Point> points_;
   std::vector<Triangle> triangles_;

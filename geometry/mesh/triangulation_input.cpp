@@ -1,8 +1,9 @@
 #include "geometry/mesh/triangulation_input.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
+#include "base/sorting.hpp"
+#include "base/throw_invalid.hpp"
 #include "geometry/edge_index.hpp"
 
 namespace oxturn {
@@ -52,7 +53,7 @@ TriangulationInput triangulation_input(const Region& region) {
   std::vector<Point> all;
   for_each_ring(region, [&](const Ring& ring) { all.insert(all.end(), ring.begin(), ring.end()); });
   for (const Point& p : all)
-    if (!finite(p)) throw std::invalid_argument("region has a vertex that is not finite; repair it before meshing");
+    if (!finite(p)) throw_invalid("region has a vertex that is not finite; repair it before meshing");
   TriangulationInput out;
   const std::vector<Id> id = number_points(all, out.points);
   std::size_t first = 0;
@@ -94,11 +95,10 @@ std::vector<Point> new_points(const std::vector<Polyline>& barriers, const Point
   std::vector<Point> fresh;
   for (const Polyline& line : barriers)
     for (const Point& p : line) {
-      if (!finite(p)) throw std::invalid_argument("a barrier has a point that is not finite");
+      if (!finite(p)) throw_invalid("a barrier has a point that is not finite");
       if (vertices.find(p) == PointNumbers::kUnknown) fresh.push_back(p);
     }
-  std::sort(fresh.begin(), fresh.end(), before);
-  fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
+  sort_unique(fresh, before);
   return fresh;
 }
 
@@ -116,8 +116,7 @@ struct Split {
 std::vector<Split> find_splits(const Region& region, const TriangulationInput& outline, std::size_t first,
                                const PointNumbers& vertices) {
   const EdgeIndex index(region);
-  Box box;
-  for (const Point& p : outline.points) box.add(p);
+  const Box box = bounding_box(outline.points);
   const double near = 1e-9 * (box.size().norm() + 1e-3 * std::max(box.low.norm(), box.high.norm()));
   std::vector<Split> splits;
   for (std::size_t i = first; i < outline.points.size(); ++i) {
@@ -160,8 +159,7 @@ void add_barriers(const Region& region, const std::vector<Polyline>& barriers, T
       const Id a = all.find(line[i - 1]), b = all.find(line[i]);
       if (a != b) out.barriers.push_back(segment(a, b));
     }
-  std::sort(out.barriers.begin(), out.barriers.end());
-  out.barriers.erase(std::unique(out.barriers.begin(), out.barriers.end()), out.barriers.end());
+  sort_unique(out.barriers);
   if (!fresh.empty()) split_edges(out.edges, find_splits(region, out, first_new, vertices));
 }
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/spread_sort.hpp"
+#include "base/sorting.hpp"
 #include "geometry/overlay/lattice.hpp"
 
 namespace oxturn {

@@ -3,12 +3,11 @@
 //             any other is replaced by the overlay.
 #include "geometry/overlay/validity.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
+#include "base/throw_invalid.hpp"
 #include "geometry/overlay/arrangement.hpp"
 #include "geometry/overlay/close_pairs.hpp"
 #include "geometry/overlay/straight_vertices.hpp"
@@ -63,8 +62,7 @@ std::optional<Flaw> find_crossing(const std::vector<Edge>& edges) {
 class RingLocator {
  public:
   explicit RingLocator(const Ring& ring) : ring_(ring) {
-    Box box;
-    for (const Point& p : ring) box.add(p);
+    const Box box = bounding_box(ring);
     low_ = box.low.y();
     const std::size_t n = std::max<std::size_t>(1, ring.size() / 4);
     const double height = box.size().y();
@@ -114,11 +112,9 @@ Point inner_point(const Ring& ring) {
     y = heights[i - 1] + gap / 2;
   }
   std::vector<double> crossings;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    const Point &a = ring[j], &b = ring[i];
-    if ((a.y() <= y) == (b.y() <= y)) continue;
-    crossings.push_back(a.x() + (b.x() - a.x()) * ((y - a.y()) / (b.y() - a.y())));
-  }
+  for_each_edge(ring, [&](const Point& a, const Point& b) {
+    if ((a.y() <= y) != (b.y() <= y)) crossings.push_back(a.x() + (b.x() - a.x()) * ((y - a.y()) / (b.y() - a.y())));
+  });
   std::sort(crossings.begin(), crossings.end());
   Point best = ring[0];
   double width = -1;
@@ -198,7 +194,7 @@ std::optional<Flaw> find_flaw(const Region& region) {
 
 Region repaired(const Region& region) {
   if (const auto flaw = find_flaw(region))
-    throw std::invalid_argument(fmt::format("{} at ({}, {})", flaw->reason, flaw->point.x(), flaw->point.y()));
+    throw_invalid("{} at ({}, {})", flaw->reason, flaw->point.x(), flaw->point.y());
   Region clean = cleaned(region);
   const Lattice lattice(bounding_box(clean));
   std::vector<OverlayEdge> edges;

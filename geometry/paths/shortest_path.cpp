@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 
+#include "base/throw_invalid.hpp"
 #include "geometry/paths/interval_search.hpp"
 #include "geometry/paths/shortest_path_impl.hpp"
 
@@ -140,7 +140,7 @@ Polyline path_in_tree(const ShortestPaths::Impl& impl, const ShortestPaths::Impl
 
 ShortestPaths::ShortestPaths(const Region& region, double tolerance) : ShortestPaths(Mesh(region), tolerance) {}
 ShortestPaths::ShortestPaths(Mesh mesh, double tolerance) {
-  if (!(tolerance >= 0)) throw std::invalid_argument("tolerance of shortest paths must be 0 or more metres");
+  if (!(tolerance >= 0)) throw_invalid("tolerance of shortest paths must be 0 or more metres");
   impl_ = std::make_unique<const Impl>(std::move(mesh), tolerance);
 }
 ShortestPaths::~ShortestPaths() = default;

@@ -1,11 +1,10 @@
 #include "geometry/tether/geodesic_cones.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+
+#include "base/throw_invalid.hpp"
 
 namespace oxturn {
 
@@ -13,15 +12,13 @@ GeodesicCones::GeodesicCones(const Region& free, const Point& anchor, const std:
                              double tolerance)
     : mesh_(free, barriers), tolerance_(tolerance) {
   constexpr double kTie = 1e-12;  // relative, as in the search
-  if (!(tolerance >= 0)) throw std::invalid_argument("tolerance of a geodesic field must be 0 or more metres");
-  Box box;
-  for (const Point& p : mesh_.points()) box.add(p);
+  if (!(tolerance >= 0)) throw_invalid("tolerance of a geodesic field must be 0 or more metres");
+  const Box box = bounding_box(mesh_.points());
   if (!box.empty()) rounding_ = 1e-13 * box.size().norm() + 1e-15 * std::max(box.low.norm(), box.high.norm());
   Point start = anchor;
   std::vector<std::int32_t> home;
   if (!finite(anchor) || !move_inside(start, home))
-    throw std::invalid_argument(
-        fmt::format("anchor ({}, {}) is outside free space; move it inside", anchor.x(), anchor.y()));
+    throw_invalid("anchor ({}, {}) is outside free space; move it inside", anchor.x(), anchor.y());
   roots_.push_back({start, 0, kNone, 0});
   search(home);
   double longest = 0;

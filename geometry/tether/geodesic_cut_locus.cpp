@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 
+#include "base/throw_invalid.hpp"
 #include "geometry/tether/geodesic_clip.hpp"
 #include "geometry/tether/geodesic_curves.hpp"
 
@@ -216,7 +216,7 @@ void for_each_piece(const GeodesicCones& cones, Curve curve, Straight straight) 
 
 std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_error) {
   constexpr int kMostHalvings = 40;
-  if (!(chord_error > 0)) throw std::invalid_argument("chord error of a cut locus must be above 0 metres");
+  if (!(chord_error > 0)) throw_invalid("chord error of a cut locus must be above 0 metres");
   std::vector<Polyline> out;
   for_each_piece(
       cones,

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "base/throw_invalid.hpp"
 #include "geometry/tether/geodesic_cones.hpp"
 #include "geometry/tether/geodesic_curves.hpp"
 
@@ -43,7 +43,6 @@ GeodesicField::~GeodesicField() = default;
 GeodesicField::GeodesicField(GeodesicField&&) noexcept = default;
 
 const Point& GeodesicField::anchor() const { return impl_->anchor; }
-const Mesh& GeodesicField::mesh() const { return impl_->cones.mesh(); }
 
 double GeodesicField::distance(const Point& p) const {
   Point inside = p;
@@ -83,7 +82,7 @@ std::vector<Polyline> GeodesicField::cut_locus(double chord_error) const {
 }
 
 Polyline sampled(const std::vector<GeodesicField::Arc>& chain, double chord_error) {
-  if (!(chord_error > 0)) throw std::invalid_argument("chord error of an arc must be above 0 metres");
+  if (!(chord_error > 0)) throw_invalid("chord error of an arc must be above 0 metres");
   Polyline out;
   for (const GeodesicField::Arc& arc : chain) {
     // The error of a chord over the angle 2 h is r (1 - cos h) = 2 r sin^2(h / 2).

@@ -72,8 +72,6 @@ class GeodesicField {
   /// ends on walls are accurate to 1e-6 of the map's extent. Throws std::invalid_argument unless the error is positive.
   std::vector<Polyline> cut_locus(double chord_error) const;
 
-  const Mesh& mesh() const;
-
  private:
   struct Impl;
   std::unique_ptr<const Impl> impl_;

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <stdexcept>
 
 #include "base/files.hpp"
+#include "base/throw_invalid.hpp"
 #include "maps/formats/readers.hpp"
 
 namespace oxturn {
@@ -71,8 +71,7 @@ MapFile read_map(const std::string& file, const Settings& settings, const MapFor
   const MapFormat* format = format_with(
       suffix, formats, [](const MapFormat& f) { return bool(f.read); }, known);
   if (format == nullptr)
-    throw std::invalid_argument(
-        fmt::format("{}: unknown kind of map '{}', expected one of: {}", file, suffix, fmt::join(known, ", ")));
+    throw_invalid("{}: unknown kind of map '{}', expected one of: {}", file, suffix, fmt::join(known, ", "));
   Settings own;
   std::vector<std::string> unused;
   for (const auto& [name, value] : all)
@@ -90,8 +89,7 @@ const MapFormat& format_to_write(const std::string& file, const MapFormats& form
   const MapFormat* format = format_with(
       suffix_of(file), formats, [](const MapFormat& f) { return bool(f.write); }, known);
   if (format == nullptr)
-    throw std::invalid_argument(
-        fmt::format("cannot write '{}': its name must end in one of: {}", file, fmt::join(known, ", ")));
+    throw_invalid("cannot write '{}': its name must end in one of: {}", file, fmt::join(known, ", "));
   return *format;
 }
 

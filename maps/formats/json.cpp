@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "base/text.hpp"
+#include "base/throw_invalid.hpp"
 #include "maps/formats.hpp"
 
 namespace oxturn {
@@ -21,16 +21,14 @@ nlohmann::json parse_json(const std::string& text, const std::string& source) {
         1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end > 0 ? end - 1 : 0), '\n');
     std::string why = e.what();
     if (const std::size_t colon = why.find(": "); colon != std::string::npos) why = why.substr(colon + 2);
-    throw std::invalid_argument(fmt::format("{}:{}: not JSON: {}", source, line, why));
-  } catch (const nlohmann::json::exception& e) {
-    throw std::invalid_argument(fmt::format("{}: not JSON: {}", source, e.what()));
-  }
+    throw_invalid("{}:{}: not JSON: {}", source, line, why);
+  } catch (const nlohmann::json::exception& e) { throw_invalid("{}: not JSON: {}", source, e.what()); }
 }
 
 void JsonAt::refuse(const std::string& expected) const {
   std::string given = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   if (given.size() > 60) given = given.substr(0, 57) + "...";
-  throw std::invalid_argument(fmt::format("{} is {}, expected {}", where, given, expected));
+  throw_invalid("{} is {}, expected {}", where, given, expected);
 }
 
 double JsonAt::number(const char* expected) const {

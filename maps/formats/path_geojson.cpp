@@ -4,9 +4,8 @@
 // (NaN) is written as null, which the reader refuses, naming the point.
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 #include "base/files.hpp"
+#include "base/throw_invalid.hpp"
 #include "maps/formats.hpp"
 #include "maps/formats/json.hpp"
 #include "maps/path_file.hpp"
@@ -19,8 +18,7 @@ using Json = nlohmann::json;
 const Json& member(const JsonAt& object, const char* key, const char* expected) {
   if (!object.value.is_object()) object.refuse("an object");
   const Json* value = object.find(key);
-  if (value == nullptr)
-    throw std::invalid_argument(fmt::format("{} has no {}, expected {}", object.where, key, expected));
+  if (value == nullptr) throw_invalid("{} has no {}, expected {}", object.where, key, expected);
   return *value;
 }
 

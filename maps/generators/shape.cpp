@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "base/throw_invalid.hpp"
 #include "geometry/predicates.hpp"
 
 namespace oxturn::generator {
@@ -23,7 +23,7 @@ constexpr double kGridPerPassage = 1.0 / 4096;  // grid of the final snapping, i
 double narrowest_passage(const SiteSettings& site) { return 2 * site.robot * site.passage * kWider; }
 
 void refuse(const std::string& name, const std::string& sentence) {
-  throw std::invalid_argument(fmt::format("generator '{}': {}", name, sentence));
+  throw_invalid("generator '{}': {}", name, sentence);
 }
 
 std::string number(double value) { return fmt::format("{:.4g}", value); }
