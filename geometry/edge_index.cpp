@@ -181,8 +181,7 @@ void EdgeIndex::choose_references() {
   const auto on_edge = [&](std::size_t c) {
     const Point p = reference_point(c);
     const auto items = grid_.items(c);
-    return std::any_of(items.begin(), items.end(),
-                       [&](std::uint32_t e) { return on_segment(p, edges_[e].a, edges_[e].b); });
+    return std::ranges::any_of(items, [&](std::uint32_t e) { return on_segment(p, edges_[e].a, edges_[e].b); });
   };
   std::vector<std::uint32_t> near;
   for (int j = 0; j < grid_.rows(); ++j) {
@@ -203,6 +202,12 @@ void EdgeIndex::choose_references() {
       last = here;
     }
   }
+}
+
+bool EdgeIndex::on_boundary(const Point& p) const {
+  if (grid_.empty() || !Box{grid_.low(), grid_.high()}.contains(p)) return false;
+  const auto items = grid_.items(grid_.index(grid_.column(p.x()), grid_.row(p.y())));
+  return std::ranges::any_of(items, [&](std::uint32_t e) { return on_segment(p, edges_[e].a, edges_[e].b); });
 }
 
 bool EdgeIndex::contains(const Point& p) const {
@@ -256,7 +261,7 @@ std::optional<EdgeIndex::Contacts> EdgeIndex::contacts(const Point& a, const Poi
   };
   const bool crossed = grid_.visit(std::array{a, b}, 0, [&](std::size_t c) {
     const auto items = grid_.items(c);
-    return std::any_of(items.begin(), items.end(), crosses);
+    return std::ranges::any_of(items, crosses);
   });
   if (crossed) return std::nullopt;
   sort_unique(found.touches);

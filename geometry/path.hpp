@@ -6,8 +6,6 @@
 ///   return path.take();
 #pragma once
 
-#include <vector>
-
 #include "geometry/point.hpp"
 
 namespace oxturn {

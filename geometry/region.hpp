@@ -10,7 +10,6 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "geometry/point.hpp"
 
@@ -42,7 +41,7 @@ std::size_t vertex_count(const Region& region);
 std::size_t hole_count(const Region& region);
 /// Calls f(ring) for every ring, outer first, in stored order; f may change the rings of a region that is not constant.
 template <class R, class F>
-void for_each_ring(R& region, F f) {
+void for_each_ring(R&& region, F f) {
   for (auto& p : region.polygons) {
     f(p.outer);
     for (auto& h : p.holes) f(h);

@@ -3,7 +3,6 @@
 //             collinear. A vertex stays if its triangle contains any other vertex, so rings never touch or cross.
 // Complexity  O(n log n) for usual data, plus for each new edge the removed vertices that it replaces.
 #include <algorithm>
-#include <cmath>
 #include <queue>
 
 #include "geometry/predicates.hpp"

@@ -4,13 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <tuple>
 
 #include "base/text.hpp"
 #include "base/throw_invalid.hpp"
-#include "geometry/edge_index.hpp"
 #include "maps/problem.hpp"
 
 namespace oxturn {

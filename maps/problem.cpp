@@ -17,13 +17,11 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
 
 #include "base/sha256.hpp"
 #include "base/text.hpp"
 #include "base/throw_invalid.hpp"
-#include "geometry/mesh/mesh.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
 #include "geometry/overlay/validity.hpp"
@@ -43,7 +41,6 @@ double tolerance_of(const Region& free, const Robot& robot) {
 }
 
 Region repaired_or_named(const Map& map) {
-  if (map.free.empty()) throw_invalid("map '{}' has no free space at all", map.name);
   Region free;
   try {
     free = repaired(map.free);
@@ -206,8 +203,6 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
 }
 
 Problem::Problem(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
-Problem::~Problem() = default;
-Problem::Problem(Problem&&) noexcept = default;
 
 const Map& Problem::map() const { return impl_->basis->map; }
 const Robot& Problem::robot() const { return impl_->basis->robot; }

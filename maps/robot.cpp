@@ -31,19 +31,10 @@ template <class Group, class T>
 Parameter<Robot> grouped(std::string name, std::optional<Group> Robot::*group, T Group::*member, Range range,
                          std::string help) {
   return {{std::move(name), {}, range, {}, std::move(help)},
-          [=](const Robot& robot) -> Value {
-            const T value = (robot.*group).value_or(Group{}).*member;
-            if constexpr (std::is_same_v<T, int>)
-              return static_cast<std::int64_t>(value);
-            else
-              return value;
-          },
+          [=](const Robot& robot) { return value_of((robot.*group).value_or(Group{}).*member); },
           [=](Robot& robot, const Value& value) {
             if (!(robot.*group)) (robot.*group).emplace();
-            if constexpr (std::is_same_v<T, int>)
-              (*(robot.*group)).*member = static_cast<int>(std::get<std::int64_t>(value));
-            else
-              (*(robot.*group)).*member = std::get<T>(value);
+            (*(robot.*group)).*member = value_as<T>(value);
           }};
 }
 
@@ -68,10 +59,11 @@ void check_footprint(const Robot& robot) {
     turned += std::atan2(cross(b - a, c - b), (b - a).dot(c - b));
   }
   if (turned > 3 * kPi) refuse("runs round more than once, expected a simple polygon");
-  for (std::size_t i = 0; i < n; ++i)
-    if (orientation(ring[i], ring[(i + 1) % n], Point(0, 0)) <= 0)
+  for_each_edge(ring, [&](const Point& a, const Point& b) {
+    if (orientation(a, b, Point(0, 0)) <= 0)
       refuse(fmt::format("does not hold the robot's centre (0, 0) inside: it lies beyond the edge from {} to {}",
-                         to_text(ring[i]), to_text(ring[(i + 1) % n])));
+                         to_text(a), to_text(b)));
+  });
   if (robot.tether) refuse("is a polygon, but a tether needs a round robot; leave one of the two out");
   if (robot.min_turn_radius > 0)
     refuse("is a polygon that never turns, but min_turn_radius is above 0; leave one of the two out");
@@ -196,18 +188,13 @@ Ring parse_footprint(const std::string& text) {
 
 double in_radius(const Ring& footprint) {
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < footprint.size(); ++i) {
-    const Point &a = footprint[i], along = footprint[(i + 1) % footprint.size()] - a;
-    least = std::min(least, cross(a, along) / along.norm());
-  }
+  for_each_edge(footprint,
+                [&](const Point& a, const Point& b) { least = std::min(least, cross(a, b - a) / (b - a).norm()); });
   return least;
 }
 
 double height(const Robot& robot) {
-  if (robot.footprint.empty()) return 2 * robot.radius;
-  Box box;
-  for (const Point& p : robot.footprint) box.add(p);
-  return box.size().y();
+  return robot.footprint.empty() ? 2 * robot.radius : bounding_box(robot.footprint).size().y();
 }
 
 void check(const Robot& robot) {

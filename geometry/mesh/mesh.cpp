@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "geometry/mesh/triangulation.hpp"
-#include "geometry/mesh/triangulation_input.hpp"
 #include "geometry/predicates.hpp"
 
 namespace oxturn {

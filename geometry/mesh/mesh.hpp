@@ -18,7 +18,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "geometry/region.hpp"
 #include "geometry/uniform_grid.hpp"

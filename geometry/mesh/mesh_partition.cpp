@@ -72,11 +72,10 @@ class SimplePieces {
     const auto is_end = [&](std::int32_t v) { return v == parts_.from(h) || v == parts_.to(h); };
     const auto shared = [&](std::int32_t v) {
       const auto& around = triangles_at_[static_cast<std::size_t>(v)];
-      return !is_end(v) &&
-             std::any_of(around.begin(), around.end(), [&](std::size_t t) { return sets_.find(t) == large; });
+      return !is_end(v) && std::ranges::any_of(around, [&](std::size_t t) { return sets_.find(t) == large; });
     };
     auto &mine = vertices_of_[small], &theirs = vertices_of_[large];
-    if (std::any_of(mine.begin(), mine.end(), shared)) {
+    if (std::ranges::any_of(mine, shared)) {
       refused_.insert(pair);
       return;
     }

@@ -4,9 +4,6 @@
 ///   for (const Ring& part : convex_partition_approximate(free)) fill(part);
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "geometry/region.hpp"
 
 namespace oxturn {

@@ -55,7 +55,7 @@ std::vector<Wall> walls_of(const Region& region) {
     if (!finite(a)) throw_invalid("region has a vertex that is not finite; repair it before decomposing it");
     if (a != b) all.push_back(before(a, b) ? Wall{a, b, true} : Wall{b, a, false});
   });
-  std::sort(all.begin(), all.end(), [](const Wall& a, const Wall& b) {
+  std::ranges::sort(all, [](const Wall& a, const Wall& b) {
     if (a.left != b.left) return before(a.left, b.left);
     if (a.right != b.right) return before(a.right, b.right);
     return a.lower < b.lower;
@@ -113,8 +113,7 @@ class PlaneSweep {
     e.ending.assign(first, last);
     for (const Wall& w : e.ending)  // a vertex of another ring on the wall: the rest of it starts here
       if (w.right != v) e.starting.push_back({v, w.right, w.lower, 0});
-    std::sort(e.starting.begin(), e.starting.end(),
-              [&](const Wall& a, const Wall& b) { return orientation(v, a.right, b.right) > 0; });
+    std::ranges::sort(e.starting, [&](const Wall& a, const Wall& b) { return orientation(v, a.right, b.right) > 0; });
     const auto above = status_.erase(first, last);
     if (above != status_.end()) e.over = &*above;
     if (above != status_.begin()) e.under = &*std::prev(above);

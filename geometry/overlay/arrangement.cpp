@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "base/sorting.hpp"
 #include "geometry/overlay/close_pairs.hpp"
 #include "geometry/overlay/edge_below.hpp"
 #include "geometry/overlay/half_edges.hpp"

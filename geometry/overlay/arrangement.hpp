@@ -21,10 +21,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "geometry/overlay/lattice.hpp"
-#include "geometry/region.hpp"
 
 namespace oxturn {
 

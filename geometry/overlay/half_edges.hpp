@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "base/sorting.hpp"
 #include "geometry/overlay/lattice.hpp"

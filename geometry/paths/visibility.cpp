@@ -97,8 +97,7 @@ std::vector<Window> windows_around(const Mesh& mesh, const Point& eye, const std
       const Window w{t, k, mesh.vertex(t, k + 1), mesh.vertex(t, k + 2)};
       if (orientation(w.right, w.left, eye) > 0) around.push_back(w);
     }
-  std::sort(around.begin(), around.end(),
-            [&](const Window& a, const Window& b) { return angle_before(eye, a.right, b.right); });
+  std::ranges::sort(around, [&](const Window& a, const Window& b) { return angle_before(eye, a.right, b.right); });
   for (std::size_t i = 0; i < around.size(); ++i)
     if (around[(i + around.size() - 1) % around.size()].left != around[i].right) {
       std::rotate(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(i), around.end());

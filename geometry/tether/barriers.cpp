@@ -8,7 +8,6 @@
 //             segment into two shorter ones, whose gaps come first and connect both rings already.
 // Source      Kruskal, "On the shortest spanning subtree of a graph", 1956
 #include <algorithm>
-#include <cstdint>
 #include <stdexcept>
 #include <tuple>
 

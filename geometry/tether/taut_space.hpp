@@ -8,8 +8,6 @@
 /// and threads.
 #pragma once
 
-#include <vector>
-
 #include "geometry/region.hpp"
 #include "geometry/uniform_grid.hpp"
 

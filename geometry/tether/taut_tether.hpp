@@ -20,7 +20,6 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
 #include "geometry/tether/taut_space.hpp"
 

@@ -1,5 +1,4 @@
 // The one list of map formats.
-#include "maps/formats.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -9,7 +8,6 @@
 #include <filesystem>
 
 #include "base/files.hpp"
-#include "base/throw_invalid.hpp"
 #include "maps/formats/readers.hpp"
 
 namespace oxturn {
@@ -46,19 +44,13 @@ const MapFormat* format_with(const std::string& suffix, const MapFormats& format
   return found;
 }
 
-bool has_parameter(const MapFormat& format, const std::string& name) {
-  return std::any_of(format.parameters.begin(), format.parameters.end(),
-                     [&](const ParameterInfo& parameter) { return parameter.name == name; });
-}
-
 }  // namespace
 
 std::vector<ParameterInfo> reader_parameters(const MapFormats& formats) {
   std::vector<ParameterInfo> all;
   for (const MapFormat& format : formats)
     for (const ParameterInfo& parameter : format.parameters)
-      if (std::none_of(all.begin(), all.end(), [&](const ParameterInfo& p) { return p.name == parameter.name; }))
-        all.push_back(parameter);
+      if (std::ranges::count(all, parameter.name, &ParameterInfo::name) == 0) all.push_back(parameter);
   return all;
 }
 
@@ -75,7 +67,7 @@ MapFile read_map(const std::string& file, const Settings& settings, const MapFor
   Settings own;
   std::vector<std::string> unused;
   for (const auto& [name, value] : all)
-    if (has_parameter(*format, name))
+    if (std::ranges::count(format->parameters, name, &ParameterInfo::name) > 0)
       own[name] = value;
     else
       unused.push_back(fmt::format("'{}' is not a parameter of format '{}' and is not used", name, format->name));

@@ -9,12 +9,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 
 #include "base/files.hpp"
 #include "base/text.hpp"
-#include "base/throw_invalid.hpp"
 #include "geometry/overlay/validity.hpp"
 #include "maps/formats/json.hpp"
 #include "maps/formats/readers.hpp"
@@ -135,13 +133,10 @@ const Json& only_feature(const JsonAt& collection, std::vector<std::string>& rem
   return *found;
 }
 
-std::string ring_text(const Ring& ring) {
-  std::string text = "[";
-  for (std::size_t i = 0; i <= ring.size(); ++i) {
-    if (i > 0) text += ", ";
-    text += json_point(ring[i % ring.size()]);
-  }
-  return text + "]";
+/// With the first point once more at the end.
+std::string ring_text(Ring ring) {
+  ring.push_back(ring.front());
+  return json_points(ring);
 }
 
 std::string polygon_text(const Polygon& polygon) {
@@ -160,11 +155,7 @@ std::string geometry_text(const Region& region) {
 }
 
 std::string value_text(const std::string& name, const Value& value, const Robot& robot) {
-  if (name == "footprint") {
-    std::string text = "[";
-    for (const Point& p : robot.footprint) text += (text.size() > 1 ? ", " : "") + json_point(p);
-    return text + "]";
-  }
+  if (name == "footprint") return json_points(robot.footprint);
   return std::holds_alternative<std::string>(value) ? json_text(std::get<std::string>(value)) : to_text(value);
 }
 

@@ -3,7 +3,6 @@
 // Decision   At most 10^8 pixels: an image's header may claim any size, and memory is allocated only below that.
 
 #include "base/files.hpp"
-#include "base/throw_invalid.hpp"
 #include "maps/formats/readers.hpp"
 
 namespace oxturn {

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/text.hpp"
-#include "base/throw_invalid.hpp"
 #include "maps/formats.hpp"
 
 namespace oxturn {
@@ -63,10 +62,8 @@ Polyline JsonAt::points(const std::string& named) const {
   Polyline points;
   points.reserve(value.size());
   for (const nlohmann::json& v : value) {
-    if (is_point(v) && finite(as_point(v)))
-      points.push_back(as_point(v));
-    else  // throws
-      points.push_back(JsonAt{v, fmt::format("{}, point {}", named, points.size() + 1)}.point());
+    if (!is_point(v) || !finite(as_point(v))) JsonAt{v, fmt::format("{}, point {}", named, points.size() + 1)}.point();
+    points.push_back(as_point(v));
   }
   return points;
 }
@@ -79,7 +76,16 @@ const nlohmann::json* JsonAt::find(const char* key) const {
 std::string json_text(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
-std::string json_number(double value) { return std::isfinite(value) ? to_decimal(value) : "null"; }
-std::string json_point(const Point& p) { return fmt::format("[{}, {}]", json_number(p.x()), json_number(p.y())); }
+
+std::string json_point(const Point& p) {
+  const auto number = [](double value) { return std::isfinite(value) ? to_decimal(value) : "null"; };
+  return fmt::format("[{}, {}]", number(p.x()), number(p.y()));
+}
+
+std::string json_points(const Polyline& points) {
+  std::string text;
+  for (const Point& p : points) text += (text.empty() ? "[" : ", ") + json_point(p);
+  return (text.empty() ? "[" : text) + "]";
+}
 
 }  // namespace oxturn

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "base/files.hpp"
-#include "base/throw_invalid.hpp"
 #include "maps/formats.hpp"
 #include "maps/formats/json.hpp"
 #include "maps/path_file.hpp"
@@ -42,15 +41,9 @@ std::string to_geojson(const Path& path, const std::string& problem) {
   text += "\"type\": \"FeatureCollection\", \"features\": [";
   for (std::size_t i = 0; i < path.legs.size(); ++i) {
     const Leg& leg = path.legs[i];
-    text += i > 0 ? ",\n" : "\n";
-    text += leg.tool ? "{\"type\": \"Feature\", \"properties\": {\"tool\": true}, \"geometry\": "
-                     : "{\"type\": \"Feature\", \"properties\": {\"tool\": false}, \"geometry\": ";
-    text += "{\"type\": \"LineString\", \"coordinates\": [";
-    for (std::size_t k = 0; k < leg.points.size(); ++k) {
-      if (k > 0) text += ", ";
-      text += json_point(leg.points[k]);
-    }
-    text += "]}}";
+    text += fmt::format(
+        "{}\n{{\"type\": \"Feature\", \"properties\": {{\"tool\": {}}}, \"geometry\": ", i > 0 ? "," : "", leg.tool);
+    text += "{\"type\": \"LineString\", \"coordinates\": " + json_points(leg.points) + "}}";
   }
   return text + "\n]}\n";
 }

@@ -1,6 +1,5 @@
 // PGM images (P2, P5) to grey values.
 
-#include "base/throw_invalid.hpp"
 #include "maps/formats/readers.hpp"
 
 namespace oxturn {

@@ -7,7 +7,6 @@
 #include <csetjmp>
 #include <cstring>
 
-#include "base/throw_invalid.hpp"
 #include "maps/formats/readers.hpp"
 
 namespace oxturn {

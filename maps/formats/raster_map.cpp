@@ -10,7 +10,6 @@
 
 #include "base/graph_search.hpp"
 #include "base/text.hpp"
-#include "base/throw_invalid.hpp"
 #include "maps/formats/readers.hpp"
 
 namespace oxturn {
@@ -86,16 +85,12 @@ Region simplified(const std::string& file, const Region& region, double metres, 
 
 /// From pixels to metres.
 void to_metres(Region& region, const Placement& placement) {
-  const auto convert = [&](Ring& ring) {
+  for_each_ring(region, [&](Ring& ring) {
     for (Point& p : ring) {
       const Point metres = p * placement.resolution;
       p = placement.origin + (placement.yaw == 0 ? metres : rotated(metres, placement.yaw));
     }
-  };
-  for (Polygon& polygon : region.polygons) {
-    convert(polygon.outer);
-    for (Ring& hole : polygon.holes) convert(hole);
-  }
+  });
 }
 
 }  // namespace

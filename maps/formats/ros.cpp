@@ -17,7 +17,6 @@
 
 #include "base/files.hpp"
 #include "base/text.hpp"
-#include "base/throw_invalid.hpp"
 #include "maps/formats/readers.hpp"
 
 namespace oxturn {
