@@ -141,8 +141,8 @@ void change(Robot& robot, const Settings& settings) {
   }
   if (settings.contains("radius")) robot.footprint.clear();
   const auto name = settings.find("name");
-  const bool named = name != settings.end() && std::holds_alternative<std::string>(name->second);
-  const std::string owner = named ? fmt::format("robot '{}'", std::get<std::string>(name->second)) : owner_of(robot);
+  const std::string* given = name != settings.end() ? std::get_if<std::string>(&name->second) : nullptr;
+  const std::string owner = given != nullptr ? fmt::format("robot '{}'", *given) : owner_of(robot);
   if (settings.contains("radius") && settings.contains("footprint"))
     throw_invalid("{} has a radius and a footprint, expected one of the two", owner);
   apply_settings(owner, robot_parameters(), settings, robot);

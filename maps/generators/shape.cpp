@@ -41,8 +41,8 @@ Point direction(double turns) {
   }
   c += 1;
   s = (1 + s) * x;
-  const std::array quarters{Point(c, s), Point(-s, c), Point(-c, -s), Point(s, -c)};
-  return quarters[static_cast<std::size_t>(whole) % 4];
+  const std::array turned{Point(c, s), Point(-s, c), Point(-c, -s), Point(s, -c)};
+  return turned[static_cast<std::size_t>(whole) % 4];
 }
 
 Ring convex_blob(Rng& rng, int vertices, double radius, const Point& centre) {
