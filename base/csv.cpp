@@ -1,8 +1,6 @@
 #include "base/csv.hpp"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
+#include "base/throw_invalid.hpp"
 
 namespace oxturn {
 
@@ -51,10 +49,10 @@ std::vector<std::vector<std::string>> parse_csv(const std::string& text, const s
       }
     } else if (c == '"') {
       if (!cell.empty() || was_quoted) {
-        throw std::invalid_argument(
-            fmt::format("{}:{}: a quote in the middle of a cell; quote the whole cell and "
-                        "double the quotes inside",
-                        source, line));
+        throw_invalid(
+            "{}:{}: a quote in the middle of a cell; quote the whole cell and "
+            "double the quotes inside",
+            source, line);
       }
       in_quotes = was_quoted = true;
       opened = line;
@@ -67,13 +65,12 @@ std::vector<std::vector<std::string>> parse_csv(const std::string& text, const s
       lines.push_back(std::move(cells));
       cells.clear();
     } else if (was_quoted) {
-      throw std::invalid_argument(
-          fmt::format("{}:{}: text after a closing quote; expected a comma or the line's end", source, line));
+      throw_invalid("{}:{}: text after a closing quote; expected a comma or the line's end", source, line);
     } else {
       cell += c;
     }
   }
-  if (in_quotes) throw std::invalid_argument(fmt::format("{}:{}: a quote is never closed", source, opened));
+  if (in_quotes) throw_invalid("{}:{}: a quote is never closed", source, opened);
   if (!cell.empty() || was_quoted || !cells.empty()) {
     end_cell();
     lines.push_back(std::move(cells));

@@ -7,9 +7,10 @@
 
 #include <atomic>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <stdexcept>
+
+#include "base/throw_invalid.hpp"
 
 namespace oxturn {
 namespace {
@@ -31,25 +32,24 @@ struct Descriptor {
 std::string read_file(const std::string& file) {
   struct stat about {};
   if (::stat(file.c_str(), &about) != 0) {
-    if (errno == ENOENT || errno == ENOTDIR) throw std::invalid_argument(fmt::format("no such file: '{}'", file));
-    throw std::invalid_argument(fmt::format("cannot read '{}': {}", file, std::strerror(errno)));
+    if (errno == ENOENT || errno == ENOTDIR) throw_invalid("no such file: '{}'", file);
+    throw_invalid("cannot read '{}': {}", file, std::strerror(errno));
   }
-  if (S_ISDIR(about.st_mode)) throw std::invalid_argument(fmt::format("cannot read '{}': it is a folder", file));
+  if (S_ISDIR(about.st_mode)) throw_invalid("cannot read '{}': it is a folder", file);
   // Devices and pipes may never end.
   if (!S_ISREG(about.st_mode) && file != "/dev/stdin")
-    throw std::invalid_argument(fmt::format("cannot read '{}': it is not a regular file", file));
+    throw_invalid("cannot read '{}': it is not a regular file", file);
   if (about.st_size > kLargestFile)
-    throw std::invalid_argument(
-        fmt::format("cannot read '{}': it has {} bytes, at most {} are read", file, about.st_size, kLargestFile));
+    throw_invalid("cannot read '{}': it has {} bytes, at most {} are read", file, about.st_size, kLargestFile);
   const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
-  if (in.number < 0) throw std::invalid_argument(fmt::format("cannot read '{}': {}", file, std::strerror(errno)));
+  if (in.number < 0) throw_invalid("cannot read '{}': {}", file, std::strerror(errno));
   std::string content;
   char buffer[1 << 16];
   for (;;) {
     const ssize_t got = ::read(in.number, buffer, sizeof buffer);
     if (got == 0) return content;
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw std::invalid_argument(fmt::format("cannot read '{}': {}", file, std::strerror(errno)));
+    if (got < 0) throw_invalid("cannot read '{}': {}", file, std::strerror(errno));
     content.append(buffer, static_cast<std::size_t>(got));
   }
 }

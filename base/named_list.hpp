@@ -8,9 +8,7 @@
 #include <deque>
 #include <initializer_list>
 #include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "base/text.hpp"
 

@@ -3,33 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
-#include <limits>
-#include <stdexcept>
 
 #include "base/text.hpp"
+#include "base/throw_invalid.hpp"
 
 namespace oxturn {
 namespace {
 
 const char* type_name(const Value& value) {
-  switch (value.index()) {
-    case 0:
-      return "true or false";
-    case 1:
-      return "a whole number";
-    case 2:
-      return "a number";
-    default:
-      return "a text";
-  }
+  constexpr std::array kNames{"true or false", "a whole number", "a number", "a text"};
+  return kNames[value.index()];
 }
 
 [[noreturn]] void refuse(const std::string& owner, const ParameterInfo& parameter, const std::string& given,
                          const std::string& expected) {
-  throw std::invalid_argument(
-      fmt::format("parameter '{}' of {} is {}, expected {}", parameter.name, owner, given, expected));
+  throw_invalid("parameter '{}' of {} is {}, expected {}", parameter.name, owner, given, expected);
 }
 
 std::string range_text(const ParameterInfo& parameter) {
@@ -67,28 +57,17 @@ std::string to_text(const Settings& settings) {
 
 Value parse_value(const std::string& owner, const ParameterInfo& parameter, std::string_view text) {
   const std::string given = fmt::format("'{}'", text);
-  const auto read_all_of_text = [&](auto& result) {
-    std::string_view digits = text;  // from_chars does not accept a leading '+'
-    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), result);
-    if (error != std::errc() || end != digits.data() + digits.size())
-      refuse(owner, parameter, given, range_text(parameter));
+  const auto number = [&]<class T>(T) -> Value {
+    if (const auto value = parse_all<T>(text)) return checked(owner, parameter, *value);
+    refuse(owner, parameter, given, range_text(parameter));
   };
   if (std::holds_alternative<bool>(parameter.fallback)) {
     if (text == "true" || text == "yes" || text == "on" || text == "1") return true;
     if (text == "false" || text == "no" || text == "off" || text == "0") return false;
     refuse(owner, parameter, given, "true or false");
   }
-  if (std::holds_alternative<std::int64_t>(parameter.fallback)) {
-    std::int64_t whole = 0;
-    read_all_of_text(whole);
-    return checked(owner, parameter, whole);
-  }
-  if (std::holds_alternative<double>(parameter.fallback)) {
-    double real = 0;
-    read_all_of_text(real);
-    return checked(owner, parameter, real);
-  }
+  if (std::holds_alternative<std::int64_t>(parameter.fallback)) return number(std::int64_t{});
+  if (std::holds_alternative<double>(parameter.fallback)) return number(double{});
   return checked(owner, parameter, std::string(text));
 }
 
@@ -122,10 +101,8 @@ const ParameterInfo& find_parameter(const std::string& owner, const std::vector<
     if (parameter.name == name) return parameter;
     names.push_back(parameter.name);
   }
-  if (names.empty())
-    throw std::invalid_argument(fmt::format("unknown parameter '{}' of {}; it has no parameters", name, owner));
-  throw std::invalid_argument(
-      fmt::format("unknown parameter '{}' of {}; it has: {}", name, owner, fmt::join(names, ", ")));
+  if (names.empty()) throw_invalid("unknown parameter '{}' of {}; it has no parameters", name, owner);
+  throw_invalid("unknown parameter '{}' of {}; it has: {}", name, owner, fmt::join(names, ", "));
 }
 
 Settings checked(const std::string& owner, const std::vector<ParameterInfo>& parameters, const Settings& settings) {

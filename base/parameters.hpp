@@ -25,6 +25,22 @@ using Value = std::variant<bool, std::int64_t, double, std::string>;
 /// Values by parameter name, as a suite or `--set` gives them. Ordered, so that iteration is deterministic.
 using Settings = std::map<std::string, Value>;
 
+/// A bool, int, double or text as a value, and back.
+template <class T>
+Value value_of(const T& member) {
+  if constexpr (std::is_same_v<T, int>)
+    return std::int64_t{member};
+  else
+    return member;
+}
+template <class T>
+T value_as(const Value& value) {
+  if constexpr (std::is_same_v<T, int>)
+    return static_cast<int>(std::get<std::int64_t>(value));
+  else
+    return std::get<T>(value);
+}
+
 /// The interval of values a number may take.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
@@ -49,18 +65,13 @@ struct Parameter {
   std::function<void(P&, const Value&)> set;  // expects a value of the parameter's type and within its range
   ParameterInfo info;                         // without `fallback`, which infos_of fills in
 
-  Parameter(std::string name, bool P::*member, std::string help) { plain(member, {name, {}, {}, {}, help}); }
-  Parameter(std::string name, double P::*member, Range range, std::string help) {
-    plain(member, {name, {}, range, {}, help});
-  }
-  Parameter(std::string name, std::string P::*member, Choices choices, std::string help) {
-    plain(member, {name, {}, {}, choices, help});
-  }
-  Parameter(std::string name, int P::*member, Range range, std::string help) {
-    get = [member](const P& p) -> Value { return static_cast<std::int64_t>(p.*member); };
-    set = [member](P& p, const Value& v) { p.*member = static_cast<int>(std::get<std::int64_t>(v)); };
-    info = {std::move(name), {}, range, {}, std::move(help)};
-  }
+  Parameter(std::string name, bool P::*member, std::string help) : Parameter(member, {name, {}, {}, {}, help}) {}
+  Parameter(std::string name, int P::*member, Range range, std::string help)
+      : Parameter(member, {name, {}, range, {}, help}) {}
+  Parameter(std::string name, double P::*member, Range range, std::string help)
+      : Parameter(member, {name, {}, range, {}, help}) {}
+  Parameter(std::string name, std::string P::*member, Choices choices, std::string help)
+      : Parameter(member, {name, {}, {}, choices, help}) {}
   /// An enum class whose enumerators are 0, 1, ...; `choices` are their names in that order.
   template <class E, class Base, class = std::enable_if_t<std::is_enum_v<E> && std::is_base_of_v<Base, P>>>
   Parameter(std::string name, E Base::*member, Choices choices, std::string help) {
@@ -77,11 +88,10 @@ struct Parameter {
 
  private:
   template <class T>
-  void plain(T P::*member, ParameterInfo about) {
-    get = [member](const P& p) -> Value { return p.*member; };
-    set = [member](P& p, const Value& v) { p.*member = std::get<T>(v); };
-    info = std::move(about);
-  }
+  Parameter(T P::*member, ParameterInfo about)
+      : get([member](const P& p) { return value_of(p.*member); }),
+        set([member](P& p, const Value& v) { p.*member = value_as<T>(v); }),
+        info(std::move(about)) {}
 };
 
 /// Shortest round-trip text: "0.35", "true", "3", "convex".

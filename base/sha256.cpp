@@ -3,7 +3,6 @@
 #include <openssl/evp.h>
 
 #include <bit>
-#include <cstdint>
 #include <stdexcept>
 
 namespace oxturn {
@@ -22,9 +21,12 @@ std::string sha256(const std::string& bytes) {
   return text;
 }
 
-void append_canonical(std::string& bytes, double value) {
-  const auto word = std::bit_cast<std::uint64_t>(value == 0 ? 0.0 : value);
+void append_canonical(std::string& bytes, std::uint64_t word) {
   for (int shift = 56; shift >= 0; shift -= 8) bytes.push_back(static_cast<char>((word >> shift) & 0xff));
+}
+
+void append_canonical(std::string& bytes, double value) {
+  append_canonical(bytes, std::bit_cast<std::uint64_t>(value == 0 ? 0.0 : value));
 }
 
 }  // namespace oxturn

@@ -4,6 +4,7 @@
 ///   nearest_name("room", {"rooms", "maze"})      // "rooms"
 #pragma once
 
+#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,6 +16,15 @@ namespace oxturn {
 /// Shortest decimal that reads back as the same double; -0 is written as 0.
 std::string to_decimal(double value);
 
+/// The value of a text that is a number of type T (a leading + is allowed) and nothing else; otherwise nullopt.
+template <class T>
+std::optional<T> parse_all(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);  // from_chars does not accept a '+'
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
 /// The value of a text that is a finite number and nothing else ("2.5", "+1e-3"); otherwise nullopt.
 std::optional<double> parse_number(std::string_view text);
 /// The value of a text of digits, 0 to 2^64 - 1; nullopt for anything else.

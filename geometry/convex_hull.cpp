@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "base/sorting.hpp"
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
 
 Ring convex_hull(std::vector<Point> points) {
-  std::sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_unique(points, before);
   if (points.size() < 2) return points;
   Ring hull;
   for (int half = 0; half < 2; ++half) {  // the lower chain from left to right, then the upper one back

@@ -6,8 +6,6 @@
 /// Source: Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979 (monotone chain).
 #pragma once
 
-#include <vector>
-
 #include "geometry/region.hpp"
 
 namespace oxturn {

@@ -8,8 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "base/sorting.hpp"
+#include "base/throw_invalid.hpp"
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
@@ -78,32 +79,13 @@ double box_gap(const Point& a, const Point& b, const Edge& e) {
   return std::max(x, y);
 }
 
-template <class T>
-void sort_unique(std::vector<T>& items) {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-}
-
 }  // namespace
 
 EdgeIndex::EdgeIndex(const Region& region) {
-  Box box;
-  double total = 0;
-  for_each_ring(region, [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point& a = ring[i];
-      const Point& b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      box.add(a);
-      if (a == b) continue;
-      edges_.push_back({a, b});
-      total += distance(a, b);
-    }
+  for_each_edge(region, [&](const Point& a, const Point& b) {
+    if (a != b) edges_.push_back({a, b});
   });
-  grid_ = UniformGrid(box, edges_.size(), total);
-  grid_.fill(edges_.size(), [&](std::size_t i, auto enter) {
-    const Point ends[2] = {edges_[i].a, edges_[i].b};
-    grid_.visit(ends, 2, 0, enter);
-  });
+  grid_ = UniformGrid(edges_.size(), [&](std::size_t i) { return std::array{edges_[i].a, edges_[i].b}; });
   choose_references();
 }
 
@@ -149,7 +131,6 @@ std::optional<EdgeIndex::Nearest> EdgeIndex::nearest(const Point& a, const Point
   Nearest best;
   best.distance = within;
   best.edge = edges_.size();
-  const Point ends[2] = {a, b};
   const auto try_edge = [&](std::uint32_t index) {
     const Edge& e = edges_[index];
     if (box_gap(a, b, e) > best.distance) return;
@@ -166,7 +147,7 @@ std::optional<EdgeIndex::Nearest> EdgeIndex::nearest(const Point& a, const Point
   // Bands about the segment that double in width, so that the last one dominates the cost.
   const double whole = (grid_.high() - grid_.low()).norm() + distance_to_segment(grid_.low(), a, b);
   for (double band = std::min(within, grid_.cell() / 2);; band = std::min({within, whole, 2 * band})) {
-    grid_.visit(ends, 2, band, [&](std::size_t c) {
+    grid_.visit(std::array{a, b}, band, [&](std::size_t c) {
       for (const std::uint32_t e : grid_.items(c)) try_edge(e);
       return best.distance == 0;
     });
@@ -200,8 +181,7 @@ void EdgeIndex::choose_references() {
   const auto on_edge = [&](std::size_t c) {
     const Point p = reference_point(c);
     const auto items = grid_.items(c);
-    return std::any_of(items.begin(), items.end(),
-                       [&](std::uint32_t e) { return on_segment(p, edges_[e].a, edges_[e].b); });
+    return std::ranges::any_of(items, [&](std::uint32_t e) { return on_segment(p, edges_[e].a, edges_[e].b); });
   };
   std::vector<std::uint32_t> near;
   for (int j = 0; j < grid_.rows(); ++j) {
@@ -210,8 +190,7 @@ void EdgeIndex::choose_references() {
     for (int i = 0; i < grid_.columns(); ++i) {
       const std::size_t c = grid_.index(i, j);
       for (int k = 1; on_edge(c); ++k) {
-        if (k == kCandidates)
-          throw std::invalid_argument("a region's edges lie too close together to tell inside from outside");
+        if (k == kCandidates) throw_invalid("a region's edges lie too close together to tell inside from outside");
         references_[c].candidate = static_cast<std::uint8_t>(k) & 0x7f;
       }
       const Point here = reference_point(c);
@@ -223,6 +202,12 @@ void EdgeIndex::choose_references() {
       last = here;
     }
   }
+}
+
+bool EdgeIndex::on_boundary(const Point& p) const {
+  if (grid_.empty() || !Box{grid_.low(), grid_.high()}.contains(p)) return false;
+  const auto items = grid_.items(grid_.index(grid_.column(p.x()), grid_.row(p.y())));
+  return std::ranges::any_of(items, [&](std::uint32_t e) { return on_segment(p, edges_[e].a, edges_[e].b); });
 }
 
 bool EdgeIndex::contains(const Point& p) const {
@@ -252,7 +237,7 @@ bool EdgeIndex::contains(const Point& a, const Point& b) const {
 /// All touches of ab, sorted; nullopt if it crosses an edge.
 std::optional<EdgeIndex::Contacts> EdgeIndex::contacts(const Point& a, const Point& b) const {
   Contacts found;
-  const Point ends[2] = {a, b}, least = a.cwiseMin(b), most = a.cwiseMax(b);
+  const Point least = a.cwiseMin(b), most = a.cwiseMax(b);
   const auto crosses = [&](std::uint32_t index) {
     const Edge& e = edges_[index];
     if (std::max(e.a.x(), e.b.x()) < least.x() || std::min(e.a.x(), e.b.x()) > most.x() ||
@@ -274,9 +259,9 @@ std::optional<EdgeIndex::Contacts> EdgeIndex::contacts(const Point& a, const Poi
     if (sa == 0 && sb == 0) found.along.push_back(index);
     return false;
   };
-  const bool crossed = grid_.visit(ends, 2, 0, [&](std::size_t c) {
+  const bool crossed = grid_.visit(std::array{a, b}, 0, [&](std::size_t c) {
     const auto items = grid_.items(c);
-    return std::any_of(items.begin(), items.end(), crosses);
+    return std::ranges::any_of(items, crosses);
   });
   if (crossed) return std::nullopt;
   sort_unique(found.touches);

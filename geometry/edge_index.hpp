@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <vector>
 
 #include "geometry/region.hpp"
 #include "geometry/uniform_grid.hpp"
@@ -37,6 +36,8 @@ class EdgeIndex {
                                  double within = std::numeric_limits<double>::infinity()) const;
   /// Is p in the closed region? Exact.
   bool contains(const Point& p) const;
+  /// Is p on an edge? Exact.
+  bool on_boundary(const Point& p) const;
   /// Does the closed segment stay in the closed region? It may run along edges and through vertices. Exact.
   bool contains(const Point& a, const Point& b) const;
 

@@ -18,13 +18,6 @@ double Path::length(bool tool) const {
   return sum;
 }
 
-std::size_t Path::segment_count() const {
-  std::size_t n = 0;
-  for (const Leg& l : legs)
-    if (!l.points.empty()) n += l.points.size() - 1;
-  return n;
-}
-
 void PathBuilder::drive(const Polyline& points, bool tool) {
   for (const Point& p : points) {
     if (p == at_) continue;

@@ -6,8 +6,6 @@
 ///   return path.take();
 #pragma once
 
-#include <vector>
-
 #include "geometry/point.hpp"
 
 namespace oxturn {
@@ -23,7 +21,6 @@ struct Path {
   double length() const;
   /// Metres driven with the tool on or off.
   double length(bool tool) const;
-  std::size_t segment_count() const;
 };
 
 /// Builds a well-formed Path: drops repeated points and merges consecutive legs of the same kind. Points in the middle

@@ -56,6 +56,10 @@ struct Box {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
+  void add(const Box& o) {
+    low = low.cwiseMin(o.low);
+    high = high.cwiseMax(o.high);
+  }
   void grow(double by) {
     low.array() -= by;
     high.array() += by;

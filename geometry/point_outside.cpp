@@ -13,10 +13,7 @@ std::optional<Point> point_outside(const EdgeIndex& walls, const Point& a, const
   if (walls.contains(a, b)) return std::nullopt;
   const Point d = b - a;
   std::vector<double> cuts{0, 1};
-  Box box;
-  box.add(a);
-  box.add(b);
-  walls.for_each_near(box, [&](std::size_t e) {
+  walls.for_each_near(bounding_box(Polyline{a, b}), [&](std::size_t e) {
     const EdgeIndex::Edge& edge = walls.edges()[e];
     const Point side = edge.b - edge.a;
     const double turn = cross(d, side);

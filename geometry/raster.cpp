@@ -43,9 +43,7 @@ void mark_centres(const Region& region, BitGrid& grid) {
       if (y < b.y() && k < grid.columns) grid.bits[grid.at(k, j)] ^= 1;  // an edge includes its lower end only
     }
   };
-  for_each_ring(region, [&](const Ring& ring) {
-    for (std::size_t k = 0; k < ring.size(); ++k) mark(ring[k], ring[(k + 1) % ring.size()]);
-  });
+  for_each_edge(region, mark);
   for (int j = 0; j < grid.rows; ++j)
     for (int i = 1; i < grid.columns; ++i) grid.bits[grid.at(i, j)] ^= grid.bits[grid.at(i - 1, j)];
   for (const std::size_t c : on_edge) grid.bits[c] = 1;
@@ -83,9 +81,7 @@ void for_each_cut_cell(const Region& region, const BitGrid& grid, F f) {
       for (int i = from_column; i <= to_column; ++i) f(grid.at(i, j));
     }
   };
-  for_each_ring(region, [&](const Ring& ring) {
-    for (std::size_t k = 0; k < ring.size(); ++k) cut(ring[k], ring[(k + 1) % ring.size()]);
-  });
+  for_each_edge(region, cut);
 }
 
 }  // namespace

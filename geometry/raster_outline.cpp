@@ -1,8 +1,8 @@
 // Method      Each boundary is walked with the set cell on the left. At a grid point where two set cells share only
 //             that corner, the walk turns left, so that they stay apart; where two clear cells do, the walk visits the
 //             point twice and is cut there into loops, so that no ring touches itself.
-#include <algorithm>
 #include <array>
+#include <map>
 
 #include "base/graph_search.hpp"
 #include "geometry/raster.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 struct GridPoint {
   int x, y;
-  bool operator==(const GridPoint&) const = default;
+  auto operator<=>(const GridPoint&) const = default;
 };
 using Loop = std::vector<GridPoint>;
 
@@ -36,32 +36,19 @@ ConnectedComponents components(const BitGrid& grid) {
 
 /// Cuts a closed walk into loops that visit no point twice.
 std::vector<Loop> loops_of(const Loop& walk) {
-  const auto key = [](const GridPoint& c) { return std::pair(c.y, c.x); };
-  std::vector<std::size_t> order(walk.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(walk[a]) < key(walk[b]); });
-  std::vector<std::size_t> number(walk.size());  // the same for equal points
-  for (std::size_t k = 1; k < order.size(); ++k)
-    number[order[k]] = number[order[k - 1]] + (walk[order[k]] != walk[order[k - 1]] ? 1 : 0);
-  constexpr std::size_t kNotOnStack = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> position(walk.size(), kNotOnStack), stack;  // position on the stack, by number
+  std::map<GridPoint, std::ptrdiff_t> position;  // in `rest`
   std::vector<Loop> loops;
-  for (std::size_t k = 0; k < walk.size(); ++k) {
-    const std::size_t at = position[number[k]];
-    if (at != kNotOnStack) {
-      Loop loop;
-      for (std::size_t s = at; s < stack.size(); ++s) {
-        loop.push_back(walk[stack[s]]);
-        position[number[stack[s]]] = kNotOnStack;
-      }
-      stack.resize(at);
-      loops.push_back(std::move(loop));
+  Loop rest;  // of the walk so far
+  for (const GridPoint& p : walk) {
+    if (const auto met = position.find(p); met != position.end()) {
+      const auto begin = rest.begin() + met->second;
+      loops.emplace_back(begin, rest.end());
+      rest.erase(begin, rest.end());
+      for (const GridPoint& q : loops.back()) position.erase(q);
     }
-    position[number[k]] = stack.size();
-    stack.push_back(k);
+    position[p] = std::ssize(rest);
+    rest.push_back(p);
   }
-  Loop rest;
-  for (const std::size_t k : stack) rest.push_back(walk[k]);
   loops.push_back(std::move(rest));
   return loops;
 }
@@ -105,12 +92,7 @@ class Outliner {
       if (next != direction) walk.push_back(at);
       direction = next;
     } while (at != start || direction != 0);
-    std::vector<Loop> rings;
-    if (meets_itself)
-      rings = loops_of(walk);
-    else
-      rings.push_back(std::move(walk));
-    return rings;
+    return meets_itself ? loops_of(walk) : std::vector<Loop>{walk};
   }
 
  private:

@@ -24,17 +24,19 @@ double area(const Region& region) {
 
 double perimeter(const Region& region) {
   double sum = 0;
-  for_each_ring(region, [&](const Ring& r) {
-    for (std::size_t i = 0; i < r.size(); ++i) sum += distance(r[i], r[i + 1 == r.size() ? 0 : i + 1]);
-  });
+  for_each_edge(region, [&](const Point& a, const Point& b) { sum += distance(a, b); });
   return sum;
+}
+
+Box bounding_box(const std::vector<Point>& points) {
+  Box box;
+  for (const Point& p : points) box.add(p);
+  return box;
 }
 
 Box bounding_box(const Region& region) {
   Box box;
-  for_each_ring(region, [&](const Ring& r) {
-    for (const Point& p : r) box.add(p);
-  });
+  for_each_edge(region, [&](const Point& p, const Point&) { box.add(p); });
   return box;
 }
 
@@ -52,14 +54,11 @@ std::size_t hole_count(const Region& region) {
 
 bool contains(const Region& region, const Point& p) {
   bool odd = false;
-  for_each_ring(region, [&](const Ring& r) {
-    for (std::size_t i = 0, j = r.size() - 1; i < r.size(); j = i++) {
-      const Point &a = r[j], &b = r[i];
-      const bool up = a.y() <= p.y();
-      if (up == (b.y() <= p.y())) continue;
-      if (a.x() <= p.x() && b.x() <= p.x()) continue;  // the ray runs in the direction of +x
-      if ((orientation(a, b, p) > 0) == up) odd = !odd;
-    }
+  for_each_edge(region, [&](const Point& a, const Point& b) {
+    const bool up = a.y() <= p.y();
+    if (up == (b.y() <= p.y())) return;
+    if (a.x() <= p.x() && b.x() <= p.x()) return;  // the ray runs in the direction of +x
+    if ((orientation(a, b, p) > 0) == up) odd = !odd;
   });
   return odd;
 }
@@ -71,13 +70,9 @@ Region box_region(const Point& low, const Point& high) {
 Region transformed(const Region& region, double angle, const Point& shift) {
   const double c = std::cos(angle), s = std::sin(angle);
   Region out = region;
-  const auto move = [&](Ring& ring) {
+  for_each_ring(out, [&](Ring& ring) {
     for (Point& p : ring) p = Point(c * p.x() - s * p.y() + shift.x(), s * p.x() + c * p.y() + shift.y());
-  };
-  for (Polygon& p : out.polygons) {
-    move(p.outer);
-    for (Ring& h : p.holes) move(h);
-  }
+  });
   return out;
 }
 

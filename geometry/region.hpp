@@ -10,7 +10,6 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "geometry/point.hpp"
 
@@ -36,16 +35,26 @@ double area(const Polygon& polygon);
 double area(const Region& region);
 /// Total length of all rings, metres.
 double perimeter(const Region& region);
+Box bounding_box(const std::vector<Point>& points);
 Box bounding_box(const Region& region);
 std::size_t vertex_count(const Region& region);
 std::size_t hole_count(const Region& region);
-/// Calls f(ring) for every ring, outer first, in stored order.
-template <class F>
-void for_each_ring(const Region& region, F f) {
-  for (const Polygon& p : region.polygons) {
+/// Calls f(ring) for every ring, outer first, in stored order; f may change the rings of a region that is not constant.
+template <class R, class F>
+void for_each_ring(R&& region, F f) {
+  for (auto& p : region.polygons) {
     f(p.outer);
-    for (const Ring& h : p.holes) f(h);
+    for (auto& h : p.holes) f(h);
   }
+}
+/// Calls f(a, b) for every edge, ring by ring from its first vertex on.
+template <class F>
+void for_each_edge(const Ring& ring, F f) {
+  for (std::size_t i = 0; i < ring.size(); ++i) f(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+}
+template <class F>
+void for_each_edge(const Region& region, F f) {
+  for_each_ring(region, [&](const Ring& ring) { for_each_edge(ring, f); });
 }
 /// Is p inside? Even-odd rule over all edges, O(n); points on the boundary may give either answer. For many queries
 /// build an EdgeIndex.

@@ -3,7 +3,6 @@
 //             collinear. A vertex stays if its triangle contains any other vertex, so rings never touch or cross.
 // Complexity  O(n log n) for usual data, plus for each new edge the removed vertices that it replaces.
 #include <algorithm>
-#include <cmath>
 #include <queue>
 
 #include "geometry/predicates.hpp"
@@ -16,18 +15,14 @@ namespace {
 class Simplifier {
  public:
   Simplifier(const Region& region, double tolerance) : tolerance_(tolerance) {
-    Box box;
     for_each_ring(region, [&](const Ring& ring) {
       const auto first = static_cast<Id>(vertices_.size()), n = static_cast<Id>(ring.size());
-      for (Id k = 0; k < n; ++k) {
+      for (Id k = 0; k < n; ++k)
         vertices_.push_back({ring[k], first + (k + n - 1) % n, first + (k + 1) % n, static_cast<Id>(rings_.size())});
-        box.add(ring[k]);
-      }
       rings_.push_back({first, n, n});
     });
     replaced_.resize(vertices_.size());
-    grid_ = UniformGrid(box, vertices_.size(), 0);
-    grid_.fill(vertices_.size(), [&](std::size_t v, auto enter) { grid_.visit(&vertices_[v].at, 1, 0, enter); });
+    grid_ = UniformGrid(vertices_.size(), [&](std::size_t v) { return std::array{vertices_[v].at}; });
   }
 
   void run() {
@@ -44,7 +39,7 @@ class Simplifier {
   /// `region` with what is left of its rings.
   Region result(Region region) const {
     std::size_t number = 0;
-    const auto simplify = [&](Ring& ring) {
+    for_each_ring(region, [&](Ring& ring) {
       const RingOfVertices& r = rings_[number++];
       ring.clear();
       Id first = r.first;
@@ -54,11 +49,7 @@ class Simplifier {
         ring.push_back(vertices_[v].at);
         v = vertices_[v].next;
       } while (v != first);
-    };
-    for (Polygon& p : region.polygons) {
-      simplify(p.outer);
-      for (Ring& hole : p.holes) simplify(hole);
-    }
+    });
     return region;
   }
 
@@ -99,7 +90,7 @@ class Simplifier {
   /// where another ring touches the edge, it touches as before.
   bool empty_triangle(Id id) const {
     const Id before = vertices_[id].previous, after = vertices_[id].next;
-    const Point corner[3] = {vertices_[before].at, vertices_[id].at, vertices_[after].at};
+    const std::array corner{vertices_[before].at, vertices_[id].at, vertices_[after].at};
     if (orientation(corner[0], corner[1], corner[2]) == 0) return true;
     const auto inside = [&](Id p) {
       if (vertices_[p].removed || p == before || p == id || p == after) return false;
@@ -107,7 +98,7 @@ class Simplifier {
       return orientation(corner[0], corner[1], at) >= 0 && orientation(corner[1], corner[2], at) >= 0 &&
              orientation(corner[2], corner[0], at) >= 0;
     };
-    return !grid_.visit(corner, 3, 0, [&](std::size_t cell) {
+    return !grid_.visit(corner, 0, [&](std::size_t cell) {
       const auto items = grid_.items(cell);
       return std::any_of(items.begin(), items.end(), inside);
     });

@@ -3,9 +3,6 @@
 ///   Trace{"tree", {{a, b}, {b, c}}}
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "geometry/point.hpp"
 
 namespace oxturn {

@@ -1,8 +1,7 @@
 /// A uniform grid of square cells over a box, with the items that meet each cell.
 ///
-///   UniformGrid grid(box, segments.size(), total_length);
-///   grid.fill(segments.size(), [&](std::size_t i, auto enter) { grid.visit(segments[i].ends, 2, 0, enter); });
-///   grid.visit(ends, 2, reach, [&](std::size_t cell) {
+///   const UniformGrid grid(segments.size(), [&](std::size_t i) { return std::array{segments[i].a, segments[i].b}; });
+///   grid.visit(std::array{a, b}, reach, [&](std::size_t cell) {
 ///     for (const std::uint32_t i : grid.items(cell)) { /* segment i may come within `reach` */ }
 ///     return false;                             // true stops the visit
 ///   });
@@ -13,6 +12,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -39,6 +39,23 @@ class UniformGrid {
     rows_ = static_cast<int>(size.y() / cell_) + 1;
   }
 
+  /// The grid of n points, segments or convex polygons: shape(i) are the vertices of item i.
+  template <class Shape>
+  UniformGrid(std::size_t n, Shape shape) {
+    Box box;
+    double total = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto& vertices = shape(i);
+      const std::size_t corners = vertices.size();
+      for (const Point& p : vertices) box.add(p);
+      for (std::size_t k = 0; k < corners && corners > 2; ++k)
+        total += distance(vertices[k], vertices[(k + 1) % corners]) / 2;
+      if (corners == 2) total += distance(vertices[0], vertices[1]);
+    }
+    *this = UniformGrid(box, n, total);
+    fill(n, [&](std::size_t i, auto enter) { visit(shape(i), 0, enter); });
+  }
+
   /// Puts item i into every cell c for which visit_item(i, enter) calls enter(c). Calls it twice for each item: first
   /// to count, then to store.
   template <class Visit>
@@ -52,12 +69,11 @@ class UniformGrid {
     for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
     items_.resize(first_.back());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t i = 0; i < items; ++i) {
+    for (std::size_t i = 0; i < items; ++i)
       visit_item(i, [&](std::size_t c) {
         items_[next[c]++] = static_cast<std::uint32_t>(i);
         return false;
       });
-    }
   }
 
   bool empty() const { return columns_ == 0; }
@@ -78,15 +94,15 @@ class UniformGrid {
     return {items_.data() + first_[cell], items_.data() + first_[cell + 1]};
   }
 
-  /// Calls f(cell), row by row, for every cell within `pad` of the convex polygon of n vertices (n = 2: a segment,
-  /// n = 1: a point), and for some cells slightly farther away. Stops when f returns true, and returns whether it did.
+  /// Calls f(cell), row by row, for every cell within `pad` of a point, a segment or a convex polygon, given by its
+  /// vertices, and for some cells slightly farther away. Stops when f returns true, and returns whether it did.
   template <class F>
-  bool visit(const Point* vertex, int n, double pad, F f) const {
+  bool visit(std::span<const Point> vertices, double pad, F f) const {
     if (empty()) return false;
     const double reach = pad / cell_ + kSlack;
     double bottom = 1e300, top = -1e300;
-    for (int i = 0; i < n; ++i) {
-      const double v = (vertex[i].y() - low_.y()) / cell_;
+    for (const Point& p : vertices) {
+      const double v = (p.y() - low_.y()) / cell_;
       bottom = std::min(bottom, v);
       top = std::max(top, v);
     }
@@ -94,17 +110,15 @@ class UniformGrid {
     const int last = clamped(top + reach, rows_);
     for (int j = clamped(bottom - reach, rows_); j <= last; ++j) {
       double left = 1e300, right = -1e300;
-      for (int i = 0; i < n; ++i) {
-        widen(vertex[i], vertex[i + 1 < n ? i + 1 : 0], j - reach, j + 1 + reach, left, right);
-        if (n == 2) break;
-      }
+      const std::size_t edges = vertices.size() == 2 ? 1 : vertices.size();
+      for (std::size_t i = 0; i < edges; ++i)
+        widen(vertices[i], vertices[i + 1 < vertices.size() ? i + 1 : 0], j - reach, j + 1 + reach, left, right);
       left -= reach;
       right += reach;
       if (!(left <= columns_ && right >= 0)) continue;
       const int end = clamped(right, columns_);
-      for (int i = clamped(left, columns_); i <= end; ++i) {
+      for (int i = clamped(left, columns_); i <= end; ++i)
         if (f(index(i, j))) return true;
-      }
     }
     return false;
   }

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <stdexcept>
 
 #include "base/text.hpp"
+#include "base/throw_invalid.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/overlay/minkowski.hpp"
-#include "geometry/overlay/offset.hpp"
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
@@ -21,9 +19,8 @@ namespace {
 double distance_to(const Polygon& polygon, const Point& p) {
   const Region region{{polygon}};
   double least = std::numeric_limits<double>::infinity();
-  for_each_ring(region, [&](const Ring& ring) {
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
-      least = on_segment(p, ring[j], ring[i]) ? 0 : std::min(least, distance_to_segment(p, ring[j], ring[i]));
+  for_each_edge(region, [&](const Point& a, const Point& b) {
+    least = on_segment(p, a, b) ? 0 : std::min(least, distance_to_segment(p, a, b));
   });
   return contains(region, p) ? 0 : least;
 }
@@ -40,9 +37,8 @@ Region eroded(const Map& map, const Region& free, const Robot& robot) {
                : robot.radius > 0       ? erode(free, robot.radius, robot.tool_width / 1000, Bound::inside)
                                         : free;
   if (all.empty())
-    throw std::invalid_argument(
-        fmt::format("robot '{}' ({}) fits nowhere in map '{}'; its widest passage is too narrow", robot.name,
-                    size_text(robot), map.name));
+    throw_invalid("robot '{}' ({}) fits nowhere in map '{}'; its widest passage is too narrow", robot.name,
+                  size_text(robot), map.name);
   return all;
 }
 
@@ -50,8 +46,7 @@ const Polygon* component_at(const Region& all, const Point& p, double tolerance)
   const Polygon* nearest = nullptr;
   double least = tolerance;
   for (const Polygon& polygon : all.polygons) {
-    Box box;
-    for (const Point& q : polygon.outer) box.add(q);
+    Box box = bounding_box(polygon.outer);
     box.grow(tolerance);
     if (!box.contains(p)) continue;
     const double away = distance_to(polygon, p);
@@ -86,28 +81,18 @@ Point nearest_point_inside(const Region& all, const Point& p, double tool_width)
 }
 
 DefaultStart find_default_start(const Region& all) {
-  const Polygon* largest = nullptr;
-  double most = -1;
-  for (const Polygon& polygon : all.polygons)
-    if (const double a = area(polygon); a > most) {
-      most = a;
-      largest = &polygon;
-    }
-  Mesh mesh(Region{{*largest}});
-  const auto vertex = [&](const Mesh::Triangle& t, std::size_t k) -> const Point& {
-    return mesh.points()[static_cast<std::size_t>(t.vertex[k])];
-  };
-  const Mesh::Triangle* best = nullptr;
+  const Polygon& largest = *std::ranges::max_element(all.polygons, {}, [](const Polygon& p) { return area(p); });
+  Mesh mesh(Region{{largest}});
+  Point middle = largest.outer.front();  // of a component thinner than any triangle, which is all boundary
   double widest = -1;
-  for (const Mesh::Triangle& t : mesh.triangles())
-    if (const double a = cross(vertex(t, 1) - vertex(t, 0), vertex(t, 2) - vertex(t, 0)); a > widest) {
-      widest = a;
-      best = &t;
+  for (std::int32_t t = 0; t < static_cast<std::int32_t>(mesh.triangles().size()); ++t) {
+    const Point &a = mesh.vertex(t, 0), &b = mesh.vertex(t, 1), &c = mesh.vertex(t, 2);
+    if (const double twice_area = cross(b - a, c - a); twice_area > widest) {
+      widest = twice_area;
+      middle = (a + b + c) / 3;
     }
-  // A component thinner than any triangle is all boundary.
-  const Point point =
-      best == nullptr ? largest->outer.front() : Point((vertex(*best, 0) + vertex(*best, 1) + vertex(*best, 2)) / 3);
-  return {point, largest, std::move(mesh)};
+  }
+  return {middle, &largest, std::move(mesh)};
 }
 
 }  // namespace oxturn

@@ -4,10 +4,7 @@
 ///   const Polygon* component = component_at(all, start, tolerance);   // nullptr: the robot does not fit there
 #pragma once
 
-#include <string>
-
 #include "geometry/mesh/mesh.hpp"
-#include "geometry/region.hpp"
 #include "maps/map.hpp"
 #include "maps/robot.hpp"
 

@@ -5,7 +5,6 @@
 ///   tether.drive(followed_path(problem, path, problem.map_edges()).points);
 #pragma once
 
-#include "geometry/edge_index.hpp"
 #include "geometry/path.hpp"
 #include "geometry/tether/taut_tether.hpp"
 #include "maps/problem.hpp"

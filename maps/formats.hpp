@@ -9,15 +9,10 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "base/named_list.hpp"
-#include "base/parameters.hpp"
-#include "maps/map.hpp"
 #include "maps/problem.hpp"
-#include "maps/robot.hpp"
 
 namespace oxturn {
 

@@ -6,8 +6,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <string>
-#include <vector>
 
 #include "base/named_list.hpp"
 #include "base/parameters.hpp"

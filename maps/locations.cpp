@@ -4,13 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <tuple>
 
 #include "base/text.hpp"
-#include "geometry/edge_index.hpp"
+#include "base/throw_invalid.hpp"
 #include "maps/problem.hpp"
 
 namespace oxturn {
@@ -19,8 +17,8 @@ namespace {
 const char* word(LocationKind of) { return of == LocationKind::start ? "start" : "anchor"; }
 
 [[noreturn]] void refuse(LocationKind of, const std::string& text) {
-  throw std::invalid_argument(fmt::format("{} is '{}', expected X,Y: two finite numbers in metres, or one of: {}",
-                                          word(of), text, fmt::join(location_names(of), ", ")));
+  throw_invalid("{} is '{}', expected X,Y: two finite numbers in metres, or one of: {}", word(of), text,
+                fmt::join(location_names(of), ", "));
 }
 
 Point lower_left(const Map& map, Robot robot) {

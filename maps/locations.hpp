@@ -5,8 +5,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "maps/map.hpp"
 #include "maps/robot.hpp"

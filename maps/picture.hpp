@@ -3,12 +3,8 @@
 ///   write_file("plan.svg", to_svg(problem, &path));
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "geometry/path.hpp"
 #include "geometry/trace.hpp"
-#include "maps/map.hpp"
 #include "maps/problem.hpp"
 
 namespace oxturn {

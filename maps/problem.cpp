@@ -17,12 +17,11 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
 
 #include "base/sha256.hpp"
 #include "base/text.hpp"
-#include "geometry/mesh/mesh.hpp"
+#include "base/throw_invalid.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
 #include "geometry/overlay/validity.hpp"
@@ -42,14 +41,11 @@ double tolerance_of(const Region& free, const Robot& robot) {
 }
 
 Region repaired_or_named(const Map& map) {
-  if (map.free.empty()) throw std::invalid_argument(fmt::format("map '{}' has no free space at all", map.name));
   Region free;
   try {
     free = repaired(map.free);
-  } catch (const std::invalid_argument& flaw) {
-    throw std::invalid_argument(fmt::format("map '{}': {}", map.name, flaw.what()));
-  }
-  if (free.empty()) throw std::invalid_argument(fmt::format("map '{}' has no free space at all", map.name));
+  } catch (const std::invalid_argument& flaw) { throw_invalid("map '{}': {}", map.name, flaw.what()); }
+  if (free.empty()) throw_invalid("map '{}' has no free space at all", map.name);
   return free;
 }
 
@@ -67,19 +63,17 @@ double convex_turning(const Region& region) {
 }
 
 void require_finite(const char* what, const std::optional<Point>& p) {
-  if (p && !finite(*p))
-    throw std::invalid_argument(fmt::format("{} {} is not finite, expected metres", what, to_text(*p)));
+  if (p && !finite(*p)) throw_invalid("{} {} is not finite, expected metres", what, to_text(*p));
 }
 
 [[noreturn]] void refuse_start(const Map& map, const Robot& robot, const Point& start, const Region& all,
                                double tolerance) {
   const std::string nearest = to_text(nearest_point_inside(all, start, robot.tool_width));
   if (!holds(map.free, start, tolerance))
-    throw std::invalid_argument(fmt::format("start {} is inside a wall of '{}'; nearest point where the robot fits: {}",
-                                            to_text(start), map.name, nearest));
-  throw std::invalid_argument(
-      fmt::format("start {} is too near a wall of '{}' for robot '{}' ({}); nearest point where the robot fits: {}",
-                  to_text(start), map.name, robot.name, size_text(robot), nearest));
+    throw_invalid("start {} is inside a wall of '{}'; nearest point where the robot fits: {}", to_text(start), map.name,
+                  nearest);
+  throw_invalid("start {} is too near a wall of '{}' for robot '{}' ({}); nearest point where the robot fits: {}",
+                to_text(start), map.name, robot.name, size_text(robot), nearest);
 }
 
 }  // namespace
@@ -159,16 +153,16 @@ void attach_tether(ProblemBasis& basis) {
   const TetherModel& model = *basis.tether;
   const double away = model.geodesics().distance(basis.start);
   if (!std::isfinite(away))
-    throw std::invalid_argument(
-        fmt::format("anchor {} is out of reach: no path wide enough for robot '{}' leads there from the start {}; "
-                    "expected a point in the same part of '{}'",
-                    to_text(basis.anchor), basis.robot.name, to_text(basis.start), basis.map.name));
+    throw_invalid(
+        "anchor {} is out of reach: no path wide enough for robot '{}' leads there from the start {}; "
+        "expected a point in the same part of '{}'",
+        to_text(basis.anchor), basis.robot.name, to_text(basis.start), basis.map.name);
   Tether& tether = *basis.robot.tether;
   if (tether.reach > 0) tether = {tether.reach * model.farthest(), 0, tether.sharp_angle};
   if (away > tether.length)
-    throw std::invalid_argument(fmt::format(
-        "tether of robot '{}' is {} m long, too short for the start {}, {} m from the anchor {}", basis.robot.name,
-        to_decimal(tether.length), to_text(basis.start), fmt::format("{:.4g}", away), to_text(basis.anchor)));
+    throw_invalid("tether of robot '{}' is {} m long, too short for the start {}, {} m from the anchor {}",
+                  basis.robot.name, to_decimal(tether.length), to_text(basis.start), fmt::format("{:.4g}", away),
+                  to_text(basis.anchor));
   // Between two samples of the cut the distance may be a little larger than at both.
   if (model.farthest() + basis.robot.tool_width / 5 <= tether.length) return;
   TetherReach reach = within_tether(model, basis.robot, basis.start);
@@ -198,8 +192,7 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
   if (component == nullptr) refuse_start(map, robot, basis->start, all, basis->tolerance);
   basis->anchor = anchor ? *anchor : basis->start;
   if (anchor && !holds(map.free, *anchor, basis->tolerance))
-    throw std::invalid_argument(
-        fmt::format("anchor {} is inside a wall of '{}', expected a point in free space", to_text(*anchor), map.name));
+    throw_invalid("anchor {} is inside a wall of '{}', expected a point in free space", to_text(*anchor), map.name);
   basis->space = std::make_shared<const Region>(Region{{*component}});
   basis->map = std::move(map);
   basis->robot = std::move(robot);
@@ -210,8 +203,6 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
 }
 
 Problem::Problem(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
-Problem::~Problem() = default;
-Problem::Problem(Problem&&) noexcept = default;
 
 const Map& Problem::map() const { return impl_->basis->map; }
 const Robot& Problem::robot() const { return impl_->basis->robot; }
@@ -245,8 +236,7 @@ Problem Problem::restricted(Region configuration_space) const {
 
 Problem Problem::restricted(Region configuration_space, const Point& start) const {
   if (!holds(configuration_space, start, tolerance()))
-    throw std::invalid_argument(
-        fmt::format("restricted configuration space of '{}' does not hold the start {}", map().name, to_text(start)));
+    throw_invalid("restricted configuration space of '{}' does not hold the start {}", map().name, to_text(start));
   return Problem(std::make_shared<const Impl>(impl_->basis,
                                               std::make_shared<const Region>(std::move(configuration_space)), start));
 }

@@ -10,9 +10,7 @@
 
 #include "geometry/edge_index.hpp"
 #include "geometry/paths/shortest_path.hpp"
-#include "geometry/region.hpp"
 #include "maps/map.hpp"
-#include "maps/robot.hpp"
 #include "maps/tether_model.hpp"
 
 namespace oxturn {
@@ -26,8 +24,6 @@ class Problem {
   /// map, a robot that fits nowhere, "start (2, 3) is inside a wall of 'rooms-7'; nearest point where the robot fits:
   /// (2.14, 3.31)", a start that is not finite, an anchor outside free space.
   Problem(Map map, Robot robot, std::optional<Point> start = {}, std::optional<Point> anchor = {});
-  ~Problem();
-  Problem(Problem&&) noexcept;
 
   const Map& map() const;
   const Robot& robot() const;

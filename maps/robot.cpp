@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "base/text.hpp"
+#include "base/throw_invalid.hpp"
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
@@ -31,19 +31,10 @@ template <class Group, class T>
 Parameter<Robot> grouped(std::string name, std::optional<Group> Robot::*group, T Group::*member, Range range,
                          std::string help) {
   return {{std::move(name), {}, range, {}, std::move(help)},
-          [=](const Robot& robot) -> Value {
-            const T value = (robot.*group).value_or(Group{}).*member;
-            if constexpr (std::is_same_v<T, int>)
-              return static_cast<std::int64_t>(value);
-            else
-              return value;
-          },
+          [=](const Robot& robot) { return value_of((robot.*group).value_or(Group{}).*member); },
           [=](Robot& robot, const Value& value) {
             if (!(robot.*group)) (robot.*group).emplace();
-            if constexpr (std::is_same_v<T, int>)
-              (*(robot.*group)).*member = static_cast<int>(std::get<std::int64_t>(value));
-            else
-              (*(robot.*group)).*member = std::get<T>(value);
+            (*(robot.*group)).*member = value_as<T>(value);
           }};
 }
 
@@ -54,9 +45,7 @@ bool has_group(const Robot& robot, const std::string& group) {
 /// Counter-clockwise round the origin once, with a left turn at every vertex and the origin left of every edge.
 void check_footprint(const Robot& robot) {
   const Ring& ring = robot.footprint;
-  const auto refuse = [&](const std::string& what) {
-    throw std::invalid_argument(fmt::format("robot '{}': footprint {}", robot.name, what));
-  };
+  const auto refuse = [&](const std::string& what) { throw_invalid("robot '{}': footprint {}", robot.name, what); };
   const std::size_t n = ring.size();
   if (n < 3) refuse(fmt::format("has {} {}, expected at least 3", n, n == 1 ? "vertex" : "vertices"));
   for (std::size_t i = 0; i < n; ++i)
@@ -70,10 +59,11 @@ void check_footprint(const Robot& robot) {
     turned += std::atan2(cross(b - a, c - b), (b - a).dot(c - b));
   }
   if (turned > 3 * kPi) refuse("runs round more than once, expected a simple polygon");
-  for (std::size_t i = 0; i < n; ++i)
-    if (orientation(ring[i], ring[(i + 1) % n], Point(0, 0)) <= 0)
+  for_each_edge(ring, [&](const Point& a, const Point& b) {
+    if (orientation(a, b, Point(0, 0)) <= 0)
       refuse(fmt::format("does not hold the robot's centre (0, 0) inside: it lies beyond the edge from {} to {}",
-                         to_text(ring[i]), to_text(ring[(i + 1) % n])));
+                         to_text(a), to_text(b)));
+  });
   if (robot.tether) refuse("is a polygon, but a tether needs a round robot; leave one of the two out");
   if (robot.min_turn_radius > 0)
     refuse("is a polygon that never turns, but min_turn_radius is above 0; leave one of the two out");
@@ -151,10 +141,10 @@ void change(Robot& robot, const Settings& settings) {
   }
   if (settings.contains("radius")) robot.footprint.clear();
   const auto name = settings.find("name");
-  const bool named = name != settings.end() && std::holds_alternative<std::string>(name->second);
-  const std::string owner = named ? fmt::format("robot '{}'", std::get<std::string>(name->second)) : owner_of(robot);
+  const std::string* given = name != settings.end() ? std::get_if<std::string>(&name->second) : nullptr;
+  const std::string owner = given != nullptr ? fmt::format("robot '{}'", *given) : owner_of(robot);
   if (settings.contains("radius") && settings.contains("footprint"))
-    throw std::invalid_argument(fmt::format("{} has a radius and a footprint, expected one of the two", owner));
+    throw_invalid("{} has a radius and a footprint, expected one of the two", owner);
   apply_settings(owner, robot_parameters(), settings, robot);
 }
 
@@ -190,26 +180,21 @@ Ring parse_footprint(const std::string& text) {
   }
   Ring ring = parse_vertices(text);
   if (!ring.empty()) return ring;
-  throw std::invalid_argument(
-      fmt::format("footprint is '{}', expected disc, square:WIDTH or octagon:WIDTH in metres, or vertices such as "
-                  "\"0.5 0; 0 0.5; -0.5 0; 0 -0.5\"",
-                  text));
+  throw_invalid(
+      "footprint is '{}', expected disc, square:WIDTH or octagon:WIDTH in metres, or vertices such as "
+      "\"0.5 0; 0 0.5; -0.5 0; 0 -0.5\"",
+      text);
 }
 
 double in_radius(const Ring& footprint) {
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < footprint.size(); ++i) {
-    const Point &a = footprint[i], along = footprint[(i + 1) % footprint.size()] - a;
-    least = std::min(least, cross(a, along) / along.norm());
-  }
+  for_each_edge(footprint,
+                [&](const Point& a, const Point& b) { least = std::min(least, cross(a, b - a) / (b - a).norm()); });
   return least;
 }
 
 double height(const Robot& robot) {
-  if (robot.footprint.empty()) return 2 * robot.radius;
-  Box box;
-  for (const Point& p : robot.footprint) box.add(p);
-  return box.size().y();
+  return robot.footprint.empty() ? 2 * robot.radius : bounding_box(robot.footprint).size().y();
 }
 
 void check(const Robot& robot) {
@@ -223,10 +208,9 @@ void check(const Robot& robot) {
   if (!robot.footprint.empty()) check_footprint(robot);
   if (!robot.tether) return;
   if (robot.tether->reach != 0 && robot.tether->length != 0)
-    throw std::invalid_argument(fmt::format("{}: tether has a length and a reach, expected one of the two", owner));
+    throw_invalid("{}: tether has a length and a reach, expected one of the two", owner);
   if (robot.tether->reach == 0 && robot.tether->length == 0)
-    throw std::invalid_argument(
-        fmt::format("{}: tether has no length, expected tether_length in metres or tether_reach", owner));
+    throw_invalid("{}: tether has no length, expected tether_length in metres or tether_reach", owner);
 }
 
 }  // namespace oxturn

@@ -6,11 +6,8 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "base/parameters.hpp"
-#include "geometry/point.hpp"
 #include "geometry/region.hpp"
 
 namespace oxturn {

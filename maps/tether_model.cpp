@@ -4,13 +4,11 @@
 //                not reach is no part of configuration space.
 #include "maps/tether_model.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "base/text.hpp"
+#include "base/throw_invalid.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/overlay/cut_along.hpp"
 #include "maps/configuration_space.hpp"
@@ -83,9 +81,8 @@ TetherReach within_tether(const TetherModel& model, const Robot& robot, const Po
   const Region parts = cut_along(space, border, strip);
   const Polygon* part = component_at(parts, start, 2 * strip);
   if (part == nullptr)
-    throw std::invalid_argument(
-        fmt::format("tether of robot '{}' ({} m) only just reaches the start {}; a longer one is needed to move",
-                    robot.name, to_decimal(limit), to_text(start)));
+    throw_invalid("tether of robot '{}' ({} m) only just reaches the start {}; a longer one is needed to move",
+                  robot.name, to_decimal(limit), to_text(start));
   reach.space = Region{{*part}};
   return reach;
 }

@@ -9,9 +9,7 @@
 
 #include <memory>
 #include <mutex>
-#include <vector>
 
-#include "geometry/region.hpp"
 #include "geometry/tether/geodesic_field.hpp"
 #include "geometry/tether/taut_tether.hpp"
 #include "maps/robot.hpp"

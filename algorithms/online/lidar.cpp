@@ -39,22 +39,10 @@ std::vector<Point> ray_directions(int rays) {
 LidarSimulator::LidarSimulator(const Region& free, const Lidar& lidar) : lidar_(lidar) {
   check_lidar(lidar);
   direction_ = ray_directions(lidar.rays);
-  Box box;
-  double total = 0;
-  for_each_ring(free, [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point &a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      box.add(a);
-      if (a == b) continue;
-      edges_.push_back({a, b});
-      total += distance(a, b);
-    }
+  for_each_edge(free, [&](const Point& a, const Point& b) {
+    if (a != b) edges_.push_back({a, b});
   });
-  grid_ = UniformGrid(box, edges_.size(), total);
-  grid_.fill(edges_.size(), [&](std::size_t i, auto enter) {
-    const Point ends[2] = {edges_[i].a, edges_[i].b};
-    grid_.visit(ends, 2, 0, enter);
-  });
+  grid_ = UniformGrid(edges_.size(), [&](std::size_t i) { return std::array{edges_[i].a, edges_[i].b}; });
 }
 
 /// From cell to cell. A vertex that two edges share is on the same (rounded) side of the ray for both, so no ray passes

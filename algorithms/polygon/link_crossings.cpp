@@ -14,19 +14,10 @@ using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Pairs of indices of crossing segments, the lower index first. Sorted, unique.
 std::vector<IndexPair> crossing_pairs(const std::vector<Link>& segments) {
-  Box box;
-  double total = 0;
-  for (const auto& [a, b] : segments) {
-    box.add(a);
-    box.add(b);
-    total += distance(a, b);
-  }
-  UniformGrid grid(box, segments.size(), total);
-  if (grid.empty()) return {};
-  grid.fill(segments.size(), [&](std::size_t i, auto enter) {
-    const Point ends[2] = {segments[i].first, segments[i].second};
-    grid.visit(ends, 2, 0, enter);
+  const UniformGrid grid(segments.size(), [&](std::size_t i) {
+    return std::array{segments[i].first, segments[i].second};
   });
+  if (grid.empty()) return {};
   std::vector<IndexPair> pairs;
   for (int row = 0; row < grid.rows(); ++row)
     for (int column = 0; column < grid.columns(); ++column) {

@@ -97,16 +97,8 @@ Region squares_around(const std::vector<Polyline>& segments, double reach, doubl
 /// Segments in a grid, to find those near another segment.
 class SegmentIndex {
  public:
-  explicit SegmentIndex(const std::vector<Polyline>& segments) : segments_(segments) {
-    Box box;
-    double total = 0;
-    for (const Polyline& s : segments) {
-      total += distance(s[0], s[1]);
-      for (const Point& p : s) box.add(p);
-    }
-    grid_ = UniformGrid(box, segments.size(), total);
-    grid_.fill(segments.size(), [&](std::size_t i, auto enter) { grid_.visit(segments_[i].data(), 2, 0, enter); });
-  }
+  explicit SegmentIndex(const std::vector<Polyline>& segments)
+      : segments_(segments), grid_(segments.size(), [&](std::size_t i) -> const Polyline& { return segments[i]; }) {}
   /// Is the middle of ab within `reach` of a segment?
   bool near_middle(const Point& a, const Point& b, double reach) const {
     const Point middle = lerp(a, b, 0.5);
@@ -124,8 +116,7 @@ class SegmentIndex {
  private:
   template <class Test>
   bool any_near(const Point& a, const Point& b, double reach, Test test) const {
-    const Point ends[2] = {a, b};
-    return grid_.visit(ends, 2, reach, [&](std::size_t cell) {
+    return grid_.visit(std::array{a, b}, reach, [&](std::size_t cell) {
       const auto items = grid_.items(cell);
       return std::any_of(items.begin(), items.end(), [&](std::uint32_t i) { return test(segments_[i]); });
     });

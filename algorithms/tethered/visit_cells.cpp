@@ -32,7 +32,7 @@ Path visit_cells(const TetherSpace& space, const TetherCells& cells, const CellL
     }
   }
   if (how.return_home && !context.cancelled())
-    if (const auto home = robot.path_home()) path.drive(home->points, false);
+    if (const auto home = robot.path_home()) path.drive(*home, false);
   context.record("cells_missed", static_cast<double>(missed.size()));
   context.record("paths_unproven", static_cast<double>(unproven));
   if (context.wants_traces() && !missed.empty()) context.trace("missed", std::move(missed));

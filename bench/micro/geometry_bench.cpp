@@ -258,11 +258,6 @@ BENCHMARK_TEMPLATE(BM_Partition, trapezoid_partition)
     ->Range(1 << 9, 1 << 17)
     ->Complexity()
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_TEMPLATE(BM_Partition, bridged)
-    ->RangeMultiplier(4)
-    ->Range(1 << 9, 1 << 17)
-    ->Complexity()
-    ->Unit(benchmark::kMillisecond);
 
 void BM_ConvexPartitionOptimal(benchmark::State& state) {
   const Region region = meander(state.range(0));

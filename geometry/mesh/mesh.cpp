@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "geometry/mesh/triangulation.hpp"
-#include "geometry/mesh/triangulation_input.hpp"
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
@@ -18,7 +17,10 @@ Mesh::Mesh(const Region& region, const std::vector<Polyline>& barriers) {
   points_ = std::move(triangulation.points);
   triangles_ = std::move(triangulation.triangles);
   find_reflex_points();
-  fill_grid();
+  grid_ = UniformGrid(triangles_.size(), [&](std::size_t i) {
+    const auto t = static_cast<std::int32_t>(i);
+    return std::array{vertex(t, 0), vertex(t, 1), vertex(t, 2)};
+  });
 }
 
 void Mesh::find_reflex_points() {
@@ -42,23 +44,6 @@ bool Mesh::fan_is_reflex(std::int32_t first, std::size_t k) const {
     t = next;
   }
   return false;
-}
-
-void Mesh::fill_grid() {
-  Box box;
-  double total = 0;
-  for (std::size_t t = 0; t < triangles_.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Point &a = vertex(static_cast<std::int32_t>(t), k), &b = vertex(static_cast<std::int32_t>(t), k + 1);
-      box.add(a);
-      total += distance(a, b) / 2;
-    }
-  grid_ = UniformGrid(box, triangles_.size(), total);
-  grid_.fill(triangles_.size(), [&](std::size_t i, auto enter) {
-    const auto t = static_cast<std::int32_t>(i);
-    const Point vertices[3] = {vertex(t, 0), vertex(t, 1), vertex(t, 2)};
-    grid_.visit(vertices, 3, 0, enter);
-  });
 }
 
 void Mesh::locate_all(const Point& p, std::vector<std::int32_t>& found) const {
@@ -96,7 +81,7 @@ std::int32_t Mesh::locate(const Point& p, double tolerance) const {
   if (!found.empty()) return found.front();
   std::int32_t best = kWall;
   double least = tolerance;
-  grid_.visit(&p, 1, tolerance, [&](std::size_t c) {
+  grid_.visit(std::array{p}, tolerance, [&](std::size_t c) {
     for (const std::uint32_t i : grid_.items(c)) {
       const auto t = static_cast<std::int32_t>(i);
       const double d = distance(p, nearest_in(t, p));

@@ -18,7 +18,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "geometry/region.hpp"
 #include "geometry/uniform_grid.hpp"
@@ -75,7 +74,6 @@ class Mesh {
  private:
   void find_reflex_points();
   bool fan_is_reflex(std::int32_t first, std::size_t k) const;
-  void fill_grid();
 
   std::vector<Point> points_;
   std::vector<Triangle> triangles_;

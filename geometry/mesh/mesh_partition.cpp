@@ -1,4 +1,4 @@
-// Partitions that follow from the triangulation alone: convex and monotone parts, bridged rings, simple pieces.
+// Partitions that follow from the triangulation alone: convex and monotone parts, simple pieces.
 #include <algorithm>
 #include <set>
 
@@ -72,11 +72,10 @@ class SimplePieces {
     const auto is_end = [&](std::int32_t v) { return v == parts_.from(h) || v == parts_.to(h); };
     const auto shared = [&](std::int32_t v) {
       const auto& around = triangles_at_[static_cast<std::size_t>(v)];
-      return !is_end(v) &&
-             std::any_of(around.begin(), around.end(), [&](std::size_t t) { return sets_.find(t) == large; });
+      return !is_end(v) && std::ranges::any_of(around, [&](std::size_t t) { return sets_.find(t) == large; });
     };
     auto &mine = vertices_of_[small], &theirs = vertices_of_[large];
-    if (std::any_of(mine.begin(), mine.end(), shared)) {
+    if (std::ranges::any_of(mine, shared)) {
       refused_.insert(pair);
       return;
     }
@@ -96,83 +95,6 @@ class SimplePieces {
   std::set<std::pair<std::size_t, std::size_t>> refused_;
 };
 
-/// A directed edge between points of the mesh.
-struct Arc {
-  std::int32_t from, to;
-};
-
-/// Turning clockwise about v from the direction of `start`, which of a and b comes first? Straight back to `start`
-/// comes last.
-bool comes_first(const Point& v, const Point& start, const Point& a, const Point& b) {
-  const auto half = [&](const Point& w) {
-    const int turn = orientation(v, start, w);
-    if (turn < 0) return 0;
-    if (turn > 0) return 2;
-    return on_segment(v, start, w) ? 1 : 3;
-  };
-  const int ha = half(a), hb = half(b);
-  return ha != hb ? ha < hb : orientation(v, b, a) > 0;
-}
-
-/// The walls of the mesh, and bridges between connected components of walls, shortest first, in both directions.
-std::vector<Arc> walls_and_bridges(const Mesh& mesh) {
-  struct Bridge {
-    double length;
-    std::int32_t a, b;
-    bool operator<(const Bridge& o) const {
-      return length != o.length ? length < o.length : a != o.a ? a < o.a : b < o.b;
-    }
-  };
-  const MeshParts parts(mesh);
-  std::vector<Arc> arcs;
-  std::vector<Bridge> bridges;
-  DisjointSets connected(mesh.points().size());
-  const auto connect = [&](std::int32_t a, std::int32_t b) {
-    return connected.unite(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
-  };
-  for (Half h = 0; h < parts.half_edges(); ++h) {
-    const std::int32_t a = parts.from(h), b = parts.to(h);
-    if (parts.twin(h) == MeshParts::kNone) {
-      arcs.push_back({a, b});
-      connect(a, b);
-    } else if (a < b) {
-      bridges.push_back({distance(mesh.point(a), mesh.point(b)), a, b});
-    }
-  }
-  std::sort(bridges.begin(), bridges.end());
-  for (const Bridge& e : bridges) {
-    if (!connect(e.a, e.b)) continue;
-    arcs.push_back({e.a, e.b});
-    arcs.push_back({e.b, e.a});
-  }
-  return arcs;
-}
-
-/// The faces to the left of the arcs: after u -> v comes the first arc clockwise from v -> u.
-std::vector<Ring> faces_of(const Mesh& mesh, const std::vector<Arc>& arcs) {
-  std::vector<std::vector<std::size_t>> arcs_from(mesh.points().size());
-  for (std::size_t i = 0; i < arcs.size(); ++i) arcs_from[static_cast<std::size_t>(arcs[i].from)].push_back(i);
-  const auto next = [&](const Arc& arc) {
-    const std::vector<std::size_t>& choices = arcs_from[static_cast<std::size_t>(arc.to)];
-    const Point &v = mesh.point(arc.to), &start = mesh.point(arc.from);
-    std::size_t best = choices.front();
-    for (const std::size_t k : choices)
-      if (k != best && comes_first(v, start, mesh.point(arcs[k].to), mesh.point(arcs[best].to))) best = k;
-    return best;
-  };
-  std::vector<Ring> rings;
-  std::vector<bool> seen(arcs.size(), false);
-  for (std::size_t first = 0; first < arcs.size(); ++first) {
-    Ring ring;
-    for (std::size_t i = first; !seen[i]; i = next(arcs[i])) {
-      seen[i] = true;
-      ring.push_back(mesh.point(arcs[i].from));
-    }
-    if (!ring.empty()) rings.push_back(std::move(ring));
-  }
-  return rings;
-}
-
 }  // namespace
 
 std::vector<Ring> convex_partition_approximate(const Region& region) {
@@ -189,10 +111,5 @@ std::vector<Ring> monotone_partition(const Region& region) {
 }
 
 std::vector<Ring> simple_pieces(const Region& region) { return SimplePieces(region).run(); }
-
-std::vector<Ring> bridged(const Region& region) {
-  const Mesh mesh(region);
-  return faces_of(mesh, walls_and_bridges(mesh));
-}
 
 }  // namespace oxturn

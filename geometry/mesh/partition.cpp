@@ -18,6 +18,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "base/throw_invalid.hpp"
 #include "geometry/mesh/cgal_guard.hpp"
 #include "geometry/mesh/mesh_parts.hpp"
 #include "geometry/predicates.hpp"
@@ -84,10 +85,10 @@ std::vector<Ring> optimal_parts(const Ring& piece) {
 std::vector<Ring> convex_partition_optimal(const Region& region, std::size_t most_vertices) {
   const std::size_t vertices = vertex_count(region);
   if (vertices > most_vertices)
-    throw std::invalid_argument(fmt::format(
+    throw_invalid(
         "optimal convex partition of a region with {} vertices would take too long; it is meant for up to {}: "
         "use the approximate one or simplify the region",
-        vertices, most_vertices));
+        vertices, most_vertices);
   std::vector<Ring> parts;
   for (const Ring& piece : simple_pieces(region))
     for (Ring& part : optimal_parts(piece)) parts.push_back(std::move(part));

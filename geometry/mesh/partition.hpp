@@ -4,9 +4,6 @@
 ///   for (const Ring& part : convex_partition_approximate(free)) fill(part);
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "geometry/region.hpp"
 
 namespace oxturn {
@@ -27,10 +24,6 @@ std::vector<Ring> convex_partition_approximate(const Region& region);
 std::vector<Ring> monotone_partition(const Region& region);
 /// Trapezoids between vertical lines through every vertex, each ending at the first wall (Latombe 1991). O(n log n).
 std::vector<Ring> trapezoid_partition(const Region& region);
-/// Every polygon as one weakly simple ring: its holes are joined to the outer ring by bridges that the ring follows in
-/// both directions, the shortest edges of the triangulation first. A polygon that touching rings divide into several
-/// open parts gives a ring for each. O(n log n).
-std::vector<Ring> bridged(const Region& region);
 
 /// A cell of the boustrophedon decomposition (Choset and Pignon 1997) for a plane sweep along +x: every vertical line
 /// meets it in one interval, from its chain `lower` to its chain `upper`, both left to right.

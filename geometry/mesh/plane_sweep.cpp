@@ -1,11 +1,10 @@
 #include "geometry/mesh/plane_sweep.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <set>
-#include <stdexcept>
 
+#include "base/sorting.hpp"
+#include "base/throw_invalid.hpp"
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
@@ -37,8 +36,7 @@ struct Below {
 };
 
 [[noreturn]] void inconsistent(const Point& p) {
-  throw std::invalid_argument(
-      fmt::format("region has edges that cross or overlap at ({}, {}); repair it before decomposing it", p.x(), p.y()));
+  throw_invalid("region has edges that cross or overlap at ({}, {}); repair it before decomposing it", p.x(), p.y());
 }
 
 /// Where the vertical line at x meets the wall.
@@ -53,20 +51,11 @@ ChainPoint point_at(const Wall& w, double x) {
 /// The walls in sweep order, without pairs that lie on each other and so bound nothing.
 std::vector<Wall> walls_of(const Region& region) {
   std::vector<Wall> all;
-  for_each_ring(region, [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point& a = ring[i];
-      const Point& b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      if (!finite(a))
-        throw std::invalid_argument("region has a vertex that is not finite; repair it before decomposing it");
-      if (a == b) continue;
-      if (before(a, b))
-        all.push_back({a, b, true, 0});
-      else
-        all.push_back({b, a, false, 0});
-    }
+  for_each_edge(region, [&](const Point& a, const Point& b) {
+    if (!finite(a)) throw_invalid("region has a vertex that is not finite; repair it before decomposing it");
+    if (a != b) all.push_back(before(a, b) ? Wall{a, b, true} : Wall{b, a, false});
   });
-  std::sort(all.begin(), all.end(), [](const Wall& a, const Wall& b) {
+  std::ranges::sort(all, [](const Wall& a, const Wall& b) {
     if (a.left != b.left) return before(a.left, b.left);
     if (a.right != b.right) return before(a.right, b.right);
     return a.lower < b.lower;
@@ -87,8 +76,7 @@ std::vector<Point> ends_of(const std::vector<Wall>& walls) {
     ends.push_back(w.left);
     ends.push_back(w.right);
   }
-  std::sort(ends.begin(), ends.end(), before);
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  sort_unique(ends, before);
   return ends;
 }
 
@@ -125,8 +113,7 @@ class PlaneSweep {
     e.ending.assign(first, last);
     for (const Wall& w : e.ending)  // a vertex of another ring on the wall: the rest of it starts here
       if (w.right != v) e.starting.push_back({v, w.right, w.lower, 0});
-    std::sort(e.starting.begin(), e.starting.end(),
-              [&](const Wall& a, const Wall& b) { return orientation(v, a.right, b.right) > 0; });
+    std::ranges::sort(e.starting, [&](const Wall& a, const Wall& b) { return orientation(v, a.right, b.right) > 0; });
     const auto above = status_.erase(first, last);
     if (above != status_.end()) e.over = &*above;
     if (above != status_.begin()) e.under = &*std::prev(above);

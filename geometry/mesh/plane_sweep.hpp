@@ -5,8 +5,6 @@
 /// edge is split at a vertex of another ring that lies on it. O(n log n).
 #pragma once
 
-#include <vector>
-
 #include "geometry/region.hpp"
 
 namespace oxturn {

@@ -6,7 +6,6 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "geometry/edge_index.hpp"
 #include "geometry/mesh/cgal_guard.hpp"

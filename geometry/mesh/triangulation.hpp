@@ -1,8 +1,6 @@
 /// The triangles of an input, by CGAL. Private to geometry, not installed.
 #pragma once
 
-#include <vector>
-
 #include "geometry/mesh/mesh.hpp"
 #include "geometry/mesh/triangulation_input.hpp"
 

@@ -1,8 +1,9 @@
 #include "geometry/mesh/triangulation_input.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
+#include "base/sorting.hpp"
+#include "base/throw_invalid.hpp"
 #include "geometry/edge_index.hpp"
 
 namespace oxturn {
@@ -14,23 +15,40 @@ using Segment = TriangulationInput::Segment;
 std::size_t at(Id i) { return static_cast<std::size_t>(i); }
 Segment segment(Id a, Id b) { return std::minmax(a, b); }
 
+/// Finds points by their coordinates; of equal ones the first.
+class PointNumbers {
+ public:
+  explicit PointNumbers(const std::vector<Point>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i) numbered_.push_back({points[i], static_cast<Id>(i)});
+    std::sort(numbered_.begin(), numbered_.end());
+  }
+  static constexpr Id kUnknown = -1;
+  Id find(const Point& p) const {
+    const auto k = std::lower_bound(numbered_.begin(), numbered_.end(), Numbered{p, 0});
+    return k != numbered_.end() && k->at == p ? k->id : kUnknown;
+  }
+
+ private:
+  struct Numbered {
+    Point at;
+    Id id;
+    bool operator<(const Numbered& o) const { return at != o.at ? before(at, o.at) : id < o.id; }
+  };
+  std::vector<Numbered> numbered_;
+};
+
 /// Numbers different points in the order of their first occurrence and appends them to `points`; returns the number of
 /// each point of `all`.
 std::vector<Id> number_points(const std::vector<Point>& all, std::vector<Point>& points) {
-  std::vector<Id> order(all.size()), first(all.size()), id(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i) order[i] = static_cast<Id>(i);
-  std::sort(order.begin(), order.end(),
-            [&](Id i, Id j) { return all[at(i)] != all[at(j)] ? before(all[at(i)], all[at(j)]) : i < j; });
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const bool repeated = k > 0 && all[at(order[k])] == all[at(order[k - 1])];
-    first[at(order[k])] = repeated ? first[at(order[k - 1])] : order[k];
-  }
+  const PointNumbers numbers(all);
+  std::vector<Id> id(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (at(first[i]) == i) {
+    const std::size_t first = at(numbers.find(all[i]));
+    if (first == i) {
       id[i] = static_cast<Id>(points.size());
       points.push_back(all[i]);
     } else {
-      id[i] = id[at(first[i])];
+      id[i] = id[first];
     }
   }
   return id;
@@ -52,7 +70,7 @@ TriangulationInput triangulation_input(const Region& region) {
   std::vector<Point> all;
   for_each_ring(region, [&](const Ring& ring) { all.insert(all.end(), ring.begin(), ring.end()); });
   for (const Point& p : all)
-    if (!finite(p)) throw std::invalid_argument("region has a vertex that is not finite; repair it before meshing");
+    if (!finite(p)) throw_invalid("region has a vertex that is not finite; repair it before meshing");
   TriangulationInput out;
   const std::vector<Id> id = number_points(all, out.points);
   std::size_t first = 0;
@@ -67,38 +85,15 @@ TriangulationInput triangulation_input(const Region& region) {
   return out;
 }
 
-/// Finds points by their coordinates.
-class PointNumbers {
- public:
-  explicit PointNumbers(const std::vector<Point>& points) {
-    for (std::size_t i = 0; i < points.size(); ++i) numbered_.push_back({points[i], static_cast<Id>(i)});
-    std::sort(numbered_.begin(), numbered_.end());
-  }
-  static constexpr Id kUnknown = -1;
-  Id find(const Point& p) const {
-    const auto k = std::lower_bound(numbered_.begin(), numbered_.end(), Numbered{p, 0});
-    return k != numbered_.end() && k->at == p ? k->id : kUnknown;
-  }
-
- private:
-  struct Numbered {
-    Point at;
-    Id id;
-    bool operator<(const Numbered& o) const { return before(at, o.at); }
-  };
-  std::vector<Numbered> numbered_;
-};
-
 /// The barriers' points that are no vertices of the region, sorted, each once.
 std::vector<Point> new_points(const std::vector<Polyline>& barriers, const PointNumbers& vertices) {
   std::vector<Point> fresh;
   for (const Polyline& line : barriers)
     for (const Point& p : line) {
-      if (!finite(p)) throw std::invalid_argument("a barrier has a point that is not finite");
+      if (!finite(p)) throw_invalid("a barrier has a point that is not finite");
       if (vertices.find(p) == PointNumbers::kUnknown) fresh.push_back(p);
     }
-  std::sort(fresh.begin(), fresh.end(), before);
-  fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
+  sort_unique(fresh, before);
   return fresh;
 }
 
@@ -107,17 +102,14 @@ struct Split {
   std::size_t edge;
   double along;  // metres from the edge's first end
   Id point;
-  bool operator<(const Split& o) const {
-    return edge != o.edge ? edge < o.edge : along != o.along ? along < o.along : point < o.point;
-  }
+  auto operator<=>(const Split&) const = default;
 };
 
 /// The points from number `first` on that lie on an edge, up to rounding. Others are ends or bends in the open.
 std::vector<Split> find_splits(const Region& region, const TriangulationInput& outline, std::size_t first,
                                const PointNumbers& vertices) {
   const EdgeIndex index(region);
-  Box box;
-  for (const Point& p : outline.points) box.add(p);
+  const Box box = bounding_box(outline.points);
   const double near = 1e-9 * (box.size().norm() + 1e-3 * std::max(box.low.norm(), box.high.norm()));
   std::vector<Split> splits;
   for (std::size_t i = first; i < outline.points.size(); ++i) {
@@ -160,8 +152,7 @@ void add_barriers(const Region& region, const std::vector<Polyline>& barriers, T
       const Id a = all.find(line[i - 1]), b = all.find(line[i]);
       if (a != b) out.barriers.push_back(segment(a, b));
     }
-  std::sort(out.barriers.begin(), out.barriers.end());
-  out.barriers.erase(std::unique(out.barriers.begin(), out.barriers.end()), out.barriers.end());
+  sort_unique(out.barriers);
   if (!fresh.empty()) split_edges(out.edges, find_splits(region, out, first_new, vertices));
 }
 

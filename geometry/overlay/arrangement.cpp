@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "base/spread_sort.hpp"
 #include "geometry/overlay/close_pairs.hpp"
 #include "geometry/overlay/edge_below.hpp"
 #include "geometry/overlay/half_edges.hpp"
@@ -226,17 +225,8 @@ void add_ring(std::vector<OverlayEdge>& edges, const std::vector<LatticePoint>& 
 }
 
 void add_region(std::vector<OverlayEdge>& edges, const Region& region, const Lattice& lattice, Windings weight) {
-  std::vector<LatticePoint> points;
-  const auto add = [&](const Ring& ring, int sign) {
-    points.clear();
-    for (const Point& p : ring) points.push_back(lattice.snap(p));
-    if (signed_area(ring) * sign < 0) std::reverse(points.begin(), points.end());
-    add_ring(edges, points, weight);
-  };
-  for (const Polygon& p : region.polygons) {
-    add(p.outer, 1);
-    for (const Ring& h : p.holes) add(h, -1);
-  }
+  for_each_snapped_ring(region, lattice,
+                        [&](const std::vector<LatticePoint>& ring, RingKind) { add_ring(edges, ring, weight); });
 }
 
 void add_boundary(std::vector<OverlayEdge>& edges, const std::vector<BoundaryEdge>& boundary, Windings weight) {

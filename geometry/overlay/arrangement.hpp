@@ -15,16 +15,14 @@
 /// Source      Halperin and Packer, "Iterated snap rounding", 2002; winding numbers: McMains and Chen, "Polygon
 ///             offsetting by computing winding numbers", 2005.
 /// Complexity  O((n + k) log n) for n edges that meet k times, usual data; nearly O(n + k) where edges are short and
-///             spread evenly, because sorting (spread_sort.hpp), the search for meeting edges (close_pairs.hpp) and
+///             spread evenly, because sorting (sorting.hpp), the search for meeting edges (close_pairs.hpp) and
 ///             point location (edge_below.hpp) are then linear. Edges that met nothing in one round are not sorted
 ///             again, and only cells with a new edge are searched.
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "geometry/overlay/lattice.hpp"
-#include "geometry/region.hpp"
 
 namespace oxturn {
 

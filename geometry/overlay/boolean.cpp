@@ -10,15 +10,9 @@ namespace {
 bool in_both(Windings w) { return w.first > 0 && w.second > 0; }
 bool in_first_only(Windings w) { return w.first > 0 && w.second <= 0; }
 
-void add(Box& box, const Box& other) {
-  if (other.empty()) return;
-  box.add(other.low);
-  box.add(other.high);
-}
-
 Region combine(const Region& a, const Region& b, Inside inside) {
   Box box = finite_box(a);
-  add(box, finite_box(b));
+  box.add(finite_box(b));
   const Lattice lattice(box);
   std::vector<OverlayEdge> edges;
   add_region(edges, a, lattice, {1, 0});
@@ -71,7 +65,7 @@ Region unite(const std::vector<Region>& parts) {
   std::vector<Box> boxes;
   for (const Region& p : parts) {
     boxes.push_back(finite_box(p));
-    add(box, boxes.back());
+    box.add(boxes.back());
   }
   if (box.empty()) return {};
   const Lattice lattice(box);

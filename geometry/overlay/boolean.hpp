@@ -8,8 +8,6 @@
 /// against other libraries. All functions throw std::invalid_argument for coordinates that are not finite.
 #pragma once
 
-#include <vector>
-
 #include "geometry/region.hpp"
 
 namespace oxturn {

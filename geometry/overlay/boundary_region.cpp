@@ -104,7 +104,7 @@ class RingBuilder {
     const EdgeBelow below(std::move(slanted));
     std::vector<std::uint32_t> order(lowest_.size());
     for (std::uint32_t c = 0; c < order.size(); ++c) order[c] = c;
-    std::sort(order.begin(), order.end(), [&](std::uint32_t c, std::uint32_t d) { return lowest_[c] < lowest_[d]; });
+    std::ranges::sort(order, [&](std::uint32_t c, std::uint32_t d) { return lowest_[c] < lowest_[d]; });
     for (const std::uint32_t c : order) {
       if (polygon_of[c] != kNone) continue;
       const std::uint32_t e = below.below(lowest_[c]);
@@ -139,9 +139,8 @@ void put_in_order(Region& region) {
   const auto by_vertices = [](const Ring& r, const Ring& s) {
     return std::lexicographical_compare(r.begin(), r.end(), s.begin(), s.end(), before);
   };
-  for (Polygon& p : region.polygons) std::sort(p.holes.begin(), p.holes.end(), by_vertices);
-  std::sort(region.polygons.begin(), region.polygons.end(),
-            [&](const Polygon& p, const Polygon& q) { return by_vertices(p.outer, q.outer); });
+  for (Polygon& p : region.polygons) std::ranges::sort(p.holes, by_vertices);
+  std::ranges::sort(region.polygons, [&](const Polygon& p, const Polygon& q) { return by_vertices(p.outer, q.outer); });
 }
 
 Region to_region(const std::vector<BoundaryEdge>& boundary, const Lattice& lattice) {

@@ -28,8 +28,6 @@
 /// Complexity  O(k^2) for the longest chain of k edges from a given edge; k is at most kLongestConcaveChain.
 #pragma once
 
-#include <vector>
-
 #include "geometry/overlay/lattice.hpp"
 
 namespace oxturn {

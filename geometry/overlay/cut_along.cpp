@@ -1,8 +1,8 @@
 #include "geometry/overlay/cut_along.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
+#include "base/throw_invalid.hpp"
 #include "geometry/overlay/boolean.hpp"
 
 namespace oxturn {
@@ -23,11 +23,11 @@ Region cut_along(const Region& region, const std::vector<Polyline>& lines, doubl
   const Box box = bounding_box(region);
   if (box.empty()) return region;
   if (!(width > std::ldexp(box.size().maxCoeff(), -26)))
-    throw std::invalid_argument("cuts are too narrow for the size of the region; widen them");
+    throw_invalid("cuts are too narrow for the size of the region; widen them");
   std::vector<Region> strips;
   for (const Polyline& line : lines) {
     for (const Point& p : line)
-      if (!finite(p)) throw std::invalid_argument("a line to cut a region along has a point that is not finite");
+      if (!finite(p)) throw_invalid("a line to cut a region along has a point that is not finite");
     if (line.size() == 1) strips.push_back(strip(line[0], line[0], width));
     for (std::size_t i = 1; i < line.size(); ++i) strips.push_back(strip(line[i - 1], line[i], width));
   }

@@ -3,8 +3,6 @@
 ///   const Region open = cut_along(space, field.cut_locus(chord_error), 1e-5);
 #pragma once
 
-#include <vector>
-
 #include "geometry/region.hpp"
 
 namespace oxturn {

@@ -9,9 +9,8 @@
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
-#include "base/spread_sort.hpp"
+#include "base/sorting.hpp"
 #include "geometry/overlay/lattice.hpp"
 
 namespace oxturn {

@@ -1,7 +1,8 @@
 #include "geometry/overlay/lattice.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+
+#include "base/throw_invalid.hpp"
 
 namespace oxturn {
 
@@ -21,20 +22,28 @@ Lattice::Lattice(const Box& box) {
   y_ = std::floor(box.centre().y() / quantum_ + 0.5);
 }
 
-std::vector<LatticePoint> snapped(const Ring& ring, const Lattice& lattice) {
+void for_each_snapped_ring(const Region& region, const Lattice& lattice,
+                           const std::function<void(std::vector<LatticePoint>&, RingKind)>& f) {
   std::vector<LatticePoint> points;
-  for (const Point& p : ring) {
-    const LatticePoint s = lattice.snap(p);
-    if (points.empty() || points.back() != s) points.push_back(s);
+  const auto add = [&](const Ring& ring, RingKind kind) {
+    if (ring.empty()) return;
+    points.clear();
+    for (const Point& p : ring)
+      if (const LatticePoint s = lattice.snap(p); points.empty() || points.back() != s) points.push_back(s);
+    while (points.size() > 1 && points.back() == points.front()) points.pop_back();
+    if (signed_area(ring) * (kind == RingKind::outer ? 1 : -1) < 0) std::reverse(points.begin(), points.end());
+    f(points, kind);
+  };
+  for (const Polygon& p : region.polygons) {
+    add(p.outer, RingKind::outer);
+    for (const Ring& h : p.holes) add(h, RingKind::hole);
   }
-  while (points.size() > 1 && points.back() == points.front()) points.pop_back();
-  return points;
 }
 
 Box finite_box(const Region& region) {
   for_each_ring(region, [](const Ring& r) {
     for (const Point& p : r)
-      if (!finite(p)) throw std::invalid_argument("region has a coordinate that is not a finite number");
+      if (!finite(p)) throw_invalid("region has a coordinate that is not a finite number");
   });
   return bounding_box(region);
 }

@@ -7,7 +7,7 @@
 
 #include <cmath>
 #include <cstdint>
-#include <vector>
+#include <functional>
 
 #include "geometry/region.hpp"
 
@@ -57,8 +57,12 @@ class Lattice {
   double quantum_ = 1, x_ = 0, y_ = 0;  // the origin in quanta
 };
 
-/// The ring on the lattice, consecutive points that coincide once.
-std::vector<LatticePoint> snapped(const Ring& ring, const Lattice& lattice);
+enum class RingKind { outer, hole };
+/// Calls f(points, kind) for every ring of a region that is not empty: its points on the lattice, those that coincide
+/// with the one before left out. Outer rings come counter-clockwise and holes clockwise, whatever their orientation in
+/// the region.
+void for_each_snapped_ring(const Region& region, const Lattice& lattice,
+                           const std::function<void(std::vector<LatticePoint>&, RingKind)>& f);
 
 /// The bounding box. Throws std::invalid_argument unless all coordinates are finite.
 Box finite_box(const Region& region);

@@ -18,8 +18,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "base/throw_invalid.hpp"
 #include "geometry/overlay/arrangement.hpp"
 
 namespace oxturn {
@@ -32,12 +32,11 @@ class ReflectedBody {
   /// The body is made larger by `growth` quanta (smaller, if negative).
   ReflectedBody(const Ring& body, double quantum, double growth) {
     double inner_radius = 1e300;
-    for (std::size_t i = 0; i < body.size(); ++i) {
-      const Point along = body[(i + 1) % body.size()] - body[i];
-      inner_radius = std::min(inner_radius, oxturn::cross(body[i], along) / along.norm());
-    }
+    for_each_edge(body, [&](const Point& a, const Point& b) {
+      inner_radius = std::min(inner_radius, oxturn::cross(a, Point(b - a)) / (b - a).norm());
+    });
     if (!(inner_radius > 0))
-      throw std::invalid_argument("body of a Minkowski difference does not contain the origin in its interior");
+      throw_invalid("body of a Minkowski difference does not contain the origin in its interior");
     const double scale = std::max(0.0, 1 + growth * quantum / inner_radius) / quantum;
     for (auto p = body.rbegin(); p != body.rend(); ++p) {
       const LatticePoint s{static_cast<std::int32_t>(std::lround(-p->x() * scale)),
@@ -96,31 +95,22 @@ std::vector<LatticePoint> convolution(const std::vector<LatticePoint>& ring, con
 
 Region erode(const Region& region, const Ring& body, Bound bound) {
   Box box = finite_box(region);
-  Box body_box;
-  for (const Point& p : body) {
-    if (!finite(p)) throw std::invalid_argument("body of a Minkowski difference has a coordinate that is not finite");
-    body_box.add(p);
-  }
-  if (body.empty()) throw std::invalid_argument("body of a Minkowski difference has no vertices");
+  const Box body_box = bounding_box(body);
+  for (const Point& p : body)
+    if (!finite(p)) throw_invalid("body of a Minkowski difference has a coordinate that is not finite");
+  if (body.empty()) throw_invalid("body of a Minkowski difference has no vertices");
   if (box.empty()) return region;
   box.grow(1.5 * std::max(body_box.high.cwiseAbs().maxCoeff(), body_box.low.cwiseAbs().maxCoeff()));
   const Lattice lattice(box);
   const ReflectedBody grown(body, lattice.quantum(), bound == Bound::inside ? kOffsetSlack : -kOffsetSlack);
 
   std::vector<OverlayEdge> edges;
-  const auto add = [&](const Ring& ring, double sign) {
-    std::vector<LatticePoint> points = snapped(ring, lattice);
-    if (points.size() < 2) {  // smaller than the lattice resolves: no free space, but as a hole it is still a wall
-      if (sign < 0) add_ring(edges, grown.about(points[0]), {1, 0});
-      return;
-    }
-    if (signed_area(ring) * sign < 0) std::reverse(points.begin(), points.end());
-    add_ring(edges, convolution(points, grown), {1, 0});
-  };
-  for (const Polygon& p : region.polygons) {
-    add(p.outer, 1);
-    for (const Ring& h : p.holes) add(h, -1);
-  }
+  for_each_snapped_ring(region, lattice, [&](const std::vector<LatticePoint>& ring, RingKind kind) {
+    if (ring.size() > 1)
+      add_ring(edges, convolution(ring, grown), {1, 0});
+    else if (kind == RingKind::hole)  // smaller than the lattice resolves: no free space, but still a wall
+      add_ring(edges, grown.about(ring[0]), {1, 0});
+  });
   return to_region(boundary_of(std::move(edges), inside_first), lattice);
 }
 

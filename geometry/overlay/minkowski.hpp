@@ -4,7 +4,6 @@
 #pragma once
 
 #include "geometry/overlay/offset.hpp"
-#include "geometry/region.hpp"
 
 namespace oxturn {
 

@@ -16,9 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
+#include "base/throw_invalid.hpp"
 #include "geometry/overlay/arrangement.hpp"
 #include "geometry/overlay/concave_chain.hpp"
 
@@ -181,9 +180,8 @@ class OffsetCurve {
 
 Region offset(const Region& region, double radius, double chord_error, Direction direction, Arcs arcs) {
   if (!(radius >= 0) || !std::isfinite(radius))
-    throw std::invalid_argument("offset radius is " + std::to_string(radius) + ", expected a length of 0 or more");
-  if (!(chord_error > 0))
-    throw std::invalid_argument("chord error is " + std::to_string(chord_error) + ", expected a length above 0");
+    throw_invalid("offset radius is {}, expected a length of 0 or more", radius);
+  if (!(chord_error > 0)) throw_invalid("chord error is {}, expected a length above 0", chord_error);
   Box box = finite_box(region);
   if (radius == 0 || box.empty()) return region;
   box.grow(radius * 1.5);
@@ -195,16 +193,9 @@ Region offset(const Region& region, double radius, double chord_error, Direction
   const OffsetCurve curve(reach, half_step, direction, arcs);
 
   std::vector<OverlayEdge> edges;
-  const auto add = [&](const Ring& ring, double sign) {
-    std::vector<LatticePoint> points = snapped(ring, lattice);
-    if (points.empty()) return;
-    if (signed_area(ring) * sign < 0) std::reverse(points.begin(), points.end());
-    curve.add(direction == Direction::outwards ? straightened_ring(points) : points, edges);
-  };
-  for (const Polygon& p : region.polygons) {
-    add(p.outer, 1);
-    for (const Ring& h : p.holes) add(h, -1);
-  }
+  for_each_snapped_ring(region, lattice, [&](const std::vector<LatticePoint>& ring, RingKind) {
+    curve.add(direction == Direction::outwards ? straightened_ring(ring) : ring, edges);
+  });
   return to_region(boundary_of(std::move(edges), inside_first), lattice);
 }
 

@@ -3,24 +3,23 @@
 //             any other is replaced by the overlay.
 #include "geometry/overlay/validity.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 
+#include "base/throw_invalid.hpp"
+#include "geometry/edge_index.hpp"
 #include "geometry/overlay/arrangement.hpp"
 #include "geometry/overlay/close_pairs.hpp"
 #include "geometry/overlay/straight_vertices.hpp"
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
-namespace {
 
 Ring without_straight_vertices(const Ring& ring) {
-  return oxturn::without_straight_vertices(
+  return without_straight_vertices(
       ring, [](const Point& a, const Point& b, const Point& c) { return orientation(a, b, c) == 0; });
 }
+
+namespace {
 
 bool has_three_different_points(const Ring& ring) {
   const Point& a = ring[0];
@@ -59,48 +58,6 @@ std::optional<Flaw> find_crossing(const std::vector<Edge>& edges) {
   return Flaw{"edges cross", meeting_point(edges[first->first], edges[first->second])};
 }
 
-/// Point location in one ring by horizontal bands. Unlike EdgeIndex, it tells the boundary from the inside.
-class RingLocator {
- public:
-  explicit RingLocator(const Ring& ring) : ring_(ring) {
-    Box box;
-    for (const Point& p : ring) box.add(p);
-    low_ = box.low.y();
-    const std::size_t n = std::max<std::size_t>(1, ring.size() / 4);
-    const double height = box.size().y();
-    per_metre_ = height > 0 ? static_cast<double>(n) / height : 0;
-    bands_.resize(n);
-    for (std::uint32_t i = 0; i < ring.size(); ++i) {
-      const auto [a, b] = edge(i);
-      const std::size_t last = band(std::max(a.y(), b.y()));
-      for (std::size_t k = band(std::min(a.y(), b.y())); k <= last; ++k) bands_[k].push_back(i);
-    }
-  }
-  enum class Location { inside, boundary, outside };
-  Location locate(const Point& p) const {
-    bool odd = false;
-    for (const std::uint32_t i : bands_[band(p.y())]) {
-      const auto [a, b] = edge(i);
-      if (on_segment(p, a, b)) return Location::boundary;
-      const bool up = a.y() <= p.y();
-      if (up == (b.y() <= p.y()) || (a.x() < p.x() && b.x() < p.x())) continue;
-      if ((orientation(a, b, p) > 0) == up) odd = !odd;
-    }
-    return odd ? Location::inside : Location::outside;
-  }
-
- private:
-  Edge edge(std::size_t i) const { return {ring_[i], ring_[i + 1 == ring_.size() ? 0 : i + 1]}; }
-  std::size_t band(double y) const {
-    const double k = std::floor((y - low_) * per_metre_);
-    return static_cast<std::size_t>(std::clamp(k, 0.0, static_cast<double>(bands_.size() - 1)));
-  }
-
-  const Ring& ring_;
-  double low_ = 0, per_metre_ = 0;
-  std::vector<std::vector<std::uint32_t>> bands_;  // edges
-};
-
 /// A point inside the ring: in the middle of the widest intersection with a horizontal line, which lies in the middle
 /// of the largest gap between the heights of vertices.
 Point inner_point(const Ring& ring) {
@@ -114,11 +71,9 @@ Point inner_point(const Ring& ring) {
     y = heights[i - 1] + gap / 2;
   }
   std::vector<double> crossings;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    const Point &a = ring[j], &b = ring[i];
-    if ((a.y() <= y) == (b.y() <= y)) continue;
-    crossings.push_back(a.x() + (b.x() - a.x()) * ((y - a.y()) / (b.y() - a.y())));
-  }
+  for_each_edge(ring, [&](const Point& a, const Point& b) {
+    if ((a.y() <= y) != (b.y() <= y)) crossings.push_back(a.x() + (b.x() - a.x()) * ((y - a.y()) / (b.y() - a.y())));
+  });
   std::sort(crossings.begin(), crossings.end());
   Point best = ring[0];
   double width = -1;
@@ -131,15 +86,11 @@ Point inner_point(const Ring& ring) {
 }
 
 /// No edges cross, so a hole with one vertex inside its polygon lies in it, though it may touch the boundary.
-bool lies_outside(const Ring& hole, const RingLocator& outer) {
-  using Location = RingLocator::Location;
-  bool some_outside = false;
-  for (const Point& p : hole) {
-    const Location location = outer.locate(p);
-    if (location == Location::inside) return false;
-    some_outside = some_outside || location == Location::outside;
-  }
-  return some_outside || outer.locate(inner_point(hole)) != Location::inside;
+bool lies_outside(const Ring& hole, const EdgeIndex& outer) {
+  const auto is_inside = [&](const Point& p) { return outer.contains(p) && !outer.on_boundary(p); };
+  if (std::any_of(hole.begin(), hole.end(), is_inside)) return false;
+  return !std::all_of(hole.begin(), hole.end(), [&](const Point& p) { return outer.on_boundary(p); }) ||
+         !is_inside(inner_point(hole));
 }
 
 /// What is wrong with a ring by itself, crossings apart.
@@ -161,18 +112,16 @@ bool same(const Region& r, const Region& s) {
 bool in_outers_not_in_holes(Windings w) { return w.second == 0 ? w.first != 0 : w.first + w.second > 0; }
 
 /// Without straight vertices, rings in their orientation.
-Region cleaned(const Region& region) {
-  const auto oriented = [](const Ring& ring, double sign) {
-    Ring r = without_straight_vertices(ring);
-    if (signed_area(r) * sign < 0) std::reverse(r.begin(), r.end());
-    return r;
+Region cleaned(Region region) {
+  const auto clean = [](Ring& ring, double sign) {
+    ring = without_straight_vertices(ring);
+    if (signed_area(ring) * sign < 0) std::reverse(ring.begin(), ring.end());
   };
-  Region clean;
-  for (const Polygon& p : region.polygons) {
-    clean.polygons.push_back({oriented(p.outer, 1), {}});
-    for (const Ring& h : p.holes) clean.polygons.back().holes.push_back(oriented(h, -1));
+  for (Polygon& p : region.polygons) {
+    clean(p.outer, 1);
+    for (Ring& h : p.holes) clean(h, -1);
   }
-  return clean;
+  return region;
 }
 
 }  // namespace
@@ -189,7 +138,7 @@ std::optional<Flaw> find_flaw(const Region& region) {
   if (flaw || (flaw = find_crossing(edges))) return flaw;
   for (const Polygon& p : region.polygons) {
     if (p.holes.empty()) continue;
-    const RingLocator outer(p.outer);
+    const EdgeIndex outer(Region{{{p.outer, {}}}});
     for (const Ring& h : p.holes)
       if (lies_outside(h, outer)) return Flaw{"hole lies outside its polygon", h[0]};
   }
@@ -198,7 +147,7 @@ std::optional<Flaw> find_flaw(const Region& region) {
 
 Region repaired(const Region& region) {
   if (const auto flaw = find_flaw(region))
-    throw std::invalid_argument(fmt::format("{} at ({}, {})", flaw->reason, flaw->point.x(), flaw->point.y()));
+    throw_invalid("{} at ({}, {})", flaw->reason, flaw->point.x(), flaw->point.y());
   Region clean = cleaned(region);
   const Lattice lattice(bounding_box(clean));
   std::vector<OverlayEdge> edges;

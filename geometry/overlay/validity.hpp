@@ -5,7 +5,6 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "geometry/region.hpp"
@@ -27,5 +26,9 @@ std::optional<Flaw> find_flaw(const Region& region);
 /// oriented, touching or overlapping holes united, holes that touch the outer ring made part of it, polygons without
 /// area dropped. Throws std::invalid_argument "REASON at (X, Y)" for what find_flaw() finds. O(n log n) for usual data.
 Region repaired(const Region& region);
+
+/// The ring without vertices at which it does not turn (exactly): repeated and collinear points, and spikes that run
+/// back on themselves. Empty if fewer than three vertices are left. O(n).
+Ring without_straight_vertices(const Ring& ring);
 
 }  // namespace oxturn

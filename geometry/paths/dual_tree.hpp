@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "base/graph_search.hpp"
 #include "geometry/mesh/mesh.hpp"

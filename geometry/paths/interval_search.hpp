@@ -18,10 +18,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <optional>
-#include <vector>
 
 #include "geometry/mesh/mesh.hpp"
 #include "geometry/predicates.hpp"

@@ -1,9 +1,8 @@
 #include "geometry/paths/shortest_path.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <stdexcept>
 
+#include "base/throw_invalid.hpp"
 #include "geometry/paths/interval_search.hpp"
 #include "geometry/paths/shortest_path_impl.hpp"
 
@@ -140,11 +139,9 @@ Polyline path_in_tree(const ShortestPaths::Impl& impl, const ShortestPaths::Impl
 
 ShortestPaths::ShortestPaths(const Region& region, double tolerance) : ShortestPaths(Mesh(region), tolerance) {}
 ShortestPaths::ShortestPaths(Mesh mesh, double tolerance) {
-  if (!(tolerance >= 0)) throw std::invalid_argument("tolerance of shortest paths must be 0 or more metres");
-  impl_ = std::make_unique<const Impl>(std::move(mesh), tolerance);
+  if (!(tolerance >= 0)) throw_invalid("tolerance of shortest paths must be 0 or more metres");
+  impl_ = std::make_shared<const Impl>(std::move(mesh), tolerance);
 }
-ShortestPaths::~ShortestPaths() = default;
-ShortestPaths::ShortestPaths(ShortestPaths&&) noexcept = default;
 const Mesh& ShortestPaths::mesh() const { return impl_->mesh; }
 
 std::optional<Polyline> ShortestPaths::path(const Point& a, const Point& b, double longest) const {

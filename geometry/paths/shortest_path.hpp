@@ -26,8 +26,6 @@ class ShortestPaths {
   ShortestPaths(const Region& region, double tolerance);
   /// The same for a region that is meshed already.
   ShortestPaths(Mesh mesh, double tolerance);
-  ~ShortestPaths();
-  ShortestPaths(ShortestPaths&&) noexcept;
 
   /// The shortest path from a to b, both included, optimal up to the rounding of lengths. It bends only at reflex
   /// vertices of the region and may run along its boundary, but not through a point in which free space is connected by
@@ -48,7 +46,7 @@ class ShortestPaths {
   struct Impl;
 
  private:
-  std::unique_ptr<const Impl> impl_;
+  std::shared_ptr<const Impl> impl_;
 };
 
 }  // namespace oxturn

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <vector>
 
-#include "base/graph_search.hpp"
 #include "geometry/paths/dual_tree.hpp"
 #include "geometry/paths/shortest_path.hpp"
 

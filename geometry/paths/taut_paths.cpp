@@ -1,7 +1,6 @@
 // All taut paths, by the same search as the shortest one, but with paths told apart by their chains of bends: each
 // (chain, triangle) is followed once, and the search goes on behind the goal.
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -13,45 +12,14 @@ namespace {
 
 using Visit = std::function<bool(const Polyline&)>;
 
-/// Chains of bends from the start, interned: equal curves have equal chains, because collinear vertices are no bends.
-class BendChains {
- public:
-  static constexpr std::int32_t kStart = 0;  // the chain without bends
+/// A chain of bends from the start. Chains are interned: equal curves have equal chains, because collinear vertices are
+/// no bends.
+struct BendChain {
   enum class Admission { unknown, admitted, rejected };
-  struct Chain {
-    std::int32_t parent = -1;
-    PathPoint last = -1;
-    Admission admission = Admission::unknown;
-    bool visited = false;
-  };
-
-  Chain& operator[](std::int32_t chain) { return chains_[static_cast<std::size_t>(chain)]; }
-
-  /// The chain that continues to point v. `at` gives the coordinates of points.
-  template <class At>
-  std::int32_t extended(std::int32_t chain, PathPoint v, const Point& start, At at) {
-    for (; chain != kStart; chain = (*this)[chain].parent) {
-      const Chain& c = (*this)[chain];
-      const Point& before = c.parent != kStart ? at((*this)[c.parent].last) : start;
-      const Point &here = at(c.last), &next = at(v);
-      if (orientation(before, here, next) != 0 || (here - before).dot(next - here) < 0) break;
-    }
-    const auto [found, is_new] = ids_.try_emplace({chain, v}, static_cast<std::int32_t>(chains_.size()));
-    if (is_new) chains_.push_back({chain, v});
-    return found->second;
-  }
-  template <class At>
-  Polyline polyline(std::int32_t chain, const Point& start, At at) {
-    Polyline points;
-    for (; chain != kStart; chain = (*this)[chain].parent) points.push_back(at((*this)[chain].last));
-    points.push_back(start);
-    std::reverse(points.begin(), points.end());
-    return points;
-  }
-
- private:
-  std::vector<Chain> chains_{{}};
-  std::map<std::pair<std::int32_t, PathPoint>, std::int32_t> ids_;  // (parent, last point) -> chain
+  std::int32_t parent = -1;
+  PathPoint last = -1;
+  Admission admission = Admission::unknown;
+  bool visited = false;
 };
 
 class AllPathsSearch : public IntervalSearch<AllPathsSearch> {
@@ -62,7 +30,7 @@ class AllPathsSearch : public IntervalSearch<AllPathsSearch> {
       : IntervalSearch(mesh, ends.start, ends.goal, longest, storage), ends_(ends) {}
 
   /// The straight path has been visited already.
-  void skip_straight() { chains_[extended(BendChains::kStart, goal_id())].visited = true; }
+  void skip_straight() { chain(extended(kStart, goal_id())).visited = true; }
 
   /// See ShortestPaths::for_each_taut_path.
   bool run(std::size_t budget, const Visit& visit, const Visit& admits) {
@@ -71,7 +39,7 @@ class AllPathsSearch : public IntervalSearch<AllPathsSearch> {
       const std::int32_t next = pop();
       const ConeNode& n = node(next);
       if (n.triangle == Mesh::kWall) {
-        if (std::exchange(chains_[n.from.chain].visited, true)) continue;
+        if (std::exchange(chain(n.from.chain).visited, true)) continue;
         if (!visit(polyline(n.from.chain))) return true;
         continue;
       }
@@ -96,22 +64,38 @@ class AllPathsSearch : public IntervalSearch<AllPathsSearch> {
   }
 
  private:
-  std::int32_t extended(std::int32_t chain, PathPoint v) {
-    return chains_.extended(chain, v, ends_.start, [&](PathPoint id) -> const Point& { return at(id); });
+  static constexpr std::int32_t kStart = 0;  // the chain without bends
+
+  BendChain& chain(std::int32_t i) { return chains_[static_cast<std::size_t>(i)]; }
+  const Point& end_of(std::int32_t i) { return i == kStart ? ends_.start : at(chain(i).last); }
+  /// The chain that continues to point v.
+  std::int32_t extended(std::int32_t i, PathPoint v) {
+    for (; i != kStart; i = chain(i).parent) {
+      const Point &before = end_of(chain(i).parent), &here = end_of(i), &next = at(v);
+      if (orientation(before, here, next) != 0 || (here - before).dot(next - here) < 0) break;
+    }
+    const auto [found, is_new] = ids_.try_emplace({i, v}, static_cast<std::int32_t>(chains_.size()));
+    if (is_new) chains_.push_back({i, v});
+    return found->second;
   }
-  Polyline polyline(std::int32_t chain) {
-    return chains_.polyline(chain, ends_.start, [&](PathPoint id) -> const Point& { return at(id); });
+  Polyline polyline(std::int32_t i) {
+    Polyline points;
+    for (; i != kStart; i = chain(i).parent) points.push_back(end_of(i));
+    points.push_back(ends_.start);
+    std::reverse(points.begin(), points.end());
+    return points;
   }
-  bool admitted(std::int32_t chain, const Visit& admits) {
-    using Admission = BendChains::Admission;
-    if (chain == BendChains::kStart) return true;
-    if (chains_[chain].admission == Admission::unknown)
-      chains_[chain].admission = admits(polyline(chain)) ? Admission::admitted : Admission::rejected;
-    return chains_[chain].admission == Admission::admitted;
+  bool admitted(std::int32_t i, const Visit& admits) {
+    using Admission = BendChain::Admission;
+    if (i == kStart) return true;
+    if (chain(i).admission == Admission::unknown)
+      chain(i).admission = admits(polyline(i)) ? Admission::admitted : Admission::rejected;
+    return chain(i).admission == Admission::admitted;
   }
 
   const ShortestPaths::Impl::Ends& ends_;
-  BendChains chains_;
+  std::vector<BendChain> chains_{{}};
+  std::map<std::pair<std::int32_t, PathPoint>, std::int32_t> ids_;  // (parent, last point) -> chain
   std::set<std::pair<std::int32_t, std::int32_t>> turns_[2];  // (chain, triangle) followed to the left, to the right
 };
 

@@ -11,12 +11,10 @@
 //                area and is left out.
 #include "geometry/paths/visibility.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
 #include <vector>
 
+#include "base/throw_invalid.hpp"
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
@@ -99,8 +97,7 @@ std::vector<Window> windows_around(const Mesh& mesh, const Point& eye, const std
       const Window w{t, k, mesh.vertex(t, k + 1), mesh.vertex(t, k + 2)};
       if (orientation(w.right, w.left, eye) > 0) around.push_back(w);
     }
-  std::sort(around.begin(), around.end(),
-            [&](const Window& a, const Window& b) { return angle_before(eye, a.right, b.right); });
+  std::ranges::sort(around, [&](const Window& a, const Window& b) { return angle_before(eye, a.right, b.right); });
   for (std::size_t i = 0; i < around.size(); ++i)
     if (around[(i + around.size() - 1) % around.size()].left != around[i].right) {
       std::rotate(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(i), around.end());
@@ -111,36 +108,26 @@ std::vector<Window> windows_around(const Mesh& mesh, const Point& eye, const std
 
 }  // namespace
 
-struct Visibility::Impl {
-  Mesh mesh;
-
-  /// The triangles that contain the eye, which is moved into the mesh if need be.
-  std::vector<std::int32_t> home_of(Point& eye, double tolerance) const {
-    std::vector<std::int32_t> home;
-    if (finite(eye)) mesh.locate_all(eye, home);
-    if (!home.empty()) return home;
-    const std::int32_t nearest = mesh.locate(eye, tolerance);
-    if (nearest == Mesh::kWall)
-      throw std::invalid_argument(
-          fmt::format("the eye ({}, {}) is outside the region, expected a point in it", eye.x(), eye.y()));
-    eye = mesh.nearest_in(nearest, eye);
-    mesh.locate_all(eye, home);
-    if (home.empty())
-      home.push_back(nearest);  // rounded to just outside: it sees the part of the triangle in front of it
-    return home;
-  }
-};
-
-Visibility::Visibility(const Region& region) : impl_(new Impl{Mesh(region)}) {}
-Visibility::~Visibility() = default;
-Visibility::Visibility(Visibility&&) noexcept = default;
+/// The triangles that contain the eye, which is moved into the mesh if need be.
+std::vector<std::int32_t> Visibility::home_of(Point& eye, double tolerance) const {
+  std::vector<std::int32_t> home;
+  if (finite(eye)) mesh_.locate_all(eye, home);
+  if (!home.empty()) return home;
+  const std::int32_t nearest = mesh_.locate(eye, tolerance);
+  if (nearest == Mesh::kWall)
+    throw_invalid("the eye ({}, {}) is outside the region, expected a point in it", eye.x(), eye.y());
+  eye = mesh_.nearest_in(nearest, eye);
+  mesh_.locate_all(eye, home);
+  if (home.empty()) home.push_back(nearest);  // rounded to just outside: it sees the part of the triangle before it
+  return home;
+}
 
 Ring Visibility::from(const Point& given, double tolerance) const {
   Point eye = given;
-  const std::vector<std::int32_t> home = impl_->home_of(eye, tolerance);
-  const std::vector<Window> around = windows_around(impl_->mesh, eye, home);
+  const std::vector<std::int32_t> home = home_of(eye, tolerance);
+  const std::vector<Window> around = windows_around(mesh_, eye, home);
   Ring seen;
-  Expansion expansion(impl_->mesh, eye, seen);
+  Expansion expansion(mesh_, eye, seen);
   for (std::size_t i = 0; i < around.size(); ++i) {
     const Window& previous = around[(i + around.size() - 1) % around.size()];
     if (previous.left != around[i].right) seen.push_back(eye);

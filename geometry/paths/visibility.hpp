@@ -4,10 +4,7 @@
 ///   const Ring seen = visibility.from(eye);
 #pragma once
 
-#include <memory>
-
 #include "geometry/mesh/mesh.hpp"
-#include "geometry/region.hpp"
 
 namespace oxturn {
 
@@ -15,9 +12,7 @@ namespace oxturn {
 /// threads.
 class Visibility {
  public:
-  explicit Visibility(const Region& region);
-  ~Visibility();
-  Visibility(Visibility&&) noexcept;
+  explicit Visibility(const Region& region) : mesh_(region) {}
 
   /// The star-shaped polygon that `eye` sees, counter-clockwise. Its vertices are vertices of the region and, rounded,
   /// the points where rays past a vertex end. Exact predicates decide which vertices are seen. O(triangles seen),
@@ -26,8 +21,8 @@ class Visibility {
   Ring from(const Point& eye, double tolerance = 0) const;
 
  private:
-  struct Impl;
-  std::unique_ptr<const Impl> impl_;
+  std::vector<std::int32_t> home_of(Point& eye, double tolerance) const;
+  Mesh mesh_;
 };
 
 }  // namespace oxturn

@@ -8,11 +8,11 @@
 //             segment into two shorter ones, whose gaps come first and connect both rings already.
 // Source      Kruskal, "On the shortest spanning subtree of a graph", 1956
 #include <algorithm>
-#include <cstdint>
 #include <stdexcept>
 #include <tuple>
 
 #include "base/disjoint_sets.hpp"
+#include "base/throw_invalid.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/tether/geodesic_field.hpp"
 
@@ -43,8 +43,9 @@ struct Rings {
       polygon_of.insert(polygon_of.end(), 1 + region.polygons[k].holes.size(), k);
     std::uint32_t number = 0;
     for_each_ring(region, [&](const Ring& ring) {
-      for (std::size_t i = 0; i < ring.size(); ++i)
-        if (ring[i] != ring[i + 1 < ring.size() ? i + 1 : 0]) ring_of.push_back(number);
+      for_each_edge(ring, [&](const Point& a, const Point& b) {
+        if (a != b) ring_of.push_back(number);
+      });
       ++number;
     });
   }
@@ -82,7 +83,7 @@ std::vector<Gap> narrow_gaps(const Region& free, const Rings& rings, double widt
 }  // namespace
 
 std::vector<Polyline> barriers(const Region& free, double width) {
-  if (!(width >= 0)) throw std::invalid_argument("width of gaps to close must be 0 or more metres");
+  if (!(width >= 0)) throw_invalid("width of gaps to close must be 0 or more metres");
   const Rings rings(free);
   std::vector<Gap> gaps = narrow_gaps(free, rings, width);
   std::sort(gaps.begin(), gaps.end(), narrower);

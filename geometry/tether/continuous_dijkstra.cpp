@@ -1,8 +1,8 @@
 // The search that finds the cones of a geodesic field: see geodesic_cones.hpp. graph_search.hpp would not do: its
 // nodes, windows and fans, are made during the search, and a fan is settled a little later than its label says.
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <queue>
 
 #include "geometry/predicates.hpp"
 #include "geometry/tether/geodesic_cones.hpp"
@@ -68,7 +68,7 @@ struct Event {
   double key;
   Kind kind;
   std::int32_t index;                     // of the window or fan
-  bool operator<(const Event& o) const {  // for a heap with the least on top
+  bool operator<(const Event& o) const {  // the queue's top is the least
     return key != o.key ? key > o.key : kind != o.kind ? kind > o.kind : index > o.index;
   }
 };
@@ -84,9 +84,8 @@ class ContinuousDijkstra {
     number_fans();
     leave_anchor(home);
     while (!events_.empty()) {
-      std::pop_heap(events_.begin(), events_.end());
-      const Event next = events_.back();
-      events_.pop_back();
+      const Event next = events_.top();
+      events_.pop();
       if (next.kind == Event::Kind::settle_fan)
         settle(next.index);
       else
@@ -182,7 +181,8 @@ class ContinuousDijkstra {
     }
     l = {std::min(l.length, length), r, v.triangle, false};
     // Settled a little late, when all equal paths are known.
-    if (!equal && mesh_.is_reflex(point_number(v))) push({length * (1 + 4 * kTie), Event::Kind::settle_fan, fan(v)});
+    if (!equal && mesh_.is_reflex(point_number(v)))
+      events_.push({length * (1 + 4 * kTie), Event::Kind::settle_fan, fan(v)});
   }
   /// Of two equal paths to a corner, the one that needs the corner less is better: then the area beyond the corner is
   /// connected with the area that this path passes. Otherwise it would be separated from both.
@@ -195,11 +195,6 @@ class ContinuousDijkstra {
     if (old_side != new_side) return false;
     const int turn = sign(new_side) * orientation(point(v), was, is);
     return turn != 0 ? turn > 0 : root(r).corners < root(old.root).corners;
-  }
-
-  void push(const Event& event) {
-    events_.push_back(event);
-    std::push_heap(events_.begin(), events_.end());
   }
 
   void settle(std::int32_t number) {
@@ -276,7 +271,7 @@ class ContinuousDijkstra {
     w.apex = static_cast<std::int32_t>(mesh_.edge_towards(w.triangle, t));
     const double key = useful_from(w, t);
     if (key == kInf) return;
-    push({key, Event::Kind::enter_window, static_cast<std::int32_t>(windows_.size())});
+    events_.push({key, Event::Kind::enter_window, static_cast<std::int32_t>(windows_.size())});
     windows_.push_back(w);
   }
 
@@ -321,7 +316,7 @@ class ContinuousDijkstra {
   std::vector<FanLabel> labels_;  // by fan
   std::vector<Window> windows_;
   std::vector<std::int32_t> entered_;  // windows
-  std::vector<Event> events_;          // a heap
+  std::priority_queue<Event> events_;
   std::vector<PlacedCone> placed_;
 };
 

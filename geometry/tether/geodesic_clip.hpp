@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -80,6 +81,26 @@ void for_each_angle(const Point& a, double b, F f) {
   const double middle = std::atan2(a.y(), a.x()), half = std::acos(std::clamp(b / n, -1.0, 1.0));
   f(middle + half);
   f(middle - half);
+}
+
+/// Sorts the breaks, angles, and calls f(begin, end) for every longest sequence of intervals between them for which
+/// good(middle of the interval) is true.
+template <class Good, class F>
+void for_each_run(std::vector<double>& breaks, Good good, F f) {
+  constexpr double kLeastAngle = 1e-15;  // radians: shorter intervals are rounding
+  std::sort(breaks.begin(), breaks.end());
+  std::optional<double> begin;
+  double end = 0;
+  for (std::size_t i = 1; i < breaks.size(); ++i) {
+    if (breaks[i] - breaks[i - 1] < kLeastAngle) continue;
+    if (good((breaks[i - 1] + breaks[i]) / 2)) {
+      begin = begin.value_or(breaks[i - 1]);
+      end = breaks[i];
+    } else if (begin) {
+      f(*std::exchange(begin, std::nullopt), end);
+    }
+  }
+  if (begin) f(*begin, end);
 }
 
 /// The equal angle in [-pi, pi].

@@ -1,11 +1,9 @@
 #include "geometry/tether/geodesic_cones.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <stdexcept>
+
+#include "base/throw_invalid.hpp"
 
 namespace oxturn {
 
@@ -13,15 +11,13 @@ GeodesicCones::GeodesicCones(const Region& free, const Point& anchor, const std:
                              double tolerance)
     : mesh_(free, barriers), tolerance_(tolerance) {
   constexpr double kTie = 1e-12;  // relative, as in the search
-  if (!(tolerance >= 0)) throw std::invalid_argument("tolerance of a geodesic field must be 0 or more metres");
-  Box box;
-  for (const Point& p : mesh_.points()) box.add(p);
+  if (!(tolerance >= 0)) throw_invalid("tolerance of a geodesic field must be 0 or more metres");
+  const Box box = bounding_box(mesh_.points());
   if (!box.empty()) rounding_ = 1e-13 * box.size().norm() + 1e-15 * std::max(box.low.norm(), box.high.norm());
   Point start = anchor;
   std::vector<std::int32_t> home;
-  if (!finite(anchor) || !move_inside(start, home))
-    throw std::invalid_argument(
-        fmt::format("anchor ({}, {}) is outside free space; move it inside", anchor.x(), anchor.y()));
+  if (!finite(anchor) || !mesh_.move_inside(start, tolerance_, home))
+    throw_invalid("anchor ({}, {}) is outside free space; move it inside", anchor.x(), anchor.y());
   roots_.push_back({start, 0, kNone, 0});
   search(home);
   double longest = 0;
@@ -53,8 +49,7 @@ bool GeodesicCones::meets(const Cone& cone, const Facet& facet) const {
   if (cone.whole) return true;
   const Point& r = root(cone.root).at;
   const auto all_beyond = [&](const Point& ray, int side) {
-    return std::all_of(facet.vertices().begin(), facet.vertices().end(),
-                       [&](const Point& p) { return side * cross(ray, p - r) > rounding_; });
+    return std::ranges::all_of(facet.vertices(), [&](const Point& p) { return side * cross(ray, p - r) > rounding_; });
   };
   return !all_beyond(cone.left, 1) && !all_beyond(cone.right, -1);
 }
@@ -78,11 +73,11 @@ bool GeodesicCones::beaten(const Cone& cone, const Facet& part, std::span<const 
   for (const Point& p : share.vertices()) radius = std::max(radius, distance(p, middle));
   if (mine - least > 2 * radius + tie_) return true;  // distances change at most as much as points move
   const auto vertices = share.vertices();
-  if (!std::all_of(vertices.begin(), vertices.end(), [&](const Point& p) { return contains(*best, p); })) return false;
+  if (!std::ranges::all_of(vertices, [&](const Point& p) { return contains(*best, p); })) return false;
   // Where the path by the later root is the shorter one is a convex set.
   if (root(best->root).before >= root(cone.root).before)
-    return std::all_of(vertices.begin(), vertices.end(),
-                       [&](const Point& p) { return distance_by(cone, p) - distance_by(*best, p) > tie_; });
+    return std::ranges::all_of(vertices,
+                               [&](const Point& p) { return distance_by(cone, p) - distance_by(*best, p) > tie_; });
   // Both distances are convex functions. This one is above its tangent plane at the middle; the other rises above its
   // own by no more than its curvature allows.
   const Point to_mine = middle - root(cone.root).at, to_best = middle - root(best->root).at;
@@ -98,6 +93,26 @@ std::vector<Cone> GeodesicCones::needed(const Facet& part, std::span<const Cone>
   std::copy_if(near.begin(), near.end(), std::back_inserter(out),
                [&](const Cone& c) { return !beaten(c, part, near); });
   return out;
+}
+
+std::int32_t GeodesicCones::last_root(Point& p) const {
+  constexpr double kEqual = 1e-12;  // relative
+  thread_local std::vector<std::int32_t> found;
+  if (!finite(p) || !mesh_.move_inside(p, tolerance_, found)) return kNone;
+  const auto for_each_path = [&](auto f) {
+    for (const std::int32_t t : found)
+      for (const Cone& c : cones(t))
+        if (contains(c, p)) f(c.root, distance_by(c, p));
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for_each_path([&](std::int32_t, double d) { least = std::min(least, d); });
+  std::int32_t best = kNone;
+  for_each_path([&](std::int32_t i, double d) {
+    if (d > least * (1 + kEqual)) return;
+    const auto rank = [&](std::int32_t r) { return std::pair(root(r).corners, r); };
+    if (best == kNone || rank(i) < rank(best)) best = i;
+  });
+  return best;
 }
 
 bool GeodesicCones::same_path(std::int32_t a, std::int32_t b, const Point& p) const {

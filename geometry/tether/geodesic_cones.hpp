@@ -12,10 +12,9 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
-#include "geometry/mesh/mesh.hpp"
 #include "geometry/tether/geodesic_clip.hpp"
+#include "geometry/tether/geodesic_field.hpp"
 
 namespace oxturn {
 
@@ -73,13 +72,13 @@ class GeodesicCones {
     const Root& r = root(cone.root);
     return r.before + (p - r.at).norm();
   }
+  /// The root of the shortest path to p, which is moved into the mesh; of equal paths the one with fewest corners.
+  /// kNone if there is none.
+  std::int32_t last_root(Point& p) const;
   /// Are the shortest paths to p by roots a and b the same curve? They are if one of them only has additional corners
   /// that it passes without a bend.
   bool same_path(std::int32_t a, std::int32_t b, const Point& p) const;
 
-  /// Moves p into the mesh, by at most the tolerance, and lists the triangles that contain it up to rounding. False if
-  /// p is farther outside.
-  bool move_inside(Point& p, std::vector<std::int32_t>& found) const { return mesh_.move_inside(p, tolerance_, found); }
   /// Metres by which computed points may be off.
   double rounding() const { return rounding_; }
   /// Metres by which equal lengths of paths may differ by rounding.
@@ -114,5 +113,10 @@ class GeodesicCones {
   std::vector<Cone> cones_;         // triangle by triangle
   std::vector<std::size_t> first_;  // cones of triangle t: cones_[first_[t] .. first_[t + 1])
 };
+
+/// See GeodesicField::level_set, cut_locus and farthest. From the cones, triangle by triangle.
+std::vector<std::vector<GeodesicField::Arc>> level_set_of(const GeodesicCones& cones, double length);
+std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_error);
+double farthest_of(const GeodesicCones& cones);
 
 }  // namespace oxturn

@@ -5,16 +5,12 @@
 //             `before`, takes the part of u: its side of the curve is convex and star-shaped about it.
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <stdexcept>
 
-#include "geometry/tether/geodesic_clip.hpp"
-#include "geometry/tether/geodesic_curves.hpp"
+#include "base/throw_invalid.hpp"
+#include "geometry/tether/geodesic_cones.hpp"
 
 namespace oxturn {
 namespace {
-
-constexpr double kLeastAngle = 1e-15;  // radians: shorter pieces are rounding
 
 /// Where the paths by roots u and v are equally long.
 struct Bisector {
@@ -93,24 +89,12 @@ class CutLocus {
                         [&](const Cone& o) { return cones_.distance_by(o, x) < best && cones_.contains(o, x); });
   }
 
-  struct Interval {
-    double begin, end;
-  };
-  /// Sorts breaks_ and calls f(interval) for the intervals between consecutive breaks that are long enough.
-  template <class F>
-  void for_each_interval(F f) {
-    std::sort(breaks_.begin(), breaks_.end());
-    for (std::size_t i = 1; i < breaks_.size(); ++i)
-      if (breaks_[i] - breaks_[i - 1] >= kLeastAngle) f(Interval{breaks_[i - 1], breaks_[i]});
-  }
-
   /// breaks_ are angles, relative to the direction of the facet's middle.
   template <class Curve>
   void find_curved_pieces(const Cone& a, const Cone& b, const Facet& facet, Curve curve) {
     const Bisector line(cones_.root(a.root), cones_.root(b.root));
     const Point towards = facet.middle() - line.u;
     const double zero = std::atan2(towards.y(), towards.x());
-    const auto middle_of = [&](const Interval& i) { return line.at(zero + (i.begin + i.end) / 2); };
     breaks_.clear();
     const auto add = [&](double angle) {
       const Point e = direction_of(angle);
@@ -119,28 +103,20 @@ class CutLocus {
     for (std::size_t i = 0; i < facet.vertices().size(); ++i)
       line.meet_line(facet.vertices()[i], facet.next(i) - facet.vertices()[i], add);
     if (breaks_.size() < 2) return;
-    std::optional<Interval> inside;  // the part of the curve in the facet
-    for_each_interval([&](const Interval& i) {
-      if (!facet.contains(middle_of(i), cones_.rounding())) return;
-      if (!inside) inside = i;
-      inside->end = i.end;
+    const auto is_in_facet = [&](double angle) { return facet.contains(line.at(zero + angle), cones_.rounding()); };
+    double inside_from = kPi, inside_to = -kPi;  // the part of the curve in the facet
+    for_each_run(breaks_, is_in_facet, [&](double begin, double end) {
+      inside_from = std::min(inside_from, begin);
+      inside_to = end;
     });
-    if (!inside) return;
+    if (inside_from >= inside_to) return;
     for (const Cone& o : here_)
       if (o.root != a.root && o.root != b.root) add_breaks(line, a, o, add);
-    std::optional<Interval> piece;
-    for_each_interval([&](const Interval& i) {
-      if (i.begin < inside->begin || i.end > inside->end) return;
-      const Point x = middle_of(i);
-      if (facet.contains(x, cones_.rounding()) && is_shortest(a, b, x)) {
-        if (!piece) piece = i;
-        piece->end = i.end;
-      } else if (piece) {
-        curve(line, zero + piece->begin, zero + piece->end);
-        piece.reset();
-      }
-    });
-    if (piece) curve(line, zero + piece->begin, zero + piece->end);
+    const auto is_piece = [&](double angle) {
+      return angle >= inside_from && angle <= inside_to && is_in_facet(angle) &&
+             is_shortest(a, b, line.at(zero + angle));
+    };
+    for_each_run(breaks_, is_piece, [&](double begin, double end) { curve(line, zero + begin, zero + end); });
   }
   /// Where a third cone may become shorter, or may begin or end.
   template <class Add>
@@ -216,7 +192,7 @@ void for_each_piece(const GeodesicCones& cones, Curve curve, Straight straight) 
 
 std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_error) {
   constexpr int kMostHalvings = 40;
-  if (!(chord_error > 0)) throw std::invalid_argument("chord error of a cut locus must be above 0 metres");
+  if (!(chord_error > 0)) throw_invalid("chord error of a cut locus must be above 0 metres");
   std::vector<Polyline> out;
   for_each_piece(
       cones,

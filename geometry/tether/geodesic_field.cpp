@@ -2,88 +2,53 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "base/throw_invalid.hpp"
 #include "geometry/tether/geodesic_cones.hpp"
-#include "geometry/tether/geodesic_curves.hpp"
 
 namespace oxturn {
 
-struct GeodesicField::Impl {
-  Point anchor;
-  GeodesicCones cones;
-
-  /// The root of the shortest path to p, which is moved into the mesh; of equal paths the one with fewest corners.
-  /// kNone if there is none.
-  std::int32_t last_root(Point& p) const {
-    constexpr double kEqual = 1e-12;  // relative
-    thread_local std::vector<std::int32_t> found;
-    if (!finite(p) || !cones.move_inside(p, found)) return GeodesicCones::kNone;
-    const auto for_each_path = [&](auto f) {
-      for (const std::int32_t t : found)
-        for (const Cone& c : cones.cones(t))
-          if (cones.contains(c, p)) f(c.root, cones.distance_by(c, p));
-    };
-    double least = std::numeric_limits<double>::infinity();
-    for_each_path([&](std::int32_t, double d) { least = std::min(least, d); });
-    std::int32_t best = GeodesicCones::kNone;
-    for_each_path([&](std::int32_t root, double d) {
-      if (d > least * (1 + kEqual)) return;
-      const auto rank = [&](std::int32_t r) { return std::pair(cones.root(r).corners, r); };
-      if (best == GeodesicCones::kNone || rank(root) < rank(best)) best = root;
-    });
-    return best;
-  }
-};
-
 GeodesicField::GeodesicField(const Region& free, const Point& anchor, const std::vector<Polyline>& barriers,
                              double tolerance)
-    : impl_(new Impl{anchor, GeodesicCones(free, anchor, barriers, tolerance)}) {}
-GeodesicField::~GeodesicField() = default;
-GeodesicField::GeodesicField(GeodesicField&&) noexcept = default;
-
-const Point& GeodesicField::anchor() const { return impl_->anchor; }
-const Mesh& GeodesicField::mesh() const { return impl_->cones.mesh(); }
+    : anchor_(anchor), cones_(std::make_shared<const GeodesicCones>(free, anchor, barriers, tolerance)) {}
 
 double GeodesicField::distance(const Point& p) const {
   Point inside = p;
-  const std::int32_t root = impl_->last_root(inside);
+  const std::int32_t root = cones_->last_root(inside);
   if (root == GeodesicCones::kNone) return std::numeric_limits<double>::infinity();
-  const GeodesicCones::Root& r = impl_->cones.root(root);
+  const GeodesicCones::Root& r = cones_->root(root);
   return r.before + (inside - r.at).norm();
 }
 
 Polyline GeodesicField::path(const Point& p) const {
   Point inside = p;
-  std::int32_t root = impl_->last_root(inside);
+  std::int32_t root = cones_->last_root(inside);
   if (root == GeodesicCones::kNone) return {};
   Polyline line{p};
-  for (; root > 0; root = impl_->cones.root(root).parent)
-    if (impl_->cones.root(root).at != line.back()) line.push_back(impl_->cones.root(root).at);
-  if (line.size() > 1 && line.back() == impl_->anchor) line.pop_back();
-  line.push_back(impl_->anchor);
+  for (; root > 0; root = cones_->root(root).parent)
+    if (cones_->root(root).at != line.back()) line.push_back(cones_->root(root).at);
+  if (line.size() > 1 && line.back() == anchor_) line.pop_back();
+  line.push_back(anchor_);
   std::reverse(line.begin(), line.end());
   return line;
 }
 
 GeodesicField::Sight GeodesicField::sight(const Point& p) const {
   Point inside = p;
-  const std::int32_t root = impl_->last_root(inside);
+  const std::int32_t root = cones_->last_root(inside);
   if (root == GeodesicCones::kNone) return {};
-  const GeodesicCones::Root& r = impl_->cones.root(root);
-  return {root == 0 ? impl_->anchor : r.at, r.before, static_cast<std::size_t>(r.corners)};
+  const GeodesicCones::Root& r = cones_->root(root);
+  return {root == 0 ? anchor_ : r.at, r.before, static_cast<std::size_t>(r.corners)};
 }
 
-double GeodesicField::farthest() const { return farthest_of(impl_->cones); }
+double GeodesicField::farthest() const { return farthest_of(*cones_); }
 std::vector<std::vector<GeodesicField::Arc>> GeodesicField::level_set(double length) const {
-  return level_set_of(impl_->cones, length);
+  return level_set_of(*cones_, length);
 }
-std::vector<Polyline> GeodesicField::cut_locus(double chord_error) const {
-  return cut_locus_of(impl_->cones, chord_error);
-}
+std::vector<Polyline> GeodesicField::cut_locus(double chord_error) const { return cut_locus_of(*cones_, chord_error); }
 
 Polyline sampled(const std::vector<GeodesicField::Arc>& chain, double chord_error) {
-  if (!(chord_error > 0)) throw std::invalid_argument("chord error of an arc must be above 0 metres");
+  if (!(chord_error > 0)) throw_invalid("chord error of an arc must be above 0 metres");
   Polyline out;
   for (const GeodesicField::Arc& arc : chain) {
     // The error of a chord over the angle 2 h is r (1 - cos h) = 2 r sin^2(h / 2).

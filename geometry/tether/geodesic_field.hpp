@@ -11,14 +11,10 @@
 /// Complexity  about O(n log n) for n vertices on real maps; a query costs the cones of one triangle
 #pragma once
 
-#include <cstdint>
 #include <limits>
 #include <memory>
-#include <vector>
 
 #include "geometry/mesh/mesh.hpp"
-#include "geometry/point.hpp"
-#include "geometry/region.hpp"
 
 namespace oxturn {
 
@@ -29,15 +25,15 @@ namespace oxturn {
 /// usual data.
 std::vector<Polyline> barriers(const Region& free, double width);
 
+class GeodesicCones;
+
 class GeodesicField {
  public:
   /// Points of queries, and the anchor, may be outside free space by at most `tolerance`. Throws std::invalid_argument
   /// if the anchor is farther outside.
   GeodesicField(const Region& free, const Point& anchor, const std::vector<Polyline>& barriers, double tolerance);
-  ~GeodesicField();
-  GeodesicField(GeodesicField&&) noexcept;
 
-  const Point& anchor() const;
+  const Point& anchor() const { return anchor_; }
   /// Length of the shortest path to p, metres; infinity if there is none.
   double distance(const Point& p) const;
   /// The shortest path: anchor, corners, p. Empty if there is none.
@@ -72,11 +68,9 @@ class GeodesicField {
   /// ends on walls are accurate to 1e-6 of the map's extent. Throws std::invalid_argument unless the error is positive.
   std::vector<Polyline> cut_locus(double chord_error) const;
 
-  const Mesh& mesh() const;
-
  private:
-  struct Impl;
-  std::unique_ptr<const Impl> impl_;
+  Point anchor_;
+  std::shared_ptr<const GeodesicCones> cones_;
 };
 
 /// Points along a chain with an error of at most `chord_error` metres; ends of arcs are exact.

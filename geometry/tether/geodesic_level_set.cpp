@@ -4,19 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <tuple>
 
-#include "geometry/tether/geodesic_clip.hpp"
-#include "geometry/tether/geodesic_curves.hpp"
+#include "geometry/tether/geodesic_cones.hpp"
 
 namespace oxturn {
 namespace {
 
 using Arc = GeodesicField::Arc;
 
-constexpr double kLeastAngle = 1e-15;  // radians: shorter pieces are rounding
-constexpr double kNear = 1e4;          // roundings of the field: ends of arcs nearer than this are one point
+constexpr double kNear = 1e4;  // roundings of the field: ends of arcs nearer than this are one point
 
 /// An arc, and whether it ends at walls of its triangles.
 struct ArcPiece {
@@ -68,25 +65,14 @@ class ArcFinder {
     const double zero = std::atan2(towards.y(), towards.x());
     find_breaks({centre, radius, zero, zero}, facet, here, cone.root);
     if (breaks_.empty()) return;
-    std::sort(breaks_.begin(), breaks_.end());
-    std::optional<Arc> arc;
-    const auto flush = [&] {
-      if (!arc) return;
-      pieces_.push_back({cone.root, *arc, at_wall(t, arc->at(arc->begin)), at_wall(t, arc->at(arc->end))});
-      arc.reset();
+    const auto is_at_length = [&](double angle) {
+      const Point x = centre + radius * direction_of(zero + angle);
+      return facet.contains(x, cones_.rounding()) && !is_reached_before(x, here);
     };
-    for (std::size_t i = 1; i < breaks_.size(); ++i) {
-      const double from = breaks_[i - 1], to = breaks_[i];
-      if (to - from < kLeastAngle) continue;
-      const Point x = centre + radius * direction_of(zero + (from + to) / 2);
-      if (facet.contains(x, cones_.rounding()) && !is_reached_before(x, here)) {
-        if (!arc) arc = Arc{centre, radius, zero + from, zero + to};
-        arc->end = zero + to;
-      } else {
-        flush();
-      }
-    }
-    flush();
+    for_each_run(breaks_, is_at_length, [&](double begin, double end) {
+      const Arc arc{centre, radius, zero + begin, zero + end};
+      pieces_.push_back({cone.root, arc, at_wall(t, arc.at(arc.begin)), at_wall(t, arc.at(arc.end))});
+    });
   }
   /// Empty if the circle does not meet the facet.
   void find_breaks(const Arc& circle, const Facet& facet, std::span<const Cone> here, std::int32_t root) {
@@ -113,7 +99,7 @@ class ArcFinder {
     }
   }
   bool is_reached_before(const Point& x, std::span<const Cone> here) const {
-    return std::any_of(here.begin(), here.end(), [&](const Cone& o) {
+    return std::ranges::any_of(here, [&](const Cone& o) {
       return cones_.distance_by(o, x) < length_ - cones_.tie() && cones_.contains(o, x);
     });
   }
@@ -140,7 +126,7 @@ class CircleJoiner {
 
   std::vector<ArcPiece> run(std::vector<ArcPiece> pieces) {
     for (ArcPiece& p : pieces) normalise(p.arc);
-    std::sort(pieces.begin(), pieces.end(), [](const ArcPiece& a, const ArcPiece& b) {
+    std::ranges::sort(pieces, [](const ArcPiece& a, const ArcPiece& b) {
       return std::tie(a.root, a.arc.begin, a.arc.end) < std::tie(b.root, b.arc.begin, b.arc.end);
     });
     for (const ArcPiece& p : pieces) {
@@ -198,8 +184,7 @@ class ChainBuilder {
     link();
     std::vector<std::pair<Turns, std::size_t>> order;
     for (const std::size_t i : first_pieces()) order.emplace_back(turns_to(i), i);
-    std::stable_sort(order.begin(), order.end(),
-                     [](const auto& a, const auto& b) { return comes_before(a.first, b.first); });
+    std::ranges::stable_sort(order, [](const auto& a, const auto& b) { return comes_before(a.first, b.first); });
     std::vector<std::vector<Arc>> out;
     std::vector<bool> done(pieces_.size(), false);
     for (const auto& [turns, first] : order) {

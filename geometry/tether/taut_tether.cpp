@@ -13,18 +13,15 @@
 //                follows.
 #include "geometry/tether/taut_tether.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <stdexcept>
 
+#include "base/throw_invalid.hpp"
 #include "geometry/predicates.hpp"
-#include "geometry/tether/corner_index.hpp"
 
 namespace oxturn {
 namespace {
 
-using Corner = CornerIndex::Corner;
+using Corner = TautSpace::Corner;
 
 /// Metres by which points of a path may lie inside a wall.
 constexpr double kNear = 2e-6;
@@ -35,26 +32,16 @@ struct PivotRay {
 };
 
 void expect_finite(const Point& p, const char* what) {
-  if (!finite(p))
-    throw std::invalid_argument(
-        fmt::format("{} ({}, {}) of a taut tether is not finite; give metres", what, p.x(), p.y()));
+  if (!finite(p)) throw_invalid("{} ({}, {}) of a taut tether is not finite; give metres", what, p.x(), p.y());
 }
 
 }  // namespace
-
-struct TautSpace::Impl {
-  CornerIndex corners;
-};
-
-TautSpace::TautSpace(const Region& free) : impl_(new Impl{CornerIndex(free)}) {}
-TautSpace::~TautSpace() = default;
-TautSpace::TautSpace(TautSpace&&) noexcept = default;
 
 /// One drive.
 class TautTether::Motion {
  public:
   Motion(TautTether& tether, const Point& to, const std::function<void(const Swing&)>& each)
-      : tether_(tether), corners_(tether.space_->impl().corners), start_(tether.robot_), to_(to), each_(each) {}
+      : tether_(tether), corners_(*tether.space_), start_(tether.robot_), to_(to), each_(each) {}
 
   void run() {
     tether_.kept_ = tether_.bends_.size();
@@ -74,8 +61,7 @@ class TautTether::Motion {
   };
   std::vector<Via> corners_passed() const {
     std::vector<Via> via;
-    const Point ends[2] = {start_, to_};
-    corners_.for_each_near(ends, 2, kNear, [&](const Corner& c) {
+    corners_.for_each_near(std::array{start_, to_}, kNear, [&](const Corner& c) {
       if (c.at == start_ || c.at == to_) return;
       const Point d = to_ - start_;
       const double along = std::clamp((c.at - start_).dot(d) / d.squaredNorm(), 0.0, 1.0);
@@ -113,8 +99,8 @@ class TautTether::Motion {
           !tether_.bends_.empty() && tether_.bends_.back().side == -turn_ && turn_ * orientation(previous, b, q_) >= 0;
       const double end = releases ? meeting(previous, b) : 1;
       const Corner* first = nullptr;
-      const Point triangle[3] = {b, lerp(p_, q_, t_), lerp(p_, q_, end)};
-      corners_.for_each_near(triangle, 3, kNear, [&](const Corner& c) {
+      const std::array triangle{b, lerp(p_, q_, t_), lerp(p_, q_, end)};
+      corners_.for_each_near(triangle, kNear, [&](const Corner& c) {
         if (!swept(c) || (releases ? turn_ * orientation(previous, b, c.at) >= 0 : !before_end(c))) return;
         if (stops(c) && (first == nullptr || sooner(c, *first))) first = &c;
       });
@@ -131,8 +117,8 @@ class TautTether::Motion {
     gain(first);
     if (first.at == p_) return;  // the rest of the tether is the path itself
     std::vector<const Corner*> left;
-    const Point triangle[3] = {first.at, lerp(p_, q_, t_), q_};
-    corners_.for_each_near(triangle, 3, kNear, [&](const Corner& c) { left.push_back(&c); });
+    const std::array triangle{first.at, lerp(p_, q_, t_), q_};
+    corners_.for_each_near(triangle, kNear, [&](const Corner& c) { left.push_back(&c); });
     while (true) {
       std::erase_if(left, [&](const Corner* c) { return !swept(*c) || !before_end(*c); });
       const Corner* next = nullptr;
@@ -199,7 +185,7 @@ class TautTether::Motion {
   }
 
   TautTether& tether_;
-  const CornerIndex& corners_;
+  const TautSpace& corners_;
   const Point start_, to_;
   const std::function<void(const Swing&)>& each_;
 

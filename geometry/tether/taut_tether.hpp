@@ -19,29 +19,11 @@
 ///             see taut_tether.cpp
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <memory>
-#include <vector>
 
-#include "geometry/point.hpp"
-#include "geometry/region.hpp"
+#include "geometry/tether/taut_space.hpp"
 
 namespace oxturn {
-
-/// The corners about which a tether can bend, indexed: those where there is more than 180 degrees of free space.
-/// Immutable; shared by any number of tethers and threads.
-class TautSpace {
- public:
-  explicit TautSpace(const Region& free);
-  ~TautSpace();
-  TautSpace(TautSpace&&) noexcept;
-  struct Impl;
-  const Impl& impl() const { return *impl_; }
-
- private:
-  std::unique_ptr<const Impl> impl_;
-};
 
 class TautTether {
  public:

@@ -18,50 +18,41 @@
 //                along which the tether is little longer.
 #include "geometry/tether/tethered_path.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include "geometry/edge_index.hpp"
+#include "base/throw_invalid.hpp"
 
 namespace oxturn {
 
-struct TetheredWorld::Impl {
-  TautSpace free, space;
-  EdgeIndex walls;  // of `space`
-  ShortestPaths paths, cut_paths;
-  const GeodesicField& field;
-  double longest, tolerance;
-
-  bool too_long(const TautTether& tether) const { return tether.length() > longest + tolerance; }
-};
-
-TetheredWorld::TetheredWorld(const Region& free, const Region& space, const Region& cut_space,
-                             const GeodesicField& field, double longest, double tolerance) {
-  if (!(longest >= 0)) throw std::invalid_argument("a tether must be 0 or more metres long");
-  impl_.reset(new Impl{TautSpace(free), TautSpace(space), EdgeIndex(space), ShortestPaths(space, tolerance),
-                       ShortestPaths(cut_space, tolerance), field, longest, tolerance});
+TetheredWorld::TetheredWorld(const Region& free_space, const Region& robot_space, const Region& cut_space,
+                             const GeodesicField& geodesics, double tether_length, double rounding)
+    : free(free_space),
+      space(robot_space),
+      walls(robot_space),
+      paths(robot_space, rounding),
+      cut_paths(cut_space, rounding),
+      field(geodesics),
+      longest(tether_length),
+      tolerance(rounding) {
+  if (!(longest >= 0)) throw_invalid("a tether must be 0 or more metres long");
 }
-TetheredWorld::~TetheredWorld() = default;
+
+Polyline pulled_taut(const TetheredWorld& world, const Polyline& line) {
+  TautTether tether(world.space, line.front());
+  tether.drive(line);
+  return tether.polyline();
+}
 
 namespace {
 
-using World = TetheredWorld::Impl;
-
-/// `points` as a path from where the tether's robot is; nullopt if the tether becomes too long.
-std::optional<TetheredPath> checked(const World& world, TautTether tether, Polyline points) {
-  TetheredPath path;
-  path.tether_max = tether.length();
+/// Does the tether keep its length limit along `points`, which begin where its robot is?
+bool admissible(const TetheredWorld& world, TautTether tether, const Polyline& points) {
   for (std::size_t k = 1; k < points.size(); ++k) {
     tether.drive(points[k]);
-    if (world.too_long(tether)) return std::nullopt;
-    path.tether_max = std::max(path.tether_max, tether.length());
+    if (world.too_long(tether)) return false;
   }
-  path.tether_end = tether.length();
-  path.points = std::move(points);
-  return path;
+  return true;
 }
 
 Polyline reversed(Polyline line) {
@@ -74,15 +65,9 @@ Polyline joined(Polyline first, const Polyline& second) {
   return first;
 }
 
-Polyline taut(const TautSpace& space, const Polyline& line) {
-  TautTether tether(space, line.front());
-  tether.drive(line);
-  return tether.polyline();
-}
-
 /// In the class of the goal's geodesic: back along the trail to the start, then through the cut space. nullopt if the
 /// goal is not in that.
-std::optional<Polyline> by_geodesic(const World& world, const TautTether& trail, const Point& goal) {
+std::optional<Polyline> by_geodesic(const TetheredWorld& world, const TautTether& trail, const Point& goal) {
   const auto out = world.cut_paths.path(trail.anchor(), goal);
   if (!out) return std::nullopt;
   return joined(reversed(trail.polyline()), *out);
@@ -91,11 +76,11 @@ std::optional<Polyline> by_geodesic(const World& world, const TautTether& trail,
 /// Back along the trail until the goal can be reached straight (Xavier 1999).
 class Untangling {
  public:
-  Untangling(const World& world, const TautTether& tether, const TautTether& trail, const Point& goal)
+  Untangling(const TetheredWorld& world, const TautTether& tether, const TautTether& trail, const Point& goal)
       : world_(world), tether_(tether), back_(reversed(trail.polyline())), goal_(goal) {}
 
   /// nullopt if the goal can be reached straight from no point tried.
-  std::optional<TetheredPath> run() {
+  std::optional<Polyline> run() {
     TautTether here = tether_;  // at back_[k - 1]
     if (auto path = leave(here, back_.front(), {})) return path;
     const double step = length(back_) / kSteps;
@@ -117,18 +102,19 @@ class Untangling {
   static constexpr int kSteps = 64, kBisections = 10;
 
   /// Along `driven` to p, from there straight to the goal. `from` is at the last point of `driven`.
-  std::optional<TetheredPath> leave(TautTether from, const Point& p, Polyline driven) const {
+  std::optional<Polyline> leave(TautTether from, const Point& p, Polyline driven) const {
     if (!world_.walls.contains(p, goal_)) return std::nullopt;
     from.drive(p);
     from.drive(goal_);
     if (world_.too_long(from)) return std::nullopt;
     driven.push_back(p);
     driven.push_back(goal_);
-    return checked(world_, tether_, std::move(driven));
+    if (!admissible(world_, tether_, driven)) return std::nullopt;
+    return driven;
   }
   /// The earliest point to leave ab, between `bad` and `good`, where `best` leaves it.
-  std::optional<TetheredPath> earliest(const TautTether& here, const Point& a, const Point& b, const Polyline& driven,
-                                       double bad, double good, std::optional<TetheredPath> best) const {
+  std::optional<Polyline> earliest(const TautTether& here, const Point& a, const Point& b, const Polyline& driven,
+                                   double bad, double good, std::optional<Polyline> best) const {
     for (int k = 0; k < kBisections; ++k) {
       const double middle = (bad + good) / 2;
       auto earlier = leave(here, lerp(a, b, middle), driven);
@@ -138,7 +124,7 @@ class Untangling {
     return best;
   }
 
-  const World& world_;
+  const TetheredWorld& world_;
   const TautTether& tether_;
   const Polyline back_;
   const Point goal_;
@@ -148,7 +134,7 @@ class Untangling {
 struct Excess {
   double most = 0, last = 0;
 };
-Excess excess(const World& world, TautTether tether, const Polyline& line) {
+Excess excess(const TetheredWorld& world, TautTether tether, const Polyline& line) {
   Excess e;
   for (std::size_t k = 1; k < line.size(); ++k) {
     tether.drive(line[k]);
@@ -159,7 +145,7 @@ Excess excess(const World& world, TautTether tether, const Polyline& line) {
 }
 
 /// Through the cut space to the last point of the goal's geodesic, tried in steps of `step`, that is in it.
-std::optional<Polyline> path_towards(const World& world, const Point& start, const Point& goal, double step) {
+std::optional<Polyline> path_towards(const TetheredWorld& world, const Point& start, const Point& goal, double step) {
   const Polyline geodesic = world.field.path(goal);
   for (std::size_t k = geodesic.size(); k-- > 1;) {
     const double n = std::ceil(distance(geodesic[k - 1], geodesic[k]) / step);
@@ -173,115 +159,104 @@ std::optional<Polyline> path_towards(const World& world, const Point& start, con
 
 std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& start, const Point& goal, double slack,
                                       std::size_t budget) {
-  const World& w = world.impl();
-  if (auto inside = w.cut_paths.path(start, goal)) return inside;
+  if (auto inside = world.cut_paths.path(start, goal)) return inside;
   const auto tether_at = [&](const Point& p) {
-    TautTether tether(w.free, w.field.anchor());
-    tether.drive(w.field.path(p));
+    TautTether tether(world.free, world.field.anchor());
+    tether.drive(world.field.path(p));
     return tether;
   };
   const auto is_geodesic = [&](const TautTether& tether, const Polyline& line) {
-    const Excess e = excess(w, tether, line);
-    return e.most <= slack && e.last <= w.tolerance;
+    const Excess e = excess(world, tether, line);
+    return e.most <= slack && e.last <= world.tolerance;
   };
   const auto search = [&](const Point& from) {
     const TautTether tether = tether_at(from);
     std::optional<Polyline> found;
-    w.paths.for_each_taut_path(
+    world.paths.for_each_taut_path(
         from, goal, std::numeric_limits<double>::infinity(), budget,
         [&](const Polyline& line) {
           if (is_geodesic(tether, line)) found = line;
           return !found;
         },
-        [&](const Polyline& prefix) { return excess(w, tether, prefix).most <= slack; });
+        [&](const Polyline& prefix) { return excess(world, tether, prefix).most <= slack; });
     return found;
   };
-  if (const auto first = path_towards(w, start, goal, slack / 24))
+  if (const auto first = path_towards(world, start, goal, slack / 24))
     if (const auto second = search(first->back())) {
-      Polyline whole = taut(w.space, joined(*first, *second));
+      Polyline whole = pulled_taut(world, joined(*first, *second));
       if (is_geodesic(tether_at(start), whole)) return whole;
     }
   return search(start);
 }
 
-Polyline pulled_taut(const TetheredWorld& world, const Polyline& line) { return taut(world.impl().space, line); }
-
 TetheredRobot::TetheredRobot(const TetheredWorld& world, const Point& start)
-    : world_(&world), tether_(world.impl().free, world.impl().field.anchor()), trail_(world.impl().space, start) {
-  const Polyline out = world.impl().field.path(start);
+    : world_(&world), tether_(world.free, world.field.anchor()), trail_(world.space, start) {
+  const Polyline out = world.field.path(start);
   if (out.empty())
-    throw std::invalid_argument(fmt::format("start ({}, {}) is out of reach of the tether's anchor ({}, {})", start.x(),
-                                            start.y(), tether_.anchor().x(), tether_.anchor().y()));
+    throw_invalid("start ({}, {}) is out of reach of the tether's anchor ({}, {})", start.x(), start.y(),
+                  tether_.anchor().x(), tether_.anchor().y());
   tether_.drive(out);
 }
 
 std::optional<TetheredPath> TetheredRobot::path_to(const Point& goal, Retraction retraction, std::size_t budget) const {
-  const World& world = world_->impl();
+  const TetheredWorld& world = *world_;
   if (!(world.field.distance(goal) <= world.longest + world.tolerance)) return std::nullopt;
   if (retraction == Retraction::untangle) {
-    if (auto path = Untangling(world, tether_, trail_, goal).run()) return path;
-    if (const auto line = by_geodesic(world, trail_, goal))
-      if (auto path = checked(world, tether_, *line)) return path;
+    if (auto path = Untangling(world, tether_, trail_, goal).run()) return TetheredPath{std::move(*path)};
+    if (const auto line = by_geodesic(world, trail_, goal); line && admissible(world, tether_, *line))
+      return TetheredPath{*line};
     return path_by_start(goal, budget);
   }
-
-  std::optional<Polyline> plain;
-  if (world.walls.contains(at(), goal))
-    plain = Polyline{at(), goal};
-  else
-    plain = world.paths.path(at(), goal);
+  const auto plain = world.walls.contains(at(), goal) ? Polyline{at(), goal} : world.paths.path(at(), goal);
   if (!plain) return std::nullopt;
-  if (auto path = checked(world, tether_, std::move(*plain))) return path;
+  if (admissible(world, tether_, *plain)) return TetheredPath{*plain};
 
-  std::optional<TetheredPath> best;
-  if (const auto line = by_geodesic(world, trail_, goal)) {
-    best = checked(world, tether_, taut(world.space, *line));
-    if (!best) best = checked(world, tether_, *line);
-  }
-  const double bound = best ? length(best->points) : std::numeric_limits<double>::infinity();
+  std::optional<Polyline> best;
+  if (const auto geodesic = by_geodesic(world, trail_, goal))
+    for (const Polyline& line : {pulled_taut(world, *geodesic), *geodesic})
+      if (!best && admissible(world, tether_, line)) best = line;
+  const double bound = best ? length(*best) : std::numeric_limits<double>::infinity();
   bool found = false;
   const bool all = world.paths.for_each_taut_path(
       at(), goal, bound, budget,
       [&](const Polyline& line) {
-        auto path = checked(world, tether_, line);
-        if (path) best = std::move(path);
-        found = path.has_value();
+        found = admissible(world, tether_, line);
+        if (found) best = line;
         return !found;
       },
-      [&](const Polyline& prefix) { return checked(world, tether_, prefix).has_value(); });
-  if (!best && !all) best = path_by_start(goal, budget);
-  if (best) best->shortest = found || all;
-  return best;
+      [&](const Polyline& prefix) { return admissible(world, tether_, prefix); });
+  if (best) return TetheredPath{std::move(*best), found || all};
+  return all ? std::nullopt : path_by_start(goal, budget);
 }
 
 /// Back to the start and on from there: where the cut space does not contain the goal and the search does not find it.
 std::optional<TetheredPath> TetheredRobot::path_by_start(const Point& goal, std::size_t budget) const {
-  const World& world = world_->impl();
-  std::optional<TetheredPath> path;
   if (at() == trail_.anchor()) {
-    const double longest = std::min(world.longest, world.field.farthest());
-    for (double slack = longest / 64; !path && slack <= longest; slack *= 4)
-      if (auto out = geodesic_path(*world_, at(), goal, slack)) path = checked(world, tether_, std::move(*out));
-  } else {
-    const Polyline back = reversed(trail_.polyline());
-    TetheredRobot home = *this;
-    home.drive(back);
-    if (auto out = home.path_to(goal, Retraction::automatic, budget))
-      path = checked(world, tether_, joined(back, out->points));
+    const double longest = std::min(world_->longest, world_->field.farthest());
+    for (double slack = longest / 64; slack <= longest; slack *= 4)
+      if (auto out = geodesic_path(*world_, at(), goal, slack); out && admissible(*world_, tether_, *out))
+        return TetheredPath{std::move(*out), false};
+    return std::nullopt;
   }
-  if (path) path->shortest = false;
-  return path;
+  const Polyline back = reversed(trail_.polyline());
+  TetheredRobot home = *this;
+  home.drive(back);
+  const auto out = home.path_to(goal, Retraction::automatic, budget);
+  if (!out) return std::nullopt;
+  Polyline line = joined(back, out->points);
+  if (!admissible(*world_, tether_, line)) return std::nullopt;
+  return TetheredPath{std::move(line), false};
 }
 
-std::optional<TetheredPath> TetheredRobot::path_home() const {
-  return checked(world_->impl(), tether_, reversed(trail_.polyline()));
+std::optional<Polyline> TetheredRobot::path_home() const {
+  Polyline back = reversed(trail_.polyline());
+  if (!admissible(*world_, tether_, back)) return std::nullopt;
+  return back;
 }
 
 void TetheredRobot::drive(const Polyline& points) {
-  for (const Point& p : points) {
-    tether_.drive(p);
-    trail_.drive(p);
-  }
+  tether_.drive(points);
+  trail_.drive(points);
 }
 
 }  // namespace oxturn

@@ -12,10 +12,9 @@
 ///             space.
 #pragma once
 
-#include <limits>
-#include <memory>
 #include <optional>
 
+#include "geometry/edge_index.hpp"
 #include "geometry/paths/shortest_path.hpp"
 #include "geometry/tether/geodesic_field.hpp"
 #include "geometry/tether/taut_tether.hpp"
@@ -23,20 +22,20 @@
 namespace oxturn {
 
 /// What stays the same while a robot drives. `field` must outlive it.
-class TetheredWorld {
- public:
+struct TetheredWorld {
   /// `free`: where the tether may lie. `space`: where the robot's centre may be. `cut_space`: the part of `space`
   /// within the tether length limit, cut open along the field's cut locus and connected to the start; along its
   /// shortest paths the tether is the geodesic. `longest`: the tether length limit; `tolerance`: by how much rounding
   /// may exceed it; metres. Throws std::invalid_argument for a negative limit.
   TetheredWorld(const Region& free, const Region& space, const Region& cut_space, const GeodesicField& field,
                 double longest, double tolerance);
-  ~TetheredWorld();
-  struct Impl;
-  const Impl& impl() const { return *impl_; }
+  bool too_long(const TautTether& tether) const { return tether.length() > longest + tolerance; }
 
- private:
-  std::unique_ptr<const Impl> impl_;
+  TautSpace free, space;
+  EdgeIndex walls;                 // of `space`
+  ShortestPaths paths, cut_paths;  // in `space` and in the cut space
+  const GeodesicField& field;
+  double longest, tolerance;
 };
 
 enum class Retraction {
@@ -54,10 +53,8 @@ std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& s
 Polyline pulled_taut(const TetheredWorld& world, const Polyline& line);
 
 struct TetheredPath {
-  Polyline points;        // from the robot to the goal, both included
-  double tether_max = 0;  // metres, the largest along the path
-  double tether_end = 0;  // metres, at the goal
-  bool shortest = true;   // proven the shortest of all admissible classes; false: the search's budget ran out
+  Polyline points;       // from the robot to the goal, both included
+  bool shortest = true;  // proven the shortest of all admissible classes; false: the search's budget ran out
 };
 
 class TetheredRobot {
@@ -72,7 +69,7 @@ class TetheredRobot {
   std::optional<TetheredPath> path_to(const Point& goal, Retraction retraction = Retraction::automatic,
                                       std::size_t budget = 2000) const;
   /// The shortest path back to the start after which the tether is as it was there; nullopt as above.
-  std::optional<TetheredPath> path_home() const;
+  std::optional<Polyline> path_home() const;
   /// Drives along `points`; a first point equal to the robot's position is skipped.
   void drive(const Polyline& points);
 

@@ -1,5 +1,4 @@
 // The one list of map formats.
-#include "maps/formats.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -7,7 +6,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <stdexcept>
 
 #include "base/files.hpp"
 #include "maps/formats/readers.hpp"
@@ -46,19 +44,13 @@ const MapFormat* format_with(const std::string& suffix, const MapFormats& format
   return found;
 }
 
-bool has_parameter(const MapFormat& format, const std::string& name) {
-  return std::any_of(format.parameters.begin(), format.parameters.end(),
-                     [&](const ParameterInfo& parameter) { return parameter.name == name; });
-}
-
 }  // namespace
 
 std::vector<ParameterInfo> reader_parameters(const MapFormats& formats) {
   std::vector<ParameterInfo> all;
   for (const MapFormat& format : formats)
     for (const ParameterInfo& parameter : format.parameters)
-      if (std::none_of(all.begin(), all.end(), [&](const ParameterInfo& p) { return p.name == parameter.name; }))
-        all.push_back(parameter);
+      if (std::ranges::count(all, parameter.name, &ParameterInfo::name) == 0) all.push_back(parameter);
   return all;
 }
 
@@ -71,12 +63,11 @@ MapFile read_map(const std::string& file, const Settings& settings, const MapFor
   const MapFormat* format = format_with(
       suffix, formats, [](const MapFormat& f) { return bool(f.read); }, known);
   if (format == nullptr)
-    throw std::invalid_argument(
-        fmt::format("{}: unknown kind of map '{}', expected one of: {}", file, suffix, fmt::join(known, ", ")));
+    throw_invalid("{}: unknown kind of map '{}', expected one of: {}", file, suffix, fmt::join(known, ", "));
   Settings own;
   std::vector<std::string> unused;
   for (const auto& [name, value] : all)
-    if (has_parameter(*format, name))
+    if (std::ranges::count(format->parameters, name, &ParameterInfo::name) > 0)
       own[name] = value;
     else
       unused.push_back(fmt::format("'{}' is not a parameter of format '{}' and is not used", name, format->name));
@@ -90,8 +81,7 @@ const MapFormat& format_to_write(const std::string& file, const MapFormats& form
   const MapFormat* format = format_with(
       suffix_of(file), formats, [](const MapFormat& f) { return bool(f.write); }, known);
   if (format == nullptr)
-    throw std::invalid_argument(
-        fmt::format("cannot write '{}': its name must end in one of: {}", file, fmt::join(known, ", ")));
+    throw_invalid("cannot write '{}': its name must end in one of: {}", file, fmt::join(known, ", "));
   return *format;
 }
 

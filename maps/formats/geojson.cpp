@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 
 #include "base/files.hpp"
@@ -32,8 +31,7 @@ bool is_polygonal(const Json& geometry) {
 std::string type_of(const JsonAt& object, const std::string& expected) {
   if (!object.value.is_object()) object.refuse(expected);
   const Json* type = object.find("type");
-  if (type == nullptr || !type->is_string())
-    throw std::invalid_argument(fmt::format("{} has no type, expected {}", object.where, expected));
+  if (type == nullptr || !type->is_string()) throw_invalid("{} has no type, expected {}", object.where, expected);
   return type->get<std::string>();
 }
 
@@ -41,8 +39,7 @@ Ring read_ring(const JsonAt& at) {
   if (!at.value.is_array()) at.refuse("a list of points");
   Ring ring = at.points(at.where);
   if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-  if (ring.size() < 3)
-    throw std::invalid_argument(fmt::format("{} has {} different points, expected at least 3", at.where, ring.size()));
+  if (ring.size() < 3) throw_invalid("{} has {} different points, expected at least 3", at.where, ring.size());
   return ring;
 }
 
@@ -63,9 +60,9 @@ Region read_geometry(const JsonAt& at, const std::string& file) {
   const std::string type = type_of(at, "a Polygon or MultiPolygon");
   const Json* coordinates = at.find("coordinates");
   if (type != "Polygon" && type != "MultiPolygon")
-    throw std::invalid_argument(fmt::format("{} is a {}, expected a Polygon or MultiPolygon", at.where, type));
+    throw_invalid("{} is a {}, expected a Polygon or MultiPolygon", at.where, type);
   if (coordinates == nullptr || !coordinates->is_array() || coordinates->empty())
-    throw std::invalid_argument(fmt::format("{} has no coordinates, expected a list of rings", at.where));
+    throw_invalid("{} has no coordinates, expected a list of rings", at.where);
   Region region;
   if (type == "Polygon") {
     region.polygons.push_back(read_polygon({*coordinates, file + ": polygon 1"}));
@@ -111,7 +108,7 @@ Robot read_robot(const JsonAt& at, const std::string& file) {
   try {
     change(robot, settings);
     check(robot);
-  } catch (const std::invalid_argument& e) { throw std::invalid_argument(fmt::format("{}: {}", file, e.what())); }
+  } catch (const std::invalid_argument& e) { throw_invalid("{}: {}", file, e.what()); }
   return robot;
 }
 
@@ -119,8 +116,7 @@ Robot read_robot(const JsonAt& at, const std::string& file) {
 const Json& only_feature(const JsonAt& collection, std::vector<std::string>& remarks) {
   const Json* features = collection.find("features");
   if (features == nullptr || !features->is_array())
-    throw std::invalid_argument(
-        fmt::format("{} has no features, expected a list with one polygonal feature", collection.where));
+    throw_invalid("{} has no features, expected a list with one polygonal feature", collection.where);
   const Json* found = nullptr;
   std::size_t polygonal = 0;
   for (const Json& feature : *features) {
@@ -130,20 +126,17 @@ const Json& only_feature(const JsonAt& collection, std::vector<std::string>& rem
     ++polygonal;
   }
   if (polygonal != 1)
-    throw std::invalid_argument(fmt::format(
-        "{} has {} features that are a Polygon or MultiPolygon, expected exactly one", collection.where, polygonal));
+    throw_invalid("{} has {} features that are a Polygon or MultiPolygon, expected exactly one", collection.where,
+                  polygonal);
   if (features->size() > 1)
     remarks.push_back(fmt::format("{} features that are not polygons are ignored", features->size() - 1));
   return *found;
 }
 
-std::string ring_text(const Ring& ring) {
-  std::string text = "[";
-  for (std::size_t i = 0; i <= ring.size(); ++i) {
-    if (i > 0) text += ", ";
-    text += json_point(ring[i % ring.size()]);
-  }
-  return text + "]";
+/// With the first point once more at the end.
+std::string ring_text(Ring ring) {
+  ring.push_back(ring.front());
+  return json_points(ring);
 }
 
 std::string polygon_text(const Polygon& polygon) {
@@ -162,11 +155,7 @@ std::string geometry_text(const Region& region) {
 }
 
 std::string value_text(const std::string& name, const Value& value, const Robot& robot) {
-  if (name == "footprint") {
-    std::string text = "[";
-    for (const Point& p : robot.footprint) text += (text.size() > 1 ? ", " : "") + json_point(p);
-    return text + "]";
-  }
+  if (name == "footprint") return json_points(robot.footprint);
   return std::holds_alternative<std::string>(value) ? json_text(std::get<std::string>(value)) : to_text(value);
 }
 
@@ -214,12 +203,10 @@ Parts parts_of(const Json& root, const std::string& file, std::vector<std::strin
   const std::string expected = "a GeoJSON Feature, Polygon, MultiPolygon or FeatureCollection";
   const std::string type = type_of({root, file}, expected);
   if (is_polygonal(root)) return {&root, &kNone};
-  if (type != "Feature" && type != "FeatureCollection")
-    throw std::invalid_argument(fmt::format("{} is a {}, expected {}", file, type, expected));
+  if (type != "Feature" && type != "FeatureCollection") throw_invalid("{} is a {}, expected {}", file, type, expected);
   const JsonAt feature{type == "Feature" ? root : only_feature({root, file}, remarks), file};
   const Json* geometry = feature.find("geometry");
-  if (geometry == nullptr)
-    throw std::invalid_argument(fmt::format("{}: geometry is missing, expected a Polygon or MultiPolygon", file));
+  if (geometry == nullptr) throw_invalid("{}: geometry is missing, expected a Polygon or MultiPolygon", file);
   const Json* properties = feature.find("properties");
   return {geometry, properties != nullptr ? properties : &kNone};
 }
@@ -243,8 +230,8 @@ Region repaired_region(const Region& written, const std::string& file, std::vect
   Region free;
   try {
     free = repaired(written);
-  } catch (const std::invalid_argument& e) { throw std::invalid_argument(fmt::format("{}: {}", file, e.what())); }
-  if (free.empty()) throw std::invalid_argument(fmt::format("{}: the polygons have no area", file));
+  } catch (const std::invalid_argument& e) { throw_invalid("{}: {}", file, e.what()); }
+  if (free.empty()) throw_invalid("{}: the polygons have no area", file);
   const auto note = [&](std::size_t before, std::size_t after, const char* what, const char* why) {
     if (before != after) remarks.push_back(fmt::format("repaired: {} {} became {}{}", before, what, after, why));
   };

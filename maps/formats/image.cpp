@@ -1,9 +1,6 @@
 // Plain images as maps, with a scale.
 //
 // Decision   At most 10^8 pixels: an image's header may claim any size, and memory is allocated only below that.
-#include <fmt/format.h>
-
-#include <stdexcept>
 
 #include "base/files.hpp"
 #include "maps/formats/readers.hpp"
@@ -13,20 +10,17 @@ namespace oxturn {
 void check_image_size(const std::string& file, double width, double height) {
   constexpr double kMostPixels = 1e8;
   if (width < 1 || height < 1)
-    throw std::invalid_argument(
-        fmt::format("{}: the image is {} x {} pixels, expected at least 1 x 1", file, width, height));
+    throw_invalid("{}: the image is {} x {} pixels, expected at least 1 x 1", file, width, height);
   if (width * height > kMostPixels)
-    throw std::invalid_argument(
-        fmt::format("{}: the image is {} x {} pixels, expected at most 100 million", file, width, height));
+    throw_invalid("{}: the image is {} x {} pixels, expected at most 100 million", file, width, height);
 }
 
 GreyImage read_image(const std::string& file) {
   const std::string bytes = read_file(file);
-  if (bytes.empty())
-    throw std::invalid_argument(fmt::format("{}: the file is empty, expected a PNG or PGM image", file));
+  if (bytes.empty()) throw_invalid("{}: the file is empty, expected a PNG or PGM image", file);
   if (is_png(bytes)) return read_png(file, bytes);
   if (bytes.size() >= 3 && bytes[0] == 'P' && (bytes[1] == '2' || bytes[1] == '5')) return read_pgm(file, bytes);
-  throw std::invalid_argument(fmt::format("{}: neither a PNG nor a PGM (P2, P5) image, convert it to one", file));
+  throw_invalid("{}: neither a PNG nor a PGM (P2, P5) image, convert it to one", file);
 }
 
 namespace {
@@ -46,8 +40,7 @@ Occupancy occupancy_of(const GreyImage& image, std::size_t pixel) {
 }
 
 MapFile read_plain_image(const std::string& file, const ImageOptions& options) {
-  if (options.scale <= 0)
-    throw std::invalid_argument(fmt::format("{}: a plain image needs a scale; give scale = METRES_PER_PIXEL", file));
+  if (options.scale <= 0) throw_invalid("{}: a plain image needs a scale; give scale = METRES_PER_PIXEL", file);
   const GreyImage image = read_image(file);
   OccupancyGrid cells(image.width, image.height);
   for (int row = 0; row < image.height; ++row)

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "base/text.hpp"
 #include "maps/formats.hpp"
@@ -21,16 +20,14 @@ nlohmann::json parse_json(const std::string& text, const std::string& source) {
         1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end > 0 ? end - 1 : 0), '\n');
     std::string why = e.what();
     if (const std::size_t colon = why.find(": "); colon != std::string::npos) why = why.substr(colon + 2);
-    throw std::invalid_argument(fmt::format("{}:{}: not JSON: {}", source, line, why));
-  } catch (const nlohmann::json::exception& e) {
-    throw std::invalid_argument(fmt::format("{}: not JSON: {}", source, e.what()));
-  }
+    throw_invalid("{}:{}: not JSON: {}", source, line, why);
+  } catch (const nlohmann::json::exception& e) { throw_invalid("{}: not JSON: {}", source, e.what()); }
 }
 
 void JsonAt::refuse(const std::string& expected) const {
   std::string given = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   if (given.size() > 60) given = given.substr(0, 57) + "...";
-  throw std::invalid_argument(fmt::format("{} is {}, expected {}", where, given, expected));
+  throw_invalid("{} is {}, expected {}", where, given, expected);
 }
 
 double JsonAt::number(const char* expected) const {
@@ -65,10 +62,8 @@ Polyline JsonAt::points(const std::string& named) const {
   Polyline points;
   points.reserve(value.size());
   for (const nlohmann::json& v : value) {
-    if (is_point(v) && finite(as_point(v)))
-      points.push_back(as_point(v));
-    else  // throws
-      points.push_back(JsonAt{v, fmt::format("{}, point {}", named, points.size() + 1)}.point());
+    if (!is_point(v) || !finite(as_point(v))) JsonAt{v, fmt::format("{}, point {}", named, points.size() + 1)}.point();
+    points.push_back(as_point(v));
   }
   return points;
 }
@@ -81,7 +76,16 @@ const nlohmann::json* JsonAt::find(const char* key) const {
 std::string json_text(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
-std::string json_number(double value) { return std::isfinite(value) ? to_decimal(value) : "null"; }
-std::string json_point(const Point& p) { return fmt::format("[{}, {}]", json_number(p.x()), json_number(p.y())); }
+
+std::string json_point(const Point& p) {
+  const auto number = [](double value) { return std::isfinite(value) ? to_decimal(value) : "null"; };
+  return fmt::format("[{}, {}]", number(p.x()), number(p.y()));
+}
+
+std::string json_points(const Polyline& points) {
+  std::string text;
+  for (const Point& p : points) text += (text.empty() ? "[" : ", ") + json_point(p);
+  return (text.empty() ? "[" : text) + "]";
+}
 
 }  // namespace oxturn

@@ -6,8 +6,8 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
 
+#include "base/throw_invalid.hpp"
 #include "geometry/point.hpp"
 
 namespace oxturn {
@@ -32,8 +32,9 @@ struct JsonAt {
 
 /// `"text"`, escaped for JSON; invalid UTF-8 is replaced.
 std::string json_text(const std::string& text);
-/// The shortest decimal, or null for infinities and NaN.
-std::string json_number(double value);
+/// "[2.5, 1]"; the shortest decimals, or null for infinities and NaN.
 std::string json_point(const Point& p);
+/// "[[2.5, 1], [3, 1]]"
+std::string json_points(const Polyline& points);
 
 }  // namespace oxturn

@@ -4,8 +4,6 @@
 // (NaN) is written as null, which the reader refuses, naming the point.
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 #include "base/files.hpp"
 #include "maps/formats.hpp"
 #include "maps/formats/json.hpp"
@@ -19,8 +17,7 @@ using Json = nlohmann::json;
 const Json& member(const JsonAt& object, const char* key, const char* expected) {
   if (!object.value.is_object()) object.refuse("an object");
   const Json* value = object.find(key);
-  if (value == nullptr)
-    throw std::invalid_argument(fmt::format("{} has no {}, expected {}", object.where, key, expected));
+  if (value == nullptr) throw_invalid("{} has no {}, expected {}", object.where, key, expected);
   return *value;
 }
 
@@ -44,15 +41,9 @@ std::string to_geojson(const Path& path, const std::string& problem) {
   text += "\"type\": \"FeatureCollection\", \"features\": [";
   for (std::size_t i = 0; i < path.legs.size(); ++i) {
     const Leg& leg = path.legs[i];
-    text += i > 0 ? ",\n" : "\n";
-    text += leg.tool ? "{\"type\": \"Feature\", \"properties\": {\"tool\": true}, \"geometry\": "
-                     : "{\"type\": \"Feature\", \"properties\": {\"tool\": false}, \"geometry\": ";
-    text += "{\"type\": \"LineString\", \"coordinates\": [";
-    for (std::size_t k = 0; k < leg.points.size(); ++k) {
-      if (k > 0) text += ", ";
-      text += json_point(leg.points[k]);
-    }
-    text += "]}}";
+    text += fmt::format(
+        "{}\n{{\"type\": \"Feature\", \"properties\": {{\"tool\": {}}}, \"geometry\": ", i > 0 ? "," : "", leg.tool);
+    text += "{\"type\": \"LineString\", \"coordinates\": " + json_points(leg.points) + "}}";
   }
   return text + "\n]}\n";
 }

@@ -1,7 +1,4 @@
 // PGM images (P2, P5) to grey values.
-#include <fmt/format.h>
-
-#include <stdexcept>
 
 #include "maps/formats/readers.hpp"
 
@@ -19,8 +16,7 @@ class PgmReader {
     at_ = 2;
     const double width = number("width"), height = number("height"), most = number("greatest value");
     check_image_size(file_, width, height);
-    if (most < 1 || most > 65535)
-      throw std::invalid_argument(fmt::format("{}: the greatest value is {}, expected 1 to 65535", file_, most));
+    if (most < 1 || most > 65535) throw_invalid("{}: the greatest value is {}, expected 1 to 65535", file_, most);
     GreyImage image;
     image.width = static_cast<int>(width);
     image.height = static_cast<int>(height);
@@ -30,8 +26,7 @@ class PgmReader {
     image.grey.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
       const double value = binary ? binary_value(bytes_per_pixel) : number("pixel");
-      if (value > most)
-        throw std::invalid_argument(fmt::format("{}: pixel {} is {}, expected at most {}", file_, i + 1, value, most));
+      if (value > most) throw_invalid("{}: pixel {} is {}, expected at most {}", file_, i + 1, value, most);
       image.grey[i] = static_cast<float>(value * 255 / most);
     }
     return image;
@@ -47,9 +42,7 @@ class PgmReader {
       throw_end();
     }
   }
-  [[noreturn]] void throw_end() const {
-    throw std::invalid_argument(fmt::format("{}: the file ends in the middle of the image", file_));
-  }
+  [[noreturn]] void throw_end() const { throw_invalid("{}: the file ends in the middle of the image", file_); }
   double binary_value(std::size_t bytes_per_pixel) {
     double value = 0;
     for (std::size_t k = 0; k < bytes_per_pixel; ++k) value = 256 * value + static_cast<unsigned char>(bytes_[at_++]);
@@ -67,7 +60,7 @@ class PgmReader {
     for (; at_ < bytes_.size() && bytes_[at_] >= '0' && bytes_[at_] <= '9'; ++at_)
       value = 10 * value + (bytes_[at_] - '0');
     if (at_ == begin || at_ - begin > kMostDigits)
-      throw std::invalid_argument(fmt::format("{}: {} is not a whole number (byte {})", file_, what, begin + 1));
+      throw_invalid("{}: {} is not a whole number (byte {})", file_, what, begin + 1);
     return value;
   }
 

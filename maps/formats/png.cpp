@@ -2,12 +2,10 @@
 //
 // Decision   libpng's full interface, not the simplified one: that would apply gAMA chunks and shift the grey values
 //            for which map_server's thresholds are made.
-#include <fmt/format.h>
 #include <png.h>
 
 #include <csetjmp>
 #include <cstring>
-#include <stdexcept>
 
 #include "maps/formats/readers.hpp"
 
@@ -89,9 +87,7 @@ bool is_png(const std::string& bytes) {
 
 GreyImage read_png(const std::string& file, const std::string& bytes) {
   PngDecoder decoder(bytes);
-  const auto fail = [&] {
-    throw std::invalid_argument(fmt::format("{}: not a readable PNG: {}", file, decoder.error));
-  };
+  const auto fail = [&] { throw_invalid("{}: not a readable PNG: {}", file, decoder.error); };
   if (!open(decoder)) fail();
   check_image_size(file, decoder.width, decoder.height);
   const std::size_t row_bytes = static_cast<std::size_t>(decoder.width) * kChannels;

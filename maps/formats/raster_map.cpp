@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "base/graph_search.hpp"
 #include "base/text.hpp"
@@ -69,9 +68,8 @@ BitGrid free_cells(const std::string& file, const OccupancyGrid& grid, bool unkn
     free.bits[k] = cell == Occupancy::free || (unknown_free && cell == Occupancy::unknown) ? 1 : 0;
   }
   if (free.count() == 0)
-    throw std::invalid_argument(
-        fmt::format("{}: no cell is free ({} occupied, {} unknown); are negate and the thresholds right?", file,
-                    occupied, unknown));
+    throw_invalid("{}: no cell is free ({} occupied, {} unknown); are negate and the thresholds right?", file, occupied,
+                  unknown);
   if (unknown > 0)
     remarks.push_back(fmt::format("{} cells are unknown and count as {}", unknown, unknown_free ? "free" : "wall"));
   return free;
@@ -81,24 +79,18 @@ Region simplified(const std::string& file, const Region& region, double metres, 
                   std::vector<std::string>& remarks) {
   Region simple = simplify_inward(region, metres / resolution);
   remarks.push_back(fmt::format("{} vertices simplified to {}", vertex_count(region), vertex_count(simple)));
-  if (simple.empty())
-    throw std::invalid_argument(
-        fmt::format("{}: nothing is left when simplified by {} m, give less", file, to_decimal(metres)));
+  if (simple.empty()) throw_invalid("{}: nothing is left when simplified by {} m, give less", file, to_decimal(metres));
   return simple;
 }
 
 /// From pixels to metres.
 void to_metres(Region& region, const Placement& placement) {
-  const auto convert = [&](Ring& ring) {
+  for_each_ring(region, [&](Ring& ring) {
     for (Point& p : ring) {
       const Point metres = p * placement.resolution;
       p = placement.origin + (placement.yaw == 0 ? metres : rotated(metres, placement.yaw));
     }
-  };
-  for (Polygon& polygon : region.polygons) {
-    convert(polygon.outer);
-    for (Ring& hole : polygon.holes) convert(hole);
-  }
+  });
 }
 
 }  // namespace

@@ -7,9 +7,8 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <vector>
 
+#include "base/throw_invalid.hpp"
 #include "geometry/raster.hpp"
 #include "maps/formats.hpp"
 

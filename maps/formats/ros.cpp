@@ -28,24 +28,21 @@ class RosYaml {
   explicit RosYaml(const std::string& file) : file_(file) {
     try {
       root_ = YAML::Load(read_file(file));
-    } catch (const YAML::Exception& e) {
-      throw std::invalid_argument(fmt::format("{}:{}: not YAML: {}", file, e.mark.line + 1, e.msg));
-    }
+    } catch (const YAML::Exception& e) { throw_invalid("{}:{}: not YAML: {}", file, e.mark.line + 1, e.msg); }
     if (!root_.IsMap())
-      throw std::invalid_argument(
-          fmt::format("{}: not a ROS map, expected keys image, resolution, origin, negate, "
-                      "occupied_thresh, free_thresh",
-                      file));
+      throw_invalid(
+          "{}: not a ROS map, expected keys image, resolution, origin, negate, "
+          "occupied_thresh, free_thresh",
+          file);
   }
 
   [[noreturn]] void refuse(const YAML::Node& at, const std::string& sentence) const {
-    throw std::invalid_argument(fmt::format("{}:{}: {}", file_, at.Mark().line + 1, sentence));
+    throw_invalid("{}:{}: {}", file_, at.Mark().line + 1, sentence);
   }
   bool has(const char* key) const { return static_cast<bool>(root_[key]); }
   YAML::Node at(const char* key, const char* expected) const {
     const YAML::Node node = root_[key];
-    if (!node || node.IsNull())
-      throw std::invalid_argument(fmt::format("{}: {} is missing, expected {}", file_, key, expected));
+    if (!node || node.IsNull()) throw_invalid("{}: {} is missing, expected {}", file_, key, expected);
     return node;
   }
   std::string text(const char* key, const char* expected) const {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "maps/formats.hpp"
 #include "maps/formats/svg_parts.hpp"
@@ -17,23 +18,14 @@
 namespace oxturn {
 
 std::string escape_xml(const std::string& text) {
+  static const std::map<char, std::string> escapes{
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
   std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (c == '\'')
-      out += "&#39;";
-    else if (static_cast<unsigned char>(c) < 0x20)
-      out += ' ';  // control characters are not allowed in XML
+  for (const char c : text)
+    if (const auto escape = escapes.find(c); escape != escapes.end())
+      out += escape->second;
     else
-      out += c;
-  }
+      out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;  // control characters are not allowed in XML
   return out;
 }
 
@@ -86,9 +78,8 @@ void append_start(std::string& out, const Canvas& canvas, const Problem& problem
 Path drawable(const Path& path) {
   Path out;
   for (const Leg& leg : path.legs) {
-    const auto bad = std::find_if_not(leg.points.begin(), leg.points.end(), [](const Point& p) {
-      return finite(p) && p.cwiseAbs().maxCoeff() < kMostCoordinate;
-    });
+    const auto bad = std::ranges::find_if_not(
+        leg.points, [](const Point& p) { return finite(p) && p.cwiseAbs().maxCoeff() < kMostCoordinate; });
     if (bad - leg.points.begin() > 1) out.legs.push_back({leg.tool, {leg.points.begin(), bad}});
     if (bad != leg.points.end()) break;
   }

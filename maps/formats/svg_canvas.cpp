@@ -4,27 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text.hpp"
+
 namespace oxturn::svg {
 namespace {
 
 constexpr double kLeastWidth = 100;  // pixels
 constexpr double kMostAspect = 2;    // height over width
-
-std::int64_t hundredths(double px) { return std::llround(px * 100); }
-
-/// Hundredths of a pixel as a decimal: 1250 -> "12.5".
-void append_hundredths(std::string& out, std::int64_t h) {
-  if (h < 0) {
-    out += '-';
-    h = -h;
-  }
-  out += std::to_string(h / 100);
-  const int rest = static_cast<int>(h % 100);
-  if (rest == 0) return;
-  out += '.';
-  out += static_cast<char>('0' + rest / 10);
-  if (rest % 10 != 0) out += static_cast<char>('0' + rest % 10);
-}
 
 }  // namespace
 
@@ -37,11 +23,7 @@ Canvas::Canvas(const Box& box, double width_px) {
   height = size.y() * scale + 2 * kMargin;
 }
 
-std::string px(double value) {
-  std::string out;
-  append_hundredths(out, hundredths(value));
-  return out;
-}
+std::string px(double value) { return to_decimal(std::round(value * 100) / 100); }
 
 void PathData::move(const Point& p) {
   flush();
@@ -81,18 +63,15 @@ void PathData::flush() {
 
 void PathData::put(char letter, const Point& at) {
   text_ += letter == 'M' ? 'M' : ' ';  // pairs after M are lines without a letter
-  append_hundredths(text_, hundredths(at.x()));
-  text_ += ' ';
-  append_hundredths(text_, hundredths(at.y()));
+  text_ += px(at.x()) + ' ' + px(at.y());
   last_ = at;
 }
 
 std::string region_data(const Canvas& canvas, const Region& region) {
   PathData data(canvas, kLeastWallStep);
   for_each_ring(region, [&](const Ring& ring) {
-    if (ring.empty()) return;
     data.add(ring);
-    data.close();
+    if (!ring.empty()) data.close();
   });
   return data.take();
 }

@@ -3,11 +3,10 @@
 ///   const svg::Canvas canvas(bounding_box(region), 1000);
 ///   out += "<path d=\"" + svg::region_data(canvas, region) + "\"/>";
 ///
-/// y points up in maps and down in SVG: it is reversed in Canvas and nowhere else. Numbers are hundredths of a pixel,
-/// printed from integers: short, and the same on every machine.
+/// y points up in maps and down in SVG: it is reversed in Canvas and nowhere else. Numbers are rounded to
+/// hundredths of a pixel: short, and the same on every machine.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "geometry/path.hpp"

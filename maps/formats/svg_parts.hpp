@@ -2,9 +2,6 @@
 /// maps/formats; svg.cpp puts them together.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "geometry/trace.hpp"
 #include "maps/formats/svg_canvas.hpp"
 #include "maps/problem.hpp"

@@ -20,14 +20,14 @@ struct Params : SiteSettings {
 };
 
 Region make(const Params& p, Rng& rng) {
-  check_site("berg-rectangle", p, 2);
   const double gap = narrowest_passage(p);
   const auto side = [&](const char* name, double metres, double share, double room) {
     const double most = room - 2 * gap;
     if (metres <= 0) metres = std::min(share * room, most);
     if (metres > most || metres < 0.001)
-      refuse("berg-rectangle", std::string(name) + " is " + number(metres) + " m, expected from 0.001 m to " +
-                                   number(most) + " m, so that passages of " + number(gap) + " m stay on both sides");
+      throw_invalid(
+          "{} is {:.4g} m, expected from 0.001 m to {:.4g} m, so that passages of {:.4g} m stay on both sides", name,
+          metres, most, gap);
     return metres;
   };
   const double w = side("obstacle_width", p.obstacle_width, 1.0 / 3, p.width);
@@ -38,27 +38,25 @@ Region make(const Params& p, Rng& rng) {
     return gap + (room - size - 2 * gap) * std::clamp(share + p.jitter * offset, 0.0, 1.0);
   };
   const Point low(position(p.across, right, p.width, w), position(p.up, higher, p.height, h));
-  Polygon room{box_region({0, 0}, {p.width, p.height}).polygons[0].outer, {}};
-  room.holes.push_back(box_region(low, low + Point(w, h)).polygons[0].outer);  // reversed by finished()
-  return finished({{std::move(room)}}, p);
+  Region room = floor_of(p);
+  room.polygons[0].holes.push_back(box_region(low, low + Point(w, h)).polygons[0].outer);
+  return room;
 }
 
 }  // namespace
 
 GeneratorInfo berg_rectangle() {
-  return describe_generator<Params>(
+  return describe_site<Params>(
       "berg-rectangle", "one room with a rectangular obstacle, as in Berg 2021",
       "one rectangle with one rectangular hole, at least `passage` robot diameters from every wall; the seed changes "
       "nothing unless jitter is above 0",
-      with_site<Params>(
-          {{"obstacle_width", &Params::obstacle_width, Range{0, 100000}, "metres; 0: a third of the room's width"},
-           {"obstacle_height", &Params::obstacle_height, Range{0, 100000}, "metres; 0: a quarter of the room's height"},
-           {"across", &Params::across, Range{0, 1},
-            "horizontal position of the obstacle; 0: as far left as a passage allows, 1: right"},
-           {"up", &Params::up, Range{0, 1},
-            "vertical position of the obstacle; 0: as low as a passage allows, 1: as high"},
-           {"jitter", &Params::jitter, Range{0, 1}, "how far the seed moves the obstacle from that position"}}),
-      make);
+      {{"obstacle_width", &Params::obstacle_width, Range{0, 100000}, "metres; 0: a third of the room's width"},
+       {"obstacle_height", &Params::obstacle_height, Range{0, 100000}, "metres; 0: a quarter of the room's height"},
+       {"across", &Params::across, Range{0, 1},
+        "horizontal position of the obstacle; 0: as far left as a passage allows, 1: right"},
+       {"up", &Params::up, Range{0, 1}, "vertical position of the obstacle; 0: as low as a passage allows, 1: as high"},
+       {"jitter", &Params::jitter, Range{0, 1}, "how far the seed moves the obstacle from that position"}},
+      make, 2);
 }
 
 }  // namespace oxturn::generator

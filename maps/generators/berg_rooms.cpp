@@ -15,7 +15,6 @@
 #include <cmath>
 
 #include "base/disjoint_sets.hpp"
-#include "geometry/raster.hpp"
 #include "maps/generators/shape.hpp"
 
 namespace oxturn::generator {
@@ -32,8 +31,6 @@ struct Params : SiteSettings {
   double branches = 0.35;
   double jitter = 0.3;
 };
-
-constexpr double kMostCells = 1e8;  // squares of the wall's thickness
 
 /// Extent of a room along one axis, in wall thicknesses: [from, to).
 struct Span {
@@ -72,13 +69,13 @@ using Branches = std::array<Branch, 4>;  // by corner
 
 class Building {
  public:
-  Building(const Params& p, int columns, int rows, int door, Rng& rng)
+  Building(const Params& p, const BitGrid& walls, int door, Rng& rng)
       : p_(p),
         door_(door),
         rng_(rng),
-        grid_({0, 0}, 1, columns, rows),
-        xs_(spans(p.columns, columns, 2 * door + 1, p.jitter, rng)),
-        ys_(spans(p.rows, rows, 2 * door + 1, p.jitter, rng)),
+        grid_(walls),
+        xs_(spans(p.columns, walls.columns, 2 * door + 1, p.jitter, rng)),
+        ys_(spans(p.rows, walls.rows, 2 * door + 1, p.jitter, rng)),
         branches_(xs_.size() * ys_.size()) {
     for (const Span& y : ys_)
       for (const Span& x : xs_) open(x, y);
@@ -190,42 +187,39 @@ class Building {
 };
 
 Region make(const Params& p, Rng& rng) {
-  check_site("berg-rooms", p);
-  const double door_width = passage_width("berg-rooms", "door", p.door, 2, p);
-  if (p.width < p.wall || p.height < p.wall || p.width / p.wall * (p.height / p.wall) > kMostCells)
-    refuse("berg-rooms", "wall is " + number(p.wall) + " m in " + number(p.width) + " x " + number(p.height) +
-                             " m, expected thinner than the size and no more than 10^8 squares of its thickness");
-  const int across = static_cast<int>(p.width / p.wall), up = static_cast<int>(p.height / p.wall);
+  const double door_width = passage_width("door", p.door, 2, p);
+  const BitGrid walls = wall_squares(p, p.wall);
   // Limited before the cast: a door wider than the floor is refused below.
-  const int door = static_cast<int>(std::min(std::ceil(door_width / p.wall), 1.0 * std::max(across, up)));
+  const int door =
+      static_cast<int>(std::min(std::ceil(door_width / p.wall), 1.0 * std::max(walls.columns, walls.rows)));
   const auto fit = [&](const char* name, int n, int cells, double metres) {
     const int most = (cells + 1) / (2 * door + 2);  // a room is a little over two doors wide, and a wall thick
     if (n > most)
-      refuse("berg-rooms", std::string(name) + " is " + std::to_string(n) + ", but only " + std::to_string(most) +
-                               " rooms with doors of " + number(door_width) + " m fit in " + number(metres) +
-                               " m (a room is two doors wide); take fewer, narrower doors or a larger size");
+      throw_invalid(
+          "{} is {}, but only {} rooms with doors of {:.4g} m fit in {:.4g} m (a room is two doors wide); take "
+          "fewer, narrower doors or a larger size",
+          name, n, most, door_width, metres);
   };
-  fit("columns", p.columns, across, p.width);
-  fit("rows", p.rows, up, p.height);
-  const Building building(p, across, up, door, rng);
-  return finished(placed(trace(building.grid()), lattice_lines(across, p.width), lattice_lines(up, p.height)), p);
+  fit("columns", p.columns, walls.columns, p.width);
+  fit("rows", p.rows, walls.rows, p.height);
+  return traced(Building(p, walls, door, rng).grid(), p);
 }
 
 }  // namespace
 
 GeneratorInfo berg_rooms() {
-  return describe_generator<Params>(
+  return describe_site<Params>(
       "berg-rooms", "a building with many connections and small branching rooms, as in Berg 2021",
       "every room and small room reached, small rooms by one door; doors at least `passage` robot diameters wide",
-      with_site<Params>({{"columns", &Params::columns, Range{1, 10000}, "rooms side by side"},
-                         {"rows", &Params::rows, Range{1, 10000}, "rooms above each other"},
-                         {"wall", &Params::wall, Range{0.001, 1000}, "metres; thickness of walls"},
-                         {"door", &Params::door, Range{0, 1000}, "metres, at least; 0: 2 robot diameters"},
-                         {"doors", &Params::doors, Range{1, 1000}, "most doors in the wall between two rooms"},
-                         {"loops", &Params::loops, Range{0, 1}, "probability of doors in a wall that needs none"},
-                         {"branches", &Params::branches, Range{0, 1},
-                          "probability that a corner of a room is a small room, where there is space"},
-                         {"jitter", &Params::jitter, Range{0, 1}, "how unequal the rooms are"}}),
+      {{"columns", &Params::columns, Range{1, 10000}, "rooms side by side"},
+       {"rows", &Params::rows, Range{1, 10000}, "rooms above each other"},
+       {"wall", &Params::wall, Range{0.001, 1000}, "metres; thickness of walls"},
+       {"door", &Params::door, Range{0, 1000}, "metres, at least; 0: 2 robot diameters"},
+       {"doors", &Params::doors, Range{1, 1000}, "most doors in the wall between two rooms"},
+       {"loops", &Params::loops, Range{0, 1}, "probability of doors in a wall that needs none"},
+       {"branches", &Params::branches, Range{0, 1},
+        "probability that a corner of a room is a small room, where there is space"},
+       {"jitter", &Params::jitter, Range{0, 1}, "how unequal the rooms are"}},
       make);
 }
 

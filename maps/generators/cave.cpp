@@ -6,13 +6,10 @@
 //             the two new corners by an eighth to a quarter of a cell, does not touch that disc for k >= 2.
 // Complexity  O(cells)
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <tuple>
 
 #include "base/disjoint_sets.hpp"
 #include "base/graph_search.hpp"
-#include "geometry/raster.hpp"
 #include "maps/generators/shape.hpp"
 
 namespace oxturn::generator {
@@ -97,9 +94,7 @@ class Tunnels {
     find_halls(least);
     spread();
     std::vector<Tunnel> tunnels = candidates();
-    std::sort(tunnels.begin(), tunnels.end(), [](const Tunnel& x, const Tunnel& y) {
-      return std::tie(x.length, x.a, x.b) < std::tie(y.length, y.a, y.b);
-    });
+    std::sort(tunnels.begin(), tunnels.end());
     DisjointSets connected(halls_);
     for (const Tunnel& t : tunnels)
       if (connected.unite(hall_[t.a], hall_[t.b]))
@@ -111,6 +106,7 @@ class Tunnels {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   struct Tunnel {  // between the adjacent cells a and b
     std::size_t length, a, b;
+    auto operator<=>(const Tunnel&) const = default;
   };
 
   /// Calls f(cell) for the up to four neighbours: east, north, west, south.
@@ -178,50 +174,44 @@ class Tunnels {
 };
 
 Region make(const Params& p, Rng& rng) {
-  check_site("cave", p, 2);
   // By default halls are about four robots wide. The cells are square; what remains of the size is divided equally.
   const double grain = p.grain > 0 ? p.grain : std::max(2 * p.robot, narrowest_passage(p) / 2);
   const double across = std::floor(p.width / grain), up = std::floor(p.height / grain);
   if (across * up > kMostCells)
-    refuse("cave", "grain is " + number(grain) + " m in " + number(p.width) + " x " + number(p.height) +
-                       " m, expected no more than 10^8 cells; raise it");
+    throw_invalid("grain is {:.4g} m in {:.4g} x {:.4g} m, expected no more than 10^8 cells; raise it", grain, p.width,
+                  p.height);
   const double needed = std::max(2.0, std::ceil(narrowest_passage(p) / grain));
   if (across < 2 * needed || up < 2 * needed)
-    refuse("cave", "grain is " + number(grain) + " m in " + number(p.width) + " x " + number(p.height) +
-                       " m, expected at least " + number(2 * needed) + " cells each way; lower it");
+    throw_invalid("grain is {:.4g} m in {:.4g} x {:.4g} m, expected at least {:.4g} cells each way; lower it", grain,
+                  p.width, p.height, 2 * needed);
   const int k = static_cast<int>(needed), columns = static_cast<int>(across), rows = static_cast<int>(up);
   BitGrid positions = square_positions(settled(columns, rows, p, rng), k);
   Tunnels(positions).dig(static_cast<std::size_t>(k) * static_cast<std::size_t>(k));
   if (positions.count() == 0)
-    refuse("cave", "rock " + number(p.rock) + " leaves no hall " + number(k * grain) +
-                       " m wide; lower rock or grain, or take a larger size");
+    throw_invalid("rock {:.4g} leaves no hall {:.4g} m wide; lower rock or grain, or take a larger size", p.rock,
+                  k * grain);
   Region region = trace(union_of_squares(positions, k));
   const Point shift((p.width - columns * grain) / 2, (p.height - rows * grain) / 2);
-  const auto smooth = [&](Ring& ring) {
+  for_each_ring(region, [&](Ring& ring) {
     ring = without_straight_vertices(ring);
     if (p.smoothing >= 1) ring = cut_vertices(ring, 0.5, 0.5);
     if (p.smoothing >= 2) ring = cut_vertices(ring, 0.25, 0.25);
     for (Point& q : ring) q = shift + grain * q;
-  };
-  for (Polygon& polygon : region.polygons) {
-    smooth(polygon.outer);
-    for (Ring& hole : polygon.holes) smooth(hole);
-  }
-  return finished(std::move(region), p);
+  });
+  return region;
 }
 
 }  // namespace
 
 GeneratorInfo cave() {
-  return describe_generator<Params>(
+  return describe_site<Params>(
       "cave", "a natural cave with pillars",
       "all halls connected; a disc `passage` robot diameters wide reaches all of it",
-      with_site<Params>(
-          {{"rock", &Params::rock, Range{0, 0.9}, "share of rock in the noise; near 0.5 the cave is most complex"},
-           {"grain", &Params::grain, Range{0, 1000}, "metres; side of the automaton's cells; 0: one robot diameter"},
-           {"rounds", &Params::rounds, Range{0, 50}, "rounds of the automaton; few: rugged walls"},
-           {"smoothing", &Params::smoothing, Range{0, 2}, "0: square cells; 1: cut corners; 2: cut twice"}}),
-      make);
+      {{"rock", &Params::rock, Range{0, 0.9}, "share of rock in the noise; near 0.5 the cave is most complex"},
+       {"grain", &Params::grain, Range{0, 1000}, "metres; side of the automaton's cells; 0: one robot diameter"},
+       {"rounds", &Params::rounds, Range{0, 50}, "rounds of the automaton; few: rugged walls"},
+       {"smoothing", &Params::smoothing, Range{0, 2}, "0: square cells; 1: cut corners; 2: cut twice"}},
+      make, 2);
 }
 
 }  // namespace oxturn::generator

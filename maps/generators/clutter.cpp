@@ -67,8 +67,7 @@ std::vector<Obstacle> drawn(const Params& p, double most, Rng& rng) {
          round ? disc(p.disc_chords, radius, {0, 0}) : convex_blob(rng, rng.between(3, p.corners), radius, {0, 0})});
     filled += signed_area(obstacles.back().ring);
   }
-  std::stable_sort(obstacles.begin(), obstacles.end(),
-                   [](const Obstacle& a, const Obstacle& b) { return a.radius > b.radius; });
+  std::ranges::stable_sort(obstacles, [](const Obstacle& a, const Obstacle& b) { return a.radius > b.radius; });
   return obstacles;
 }
 
@@ -97,44 +96,43 @@ std::size_t move_apart(std::vector<Obstacle>& obstacles, const Params& p, double
 }
 
 Region make(const Params& p, Rng& rng) {
-  check_site("clutter", p);
   const double gap = narrowest_passage(p), most = std::min(p.most, (std::min(p.width, p.height) / 2 - gap) * 0.999);
-  if (p.least > p.most)
-    refuse("clutter", "least is " + number(p.least) + " m, expected no more than most, " + number(p.most) + " m");
+  if (p.least > p.most) throw_invalid("least is {:.4g} m, expected no more than most, {:.4g} m", p.least, p.most);
   if (p.density > 0 && p.least > most)
-    refuse("clutter", "obstacles of radius " + number(p.least) + " m do not fit in " + number(p.width) + " x " +
-                          number(p.height) + " m with passages of " + number(gap) + " m; lower least");
+    throw_invalid("obstacles of radius {:.4g} m do not fit in {:.4g} x {:.4g} m with passages of {:.4g} m; lower least",
+                  p.least, p.width, p.height, gap);
   if (p.density * p.width * p.height > kMostObstacles * p.least * p.least)
-    refuse("clutter", "density " + number(p.density) + " of obstacles as small as " + number(p.least) +
-                          " m makes millions of them in " + number(p.width) + " x " + number(p.height) +
-                          " m; raise least or lower density");
+    throw_invalid(
+        "density {:.4g} of obstacles as small as {:.4g} m makes millions of them in {:.4g} x {:.4g} m; raise "
+        "least or lower density",
+        p.density, p.least, p.width, p.height);
   for (int attempt = 1;; ++attempt) {
     std::vector<Obstacle> obstacles = drawn(p, most, rng);
     const std::size_t fit = move_apart(obstacles, p, most, rng);
     if (fit < obstacles.size() && attempt < kAttempts) continue;  // other obstacles may fit
     if (fit < obstacles.size())
-      refuse("clutter", "density " + number(p.density) + " cannot be reached: only " + std::to_string(fit) + " of " +
-                            std::to_string(obstacles.size()) +
-                            " obstacles fit; lower density, or take larger obstacles or a narrower passage");
-    Polygon polygon{box_region({0, 0}, {p.width, p.height}).polygons[0].outer, {}};
-    for (Obstacle& o : obstacles) polygon.holes.push_back(std::move(o.ring));
-    return finished({{std::move(polygon)}}, p);
+      throw_invalid(
+          "density {:.4g} cannot be reached: only {} of {} obstacles fit; lower density, or take larger "
+          "obstacles or a narrower passage",
+          p.density, fit, obstacles.size());
+    Region region = floor_of(p);
+    for (Obstacle& o : obstacles) region.polygons[0].holes.push_back(std::move(o.ring));
+    return region;
   }
 }
 
 }  // namespace
 
 GeneratorInfo clutter() {
-  return describe_generator<Params>(
+  return describe_site<Params>(
       "clutter", "a rectangle full of convex obstacles",
       "disjoint convex holes at least `passage` robot diameters from each other and from the border: connected",
-      with_site<Params>(
-          {{"density", &Params::density, Range{0, 0.9}, "share of the area that obstacles take"},
-           {"least", &Params::least, Range{0.001, 10000}, "metres; radius of the smallest obstacle"},
-           {"most", &Params::most, Range{0.001, 10000}, "metres; radius of the largest obstacle (or what fits)"},
-           {"discs", &Params::discs, Range{0, 1}, "share of discs among the obstacles"},
-           {"corners", &Params::corners, Range{3, 100}, "most vertices of an obstacle that is no disc"},
-           {"disc_chords", &Params::disc_chords, Range{8, 1000}, "chords of a disc"}}),
+      {{"density", &Params::density, Range{0, 0.9}, "share of the area that obstacles take"},
+       {"least", &Params::least, Range{0.001, 10000}, "metres; radius of the smallest obstacle"},
+       {"most", &Params::most, Range{0.001, 10000}, "metres; radius of the largest obstacle (or what fits)"},
+       {"discs", &Params::discs, Range{0, 1}, "share of discs among the obstacles"},
+       {"corners", &Params::corners, Range{3, 100}, "most vertices of an obstacle that is no disc"},
+       {"disc_chords", &Params::disc_chords, Range{8, 1000}, "chords of a disc"}},
       make);
 }
 

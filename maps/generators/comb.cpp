@@ -18,18 +18,16 @@ struct Params : SiteSettings {
 constexpr double kMostShortened = 0.75;  // of an aisle's depth, by jitter
 
 Region make(const Params& p, Rng& rng) {
-  check_site("comb", p);
-  const double corridor = passage_width("comb", "corridor", p.corridor, 3, p);
+  const double corridor = passage_width("corridor", p.corridor, 3, p);
   const double aisle = (p.width - (p.aisles - 1) * p.wall) / p.aisles;
   if (aisle < narrowest_passage(p))
-    refuse("comb", std::to_string(p.aisles) + " aisles and walls of " + number(p.wall) + " m in a width of " +
-                       number(p.width) + " m leave aisles of " + number(std::max(0.0, aisle)) +
-                       " m, expected at least " + number(narrowest_passage(p)) +
-                       " m; take fewer aisles or a larger width");
+    throw_invalid(
+        "{} aisles and walls of {:.4g} m in a width of {:.4g} m leave aisles of {:.4g} m, expected at least "
+        "{:.4g} m; take fewer aisles or a larger width",
+        p.aisles, p.wall, p.width, std::max(0.0, aisle), narrowest_passage(p));
   const double depth = (p.height - corridor) / (p.both_sides ? 2 : 1);
   if (depth <= 0)
-    refuse("comb",
-           "corridor is " + number(corridor) + " m wide, expected less than the height of " + number(p.height) + " m");
+    throw_invalid("corridor is {:.4g} m wide, expected less than the height of {:.4g} m", corridor, p.height);
   const double low = p.both_sides ? depth : 0, high = low + corridor;
   const auto reach = [&] { return depth * (1 - kMostShortened * p.jitter * rng.unit()); };
   const auto left = [&](int i) { return i * (aisle + p.wall); };
@@ -50,21 +48,20 @@ Region make(const Params& p, Rng& rng) {
     for (const Point& q : {Point(right(i), high), Point(right(i), top), Point(left(i), top), Point(left(i), high)})
       ring.push_back(q);
   }
-  return finished({{{ring, {}}}}, p);
+  return {{{ring, {}}}};
 }
 
 }  // namespace
 
 GeneratorInfo comb() {
-  return describe_generator<Params>(
+  return describe_site<Params>(
       "comb", "a corridor with dead-end aisles",
       "one polygon without holes; corridor and aisles at least `passage` robot diameters wide",
-      with_site<Params>(
-          {{"aisles", &Params::aisles, Range{1, 100000}, "dead ends on a side"},
-           {"wall", &Params::wall, Range{0.001, 10000}, "metres; thickness between two aisles"},
-           {"corridor", &Params::corridor, Range{0, 10000}, "metres; 0: 3 robot diameters"},
-           {"jitter", &Params::jitter, Range{0, 1}, "how unequal the aisles' depths are; 1: down to a quarter"},
-           {"both_sides", &Params::both_sides, "aisles on both sides of the corridor"}}),
+      {{"aisles", &Params::aisles, Range{1, 100000}, "dead ends on a side"},
+       {"wall", &Params::wall, Range{0.001, 10000}, "metres; thickness between two aisles"},
+       {"corridor", &Params::corridor, Range{0, 10000}, "metres; 0: 3 robot diameters"},
+       {"jitter", &Params::jitter, Range{0, 1}, "how unequal the aisles' depths are; 1: down to a quarter"},
+       {"both_sides", &Params::both_sides, "aisles on both sides of the corridor"}},
       make);
 }
 

@@ -20,17 +20,17 @@ struct Params : SiteSettings {
 };
 
 Region make(const Params& p, Rng& rng) {
-  check_site("divided-corridor", p);
-  const double opening = passage_width("divided-corridor", "opening", p.opening, 3, p);
+  const double opening = passage_width("opening", p.opening, 3, p);
   const double side = (p.width - p.wall) / 2, gap = narrowest_passage(p);
   const double room = p.height - opening;
   const double pitch = p.obstacles > 0 ? room / p.obstacles : room;
   // Each obstacle leaves the narrowest passage on both of its sides, and between itself and the next.
   const double size = std::min(side - 2 * gap, pitch / 2 - gap);
   if (size <= 0)
-    refuse("divided-corridor", std::to_string(p.obstacles) + " obstacles on each side, " + number(std::max(0.0, side)) +
-                                   " x " + number(std::max(0.0, room)) + " m, leave no passages of " + number(gap) +
-                                   " m; take fewer obstacles or a larger width or height");
+    throw_invalid(
+        "{} obstacles on each side, {:.4g} x {:.4g} m, leave no passages of {:.4g} m; take fewer obstacles or a "
+        "larger width or height",
+        p.obstacles, std::max(0.0, side), std::max(0.0, room), gap);
   Polygon polygon;
   polygon.outer = {{0, 0},       {side, 0},           {side, room}, {side + p.wall, room}, {side + p.wall, 0},
                    {p.width, 0}, {p.width, p.height}, {0, p.height}};
@@ -44,20 +44,20 @@ Region make(const Params& p, Rng& rng) {
     const Ring box = box_region(centre - Point(half, half), centre + Point(half, half)).polygons[0].outer;
     polygon.holes.emplace_back(box.rbegin(), box.rend());
   }
-  return finished({{std::move(polygon)}}, p);
+  return {{std::move(polygon)}};
 }
 
 }  // namespace
 
 GeneratorInfo divided_corridor() {
-  return describe_generator<Params>(
+  return describe_site<Params>(
       "divided-corridor", "a corridor divided lengthwise, with obstacles on alternating sides",
       "disjoint square holes at least `passage` robot diameters from the walls: connected",
-      with_site<Params>({{"wall", &Params::wall, Range{0.001, 10000}, "metres; thickness of the dividing wall"},
-                         {"opening", &Params::opening, Range{0, 10000},
-                          "metres; at the upper end of the dividing wall; 0: 3 robot diameters"},
-                         {"obstacles", &Params::obstacles, Range{0, 100000}, "on each side"},
-                         {"jitter", &Params::jitter, Range{0, 1}, "how much obstacles differ in size and spacing"}}),
+      {{"wall", &Params::wall, Range{0.001, 10000}, "metres; thickness of the dividing wall"},
+       {"opening", &Params::opening, Range{0, 10000},
+        "metres; at the upper end of the dividing wall; 0: 3 robot diameters"},
+       {"obstacles", &Params::obstacles, Range{0, 100000}, "on each side"},
+       {"jitter", &Params::jitter, Range{0, 1}, "how much obstacles differ in size and spacing"}},
       make);
 }
 

@@ -39,8 +39,7 @@ Ring outline(const Params& p, Rng& rng) {
   }
   // Cuts become smaller, so that the sides stay straight between the rounded corners.
   for (double k = 0, most = kFirstCut; k < p.rounding; ++k, most *= kCutRatio) ring = cut_vertices(ring, 0.3, most);
-  Box box;
-  for (const Point& q : ring) box.add(q);
+  const Box box = bounding_box(ring);
   for (Point& q : ring)
     q = {(q.x() - box.low.x()) / box.size().x() * p.width, (q.y() - box.low.y()) / box.size().y() * p.height};
   return ring;
@@ -79,8 +78,7 @@ void add_ponds(Polygon& field, const Params& p, int vertices, Rng& rng) {
   int tries = 0;
   for (std::size_t i = 0; i < radii.size();) {
     if (tries++ == kTries)
-      refuse("field", "only " + std::to_string(i) + " of " + std::to_string(p.ponds) +
-                          " ponds fit; lower ponds or pond_area, or take a larger size");
+      throw_invalid("only {} of {} ponds fit; lower ponds or pond_area, or take a larger size", i, p.ponds);
     const double x = rng.between(0.0, p.width);
     const double y = rng.between(0.0, p.height);
     if (!spacing.fits({x, y}, radii[i]) || !contains_disc(field.outer, {x, y}, radii[i] + gap)) continue;
@@ -92,33 +90,31 @@ void add_ponds(Polygon& field, const Params& p, int vertices, Rng& rng) {
 }
 
 Region make(const Params& p, Rng& rng) {
-  check_site("field", p, 12);
   const int vertices = p.pond_corners > 0
                            ? p.pond_corners
                            : static_cast<int>(std::floor(kPublishedVertices * p.ponds / kPublishedPonds + 0.5));
   if (vertices < 3 * p.ponds)
-    refuse("field", "pond_corners is " + std::to_string(vertices) + ", expected at least 3 for each of " +
-                        std::to_string(p.ponds) + " ponds");
+    throw_invalid("pond_corners is {}, expected at least 3 for each of {} ponds", vertices, p.ponds);
   Polygon polygon{outline(p, rng), {}};
   if (p.ponds > 0) add_ponds(polygon, p, vertices, rng);
-  return finished({{std::move(polygon)}}, p);
+  return {{std::move(polygon)}};
 }
 
 }  // namespace
 
 GeneratorInfo field() {
-  return describe_generator<Params>(
+  return describe_site<Params>(
       "field", "a farm field with ponds",
       "disjoint convex holes at least `passage` robot diameters from each other and from the outline: connected",
-      with_site<Params>({{"corners", &Params::corners, Range{4, 40}, "of the outline, before rounding"},
-                         {"roughness", &Params::roughness, Range{0, 1}, "how irregular the outline is"},
-                         {"rounding", &Params::rounding, Range{0, 5}, "how often the outline's corners are cut"},
-                         {"ponds", &Params::ponds, Range{0, 100000}, "number of holes"},
-                         {"pond_corners", &Params::pond_corners, Range{0, 1000000},
-                          "vertices of all ponds together; 0: 71 for every 15 ponds"},
-                         {"pond_area", &Params::pond_area, Range{0.0001, 0.5},
-                          "share of the field within the ponds' circumscribed circles"}}),
-      make);
+      {{"corners", &Params::corners, Range{4, 40}, "of the outline, before rounding"},
+       {"roughness", &Params::roughness, Range{0, 1}, "how irregular the outline is"},
+       {"rounding", &Params::rounding, Range{0, 5}, "how often the outline's corners are cut"},
+       {"ponds", &Params::ponds, Range{0, 100000}, "number of holes"},
+       {"pond_corners", &Params::pond_corners, Range{0, 1000000},
+        "vertices of all ponds together; 0: 71 for every 15 ponds"},
+       {"pond_area", &Params::pond_area, Range{0.0001, 0.5},
+        "share of the field within the ponds' circumscribed circles"}},
+      make, 12);
 }
 
 }  // namespace oxturn::generator

@@ -29,11 +29,9 @@ GeneratorInfo hyun();
 }  // namespace generator
 
 Generators built_in_generators() {
-  return Generators(
-      "generator",
-      {generator::rectangle(), generator::polygon(), generator::clutter(), generator::rooms(), generator::maze(),
-       generator::cave(), generator::comb(), generator::spiral(), generator::field(), generator::berg_rectangle(),
-       generator::berg_rooms(), generator::divided_corridor(), generator::pillars(), generator::hyun()});
+  using namespace generator;
+  return Generators("generator", {rectangle(), polygon(), clutter(), rooms(), maze(), cave(), comb(), spiral(), field(),
+                                  berg_rectangle(), berg_rooms(), divided_corridor(), pillars(), hyun()});
 }
 
 Map generate(const std::string& generator, const Settings& settings, std::uint64_t seed, const Generators& generators) {

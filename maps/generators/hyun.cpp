@@ -22,12 +22,12 @@ constexpr double kLeastGap = 0.07;  // of the shorter side: between obstacles' b
 constexpr double kMostMove = 0.02;  // of the shorter side: by jitter
 
 Region make(const Params& p, Rng& rng) {
-  check_site("hyun", p);
   const double side = std::min(p.width, p.height);
   const double gap = (kLeastGap - 2 * kMostMove * p.jitter) * side;
   if (narrowest_passage(p) > gap)
-    refuse("hyun", "passages are as narrow as " + number(gap) + " m, expected at least " +
-                       number(narrowest_passage(p)) + " m; raise width and height or lower jitter");
+    throw_invalid(
+        "passages are as narrow as {:.4g} m, expected at least {:.4g} m; raise width and height or lower jitter", gap,
+        narrowest_passage(p));
   const std::vector<Ring> polygons{{{.46, .56}, {.78, .56}, {.78, .66}, {.58, .66}, {.58, .84}, {.46, .84}},
                                    {{.12, .22}, {.26, .14}, {.38, .24}, {.34, .40}, {.16, .38}},
                                    {{.52, .16}, {.74, .20}, {.60, .40}}};
@@ -41,27 +41,28 @@ Region make(const Params& p, Rng& rng) {
     const double x = rng.between(-1, 1), y = rng.between(-1, 1);
     return Point(p.jitter * kMostMove * side * Point(x, y));
   };
-  Polygon room{box_region({0, 0}, {p.width, p.height}).polygons[0].outer, {}};
+  Region room = floor_of(p);
+  std::vector<Ring>& holes = room.polygons[0].holes;
   for (Ring ring : polygons) {
     const Point by = offset();
     for (Point& q : ring) q = Point(p.width * q.x(), p.height * q.y()) + by;
-    room.holes.push_back(std::move(ring));
+    holes.push_back(std::move(ring));
   }
   for (const Circle& c : circles)
-    room.holes.push_back(
+    holes.push_back(
         disc(p.disc_chords, c.radius * side, Point(p.width * c.centre.x(), p.height * c.centre.y()) + offset()));
-  return finished({{std::move(room)}}, p);
+  return room;
 }
 
 }  // namespace
 
 GeneratorInfo hyun() {
-  return describe_generator<Params>(
+  return describe_site<Params>(
       "hyun", "a room of 50 m x 50 m with five obstacles, polygons and circles, like the test map of Hyun",
       "five holes, at least `passage` robot diameters from each other and the walls; the seed changes nothing unless "
       "jitter is above 0",
-      with_site<Params>({{"jitter", &Params::jitter, Range{0, 1}, "how far the seed moves the obstacles"},
-                         {"disc_chords", &Params::disc_chords, Range{8, 1000}, "chords of a circle"}}),
+      {{"jitter", &Params::jitter, Range{0, 1}, "how far the seed moves the obstacles"},
+       {"disc_chords", &Params::disc_chords, Range{8, 1000}, "chords of a circle"}},
       make);
 }
 

@@ -4,11 +4,9 @@
 // Complexity  O(cells)
 // Decisions   1. Corridors are widened a little so that a whole number of them fills the size exactly.
 //             2. Drawn on a lattice of corridor and wall bands and traced, so walls are exact.
-#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "geometry/raster.hpp"
 #include "maps/generators/shape.hpp"
 
 namespace oxturn::generator {
@@ -68,32 +66,31 @@ BitGrid grown(int columns, int rows, const Params& p, Rng& rng) {
 }
 
 Region make(const Params& p, Rng& rng) {
-  check_site("maze", p);
-  const double corridor = passage_width("maze", "corridor", p.corridor, 2.5, p);
+  const double corridor = passage_width("corridor", p.corridor, 2.5, p);
   const double across = std::floor((p.width + p.wall) / (corridor + p.wall));
   const double up = std::floor((p.height + p.wall) / (corridor + p.wall));
   if (across < 1 || up < 1)
-    refuse("maze", "corridor is " + number(corridor) + " m, expected no more than the size, " + number(p.width) +
-                       " x " + number(p.height) + " m");
+    throw_invalid("corridor is {:.4g} m, expected no more than the size, {:.4g} x {:.4g} m", corridor, p.width,
+                  p.height);
   if (across * up > kMostCells)
-    refuse("maze", number(p.width) + " x " + number(p.height) + " m have " + number(across * up) +
-                       " cells, expected no more than 4000000; take a wider corridor or a smaller size");
+    throw_invalid(
+        "{:.4g} x {:.4g} m have {:.4g} cells, expected no more than 4000000; take a wider corridor or a "
+        "smaller size",
+        p.width, p.height, across * up);
   const int columns = static_cast<int>(across), rows = static_cast<int>(up);
-  return finished(
-      placed(trace(grown(columns, rows, p, rng)), bands(columns, p.width, p.wall), bands(rows, p.height, p.wall)), p);
+  return traced(grown(columns, rows, p, rng), bands(columns, p.width, p.wall), bands(rows, p.height, p.wall));
 }
 
 }  // namespace
 
 GeneratorInfo maze() {
-  return describe_generator<Params>(
+  return describe_site<Params>(
       "maze", "a maze of corridors",
       "every cell reached, by a single path if loops is 0; corridors at least `passage` robot diameters wide",
-      with_site<Params>(
-          {{"corridor", &Params::corridor, Range{0, 10000}, "metres, at least; 0: 2.5 robot diameters"},
-           {"wall", &Params::wall, Range{0.001, 10000}, "metres; thickness of walls"},
-           {"loops", &Params::loops, Range{0, 1}, "probability that a wall that the tree left closed is opened"},
-           {"branching", &Params::branching, Range{0, 1}, "0: long winding corridors; 1: many short dead ends"}}),
+      {{"corridor", &Params::corridor, Range{0, 10000}, "metres, at least; 0: 2.5 robot diameters"},
+       {"wall", &Params::wall, Range{0.001, 10000}, "metres; thickness of walls"},
+       {"loops", &Params::loops, Range{0, 1}, "probability that a wall that the tree left closed is opened"},
+       {"branching", &Params::branching, Range{0, 1}, "0: long winding corridors; 1: many short dead ends"}},
       make);
 }
 

@@ -23,42 +23,42 @@ constexpr double kRowsApart = 2.15;  // default spacing in pillar radii, at leas
 constexpr double kMostVertices = 2e7;
 
 Region make(const Params& p, Rng& rng) {
-  check_site("pillars", p);
   const double gap = narrowest_passage(p);
   // Diagonal neighbours are spacing * sqrt 2 apart; the passage between them is that less two radii. Jitter takes up to
   // half of the excess on either side.
   const double least = (gap + 2 * p.pillar) / std::sqrt(2.0);
   const double spacing = p.spacing > 0 ? p.spacing : std::max(kExcess * least, kRowsApart * p.pillar);
   if (spacing < least)
-    refuse("pillars", "spacing is " + number(p.spacing) + " m, expected at least " + number(least) +
-                          " m for a robot between pillars of radius " + number(p.pillar) + " m");
+    throw_invalid("spacing is {:.4g} m, expected at least {:.4g} m for a robot between pillars of radius {:.4g} m",
+                  p.spacing, least, p.pillar);
   if (p.width / spacing * p.height / spacing / 2 * p.chords > kMostVertices)
-    refuse("pillars", "pillars " + number(spacing) + " m apart make more than 2 * 10^7 vertices in " + number(p.width) +
-                          " x " + number(p.height) + " m; take a larger spacing or fewer chords");
+    throw_invalid(
+        "pillars {:.4g} m apart make more than 2 * 10^7 vertices in {:.4g} x {:.4g} m; take a larger spacing or "
+        "fewer chords",
+        spacing, p.width, p.height);
   const double slack = p.jitter * (spacing - least) / 2;
-  Polygon polygon{box_region({0, 0}, {p.width, p.height}).polygons[0].outer, {}};
+  Region hall = floor_of(p);
   const double margin = gap + p.pillar + slack;
   for (int j = 0; margin + j * spacing <= p.height - margin; ++j)
     for (int i = j % 2; margin + i * spacing <= p.width - margin; i += 2) {
       const Point shift(slack * rng.between(-1, 1), slack * rng.between(-1, 1));
       Ring ring = disc(p.chords, p.pillar, Point(margin + i * spacing, margin + j * spacing) + shift);
-      polygon.holes.emplace_back(ring.rbegin(), ring.rend());
+      hall.polygons[0].holes.emplace_back(ring.rbegin(), ring.rend());
     }
-  return finished({{std::move(polygon)}}, p);
+  return hall;
 }
 
 }  // namespace
 
 GeneratorInfo pillars() {
-  return describe_generator<Params>(
+  return describe_site<Params>(
       "pillars", "a hall with pillars in staggered rows",
       "disjoint convex holes at least `passage` robot diameters from each other and from the border: connected",
-      with_site<Params>(
-          {{"pillar", &Params::pillar, Range{0.001, 10000}, "metres; radius of a pillar"},
-           {"spacing", &Params::spacing, Range{0, 10000},
-            "metres between rows, and between columns; 0: diagonal passages are open and those along rows are not"},
-           {"jitter", &Params::jitter, Range{0, 1}, "how far pillars are off their regular positions"},
-           {"chords", &Params::chords, Range{3, 1000}, "corners of a pillar"}}),
+      {{"pillar", &Params::pillar, Range{0.001, 10000}, "metres; radius of a pillar"},
+       {"spacing", &Params::spacing, Range{0, 10000},
+        "metres between rows, and between columns; 0: diagonal passages are open and those along rows are not"},
+       {"jitter", &Params::jitter, Range{0, 1}, "how far pillars are off their regular positions"},
+       {"chords", &Params::chords, Range{3, 1000}, "corners of a pillar"}},
       make);
 }
 

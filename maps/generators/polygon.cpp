@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <tuple>
 
 #include "maps/generators/shape.hpp"
 
@@ -48,6 +47,7 @@ double least_height(const Point& a, const Point& b, const Point& c) {
 void link_neighbours(std::vector<Triangle>& triangles) {
   struct Edge {
     std::size_t low, high, triangle, k;
+    auto operator<=>(const Edge&) const = default;
   };
   std::vector<Edge> edges;
   for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -55,9 +55,7 @@ void link_neighbours(std::vector<Triangle>& triangles) {
       const std::size_t a = triangles[t].vertex[k], b = triangles[t].vertex[(k + 1) % 3];
       edges.push_back({std::min(a, b), std::max(a, b), t, k});
     }
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
+  std::sort(edges.begin(), edges.end());
   for (std::size_t s = 1; s < edges.size(); ++s) {
     const Edge &a = edges[s - 1], &b = edges[s];
     if (a.low != b.low || a.high != b.high) continue;
@@ -191,31 +189,30 @@ class Growth {
 };
 
 Region make(const Params& p, Rng& rng) {
-  check_site("polygon", p, 2);
   // Dense meshes fill the site better, but growth may get stuck; then a looser mesh is tried.
   double points = kFirstDensity * p.corners + 2;
   for (int attempt = 0; attempt < kAttempts; ++attempt, points *= kLooser) {
     const TriangleMesh mesh = jittered_mesh(p, points, rng);
-    if (const auto ring = Growth(mesh, rng).ring(p)) return finished({{{*ring, {}}}}, p);
+    if (const auto ring = Growth(mesh, rng).ring(p)) return {{{*ring, {}}}};
   }
-  refuse("polygon", std::to_string(p.corners) + " vertices do not fit in " + number(p.width) + " x " +
-                        number(p.height) + " m with passages of " + number(narrowest_passage(p)) +
-                        " m; lower corners, take a larger size or a smaller robot");
+  throw_invalid(
+      "{} vertices do not fit in {:.4g} x {:.4g} m with passages of {:.4g} m; lower corners, take a larger size "
+      "or a smaller robot",
+      p.corners, p.width, p.height, narrowest_passage(p));
 }
 
 }  // namespace
 
 GeneratorInfo polygon() {
-  return describe_generator<Params>(
+  return describe_site<Params>(
       "polygon", "a random simple polygon",
       "one simple polygon without holes, connected for a disc `passage` robot diameters wide",
-      with_site<Params>({{"corners", &Params::corners, Range{3, 200000},
-                          "number of vertices (without jitter, those on a straight line vanish)"},
-                         {"winding", &Params::winding, Range{0, 1}, "0: grows everywhere; 1: one long winding arm"},
-                         {"compactness", &Params::compactness, Range{0, 0.9},
-                          "how eagerly notches are filled; 0: strongly non-convex"},
-                         {"jitter", &Params::jitter, Range{0, 1}, "how far vertices lie off a grid"}}),
-      make);
+      {{"corners", &Params::corners, Range{3, 200000},
+        "number of vertices (without jitter, those on a straight line vanish)"},
+       {"winding", &Params::winding, Range{0, 1}, "0: grows everywhere; 1: one long winding arm"},
+       {"compactness", &Params::compactness, Range{0, 0.9}, "how eagerly notches are filled; 0: strongly non-convex"},
+       {"jitter", &Params::jitter, Range{0, 1}, "how far vertices lie off a grid"}},
+      make, 2);
 }
 
 }  // namespace oxturn::generator

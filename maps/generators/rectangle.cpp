@@ -6,17 +6,13 @@ namespace {
 
 struct Params : SiteSettings {};
 
-Region make(const Params& p, Rng&) {
-  check_site("rectangle", p);
-  return finished(box_region({0, 0}, {p.width, p.height}), p);
-}
+Region make(const Params& p, Rng&) { return floor_of(p); }
 
 }  // namespace
 
 GeneratorInfo rectangle() {
-  return describe_generator<Params>("rectangle", "an empty rectangle",
-                                    "one rectangle of the given size; no randomness, the seed changes nothing",
-                                    with_site<Params>({}), make);
+  return describe_site<Params>("rectangle", "an empty rectangle",
+                               "one rectangle of the given size; no randomness, the seed changes nothing", {}, make);
 }
 
 }  // namespace oxturn::generator

@@ -13,7 +13,6 @@
 #include <tuple>
 
 #include "base/disjoint_sets.hpp"
-#include "geometry/raster.hpp"
 #include "maps/generators/shape.hpp"
 
 namespace oxturn::generator {
@@ -31,9 +30,8 @@ struct Params : SiteSettings {
 };
 
 constexpr int kTries = 50;
-constexpr double kMostCells = 1e8;  // squares of the wall's thickness
-constexpr int kLeastServed = 4;     // rooms: smaller pieces get no corridor
-constexpr int kCrossing = 12;       // pieces with more rooms are cut by a corridor across, smaller ones by one along
+constexpr int kLeastServed = 4;  // rooms: smaller pieces get no corridor
+constexpr int kCrossing = 12;    // pieces with more rooms are cut by a corridor across, smaller ones by one along
 constexpr int kCallsPerRoom = 20, kMoreCalls = 1000;  // of halve(), before an attempt is given up
 
 struct Rect {
@@ -105,8 +103,8 @@ struct Floor {
   int rooms, labels;       // how many
 };
 
-Floor drawn(const Plan& plan, int columns, int rows) {
-  Floor floor{BitGrid({0, 0}, 1, columns, rows), {}, static_cast<int>(plan.rooms.size()), 0};
+Floor drawn(const Plan& plan, const BitGrid& walls) {
+  Floor floor{walls, {}, static_cast<int>(plan.rooms.size()), 0};
   floor.label.assign(floor.grid.bits.size(), 0);
   for (const auto* rects : {&plan.rooms, &plan.corridors})
     for (const Rect& r : *rects) {
@@ -178,44 +176,39 @@ void open_doors(Floor& floor, int door, double loops, Rng& rng) {
 }
 
 Region make(const Params& p, Rng& rng) {
-  check_site("rooms", p);
-  const double door_width = passage_width("rooms", "door", p.door, 2.25, p);
-  const double corridor_width = std::max(door_width, passage_width("rooms", "corridor", p.corridor, 3, p));
-  if (p.width < p.wall || p.height < p.wall || p.width / p.wall * (p.height / p.wall) > kMostCells)
-    refuse("rooms", "wall is " + number(p.wall) + " m in " + number(p.width) + " x " + number(p.height) +
-                        " m, expected thinner than the size and no more than 10^8 squares of its thickness");
-  const int columns = static_cast<int>(p.width / p.wall), rows = static_cast<int>(p.height / p.wall);
+  const double door_width = passage_width("door", p.door, 2.25, p);
+  const double corridor_width = std::max(door_width, passage_width("corridor", p.corridor, 3, p));
+  const BitGrid walls = wall_squares(p, p.wall);
   // Limited before the cast: a door wider than the floor is refused below like any other that does not fit.
-  const double most = std::max(columns, rows);
+  const double most = std::max(walls.columns, walls.rows);
   const int door = static_cast<int>(std::min(std::ceil(door_width / p.wall), most));
   const int corridor = static_cast<int>(std::min(std::ceil(corridor_width / p.wall), most));
   for (int attempt = 0; attempt < kTries; ++attempt) {
     Plan plan(p, door, corridor, rng);
-    if (!plan.halve({0, 0, columns, rows}, p.rooms, p.corridors)) continue;
-    Floor floor = drawn(plan, columns, rows);
+    if (!plan.halve({0, 0, walls.columns, walls.rows}, p.rooms, p.corridors)) continue;
+    Floor floor = drawn(plan, walls);
     open_doors(floor, door, p.loops, rng);
-    return finished(placed(trace(floor.grid), lattice_lines(columns, p.width), lattice_lines(rows, p.height)), p);
+    return traced(floor.grid, p);
   }
-  refuse("rooms", std::to_string(p.rooms) + " rooms with doors of " + number(door_width) + " m do not fit in " +
-                      number(p.width) + " x " + number(p.height) +
-                      " m (a room is at least two doors wide); take fewer rooms, narrower doors or a larger size");
+  throw_invalid(
+      "{} rooms with doors of {:.4g} m do not fit in {:.4g} x {:.4g} m (a room is at least two doors wide); "
+      "take fewer rooms, narrower doors or a larger size",
+      p.rooms, door_width, p.width, p.height);
 }
 
 }  // namespace
 
 GeneratorInfo rooms() {
-  return describe_generator<Params>(
+  return describe_site<Params>(
       "rooms", "an apartment with doors and corridors",
       "every room reached; doors and corridors at least `passage` robot diameters wide",
-      with_site<Params>(
-          {{"rooms", &Params::rooms, Range{1, 1000000}, "number of rooms, corridors not counted"},
-           {"wall", &Params::wall, Range{0.001, 1000}, "metres; thickness of walls"},
-           {"door", &Params::door, Range{0, 1000}, "metres, at least; 0: 2.25 robot diameters"},
-           {"corridor", &Params::corridor, Range{0, 1000},
-            "metres, at least; 0: 3 robot diameters; never under a door"},
-           {"corridors", &Params::corridors, "corridors where four or more rooms lie and there is space"},
-           {"jitter", &Params::jitter, Range{0, 1}, "how unequal the rooms are"},
-           {"loops", &Params::loops, Range{0, 1}, "probability of a door that is not needed to reach a room"}}),
+      {{"rooms", &Params::rooms, Range{1, 1000000}, "number of rooms, corridors not counted"},
+       {"wall", &Params::wall, Range{0.001, 1000}, "metres; thickness of walls"},
+       {"door", &Params::door, Range{0, 1000}, "metres, at least; 0: 2.25 robot diameters"},
+       {"corridor", &Params::corridor, Range{0, 1000}, "metres, at least; 0: 3 robot diameters; never under a door"},
+       {"corridors", &Params::corridors, "corridors where four or more rooms lie and there is space"},
+       {"jitter", &Params::jitter, Range{0, 1}, "how unequal the rooms are"},
+       {"loops", &Params::loops, Range{0, 1}, "probability of a door that is not needed to reach a room"}},
       make);
 }
 

@@ -1,12 +1,8 @@
 #include "maps/generators/shape.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <stdexcept>
-
-#include "geometry/predicates.hpp"
 
 namespace oxturn::generator {
 
@@ -22,31 +18,14 @@ constexpr double kGridPerPassage = 1.0 / 4096;  // grid of the final snapping, i
 
 double narrowest_passage(const SiteSettings& site) { return 2 * site.robot * site.passage * kWider; }
 
-void refuse(const std::string& name, const std::string& sentence) {
-  throw std::invalid_argument(fmt::format("generator '{}': {}", name, sentence));
-}
-
-std::string number(double value) { return fmt::format("{:.4g}", value); }
-
-void check_site(const std::string& name, const SiteSettings& site, double passages) {
-  const double least = passages * narrowest_passage(site);
-  for (const auto& [side, metres] : {std::pair{"width", site.width}, std::pair{"height", site.height}})
-    if (metres < least)
-      refuse(name, fmt::format("{} is {} m, expected at least {} m ({} times the narrowest passage: passage {} x robot "
-                               "diameter {} m)",
-                               side, number(metres), number(least), number(passages), number(site.passage),
-                               number(2 * site.robot)));
-}
-
-double passage_width(const std::string& name, const std::string& what, double value, double diameters,
-                     const SiteSettings& site) {
+double passage_width(const std::string& what, double value, double diameters, const SiteSettings& site) {
   if (value <= 0) return std::max(narrowest_passage(site), diameters * 2 * site.robot);
-  // The user's value need not include the extra thousandth.
-  if (value < 2 * site.robot * site.passage)
-    refuse(name, fmt::format("{} is {} m, expected at least {} m (passage {} x robot diameter {} m); widen it or lower "
-                             "passage",
-                             what, number(value), number(2 * site.robot * site.passage), number(site.passage),
-                             number(2 * site.robot)));
+  const double least = 2 * site.robot * site.passage;  // the user's value need not include the extra thousandth
+  if (value < least)
+    throw_invalid(
+        "{} is {:.4g} m, expected at least {:.4g} m (passage {:.4g} x robot diameter {:.4g} m); widen it or "
+        "lower passage",
+        what, value, least, site.passage, 2 * site.robot);
   return std::max(value, narrowest_passage(site));
 }
 
@@ -62,16 +41,8 @@ Point direction(double turns) {
   }
   c += 1;
   s = (1 + s) * x;
-  switch (static_cast<int>(whole) % 4) {
-    case 0:
-      return {c, s};
-    case 1:
-      return {-s, c};
-    case 2:
-      return {-c, -s};
-    default:
-      return {s, -c};
-  }
+  const std::array turned{Point(c, s), Point(-s, c), Point(-c, -s), Point(s, -c)};
+  return turned[static_cast<std::size_t>(whole) % 4];
 }
 
 Ring convex_blob(Rng& rng, int vertices, double radius, const Point& centre) {
@@ -117,30 +88,6 @@ void Spacing::add(const Point& centre, double radius) {
       {centre, radius, count_++});
 }
 
-Ring without_straight_vertices(const Ring& ring) {
-  Ring kept;
-  for (const Point& p : ring) {
-    if (!kept.empty() && kept.back() == p) continue;
-    while (kept.size() >= 2 && orientation(kept[kept.size() - 2], kept.back(), p) == 0) kept.pop_back();
-    kept.push_back(p);
-  }
-  // The same where the ring closes.
-  std::size_t first = 0;
-  for (bool changed = true; changed && kept.size() - first >= 3;) {
-    changed = false;
-    const std::size_t n = kept.size();
-    if (kept[n - 1] == kept[first] || orientation(kept[n - 2], kept[n - 1], kept[first]) == 0) {
-      kept.pop_back();
-      changed = true;
-    } else if (orientation(kept[n - 1], kept[first], kept[first + 1]) == 0) {
-      ++first;
-      changed = true;
-    }
-  }
-  kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first));
-  return kept;
-}
-
 Ring cut_vertices(const Ring& ring, double share, double most) {
   Ring result;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -153,27 +100,49 @@ Ring cut_vertices(const Ring& ring, double share, double most) {
   return without_straight_vertices(result);
 }
 
-Region placed(const Region& lattice, const std::vector<double>& xs, const std::vector<double>& ys) {
-  Region result = lattice;
-  const auto look_up = [&](Ring& ring) {
+Region floor_of(const SiteSettings& site) { return box_region({0, 0}, {site.width, site.height}); }
+
+Region traced(const BitGrid& grid, const std::vector<double>& xs, const std::vector<double>& ys) {
+  Region region = trace(grid);
+  for_each_ring(region, [&](Ring& ring) {
     for (Point& p : ring)
       p = {xs[static_cast<std::size_t>(std::floor(p.x() + 0.5))],
            ys[static_cast<std::size_t>(std::floor(p.y() + 0.5))]};
-  };
-  for (Polygon& polygon : result.polygons) {
-    look_up(polygon.outer);
-    for (Ring& hole : polygon.holes) look_up(hole);
-  }
-  return result;
+  });
+  return region;
 }
 
-std::vector<double> lattice_lines(int cells, double size) {
-  std::vector<double> at;
-  for (int i = 0; i <= cells; ++i) at.push_back(size * i / cells);
-  return at;
+Region traced(const BitGrid& grid, const SiteSettings& site) {
+  const auto lines = [](int cells, double size) {
+    std::vector<double> at;
+    for (int i = 0; i <= cells; ++i) at.push_back(size * i / cells);
+    return at;
+  };
+  return traced(grid, lines(grid.columns, site.width), lines(grid.rows, site.height));
+}
+
+BitGrid wall_squares(const SiteSettings& site, double wall) {
+  constexpr double kMostSquares = 1e8;
+  if (site.width < wall || site.height < wall || site.width / wall * (site.height / wall) > kMostSquares)
+    throw_invalid(
+        "wall is {:.4g} m in {:.4g} x {:.4g} m, expected thinner than the size and no more than 10^8 squares "
+        "of its thickness",
+        wall, site.width, site.height);
+  return BitGrid({0, 0}, 1, static_cast<int>(site.width / wall), static_cast<int>(site.height / wall));
 }
 
 namespace {
+
+/// Refuses a site whose width or height is below `passages` narrowest passages.
+void check_site(const SiteSettings& site, double passages) {
+  const double least = passages * narrowest_passage(site);
+  for (const auto& [side, metres] : {std::pair{"width", site.width}, std::pair{"height", site.height}})
+    if (metres < least)
+      throw_invalid(
+          "{} is {:.4g} m, expected at least {:.4g} m ({:.4g} times the narrowest passage: passage {:.4g} x "
+          "robot diameter {:.4g} m)",
+          side, metres, least, passages, site.passage, 2 * site.robot);
+}
 
 /// Largest power of two that is neither above narrowest passage / 4096 nor above 2^-16 m.
 double grid_of(const SiteSettings& site) {
@@ -182,27 +151,34 @@ double grid_of(const SiteSettings& site) {
   return grid;
 }
 
-}  // namespace
-
-Region finished(Region region, const SiteSettings& site) {
+/// Rotated, snapped, oriented, without straight vertices.
+void finish(Ring& ring, double orientation, const SiteSettings& site) {
   const double grid = grid_of(site);
   const Point d = direction(site.rotation / 360);
   const Point centre(site.width / 2, site.height / 2);
-  const auto finish = [&](Ring& ring, bool counter_clockwise) {
-    ring = without_straight_vertices(ring);
-    for (Point& p : ring) {
-      const Point v = p - centre;
-      if (site.rotation != 0) p = centre + Point(d.x() * v.x() - d.y() * v.y(), d.y() * v.x() + d.x() * v.y());
-      p = {std::floor(p.x() / grid + 0.5) * grid, std::floor(p.y() / grid + 0.5) * grid};
-    }
-    ring = without_straight_vertices(ring);
-    if ((signed_area(ring) > 0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
-  };
-  for (Polygon& polygon : region.polygons) {
-    finish(polygon.outer, true);
-    for (Ring& hole : polygon.holes) finish(hole, false);
+  ring = without_straight_vertices(ring);
+  for (Point& p : ring) {
+    const Point v = p - centre;
+    if (site.rotation != 0) p = centre + Point(d.x() * v.x() - d.y() * v.y(), d.y() * v.x() + d.x() * v.y());
+    p = {std::floor(p.x() / grid + 0.5) * grid, std::floor(p.y() / grid + 0.5) * grid};
   }
-  return region;
+  ring = without_straight_vertices(ring);
+  if (signed_area(ring) * orientation < 0) std::reverse(ring.begin(), ring.end());
+}
+
+}  // namespace
+
+Region built_on(const SiteSettings& site, const std::string& owner, double passages,
+                const std::function<Region()>& make) {
+  try {
+    check_site(site, passages);
+    Region region = make();
+    for (Polygon& polygon : region.polygons) {
+      finish(polygon.outer, 1, site);
+      for (Ring& hole : polygon.holes) finish(hole, -1, site);
+    }
+    return region;
+  } catch (const std::invalid_argument& e) { throw_invalid("{}: {}", owner, e.what()); }
 }
 
 }  // namespace oxturn::generator

@@ -1,20 +1,19 @@
 /// Common parts of all generators: size and scale of a site, exact rotation, convex polygons, spacing, finishing.
 ///
 ///   struct Params : SiteSettings { double jitter = 0; };            // a generator's own parameters
-///   check_site("hall", p);
-///   return finished(box_region({0, 0}, {p.width, p.height}), p);    // the last step
+///   Region make(const Params& p, Rng&) { return floor_of(p); }
+///   GeneratorInfo hall() { return describe_site<Params>("hall", "an empty hall", "one rectangle", {...}, make); }
 ///
 /// Private to maps/generators. Maps have the same bytes on every machine: only + - * / sqrt floor of doubles are used,
 /// which are correctly rounded everywhere, and Rng. Sines come from a series written out here, not from libm, and
 /// finished maps are snapped to a power-of-two grid.
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
+#include <functional>
 
-#include "base/random.hpp"
-#include "geometry/region.hpp"
+#include "base/throw_invalid.hpp"
+#include "geometry/overlay/validity.hpp"
+#include "geometry/raster.hpp"
 #include "maps/generators.hpp"
 
 namespace oxturn::generator {
@@ -42,16 +41,9 @@ std::vector<Parameter<P>> with_site(const std::vector<Parameter<P>>& own) {
 
 /// The narrowest passage in metres, a thousandth wider so that the final snapping does not make it too narrow.
 double narrowest_passage(const SiteSettings& site);
-/// Throws std::invalid_argument("generator 'NAME': SENTENCE").
-[[noreturn]] void refuse(const std::string& name, const std::string& sentence);
-/// Refuses a site whose width or height is below `passages` narrowest passages.
-void check_site(const std::string& name, const SiteSettings& site, double passages = 1);
 /// `value`; for 0 `diameters` robot diameters, but at least the narrowest passage. Refuses a value below the narrowest
 /// passage; `what` is the parameter's name.
-double passage_width(const std::string& name, const std::string& what, double value, double diameters,
-                     const SiteSettings& site);
-/// "1.25", for messages.
-std::string number(double value);
+double passage_width(const std::string& what, double value, double diameters, const SiteSettings& site);
 
 /// (cos, sin) of this many full turns. Within 1e-15; quarter turns are exact.
 Point direction(double turns);
@@ -93,18 +85,34 @@ class Spacing {
   std::vector<std::vector<Circle>> buckets_;
 };
 
-/// The ring without repeated vertices and without vertices on a straight line (exact).
-Ring without_straight_vertices(const Ring& ring);
 /// Every vertex becomes two, on the edges beside it: `share` of the edge's length away, but at most `most` metres
 /// (share <= 0.5).
 Ring cut_vertices(const Ring& ring, double share, double most);
-/// Replaces lattice coordinates (whole numbers) by those in two tables.
-Region placed(const Region& lattice, const std::vector<double>& xs, const std::vector<double>& ys);
-/// Coordinates of the lines of a lattice with this many cells, scaled to `size` metres.
-std::vector<double> lattice_lines(int cells, double size);
+/// The whole site, without holes.
+Region floor_of(const SiteSettings& site);
+/// The set cells of a grid, whose lattice lines have these coordinates.
+Region traced(const BitGrid& grid, const std::vector<double>& xs, const std::vector<double>& ys);
+/// The set cells of a grid that is stretched over the site.
+Region traced(const BitGrid& grid, const SiteSettings& site);
+/// No cells set, as many as squares of a wall's thickness fit on the site. Refuses too thick and too thin walls.
+BitGrid wall_squares(const SiteSettings& site, double wall);
 
-/// The last step of every generator: the region rotated about the site's centre and snapped to a grid of 2^-16 m (finer
-/// for robots under 0.1 m), its rings oriented and without straight vertices.
-Region finished(Region region, const SiteSettings& site);
+/// Calls make() for a site of at least `passages` narrowest passages in width and height. Rotates what it returns about
+/// the site's centre and snaps it to a grid of 2^-16 m (finer for robots under 0.1 m), its rings oriented and without
+/// straight vertices. Errors begin with the owner.
+Region built_on(const SiteSettings& site, const std::string& owner, double passages,
+                const std::function<Region()>& make);
+
+/// The description of a generator: its own parameters and those of the site.
+template <class P>
+GeneratorInfo describe_site(const std::string& name, std::string title, std::string guarantee,
+                            const std::vector<Parameter<P>>& own, Region (*make)(const P&, Rng&), double passages = 1) {
+  const std::vector<Parameter<P>> lines = with_site(own);
+  return {name, std::move(title), std::move(guarantee), infos_of(lines),
+          [lines, make, passages, owner = "generator '" + name + "'"](const Settings& settings, Rng& rng) {
+            const P p = with_settings<P>(owner, lines, settings);
+            return built_on(p, owner, passages, [&] { return make(p, rng); });
+          }};
+}
 
 }  // namespace oxturn::generator

@@ -22,9 +22,10 @@ constexpr int kChords = 64;  // of one round of a round spiral
 constexpr double kRayPerCorridor = 1.02;
 
 [[noreturn]] void refuse_arms(const std::string& found, double pitch, const std::string& size, int wanted) {
-  refuse("spiral", "only " + found + " of " + number(pitch) + " m (corridor and wall) fit in " + size +
-                       " m, expected " + std::to_string(std::max(2, wanted)) +
-                       "; take a larger size, or a smaller corridor or wall");
+  throw_invalid(
+      "only {} of {:.4g} m (corridor and wall) fit in {} m, expected {}; take a larger size, or a smaller "
+      "corridor or wall",
+      found, pitch, size, std::max(2, wanted));
 }
 
 /// Arms of a square spiral lead east, north, west, south, and so on.
@@ -40,24 +41,9 @@ Polyline square_middle_line(const Params& p, double half, double pitch) {
   const std::size_t most = p.arms > 0 ? static_cast<std::size_t>(p.arms) : std::numeric_limits<std::size_t>::max();
   for (std::size_t arm = 0; arm < most; ++arm) {
     Point to = line.back();
-    switch (arm % 4) {
-      case 0:
-        to.x() = high.x();
-        low.y() += pitch;
-        break;
-      case 1:
-        to.y() = high.y();
-        high.x() -= pitch;
-        break;
-      case 2:
-        to.x() = low.x();
-        high.y() -= pitch;
-        break;
-      default:
-        to.y() = low.y();
-        low.x() += pitch;
-        break;
-    }
+    const Point& ahead = arm % 4 < 2 ? high : low;
+    (arm % 2 == 0 ? to.x() : to.y()) = arm % 2 == 0 ? ahead.x() : ahead.y();
+    (arm % 4 == 0 || arm % 4 == 3 ? low : high) += pitch * perpendicular(heading(arm));
     // Two parallel arms are as far apart as the arm between them is long.
     if ((to - line.back()).dot(heading(arm)) < pitch) break;
     line.push_back(to);
@@ -81,7 +67,7 @@ Ring square(const Params& p, double corridor, Rng& rng) {
   const Polyline line = square_middle_line(p, half, pitch);
   const int arms = static_cast<int>(line.size()) - 1;
   if (arms < 2 || arms < p.arms)
-    refuse_arms(std::to_string(arms) + " arms", pitch, number(p.width) + " x " + number(p.height), p.arms);
+    refuse_arms(fmt::format("{} arms", arms), pitch, fmt::format("{:.4g} x {:.4g}", p.width, p.height), p.arms);
   const double slack = p.jitter * (half - narrowest_passage(p) / 2);
   std::vector<double> left, right;
   for (int i = 0; i < arms; ++i) {
@@ -101,8 +87,8 @@ Ring archimedes(const Params& p, double corridor, Rng& rng) {
   const int fit = static_cast<int>((outermost - pitch) / pitch * kChords);
   const int steps = p.arms > 0 ? p.arms * kChords / 4 : fit;
   if (fit < kChords / 2 || steps > fit)
-    refuse_arms(std::to_string(std::max(0, fit * 4 / kChords)) + " quarter rounds", pitch,
-                number(2 * outermost + across), p.arms);
+    refuse_arms(fmt::format("{} quarter rounds", std::max(0, fit * 4 / kChords)), pitch,
+                fmt::format("{:.4g}", 2 * outermost + across), p.arms);
   const Point centre(p.width / 2, p.height / 2);
   const double slack = p.jitter * (across / 2 - kRayPerCorridor * narrowest_passage(p) / 2);
   Ring outer, inner;
@@ -117,24 +103,22 @@ Ring archimedes(const Params& p, double corridor, Rng& rng) {
 }
 
 Region make(const Params& p, Rng& rng) {
-  check_site("spiral", p);
-  const double corridor = passage_width("spiral", "corridor", p.corridor, 2.5, p);
-  return finished({{{p.round ? archimedes(p, corridor, rng) : square(p, corridor, rng), {}}}}, p);
+  const double corridor = passage_width("corridor", p.corridor, 2.5, p);
+  return {{{p.round ? archimedes(p, corridor, rng) : square(p, corridor, rng), {}}}};
 }
 
 }  // namespace
 
 GeneratorInfo spiral() {
-  return describe_generator<Params>(
+  return describe_site<Params>(
       "spiral", "a spiral corridor",
       "one polygon without holes; the corridor at least `passage` robot diameters wide; random only with jitter",
-      with_site<Params>(
-          {{"corridor", &Params::corridor, Range{0, 10000}, "metres; 0: 2.5 robot diameters"},
-           {"wall", &Params::wall, Range{0.001, 10000}, "metres; thickness between two rounds"},
-           {"jitter", &Params::jitter, Range{0, 1}, "uneven walls; 1: as narrow as `passage` allows in some points"},
-           {"arms", &Params::arms, Range{0, 1000000}, "straight arms or quarter rounds; 0: as many as fit"},
-           {"round", &Params::round,
-            "a round spiral, as wide as the smaller of width and height, instead of a square one"}}),
+      {{"corridor", &Params::corridor, Range{0, 10000}, "metres; 0: 2.5 robot diameters"},
+       {"wall", &Params::wall, Range{0.001, 10000}, "metres; thickness between two rounds"},
+       {"jitter", &Params::jitter, Range{0, 1}, "uneven walls; 1: as narrow as `passage` allows in some points"},
+       {"arms", &Params::arms, Range{0, 1000000}, "straight arms or quarter rounds; 0: as many as fit"},
+       {"round", &Params::round,
+        "a round spiral, as wide as the smaller of width and height, instead of a square one"}},
       make);
 }
 

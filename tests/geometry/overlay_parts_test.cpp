@@ -6,7 +6,7 @@
 #include <set>
 
 #include "base/random.hpp"
-#include "base/spread_sort.hpp"
+#include "base/sorting.hpp"
 #include "geometry/overlay/close_pairs.hpp"
 #include "geometry/overlay/edge_below.hpp"
 #include "tests/support/seeds.hpp"

@@ -198,30 +198,11 @@ TEST(Partition, TrapezoidsHaveVerticalSidesAndFitTogether) {
   }
 }
 
-TEST(Partition, BridgedRingsAreTheRegionInOneStroke) {
-  const auto check = [](const Region& region, Rng&) {
-    const Parts rings = bridged(region);
-    EXPECT_NEAR(total(rings), area(region), 1e-9 * area(region));
-    EXPECT_EQ(rings.size(), region.polygons.size());
-    std::size_t corners = 0;
-    const EdgeIndex index(region);
-    for (const Ring& r : rings) {
-      corners += r.size();
-      for (std::size_t i = 0; i < r.size(); ++i) EXPECT_TRUE(index.contains(r[i], r[(i + 1) % r.size()]));
-    }
-    EXPECT_EQ(corners, vertex_count(region) + 2 * hole_count(region));
-    own_corners_only(region, rings);
-  };
-  on_samples(6, check);
-  EXPECT_NEAR(total(bridged(touching())), area(touching()), 1e-9);
-}
-
 TEST(Partition, NothingGivesNothing) {
   EXPECT_TRUE(convex_partition_approximate(Region{}).empty());
   EXPECT_TRUE(convex_partition_optimal(Region{}).empty());
   EXPECT_TRUE(monotone_partition(Region{}).empty());
   EXPECT_TRUE(trapezoid_partition(Region{}).empty());
-  EXPECT_TRUE(bridged(Region{}).empty());
 }
 
 // Regression: CGAL 5.5 gave a part that crosses itself for this ring, and only some builds noticed.

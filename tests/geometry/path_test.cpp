@@ -21,7 +21,6 @@ TEST(PathBuilder, MergesNeighboursOfAKindAndDropsRepeats) {
   EXPECT_EQ(p.length(), 11);
   EXPECT_EQ(p.length(true), 10);
   EXPECT_EQ(p.length(false), 1);
-  EXPECT_EQ(p.segment_count(), 5u);
 }
 
 TEST(PathBuilder, NothingDrivenIsAnEmptyPath) {

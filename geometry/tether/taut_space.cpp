@@ -1,4 +1,4 @@
-#include "geometry/tether/corner_index.hpp"
+#include "geometry/tether/taut_space.hpp"
 
 #include <algorithm>
 
@@ -37,13 +37,10 @@ Point between(const Point& at, const Point& from, const Point& to) {
 
 std::vector<Wall> walls_of(const Region& free) {
   std::vector<Wall> walls;
-  for_each_ring(free, [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point &a = ring[i], &b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      if (a == b) continue;
-      walls.push_back({a, b, false});
-      walls.push_back({b, a, true});
-    }
+  for_each_edge(free, [&](const Point& a, const Point& b) {
+    if (a == b) return;
+    walls.push_back({a, b, false});
+    walls.push_back({b, a, true});
   });
   std::sort(walls.begin(), walls.end(), wall_order);
   return walls;
@@ -51,22 +48,19 @@ std::vector<Wall> walls_of(const Region& free) {
 
 }  // namespace
 
-CornerIndex::CornerIndex(const Region& free) {
+TautSpace::TautSpace(const Region& free) {
   const std::vector<Wall> walls = walls_of(free);
-  Box box;
   for (std::size_t first = 0; first < walls.size();) {
     std::size_t end = first;
     while (end < walls.size() && walls[end].at == walls[first].at) ++end;
     for (std::size_t i = first; i < end; ++i) {
       const Wall &wall = walls[i], &next = walls[i + 1 < end ? i + 1 : first];
-      if (!wall.incoming || next.incoming || orientation(wall.at, wall.to, next.to) <= 0) continue;
-      corners_.push_back({wall.at, between(wall.at, wall.to, next.to)});
-      box.add(wall.at);
+      if (wall.incoming && !next.incoming && orientation(wall.at, wall.to, next.to) > 0)
+        corners_.push_back({wall.at, between(wall.at, wall.to, next.to)});
     }
     first = end;
   }
-  grid_ = UniformGrid(box, corners_.size(), 0);
-  grid_.fill(corners_.size(), [&](std::size_t i, auto enter) { grid_.visit(&corners_[i].at, 1, 0, enter); });
+  grid_ = UniformGrid(corners_.size(), [&](std::size_t i) { return std::array{corners_[i].at}; });
 }
 
 }  // namespace oxturn

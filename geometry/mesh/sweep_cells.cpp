@@ -1,9 +1,12 @@
+// The cells of the plane sweep: boustrophedon cells and trapezoids.
+//
 // Method      The plane sweep breaks ties of x by y, so a vertical wall can cause a cut that no critical point asks
 //             for. Wherever exactly one cell meets exactly one cell across a cut, the two are joined again. So vertical
 //             walls in floor and ceiling make no cells of their own, and cells are still monotone in x.
 // Source      Choset and Pignon, "Coverage path planning: the boustrophedon cellular decomposition", 1997.
 #include <algorithm>
 
+#include "base/sorting.hpp"
 #include "geometry/mesh/partition.hpp"
 #include "geometry/mesh/plane_sweep.hpp"
 
@@ -103,11 +106,22 @@ std::vector<BoustrophedonCell> boustrophedon_cells(const Region& region) {
     out[number[left]].neighbours.push_back(number[right]);
     out[number[right]].neighbours.push_back(number[left]);
   }
-  for (BoustrophedonCell& c : out) {
-    std::sort(c.neighbours.begin(), c.neighbours.end());
-    c.neighbours.erase(std::unique(c.neighbours.begin(), c.neighbours.end()), c.neighbours.end());
-  }
+  for (BoustrophedonCell& c : out) sort_unique(c.neighbours);
   return out;
+}
+
+std::vector<Ring> trapezoid_partition(const Region& region) {
+  std::vector<Ring> parts;
+  for (const PlaneSweepCell& c : plane_sweep_cells(region, Cuts::every_vertex)) {
+    Ring ring;
+    const auto add = [&](const Point& p) {
+      if (ring.empty() || (p != ring.back() && p != ring.front())) ring.push_back(p);
+    };
+    for (const ChainPoint& p : c.lower) add(p.point);
+    for (std::size_t i = c.upper.size(); i-- > 0;) add(c.upper[i].point);
+    if (ring.size() >= 3) parts.push_back(std::move(ring));
+  }
+  return parts;
 }
 
 }  // namespace oxturn
