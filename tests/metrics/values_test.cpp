@@ -27,12 +27,12 @@ TEST(Values, Lengths) {
 }
 
 TEST(Values, LengthRatioCountsTheToolsDisc) {
-  // A tool that covers all of a small room wherever it is: the covered area is the target, exactly.
-  const Problem closet = problem_in(box_region({0, 0}, {2, 1}), {0.5, 0.5}, 0.2, 1.6);
-  const Path path = work({{0.5, 0.5}, {1.5, 0.5}});
+  // A tool that covers all of a narrow room: the covered area is the target, exactly.
+  const Problem closet = problem_in(box_region({0, 0}, {6, 1}), {0.5, 0.5}, 0.2, 1.6);
+  const Path path = work({{0.5, 0.5}, {5.5, 0.5}});
   const Score s = score(closet, path);
   ASSERT_EQ(s.value("coverage_upper"), 1);
-  EXPECT_NEAR(*s.value("length_ratio"), 1 * 1.6 / (*s.value("target_m2") - kPi * 1.6 * 1.6 / 4), 1e-9);
+  EXPECT_NEAR(*s.value("length_ratio"), 5 * 1.6 / (*s.value("target_m2") - kPi * 1.6 * 1.6 / 4), 1e-9);
   // One straight lane is the shortest there is.
   EXPECT_GE(value("length_ratio", hall(), work({{2, 2}, {18, 2}})), 1);
   EXPECT_LE(value("length_ratio", hall(), work({{2, 2}, {18, 2}})), 1 + 1e-3);
