@@ -4,8 +4,8 @@
 ///   curve.add(centre, near, capsules, target, covered);          // of each tile
 ///   const std::vector<CoveragePoint> points = curve.points(0.98);
 ///
-/// Method      Each tile has the same sample points, a Fibonacci lattice. A sample belongs to the position on the path at
-///             which the tool first reaches it. A tile's covered area is divided among its covered samples in the
+/// Method      Each tile has the same sample points, a Fibonacci lattice. A sample belongs to the position on the path
+///             at which the tool first reaches it. A tile's covered area is divided among its covered samples in the
 ///             target, so the sum of all is exact, and only its distribution along the path is estimated (some 10^5
 ///             samples in the target, at least 5 a tile).
 /// Complexity  a tile: O(samples x capsules near it), less where the first capsules cover it

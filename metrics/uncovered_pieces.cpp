@@ -94,20 +94,27 @@ void UncoveredPieces::add_tile(std::int64_t column, const std::vector<Convex>& u
   const Vec centre{static_cast<double>(column) + 0.5, static_cast<double>(row_) + 0.5};
   const std::size_t first = parts_.size();
   std::vector<Extent> boxes;
-  std::size_t kept = 0;
   for (const Convex& c : pieces_) {
     const double size = area(c);
     if (size < kLeastArea || !target.contains(middle_of(c))) continue;
     add_part(c, size, centre);
     boxes.push_back(extent_of({c}));
-    pieces_[kept++] = c;
+    pieces_[boxes.size() - 1] = c;
   }
-  for (std::size_t i = 0; i < kept; ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      if (boxes_touch(boxes[i], boxes[k]) && share_edge(pieces_[i], pieces_[k]))
-        joined_.emplace_back(first + k, first + i);
+  join_within(first, boxes);
   if (column == column_) join(before, left_);
   column_ = column + 1;
+}
+
+/// Joins the parts of a tile, in pieces_ and from parts_[first] on, that share an edge.
+void UncoveredPieces::join_within(std::size_t first, const std::vector<Extent>& boxes) {
+  DisjointSets sets(boxes.size());  // most pairs that touch are connected already
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (boxes_touch(boxes[i], boxes[k]) && !sets.same(i, k) && share_edge(pieces_[i], pieces_[k])) {
+        sets.unite(i, k);
+        joined_.emplace_back(first + k, first + i);
+      }
 }
 
 void UncoveredPieces::add_run(std::int64_t from, std::int64_t to) {

@@ -44,6 +44,7 @@ class UncoveredPieces {
     std::size_t part;
   };
   void add_part(const Convex& c, double area, Vec centre);
+  void join_within(std::size_t first, const std::vector<Extent>& boxes);
   void join(std::vector<Touch>& left, std::vector<Touch>& right);
 
   std::int64_t row_ = -1, column_ = -1;  // column_: right of the tile added last

@@ -70,7 +70,7 @@ Polyline there_and_back(std::size_t n, double side) {
 
 Polyline random_line(std::size_t n, double side) {
   Rng rng(5);
-  Polyline line{{side / 2, side / 2}};
+  Polyline line{{side / 2 + 3 * kTool, side / 2}};  // between pillars
   for (std::size_t k = 0; k < n; ++k) {
     const Point p = line.back() + Point(rng.between(-1.0, 1.0), rng.between(-1.0, 1.0)) * kTool;
     line.push_back(p.cwiseMax(Point(0.3, 0.3)).cwiseMin(Point(side - 0.3, side - 0.3)));

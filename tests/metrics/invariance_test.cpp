@@ -72,7 +72,8 @@ Path resampled(const Path& path, Rng& rng) {
 }
 
 /// How much a metric may differ, in units of itself: `same` if the problem is the same, `moved` if not, because a
-/// problem's configuration space errs by chords of other directions, and a missed piece may be just large enough. Values scale with the length to `power`.
+/// problem's configuration space errs by chords of other directions, and a missed piece may be just large enough.
+/// Values scale with the length to `power`.
 struct Rule {
   int power;
   double same, moved;
