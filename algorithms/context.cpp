@@ -54,8 +54,8 @@ void Context::trace(std::string name, const Region& region) {
   trace(std::move(name), std::move(lines));
 }
 
-void Context::promise(const Region& region) {
-  if (sinks_.promise) sinks_.promise(region);
+void Context::promise(std::function<Region()> region) {
+  if (sinks_.promise) sinks_.promise(std::move(region));
 }
 
 Context::Sinks Context::traces_only() const {

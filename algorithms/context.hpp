@@ -35,7 +35,7 @@ class Context {
     std::function<void(double)> progress;
     std::function<void(const Trace&)> trace;
     std::function<void(const std::string&, double)> record;
-    std::function<void(const Region&)> promise;
+    std::function<void(std::function<Region()>)> promise;
   };
   using Clock = std::chrono::steady_clock;
   /// `wall_s`: seconds from now to the deadline.
@@ -57,9 +57,9 @@ class Context {
   void trace(std::string name, std::vector<Polyline> lines);
   void trace(std::string name, const Region& region);
   bool wants_traces() const { return static_cast<bool>(sinks_.trace); }
-  /// What the planner promises to cover, where its description promises cells rather than the whole target. Called
-  /// before or while it plans; the last call counts.
-  void promise(const Region& region);
+  /// What the planner promises to cover, where its description promises cells rather than the whole target. `region` is
+  /// called after plan() has returned, if at all, and owns what it needs; it is not timed. The last call counts.
+  void promise(std::function<Region()> region);
   bool wants_promise() const { return static_cast<bool>(sinks_.promise); }
   /// Records a figure of the run that the path does not show ("explored_share"): a row of metrics.csv. (Metrics judge
   /// the path alone.) Throws std::invalid_argument for a name that is not [a-z0-9_]+.

@@ -1,10 +1,10 @@
-// Decisions  1. Memory is limited twice: address space by the kernel (so that work which allocates too much gets bad_alloc
-//               and can report it), memory of the whole tree of processes by the parent every 10 ms (for work that never
-//               sees bad_alloc, and for sanitizers, which reserve terabytes of address space). The child counts with what
-//               it has grown since the fork, its own children with the memory that is theirs alone.
+// Decisions  1. Memory is limited twice: address space by the kernel (so that work which allocates too much gets
+//               bad_alloc and can report it), memory of the whole tree of processes by the parent every 10 ms (for work
+//               that never sees bad_alloc, and for sanitizers, which reserve terabytes of address space). The child
+//               counts with what it has grown since the fork, its own children with the memory that is theirs alone.
 //            2. A child that daemonises is adopted by the parent (PR_SET_CHILD_SUBREAPER), and killed with the others.
-//            3. A SIGKILL that the parent did not send is the kernel's, if the kernel's count of out-of-memory kills has
-//               grown meanwhile.
+//            3. A SIGKILL that the parent did not send is the kernel's, if the kernel's count of out-of-memory kills
+//               has grown meanwhile.
 //            4. The child ends by _exit: nothing of the parent (atexit, destructors, buffers) happens twice.
 #include "bench/child_process.hpp"
 
@@ -328,7 +328,7 @@ class Supervisor {
 
 Orphans::Orphans() : before_(children_of(::getpid())) { ::prctl(PR_SET_CHILD_SUBREAPER, 1); }
 
-void Orphans::kill_all(const std::vector<pid_t>& own) const {
+void Orphans::kill_all(const std::vector<int>& own) const {
   const auto spared = [&](pid_t p) {
     return std::find(own.begin(), own.end(), p) != own.end() ||
            std::find(before_.begin(), before_.end(), p) != before_.end();

@@ -1,5 +1,5 @@
-/// Work in a process of its own, under limits on time and memory: what reading maps, planning, scoring and drawing share.
-/// Internal to bench/.
+/// Work in a process of its own, under limits on time and memory: what reading maps, planning, scoring and drawing
+/// share. Internal to bench/.
 ///
 ///   ChildTask task;
 ///   task.limits = {.wall_s = 20};
@@ -7,12 +7,10 @@
 ///   task.receive = [&](char type, std::string_view payload) { ... };      // in the parent
 ///   const ChildReport report = run_child(task);
 ///
-/// The child is forked, so it has everything at hand that the parent has. It leads a process group, dies with its parent,
-/// sees /dev/null as standard input and a log as its output (at most 64 MiB of it). What it finds comes back through a pipe
-/// in frames (wire.hpp).
+/// The child is forked, so it has everything at hand that the parent has. It leads a process group, dies with its
+/// parent, sees /dev/null as standard input and a log as its output (at most 64 MiB of it). What it finds comes back
+/// through a pipe in frames (wire.hpp).
 #pragma once
-
-#include <sys/types.h>
 
 #include <functional>
 #include <string>
@@ -54,19 +52,19 @@ struct ChildReport {
   int exit_code = 0, signal = 0;
 };
 
-/// Never throws for anything the work does; throws std::runtime_error if no process can be started. When it returns, the
-/// child and every process that it has started, daemons included, are gone. The caller must be single-threaded.
+/// Never throws for anything the work does; throws std::runtime_error if no process can be started. When it returns,
+/// the child and every process that it has started, daemons included, are gone. The caller must be single-threaded.
 ChildReport run_child(const ChildTask& task);
 
 /// Adopts processes whose parent has ended, from now on, and tells them from this process's own children.
 class Orphans {
  public:
   Orphans();
-  /// Kills all that have been adopted since, with their descendants. `own`: children to be spared.
-  void kill_all(const std::vector<pid_t>& own) const;
+  /// Kills all that have been adopted since, with their descendants. `own`: process ids of children to be spared.
+  void kill_all(const std::vector<int>& own) const;
 
  private:
-  std::vector<pid_t> before_;
+  std::vector<int> before_;  // process ids
 };
 
 /// Of the child that this process is running, if any: kills its process group. Safe in a signal handler.

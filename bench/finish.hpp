@@ -1,4 +1,5 @@
-/// What follows planning: storing, scoring and drawing a path, in a process of its own under limits. Internal to bench/.
+/// What follows planning: storing, scoring and drawing a path, in a process of its own under limits. Internal to
+/// bench/.
 ///
 ///   const Finished finished = finish_isolated(task, limits);
 ///   finished.cells;                 // columns of runs.csv

@@ -48,6 +48,7 @@ class PlannerChild {
     try {
       const Path path = planner->plan(problem, context);
       send_measures();
+      if (promised_) wire::send(fd_, frames::kPromised, wire::pack(promised_()));
       wire::send_path(fd_, frames::kResult, path);
     } catch (...) {
       send_measures();
@@ -68,7 +69,7 @@ class PlannerChild {
     };
     if (options_.progress) sinks.progress = [this](double fraction) { send_progress(fraction); };
     if (options_.traces) sinks.trace = [this](const Trace& trace) { send_trace(trace); };
-    sinks.promise = [this](const Region& region) { wire::send(fd_, frames::kPromised, wire::pack(region)); };
+    sinks.promise = [this](std::function<Region()> region) { promised_ = std::move(region); };
     return sinks;
   }
 
@@ -98,6 +99,7 @@ class PlannerChild {
 
   int fd_;
   const IsolationOptions& options_;
+  std::function<Region()> promised_;
   Clock::time_point last_progress_, wall_before_;
   std::size_t trace_bytes_ = 0;
   double resident_before_ = 0, cpu_before_ = 0;

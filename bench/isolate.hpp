@@ -50,8 +50,8 @@ struct IsolationOptions {
 };
 
 /// Plans in a child process. Never throws for anything the planner does. `make` is called in the child. Time and memory
-/// are measured around plan() alone; the limit on time counts from the start of the child until plan() has returned, and
-/// the transfer of the result has the same time once more. The caller must be single-threaded.
+/// are measured around plan() alone; the limit on time counts from the start of the child until plan() has returned,
+/// and the transfer of the result has the same time once more. The caller must be single-threaded.
 Planned plan_isolated(const std::function<std::unique_ptr<CoveragePlanner>()>& make, const Problem& problem,
                       const IsolationOptions& options);
 

@@ -3,7 +3,8 @@
 ///   resident_bytes(pid);                       // of one process
 ///   for (const pid_t p : descendants(pid)) ::kill(p, SIGKILL);
 ///
-/// Nothing here allocates unless it returns a vector, so that it works near a memory limit too. A process that is gone gives 0.
+/// Nothing here allocates unless it returns a vector, so that it works near a memory limit too. A process that is gone
+/// gives 0.
 #pragma once
 
 #include <sys/types.h>
@@ -16,8 +17,8 @@ namespace oxturn {
 double resident_bytes(pid_t pid);
 /// Address space of a process.
 double address_space_bytes(pid_t pid);
-/// Memory that belongs to this process alone: of a forked process, what it has written since the fork. Slow (milliseconds
-/// for gigabytes).
+/// Memory that belongs to this process alone: of a forked process, what it has written since the fork. Slow
+/// (milliseconds for gigabytes).
 double private_bytes(pid_t pid);
 /// User and system time of a process and of its children that have been waited for.
 double cpu_seconds(pid_t pid);

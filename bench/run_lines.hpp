@@ -1,5 +1,5 @@
-/// A CSV file beside runs.csv with several lines for each run: metrics.csv (figures that planners recorded) and trace.csv
-/// (coverage along the path). In suite order; no file if no run has lines. Internal to bench/.
+/// A CSV file beside runs.csv with several lines for each run: metrics.csv (figures that planners recorded) and
+/// trace.csv (coverage along the path). In suite order; no file if no run has lines. Internal to bench/.
 ///
 ///   RunLines metrics(folder, "metrics.csv", "run_id,metric,value\n");
 ///   metrics.append(run_id, {"scans,12", "explored_share,0.9"});

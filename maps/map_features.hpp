@@ -15,9 +15,9 @@ struct MapFeatures {
   double area_m2 = 0, perimeter_m = 0;
   std::size_t holes = 0;
   std::size_t reflex_vertices = 0;  // where the free space's interior angle is above pi
-  /// Width of the narrowest passage: the diameter of the smallest disc that cannot go from one part of the free space to
-  /// another although it fits into both. At most 2 % too large; nullopt if no passage separates the free space, and for
-  /// maps of more than 5000 vertices.
+  /// Width of the narrowest passage: the diameter of the smallest disc that cannot go from one part of the free space
+  /// to another although it fits into both. At most 2 % too large; nullopt if no passage separates the free space, and
+  /// for maps of more than 5000 vertices.
   std::optional<double> narrowest_m;
 };
 

@@ -118,6 +118,7 @@ PlannerInfo ba_star() {
        .citation = "Viet et al. 2013",
        .capabilities = {Capability::holes, Capability::online},
        .guarantee = "visits every free cell that free lattice edges connect to the start",
+       .promise = Promise::cells,
        .parameters = with_cell_options<Params>(
            {{"smooth", &Params::smooth, "paths to backtracking points leave the lattice where that is shorter"}})});
 }

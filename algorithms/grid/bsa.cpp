@@ -132,6 +132,7 @@ PlannerInfo bsa() {
        .citation = "Gonzalez et al. 2005",
        .capabilities = {Capability::holes, Capability::online},
        .guarantee = "visits every free cell that free lattice edges connect to the start",
+       .promise = Promise::cells,
        .parameters = with_spiral_options<Params>(
            {{"backtrack", &Params::backtrack, Choices{"nearest", "latest"}, "where to go when a spiral has ended"}}),
        .published = {{"backtrack", "latest"}}});

@@ -77,6 +77,7 @@ PlannerInfo linked_spiral() {
        .citation = "Choi et al. 2009",
        .capabilities = {Capability::holes, Capability::online},
        .guarantee = "visits every free cell that free lattice edges connect to the start",
+       .promise = Promise::cells,
        .parameters = with_spiral_options<SpiralOptions>({}),
        .published = {{"align", "edges"}}});
 }

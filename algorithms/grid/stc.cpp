@@ -26,6 +26,7 @@
 #include "algorithms/grid/component_order.hpp"
 #include "algorithms/grid/partial_stc.hpp"
 #include "algorithms/grid/spanning_trees.hpp"
+#include "algorithms/lattice/promised_cells.hpp"
 
 namespace oxturn {
 namespace {
@@ -112,6 +113,17 @@ class RoundWithBranches {
   std::optional<Direction> last_;
 };
 
+/// The sub-cells of the trees. A coarse cell without a neighbour is left out.
+void promise_tree(Context& context, const GridGraph& fine, const CoarseCells& cells, double tool_width) {
+  std::vector<Cell> promised;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (!cells.linked(c)) continue;
+    const int i = 2 * cells.column(c), j = 2 * cells.row(c);
+    for (const Cell& sub : {Cell{i, j}, Cell{i + 1, j}, Cell{i, j + 1}, Cell{i + 1, j + 1}}) promised.push_back(sub);
+  }
+  promise_cells(context, fine, std::move(promised), tool_width);
+}
+
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const GridGraph fine = p.lattice(problem, 2);
   if (p.partial) return cover_partial_cells(problem, fine, p, context);
@@ -135,6 +147,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
     context.progress(double(done) / components.count);
     if (p.components == Components::start) break;
   }
+  if (context.wants_promise()) promise_tree(context, fine, cells, problem.robot().tool_width);
   if (context.wants_traces()) context.trace("tree", tree_lines(cells));
   return path.take();
 }
@@ -149,6 +162,7 @@ PlannerInfo stc() {
        .citation = "Gabriely & Rimon 2001",
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "each sub-cell of the free coarse cells exactly once, on a closed path",
+       .promise = Promise::cells,
        .parameters = with_tree_options<Params>(
            {{"partial", &Params::partial, "also enter coarse cells of which only some sub-cells are free"}}),
        .published = {{"components", "start"}}});

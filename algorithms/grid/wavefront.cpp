@@ -28,6 +28,7 @@
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/lattice/cell_robot.hpp"
 #include "algorithms/lattice/grid_options.hpp"
+#include "algorithms/lattice/promised_cells.hpp"
 #include "algorithms/transit/nearest_component.hpp"
 #include "base/graph_search.hpp"
 
@@ -270,6 +271,8 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   graph.add_diagonals(problem.configuration_space());
   const std::optional<Entry> entry = entry_from_start(problem, graph);
   if (!entry) throw Infeasible("no cell's centre is free; a smaller cell_size, or a shift of the grid, may help");
+  if (context.wants_promise() && p.stop == Stop::backtrack)
+    promise_connected_cells(context, graph, entry->cell, problem.robot().tool_width);
   PathBuilder path(problem.start());
   // The entry may be its component's only cell, so the tool is on already when the robot arrives.
   path.drive(entry->path, true);
@@ -290,6 +293,7 @@ PlannerInfo wavefront() {
        .citation = "Zelinsky et al. 1993",
        .capabilities = {Capability::holes},
        .guarantee = "visits every free cell; with stop = closed only until it is closed in",
+       .promise = Promise::cells,
        .parameters = with_grid_options<Params>(
            {{"stop", &Params::stop, Choices{"backtrack", "closed"},
              "closed: ends where it is closed in (as published); backtrack: goes on to the nearest unvisited cell"},

@@ -297,6 +297,7 @@ PlannerInfo boustrophedon() {
        .citation = "Choset, Pignon 1998",
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (with outline)",
+       .promise = Promise::target,
        .parameters =
            {{"sweep", &Params::sweep, Choices{"best", "given"}, "lane direction: the cheapest of up to 16, or `angle`"},
             {"angle", &Params::angle, Range{-360, 360}, "degrees; direction of the lanes if sweep is given"},

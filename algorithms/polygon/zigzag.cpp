@@ -333,6 +333,7 @@ PlannerInfo zigzag() {
        .citation = "BeachBot (Vollprecht 2014); Greene 1983",
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (fit cover, with outline, slivers merged, margin up to half a tool width)",
+       .promise = Promise::target,
        .parameters =
            {{"partition", &Params::partition, Choices{"auto", "convex", "approximate", "monotone", "trapezoid", "none"},
              "parts; auto: convex up to 150 vertices if CGAL finds one, else approximate; none: every lane by itself"},

@@ -198,6 +198,7 @@ PlannerInfo berg_complete() {
        .citation = "oxturn, after Berg 2021",
        .capabilities = {Capability::tether, Capability::holes},
        .guarantee = "covers all that the tether reaches; never over its own tether, which is always the geodesic",
+       .promise = Promise::target,
        .parameters = {
            {"order", &Params::order, Choices{"tour", "dfs", "bfs"}, "of the pieces of level sets"},
            {"winding", &Params::winding, Choices{"any", "left", "right"},

@@ -1,15 +1,16 @@
 // The comparison table: one row a planner variant, over everything it was run on; one table for each promise.
 //
-// Decisions   1. Planners are compared with those that promise to cover the same: the whole target, the whole cells of a
-//                lattice, or nothing. `promise kept` is the least promise_coverage of all runs.
+// Decisions   1. Planners are compared with those that promise to cover the same: the whole target, the whole cells of
+//                a lattice, or nothing. `promise kept` is the least promise_coverage of all runs.
 //             2. A run that gave no valid path counts as coverage 0: failing a hard map must not look better than
 //                covering half of it. Runs that the harness lost (cancelled, infrastructure) count in `runs` and
 //                `other` only.
 //             3. Lengths and times are compared at equal coverage: path_95_m and mission_95_s over the least of all
-//                planners in the results on the same problem, the median over the runs that reached 95 %; `at 95 %` says
-//                how many those are.
+//                planners in the results on the same problem, the median over the runs that reached 95 %; `at 95 %`
+//                says how many those are.
 //             4. Overlap, revisits and turns are medians over the runs with a valid path.
-//             5. Times: the median over all runs that have one, timeouts included; CPU with its 10th and 90th percentile.
+//             5. Times: the median over all runs that have one, timeouts included; CPU with its 10th and 90th
+//                percentile.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -79,7 +80,7 @@ std::string processor_time(const std::vector<const Row*>& rows) {
   if (all.empty()) return "";
   std::sort(all.begin(), all.end());
   const auto at = [&](double share) {
-    return all[static_cast<std::size_t>(share * static_cast<double>(all.size() - 1))];
+    return all[static_cast<std::size_t>(share * static_cast<double>(all.size() - 1) + 0.5)];
   };
   return fmt::format("{} ({} to {})", two_digits(median(all)), two_digits(at(0.1)), two_digits(at(0.9)));
 }

@@ -17,7 +17,7 @@ import shutil
 import subprocess
 import sys
 
-TIMING = {"plan_wall_s", "plan_cpu_s", "peak_rss_bytes", "score_s"}
+TIMING = {"plan_wall_s", "plan_cpu_s", "peak_rss_bytes", "score_s", "load"}
 
 
 def run(oxturn, suite, folder, jobs):

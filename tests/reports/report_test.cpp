@@ -69,6 +69,9 @@ Results hand_written() {
            {"turns", "10"},
            {"mission_s", "100"},
            {"plan_wall_s", "0.5"},
+           {"plan_cpu_s", "0.4"},
+           {"path_95_m", "40"},
+           {"mission_95_s", "80"},
            {"path_m", "50"},
            {"clearance_m", "0.01"}}),
       row("m1", "bad", "timeout", {{"reason", "wall time above 20 s"}, {"plan_wall_s", "20"}}),
@@ -79,8 +82,12 @@ Results hand_written() {
            {"revisits", "0.4"},
            {"turns", "30"},
            {"mission_s", "300"},
+           {"plan_cpu_s", "1.4"},
+           {"path_95_m", "90"},
+           {"mission_95_s", "120"},
            {"plan_wall_s", "1.5"}}),
-      row("m2", "bad", "ok", {{"coverage", "0.99"}, {"length_ratio", "2"}, {"plan_wall_s", "2"}}),
+      row("m2", "bad", "ok",
+          {{"coverage", "0.99"}, {"path_95_m", "60"}, {"mission_95_s", "120"}, {"plan_wall_s", "2"}}),
       row("m3", "good", "partial",
           {{"coverage", "0.5"},
            {"length_ratio", "9"},
@@ -114,15 +121,17 @@ std::vector<std::string> cells_of(const std::string& table, const std::string& n
 
 TEST(Comparison, FiguresWorkedOutOnPaper) {
   const std::string text = table("comparison", hand_written());
-  EXPECT_EQ(cells_of(text, "good"), (std::vector<std::string>{"good", "3", "2", "1", "", "0.5000", "0.8317", "1.600",
-                                                              "0.200", "0.300", "20", "200", "0.700"}));
+  EXPECT_EQ(cells_of(text, "good"),
+            (std::vector<std::string>{"good", "3", "2", "1", "", "0.5000", "0.8317", "", "2 of 3", "1.25", "1.00",
+                                      "0.20", "0.30", "20", "0.90 (0.40 to 1.4)", "0.70"}));
 }
 
 // A run that gives nothing counts as nothing; it neither vanishes nor flatters the mean.
 TEST(Comparison, FailuresStayInTheDenominator) {
   const std::string text = table("comparison", hand_written());
-  EXPECT_EQ(cells_of(text, "bad"), (std::vector<std::string>{"bad", "3", "1", "0", "1 invalid, 1 timeout", "0.0000",
-                                                             "0.3300", "2.000", "", "", "", "", "3.000"}));
+  EXPECT_EQ(cells_of(text, "bad"),
+            (std::vector<std::string>{"bad", "3", "1", "0", "1 invalid, 1 timeout", "0.0000", "0.3300", "", "1 of 3",
+                                      "1.00", "1.00", "", "", "", "", "3.0"}));
 }
 
 TEST(Comparison, WhatTheHarnessLostIsNotThePlannersCoverage) {
