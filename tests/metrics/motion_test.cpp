@@ -100,6 +100,41 @@ TEST(Turns, ACurveIsOneTurnHoweverFine) {
   }
 }
 
+/// Arcs and straight pieces that continue in each other's tangents, the same for every `share`.
+Polyline smooth_curve(std::uint64_t seed, double share) {
+  Rng rng(seed);
+  Polyline line{{0, 0}};
+  double heading = 0;
+  for (int k = 0; k < 12; ++k) {
+    const Point from = line.back();
+    if (rng.chance(0.4)) {
+      line.push_back(from + rotated({rng.between(0.5, 3.0), 0}, heading));
+      continue;
+    }
+    const double r = std::pow(10, rng.between(-1.3, 0.7)), angle = rng.between(0.4, 3.0) * (rng.chance(0.5) ? 1 : -1);
+    const double side = angle > 0 ? 1 : -1;
+    const Point centre = from + rotated({0, side * r}, heading);
+    const double first = heading - side * kPi / 2;
+    for (const Point& p : arc(centre, r, first, first + angle, chords(r, angle, share)))
+      if (distance(p, line.back()) > 1e-9) line.push_back(p);
+    heading += angle;
+  }
+  return line;
+}
+
+TEST(Turns, RandomSmoothCurvesHoweverFine) {
+  for (const auto seed : seeds(100)) {
+    SCOPED_TRACE(seed);
+    const Polyline fine = smooth_curve(seed, 0.001);
+    for (const double share : {1.0, 0.4, 0.1, 0.01}) {
+      const Polyline line = smooth_curve(seed, share);
+      EXPECT_EQ(turns(line), turns(fine)) << share;
+      EXPECT_NEAR(turn_rad(line), turn_rad(fine), 0.01 * turn_rad(fine)) << share;
+      EXPECT_NEAR(mission(line), mission(fine), 0.01 * mission(fine)) << share;
+    }
+  }
+}
+
 TEST(Turns, StraightPiecesSampledFinely) {
   Polyline line;
   for (int k = 0; k <= 500; ++k) line.push_back(rotated({0.01 * k, 0}, 0.3));

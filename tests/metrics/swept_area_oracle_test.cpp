@@ -3,6 +3,7 @@
 
 #include "metrics/swept_area.hpp"
 #include "shapes.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
@@ -117,6 +118,49 @@ TEST(SweptOracle, FineLiesInCoarse) {
     EXPECT_LE(coarse.coverage.lower, fine.coverage.upper);
     EXPECT_GE(coarse.coverage.upper, fine.coverage.lower);
     EXPECT_NEAR(coarse.covered_estimate_m2 / area(two_holes()), fine.coverage.middle(), 2e-4);
+  }
+}
+
+// Simplified curves: the bounds hold, also where the path trembles, stands still or comes back to where it began.
+TEST(SweptOracle, BoundsHoldForCurvesOfManyShortSegments) {
+  const double w = 0.7;
+  const Region target = box_region({-6, -6}, {6, 6});
+  for (const int n : {1000, 30000}) {
+    const double sagitta = 3 * (1 - std::cos(kPi / n));
+    const SweptArea circle = swept_area(target, 0, w, work(arc({0, 0}, 3, 0, 2 * kPi, n)));
+    const double truth = 2 * kPi * 3 * w;
+    EXPECT_LE(circle.covered_m2, truth + 1e-9);
+    EXPECT_LE(circle.coverage.lower, truth / 144 + 1e-12);
+    EXPECT_GE(circle.coverage.upper, (truth - 2 * kPi * 3 * 2 * sagitta) / 144);
+    EXPECT_LE(circle.coverage.upper - circle.coverage.lower, 0.001);
+    EXPECT_NEAR(circle.union_m2, truth, 2e-4 * truth);
+    EXPECT_NEAR(circle.visits_m2, truth + w * w * kPi / 4, 2e-3 * truth);
+  }
+  for (const auto seed : seeds(20)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const double size = std::pow(10, rng.between(-5.0, 0.5)),
+                 tremble = seed % 2 ? std::pow(10, rng.between(-6.0, -2.0)) : 0;
+    const int laps = rng.between(1, 4);
+    Polyline line;
+    for (int k = 0; k <= 1000; ++k) {
+      const double t = 2 * kPi * laps * k / 1000;
+      line.push_back(Point(size * std::cos(2 * t), size * std::sin(3 * t)) +
+                     tremble * Point(rng.between(-1.0, 1.0), rng.between(-1.0, 1.0)));
+    }
+    const SweptArea coarse = swept_area(target, 0, w, work(line)), fine = swept_area(target, 0, w, work(line), 1e-4);
+    EXPECT_LE(fine.coverage.upper - fine.coverage.lower, 1e-4);
+    EXPECT_LE(coarse.coverage.lower, fine.coverage.upper);
+    EXPECT_GE(coarse.coverage.upper, fine.coverage.lower);
+    EXPECT_LE(coarse.covered_m2, fine.coverage.upper * 144 + 1e-9);
+    EXPECT_GE(coarse.covered_estimate_m2, kPi * w * w / 4 * 0.999);
+    for (const MissedPiece& piece : coarse.missed)  // what is said to be missed is missed
+      for (std::size_t part = 0; part < piece.outline.size(); part += 40) {
+        const Ring& ring = piece.outline[part];
+        const Point p = lerp(ring[0], lerp(ring[1], ring[2], rng.unit()), rng.unit());
+        for (std::size_t i = 1; i < line.size(); ++i)
+          ASSERT_GE(distance_to_segment(p, line[i - 1], line[i]), w / 2 - 1e-9);
+      }
   }
 }
 
