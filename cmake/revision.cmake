@@ -1,4 +1,5 @@
-# Writes OUTPUT, a header with the revision of the sources in SOURCE: commit, and a hash of what is not committed. The file is
+# Writes OUTPUT, a header with the revision of the sources in SOURCE: commit, and a hash of what is not committed. The
+# file is
 # touched only if it changes.
 execute_process(COMMAND git -C ${SOURCE} rev-parse --short=12 HEAD OUTPUT_VARIABLE commit ERROR_QUIET
                 OUTPUT_STRIP_TRAILING_WHITESPACE)
