@@ -20,6 +20,7 @@ struct CellNeeds {
   int reach = 1;           // how far it feels, in cells
   bool diagonals = false;  // it leaves the lattice on straight segments (CellRobot::straight)
   bool walls = false;      // it follows walls (WallFollower); not possible by lidar
+  bool all_cells = true;   // it promises to visit every cell that free lattice edges connect to the start
 };
 
 /// `drive` moves the robot from the start on and returns when it is done. Throws Infeasible if the robot cannot leave

@@ -75,7 +75,7 @@ std::optional<Cell> whole_cell_at_start(const Passable& passable) {
 
 template <ChildOrder order>
 Path cover_by_growing_tree(const OnlineStcOptions& options, const Problem& problem, Context& context) {
-  return drive_cells(problem, context, options, {.reach = kReach}, [&](CellRobot& robot) {
+  return drive_cells(problem, context, options, {.reach = kReach, .all_cells = false}, [&](CellRobot& robot) {
     const auto passable = [&](const Cell& c, Direction d) { return robot.passable(c, d); };
     using Tree = SubCellTree<decltype(passable)>;
     const std::optional<Cell> corner = whole_cell_at_start<Tree>(passable);

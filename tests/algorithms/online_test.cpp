@@ -446,7 +446,7 @@ TEST(DriveOnline, ARecordedFigureHasAPlainName) {
   EXPECT_THAT(recorded, testing::ElementsAre("explored_share"));
   for (const char* bad : {"", "a,b", "Share", "a b", "x\n"})
     EXPECT_THAT([&] { context.record(bad, 1); },
-                ThrowsMessage<std::invalid_argument>(HasSubstr("expected small letters")));
+                ThrowsMessage<std::invalid_argument>(HasSubstr("small letters, digits and underscores")));
 }
 
 // --------------------------------------------------------------------------------------------------- exploring
