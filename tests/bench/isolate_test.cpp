@@ -108,6 +108,9 @@ TEST(Isolate, MemoryOfAllProcessesCounts) {
 
 // The limit is the one that is given, from both sides.
 TEST(Isolate, TheMemoryLimitIsAccurate) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer's own memory counts, too";
+#endif
   IsolationOptions options = short_limits();
   options.limits = {.wall_s = 20, .memory_mb = 45};
   EXPECT_EQ(run("measure", options).outcome, Outcome::out_of_memory);  // 50 MB
