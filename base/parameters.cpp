@@ -24,7 +24,7 @@ const char* type_name(const Value& value) {
 
 std::string range_text(const ParameterInfo& parameter) {
   const Range& range = parameter.range;
-  const std::string type = type_name(parameter.fallback);
+  std::string type = type_name(parameter.fallback);
   const std::string least = to_decimal(range.least), most = to_decimal(range.most);
   const bool low = std::isfinite(range.least), high = std::isfinite(range.most);
   if (low && high)

@@ -102,7 +102,7 @@ void fail(int fd, Outcome outcome, const char* what) {
   char message[1 + 2000];
   message[0] = static_cast<char>(outcome);
   const std::size_t size = std::min<std::size_t>(std::strlen(what), sizeof message - 1);
-  std::memcpy(message + 1, what, size);
+  std::copy_n(what, size, message + 1);
   wire::send(fd, child_frames::kFailed, {message, 1 + size});
 }
 

@@ -78,6 +78,7 @@ std::string markdown_table(const std::string& align, const std::vector<std::stri
                            const std::vector<std::vector<std::string>>& rows) {
   // Padded, so that the file reads well as plain text too.
   std::vector<std::size_t> width;
+  width.reserve(head.size());
   for (const std::string& h : head) width.push_back(std::max<std::size_t>(h.size(), 3));
   for (const auto& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());

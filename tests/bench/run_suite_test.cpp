@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -416,10 +417,12 @@ TEST(SuiteRun, SessionAndColumnsDescribeTheFolder) {
 
 // Ctrl-C in the middle: whole lines stay, and --resume does the rest.
 TEST(SuiteRun, InterruptKeepsWhatIsThere) {
-  Suite suite = rectangles({"good", "spin", "partial"});
-  suite.limits.wall_s = 1;
+  Suite suite = rectangles({"good", "spin_and_tell", "partial"});
+  suite.limits.wall_s = 3;
   const Folder folder;
   const std::string out = folder.file("out");
+  const std::string spins = folder.file("spins");
+  ::setenv("OXTURN_TEST_SPINS", spins.c_str(), 1);
   const pid_t pid = ::fork();
   if (pid == 0) {
     int code = 1;
@@ -430,12 +433,7 @@ TEST(SuiteRun, InterruptKeepsWhatIsThere) {
     } catch (...) { code = 3; }
     ::_exit(code);
   }
-  const auto lines = [&] {
-    std::ifstream in(out + "/runs.csv");
-    return std::count(std::istreambuf_iterator<char>(in), {}, '\n');
-  };
-  for (int i = 0; i < 200 && lines() < 2; ++i) ::usleep(20000);
-  ::usleep(200000);  // into the second run
+  for (int i = 0; i < 3000 && !std::filesystem::exists(spins); ++i) ::usleep(20000);
   ::kill(pid, SIGINT);
   int status = 0;
   ASSERT_EQ(::waitpid(pid, &status, 0), pid);

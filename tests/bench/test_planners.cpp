@@ -77,6 +77,10 @@ class TestPlanner final : public CoveragePlanner {
     if (how == "null") write_nowhere();
     if (how == "abort") std::abort();
     if (how == "spin") spin();
+    if (how == "spin_and_tell") {  // in the file named by the environment, so that a test knows that it spins
+      std::fclose(std::fopen(std::getenv("OXTURN_TEST_SPINS"), "w"));
+      spin();
+    }
     if (how == "allocate") {
       for (std::vector<std::string> all;;) all.emplace_back(std::size_t{1} << 20, 'x');
     }
