@@ -18,6 +18,7 @@ std::vector<Vec> lattice(double tiles) {
   while (which + 1 < kLattices.size() && kLattices[which][0] * tiles < kSamples) ++which;
   const auto [n, step] = kLattices[which];
   std::vector<Vec> samples;
+  samples.reserve(n);
   for (int i = 0; i < n; ++i) samples.push_back({(i + 0.5) / n - 0.5, ((i * step) % n + 0.5) / n - 0.5});
   return samples;
 }
