@@ -189,11 +189,33 @@ std::vector<Row> rows_from_csv(const std::string& text, const std::string& sourc
   return rows;
 }
 
-std::string picture_name(const std::string& run_id) {
+namespace {
+
+std::string file_of_run(const char* kind, const std::string& run_id, const char* suffix) {
   const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
   if (run_id.empty() || !std::all_of(run_id.begin(), run_id.end(), plain))
     throw std::invalid_argument(fmt::format("run_id '{}' is not made of letters, digits, - and _", run_id));
-  return "pictures/" + run_id + ".svg";
+  return fmt::format("{}/{}{}", kind, run_id, suffix);
+}
+
+}  // namespace
+
+std::string path_name(const std::string& run_id) { return file_of_run("paths", run_id, ".geojson"); }
+std::string picture_name(const std::string& run_id) { return file_of_run("pictures", run_id, ".svg"); }
+
+std::string problem_name(const std::string& hash) {
+  const bool is_hash = hash.size() == 64 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!is_hash)
+    throw std::invalid_argument(fmt::format("problem_sha256 '{}' is not made of 64 hexadecimal digits", hash));
+  return fmt::format("maps/{}.geojson", hash);
+}
+
+bool is_within(const std::string& folder, const std::string& name) {
+  std::error_code missing;
+  const auto root = std::filesystem::canonical(folder, missing);
+  if (missing) return false;
+  const auto file = std::filesystem::canonical(root / name, missing);
+  return !missing && std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
 }
 
 namespace {
@@ -245,7 +267,7 @@ Results read_results(const std::string& folder) {
       results.rows[known->second] = std::move(row);
   }
   for (const Row& row : results.rows)
-    if (const std::string name = picture_name(row.get("run_id")); std::filesystem::exists(folder + "/" + name))
+    if (const std::string name = picture_name(row.get("run_id")); is_within(folder, name))
       results.pictures[row.get("run_id")] = name;
   results.about = session_summary(folder);
   results.columns = parse_csv(text.substr(0, text.find('\n') + 1), file).at(0);

@@ -47,6 +47,12 @@ std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error
 
 }  // namespace
 
+void lock_results(const wire::Descriptor& runs_csv, const std::string& folder) {
+  if (::flock(runs_csv.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw std::invalid_argument(
+        fmt::format("another process is writing to '{}'; wait for it, or choose another folder", folder));
+}
+
 Session::Session(const Suite& suite, const Columns& columns, const SuiteRunOptions& options)
     : columns_(columns), folder_(options.folder), file_(options.folder + "/runs.csv") {
   const bool there = fs::exists(file_);
@@ -72,9 +78,7 @@ Session::Session(const Suite& suite, const Columns& columns, const SuiteRunOptio
 void Session::open() {
   out_ = wire::Descriptor(::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
   if (!out_.open()) cannot_write(file_, errno);
-  if (::flock(out_.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    throw std::invalid_argument(fmt::format("another process is writing to '{}'; choose another folder", folder_));
-  }
+  lock_results(out_, folder_);
   struct stat about {};
   if (::fstat(out_.number(), &about) == 0 && about.st_size == 0) append(csv_header(columns_));
 }

@@ -10,6 +10,10 @@
 
 namespace oxturn {
 
+/// Locks the open runs.csv of a results folder, until the descriptor is closed. Throws std::invalid_argument if another
+/// process has locked it.
+void lock_results(const wire::Descriptor& runs_csv, const std::string& folder);
+
 /// Writes session.json (what ran, where, when; one entry a session) and columns.json; makes the subfolders.
 /// Refuses what run_suite() promises to refuse, before anything is written.
 class Session {

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "base/files.hpp"
-#include "base/sha256.hpp"
 #include "base/text.hpp"
 #include "bench/build_info.hpp"
 #include "bench/finish.hpp"
@@ -66,14 +65,6 @@ std::map<std::string, std::string> map_cells(const MapSpec& spec, const Map& map
   return cells;
 }
 
-/// Scoring needs these parts of a problem and would build them for the second planner but not for the first.
-void build_shared_parts(const Problem& problem) {
-  problem.walls();
-  problem.map_edges();
-  problem.target();
-  if (problem.tether()) problem.tether()->taut_space();
-}
-
 Setting set_up(const Work& work, const SuiteCell& cell) {
   Setting s;
   const MapSpec& spec = work.suite.maps[cell.map];
@@ -93,8 +84,8 @@ Setting set_up(const Work& work, const SuiteCell& cell) {
     const StartAndAnchor located = resolve(*s.map, robot, start, anchor);
     s.problem.emplace(*s.map, robot, located.start, located.anchor);
     s.hash = s.problem->content_hash();
-    build_shared_parts(*s.problem);
-    s.problem_file = fmt::format("maps/{}.geojson", s.hash);
+    build_scoring_parts(*s.problem);
+    s.problem_file = problem_name(s.hash);
     const std::string file = fmt::format("{}/{}", work.options.folder, s.problem_file);
     if (!std::filesystem::exists(file)) write_file(file, to_geojson(*s.problem));
     return s;
@@ -120,7 +111,7 @@ const Problem& given(const Setting& setting, const PlannerSpec& spec) {
     Robot robot = setting.problem->robot();
     robot.tether.reset();
     setting.loose.emplace(*setting.map, robot, setting.problem->start(), setting.problem->anchor());
-    build_shared_parts(*setting.loose);
+    build_scoring_parts(*setting.loose);
   }
   return *setting.loose;
 }
