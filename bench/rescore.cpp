@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -18,6 +17,7 @@
 #include "bench/run_id.hpp"
 #include "bench/run_lines.hpp"
 #include "bench/session.hpp"
+#include "bench/session_file.hpp"
 #include "bench/verdict.hpp"
 #include "maps/path_file.hpp"
 
@@ -25,24 +25,6 @@ namespace oxturn {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct SessionLimits {
-  Limits limits;
-  double target_coverage = 0.99;
-};
-
-SessionLimits read_session(const std::string& folder) {
-  const std::string file = folder + "/session.json";
-  try {
-    const auto json = nlohmann::json::parse(read_file(file));
-    SessionLimits session;
-    session.limits = {json.at("limits").at("wall_s"), json.at("limits").at("cpu_s"), json.at("limits").at("memory_mb")};
-    session.target_coverage = json.at("target_coverage");
-    return session;
-  } catch (const nlohmann::json::exception& e) {
-    throw std::invalid_argument(fmt::format("{}: not what `oxturn run` writes ({})", file, e.what()));
-  }
-}
 
 /// The lock on a results folder.
 wire::Descriptor locked(const std::string& folder) {
@@ -135,7 +117,7 @@ class Rescoring {
       : registry_(registry),
         lock_(locked(folder)),
         results_(read_results(folder)),
-        session_(read_session(folder)),
+        session_(read_session_file(folder)),
         trace_(folder, "trace.csv", kTraceHeader),
         progress_(static_cast<std::size_t>(std::count_if(results_.rows.begin(), results_.rows.end(), has_path)),
                   progress),
@@ -211,7 +193,7 @@ class Rescoring {
   const Registry& registry_;
   const wire::Descriptor lock_;
   Results results_;
-  const SessionLimits session_;
+  const SessionFile session_;
   SuiteRunOptions options_;
   RunLines trace_;
   Progress progress_;

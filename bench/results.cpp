@@ -7,12 +7,12 @@
 #include <cctype>
 #include <charconv>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "base/csv.hpp"
 #include "base/files.hpp"
+#include "bench/session_file.hpp"
 #include "metrics/score.hpp"
 
 namespace oxturn {
@@ -220,30 +220,11 @@ bool is_within(const std::string& folder, const std::string& name) {
 
 namespace {
 
-/// What a reader of the tables must know of the session; nothing if there is no session.json, or it is not ours.
+/// Nothing if there is no session.json, or one of another version: the tables do without.
 std::vector<std::string> session_summary(const std::string& folder) {
-  const std::string file = folder + "/session.json";
-  if (!std::filesystem::exists(file)) return {};
-  std::vector<std::string> lines;
   try {
-    const auto json = nlohmann::json::parse(read_file(file));
-    const auto& limits = json.at("limits");
-    lines.push_back(fmt::format("Limits of each run: {} s wall time, {}{} MB of memory; target coverage {}",
-                                limits.at("wall_s").dump(),
-                                limits.at("cpu_s") > 0 ? limits.at("cpu_s").dump() + " s processor time, " : "",
-                                limits.at("memory_mb").dump(), json.at("target_coverage").dump()));
-    for (const auto& [name, robot] : json.at("robots").items())
-      lines.push_back(fmt::format("Robot {}: {}", name, robot.get<std::string>()));
-    const auto& session = json.at("sessions").back();
-    const auto& machine = session.at("machine");
-    lines.push_back(fmt::format("Machine: {}, {} cores, {} at a time; build {} ({})", machine.value("cpu", "unknown"),
-                                machine.at("cores").dump(), session.at("jobs").dump(),
-                                json.at("build").at("revision").get<std::string>(),
-                                json.at("build").at("identity").get<std::string>()));
-  } catch (const nlohmann::json::exception&) {
-    return {};  // of another version: the tables do without
-  }
-  return lines;
+    return summary(read_session_file(folder));
+  } catch (const std::invalid_argument&) { return {}; }
 }
 
 }  // namespace

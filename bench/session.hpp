@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/run_suite.hpp"
+#include "bench/session_file.hpp"
 #include "bench/wire.hpp"
 
 namespace oxturn {
@@ -35,6 +36,7 @@ class Session {
   const Columns& columns_;
   std::string folder_, file_;
   std::map<std::string, std::vector<Row>> earlier_;
+  std::vector<SessionEntry> sessions_;  // earlier ones
   wire::Descriptor out_;
 };
 

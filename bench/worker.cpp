@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 #include "base/files.hpp"
@@ -116,14 +116,6 @@ const Problem& given(const Setting& setting, const PlannerSpec& spec) {
   return *setting.loose;
 }
 
-/// A planner that runs another one promises what that one does.
-Promise promise_of(const Work& work, const PlannerSpec& spec) {
-  const PlannerInfo& planner = work.registry.planners.find(spec.name);
-  const auto inner = spec.settings.find("planner");
-  if (!planner.more_parameters || inner == spec.settings.end()) return planner.promise;
-  return work.registry.planners.find(std::get<std::string>(inner->second)).promise;
-}
-
 Row row_of(const Work& work, std::size_t index, const Setting& setting) {
   const SuiteCell& cell = work.cells[index];
   const PlannerSpec& spec = work.suite.planners[cell.planner];
@@ -144,7 +136,7 @@ Row row_of(const Work& work, std::size_t index, const Setting& setting) {
       {"planner_family", planner.family},
       {"variant", spec.variant()},
       {"params", to_text(spec.said())},
-      {"promise", to_text(promise_of(work, spec))},
+      {"promise", to_text(planner.promise)},
       {"robot", robot.name},
       {"tool_width_m", to_decimal(robot.tool_width)},
       {"repeat", std::to_string(cell.repeat)}};
@@ -178,8 +170,9 @@ std::vector<std::string> metric_lines(const Records& records) {
 void finish_run(const Work& work, const Setting& setting, std::size_t index, const Planned& planned, int fd, Row& row) {
   write_process(planned, row);
   const PlannerSpec& spec = work.suite.planners[work.cells[index].planner];
+  const Promise promise = work.registry.planners.find(spec.name).promise;
   FinishTask task{*setting.problem,     planned,           work.registry.metrics, work.options,
-                  setting.problem_file, row.get("run_id"), !spec.ignore_tether,   promise_of(work, spec)};
+                  setting.problem_file, row.get("run_id"), !spec.ignore_tether,   promise};
   const Finished finished = finish_isolated(task, work.suite.limits);
   for (const auto& [column, cell] : finished.cells) row.cells[column] = cell;
   const Verdict verdict =

@@ -3,9 +3,7 @@
 /// Internal to bench/.
 #pragma once
 
-#include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -12,6 +12,7 @@
 #include <filesystem>
 
 #include "base/files.hpp"
+#include "bench/isolate.hpp"
 #include "bench/process_info.hpp"
 #include "bench/run_suite.hpp"
 #include "maps/path_file.hpp"
