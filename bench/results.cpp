@@ -94,7 +94,7 @@ Columns run_columns(const Metrics& metrics) {
   all.back().empty = "no path was scored";
   all.push_back(timing("load", "1", "processes ready to run on the machine, when the run began"));
   all.back().empty = "the system does not say";
-  all.push_back(text("path_sha256", "hash of the path's legs as GeoJSON", "no path"));
+  all.push_back(text("path_sha256", "hash of the path's legs as GeoJSON", "no path that could be written"));
   all.push_back(text("path_file", "path within the results folder", "no path that could be written"));
   return all;
 }

@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "base/csv.hpp"
 #include "base/files.hpp"
+#include "bench/run_lines.hpp"
 #include "maps/formats.hpp"
 #include "test_planners.hpp"
 
@@ -34,6 +37,33 @@ TEST(Results, HeaderIsTheContract) {
       "tether_limit_m,tether_max_m,tether_bends_max,tether_angle_min_rad,tether_angle_mean_rad,"
       "tether_sharp_fraction,tether_crossings,tether_entangled,"
       "plan_wall_s,plan_cpu_s,peak_rss_bytes,score_s,load,path_sha256,path_file\n");
+}
+
+/// The column names in the first cells of the table below a heading of docs/formats.md, with the unit.
+std::vector<std::string> columns_in_page(const std::string& heading) {
+  std::istringstream page(read_file(OXTURN_SOURCE_DIR "/docs/formats.md"));
+  std::vector<std::string> columns;
+  bool found = false;
+  for (std::string line; std::getline(page, line);) {
+    if (line.starts_with("#")) found = line == heading;
+    if (!found || !line.starts_with("| `")) continue;
+    const std::size_t end = line.find(" | ");
+    const std::size_t unit = end + 3;
+    for (std::size_t at = line.find('`'); at < end; at = line.find('`', line.find('`', at + 1) + 1))
+      columns.push_back(line.substr(at + 1, line.find('`', at + 1) - at - 1) + " " +
+                        line.substr(unit, line.find_first_of(" |", unit) - unit));
+  }
+  return columns;
+}
+
+TEST(Results, ThePageListsEveryColumn) {
+  std::vector<std::string> columns;
+  for (const Column& c : all_columns()) columns.push_back(c.name + " " + c.unit);
+  EXPECT_EQ(columns_in_page("### `runs.csv`"), columns);
+  std::string trace;
+  for (const std::string& column : columns_in_page("### `trace.csv`"))
+    trace += (trace.empty() ? "" : ",") + column.substr(0, column.find(' '));
+  EXPECT_EQ(trace + "\n", kTraceHeader);
 }
 
 TEST(Results, EveryColumnExplainsItself) {
