@@ -87,7 +87,8 @@ class FinishChild {
       if (stored_ && task_.options.pictures) optional("drawing", [&] { draw(path); });
     }
     if (!task_.planned.traces.empty())
-      optional("storing traces", [&] { write(fmt::format("traces/{}.json", task_.run_id), to_json(task_.planned.traces)); });
+      optional("storing traces",
+               [&] { write(fmt::format("traces/{}.json", task_.run_id), to_json(task_.planned.traces)); });
   }
 
  private:

@@ -36,7 +36,8 @@ wire::Descriptor locked(const std::string& folder) {
 /// A file of the results folder, for reading.
 std::string existing(const std::string& folder, const std::string& name, const std::string& run_id) {
   const std::string file = folder + "/" + name;
-  if (!fs::exists(file)) throw std::invalid_argument(fmt::format("no such file: '{}', which run {} needs", file, run_id));
+  if (!fs::exists(file))
+    throw std::invalid_argument(fmt::format("no such file: '{}', which run {} needs", file, run_id));
   if (!is_within(folder, name))
     throw std::invalid_argument(
         fmt::format("'{}' is a symbolic link that leads out of the folder; put the file itself there", file));
@@ -154,14 +155,9 @@ class Rescoring {
     const std::string run = row.get("run_id"), kept = row.get("promise_coverage");
     const Problem& problem = problem_of(row);
     const Planned planned = planned_of(results_.folder, row);
-    const FinishTask task{problem,
-                          planned,
-                          registry_.metrics,
-                          options_,
-                          problem_name(problem_hash_),
-                          run,
-                          !ignores_tether(row),
-                          promise_of(row)};
+    const FinishTask task{
+        problem,        planned, registry_.metrics, options_, problem_name(problem_hash_), run, !ignores_tether(row),
+        promise_of(row)};
     const Finished finished = finish_isolated(task, session_.limits);
     for (const Metric& metric : registry_.metrics) row.cells.erase(metric.name);
     for (const auto& [column, cell] : finished.cells) row.cells[column] = cell;

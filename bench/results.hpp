@@ -68,7 +68,7 @@ Results read_results(const std::string& folder);
 std::string path_name(const std::string& run_id);
 std::string picture_name(const std::string& run_id);
 std::string problem_name(const std::string& hash);
-/// There is such a file or folder, and no symbolic link leads out of `folder` on the way to it.
+/// There is such a file or folder, and no symbolic link in its name leads out of `folder`.
 bool is_within(const std::string& folder, const std::string& name);
 
 std::string csv_header(const Columns& columns);

@@ -55,8 +55,8 @@ SessionFile read_session_file(const std::string& folder) {
   try {
     return session_from(Json::parse(text));
   } catch (const Json::exception& e) {
-    throw std::invalid_argument(fmt::format("{}: not what this version of `oxturn run` writes ({}); choose another folder",
-                                            file_of(folder), e.what()));
+    throw std::invalid_argument(fmt::format(
+        "{}: not what this version of `oxturn run` writes ({}); choose another folder", file_of(folder), e.what()));
   }
 }
 
@@ -77,8 +77,8 @@ void write_session_file(const std::string& folder, const SessionFile& session) {
 std::vector<std::string> summary(const SessionFile& session) {
   const Limits& limits = session.limits;
   std::vector<std::string> lines{
-      fmt::format("Limits of each run: {} s wall time, {}{} MB of memory; target coverage {}", to_decimal(limits.wall_s),
-                  limits.cpu_s > 0 ? to_decimal(limits.cpu_s) + " s processor time, " : "",
+      fmt::format("Limits of each run: {} s wall time, {}{} MB of memory; target coverage {}",
+                  to_decimal(limits.wall_s), limits.cpu_s > 0 ? to_decimal(limits.cpu_s) + " s processor time, " : "",
                   to_decimal(limits.memory_mb), to_decimal(session.target_coverage))};
   for (const auto& [name, robot] : session.robots) lines.push_back(fmt::format("Robot {}: {}", name, robot));
   if (session.sessions.empty()) return lines;

@@ -48,7 +48,7 @@ MapSpec rectangle(double width) {
 Suite suite() {
   Suite suite;
   suite.name = "test";
-  suite.limits = {.wall_s = 2, .memory_mb = 400};
+  suite.limits = {.wall_s = 60, .memory_mb = 2000};
   suite.robots.resize(2);
   suite.robots[1].name = "tied";
   suite.robots[1].tether = Tether{1.2};
@@ -149,7 +149,7 @@ TEST(Rescore, ALimitThatScoringBrokeIsForgotten) {
   const std::string out = folder.file("out");
   const Results before = ran(two_runs(), out);
   ASSERT_EQ(before.rows[0].outcome(), Outcome::ok);
-  replace_in(out + "/runs.csv", ",ok,,", ",timeout,scoring: no result after 2 s,");
+  replace_in(out + "/runs.csv", ",ok,,", ",timeout,scoring: no result after 60 s,");
   EXPECT_EQ(untimed(rescore(out, registry(), false)), untimed(before));
 }
 
