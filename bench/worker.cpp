@@ -50,17 +50,17 @@ struct Setting {
   std::string problem_file;
 };
 
-std::map<std::string, std::string> map_cells(const MapSpec& spec, const Map& map, double tool_width) {
+constexpr const char* kAreaTools = "map_area_tools";  // the one that depends on the robot
+
+MapCells map_cells(const MapSpec& spec, const Map& map) {
   const MapFeatures features = map_features(map);
-  std::map<std::string, std::string> cells{
-      {"map_family", map.family},
-      {"map_sha256", content_hash(map)},
-      {"map_params", to_text(spec.generator.empty() ? spec.read : spec.settings)},
-      {"map_area_m2", to_decimal(features.area_m2)},
-      {"map_perimeter_m", to_decimal(features.perimeter_m)},
-      {"map_holes", std::to_string(features.holes)},
-      {"map_reflex_vertices", std::to_string(features.reflex_vertices)},
-      {"map_area_tools", to_decimal(features.area_m2 / (tool_width * tool_width))}};
+  MapCells cells{{"map_family", map.family},
+                 {"map_sha256", content_hash(map)},
+                 {"map_params", to_text(spec.generator.empty() ? spec.read : spec.settings)},
+                 {"map_area_m2", to_decimal(features.area_m2)},
+                 {"map_perimeter_m", to_decimal(features.perimeter_m)},
+                 {"map_holes", std::to_string(features.holes)},
+                 {"map_reflex_vertices", std::to_string(features.reflex_vertices)}};
   if (features.narrowest_m) cells["map_narrowest_m"] = to_decimal(*features.narrowest_m);
   return cells;
 }
@@ -80,7 +80,9 @@ Setting set_up(const Work& work, const SuiteCell& cell) {
       s.map = generate(spec.generator, spec.settings, spec.seed, work.registry.generators);
     }
     s.map->name = spec.name;
-    s.cells = map_cells(spec, *s.map, robot.tool_width);
+    const auto known = work.known_maps.find(cell.map);
+    s.cells = known != work.known_maps.end() ? known->second : map_cells(spec, *s.map);
+    s.cells[kAreaTools] = to_decimal(area(s.map->free) / (robot.tool_width * robot.tool_width));
     const StartAndAnchor located = resolve(*s.map, robot, start, anchor);
     s.problem.emplace(*s.map, robot, located.start, located.anchor);
     s.hash = s.problem->content_hash();
@@ -246,6 +248,13 @@ Row row_from(std::string_view bytes) {
     row.cells[column] = wire::take_text(bytes);
   }
   return row;
+}
+
+MapCells map_cells_of(const Row& row) {
+  MapCells cells;
+  for (const auto& [column, cell] : row.cells)
+    if (column.starts_with("map_") && column != kAreaTools) cells[column] = cell;
+  return cells;
 }
 
 std::vector<SuiteCell> cells_of(const Suite& suite) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
 #include <sstream>
 
 #include "base/csv.hpp"
@@ -138,6 +140,24 @@ TEST(Results, TheLastAttemptReplacesTheFirst) {
   ASSERT_EQ(results.rows.size(), 2u);
   EXPECT_EQ(results.rows[0].get("run_id"), "a");
   EXPECT_EQ(results.rows[0].outcome(), Outcome::ok);
+}
+
+// A report copies what is a picture of the folder, nothing from elsewhere.
+TEST(Results, PicturesOutsideOfTheFolderAreNone) {
+  const testing::Folder folder;
+  std::filesystem::create_directories(folder.file("out/pictures"));
+  Row row;
+  std::string text = csv_header(all_columns());
+  for (const char* id : {"inside", "linked", "missing"}) {
+    row.cells = {{"run_id", id}, {"outcome", "ok"}};
+    text += csv_line(row, all_columns());
+  }
+  write_file(folder.file("out/runs.csv"), text);
+  write_file(folder.file("out/pictures/inside.svg"), "<svg/>");
+  write_file(folder.file("secret"), "secret");
+  std::filesystem::create_symlink(folder.file("secret"), folder.file("out/pictures/linked.svg"));
+  using Pictures = std::map<std::string, std::string>;
+  EXPECT_EQ(read_results(folder.file("out")).pictures, (Pictures{{"inside", "pictures/inside.svg"}}));
 }
 
 TEST(Results, BadFoldersAreOneSentence) {

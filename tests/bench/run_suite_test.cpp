@@ -331,6 +331,25 @@ TEST(SuiteRun, APlannerThatRunsAnotherOnePromisesForItself) {
   EXPECT_EQ(results.rows[1].get("promise"), "target");
 }
 
+// Found out once for all robots of a map, except what depends on the tool.
+TEST(SuiteRun, RowsDescribeTheMapForEveryRobot) {
+  const Folder folder;
+  Suite suite = rectangles({"good"}, 2);
+  suite.robots.push_back(Robot{});
+  suite.robots.back().name = "wide";
+  suite.robots.back().tool_width = 0.8;
+  const Results results = run_suite(suite, test_registry(), into(folder.file("out")));
+  ASSERT_EQ(results.rows.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Row& row = results.rows[i];
+    const double width = i < 2 ? 3 : 4, tool = i % 2 == 0 ? 0.4 : 0.8;
+    EXPECT_EQ(row.number("map_area_m2"), 2 * width);
+    EXPECT_EQ(row.number("map_perimeter_m"), 2 * width + 4);
+    EXPECT_NEAR(row.number("map_area_tools").value(), 2 * width / (tool * tool), 1e-9);
+    EXPECT_EQ(row.get("map_sha256"), results.rows[i - i % 2].get("map_sha256"));
+  }
+}
+
 TEST(SuiteRun, NamedLocationsAreResolvedForEachRobot) {
   const Folder folder;
   Suite suite = rectangles({"good"});
