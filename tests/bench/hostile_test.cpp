@@ -83,7 +83,7 @@ constexpr Expected kEnding[] = {
     {"zero_length", "partial", "is below 0.99"},
     {"jump", "invalid", "leg 2 starts at"},
     {"elsewhere", "invalid", "starts at"},
-    {"points", "out_of_memory|timeout", "^(storing the path|scoring): "},
+    {"points", "out_of_memory", "needs more than 300 MB"},
     {"million_points", "partial|out_of_memory", "is below 0.99|^scoring: needs more"},
     {"partial", "partial", "is below 0.99"},
 };

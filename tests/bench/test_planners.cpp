@@ -205,15 +205,18 @@ class TestPlanner final : public CoveragePlanner {
     if (how == "zero_length") return Path{{{true, {start, start}}}};
     if (how == "jump") return Path{{{true, {start, start + Point(0.5, 0)}}, {true, {start, start + Point(1, 0)}}}};
     if (how == "elsewhere") return Path{{{true, {start + Point(0.5, 0), start}}}};
-    if (how == "points") return Path{{{true, there_and_back(start, 10'000'000)}}};
-    if (how == "million_points") return Path{{{true, there_and_back(start, 1'000'000)}}};
+    if (how == "points") return there_and_back(start, 10'000'000);
+    if (how == "million_points") return there_and_back(start, 1'000'000);
     return std::nullopt;
   }
 
-  static Polyline there_and_back(Point start, std::size_t count) {
-    Polyline points(count, start);
+  static Path there_and_back(Point start, std::size_t count) {
+    Path path;
+    path.legs.emplace_back().tool = true;
+    Polyline& points = path.legs[0].points;
+    points.assign(count, start);  // held once: it is to come back through the pipe
     for (std::size_t i = 1; i < count; i += 2) points[i] += Point(0.5, 0);
-    return points;
+    return path;
   }
 
   /// A good path, and processes beside it.
