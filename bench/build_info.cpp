@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include "base/files.hpp"
 #include "base/sha256.hpp"
 #include "build_revision.hpp"
 

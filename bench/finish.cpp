@@ -26,9 +26,11 @@ constexpr char kCurve = 'V';   // a line of trace.csv
 constexpr char kRemark = 'N';  // a stage after scoring failed
 }  // namespace frames
 
-bool is_finite(const Path& path) {
-  return std::all_of(path.legs.begin(), path.legs.end(), [](const Leg& leg) {
-    return std::all_of(leg.points.begin(), leg.points.end(), [](const Point& p) { return finite(p); });
+/// GeoJSON has no NaN, and its LineStrings have at least two points (RFC 7946, section 3.1.4).
+bool can_be_written(const Path& path) {
+  return !path.legs.empty() && std::all_of(path.legs.begin(), path.legs.end(), [](const Leg& leg) {
+    return leg.points.size() >= 2 &&
+           std::all_of(leg.points.begin(), leg.points.end(), [](const Point& p) { return finite(p); });
   });
 }
 
@@ -85,7 +87,8 @@ class FinishChild {
       if (stored_ && task_.options.pictures) optional("drawing", [&] { draw(path); });
     }
     if (!task_.planned.traces.empty())
-      optional("storing traces", [&] { write("traces", ".json", to_json(task_.planned.traces)); });
+      optional("storing traces",
+               [&] { write(fmt::format("traces/{}.json", task_.run_id), to_json(task_.planned.traces)); });
   }
 
  private:
@@ -109,16 +112,16 @@ class FinishChild {
     wire::send(fd_, frames::kCell, message);
   }
 
-  void write(const std::string& folder, const std::string& suffix, const std::string& content) const {
-    write_file(fmt::format("{}/{}/{}{}", task_.options.folder, folder, task_.run_id, suffix), content);
+  void write(const std::string& name, const std::string& content) const {
+    write_file(fmt::format("{}/{}", task_.options.folder, name), content);
   }
 
   /// With the name of its problem, so that it can be drawn and scored again by itself.
   void store(const Path& path) {
-    if (path.legs.empty() || !is_finite(path)) return;  // JSON has no NaN; the verdict says what is wrong
+    if (!can_be_written(path)) return;  // the verdict says what is wrong
     cell("path_sha256", sha256(to_geojson(path)));
-    write("paths", ".geojson", to_geojson(path, task_.problem_file));
-    cell("path_file", fmt::format("paths/{}.geojson", task_.run_id));
+    write(path_name(task_.run_id), to_geojson(path, task_.problem_file));
+    cell("path_file", path_name(task_.run_id));
     stored_ = true;
   }
 
@@ -142,15 +145,15 @@ class FinishChild {
 
   /// The tether's length, bends and angle along the path.
   void write_tether(const Path& path) const {
-    write("tethers", ".csv", to_csv(tether_trace(task_.problem, path, task_.problem.robot().tool_width)));
+    write(fmt::format("tethers/{}.csv", task_.run_id),
+          to_csv(tether_trace(task_.problem, path, task_.problem.robot().tool_width)));
   }
 
   void draw(const Path& path) const {
     PictureOptions options;
     options.traces = &task_.planned.traces;
     options.missed = &missed_;
-    write_file(fmt::format("{}/{}", task_.options.folder, picture_name(task_.run_id)),
-               to_svg(task_.problem, &path, options));
+    write(picture_name(task_.run_id), to_svg(task_.problem, &path, options));
   }
 
   const FinishTask& task_;
@@ -160,6 +163,13 @@ class FinishChild {
 };
 
 }  // namespace
+
+void build_scoring_parts(const Problem& problem) {
+  problem.walls();
+  problem.map_edges();
+  problem.target();
+  if (problem.tether()) problem.tether()->taut_space();
+}
 
 Finished finish_isolated(const FinishTask& task, const Limits& limits) {
   Finished finished;

@@ -37,6 +37,9 @@ struct Finished {
   std::vector<std::string> remarks;          // what went wrong after that: drawing, traces
 };
 
+/// Builds what scoring needs of a problem, once for all its paths: each of the processes would build it for itself.
+void build_scoring_parts(const Problem& problem);
+
 /// Each stage has the limits for itself.
 Finished finish_isolated(const FinishTask& task, const Limits& limits);
 

@@ -7,12 +7,12 @@
 #include <cctype>
 #include <charconv>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "base/csv.hpp"
 #include "base/files.hpp"
+#include "bench/session_file.hpp"
 #include "metrics/score.hpp"
 
 namespace oxturn {
@@ -94,7 +94,7 @@ Columns run_columns(const Metrics& metrics) {
   all.back().empty = "no path was scored";
   all.push_back(timing("load", "1", "processes ready to run on the machine, when the run began"));
   all.back().empty = "the system does not say";
-  all.push_back(text("path_sha256", "hash of the path's legs as GeoJSON", "no path"));
+  all.push_back(text("path_sha256", "hash of the path's legs as GeoJSON", "no path that could be written"));
   all.push_back(text("path_file", "path within the results folder", "no path that could be written"));
   return all;
 }
@@ -189,39 +189,42 @@ std::vector<Row> rows_from_csv(const std::string& text, const std::string& sourc
   return rows;
 }
 
-std::string picture_name(const std::string& run_id) {
+namespace {
+
+std::string file_of_run(const char* kind, const std::string& run_id, const char* suffix) {
   const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
   if (run_id.empty() || !std::all_of(run_id.begin(), run_id.end(), plain))
     throw std::invalid_argument(fmt::format("run_id '{}' is not made of letters, digits, - and _", run_id));
-  return "pictures/" + run_id + ".svg";
+  return fmt::format("{}/{}{}", kind, run_id, suffix);
+}
+
+}  // namespace
+
+std::string path_name(const std::string& run_id) { return file_of_run("paths", run_id, ".geojson"); }
+std::string picture_name(const std::string& run_id) { return file_of_run("pictures", run_id, ".svg"); }
+
+std::string problem_name(const std::string& hash) {
+  const bool is_hash = hash.size() == 64 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!is_hash)
+    throw std::invalid_argument(fmt::format("problem_sha256 '{}' is not made of 64 hexadecimal digits", hash));
+  return fmt::format("maps/{}.geojson", hash);
+}
+
+bool is_within(const std::string& folder, const std::string& name) {
+  std::error_code missing;
+  const auto root = std::filesystem::canonical(folder, missing);
+  if (missing) return false;
+  const auto file = std::filesystem::canonical(root / name, missing);
+  return !missing && std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
 }
 
 namespace {
 
-/// What a reader of the tables must know of the session; nothing if there is no session.json, or it is not ours.
+/// Nothing if there is no session.json, or one of another version: the tables do without.
 std::vector<std::string> session_summary(const std::string& folder) {
-  const std::string file = folder + "/session.json";
-  if (!std::filesystem::exists(file)) return {};
-  std::vector<std::string> lines;
   try {
-    const auto json = nlohmann::json::parse(read_file(file));
-    const auto& limits = json.at("limits");
-    lines.push_back(fmt::format("Limits of each run: {} s wall time, {}{} MB of memory; target coverage {}",
-                                limits.at("wall_s").dump(),
-                                limits.at("cpu_s") > 0 ? limits.at("cpu_s").dump() + " s processor time, " : "",
-                                limits.at("memory_mb").dump(), json.at("target_coverage").dump()));
-    for (const auto& [name, robot] : json.at("robots").items())
-      lines.push_back(fmt::format("Robot {}: {}", name, robot.get<std::string>()));
-    const auto& session = json.at("sessions").back();
-    const auto& machine = session.at("machine");
-    lines.push_back(fmt::format("Machine: {}, {} cores, {} at a time; build {} ({})", machine.value("cpu", "unknown"),
-                                machine.at("cores").dump(), session.at("jobs").dump(),
-                                json.at("build").at("revision").get<std::string>(),
-                                json.at("build").at("identity").get<std::string>()));
-  } catch (const nlohmann::json::exception&) {
-    return {};  // of another version: the tables do without
-  }
-  return lines;
+    return summary(read_session_file(folder));
+  } catch (const std::invalid_argument&) { return {}; }
 }
 
 }  // namespace
@@ -245,7 +248,7 @@ Results read_results(const std::string& folder) {
       results.rows[known->second] = std::move(row);
   }
   for (const Row& row : results.rows)
-    if (const std::string name = picture_name(row.get("run_id")); std::filesystem::exists(folder + "/" + name))
+    if (const std::string name = picture_name(row.get("run_id")); is_within(folder, name))
       results.pictures[row.get("run_id")] = name;
   results.about = session_summary(folder);
   results.columns = parse_csv(text.substr(0, text.find('\n') + 1), file).at(0);

@@ -63,9 +63,13 @@ struct Results {
 /// 'out'"), a header without a column that reports need, a bad line.
 Results read_results(const std::string& folder);
 
-/// Where a run's picture lies, relative to the results folder. Throws std::invalid_argument for an id that could lead
-/// out of the folder.
+/// Where a run's path and picture, and a problem, lie relative to the results folder. Throw std::invalid_argument for
+/// an id or a hash that could lead out of the folder.
+std::string path_name(const std::string& run_id);
 std::string picture_name(const std::string& run_id);
+std::string problem_name(const std::string& hash);
+/// There is such a file or folder, and no symbolic link in its name leads out of `folder`.
+bool is_within(const std::string& folder, const std::string& name);
 
 std::string csv_header(const Columns& columns);
 std::string csv_line(const Row& row, const Columns& columns);

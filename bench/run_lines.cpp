@@ -44,7 +44,7 @@ RunLines::RunLines(const std::string& folder, const std::string& name, std::stri
 }
 
 void RunLines::append(const std::string& run_id, const std::vector<std::string>& lines) {
-  all_[run_id] = lines;
+  set(run_id, lines);
   if (lines.empty()) return;
   const bool fresh = !std::filesystem::exists(file_);
   std::ofstream out(file_, std::ios::app | std::ios::binary);

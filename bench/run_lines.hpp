@@ -19,9 +19,12 @@ class RunLines {
   /// Reads what an earlier session left in `folder`, if anything; an incomplete last line is dropped. Throws
   /// std::invalid_argument if the lines have not as many cells as the header.
   RunLines(const std::string& folder, const std::string& name, std::string header);
-  /// Replaces what was known of the run, and appends to the file at once. `lines`: without run_id and line break.
+  /// Replaces what is known of the run; the file stays as it is until put_in_order(). `lines`: without run_id and line
+  /// break.
+  void set(const std::string& run_id, const std::vector<std::string>& lines) { all_[run_id] = lines; }
+  /// The same, and appends to the file at once.
   void append(const std::string& run_id, const std::vector<std::string>& lines);
-  /// Writes the file again, in this order, without runs that are not listed.
+  /// Replaces the file as a whole: the runs in this order, without those that are not listed.
   void put_in_order(const std::vector<std::string>& run_ids);
 
  private:

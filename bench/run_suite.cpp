@@ -113,7 +113,7 @@ class SuiteRun {
         cells_(cells_of(suite)),
         runs_(cells_.size()),
         earlier_(summary(session_)),
-        work_{suite, registry, options_, cells_, earlier_},
+        work_{suite, registry, options_, cells_, earlier_, known_maps_},
         progress_(cells_.size(), options.progress) {
     for (const MapSpec& map : suite.maps) {
       if (!map.content) continue;
@@ -182,6 +182,7 @@ class SuiteRun {
 
   [[noreturn]] void be_worker(const Unit& unit, pid_t parent, int fd) const {
     std::signal(SIGINT, SIG_IGN);  // the parent decides
+    ::setpgid(0, 0);               // a planner that kills its parent's group must not kill the whole sweep
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (::getppid() != parent) ::_exit(1);
     ::close_range(3, static_cast<unsigned>(fd) - 1, 0);
@@ -256,6 +257,7 @@ class SuiteRun {
     if (type == messages::kBegun) {
       run.begun = true;
       run.row = row_from(payload);
+      if (!run.row.get("map_sha256").empty()) known_maps_.emplace(cells_[index].map, map_cells_of(run.row));
     } else if (type == messages::kMetrics || type == messages::kTrace) {
       (type == messages::kMetrics ? run.metrics : run.trace) = lines_from(payload);
     } else if (type == messages::kKept) {
@@ -372,6 +374,7 @@ class SuiteRun {
   std::vector<SuiteCell> cells_;
   std::vector<Run> runs_;
   std::map<std::string, Earlier> earlier_;
+  std::map<std::size_t, MapCells> known_maps_;  // by index, for the workers that start later
   Work work_;
   Progress progress_;
   std::deque<Unit> waiting_;

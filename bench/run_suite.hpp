@@ -9,16 +9,13 @@
 /// Shapely); pictures/RUN_ID.svg; traces/RUN_ID.json; tethers/RUN_ID.csv; logs/RUN_ID.log (what the planner printed).
 #pragma once
 
-#include <functional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "bench/registry.hpp"
 #include "bench/results.hpp"
 #include "bench/suite.hpp"
-#include "geometry/trace.hpp"
 
 namespace oxturn {
 

@@ -15,7 +15,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "base/csv.hpp"
 #include "base/files.hpp"
 #include "bench/build_info.hpp"
 #include "maps/formats.hpp"
@@ -24,7 +23,6 @@ namespace oxturn {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 [[noreturn]] void cannot_write(const std::string& what, int error) {
@@ -42,10 +40,13 @@ std::string whole_lines(const std::string& text) {
   return text.substr(0, end);
 }
 
-// What a planner prints may be in any encoding, and so may a command line: JSON is UTF-8.
-std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
 }  // namespace
+
+void lock_results(const wire::Descriptor& runs_csv, const std::string& folder) {
+  if (::flock(runs_csv.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw std::invalid_argument(
+        fmt::format("another process is writing to '{}'; wait for it, or choose another folder", folder));
+}
 
 Session::Session(const Suite& suite, const Columns& columns, const SuiteRunOptions& options)
     : columns_(columns), folder_(options.folder), file_(options.folder + "/runs.csv") {
@@ -72,32 +73,22 @@ Session::Session(const Suite& suite, const Columns& columns, const SuiteRunOptio
 void Session::open() {
   out_ = wire::Descriptor(::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
   if (!out_.open()) cannot_write(file_, errno);
-  if (::flock(out_.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    throw std::invalid_argument(fmt::format("another process is writing to '{}'; choose another folder", folder_));
-  }
+  lock_results(out_, folder_);
   struct stat about {};
   if (::fstat(out_.number(), &about) == 0 && about.st_size == 0) append(csv_header(columns_));
 }
 
 void Session::take_up(const Suite& suite) {
-  const std::string session = folder_ + "/session.json";
-  std::string name, build;
-  try {
-    const Json json = Json::parse(read_file(session));
-    name = json.at("suite").get<std::string>();
-    build = json.at("build").at("identity").get<std::string>();
-  } catch (const Json::exception& e) {
-    throw std::invalid_argument(
-        fmt::format("{}: not what `oxturn run` writes ({}); choose another folder", session, e.what()));
-  }
-  if (name != suite.name)
+  const SessionFile before = read_session_file(folder_);
+  if (before.suite != suite.name)
     throw std::invalid_argument(fmt::format("'{}' holds results of the suite '{}', not of '{}'; choose another folder",
-                                            folder_, name, suite.name));
-  if (build != build_identity())
+                                            folder_, before.suite, suite.name));
+  if (before.build_identity() != build_identity())
     throw std::invalid_argument(
         fmt::format("'{}' holds results of another build of oxturn ({}, this is {}); choose another folder, or "
                     "`oxturn rescore` for new metrics of stored paths",
-                    folder_, build, build_identity()));
+                    folder_, before.build_identity(), build_identity()));
+  sessions_ = before.sessions;
   const std::string text = read_file(file_);
   const std::string whole = whole_lines(text);
   if (whole.size() != text.size()) { write_file(file_, whole); }
@@ -127,30 +118,17 @@ void Session::append(const std::string& line) {
 void Session::rewrite(const std::string& lines) { write_file(file_, csv_header(columns_) + lines); }
 
 void Session::describe(const Suite& suite, const SuiteRunOptions& options) {
-  const std::string file = folder_ + "/session.json";
-  Json json{{"schema", 1}, {"suite", suite.name}, {"suite_file", suite.file}};
-  json["limits"] = {
-      {"wall_s", suite.limits.wall_s}, {"cpu_s", suite.limits.cpu_s}, {"memory_mb", suite.limits.memory_mb}};
-  json["warm_ups"] = suite.warm_ups;
-  json["target_coverage"] = suite.target_coverage;
-  json["robots"] = Json::object();
-  for (const Robot& robot : suite.robots) json["robots"][robot.name] = canonical_text(robot);
-  json["build"] = build_description();
-  json["sessions"] = Json::array();
-  if (fs::exists(file)) {
-    const Json before = Json::parse(read_file(file), nullptr, false);
-    if (before.is_object() && before.contains("sessions")) json["sessions"] = before["sessions"];
-  }
-  json["sessions"].push_back({{"started", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
-                              {"machine", machine_description()},
-                              {"jobs", options.jobs},
-                              {"command_line", options.command_line}});
-  write_file(file, dump(json));
+  SessionFile session{suite.name, suite.file, suite.limits, suite.warm_ups, suite.target_coverage, {}, {}, sessions_};
+  for (const Robot& robot : suite.robots) session.robots.emplace_back(robot.name, canonical_text(robot));
+  session.build = build_description();
+  session.sessions.push_back({fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
+                              machine_description(), options.jobs, options.command_line});
+  write_session_file(folder_, session);
   write_file(folder_ + "/columns.json", to_json(columns_));
 }
 
 std::string to_json(const Columns& columns) {
-  Json all = Json::array();
+  auto all = nlohmann::ordered_json::array();
   for (const Column& c : columns) {
     all.push_back({{"name", c.name},
                    {"type", c.type},
@@ -160,7 +138,7 @@ std::string to_json(const Columns& columns) {
                    {"empty", c.empty},
                    {"timing", c.timing}});
   }
-  return dump(all);
+  return json_text(all);
 }
 
 }  // namespace oxturn

@@ -6,9 +6,14 @@
 #include <vector>
 
 #include "bench/run_suite.hpp"
+#include "bench/session_file.hpp"
 #include "bench/wire.hpp"
 
 namespace oxturn {
+
+/// Locks the open runs.csv of a results folder, until the descriptor is closed. Throws std::invalid_argument if another
+/// process has locked it.
+void lock_results(const wire::Descriptor& runs_csv, const std::string& folder);
 
 /// Writes session.json (what ran, where, when; one entry a session) and columns.json; makes the subfolders.
 /// Refuses what run_suite() promises to refuse, before anything is written.
@@ -31,6 +36,7 @@ class Session {
   const Columns& columns_;
   std::string folder_, file_;
   std::map<std::string, std::vector<Row>> earlier_;
+  std::vector<SessionEntry> sessions_;  // earlier ones
   wire::Descriptor out_;
 };
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/isolate.hpp"
+#include "bench/child_process.hpp"
 #include "bench/registry.hpp"
 #include "maps/formats.hpp"
 #include "maps/locations.hpp"

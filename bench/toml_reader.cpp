@@ -8,7 +8,6 @@
 
 #include "base/files.hpp"
 #include "base/text.hpp"
-#include "maps/formats.hpp"
 
 namespace oxturn {
 

@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 #include "base/files.hpp"
-#include "base/sha256.hpp"
 #include "base/text.hpp"
 #include "bench/build_info.hpp"
 #include "bench/finish.hpp"
@@ -51,27 +50,19 @@ struct Setting {
   std::string problem_file;
 };
 
-std::map<std::string, std::string> map_cells(const MapSpec& spec, const Map& map, double tool_width) {
+constexpr const char* kAreaTools = "map_area_tools";  // the one that depends on the robot
+
+MapCells map_cells(const MapSpec& spec, const Map& map) {
   const MapFeatures features = map_features(map);
-  std::map<std::string, std::string> cells{
-      {"map_family", map.family},
-      {"map_sha256", content_hash(map)},
-      {"map_params", to_text(spec.generator.empty() ? spec.read : spec.settings)},
-      {"map_area_m2", to_decimal(features.area_m2)},
-      {"map_perimeter_m", to_decimal(features.perimeter_m)},
-      {"map_holes", std::to_string(features.holes)},
-      {"map_reflex_vertices", std::to_string(features.reflex_vertices)},
-      {"map_area_tools", to_decimal(features.area_m2 / (tool_width * tool_width))}};
+  MapCells cells{{"map_family", map.family},
+                 {"map_sha256", content_hash(map)},
+                 {"map_params", to_text(spec.generator.empty() ? spec.read : spec.settings)},
+                 {"map_area_m2", to_decimal(features.area_m2)},
+                 {"map_perimeter_m", to_decimal(features.perimeter_m)},
+                 {"map_holes", std::to_string(features.holes)},
+                 {"map_reflex_vertices", std::to_string(features.reflex_vertices)}};
   if (features.narrowest_m) cells["map_narrowest_m"] = to_decimal(*features.narrowest_m);
   return cells;
-}
-
-/// Scoring needs these parts of a problem and would build them for the second planner but not for the first.
-void build_shared_parts(const Problem& problem) {
-  problem.walls();
-  problem.map_edges();
-  problem.target();
-  if (problem.tether()) problem.tether()->taut_space();
 }
 
 Setting set_up(const Work& work, const SuiteCell& cell) {
@@ -89,12 +80,14 @@ Setting set_up(const Work& work, const SuiteCell& cell) {
       s.map = generate(spec.generator, spec.settings, spec.seed, work.registry.generators);
     }
     s.map->name = spec.name;
-    s.cells = map_cells(spec, *s.map, robot.tool_width);
+    const auto known = work.known_maps.find(cell.map);
+    s.cells = known != work.known_maps.end() ? known->second : map_cells(spec, *s.map);
+    s.cells[kAreaTools] = to_decimal(area(s.map->free) / (robot.tool_width * robot.tool_width));
     const StartAndAnchor located = resolve(*s.map, robot, start, anchor);
     s.problem.emplace(*s.map, robot, located.start, located.anchor);
     s.hash = s.problem->content_hash();
-    build_shared_parts(*s.problem);
-    s.problem_file = fmt::format("maps/{}.geojson", s.hash);
+    build_scoring_parts(*s.problem);
+    s.problem_file = problem_name(s.hash);
     const std::string file = fmt::format("{}/{}", work.options.folder, s.problem_file);
     if (!std::filesystem::exists(file)) write_file(file, to_geojson(*s.problem));
     return s;
@@ -120,17 +113,9 @@ const Problem& given(const Setting& setting, const PlannerSpec& spec) {
     Robot robot = setting.problem->robot();
     robot.tether.reset();
     setting.loose.emplace(*setting.map, robot, setting.problem->start(), setting.problem->anchor());
-    build_shared_parts(*setting.loose);
+    build_scoring_parts(*setting.loose);
   }
   return *setting.loose;
-}
-
-/// A planner that runs another one promises what that one does.
-Promise promise_of(const Work& work, const PlannerSpec& spec) {
-  const PlannerInfo& planner = work.registry.planners.find(spec.name);
-  const auto inner = spec.settings.find("planner");
-  if (!planner.more_parameters || inner == spec.settings.end()) return planner.promise;
-  return work.registry.planners.find(std::get<std::string>(inner->second)).promise;
 }
 
 Row row_of(const Work& work, std::size_t index, const Setting& setting) {
@@ -153,7 +138,7 @@ Row row_of(const Work& work, std::size_t index, const Setting& setting) {
       {"planner_family", planner.family},
       {"variant", spec.variant()},
       {"params", to_text(spec.said())},
-      {"promise", to_text(promise_of(work, spec))},
+      {"promise", to_text(planner.promise)},
       {"robot", robot.name},
       {"tool_width_m", to_decimal(robot.tool_width)},
       {"repeat", std::to_string(cell.repeat)}};
@@ -187,8 +172,9 @@ std::vector<std::string> metric_lines(const Records& records) {
 void finish_run(const Work& work, const Setting& setting, std::size_t index, const Planned& planned, int fd, Row& row) {
   write_process(planned, row);
   const PlannerSpec& spec = work.suite.planners[work.cells[index].planner];
+  const Promise promise = work.registry.planners.find(spec.name).promise;
   FinishTask task{*setting.problem,     planned,           work.registry.metrics, work.options,
-                  setting.problem_file, row.get("run_id"), !spec.ignore_tether,   promise_of(work, spec)};
+                  setting.problem_file, row.get("run_id"), !spec.ignore_tether,   promise};
   const Finished finished = finish_isolated(task, work.suite.limits);
   for (const auto& [column, cell] : finished.cells) row.cells[column] = cell;
   const Verdict verdict =
@@ -262,6 +248,13 @@ Row row_from(std::string_view bytes) {
     row.cells[column] = wire::take_text(bytes);
   }
   return row;
+}
+
+MapCells map_cells_of(const Row& row) {
+  MapCells cells;
+  for (const auto& [column, cell] : row.cells)
+    if (column.starts_with("map_") && column != kAreaTools) cells[column] = cell;
+  return cells;
 }
 
 std::vector<SuiteCell> cells_of(const Suite& suite) {

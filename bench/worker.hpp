@@ -3,9 +3,7 @@
 /// Internal to bench/.
 #pragma once
 
-#include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,12 +30,18 @@ struct Earlier {
   bool done = false;  // neither cancelled nor infrastructure
 };
 
+/// Cells of runs.csv that describe a map, the same for every robot.
+using MapCells = std::map<std::string, std::string>;
+/// Of a row.
+MapCells map_cells_of(const Row& row);
+
 struct Work {
   const Suite& suite;
   const Registry& registry;
   const SuiteRunOptions& options;
   const std::vector<SuiteCell>& cells;
-  const std::map<std::string, Earlier>& earlier;  // by run_id
+  const std::map<std::string, Earlier>& earlier;      // by run_id
+  const std::map<std::size_t, MapCells>& known_maps;  // by index: what earlier units have found out
 };
 
 /// What a worker sends about run `index`. Frames: [index u64][payload].

@@ -3,8 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
+#include <sstream>
+
 #include "base/csv.hpp"
 #include "base/files.hpp"
+#include "bench/run_lines.hpp"
 #include "maps/formats.hpp"
 #include "test_planners.hpp"
 
@@ -34,6 +39,33 @@ TEST(Results, HeaderIsTheContract) {
       "tether_limit_m,tether_max_m,tether_bends_max,tether_angle_min_rad,tether_angle_mean_rad,"
       "tether_sharp_fraction,tether_crossings,tether_entangled,"
       "plan_wall_s,plan_cpu_s,peak_rss_bytes,score_s,load,path_sha256,path_file\n");
+}
+
+/// The column names in the first cells of the table below a heading of docs/formats.md, with the unit.
+std::vector<std::string> columns_in_page(const std::string& heading) {
+  std::istringstream page(read_file(OXTURN_SOURCE_DIR "/docs/formats.md"));
+  std::vector<std::string> columns;
+  bool found = false;
+  for (std::string line; std::getline(page, line);) {
+    if (line.starts_with("#")) found = line == heading;
+    if (!found || !line.starts_with("| `")) continue;
+    const std::size_t end = line.find(" | ");
+    const std::size_t unit = end + 3;
+    for (std::size_t at = line.find('`'); at < end; at = line.find('`', line.find('`', at + 1) + 1))
+      columns.push_back(line.substr(at + 1, line.find('`', at + 1) - at - 1) + " " +
+                        line.substr(unit, line.find_first_of(" |", unit) - unit));
+  }
+  return columns;
+}
+
+TEST(Results, ThePageListsEveryColumn) {
+  std::vector<std::string> columns;
+  for (const Column& c : all_columns()) columns.push_back(c.name + " " + c.unit);
+  EXPECT_EQ(columns_in_page("### `runs.csv`"), columns);
+  std::string trace;
+  for (const std::string& column : columns_in_page("### `trace.csv`"))
+    trace += (trace.empty() ? "" : ",") + column.substr(0, column.find(' '));
+  EXPECT_EQ(trace + "\n", kTraceHeader);
 }
 
 TEST(Results, EveryColumnExplainsItself) {
@@ -108,6 +140,24 @@ TEST(Results, TheLastAttemptReplacesTheFirst) {
   ASSERT_EQ(results.rows.size(), 2u);
   EXPECT_EQ(results.rows[0].get("run_id"), "a");
   EXPECT_EQ(results.rows[0].outcome(), Outcome::ok);
+}
+
+// A report copies what is a picture of the folder, nothing from elsewhere.
+TEST(Results, PicturesOutsideOfTheFolderAreNone) {
+  const testing::Folder folder;
+  std::filesystem::create_directories(folder.file("out/pictures"));
+  Row row;
+  std::string text = csv_header(all_columns());
+  for (const char* id : {"inside", "linked", "missing"}) {
+    row.cells = {{"run_id", id}, {"outcome", "ok"}};
+    text += csv_line(row, all_columns());
+  }
+  write_file(folder.file("out/runs.csv"), text);
+  write_file(folder.file("out/pictures/inside.svg"), "<svg/>");
+  write_file(folder.file("secret"), "secret");
+  std::filesystem::create_symlink(folder.file("secret"), folder.file("out/pictures/linked.svg"));
+  using Pictures = std::map<std::string, std::string>;
+  EXPECT_EQ(read_results(folder.file("out")).pictures, (Pictures{{"inside", "pictures/inside.svg"}}));
 }
 
 TEST(Results, BadFoldersAreOneSentence) {

@@ -42,6 +42,24 @@ int* volatile nowhere = nullptr;
   *target = 1;
 }
 
+// Each call needs its frame: no compiler turns this into a loop.
+[[gnu::noinline]] double descend(double depth) {
+  volatile double frame[512] = {depth};
+  return depth < 0 ? depth : descend(frame[0] + 1) + frame[0];
+}
+
+/// 64 processes, every second one in a session of its own, that never end.
+void fork_bomb() {
+  for (int generation = 0; generation < 6; ++generation)
+    if (::fork() == 0 && generation % 2 == 0) ::setsid();
+}
+
+/// Bytes that are no frames, to everything that is open.
+void write_garbage() {
+  const std::string garbage(4096, '\xff');
+  for (int fd = 3; fd < 64; ++fd) [[maybe_unused]] const ssize_t put = ::write(fd, garbage.data(), garbage.size());
+}
+
 // Lanes over the box of the configuration space, and once round it: whole coverage of a rectangle.
 Path lanes(const Problem& problem) {
   const Box box = bounding_box(problem.configuration_space());
@@ -73,57 +91,68 @@ class TestPlanner final : public CoveragePlanner {
  private:
   /// Never returns: crashes, throws, exits or goes on for ever.
   void die_if_told() const {
+    crash();
+    never_return();
+    allocate();
+    const std::string& how = p_.how;
+    if (how == "throw") throw std::runtime_error("my tour\nis broken");
+    if (how == "throw_int") throw 3;
+    if (how == "throw_bytes") throw std::runtime_error("caf\xe9 \xff\n\"is\", closed");
+    if (how == "throw_megabytes") throw std::runtime_error(std::string(10'000'000, 'x'));
+    if (how == "infeasible") throw Infeasible("the map is too small for me");
+    if (how == "unsupported") throw Unsupported("no rectangles, please");
+    if (how == "exit") std::exit(3);
+    if (how == "quiet_exit") ::_exit(0);
+  }
+
+  void crash() const {
     const std::string& how = p_.how;
     if (how == "null") write_nowhere();
     if (how == "abort") std::abort();
+    if (how == "stack") descend(0);
+    if (how == "kill_itself") ::raise(SIGKILL);
+    if (how == "kill_parent") ::kill(::getppid(), SIGKILL);
+    if (how == "kill_parents_group") ::kill(-::getpgid(::getppid()), SIGKILL);
+    if (how.starts_with("kill_")) ::sleep(1000);
+    if (how == "throw_in_thread") std::thread([] { throw std::runtime_error("nobody catches this"); }).join();
+    if (how == "garbage") {
+      write_garbage();
+      ::sleep(1000);
+    }
+  }
+
+  void never_return() const {
+    const std::string& how = p_.how;
     if (how == "spin") spin();
     if (how == "spin_and_tell") {  // in the file named by the environment, so that a test knows that it spins
       std::fclose(std::fopen(std::getenv("OXTURN_TEST_SPINS"), "w"));
       spin();
     }
-    if (how == "allocate") {
-      for (std::vector<std::string> all;;) all.emplace_back(std::size_t{1} << 20, 'x');
-    }
-    if (how == "allocate_by_mmap") {
-      // Never asks operator new, and ignores refusals.
-      for (;;) {
-        void* page = ::mmap(nullptr, 1 << 20, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-        if (page != MAP_FAILED) std::memset(page, 1, 1 << 20);
-      }
-    }
-    if (how == "throw") throw std::runtime_error("my tour\nis broken");
-    if (how == "throw_int") throw 3;
-    if (how == "throw_bytes") throw std::runtime_error("caf\xe9 \xff\n\"is\", closed");
     if (how == "sleep") ::sleep(1000);
-    if (how == "infeasible") throw Infeasible("the map is too small for me");
-    if (how == "unsupported") throw Unsupported("no rectangles, please");
-    if (how == "exit") std::exit(3);
-    if (how == "quiet_exit") ::_exit(0);
+    if (how == "stop") ::raise(SIGSTOP);
+    if (how == "exec") ::execl("/bin/sleep", "sleep", "1000", nullptr);
+    if (how == "ignore_signals") {
+      for (int s = 1; s < 32; ++s) std::signal(s, SIG_IGN);
+      spin();
+    }
     if (how == "hide") {  // closes every descriptor and goes on
       for (int fd = 0; fd < 64; ++fd) ::close(fd);
       spin();
     }
   }
 
-  std::optional<Path> bad_path(const Problem& problem, Context& context) const {
+  void allocate() const {
     const std::string& how = p_.how;
-    const Point start = problem.start();
-    if (how == "leave_child") {
-      if (::fork() == 0) {
-        ::sleep(1000);
-        ::_exit(0);
-      }
-      return lanes(problem);
+    if (how == "allocate") {
+      for (std::vector<std::string> all;;) all.emplace_back(std::size_t{1} << 20, 'x');
     }
-    if (how == "leave_daemon") {
-      if (::fork() == 0) {
-        ::setsid();
-        if (::fork() != 0) ::_exit(0);
-        for (int fd = 0; fd < 64; ++fd) ::close(fd);
-        ::sleep(1000);
-        ::_exit(0);
+    if (how == "allocate_100_gb") std::vector<char>(100'000'000'000).back() = 1;
+    if (how == "allocate_by_mmap") {
+      // Never asks operator new, and ignores refusals.
+      for (;;) {
+        void* page = ::mmap(nullptr, 1 << 20, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        if (page != MAP_FAILED) std::memset(page, 1, 1 << 20);
       }
-      return lanes(problem);
     }
     if (how == "allocate_in_children") {  // each one within the limit
       for (int k = 0; k < 4; ++k) {
@@ -134,16 +163,24 @@ class TestPlanner final : public CoveragePlanner {
       }
       ::sleep(1000);
     }
+  }
+
+  std::optional<Path> bad_path(const Problem& problem, Context& context) const {
+    const std::string& how = p_.how;
+    const Point start = problem.start();
     if (how == "wall") {
       PathBuilder path(start);
       path.drive(start + Point(100, 0), true);
       return path.take();
     }
-    if (how == "nan") return Path{{{true, {start, Point(std::numeric_limits<double>::quiet_NaN(), 1)}}}};
-    if (how == "empty") return Path{};
+    if (auto path = degenerate_path(start)) return path;
     if (how == "publish") {
       context.publish({{{true, {start, start - Point(0.5, 0)}}}});
       context.publish({{{true, {start, start - Point(1, 0)}}}});
+      spin();
+    }
+    if (how == "publish_nan") {
+      context.publish(degenerate_path(start, "nan").value());
       spin();
     }
     if (how == "partial") {
@@ -159,8 +196,52 @@ class TestPlanner final : public CoveragePlanner {
     return std::nullopt;
   }
 
+  std::optional<Path> degenerate_path(Point start) const { return degenerate_path(start, p_.how); }
+
+  static std::optional<Path> degenerate_path(Point start, const std::string& how) {
+    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    if (how == "nan") return Path{{{true, {start, Point(nan, 1)}}}};
+    if (how == "infinite") return Path{{{true, {start, Point(infinity, -infinity)}}}};
+    if (how == "huge") return Path{{{true, {start, Point(1e300, 1e300)}}}};
+    if (how == "empty") return Path{};
+    if (how == "empty_leg") return Path{{{true, {}}}};
+    if (how == "one_point") return Path{{{true, {start}}}};
+    if (how == "zero_length") return Path{{{true, {start, start}}}};
+    if (how == "jump") return Path{{{true, {start, start + Point(0.5, 0)}}, {true, {start, start + Point(1, 0)}}}};
+    if (how == "elsewhere") return Path{{{true, {start + Point(0.5, 0), start}}}};
+    if (how == "points") return there_and_back(start, 10'000'000);
+    if (how == "million_points") return there_and_back(start, 1'000'000);
+    return std::nullopt;
+  }
+
+  static Path there_and_back(Point start, std::size_t count) {
+    Path path;
+    path.legs.emplace_back().tool = true;
+    Polyline& points = path.legs[0].points;
+    points.assign(count, start);  // held once: it is to come back through the pipe
+    for (std::size_t i = 1; i < count; i += 2) points[i] += Point(0.5, 0);
+    return path;
+  }
+
+  /// A good path, and processes beside it.
+  void start_processes() const {
+    const std::string& how = p_.how;
+    const pid_t self = ::getpid();
+    if (how == "fork_bomb") fork_bomb();
+    if (how == "leave_child") (void)::fork();
+    if (how == "leave_daemon" && ::fork() == 0) {
+      ::setsid();
+      if (::fork() != 0) ::_exit(0);
+      for (int fd = 0; fd < 64; ++fd) ::close(fd);
+    }
+    if (::getpid() == self) return;
+    ::sleep(1000);
+    ::_exit(0);
+  }
+
   /// A good path, and something beside it.
   void behave(const Problem& problem, Context& context) const {
+    start_processes();
     const std::string& how = p_.how;
     if (how == "babble") {
       for (int i = 0; i < 1000; ++i) std::printf("\x01\xff garbage \n");
@@ -173,7 +254,7 @@ class TestPlanner final : public CoveragePlanner {
       context.record("nothing", std::nan(""));
     }
     if (how == "record_megabytes") {
-      for (int i = 0; i < 400'000; ++i)
+      for (int i = 0; i < 1'000'000; ++i)
         context.record("a_figure_with_a_long_name_that_is_number_" + std::to_string(i), i);
     }
     if (how == "trace_megabytes") {
@@ -185,6 +266,9 @@ class TestPlanner final : public CoveragePlanner {
       context.record("calls", ++calls);
     }
     if (how == "promise") context.promise([] { return box_region({0, 0}, {1, 1}); });
+    if (how == "promise_throws") context.promise([]() -> Region { throw 3; });
+    if (how == "promise_nan")
+      context.promise([] { return box_region({0, 0}, {std::numeric_limits<double>::quiet_NaN(), 1}); });
     if (how == "measure") {  // 50 MB resident for a tenth of a second of work
       std::vector<char> block(50'000'000, 1);
       const auto until = Context::Clock::now() + std::chrono::milliseconds(100);
