@@ -124,11 +124,7 @@ class FinishChild {
 
   void score_path(const Path& path) {
     const auto before = std::chrono::steady_clock::now();
-    ScoreOptions options;
-    options.tether_counts = task_.tether_counts;
-    options.promise = task_.planned.promised ? Promise::cells : task_.promise;
-    if (task_.planned.promised) options.promised = &*task_.planned.promised;
-    Score result = score(task_.problem, path, task_.metrics, options);
+    Score result = score(task_.problem, path, task_.metrics, task_.scoring);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
     cell("score_s", to_decimal(seconds));
     for (const MetricValue& metric : result.values)

@@ -125,14 +125,6 @@ const Problem& given(const Setting& setting, const PlannerSpec& spec) {
   return *setting.loose;
 }
 
-/// A planner that runs another one promises what that one does.
-Promise promise_of(const Work& work, const PlannerSpec& spec) {
-  const PlannerInfo& planner = work.registry.planners.find(spec.name);
-  const auto inner = spec.settings.find("planner");
-  if (!planner.more_parameters || inner == spec.settings.end()) return planner.promise;
-  return work.registry.planners.find(std::get<std::string>(inner->second)).promise;
-}
-
 Row row_of(const Work& work, std::size_t index, const Setting& setting) {
   const SuiteCell& cell = work.cells[index];
   const PlannerSpec& spec = work.suite.planners[cell.planner];
@@ -153,7 +145,7 @@ Row row_of(const Work& work, std::size_t index, const Setting& setting) {
       {"planner_family", planner.family},
       {"variant", spec.variant()},
       {"params", to_text(spec.said())},
-      {"promise", to_text(promise_of(work, spec))},
+      {"promise", to_text(promise_of(planner, spec.settings, work.registry.planners))},
       {"robot", robot.name},
       {"tool_width_m", to_decimal(robot.tool_width)},
       {"repeat", std::to_string(cell.repeat)}};
@@ -187,14 +179,17 @@ std::vector<std::string> metric_lines(const Records& records) {
 void finish_run(const Work& work, const Setting& setting, std::size_t index, const Planned& planned, int fd, Row& row) {
   write_process(planned, row);
   const PlannerSpec& spec = work.suite.planners[work.cells[index].planner];
-  FinishTask task{*setting.problem,     planned,           work.registry.metrics, work.options,
-                  setting.problem_file, row.get("run_id"), !spec.ignore_tether,   promise_of(work, spec)};
+  const Planners& planners = work.registry.planners;
+  const Promise promise = promise_of(planners.find(spec.name), spec.settings, planners);
+  const FinishTask task{*setting.problem,     planned,           work.registry.metrics,
+                        work.options,         setting.problem_file, row.get("run_id"),
+                        score_options(planned, promise, !spec.ignore_tether)};
   const Finished finished = finish_isolated(task, work.suite.limits);
   for (const auto& [column, cell] : finished.cells) row.cells[column] = cell;
   const Verdict verdict =
       finished.breach ? *finished.breach : judge(planned, finished.score, work.suite.target_coverage);
   end(row, verdict.outcome, verdict.reason);
-  if (planned.promised) row.cells["promise"] = to_text(Promise::cells);
+  row.cells["promise"] = to_text(task.scoring.promise);
   if (!planned.records.empty()) send_message(fd, messages::kMetrics, index, joined(metric_lines(planned.records)));
   if (!finished.trace.empty()) send_message(fd, messages::kTrace, index, joined(finished.trace));
   for (const std::string& remark : finished.remarks)

@@ -80,7 +80,9 @@ Report run_planner(const Options& options, const PlannerInfo& planner, const Set
         {"plan_wall_s", planned.wall_s}, {"plan_cpu_s", planned.cpu_s}, {"peak_rss_bytes", planned.peak_rss_bytes}};
   report.records = planned.records;
   if (is_scored(planned)) {
-    report.score = score(problem, *planned.path, registry.metrics);
+    const ScoreOptions scoring = score_options(planned, promise_of(planner, settings, registry.planners));
+    report.about.emplace_back("promise", to_text(scoring.promise));
+    report.score = score(problem, *planned.path, registry.metrics, scoring);
     if (!options.output.empty()) write_file(options.output, to_geojson(*planned.path));
   }
   report.verdict = judge(planned, report.score, Suite{}.target_coverage);
