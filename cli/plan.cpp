@@ -86,7 +86,7 @@ Report run_planner(const Options& options, const PlannerInfo& planner, const Set
     if (!options.output.empty()) write_file(options.output, to_geojson(*planned.path));
   }
   report.verdict = judge(planned, report.score, Suite{}.target_coverage);
-  write_outputs(options.outputs, problem, planned.path ? &*planned.path : nullptr, planned.traces);
+  write_outputs(options.outputs, problem, planned.path ? &*planned.path : nullptr, report.score, planned.traces);
   return report;
 }
 
@@ -106,22 +106,23 @@ int plan(const Options& options, const Registry& registry) {
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
   const auto options = std::make_shared<Options>();
-  app.add_option("PLANNER", options->planner, "as `oxturn list planners` names it")->required();
-  app.add_option("MAP", options->problem.map, "a map's file, or GENERATOR[:SEED]")->required();
+  app.add_option("PLANNER", options->planner, "a planner (`oxturn list planners`)")->required()->type_name("");
+  app.add_option("MAP", options->problem.map, kMapHelp)->required()->type_name("");
   add_settings(app, options->settings, "planner");
-  app.add_option("--seed", options->isolation.seed, "of the planner's random choices; 1 if not given")
+  app.add_option("--seed", options->isolation.seed, "seed of the planner's random choices; 1 if not given")
       ->check(whole_number())
       ->type_name("N");
   app.add_option("-o,--output", options->output, "write the path, FILE.geojson")->type_name("FILE");
   add_output_options(app, options->outputs);
   add_problem_options(app, registry, options->problem);
-  app.add_option("--wall", options->isolation.limits.wall_s, "time limit; 60 if not given")
+  app.add_option("--wall", options->isolation.limits.wall_s, "time limit of planning, seconds; 60 if not given")
       ->check(number_from(0, false, "seconds"))
       ->type_name("S");
-  app.add_option("--memory", options->isolation.limits.memory_mb, "memory limit; 4096 if not given")
+  app.add_option("--memory", options->isolation.limits.memory_mb, "memory limit of planning, megabytes; 4096 if not given")
       ->check(number_from(0, false, "megabytes"))
       ->type_name("MB");
-  app.add_flag("--traces", options->isolation.traces, "draw the planner's inside too: cells, trees, partitions");
+  app.add_flag("--traces", options->isolation.traces,
+               "with --svg: draw the planner's intermediate results too: cells, trees, partitions");
   app.add_flag("--json", options->json, "print JSON");
   return [options, &registry] { return plan(*options, registry); };
 }
@@ -133,7 +134,7 @@ Command plan_command() {
           "  oxturn plan boustrophedon rooms:7 --svg plan.svg\n"
           "  oxturn plan zigzag kitchen.yaml --radius 0.17 --tool-width 0.3 -o path.geojson\n"
           "  oxturn plan stc lab.yaml --drop-speckle 0.02 --start 12,3.5 --json\n"
-          "Exit code 0 for outcome ok or partial, 1 for any other.\n",
+          "\nExit code 0 for outcome ok or partial, 1 for any other.\n",
           attach};
 }
 

@@ -12,6 +12,8 @@
 namespace oxturn::cli {
 namespace {
 
+constexpr const char* kReaderGroup = "Options for ROS maps and images";
+
 /// `tether=25` is short for the first parameter of the group of that name, tether_length=25.
 std::string full_name(const std::string& name, const std::vector<ParameterInfo>& parameters) {
   if (std::count(robot_groups().begin(), robot_groups().end(), name) == 0) return name;
@@ -70,7 +72,7 @@ std::string option_name(std::string parameter) {
 
 std::string robot_help() {
   std::string text =
-      "parameters of the robot, K=V,K=V...; those not given stay as the map's file or the default has them:";
+      "parameters of the robot; those not given are as in the map file, or the defaults (`oxturn list robot`):";
   for (const ParameterInfo& parameter : infos_of(robot_parameters()))
     text += fmt::format("\n  {}: {}", parameter.name, parameter.help);
   return text + "\n(tether=25 is short for tether_length=25)";
@@ -83,11 +85,13 @@ void add_reader_options(CLI::App& app, const MapFormats& formats, ReaderOptions&
     const std::string name = parameter.name;
     if (std::holds_alternative<bool>(parameter.fallback))
       app.add_flag_callback(
-          option_name(name), [&options, name] { options[name] = "true"; }, parameter.help);
+             option_name(name), [&options, name] { options[name] = "true"; }, parameter.help)
+          ->group(kReaderGroup);
     else
       app.add_option_function<std::string>(
              option_name(name), [&options, name](const std::string& text) { options[name] = text; }, parameter.help)
-          ->type_name("N");
+          ->type_name("N")
+          ->group(kReaderGroup);
   }
 }
 
@@ -105,17 +109,18 @@ void say_remarks(const MapFile& file) {
 
 void add_problem_options(CLI::App& app, const Registry& registry, ProblemOptions& options) {
   app.add_option("--robot", options.robot, robot_help())->type_name("K=V,...");
-  app.add_option("--radius", options.radius, "robot's radius")->check(number_from(0, true, "metres"))->type_name("M");
-  app.add_option("--tool-width", options.tool_width, "width that the robot covers")
+  app.add_option("--radius", options.radius, "radius of the robot, metres")->check(number_from(0, true, "metres"))->type_name("M");
+  app.add_option("--tool-width", options.tool_width, "width of the swath that the robot covers, metres")
       ->check(number_from(0, false, "metres"))
       ->type_name("M");
   app.add_option(
          "--start", options.start,
-         "where the robot starts: X,Y, middle or corner (lower left); otherwise as the file says, or well inside")
+         "where the robot starts: X,Y, middle (well inside) or corner (lower left); as the map file says, or middle, if "
+         "not given")
       ->type_name("POINT");
   app.add_option("--anchor", options.anchor,
                  "where the tether is fastened: X,Y, start, wall (the nearest point of one) or corner (the nearest in "
-                 "sight of the start); otherwise as the file says, or the start")
+                 "sight of the start); as the map file says, or start, if not given")
       ->type_name("POINT");
   add_reader_options(app, registry.formats, options.read);
 }

@@ -27,7 +27,7 @@ int score_path(const Options& options, const Registry& registry) {
   report.about = {{"path", options.path}};
   report.score = score(problem, path, registry.metrics);
   report.verdict = judge(*report.score, Suite{}.target_coverage);
-  write_outputs(options.outputs, problem, &path, {});
+  write_outputs(options.outputs, problem, &path, report.score, {});
   return print(report, problem, registry.metrics, options.json);
 }
 
