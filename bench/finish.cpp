@@ -117,7 +117,8 @@ class FinishChild {
   void store(const Path& path) {
     if (path.legs.empty() || !is_finite(path)) return;  // JSON has no NaN; the verdict says what is wrong
     cell("path_sha256", sha256(to_geojson(path)));
-    write("paths", ".geojson", to_geojson(path, task_.problem_file));
+    const PathProblem problem = path_problem(task_.problem, {.file = "../" + task_.problem_file});
+    write("paths", ".geojson", to_geojson(path, &problem));
     cell("path_file", fmt::format("paths/{}.geojson", task_.run_id));
     stored_ = true;
   }

@@ -41,14 +41,15 @@ void check_outputs(const OutputOptions& options, const Robot& robot) {
 }
 
 void write_outputs(const OutputOptions& options, const Problem& problem, const Path* path,
-                   const std::optional<Score>& score, const std::vector<Trace>& traces) {
+                   const std::optional<Score>& score, const std::vector<Trace>& traces, double tolerance) {
   if (!options.svg.empty()) {
     PictureOptions picture;
     picture.tethers = options.tethers;
+    picture.tolerance = tolerance;
     write_file(options.svg, run_picture(problem, path, score, traces, picture));
   }
   if (!options.tether_trace.empty() && path != nullptr)
-    write_file(options.tether_trace, to_csv(tether_trace(problem, *path, problem.robot().tool_width)));
+    write_file(options.tether_trace, to_csv(tether_trace(problem, *path, problem.robot().tool_width, tolerance)));
 }
 
 }  // namespace oxturn::cli

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -65,8 +66,17 @@ std::function<void(double)> progress_line() {
   };
 }
 
+/// The path with its problem; a map's file is named as seen from the path's folder.
+void write_path(const std::string& file, const Path& path, const Problem& problem, MapSource source) {
+  namespace fs = std::filesystem;
+  if (!source.file.empty())
+    source.file = fs::proximate(source.file, fs::absolute(file).parent_path()).generic_string();
+  const PathProblem made_for = path_problem(problem, std::move(source));
+  write_file(file, to_geojson(path, &made_for));
+}
+
 Report run_planner(const Options& options, const PlannerInfo& planner, const Settings& settings, const Problem& problem,
-                   const Registry& registry) {
+                   const MapSource& source, const Registry& registry) {
   Report report;
   report.about = {{"planner", variant_of(planner, settings, registry.planners)}};
   // Scoring needs these too, so they are no cost of the planner's.
@@ -83,7 +93,7 @@ Report run_planner(const Options& options, const PlannerInfo& planner, const Set
     const ScoreOptions scoring = score_options(planned, promise_of(planner, settings, registry.planners));
     report.about.emplace_back("promise", to_text(scoring.promise));
     report.score = score(problem, *planned.path, registry.metrics, scoring);
-    if (!options.output.empty()) write_file(options.output, to_geojson(*planned.path));
+    if (!options.output.empty()) write_path(options.output, *planned.path, problem, source);
   }
   report.verdict = judge(planned, report.score, Suite{}.target_coverage);
   write_outputs(options.outputs, problem, planned.path ? &*planned.path : nullptr, report.score, planned.traces);
@@ -93,7 +103,8 @@ Report run_planner(const Options& options, const PlannerInfo& planner, const Set
 int plan(const Options& options, const Registry& registry) {
   const PlannerInfo& planner = registry.planners.find(options.planner);
   const Settings settings = check_arguments(options, planner, registry.planners);
-  const Problem problem = load_problem(options.problem, registry);
+  const MapSource source = map_source(options.problem, registry);
+  const Problem problem = make_problem(options.problem, load_map(source, registry.generators, registry.formats));
   check_outputs(options.outputs, problem.robot());
   if (const std::string missing = missing_capability(planner, problem); !missing.empty()) {
     Report report;
@@ -101,7 +112,8 @@ int plan(const Options& options, const Registry& registry) {
     report.verdict = {Outcome::unsupported, missing};
     return print(report, problem, registry.metrics, options.json);
   }
-  return print(run_planner(options, planner, settings, problem, registry), problem, registry.metrics, options.json);
+  const Report report = run_planner(options, planner, settings, problem, source, registry);
+  return print(report, problem, registry.metrics, options.json);
 }
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
@@ -112,7 +124,7 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
   app.add_option("--seed", options->isolation.seed, "seed of the planner's random choices; 1 if not given")
       ->check(whole_number())
       ->type_name("N");
-  app.add_option("-o,--output", options->output, "write the path, FILE.geojson")->type_name("FILE");
+  app.add_option("-o,--output", options->output, "write the path and the name of its problem, FILE.geojson")->type_name("FILE");
   add_output_options(app, options->outputs);
   add_problem_options(app, registry, options->problem);
   app.add_option("--wall", options->isolation.limits.wall_s, "time limit of planning, seconds; 60 if not given")

@@ -43,28 +43,6 @@ std::optional<Location> location_of(LocationKind of, const std::string& text, co
   }
 }
 
-/// A file, or GENERATOR[:SEED].
-MapFile load_map(const std::string& name, const Settings& read, const Registry& registry) {
-  if (file_exists(name)) return read_map(name, read, registry.formats);
-  const std::size_t colon = name.rfind(':');
-  const GeneratorInfo* generator = registry.generators.get(name.substr(0, colon));
-  // A name that looks like a file is taken for one, so that a mistyped file is reported as missing.
-  if (generator == nullptr && name.find_first_of("./\\") != std::string::npos)
-    return read_map(name, read, registry.formats);
-  std::uint64_t seed = 1;
-  if (colon != std::string::npos) {
-    const auto given = parse_whole(name.substr(colon + 1));
-    if (!given)
-      throw std::invalid_argument(
-          fmt::format("map '{}': seed is '{}', expected a whole number from 0", name, name.substr(colon + 1)));
-    seed = *given;
-  }
-  if (generator == nullptr)
-    throw std::invalid_argument(
-        unknown_name("file and no generator", name.substr(0, colon), registry.generators.names()));
-  return MapFile{generate(*generator, {}, seed), {}, {}, {}, {}};
-}
-
 std::string option_name(std::string parameter) {
   std::replace(parameter.begin(), parameter.end(), '_', '-');
   return "--" + parameter;
@@ -125,9 +103,29 @@ void add_problem_options(CLI::App& app, const Registry& registry, ProblemOptions
   add_reader_options(app, registry.formats, options.read);
 }
 
+MapSource map_source(const ProblemOptions& options, const Registry& registry) {
+  const std::string& name = options.map;
+  const std::size_t colon = name.rfind(':');
+  const std::string generator = name.substr(0, colon);
+  const bool known = registry.generators.get(generator) != nullptr;
+  // A name that looks like a file is taken for one, so that a mistyped file is reported as missing.
+  if (file_exists(name) || (!known && name.find_first_of("./\\") != std::string::npos))
+    return {.file = name, .settings = reader_settings(options.read, registry.formats)};
+  MapSource source{.generator = generator};
+  if (colon != std::string::npos) {
+    const auto seed = parse_whole(name.substr(colon + 1));
+    if (!seed)
+      throw std::invalid_argument(
+          fmt::format("map '{}': seed is '{}', expected a whole number from 0", name, name.substr(colon + 1)));
+    source.seed = *seed;
+  }
+  if (!known)
+    throw std::invalid_argument(unknown_name("file and no generator", generator, registry.generators.names()));
+  return source;
+}
+
 // Remarks come only when all is well: bad input gets its one sentence and nothing else.
-Problem load_problem(const ProblemOptions& options, const Registry& registry) {
-  MapFile file = load_map(options.map, reader_settings(options.read, registry.formats), registry);
+Problem make_problem(const ProblemOptions& options, MapFile file) {
   Robot robot = file.robot.value_or(Robot{});
   if (!options.robot.empty()) change_robot(robot, options.robot);
   if (options.radius) change(robot, {{"radius", *options.radius}});

@@ -16,8 +16,7 @@ TautTether tether_at_start(const Problem& problem) {
   return tether;
 }
 
-FollowedPath followed_path(const Problem& problem, const Path& path, const EdgeIndex& walls) {
-  const double tolerance = problem.tolerance();
+FollowedPath followed_path(const Problem& problem, const Path& path, const EdgeIndex& walls, double tolerance) {
   FollowedPath followed{{problem.start()}, true};
   for (const Leg& leg : path.legs) {
     for (std::size_t i = 0; i < leg.points.size(); ++i) {

@@ -20,7 +20,7 @@ struct FollowedPath {
   bool whole = true;  // false: the path jumps, starts elsewhere, leaves free space or is not finite; then `points` go
                       // up to there
 };
-/// `walls`: edges of the map's free space. Joints and walls are judged within the problem's tolerance. O(n).
-FollowedPath followed_path(const Problem& problem, const Path& path, const EdgeIndex& walls);
+/// `walls`: edges of the map's free space. Joints and walls are judged within `tolerance` metres. O(n).
+FollowedPath followed_path(const Problem& problem, const Path& path, const EdgeIndex& walls, double tolerance);
 
 }  // namespace oxturn
