@@ -98,7 +98,7 @@ TEST_F(ScoreCommand, APathAloneIsScoredOnItsProblem) {
       R"({"type":"Feature","properties":{"start":[1,1],"robot":{"radius":0.3,"tool_width":0.5}},"geometry":)"
       R"({"type":"Polygon","coordinates":[[[0,0],[6,0],[6,6],[0,6],[0,0]],[[2,2],[2,4],[4,4],[4,2],[2,2]]]}})");
   const std::string image = out.write("m.pgm", "P2\n4 3\n255\n255 255 255 255\n255 0 255 255\n255 255 255 255\n");
-  for (const std::string problem :
+  for (const std::string& problem : std::vector<std::string>
        {"zigzag rooms:18446744073709551615", "stc " + field, "stc " + field + " --start 5,5 --robot speed=2,radius=0.1",
         "berg-complete " + field + " --robot tether_reach=1.5 --anchor wall",
         "boustrophedon " + image + " --scale 0.9 --drop-speckle 1"}) {
@@ -123,8 +123,10 @@ TEST_F(ScoreCommand, APathOfARunIsScoredAlone) {
   std::filesystem::rename(out / "r", out / "moved");
   const Row row = read_results(out / "moved").rows.at(0);
   const Json again = score(out / ("moved/" + row.get("path_file")));
-  for (const auto& [name, value] : again["metrics"].items())
-    if (!value.is_null()) EXPECT_EQ(to_decimal(value.get<double>()), row.get(name)) << name;
+  for (const auto& [name, value] : again["metrics"].items()) {
+    if (value.is_null()) continue;
+    EXPECT_EQ(to_decimal(value.get<double>()), row.get(name)) << name;
+  }
 }
 
 TEST_F(ScoreCommand, SaysWhyAProblemCannotBeHad) {
