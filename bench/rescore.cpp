@@ -104,8 +104,13 @@ class Rescoring {
     const std::string hash = row.get("problem_sha256"), kept = row.get("promise_coverage");
     const Planned planned = planned_of(options_.folder, row);
     const bool tether_counts = row.get("params").find(std::string(kIgnoreTether) + "=true") == std::string::npos;
-    const FinishTask task{problems_(hash), planned, registry_.metrics, options_, Problems::file_of(hash),
-                          row.get("run_id"), score_options(planned, promise_of(row), tether_counts)};
+    const FinishTask task{problems_(hash),
+                          planned,
+                          registry_.metrics,
+                          options_,
+                          Problems::file_of(hash),
+                          row.get("run_id"),
+                          score_options(planned, promise_of(row), tether_counts)};
     const Finished finished = finish_isolated(task, session_.limits);
     for (const Metric& metric : registry_.metrics) row.cells.erase(metric.name);
     for (const auto& [column, cell] : finished.cells) row.cells[column] = cell;

@@ -181,8 +181,12 @@ void finish_run(const Work& work, const Setting& setting, std::size_t index, con
   const PlannerSpec& spec = work.suite.planners[work.cells[index].planner];
   const Planners& planners = work.registry.planners;
   const Promise promise = promise_of(planners.find(spec.name), spec.settings, planners);
-  const FinishTask task{*setting.problem,     planned,           work.registry.metrics,
-                        work.options,         setting.problem_file, row.get("run_id"),
+  const FinishTask task{*setting.problem,
+                        planned,
+                        work.registry.metrics,
+                        work.options,
+                        setting.problem_file,
+                        row.get("run_id"),
                         score_options(planned, promise, !spec.ignore_tether)};
   const Finished finished = finish_isolated(task, work.suite.limits);
   for (const auto& [column, cell] : finished.cells) row.cells[column] = cell;

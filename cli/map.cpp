@@ -50,8 +50,10 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
       ->required()
       ->type_name("");
   add_settings(app, options->settings, "generator");
-  app.add_option("--seed", options->seed, "seed of the generator; 1 if not given")->check(whole_number())->type_name("N");
-  app.add_option("-o,--output", options->output, "file to write; its suffix names the format (`oxturn list formats`)")
+  app.add_option("--seed", options->seed, "seed of the generator; 1 if not given")
+      ->check(whole_number())
+      ->type_name("N");
+  app.add_option("-o,--output", options->output, "file to write; its suffix names the format")
       ->required()
       ->type_name("FILE");
   add_reader_options(app, registry.formats, options->read);

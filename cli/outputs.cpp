@@ -13,9 +13,10 @@ namespace oxturn::cli {
 
 void add_output_options(CLI::App& app, OutputOptions& options) {
   app.add_option("--svg", options.svg, "write a picture of the path, FILE.svg")->type_name("FILE");
-  app.add_option("--tethers", options.tethers,
-                 "with --svg: at how many positions along the path the tether is drawn, besides where it is longest; 8 if "
-                 "not given; 0: not at all")
+  app.add_option(
+         "--tethers", options.tethers,
+         "with --svg: at how many positions along the path the tether is drawn, besides where it is longest; 8 if "
+         "not given; 0: not at all")
       ->check(CLI::Range(0, 1000).description(""))
       ->type_name("N");
   app.add_option("--tether-trace", options.tether_trace,

@@ -69,8 +69,7 @@ std::function<void(double)> progress_line() {
 /// The path with its problem; a map's file is named as seen from the path's folder.
 void write_path(const std::string& file, const Path& path, const Problem& problem, MapSource source) {
   namespace fs = std::filesystem;
-  if (!source.file.empty())
-    source.file = fs::proximate(source.file, fs::absolute(file).parent_path()).generic_string();
+  if (!source.file.empty()) source.file = fs::proximate(source.file, fs::absolute(file).parent_path()).generic_string();
   const PathProblem made_for = path_problem(problem, std::move(source));
   write_file(file, to_geojson(path, &made_for));
 }
@@ -124,13 +123,15 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
   app.add_option("--seed", options->isolation.seed, "seed of the planner's random choices; 1 if not given")
       ->check(whole_number())
       ->type_name("N");
-  app.add_option("-o,--output", options->output, "write the path and the name of its problem, FILE.geojson")->type_name("FILE");
+  app.add_option("-o,--output", options->output, "write the path and the name of its problem, FILE.geojson")
+      ->type_name("FILE");
   add_output_options(app, options->outputs);
   add_problem_options(app, registry, options->problem);
   app.add_option("--wall", options->isolation.limits.wall_s, "time limit of planning, seconds; 60 if not given")
       ->check(number_from(0, false, "seconds"))
       ->type_name("S");
-  app.add_option("--memory", options->isolation.limits.memory_mb, "memory limit of planning, megabytes; 4096 if not given")
+  app.add_option("--memory", options->isolation.limits.memory_mb,
+                 "memory limit of planning, megabytes; 4096 if not given")
       ->check(number_from(0, false, "megabytes"))
       ->type_name("MB");
   app.add_flag("--traces", options->isolation.traces,

@@ -87,14 +87,16 @@ void say_remarks(const MapFile& file) {
 
 void add_problem_options(CLI::App& app, const Registry& registry, ProblemOptions& options) {
   app.add_option("--robot", options.robot, robot_help())->type_name("K=V,...");
-  app.add_option("--radius", options.radius, "radius of the robot, metres")->check(number_from(0, true, "metres"))->type_name("M");
+  app.add_option("--radius", options.radius, "radius of the robot, metres")
+      ->check(number_from(0, true, "metres"))
+      ->type_name("M");
   app.add_option("--tool-width", options.tool_width, "width of the swath that the robot covers, metres")
       ->check(number_from(0, false, "metres"))
       ->type_name("M");
-  app.add_option(
-         "--start", options.start,
-         "where the robot starts: X,Y, middle (well inside) or corner (lower left); as the map file says, or middle, if "
-         "not given")
+  app.add_option("--start", options.start,
+                 "where the robot starts: X,Y, middle (well inside) or corner (lower left); as the map file says, or "
+                 "middle, if "
+                 "not given")
       ->type_name("POINT");
   app.add_option("--anchor", options.anchor,
                  "where the tether is fastened: X,Y, start, wall (the nearest point of one) or corner (the nearest in "

@@ -57,10 +57,11 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
       ->type_name("");
   app.add_option("MAP", options->problem.map, std::string(kMapHelp) + "; the problem that PATH names if not given")
       ->type_name("");
-  app.add_option("--tolerance", options->tolerance,
-                 "for rounded or recorded paths: how far, metres, the path may lie outside configuration space and over "
-                 "the tether's limit, start beside the start, and jump between legs; 0 if not given, which still allows "
-                 "for rounding in double precision")
+  app.add_option(
+         "--tolerance", options->tolerance,
+         "for rounded or recorded paths: how far, metres, the path may lie outside configuration space and over "
+         "the tether's limit, start beside the start, and jump between legs; 0 if not given, which still allows "
+         "for rounding in double precision")
       ->check(number_from(0, true, "metres"))
       ->type_name("M");
   add_problem_options(app, registry, options->problem);

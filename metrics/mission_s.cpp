@@ -5,7 +5,7 @@ namespace oxturn {
 
 extern const Metric kMissionS;
 
-const Metric kMissionS{"mission_s", "s", Better::lower, 
+const Metric kMissionS{"mission_s", "s", Better::lower,
                        "time to drive the path with rounded corners, in bends no faster than the turn rate allows",
                        [](const Scored& s) -> std::optional<double> { return s.clock->total(); }};
 

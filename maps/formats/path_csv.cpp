@@ -3,8 +3,8 @@
 // Decisions   1. A first line whose first cell is no number is a header: it names the columns, in any order, and those
 //                with other names are ignored.
 //             2. `tool` holds from its point to the next, so a change begins a leg at the point where it stands.
-//             3. Empty lines and lines that begin with # are skipped; lines may end in \r\n, and the file may begin with
-//                a byte order mark.
+//             3. Empty lines and lines that begin with # are skipped; lines may end in \r\n, and the file may begin
+//                with a byte order mark.
 #include <algorithm>
 #include <cctype>
 #include <string_view>
@@ -89,8 +89,8 @@ class CsvReader {
     };
     x_ = column("x"), y_ = column("y"), tool_ = column("tool");
     if (x_ == kNone || y_ == kNone)
-      throw_invalid("{}:{}: begins with '{}', expected numbers x,y[,tool] or a header with the columns x and y", source_,
-                    line_, shown(cells_[0]));
+      throw_invalid("{}:{}: begins with '{}', expected numbers x,y[,tool] or a header with the columns x and y",
+                    source_, line_, shown(cells_[0]));
     return true;
   }
 

@@ -56,8 +56,7 @@ std::vector<TetherMoment> chosen_moments(double total, int count, double longest
 /// At `count` points of the path, equally far apart, the last at its end, and where the tether is longest; in driving
 /// order. Up to where a tether can follow (maps/followed_path.hpp). Tethered problems only. Simulates the tether twice.
 std::vector<TetherMoment> tether_moments(const Problem& problem, const Path& path, int count, double tolerance) {
-  const Polyline points =
-      followed_path(problem, path, problem.map_edges(), problem.tolerance() + tolerance).points;
+  const Polyline points = followed_path(problem, path, problem.map_edges(), problem.tolerance() + tolerance).points;
   const double total = length(points);
   if (!(total > 0) || count <= 0) return {};
   std::vector<TetherMoment> moments = chosen_moments(total, count, longest_after(problem, points));

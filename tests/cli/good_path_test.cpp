@@ -203,8 +203,9 @@ TEST_F(Planned, PlanAndRunGiveTheSameFiguresAndPicture) {
   std::string promises;
   for (const Row& row : results.rows) {
     SCOPED_TRACE(row.get("planner"));
-    const Said said = oxturn("plan " + row.get("planner") + " rooms:7 --robot radius=0.2,tool_width=0.4 --json --seed " +
-                             row.get("seed") + " --svg " + (out / "p.svg"));
+    const Said said =
+        oxturn("plan " + row.get("planner") + " rooms:7 --robot radius=0.2,tool_width=0.4 --json --seed " +
+               row.get("seed") + " --svg " + (out / "p.svg"));
     ASSERT_EQ(said.code, 0) << said.err;
     const Json json = Json::parse(said.out);
     promises += json.at("promise").get<std::string>() + " ";

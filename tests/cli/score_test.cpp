@@ -50,7 +50,8 @@ std::string to_csv(const Path& path) {
     for (std::size_t i = 0; i + 1 < leg.points.size(); ++i)
       text += to_decimal(leg.points[i].x()) + "," + to_decimal(leg.points[i].y()) + (leg.tool ? ",1\n" : ",0\n");
   const Leg& last = path.legs.back();
-  return text + to_decimal(last.points.back().x()) + "," + to_decimal(last.points.back().y()) + (last.tool ? ",1\n" : ",0\n");
+  return text + to_decimal(last.points.back().x()) + "," + to_decimal(last.points.back().y()) +
+         (last.tool ? ",1\n" : ",0\n");
 }
 
 TEST_F(ScoreCommand, RoundedPathsScoreAsTheOriginalWithinTheTolerance) {
@@ -98,10 +99,11 @@ TEST_F(ScoreCommand, APathAloneIsScoredOnItsProblem) {
       R"({"type":"Feature","properties":{"start":[1,1],"robot":{"radius":0.3,"tool_width":0.5}},"geometry":)"
       R"({"type":"Polygon","coordinates":[[[0,0],[6,0],[6,6],[0,6],[0,0]],[[2,2],[2,4],[4,4],[4,2],[2,2]]]}})");
   const std::string image = out.write("m.pgm", "P2\n4 3\n255\n255 255 255 255\n255 0 255 255\n255 255 255 255\n");
-  for (const std::string& problem : std::vector<std::string>
-       {"zigzag rooms:18446744073709551615", "stc " + field, "stc " + field + " --start 5,5 --robot speed=2,radius=0.1",
-        "berg-complete " + field + " --robot tether_reach=1.5 --anchor wall",
-        "boustrophedon " + image + " --scale 0.9 --drop-speckle 1"}) {
+  for (const std::string& problem :
+       std::vector<std::string>{"zigzag rooms:18446744073709551615", "stc " + field,
+                                "stc " + field + " --start 5,5 --robot speed=2,radius=0.1",
+                                "berg-complete " + field + " --robot tether_reach=1.5 --anchor wall",
+                                "boustrophedon " + image + " --scale 0.9 --drop-speckle 1"}) {
     SCOPED_TRACE(problem);
     const Json planned = plan(problem);
     Json again = score(out / "path.geojson");
@@ -130,7 +132,8 @@ TEST_F(ScoreCommand, APathOfARunIsScoredAlone) {
 }
 
 TEST_F(ScoreCommand, SaysWhyAProblemCannotBeHad) {
-  const std::string map = out.write("m.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,3],[0,0]]]})");
+  const std::string map =
+      out.write("m.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,3],[0,0]]]})");
   plan("zigzag " + map);
   out.write("m.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3.001],[0,3],[0,0]]]})");
   expect_refused(oxturn("score " + (out / "path.geojson")), "it was made for another map than '" + map + "' is now");
@@ -139,7 +142,8 @@ TEST_F(ScoreCommand, SaysWhyAProblemCannotBeHad) {
   const std::string csv = out.write("p.csv", "1,1\n2,2\n");
   expect_refused(oxturn("score " + csv), "'" + csv + "' does not name the problem that it was made for; give MAP");
   expect_refused(oxturn("score " + csv + " rectangle --tolerance -1"), "tolerance");
-  expect_refused(oxturn("score " + out.write("bad.csv", "1,1\n2,x\n") + " rectangle"), "bad.csv:2: column 2 (y) is 'x'");
+  expect_refused(oxturn("score " + out.write("bad.csv", "1,1\n2,x\n") + " rectangle"),
+                 "bad.csv:2: column 2 (y) is 'x'");
 }
 
 TEST_F(ScoreCommand, PathsFarAwayAreInvalidNotFatal) {

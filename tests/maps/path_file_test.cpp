@@ -1,4 +1,6 @@
 // Paths from CSV, formats told apart, and problems that paths name.
+#include "maps/path_file.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,7 +8,6 @@
 #include <fstream>
 
 #include "base/files.hpp"
-#include "maps/path_file.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/maps.hpp"
 
@@ -29,12 +30,14 @@ void expect_legs(const Path& path, const std::vector<Leg>& legs) {
   }
 }
 
-TEST(PathCsv, WithoutToolIsOneLegOfWork) { expect_legs(csv("1,2\n3,4.5\n-1e-3,+7\n"), {{true, {{1, 2}, {3, 4.5}, {-1e-3, 7}}}}); }
+TEST(PathCsv, WithoutToolIsOneLegOfWork) {
+  expect_legs(csv("1,2\n3,4.5\n-1e-3,+7\n"), {{true, {{1, 2}, {3, 4.5}, {-1e-3, 7}}}});
+}
 
 TEST(PathCsv, AChangeOfToolBeginsALeg) {
   const std::vector<Leg> legs{{true, {{0, 0}, {1, 0}, {2, 0}}}, {false, {{2, 0}, {3, 0}}}, {true, {{3, 0}, {4, 0}}}};
   expect_legs(csv("0,0,1\n1,0,1\n2,0,0\n3,0,1\n4,0,1\n"), legs);
-  expect_legs(csv("0,0,on\n1,0,ON\n2,0,off\n3,0,On\n4,0,off\n"), legs) ;  // what follows the last point is nothing
+  expect_legs(csv("0,0,on\n1,0,ON\n2,0,off\n3,0,On\n4,0,off\n"), legs);  // what follows the last point is nothing
   expect_legs(csv("0,0,true\n1,0,True\n2,0,false\n3,0,TRUE\n4,0,true\n"), legs);
 }
 
@@ -58,19 +61,21 @@ TEST(PathCsv, BadLinesAreNamedByLineAndColumn) {
   EXPECT_EQ(why_not("inf,2\n1,3\n"), "p.csv:1: column 1 (x) is 'inf', expected a finite number in metres");
   EXPECT_EQ(why_not("1,2\n\n1e999,3\n"), "p.csv:3: column 1 (x) is '1e999', expected a finite number in metres");
   EXPECT_EQ(why_not("1,2\n1,\n"), "p.csv:2: column 2 (y) is '', expected a finite number in metres");
-  EXPECT_EQ(why_not("1,2,3\n1,2,1\n"),
-            "p.csv:1: column 3 (tool) is '3', expected 1 or 0, on or off, true or false");
+  EXPECT_EQ(why_not("1,2,3\n1,2,1\n"), "p.csv:1: column 3 (tool) is '3', expected 1 or 0, on or off, true or false");
   EXPECT_EQ(why_not("1,2\n1,2,1\n"), "p.csv:2: 3 columns, expected 2");
   EXPECT_EQ(why_not("1\n2\n"), "p.csv:1: 1 column, expected x,y or x,y,tool");
   EXPECT_EQ(why_not("1;2\n3;4\n"),
             "p.csv:1: begins with '1;2', expected numbers x,y[,tool] or a header with the columns x and y");
   EXPECT_THAT(why_not("lat,lon\n1,2\n"), HasSubstr("begins with 'lat'"));
-  EXPECT_THAT(why_not(std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)), StartsWith("p.csv:1: begins with '\xEF\xBF\xBDPNG'"));
+  EXPECT_THAT(why_not(std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)),
+              StartsWith("p.csv:1: begins with '\xEF\xBF\xBDPNG'"));
   EXPECT_THAT(why_not(std::string(1 << 20, ',')), StartsWith("p.csv:1: begins with ''"));
   EXPECT_LT(why_not("1,2\n" + std::string(1 << 20, '7') + "x,1\n").size(), 200u);
 }
 
-TEST(PathCsv, HugeNumbersAreNumbers) { expect_legs(csv("1e308,-1e308\n5e-324,0\n"), {{true, {{1e308, -1e308}, {5e-324, 0}}}}); }
+TEST(PathCsv, HugeNumbersAreNumbers) {
+  expect_legs(csv("1e308,-1e308\n5e-324,0\n"), {{true, {{1e308, -1e308}, {5e-324, 0}}}});
+}
 
 TEST(PathCsv, AMillionLines) {
   std::string text = "x,y,tool\n";
@@ -121,7 +126,8 @@ TEST_F(NamedProblem, IsMadeAgain) {
     const MapSource source{.generator = "rooms", .settings = {{"rooms", std::int64_t{4}}}, .seed = ~std::uint64_t{0}};
     const Problem problem(load_map(source, built_in_maps(), built_in_formats()).map, robot);
     const MapFile again = load(store(problem, source));
-    EXPECT_EQ(Problem(again.map, again.robot.value(), again.start, again.anchor).content_hash(), problem.content_hash());
+    EXPECT_EQ(Problem(again.map, again.robot.value(), again.start, again.anchor).content_hash(),
+              problem.content_hash());
   }
 }
 
@@ -141,16 +147,15 @@ TEST_F(NamedProblem, FilesAreRelativeToThePath) {
 
 TEST_F(NamedProblem, BadOnesAreNamed) {
   const auto complains = [](const std::string& problem) {
-    return complaint([&] {
-      path_from_geojson(R"({"type":"FeatureCollection","features":[],"problem":)" + problem + "}", "p");
-    });
+    return complaint(
+        [&] { path_from_geojson(R"({"type":"FeatureCollection","features":[],"problem":)" + problem + "}", "p"); });
   };
   EXPECT_EQ(complains("null"), "");
   EXPECT_EQ(complains("3"), "p: problem is 3, expected an object");
   EXPECT_EQ(complains("{}"), "p: problem has no generator, expected a generator's name, or file");
-  EXPECT_EQ(complains(R"({"generator":"rooms","seed":-1})"),
-            "p: problem.seed is -1, expected a whole number from 0");
-  EXPECT_EQ(complains(R"({"file":"a.png","map_sha256":"","start":[1]})"), "p: problem.start is [1], expected [x, y], two numbers in metres");
+  EXPECT_EQ(complains(R"({"generator":"rooms","seed":-1})"), "p: problem.seed is -1, expected a whole number from 0");
+  EXPECT_EQ(complains(R"({"file":"a.png","map_sha256":"","start":[1]})"),
+            "p: problem.start is [1], expected [x, y], two numbers in metres");
   EXPECT_THAT(complains(R"({"file":"a","map_sha256":"","start":[1,1],"anchor":[1,1],"robot":{"radius":-1}})"),
               HasSubstr("radius"));
 }
