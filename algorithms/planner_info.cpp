@@ -42,6 +42,15 @@ Settings with_variant(const PlannerInfo& planner, Settings settings) {
   return settings;
 }
 
+Promise promise_of(const PlannerInfo& planner, const Settings& settings, const Planners& planners) {
+  if (!planner.more_parameters) return planner.promise;
+  const auto given = settings.find("planner");
+  const Value inner =
+      given != settings.end() ? given->second : find_parameter(planner.name, planner.parameters, "planner").fallback;
+  const Promise promise = planners.find(std::get<std::string>(inner)).promise;
+  return promise == Promise::target ? promise : Promise::nothing;
+}
+
 std::string missing_capability(const PlannerInfo& planner, const Problem& problem) {
   const auto lacks = [&](Capability capability, const char* why) {
     return fmt::format("planner '{}' has no capability '{}', which {}", planner.name, to_text(capability), why);

@@ -51,6 +51,10 @@ std::vector<ParameterInfo> parameters_of(const PlannerInfo& planner, const Setti
 /// `settings`, completed by the published ones if they contain `variant = published`; given ones take precedence.
 Settings with_variant(const PlannerInfo& planner, Settings settings);
 
+/// What the planner promises to cover with these settings. One that runs another planner promises the target if that
+/// one does; it does not hand out the cells of another.
+Promise promise_of(const PlannerInfo& planner, const Settings& settings, const Planners& planners);
+
 /// Why this planner cannot take this problem at all ("planner 'stc' has no capability 'tether', ..."), or "".
 std::string missing_capability(const PlannerInfo& planner, const Problem& problem);
 

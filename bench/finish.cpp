@@ -9,9 +9,9 @@
 #include "base/files.hpp"
 #include "base/sha256.hpp"
 #include "base/text.hpp"
+#include "bench/run_picture.hpp"
 #include "bench/wire.hpp"
 #include "maps/path_file.hpp"
-#include "maps/picture.hpp"
 #include "metrics/tether_trace.hpp"
 
 namespace oxturn {
@@ -120,27 +120,23 @@ class FinishChild {
   void store(const Path& path) {
     if (!can_be_written(path)) return;  // the verdict says what is wrong
     cell("path_sha256", sha256(to_geojson(path)));
-    write(path_name(task_.run_id), to_geojson(path, task_.problem_file));
+    const PathProblem problem = path_problem(task_.problem, {.file = "../" + task_.problem_file});
+    write(path_name(task_.run_id), to_geojson(path, &problem));
     cell("path_file", path_name(task_.run_id));
     stored_ = true;
   }
 
   void score_path(const Path& path) {
     const auto before = std::chrono::steady_clock::now();
-    ScoreOptions options;
-    options.tether_counts = task_.tether_counts;
-    options.promise = task_.planned.promised ? Promise::cells : task_.promise;
-    if (task_.planned.promised) options.promised = &*task_.planned.promised;
-    Score result = score(task_.problem, path, task_.metrics, options);
+    score_ = score(task_.problem, path, task_.metrics, task_.scoring);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
     cell("score_s", to_decimal(seconds));
-    for (const MetricValue& metric : result.values)
+    for (const MetricValue& metric : score_->values)
       if (metric.value) cell(metric.name, to_decimal(*metric.value));
-    for (const CurvePoint& p : result.curve)
+    for (const CurvePoint& p : score_->curve)
       wire::send(fd_, frames::kCurve,
                  fmt::format("{},{},{}", to_decimal(p.path_m), to_decimal(p.mission_s), to_decimal(p.coverage)));
-    wire::send(fd_, frames::kScore, pack(result));
-    for (MissedPiece& piece : result.missed) missed_.insert(missed_.end(), piece.outline.begin(), piece.outline.end());
+    wire::send(fd_, frames::kScore, pack(*score_));
   }
 
   /// The tether's length, bends and angle along the path.
@@ -150,16 +146,13 @@ class FinishChild {
   }
 
   void draw(const Path& path) const {
-    PictureOptions options;
-    options.traces = &task_.planned.traces;
-    options.missed = &missed_;
-    write(picture_name(task_.run_id), to_svg(task_.problem, &path, options));
+    write(picture_name(task_.run_id), run_picture(task_.problem, &path, score_, task_.planned.traces));
   }
 
   const FinishTask& task_;
   int fd_;
   bool stored_ = false;
-  std::vector<Ring> missed_;
+  std::optional<Score> score_;
 };
 
 }  // namespace

@@ -25,8 +25,7 @@ struct FinishTask {
   const SuiteRunOptions& options;
   std::string problem_file;  // within the results folder
   std::string run_id;
-  bool tether_counts = true;
-  Promise promise = Promise::nothing;
+  ScoreOptions scoring;
 };
 
 struct Finished {

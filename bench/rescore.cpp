@@ -155,9 +155,8 @@ class Rescoring {
     const std::string run = row.get("run_id"), kept = row.get("promise_coverage");
     const Problem& problem = problem_of(row);
     const Planned planned = planned_of(results_.folder, row);
-    const FinishTask task{
-        problem,        planned, registry_.metrics, options_, problem_name(problem_hash_), run, !ignores_tether(row),
-        promise_of(row)};
+    const ScoreOptions scoring = score_options(planned, promise_of(row), !ignores_tether(row));
+    const FinishTask task{problem, planned, registry_.metrics, options_, problem_name(problem_hash_), run, scoring};
     const Finished finished = finish_isolated(task, session_.limits);
     for (const Metric& metric : registry_.metrics) row.cells.erase(metric.name);
     for (const auto& [column, cell] : finished.cells) row.cells[column] = cell;

@@ -10,6 +10,14 @@ bool is_scored(const Planned& planned) {
   return planned.path && (planned.outcome == Outcome::ok || planned.outcome == Outcome::timeout);
 }
 
+ScoreOptions score_options(const Planned& planned, Promise promise, bool tether_counts) {
+  ScoreOptions options;
+  options.tether_counts = tether_counts;
+  options.promise = planned.promised ? Promise::cells : promise;
+  if (planned.promised) options.promised = &*planned.promised;
+  return options;
+}
+
 Verdict judge(const Score& score, double target_coverage) {
   if (!score.flaw.empty()) return {Outcome::invalid, score.flaw};
   const double covered = score.value("coverage_lower").value_or(0);

@@ -1,4 +1,4 @@
-/// How a run ended: turns a score into an outcome, for every command.
+/// How the path of a run is scored, and what its score means: one outcome for every command.
 ///
 ///   const Verdict verdict = judge(score(problem, path), 0.99);      // ok, partial or invalid
 #pragma once
@@ -19,6 +19,10 @@ struct Verdict {
 
 /// The paths of a run that returned one, or that published one before it timed out, are scored; no others.
 bool is_scored(const Planned& planned);
+
+/// How the path of a run is scored. `promise`: of the planner's description; cells that the run handed out replace it.
+/// Points into `planned`.
+ScoreOptions score_options(const Planned& planned, Promise promise, bool tether_counts = true);
 
 /// A path by its score alone: ok if it is valid and certainly covers `target_coverage` of the target.
 Verdict judge(const Score& score, double target_coverage);

@@ -138,7 +138,7 @@ Row row_of(const Work& work, std::size_t index, const Setting& setting) {
       {"planner_family", planner.family},
       {"variant", spec.variant()},
       {"params", to_text(spec.said())},
-      {"promise", to_text(planner.promise)},
+      {"promise", to_text(planner.promised(spec.settings))},
       {"robot", robot.name},
       {"tool_width_m", to_decimal(robot.tool_width)},
       {"repeat", std::to_string(cell.repeat)}};
@@ -172,15 +172,16 @@ std::vector<std::string> metric_lines(const Records& records) {
 void finish_run(const Work& work, const Setting& setting, std::size_t index, const Planned& planned, int fd, Row& row) {
   write_process(planned, row);
   const PlannerSpec& spec = work.suite.planners[work.cells[index].planner];
-  const Promise promise = work.registry.planners.find(spec.name).promise;
-  FinishTask task{*setting.problem,     planned,           work.registry.metrics, work.options,
-                  setting.problem_file, row.get("run_id"), !spec.ignore_tether,   promise};
+  const Promise promise = work.registry.planners.find(spec.name).promised(spec.settings);
+  const ScoreOptions scoring = score_options(planned, promise, !spec.ignore_tether);
+  const FinishTask task{*setting.problem,     planned,           work.registry.metrics, work.options,
+                        setting.problem_file, row.get("run_id"), scoring};
   const Finished finished = finish_isolated(task, work.suite.limits);
   for (const auto& [column, cell] : finished.cells) row.cells[column] = cell;
   const Verdict verdict =
       finished.breach ? *finished.breach : judge(planned, finished.score, work.suite.target_coverage);
   end(row, verdict.outcome, verdict.reason);
-  if (planned.promised) row.cells["promise"] = to_text(Promise::cells);
+  row.cells["promise"] = to_text(task.scoring.promise);
   if (!planned.records.empty()) send_message(fd, messages::kMetrics, index, joined(metric_lines(planned.records)));
   if (!finished.trace.empty()) send_message(fd, messages::kTrace, index, joined(finished.trace));
   for (const std::string& remark : finished.remarks)

@@ -229,7 +229,8 @@ int list(const Options& options, const Registry& registry) {
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
   const auto options = std::make_shared<Options>();
   app.add_option("WHAT", options->what, "planners, maps, formats, metrics, robot, suites, tables or columns")
-      ->required();
+      ->required()
+      ->type_name("");
   app.add_flag("--json", options->json, "print JSON");
   return [options, &registry] { return list(*options, registry); };
 }

@@ -46,11 +46,14 @@ int map(const Options& options, const Registry& registry) {
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
   const auto options = std::make_shared<Options>();
-  app.add_option("SOURCE", options->source, "a generator (`oxturn list maps`) or a map's file (`oxturn list formats`)")
-      ->required();
+  app.add_option("SOURCE", options->source, "a generator (`oxturn list maps`) or a map file (`oxturn list formats`)")
+      ->required()
+      ->type_name("");
   add_settings(app, options->settings, "generator");
-  app.add_option("--seed", options->seed, "of the generator; 1 if not given")->check(whole_number())->type_name("N");
-  app.add_option("-o,--output", options->output, "file to write, in the format that its suffix names")
+  app.add_option("--seed", options->seed, "seed of the generator; 1 if not given")
+      ->check(whole_number())
+      ->type_name("N");
+  app.add_option("-o,--output", options->output, "file to write; its suffix names the format")
       ->required()
       ->type_name("FILE");
   add_reader_options(app, registry.formats, options->read);

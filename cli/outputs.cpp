@@ -5,16 +5,19 @@
 #include <stdexcept>
 
 #include "base/files.hpp"
+#include "bench/run_picture.hpp"
 #include "cli/arguments.hpp"
 #include "metrics/tether_trace.hpp"
 
 namespace oxturn::cli {
 
 void add_output_options(CLI::App& app, OutputOptions& options) {
-  app.add_option("--svg", options.svg, "draw the path, FILE.svg")->type_name("FILE");
-  app.add_option("--tethers", options.tethers,
-                 "how often a tether is drawn along the path, besides where it is longest; 0: never")
-      ->check(CLI::Range(0, 1000))
+  app.add_option("--svg", options.svg, "write a picture of the path, FILE.svg")->type_name("FILE");
+  app.add_option(
+         "--tethers", options.tethers,
+         "with --svg: at how many positions along the path the tether is drawn, besides where it is longest; 8 if "
+         "not given; 0: not at all")
+      ->check(CLI::Range(0, 1000).description(""))
       ->type_name("N");
   app.add_option("--tether-trace", options.tether_trace,
                  "write the tether's length, bends and angle along the path, FILE.csv")
@@ -39,15 +42,15 @@ void check_outputs(const OutputOptions& options, const Robot& robot) {
 }
 
 void write_outputs(const OutputOptions& options, const Problem& problem, const Path* path,
-                   const std::vector<Trace>& traces) {
+                   const std::optional<Score>& score, const std::vector<Trace>& traces, double tolerance) {
   if (!options.svg.empty()) {
     PictureOptions picture;
-    picture.traces = &traces;
     picture.tethers = options.tethers;
-    write_file(options.svg, to_svg(problem, path, picture));
+    picture.tolerance = tolerance;
+    write_file(options.svg, run_picture(problem, path, score, traces, picture));
   }
   if (!options.tether_trace.empty() && path != nullptr)
-    write_file(options.tether_trace, to_csv(tether_trace(problem, *path, problem.robot().tool_width)));
+    write_file(options.tether_trace, to_csv(tether_trace(problem, *path, problem.robot().tool_width, tolerance)));
 }
 
 }  // namespace oxturn::cli

@@ -5,10 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/path.hpp"
-#include "geometry/trace.hpp"
 #include "maps/picture.hpp"
-#include "maps/problem.hpp"
+#include "metrics/score.hpp"
 
 namespace oxturn::cli {
 
@@ -22,8 +20,8 @@ void add_output_options(CLI::App& app, OutputOptions& options);
 void check_outputs(const OutputOptions& options);
 /// Throws if a tether's trace is asked for and there is no tether.
 void check_outputs(const OutputOptions& options, const Robot& robot);
-/// Writes what was asked for. `path`: nullptr if there is none.
+/// Writes what was asked for. `path`: nullptr if there is none; `score`: of the path, with this tolerance.
 void write_outputs(const OutputOptions& options, const Problem& problem, const Path* path,
-                   const std::vector<Trace>& traces);
+                   const std::optional<Score>& score, const std::vector<Trace>& traces, double tolerance = 0);
 
 }  // namespace oxturn::cli

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -65,8 +66,16 @@ std::function<void(double)> progress_line() {
   };
 }
 
+/// The path with its problem; a map's file is named as seen from the path's folder.
+void write_path(const std::string& file, const Path& path, const Problem& problem, MapSource source) {
+  namespace fs = std::filesystem;
+  if (!source.file.empty()) source.file = fs::proximate(source.file, fs::absolute(file).parent_path()).generic_string();
+  const PathProblem made_for = path_problem(problem, std::move(source));
+  write_file(file, to_geojson(path, &made_for));
+}
+
 Report run_planner(const Options& options, const PlannerInfo& planner, const Settings& settings, const Problem& problem,
-                   const Registry& registry) {
+                   const MapSource& source, const Registry& registry) {
   Report report;
   report.about = {{"planner", variant_of(planner, settings, registry.planners)}};
   // Scoring needs these too, so they are no cost of the planner's.
@@ -80,18 +89,21 @@ Report run_planner(const Options& options, const PlannerInfo& planner, const Set
         {"plan_wall_s", planned.wall_s}, {"plan_cpu_s", planned.cpu_s}, {"peak_rss_bytes", planned.peak_rss_bytes}};
   report.records = planned.records;
   if (is_scored(planned)) {
-    report.score = score(problem, *planned.path, registry.metrics);
-    if (!options.output.empty()) write_file(options.output, to_geojson(*planned.path));
+    const ScoreOptions scoring = score_options(planned, promise_of(planner, settings, registry.planners));
+    report.about.emplace_back("promise", to_text(scoring.promise));
+    report.score = score(problem, *planned.path, registry.metrics, scoring);
+    if (!options.output.empty()) write_path(options.output, *planned.path, problem, source);
   }
   report.verdict = judge(planned, report.score, Suite{}.target_coverage);
-  write_outputs(options.outputs, problem, planned.path ? &*planned.path : nullptr, planned.traces);
+  write_outputs(options.outputs, problem, planned.path ? &*planned.path : nullptr, report.score, planned.traces);
   return report;
 }
 
 int plan(const Options& options, const Registry& registry) {
   const PlannerInfo& planner = registry.planners.find(options.planner);
   const Settings settings = check_arguments(options, planner, registry.planners);
-  const Problem problem = load_problem(options.problem, registry);
+  const MapSource source = map_source(options.problem, registry);
+  const Problem problem = make_problem(options.problem, load_map(source, registry.generators, registry.formats));
   check_outputs(options.outputs, problem.robot());
   if (const std::string missing = missing_capability(planner, problem); !missing.empty()) {
     Report report;
@@ -99,27 +111,31 @@ int plan(const Options& options, const Registry& registry) {
     report.verdict = {Outcome::unsupported, missing};
     return print(report, problem, registry.metrics, options.json);
   }
-  return print(run_planner(options, planner, settings, problem, registry), problem, registry.metrics, options.json);
+  const Report report = run_planner(options, planner, settings, problem, source, registry);
+  return print(report, problem, registry.metrics, options.json);
 }
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
   const auto options = std::make_shared<Options>();
-  app.add_option("PLANNER", options->planner, "as `oxturn list planners` names it")->required();
-  app.add_option("MAP", options->problem.map, "a map's file, or GENERATOR[:SEED]")->required();
+  app.add_option("PLANNER", options->planner, "a planner (`oxturn list planners`)")->required()->type_name("");
+  app.add_option("MAP", options->problem.map, kMapHelp)->required()->type_name("");
   add_settings(app, options->settings, "planner");
-  app.add_option("--seed", options->isolation.seed, "of the planner's random choices; 1 if not given")
+  app.add_option("--seed", options->isolation.seed, "seed of the planner's random choices; 1 if not given")
       ->check(whole_number())
       ->type_name("N");
-  app.add_option("-o,--output", options->output, "write the path, FILE.geojson")->type_name("FILE");
+  app.add_option("-o,--output", options->output, "write the path and the name of its problem, FILE.geojson")
+      ->type_name("FILE");
   add_output_options(app, options->outputs);
   add_problem_options(app, registry, options->problem);
-  app.add_option("--wall", options->isolation.limits.wall_s, "time limit; 60 if not given")
+  app.add_option("--wall", options->isolation.limits.wall_s, "time limit of planning, seconds; 60 if not given")
       ->check(number_from(0, false, "seconds"))
       ->type_name("S");
-  app.add_option("--memory", options->isolation.limits.memory_mb, "memory limit; 4096 if not given")
+  app.add_option("--memory", options->isolation.limits.memory_mb,
+                 "memory limit of planning, megabytes; 4096 if not given")
       ->check(number_from(0, false, "megabytes"))
       ->type_name("MB");
-  app.add_flag("--traces", options->isolation.traces, "draw the planner's inside too: cells, trees, partitions");
+  app.add_flag("--traces", options->isolation.traces,
+               "with --svg: draw the planner's intermediate results too: cells, trees, partitions");
   app.add_flag("--json", options->json, "print JSON");
   return [options, &registry] { return plan(*options, registry); };
 }
@@ -131,7 +147,7 @@ Command plan_command() {
           "  oxturn plan boustrophedon rooms:7 --svg plan.svg\n"
           "  oxturn plan zigzag kitchen.yaml --radius 0.17 --tool-width 0.3 -o path.geojson\n"
           "  oxturn plan stc lab.yaml --drop-speckle 0.02 --start 12,3.5 --json\n"
-          "Exit code 0 for outcome ok or partial, 1 for any other.\n",
+          "\nExit code 0 for outcome ok or partial, 1 for any other.\n",
           attach};
 }
 

@@ -12,6 +12,8 @@
 namespace oxturn::cli {
 namespace {
 
+constexpr const char* kReaderGroup = "Options for ROS maps and images";
+
 /// `tether=25` is short for the first parameter of the group of that name, tether_length=25.
 std::string full_name(const std::string& name, const std::vector<ParameterInfo>& parameters) {
   if (std::count(robot_groups().begin(), robot_groups().end(), name) == 0) return name;
@@ -41,28 +43,6 @@ std::optional<Location> location_of(LocationKind of, const std::string& text, co
   }
 }
 
-/// A file, or GENERATOR[:SEED].
-MapFile load_map(const std::string& name, const Settings& read, const Registry& registry) {
-  if (file_exists(name)) return read_map(name, read, registry.formats);
-  const std::size_t colon = name.rfind(':');
-  const GeneratorInfo* generator = registry.generators.get(name.substr(0, colon));
-  // A name that looks like a file is taken for one, so that a mistyped file is reported as missing.
-  if (generator == nullptr && name.find_first_of("./\\") != std::string::npos)
-    return read_map(name, read, registry.formats);
-  std::uint64_t seed = 1;
-  if (colon != std::string::npos) {
-    const auto given = parse_whole(name.substr(colon + 1));
-    if (!given)
-      throw std::invalid_argument(
-          fmt::format("map '{}': seed is '{}', expected a whole number from 0", name, name.substr(colon + 1)));
-    seed = *given;
-  }
-  if (generator == nullptr)
-    throw std::invalid_argument(
-        unknown_name("file and no generator", name.substr(0, colon), registry.generators.names()));
-  return MapFile{generate(*generator, {}, seed), {}, {}, {}, {}};
-}
-
 std::string option_name(std::string parameter) {
   std::replace(parameter.begin(), parameter.end(), '_', '-');
   return "--" + parameter;
@@ -70,7 +50,7 @@ std::string option_name(std::string parameter) {
 
 std::string robot_help() {
   std::string text =
-      "parameters of the robot, K=V,K=V...; those not given stay as the map's file or the default has them:";
+      "parameters of the robot; those not given are as in the map file, or the defaults (`oxturn list robot`):";
   for (const ParameterInfo& parameter : infos_of(robot_parameters()))
     text += fmt::format("\n  {}: {}", parameter.name, parameter.help);
   return text + "\n(tether=25 is short for tether_length=25)";
@@ -83,11 +63,13 @@ void add_reader_options(CLI::App& app, const MapFormats& formats, ReaderOptions&
     const std::string name = parameter.name;
     if (std::holds_alternative<bool>(parameter.fallback))
       app.add_flag_callback(
-          option_name(name), [&options, name] { options[name] = "true"; }, parameter.help);
+             option_name(name), [&options, name] { options[name] = "true"; }, parameter.help)
+          ->group(kReaderGroup);
     else
       app.add_option_function<std::string>(
              option_name(name), [&options, name](const std::string& text) { options[name] = text; }, parameter.help)
-          ->type_name("N");
+          ->type_name("N")
+          ->group(kReaderGroup);
   }
 }
 
@@ -105,24 +87,47 @@ void say_remarks(const MapFile& file) {
 
 void add_problem_options(CLI::App& app, const Registry& registry, ProblemOptions& options) {
   app.add_option("--robot", options.robot, robot_help())->type_name("K=V,...");
-  app.add_option("--radius", options.radius, "robot's radius")->check(number_from(0, true, "metres"))->type_name("M");
-  app.add_option("--tool-width", options.tool_width, "width that the robot covers")
+  app.add_option("--radius", options.radius, "radius of the robot, metres")
+      ->check(number_from(0, true, "metres"))
+      ->type_name("M");
+  app.add_option("--tool-width", options.tool_width, "width of the swath that the robot covers, metres")
       ->check(number_from(0, false, "metres"))
       ->type_name("M");
-  app.add_option(
-         "--start", options.start,
-         "where the robot starts: X,Y, middle or corner (lower left); otherwise as the file says, or well inside")
+  app.add_option("--start", options.start,
+                 "where the robot starts: X,Y, middle (well inside) or corner (lower left); as the map file says, or "
+                 "middle, if "
+                 "not given")
       ->type_name("POINT");
   app.add_option("--anchor", options.anchor,
                  "where the tether is fastened: X,Y, start, wall (the nearest point of one) or corner (the nearest in "
-                 "sight of the start); otherwise as the file says, or the start")
+                 "sight of the start); as the map file says, or start, if not given")
       ->type_name("POINT");
   add_reader_options(app, registry.formats, options.read);
 }
 
+MapSource map_source(const ProblemOptions& options, const Registry& registry) {
+  const std::string& name = options.map;
+  const std::size_t colon = name.rfind(':');
+  const std::string generator = name.substr(0, colon);
+  const bool known = registry.generators.get(generator) != nullptr;
+  // A name that looks like a file is taken for one, so that a mistyped file is reported as missing.
+  if (file_exists(name) || (!known && name.find_first_of("./\\") != std::string::npos))
+    return {.file = name, .settings = reader_settings(options.read, registry.formats)};
+  MapSource source{.generator = generator};
+  if (colon != std::string::npos) {
+    const auto seed = parse_whole(name.substr(colon + 1));
+    if (!seed)
+      throw std::invalid_argument(
+          fmt::format("map '{}': seed is '{}', expected a whole number from 0", name, name.substr(colon + 1)));
+    source.seed = *seed;
+  }
+  if (!known)
+    throw std::invalid_argument(unknown_name("file and no generator", generator, registry.generators.names()));
+  return source;
+}
+
 // Remarks come only when all is well: bad input gets its one sentence and nothing else.
-Problem load_problem(const ProblemOptions& options, const Registry& registry) {
-  MapFile file = load_map(options.map, reader_settings(options.read, registry.formats), registry);
+Problem make_problem(const ProblemOptions& options, MapFile file) {
   Robot robot = file.robot.value_or(Robot{});
   if (!options.robot.empty()) change_robot(robot, options.robot);
   if (options.radius) change(robot, {{"radius", *options.radius}});

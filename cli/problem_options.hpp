@@ -7,7 +7,7 @@
 #include <string>
 
 #include "bench/registry.hpp"
-#include "maps/problem.hpp"
+#include "maps/map_source.hpp"
 
 namespace oxturn::cli {
 
@@ -20,8 +20,10 @@ Settings reader_settings(const ReaderOptions& options, const MapFormats& formats
 /// Prints each of the reader's remarks on standard error.
 void say_remarks(const MapFile& file);
 
+inline constexpr const char* kMapHelp = "a map file (`oxturn list formats`) or GENERATOR[:SEED] (`oxturn list maps`)";
+
 struct ProblemOptions {
-  std::string map;  // a file, or GENERATOR[:SEED]
+  std::string map;  // a file, or GENERATOR[:SEED]; empty: not given
   ReaderOptions read;
   std::string robot;  // "radius=0.2,speed=1"
   std::optional<double> radius, tool_width;
@@ -29,7 +31,10 @@ struct ProblemOptions {
 };
 /// MAP itself is declared by the command, since its position among the arguments differs.
 void add_problem_options(CLI::App& app, const Registry& registry, ProblemOptions& options);
-/// Reads or makes the map; what was not given (robot, start) is chosen and said on standard error.
-Problem load_problem(const ProblemOptions& options, const Registry& registry);
+/// MAP and the options of its reader. Throws for a name that is neither a file nor a generator.
+MapSource map_source(const ProblemOptions& options, const Registry& registry);
+/// Options take precedence over what the file says. What neither gives (robot, start) is chosen and said on standard
+/// error.
+Problem make_problem(const ProblemOptions& options, MapFile file);
 
 }  // namespace oxturn::cli

@@ -59,14 +59,18 @@ std::string sentence_of(const CLI::ParseError& error, CLI::App& app) {
 
 int run(int argc, const char* const* argv, const Registry& registry) {
   CLI::App app{"oxturn: plans, scores and compares coverage paths.", "oxturn"};
-  app.set_version_flag("--version", std::string("oxturn ") + OXTURN_VERSION);
+  app.set_help_flag("-h,--help", "print this help and exit");
+  app.set_version_flag("--version", std::string("oxturn ") + OXTURN_VERSION, "print the version and exit");
+  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.require_subcommand(0, 1);
   app.footer(
       "Examples:\n  oxturn list planners\n  oxturn plan boustrophedon rooms:7 --svg plan.svg\n"
-      "  oxturn run quick -o out\n\n`oxturn COMMAND --help` tells more of each.");
+      "  oxturn run quick -o out\n\n`oxturn COMMAND --help` tells more of each.\n\n"
+      "Exit codes: 0 done; 1 done, but the path is not valid or a run is not as required; 2 bad input.");
   std::map<const CLI::App*, std::function<int()>> actions;
   for (const Command& command : commands()) {
     CLI::App* sub = app.add_subcommand(command.name, command.title);
+    sub->group("Commands");
     sub->footer("Examples:\n" + command.examples);
     actions[sub] = command.attach(*sub, registry);
   }

@@ -41,6 +41,7 @@ Json as_json(const Report& report, const Problem& problem) {
   json["robot"] = {{"radius", problem.robot().radius}, {"tool_width", problem.robot().tool_width}};
   json["start"] = {problem.start().x(), problem.start().y()};
   if (problem.tether()) json["anchor"] = {problem.anchor().x(), problem.anchor().y()};
+  if (report.tolerance) json["tolerance_m"] = *report.tolerance;
   json["metrics"] = Json::object();
   if (report.score)
     for (const MetricValue& metric : report.score->values) json["metrics"][metric.name] = number_or_null(metric.value);
@@ -59,6 +60,9 @@ void print_table(const Report& report, const Problem& problem, const Metrics& me
                    fmt::format("{} ({:.6g} m2 free, {} vertices, {} holes)", problem.map().name, area(free),
                                vertex_count(free), hole_count(free)),
                    ""});
+  if (report.tolerance)
+    lines.push_back({"tolerance", fmt::format("{:.6g}", *report.tolerance),
+                     "metres outside configuration space, and at start and joints, that count as rounding"});
   const Columns columns = run_columns(metrics);
   const auto help = [&](const std::string& name) {
     for (const Column& column : columns)

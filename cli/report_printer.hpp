@@ -15,6 +15,7 @@ namespace oxturn::cli {
 struct Report {
   Verdict verdict;
   std::optional<Score> score;                              // if there is a path
+  std::optional<double> tolerance;                         // of the score, metres; empty: the problem's own
   std::vector<std::pair<std::string, std::string>> about;  // planner, parameters, path file, ...
   std::vector<std::pair<std::string, double>> costs;       // plan_wall_s, ...
   Records records;                                         // figures that the planner recorded

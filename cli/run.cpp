@@ -1,7 +1,6 @@
 // oxturn run: a whole suite into a results folder, with its report.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -10,8 +9,8 @@
 #include "bench/run_suite.hpp"
 #include "bench/suite.hpp"
 #include "cli/commands.hpp"
+#include "cli/results_printer.hpp"
 #include "cli/suites.hpp"
-#include "reports/report.hpp"
 
 namespace oxturn::cli {
 namespace {
@@ -62,27 +61,29 @@ int run(const Options& options, const Registry& registry) {
     fmt::print(stderr, "oxturn: {}\n", interrupted.what());
     return 1;
   }
-  write_report(results, registry.tables, run_options.folder);
-  const std::filesystem::path folder = run_options.folder;
-  fmt::print("{}\ntable     {}\nrows      {}\npictures  {}\n", registry.tables.find("comparison").markdown(results),
-             (folder / "report.md").string(), (folder / "runs.csv").string(), (folder / "gallery.html").string());
+  report_results(results, registry, run_options.folder);
   return meets(results, options.require) ? 0 : 1;
 }
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
   const auto options = std::make_shared<Options>();
-  app.add_option("SUITE", options->suite, "a suite's file, or the name of one that comes with oxturn")->required();
-  app.add_option("-o,--output", options->run.folder, "the results folder to make")->required()->type_name("DIR");
-  app.add_option("-j,--jobs", options->run.jobs, "runs at a time; 1 if not given")
-      ->check(CLI::Range(1, 1024))
+  app.add_option("SUITE", options->suite,
+                 "a suite file, or the name of one that comes with oxturn (`oxturn list suites`)")
+      ->required()
+      ->type_name("");
+  app.add_option("-o,--output", options->run.folder, "results folder to make")->required()->type_name("DIR");
+  app.add_option("-j,--jobs", options->run.jobs, "runs at the same time; 1 if not given")
+      ->check(CLI::Range(1, 1024).description(""))
       ->type_name("N");
-  app.add_flag("--resume", options->run.resume, "keep the rows that are there, run the missing ones");
-  app.add_flag("--traces", options->run.traces, "keep and draw the planners' insides too (costs them time)");
-  app.add_flag("!--no-pictures", options->run.pictures, "draw no pictures");
-  app.add_option("--require", options->require, "exit with code 1 unless every run is ok (or partial)")
-      ->check(CLI::IsMember({"ok", "partial"}))
+  app.add_flag("--resume", options->run.resume, "keep the finished runs of the folder, do the missing ones");
+  app.add_flag("--traces", options->run.traces,
+               "keep and draw the planners' intermediate results too: cells, trees, partitions (costs planning time)");
+  app.add_flag_callback(
+      "--no-pictures", [options] { options->run.pictures = false; }, "draw no pictures");
+  app.add_option("--require", options->require, "exit with code 1 unless every run is ok, or ok or partial")
+      ->check(CLI::IsMember({"ok", "partial"}).description(""))
       ->type_name("ok|partial");
-  app.add_flag("-q,--quiet", options->quiet, "no progress");
+  app.add_flag("-q,--quiet", options->quiet, "show no progress");
   return [options, &registry] { return run(*options, registry); };
 }
 
@@ -91,7 +92,8 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
 Command run_command() {
   return {"run", "run a suite: every planner on every map, one row each",
           "  oxturn run quick -o out\n  oxturn run my.toml -o out -j 4\n  oxturn run my.toml -o out --resume\n"
-          "  oxturn run quick -o out --require ok        exit code 1 if a run is not ok\n",
+          "  oxturn run quick -o out --require ok\n"
+          "\nExit code 0 whatever the outcomes, unless --require is given.\n",
           attach};
 }
 

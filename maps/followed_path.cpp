@@ -1,7 +1,10 @@
 #include "maps/followed_path.hpp"
 
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
+#include "geometry/paths/shortest_path.hpp"
 #include "geometry/point_outside.hpp"
 
 namespace oxturn {
@@ -16,22 +19,61 @@ TautTether tether_at_start(const Problem& problem) {
   return tether;
 }
 
-FollowedPath followed_path(const Problem& problem, const Path& path, const EdgeIndex& walls) {
-  const double tolerance = problem.tolerance();
-  FollowedPath followed{{problem.start()}, true};
-  for (const Leg& leg : path.legs) {
-    for (std::size_t i = 0; i < leg.points.size(); ++i) {
-      const Point &from = followed.points.back(), &to = leg.points[i];
-      const bool follows =
-          finite(to) && (i == 0 ? distance(from, to) <= tolerance : !point_outside(walls, from, to, tolerance));
-      if (!follows) {
-        followed.whole = false;
-        return followed;
-      }
-      if (to != from) followed.points.push_back(to);
-    }
+namespace {
+
+constexpr double kDetour = 10;  // tolerances by which a corner that is cut off may lengthen the path
+
+/// Follows a path from point to point.
+class Follower {
+ public:
+  Follower(const Problem& problem, const EdgeIndex& walls, double tolerance)
+      : problem_(problem), walls_(walls), tolerance_(tolerance), last_(problem.start()) {}
+
+  /// False if the path cannot be followed to this point. `joint`: the first of a leg.
+  bool follow(const Point& to, bool joint) {
+    if (!finite(to)) return false;
+    if (joint ? distance(last_, to) > tolerance_ : point_outside(walls_, last_, to, tolerance_).has_value())
+      return false;
+    last_ = to;
+    return tolerance_ > problem_.tolerance() ? append_inside(to) : append(to);
   }
-  return followed;
+  Polyline take() { return std::move(points_); }
+
+ private:
+  bool append(const Point& to) {
+    if (to != points_.back()) points_.push_back(to);
+    return true;
+  }
+
+  /// A tether needs free space: points in walls are moved to the boundary, and corners that are cut off passed outside.
+  bool append_inside(Point to) {
+    const double rounding = problem_.tolerance();
+    if (!nearly_contains(walls_, to, rounding)) to = walls_.nearest(to)->point;
+    const Point from = points_.back();
+    if (to == from || !point_outside(walls_, from, to, rounding)) return append(to);
+    if (!paths_) paths_.emplace(problem_.map().free, rounding);
+    const auto detour = paths_->path(from, to, distance(from, to) + kDetour * tolerance_);
+    if (!detour) return false;
+    for (const Point& p : *detour) append(p);
+    return true;
+  }
+
+  const Problem& problem_;
+  const EdgeIndex& walls_;
+  double tolerance_;
+  Point last_;  // of the path as given
+  Polyline points_{last_};
+  std::optional<ShortestPaths> paths_;
+};
+
+}  // namespace
+
+FollowedPath followed_path(const Problem& problem, const Path& path, const EdgeIndex& walls, double tolerance) {
+  Follower follower(problem, walls, tolerance);
+  for (const Leg& leg : path.legs)
+    for (std::size_t i = 0; i < leg.points.size(); ++i)
+      if (!follower.follow(leg.points[i], i == 0)) return {follower.take(), false};
+  return {follower.take(), true};
 }
 
 }  // namespace oxturn

@@ -20,7 +20,9 @@ struct FollowedPath {
   bool whole = true;  // false: the path jumps, starts elsewhere, leaves free space or is not finite; then `points` go
                       // up to there
 };
-/// `walls`: edges of the map's free space. Joints and walls are judged within the problem's tolerance. O(n).
-FollowedPath followed_path(const Problem& problem, const Path& path, const EdgeIndex& walls);
+/// `walls`: edges of the map's free space. Joints and walls are judged within `tolerance` metres; where that is more
+/// than the problem's and the path runs within walls, the result runs along them. O(n), and once O(m log m) for m
+/// vertices of the map if it does.
+FollowedPath followed_path(const Problem& problem, const Path& path, const EdgeIndex& walls, double tolerance);
 
 }  // namespace oxturn

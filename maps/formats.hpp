@@ -51,6 +51,9 @@ void write_map(const std::string& file, const MapFile& map, const MapFormats& fo
 /// Throws as write_map does for the suffix, without writing.
 const MapFormat& format_to_write(const std::string& file, const MapFormats& formats);
 
+/// ".yaml", in lower case.
+std::string suffix_of(const std::string& file);
+
 /// GeoJSON Feature with name, start, anchor, robot and source.
 std::string to_geojson(const Problem& problem);
 std::string to_geojson(const MapFile& map);

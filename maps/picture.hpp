@@ -16,6 +16,7 @@ struct PictureOptions {
   const std::vector<Trace>* traces = nullptr;  // each in a colour of its own, by their order
   // Robots with a tether: it is drawn so often, equally spaced along the path, and where it is longest; 0: not at all.
   int tethers = 8;
+  double tolerance = 0;  // metres, added to the problem's: within which a tether follows the path
 };
 
 /// A problem and (if given) a path: walls, target, path coloured by time from blue to red, transit dashed, start and a

@@ -94,7 +94,7 @@ Ring parse_vertices(const std::string& text) {
 const std::vector<Parameter<Robot>>& robot_parameters() {
   static const std::vector<Parameter<Robot>> all{
       {"name", &Robot::name, {}, "what tables call it"},
-      {"radius", &Robot::radius, Range{0, kLargest}, "metres, of a disc"},
+      {"radius", &Robot::radius, Range{0, kLargest}, "metres, of the robot's disc"},
       {{"footprint",
         {},
         {},
@@ -110,15 +110,16 @@ const std::vector<Parameter<Robot>>& robot_parameters() {
       {"acceleration", &Robot::acceleration, Range{0, kLargest, true}, "metres per second squared"},
       {"turn_rate", &Robot::turn_rate, Range{0, kLargest, true}, "radians per second"},
       {"min_turn_radius", &Robot::min_turn_radius, Range{0, kLargest}, "metres; 0: turns on the spot"},
-      grouped("tether_length", &Robot::tether, &Tether::length, Range{0, kLargest}, "metres"),
+      grouped("tether_length", &Robot::tether, &Tether::length, Range{0, kLargest}, "metres of tether"),
       grouped("tether_reach", &Robot::tether, &Tether::reach, Range{0, kLargest},
-              "in place of a length: times the geodesic distance of the farthest point"),
+              "in place of a length: so many times the geodesic distance from the anchor to the farthest point"),
       grouped("tether_sharp_angle", &Robot::tether, &Tether::sharp_angle, Range{0, kPi, true},
               "radians from straight away from the pull; a larger angle counts as sharp"),
-      grouped("lidar_range", &Robot::lidar, &Lidar::range, Range{0, kLargest, true}, "metres"),
-      grouped("lidar_rays", &Robot::lidar, &Lidar::rays, Range{1, 1e6}, "evenly spaced from heading 0"),
+      grouped("lidar_range", &Robot::lidar, &Lidar::range, Range{0, kLargest, true}, "metres that the lidar sees"),
+      grouped("lidar_rays", &Robot::lidar, &Lidar::rays, Range{1, 1e6},
+              "number of rays, evenly spaced, the first at heading 0"),
       grouped("lidar_noise", &Robot::lidar, &Lidar::noise, Range{0, kLargest},
-              "metres along the ray, standard deviation"),
+              "standard deviation along the ray, metres"),
   };
   return all;
 }

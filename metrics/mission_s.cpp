@@ -1,12 +1,12 @@
-// Time to drive the path, seconds: trapezoidal speed profile, stops and turns at corners, slower in curves. Model: see
-// mission.hpp.
+// Time to drive the path, seconds: corners rounded, slower in bends, limited acceleration. Model: see mission.hpp.
 #include "metrics/score.hpp"
 
 namespace oxturn {
 
 extern const Metric kMissionS;
 
-const Metric kMissionS{"mission_s", "s", Better::lower, "time to drive the path, stopping at corners",
+const Metric kMissionS{"mission_s", "s", Better::lower,
+                       "time to drive the path with rounded corners, in bends no faster than the turn rate allows",
                        [](const Scored& s) -> std::optional<double> { return s.clock->total(); }};
 
 }  // namespace oxturn

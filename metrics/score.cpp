@@ -135,8 +135,8 @@ Score score(const Problem& problem, const Path& path, const Metrics& metrics, co
   if (!measurable(path)) return result;
   std::optional<TetherRun> tether;
   if (problem.robot().tether) {
-    tether = tether_run(problem, path, walls);
-    if (result.flaw.empty() && options.tether_counts) result.flaw = find_tether_flaw(problem, tether);
+    tether = tether_run(problem, path, walls, tolerance);
+    if (result.flaw.empty() && options.tether_counts) result.flaw = find_tether_flaw(problem, tether, tolerance);
   }
   const SweptArea swept = swept_area(problem.target(), problem.target_excess(), problem.robot().tool_width, path);
   const MissionClock clock(problem, path);
@@ -161,9 +161,10 @@ Score score(const Problem& problem, const Path& path, const ScoreOptions& option
 
 std::string find_flaw(const Problem& problem, const Path& path, const ScoreOptions& options) {
   const EdgeIndex& walls = problem.map_edges();
-  const std::string flaw = find_flaw(problem, path, walls, problem.tolerance() + options.tolerance);
+  const double tolerance = problem.tolerance() + options.tolerance;
+  const std::string flaw = find_flaw(problem, path, walls, tolerance);
   if (!flaw.empty() || !options.tether_counts || !problem.robot().tether) return flaw;
-  return find_tether_flaw(problem, tether_run(problem, path, walls));
+  return find_tether_flaw(problem, tether_run(problem, path, walls, tolerance), tolerance);
 }
 
 }  // namespace oxturn

@@ -73,8 +73,8 @@ struct ScoreOptions {
   bool tether_counts = true;  // false: a path that exceeds the tether length limit is valid, but still measured
   Promise promise = Promise::nothing;
   const Region* promised = nullptr;  // for Promise::cells: their union
-  double tolerance = 0;  // metres, added to the problem's: how far outside configuration space a path may be, and how
-                         // near it must start to the start and legs must join
+  double tolerance = 0;  // metres, added to the problem's: how far outside configuration space and over the tether
+                         // length limit a path may be, and how near it must start to the start and legs must join
 };
 
 /// Validity and every metric of the list. O(n log n) for n segments on ordinary paths; 10^5 segments take under a

@@ -78,8 +78,9 @@ void drive_tether(const Problem& problem, const Polyline& path, const TetherVisi
   }
 }
 
-std::optional<TetherRun> tether_run(const Problem& problem, const Path& path, const EdgeIndex& walls) {
-  const FollowedPath followed = followed_path(problem, path, walls);
+std::optional<TetherRun> tether_run(const Problem& problem, const Path& path, const EdgeIndex& walls,
+                                    double tolerance) {
+  const FollowedPath followed = followed_path(problem, path, walls, tolerance);
   if (!followed.whole) return std::nullopt;
   TetherRun run = run_at_start(problem);
   const double sharp_angle = problem.robot().tether->sharp_angle;
@@ -97,10 +98,10 @@ std::optional<TetherRun> tether_run(const Problem& problem, const Path& path, co
   return run;
 }
 
-std::string find_tether_flaw(const Problem& problem, const std::optional<TetherRun>& run) {
+std::string find_tether_flaw(const Problem& problem, const std::optional<TetherRun>& run, double tolerance) {
   if (!run) return "leaves free space, no tether can follow it";
   const double limit = problem.robot().tether->length;
-  if (run->longest_m <= limit + problem.tolerance() + 1e-9 * limit) return "";
+  if (run->longest_m <= limit + tolerance + 1e-9 * limit) return "";
   return fmt::format("pulls its tether to {:.6g} m at ({:.6g}, {:.6g}), {:.3g} m over its limit {:.6g} m",
                      run->longest_m, run->longest_at.x(), run->longest_at.y(), run->longest_m - limit, limit);
 }

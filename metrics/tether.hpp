@@ -1,6 +1,6 @@
 /// The taut tether along a path: how long it is, where it bends, how it pulls, and where the robot drives over it.
 ///
-///   if (const auto run = tether_run(problem, path, problem.map_edges()))
+///   if (const auto run = tether_run(problem, path, problem.map_edges(), problem.tolerance()))
 ///     fmt::print("longest {} m, {} crossings\n", run->longest_m, run->crossings.size());
 ///
 ///   anchor o---------. bend, the pivot of the robot's motion
@@ -71,11 +71,12 @@ struct TetherRun {
   double end_m = 0;       // length of the tether at the end of the path
   double geodesic_m = 0;  // geodesic distance of that point from the anchor; infinity if it is not connected
 };
-/// nullopt for paths of decision 3. `walls`: edges of the map's free space. Throws std::logic_error without a tether.
-std::optional<TetherRun> tether_run(const Problem& problem, const Path& path, const EdgeIndex& walls);
+/// nullopt for paths of decision 3, judged within `tolerance` metres. `walls`: edges of the map's free space. Throws
+/// std::logic_error without a tether.
+std::optional<TetherRun> tether_run(const Problem& problem, const Path& path, const EdgeIndex& walls, double tolerance);
 
-/// "pulls its tether to 12.3 m at (3, 4), 0.3 m over its limit 12 m", or "" if the limit is kept (within the problem's
-/// tolerance and 1e-9 of the limit).
-std::string find_tether_flaw(const Problem& problem, const std::optional<TetherRun>& run);
+/// "pulls its tether to 12.3 m at (3, 4), 0.3 m over its limit 12 m", or "" if the limit is kept (within
+/// `tolerance` metres and 1e-9 of the limit).
+std::string find_tether_flaw(const Problem& problem, const std::optional<TetherRun>& run, double tolerance);
 
 }  // namespace oxturn

@@ -15,7 +15,7 @@ const Metric kTetherEntangled{
     [](const Scored& s) -> std::optional<double> {
       if (!s.tether || !std::isfinite(s.tether->geodesic_m)) return std::nullopt;
       const double shortest = s.tether->geodesic_m;
-      const double slack = 1e-6 * shortest + s.problem.tolerance();
+      const double slack = 1e-6 * shortest + s.tolerance;
       return s.tether->end_m > shortest + slack ? 1 : 0;
     }};
 

@@ -98,10 +98,10 @@ std::string to_text(Event event) {
   throw std::logic_error("an event of a tether without a name");
 }
 
-std::vector<TetherRow> tether_trace(const Problem& problem, const Path& path, double step) {
+std::vector<TetherRow> tether_trace(const Problem& problem, const Path& path, double step, double tolerance) {
   if (!(step > 0)) throw std::invalid_argument(fmt::format("tether trace: step is {}, expected metres above 0", step));
   const EdgeIndex& walls = problem.map_edges();
-  return Tracer(problem, followed_path(problem, path, walls).points, step).take();
+  return Tracer(problem, followed_path(problem, path, walls, problem.tolerance() + tolerance).points, step).take();
 }
 
 std::string to_csv(const std::vector<TetherRow>& rows) {

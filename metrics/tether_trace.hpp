@@ -26,9 +26,9 @@ std::string to_text(TetherRow::Event event);
 
 /// A row for the start, each vertex of the path, each bend gained or lost (both at once: gained) and each crossing of
 /// the tether. Samples in between, so that rows are at most `step` metres apart. Ends where no tether can follow the
-/// path (maps/followed_path.hpp). Throws std::invalid_argument if the step is not above 0, std::logic_error without a
-/// tether. O(rows), beside the cost of TautTether.
-std::vector<TetherRow> tether_trace(const Problem& problem, const Path& path, double step);
+/// path (maps/followed_path.hpp) within `tolerance` metres beyond the problem's. Throws std::invalid_argument if the
+/// step is not above 0, std::logic_error without a tether. O(rows), beside the cost of TautTether.
+std::vector<TetherRow> tether_trace(const Problem& problem, const Path& path, double step, double tolerance = 0);
 
 /// One header line; RFC 4180.
 std::string to_csv(const std::vector<TetherRow>& rows);

@@ -21,14 +21,14 @@ MapFormats built_in_map_formats() {
   return MapFormats("map format", {ros_format(), geojson_format(), image_format(), svg_format()});
 }
 
-namespace {
-
 std::string suffix_of(const std::string& file) {
   std::string suffix = std::filesystem::path(file).extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return suffix;
 }
+
+namespace {
 
 /// The format with this suffix among those with usable(format); `known` collects all their suffixes.
 template <class F>

@@ -12,10 +12,9 @@
 #include <stdexcept>
 
 #include "base/files.hpp"
-#include "base/text.hpp"
 #include "geometry/overlay/validity.hpp"
-#include "maps/formats/json.hpp"
 #include "maps/formats/readers.hpp"
+#include "maps/formats/robot_json.hpp"
 
 namespace oxturn {
 namespace {
@@ -73,45 +72,6 @@ Region read_geometry(const JsonAt& at, const std::string& file) {
   return region;
 }
 
-/// A JSON value as that of a parameter; a list of points [x, y] becomes "x y; x y".
-Value value_of(const JsonAt& at) {
-  if (at.value.is_boolean()) return at.value.get<bool>();
-  if (at.value.is_number_integer()) return at.value.get<std::int64_t>();
-  if (at.value.is_number()) return at.number();
-  if (at.value.is_string()) return at.text();
-  if (!at.value.is_array()) at.refuse("a number, a string, true, false or a list of points");
-  std::string text;
-  for (const Point& p : at.points(at.where))
-    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", to_decimal(p.x()), to_decimal(p.y()));
-  return text;
-}
-
-/// Settings of a robot. Members of groups ("tether": {"length": 40}) get names like tether_length.
-Settings settings_in(const JsonAt& at, const std::string& prefix) {
-  if (!at.value.is_object() || (at.value.empty() && !prefix.empty())) at.refuse("an object with members");
-  Settings settings;
-  for (const auto& [key, value] : at.value.items()) {
-    if (value.is_null()) continue;
-    const JsonAt member{value, at.where + "." + key};
-    const std::string name = prefix + key;
-    if (prefix.empty() && std::count(robot_groups().begin(), robot_groups().end(), key) > 0)
-      settings.merge(settings_in(member, key + "_"));
-    else
-      settings[name] = value_of(member);
-  }
-  return settings;
-}
-
-Robot read_robot(const JsonAt& at, const std::string& file) {
-  Robot robot;
-  const Settings settings = settings_in(at, "");
-  try {
-    change(robot, settings);
-    check(robot);
-  } catch (const std::invalid_argument& e) { throw_invalid("{}: {}", file, e.what()); }
-  return robot;
-}
-
 /// The one polygonal feature of a collection.
 const Json& only_feature(const JsonAt& collection, std::vector<std::string>& remarks) {
   const Json* features = collection.find("features");
@@ -152,33 +112,6 @@ std::string geometry_text(const Region& region) {
   for (std::size_t i = 0; i < region.polygons.size(); ++i)
     text += (i > 0 ? ",\n" : "") + polygon_text(region.polygons[i]);
   return text + "]}";
-}
-
-std::string value_text(const std::string& name, const Value& value, const Robot& robot) {
-  if (name == "footprint") return json_points(robot.footprint);
-  return std::holds_alternative<std::string>(value) ? json_text(std::get<std::string>(value)) : to_text(value);
-}
-
-/// The members of one group of robot parameters; group "": those in no group.
-std::string members_text(const Robot& robot, const Settings& settings, const std::string& group) {
-  std::string text;
-  for (const Parameter<Robot>& parameter : robot_parameters()) {
-    const std::string& name = parameter.info.name;
-    const auto value = settings.find(name);
-    if (robot_group(name) != group || value == settings.end()) continue;
-    const std::string key = group.empty() ? name : name.substr(group.size() + 1);
-    text += fmt::format("{}\"{}\": {}", text.empty() ? "" : ", ", key, value_text(name, value->second, robot));
-  }
-  return text;
-}
-
-std::string robot_text(const Robot& robot) {
-  const Settings settings = settings_of(robot);
-  std::string text = members_text(robot, settings, "");
-  for (const std::string& group : robot_groups())
-    if (const std::string members = members_text(robot, settings, group); !members.empty())
-      text += fmt::format(", \"{}\": {{{}}}", group, members);
-  return "{" + text + "}";
 }
 
 std::string feature_text(const Map& map, const Point* start, const Point* anchor, const Robot* robot) {

@@ -54,7 +54,7 @@ MapFormat image_format() {
   return describe_format<ImageOptions>(
       "image", "plain PNG or PGM with a scale: white is free", {".png", ".pgm"},
       with_raster_options<ImageOptions>(
-          {{"scale", &ImageOptions::scale, Range{0, 1e9}, "metres per pixel; a plain image does not contain it"}}),
+          {{"scale", &ImageOptions::scale, Range{0, 1e9}, "metres per pixel; required for plain images"}}),
       read_plain_image);
 }
 

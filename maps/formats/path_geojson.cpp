@@ -4,9 +4,7 @@
 // (NaN) is written as null, which the reader refuses, naming the point.
 #include <fmt/format.h>
 
-#include "base/files.hpp"
-#include "maps/formats.hpp"
-#include "maps/formats/json.hpp"
+#include "maps/formats/robot_json.hpp"
 #include "maps/path_file.hpp"
 
 namespace oxturn {
@@ -33,11 +31,47 @@ Leg read_leg(const JsonAt& feature) {
   return {tool.value.get<bool>(), points.points(feature.where)};
 }
 
+std::string problem_text(const PathProblem& problem) {
+  const MapSource& source = problem.source;
+  std::string text = "{\n";
+  if (source.file.empty())
+    text += fmt::format("\"generator\": {}, \"seed\": {}", json_text(source.generator), source.seed);
+  else
+    text += "\"file\": " + json_text(source.file);
+  if (!source.settings.empty()) text += ", \"settings\": " + settings_text(source.settings);
+  return text + fmt::format(",\n\"map_sha256\": {},\n\"start\": {}, \"anchor\": {},\n\"robot\": {}}}",
+                            json_text(problem.map_sha256), json_point(problem.start), json_point(problem.anchor),
+                            robot_text(problem.robot));
+}
+
+PathProblem read_problem(const JsonAt& at, const std::string& source) {
+  const auto needed = [&](const char* key, const char* expected) {
+    return JsonAt{member(at, key, expected), at.where + "." + key};
+  };
+  PathProblem problem;
+  if (at.value.is_object() && at.find("file") != nullptr) {
+    problem.source.file = needed("file", "a map's file").text();
+    if (problem.source.file.empty()) needed("file", "").refuse("a map's file");
+  } else {
+    problem.source.generator = needed("generator", "a generator's name, or file").text();
+    const JsonAt seed = needed("seed", "a whole number from 0");
+    if (!seed.value.is_number_unsigned()) seed.refuse("a whole number from 0");
+    problem.source.seed = seed.value.get<std::uint64_t>();
+  }
+  if (const Json* settings = at.find("settings"))
+    problem.source.settings = read_settings({*settings, at.where + ".settings"});
+  problem.map_sha256 = needed("map_sha256", "the hash of the map").text();
+  problem.start = needed("start", "a point").point();
+  problem.anchor = needed("anchor", "a point").point();
+  problem.robot = read_robot(needed("robot", "an object"), source);
+  return problem;
+}
+
 }  // namespace
 
-std::string to_geojson(const Path& path, const std::string& problem) {
+std::string to_geojson(const Path& path, const PathProblem* problem) {
   std::string text = "{";
-  if (!problem.empty()) text += "\"problem\": " + json_text(problem) + ", ";
+  if (problem != nullptr) text += "\"problem\": " + problem_text(*problem) + ",\n";
   text += "\"type\": \"FeatureCollection\", \"features\": [";
   for (std::size_t i = 0; i < path.legs.size(); ++i) {
     const Leg& leg = path.legs[i];
@@ -48,20 +82,19 @@ std::string to_geojson(const Path& path, const std::string& problem) {
   return text + "\n]}\n";
 }
 
-Path path_from_geojson(const std::string& text, const std::string& source) {
+PathFile path_from_geojson(const std::string& text, const std::string& source) {
   const Json root = parse_json(text, source);
   const JsonAt top{root, source};
   const JsonAt type{member(top, "type", "FeatureCollection"), source + ": type"};
   if (type.value != "FeatureCollection") type.refuse("FeatureCollection");
   const JsonAt features{member(top, "features", "a list of LineStrings"), source + ": features"};
   if (!features.value.is_array()) features.refuse("a list of LineStrings");
-  Path path;
-  path.legs.reserve(features.value.size());
+  PathFile file;
+  file.path.legs.reserve(features.value.size());
   for (std::size_t i = 0; i < features.value.size(); ++i)
-    path.legs.push_back(read_leg({features.value[i], fmt::format("{}: feature {}", source, i + 1)}));
-  return path;
+    file.path.legs.push_back(read_leg({features.value[i], fmt::format("{}: feature {}", source, i + 1)}));
+  if (const Json* problem = top.find("problem")) file.problem = read_problem({*problem, source + ": problem"}, source);
+  return file;
 }
-
-Path read_path(const std::string& file) { return path_from_geojson(read_file(file), file); }
 
 }  // namespace oxturn

@@ -101,7 +101,7 @@ std::string to_svg(const Problem& problem, const Path* path, const PictureOption
   if (options.missed != nullptr) svg::append_missed(out, canvas, *options.missed);
   if (options.traces != nullptr) svg::append_traces(out, canvas, *options.traces);
   if (path != nullptr) svg::append_path(out, canvas, problem, shown);
-  if (path != nullptr && tethered) svg::append_tethers(out, canvas, problem, shown, options.tethers);
+  if (path != nullptr && tethered) svg::append_tethers(out, canvas, problem, shown, options.tethers, options.tolerance);
   svg::append_end(out, canvas, problem, shown);
   svg::append_start(out, canvas, problem);
   if (tethered) svg::append_anchor(out, canvas, problem);

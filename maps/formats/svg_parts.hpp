@@ -33,6 +33,7 @@ void append_traces(std::string& out, const Canvas& canvas, const std::vector<Tra
 // svg_tethers.cpp
 
 /// The tether at `count` moments, and where it is longest.
-void append_tethers(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path, int count);
+void append_tethers(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path, int count,
+                    double tolerance);
 
 }  // namespace oxturn::svg

@@ -76,6 +76,12 @@ void append_work(std::string& out, const Canvas& canvas, const Path& path, doubl
   out += "</g>\n";
 }
 
+std::string line_data(const Canvas& canvas, const Polyline& line) {
+  PathData data(canvas, kLeastLineStep);
+  data.add(line);
+  return data.take();
+}
+
 /// The work in parts that end at sharp turns, so that each part shades what another one has covered already. Very long
 /// paths are one part.
 std::vector<std::string> swath_parts(const Canvas& canvas, const Path& path) {
@@ -91,25 +97,19 @@ std::vector<std::string> swath_parts(const Canvas& canvas, const Path& path) {
     Polyline part;
     for (const Point& p : leg.points) {
       if (part.size() > 1 && sharp_turn(part[part.size() - 2], part.back(), p)) {
-        PathData data(canvas, kLeastLineStep);
-        data.add(part);
-        parts.push_back(data.take());
+        parts.push_back(line_data(canvas, part));
         part = {part.back()};
       }
       if (part.empty() || part.back() != p) part.push_back(p);
     }
-    PathData data(canvas, kLeastLineStep);
-    data.add(part);
-    parts.push_back(data.take());
+    parts.push_back(line_data(canvas, part));
   }
   return parts;
 }
 
 /// Arrowheads in the direction of driving, equally spaced along the work.
 void append_arrows(std::string& out, const Canvas& canvas, const Path& path, double size) {
-  double total = 0;
-  for (const Leg& leg : path.legs)
-    if (leg.tool) total += length(leg.points);
+  const double total = path.length(true);
   if (!(total > 0) || !std::isfinite(total)) return;
   const double step = total / kArrows;
   double next = step / 2, driven = 0;

@@ -55,8 +55,8 @@ std::vector<TetherMoment> chosen_moments(double total, int count, double longest
 
 /// At `count` points of the path, equally far apart, the last at its end, and where the tether is longest; in driving
 /// order. Up to where a tether can follow (maps/followed_path.hpp). Tethered problems only. Simulates the tether twice.
-std::vector<TetherMoment> tether_moments(const Problem& problem, const Path& path, int count) {
-  const Polyline points = followed_path(problem, path, EdgeIndex(problem.map().free)).points;
+std::vector<TetherMoment> tether_moments(const Problem& problem, const Path& path, int count, double tolerance) {
+  const Polyline points = followed_path(problem, path, problem.map_edges(), problem.tolerance() + tolerance).points;
   const double total = length(points);
   if (!(total > 0) || count <= 0) return {};
   std::vector<TetherMoment> moments = chosen_moments(total, count, longest_after(problem, points));
@@ -108,8 +108,9 @@ void append_tether(std::string& out, const Canvas& canvas, const TetherMoment& m
 
 }  // namespace
 
-void append_tethers(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path, int count) {
-  const std::vector<TetherMoment> moments = tether_moments(problem, path, count);
+void append_tethers(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path, int count,
+                    double tolerance) {
+  const std::vector<TetherMoment> moments = tether_moments(problem, path, count, tolerance);
   if (moments.empty()) return;
   out += "<g id=\"tether\" fill=\"none\" stroke=\"#8b0000\" stroke-linejoin=\"round\">\n";
   for (const bool longest : {false, true})  // the longest on top

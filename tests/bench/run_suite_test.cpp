@@ -55,6 +55,11 @@ SuiteRunOptions into(const std::string& folder, int jobs = 1, bool resume = fals
   return options;
 }
 
+/// That the file of a path names.
+MapFile problem_of(const std::string& path_file) {
+  return load_map(read_path_file(path_file).problem.value(), path_file, built_in_generators(), built_in_map_formats());
+}
+
 const Columns& all_columns() {
   static const Columns all = run_columns(built_in_metrics());
   return all;
@@ -77,11 +82,11 @@ TEST(SuiteRun, APathFileScoresAsTheRowSays) {
   const Results results = run_suite(rectangles({"good"}), test_registry(), into(folder.file("out")));
   const Row& row = results.rows.at(0);
   const std::string file = folder.file("out/" + row.get("path_file"));
-  const std::string problem_file = nlohmann::json::parse(read_file(file)).at("problem").get<std::string>();
-  const MapFile map = read_map(folder.file("out/" + problem_file));
-  const Path path = read_path(file);
+  const auto [path, made_for] = read_path_file(file);
+  ASSERT_TRUE(made_for);
+  const MapFile map = problem_of(file);
   const Problem problem(map.map, *map.robot, map.start, map.anchor);
-  EXPECT_EQ("maps/" + problem.content_hash() + ".geojson", problem_file);
+  EXPECT_EQ("../maps/" + problem.content_hash() + ".geojson", made_for->source.file);
   const Score again = score(problem, path);
   EXPECT_EQ(again.flaw, "");
   for (const MetricValue& metric : again.values) EXPECT_EQ(row.number(metric.name), metric.value) << metric.name;
@@ -303,8 +308,7 @@ TEST(SuiteRun, AnIgnoredTetherIsMeasuredAndDoesNotCount) {
   EXPECT_NEAR(row.number("tether_max_m").value(), farthest, 1e-9);
   EXPECT_GT(farthest, 1.2);
   // The stored problem has the tether: scored again, the path exceeds it.
-  const MapFile map =
-      read_map(folder.file("held/" + nlohmann::json::parse(read_file(file)).at("problem").get<std::string>()));
+  const MapFile map = problem_of(file);
   const Problem problem(map.map, *map.robot, map.start, map.anchor);
   EXPECT_THAT(find_flaw(problem, path), HasSubstr("tether"));
   EXPECT_EQ(find_flaw(problem, path, {.tether_counts = false}), "");
@@ -362,8 +366,7 @@ TEST(SuiteRun, NamedLocationsAreResolvedForEachRobot) {
   const Results results = run_suite(suite, test_registry(), into(folder.file("out")));
   ASSERT_EQ(results.rows.size(), 2u);
   for (const Row& row : results.rows) {
-    const std::string path = read_file(folder.file("out/" + row.get("path_file")));
-    const MapFile map = read_map(folder.file("out/" + nlohmann::json::parse(path).at("problem").get<std::string>()));
+    const MapFile map = problem_of(folder.file("out/" + row.get("path_file")));
     const double r = map.robot->radius;
     EXPECT_NEAR(distance(*map.start, {r + 0.004, r + 0.004}), 0, 1e-3);
     EXPECT_EQ(std::min(map.anchor->x(), map.anchor->y()), 0);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/text.hpp"
+#include "bench/results.hpp"
 #include "maps/formats.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/support/maps.hpp"
@@ -90,7 +92,9 @@ TEST_F(Planned, PathScoresTheSameAgain) {
   ASSERT_EQ(plan.code, 0) << plan.err;
   const Said score = oxturn("score " + (out / "p.geojson") + problem + " --json");
   ASSERT_EQ(score.code, 0) << score.err;
-  const Json a = Json::parse(plan.out), b = Json::parse(score.out);
+  const Json a = Json::parse(plan.out);
+  Json b = Json::parse(score.out);
+  b["metrics"]["promise_coverage"] = a["metrics"]["promise_coverage"];  // a path does not tell who planned it
   EXPECT_EQ(a["outcome"], "ok") << a["reason"];
   EXPECT_EQ(a["metrics"], b["metrics"]);
   EXPECT_GE(a["metrics"]["coverage_lower"].get<double>(), 0.99);
@@ -186,6 +190,34 @@ TEST_F(Planned, RunGivesRowsTableAndPictures) {
   // The report alone, elsewhere.
   ASSERT_EQ(oxturn("report " + (out / "r") + " -o " + (out / "elsewhere")).code, 0);
   EXPECT_EQ(content(out / "elsewhere/report.md"), content(out / "r/report.md"));
+}
+
+TEST_F(Planned, PlanAndRunGiveTheSameFiguresAndPicture) {
+  const std::string suite = out.write(
+      "s.toml",
+      "schema = 1\nname = \"s\"\n[robots.disc]\nradius = 0.2\ntool_width = 0.4\n[[maps]]\ngenerator = \"rooms\"\n"
+      "seeds = [7]\n[[planners]]\nname = \"stc\"\n[[planners]]\nname = \"zigzag\"\n[[planners]]\nname = \"hyun\"\n");
+  ASSERT_EQ(oxturn("run " + suite + " -q -o " + (out / "r")).code, 0);
+  const Results results = read_results(out / "r");
+  ASSERT_EQ(results.rows.size(), 3u);
+  std::string promises;
+  for (const Row& row : results.rows) {
+    SCOPED_TRACE(row.get("planner"));
+    const Said said =
+        oxturn("plan " + row.get("planner") + " rooms:7 --robot radius=0.2,tool_width=0.4 --json --seed " +
+               row.get("seed") + " --svg " + (out / "p.svg"));
+    ASSERT_EQ(said.code, 0) << said.err;
+    const Json json = Json::parse(said.out);
+    promises += json.at("promise").get<std::string>() + " ";
+    EXPECT_EQ(json.at("promise"), row.get("promise"));
+    for (const auto& [name, value] : json.at("metrics").items())
+      EXPECT_EQ(value.is_null() ? "" : to_decimal(value.get<double>()), row.get(name)) << name;
+    EXPECT_EQ(json.at("metrics").at("promise_coverage").is_null(), row.get("promise") == "nothing");
+    EXPECT_EQ(content(out / "p.svg"), content(out / ("r/pictures/" + row.get("run_id") + ".svg")));
+    EXPECT_EQ(content(out / "p.svg").find("id=\"missed\"") != std::string::npos, row.get("missed_pieces") != "0");
+  }
+  EXPECT_EQ(promises, "cells target nothing ");
+  EXPECT_NE(results.rows.front().get("missed_pieces"), "0");
 }
 
 TEST_F(Planned, ATetherIsScoredTracedAndDrawn) {

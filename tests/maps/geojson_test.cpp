@@ -222,14 +222,14 @@ Path random_path(std::uint64_t seed) {
 TEST(PathGeoJson, ReadsBackExactly) {
   for (const auto seed : seeds(20)) {
     const Path path = random_path(seed);
-    const Path again = path_from_geojson(to_geojson(path), "p");
+    const Path again = path_from_geojson(to_geojson(path), "p").path;
     ASSERT_EQ(again.legs.size(), path.legs.size());
     for (std::size_t i = 0; i < path.legs.size(); ++i) {
       EXPECT_EQ(again.legs[i].tool, path.legs[i].tool);
       EXPECT_EQ(again.legs[i].points, path.legs[i].points);
     }
   }
-  EXPECT_TRUE(path_from_geojson(to_geojson(Path{}), "p").legs.empty());
+  EXPECT_TRUE(path_from_geojson(to_geojson(Path{}), "p").path.legs.empty());
 }
 
 TEST(PathGeoJson, BadPathsAreNamedByFeatureAndPoint) {

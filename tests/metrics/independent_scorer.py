@@ -126,9 +126,9 @@ def check_folder(folder):
         if "problem" not in path:
             found, ours = ["%s does not name its problem" % row["path_file"]], {}
         else:
-            name = path["problem"]
+            name = os.path.join(folder, os.path.dirname(row["path_file"]), path["problem"]["file"])
             if name not in tasks:
-                tasks[name] = Task(load(os.path.join(folder, name)))
+                tasks[name] = Task(load(name))
             ours = tasks[name].score(path)
             found = disagreements(row, ours)
         checked += 1

@@ -95,7 +95,7 @@ TEST(TetherOracle, AgreesWithAnElasticInSmallSteps) {
     Rng rng(seed);
     const Problem p = leashed(pillars(rng, rng.between(1, 8)), {0.5, 0.5});
     const Polyline path = free_walk(p, rng, 40, 5);
-    const TetherRun r = tether_run(p, work(path), EdgeIndex(p.map().free)).value();
+    const TetherRun r = tether_run(p, work(path), p.map_edges(), p.tolerance()).value();
     Elastic elastic(p.map().free, p.anchor());
     for (std::size_t i = 1; i < path.size(); ++i) elastic.drive(path[i], 0.002);
     EXPECT_NEAR(r.longest_m, elastic.longest, 1e-9);

@@ -1,6 +1,7 @@
 // The tether's metrics by hand, and what must not change them.
 #include "metrics/tether.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "metrics/score.hpp"
@@ -11,7 +12,7 @@ namespace oxturn {
 namespace {
 
 TetherRun run(const Problem& p, const Polyline& walk) {
-  return tether_run(p, work(walk), EdgeIndex(p.map().free)).value();
+  return tether_run(p, work(walk), p.map_edges(), p.tolerance()).value();
 }
 std::size_t crossings(const Problem& p, const Polyline& walk) { return run(p, walk).crossings.size(); }
 double mean_angle(const TetherRun& r) { return r.angle_sum / r.path_m; }
@@ -304,6 +305,44 @@ TEST(Tether, Invariances) {
     moved_run([](const Point& q) { return perpendicular(q); }, false);
     moved_run([](const Point& q) { return Point(-q.x(), q.y()); }, true);
     moved_run([](const Point& q) { return rotated(q, 0.7); }, false);
+  }
+}
+
+TEST(TetherTolerance, ReachesTheTether) {
+  const ScoreOptions millimetre{.tolerance = 1e-3};
+  const Problem p = leashed(pillar_room(), {1, 1}, Point{0, 1}, 8);
+  // A start and a joint that are half a millimetre off.
+  const Path path{{Leg{true, {{1.0005, 1}, {9, 1}}}, Leg{true, {{9, 1.0005}, {9, 5}}}}};
+  const double longest = distance({0, 1}, {9, 5});  // below the pillar
+  EXPECT_FALSE(score(p, path).value("tether_max_m").has_value());
+  EXPECT_NEAR(score(p, path, millimetre).value("tether_max_m").value(), longest, 1e-9);
+  EXPECT_THAT(find_flaw(p, path, millimetre), testing::HasSubstr("over its limit 8 m"));
+  for (const double over : {-0.5e-3, 0.99e-3})
+    EXPECT_EQ(find_flaw(leashed(pillar_room(), {1, 1}, Point{0, 1}, longest - over), path, millimetre), "") << over;
+  EXPECT_NE(find_flaw(leashed(pillar_room(), {1, 1}, Point{0, 1}, longest - 1.01e-3), path, millimetre), "");
+}
+
+// Of a robot with a radius, and of a point robot, whose rounded walks run through corners of the pillars.
+TEST(TetherTolerance, RoundedWalksHaveTheTethersOfTheOriginals) {
+  for (const double radius : {0.2, 0.0}) {
+    for (const auto seed : seeds(25)) {
+      SCOPED_TRACE(fmt::format("radius {}, seed {}", radius, seed));
+      Rng rng(seed);
+      const Problem p = leashed(pillars(rng, 5), {0.5, 0.5}, {}, 1000, radius);
+      Polyline walk{p.start()}, rough;
+      for (const Point& to : free_walk(p, rng, 25, 6)) {  // through the corners, as a taut path goes
+        const auto part = p.transit().path(walk.back(), to);
+        walk.insert(walk.end(), part->begin() + 1, part->end());
+        const auto corner = p.transit().path(to, p.start());
+        walk.insert(walk.end(), corner->begin() + 1, corner->end());
+      }
+      for (const Point& at : walk) rough.push_back((at * 1000).array().round() / 1000);
+      const Score exact = score(p, work(walk)), near = score(p, work(rough), {.tolerance = 1e-3});
+      ASSERT_EQ(exact.flaw, "");
+      ASSERT_EQ(near.flaw, "");
+      EXPECT_NEAR(near.value("tether_max_m").value(), exact.value("tether_max_m").value(), 1e-3);
+      EXPECT_EQ(near.value("tether_entangled"), exact.value("tether_entangled"));
+    }
   }
 }
 
