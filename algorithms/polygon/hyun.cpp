@@ -6,7 +6,8 @@
 //             or convex polygon
 // Guarantee   each tracking point is visited exactly once; every link lies in configuration space; links with the tool
 //             on never cross each other. No deadlock: every remaining point can be reached. With `outline`, both
-//             contacts on every line and a separation of at most the tool's width w it covers the whole target: the
+//             contacts on every line and a separation of at most the tool's width w it covers the whole target (along
+//             traced walls but for 0.0003 of it, see straightened_space in outline.hpp): the
 //             boundary of configuration space C covers all points within w/2 of it; from any other point of C the foot
 //             on the nearest line is no farther than w/2, so it lies in C, on a lane.
 // Complexity  n edges, k tracking points, j jumps: O(n + k log k) and j paths, by TLPPA O(N log N) each for N cells
@@ -25,10 +26,10 @@
 //                count as one.
 //             4. Lines begin at the top of configuration space, and one more runs at its bottom: without it a strip up
 //                to one separation wide stays uncovered there. Lines and contacts keep 1e-6 tool widths off walls.
-//             5. The separation follows the tool: its width where the outline is driven as well, which covers the target
-//                once, else half of that. separation_by = robot is the source: half the robot's width, or half the
-//                tool's if that is less. A tool as wide as the robot then covers everything twice, a wider one more
-//                often.
+//             5. The separation follows the tool: its width where the outline is driven as well, which covers
+//                everything once, else half of that. separation_by = robot is the source: half the robot's width, or
+//                half the tool's if that is less. A tool as wide as the robot then covers everything twice, a wider one
+//                more often.
 //             6. The tool is on along lines and on links between neighbouring lines. It is off on other jumps: they
 //                lead over covered ground and must cross it where an obstacle encloses the rest. `links_crossing`
 //                counts the pairs of crossing links with the tool on, `transits_crossing` the other pairs.
@@ -361,8 +362,8 @@ PlannerInfo hyun() {
        .title = "heuristic sweep from contact to contact",
        .citation = "Hyun, heuristic sweeping algorithm",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (with outline, both contacts and at most a tool width between lines); links "
-                    "with the tool on never cross",
+       .guarantee = "covers the whole target (with outline, both contacts and at most a tool width between lines; "
+                    "along traced walls but for 0.0003 of it); links with the tool on never cross",
        .promise = Promise::target,
        .parameters = {{"separation", &Params::separation, Range{0, 1000},
                        "metres between lines; 0: as `separation_by` says"},
