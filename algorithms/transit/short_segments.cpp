@@ -4,16 +4,17 @@ namespace oxturn {
 namespace {
 
 Polyline without_short_segments(const Polyline& points, double least, const Connector& connector) {
-  if (points.size() < 3) return points;
-  Polyline kept{points.front()};
-  for (std::size_t i = 1; i + 1 < points.size(); ++i)
-    if (distance(kept.back(), points[i]) >= least || !connector.straight(kept.back(), points[i + 1]))
-      kept.push_back(points[i]);
-  // The last vertex stays, so before it the one before goes.
-  const Point& end = points.back();
-  if (kept.size() > 1 && distance(kept.back(), end) < least && connector.straight(kept[kept.size() - 2], end))
-    kept.pop_back();
-  kept.push_back(end);
+  Polyline kept;
+  for (const Point& p : points) {
+    const bool end = &p == &points.back();
+    while (kept.size() > 1) {
+      const Point &last = kept.back(), &before = kept[kept.size() - 2];
+      const bool near = distance(before, last) < least || (end && distance(last, p) < least);
+      if (!near || !connector.straight(before, p)) break;
+      kept.pop_back();
+    }
+    kept.push_back(p);
+  }
   return kept;
 }
 

@@ -73,9 +73,9 @@ TEST(Strips, TurnSquareInTheOpenAndStraightAlongWalls) {
     return only_leg(drive_strips(hall, {Strip{{a, b}}}, StripOrder::given, connector, context));
   };
   const Polyline up = path_of({{5, 5}, {5, 10}}, {{5.4, 5}, {5.4, 11}});
-  EXPECT_EQ(up, (Polyline{{5, 5}, {5, 11}, {5.4, 11}, {5.4, 5}}));
+  EXPECT_EQ(up, (Polyline{{5, 5}, {5, 10}, {5, 11}, {5.4, 11}, {5.4, 5}}));
   const Polyline down = path_of({{5, 5}, {5, 11}}, {{5.4, 5}, {5.4, 10}});
-  EXPECT_EQ(down, (Polyline{{5, 5}, {5, 11}, {5.4, 11}, {5.4, 5}}));
+  EXPECT_EQ(down, (Polyline{{5, 5}, {5, 11}, {5.4, 11}, {5.4, 10}, {5.4, 5}}));
   const Polyline at_wall = path_of({{5, 5}, {5, 19.5}}, {{5.4, 5}, {5.4, 19.7}});
   EXPECT_EQ(at_wall, (Polyline{{5, 5}, {5, 19.5}, {5.4, 19.7}, {5.4, 5}}));
 }
