@@ -181,7 +181,7 @@ void finish_run(const Work& work, const Setting& setting, std::size_t index, con
   const Verdict verdict =
       finished.breach ? *finished.breach : judge(planned, finished.score, work.suite.target_coverage);
   end(row, verdict.outcome, verdict.reason);
-  row.cells["promise"] = to_text(task.scoring.promise);
+  if (planned.outcome == Outcome::ok) row.cells["promise"] = to_text(scoring.promise);
   if (!planned.records.empty()) send_message(fd, messages::kMetrics, index, joined(metric_lines(planned.records)));
   if (!finished.trace.empty()) send_message(fd, messages::kTrace, index, joined(finished.trace));
   for (const std::string& remark : finished.remarks)

@@ -1,6 +1,7 @@
 #include "algorithms/lanes/outline.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -8,11 +9,21 @@
 #include <queue>
 #include <tuple>
 
+#include "algorithms/transit/short_segments.hpp"
+#include "geometry/raster.hpp"
+
 namespace oxturn {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMostPieces = 1e6;  // of one segment of the path
+constexpr double kShortest = 0.01;   // of the robot's radius: vertices nearer to each other are one
+// Tool widths that laps may keep off the boundary to run straight, tried in turn, and the share of configuration space
+// that they may lose by it.
+constexpr std::array kStraightening{1.0 / 20, 1.0 / 40, 1.0 / 80, 1.0 / 160};
+constexpr double kMostLost = 3e-4;
+constexpr double kRightAngle = 1e-6;  // cosine
+constexpr double kLongestStep = 0.5;  // tool widths: steps of a staircase are shorter
 
 using Rings = std::vector<const Ring*>;
 
@@ -302,11 +313,43 @@ class RingDrive {
   PathBuilder builder_;
 };
 
+/// Are the walls staircases, as those traced from images are? At least a quarter of their edges are steps: shorter than
+/// `longest`, at right angles to the edges before and after, which lead away to different sides.
+bool is_staircase(const Region& walls, double longest) {
+  std::size_t steps = 0;
+  const auto right_angle = [](const Point& a, const Point& b) {
+    return std::abs(a.dot(b)) <= kRightAngle * a.norm() * b.norm();
+  };
+  for_each_ring(walls, [&](const Ring& ring) {
+    const std::size_t n = ring.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point &a = ring[(i + n - 1) % n], &b = ring[i], &c = ring[(i + 1) % n], &d = ring[(i + 2) % n];
+      if (distance(b, c) < longest && right_angle(b - a, c - b) && right_angle(c - b, d - c) &&
+          (cross(b - a, c - b) > 0) != (cross(c - b, d - c) > 0))
+        ++steps;
+    }
+  });
+  return 4 * steps >= vertex_count(walls);
+}
+
 }  // namespace
+
+Region straightened_space(const Problem& problem) {
+  const Region& space = problem.configuration_space();
+  if (!is_staircase(problem.map().free, kLongestStep * problem.robot().tool_width)) return space;
+  const double whole = area(space);
+  for (const double tolerance : kStraightening) {
+    Region straight = simplify_inward(space, tolerance * problem.robot().tool_width);
+    if (whole - area(straight) <= kMostLost * whole) return straight;
+  }
+  return space;
+}
 
 Path with_outline(const Problem& problem, const Path& path, double width, const Connector& connector,
                   Context& context) {
-  return with_rings(problem, problem.configuration_space(), path, width, connector, context);
+  const double least = kShortest * problem.robot().radius;
+  const Path with_laps = with_rings(problem, straightened_space(problem), path, width, connector, context);
+  return without_short_segments(with_laps, least, connector);
 }
 
 Path with_rings(const Problem& problem, const Region& rings, const Path& path, double width, const Connector& connector,

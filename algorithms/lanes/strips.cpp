@@ -17,22 +17,47 @@ struct StripLeg {
   Polyline points;
 };
 
+/// What links between lanes are made with.
+struct Links {
+  const Problem& problem;
+  const Connector& connector;
+  double tool_width() const { return problem.robot().tool_width; }
+};
+
+/// Where a robot that leaves a lane at `a` in direction `along` turns to reach `b`, if it drives along the lanes and
+/// across them only: the farther end of the two lanes.
+Point square_corner(const Point& a, const Point& along, const Point& b) {
+  const double ahead = (b - a).dot(along);
+  return ahead > 0 ? Point(a + ahead * along) : Point(b - ahead * along);
+}
+
+/// From the end of one lane to the beginning of the next. In the open it turns square, so that both lanes end where
+/// the longer one does; along a wall it is straight, beside the wall.
+Polyline turn_between(const LaneEnds& from, bool from_up, const LaneEnds& to, bool to_up, const Links& links) {
+  const Point &a = end_of(from, from_up), &b = begin_of(to, to_up), &before = begin_of(from, from_up);
+  const bool back_and_forth = from_up != to_up && from.curve.empty() && to.curve.empty() && before != a;
+  if (back_and_forth && !links.problem.walls().nearest((a + b) / 2, links.tool_width() / 2)) {
+    const Point corner = square_corner(a, (a - before).normalized(), b);
+    if (links.connector.straight(a, corner) && links.connector.straight(corner, b)) return {a, corner, b};
+  }
+  return links.connector.path(a, b);
+}
+
 /// The link from lane i - 1 to lane i.
-Polyline link_before(const Strip& strip, std::size_t i, const std::vector<bool>& up, const Connector& connector) {
+Polyline link_before(const Strip& strip, std::size_t i, const std::vector<bool>& up, const Links& links) {
   // A given chain joins like ends only: high to high, or low to low.
   if (!strip.low_links.empty() && up[i] != up[i - 1]) return up[i] ? strip.low_links[i - 1] : strip.high_links[i - 1];
-  return connector.path(end_of(strip.lanes[i - 1], up[i - 1]), begin_of(strip.lanes[i], up[i]));
+  return turn_between(strip.lanes[i - 1], up[i - 1], strip.lanes[i], up[i], links);
 }
 
 /// Lanes and links of a strip in driving order.
-std::vector<StripLeg> legs_of(const Strip& strip, const StripPattern& pattern, double longest_link,
-                              const Connector& connector) {
+std::vector<StripLeg> legs_of(const Strip& strip, const StripPattern& pattern, const Links& links) {
   const std::vector<bool> up = strip.directions(pattern.first_up);
   std::vector<StripLeg> all;
   for (std::size_t i = 0; i < strip.lanes.size(); ++i) {
     if (i > 0) {
-      Polyline link = link_before(strip, i, up, connector);
-      const bool tool = length(link) <= longest_link;
+      Polyline link = link_before(strip, i, up, links);
+      const bool tool = length(link) <= kLongestWorkLink * links.tool_width();
       all.push_back({tool, std::move(link)});
     }
     Polyline line = line_of(strip.lanes[i]);
@@ -47,18 +72,19 @@ std::vector<StripLeg> legs_of(const Strip& strip, const StripPattern& pattern, d
 }
 
 /// The strips in driving order, each with its pattern.
-std::vector<TourStop> tour_of(const std::vector<Strip>& strips, const std::vector<TourElement>& elements,
-                              const Point& start, StripOrder order, const Connector& connector, Context& context) {
-  const TourCosts costs(start, elements, connector);
+std::vector<TourStop> tour_of(const Problem& problem, const std::vector<Strip>& strips,
+                              const std::vector<TourElement>& elements, StripOrder order, const Connector& connector,
+                              Context& context) {
+  const TourCosts costs(problem.start(), elements, connector);
   std::vector<TourStop> tour;
   if (order == StripOrder::given) {
     for (std::size_t i = 0; i < elements.size(); ++i) tour.push_back({i, 0});
   } else if (order == StripOrder::depth_first) {
     std::vector<std::vector<std::size_t>> neighbours;
     for (const Strip& s : strips) neighbours.push_back(s.neighbours);
-    tour = depth_first_tour(costs, neighbours, context);
+    tour = depth_first_tour(costs, problem, neighbours, context);
   } else {
-    tour = nearest_tour(costs, context);
+    tour = nearest_tour(costs, problem, context);
   }
   if (order == StripOrder::improved) improve_tour(costs, tour, context);
   if (!context.cancelled()) choose_patterns(costs, tour);
@@ -115,12 +141,12 @@ Path drive_strips(const Problem& problem, const std::vector<Strip>& strips, Stri
   if (context.wants_traces()) trace_lanes(strips, context);
   std::vector<TourElement> elements;
   for (const Strip& s : strips) elements.push_back(s.patterns());
-  const double longest_link = kLongestWorkLink * problem.robot().tool_width;
+  const Links links{problem, connector};
   PathBuilder path(problem.start());
-  for (const TourStop& stop : tour_of(strips, elements, problem.start(), order, connector, context)) {
+  for (const TourStop& stop : tour_of(problem, strips, elements, order, connector, context)) {
     if (context.cancelled()) break;
     path.drive(connector.path(path.at(), elements[stop.element][stop.pattern].entry), false);
-    for (const StripLeg& leg : legs_of(strips[stop.element], kStripPatterns[stop.pattern], longest_link, connector))
+    for (const StripLeg& leg : legs_of(strips[stop.element], kStripPatterns[stop.pattern], links))
       path.drive(leg.points, leg.tool);
   }
   return path.take();

@@ -3,7 +3,8 @@
 // Source      Choset and Pignon, "Coverage Path Planning: The Boustrophedon Cellular Decomposition", FSR 1997;
 //             Choset, Autonomous Robots 9, 2000
 // Model       polygons with holes, offline, disc or polygonal footprint
-// Guarantee   with `outline`: covers the whole target. Let C be configuration space, w the tool width, R the points of
+// Guarantee   with `outline`: covers the whole target (along traced walls but for 0.0003 of it, see
+//             straightened_space in outline.hpp). Let C be configuration space, w the tool width, R the points of
 //             C at least w/2 from its boundary. Driving the boundary covers all points within w/2 of it, inside and
 //             outside C. A point p of R lies in a slab no wider than w with centre line x. The point (x, p.y) is no
 //             farther from p than p from the boundary, so it lies in C, on the slab's lane, and covers p (lanes.hpp).
@@ -14,7 +15,8 @@
 //                where the path passes next to them, so no wall needs a second visit.
 //             2. cells = slab (default): one set of slabs over the whole map; a cell is a longest run of lanes that
 //                follow each other one to one. Where two critical points are nearer than w, the exact cells need an
-//                extra lane each; slabs never do. On maps traced from laser scans that is most of the length.
+//                extra lane each; slabs never do. On maps traced from laser scans that is most of the length. A
+//                component of R that is no wider than a slab takes one lane of its own.
 //             3. cells = exact: the paper's cells (of R with `outline`, of C without), with evenly spaced lanes in
 //                each. A lane whose part of the cell lies under lanes placed before is omitted.
 //             4. sweep = best counts a turn as 2 w and a break between cells as 4 w.
@@ -47,7 +49,7 @@ struct Params {
 /// What strips are made from, in the lanes' frame.
 struct Field {
   const LaneFrame& frame;
-  const Region& region;                      // to be covered by lanes
+  const Region region;                       // to be covered by lanes
   const EdgeIndex& space;                    // configuration space
   double spacing, width;                     // of lanes; of the tool
   double margin;                             // how far lane ends keep off walls
@@ -104,6 +106,39 @@ std::vector<Strip> slab_strips(const Field& f) {
     strips.push_back(to_world(run, f.frame));
   }
   for (const auto& [a, b] : links) connect(strips, strip_of[a], strip_of[b]);
+  return strips;
+}
+
+/// Strips with lanes in one direction: one set of slabs for all of `wide`, a slab of its own for each polygon of
+/// `narrow`, so that none lies astride two.
+std::vector<Strip> strips_along(double direction, const Region& wide, const Region& narrow, double spacing,
+                                const Problem& problem) {
+  if (wide.empty() && narrow.empty()) return {};
+  const LaneFrame frame(direction);
+  const EdgeIndex space(frame.to_frame(problem.configuration_space()));
+  const auto strips_of = [&](const Region& region) {
+    return slab_strips(
+        {frame, frame.to_frame(region), space, spacing, problem.robot().tool_width, 2 * problem.tolerance()});
+  };
+  std::vector<Strip> strips;
+  if (!wide.empty()) strips = strips_of(wide);
+  for (const Polygon& polygon : narrow.polygons)
+    for (Strip& strip : strips_of({{polygon}})) strips.push_back(std::move(strip));  // they have no neighbours
+  return strips;
+}
+
+/// A part of the region that is no wider than one slab takes one lane, along the others or across them.
+std::vector<Strip> slab_strips(const Region& region, double direction, double spacing, const Problem& problem) {
+  const LaneFrame frame(direction);
+  Region wide, along, across;
+  for (const Polygon& polygon : region.polygons) {
+    Box box;
+    for (const Point& p : polygon.outer) box.add(frame.to_frame(p));
+    Region& part = box.size().x() <= spacing ? along : box.size().y() <= spacing ? across : wide;
+    part.polygons.push_back(polygon);
+  }
+  std::vector<Strip> strips = strips_along(direction, wide, along, spacing, problem);
+  for (Strip& strip : strips_along(direction + 90, {}, across, spacing, problem)) strips.push_back(std::move(strip));
   return strips;
 }
 
@@ -268,11 +303,12 @@ void trace_cells(const Cells& cells, const LaneFrame& frame, Context& context) {
 std::vector<Strip> strips_in(const Region& region, const Params& p, const Problem& problem, Context& context) {
   if (region.empty()) return {};
   const double w = problem.robot().tool_width, spacing = p.spacing * w;
-  const LaneFrame frame(p.sweep == LaneDirection::given ? p.angle : best_lane_direction(region, spacing));
+  const double direction = p.sweep == LaneDirection::given ? p.angle : best_lane_direction(region, spacing);
+  if (p.cells == Decomposition::slab) return slab_strips(region, direction, spacing, problem);
+  const LaneFrame frame(direction);
   const Region rotated = frame.to_frame(region);
   const EdgeIndex space(frame.to_frame(problem.configuration_space()));
   const Field field{frame, rotated, space, spacing, w, 2 * problem.tolerance()};
-  if (p.cells == Decomposition::slab) return slab_strips(field);
   // United first: rings that touch may cross by rounding once rotated, which the exact plane sweep rejects.
   const Cells cells = boustrophedon_cells(unite({rotated}));
   std::vector<Strip> strips =
@@ -296,7 +332,7 @@ PlannerInfo boustrophedon() {
        .title = "Boustrophedon decomposition",
        .citation = "Choset, Pignon 1998",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (with outline)",
+       .guarantee = "covers the whole target (with outline; along traced walls but for 0.0003 of it)",
        .promise = Promise::target,
        .parameters =
            {{"sweep", &Params::sweep, Choices{"best", "given"}, "lane direction: the cheapest of up to 16, or `angle`"},

@@ -5,7 +5,11 @@
 // Model       horizontal lines on exact configuration space, offline, omnidirectional robot that does not rotate: disc
 //             or convex polygon
 // Guarantee   each tracking point is visited exactly once; every link lies in configuration space; links with the tool
-//             on never cross each other. No deadlock: every remaining point can be reached.
+//             on never cross each other. No deadlock: every remaining point can be reached. With `outline`, both
+//             contacts on every line and a separation of at most the tool's width w it covers the whole target (along
+//             traced walls but for 0.0003 of it, see straightened_space in outline.hpp): the
+//             boundary of configuration space C covers all points within w/2 of it; from any other point of C the foot
+//             on the nearest line is no farther than w/2, so it lies in C, on a lane.
 // Complexity  n edges, k tracking points, j jumps: O(n + k log k) and j paths, by TLPPA O(N log N) each for N cells
 // Decisions   1. Both contacts of every free interval are tracking points. `passes = alternate` is the source to the
 //                letter: contacts of one side only on each pass.
@@ -22,8 +26,10 @@
 //                count as one.
 //             4. Lines begin at the top of configuration space, and one more runs at its bottom: without it a strip up
 //                to one separation wide stays uncovered there. Lines and contacts keep 1e-6 tool widths off walls.
-//             5. The separation is half the robot's width, as in the source, or half the tool's if that is less. A tool
-//                as wide as the robot then covers everything twice.
+//             5. The separation follows the tool: its width where the outline is driven as well, which covers
+//                everything once, else half of that. separation_by = robot is the source: half the robot's width, or
+//                half the tool's if that is less. A tool as wide as the robot then covers everything twice, a wider one
+//                more often.
 //             6. The tool is on along lines and on links between neighbouring lines. It is off on other jumps: they
 //                lead over covered ground and must cross it where an obstacle encloses the rest. `links_crossing`
 //                counts the pairs of crossing links with the tool on, `transits_crossing` the other pairs.
@@ -31,8 +37,8 @@
 //                the point with the shortest path.
 //             8. Where the cells of TLPPA admit no path, the exact shortest path is driven and counted as
 //                `tlppa_failed`.
-//             9. `outline` (ours) drives the boundary of configuration space as well: between lines, slivers along
-//                slanted walls stay uncovered.
+//             9. `outline` (ours) drives the boundary of configuration space as well: without it slivers between lines
+//                stay uncovered along slanted walls.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -65,16 +71,18 @@ enum class Passes { both, alternate };
 enum class Rules { improved, published };
 enum class NearestBy { straight_distance, path_length };
 enum class TransitBy { tlppa, visibility };
+enum class SeparationBy { tool, robot };
 
 struct Params {
   double separation = 0;
+  SeparationBy separation_by = SeparationBy::tool;
   double delta_x = 0;
   Passes passes = Passes::both;
   Rules rules = Rules::improved;
   NearestBy nearest = NearestBy::straight_distance;
   TransitBy transit = TransitBy::tlppa;
   double cell_size = 0;
-  bool outline = false;
+  bool outline = true;
 };
 
 /// The links with the tool on between two neighbouring lines. None crosses another: their ends are in the same order on
@@ -324,9 +332,15 @@ class HyunRun {
   std::size_t tlppa_failed_ = 0;
 };
 
+double separation_of(const Params& p, const Robot& robot) {
+  if (p.separation > 0) return p.separation;
+  const double tool = robot.tool_width, width = height(robot);
+  if (p.separation_by == SeparationBy::robot) return (width > 0 ? std::min(width, tool) : tool) / 2;
+  return p.outline ? tool : tool / 2;
+}
+
 Path plan(const Params& p, const Problem& problem, Context& context) {
-  const double tool = problem.robot().tool_width, robot = height(problem.robot());
-  const double separation = p.separation > 0 ? p.separation : (robot > 0 ? std::min(robot, tool) : tool) / 2;
+  const double tool = problem.robot().tool_width, separation = separation_of(p, problem.robot());
   const double lines = bounding_box(problem.configuration_space()).size().y() / separation;
   if (lines > kMostLines)
     throw std::invalid_argument(
@@ -348,9 +362,14 @@ PlannerInfo hyun() {
        .title = "heuristic sweep from contact to contact",
        .citation = "Hyun, heuristic sweeping algorithm",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "both ends of every free interval of every line once; links with the tool on never cross",
+       .guarantee = "covers the whole target (with outline, both contacts and at most a tool width between lines; "
+                    "along traced walls but for 0.0003 of it); links with the tool on never cross",
+       .promise = Promise::target,
        .parameters = {{"separation", &Params::separation, Range{0, 1000},
-                       "metres between lines; 0: half the width of the robot, or of the tool if that is less"},
+                       "metres between lines; 0: as `separation_by` says"},
+                      {"separation_by", &Params::separation_by, Choices{"tool", "robot"},
+                       "tool: its width, or half of it without outline; robot: half its width, or half the tool's if "
+                       "that is less, as in the source"},
                       {"delta_x", &Params::delta_x, Range{0, 1000},
                        "metres; contacts lie on a raster this fine; 0: exact"},
                       {"passes", &Params::passes, Choices{"both", "alternate"},
@@ -364,7 +383,8 @@ PlannerInfo hyun() {
                       {"cell_size", &Params::cell_size, Range{0, 1000},
                        "metres; side of the fine cells of tlppa; 0: half the separation"},
                       {"outline", &Params::outline, "also drive the boundary of configuration space"}},
-       .published = {{"passes", std::string("alternate")},
+       .published = {{"separation_by", std::string("robot")},
+                     {"passes", std::string("alternate")},
                      {"rules", std::string("published")},
                      {"nearest", std::string("air")},
                      {"transit", std::string("tlppa")},

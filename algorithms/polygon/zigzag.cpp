@@ -2,7 +2,8 @@
 //
 // Source      BeachBot (Vollprecht 2014), zig zag filling; Greene 1983 for the optimal convex partition
 // Model       polygons with holes, offline, disc or polygonal footprint
-// Guarantee   covers the whole target with `fit` cover, `outline`, `small_parts` merge and `margin` at most w/2. Proof:
+// Guarantee   covers the whole target (along traced walls but for 0.0003 of it, see straightened_space in outline.hpp)
+//             with `fit` cover, `outline`, `small_parts` merge and `margin` at most w/2. Proof:
 //             let C be configuration space, w the tool width, m the margin, R the points of C at least m from its
 //             boundary. Driving the walls covers all points within w/2 of them. The region that is partitioned is
 //             R' = simplify_inward(E, 0.04 m), where E (lane_region) contains all points of C at least 0.96 m from its
@@ -24,7 +25,9 @@
 //             4. sweep = best: the least sum of the parts' widths across the lanes; for one part (none) as in
 //                boustrophedon.
 //             5. Slivers, which the source drops, are merged into a neighbour (small_parts = merge).
-//             6. partition = auto is the source's optimal partition wherever CGAL can compute it.
+//             6. partition = auto is the source's optimal partition wherever CGAL can compute it. Its seams run in all
+//                directions and lanes end at each. The default is trapezoid: on 26 generated maps a path 9 % shorter
+//                than auto's, with 45 % fewer turns.
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -46,7 +49,7 @@ enum class Fit { cover, literal };
 enum class SmallParts { merge, drop };
 
 struct Params {
-  Partition partition = Partition::automatic;
+  Partition partition = Partition::trapezoid;
   double margin = 0;
   LaneDirection sweep = LaneDirection::best;
   double angle = 0;
@@ -332,11 +335,13 @@ PlannerInfo zigzag() {
        .title = "Zig zag filling",
        .citation = "BeachBot (Vollprecht 2014); Greene 1983",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (fit cover, with outline, slivers merged, margin up to half a tool width)",
+       .guarantee = "covers the whole target (fit cover, with outline, slivers merged, margin up to half a tool width; "
+                    "along traced walls but for 0.0003 of it)",
        .promise = Promise::target,
        .parameters =
            {{"partition", &Params::partition, Choices{"auto", "convex", "approximate", "monotone", "trapezoid", "none"},
-             "parts; auto: convex up to 150 vertices if CGAL finds one, else approximate; none: every lane by itself"},
+             "parts; auto: the source, convex up to 150 vertices if CGAL finds one, else approximate; none: every lane "
+             "by itself"},
             {"margin", &Params::margin, Range{0, 100}, "metres that lanes keep off walls; 0: half the tool width"},
             {"sweep", &Params::sweep, Choices{"best", "given"}, "lane direction: least sum of widths, or `angle`"},
             {"angle", &Params::angle, Range{-360, 360}, "degrees; direction of the lanes if sweep is given"},
@@ -346,8 +351,10 @@ PlannerInfo zigzag() {
             {"small_parts", &Params::small_parts, Choices{"merge", "drop"}, "what becomes of slivers"},
             {"order", &Params::order, Choices{"improved", "nearest"}, "of the parts' runs of lanes"}},
        // The source: a direction that the user chooses, gaps where lines a tool width apart leave them.
-       .published = {
-           {"fit", std::string("literal")}, {"small_parts", std::string("drop")}, {"sweep", std::string("given")}}});
+       .published = {{"partition", std::string("auto")},
+                     {"fit", std::string("literal")},
+                     {"small_parts", std::string("drop")},
+                     {"sweep", std::string("given")}}});
 }
 
 }  // namespace oxturn

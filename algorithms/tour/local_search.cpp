@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kGain = 1e-9;          // metres; a smaller gain may be rounding
 constexpr int kMostRounds = 8;          // over the whole tour
+constexpr double kMostDetour = 8;       // path over straight distance: a port behind a long wall is no neighbour
 constexpr std::size_t kLongestRun = 3;  // stops that are moved together (Or 1976)
 
 /// So many path searches keep a tour of thousands of elements within seconds.
@@ -68,6 +69,10 @@ class LocalSearch {
       });
   }
 
+  /// Length of a connection that a move would add. Its search ends early if it leads far round.
+  double added_path(std::size_t a, std::size_t b, double longest) const {
+    return costs_.exact(a, b, std::min(longest, kMostDetour * costs_.bound(a, b)));
+  }
   void renumber(std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) index_of_[tour_[i].element] = i;
   }
@@ -123,8 +128,8 @@ class LocalSearch {
     }
     if (removed - lower <= kGain) return false;
     const double rest = has_next ? costs_.bound(in, next) : 0;
-    double added = costs_.exact(before, out, removed - rest);
-    if (has_next && added < TourCosts::kFar) added += costs_.exact(in, next, removed - added);
+    double added = added_path(before, out, removed - rest);
+    if (has_next && added < TourCosts::kFar) added += added_path(in, next, removed - added);
     if (removed - added <= kGain) return false;
     std::reverse(tour_.begin() + static_cast<std::ptrdiff_t>(i), tour_.begin() + static_cast<std::ptrdiff_t>(j) + 1);
     for (std::size_t k = i; k <= j; ++k) tour_[k] = costs_.reversed(tour_[k]);
@@ -146,7 +151,7 @@ class LocalSearch {
     if (has_next) {
       const std::size_t before = exit_before(i), next = costs_.entry(tour_[last + 1]);
       if (removed - costs_.bound(before, next) <= kGain) return false;
-      closed = costs_.exact(before, next, removed);
+      closed = added_path(before, next, removed);
       if (removed - closed <= kGain) return false;
     }
     const std::vector<Variant> variants = variants_of(i, count);
@@ -176,8 +181,8 @@ class LocalSearch {
       const auto& [head, tail, extra] = variants[v];
       const double rest = gap.has_right ? costs_.bound(costs_.exit(tail), gap.right) : 0;
       if (closed + extra + costs_.bound(gap.left, costs_.entry(head)) + rest >= best) continue;
-      double added = closed + extra + costs_.exact(gap.left, costs_.entry(head), best - closed - extra - rest);
-      if (gap.has_right && added < best) added += costs_.exact(costs_.exit(tail), gap.right, best - added);
+      double added = closed + extra + added_path(gap.left, costs_.entry(head), best - closed - extra - rest);
+      if (gap.has_right && added < best) added += added_path(costs_.exit(tail), gap.right, best - added);
       if (added < best) {
         best = added;
         chosen = v;

@@ -1,7 +1,7 @@
 /// An open tour from a given start over elements, each of which can be driven in several patterns.
 ///
 ///   const TourCosts costs(start, elements, connector);
-///   std::vector<TourStop> tour = nearest_tour(costs, context);
+///   std::vector<TourStop> tour = nearest_tour(costs, problem, context);
 ///   improve_tour(costs, tour, context);
 ///
 /// Nearest neighbour; Or-opt (Or 1976) and 2-opt (Croes 1958) over neighbour lists; the pattern of each element by
@@ -16,17 +16,18 @@
 
 namespace oxturn {
 
-/// Always to the nearest entry by path length; only the 24 nearest by straight distance are considered.
-/// About O(n log n) steps besides the path searches.
-std::vector<TourStop> nearest_tour(const TourCosts& costs, Context& context);
+/// Always to the nearest entry by path length, as a wave through the triangles of free space finds it
+/// (transit/nearest_component.hpp). Each step costs what is nearer than the answer. `problem` is that of the connector.
+std::vector<TourStop> nearest_tour(const TourCosts& costs, const Problem& problem, Context& context);
 /// Depth-first over the graph `neighbours`: from an element to its nearest unvisited neighbour; if there is none, to
 /// the nearest unvisited neighbour of the element visited last that still has one; else to the nearest element.
-std::vector<TourStop> depth_first_tour(const TourCosts& costs, const std::vector<std::vector<std::size_t>>& neighbours,
-                                       Context& context);
+std::vector<TourStop> depth_first_tour(const TourCosts& costs, const Problem& problem,
+                                       const std::vector<std::vector<std::size_t>>& neighbours, Context& context);
 /// Or-opt and 2-opt moves until none helps or the effort is spent. Never longer than before. O(n log n), and some
 /// hundred candidates for each stop in a round of moves.
 void improve_tour(const TourCosts& costs, std::vector<TourStop>& tour, Context& context);
-/// The best patterns for this order. O(n p^2) path lengths for p patterns an element.
+/// The best patterns for this order; where consecutive elements are far apart, by paths with the same bends. O(n p^2)
+/// path lengths for p patterns an element.
 void choose_patterns(const TourCosts& costs, std::vector<TourStop>& tour);
 
 }  // namespace oxturn

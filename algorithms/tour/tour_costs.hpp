@@ -61,11 +61,13 @@ class TourCosts {
 
   /// Straight distance, a lower bound of exact().
   double bound(std::size_t a, std::size_t b) const { return distance(at(a), at(b)); }
+  /// The straight segment is free, so it is the path.
+  bool in_sight(std::size_t a, std::size_t b) const { return connector_.straight(at(a), at(b)); }
   /// Path length, or kFar if it is longer than `longest`: limits keep searches for hopeless moves short.
   double exact(std::size_t a, std::size_t b, double longest = kFar) const {
     if (a == b) return 0;
     const auto [low, high] = std::minmax(a, b);
-    Known& known = known_[static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high)];
+    Known& known = known_of(a, b);
     if (known.length < kFar) return known.length <= longest ? known.length : kFar;
     if (longest <= known.none_up_to || longest < bound(a, b)) return kFar;
     ++searches_;
@@ -76,10 +78,16 @@ class TourCosts {
       known.none_up_to = longest;
     return d;
   }
-  /// The same, but neither looked up nor remembered.
+  /// exact(a, b) is this from now on.
+  void remember(std::size_t a, std::size_t b, double length) const { known_of(a, b).length = length; }
+  /// As exact(), but neither looked up nor remembered.
   double searched(std::size_t a, std::size_t b, double longest) const {
     return connector_.length(at(a), at(b), longest);
   }
+  /// The path itself. Throws if there is none.
+  Polyline path(std::size_t a, std::size_t b) const { return connector_.path(at(a), at(b)); }
+  /// From a port to any point.
+  double length(std::size_t a, const Point& b) const { return connector_.length(at(a), b); }
   /// How often exact() had to search.
   std::size_t searches() const { return searches_; }
 
@@ -89,6 +97,10 @@ class TourCosts {
     double length = kFar;
     double none_up_to = -kFar;  // the path is longer than this
   };
+  Known& known_of(std::size_t a, std::size_t b) const {
+    const auto [low, high] = std::minmax(a, b);
+    return known_[static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high)];
+  }
 
   const std::vector<TourElement>& elements_;
   const Connector& connector_;

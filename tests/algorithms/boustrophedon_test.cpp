@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "coverage_oracle.hpp"
+#include "geometry/overlay/boolean.hpp"
 #include "geometry/trace.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/maps.hpp"
@@ -150,6 +151,23 @@ TEST(Boustrophedon, TracesWhatItDrives) {
   Context context(1, 1e9, sinks);
   built_in_planner("boustrophedon", {{"cells", std::string("exact")}})->plan(p, context);
   EXPECT_THAT(names, testing::ElementsAre("cells", "lanes"));
+}
+
+// What is left of a narrow room beside its walls takes one lane along it, not many short ones across.
+TEST(Boustrophedon, ANarrowRoomTakesOneLane) {
+  const Region free =
+      unite({box_region({0, 0}, {8, 4}), box_region({2, 4}, {2.6, 4.5}), box_region({2, 4.5}, {2.9, 8})});
+  const Problem p(Map{"annex", free, "", ""}, disc(0.2, 0.4), Point(4, 2));
+  std::vector<Polyline> lanes;
+  Context::Sinks sinks;
+  sinks.trace = [&](const Trace& t) { lanes = t.lines; };
+  Context context(1, 1e9, sinks);
+  const Path path =
+      built_in_planner("boustrophedon", {{"sweep", std::string("given")}, {"angle", 0.0}})->plan(p, context);
+  EXPECT_EQ(uncovered_share(p, path, 1500), 0);
+  int in_annex = 0;
+  for (const Polyline& lane : lanes) in_annex += lane.front().y() > 4.4 ? 1 : 0;
+  EXPECT_EQ(in_annex, 1);
 }
 
 TEST(Boustrophedon, AnUnknownOrderIsOneSentence) {

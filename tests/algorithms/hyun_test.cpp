@@ -79,7 +79,13 @@ std::optional<Problem> small_problem(std::uint64_t seed) {
   } catch (const std::invalid_argument&) { return std::nullopt; }
 }
 
-double separation_of(const Problem& problem) {
+/// As in the source: lanes sized by the robot, no outline.
+Settings as_in_source(Settings more = {}) {
+  more.insert({"separation_by", std::string("robot")});
+  more.insert({"outline", false});
+  return more;
+}
+double source_separation(const Problem& problem) {
   return std::min(height(problem.robot()), problem.robot().tool_width) / 2;
 }
 
@@ -92,11 +98,12 @@ TEST(Hyun, EveryPathIsValidAndEveryPointIsVisitedOnce) {
     const Problem& problem = *made;
     polygonal += problem.robot().footprint.empty() ? 0 : 1;
     Records records;
-    const Path path = plan_hyun(problem, setting("transit", seed % 2 == 0 ? "tlppa" : "visibility"), &records);
+    const Path path =
+        plan_hyun(problem, as_in_source(setting("transit", seed % 2 == 0 ? "tlppa" : "visibility")), &records);
     ASSERT_EQ(find_flaw(problem, path), "");
 
     const double keep_off = 1e-6 * problem.robot().tool_width;
-    const TrackingLines lines = tracking_lines(problem.configuration_space(), separation_of(problem), keep_off, 0);
+    const TrackingLines lines = tracking_lines(problem.configuration_space(), source_separation(problem), keep_off, 0);
     EXPECT_EQ(records["tracking_points"], static_cast<double>(lines.points.size()));
     std::map<std::pair<double, double>, int> unvisited;
     for (const TrackingPoint& t : lines.points)
@@ -132,7 +139,7 @@ TEST(Hyun, LinksNeverCross) {
     const std::optional<Problem> made = small_problem(seed);
     if (!made) continue;
     Records records;
-    const Path path = plan_hyun(*made, setting("nearest", seed % 2 == 0 ? "air" : "path"), &records);
+    const Path path = plan_hyun(*made, as_in_source(setting("nearest", seed % 2 == 0 ? "air" : "path")), &records);
     EXPECT_EQ(records["links_crossing"], 0);
     std::vector<std::pair<Point, Point>> on;
     for (const Leg& leg : path.legs)
@@ -281,7 +288,7 @@ TEST(Hyun, AnEmptyRoomTakesLanesOnly) {
   robot.tool_width = 1;
   const Problem problem({"hall", box_region({0, 0}, {11, 8}), "test", ""}, robot, Point(5, 4));
   Records records;
-  const Path path = plan_hyun(problem, {}, &records);
+  const Path path = plan_hyun(problem, as_in_source(), &records);
   EXPECT_EQ(records["links_planned"], 0);
   EXPECT_EQ(records["transits_crossing"], 0);
   EXPECT_EQ(records["tracking_points"], 30);  // 7 m, lines half a metre apart, both ends
@@ -304,7 +311,7 @@ TEST(Hyun, TheMapOfThePaper) {
     SCOPED_TRACE(seed);
     const Problem problem(generate("hyun", {{"jitter", seed == 1 ? 0.0 : 1.0}}, seed), octagonal());
     Records records;
-    const Path path = plan_hyun(problem, {}, &records);
+    const Path path = plan_hyun(problem, as_in_source(), &records);
     const Score s = score(problem, path);
     EXPECT_EQ(s.flaw, "");
     EXPECT_GT(*s.value("coverage"), 0.99);
@@ -329,15 +336,16 @@ TEST(Hyun, ThePublishedRulesEndToo) {
     const std::optional<Problem> made = small_problem(seed);
     if (!made) continue;
     for (const char* passes : {"both", "alternate"}) {
-      const Path path = plan_hyun(*made, {{"rules", std::string("published")}, {"passes", std::string(passes)}});
+      const Path path =
+          plan_hyun(*made, as_in_source({{"rules", std::string("published")}, {"passes", std::string(passes)}}));
       EXPECT_EQ(find_flaw(*made, path), "") << passes;
     }
   }
   // On the paper's map they leave much uncovered: contacts at walls are linked across, those at obstacles on one side.
   const Problem problem(generate("hyun", {}, 1), octagonal());
   Records improved, published;
-  const Path ours = plan_hyun(problem, {}, &improved);
-  const Path printed = plan_hyun(problem, setting("rules", "published"), &published);
+  const Path ours = plan_hyun(problem, as_in_source(), &improved);
+  const Path printed = plan_hyun(problem, as_in_source(setting("rules", "published")), &published);
   EXPECT_EQ(published["tracking_points"], improved["tracking_points"]);
   EXPECT_GT(published["links_planned"], improved["links_planned"]);
   EXPECT_LT(*score(problem, printed).value("coverage"), *score(problem, ours).value("coverage") - 0.1);
@@ -346,7 +354,8 @@ TEST(Hyun, ThePublishedRulesEndToo) {
 // The arms of a spiral: the nearest point by straight distance is behind the wall, and the path to it goes round.
 TEST(Hyun, ByPathLengthItDoesNotGoBackAndForthBetweenArms) {
   const Problem problem(generate("spiral", {{"width", 12.0}, {"height", 12.0}}, 3), Robot{});
-  const Path by_air = plan_hyun(problem), by_path = plan_hyun(problem, setting("nearest", "path"));
+  const Path by_air = plan_hyun(problem, as_in_source()),
+             by_path = plan_hyun(problem, as_in_source(setting("nearest", "path")));
   EXPECT_EQ(find_flaw(problem, by_air), "");
   EXPECT_EQ(find_flaw(problem, by_path), "");
   EXPECT_LT(by_path.length(false), 0.5 * by_air.length(false));
@@ -354,12 +363,32 @@ TEST(Hyun, ByPathLengthItDoesNotGoBackAndForthBetweenArms) {
 
 TEST(Hyun, OutlineRaisesCoverage) {
   const Problem problem(generate("cave", {{"width", 12.0}, {"height", 10.0}}, 3), Robot{});
-  const Path plain = plan_hyun(problem), outlined = plan_hyun(problem, {{"outline", true}});
+  const Path plain = plan_hyun(problem, {{"outline", false}}), outlined = plan_hyun(problem);
   const Score a = score(problem, plain), b = score(problem, outlined);
   EXPECT_EQ(a.flaw, "");
   EXPECT_EQ(b.flaw, "");
   EXPECT_GT(*b.value("coverage"), *a.value("coverage"));
   EXPECT_GT(*b.value("coverage"), 0.995);
+}
+
+// Lanes follow the tool, however narrow the robot: the path is not many times longer than the tool needs, and nothing
+// is lost.
+TEST(Hyun, CoversTheTargetOnceWithAnyTool) {
+  for (const double tool : {0.05, 0.1, 0.4, 1.0, 3.0})
+    for (const char* generator : {"rooms", "field", "cave"}) {
+      SCOPED_TRACE(fmt::format("{} with a tool of {} m", generator, tool));
+      Robot robot;
+      robot.radius = 0.1;
+      robot.tool_width = tool;
+      const Problem problem(generate(generator, {{"width", 14.0}, {"height", 11.0}}, 5), robot);
+      const Score covering = score(problem, plan_hyun(problem));
+      EXPECT_EQ(covering.flaw, "");
+      EXPECT_GT(*covering.value("coverage"), 0.9999);
+      const double open_floor = 14.0 * 11.0 / tool;  // its lanes, without doors and walls
+      EXPECT_LT(*covering.value("path_m"), 1.3 * open_floor + 2.5 * perimeter(problem.configuration_space()));
+      const Score source = score(problem, plan_hyun(problem, as_in_source()));
+      if (tool > 0.4) { EXPECT_GT(*source.value("path_m"), 2 * *covering.value("path_m")); }
+    }
 }
 
 TEST(Hyun, NoTrackingPointIsOneSentence) {

@@ -6,6 +6,7 @@
 #include "algorithms/tour/open_tour.hpp"
 #include "algorithms/tour/point_grid.hpp"
 #include "tests/support/drawn.hpp"
+#include "tests/support/maps.hpp"
 #include "tests/support/seeds.hpp"
 
 namespace oxturn {
@@ -77,7 +78,7 @@ TEST(OpenTour, ImprovedToursAreNearlyOptimal) {
     const auto elements = random_segments(6, seed);
     const TourCosts costs(p.start(), elements, connector);
     Context context;
-    auto tour = nearest_tour(costs, context);
+    auto tour = nearest_tour(costs, p, context);
     expect_each_once(tour, 6);
     const double first = path_cost(costs, tour);
     EXPECT_NEAR(first, straight_cost(p.start(), elements, tour), 1e-9);
@@ -118,7 +119,7 @@ TEST(OpenTour, ImprovingShortensAndKeepsEveryElement) {
     const auto elements = random_segments(120, seed);
     const TourCosts costs(p.start(), elements, connector);
     Context context;
-    auto tour = nearest_tour(costs, context);
+    auto tour = nearest_tour(costs, p, context);
     const double first = path_cost(costs, tour);
     improve_tour(costs, tour, context);
     expect_each_once(tour, 120);
@@ -133,7 +134,7 @@ TEST(OpenTour, DepthFirstGoesToNeighboursWhileThereAreAny) {
   std::vector<std::vector<std::size_t>> ring(30);  // a cycle: depth-first must follow it
   for (std::size_t i = 0; i < 30; ++i) ring[i] = {(i + 1) % 30, (i + 29) % 30};
   Context context;
-  const auto tour = depth_first_tour(TourCosts(p.start(), elements, connector), ring, context);
+  const auto tour = depth_first_tour(TourCosts(p.start(), elements, connector), p, ring, context);
   expect_each_once(tour, 30);
   int jumps = 0;
   for (std::size_t i = 1; i < tour.size(); ++i) {
@@ -149,9 +150,38 @@ TEST(OpenTour, NearestMeasuresPathsAroundWalls) {
   const Connector connector(p);
   const std::vector<TourElement> elements{segment({4.3, 0.5}, {4.3, 0.7}), segment({0.3, 0.5}, {0.3, 0.7})};
   Context context;
-  const auto tour = nearest_tour(TourCosts(p.start(), elements, connector), context);
+  const auto tour = nearest_tour(TourCosts(p.start(), elements, connector), p, context);
   ASSERT_EQ(tour.size(), 2u);
   EXPECT_EQ(tour[0].element, 1u);
+}
+
+// In an apartment most elements are behind walls. Choosing patterns never makes the tour clearly longer, although far
+// jumps are compared by one path, and the whole order asks for few exact paths.
+TEST(OpenTour, FarElementsCostFewSearches) {
+  for (const auto seed : seeds(5)) {
+    const Problem p(generate("rooms", {{"width", 30.0}, {"height", 30.0}, {"rooms", std::int64_t{45}}}, seed), Robot{});
+    const Connector connector(p);
+    Rng rng(seed);
+    std::vector<TourElement> elements;
+    while (elements.size() < 150) {
+      const Point a(rng.between(0.0, 30.0), rng.between(0.0, 30.0)), b = a + Point(0.5, 0.3);
+      if (p.walls().contains(a, b)) elements.push_back(segment(a, b));
+    }
+    const TourCosts costs(p.start(), elements, connector);
+    Context context;
+    auto tour = nearest_tour(costs, p, context);
+    expect_each_once(tour, 150);
+    EXPECT_EQ(costs.searches(), 0u);
+    choose_patterns(costs, tour);
+    EXPECT_LT(costs.searches(), 600u);
+    const double first = path_cost(costs, tour);
+    improve_tour(costs, tour, context);
+    expect_each_once(tour, 150);
+    EXPECT_LE(path_cost(costs, tour), first + 1e-9);
+    const double improved = path_cost(costs, tour);
+    choose_patterns(costs, tour);
+    EXPECT_LE(path_cost(costs, tour), 1.005 * improved);
+  }
 }
 
 TEST(PointGrid, VisitsInOrderOfDistance) {
