@@ -195,6 +195,9 @@ void finish_run(const Work& work, const Setting& setting, std::size_t index, con
       finished.breach ? *finished.breach : judge(planned, finished.score, work.suite.target_coverage);
   end(row, verdict.outcome, verdict.reason);
   if (planned.promised) row.cells["promise"] = to_text(Promise::cells);
+  // The planner's default settings promise cells, these do not.
+  if (!planned.promised && planned.outcome == Outcome::ok && task.promise == Promise::cells)
+    row.cells["promise"] = to_text(Promise::nothing);
   if (!planned.records.empty()) send_message(fd, messages::kMetrics, index, joined(metric_lines(planned.records)));
   if (!finished.trace.empty()) send_message(fd, messages::kTrace, index, joined(finished.trace));
   for (const std::string& remark : finished.remarks)

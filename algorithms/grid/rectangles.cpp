@@ -171,6 +171,7 @@ PlannerInfo rectangles() {
        .citation = "MyCarbot (TH Nuernberg)",
        .capabilities = {Capability::online, Capability::holes, Capability::footprint},
        .guarantee = "every cell of a drivable rectangle of at least 2 x 2 cells, except skipped columns",
+       .promise = Promise::cells,
        .parameters = {
            cell_size_line<P>("side of a cell, metres; 0: half the robot's width"),
            {"choose", &P::choose, Choices{"first", "nearest"},

@@ -37,6 +37,8 @@
 #include "algorithms/grid/spanning_trees.hpp"
 #include "algorithms/grid/uncovered_samples.hpp"
 #include "algorithms/grid/wall_loops.hpp"
+#include "algorithms/lattice/promised_cells.hpp"
+#include "geometry/overlay/boolean.hpp"
 
 namespace oxturn {
 namespace {
@@ -149,6 +151,15 @@ std::optional<Point> inner_point(const EdgeIndex& space, const Point& p, double 
   return std::nullopt;
 }
 
+/// What the tool covers along a line, without its round ends.
+void add_swath(const Polyline& line, double tool_width, std::vector<Region>& parts) {
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const Point &a = line[k - 1], &b = line[k];
+    const Point along = (b - a).normalized(), left = tool_width / 2 * Point(-along.y(), along.x());
+    parts.push_back({{{{a - left, b - left, b + left, a + left}, {}}}});
+  }
+}
+
 /// One run of the planner.
 class StcWithLoops {
  public:
@@ -172,6 +183,7 @@ class StcWithLoops {
     path_.drive(tree_.path_around(), true);
     if (path_.at() == problem_.start() && tree_.vertices().size() < 2)
       throw Infeasible("neither a coarse cell nor a node of a loop fits; a smaller cell_size may");
+    if (context_.wants_promise()) promise(loops.chains());
     if (context_.wants_traces()) trace_merged_tree();
     context_.record("loops", loops.count());
     context_.record("broken_loops", loops.broken());
@@ -207,7 +219,10 @@ class StcWithLoops {
       attached[static_cast<std::size_t>(components.of[entry.coarse])] = true;
     };
     std::optional<ComponentOrder::Entry> entry = order.first();
-    if (entry) path_.drive(entry->path, false);
+    if (entry) {
+      path_.drive(entry->path, false);
+      first_ = Cell{entry->at.i & ~1, entry->at.j & ~1};
+    }
     while (entry && !context_.cancelled()) {
       attach_component(*entry);
       if (p_.components == Components::start) break;
@@ -278,6 +293,18 @@ class StcWithLoops {
     tree_.for_each_new_segment([&](const Point& a, const Point& b) { samples.cover(a, b); });
   }
 
+  void promise(const std::vector<NodeChain>& chains) {
+    std::vector<Polyline> laps;
+    for (const NodeChain& chain : chains) laps.push_back(chain.nodes);
+    const double width = problem_.robot().tool_width;
+    context_.promise([fine = fine_, first = first_, components = p_.components, laps = std::move(laps), width] {
+      std::vector<Region> parts;
+      if (first) parts.push_back(squares_of(fine, coarse_sub_cells(fine, components, *first), width));
+      for (const Polyline& lap : laps) add_swath(lap, width, parts);
+      return unite(parts);
+    });
+  }
+
   void trace_merged_tree() {
     std::vector<Polyline> merged = tree_lines(cells_);
     for (const auto& [a, b] : tree_.edges()) merged.push_back({tree_.vertices()[a], tree_.vertices()[b]});
@@ -293,6 +320,7 @@ class StcWithLoops {
   LatticePaths paths_;
   BranchTree tree_;
   std::vector<bool> in_tree_;  // coarse cells
+  std::optional<Cell> first_;  // the lower left sub-cell of the coarse cell that the tree begins with
   PathBuilder path_;
   int by_path_ = 0, lost_ = 0, fill_points_ = 0;
 };
@@ -309,6 +337,7 @@ PlannerInfo stc_loops() {
        .citation = "Improving Spanning Tree Coverage (lecture slides), after Gabriely & Rimon 2001",
        .capabilities = {Capability::holes},
        .guarantee = "what stc covers, and one lap along every wall that the robot can follow",
+       .promise = Promise::cells,
        .parameters = with_tree_options<Params>(
            {{"epsilon", &Params::epsilon, Range{0, 1},
              "how much farther off the walls than the radius loops run, in radii"},
