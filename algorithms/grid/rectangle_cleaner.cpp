@@ -93,20 +93,37 @@ class RectangleCleaner {
     return std::nullopt;
   }
 
+  /// The partition in which no rectangle begins with columns that have to be skipped. Such columns count as done, and
+  /// what is left of their rectangles may form larger ones with its neighbours; so it is made anew without them.
+  std::vector<CellRectangle> partition() {
+    BitGrid world = dirty_cells();
+    for (;;) {
+      std::vector<CellRectangle> all = rectangles_of(world, p_.scan);
+      bool anew = false;
+      for (const CellRectangle& whole : all) {
+        CellRectangle r = whole;
+        if (whole.width() < p_.smallest || whole.height() < p_.smallest || !start_of(r)) continue;
+        for (int i = whole.left; i < r.left; ++i) {
+          ++result_.skipped_columns;
+          skip(i, r.bottom, r.top);
+          for (int j = r.bottom; j <= r.top; ++j) world.set(i, j, false);
+          anew = true;
+        }
+      }
+      if (!anew || context_.cancelled()) return all;
+    }
+  }
+
   std::vector<Job> jobs() {
-    const std::vector<CellRectangle> all = rectangles_of(dirty_cells(), p_.scan);
+    const std::vector<CellRectangle> all = partition();
     if (context_.wants_traces()) trace_rectangles(all);
     std::vector<Job> drivable;
-    for (const CellRectangle& whole : all) {
-      CellRectangle r = whole;
+    for (CellRectangle r : all) {
+      const int cells = r.width() * r.height();
       const std::optional<Run> start = start_of(r);
       if (!start || r.width() < p_.smallest || r.height() < p_.smallest) {
-        result_.small_cells += static_cast<std::size_t>(whole.width() * whole.height());
+        result_.small_cells += static_cast<std::size_t>(cells);
         continue;
-      }
-      for (int i = whole.left; i < r.left; ++i) {
-        ++result_.skipped_columns;
-        skip(i, r.bottom, r.top);
       }
       skip(r.left, r.bottom, start->low - 1);
       drivable.push_back({r, *start});
@@ -147,7 +164,12 @@ class RectangleCleaner {
     if (jobs.empty() && !p_.revisit_skipped && p_.lanes != Lanes::diagonal) return false;
     if (const auto node = paths_.node_near(problem_.start())) {
       at_ = *node;
-      path_.drive(graph_.centre(at_), true);  // it may be a run of its own
+      // A run of one node has no length to cover, so the tool is on already when the robot arrives.
+      const bool covers = std::any_of(jobs.begin(), jobs.end(), [&](const Job& job) {
+        return start_node(job) == at_ && job.start.low == job.start.high;
+      });
+      const Cell c = graph_.cell(at_);
+      path_.drive(graph_.centre(at_), covers || !(graph_.passable(c, kNorth) || graph_.passable(c, kSouth)));
       return true;
     }
     if (!jobs.empty())
