@@ -4,6 +4,14 @@
 #include <utility>
 
 namespace oxturn {
+namespace {
+
+bool repeats(const Point& a, const Point& b) {
+  constexpr double kRounding = 1e-12;
+  return (a - b).cwiseAbs().maxCoeff() <= kRounding * a.cwiseAbs().cwiseMax(b.cwiseAbs()).maxCoeff();
+}
+
+}  // namespace
 
 double Path::length() const {
   double sum = 0;
@@ -20,7 +28,7 @@ double Path::length(bool tool) const {
 
 void PathBuilder::drive(const Polyline& points, bool tool) {
   for (const Point& p : points) {
-    if (p == at_) continue;
+    if (repeats(p, at_)) continue;
     if (path_.legs.empty() || path_.legs.back().tool != tool) path_.legs.push_back({tool, {at_}});
     path_.legs.back().points.push_back(p);
     at_ = p;
@@ -30,7 +38,7 @@ void PathBuilder::drive(const Polyline& points, bool tool) {
 void PathBuilder::drive(Polyline&& points, bool tool) {
   const bool new_leg = path_.legs.empty() || path_.legs.back().tool != tool;
   if (!new_leg || points.size() < 2 || points.front() != at_ ||
-      std::adjacent_find(points.begin(), points.end()) != points.end())
+      std::adjacent_find(points.begin(), points.end(), repeats) != points.end())
     return drive(static_cast<const Polyline&>(points), tool);
   at_ = points.back();
   path_.legs.push_back({tool, std::move(points)});

@@ -23,14 +23,15 @@ struct Path {
   double length(bool tool) const;
 };
 
-/// Builds a well-formed Path: drops repeated points and merges consecutive legs of the same kind. Points in the middle
-/// of a straight line are kept.
+/// Builds a well-formed Path: drops repeated points and merges consecutive legs of the same kind. A point repeats the
+/// one before also if they differ by rounding alone (1e-12 of the coordinates), as where the end of a lane was computed
+/// from one side and the beginning of the next path from the other. Points in the middle of a straight line are kept.
 class PathBuilder {
  public:
   explicit PathBuilder(const Point& start) : at_(start) {}
   /// Where the path ends.
   const Point& at() const { return at_; }
-  /// Appends `points` to the path; a first point equal to its end is dropped.
+  /// Appends `points` to the path; a first point that repeats its end is dropped.
   void drive(const Polyline& points, bool tool);
   void drive(Polyline&& points, bool tool);  // moved, not copied, where they become a leg of their own
   void drive(const Point& to, bool tool) { drive(Polyline{to}, tool); }

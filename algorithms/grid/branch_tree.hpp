@@ -6,7 +6,7 @@
 ///   tree.attach(chain, BranchTree::Kind::chain);
 ///   path.drive(tree.path_around(), true);
 ///
-/// Source      Improving Spanning Tree Coverage (lecture slides), "Merged Spanning Tree"
+/// Source      "Improving Spanning Tree Coverage" (lecture slides), "Merged Spanning Tree"
 /// Guarantee   always a tree: a piece adds its vertices, the edges between them, and one branch
 /// Complexity  attaching O(vertices within 24 spacings), usually O(1), and a path if none of them is visible: O(lattice
 ///             nodes nearer than the answer); the path around O(vertices)
@@ -37,7 +37,7 @@ class BranchTree {
   enum class Kind {
     chain,  // driven there and back
     round,  // driven once; its last point repeats its first and is the same vertex
-    loop    // as on the slides: the last point repeats the first but is a vertex of its own; driven there and back
+    loop    // as in the source: the last point repeats the first but is a vertex of its own; driven there and back
   };
   /// The piece that the tree begins with.
   void begin(const Polyline& piece, Kind kind);

@@ -73,8 +73,8 @@ Path drive_cells(const Problem& problem, Context& context, const CellOptions& op
       grid_at_start(problem, options.side(problem.robot()), lattice_angle(options.align, problem.map().free));
   if (needs.diagonals) graph.add_diagonals(problem.configuration_space());
   CellRobot robot = robot_at_start(problem, graph, needs.reach);
-  if (needs.all_cells && context.wants_promise())
-    promise_connected_cells(context, graph, graph.cell_of(problem.start()), problem.robot().tool_width);
+  if (needs.all_cells)
+    promise_free_cells(context, graph, Components::start, graph.cell_of(problem.start()), problem.robot().tool_width);
   if (context.wants_traces()) context.trace("lattice", lattice_lines(graph));
   drive(robot);
   return robot.take();

@@ -5,6 +5,7 @@
 
 #include "algorithms/grid/sub_cell_tree.hpp"
 #include "algorithms/lattice/cell_robot.hpp"
+#include "algorithms/lattice/promised_cells.hpp"
 #include "algorithms/transit/nearest_component.hpp"
 
 namespace oxturn {
@@ -82,6 +83,7 @@ class PartialStc {
   Path run() {
     std::optional<Entry> entry = entry_from_start(problem_, fine_);
     if (!entry) throw Infeasible("no sub-cell is free; a smaller cell_size may help");
+    promise_free_cells(context_, fine_, options_.components, entry->cell, problem_.robot().tool_width);
     const std::size_t count = options_.components == Components::all ? components_.cells.size() : 1;
     for (std::size_t done = 0; entry && !context_.cancelled();) {
       const Cell root = entry->cell;

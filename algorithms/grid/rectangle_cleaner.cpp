@@ -4,6 +4,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "algorithms/lattice/promised_cells.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -25,6 +27,7 @@ class RectangleCleaner {
     const bool diagonal = p_.lanes == Lanes::diagonal;
     const std::vector<Job> all = diagonal ? std::vector<Job>{} : jobs();
     if (begin(all)) {
+      promise(all);
       diagonal ? clean_lanes() : clean_jobs(all);
       if (p_.revisit_skipped) revisit();
     }
@@ -90,25 +93,68 @@ class RectangleCleaner {
     return std::nullopt;
   }
 
+  /// The partition in which no rectangle begins with columns that have to be skipped. Such columns count as done, and
+  /// what is left of their rectangles may form larger ones with its neighbours; so it is made anew without them.
+  std::vector<CellRectangle> partition() {
+    BitGrid world = dirty_cells();
+    for (;;) {
+      std::vector<CellRectangle> all = rectangles_of(world, p_.scan);
+      bool anew = false;
+      for (const CellRectangle& whole : all) {
+        CellRectangle r = whole;
+        if (whole.width() < p_.smallest || whole.height() < p_.smallest || !start_of(r)) continue;
+        for (int i = whole.left; i < r.left; ++i) {
+          ++result_.skipped_columns;
+          skip(i, r.bottom, r.top);
+          for (int j = r.bottom; j <= r.top; ++j) world.set(i, j, false);
+          anew = true;
+        }
+      }
+      if (!anew || context_.cancelled()) return all;
+    }
+  }
+
   std::vector<Job> jobs() {
-    const std::vector<CellRectangle> all = rectangles_of(dirty_cells(), p_.scan);
+    const std::vector<CellRectangle> all = partition();
     if (context_.wants_traces()) trace_rectangles(all);
     std::vector<Job> drivable;
-    for (const CellRectangle& whole : all) {
-      CellRectangle r = whole;
+    for (CellRectangle r : all) {
+      const int cells = r.width() * r.height();
       const std::optional<Run> start = start_of(r);
       if (!start || r.width() < p_.smallest || r.height() < p_.smallest) {
-        result_.small_cells += static_cast<std::size_t>(whole.width() * whole.height());
+        result_.small_cells += static_cast<std::size_t>(cells);
         continue;
-      }
-      for (int i = whole.left; i < r.left; ++i) {
-        ++result_.skipped_columns;
-        skip(i, r.bottom, r.top);
       }
       skip(r.left, r.bottom, start->low - 1);
       drivable.push_back({r, *start});
     }
     return drivable;
+  }
+  /// The rectangle's columns that are driven.
+  std::vector<int> columns_of(const CellRectangle& r) const {
+    const int columns_under_tool = static_cast<int>(problem_.robot().tool_width / side_ + 1e-9);
+    const int step = p_.columns == ColumnStep::tool ? std::max(1, columns_under_tool) : 1;
+    std::vector<int> columns;
+    for (int i = r.left; i < r.right; i += step) columns.push_back(i);
+    columns.push_back(r.right);
+    return columns;
+  }
+  /// Where the robot drives in one of them. The first column counts from the start; cells below a shifted one are left.
+  std::vector<Run> runs(const Job& job, int i) const {
+    return runs(i, i == job.rectangle.left ? job.start.low : job.rectangle.bottom, job.rectangle.top);
+  }
+
+  void promise(const std::vector<Job>& jobs) {
+    const double tool_width = problem_.robot().tool_width;
+    if (p_.lanes == Lanes::diagonal || p_.revisit_skipped)
+      return promise_free_cells(context_, graph_, Components::all, {}, tool_width);
+    if (!context_.wants_promise()) return;
+    std::vector<Cell> cells;
+    for (const Job& job : jobs)
+      for (const int i : columns_of(job.rectangle))
+        for (const Run& run : runs(job, i))
+          for (int j = run.low; j <= run.high; ++j) cells.push_back({i, j});
+    context_.promise([graph = graph_, cells, tool_width] { return squares_of(graph, cells, tool_width); });
   }
   std::size_t start_node(const Job& job) const { return graph_.at(job.start.column, job.start.low); }
 
@@ -118,7 +164,12 @@ class RectangleCleaner {
     if (jobs.empty() && !p_.revisit_skipped && p_.lanes != Lanes::diagonal) return false;
     if (const auto node = paths_.node_near(problem_.start())) {
       at_ = *node;
-      path_.drive(graph_.centre(at_), false);
+      // A run of one node has no length to cover, so the tool is on already when the robot arrives.
+      const bool covers = std::any_of(jobs.begin(), jobs.end(), [&](const Job& job) {
+        return start_node(job) == at_ && job.start.low == job.start.high;
+      });
+      const Cell c = graph_.cell(at_);
+      path_.drive(graph_.centre(at_), covers || !(graph_.passable(c, kNorth) || graph_.passable(c, kSouth)));
       return true;
     }
     if (!jobs.empty())
@@ -182,14 +233,12 @@ class RectangleCleaner {
   void clean_rectangle(const Job& job) {
     const CellRectangle& r = job.rectangle;
     const int ci = (r.left + r.right) / 2, cj = (r.bottom + r.top) / 2;
-    if (p_.via_centre && graph_.free(ci, cj)) go(graph_.at(ci, cj), Approach::transit, 0);
-    const int columns_under_tool = static_cast<int>(problem_.robot().tool_width / side_ + 1e-9);
-    const int step = p_.columns == ColumnStep::tool ? std::max(1, columns_under_tool) : 1;
+    if (p_.via_centre && graph_.free(ci, cj) && graph_.at(ci, cj) != start_node(job))
+      go(graph_.at(ci, cj), Approach::transit, 0);
     bool up = true;
     Approach approach = Approach::transit;
-    for (int i = r.left;; i = std::min(i + step, r.right)) {
-      // The first column counts from the start; cells below a shifted one are left.
-      std::vector<Run> column = runs(i, i == r.left ? job.start.low : r.bottom, r.top);
+    for (const int i : columns_of(r)) {
+      std::vector<Run> column = runs(job, i);
       if (column.empty()) {
         ++result_.skipped_columns;
         skip(i, r.bottom, r.top);
@@ -200,7 +249,6 @@ class RectangleCleaner {
         approach = Approach::work_if_short;
       }
       if (!column.empty()) up = !up;
-      if (i == r.right) break;
     }
   }
 

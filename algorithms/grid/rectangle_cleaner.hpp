@@ -6,6 +6,7 @@
 /// Costs: see rectangles.cpp.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "algorithms/coverage_planner.hpp"
@@ -18,10 +19,12 @@ namespace oxturn {
 enum class NextRectangle { first, nearest };
 enum class ColumnStep { each, tool };
 enum class Lanes { straight, diagonal };
+enum class CellsAs { wider, robot };
 
 /// Parameters of `rectangles`; what they mean is in its description.
 struct RectangleOptions : CellOptions {
   NextRectangle choose = NextRectangle::first;
+  CellsAs cells = CellsAs::wider;
   ColumnStep columns = ColumnStep::each;
   ScanOrder scan = ScanOrder::columns;
   Lanes lanes = Lanes::straight;
@@ -32,8 +35,11 @@ struct RectangleOptions : CellOptions {
   bool via_centre = true;
   bool revisit_skipped = false;
 
-  /// Metres: `cell_size`, or half the robot's width if that is 0.
-  double side(const Robot& robot) const { return cell_size > 0 ? cell_size : robot_size(robot); }
+  /// Metres: `cell_size`; if that is 0, half the width of the robot or of its tool, whichever is wider.
+  double side(const Robot& robot) const {
+    if (cell_size > 0) return cell_size;
+    return cells == CellsAs::robot ? robot_size(robot) : std::max(robot_size(robot), robot.tool_width / 2);
+  }
 };
 
 struct CleanedRectangles {

@@ -1,21 +1,24 @@
 // Partitions the world into rectangles of cells and cleans them one by one, column by column.
 //
 // Source      MyCarbot (TH Nuernberg), "Rechteck-Partitionierungs-Strategie", sections 2 and 5. The defaults are the
-//             source
+//             source, but for `cells`
 // Model       grid, offline, or online by lidar (`sensing = lidar`), disc footprint
 // Guarantee   every cell of a drivable rectangle of at least 2 x 2 cells is cleaned, except skipped columns and cells
 //             below a shifted start; with `revisit_skipped` every lattice node that the robot can reach is driven
 // Complexity  n cells: world and partition O(n), a path between rectangles O(cells nearer than its end); some 60 bytes
 //             a cell. `choose = first` returns to the lower end after each column of rectangles: O(n^1.5) driven at
 //             worst
-// Decisions   1. Cells default to half the robot's width (the source's robot is larger than a cell). A cell is wall
-//                unless it lies entirely in free space.
+// Decisions   1. Cells default to half the robot's width (`cells = robot`; the source's robot is larger than a cell), or
+//                to half the tool's width if that is more: narrow lanes under a wide tool are driven many times over,
+//                and a tool covers cells up to 0.7 of its width. A cell is wall unless it lies entirely in free space.
 //             2. "First from the lower left" may run row by row or column by column (`scan`); the source does not say.
 //                Columns is the default: it covered more on six of seven maps tried.
 //             3. The source closes gaps and partitions anew after each rectangle and each skipped column, with cleaned
 //                cells as obstacles. Cleaned cells are no wall beside a gap, and removing them leaves all other
-//                rectangles as they are (rectangle_world.hpp). So both are done once, and a rectangle loses its skipped
-//                columns.
+//                rectangles as they are (rectangle_world.hpp). So gaps are closed once, and the partition is repeated
+//                only without the columns that rectangles begin with and that have to be skipped: of all rectangles at
+//                once, until there are none. (Else a notch too narrow for the robot would cut a strip as high as itself
+//                out of a whole room.) Columns skipped inside a rectangle change nothing.
 //             4. A column is driven where the robot's centre fits, in all of its runs, up and down in turn. Paths
 //                between runs and columns that are not straight are planned on the lattice and pulled straight; where
 //                the lattice leads nowhere they are shortest paths among the walls.
@@ -171,25 +174,29 @@ PlannerInfo rectangles() {
        .citation = "MyCarbot (TH Nuernberg)",
        .capabilities = {Capability::online, Capability::holes, Capability::footprint},
        .guarantee = "every cell of a drivable rectangle of at least 2 x 2 cells, except skipped columns",
-       .parameters = {
-           cell_size_line<P>("side of a cell, metres; 0: half the robot's width"),
-           {"choose", &P::choose, Choices{"first", "nearest"},
-            "next rectangle: first from the lower left, or the one with the shortest planned path to its start"},
-           {"columns", &P::columns, Choices{"each", "tool"}, "drive each column, or step as far as the tool covers"},
-           {"scan", &P::scan, Choices{"columns", "rows"},
-            "in which order the first cell from the lower left is searched"},
-           {"lanes", &P::lanes, Choices{"straight", "diagonal"},
-            "diagonal: no rectangles but lanes at 45 degrees, for staggered pillars"},
-           {"smallest", &P::smallest, Range{1, 1000},
-            "rectangles with fewer cells a side are not driven; 1: strips beside slanted walls are"},
-           {"gap", &P::gap, Range{0, 100}, "gaps in walls of up to so many cells are closed"},
-           {"small_obstacle", &P::small_obstacle, Range{0, 100},
-            "obstacles of up to so many cells a side get their missing corners"},
-           {"shift", &P::shift, Range{0, 1000}, "how many cells the start may move up before the column is skipped"},
-           {"via_centre", &P::via_centre, "drive to the rectangle's centre first, then to its lower left"},
-           {"revisit_skipped", &P::revisit_skipped, "at the end, drive what was skipped"},
-           align_line<P>(),
-           sensing_line<P>("map: known beforehand; lidar: seen by the robot's lidar, its outer wall scanned first")}});
+       .promise = Promise::cells,
+       .parameters =
+           {cell_size_line<P>("side of a cell, metres; 0: as `cells` says"),
+            {"cells", &P::cells, Choices{"wider", "robot"},
+             "cell_size = 0: cells are half as wide as the robot (as published), or as the wider of robot and tool"},
+            {"choose", &P::choose, Choices{"first", "nearest"},
+             "next rectangle: first from the lower left, or the one with the shortest planned path to its start"},
+            {"columns", &P::columns, Choices{"each", "tool"}, "drive each column, or step as far as the tool covers"},
+            {"scan", &P::scan, Choices{"columns", "rows"},
+             "in which order the first cell from the lower left is searched"},
+            {"lanes", &P::lanes, Choices{"straight", "diagonal"},
+             "diagonal: no rectangles but lanes at 45 degrees, for staggered pillars"},
+            {"smallest", &P::smallest, Range{1, 1000},
+             "rectangles with fewer cells a side are not driven; 1: strips beside slanted walls are"},
+            {"gap", &P::gap, Range{0, 100}, "gaps in walls of up to so many cells are closed"},
+            {"small_obstacle", &P::small_obstacle, Range{0, 100},
+             "obstacles of up to so many cells a side get their missing corners"},
+            {"shift", &P::shift, Range{0, 1000}, "how many cells the start may move up before the column is skipped"},
+            {"via_centre", &P::via_centre, "drive to the rectangle's centre first, then to its lower left"},
+            {"revisit_skipped", &P::revisit_skipped, "at the end, drive what was skipped"},
+            align_line<P>(),
+            sensing_line<P>("map: known beforehand; lidar: seen by the robot's lidar, its outer wall scanned first")},
+       .published = {{"cells", std::string("robot")}}});
 }
 
 }  // namespace oxturn

@@ -14,10 +14,8 @@ Path walk_spirals(const Problem& problem, Context& context, const SpiralOptions&
 
 bool escape(CellWalk& walk, WallFollower* walls, bool left) {
   if (!walls) return walk.escape();
-  while (walk.go_to([&](const Cell& c) { return walk.any_fresh(c) || walls->any_left(c); })) {
-    walls->follow_all(walk, left);
-    if (walk.any_fresh()) return true;
-  }
+  while (walk.go_to([&](const Cell& c) { return walk.any_fresh(c) || walls->any_left(c); }))
+    if (!walls->follow_on(walk, left) && walk.any_fresh()) return true;
   return false;
 }
 

@@ -113,17 +113,6 @@ class RoundWithBranches {
   std::optional<Direction> last_;
 };
 
-/// The sub-cells of the trees. A coarse cell without a neighbour is left out.
-void promise_tree(Context& context, const GridGraph& fine, const CoarseCells& cells, double tool_width) {
-  std::vector<Cell> promised;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (!cells.linked(c)) continue;
-    const int i = 2 * cells.column(c), j = 2 * cells.row(c);
-    for (const Cell& sub : {Cell{i, j}, Cell{i + 1, j}, Cell{i, j + 1}, Cell{i + 1, j + 1}}) promised.push_back(sub);
-  }
-  promise_cells(context, fine, std::move(promised), tool_width);
-}
-
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const GridGraph fine = p.lattice(problem, 2);
   if (p.partial) return cover_partial_cells(problem, fine, p, context);
@@ -136,7 +125,12 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   TreeGrower grower(cells, p.tree, context.rng());
   PathBuilder path(problem.start());
   int done = 0;
-  for (auto root = order.first(); root && !context.cancelled(); root = order.next(path.at())) {
+  auto root = order.first();
+  if (root) {
+    const Cell base{root->at.i & ~1, root->at.j & ~1};
+    promise_coarse_cells(context, fine, p.components, base, problem.robot().tool_width);
+  }
+  for (; root && !context.cancelled(); root = order.next(path.at())) {
     std::vector<ComponentOrder::Entry> branches;
     if (p.components == Components::all) branches = order.branches();
     grower.grow(root->coarse);
@@ -147,7 +141,6 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
     context.progress(double(done) / components.count);
     if (p.components == Components::start) break;
   }
-  if (context.wants_promise()) promise_tree(context, fine, cells, problem.robot().tool_width);
   if (context.wants_traces()) context.trace("tree", tree_lines(cells));
   return path.take();
 }

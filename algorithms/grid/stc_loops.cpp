@@ -1,20 +1,20 @@
 // Spanning tree coverage with loops around obstacles and boundary, which cover what the coarse cells leave there.
 //
-// Source      Improving Spanning Tree Coverage (lecture slides); the tree below is that of `stc`
+// Source      "Improving Spanning Tree Coverage" (lecture slides); the tree below is that of `stc`
 // Model       grid of coarse cells 2D x 2D and polygonal walls, offline, disc footprint
 // Guarantee   what `stc` covers is covered; every part of a loop that the robot can drive is driven; the path is one
 //             closed round of a tree
 // Complexity  n sub-cells and nodes: O(n), and a path for each piece that sees no vertex nearby (branch_tree.hpp)
-// Decisions   1. The slides offset the map's walls, and so does this. The parts of a loop outside configuration space
+// Decisions   1. The source offsets the map's walls, and so does this. The parts of a loop outside configuration space
 //                are invalid: nodes outside, and both nodes of an edge that leaves it. This also holds for the loop's
 //                own obstacle (notches narrower than the robot, walls traced from pixels).
-//             2. The slides' epsilon of 0.01 has no unit; here it is a share of the radius. As 0.01 m on a robot of 0.2
-//                m (epsilon = 0.05, the slides' reading) it leaves a strip uncovered that alone is 2 % of a narrow
+//             2. The source's epsilon of 0.01 has no unit; here it is a share of the radius. As 0.01 m on a robot of
+//                0.2 m (epsilon = 0.05, the source's reading) it leaves a strip uncovered that alone is 2 % of a narrow
 //                corridor. It is at least twice the chord error of configuration space (w / 500).
-//             3. The slides' arccos is right at convex vertices only; see wall_loops.hpp, also for sharp vertices.
-//             4. d_node is not given on the slides: default D.
-//             5. A loop begins at its first vertex. If it touches itself there, it is cut into two, because the slides'
-//                walk ends where it meets the start's coordinates.
+//             3. The source's arccos is right at convex vertices only; see wall_loops.hpp, also for sharp vertices.
+//             4. d_node is not given in the source: default D.
+//             5. A loop begins at its first vertex. If it touches itself there, it is cut into two, because the
+//                source's walk ends where it meets the start's coordinates.
 //             6. The path passes the four sub-cell centres around a coarse cell's centre, never that centre. So a
 //                branch is attached to the nearest visible sub-cell centre of the path (or node of an earlier branch),
 //                and is an excursion from there: all of it lies in configuration space.
@@ -23,10 +23,10 @@
 //                attached likewise, so there is one tree; each is attached where it is nearest to the tree so far.
 //             8. If no coarse cell fits, the tree is the start alone, and loops are attached to it.
 //             9. One lap along the walls leaves bands up to 2D wide uncovered between it and the coarse cells. `fill =
-//                none` is the slides. `cells` (ours) also attaches every free sub-cell that is not yet covered, as a
+//                none` is the source. `cells` (ours) also attaches every free sub-cell that is not yet covered, as a
 //                branch of one node. `spots`, the default, continues with what is left around sub-cells whose centre is
 //                in a wall, and where loops are broken. Coverage is looked up on a lattice of D / 4.
-//            10. `close_loops = true`, the default, drives an unbroken loop around once; false is the slides' walk of
+//            10. `close_loops = true`, the default, drives an unbroken loop around once; false is the source's walk of
 //                the tree, there and back.
 #include <algorithm>
 #include <cmath>
@@ -37,6 +37,8 @@
 #include "algorithms/grid/spanning_trees.hpp"
 #include "algorithms/grid/uncovered_samples.hpp"
 #include "algorithms/grid/wall_loops.hpp"
+#include "algorithms/lattice/promised_cells.hpp"
+#include "geometry/overlay/boolean.hpp"
 
 namespace oxturn {
 namespace {
@@ -72,7 +74,7 @@ std::vector<Polyline> crosses(const std::vector<Point>& points, double size) {
   return lines;
 }
 
-/// The slides' steps from the walls to the connected components of the loops.
+/// The source's steps from the walls to the connected components of the loops.
 class Loops {
  public:
   Loops(const Params& p, const Problem& problem, double side, Context& context)
@@ -149,6 +151,15 @@ std::optional<Point> inner_point(const EdgeIndex& space, const Point& p, double 
   return std::nullopt;
 }
 
+/// What the tool covers along a line, without its round ends.
+void add_swath(const Polyline& line, double tool_width, std::vector<Region>& parts) {
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const Point &a = line[k - 1], &b = line[k];
+    const Point along = (b - a).normalized(), left = tool_width / 2 * Point(-along.y(), along.x());
+    parts.push_back({{{{a - left, b - left, b + left, a + left}, {}}}});
+  }
+}
+
 /// One run of the planner.
 class StcWithLoops {
  public:
@@ -172,6 +183,7 @@ class StcWithLoops {
     path_.drive(tree_.path_around(), true);
     if (path_.at() == problem_.start() && tree_.vertices().size() < 2)
       throw Infeasible("neither a coarse cell nor a node of a loop fits; a smaller cell_size may");
+    if (context_.wants_promise()) promise(loops.chains());
     if (context_.wants_traces()) trace_merged_tree();
     context_.record("loops", loops.count());
     context_.record("broken_loops", loops.broken());
@@ -207,7 +219,10 @@ class StcWithLoops {
       attached[static_cast<std::size_t>(components.of[entry.coarse])] = true;
     };
     std::optional<ComponentOrder::Entry> entry = order.first();
-    if (entry) path_.drive(entry->path, false);
+    if (entry) {
+      path_.drive(entry->path, false);
+      first_ = Cell{entry->at.i & ~1, entry->at.j & ~1};
+    }
     while (entry && !context_.cancelled()) {
       attach_component(*entry);
       if (p_.components == Components::start) break;
@@ -278,6 +293,18 @@ class StcWithLoops {
     tree_.for_each_new_segment([&](const Point& a, const Point& b) { samples.cover(a, b); });
   }
 
+  void promise(const std::vector<NodeChain>& chains) {
+    std::vector<Polyline> laps;
+    for (const NodeChain& chain : chains) laps.push_back(chain.nodes);
+    const double width = problem_.robot().tool_width;
+    context_.promise([fine = fine_, first = first_, components = p_.components, laps = std::move(laps), width] {
+      std::vector<Region> parts;
+      if (first) parts.push_back(squares_of(fine, coarse_sub_cells(fine, components, *first), width));
+      for (const Polyline& lap : laps) add_swath(lap, width, parts);
+      return unite(parts);
+    });
+  }
+
   void trace_merged_tree() {
     std::vector<Polyline> merged = tree_lines(cells_);
     for (const auto& [a, b] : tree_.edges()) merged.push_back({tree_.vertices()[a], tree_.vertices()[b]});
@@ -293,6 +320,7 @@ class StcWithLoops {
   LatticePaths paths_;
   BranchTree tree_;
   std::vector<bool> in_tree_;  // coarse cells
+  std::optional<Cell> first_;  // the lower left sub-cell of the coarse cell that the tree begins with
   PathBuilder path_;
   int by_path_ = 0, lost_ = 0, fill_points_ = 0;
 };
@@ -309,6 +337,7 @@ PlannerInfo stc_loops() {
        .citation = "Improving Spanning Tree Coverage (lecture slides), after Gabriely & Rimon 2001",
        .capabilities = {Capability::holes},
        .guarantee = "what stc covers, and one lap along every wall that the robot can follow",
+       .promise = Promise::cells,
        .parameters = with_tree_options<Params>(
            {{"epsilon", &Params::epsilon, Range{0, 1},
              "how much farther off the walls than the radius loops run, in radii"},

@@ -2,6 +2,7 @@
 
 #include "algorithms/grid/cell_planner.hpp"
 #include "algorithms/grid/sub_cell_tree.hpp"
+#include "algorithms/lattice/promised_cells.hpp"
 
 namespace oxturn {
 namespace {
@@ -71,16 +72,24 @@ std::optional<Cell> whole_cell_at_start(const Passable& passable) {
   return std::nullopt;
 }
 
+/// `corner`: the lower left sub-cell of the coarse cell at the start.
+void promise_coarse(const CellRobot& robot, const Cell& corner, const Problem& problem, Context& context) {
+  const CellRobot::Lattice lattice = robot.lattice();
+  const Cell base{lattice.first.i + corner.i, lattice.first.j + corner.j};
+  promise_coarse_cells(context, lattice.graph, Components::start, base, problem.robot().tool_width);
+}
+
 }  // namespace
 
 template <ChildOrder order>
 Path cover_by_growing_tree(const OnlineStcOptions& options, const Problem& problem, Context& context) {
-  return drive_cells(problem, context, options, {.reach = kReach, .all_cells = false}, [&](CellRobot& robot) {
+  return drive_cells(problem, context, options, {.reach = kReach, .all_cells = options.partial}, [&](CellRobot& robot) {
     const auto passable = [&](const Cell& c, Direction d) { return robot.passable(c, d); };
     using Tree = SubCellTree<decltype(passable)>;
     const std::optional<Cell> corner = whole_cell_at_start<Tree>(passable);
     if (!corner && !options.partial)
       throw Infeasible("no coarse cell of twice the cell size fits at the start; partial = true may help");
+    if (!options.partial && options.sensing == Sensing::map) promise_coarse(robot, *corner, problem, context);
     Tree tree(passable, corner.value_or(Cell{0, 0}));
     tree.add_node({0, 0});
     tree.go_round({0, 0}, Growth<Tree>(tree, options.partial, order), [&](Direction d) {

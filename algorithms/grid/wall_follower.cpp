@@ -104,16 +104,25 @@ bool WallFollower::any_left(const Cell& c) const {
   return false;
 }
 
-void WallFollower::follow_all(CellWalk& walk, bool left) {
+bool WallFollower::follow_on(CellWalk& walk, bool left) {
   const Cell at = walk.at();
   for (int di = -1; di <= 1; ++di)
-    for (int dj = -1; dj <= 1; ++dj) follow(walk, {at.i + di, at.j + dj}, left);
+    for (int dj = -1; dj <= 1; ++dj)
+      for (std::uint32_t s = first_in({at.i + di, at.j + dj}); s != kNone; s = sections_[s].next_in_cell)
+        if (unfollowed(s) && follow(walk, s, left)) return true;
   tried_[at] = 1;
+  return false;
 }
 
 void WallFollower::follow(CellWalk& walk, const Cell& cell, bool left) {
-  for (std::uint32_t s = first_in(cell); s != kNone; s = sections_[s].next_in_cell)
-    if (!sections_[s].followed) follow(walk, s, left);
+  for (std::uint32_t s = first_in(cell); s != kNone; s = sections_[s].next_in_cell) {
+    if (!unfollowed(s)) continue;
+    const auto cells = follow(walk, s, left);
+    if (!cells) continue;
+    for (std::size_t k = cells->size() - 1; k-- > 0;)
+      for (const Direction d : kAllDirections)
+        if (neighbour((*cells)[k + 1], d) == (*cells)[k]) walk.step(d);
+  }
 }
 
 /// A few steps over free cells to one beside the wall's cell; both ends are included.
@@ -155,8 +164,7 @@ WallFollower::Excursion WallFollower::excursion(const Cell& from, std::uint32_t 
     line.push_back(points_[left ? ++p : --p]);
   std::vector<Cell> cells{from};
   std::size_t last_point = 0, last_cell = 0;  // where the robot could last drive straight to a cell's centre
-  for (std::uint32_t s = section; s != kNone && !sections_[s].followed;
-       s = left ? sections_[s].previous : sections_[s].next) {
+  for (std::uint32_t s = section; unfollowed(s); s = after(s, left)) {
     const auto on = cells_to(cells.back(), sections_[s].cell);
     if (!on) break;
     cells.insert(cells.end(), on->begin() + 1, on->end());
@@ -175,16 +183,32 @@ WallFollower::Excursion WallFollower::excursion(const Cell& from, std::uint32_t 
   return {std::move(line), std::move(cells)};
 }
 
-void WallFollower::follow(CellWalk& walk, std::uint32_t section, bool left) {
-  const Cell home = walk.at();
-  const auto first_point = nearest_point_in_sight(sections_[section], robot_.centre(home));
-  if (!first_point) return;
-  const Excursion drive = excursion(home, section, *first_point, left);
-  length_ += oxturn::length(drive.line);
-  walk.drive(drive.line, drive.return_cells.back());
-  for (std::size_t k = drive.return_cells.size() - 1; k-- > 0;)
-    for (const Direction d : kAllDirections)
-      if (neighbour(drive.return_cells[k + 1], d) == drive.return_cells[k]) walk.step(d);
+/// Without the points where borders of cells cut straight walls, and without those a hundredth of the radius apart that
+/// the robot need not visit one by one.
+Polyline WallFollower::straightened(const Polyline& line) const {
+  const double close = problem_.robot().radius / 100, off = 1e-9 * robot_.side();
+  Polyline straight{line.front()};
+  for (std::size_t k = 1; k + 1 < line.size(); ++k) {
+    const Point &before = straight.back(), &at = line[k], &next = line[k + 1];
+    const Point along = next - before, to = at - before;
+    const bool between = std::abs(along.x() * to.y() - along.y() * to.x()) <= off * along.norm() &&
+                         to.dot(next - at) >= 0 && to.dot(along) >= 0;
+    if (!between && !(to.norm() < close && problem_.walls().contains(before, next))) straight.push_back(at);
+  }
+  straight.push_back(line.back());
+  return straight;
+}
+
+/// Returns the cells by which the robot can come back from where it is then; nullopt: the section is not in sight.
+std::optional<std::vector<Cell>> WallFollower::follow(CellWalk& walk, std::uint32_t section, bool left) {
+  const auto first_point = nearest_point_in_sight(sections_[section], robot_.centre(walk.at()));
+  if (!first_point) return std::nullopt;
+  if (!unfollowed(after(section, left)) && unfollowed(after(section, !left))) left = !left;
+  Excursion drive = excursion(walk.at(), section, *first_point, left);
+  const Polyline line = straightened(drive.line);
+  length_ += oxturn::length(line);
+  walk.drive(line, drive.return_cells.back());
+  return std::move(drive.return_cells);
 }
 
 }  // namespace oxturn

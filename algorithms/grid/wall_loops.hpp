@@ -5,7 +5,7 @@
 ///   for (const Polyline& loop : node_loops(vertices, d_node))
 ///     for (const NodeChain& chain : chains_of(loop, outside(loop))) tree.attach(chain.nodes, ...);
 ///
-/// Improving Spanning Tree Coverage (lecture slides), "Bisector Vertices" to "Connected Components".
+/// Source      "Improving Spanning Tree Coverage" (lecture slides), "Bisector Vertices" to "Connected Components".
 /// O(vertices + nodes).
 #pragma once
 
@@ -25,14 +25,14 @@ struct BisectorNode {
 /// Returns a node for each vertex in the wall's order, `offset` away from both of its edges; two nodes where the vertex
 /// is so sharp that one would lie farther away than miter_limit * offset: they cut it at that distance. The angle at a
 /// vertex is the counter-clockwise one from the next edge to the previous one, in (0, 2 pi), so that reflex vertices
-/// are right as well (the arccos on the slide is right for convex ones only). Repeated vertices count once; a wall of
+/// are right as well (the source's arccos is right for convex ones only). Repeated vertices count once; a wall of
 /// fewer than two has no nodes. No node is farther away than the longer edge plus twice the offset, beyond which no
 /// point beside the edges is off both.
 std::vector<BisectorNode> bisector_nodes(const Ring& wall, double offset, double miter_limit);
 
-/// Loops of nodes as on the slides: open chains whose last node has the coordinates of the first. The given vertices in
+/// Loops of nodes as in the source: open chains whose last node has the coordinates of the first. The given vertices in
 /// a loop, with ceil(distance / d_node - 1) nodes evenly between two neighbours; d_node > 0. The first node's
-/// coordinates appear again at the very end only, because there the slides' walk along the loop stops: a loop that
+/// coordinates appear again at the very end only, because there the source's walk along the loop stops: a loop that
 /// touches itself at its first node is cut into two. Vertices that repeat their predecessor count once; fewer than two
 /// make no loop.
 std::vector<Polyline> node_loops(const std::vector<Point>& vertices, double d_node);

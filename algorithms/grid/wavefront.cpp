@@ -271,8 +271,8 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   graph.add_diagonals(problem.configuration_space());
   const std::optional<Entry> entry = entry_from_start(problem, graph);
   if (!entry) throw Infeasible("no cell's centre is free; a smaller cell_size, or a shift of the grid, may help");
-  if (context.wants_promise() && p.stop == Stop::backtrack)
-    promise_connected_cells(context, graph, entry->cell, problem.robot().tool_width);
+  if (p.stop == Stop::backtrack)
+    promise_free_cells(context, graph, p.components, entry->cell, problem.robot().tool_width);
   PathBuilder path(problem.start());
   // The entry may be its component's only cell, so the tool is on already when the robot arrives.
   path.drive(entry->path, true);

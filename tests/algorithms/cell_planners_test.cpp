@@ -296,6 +296,50 @@ TEST(CellPlanners, FollowingWallsCoversWhatCellsLeave) {
   }
 }
 
+// In long stretches: there was a tooth there and back for each cell where a wall had been followed on one side.
+TEST(CellPlanners, WallsAreFollowedWithoutTeeth) {
+  double linked = 0, bsa = 0;
+  for (const char* generator : {"rooms", "polygon", "cave"}) {
+    const Problem problem(generate(generator, {{"width", 12.0}, {"height", 10.0}}, 1), Robot{});
+    const auto turns = [&](const char* name) {
+      const Score result = score(problem, plan_recorded(name, problem, {{"partial", true}}).path);
+      EXPECT_EQ(result.flaw, "");
+      EXPECT_GT(result.value("coverage").value(), 0.99);
+      return result.value("turns").value();
+    };
+    linked += turns("linked-spiral");
+    bsa += turns("bsa");  // which begins most walls at an end
+  }
+  EXPECT_LT(linked, bsa);
+}
+
+// Borders of cells leave no vertices on straight walls.
+TEST(CellPlanners, AWallIsFollowedStraight) {
+  const Problem problem({"room", box_region({0, 0}, {7.3, 5.1}), "test", ""}, Robot{}, Point(1, 1));
+  for (const char* name : {"bsa", "linked-spiral"})
+    for (const Leg& leg : plan_recorded(name, problem, {{"partial", true}}).path.legs)
+      for (std::size_t k = 2; k < leg.points.size(); ++k) {
+        const Point a = leg.points[k - 1] - leg.points[k - 2], b = leg.points[k] - leg.points[k - 1];
+        EXPECT_GT(std::abs(a.x() * b.y() - a.y() * b.x()) + (a.dot(b) < 0 ? 1 : 0), 1e-9) << name;
+      }
+}
+
+// Vertices closer than a hundredth of the radius are of no use to a robot.
+TEST(CellPlanners, NoTinySegments) {
+  for (const char* generator : {"rooms", "clutter", "cave", "field"}) {
+    const Problem problem(generate(generator, {{"width", 12.0}, {"height", 10.0}}, 3), Robot{});
+    for (const PlannerInfo& planner : built_in()) {
+      if (planner.family != "grid") continue;
+      SCOPED_TRACE(fmt::format("{} on {}", planner.name, generator));
+      double shortest = 1;
+      for (const Leg& leg : plan_recorded(planner.name, problem).path.legs)
+        for (std::size_t k = 1; k < leg.points.size(); ++k)
+          shortest = std::min(shortest, distance(leg.points[k - 1], leg.points[k]));
+      EXPECT_GT(shortest, problem.robot().radius / 100);
+    }
+  }
+}
+
 TEST(CellPlanners, AreDeterministicAndTurnWithTheWalls) {
   const Region room = box_region({0, 0}, {7.3, 5.1});
   for (const char* name : {"bsa", "linked-spiral", "ba-star", "smart-dfs", "cell-explore"}) {

@@ -9,6 +9,7 @@
 #include "algorithms/grid/rectangle_world.hpp"
 #include "algorithms/lattice/grid_graph.hpp"
 #include "algorithms/lattice/lattice_paths.hpp"
+#include "geometry/overlay/boolean.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/maps.hpp"
@@ -118,6 +119,37 @@ TEST(Rectangles, AnEmptyRoomIsOneRectangleDrivenColumnByColumn) {
   EXPECT_EQ(work, 1);
   // 19 columns of 2.6 m, from wall to wall, 0.2 apart.
   EXPECT_NEAR(path.length(true), 19 * 2.6 + 18 * 0.2, 0.001);
+}
+
+Robot robot_with_tool(double radius, double tool_width) {
+  Robot robot;
+  robot.radius = radius;
+  robot.tool_width = tool_width;
+  return robot;
+}
+
+// A notch too narrow for the robot made a strip of its own height across the whole room.
+TEST(Rectangles, ANotchDoesNotCutTheRoom) {
+  const Region room = box_region({0, 0}, {8, 6});
+  const Region notched = unite({room, box_region({-1.1, 2.2}, {0, 2.8})});  // 0.6 m; the robot has 1 m
+  const auto plan = [](const Region& free) {
+    const Problem problem({"room", free, "test", ""}, robot_with_tool(0.5, 1), Point(4, 3));
+    return plan_recorded("rectangles", problem, {{"cell_size", 0.15}});
+  };
+  const RecordedPlan plain = plan(room), notch = plan(notched);
+  EXPECT_EQ(plain.figures.at("rectangles"), 1);
+  EXPECT_EQ(notch.figures.at("rectangles"), 1);
+  EXPECT_GT(notch.figures.at("skipped_columns"), plain.figures.at("skipped_columns"));
+  EXPECT_LT(notch.path.length(), 1.05 * plain.path.length());
+}
+
+TEST(Rectangles, CellsFollowAWideTool) {
+  const Problem field({"field", box_region({0, 0}, {30, 20}), "test", ""}, robot_with_tool(0.1, 3));
+  const auto ratio = [&](const Settings& settings) {
+    return score(field, plan_rectangles(field, settings)).value("length_ratio").value();
+  };
+  EXPECT_LT(ratio({}), 2.5);
+  EXPECT_GT(ratio({{"variant", std::string("published")}}), 20) << "lanes 0.1 m apart";
 }
 
 TEST(Rectangles, EverySegmentStaysInConfigurationSpace) {

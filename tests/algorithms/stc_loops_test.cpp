@@ -44,7 +44,7 @@ TEST(BisectorNodes, SquareAndLShape) {
   ASSERT_EQ(room.size(), 4u);
   const Point inside[] = {{0.5, 0.5}, {0.5, 1.5}, {1.5, 1.5}, {1.5, 0.5}};
   for (std::size_t k = 0; k < 4; ++k) EXPECT_LT(distance(room[k].at, inside[k]), 1e-12);
-  // An L's inner vertex, where the arccos of the slides would lead into the obstacle.
+  // An L's inner vertex, where the arccos of the source would lead into the obstacle.
   const auto ell = bisector_nodes({{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}, 0.25, 4);
   ASSERT_EQ(ell.size(), 6u);
   EXPECT_LT(distance(ell[3].at, {1.25, 1.25}), 1e-12);
@@ -91,7 +91,7 @@ TEST(BisectorNodes, DegenerateWalls) {
 
 // --- nodes ---
 
-TEST(NodeLoops, CountAndGapAsOnTheSlides) {
+TEST(NodeLoops, CountAndGapAsPublished) {
   for (const auto& [d_node, count] : {std::pair{1.0, 3}, {1.1, 3}, {0.9, 4}, {4.0, 0}, {9.0, 0}}) {
     const auto loops = node_loops({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, d_node);
     ASSERT_EQ(loops.size(), 1u);
@@ -258,13 +258,13 @@ TEST(StcLoops, CoversMoreThanStcWhereStcMissesSomething) {
       try {
         before = score(problem, plan_recorded("stc", problem).path).value("coverage_upper").value();
       } catch (const Infeasible&) {}
-      const Settings as_on_slides{{"fill", std::string("none")}, {"epsilon", 0.05}, {"close_loops", false}};
-      const Score slides = score(problem, plan_recorded("stc-loops", problem, as_on_slides).path);
+      const Settings as_published{{"fill", std::string("none")}, {"epsilon", 0.05}, {"close_loops", false}};
+      const Score published = score(problem, plan_recorded("stc-loops", problem, as_published).path);
       const Score whole = score(problem, plan_recorded("stc-loops", problem).path);
-      EXPECT_EQ(slides.flaw, "");
+      EXPECT_EQ(published.flaw, "");
       EXPECT_EQ(whole.flaw, "");
-      if (before < 0.97) { EXPECT_GT(slides.value("coverage_lower").value(), before); }
-      EXPECT_GE(whole.value("coverage_lower").value(), std::max(0.99, slides.value("coverage_lower").value()));
+      if (before < 0.97) { EXPECT_GT(published.value("coverage_lower").value(), before); }
+      EXPECT_GE(whole.value("coverage_lower").value(), std::max(0.99, published.value("coverage_lower").value()));
     }
 }
 
@@ -272,10 +272,10 @@ TEST(StcLoops, ASquarePillarHasOneUnbrokenLoop) {
   Polygon room = box_region({0, 0}, {8, 8}).polygons.front();
   room.holes.push_back({{3.5, 3.5}, {3.5, 4.5}, {4.5, 4.5}, {4.5, 3.5}});
   const Problem problem({"pillar", {{room}}, "test", ""}, Robot{}, Point(1, 1));
-  const Settings slides{{"fill", std::string("none")}};
-  Settings walked = slides;
+  const Settings published{{"fill", std::string("none")}};
+  Settings walked = published;
   walked["close_loops"] = false;
-  const RecordedPlan once = plan_recorded("stc-loops", problem, slides),
+  const RecordedPlan once = plan_recorded("stc-loops", problem, published),
                      twice = plan_recorded("stc-loops", problem, walked);
   EXPECT_EQ(once.figures.at("loops"), 2);
   EXPECT_EQ(once.figures.at("broken_loops"), 0);

@@ -17,6 +17,7 @@
 #include "base/files.hpp"
 #include "base/sha256.hpp"
 #include "bench/build_info.hpp"
+#include "bench/registry.hpp"
 #include "maps/path_file.hpp"
 #include "metrics/score.hpp"
 #include "reports/built_in_registry.hpp"
@@ -141,6 +142,19 @@ TEST(SuiteRun, ResumeAfterACutDoesOnlyTheRest) {
       EXPECT_EQ(now.substr(0, kept), text.substr(0, kept));
     }
   }
+}
+
+// What the settings at hand promise, which may differ from what the planner's defaults do.
+TEST(SuiteRun, RowsSayWhatIsPromised) {
+  const Folder folder;
+  Suite suite = rectangles({});
+  suite.limits = {.wall_s = 20, .memory_mb = 2000};
+  suite.planners = {{"stc", {{"partial", true}}}, {"wavefront", {{"stop", std::string("closed")}}}};
+  const Results results = run_suite(suite, built_in_registry(), into(folder.file("out")));
+  EXPECT_EQ(results.rows[0].get("promise"), "cells");
+  EXPECT_EQ(results.rows[0].get("promise_coverage").substr(0, 3), "0.9") << "certified from below, so not quite 1";
+  EXPECT_EQ(results.rows[1].get("promise"), "nothing");
+  EXPECT_EQ(results.rows[1].get("promise_coverage"), "");
 }
 
 // metrics.csv: what planners report of themselves, in suite order, whatever the jobs; nobody reports, no file.

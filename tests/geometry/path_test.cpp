@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace oxturn {
 namespace {
 
@@ -21,6 +23,21 @@ TEST(PathBuilder, MergesNeighboursOfAKindAndDropsRepeats) {
   EXPECT_EQ(p.length(), 11);
   EXPECT_EQ(p.length(true), 10);
   EXPECT_EQ(p.length(false), 1);
+}
+
+// Two pieces of a path that meet in a point computed in two ways.
+TEST(PathBuilder, PointsThatDifferByRoundingAreRepeats) {
+  const Point end(0.1 + 0.2, 7), same(0.3, 7);
+  ASSERT_NE(end, same);
+  PathBuilder b({0, 7});
+  b.drive(Polyline{{0, 7}, end}, true);
+  b.drive(Polyline{same, {1, 7}}, true);
+  b.drive(Polyline{{1, 7}, {1, std::nextafter(7, 8)}, {1, 8}}, false);
+  b.drive({1, 8 + 1e-9}, false);  // short, but no rounding
+  const Path p = b.take();
+  ASSERT_EQ(p.legs.size(), 2u);
+  EXPECT_EQ(p.legs[0].points, (Polyline{{0, 7}, end, {1, 7}}));
+  EXPECT_EQ(p.legs[1].points, (Polyline{{1, 7}, {1, 8}, {1, 8 + 1e-9}}));
 }
 
 TEST(PathBuilder, NothingDrivenIsAnEmptyPath) {
