@@ -16,6 +16,10 @@ bool PlannerInfo::has(Capability capability) const {
   return std::find(capabilities.begin(), capabilities.end(), capability) != capabilities.end();
 }
 
+Promise PlannerInfo::promised(const Settings& settings) const {
+  return !promises_with || promises_with(settings) ? promise : Promise::nothing;
+}
+
 std::vector<ParameterInfo> parameters_of(const PlannerInfo& planner, const Settings& settings,
                                          const Planners& planners) {
   std::vector<ParameterInfo> all = planner.parameters;
@@ -40,15 +44,6 @@ Settings with_variant(const PlannerInfo& planner, Settings settings) {
     return settings;
   settings.insert(planner.published.begin(), planner.published.end());
   return settings;
-}
-
-Promise promise_of(const PlannerInfo& planner, const Settings& settings, const Planners& planners) {
-  if (!planner.more_parameters) return planner.promise;
-  const auto given = settings.find("planner");
-  const Value inner =
-      given != settings.end() ? given->second : find_parameter(planner.name, planner.parameters, "planner").fallback;
-  const Promise promise = planners.find(std::get<std::string>(inner)).promise;
-  return promise == Promise::target ? promise : Promise::nothing;
 }
 
 std::string missing_capability(const PlannerInfo& planner, const Problem& problem) {

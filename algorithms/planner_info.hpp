@@ -30,7 +30,7 @@ struct PlannerInfo {
   std::string name, family, title, citation;
   std::vector<Capability> capabilities;
   std::string guarantee;
-  Promise promise = Promise::nothing;  // to cover, with the default settings (Context::promise for others)
+  Promise promise = Promise::nothing;  // to cover, with the default settings
   std::vector<ParameterInfo> parameters;
   /// Settings with which the planner does exactly what its source says: the meaning of `variant = published`. Empty:
   /// the planner has no such parameter.
@@ -39,7 +39,11 @@ struct PlannerInfo {
   std::function<std::unique_ptr<CoveragePlanner>(const Settings&, const Planners& planners)> make;
   /// For a planner that runs another one, named in the settings: the parameters of that one.
   std::function<std::vector<ParameterInfo>(const Settings&, const Planners& planners)> more_parameters = {};
+  /// Whether `promise` holds with these settings; empty: with all.
+  std::function<bool(const Settings&)> promises_with = {};
 
+  /// What it promises to cover with these settings. Throws as `make` does.
+  Promise promised(const Settings& settings) const;
   bool has(Capability capability) const;
 };
 
@@ -50,10 +54,6 @@ std::vector<ParameterInfo> parameters_of(const PlannerInfo& planner, const Setti
 
 /// `settings`, completed by the published ones if they contain `variant = published`; given ones take precedence.
 Settings with_variant(const PlannerInfo& planner, Settings settings);
-
-/// What the planner promises to cover with these settings. One that runs another planner promises the target if that
-/// one does; it does not hand out the cells of another.
-Promise promise_of(const PlannerInfo& planner, const Settings& settings, const Planners& planners);
 
 /// Why this planner cannot take this problem at all ("planner 'stc' has no capability 'tether', ..."), or "".
 std::string missing_capability(const PlannerInfo& planner, const Problem& problem);
@@ -70,6 +70,7 @@ struct Description {
   Promise promise = Promise::nothing;
   std::vector<Parameter<P>> parameters;
   Settings published = {};
+  bool (*promises_with)(const P&) = nullptr;  // whether `promise` holds with these parameters; nullptr: with all
 };
 
 /// The parameter `variant`, which describe() adds to planners with a published form.
@@ -81,12 +82,19 @@ PlannerInfo describe(Description<P> d) {
                    d.capabilities, d.guarantee, d.promise, infos_of(d.parameters),
                    d.published,    {},          {}};
   if (!d.published.empty()) info.parameters.push_back(variant_parameter(d.published));
-  info.make = [self = info, lines = std::move(d.parameters)](const Settings& settings, const Planners&) {
+  const auto params = [self = info, lines = std::move(d.parameters)](const Settings& settings) {
     const std::string owner = "planner '" + self.name + "'";
     Settings all = with_variant(self, checked(owner, self.parameters, settings));
     all.erase("variant");
-    return std::make_unique<Planner>(with_settings<P>(owner, lines, all));
+    return with_settings<P>(owner, lines, all);
   };
+  info.make = [params](const Settings& settings, const Planners&) {
+    return std::make_unique<Planner>(params(settings));
+  };
+  if (d.promises_with)
+    info.promises_with = [params, holds = d.promises_with](const Settings& settings) {
+      return holds(params(settings));
+    };
   return info;
 }
 

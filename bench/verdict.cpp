@@ -13,7 +13,7 @@ bool is_scored(const Planned& planned) {
 ScoreOptions score_options(const Planned& planned, Promise promise, bool tether_counts) {
   ScoreOptions options;
   options.tether_counts = tether_counts;
-  options.promise = planned.promised ? Promise::cells : promise;
+  options.promise = planned.promised ? Promise::cells : promise == Promise::target ? promise : Promise::nothing;
   if (planned.promised) options.promised = &*planned.promised;
   return options;
 }

@@ -20,8 +20,8 @@ struct Verdict {
 /// The paths of a run that returned one, or that published one before it timed out, are scored; no others.
 bool is_scored(const Planned& planned);
 
-/// How the path of a run is scored. `promise`: of the planner's description; cells that the run handed out replace it.
-/// Points into `planned`.
+/// How the path of a run is scored. `promise`: of the planner with its settings. Cells are promised only where the run
+/// handed them out. Points into `planned`.
 ScoreOptions score_options(const Planned& planned, Promise promise, bool tether_counts = true);
 
 /// A path by its score alone: ok if it is valid and certainly covers `target_coverage` of the target.

@@ -174,8 +174,8 @@ void finish_run(const Work& work, const Setting& setting, std::size_t index, con
   const PlannerSpec& spec = work.suite.planners[work.cells[index].planner];
   const Promise promise = work.registry.planners.find(spec.name).promised(spec.settings);
   const ScoreOptions scoring = score_options(planned, promise, !spec.ignore_tether);
-  const FinishTask task{*setting.problem,     planned,           work.registry.metrics, work.options,
-                        setting.problem_file, row.get("run_id"), scoring};
+  const FinishTask task{*setting.problem,  planned, work.registry.metrics, work.options, setting.problem_file,
+                        row.get("run_id"), scoring};
   const Finished finished = finish_isolated(task, work.suite.limits);
   for (const auto& [column, cell] : finished.cells) row.cells[column] = cell;
   const Verdict verdict =

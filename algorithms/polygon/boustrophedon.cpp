@@ -347,7 +347,8 @@ PlannerInfo boustrophedon() {
                      {"angle", 90.0},
                      {"outline", false},
                      {"cells", std::string("exact")},
-                     {"order", std::string("dfs")}}});
+                     {"order", std::string("dfs")}},
+       .promises_with = [](const Params& p) { return p.outline; }});
 }
 
 }  // namespace oxturn

@@ -388,7 +388,10 @@ PlannerInfo hyun() {
                      {"rules", std::string("published")},
                      {"nearest", std::string("air")},
                      {"transit", std::string("tlppa")},
-                     {"outline", false}}});
+                     {"outline", false}},
+       .promises_with = [](const Params& p) {
+         return p.outline && p.separation == 0 && p.passes == Passes::both && p.rules == Rules::improved;
+       }});
 }
 
 }  // namespace oxturn

@@ -354,7 +354,10 @@ PlannerInfo zigzag() {
        .published = {{"partition", std::string("auto")},
                      {"fit", std::string("literal")},
                      {"small_parts", std::string("drop")},
-                     {"sweep", std::string("given")}}});
+                     {"sweep", std::string("given")}},
+       .promises_with = [](const Params& p) {
+         return p.outline && p.margin == 0 && p.fit == Fit::cover && p.small_parts == SmallParts::merge;
+       }});
 }
 
 }  // namespace oxturn

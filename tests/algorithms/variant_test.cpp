@@ -48,5 +48,20 @@ TEST(Variant, PlannersWithoutAPublishedFormHaveNoSuchParameter) {
       testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("unknown parameter 'variant'")));
 }
 
+// A published form that leaves out the outline does not promise what the default does.
+TEST(Variant, PromisesDependOnTheSettings) {
+  const auto promised = [](const char* planner, const Settings& settings) {
+    return built_in().find(planner).promised(settings);
+  };
+  const Settings no_outline{{"outline", false}}, published{{"variant", std::string("published")}};
+  for (const char* planner : {"boustrophedon", "zigzag", "hyun"}) {
+    EXPECT_EQ(promised(planner, {}), Promise::target);
+    EXPECT_EQ(promised(planner, no_outline), Promise::nothing);
+    EXPECT_EQ(promised(planner, published), Promise::nothing);
+  }
+  EXPECT_EQ(promised("bsa", {{"partial", true}}), Promise::cells);
+  EXPECT_EQ(promised("leashed", {{"planner", std::string("boustrophedon")}}), Promise::nothing);
+}
+
 }  // namespace
 }  // namespace oxturn
