@@ -13,12 +13,6 @@ constexpr double kNear = 1e-9;   // rounding
 constexpr double kTouch = 1e-6;  // parts that share less of an edge are not connected
 constexpr double kLeastArea = 1e-9;
 
-Vec middle_of(const Convex& c) {
-  Vec sum{0, 0};
-  for (std::size_t i = 0; i < c.size; ++i) sum = sum + c.at[i];
-  return (1.0 / static_cast<double>(c.size)) * sum;
-}
-
 bool boxes_touch(const Extent& a, const Extent& b) {
   return std::abs(a.centre.x - b.centre.x) <= a.half.x + b.half.x + kNear &&
          std::abs(a.centre.y - b.centre.y) <= a.half.y + b.half.y + kNear;
