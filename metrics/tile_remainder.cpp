@@ -9,7 +9,7 @@ namespace {
 constexpr double kSpare = 1e-9;   // tile sides: an extra candidate costs little, a missing one would be wrong
 constexpr std::size_t kFew = 16;  // capsules for which a cell is not divided
 constexpr std::size_t kMuch = 512;  // pieces from which a capsule is subtracted, over all capsules; then it is
-constexpr int kDeepest = 7;       // cells of 1/128 tile: their pieces are few, however many capsules reach them
+constexpr int kDeepest = 10;      // cells of 1/1024 tile: their pieces are few, however many capsules reach them
 constexpr Extent kTile{{0, 0}, {0.5, 0.5}};
 
 double half_diagonal(const Extent& e) { return std::sqrt(dot(e.half, e.half)); }

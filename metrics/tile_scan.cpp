@@ -13,6 +13,7 @@ constexpr double kSpare = 1e-9;  // tile sides: an extra candidate costs little,
 // Chords per half disc.
 constexpr int kFirstChords = 16, kMostChords = 1024, kVisitChords = 32;
 constexpr double kStillShrinks = 0.9;  // of the gap between bounds, with twice the chords
+constexpr double kGain = 4;            // factor by which it shrinks where the arcs make it
 constexpr double kLeastWanted = 0.1;   // tiles: budgets of tiles with less target are not smaller
 constexpr double kMostVisitReach = 1.001 * kToolRadius;  // of the polygons for visits: their vertices are farther out
 
@@ -180,9 +181,11 @@ double TileScan::add_missed(const Tile& tile, const TileTarget& target, double w
   double most = target.area_in(left_.most()), least = target.area_in(left_.least());
   double gap = std::numeric_limits<double>::infinity();
   const double missed = std::min(wanted, estimate(most, least));
-  for (std::size_t n = 1; n < chords_.size() && most - least > budget_ * std::max(wanted, kLeastWanted); ++n) {
+  const double wide = budget_ * std::max(wanted, kLeastWanted);
+  for (std::size_t n = 1; n < chords_.size() && most - least > wide; ++n) {
     if (most - least > kStillShrinks * gap) break;
     gap = most - least;
+    for (double next = gap / kGain; next > kGain * wide && n + 1 < chords_.size(); next /= kGain) ++n;
     left_.compute(tile.centre, tile.near, chords_[n]);
     most = target.area_in(left_.most());
     least = target.area_in(left_.least());
