@@ -7,7 +7,7 @@
 namespace oxturn {
 namespace {
 
-constexpr double kStraight = 1e-10;            // tile sides: rounding
+constexpr double kStraight = 1e-10;          // tile sides: rounding
 constexpr std::size_t kWorthSearching = 32;  // chords; of fewer, each is tested
 
 /// Clips the segment ab to `room` (Liang and Barsky); false if nothing is left.

@@ -6,10 +6,10 @@
 namespace oxturn {
 namespace {
 
-constexpr double kSpare = 1e-9;   // tile sides: an extra candidate costs little, a missing one would be wrong
-constexpr std::size_t kFew = 16;  // capsules for which a cell is not divided
+constexpr double kSpare = 1e-9;     // tile sides: an extra candidate costs little, a missing one would be wrong
+constexpr std::size_t kFew = 16;    // capsules for which a cell is not divided
 constexpr std::size_t kMuch = 512;  // pieces from which a capsule is subtracted, over all capsules; then it is
-constexpr int kDeepest = 10;      // cells of 1/1024 tile: their pieces are few, however many capsules reach them
+constexpr int kDeepest = 10;        // cells of 1/1024 tile: their pieces are few, however many capsules reach them
 constexpr Extent kTile{{0, 0}, {0.5, 0.5}};
 
 double half_diagonal(const Extent& e) { return std::sqrt(dot(e.half, e.half)); }
@@ -78,8 +78,8 @@ void TileRemainder::add_quarter(const Extent& quarter, std::size_t from, std::si
   add_cell(quarter, to, depth);
 }
 
-/// pieces_ = cell without the polygons of the candidates from `from` on. If it may stop, it does where that takes too much
-/// work, and returns false.
+/// pieces_ = cell without the polygons of the candidates from `from` on. If it may stop, it does where that takes too
+/// much work, and returns false.
 bool TileRemainder::subtract(const Extent& cell, std::size_t from, Bound bound, bool may_stop) {
   pieces_.assign(1, box_of(cell));
   Extent where = cell;  // box of the pieces: it shrinks fast, and capsules that do not reach it are skipped

@@ -12,9 +12,9 @@ constexpr Extent kTile{{0, 0}, {0.5, 0.5}};
 constexpr double kSpare = 1e-9;  // tile sides: an extra candidate costs little, a missing one would be wrong
 // Chords per half disc.
 constexpr int kFirstChords = 16, kMostChords = 1024, kVisitChords = 32;
-constexpr double kStillShrinks = 0.9;  // of the gap between bounds, with twice the chords
-constexpr double kGain = 4;            // factor by which it shrinks where the arcs make it
-constexpr double kLeastWanted = 0.1;   // tiles: budgets of tiles with less target are not smaller
+constexpr double kStillShrinks = 0.9;                    // of the gap between bounds, with twice the chords
+constexpr double kGain = 4;                              // factor by which it shrinks where the arcs make it
+constexpr double kLeastWanted = 0.1;                     // tiles: budgets of tiles with less target are not smaller
 constexpr double kMostVisitReach = 1.001 * kToolRadius;  // of the polygons for visits: their vertices are farther out
 
 const Convex& unit_square() {
