@@ -7,7 +7,8 @@
 namespace oxturn {
 namespace {
 
-constexpr double kStraight = 1e-10;  // tile sides: rounding
+constexpr double kStraight = 1e-10;          // tile sides: rounding
+constexpr std::size_t kWorthSearching = 32;  // chords; of fewer, each is tested
 
 /// Clips the segment ab to `room` (Liang and Barsky); false if nothing is left.
 bool clip_to(const Box& room, Vec& a, Vec& b) {
@@ -224,6 +225,21 @@ Chords::Chords(int n) {
   equal_area_ = std::sqrt(part / 2 / std::tan(part / 2));
 }
 
+std::span<const Vec> Chords::between(double x, double y, double near) const {
+  const std::span<const Vec> all = directions_;
+  const double length = std::hypot(x, y);
+  if (all.size() <= kWorthSearching || near <= -length) return all;
+  if (near >= length) return {};
+  const double middle = std::atan2(y, x), half = std::acos(near / length);
+  if (std::abs(middle) + half >= 1.5 * kPi) return all;  // reaches around the back
+  const auto n = static_cast<double>(all.size());
+  const auto index = [&](double angle) {
+    return static_cast<std::size_t>(std::clamp((angle + kPi / 2) / kPi * n, 0.0, n));
+  };
+  const std::size_t from = index(middle - half - kPi / n), to = index(middle + half + kPi / n);
+  return all.subspan(from, to - from);
+}
+
 namespace {
 
 /// How far `where` extends beyond its centre in direction `normal`.
@@ -241,7 +257,10 @@ void add_if_it_cuts(const Extent& where, Vec at, Vec normal, double distance, st
 void half_disc(const Extent& where, Vec at, Vec forward, const Chords& chords, double cap,
                std::vector<HalfPlane>& out) {
   const Vec left{-forward.y, forward.x};
-  for (const Vec d : chords.directions()) add_if_it_cuts(where, at, d.x * forward + d.y * left, cap, out);
+  const double ahead = -dot(forward, at), across = -dot(left, at);  // of the extent's centre, from `at`
+  const double near = cap - std::sqrt(dot(where.half, where.half)) - kStraight;
+  for (const Vec d : chords.between(ahead, across, near))
+    if (d.x * ahead + d.y * across > near) add_if_it_cuts(where, at, d.x * forward + d.y * left, cap, out);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/path.hpp"
@@ -59,7 +60,8 @@ class Chords {
   double inscribed() const { return inscribed_; }
   /// The same, if the polygon has the area of the disc.
   double equal_area() const { return equal_area_; }
-  const std::vector<Vec>& directions() const { return directions_; }
+  /// All directions d with d . (x, y) > near, and possibly others.
+  std::span<const Vec> between(double x, double y, double near) const;
 
  private:
   std::vector<Vec> directions_;

@@ -4,6 +4,21 @@
 
 namespace oxturn {
 
+Convex box_of(const Extent& e) {
+  Convex c;
+  c.add(e.centre + Vec{-e.half.x, -e.half.y});
+  c.add(e.centre + Vec{e.half.x, -e.half.y});
+  c.add(e.centre + Vec{e.half.x, e.half.y});
+  c.add(e.centre + Vec{-e.half.x, e.half.y});
+  return c;
+}
+
+Vec middle_of(const Convex& c) {
+  Vec sum{0, 0};
+  for (std::size_t i = 0; i < c.size; ++i) sum = sum + c.at[i];
+  return (1.0 / static_cast<double>(c.size)) * sum;
+}
+
 double area(const Convex& c) {
   double twice = 0;
   for (std::size_t i = 2; i < c.size; ++i) twice += cross(c.at[i - 1] - c.at[0], c.at[i] - c.at[0]);

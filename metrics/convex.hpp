@@ -60,6 +60,9 @@ struct Extent {
 /// The bounding box; of no pieces, one with negative size.
 Extent extent_of(const std::vector<Convex>& pieces);
 
+Convex box_of(const Extent& extent);
+/// Mean of the vertices.
+Vec middle_of(const Convex& c);
 double area(const Convex& c);
 /// Two convex halves; `c` has at least 4 vertices.
 std::pair<Convex, Convex> halves(const Convex& c);

@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 
-#include "metrics/tile_scan.hpp"
-
 namespace oxturn {
 namespace {
 
 constexpr std::size_t kBins = 65536;
 constexpr double kSamples = 1e5;  // in the target
+constexpr std::size_t kFewCapsules = 32, kFewSamples = 4;
+constexpr double kSpare = 1e-9;  // tile sides: rounding
 constexpr std::array<std::array<int, 2>, 6> kLattices{{{5, 3}, {13, 8}, {34, 21}, {89, 55}, {233, 144}, {610, 377}}};
 
 std::vector<Vec> lattice(double tiles) {
@@ -43,23 +43,54 @@ double CoverageCurve::first_reached(const Capsule& k, Vec p) const {
   return k.path_m + std::clamp((along - half) / length, 0.0, 1.0) * (k.end_m - k.path_m);
 }
 
-/// Moves samples from open_ to reached_.
+/// Finds when the samples in open_ were reached.
 void CoverageCurve::collect(Vec centre, std::span<const NearCapsule> near, const std::vector<Capsule>& capsules) {
   reached_.clear();
-  for (const NearCapsule& n : near) {
-    const Capsule& k = capsules[n.capsule];
-    if (k.visits_only) continue;
-    for (std::size_t i = 0; i < open_.size();) {
-      const Vec p = centre + open_[i];
-      if (squared_distance(p, k) > kToolRadius * kToolRadius) {
+  near_.clear();
+  for (const NearCapsule& n : near)
+    if (!capsules[n.capsule].visits_only) near_.push_back(&capsules[n.capsule]);
+  for (Vec& p : open_) p = centre + p;
+  collect_cell({centre, {0.5, 0.5}}, open_, 0);
+}
+
+/// The capsules in near_ from `from` on are all that reach the samples, which lie in the cell.
+void CoverageCurve::collect_cell(const Extent& cell, std::span<Vec> samples, std::size_t from) {
+  const std::size_t to = near_.size();
+  if (to - from <= kFewCapsules || samples.size() <= kFewSamples) return collect_each(samples, from);
+  const auto upper = std::partition(samples.begin(), samples.end(), [&](Vec p) { return p.y < cell.centre.y; });
+  const Vec half = 0.5 * cell.half;
+  const double span = std::sqrt(dot(half, half)) + kSpare, far = kToolRadius + span, inside = kToolRadius - span;
+  const auto quarter = [&](auto first, auto last, Vec middle) {
+    for (std::size_t i = from; i < to && first != last; ++i) {
+      const double distance2 = squared_distance(middle, *near_[i]);
+      if (distance2 < far * far) near_.push_back(near_[i]);
+      if (distance2 < inside * inside) break;  // contains the quarter
+    }
+    if (first != last) collect_cell({middle, half}, {first, last}, to);
+    near_.resize(to);
+  };
+  const auto row = [&](auto first, auto last, double y) {
+    const auto right = std::partition(first, last, [&](Vec p) { return p.x < cell.centre.x; });
+    quarter(first, right, {cell.centre.x - half.x, y});
+    quarter(right, last, {cell.centre.x + half.x, y});
+  };
+  row(samples.begin(), upper, cell.centre.y - half.y);
+  row(upper, samples.end(), cell.centre.y + half.y);
+}
+
+/// Capsule by capsule; those that are covered are moved to the end.
+void CoverageCurve::collect_each(std::span<Vec> samples, std::size_t from) {
+  std::size_t open = samples.size();
+  for (std::size_t c = from; c < near_.size() && open > 0; ++c) {
+    const Capsule& k = *near_[c];
+    for (std::size_t i = 0; i < open;) {
+      if (squared_distance(samples[i], k) > kToolRadius * kToolRadius) {
         ++i;
         continue;
       }
-      reached_.push_back(bin_of(first_reached(k, p)));
-      open_[i] = open_.back();
-      open_.pop_back();
+      reached_.push_back(bin_of(first_reached(k, samples[i])));
+      std::swap(samples[i], samples[--open]);
     }
-    if (open_.empty()) return;
   }
 }
 

@@ -7,8 +7,9 @@
 /// Method      Each tile has the same sample points, a Fibonacci lattice. A sample belongs to the position on the path
 ///             at which the tool first reaches it. A tile's covered area is divided among its covered samples in the
 ///             target, so the sum of all is exact, and only its distribution along the path is estimated (some 10^5
-///             samples in the target, at least 5 a tile).
-/// Complexity  a tile: O(samples x capsules near it), less where the first capsules cover it
+///             samples in the target, at least 5 a tile). Where many capsules are near, the tile is divided into
+///             quarters, of which each needs only the capsules that reach it, up to the first that contains it.
+/// Complexity  a tile: O(samples x capsules near it) for few capsules, less where the first ones cover it
 #pragma once
 
 #include <cstdint>
@@ -18,15 +19,9 @@
 #include "metrics/capsules.hpp"
 #include "metrics/swept_area.hpp"
 #include "metrics/target_rows.hpp"
+#include "metrics/tile_remainder.hpp"
 
 namespace oxturn {
-
-/// A capsule near a tile.
-struct NearCapsule {
-  std::int64_t column;
-  double distance2;  // from the tile's centre to the segment, squared
-  std::uint32_t capsule;
-};
 
 class CoverageCurve {
  public:
@@ -42,13 +37,16 @@ class CoverageCurve {
  private:
   double first_reached(const Capsule& capsule, Vec p) const;
   void collect(Vec centre, std::span<const NearCapsule> near, const std::vector<Capsule>& capsules);
+  void collect_cell(const Extent& cell, std::span<Vec> samples, std::size_t from);
+  void collect_each(std::span<Vec> samples, std::size_t from);
   std::size_t bin_of(double path_m) const;
 
   double length_m_;
   std::vector<Vec> samples_;
   std::vector<double> bins_;          // covered area by path length
-  std::vector<Vec> open_;             // samples of the tile that no capsule has covered yet
-  std::vector<std::size_t> reached_;  // bins of the others
+  std::vector<Vec> open_;             // samples of the tile, moved as they are covered
+  std::vector<std::size_t> reached_;  // bins of those that a capsule covers
+  std::vector<const Capsule*> near_;  // in driving order; a stack: of the tile, of its quarter, ...
 };
 
 }  // namespace oxturn

@@ -42,8 +42,8 @@ void divide(std::vector<Convex>& pieces, const HalfPlane& h, double from, double
 
 }  // namespace
 
-void TileTarget::cut(std::vector<Convex>& pieces, std::vector<Convex>& spare) const {
-  if (edges_.size() > kMostEdges) return;
+bool TileTarget::cut(std::vector<Convex>& pieces, std::vector<Convex>& spare) const {
+  if (edges_.size() > kMostEdges) return false;
   const auto upright = [&](double x) {
     if (std::abs(x) < 0.5) divide(pieces, {{1, 0}, x}, -1, 1, spare);
   };
@@ -53,6 +53,7 @@ void TileTarget::cut(std::vector<Convex>& pieces, std::vector<Convex>& spare) co
     upright(e.to);
   }
   for (const Edge& e : edges_) divide(pieces, e.above, e.from + kSlack, e.to - kSlack, spare);
+  return true;
 }
 
 double TileTarget::area_in(const Convex& c) const {

@@ -32,9 +32,9 @@ class TileTarget {
   bool outside() const { return edges_.empty() && crossings_.empty() && winding_ == 0; }
   bool inside() const { return edges_.empty() && crossings_.empty() && winding_ == 1; }
   bool contains(Vec p) const;
-  /// Cuts the pieces so that none has points on both sides of the target's boundary. Tiles with more than kMostEdges
-  /// edges are left as they are.
-  void cut(std::vector<Convex>& pieces, std::vector<Convex>& spare) const;
+  /// Cuts the pieces so that none has points on both sides of the target's boundary. In tiles with more than kMostEdges
+  /// edges they are left as they are, and the result is false.
+  bool cut(std::vector<Convex>& pieces, std::vector<Convex>& spare) const;
   /// Area of the target within `c`.
   double area_in(const Convex& c) const;
   double area_in(const std::vector<Convex>& pieces) const;

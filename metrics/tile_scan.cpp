@@ -12,18 +12,13 @@ constexpr Extent kTile{{0, 0}, {0.5, 0.5}};
 constexpr double kSpare = 1e-9;  // tile sides: an extra candidate costs little, a missing one would be wrong
 // Chords per half disc.
 constexpr int kFirstChords = 16, kMostChords = 1024, kVisitChords = 32;
-constexpr double kStillShrinks = 0.9;  // of the gap between bounds, with twice the chords
-constexpr double kLeastWanted = 0.1;   // tiles: budgets of tiles with less target are not smaller
+constexpr double kStillShrinks = 0.9;                    // of the gap between bounds, with twice the chords
+constexpr double kGain = 4;                              // factor by which it shrinks where the arcs make it
+constexpr double kLeastWanted = 0.1;                     // tiles: budgets of tiles with less target are not smaller
+constexpr double kMostVisitReach = 1.001 * kToolRadius;  // of the polygons for visits: their vertices are farther out
 
 const Convex& unit_square() {
-  static const Convex square = [] {
-    Convex c;
-    c.add({-0.5, -0.5});
-    c.add({0.5, -0.5});
-    c.add({0.5, 0.5});
-    c.add({-0.5, 0.5});
-    return c;
-  }();
+  static const Convex square = box_of(kTile);
   return square;
 }
 
@@ -34,15 +29,13 @@ double estimate(double inscribed, double circumscribed) { return inscribed / 3 +
 
 }  // namespace
 
-double TileScan::Uncovered::estimate() const { return oxturn::estimate(most, least); }
-
 TileScan::TileScan(const Region& target, const Point& origin, double side, const CapsuleSet& capsules, double margin,
                    CoverageCurve& curve, UncoveredPieces& pieces)
     : rows_(target, origin, side),
       capsules_(capsules),
       curve_(curve),
       pieces_(pieces),
-      margin_(margin),
+      left_(capsules.all, margin),
       reach_(kToolRadius + capsules.slack + kSpare),
       visit_chords_(kVisitChords) {
   for (int n = kFirstChords; n <= kMostChords; n *= 2) chords_.emplace_back(n);
@@ -157,82 +150,45 @@ void TileScan::add_untouched(std::int64_t from, std::int64_t to) {
 
 void TileScan::scan_tile(const Tile& tile, const TileTarget& target) {
   const double wanted = target.inside() ? 1 : target.outside() ? 0 : target.area_in(unit_square());
-  const Uncovered left = uncovered(tile);
+  const double left = uncovered(tile);
   sums_.target += wanted;
-  sums_.swept += 1 - left.estimate();
+  sums_.swept += 1 - left;
   if (wanted > 0) {
-    const double missed = most_.empty() ? 0 : add_missed(tile, target, wanted);
-    if (missed > 0 && !least_.empty()) pieces_.add_tile(floor_of(tile.centre.x), least_, target);
+    const double missed = left > 0 ? add_missed(tile, target, wanted) : 0;
+    if (missed > 0 && !left_.least().empty()) pieces_.add_tile(floor_of(tile.centre.x), left_.least(), target);
     if (wanted > missed) curve_.add(tile.centre, tile.near, capsules_.all, target, wanted - missed);
   }
   if (!target.inside()) add_visits(tile, target);
 }
 
-/// Does the capsule certainly contain the whole tile?
-bool TileScan::covers_tile(const NearCapsule& near, Vec centre) const {
-  const double r = kToolRadius - capsules_.all[near.capsule].slack - margin_;
-  if (near.distance2 > (r - 0.5) * (r - 0.5)) return false;  // a tile extends at least so far in every direction
-  const double sure = r - kHalfDiagonal - kSpare;
-  if (near.distance2 <= sure * sure) return true;
-  for (const Vec corner : {Vec{-0.5, -0.5}, Vec{0.5, -0.5}, Vec{0.5, 0.5}, Vec{-0.5, 0.5}})
-    if (squared_distance(centre + corner, capsules_.all[near.capsule]) > r * r) return false;
-  return true;
-}
-
 bool TileScan::any_covers(const Tile& tile) const {
   return std::any_of(tile.near.begin(), tile.near.end(), [&](const NearCapsule& n) {
-    return !capsules_.all[n.capsule].visits_only && covers_tile(n, tile.centre);
-  });
-}
-
-/// pieces = tile without the polygons of the capsules in nearest_.
-void TileScan::remainder(Vec centre, const Chords& chords, Bound bound, std::vector<Convex>& pieces) {
-  pieces.assign(1, unit_square());
-  Extent where = kTile;  // box of the pieces: it shrinks fast, and capsules that do not reach it are skipped
-  double span = kHalfDiagonal;
-  const bool inscribed = bound == Bound::inscribed;
-  for (const NearCapsule& n : nearest_) {
-    if (pieces.empty()) return;
     const Capsule& k = capsules_.all[n.capsule];
-    if (k.visits_only) continue;
-    const double side = inscribed ? kToolRadius - k.slack - margin_ : kToolRadius + k.slack + margin_;
-    const double cap = inscribed ? (kToolRadius - k.slack) * chords.inscribed() - margin_ : side;
-    const double far = side + span + kSpare;
-    if (squared_distance(centre + where.centre, k) >= far * far) continue;
-    polygon_of(k, centre, where, chords, side, cap, cut_);
-    subtract(pieces, cut_, spare_);
-    where = extent_of(pieces);
-    span = std::hypot(where.half.x, where.half.y);
-  }
+    return !k.visits_only && left_.covers_tile(k, n.distance2, tile.centre);
+  });
 }
 
-/// Uncovered area of the tile by the coarsest chords; leaves the pieces in most_ and least_.
-TileScan::Uncovered TileScan::uncovered(const Tile& tile) {
-  most_.clear();
-  least_.clear();
-  if (any_covers(tile)) return {};
-  nearest_.assign(tile.near.begin(), tile.near.end());
-  std::sort(nearest_.begin(), nearest_.end(), [](const NearCapsule& l, const NearCapsule& r) {
-    return l.distance2 != r.distance2 ? l.distance2 < r.distance2 : l.capsule < r.capsule;
-  });
-  remainder(tile.centre, chords_[0], Bound::inscribed, most_);
-  if (most_.empty()) return {};
-  remainder(tile.centre, chords_[0], Bound::circumscribed, least_);
-  return {area(most_), area(least_)};
+/// Uncovered area of the tile by the coarsest chords, estimated; leaves the pieces in left_ unless it is 0.
+double TileScan::uncovered(const Tile& tile) {
+  if (any_covers(tile)) return 0;
+  left_.compute(tile.centre, tile.near, chords_[0]);
+  return estimate(area(left_.most()), area(left_.least()));
 }
 
 /// Refines the chords until the bounds of the missed target are within the budget, or as near as they get (the
 /// capsules' slack remains). Returns the estimate.
 double TileScan::add_missed(const Tile& tile, const TileTarget& target, double wanted) {
-  double most = target.area_in(most_), least = target.area_in(least_), gap = std::numeric_limits<double>::infinity();
+  double most = target.area_in(left_.most()), least = target.area_in(left_.least());
+  double gap = std::numeric_limits<double>::infinity();
   const double missed = std::min(wanted, estimate(most, least));
-  for (std::size_t n = 1; n < chords_.size() && most - least > budget_ * std::max(wanted, kLeastWanted); ++n) {
+  const double wide = budget_ * std::max(wanted, kLeastWanted);
+  for (std::size_t n = 1; n < chords_.size() && most - least > wide; ++n) {
     if (most - least > kStillShrinks * gap) break;
     gap = most - least;
-    remainder(tile.centre, chords_[n], Bound::inscribed, most_);
-    remainder(tile.centre, chords_[n], Bound::circumscribed, least_);
-    most = target.area_in(most_);
-    least = target.area_in(least_);
+    for (double next = gap / kGain; next > kGain * wide && n + 1 < chords_.size(); next /= kGain) ++n;
+    left_.compute(tile.centre, tile.near, chords_[n]);
+    most = target.area_in(left_.most());
+    least = target.area_in(left_.least());
   }
   sums_.missed += missed;
   sums_.missed_most += std::min(most, wanted);
@@ -240,42 +196,63 @@ double TileScan::add_missed(const Tile& tile, const TileTarget& target, double w
   return missed;
 }
 
-/// The area outside the target where visits begin.
+/// Adds the area outside the target where visits begin.
 void TileScan::add_visits(const Tile& tile, const TileTarget& target) {
-  const double cap = kToolRadius * visit_chords_.equal_area();
+  const std::optional<Extent> where = box_outside(target);
+  if (!where) return;
   for (const NearCapsule& n : tile.near) {
     const Capsule& k = capsules_.all[n.capsule];
     if (k.disc && !k.visits_only) continue;
-    sums_.visits_outside += k.forth * visits_begun(tile, target, k, k.a, cap);
-    if (k.back > 0) sums_.visits_outside += k.back * visits_begun(tile, target, k, k.b, cap);
+    sums_.visits_outside += k.forth * visits_begun(tile, target, *where, k, k.a);
+    if (k.back > 0) sums_.visits_outside += k.back * visits_begun(tile, target, *where, k, k.b);
   }
 }
 
-/// The area outside the target where visits begin while the robot drives the capsule's segment from its end `from`.
-double TileScan::visits_begun(const Tile& tile, const TileTarget& target, const Capsule& k, Vec from, double cap) {
-  std::vector<Convex>& begun = most_;
-  begun.clear();
-  polygon_of(k, tile.centre, kTile, visit_chords_, kToolRadius, cap, cut_);
-  clip_to_cut(unit_square(), 0);
-  if (!k.disc && !begun.empty()) {
-    disc_of(from, k.along, tile.centre, kTile, visit_chords_, cap, cut_);
-    subtract(begun, cut_, spare_);
-  }
-  return std::max(0.0, area(begun) - target.area_in(begun));
+/// A box around the part of the tile outside the target.
+std::optional<Extent> TileScan::box_outside(const TileTarget& target) {
+  begun_.assign(1, unit_square());
+  if (target.outside() || !target.cut(begun_, in_disc_)) return kTile;
+  std::erase_if(begun_, [&](const Convex& c) { return target.contains(middle_of(c)); });
+  if (begun_.empty()) return std::nullopt;
+  return extent_of(begun_);
 }
 
-/// Appends `piece` clipped to cut_[from] and all later half-planes to most_, in halves where it gets too many vertices.
-void TileScan::clip_to_cut(Convex piece, std::size_t from) {
+/// The area outside the target, all of it in the box `where`, where visits begin while the robot drives the capsule's
+/// segment from its end `from`: that in the capsule less that in the disc about `from`.
+double TileScan::visits_begun(const Tile& tile, const TileTarget& target, const Extent& where, const Capsule& k,
+                              Vec from) {
+  const double cap = kToolRadius * visit_chords_.equal_area();
+  const Vec off = tile.centre + where.centre - from;
+  const Vec farthest{std::abs(off.x) + where.half.x, std::abs(off.y) + where.half.y};
+  if (!k.disc && dot(farthest, farthest) < cap * cap) return 0;
+  const double reach = kMostVisitReach + std::sqrt(dot(where.half, where.half));
+  if (squared_distance(tile.centre + where.centre, k) > reach * reach) return 0;
+
+  polygon_of(k, tile.centre, where, visit_chords_, kToolRadius, cap, cut_);
+  begun_.clear();
+  clip_to_cut(box_of(where), 0, begun_);
+  double outside = area(begun_) - target.area_in(begun_);
+  if (!k.disc && !begun_.empty()) {
+    disc_of(from, k.along, tile.centre, where, visit_chords_, cap, cut_);
+    in_disc_.clear();
+    for (const Convex& c : begun_) clip_to_cut(c, 0, in_disc_);
+    outside -= area(in_disc_) - target.area_in(in_disc_);
+  }
+  return std::max(0.0, outside);
+}
+
+/// Appends `piece` clipped to cut_[from] and all later half-planes, in halves where it gets too many vertices.
+void TileScan::clip_to_cut(Convex piece, std::size_t from, std::vector<Convex>& out) {
   for (; from < cut_.size() && piece.size >= 3; ++from) {
     if (piece.size > Convex::kWide) {
       const auto [one, two] = halves(piece);
-      clip_to_cut(one, from);
-      clip_to_cut(two, from);
+      clip_to_cut(one, from, out);
+      clip_to_cut(two, from, out);
       return;
     }
     piece = clipped(piece, cut_[from]);
   }
-  if (piece.size >= 3) most_.push_back(piece);
+  if (piece.size >= 3) out.push_back(piece);
 }
 
 }  // namespace oxturn

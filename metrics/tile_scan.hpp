@@ -1,21 +1,21 @@
 /// Adds up covered, swept and visited areas tile by tile: the main loop of swept_area.hpp. Private to metrics/.
 ///
-///   TileScan scan(target, origin, side, capsules, margin);
+///   TileScan scan(target, origin, side, capsules, margin, curve, pieces);
 ///   const TileSums sums = scan.run(0.0005);
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "metrics/capsules.hpp"
 #include "metrics/coverage_curve.hpp"
 #include "metrics/target_rows.hpp"
+#include "metrics/tile_remainder.hpp"
 #include "metrics/uncovered_pieces.hpp"
 
 namespace oxturn {
-
-inline constexpr double kToolRadius = 1;  // in tile sides
 
 /// Areas in tiles.
 struct TileSums {
@@ -43,11 +43,6 @@ class TileScan {
     std::span<const NearCapsule> near;  // in driving order
     Vec centre;
   };
-  enum class Bound { inscribed, circumscribed };  // polygons in place of capsules
-  struct Uncovered {                              // of one tile
-    double most = 0, least = 0;
-    double estimate() const;
-  };
   std::int64_t first_row(std::uint32_t capsule) const;
   std::int64_t last_row(std::uint32_t capsule) const;
   void collect(std::int64_t row, const std::vector<std::uint32_t>& active);
@@ -56,30 +51,28 @@ class TileScan {
   void scan_row(std::int64_t row);
   void add_untouched(std::int64_t from, std::int64_t to);
   void scan_tile(const Tile& tile, const TileTarget& target);
-  bool covers_tile(const NearCapsule& near, Vec centre) const;
   bool any_covers(const Tile& tile) const;
-  void remainder(Vec centre, const Chords& chords, Bound bound, std::vector<Convex>& pieces);
-  Uncovered uncovered(const Tile& tile);
+  double uncovered(const Tile& tile);
   double add_missed(const Tile& tile, const TileTarget& target, double wanted);
   void add_visits(const Tile& tile, const TileTarget& target);
-  double visits_begun(const Tile& tile, const TileTarget& target, const Capsule& k, Vec from, double cap);
-  void clip_to_cut(Convex piece, std::size_t from);
+  std::optional<Extent> box_outside(const TileTarget& target);
+  double visits_begun(const Tile& tile, const TileTarget& target, const Extent& where, const Capsule& k, Vec from);
+  void clip_to_cut(Convex piece, std::size_t from, std::vector<Convex>& out);
 
   TargetRows rows_;
   const CapsuleSet& capsules_;
   CoverageCurve& curve_;
   UncoveredPieces& pieces_;
-  double margin_, budget_ = 0;
+  TileRemainder left_;  // of the present tile
+  double budget_ = 0;
   double reach_;                // how far a capsule extends from its segment at most
   std::vector<Chords> chords_;  // coarse to fine
   Chords visit_chords_;
   TileSums sums_;
   // Of the present row or tile; members so that their memory is reused.
   std::vector<NearCapsule> near_, sorted_;  // by column, then in driving order
-  std::vector<NearCapsule> nearest_;        // of the tile, nearest first
   std::vector<std::size_t> first_of_column_, fill_;
-  std::vector<Convex> most_, least_;  // what remains uncovered of the present tile, upper and lower bound
-  std::vector<Convex> spare_;
+  std::vector<Convex> begun_, in_disc_;
   std::vector<HalfPlane> cut_;  // polygon of the present capsule
 };
 

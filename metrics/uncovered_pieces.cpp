@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/disjoint_sets.hpp"
 
@@ -12,12 +13,6 @@ namespace {
 constexpr double kNear = 1e-9;   // rounding
 constexpr double kTouch = 1e-6;  // parts that share less of an edge are not connected
 constexpr double kLeastArea = 1e-9;
-
-Vec middle_of(const Convex& c) {
-  Vec sum{0, 0};
-  for (std::size_t i = 0; i < c.size; ++i) sum = sum + c.at[i];
-  return (1.0 / static_cast<double>(c.size)) * sum;
-}
 
 bool boxes_touch(const Extent& a, const Extent& b) {
   return std::abs(a.centre.x - b.centre.x) <= a.half.x + b.half.x + kNear &&
@@ -106,15 +101,23 @@ void UncoveredPieces::add_tile(std::int64_t column, const std::vector<Convex>& u
   column_ = column + 1;
 }
 
-/// Joins the parts of a tile, in pieces_ and from parts_[first] on, that share an edge.
+/// Joins the parts of a tile, in pieces_ and from parts_[first] on, that share an edge: a sweep from left to right.
 void UncoveredPieces::join_within(std::size_t first, const std::vector<Extent>& boxes) {
+  const auto left = [&](std::size_t i) { return boxes[i].centre.x - boxes[i].half.x; };
+  order_.resize(boxes.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::stable_sort(order_.begin(), order_.end(), [&](std::size_t l, std::size_t r) { return left(l) < left(r); });
   DisjointSets sets(boxes.size());  // most pairs that touch are connected already
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      if (boxes_touch(boxes[i], boxes[k]) && !sets.same(i, k) && share_edge(pieces_[i], pieces_[k])) {
-        sets.unite(i, k);
-        joined_.emplace_back(first + k, first + i);
-      }
+  for (std::size_t n = 0; n < order_.size(); ++n) {
+    const std::size_t i = order_[n];
+    const double right = boxes[i].centre.x + boxes[i].half.x + kNear;
+    for (std::size_t m = n + 1; m < order_.size() && left(order_[m]) <= right; ++m) {
+      const std::size_t k = order_[m];
+      if (!boxes_touch(boxes[i], boxes[k]) || sets.same(i, k) || !share_edge(pieces_[i], pieces_[k])) continue;
+      sets.unite(i, k);
+      joined_.emplace_back(first + i, first + k);
+    }
+  }
 }
 
 void UncoveredPieces::add_run(std::int64_t from, std::int64_t to) {

@@ -8,7 +8,7 @@
 ///
 /// Method      Tiles are added row by row. The uncovered polygons of a tile are cut along the target's edges; the parts
 ///             that share an edge, in the tile or across its border, are joined (disjoint sets).
-/// Complexity  near-linear in the parts; a tile with p parts O(p^2), p is small
+/// Complexity  near-linear in the parts; a tile with p parts O(p log p) plus the pairs above each other
 #pragma once
 
 #include <cstdint>
@@ -54,6 +54,7 @@ class UncoveredPieces {
   std::vector<Touch> left_, right_;          // of the present tile, of the one before
   std::vector<Touch> bottom_, top_, below_;  // of the present row; below_: top_ of the row before
   std::vector<Convex> pieces_, spare_;
+  std::vector<std::size_t> order_;  // of the pieces, by their left ends
 };
 
 }  // namespace oxturn

@@ -78,6 +78,27 @@ Polyline random_line(std::size_t n, double side) {
   return line;
 }
 
+/// n points within two tool widths: a robot that trembles.
+Polyline trembling(std::size_t n, const Point& at) {
+  Rng rng(7);
+  Polyline line;
+  for (std::size_t k = 0; k < n; ++k)
+    line.push_back(at + kTool * Point(rng.between(-1.0, 1.0), rng.between(-1.0, 1.0)));
+  return line;
+}
+
+/// n steps of up to a tenth of a tool width, in a square of eight tool widths.
+Polyline walk_in_room(std::size_t n, const Point& at) {
+  Rng rng(7);
+  const Point reach = Point(4, 4) * kTool;
+  Polyline line{at};
+  for (std::size_t k = 0; k < n; ++k) {
+    const Point p = line.back() + 0.1 * kTool * Point(rng.between(-1.0, 1.0), rng.between(-1.0, 1.0));
+    line.push_back(p.cwiseMax(at - reach).cwiseMin(at + reach));
+  }
+  return line;
+}
+
 Path one_leg(const Polyline& line) { return {{Leg{true, line}}}; }
 
 /// A leg for each segment.
@@ -123,6 +144,12 @@ void BM_ScoreRandom(benchmark::State& state) {
   const double side = std::sqrt(static_cast<double>(points(state))) * kTool;
   run(state, one_leg(random_line(points(state), side)), floor_with_pillars(side));
 }
+void BM_ScoreTrembling(benchmark::State& state) {
+  run(state, one_leg(trembling(points(state), {3, 3})), floor_with_pillars(6));
+}
+void BM_ScoreWalkInRoom(benchmark::State& state) {
+  run(state, one_leg(walk_in_room(points(state), {3, 3})), floor_with_pillars(6));
+}
 /// Lanes over cells, a tenth of whose corners have a speck.
 void BM_ScoreSpeckles(benchmark::State& state) {
   const auto cells = static_cast<std::size_t>(std::sqrt(static_cast<double>(state.range(0))));
@@ -150,6 +177,8 @@ BENCHMARK(BM_ScoreThereAndBack)->Apply(up_to_a_million);
 BENCHMARK(BM_ScoreLegsOfOneSegment)->Apply(up_to_a_million);
 BENCHMARK(BM_ScoreLanes)->Apply(up_to_a_million);
 BENCHMARK(BM_ScoreRandom)->Apply(up_to_a_million);
+BENCHMARK(BM_ScoreTrembling)->Apply(up_to_a_million);
+BENCHMARK(BM_ScoreWalkInRoom)->Apply(up_to_a_million);
 BENCHMARK(BM_ScoreSpeckles)->Apply(up_to_a_million);
 
 }  // namespace

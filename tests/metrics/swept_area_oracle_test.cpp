@@ -164,6 +164,73 @@ TEST(SweptOracle, BoundsHoldForCurvesOfManyShortSegments) {
   }
 }
 
+/// n points in a square about `centre`: a robot that trembles.
+Polyline trembling(Rng& rng, const Point& centre, double half, int n) {
+  Polyline line;
+  for (int k = 0; k < n; ++k) line.push_back(centre + half * Point(rng.between(-1.0, 1.0), rng.between(-1.0, 1.0)));
+  return line;
+}
+
+// Thousands of segments in the same few tiles.
+TEST(SweptOracle, ThousandsOfOverlappingSegments) {
+  Region target = box_region({0, 0}, {4, 3});
+  target.polygons[0].holes.push_back({{1, 1}, {1, 2}, {1.7, 2}, {1.7, 1}});
+  for (const auto seed : seeds(4)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Path path = seed % 2 ? work(trembling(rng, {1.8, 1.4}, rng.between(0.3, 1.5), 1500))
+                               : random_walk(rng, bounding_box(target), 3, 500, 0.3);
+    const double w = rng.between(0.4, 1.0);
+    const Counts truth = count(target, path, w, w / 12);
+    const SweptArea s = swept_area(target, 0, w, path);
+    EXPECT_NEAR(s.covered_m2, truth.covered, 0.01 * truth.covered);
+    EXPECT_NEAR(s.union_m2, truth.swept, 0.01 * truth.swept);
+    EXPECT_NEAR(s.visits_m2, truth.visits, 0.02 * truth.visits);
+  }
+}
+
+// The bounds hold and are as close as was asked for. Took hours when every segment met every other.
+TEST(SweptOracle, OverlappingSegmentsAtAnyCertainty) {
+  const Region target = box_region({-4, -4}, {4, 4});
+  const Point middle(0.3, 0.2);
+  for (const double half : {1.0, 0.3}) {
+    SCOPED_TRACE(half);
+    Rng rng(17);
+    const Path path = work(trembling(rng, middle, half, 3000));
+    const SweptArea coarse = swept_area(target, 0, 1, path, 0.01), usual = swept_area(target, 0, 1, path),
+                    fine = swept_area(target, 0, 1, path, 1e-5);
+    EXPECT_LE(fine.coverage.upper - fine.coverage.lower, 1e-5);
+    EXPECT_LE(usual.coverage.upper - usual.coverage.lower, 1e-3);
+    for (const SweptArea* s : {&coarse, &usual}) {
+      EXPECT_LE(s->coverage.lower, fine.coverage.upper);
+      EXPECT_GE(s->coverage.upper, fine.coverage.lower);
+      EXPECT_NEAR(s->union_m2, fine.union_m2, 0.01);
+      EXPECT_NEAR(s->visits_m2, fine.visits_m2, 0.01 * fine.visits_m2);
+    }
+    // More than the disc about the square's middle, less than the square grown by the tool.
+    EXPECT_GE(fine.coverage.upper * 64, kPi / 4);
+    EXPECT_LE(fine.coverage.lower * 64, kPi / 4 + 4 * half + 4 * half * half);
+    for (const MissedPiece& piece : usual.missed) EXPECT_GE(distance(piece.at, middle), 0.5);
+  }
+}
+
+// The curve of a path that trembles is what the path's beginnings cover.
+TEST(SweptOracle, CurveOfOverlappingSegments) {
+  const Region target = box_region({-2, -2}, {2, 2});
+  Rng rng(4);
+  Polyline line;
+  for (int k = 0; k < 3000; ++k)
+    line.push_back(Point(-1.5 + 0.001 * k, 0) + 0.4 * Point(rng.between(-1.0, 1.0), rng.between(-1.0, 1.0)));
+  const SweptArea whole = swept_area(target, 0, 1, work(line));
+  for (const std::size_t n : {200UL, 900UL, 2100UL}) {
+    const Path begin = work(Polyline(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(n)));
+    const auto after = std::lower_bound(whole.curve.begin(), whole.curve.end(), begin.length(),
+                                        [](const CoveragePoint& p, double m) { return p.path_m < m; });
+    ASSERT_NE(after, whole.curve.end());
+    EXPECT_NEAR(after->coverage, swept_area(target, 0, 1, begin).coverage.middle(), 2e-3);
+  }
+}
+
 // No path sweeps more than length * width + a disc.
 TEST(SweptOracle, NeverMoreThanItsLengthCanSweep) {
   Rng rng(3);
