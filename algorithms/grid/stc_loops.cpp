@@ -4,7 +4,7 @@
 // Model       grid of coarse cells 2D x 2D and polygonal walls, offline, disc footprint
 // Guarantee   what `stc` covers is covered; every part of a loop that the robot can drive is driven; the path is one
 //             closed round of a tree
-// Complexity  n sub-cells and nodes: O(n), and a path for each piece that sees no vertex nearby (branch_tree.hpp)
+// Complexity  n sub-cells and nodes: O(n log n), and a path for each piece that sees no vertex nearby (branch_tree.hpp)
 // Decisions   1. The slides offset the map's walls, and so does this. The parts of a loop outside configuration space
 //                are invalid: nodes outside, and both nodes of an edge that leaves it. This also holds for the loop's
 //                own obstacle (notches narrower than the robot, walls traced from pixels).
@@ -183,11 +183,10 @@ class StcWithLoops {
   }
 
  private:
-  bool attach(const Polyline& piece, BranchTree::Kind kind) {
+  void attach(const Polyline& piece, BranchTree::Kind kind) {
     const BranchTree::Attached how = tree_.attach(piece, kind);
     by_path_ += how == BranchTree::Attached::by_path;
     lost_ += how == BranchTree::Attached::not_at_all;
-    return how != BranchTree::Attached::not_at_all;
   }
 
   /// The robot drives from its start to the component that stc begins with; of the others, always the one nearest to
@@ -202,20 +201,18 @@ class StcWithLoops {
       const Polyline round = round_tree(fine_, cells_, entry.at, RoundPoints::at_every_cell);
       if (tree_.vertices().empty())
         tree_.begin(round, BranchTree::Kind::round);
-      else if (!attach(round, BranchTree::Kind::round))
-        return;
+      else
+        by_path_ += tree_.attach(round, BranchTree::Kind::round, entry.path) == BranchTree::Attached::by_path;
       attached[static_cast<std::size_t>(components.of[entry.coarse])] = true;
     };
-    std::optional<ComponentOrder::Entry> entry = order.first();
-    if (entry) path_.drive(entry->path, false);
-    while (entry && !context_.cancelled()) {
-      attach_component(*entry);
-      if (p_.components == Components::start) break;
-      for (const ComponentOrder::Entry& other : order.branches()) {
-        if (context_.cancelled()) break;
-        attach_component(other);
-      }
-      entry = order.next(problem_.start());
+    if (const std::optional<ComponentOrder::Entry> root = order.first()) {
+      path_.drive(root->path, false);
+      attach_component(*root);
+      if (p_.components == Components::all)
+        for (const ComponentOrder::Entry& branch : order.branches()) {
+          if (context_.cancelled()) break;
+          attach_component(branch);
+        }
     }
     if (tree_.vertices().empty()) tree_.begin({problem_.start()}, BranchTree::Kind::chain);
     for (std::size_t c = 0; c < cells_.size(); ++c)

@@ -40,7 +40,7 @@ Region make(const Params& p, Rng& rng) {
 GeneratorInfo speckle() {
   return describe_site<Params>(
       "speckle", "a floor speckled with small obstacles",
-      "square obstacles of a cell and more; free cells, at least `passage` robot diameters wide, connected by their sides",
+      "square obstacles; free cells at least `passage` robot diameters wide, connected by their sides",
       {{"cell", &Params::cell, Range{0, 10000}, "metres, side of a cell, at least; 0: the narrowest passage"},
        {"blocked", &Params::blocked, Range{0, 0.35}, "share of cells that are blocked"}},
       make);

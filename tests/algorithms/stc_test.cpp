@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -128,7 +129,26 @@ TEST(Stc, GoesOnToOtherComponentsByDefault) {
     return n;
   };
   EXPECT_EQ(rounds("start"), 1);
-  EXPECT_EQ(rounds("all"), 2);
+  EXPECT_EQ(rounds("all"), 3);  // the second room is a branch of the first one's round
+}
+
+// Thousands of components of which the lattice connects few: one closed path, whatever lies between them.
+TEST(Stc, IsOneClosedPathThroughAllComponents) {
+  Robot robot;
+  robot.radius = 0.19;
+  for (const double size : {12.0, 40.0, 90.0})
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      SCOPED_TRACE(fmt::format("speckle --seed {} --set width={}", seed, size));
+      const Settings speckle{{"width", size}, {"height", size}, {"robot", 0.19}, {"passage", 1.05}, {"cell", 0.4}};
+      const Problem problem(generate("speckle", speckle, seed), robot);
+      const Path path = plan_stc(problem);
+      const auto first = std::find_if(path.legs.begin(), path.legs.end(), [](const Leg& leg) { return leg.tool; });
+      ASSERT_NE(first, path.legs.end());
+      EXPECT_LT(distance(first->points.front(), path.legs.back().points.back()), 1e-9);
+      const double side = 0.4 / std::sqrt(2.0);
+      const double cells = path.length(true) / side;
+      EXPECT_NEAR(cells, std::round(cells), 1e-6);
+    }
 }
 
 TEST(Stc, TurnsWithTheMap) {
