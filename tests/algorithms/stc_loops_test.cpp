@@ -303,6 +303,29 @@ TEST(StcLoops, LoopsBrokenManyTimes) {
   EXPECT_GE(result.value("coverage_lower").value(), 0.99);
 }
 
+/// How often the path turns round on the spot.
+int reversals(const Path& path) {
+  int count = 0;
+  for (const Leg& leg : path.legs)
+    for (std::size_t k = 2; k < leg.points.size(); ++k) {
+      const Point a = leg.points[k - 1] - leg.points[k - 2], b = leg.points[k] - leg.points[k - 1];
+      count += a.dot(b) < -0.99 * a.norm() * b.norm();
+    }
+  return count;
+}
+
+// What is left between the loops and the coarse cells is driven along, not cell by cell from the loop and back.
+TEST(StcLoops, FillsAlongChainsNotBySpikes) {
+  for (const char* generator : {"rooms", "clutter", "cave", "maze"})
+    for (const auto seed : seeds(3)) {
+      SCOPED_TRACE(fmt::format("{} --seed {}", generator, seed));
+      const Problem problem(generate(generator, {}, seed), Robot{});
+      const RecordedPlan without = plan_recorded("stc-loops", problem, {{"fill", std::string("none")}}),
+                         with = plan_recorded("stc-loops", problem);
+      EXPECT_LT(reversals(with.path) - reversals(without.path), with.figures.at("fill_points") / 3);
+    }
+}
+
 TEST(StcLoops, WithoutACoarseCellLoopsAreAttachedToTheStart) {
   const Problem problem({"corridor", box_region({0, 0}, {6, 0.6}), "test", ""}, Robot{}, Point(3, 0.3));
   EXPECT_THROW(plan_recorded("stc", problem), Infeasible);
