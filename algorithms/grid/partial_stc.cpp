@@ -92,6 +92,13 @@ class PartialStc {
   }
 
  private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  struct Round {
+    std::vector<Cell> cells;
+    std::size_t driven;       // index of the cell where the robot is
+    const Polyline* arrival;  // the path that led to the first cell
+  };
+
   void grow_tree(const Cell& root, const std::vector<Cell>& cells) {
     tree_.add_node(root);
     if (options_.tree == TreeKind::bfs)
@@ -192,13 +199,7 @@ class PartialStc {
   Context& context_;
   SubCellComponents components_;
   Tree tree_;
-  DisjointSets joined_;  // weighted: sub-cells in one tree
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  struct Round {
-    std::vector<Cell> cells;
-    std::size_t driven;       // index of the cell where the robot is
-    const Polyline* arrival;  // the path that led to the first cell
-  };
+  DisjointSets joined_;                                // weighted: sub-cells in one tree
   std::vector<ComponentLinks::Link> links_;            // to the other components
   std::vector<std::uint32_t> first_link_, next_link_;  // from each sub-cell, as linked lists
   std::vector<Round> open_;                            // rounds begun
