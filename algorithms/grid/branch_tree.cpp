@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "algorithms/tour/cell_ring.hpp"
-#include "geometry/predicates.hpp"
 
 namespace oxturn {
 namespace {
 
+constexpr double kStraight = 1e-9;    // radians; less than that is rounding
 constexpr int kMostRings = 24;        // of buckets in which a visible vertex is searched
 constexpr double kMostBuckets = 1e6;  // also along one axis
 
@@ -133,8 +133,10 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> BranchTree::edges() const {
   return all;
 }
 
+// Up to rounding: nodes along an edge are hardly ever exactly on it.
 bool BranchTree::straight_on(const Point& a, const Point& b, const Point& c) {
-  return (b - a).dot(c - b) > 0 && orientation(a, b, c) == 0;
+  const Point before = b - a, after = c - b;
+  return before.dot(after) > 0 && std::abs(cross(before, after)) <= kStraight * before.norm() * after.norm();
 }
 
 /// Depth-first along the pieces.

@@ -314,6 +314,19 @@ int reversals(const Path& path) {
   return count;
 }
 
+// However the map is turned: nodes along a wall are not exactly on a straight line.
+TEST(StcLoops, StraightRunsAreOneSegment) {
+  for (const double angle : {0.0, 0.3, 1.1}) {
+    SCOPED_TRACE(angle);
+    const Problem problem({"room", transformed(box_region({0, 0}, {9.1, 7.3}), angle, {2, 1}), "test", ""}, Robot{});
+    for (const Leg& leg : plan_recorded("stc-loops", problem).path.legs)
+      for (std::size_t k = 2; k < leg.points.size(); ++k) {
+        const Point a = leg.points[k - 1] - leg.points[k - 2], b = leg.points[k] - leg.points[k - 1];
+        EXPECT_FALSE(a.dot(b) > 0 && std::abs(cross(a, b)) < 1e-10 * a.norm() * b.norm());
+      }
+  }
+}
+
 // What is left between the loops and the coarse cells is driven along, not cell by cell from the loop and back.
 TEST(StcLoops, FillsAlongChainsNotBySpikes) {
   double turned = 0, points = 0;
