@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "algorithms/tour/cell_ring.hpp"
-#include "geometry/predicates.hpp"
 
 namespace oxturn {
 namespace {
 
+constexpr double kStraight = 1e-9;    // radians; less than that is rounding
 constexpr int kMostRings = 24;        // of buckets in which a visible vertex is searched
 constexpr double kMostBuckets = 1e6;  // also along one axis
 
@@ -83,12 +83,25 @@ BranchTree::Attached BranchTree::attach(const Polyline& piece, Kind kind) {
   std::optional<Connection> found = path_over_lattice(piece.front());
   if (!found) found = path_among_walls(piece.front());
   if (!found) return Attached::not_at_all;
-  // The inner vertices of the path, from the tree outwards, are a chain to whose end the piece is attached.
-  Polyline chain(found->path.rbegin() + 1, found->path.rend() - 1);
-  std::uint32_t parent = found->vertex;
-  if (!chain.empty()) parent = add(chain, Kind::chain, parent);
-  add(piece, kind, parent);
+  std::reverse(found->path.begin(), found->path.end());
+  attach_by(found->path, found->vertex, piece, kind);
   return Attached::by_path;
+}
+
+BranchTree::Attached BranchTree::attach(const Polyline& piece, Kind kind, const Polyline& path) {
+  const std::uint32_t visible = nearest_visible(piece.front());
+  if (visible != kNone)
+    add(piece, kind, visible);
+  else
+    attach_by(path, vertex_at(path.front()), piece, kind);
+  return visible != kNone ? Attached::straight : Attached::by_path;
+}
+
+/// The inner vertices of the path, from the tree outwards, are a chain to whose end the piece is attached.
+void BranchTree::attach_by(const Polyline& path, std::uint32_t vertex, const Polyline& piece, Kind kind) {
+  const Polyline chain(path.begin() + 1, path.end() - 1);
+  if (!chain.empty()) vertex = add(chain, Kind::chain, vertex);
+  add(piece, kind, vertex);
 }
 
 std::uint32_t BranchTree::vertex_at(const Point& p) const {
@@ -120,8 +133,10 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> BranchTree::edges() const {
   return all;
 }
 
+// Up to rounding: nodes along an edge are hardly ever exactly on it.
 bool BranchTree::straight_on(const Point& a, const Point& b, const Point& c) {
-  return (b - a).dot(c - b) > 0 && orientation(a, b, c) == 0;
+  const Point before = b - a, after = c - b;
+  return before.dot(after) > 0 && std::abs(cross(before, after)) <= kStraight * before.norm() * after.norm();
 }
 
 /// Depth-first along the pieces.

@@ -44,6 +44,8 @@ class BranchTree {
   enum class Attached { straight, by_path, not_at_all };
   /// Attaches the piece by its first point. Not at all: no vertex can be reached from there.
   Attached attach(const Polyline& piece, Kind kind);
+  /// The same where a path from a vertex of the tree to the piece's first point is known, for want of a visible vertex.
+  Attached attach(const Polyline& piece, Kind kind, const Polyline& path);
 
   const std::vector<Point>& vertices() const { return vertices_; }
   /// Pairs of vertices, without the closing edges of rounds.
@@ -83,6 +85,7 @@ class BranchTree {
   class Around;
   static bool straight_on(const Point& a, const Point& b, const Point& c);
   std::uint32_t add(const Polyline& piece, Kind kind, std::uint32_t parent);
+  void attach_by(const Polyline& path, std::uint32_t vertex, const Polyline& piece, Kind kind);
   std::uint32_t nearest_visible(const Point& p) const;
   std::uint32_t vertex_at(const Point& p) const;
   std::optional<Connection> path_over_lattice(const Point& p);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "algorithms/transit/nearest_component.hpp"
+
 namespace oxturn {
 
 ComponentOrder::ComponentOrder(const Problem& problem, const GridGraph& fine, const CoarseCells& cells,
@@ -27,14 +29,10 @@ ComponentOrder::Entry ComponentOrder::entry_at(std::size_t node, Polyline path, 
   return {fine_.cell(node), coarse(node), std::move(path), from};
 }
 
-/// Notes that the component has been entered.
-std::optional<ComponentOrder::Entry> ComponentOrder::entered(std::optional<Entry> entry) {
-  if (!entry) return std::nullopt;
-  at_ = fine_.at(entry->at);
-  done_[static_cast<std::size_t>(components_.of[entry->coarse])] = true;
+void ComponentOrder::enter(const Entry& entry) {
+  at_ = fine_.at(entry.at);
+  done_[static_cast<std::size_t>(components_.of[entry.coarse])] = true;
   --left_[static_cast<std::size_t>(paths_.component(at_))];
-  if (walls_) walls_->remove(components_.of[entry->coarse]);
-  return entry;
 }
 
 std::optional<ComponentOrder::Entry> ComponentOrder::first() {
@@ -42,10 +40,9 @@ std::optional<ComponentOrder::Entry> ComponentOrder::first() {
   std::optional<Entry> entry = under(start);
   if (!entry) entry = over_lattice(start);
   if (!entry) entry = among_walls(start);
-  return entered(std::move(entry));
+  if (entry) enter(*entry);
+  return entry;
 }
-
-std::optional<ComponentOrder::Entry> ComponentOrder::next(const Point& from) { return entered(among_walls(from)); }
 
 std::optional<ComponentOrder::Entry> ComponentOrder::under(const Point& p) const {
   const Cell at = fine_.cell_of(p);
@@ -60,25 +57,30 @@ std::optional<ComponentOrder::Entry> ComponentOrder::over_lattice(const Point& p
   return entry_at(found->node, std::move(found->path));
 }
 
-std::optional<ComponentOrder::Entry> ComponentOrder::among_walls(const Point& p) {
-  if (std::all_of(done_.begin(), done_.end(), [](bool done) { return done; })) return std::nullopt;
-  if (!walls_) add_entries_among_walls();
-  auto found = walls_->from(p);
+// A path from another component enters one through a cell on its boundary.
+template <class F>
+void ComponentOrder::for_each_boundary_sub_cell(F f) const {
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    if (components_.of[c] < 0) continue;
+    const bool inner =
+        std::all_of(kAllDirections.begin(), kAllDirections.end(), [&](Direction d) { return cells_.adjacent(c, d); });
+    for (int k = 0; k < 4 && !inner; ++k) f(sub_cell(c, k));
+  }
+}
+
+std::optional<ComponentOrder::Entry> ComponentOrder::among_walls(const Point& p) const {
+  NearestComponent nearest(problem_);
+  for_each_boundary_sub_cell([&](std::size_t node) { nearest.add(paths_.centre(node), 0, node); });
+  auto found = nearest.from(p);
   if (!found) return std::nullopt;
   return entry_at(found->id, std::move(found->path));
 }
 
-// A path from another component enters one through a cell on its boundary.
-void ComponentOrder::add_entries_among_walls() {
-  walls_.emplace(problem_);
-  const auto on_boundary = [&](std::size_t c) {
-    return std::any_of(kAllDirections.begin(), kAllDirections.end(),
-                       [&](Direction d) { return !cells_.adjacent(c, d); });
-  };
-  for (std::size_t c = 0; c < cells_.size(); ++c) {
-    if (!left(sub_cell(c)) || !on_boundary(c)) continue;
-    for (int k = 0; k < 4; ++k) walls_->add(paths_.centre(sub_cell(c, k)), components_.of[c], sub_cell(c, k));
-  }
+/// Between the trees that the lattice connects.
+std::vector<ComponentLinks::Link> ComponentOrder::links_among_walls() const {
+  ComponentLinks links(problem_);
+  for_each_boundary_sub_cell([&](std::size_t node) { links.add(paths_.centre(node), paths_.component(node), node); });
+  return links.tree(paths_.component(at_));
 }
 
 /// Prim's algorithm. All sub-cells of components in the tree are sources of one wave; when it meets another component,
@@ -92,9 +94,12 @@ class ComponentOrder::Prim {
         entered_(order.fine_.size(), LatticePaths::kSource),
         waiting_(1) {}
 
-  std::vector<Entry> run() {
+  /// Appends the components that the lattice connects to the last one entered.
+  void append_tree(std::vector<Entry>& branches) {
     const auto whole = static_cast<std::size_t>(order_.paths_.component(order_.at_));
-    if (order_.left_[whole] == 0) return {};
+    if (order_.left_[whole] == 0) return;
+    waiting_.resize(1);
+    waiting_[0].clear();
     add_sources(order_.coarse(order_.at_));
     for (std::size_t steps = 0; steps < waiting_.size() && order_.left_[whole] > 0;) {
       if (waiting_[steps].empty()) {
@@ -103,9 +108,8 @@ class ComponentOrder::Prim {
       }
       const std::size_t at = waiting_[steps].back();
       waiting_[steps].pop_back();
-      if (steps_[at] == steps && expand(at)) steps = 0;
+      if (steps_[at] == steps && expand(at, branches)) steps = 0;
     }
-    return std::move(found_);
   }
 
  private:
@@ -134,14 +138,14 @@ class ComponentOrder::Prim {
     });
   }
   /// Returns whether new sources were added.
-  bool expand(std::size_t at) {
+  bool expand(std::size_t at, std::vector<Entry>& branches) {
     const std::uint32_t next_steps = steps_[at] + 1;
     bool met = false;
     for (const Direction d : kAllDirections) {
       if (!order_.paths_.open(at, d)) continue;
       const std::size_t to = order_.paths_.neighbour(at, d);
       if (order_.left(to)) {
-        enter(at, to);
+        branches.push_back(enter(at, to));
         met = true;
       } else if (steps_[to] > next_steps) {
         steps_[to] = next_steps;
@@ -152,11 +156,13 @@ class ComponentOrder::Prim {
     }
     return met;
   }
-  void enter(std::size_t at, std::size_t to) {
+  Entry enter(std::size_t at, std::size_t to) {
     std::vector<std::size_t> nodes = order_.paths_.nodes_to(at, [this](std::size_t node) { return entered_[node]; });
     nodes.push_back(to);
-    found_.push_back(*order_.entered(order_.entry_at(to, order_.paths_.along(nodes), nodes.front())));
+    Entry entry = order_.entry_at(to, order_.paths_.along(nodes), nodes.front());
+    order_.enter(entry);
     add_sources(order_.coarse(to));
+    return entry;
   }
 
   ComponentOrder& order_;
@@ -164,9 +170,19 @@ class ComponentOrder::Prim {
   std::vector<std::uint8_t> entered_;  // how the wave entered a node (LatticePaths::nodes_to)
   std::vector<std::vector<std::uint32_t>> waiting_;
   std::vector<std::size_t> component_;
-  std::vector<Entry> found_;
 };
 
-std::vector<ComponentOrder::Entry> ComponentOrder::branches() { return Prim(*this).run(); }
+std::vector<ComponentOrder::Entry> ComponentOrder::branches() {
+  std::vector<Entry> all;
+  Prim prim(*this);
+  prim.append_tree(all);
+  if (std::all_of(done_.begin(), done_.end(), [](bool done) { return done; })) return all;
+  for (ComponentLinks::Link& link : links_among_walls()) {
+    all.push_back(entry_at(link.to, std::move(link.path), link.from));
+    enter(all.back());
+    prim.append_tree(all);
+  }
+  return all;
+}
 
 }  // namespace oxturn

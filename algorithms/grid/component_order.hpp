@@ -2,15 +2,14 @@
 /// others as branches of it.
 ///
 ///   ComponentOrder order(problem, fine, cells, components_of(cells), paths);
-///   for (auto root = order.first(); root; root = order.next(path.at())) {
-///     const auto branches = order.branches();       // the others that the lattice connects to it
-///     ...
-///   }
+///   const auto root = order.first();                // nullopt: there is none
+///   for (const auto& branch : order.branches()) ...  // the others, parents first
 ///
 /// Components that the lattice of sub-cells connects become one tree, each by a path from the nearest sub-cell of a
-/// component that is in the tree already: a minimum spanning tree by steps over the lattice (Prim 1957). Where the
-/// lattice leads to none, the nearest component by shortest paths among the walls is where the next tree begins.
-/// A tree O(sub-cells); a query among walls as in nearest_component.hpp.
+/// component that is in the tree already: a minimum spanning tree by steps over the lattice (Prim 1957). These trees in
+/// turn are connected by a minimum spanning tree of shortest paths among the walls (component_links.hpp). Both are
+/// minimum spanning trees, so the whole is one, as far as steps over the lattice measure length.
+/// O(n log n) for n sub-cells, and a short shortest path for each tree.
 #pragma once
 
 #include <optional>
@@ -18,7 +17,7 @@
 
 #include "algorithms/grid/spanning_trees.hpp"
 #include "algorithms/lattice/lattice_paths.hpp"
-#include "algorithms/transit/nearest_component.hpp"
+#include "algorithms/transit/component_links.hpp"
 
 namespace oxturn {
 
@@ -36,18 +35,18 @@ class ComponentOrder {
   };
   /// The component under the start if it can be reached straight, else the nearest. nullopt if there is none.
   std::optional<Entry> first();
-  /// All components that the lattice connects to the last one entered; those nearer to the tree so far come first.
+  /// All others that can be reached, each after the one that it branches off from.
   std::vector<Entry> branches();
-  /// Of those that are left, the nearest to `from`.
-  std::optional<Entry> next(const Point& from);
 
  private:
   class Prim;
   std::optional<Entry> under(const Point& p) const;
   std::optional<Entry> over_lattice(const Point& p);
-  std::optional<Entry> among_walls(const Point& p);
-  void add_entries_among_walls();
-  std::optional<Entry> entered(std::optional<Entry> entry);
+  std::optional<Entry> among_walls(const Point& p) const;
+  std::vector<ComponentLinks::Link> links_among_walls() const;
+  template <class F>
+  void for_each_boundary_sub_cell(F f) const;
+  void enter(const Entry& entry);
   Entry entry_at(std::size_t node, Polyline path, std::size_t from = 0) const;
   std::size_t sub_cell(std::size_t cell, int k = 0) const {
     return fine_.at(2 * cells_.column(cell) + k % 2, 2 * cells_.row(cell) + k / 2);
@@ -64,10 +63,9 @@ class ComponentOrder {
   const CoarseCells& cells_;
   const ConnectedComponents& components_;
   LatticePaths& paths_;
-  std::vector<bool> done_;                 // components entered
-  std::vector<int> left_;                  // how many are left, by component of the lattice
-  std::optional<NearestComponent> walls_;  // built at the first query
-  std::size_t at_ = 0;                     // the last entry's sub-cell
+  std::vector<bool> done_;  // components entered
+  std::vector<int> left_;   // how many are left, by component of the lattice
+  std::size_t at_ = 0;      // the last entry's sub-cell
 };
 
 }  // namespace oxturn

@@ -2,7 +2,7 @@
 ///
 ///   if (p_.partial) return cover_partial_cells(problem, p_.lattice(problem, 2), p_, context);
 ///
-/// O(n) for n sub-cells.
+/// O(n log n) for n sub-cells.
 #pragma once
 
 #include "algorithms/coverage_planner.hpp"
@@ -10,8 +10,9 @@
 
 namespace oxturn {
 
-/// Drives around the tree of every connected component of the free sub-cells, nearest first; with Components::start of
-/// the first one only. Columns and rows of `fine` are even. Throws Infeasible if no sub-cell is free.
+/// Drives around the tree of every connected component of the free sub-cells, each from where the path passes nearest
+/// to it (component_links.hpp); with Components::start around the first one only. Columns and rows of `fine` are even.
+/// Throws Infeasible if no sub-cell is free.
 Path cover_partial_cells(const Problem& problem, const GridGraph& fine, const TreeOptions& options, Context& context);
 
 }  // namespace oxturn

@@ -4,8 +4,8 @@
 // Model       grid of coarse cells 2D x 2D, offline, disc footprint
 // Guarantee   each sub-cell (side D) of the free coarse cells connected to the first one exactly once; the path is
 //             closed and its length is the number of sub-cells times D
-// Complexity  n sub-cells: time and memory O(n), `weighted` O(n log n). The same with `components = all`, except where
-//             components are connected only by paths that leave the lattice
+// Complexity  n sub-cells: time and memory O(n), `weighted` O(n log n). The same with `components = all`, or O(n log n)
+//             and a short shortest path for each component where only paths that leave the lattice connect them
 // Decisions   1. A coarse cell is free if the square through its four sub-cell centres lies in configuration space,
 //                because nothing else is driven inside it. Two are adjacent if both lattice edges between their
 //                sub-cells are free.
@@ -124,22 +124,15 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   ComponentOrder order(problem, fine, cells, components, paths);
   TreeGrower grower(cells, p.tree, context.rng());
   PathBuilder path(problem.start());
-  int done = 0;
-  auto root = order.first();
-  if (root) {
+  if (const std::optional<ComponentOrder::Entry> root = order.first()) {
     const Cell base{root->at.i & ~1, root->at.j & ~1};
     promise_coarse_cells(context, fine, p.components, base, problem.robot().tool_width);
-  }
-  for (; root && !context.cancelled(); root = order.next(path.at())) {
     std::vector<ComponentOrder::Entry> branches;
     if (p.components == Components::all) branches = order.branches();
     grower.grow(root->coarse);
     for (const ComponentOrder::Entry& branch : branches) grower.grow(branch.coarse);
     path.drive(root->path, false);
     RoundWithBranches(fine, cells, branches, path).drive(*root, context);
-    done += 1 + static_cast<int>(branches.size());
-    context.progress(double(done) / components.count);
-    if (p.components == Components::start) break;
   }
   if (context.wants_traces()) context.trace("tree", tree_lines(cells));
   return path.take();

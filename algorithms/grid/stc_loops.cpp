@@ -4,7 +4,7 @@
 // Model       grid of coarse cells 2D x 2D and polygonal walls, offline, disc footprint
 // Guarantee   what `stc` covers is covered; every part of a loop that the robot can drive is driven; the path is one
 //             closed round of a tree
-// Complexity  n sub-cells and nodes: O(n), and a path for each piece that sees no vertex nearby (branch_tree.hpp)
+// Complexity  n sub-cells and nodes: O(n log n), and a path for each piece that sees no vertex nearby (branch_tree.hpp)
 // Decisions   1. The source offsets the map's walls, and so does this. The parts of a loop outside configuration space
 //                are invalid: nodes outside, and both nodes of an edge that leaves it. This also holds for the loop's
 //                own obstacle (notches narrower than the robot, walls traced from pixels).
@@ -23,10 +23,11 @@
 //                attached likewise, so there is one tree; each is attached where it is nearest to the tree so far.
 //             8. If no coarse cell fits, the tree is the start alone, and loops are attached to it.
 //             9. One lap along the walls leaves bands up to 2D wide uncovered between it and the coarse cells. `fill =
-//                none` is the source. `cells` (ours) also attaches every free sub-cell that is not yet covered, as a
-//                branch of one node. `spots`, the default, continues with what is left around sub-cells whose centre is
-//                in a wall, and where loops are broken. Coverage is looked up on a lattice of D / 4.
-//            10. `close_loops = true`, the default, drives an unbroken loop around once; false is the source's walk of
+//                none` is the source. `cells` (ours) also attaches the free sub-cells that are not yet covered, as
+//                chains from one to the next (uncovered_chains.hpp). `spots`, the default, continues with what is left
+//                around sub-cells whose centre is in a wall, and where loops are broken. Coverage is looked up on a
+//                lattice of D / 4.
+//            10. `close_loops = true`, the default, drives an unbroken loop around once; false is the source' walk of
 //                the tree, there and back.
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@
 #include "algorithms/grid/branch_tree.hpp"
 #include "algorithms/grid/component_order.hpp"
 #include "algorithms/grid/spanning_trees.hpp"
-#include "algorithms/grid/uncovered_samples.hpp"
+#include "algorithms/grid/uncovered_chains.hpp"
 #include "algorithms/grid/wall_loops.hpp"
 #include "algorithms/lattice/promised_cells.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -139,18 +140,6 @@ class Loops {
   std::vector<Point> valid_, invalid_;
 };
 
-/// A point on the boundary of configuration space is often outside it by rounding: a nearby point inside.
-std::optional<Point> inner_point(const EdgeIndex& space, const Point& p, double tool_width) {
-  constexpr int kDirections = 16;
-  const double step = tool_width / 1000;
-  for (int k = 0; k < kDirections; ++k) {
-    const double angle = k * kPi / (kDirections / 2);
-    const Point q = p + step * Point(std::cos(angle), std::sin(angle));
-    if (space.contains(q)) return q;
-  }
-  return std::nullopt;
-}
-
 /// What the tool covers along a line, without its round ends.
 void add_swath(const Polyline& line, double tool_width, std::vector<Region>& parts) {
   for (std::size_t k = 1; k < line.size(); ++k) {
@@ -195,11 +184,10 @@ class StcWithLoops {
   }
 
  private:
-  bool attach(const Polyline& piece, BranchTree::Kind kind) {
+  void attach(const Polyline& piece, BranchTree::Kind kind) {
     const BranchTree::Attached how = tree_.attach(piece, kind);
     by_path_ += how == BranchTree::Attached::by_path;
     lost_ += how == BranchTree::Attached::not_at_all;
-    return how != BranchTree::Attached::not_at_all;
   }
 
   /// The robot drives from its start to the component that stc begins with; of the others, always the one nearest to
@@ -214,23 +202,19 @@ class StcWithLoops {
       const Polyline round = round_tree(fine_, cells_, entry.at, RoundPoints::at_every_cell);
       if (tree_.vertices().empty())
         tree_.begin(round, BranchTree::Kind::round);
-      else if (!attach(round, BranchTree::Kind::round))
-        return;
+      else
+        by_path_ += tree_.attach(round, BranchTree::Kind::round, entry.path) == BranchTree::Attached::by_path;
       attached[static_cast<std::size_t>(components.of[entry.coarse])] = true;
     };
-    std::optional<ComponentOrder::Entry> entry = order.first();
-    if (entry) {
-      path_.drive(entry->path, false);
-      first_ = Cell{entry->at.i & ~1, entry->at.j & ~1};
-    }
-    while (entry && !context_.cancelled()) {
-      attach_component(*entry);
-      if (p_.components == Components::start) break;
-      for (const ComponentOrder::Entry& other : order.branches()) {
-        if (context_.cancelled()) break;
-        attach_component(other);
-      }
-      entry = order.next(problem_.start());
+    if (const std::optional<ComponentOrder::Entry> root = order.first()) {
+      path_.drive(root->path, false);
+      first_ = Cell{root->at.i & ~1, root->at.j & ~1};
+      attach_component(*root);
+      if (p_.components == Components::all)
+        for (const ComponentOrder::Entry& branch : order.branches()) {
+          if (context_.cancelled()) break;
+          attach_component(branch);
+        }
     }
     if (tree_.vertices().empty()) tree_.begin({problem_.start()}, BranchTree::Kind::chain);
     for (std::size_t c = 0; c < cells_.size(); ++c)
@@ -251,43 +235,19 @@ class StcWithLoops {
     UncoveredSamples samples(fine_, problem_.map().free, problem_.robot().tool_width / 2);
     cover_new_segments(samples);
     if (tree_.vertices().size() == 1) samples.cover(tree_.vertices().front(), tree_.vertices().front());
+    UncoveredChains chains(problem_, fine_, samples,
+                           p_.fill == Fill::spots ? UncoveredChains::From::anywhere : UncoveredChains::From::centres);
     for (int j = -1; j <= fine_.rows(); ++j) {
       if (context_.cancelled()) return;
       for (int i = -1; i <= fine_.columns(); ++i) {
         if (fine_.inside(i, j) && in_tree_[cells_.at(i / 2, j / 2)]) continue;
-        if (samples.any_uncovered(i, j)) fill_cell(samples, i, j);
+        while (const std::optional<NodeChain> chain = chains.from(i, j)) {
+          fill_points_ += static_cast<int>(chain->nodes.size()) - chain->closed;
+          attach(chain->nodes, chain->closed ? BranchTree::Kind::round : BranchTree::Kind::chain);
+          cover_new_segments(samples);
+        }
       }
     }
-  }
-
-  void fill_cell(UncoveredSamples& samples, int i, int j) {
-    bool centre_tried = !fine_.free(i, j);
-    for (int k = 0; k < UncoveredSamples::kPerCell; ++k) {
-      if (!samples.uncovered(i, j, k)) continue;
-      const std::optional<Point> from = point_that_covers(samples.position(i, j, k));
-      if (!from) continue;
-      if (!centre_tried) {
-        centre_tried = true;
-        attach_point(fine_.centre(i, j), samples);
-        if (!samples.uncovered(i, j, k)) continue;
-      }
-      if (p_.fill == Fill::spots) attach_point(*from, samples);
-    }
-  }
-
-  /// A point from which the tool covers q; nullopt: there is none.
-  std::optional<Point> point_that_covers(const Point& q) const {
-    const EdgeIndex& space = problem_.walls();
-    const double tool_width = problem_.robot().tool_width;
-    if (space.contains(q)) return q;
-    const auto hit = space.nearest(q, tool_width / 2 * (1 - 1e-3));
-    if (!hit) return std::nullopt;
-    return space.contains(hit->point) ? std::optional<Point>(hit->point) : inner_point(space, hit->point, tool_width);
-  }
-  void attach_point(const Point& p, UncoveredSamples& samples) {
-    ++fill_points_;
-    attach({p}, BranchTree::Kind::chain);
-    cover_new_segments(samples);
   }
   void cover_new_segments(UncoveredSamples& samples) {
     tree_.for_each_new_segment([&](const Point& a, const Point& b) { samples.cover(a, b); });

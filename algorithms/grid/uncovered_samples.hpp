@@ -21,6 +21,9 @@ class UncoveredSamples {
   /// Everything within reach of the segment is covered from now on.
   void cover(const Point& a, const Point& b);
 
+  /// Counts the sample as covered.
+  void drop(int i, int j, int k) { bits_.bits[bits_.at(column(i, k), row(j, k))] = 0; }
+
   static constexpr int kPerCell = 16;
   /// The k-th sample of a cell, row by row. Cells are counted from -1 on, because of the margin.
   bool uncovered(int i, int j, int k) const { return bits_.bits[bits_.at(column(i, k), row(j, k))] != 0; }

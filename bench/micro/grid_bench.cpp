@@ -238,5 +238,34 @@ OXTURN_TENTH_BLOCKED(stc_scan_partial, "stc-scan", {{"partial", true}});
 OXTURN_TENTH_BLOCKED(stc_loops, "stc-loops", {});
 #undef OXTURN_TENTH_BLOCKED
 
+// The same with the default cell, which fits the obstacles nowhere: the lattice falls apart into thousands of
+// components that only paths among the walls connect. n log n.
+const Problem& speckle(std::int64_t cells) {
+  static std::map<std::int64_t, std::unique_ptr<Problem>> made;
+  std::unique_ptr<Problem>& problem = made[cells];
+  if (problem) return *problem;
+  const double side = std::sqrt(static_cast<double>(cells) * 0.08);
+  Robot robot;
+  robot.radius = 0.19;
+  const Settings tight{{"width", side}, {"height", side}, {"robot", 0.19}, {"passage", 1.05}, {"cell", 0.4}};
+  problem = std::make_unique<Problem>(generate("speckle", tight, 1), robot);
+  benchmark::DoNotOptimize(problem->walls());
+  benchmark::DoNotOptimize(problem->transit());
+  return *problem;
+}
+void BM_Speckle(benchmark::State& state, const char* name, const Settings& settings) {
+  plan(state, name, speckle(state.range(0)), settings);
+}
+#define OXTURN_SPECKLE(label, ...)                  \
+  BENCHMARK_CAPTURE(BM_Speckle, label, __VA_ARGS__) \
+      ->RangeMultiplier(4)                          \
+      ->Range(1 << 14, 1 << 20)                     \
+      ->Complexity()                                \
+      ->Unit(benchmark::kMillisecond)
+OXTURN_SPECKLE(stc, "stc", Settings{});
+OXTURN_SPECKLE(stc_partial, "stc", Settings{{"partial", true}});
+OXTURN_SPECKLE(stc_loops, "stc-loops", Settings{});
+#undef OXTURN_SPECKLE
+
 }  // namespace
 }  // namespace oxturn

@@ -25,13 +25,14 @@ GeneratorInfo berg_rectangle();
 GeneratorInfo berg_rooms();
 GeneratorInfo divided_corridor();
 GeneratorInfo pillars();
+GeneratorInfo speckle();
 GeneratorInfo hyun();
 }  // namespace generator
 
 Generators built_in_generators() {
   using namespace generator;
   return Generators("generator", {rectangle(), polygon(), clutter(), rooms(), maze(), cave(), comb(), spiral(), field(),
-                                  berg_rectangle(), berg_rooms(), divided_corridor(), pillars(), hyun()});
+                                  berg_rectangle(), berg_rooms(), divided_corridor(), pillars(), speckle(), hyun()});
 }
 
 Map generate(const std::string& generator, const Settings& settings, std::uint64_t seed, const Generators& generators) {

@@ -303,6 +303,47 @@ TEST(StcLoops, LoopsBrokenManyTimes) {
   EXPECT_GE(result.value("coverage_lower").value(), 0.99);
 }
 
+/// How often the path turns round on the spot.
+int reversals(const Path& path) {
+  int count = 0;
+  for (const Leg& leg : path.legs)
+    for (std::size_t k = 2; k < leg.points.size(); ++k) {
+      const Point a = leg.points[k - 1] - leg.points[k - 2], b = leg.points[k] - leg.points[k - 1];
+      count += a.dot(b) < -0.99 * a.norm() * b.norm();
+    }
+  return count;
+}
+
+// However the map is turned: nodes along a wall are not exactly on a straight line.
+TEST(StcLoops, StraightRunsAreOneSegment) {
+  for (const double angle : {0.0, 0.3, 1.1}) {
+    SCOPED_TRACE(angle);
+    const Problem problem({"room", transformed(box_region({0, 0}, {9.1, 7.3}), angle, {2, 1}), "test", ""}, Robot{});
+    for (const Leg& leg : plan_recorded("stc-loops", problem).path.legs)
+      for (std::size_t k = 2; k < leg.points.size(); ++k) {
+        const Point a = leg.points[k - 1] - leg.points[k - 2], b = leg.points[k] - leg.points[k - 1];
+        EXPECT_FALSE(a.dot(b) > 0 && std::abs(cross(a, b)) < 1e-10 * a.norm() * b.norm());
+      }
+  }
+}
+
+// What is left between the loops and the coarse cells is driven along, not cell by cell from the loop and back.
+TEST(StcLoops, FillsAlongChainsNotBySpikes) {
+  double turned = 0, points = 0;
+  for (int k = 0; k < 12; ++k) {
+    const double width = 5 + 0.11 * k, height = 6 - 0.07 * k;
+    SCOPED_TRACE(fmt::format("{} x {}", width, height));
+    const Problem problem({"room", box_region({0, 0}, {width, height}), "test", ""}, Robot{}, Point(1, 1));
+    const RecordedPlan without = plan_recorded("stc-loops", problem, {{"fill", std::string("none")}}),
+                       with = plan_recorded("stc-loops", problem);
+    turned += reversals(with.path) - reversals(without.path);
+    points += with.figures.at("fill_points");
+    EXPECT_GE(score(problem, with.path).value("coverage_lower").value(), 0.99);
+  }
+  EXPECT_GT(points, 80);
+  EXPECT_LT(turned, points / 4);
+}
+
 TEST(StcLoops, WithoutACoarseCellLoopsAreAttachedToTheStart) {
   const Problem problem({"corridor", box_region({0, 0}, {6, 0.6}), "test", ""}, Robot{}, Point(3, 0.3));
   EXPECT_THROW(plan_recorded("stc", problem), Infeasible);

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -128,7 +129,27 @@ TEST(Stc, GoesOnToOtherComponentsByDefault) {
     return n;
   };
   EXPECT_EQ(rounds("start"), 1);
-  EXPECT_EQ(rounds("all"), 2);
+  EXPECT_EQ(rounds("all"), 3);  // the second room is a branch of the first one's round
+}
+
+// Thousands of components of which the lattice connects few: one closed path, whatever lies between them.
+TEST(Stc, IsOneClosedPathThroughAllComponents) {
+  Robot robot;
+  robot.radius = 0.19;
+  for (const double size : {12.0, 40.0, 90.0})
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      SCOPED_TRACE(fmt::format("speckle --seed {} --set width={}", seed, size));
+      const Settings speckle{{"width", size}, {"height", size}, {"robot", 0.19}, {"passage", 1.05}, {"cell", 0.4}};
+      const Problem problem(generate("speckle", speckle, seed), robot);
+      const Path path = plan_stc(problem);
+      // It ends where the first round began: on the transit there, or where that ends.
+      const Polyline& arrival = path.legs.front().points;
+      const auto at_end = [&](const Point& p) { return distance(p, path.legs.back().points.back()) < 1e-9; };
+      EXPECT_TRUE(std::any_of(arrival.begin(), arrival.end(), at_end));
+      const double side = 0.4 / std::sqrt(2.0);
+      const double cells = path.length(true) / side;
+      EXPECT_NEAR(cells, std::round(cells), 1e-6);
+    }
 }
 
 TEST(Stc, TurnsWithTheMap) {

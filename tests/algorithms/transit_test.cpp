@@ -1,8 +1,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "algorithms/transit/component_links.hpp"
 #include "algorithms/transit/connector.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/random.hpp"
 #include "tests/support/drawn.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
@@ -39,6 +48,69 @@ TEST(Connector, PointsThatAreNotConnectedAreOneSentence) {
         c.path({0.5, 0.5}, {2.5, 0.5});
       },
       testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("no path from (0.5, 0.5) to (2.5, 0.5)")));
+}
+
+// --- links ---
+
+/// Length of a minimum spanning tree of the components, by the shortest paths between all pairs of their points.
+double spanning_length(const Problem& problem, const std::vector<Point>& points, const std::vector<int>& component) {
+  std::vector<std::tuple<double, std::size_t, std::size_t>> edges;
+  for (std::size_t a = 0; a < points.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (const auto path = problem.transit().path(points[a], points[b])) edges.emplace_back(length(*path), a, b);
+  std::sort(edges.begin(), edges.end());
+  DisjointSets joined(points.size());
+  double sum = 0;
+  for (const auto& [away, a, b] : edges)
+    if (joined.unite(static_cast<std::size_t>(component[a]), static_cast<std::size_t>(component[b]))) sum += away;
+  return sum;
+}
+
+TEST(ComponentLinks, AreASpanningTreeHardlyLongerThanTheShortest) {
+  double found = 0, shortest = 0;
+  for (const auto seed : seeds(300)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    std::vector<std::string> drawing(9, std::string(12, '.'));
+    for (std::string& row : drawing)
+      for (char& c : row)
+        if (rng.chance(0.25)) c = '#';
+    drawing[4][6] = 'S';
+    const Problem problem = drawn(drawing);
+    const int components = rng.between(1, 8);
+    std::vector<Point> points;
+    std::vector<int> component;
+    ComponentLinks links(problem);
+    while (points.size() < 24) {
+      const Point p(12 * rng.unit(), 9 * rng.unit());
+      if (!problem.walls().contains(p)) continue;
+      component.push_back(points.size() < static_cast<std::size_t>(components) ? static_cast<int>(points.size())
+                                                                               : rng.between(0, components - 1));
+      links.add(p, component.back(), points.size());
+      points.push_back(p);
+    }
+    std::set<int> reached{0};
+    double sum = 0;
+    for (const ComponentLinks::Link& link : links.tree(0)) {
+      EXPECT_TRUE(reached.contains(component[link.from])) << "parents come first";
+      EXPECT_TRUE(reached.insert(component[link.to]).second) << "reached twice";
+      EXPECT_EQ(link.path.front(), points[link.from]);
+      EXPECT_EQ(link.path.back(), points[link.to]);
+      sum += length(link.path);
+    }
+    EXPECT_EQ(reached.size(), static_cast<std::size_t>(components));
+    const double least = spanning_length(problem, points, component);
+    EXPECT_GE(sum, least * (1 - 1e-9));
+    EXPECT_LE(sum, least * 2 + 0.5);
+    found += sum;
+    shortest += least;
+  }
+  EXPECT_LE(found, 1.05 * shortest);
+}
+
+TEST(ComponentLinks, OfARootWithoutEntriesAreNone) {
+  const Problem problem = drawn({"S..", "..."});
+  EXPECT_TRUE(ComponentLinks(problem).tree(3).empty());
 }
 
 }  // namespace

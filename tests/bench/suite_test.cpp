@@ -365,7 +365,7 @@ TEST(Suite, TetherHasEveryFamilyAndEveryTetheredPlanner) {
   }
   for (const PlannerSpec& p : tether.planners) planners.insert(p.name);
   // Three are made for one planner each, that knows nothing of tethers.
-  const std::set<std::string> for_one{"hyun", "divided-corridor", "pillars"};
+  const std::set<std::string> for_one{"hyun", "divided-corridor", "pillars", "speckle"};
   for (const GeneratorInfo& g : built_in_maps())
     EXPECT_TRUE(families.contains(g.name) || for_one.contains(g.name)) << g.name;
   for (const PlannerInfo& p : built_in())

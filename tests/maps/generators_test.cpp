@@ -67,6 +67,8 @@ std::vector<Case> cases() {
       {"divided-corridor", with(size(4, 12), {{"jitter", 1.0}, {"obstacles", std::int64_t{3}}, {"rotation", 15.0}})},
       {"pillars", size(6, 6), false},
       {"pillars", with(size(8, 6), {{"jitter", 1.0}, {"spacing", 1.4}, {"rotation", -30.0}})},
+      {"speckle", size(12, 9)},
+      {"speckle", with(size(15, 15), {{"blocked", 0.3}, {"cell", 0.7}, {"rotation", 20.0}})},
   };
 }
 
@@ -164,7 +166,7 @@ TEST(Generators, GiveTheSameBytesOnEveryMachine) {
   std::string all;
   for (const Case& c : cases())
     for (std::uint64_t seed = 0; seed < 3; ++seed) all += content_hash(oxturn::generate(c.name, c.settings, seed));
-  EXPECT_EQ(sha256(all), "af78ca37d367b0c005de1c8e7edf8b486f60b4e6944f890a42ebfbef1639b635");
+  EXPECT_EQ(sha256(all), "a013ba3fa4b9c23b501adfdb09cbf32731e58ba40d3d98fb5259041f2382cf41");
 }
 
 TEST(Generators, RotationChangesNothingElse) {
@@ -425,6 +427,9 @@ TEST(Generators, RefuseInOneSentence) {
       {"divided-corridor", {{"obstacles", I{100}}}, "100 obstacles on each side"},
       {"pillars", {{"spacing", 0.3}}, "spacing is 0.3 m, expected at least"},
       {"pillars", {{"width", 100000.0}, {"height", 100000.0}}, "larger spacing"},
+      {"speckle", {{"cell", 0.4}}, "cell is 0.4 m, expected at least 0.5"},
+      {"speckle", {{"cell", 30.0}}, "cell is 30 m"},
+      {"speckle", {{"width", 100000.0}, {"height", 100000.0}}, "larger cells"},
   };
   for (const auto& [name, settings, words] : all) {
     const std::string message = refusal(name, settings);

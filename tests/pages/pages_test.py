@@ -85,7 +85,20 @@ def online_rows():
             row(s, "m2", "berg", "order=dfs;" + lidar, "invalid", **run("100", "0.5", reason="a | wall"))]
 
 
-ALL = {"berg-table-4-1": berg_rows, "leashed": leashed_rows, "stc-loops": stc_rows, "tether-online": online_rows}
+def growth_rows():
+    """zigzag grows by n^1 and n^1.5 between 10^4 and 10^6 cells; stc is too fast to have an order, and crashes once."""
+    def run(planner, family, decade, seconds, outcome="ok", rss="2000000"):
+        return row("growth", f"{family}-1", planner, "", outcome, map_family=family, map_area_m2=str(0.08 * 10**decade),
+                   tool_width_m="0.4", plan_cpu_s=seconds, peak_rss_bytes=rss)
+
+    return [run("zigzag", "rooms", 4, "0.01"), run("zigzag", "rooms", 6, "1.0", rss="31000000"),
+            run("zigzag", "cave", 4, "0.03"), run("zigzag", "cave", 6, "30.0"),
+            run("stc", "rooms", 4, "0.001"), run("stc", "rooms", 6, "", "crash"),
+            run("berg", "rooms", 4, "", "unsupported")]
+
+
+ALL = {"berg-table-4-1": berg_rows, "growth": growth_rows, "leashed": leashed_rows, "stc-loops": stc_rows,
+       "tether-online": online_rows}
 
 
 class Figures(unittest.TestCase):
@@ -136,6 +149,17 @@ class Figures(unittest.TestCase):
         self.assertEqual(line(text, "berg"), ["berg", "1 of 1", "1.0000", "", "", "", ""])
         self.assertEqual(line(text, "m1"), ["m1", "1.0000", "0.9970", "100.0", "130.0", "1.300", "9.00", "10.00", ""])
         self.assertIn("invalid: a", line(text, "m2")[8])
+
+
+    def test_growth(self):
+        text = page("growth", growth_rows())
+        self.assertEqual(line(text, "zigzag"), ["zigzag", "0.010", "1.000", "1.00", "31"])
+        self.assertEqual(line(text, "stc"), ["stc", "0.001", "crash", "", "2"])
+        self.assertEqual(line(text, "zigzag", 1), ["zigzag", "0.030", "30.000", "1.50", "2"])
+        # What is above n log n, slow or failed.
+        self.assertEqual(line(text, "zigzag", 2), ["zigzag", "cave", "1.50", "30.0", ""])
+        self.assertEqual(line(text, "stc", 1), ["stc", "rooms", "", "0.0", "crash"])
+        self.assertNotIn("berg", text)
 
 
 class Pages(unittest.TestCase):
