@@ -20,10 +20,11 @@ using Json = nlohmann::json;
 
 TEST(Program, HelpHasExamplesForEveryCommand) {
   EXPECT_EQ(oxturn("--help").code, 0);
-  for (const std::string command : {"list", "map", "plan", "score", "run", "report"}) {
+  for (const std::string command : {"list", "map", "plan", "score", "run", "report", "rescore"}) {
     const Said said = oxturn(command + " --help");
     EXPECT_EQ(said.code, 0) << command;
     EXPECT_THAT(said.out, HasSubstr("oxturn " + command + " ")) << command;
+    EXPECT_THAT(said.out, testing::Not(HasSubstr("{"))) << "no marks of the option parser";
     EXPECT_EQ(said.err, "");
   }
 }
