@@ -21,7 +21,8 @@ struct MapFeatures {
   std::optional<double> narrowest_m;
 };
 
-/// O(n log n), with some 60 erosions for the narrowest passage.
+/// O(n log n), with some 60 erosions for the narrowest passage: two to seven times the processor time of a robot's
+/// configuration space and target, 0.07 s for 2600 vertices. The limit of 5000 vertices bounds it.
 MapFeatures map_features(const Map& map);
 
 }  // namespace oxturn
