@@ -8,9 +8,9 @@
 // Complexity  n cells: world and partition O(n), a path between rectangles O(cells nearer than its end); some 60 bytes
 //             a cell. `choose = first` returns to the lower end after each column of rectangles: O(n^1.5) driven at
 //             worst
-// Decisions   1. Cells default to half the robot's width (`cells = robot`; the source's robot is larger than a cell),
-//                or to half the tool's width if that is more: narrow lanes under a wide tool are driven many times
-//                over, and a tool covers cells up to 0.7 of its width. A cell is wall unless it lies entirely in free space.
+// Decisions   1. Cells default to half the robot's width (`cells = robot`; the source's robot is larger than a cell) or
+//                to half the tool's, whichever is more: narrow lanes under a wide tool are driven many times over,
+//                and a tool covers cells up to 0.7 of its width. A cell is wall unless it lies entirely in free space.
 //             2. "First from the lower left" may run row by row or column by column (`scan`); the source does not say.
 //                Columns is the default: it covered more on six of seven maps tried.
 //             3. The source closes gaps and partitions anew after each rectangle and each skipped column, with cleaned
