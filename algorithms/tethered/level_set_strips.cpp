@@ -120,8 +120,8 @@ class RadialLanes {
     for (std::size_t lane = 0; lane < lanes_; ++lane, outwards = !outwards) {
       cross(lane, outwards);
       const bool last = lane + 1 == lanes_;
-      if (!outwards && !last)
-        append(sets_[1].part(at(lane, 1), at(lane + 1, 1)));
+      if (!outwards)  // one level farther out, the round ends of the lanes would leave gaps to the first level set
+        append(sets_[0].part(at(lane, 0), at(last ? lane : lane + 1, 0)));
       else if (outwards && lane == whole_after)
         drive_last_set(lane);
       else if (outwards)

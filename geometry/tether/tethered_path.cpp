@@ -11,11 +11,12 @@
 //                start, then from there.
 //             5. `untangle` tries to leave the path back at its vertices and at 64 or more points between them, then
 //                bisects the last step ten times.
-//             6. The path to a goal outside the cut space is searched from the last point of the goal's geodesic at
-//                which the robot can be, and pulled taut; if that fails, from the start.
+//             6. The path to a goal outside the cut space follows the goal's geodesic from its last point in the cut
+//                space on. Where the robot cannot be on the geodesic it takes the shortest path of the same class to
+//                the next point of it where it can. These searches are local, so their cost does not grow with the
+//                number of classes of the whole map. The result is pulled taut.
 //             7. A goal outside the cut space has no bound on the path's length. If the budget does not suffice, the
-//                path leads back to the start and from there follows the class of the geodesic, searched among paths
-//                along which the tether is little longer.
+//                path leads back to the start and from there follows the class of the geodesic.
 #include "geometry/tether/tethered_path.hpp"
 
 #include <algorithm>
@@ -144,49 +145,103 @@ Excess excess(const TetheredWorld& world, TautTether tether, const Polyline& lin
   return e;
 }
 
-/// Through the cut space to the last point of the goal's geodesic, tried in steps of `step`, that is in it.
-std::optional<Polyline> path_towards(const TetheredWorld& world, const Point& start, const Point& goal, double step) {
-  const Polyline geodesic = world.field.path(goal);
-  for (std::size_t k = geodesic.size(); k-- > 1;) {
-    const double n = std::ceil(distance(geodesic[k - 1], geodesic[k]) / step);
-    for (double i = 1; i <= n; ++i)
-      if (auto path = world.cut_paths.path(start, lerp(geodesic[k], geodesic[k - 1], i / n))) return path;
+/// Follows the goal's geodesic, and where the robot cannot be on it, goes round by the shortest path of the same class.
+class GeodesicFollower {
+ public:
+  GeodesicFollower(const TetheredWorld& world, const Point& start, const Point& goal, double slack, std::size_t budget)
+      : world_(world), start_(start), slack_(slack), budget_(budget), tether_(tether_at(start)) {
+    const Polyline geodesic = world.field.path(goal);
+    const double step = slack / kStepsPerSlack;
+    for (std::size_t k = 1; k < geodesic.size(); ++k) {
+      const double n = std::max(1.0, std::ceil(distance(geodesic[k - 1], geodesic[k]) / step));
+      for (double i = k == 1 ? 0 : 1; i <= n; ++i) samples_.push_back(lerp(geodesic[k - 1], geodesic[k], i / n));
+    }
+    if (!samples_.empty()) samples_.back() = goal;
   }
-  return std::nullopt;
-}
+
+  std::optional<Polyline> run() {
+    std::size_t next = join();
+    while (next < samples_.size()) {
+      const auto reached = advance(next);
+      if (!reached) return std::nullopt;
+      next = *reached + 1;
+    }
+    Polyline taut = pulled_taut(world_, line_);
+    return is_geodesic(tether_at(start_), taut) ? taut : line_;
+  }
+
+ private:
+  static constexpr double kStepsPerSlack = 24;
+
+  TautTether tether_at(const Point& p) const {
+    TautTether tether(world_.free, world_.field.anchor());
+    tether.drive(world_.field.path(p));
+    return tether;
+  }
+  bool is_geodesic(const TautTether& tether, const Polyline& line) const {
+    const Excess e = excess(world_, tether, line);
+    return e.most <= slack_ && e.last <= world_.tolerance;
+  }
+  void drive(const Polyline& line) {
+    tether_.drive(line);
+    line_ = joined(std::move(line_), line);
+  }
+
+  /// Through the cut space to the last sample that is in it; returns the one after that.
+  std::size_t join() {
+    line_ = {start_};
+    for (std::size_t k = samples_.size(); k-- > 0;)
+      if (const auto path = world_.cut_paths.path(start_, samples_[k])) {
+        drive(*path);
+        return k + 1;
+      }
+    return 0;
+  }
+  /// To the first sample from `next` on that can be reached; nullopt: none.
+  std::optional<std::size_t> advance(std::size_t next) {
+    for (; next < samples_.size(); ++next) {
+      const Point& to = samples_[next];
+      const bool last = next + 1 == samples_.size();
+      if (!last && !world_.walls.contains(to)) continue;
+      const Polyline straight{line_.back(), to};
+      if (world_.walls.contains(line_.back(), to) && is_geodesic(tether_, straight)) {
+        drive(straight);
+        return next;
+      }
+      if (const auto round = shortest_of_class(to)) {
+        drive(*round);
+        return next;
+      }
+    }
+    return std::nullopt;
+  }
+  std::optional<Polyline> shortest_of_class(const Point& to) const {
+    std::optional<Polyline> found;
+    world_.paths.for_each_taut_path(
+        line_.back(), to, std::numeric_limits<double>::infinity(), budget_,
+        [&](const Polyline& line) {
+          if (is_geodesic(tether_, line)) found = line;
+          return !found;
+        },
+        [&](const Polyline& prefix) { return excess(world_, tether_, prefix).most <= slack_; });
+    return found;
+  }
+
+  const TetheredWorld& world_;
+  const Point start_;
+  const double slack_;
+  const std::size_t budget_;
+  Polyline samples_;   // of the geodesic
+  TautTether tether_;  // at the end of line_
+  Polyline line_;
+};
 
 }  // namespace
 
 std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& start, const Point& goal, double slack,
                                       std::size_t budget) {
   if (auto inside = world.cut_paths.path(start, goal)) return inside;
-  const auto tether_at = [&](const Point& p) {
-    TautTether tether(world.free, world.field.anchor());
-    tether.drive(world.field.path(p));
-    return tether;
-  };
-  const auto is_geodesic = [&](const TautTether& tether, const Polyline& line) {
-    const Excess e = excess(world, tether, line);
-    return e.most <= slack && e.last <= world.tolerance;
-  };
-  const auto search = [&](const Point& from) {
-    const TautTether tether = tether_at(from);
-    std::optional<Polyline> found;
-    world.paths.for_each_taut_path(
-        from, goal, std::numeric_limits<double>::infinity(), budget,
-        [&](const Polyline& line) {
-          if (is_geodesic(tether, line)) found = line;
-          return !found;
-        },
-        [&](const Polyline& prefix) { return excess(world, tether, prefix).most <= slack; });
-    return found;
-  };
-  if (const auto first = path_towards(world, start, goal, slack / 24))
-    if (const auto second = search(first->back())) {
-      Polyline whole = pulled_taut(world, joined(*first, *second));
-      if (is_geodesic(tether_at(start), whole)) return whole;
-    }
-  return search(start);
+  return GeodesicFollower(world, start, goal, slack, budget).run();
 }
 
 TetheredRobot::TetheredRobot(const TetheredWorld& world, const Point& start)

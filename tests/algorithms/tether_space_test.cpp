@@ -51,6 +51,22 @@ TEST(TetherSpace, ComponentsHaveNoHolesAndLoseOnlyTheCut) {
     }
 }
 
+// Among many obstacles there are components behind components. All are entered along their geodesics; a search over
+// the classes of the whole map gave up on some.
+TEST(TetherSpace, EveryComponentOfALargeClutterIsEntered) {
+  const Problem problem(generate("clutter", {{"width", 51.0}, {"height", 51.0}}, 1), tethered_robot(2));
+  const TetherSpace space(problem, "test");
+  EXPECT_GE(space.components().size(), 10u);
+  EXPECT_LE(area(space.unreached()), 1e-4 * area(problem.configuration_space()));
+  for (const TetherSpace::Component& component : space.components()) {
+    Path path;
+    path.legs.push_back({false, component.entry_path});
+    if (component.entry_path.size() < 2) continue;
+    const TetherFigures figures = drive_tethered(problem, path, 0.5);
+    EXPECT_LE(figures.excess, 6.1 * problem.robot().radius);
+  }
+}
+
 TEST(TetherSpace, RandomPathsInTheCutSpaceKeepTheTetherGeodesic) {
   for (const auto seed : seeds(4))
     for (const Map& map : tether_maps(seed)) {
