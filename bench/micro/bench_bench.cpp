@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "algorithms/coverage_planner.hpp"
+#include "bench/isolate.hpp"
 #include "bench/run_suite.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
