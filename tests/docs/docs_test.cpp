@@ -1,6 +1,9 @@
 // What docs/add-a-planner.md, add-a-metric.md and add-a-map.md tell a newcomer to write works as written.
 #include <gmock/gmock.h>
 
+#include <array>
+
+#include "base/files.hpp"
 #include "bench/run_suite.hpp"
 #include "reports/built_in_registry.hpp"
 #include "tests/support/files.hpp"
@@ -14,6 +17,8 @@ GeneratorInfo cross();
 }
 
 namespace {
+
+using testing::HasSubstr;
 
 TEST(Docs, TheCodeOfThePagesRunsAndIsScored) {
   Registry registry = built_in_registry();
@@ -41,6 +46,16 @@ TEST(Docs, TheCodeOfThePagesRunsAndIsScored) {
     EXPECT_GT(row.number("coverage").value_or(0), 0.9);
     EXPECT_LT(row.number("transit_share").value_or(1), 0.5);
   }
+}
+
+// README.md names planners one by one and counts the generators.
+TEST(Readme, KnowsThePlannersAndCountsTheGenerators) {
+  const std::string text = read_file(OXTURN_SOURCE_DIR "/README.md");
+  const Registry registry = built_in_registry();
+  for (const PlannerInfo& planner : registry.planners) EXPECT_THAT(text, HasSubstr("`" + planner.name + "`"));
+  const std::array words{"twelve", "thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen"};
+  const std::size_t count = registry.generators.size();
+  EXPECT_THAT(text, HasSubstr(std::string(words.at(count - 12)) + " seeded\ngenerators"));
 }
 
 }  // namespace
