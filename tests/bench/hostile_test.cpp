@@ -84,7 +84,7 @@ constexpr Expected kEnding[] = {
     {"jump", "invalid", "leg 2 starts at"},
     {"elsewhere", "invalid", "starts at"},
     {"points", "out_of_memory", "needs more than 300 MB"},
-    {"million_points", "partial|out_of_memory", "is below 0.99|^scoring: needs more"},
+    {"million_points", "partial|out_of_memory", "is below 0.99|^(scoring|storing the path): needs more"},
     {"partial", "partial", "is below 0.99"},
 };
 
