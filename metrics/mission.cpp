@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "metrics/smooth_path.hpp"
 
@@ -97,7 +98,8 @@ class MissionClock::Sampler {
 
   void add_window(double from, double to) {
     const double steps = std::ceil((to - from) / (kStep * path_.half_width()) - kWholeSteps);
-    for (double k = 1; k <= steps; ++k) refine(sample(from + (to - from) * (k / steps)));
+    for (std::int64_t k = 1; k <= static_cast<std::int64_t>(steps); ++k)
+      refine(sample(from + (to - from) * (static_cast<double>(k) / steps)));
   }
 
   /// Advances to `next`, in smaller steps where the curve turns a lot.

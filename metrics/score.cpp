@@ -105,6 +105,7 @@ std::vector<CurvePoint> coverage_curve(const SweptArea& swept, const MissionCloc
   std::vector<CoveragePoint> points = thinned(swept.curve, error);
   while (points.size() > kCurvePoints) points = thinned(swept.curve, error *= 1.1);
   std::vector<CurvePoint> result;
+  result.reserve(points.size());
   for (const CoveragePoint& p : points) result.push_back({p.path_m, clock.at(p.path_m), p.coverage});
   return result;
 }
@@ -162,7 +163,7 @@ Score score(const Problem& problem, const Path& path, const ScoreOptions& option
 std::string find_flaw(const Problem& problem, const Path& path, const ScoreOptions& options) {
   const EdgeIndex& walls = problem.map_edges();
   const double tolerance = problem.tolerance() + options.tolerance;
-  const std::string flaw = find_flaw(problem, path, walls, tolerance);
+  std::string flaw = find_flaw(problem, path, walls, tolerance);
   if (!flaw.empty() || !options.tether_counts || !problem.robot().tether) return flaw;
   return find_tether_flaw(problem, tether_run(problem, path, walls, tolerance), tolerance);
 }

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "bench/registry.hpp"
@@ -80,7 +81,7 @@ std::string processor_time(const std::vector<const Row*>& rows) {
   if (all.empty()) return "";
   std::sort(all.begin(), all.end());
   const auto at = [&](double share) {
-    return all[static_cast<std::size_t>(share * static_cast<double>(all.size() - 1) + 0.5)];
+    return all[static_cast<std::size_t>(std::llround(share * static_cast<double>(all.size() - 1)))];
   };
   return fmt::format("{} ({} to {})", two_digits(median(all)), two_digits(at(0.1)), two_digits(at(0.9)));
 }
