@@ -197,7 +197,8 @@ TEST_F(Planned, PlanAndRunGiveTheSameFiguresAndPicture) {
   const std::string suite = out.write(
       "s.toml",
       "schema = 1\nname = \"s\"\n[robots.disc]\nradius = 0.2\ntool_width = 0.4\n[[maps]]\ngenerator = \"rooms\"\n"
-      "seeds = [7]\n[[planners]]\nname = \"stc\"\n[[planners]]\nname = \"zigzag\"\n[[planners]]\nname = \"spiral-out\"\n");
+      "seeds = [7]\n[[planners]]\nname = \"stc\"\n[[planners]]\nname = \"zigzag\"\n[[planners]]\nname = "
+      "\"spiral-out\"\n");
   ASSERT_EQ(oxturn("run " + suite + " -q -o " + (out / "r")).code, 0);
   const Results results = read_results(out / "r");
   ASSERT_EQ(results.rows.size(), 3u);
