@@ -49,6 +49,16 @@ TEST(Values, OverlapOfKnownShapes) {
   EXPECT_NEAR(value("revisits", hall(), work(arc({7, 7}, 3, 0, 6 * kPi, 3000))), 2, 2e-2);
 }
 
+// A tool that reaches into the walls of a corridor on both sides, there and back: overlap counts all that it sweeps,
+// revisits only the target. Around the turn there is one visit.
+TEST(Values, OverlapAndRevisitsOfAToolWiderThanTheCorridor) {
+  const Problem corridor = problem_in(box_region({0, 0}, {12, 1}), {1, 0.5}, 0.2, 1.6);
+  const Path path = work({{1, 0.5}, {11, 0.5}, {1, 0.5}});
+  EXPECT_NEAR(value("overlap", corridor, path), 20 * 1.6 / (10 * 1.6 + kPi * 0.64) - 1, 1e-3);
+  const double around_the_turn = std::sqrt(0.39) + 1.28 * std::asin(0.5 / 0.8);  // the tool's disc within the walls
+  EXPECT_NEAR(value("revisits", corridor, path), 10 / (10 + around_the_turn), 5e-3);
+}
+
 TEST(Values, Clearance) {
   Region room = box_region({0, 0}, {20, 20});
   room.polygons[0].holes.push_back({{10, 10}, {10, 12}, {12, 12}, {12, 10}});
