@@ -30,6 +30,9 @@ std::optional<double> parse_number(std::string_view text);
 /// The value of a text of digits, 0 to 2^64 - 1; nullopt for anything else.
 std::optional<std::uint64_t> parse_whole(std::string_view text);
 
+/// With the letters A to Z as a to z.
+std::string lower_case(std::string_view text);
+
 /// `text` with bytes that are not valid UTF-8 replaced by U+FFFD, and control characters by spaces.
 std::string printable(std::string_view text);
 

@@ -12,6 +12,7 @@
 #include "base/csv.hpp"
 #include "base/files.hpp"
 #include "base/sha256.hpp"
+#include "bench/build_info.hpp"
 #include "bench/finish.hpp"
 #include "bench/progress.hpp"
 #include "bench/run_id.hpp"
@@ -182,13 +183,15 @@ class Rescoring {
     staging_.move_into_folder();
     trace_.put_in_order(ids);
     write_file(results_.folder + "/columns.json", to_json(columns));
+    session_.rescored = session_.build_identity() == build_identity() ? nullptr : build_description();
+    write_session_file(results_.folder, session_);
     write_file(results_.folder + "/runs.csv", text);
   }
 
   const Registry& registry_;
   const wire::Descriptor lock_;
   Results results_;
-  const SessionFile session_;
+  SessionFile session_;
   SuiteRunOptions options_;
   RunLines trace_;
   Progress progress_;

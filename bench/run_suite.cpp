@@ -182,7 +182,7 @@ class SuiteRun {
 
   [[noreturn]] void be_worker(const Unit& unit, pid_t parent, int fd) const {
     std::signal(SIGINT, SIG_IGN);  // the parent decides
-    ::setpgid(0, 0);               // a planner that kills its parent's group must not kill the whole sweep
+    ::setpgid(0, 0);               // a planner that kills its parent's group must not end the whole suite
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (::getppid() != parent) ::_exit(1);
     ::close_range(3, static_cast<unsigned>(fd) - 1, 0);

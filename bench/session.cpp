@@ -88,6 +88,10 @@ void Session::take_up(const Suite& suite) {
         fmt::format("'{}' holds results of another build of oxturn ({}, this is {}); choose another folder, or "
                     "`oxturn rescore` for new metrics of stored paths",
                     folder_, before.build_identity(), build_identity()));
+  if (before.scoring_identity() != build_identity())
+    throw std::invalid_argument(fmt::format(
+        "'{}' was scored again by another build of oxturn ({}, this is {}); `oxturn rescore` it with this build first",
+        folder_, before.scoring_identity(), build_identity()));
   sessions_ = before.sessions;
   const std::string text = read_file(file_);
   const std::string whole = whole_lines(text);

@@ -42,6 +42,7 @@ SessionFile session_from(const Json& json) {
   session.target_coverage = json.at("target_coverage");
   for (const auto& [name, robot] : json.at("robots").items()) session.robots.emplace_back(name, robot);
   session.build = json.at("build");
+  session.rescored = json.value("rescored", Json());
   for (const Json& entry : json.at("sessions")) session.sessions.push_back(entry_from(entry));
   return session;
 }
@@ -49,6 +50,7 @@ SessionFile session_from(const Json& json) {
 }  // namespace
 
 std::string SessionFile::build_identity() const { return member(build, "identity"); }
+std::string SessionFile::scoring_identity() const { return member(rescored.is_null() ? build : rescored, "identity"); }
 
 SessionFile read_session_file(const std::string& folder) {
   const std::string text = read_file(file_of(folder));
@@ -69,6 +71,7 @@ void write_session_file(const std::string& folder, const SessionFile& session) {
   json["robots"] = Json::object();
   for (const auto& [name, robot] : session.robots) json["robots"][name] = robot;
   json["build"] = session.build;
+  if (!session.rescored.is_null()) json["rescored"] = session.rescored;
   json["sessions"] = Json::array();
   for (const SessionEntry& entry : session.sessions) json["sessions"].push_back(to_json(entry));
   write_file(file_of(folder), json_text(json));
@@ -86,6 +89,9 @@ std::vector<std::string> summary(const SessionFile& session) {
   lines.push_back(fmt::format("Machine: {}, {} cores, {} at a time; build {} ({})", member(last.machine, "cpu"),
                               member(last.machine, "cores"), last.jobs, member(session.build, "revision"),
                               session.build_identity()));
+  if (!session.rescored.is_null())
+    lines.push_back(fmt::format("Scored again by build {} ({})", member(session.rescored, "revision"),
+                                session.scoring_identity()));
   return lines;
 }
 

@@ -28,9 +28,11 @@ struct SessionFile {
   double target_coverage = 0;
   std::vector<std::pair<std::string, std::string>> robots;  // name, canonical_text()
   nlohmann::ordered_json build;                             // build_description()
-  std::vector<SessionEntry> sessions;                       // in order
-  /// Of the build; "unknown" if it is not said.
+  nlohmann::ordered_json rescored;     // the same of the other build whose rescore() was the last; null if none was
+  std::vector<SessionEntry> sessions;  // in order
+  /// Of the build that planned, and of the one that scored; "unknown" if it is not said.
   std::string build_identity() const;
+  std::string scoring_identity() const;
 };
 
 /// Throws std::invalid_argument if there is no such file, or one of other content.

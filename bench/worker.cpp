@@ -17,6 +17,7 @@
 #include "bench/verdict.hpp"
 #include "bench/wire.hpp"
 #include "maps/map_features.hpp"
+#include "maps/map_source.hpp"
 
 namespace oxturn {
 
@@ -65,20 +66,22 @@ MapCells map_cells(const MapSpec& spec, const Map& map) {
   return cells;
 }
 
+MapSource source_of(const MapSpec& spec) {
+  const bool generated = !spec.generator.empty();
+  return {spec.file, spec.generator, generated ? spec.settings : spec.read, spec.seed};
+}
+
 Setting set_up(const Work& work, const SuiteCell& cell) {
   Setting s;
   const MapSpec& spec = work.suite.maps[cell.map];
   const Robot& robot = work.suite.robots[cell.robot];
+  const Registry& registry = work.registry;
   try {
     std::optional<Location> start = spec.start, anchor = spec.anchor;
-    if (spec.generator.empty()) {
-      const MapFile content = spec.content ? *spec.content : read_map(spec.file, spec.read, work.registry.formats);
-      s.map = content.map;
-      if (!start && content.start) start = Location{"", *content.start};
-      if (!anchor && content.anchor) anchor = Location{"", *content.anchor};
-    } else {
-      s.map = generate(spec.generator, spec.settings, spec.seed, work.registry.generators);
-    }
+    MapFile content = spec.content ? *spec.content : load_map(source_of(spec), registry.generators, registry.formats);
+    s.map = std::move(content.map);
+    if (!start && content.start) start = Location{"", *content.start};
+    if (!anchor && content.anchor) anchor = Location{"", *content.anchor};
     s.map->name = spec.name;
     const auto known = work.known_maps.find(cell.map);
     s.cells = known != work.known_maps.end() ? known->second : map_cells(spec, *s.map);

@@ -1,5 +1,5 @@
-/// Where a map comes from, so that it can be had again: a file and the reader's settings, or a generator with settings
-/// and seed.
+/// Where a map comes from, so that it can be loaded again: a file and the reader's settings, or a generator with
+/// settings and seed.
 ///
 ///   const MapFile file = load_map({.generator = "rooms", .seed = 7}, generators, formats);
 #pragma once

@@ -43,7 +43,7 @@ MapFile load_map(const PathProblem& problem, const std::string& path_file, const
   try {
     file = load_map(source, generators, formats);
   } catch (const std::invalid_argument& e) {
-    throw_invalid("{}: the map that it was made for cannot be had: {}; give MAP", path_file, e.what());
+    throw_invalid("{}: the map that it was made for cannot be loaded: {}; give MAP", path_file, e.what());
   }
   if (const std::string hash = content_hash(file.map); hash != problem.map_sha256)
     throw_invalid("{}: it was made for another map than '{}' is now (SHA-256 {}..., expected {}...); give MAP",

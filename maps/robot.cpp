@@ -112,7 +112,7 @@ const std::vector<Parameter<Robot>>& robot_parameters() {
       {"min_turn_radius", &Robot::min_turn_radius, Range{0, kLargest}, "metres; 0: turns on the spot"},
       grouped("tether_length", &Robot::tether, &Tether::length, Range{0, kLargest}, "metres of tether"),
       grouped("tether_reach", &Robot::tether, &Tether::reach, Range{0, kLargest},
-              "in place of a length: so many times the geodesic distance from the anchor to the farthest point"),
+              "in place of a length: as a multiple of the geodesic distance from the anchor to the farthest point"),
       grouped("tether_sharp_angle", &Robot::tether, &Tether::sharp_angle, Range{0, kPi, true},
               "radians from straight away from the pull; a larger angle counts as sharp"),
       grouped("lidar_range", &Robot::lidar, &Lidar::range, Range{0, kLargest, true}, "metres that the lidar sees"),

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/transit/short_segments.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -141,7 +143,7 @@ Path Vacuum::finish() {
   if (bumper_.path().size() < 2)
     throw Infeasible(fmt::format("robot '{}' touches walls on all sides of its start ({:.6g}, {:.6g})",
                                  problem_.robot().name, problem_.start().x(), problem_.start().y()));
-  return Path{{{true, bumper_.path()}}};
+  return without_short_segments(Path{{{true, bumper_.path()}}}, problem_);
 }
 
 std::optional<Point> spiral(Vacuum& vacuum, double pitch, const Point& heading) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
+#include "algorithms/grid/linked_rounds.hpp"
 #include "algorithms/grid/sub_cell_tree.hpp"
 #include "algorithms/lattice/cell_robot.hpp"
 #include "algorithms/lattice/promised_cells.hpp"
@@ -87,20 +87,16 @@ class PartialStc {
     if (!entry) throw Infeasible("no sub-cell is free; a smaller cell_size may help");
     promise_free_cells(context_, fine_, options_.components, entry->cell, problem_.robot().tool_width);
     if (options_.components == Components::all && components_.cells.size() > 1) find_links(entry->cell);
-    enter(entry->cell, entry->path);
-    while (!open_.empty() && !context_.cancelled()) step();
-    drive_line();
+    std::vector<LinkedRounds::Link> links;
+    for (const ComponentLinks::Link& link : links_) links.push_back({link.from, fine_.cell(link.to), &link.path});
+    LinkedRounds(fine_, std::move(links), path_)
+        .drive({.to = entry->cell, .path = &entry->path}, context_, [&](const Cell& root) {
+          return steps_around_component(root);
+        });
     return path_.take();
   }
 
  private:
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  struct Round {
-    std::vector<Cell> cells;
-    std::size_t driven;       // index of the cell where the robot is
-    const Polyline* arrival;  // the path that led to the first cell
-  };
-
   void grow_tree(const Cell& root, const std::vector<Cell>& cells) {
     tree_.add_node(root);
     if (options_.tree == TreeKind::bfs)
@@ -134,61 +130,20 @@ class PartialStc {
       for (const Cell& c : cells)
         if (on_boundary(c)) links.add(fine_.centre(c), components_.of[fine_.at(c)], fine_.at(c));
     links_ = links.tree(components_.of[fine_.at(root)]);
-    first_link_.assign(fine_.size(), kNone);
-    next_link_.assign(links_.size(), kNone);
-    for (std::size_t k = links_.size(); k-- > 0;)
-      next_link_[k] = std::exchange(first_link_[links_[k].from], static_cast<std::uint32_t>(k));
   }
 
-  /// Drives to the component that contains `root` and opens the round about its tree.
-  void enter(const Cell& root, const Polyline& path) {
-    const std::vector<Cell>& cells = components_.cells[static_cast<std::size_t>(components_.of[fine_.at(root)])];
-    grow_tree(root, cells);
-    drive_line();
-    path_.drive(path, cells.size() == 1);  // a single sub-cell is covered on arrival
-    open_.push_back({{root}, 0, &path});
-    Cell at = root;
-    const auto drive = [&](Direction d) {
-      at = neighbour(at, d);
-      open_.back().cells.push_back(at);
+  /// Grows the tree of the component that contains `root`, and goes round it.
+  std::vector<Direction> steps_around_component(const Cell& root) {
+    grow_tree(root, components_.cells[static_cast<std::size_t>(components_.of[fine_.at(root)])]);
+    std::vector<Direction> steps;
+    const auto step = [&](Direction d) {
+      steps.push_back(d);
       return true;
     };
     tree_.go_round(
-        root, [](const Cell&, Direction) { return false; }, drive);
-    line_.assign(1, fine_.centre(root));
+        root, [](const Cell&, Direction) { return false; }, step);
     context_.progress(static_cast<double>(++entered_) / static_cast<double>(components_.cells.size()));
-  }
-
-  /// Leaves for a component that is linked to the sub-cell where the robot is, or goes on to the next sub-cell of the
-  /// round; at its end back to where it left the round before.
-  void step() {
-    Round& here = open_.back();
-    const Cell at = here.cells[here.driven];
-    if (const std::uint32_t k = next_branch(at); k != kNone) return enter(fine_.cell(links_[k].to), links_[k].path);
-    if (here.driven + 1 < here.cells.size()) return go_on(here);
-    const Polyline* arrival = here.arrival;
-    open_.pop_back();
-    if (open_.empty()) return;
-    drive_line();
-    path_.drive(Polyline(arrival->rbegin(), arrival->rend()), false);
-    line_.assign(1, path_.at());
-  }
-  void go_on(Round& round) {
-    const Cell &at = round.cells[round.driven], &to = round.cells[++round.driven];
-    const bool straight = line_.size() > 1 && round.driven >= 2 &&
-                          to.i - at.i == at.i - round.cells[round.driven - 2].i &&
-                          to.j - at.j == at.j - round.cells[round.driven - 2].j;
-    if (straight) line_.pop_back();
-    line_.push_back(fine_.centre(to));
-  }
-  std::uint32_t next_branch(const Cell& at) {
-    if (first_link_.empty()) return kNone;
-    std::uint32_t& first = first_link_[fine_.at(at)];
-    return first == kNone ? kNone : std::exchange(first, next_link_[first]);
-  }
-  void drive_line() {
-    if (line_.size() > 1) path_.drive(line_, true);
-    line_.clear();
+    return steps;
   }
   bool on_boundary(const Cell& c) const {
     return std::any_of(kAllDirections.begin(), kAllDirections.end(),
@@ -201,12 +156,9 @@ class PartialStc {
   Context& context_;
   SubCellComponents components_;
   Tree tree_;
-  DisjointSets joined_;                                // weighted: sub-cells in one tree
-  std::vector<ComponentLinks::Link> links_;            // to the other components
-  std::vector<std::uint32_t> first_link_, next_link_;  // from each sub-cell, as linked lists
-  std::vector<Round> open_;                            // rounds begun
-  Polyline line_;                                      // with the tool on, not yet in the path
-  std::size_t entered_ = 0;                            // components
+  DisjointSets joined_;                      // weighted: sub-cells in one tree
+  std::vector<ComponentLinks::Link> links_;  // to the other components
+  std::size_t entered_ = 0;                  // components
   PathBuilder path_;
 };
 

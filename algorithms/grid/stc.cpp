@@ -19,11 +19,12 @@
 //             6. `partial = true` (after the same authors, 2002 and 2003): partly occupied coarse cells are entered,
 //                too. Every sub-cell that free lattice edges connect to the first is visited; length <= (n + m) D
 //                (sub_cell_tree.hpp).
-#include <limits>
 #include <utility>
+#include <vector>
 
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/grid/component_order.hpp"
+#include "algorithms/grid/linked_rounds.hpp"
 #include "algorithms/grid/partial_stc.hpp"
 #include "algorithms/grid/spanning_trees.hpp"
 #include "algorithms/lattice/promised_cells.hpp"
@@ -35,83 +36,18 @@ struct Params : TreeOptions {
   bool partial = false;
 };
 
-/// Drives around the tree from its root; where the path to a branch begins, first there, around that component and
-/// back.
-class RoundWithBranches {
- public:
-  using Entry = ComponentOrder::Entry;
-  RoundWithBranches(const GridGraph& fine, const CoarseCells& cells, const std::vector<Entry>& branches,
-                    PathBuilder& path)
-      : fine_(fine),
-        cells_(cells),
-        branches_(branches),
-        path_(path),
-        first_(branches.empty() ? 0 : fine.size(), kNone),
-        next_(branches.size(), kNone) {
-    for (std::size_t k = branches.size(); k-- > 0;)
-      next_[k] = std::exchange(first_[branches[k].from], static_cast<std::uint32_t>(k));
-  }
+LinkedRounds::Link link_to(const ComponentOrder::Entry& entry) { return {entry.from, entry.at, &entry.path}; }
 
-  void drive(const Entry& root, const Context& context) {
-    line_ = {fine_.centre(root.at)};
-    enter(root);
-    while (!open_.empty() && !context.cancelled()) {
-      if (open_.back().branch != kNone)
-        leave_for_branch();
-      else
-        step();
-    }
-    path_.drive(line_, true);
-  }
-
- private:
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  struct Round {
-    const Entry* component;
-    Cell at;
-    std::uint32_t branch;  // the next one to be driven from here
-  };
-
-  std::uint32_t branch_at(const Cell& c) const { return first_.empty() ? kNone : first_[fine_.at(c)]; }
-  void enter(const Entry& component) { open_.push_back({&component, component.at, branch_at(component.at)}); }
-  void leave_for_branch() {
-    Round& here = open_.back();
-    const Entry& component = branches_[here.branch];
-    here.branch = next_[here.branch];
-    go(component.path);
-    enter(component);
-  }
-  void step() {
-    Round& here = open_.back();
-    const Direction d = round_step(cells_, here.at);
-    here.at = neighbour(here.at, d);
-    if (last_ == d) line_.pop_back();
-    line_.push_back(fine_.centre(here.at));
-    last_ = d;
-    if (here.at != here.component->at) {
-      here.branch = branch_at(here.at);
-      return;
-    }
-    const Entry* component = here.component;  // once around
-    open_.pop_back();
-    if (!open_.empty()) go(Polyline(component->path.rbegin(), component->path.rend()));
-  }
-  void go(const Polyline& transit) {
-    path_.drive(line_, true);
-    path_.drive(transit, false);
-    line_.assign(1, transit.back());
-    last_.reset();
-  }
-
-  const GridGraph& fine_;
-  const CoarseCells& cells_;
-  const std::vector<Entry>& branches_;
-  PathBuilder& path_;
-  std::vector<std::uint32_t> first_, next_;  // branches from each sub-cell, as linked lists
-  std::vector<Round> open_;                  // rounds begun
-  Polyline line_;                            // with the tool on, not yet in the path
-  std::optional<Direction> last_;
-};
+/// Once around the tree of coarse cells that contains a sub-cell.
+std::vector<Direction> steps_around(const CoarseCells& cells, const Cell& start) {
+  std::vector<Direction> steps;
+  Cell at = start;
+  do {
+    steps.push_back(round_step(cells, at));
+    at = neighbour(at, steps.back());
+  } while (at != start);
+  return steps;
+}
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const GridGraph fine = p.lattice(problem, 2);
@@ -131,8 +67,11 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
     if (p.components == Components::all) branches = order.branches();
     grower.grow(root->coarse);
     for (const ComponentOrder::Entry& branch : branches) grower.grow(branch.coarse);
-    path.drive(root->path, false);
-    RoundWithBranches(fine, cells, branches, path).drive(*root, context);
+    std::vector<LinkedRounds::Link> links;
+    for (const ComponentOrder::Entry& branch : branches) links.push_back(link_to(branch));
+    LinkedRounds(fine, std::move(links), path).drive(link_to(*root), context, [&](const Cell& c) {
+      return steps_around(cells, c);
+    });
   }
   if (context.wants_traces()) context.trace("tree", tree_lines(cells));
   return path.take();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/transit/short_segments.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -186,7 +188,7 @@ WallFollower::Excursion WallFollower::excursion(const Cell& from, std::uint32_t 
 /// Without the points where borders of cells cut straight walls, and without those a hundredth of the radius apart that
 /// the robot need not visit one by one.
 Polyline WallFollower::straightened(const Polyline& line) const {
-  const double close = problem_.robot().radius / 100, off = 1e-9 * robot_.side();
+  const double close = shortest_segment(problem_.robot()), off = 1e-9 * robot_.side();
   Polyline straight{line.front()};
   for (std::size_t k = 1; k + 1 < line.size(); ++k) {
     const Point &before = straight.back(), &at = line[k], &next = line[k + 1];

@@ -17,7 +17,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMostPieces = 1e6;  // of one segment of the path
-constexpr double kShortest = 0.01;   // of the robot's radius: vertices nearer to each other are one
 // Tool widths that laps may keep off the boundary to run straight, tried in turn, and the share of configuration space
 // that they may lose by it.
 constexpr std::array kStraightening{1.0 / 20, 1.0 / 40, 1.0 / 80, 1.0 / 160};
@@ -347,9 +346,8 @@ Region straightened_space(const Problem& problem) {
 
 Path with_outline(const Problem& problem, const Path& path, double width, const Connector& connector,
                   Context& context) {
-  const double least = kShortest * problem.robot().radius;
   const Path with_laps = with_rings(problem, straightened_space(problem), path, width, connector, context);
-  return without_short_segments(with_laps, least, connector);
+  return without_short_segments(with_laps, problem);
 }
 
 Path with_rings(const Problem& problem, const Region& rings, const Path& path, double width, const Connector& connector,

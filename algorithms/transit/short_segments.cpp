@@ -3,14 +3,14 @@
 namespace oxturn {
 namespace {
 
-Polyline without_short_segments(const Polyline& points, double least, const Connector& connector) {
+Polyline without_short_segments(const Polyline& points, double least, const EdgeIndex& walls) {
   Polyline kept;
   for (const Point& p : points) {
     const bool end = &p == &points.back();
     while (kept.size() > 1) {
       const Point &last = kept.back(), &before = kept[kept.size() - 2];
       const bool near = distance(before, last) < least || (end && distance(last, p) < least);
-      if (!near || !connector.straight(before, p)) break;
+      if (!near || !walls.contains(before, p)) break;
       kept.pop_back();
     }
     kept.push_back(p);
@@ -20,8 +20,9 @@ Polyline without_short_segments(const Polyline& points, double least, const Conn
 
 }  // namespace
 
-Path without_short_segments(Path path, double least, const Connector& connector) {
-  for (Leg& leg : path.legs) leg.points = without_short_segments(leg.points, least, connector);
+Path without_short_segments(Path path, const Problem& problem) {
+  const double least = shortest_segment(problem.robot());
+  for (Leg& leg : path.legs) leg.points = without_short_segments(leg.points, least, problem.walls());
   return path;
 }
 

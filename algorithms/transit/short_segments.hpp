@@ -1,18 +1,21 @@
 /// Drops vertices that a robot cannot tell from their neighbours.
 ///
-///   path = without_short_segments(std::move(path), problem.robot().radius / 100, connector);
+///   path = without_short_segments(std::move(path), problem);
 ///
-/// A vertex nearer than `least` to the vertex before it goes, if the straight segment that replaces it is free; ends of
+/// A vertex nearer than a hundredth of the robot's radius to the vertex before it goes, if the straight segment that replaces it is free; ends of
 /// legs stay. Such vertices come from offsets that cut an arc near its end and from links between neighbouring lanes;
-/// they make a controller stutter. The path moves by less than `least`. O(n), and a segment test for each short
+/// they make a controller stutter. The path moves by less than that. O(n), and a segment test for each short
 /// segment.
 #pragma once
 
-#include "algorithms/transit/connector.hpp"
 #include "geometry/path.hpp"
+#include "maps/problem.hpp"
 
 namespace oxturn {
 
-Path without_short_segments(Path path, double least, const Connector& connector);
+/// A hundredth of the robot's radius: vertices nearer to each other are one for a robot that size.
+inline double shortest_segment(const Robot& robot) { return robot.radius / 100; }
+
+Path without_short_segments(Path path, const Problem& problem);
 
 }  // namespace oxturn

@@ -222,21 +222,20 @@ void BM_TenthBlocked(benchmark::State& state, const char* name, Settings setting
   settings["cell_size"] = 0.4;
   plan(state, name, tenth_blocked(state.range(0)), settings);
 }
-#define OXTURN_TENTH_BLOCKED(label, ...)                 \
-  BENCHMARK_CAPTURE(BM_TenthBlocked, label, __VA_ARGS__) \
-      ->RangeMultiplier(8)                               \
-      ->Range(1 << 14, 1 << 20)                          \
-      ->Complexity()                                     \
+#define OXTURN_UP_TO_A_MILLION(function, label, ...) \
+  BENCHMARK_CAPTURE(function, label, __VA_ARGS__)    \
+      ->RangeMultiplier(8)                           \
+      ->Range(1 << 14, 1 << 20)                      \
+      ->Complexity()                                 \
       ->Unit(benchmark::kMillisecond)
-OXTURN_TENTH_BLOCKED(stc, "stc", {});
-OXTURN_TENTH_BLOCKED(stc_start, "stc", {{"components", std::string("start")}});
-OXTURN_TENTH_BLOCKED(stc_partial, "stc", {{"components", std::string("start")}, {"partial", true}});
-OXTURN_TENTH_BLOCKED(stc_spiral, "stc-spiral", {});
-OXTURN_TENTH_BLOCKED(stc_spiral_partial, "stc-spiral", {{"partial", true}});
-OXTURN_TENTH_BLOCKED(stc_scan, "stc-scan", {});
-OXTURN_TENTH_BLOCKED(stc_scan_partial, "stc-scan", {{"partial", true}});
-OXTURN_TENTH_BLOCKED(stc_loops, "stc-loops", {});
-#undef OXTURN_TENTH_BLOCKED
+OXTURN_UP_TO_A_MILLION(BM_TenthBlocked, stc, "stc", {});
+OXTURN_UP_TO_A_MILLION(BM_TenthBlocked, stc_start, "stc", {{"components", std::string("start")}});
+OXTURN_UP_TO_A_MILLION(BM_TenthBlocked, stc_partial, "stc", {{"components", std::string("start")}, {"partial", true}});
+OXTURN_UP_TO_A_MILLION(BM_TenthBlocked, stc_spiral, "stc-spiral", {});
+OXTURN_UP_TO_A_MILLION(BM_TenthBlocked, stc_spiral_partial, "stc-spiral", {{"partial", true}});
+OXTURN_UP_TO_A_MILLION(BM_TenthBlocked, stc_scan, "stc-scan", {});
+OXTURN_UP_TO_A_MILLION(BM_TenthBlocked, stc_scan_partial, "stc-scan", {{"partial", true}});
+OXTURN_UP_TO_A_MILLION(BM_TenthBlocked, stc_loops, "stc-loops", {});
 
 // The same with the default cell, which fits the obstacles nowhere: the lattice falls apart into thousands of
 // components that only paths among the walls connect. n log n.
@@ -256,16 +255,10 @@ const Problem& speckle(std::int64_t cells) {
 void BM_Speckle(benchmark::State& state, const char* name, const Settings& settings) {
   plan(state, name, speckle(state.range(0)), settings);
 }
-#define OXTURN_SPECKLE(label, ...)                  \
-  BENCHMARK_CAPTURE(BM_Speckle, label, __VA_ARGS__) \
-      ->RangeMultiplier(4)                          \
-      ->Range(1 << 14, 1 << 20)                     \
-      ->Complexity()                                \
-      ->Unit(benchmark::kMillisecond)
-OXTURN_SPECKLE(stc, "stc", Settings{});
-OXTURN_SPECKLE(stc_partial, "stc", Settings{{"partial", true}});
-OXTURN_SPECKLE(stc_loops, "stc-loops", Settings{});
-#undef OXTURN_SPECKLE
+OXTURN_UP_TO_A_MILLION(BM_Speckle, stc, "stc", Settings{});
+OXTURN_UP_TO_A_MILLION(BM_Speckle, stc_partial, "stc", Settings{{"partial", true}});
+OXTURN_UP_TO_A_MILLION(BM_Speckle, stc_loops, "stc-loops", Settings{});
+#undef OXTURN_UP_TO_A_MILLION
 
 }  // namespace
 }  // namespace oxturn

@@ -22,10 +22,7 @@ MapFormats built_in_map_formats() {
 }
 
 std::string suffix_of(const std::string& file) {
-  std::string suffix = std::filesystem::path(file).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return suffix;
+  return lower_case(std::filesystem::path(file).extension().string());
 }
 
 namespace {

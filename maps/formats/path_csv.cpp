@@ -26,12 +26,6 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
-}
-
 /// The cells of a line, without blanks and quotes round them. No cell of a path contains a comma.
 void split_cells(std::string_view line, std::vector<std::string_view>& cells) {
   cells.clear();
@@ -84,7 +78,7 @@ class CsvReader {
       return false;
     }
     const auto column = [&](const char* name) {
-      const auto found = std::ranges::find_if(cells_, [&](std::string_view cell) { return lower(cell) == name; });
+      const auto found = std::ranges::find_if(cells_, [&](std::string_view cell) { return lower_case(cell) == name; });
       return found == cells_.end() ? kNone : static_cast<std::size_t>(found - cells_.begin());
     };
     x_ = column("x"), y_ = column("y"), tool_ = column("tool");
@@ -106,7 +100,7 @@ class CsvReader {
     refuse(column, name, "a finite number in metres");
   }
   bool truth(std::size_t column) const {
-    const std::string text = lower(cells_[column]);
+    const std::string text = lower_case(cells_[column]);
     if (text == "1" || text == "on" || text == "true") return true;
     if (text == "0" || text == "off" || text == "false") return false;
     refuse(column, "tool", "1 or 0, on or off, true or false");

@@ -99,14 +99,5 @@ TEST(Parameters, TextOfAValueIsParsedBackToIt) {
   EXPECT_EQ(to_text(Value(true)), "true");
 }
 
-TEST(Parameters, NearestNameHasTheLeastEditDistance) {
-  const std::vector<std::string> planners{"boustrophedon", "zigzag", "stc", "rectangles"};
-  EXPECT_EQ(nearest_name("boustrofedon", planners), "boustrophedon");
-  EXPECT_EQ(nearest_name("sct", planners), "stc");
-  EXPECT_EQ(nearest_name("zig-zag", planners), "zigzag");
-  EXPECT_EQ(nearest_name("", {"only"}), "only");
-  EXPECT_EQ(nearest_name("x", {}), "");
-}
-
 }  // namespace
 }  // namespace oxturn

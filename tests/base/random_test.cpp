@@ -94,6 +94,21 @@ TEST(Rng, NormalHasTheRightMoments) {
   EXPECT_NEAR(within / double{n}, 0.6827, 0.008);
 }
 
+// Marsaglia's polar method with the C library's logarithm.
+TEST(Rng, NormalIsAccurateToTheLastDigits) {
+  Rng rng(5), units(5);
+  for (int k = 0; k < 10000; ++k) {
+    double u = 0, s = 0;
+    do {
+      u = 2 * units.unit() - 1;
+      const double v = 2 * units.unit() - 1;
+      s = u * u + v * v;
+    } while (s == 0 || s >= 1);
+    const double expected = u * std::sqrt(-2 * std::log(s) / s);
+    EXPECT_NEAR(rng.normal(), expected, 1e-14 * std::abs(expected) + 1e-16);
+  }
+}
+
 TEST(Rng, ShuffleIsAUniformPermutation) {
   Rng rng(4);
   std::vector<int> orders(6);

@@ -11,6 +11,7 @@
 
 #include "base/files.hpp"
 #include "bench/run_suite.hpp"
+#include "bench/session_file.hpp"
 #include "bench/wire.hpp"
 #include "test_planners.hpp"
 
@@ -169,6 +170,32 @@ TEST(Rescore, NewMetricsAndTargetsTakeEffect) {
   EXPECT_EQ(after.rows[1].number("points"), 2);
   EXPECT_EQ(after.rows[1].outcome(), Outcome::ok);  // was partial
   EXPECT_THAT(read_file(out + "/columns.json"), HasSubstr("points of the path"));
+}
+
+// The rows of a folder are scored by one build: another one may not add to them before it has scored them all.
+TEST(Rescore, TheBuildThatScoredIsOnRecord) {
+  const Folder folder;
+  const std::string out = folder.file("out");
+  ran(two_runs(), out);
+  EXPECT_THAT(read_file(out + "/session.json"), Not(HasSubstr("rescored")));
+  const std::string own = read_session_file(out).build_identity();
+  replace_in(out + "/session.json", own, "another build");
+  rescore(out, registry(), false);
+  const SessionFile session = read_session_file(out);
+  EXPECT_EQ(session.build_identity(), "another build");
+  EXPECT_EQ(session.scoring_identity(), own);
+  EXPECT_THAT(summary(session).back(), HasSubstr(own));
+
+  replace_in(out + "/session.json", own, "a third build");
+  replace_in(out + "/session.json", "another build", own);
+  SuiteRunOptions options;
+  options.folder = out;
+  options.resume = true;
+  options.progress = false;
+  EXPECT_THAT([&] { run_suite(two_runs(), registry(), options); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("scored again by another build of oxturn (a third build")));
+  rescore(out, registry(), false);
+  EXPECT_NO_THROW(run_suite(two_runs(), registry(), options));
 }
 
 TEST(Rescore, UnknownColumnsAreDropped) {

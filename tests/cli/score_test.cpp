@@ -131,7 +131,7 @@ TEST_F(ScoreCommand, APathOfARunIsScoredAlone) {
   }
 }
 
-TEST_F(ScoreCommand, SaysWhyAProblemCannotBeHad) {
+TEST_F(ScoreCommand, SaysWhyAProblemCannotBeLoaded) {
   const std::string map =
       out.write("m.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,3],[0,0]]]})");
   plan("zigzag " + map);
