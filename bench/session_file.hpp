@@ -28,8 +28,8 @@ struct SessionFile {
   double target_coverage = 0;
   std::vector<std::pair<std::string, std::string>> robots;  // name, canonical_text()
   nlohmann::ordered_json build;                             // build_description()
-  nlohmann::ordered_json rescored;     // the same of the other build whose rescore() was the last; null if none was
-  std::vector<SessionEntry> sessions;  // in order
+  std::vector<SessionEntry> sessions;                       // in order
+  nlohmann::ordered_json rescored;  // build_description() of another build whose rescore() was the last; or null
   /// Of the build that planned, and of the one that scored; "unknown" if it is not said.
   std::string build_identity() const;
   std::string scoring_identity() const;
