@@ -81,19 +81,20 @@ TEST(Strips, TurnSquareInTheOpenAndStraightAlongWalls) {
 }
 
 TEST(ShortSegments, AreDroppedWhereTheShortcutIsFree) {
-  const Problem hall(Map{"hall", box_region({0, 0}, {20, 20}), "", ""}, Robot{}, Point(1, 1));
-  const Connector connector(hall);
+  Robot robot;
+  robot.radius = 0.2;
+  const Problem hall(Map{"hall", box_region({0, 0}, {20, 20}), "", ""}, robot, Point(1, 1));
   const Path path{{{true, {{1, 1}, {5, 1}, {5.0005, 1.0005}, {5.001, 1.001}, {5.001, 9}, {5.0012, 9}}}}};
-  const Path short_of_it = without_short_segments(path, 0.002, connector);
+  const Path short_of_it = without_short_segments(path, hall);
   ASSERT_EQ(short_of_it.legs.size(), 1u);
   EXPECT_EQ(short_of_it.legs[0].points, (Polyline{{1, 1}, {5, 1}, {5.0012, 9}}));
 }
 
 // No vertex nearer to the one before than a hundredth of the radius, unless a wall or a change of the tool is between.
-TEST(ShortSegments, PolygonPlannersLeaveNone) {
+TEST(ShortSegments, PolygonPlannersAndHabitsLeaveNone) {
   for (const auto seed : seeds(3))
     for (const Problem& p : sample_problems(seed))
-      for (const char* planner : {"boustrophedon", "zigzag", "hyun"}) {
+      for (const char* planner : {"boustrophedon", "zigzag", "hyun", "random-walk", "spiral-out", "wall-follow", "vacuum-mix"}) {
         SCOPED_TRACE(p.map().source + " " + planner);
         const Path path = plan(planner, p);
         const Connector connector(p);
