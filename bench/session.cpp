@@ -122,7 +122,8 @@ void Session::append(const std::string& line) {
 void Session::rewrite(const std::string& lines) { write_file(file_, csv_header(columns_) + lines); }
 
 void Session::describe(const Suite& suite, const SuiteRunOptions& options) {
-  SessionFile session{suite.name, suite.file, suite.limits, suite.warm_ups, suite.target_coverage, {}, {}, sessions_, nullptr};
+  SessionFile session{suite.name, suite.file, suite.limits, suite.warm_ups, suite.target_coverage,
+                      {},         {},         sessions_,    nullptr};
   for (const Robot& robot : suite.robots) session.robots.emplace_back(robot.name, canonical_text(robot));
   session.build = build_description();
   session.sessions.push_back({fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),

@@ -90,8 +90,8 @@ std::vector<std::string> summary(const SessionFile& session) {
                               member(last.machine, "cores"), last.jobs, member(session.build, "revision"),
                               session.build_identity()));
   if (!session.rescored.is_null())
-    lines.push_back(fmt::format("Scored again by build {} ({})", member(session.rescored, "revision"),
-                                session.scoring_identity()));
+    lines.push_back(
+        fmt::format("Scored again by build {} ({})", member(session.rescored, "revision"), session.scoring_identity()));
   return lines;
 }
 

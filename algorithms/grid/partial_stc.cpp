@@ -90,9 +90,8 @@ class PartialStc {
     std::vector<LinkedRounds::Link> links;
     for (const ComponentLinks::Link& link : links_) links.push_back({link.from, fine_.cell(link.to), &link.path});
     LinkedRounds(fine_, std::move(links), path_)
-        .drive({.to = entry->cell, .path = &entry->path}, context_, [&](const Cell& root) {
-          return steps_around_component(root);
-        });
+        .drive({.to = entry->cell, .path = &entry->path}, context_,
+               [&](const Cell& root) { return steps_around_component(root); });
     return path_.take();
   }
 

@@ -21,9 +21,7 @@ MapFormats built_in_map_formats() {
   return MapFormats("map format", {ros_format(), geojson_format(), image_format(), svg_format()});
 }
 
-std::string suffix_of(const std::string& file) {
-  return lower_case(std::filesystem::path(file).extension().string());
-}
+std::string suffix_of(const std::string& file) { return lower_case(std::filesystem::path(file).extension().string()); }
 
 namespace {
 

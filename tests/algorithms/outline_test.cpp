@@ -94,7 +94,8 @@ TEST(ShortSegments, AreDroppedWhereTheShortcutIsFree) {
 TEST(ShortSegments, PolygonPlannersAndHabitsLeaveNone) {
   for (const auto seed : seeds(3))
     for (const Problem& p : sample_problems(seed))
-      for (const char* planner : {"boustrophedon", "zigzag", "hyun", "random-walk", "spiral-out", "wall-follow", "vacuum-mix"}) {
+      for (const char* planner :
+           {"boustrophedon", "zigzag", "hyun", "random-walk", "spiral-out", "wall-follow", "vacuum-mix"}) {
         SCOPED_TRACE(p.map().source + " " + planner);
         const Path path = plan(planner, p);
         const Connector connector(p);

@@ -25,8 +25,8 @@ TEST(Text, LowerCaseChangesAsciiLettersOnly) {
 TEST(Text, PrintableReplacesWhatIsNotUtf8) {
   const std::string bad = "\xEF\xBF\xBD";
   EXPECT_EQ(printable("a\tb\x7f"), "a b ");
-  for (const char* valid : {"\xC2\x80", "\xDF\xBF", "\xE0\xA0\x80", "\xED\x9F\xBF", "\xEE\x80\x80", "\xF0\x90\x80\x80",
-                            "\xF4\x8F\xBF\xBF"})
+  for (const char* valid :
+       {"\xC2\x80", "\xDF\xBF", "\xE0\xA0\x80", "\xED\x9F\xBF", "\xEE\x80\x80", "\xF0\x90\x80\x80", "\xF4\x8F\xBF\xBF"})
     EXPECT_EQ(printable(valid), valid);
   // Overlong forms of two, three and four bytes, a surrogate, a code point above U+10FFFF.
   EXPECT_EQ(printable("\xC0\x80"), bad + bad);

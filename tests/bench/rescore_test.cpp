@@ -192,8 +192,9 @@ TEST(Rescore, TheBuildThatScoredIsOnRecord) {
   options.folder = out;
   options.resume = true;
   options.progress = false;
-  EXPECT_THAT([&] { run_suite(two_runs(), registry(), options); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr("scored again by another build of oxturn (a third build")));
+  EXPECT_THAT(
+      [&] { run_suite(two_runs(), registry(), options); },
+      ThrowsMessage<std::invalid_argument>(HasSubstr("scored again by another build of oxturn (a third build")));
   rescore(out, registry(), false);
   EXPECT_NO_THROW(run_suite(two_runs(), registry(), options));
 }
