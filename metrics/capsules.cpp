@@ -1,8 +1,8 @@
 #include "metrics/capsules.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <tuple>
 
 namespace oxturn {
 namespace {
@@ -96,7 +96,7 @@ class Collector {
     k.a = from->at;
     k.b = to->at;
     const Vec d = k.b - k.a;
-    const double length = std::hypot(d.x, d.y);
+    const double length = oxturn::length(d);
     k.disc = !(length > 0);
     k.along = k.disc ? Vec{1, 0} : (1 / length) * d;
     double off2 = 0;
@@ -110,46 +110,44 @@ class Collector {
     k.path_m = driven_at(k.a);
     k.end_m = driven_at(k.b);
     set_.all.push_back(k);
-    set_.work += std::hypot(k.b.x - k.a.x, k.b.y - k.a.y);
+    set_.work += oxturn::length(k.b - k.a);
   }
   const Box& room_;
   double slack_;
   CapsuleSet& set_;
 };
 
-/// A capsule with its ends in lexicographic order.
-struct Undirected {
-  Vec low, high;
-  std::uint32_t index;
-  bool swapped;
-};
-
-Undirected undirected(const Capsule& k, std::uint32_t index) {
-  const bool swapped = k.b.x < k.a.x || (k.b.x == k.a.x && k.b.y < k.a.y);
-  return swapped ? Undirected{k.b, k.a, index, true} : Undirected{k.a, k.b, index, false};
+/// The same for equal segments, whatever their direction, and hardly ever for others.
+std::uint64_t segment_hash(const Capsule& k) {
+  const auto mixed = [](Vec p) {
+    const auto x = std::bit_cast<std::uint64_t>(p.x), y = std::bit_cast<std::uint64_t>(p.y);
+    return (x * 0x9e3779b97f4a7c15u ^ std::rotl(y, 32)) * 0xbf58476d1ce4e5b9u;
+  };
+  const std::uint64_t sum = mixed(k.a) + mixed(k.b);
+  return sum ^ sum >> 31;
 }
 
-/// Keeps the first of equal segments, which counts the others.
+bool equal(Vec p, Vec q) { return p.x == q.x && p.y == q.y; }
+
+/// Keeps the first of equal segments, which counts the others. Where two others share a hash, some repetitions may be
+/// left; they only cost time.
 void merge_repeated(std::vector<Capsule>& all) {
-  std::vector<Undirected> order;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;  // hash, capsule
   for (std::uint32_t i = 0; i < all.size(); ++i)
-    if (!all[i].disc) order.push_back(undirected(all[i], i));
-  const auto key = [&](const Undirected& u) {
-    return std::tuple(u.low.x, u.low.y, u.high.x, u.high.y, all[u.index].slack);
-  };
-  std::sort(order.begin(), order.end(), [&](const Undirected& l, const Undirected& r) {
-    const auto left = key(l), right = key(r);
-    return left != right ? left < right : l.index < r.index;
-  });
+    if (!all[i].disc) order.emplace_back(segment_hash(all[i]), i);
+  std::sort(order.begin(), order.end());
   std::vector<bool> repeated(all.size());
   for (std::size_t i = 1, first = 0; i < order.size(); ++i) {
-    if (key(order[i]) != key(order[first])) {
+    const Capsule& k = all[order[i].second];
+    Capsule& kept = all[order[first].second];
+    const bool same = order[i].first == order[first].first && k.slack == kept.slack;
+    const bool forth = equal(k.a, kept.a) && equal(k.b, kept.b), back = equal(k.a, kept.b) && equal(k.b, kept.a);
+    if (!same || !(forth || back)) {
       first = i;
       continue;
     }
-    Capsule& kept = all[order[first].index];
-    ++(order[i].swapped == order[first].swapped ? kept.forth : kept.back);
-    repeated[order[i].index] = true;
+    ++(forth ? kept.forth : kept.back);
+    repeated[order[i].second] = true;
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -194,7 +192,7 @@ double length_in(const WorkChains& chains, const Box& room) {
   for (const std::size_t end : chains.ends) {
     for (std::size_t i = begin + 1; i < end; ++i) {
       Vec a = chains.stations[i - 1].at, b = chains.stations[i].at;
-      if (clip_to(room, a, b)) length += std::hypot(b.x - a.x, b.y - a.y);
+      if (clip_to(room, a, b)) length += oxturn::length(b - a);
     }
     begin = end;
   }
@@ -227,8 +225,9 @@ Chords::Chords(int n) {
 
 std::span<const Vec> Chords::between(double x, double y, double near) const {
   const std::span<const Vec> all = directions_;
-  const double length = std::hypot(x, y);
-  if (all.size() <= kWorthSearching || near <= -length) return all;
+  if (all.size() <= kWorthSearching) return all;
+  const double length = std::sqrt(x * x + y * y);
+  if (near <= -length) return all;
   if (near >= length) return {};
   const double middle = std::atan2(y, x), half = std::acos(near / length);
   if (std::abs(middle) + half >= 1.5 * kPi) return all;  // reaches around the back

@@ -113,7 +113,7 @@ std::pair<Convex, Convex> halves(const Convex& c) {
   return result;
 }
 
-Extent extent_of(const std::vector<Convex>& pieces) {
+Extent extent_of(std::span<const Convex> pieces) {
   Vec low{1, 1}, high{-1, -1};
   for (const Convex& c : pieces) {
     for (std::size_t i = 0; i < c.size; ++i) {

@@ -9,7 +9,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,6 +25,7 @@ inline Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
 inline Vec operator*(double s, Vec a) { return {s * a.x, s * a.y}; }
 inline double dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Vec a, Vec b) { return a.x * b.y - a.y * b.x; }
+inline double length(Vec a) { return std::sqrt(dot(a, a)); }
 
 inline constexpr double kSlack = 1e-12;
 
@@ -58,7 +61,7 @@ struct Extent {
   Vec centre, half;
 };
 /// The bounding box; of no pieces, one with negative size.
-Extent extent_of(const std::vector<Convex>& pieces);
+Extent extent_of(std::span<const Convex> pieces);
 
 Convex box_of(const Extent& extent);
 /// Mean of the vertices.

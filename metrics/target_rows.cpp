@@ -22,7 +22,7 @@ void divide(std::vector<Convex>& pieces, const HalfPlane& h, double from, double
   const HalfPlane other{{-h.normal.x, -h.normal.y}, -h.reach};
   spare.clear();
   for (const Convex& c : pieces) {
-    const Extent box = extent_of({c});
+    const Extent box = extent_of({&c, 1});
     if (box.centre.x + box.half.x <= from || box.centre.x - box.half.x >= to) {
       spare.push_back(c);
       continue;
@@ -169,7 +169,7 @@ const TileTarget& TargetRows::tile(std::int64_t column) {
     }
     const bool right = b.x > a.x;
     Vec up = right ? Vec{a.y - b.y, b.x - a.x} : Vec{b.y - a.y, a.x - b.x};
-    up = (1 / std::hypot(up.x, up.y)) * up;
+    up = (1 / length(up)) * up;
     const Vec p = a - centre;
     tile_.edges_.push_back({std::min(ax, bx) - centre.x, std::max(ax, bx) - centre.x,
                             HalfPlane{Vec{-up.x, -up.y}, -dot(up, p)}, right ? 1 : -1});

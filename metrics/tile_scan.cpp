@@ -52,17 +52,15 @@ std::int64_t TileScan::last_row(std::uint32_t capsule) const {
 
 TileSums TileScan::run(double budget) {
   budget_ = budget;
-  std::vector<std::uint32_t> order(capsules_.all.size()), active;
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t l, std::uint32_t r) {
-    const std::int64_t rl = first_row(l), rr = first_row(r);
-    return rl != rr ? rl < rr : l < r;
-  });
+  std::vector<std::pair<std::int64_t, std::uint32_t>> order;  // first row, capsule
+  for (std::uint32_t i = 0; i < capsules_.all.size(); ++i) order.emplace_back(first_row(i), i);
+  std::sort(order.begin(), order.end());
+  std::vector<std::uint32_t> active;
   std::size_t next = 0;
-  std::int64_t row = order.empty() ? 0 : std::min<std::int64_t>(0, first_row(order.front()));
+  std::int64_t row = order.empty() ? 0 : std::min<std::int64_t>(0, order.front().first);
   for (; next < order.size() || !active.empty() || row <= rows_.last_row(); ++row) {
     const auto old = static_cast<std::ptrdiff_t>(active.size());
-    for (; next < order.size() && first_row(order[next]) <= row; ++next) active.push_back(order[next]);
+    for (; next < order.size() && order[next].first <= row; ++next) active.push_back(order[next].second);
     std::inplace_merge(active.begin(), active.begin() + old, active.end());
     collect(row, active);
     scan_row(row);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/disjoint_sets.hpp"
 
@@ -88,32 +87,31 @@ void UncoveredPieces::add_tile(std::int64_t column, const std::vector<Convex>& u
   target.cut(pieces_, spare_);
   const Vec centre{static_cast<double>(column) + 0.5, static_cast<double>(row_) + 0.5};
   const std::size_t first = parts_.size();
-  std::vector<Extent> boxes;
+  boxes_.clear();
   for (const Convex& c : pieces_) {
     const double size = area(c);
     if (size < kLeastArea || !target.contains(middle_of(c))) continue;
     add_part(c, size, centre);
-    boxes.push_back(extent_of({c}));
-    pieces_[boxes.size() - 1] = c;
+    boxes_.push_back(extent_of({&c, 1}));
+    pieces_[boxes_.size() - 1] = c;
   }
-  join_within(first, boxes);
+  if (boxes_.size() > 1) join_within(first);
   if (column == column_) join(before, left_);
   column_ = column + 1;
 }
 
 /// Joins the parts of a tile, in pieces_ and from parts_[first] on, that share an edge: a sweep from left to right.
-void UncoveredPieces::join_within(std::size_t first, const std::vector<Extent>& boxes) {
-  const auto left = [&](std::size_t i) { return boxes[i].centre.x - boxes[i].half.x; };
-  order_.resize(boxes.size());
-  std::iota(order_.begin(), order_.end(), std::size_t{0});
-  std::stable_sort(order_.begin(), order_.end(), [&](std::size_t l, std::size_t r) { return left(l) < left(r); });
-  DisjointSets sets(boxes.size());  // most pairs that touch are connected already
+void UncoveredPieces::join_within(std::size_t first) {
+  order_.clear();
+  for (std::size_t i = 0; i < boxes_.size(); ++i) order_.emplace_back(boxes_[i].centre.x - boxes_[i].half.x, i);
+  std::sort(order_.begin(), order_.end());
+  DisjointSets sets(boxes_.size());  // most pairs that touch are connected already
   for (std::size_t n = 0; n < order_.size(); ++n) {
-    const std::size_t i = order_[n];
-    const double right = boxes[i].centre.x + boxes[i].half.x + kNear;
-    for (std::size_t m = n + 1; m < order_.size() && left(order_[m]) <= right; ++m) {
-      const std::size_t k = order_[m];
-      if (!boxes_touch(boxes[i], boxes[k]) || sets.same(i, k) || !share_edge(pieces_[i], pieces_[k])) continue;
+    const std::size_t i = order_[n].second;
+    const double right = boxes_[i].centre.x + boxes_[i].half.x + kNear;
+    for (std::size_t m = n + 1; m < order_.size() && order_[m].first <= right; ++m) {
+      const std::size_t k = order_[m].second;
+      if (!boxes_touch(boxes_[i], boxes_[k]) || sets.same(i, k) || !share_edge(pieces_[i], pieces_[k])) continue;
       sets.unite(i, k);
       joined_.emplace_back(first + i, first + k);
     }

@@ -44,7 +44,7 @@ class UncoveredPieces {
     std::size_t part;
   };
   void add_part(const Convex& c, double area, Vec centre);
-  void join_within(std::size_t first, const std::vector<Extent>& boxes);
+  void join_within(std::size_t first);
   void join(std::vector<Touch>& left, std::vector<Touch>& right);
 
   std::int64_t row_ = -1, column_ = -1;  // column_: right of the tile added last
@@ -54,7 +54,8 @@ class UncoveredPieces {
   std::vector<Touch> left_, right_;          // of the present tile, of the one before
   std::vector<Touch> bottom_, top_, below_;  // of the present row; below_: top_ of the row before
   std::vector<Convex> pieces_, spare_;
-  std::vector<std::size_t> order_;  // of the pieces, by their left ends
+  std::vector<Extent> boxes_;                          // around the pieces
+  std::vector<std::pair<double, std::size_t>> order_;  // left ends of the pieces, with their numbers
 };
 
 }  // namespace oxturn
