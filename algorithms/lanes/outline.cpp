@@ -350,13 +350,20 @@ Path with_outline(const Problem& problem, const Path& path, double width, const 
   return without_short_segments(with_laps, problem);
 }
 
-Path with_rings(const Problem& problem, const Region& rings, const Path& path, double width, const Connector& connector,
-                Context& context) {
+Path with_rings(const Problem& problem, const std::vector<Ring>& rings, const Path& path, double width,
+                const Connector& connector, Context& context) {
   Rings all;
-  for_each_ring(rings, [&](const Ring& ring) { all.push_back(&ring); });
+  for (const Ring& ring : rings) all.push_back(&ring);
   const FlatPath flat = flattened(path, problem.start());
   const RingTree tree(std::move(all), flat.points, width, context);
   return RingDrive(tree, problem.start(), width, connector).run(flat);
+}
+
+Path with_rings(const Problem& problem, const Region& region, const Path& path, double width,
+                const Connector& connector, Context& context) {
+  std::vector<Ring> rings;
+  for_each_ring(region, [&](const Ring& ring) { rings.push_back(ring); });
+  return with_rings(problem, rings, path, width, connector, context);
 }
 
 Path drive_strips_and_walls(const Problem& problem, const std::vector<Strip>& strips, StripOrder order, bool outline,

@@ -1,0 +1,185 @@
+#include "algorithms/lanes/repair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "algorithms/lanes/boundary_arcs.hpp"
+#include "algorithms/lanes/lanes.hpp"
+#include "algorithms/lanes/outline.hpp"
+#include "geometry/convex_hull.hpp"
+#include "geometry/overlay/boolean.hpp"
+#include "geometry/overlay/swath.hpp"
+
+namespace oxturn {
+namespace {
+
+// Of the tool's width, or of its square.
+constexpr double kNegligible = 1e-6;    // pieces of less area
+constexpr double kLane = 0.98;          // distance of lanes at most: they overlap by more than the errors
+constexpr double kStep = 1.0 / 8;       // between the points of a lane that are looked at
+constexpr double kStop = 1.0 / 50;      // length of a stop
+constexpr double kReach = 0.5 * 0.999;  // from which a stop covers
+constexpr int kRounds = 3;              // lanes, then arcs of the boundary, before whole rings
+
+class Repair {
+ public:
+  Repair(const Problem& problem, Region uncovered)
+      : problem_(problem),
+        walls_(problem.walls()),
+        width_(problem.robot().tool_width),
+        seam_(covered_seam(problem.robot())),
+        arcs_(problem.walls()),
+        left_(std::move(uncovered)) {
+    drop_negligible();
+  }
+
+  /// The detours as rings, of one or two points where the robot comes back the way it went.
+  std::vector<Ring> find(const Context& context) {
+    for (int round = 0; round < kRounds && !left_.empty() && !context.cancelled(); ++round) {
+      const std::size_t before = pieces_.size();
+      if (round == 0)
+        for (const Polygon& piece : left_.polygons) fill(piece);
+      else
+        add_arcs();
+      cover_by_pieces(before);
+    }
+    if (!left_.empty() && !context.cancelled()) add_whole_rings();
+    return std::move(pieces_);
+  }
+
+ private:
+  void cover(const std::vector<Polyline>& lines) {
+    left_ = subtract(left_, swath(lines, width_ / 2, seam_, Bound::outside));
+    drop_negligible();
+  }
+  void drop_negligible() {
+    std::erase_if(left_.polygons, [&](const Polygon& p) {
+      const double size = area(p), around = perimeter({{p}});
+      return size < kNegligible * width_ * width_ || 2 * size < seam_ * around;
+    });
+  }
+  void cover_by_pieces(std::size_t from) {
+    std::vector<Polyline> lines;
+    for (std::size_t k = from; k < pieces_.size(); ++k) {
+      lines.push_back(pieces_[k]);
+      if (pieces_[k].size() > 2) lines.back().push_back(pieces_[k].front());
+    }
+    cover(lines);
+  }
+
+  /// The position of the robot that is nearest to p.
+  Point position(const Point& p) const { return walls_.contains(p) ? p : walls_.nearest(p)->point; }
+
+  void fill(const Polygon& piece) {
+    const Ring hull = convex_hull(piece.outer);
+    const Point stop = position(bounding_box(hull).centre());
+    const auto covered = [&](const Point& p) { return distance(p, stop) <= kReach * width_; };
+    if (std::all_of(hull.begin(), hull.end(), covered))
+      add_stop(stop);
+    else
+      add_lanes(piece, hull);
+  }
+
+  void add_lanes(const Polygon& piece, const Ring& hull) {
+    const Point along = diameter(hull);
+    const LaneFrame frame(std::atan2(along.y(), along.x()) * 180 / kPi);
+    const Region turned = frame.to_frame({{piece}});
+    const Box box = bounding_box(turned);
+    const Slabs slabs = slabs_over(box.low.x(), box.high.x(), kLane * width_);
+    for (const LaneInterval& lane : project(edges_of(turned), slabs).intervals) {
+      const double x = slabs.centre(lane.slab);
+      add_lane(frame.to_world({x, lane.low}), frame.to_world({x, lane.high}));
+    }
+  }
+  static Point diameter(const Ring& hull) {
+    Point longest(0, 0);
+    for (const Point& a : hull)
+      for (const Point& b : hull)
+        if ((b - a).squaredNorm() > longest.squaredNorm()) longest = b - a;
+    return longest;
+  }
+
+  /// The parts of the lane in configuration space.
+  void add_lane(const Point& a, const Point& b) {
+    const double steps = std::max(1.0, std::ceil(distance(a, b) / (kStep * width_)));
+    Polyline part;
+    const auto end_part = [&] {
+      if (!part.empty()) part.size() == 1 ? add_stop(part.front()) : pieces_.push_back({part.front(), part.back()});
+      part.clear();
+    };
+    for (double k = 0; k <= steps; ++k) {
+      const Point p = lerp(a, b, k / steps);
+      const bool inside = walls_.contains(p);
+      if (!part.empty() && !(inside && walls_.contains(part.front(), p))) end_part();
+      if (inside) part.push_back(p);
+    }
+    end_part();
+  }
+
+  /// Some free point near by, because the tool works along segments only: along the wall, or to any side.
+  void add_stop(const Point& at) {
+    const double far = kStop * width_;
+    std::vector<Point> ends;
+    if (const auto wall = walls_.nearest(at, far)) {
+      const EdgeIndex::Edge& e = walls_.edges()[wall->edge];
+      for (const Point& end : {e.a, e.b})
+        if (const double size = distance(at, end); size > 0) ends.push_back(lerp(at, end, std::min(1.0, far / size)));
+    }
+    for (int k = 0; k < 8; ++k) ends.push_back(at + rotated({far, 0}, k * kPi / 4));
+    for (const Point& end : ends)
+      if (walls_.contains(at, end)) return pieces_.push_back({at, end});
+    pieces_.push_back({at});
+  }
+
+  /// The boundary of configuration space beside pieces that lanes do not cover.
+  void add_arcs() {
+    for (const Polygon& piece : left_.polygons)
+      for_each_ring(Region{{piece}}, [&](const Ring& ring) {
+        for_each_edge(ring, [&](const Point& a, const Point& b) {
+          const double steps = std::max(1.0, std::ceil(distance(a, b) / (kStep * width_)));
+          for (double k = 0; k < steps; ++k) arcs_.add(lerp(a, b, k / steps));
+        });
+      });
+    for (Ring& arc : arcs_.take(width_)) arc.size() == 1 ? add_stop(arc.front()) : pieces_.push_back(std::move(arc));
+  }
+
+  void add_whole_rings() {
+    const EdgeIndex left(left_);
+    for_each_ring(problem_.configuration_space(), [&](const Ring& ring) {
+      bool near = false;
+      for_each_edge(ring,
+                    [&](const Point& a, const Point& b) { near = near || left.nearest(a, b, width_ / 2).has_value(); });
+      if (near) pieces_.push_back(ring);
+    });
+  }
+
+  const Problem& problem_;
+  const EdgeIndex& walls_;
+  double width_, seam_;
+  BoundaryArcs arcs_;
+  Region left_;  // of the target, not covered yet
+  std::vector<Ring> pieces_;
+};
+
+}  // namespace
+
+Path repaired(const Problem& problem, const Path& path, const Connector& connector, Context& context) {
+  const Robot& robot = problem.robot();
+  std::vector<Polyline> lines;
+  for (const Leg& leg : path.legs)
+    if (leg.tool) lines.push_back(leg.points);
+  const Region covered = swath(lines, robot.tool_width / 2, covered_seam(robot), Bound::outside);
+  return repaired(problem, path, subtract(problem.target(), covered), connector, context);
+}
+
+Path repaired(const Problem& problem, const Path& path, Region uncovered, const Connector& connector,
+              Context& context) {
+  const std::vector<Ring> pieces = Repair(problem, std::move(uncovered)).find(context);
+  if (pieces.empty()) return path;
+  if (context.wants_traces()) context.trace("repair", pieces);
+  return with_rings(problem, pieces, path, problem.robot().tool_width, connector, context);
+}
+
+}  // namespace oxturn

@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include "algorithms/lanes/repair.hpp"
+#include "algorithms/transit/connector.hpp"
+#include "coverage_oracle.hpp"
+#include "tests/support/maps.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+// What repair leaves: seams thinner than a 250th of the tool's width, and specks.
+constexpr double kSeams = 2e-3;
+constexpr int kSamples = 700;
+
+std::string text(const char* s) { return s; }
+
+Path repaired(const Problem& problem, const Path& path) {
+  Context context(1);
+  const Connector connector(problem);
+  return repaired(problem, path, connector, context);
+}
+
+Path tool_off(Path path) {
+  for (Leg& leg : path.legs) leg.tool = false;
+  return path;
+}
+
+// Whatever is missing: all of it, all but a walk at random, every other lane.
+TEST(Repair, CoversTheTargetAfterAnyPath) {
+  for (const auto seed : seeds(2))
+    for (const Problem& p : sample_problems(seed)) {
+      SCOPED_TRACE(p.map().source);
+      const Path lanes = plan("zigzag", p, {{"fit", text("literal")}, {"outline", false}});
+      for (const Path& path : {tool_off(lanes), plan("spiral-out", p, {{"length_limit", 15.0}}), lanes}) {
+        const Path whole = repaired(p, path);
+        expect_valid(p, whole);
+        EXPECT_LE(uncovered_share(p, whole, kSamples), kSeams);
+      }
+    }
+}
+
+TEST(Repair, ACompletePathStaysAsItIs) {
+  const Problem p(generate("clutter", {{"width", 8.0}, {"height", 6.0}}, 3), Robot{});
+  const Path path = plan("boustrophedon", p);
+  const Path same = repaired(p, path);
+  ASSERT_EQ(same.legs.size(), path.legs.size());
+  for (std::size_t k = 0; k < path.legs.size(); ++k) EXPECT_EQ(same.legs[k].points, path.legs[k].points);
+}
+
+// A tool narrower and wider than the robot, wherever the robot fits.
+TEST(Repair, CoversWithNarrowAndWideTools) {
+  for (const double tool : {0.1, 0.25, 0.8, 1.5}) {
+    const Problem p(generate("clutter", {{"width", 8.0}, {"height", 6.0}}, 5), disc(0.2, tool));
+    SCOPED_TRACE(tool);
+    const Path whole = repaired(p, tool_off(plan("stc", p, {{"cell_size", 0.5}})));
+    expect_valid(p, whole);
+    EXPECT_LE(uncovered_share(p, whole, kSamples), kSeams);
+  }
+}
+
+TEST(Contour, CoversEveryFamilyWholeWithEveryJoin) {
+  for (const auto seed : seeds(2))
+    for (const Problem& p : sample_problems(seed))
+      for (const char* join : {"tree", "nearest", "alternating", "longest-edge"}) {
+        SCOPED_TRACE(p.map().source + " " + join);
+        const Path path = plan("contour", p, {{"join", text(join)}});
+        expect_valid(p, path);
+        EXPECT_LE(uncovered_share(p, path, kSamples), kSeams);
+      }
+}
+
+TEST(Contour, OtherSpacingsAndToolsCover) {
+  for (const double tool : {0.15, 0.4, 1.2})
+    for (const double spacing : {0.7, 1.0, 1.6}) {
+      const Problem p(generate("polygon", {{"width", 9.0}, {"height", 8.0}}, 4), disc(0.2, tool));
+      const Path path = plan("contour", p, {{"spacing", spacing * tool}});
+      expect_valid(p, path);
+      EXPECT_LE(uncovered_share(p, path, kSamples), kSeams) << tool << " " << spacing;
+    }
+}
+
+// By hand: laps of a square whose configuration space is 4 m wide, 0.4 m apart less 0.015 tool widths.
+TEST(Contour, LapsOfASquare) {
+  const Problem p(Map{"square", box_region({0, 0}, {4.4, 4.4}), "", ""}, disc(0.2, 0.4), Point(0.2, 0.2));
+  const double step = 0.4 * (1 - 0.015);
+  double laps = 0;
+  for (double side = 4; side > 0; side -= 2 * step) laps += 4 * side;
+  const Path closed = plan("contour", p, {{"repair", false}});
+  EXPECT_NEAR(closed.length(true), laps + 2 * 5 * step, 0.01);  // five links, there and back
+  const Path nearest = plan("contour", p, {{"variant", text("published")}});
+  EXPECT_NEAR(nearest.length(true), laps + 5 * std::sqrt(2) * step, 0.01);  // from vertex to vertex
+  const Path open = plan("contour", p, {{"join", text("alternating")}, {"repair", false}});
+  EXPECT_LT(open.length(true), laps);
+}
+
+// On convex rooms nothing is driven twice but at corners.
+TEST(Contour, IsNearTheAreaBound) {
+  const Problem p(Map{"hall", box_region({0, 0}, {30, 20}), "", ""}, Robot{}, Point(15, 10));
+  const double bound = area(p.target()) / p.robot().tool_width;
+  EXPECT_LT(plan("contour", p).length(), 1.12 * bound);
+}
+
+TEST(Contour, TurnsWithTheMap) {
+  const Region room = box_region({0, 0}, {7.3, 5.1});
+  const auto length_at = [&](double angle) {
+    const Problem p(Map{"room", transformed(room, angle, Point(1, 2)), "", ""}, Robot{},
+                    rotated(Point(1, 1), angle) + Point(1, 2));
+    return plan("contour", p).length();
+  };
+  EXPECT_NEAR(length_at(0.7), length_at(0), 0.02 * length_at(0));
+}
+
+}  // namespace
+}  // namespace oxturn
