@@ -182,5 +182,23 @@ TEST(SweptArea, HostileInput) {
   EXPECT_EQ(swept_area(target, 0, 0.4, work({{1e9, 1e9}, {1e9 + 1, 1e9}})).union_m2, 0);
 }
 
+// A path that keeps below the straight line between its ends, by less than its chains may be simplified, and touches it
+// now and then only: the lower bound must not take the straight line for the path.
+TEST(SweptArea, SimplifiedChainsKeepTheLowerBound) {
+  constexpr double kLength = 1000, kPeriod = 10, kTip = 0.04;
+  for (const double depth : {1e-5, 3e-5, 6e-5, 1e-4}) {
+    Polyline line;
+    for (double x = 0; x < kLength; x += kPeriod)
+      line.insert(line.end(), {{x, 0.4}, {x + kTip, 0.4 - depth}, {x + kPeriod - kTip, 0.4 - depth}});
+    line.push_back({kLength, 0.4});
+    const SweptArea s = swept_area(box_region({0, 0}, {kLength, 2}), 0, 1, work(line));
+    // Up to 0.9 - depth everywhere, but at the tips and within half a tool width of a tip's disc.
+    const double tips = kLength / kPeriod * 4 * (kTip + std::sqrt(depth)) * depth;
+    const double covered = kLength * (0.9 - depth) + tips;
+    EXPECT_LE(s.coverage.lower, covered / (2 * kLength)) << depth;
+    EXPECT_GE(s.coverage.upper, (covered - tips) / (2 * kLength) - 1e-3) << depth;
+  }
+}
+
 }  // namespace
 }  // namespace oxturn
