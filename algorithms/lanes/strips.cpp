@@ -72,10 +72,10 @@ std::vector<StripLeg> legs_of(const Strip& strip, const StripPattern& pattern, c
 }
 
 /// The strips in driving order, each with its pattern.
-std::vector<TourStop> tour_of(const Problem& problem, const std::vector<Strip>& strips,
+std::vector<TourStop> tour_of(const Problem& problem, const std::vector<Strip>& strips, const Point& from,
                               const std::vector<TourElement>& elements, StripOrder order, const Connector& connector,
                               Context& context) {
-  const TourCosts costs(problem.start(), elements, connector);
+  const TourCosts costs(from, elements, connector);
   std::vector<TourStop> tour;
   if (order == StripOrder::given) {
     for (std::size_t i = 0; i < elements.size(); ++i) tour.push_back({i, 0});
@@ -138,12 +138,17 @@ TourElement Strip::patterns() const {
 
 Path drive_strips(const Problem& problem, const std::vector<Strip>& strips, StripOrder order,
                   const Connector& connector, Context& context) {
+  return drive_strips(problem, problem.start(), strips, order, connector, context);
+}
+
+Path drive_strips(const Problem& problem, const Point& from, const std::vector<Strip>& strips, StripOrder order,
+                  const Connector& connector, Context& context) {
   if (context.wants_traces()) trace_lanes(strips, context);
   std::vector<TourElement> elements;
   for (const Strip& s : strips) elements.push_back(s.patterns());
   const Links links{problem, connector};
-  PathBuilder path(problem.start());
-  for (const TourStop& stop : tour_of(problem, strips, elements, order, connector, context)) {
+  PathBuilder path(from);
+  for (const TourStop& stop : tour_of(problem, strips, from, elements, order, connector, context)) {
     if (context.cancelled()) break;
     path.drive(connector.path(path.at(), elements[stop.element][stop.pattern].entry), false);
     for (const StripLeg& leg : legs_of(strips[stop.element], kStripPatterns[stop.pattern], links))

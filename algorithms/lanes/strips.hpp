@@ -55,5 +55,8 @@ enum class StripOrder { improved, nearest, depth_first, given };
 /// ones and the paths between strips are transit. Traces "lanes". Ends early if cancelled. Cost: see open_tour.hpp.
 Path drive_strips(const Problem& problem, const std::vector<Strip>& strips, StripOrder order,
                   const Connector& connector, Context& context);
+/// The same from another point of configuration space.
+Path drive_strips(const Problem& problem, const Point& from, const std::vector<Strip>& strips, StripOrder order,
+                  const Connector& connector, Context& context);
 
 }  // namespace oxturn

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "algorithms/lanes/headland.hpp"
 #include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
@@ -37,7 +38,7 @@ constexpr double kMostBuckets = 1e7;
 
 enum class Decomposition { slab, exact };
 
-struct Params {
+struct Params : Headland {
   LaneDirection sweep = LaneDirection::best;
   double angle = 0;
   bool outline = true;
@@ -312,13 +313,17 @@ std::vector<Strip> strips_in(const Region& region, const Params& p, const Proble
   // United first: rings that touch may cross by rounding once rotated, which the exact plane sweep rejects.
   const Cells cells = boustrophedon_cells(unite({rotated}));
   std::vector<Strip> strips =
-      p.outline ? projected_strips(field, cells, context) : spaced_strips(field, cells, context);
+      p.outline || p.headland > 0 ? projected_strips(field, cells, context) : spaced_strips(field, cells, context);
   if (context.wants_traces()) trace_cells(cells, frame, context);
   return without_empty(std::move(strips), cells);
 }
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const double w = problem.robot().tool_width;
+  const auto strips_deeper_than = [&](double depth) {
+    return strips_in(lane_region(problem, depth, w / 50), p, problem, context);
+  };
+  if (p.headland > 0) return drive_with_headland(problem, p, strips_deeper_than, p.order, context);
   const Region region = p.outline ? lane_region(problem, w / 2, w / 50) : problem.configuration_space();
   return drive_strips_and_walls(problem, strips_in(region, p, problem, context), p.order, p.outline, context);
 }
@@ -334,21 +339,21 @@ PlannerInfo boustrophedon() {
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (with outline; along traced walls but for 0.0003 of it)",
        .promise = Promise::target,
-       .parameters =
+       .parameters = with_headland<Params>(
            {{"sweep", &Params::sweep, Choices{"best", "given"}, "lane direction: the cheapest of up to 16, or `angle`"},
             {"angle", &Params::angle, Range{-360, 360}, "degrees; direction of the lanes if sweep is given"},
             {"outline", &Params::outline, "drive every wall once; off: links follow the walls, as in the paper"},
             {"cells", &Params::cells, Choices{"slab", "exact"}, "slab: runs of lanes; exact: cut at critical points"},
             {"spacing", &Params::spacing, Range{0.1, 1}, "distance of lanes, in tool widths"},
             {"order", &Params::order, Choices{"improved", "nearest", "dfs"},
-             "of cells; dfs: depth-first on their graph"}},
+             "of cells; dfs: depth-first on their graph"}}),
        // The paper: vertical lanes, cells visited depth-first, boundaries only followed between lanes.
        .published = {{"sweep", std::string("given")},
                      {"angle", 90.0},
                      {"outline", false},
                      {"cells", std::string("exact")},
                      {"order", std::string("dfs")}},
-       .promises_with = [](const Params& p) { return p.outline; }});
+       .promises_with = [](const Params& p) { return p.outline || p.headland > 0; }});
 }
 
 }  // namespace oxturn

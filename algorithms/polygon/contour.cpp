@@ -4,9 +4,7 @@
 // Model       polygons with holes, offline, disc or polygonal footprint
 // Guarantee   covers the whole target with `repair` (lanes/repair.hpp; along traced walls but for 0.0003 of it)
 // Complexity  O(m log m) for laps with m vertices in all; with `join = tree` as outline.hpp
-// Decisions   1. Laps are boundaries of erosions of configuration space, holes included. Each is made from the one
-//                before it. Vertices of arcs are left out where a lap moves by less than a hundredth of the tool's
-//                width; laps are nearer to each other by as much.
+// Decisions   1. Laps are boundaries of erosions, holes included (lanes/laps.hpp).
 //             2. join = tree (ours) is a spanning tree of the laps by the lengths of their links: each lap is a closed
 //                detour of another one, from the point where they are nearest. The others are the source's:
 //                nearest        each lap is closed, the next one begins at its vertex nearest to there
@@ -19,24 +17,20 @@
 //             4. Links up to two tool widths long are driven with the tool on.
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "algorithms/lanes/laps.hpp"
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/transit/short_segments.hpp"
-#include "geometry/overlay/boolean.hpp"
-#include "geometry/overlay/offset.hpp"
-#include "geometry/raster.hpp"
 
 namespace oxturn {
 namespace {
 
-// Tool widths.
-constexpr double kChord = 0.005;    // error of the laps' arcs
-constexpr double kSimplify = 0.01;  // by which a lap may leave out vertices of its arcs
-constexpr double kLongLink = 2;     // links up to this length are work
+constexpr double kLongLink = 2;  // tool widths; shorter links are driven with the tool on
 
 enum class Join { tree, nearest, alternating, longest_edge };
 
@@ -46,75 +40,6 @@ struct Params {
   bool repair = true;
 };
 
-struct Lap {
-  Ring ring;
-  std::vector<std::size_t> inner = {};  // laps whose parent this is
-};
-
-/// Laps level by level, from the boundary inwards; `outermost` of them have no parent.
-struct Laps {
-  std::vector<Lap> all;
-  std::size_t outermost = 0;
-  Region between = {};  // what closed laps leave uncovered
-};
-
-/// The laps of one level, to find the nearest.
-class Level {
- public:
-  Level(const Region& region, std::size_t first) : index_(region) {
-    std::size_t number = first;
-    for_each_ring(region, [&](const Ring& ring) {
-      lap_of_edge_.insert(lap_of_edge_.end(), ring.size(), number);
-      ++number;
-    });
-  }
-  std::size_t nearest(const Point& p) const { return lap_of_edge_[index_.nearest(p)->edge]; }
-
- private:
-  EdgeIndex index_;
-  std::vector<std::size_t> lap_of_edge_;
-};
-
-/// Adds what the tool leaves uncovered on its laps around two levels, one inside the other.
-void add_uncovered(Region& between, const Region& outer, const Region& inner, const Robot& robot) {
-  const double half = robot.tool_width / 2, seam = covered_seam(robot);
-  const Region inside = erode(outer, half, seam, Bound::inside);
-  Region uncovered = inner.empty() ? inside : subtract(inside, dilate(inner, half, seam, Bound::outside));
-  for (Polygon& p : uncovered.polygons) between.polygons.push_back(std::move(p));
-}
-
-Laps laps_of(const Problem& problem, double spacing, const Context& context) {
-  const double width = problem.robot().tool_width, chord = kChord * width, simplify = kSimplify * width;
-  Laps laps;
-  std::optional<Level> outer;
-  for (Region level = straightened_space(problem); !level.empty() && !context.cancelled();) {
-    const std::size_t first = laps.all.size();
-    for_each_ring(level, [&](const Ring& ring) {
-      if (outer) laps.all[outer->nearest(ring.front())].inner.push_back(laps.all.size());
-      laps.all.push_back({ring});
-    });
-    if (!outer) laps.outermost = laps.all.size();
-    outer.emplace(level, first);
-    Region next = simplify_inward(erode(level, spacing - chord - simplify, chord, Bound::inside), simplify);
-    add_uncovered(laps.between, level, next, problem.robot());
-    level = std::move(next);
-  }
-  return laps;
-}
-
-/// Where a lap is entered, and the points that follow.
-struct Entry {
-  std::size_t vertex;
-  double distance;
-};
-
-Entry nearest_vertex(const Ring& ring, const Point& p) {
-  Entry best{0, std::numeric_limits<double>::infinity()};
-  for (std::size_t v = 0; v < ring.size(); ++v)
-    if (const double d = distance(ring[v], p); d < best.distance) best = {v, d};
-  return best;
-}
-
 /// The source's connections: laps one after the other, each after those inside it.
 class LapDrive {
  public:
@@ -123,13 +48,13 @@ class LapDrive {
 
   Path run(const Context& context) {
     std::vector<std::size_t> outermost(laps_.outermost);
-    for (std::size_t k = 0; k < outermost.size(); ++k) outermost[k] = k;
-    open_.push_back({std::nullopt, std::move(outermost)});
+    std::iota(outermost.begin(), outermost.end(), std::size_t{0});
+    open(std::nullopt, std::move(outermost));
     while (!open_.empty() && !context.cancelled()) {
       Open& top = open_.back();
-      if (!top.inner.empty()) {
-        const std::size_t next = take_nearest(top.inner);
-        open_.push_back({next, laps_.all[next].inner});
+      if (!top.left.empty()) {
+        const std::size_t next = top.inner[top.left.take(path_.at())];
+        open(next, laps_.all[next].inner);
         continue;
       }
       if (top.lap) drive(*top.lap);
@@ -141,15 +66,14 @@ class LapDrive {
  private:
   struct Open {
     std::optional<std::size_t> lap;  // driven when all inner ones are; none: the root of the outermost laps
-    std::vector<std::size_t> inner;  // not driven yet
+    std::vector<std::size_t> inner;
+    NearestRing left;  // of the inner ones
   };
 
-  std::size_t take_nearest(std::vector<std::size_t>& laps) const {
-    const auto far = [&](std::size_t lap) { return nearest_vertex(laps_.all[lap].ring, path_.at()).distance; };
-    const auto nearest = std::ranges::min_element(laps, [&](std::size_t a, std::size_t b) { return far(a) < far(b); });
-    const std::size_t lap = *nearest;
-    laps.erase(nearest);
-    return lap;
+  void open(std::optional<std::size_t> lap, std::vector<std::size_t> inner) {
+    std::vector<const Ring*> rings;
+    for (const std::size_t k : inner) rings.push_back(&laps_.all[k].ring);
+    open_.push_back({lap, std::move(inner), NearestRing(rings)});
   }
 
   void drive(std::size_t number) {
@@ -173,8 +97,8 @@ class LapDrive {
 
   std::size_t entry_of(const Ring& ring) const {
     const std::size_t n = ring.size();
-    if (join_ != Join::longest_edge) return nearest_vertex(ring, path_.at()).vertex;
-    if (last_) return (nearest_vertex(ring, path_.at()).vertex + 1) % n;
+    if (join_ != Join::longest_edge) return nearest_vertex(ring, path_.at());
+    if (last_) return (nearest_vertex(ring, path_.at()) + 1) % n;
     std::size_t longest = 0;
     for (std::size_t k = 1; k < n; ++k)
       if (distance(ring[k], ring[(k + 1) % n]) > distance(ring[longest], ring[(longest + 1) % n])) longest = k;

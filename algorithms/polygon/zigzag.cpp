@@ -32,6 +32,7 @@
 #include <limits>
 #include <numeric>
 
+#include "algorithms/lanes/headland.hpp"
 #include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
@@ -48,7 +49,7 @@ constexpr double kClearlyLess = 1 - 1e-9;
 enum class Fit { cover, literal };
 enum class SmallParts { merge, drop };
 
-struct Params {
+struct Params : Headland {
   Partition partition = Partition::trapezoid;
   double margin = 0;
   LaneDirection sweep = LaneDirection::best;
@@ -322,8 +323,14 @@ std::vector<Strip> strips_in(const Region& filled, const Params& p, const Proble
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const double w = problem.robot().tool_width;
   const double inset = p.margin > 0 ? p.margin : w / 2;
-  const Region filled = simplify_inward(lane_region(problem, (1 - kSimplify) * inset, kChord * w), kSimplify * inset);
-  return drive_strips_and_walls(problem, strips_in(filled, p, problem, context), p.order, p.outline, context);
+  // Simplified by a part of the outermost inset, which the boundary's lap covers in any case.
+  const auto strips_deeper_than = [&](double depth) {
+    const Region filled =
+        simplify_inward(lane_region(problem, depth - kSimplify * inset, kChord * w), kSimplify * inset);
+    return strips_in(filled, p, problem, context);
+  };
+  if (p.headland > 0) return drive_with_headland(problem, p, strips_deeper_than, p.order, context);
+  return drive_strips_and_walls(problem, strips_deeper_than(inset), p.order, p.outline, context);
 }
 
 }  // namespace
@@ -338,7 +345,7 @@ PlannerInfo zigzag() {
        .guarantee = "covers the whole target (fit cover, with outline, slivers merged, margin up to half a tool width; "
                     "along traced walls but for 0.0003 of it)",
        .promise = Promise::target,
-       .parameters =
+       .parameters = with_headland<Params>(
            {{"partition", &Params::partition, Choices{"auto", "convex", "approximate", "monotone", "trapezoid", "none"},
              "parts; auto: the source, convex up to 150 vertices if CGAL finds one, else approximate; none: every lane "
              "by itself"},
@@ -349,14 +356,15 @@ PlannerInfo zigzag() {
             {"fit", &Params::fit, Choices{"cover", "literal"},
              "cover: no gaps; literal: lanes a tool width apart, as in the source"},
             {"small_parts", &Params::small_parts, Choices{"merge", "drop"}, "what becomes of slivers"},
-            {"order", &Params::order, Choices{"improved", "nearest"}, "of the parts' runs of lanes"}},
+            {"order", &Params::order, Choices{"improved", "nearest"}, "of the parts' runs of lanes"}}),
        // The source: a direction that the user chooses, gaps where lines a tool width apart leave them.
        .published = {{"partition", std::string("auto")},
                      {"fit", std::string("literal")},
                      {"small_parts", std::string("drop")},
                      {"sweep", std::string("given")}},
        .promises_with = [](const Params& p) {
-         return p.outline && p.margin == 0 && p.fit == Fit::cover && p.small_parts == SmallParts::merge;
+         return (p.outline || p.headland > 0) && p.margin == 0 && p.fit == Fit::cover &&
+                p.small_parts == SmallParts::merge;
        }});
 }
 

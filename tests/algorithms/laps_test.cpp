@@ -111,5 +111,52 @@ TEST(Contour, TurnsWithTheMap) {
   EXPECT_NEAR(length_at(0.7), length_at(0), 0.02 * length_at(0));
 }
 
+// Laps around the field, lanes inside: as much is covered as with the outline.
+TEST(Headland, CoversEveryFamilyWhole) {
+  for (const Problem& p : sample_problems(3))
+    for (const char* planner : {"boustrophedon", "zigzag"})
+      for (const std::int64_t laps : {1, 2, 5, 40})
+        for (const char* order : {"first", "last"}) {
+          SCOPED_TRACE(fmt::format("{} {} {} {}", p.map().source, planner, laps, order));
+          const Path path = plan(planner, p, {{"headland", laps}, {"headland_order", text(order)}});
+          expect_valid(p, path);
+          EXPECT_LE(uncovered_share(p, path, kSamples), kSeams);
+        }
+}
+
+// The robot begins with the boundary, or ends with it.
+TEST(Headland, LapsComeFirstOrLast) {
+  const Problem p(Map{"square", box_region({0, 0}, {10.4, 10.4}), "", ""}, disc(0.2, 0.4), Point(0.2, 0.2));
+  const auto boundary_share = [](const Polyline& line, bool at_end) {
+    double on = 0, driven = 0;
+    Polyline points = line;
+    if (at_end) std::reverse(points.begin(), points.end());
+    for (std::size_t i = 1; i < points.size() && driven < 40; ++i) {
+      const Point middle = (points[i] + points[i - 1]) / 2;
+      const double size = distance(points[i], points[i - 1]);
+      const double off = std::min({middle.x() - 0.2, middle.y() - 0.2, 10.2 - middle.x(), 10.2 - middle.y()});
+      driven += size;
+      if (off < 1e-6) on += size;
+    }
+    return on / driven;
+  };
+  for (const char* planner : {"boustrophedon", "zigzag"})
+    for (const bool last : {false, true}) {
+      const Path path =
+          plan(planner, p, {{"headland", std::int64_t{2}}, {"headland_order", text(last ? "last" : "first")}});
+      Polyline all;
+      for (const Leg& leg : path.legs) all.insert(all.end(), leg.points.begin(), leg.points.end());
+      EXPECT_GT(boundary_share(all, last), 0.95) << planner << last;
+      EXPECT_LT(boundary_share(all, !last), 0.5) << planner << last;
+    }
+}
+
+// Laps that fill the field are `contour`'s, and no lane is left.
+TEST(Headland, ManyLapsLeaveNoLanes) {
+  const Problem p(Map{"square", box_region({0, 0}, {4.4, 4.4}), "", ""}, disc(0.2, 0.4), Point(0.2, 0.2));
+  const double all_laps = plan("boustrophedon", p, {{"headland", std::int64_t{100}}}).length(true);
+  EXPECT_NEAR(all_laps, plan("contour", p, {{"join", text("nearest")}}).length(true), 0.1 * all_laps);
+}
+
 }  // namespace
 }  // namespace oxturn

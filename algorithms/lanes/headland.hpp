@@ -1,0 +1,41 @@
+/// Laps around a field before or after its lanes, as tractors drive them.
+///
+///   struct Params : Headland { ... };
+///   return drive_with_headland(problem, params, strips_deeper_than, params.order, context);
+///
+/// Laps are a tool width apart (laps.hpp). Each is closed and begins at its vertex nearest to where the robot is. What
+/// laps leave uncovered at their corners is added as detours (repair.hpp), so laps and lanes cover the whole target if
+/// the lanes cover what is deeper than the laps reach.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "algorithms/coverage_planner.hpp"
+#include "algorithms/lanes/strips.hpp"
+
+namespace oxturn {
+
+/// last: from the inside out, after the lanes; first: from the outside in, before them.
+enum class HeadlandOrder { last, first };
+
+/// Parameters of planners that can drive a headland.
+struct Headland {
+  int headland = 0;  // laps; 0: no headland
+  HeadlandOrder headland_order = HeadlandOrder::last;
+};
+template <class P>
+std::vector<Parameter<P>> with_headland(std::vector<Parameter<P>> own) {
+  own.push_back({"headland", &P::headland, Range{0, 1000}, "laps around the field, in place of the outline; 0: none"});
+  own.push_back({"headland_order", &P::headland_order, Choices{"last", "first"},
+                 "last: lanes, then laps from the inside out; first: laps from the outside in, then lanes"});
+  return own;
+}
+
+/// `strips_deeper_than(depth)`: strips of lanes that cover all points of configuration space at least `depth` metres
+/// from its boundary. Publishes the path before the detours.
+Path drive_with_headland(const Problem& problem, const Headland& headland,
+                         const std::function<std::vector<Strip>(double depth)>& strips_deeper_than, StripOrder order,
+                         Context& context);
+
+}  // namespace oxturn
