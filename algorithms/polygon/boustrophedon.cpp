@@ -21,6 +21,8 @@
 //                each. A lane whose part of the cell lies under lanes placed before is omitted.
 //             4. sweep = best counts a turn as 2 w and a break between cells as 4 w.
 //             5. Links longer than 3 w between lanes of a cell are transit.
+//             6. Planner `trapezoid` is the older decomposition (Latombe 1991), which cuts at every vertex; all else is
+//                the same. Cells narrower than w are joined with their neighbours, else round corners would be cells.
 #include <algorithm>
 #include <numeric>
 
@@ -36,7 +38,7 @@ namespace {
 
 constexpr double kMostBuckets = 1e7;
 
-enum class Decomposition { slab, exact };
+enum class Decomposition { slab, exact, trapezoid };
 
 struct Params : Headland {
   LaneDirection sweep = LaneDirection::best;
@@ -45,6 +47,10 @@ struct Params : Headland {
   Decomposition cells = Decomposition::slab;
   double spacing = 1;
   StripOrder order = StripOrder::improved;
+};
+
+struct TrapezoidParams : Params {
+  TrapezoidParams() { cells = Decomposition::trapezoid; }
 };
 
 /// What strips are made from, in the lanes' frame.
@@ -311,7 +317,8 @@ std::vector<Strip> strips_in(const Region& region, const Params& p, const Proble
   const EdgeIndex space(frame.to_frame(problem.configuration_space()));
   const Field field{frame, rotated, space, spacing, w, 2 * problem.tolerance()};
   // United first: rings that touch may cross by rounding once rotated, which the exact plane sweep rejects.
-  const Cells cells = boustrophedon_cells(unite({rotated}));
+  const Region clean = unite({rotated});
+  const Cells cells = p.cells == Decomposition::trapezoid ? trapezoid_cells(clean, w) : boustrophedon_cells(clean);
   std::vector<Strip> strips =
       p.outline || p.headland > 0 ? projected_strips(field, cells, context) : spaced_strips(field, cells, context);
   if (context.wants_traces()) trace_cells(cells, frame, context);
@@ -328,6 +335,24 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   return drive_strips_and_walls(problem, strips_in(region, p, problem, context), p.order, p.outline, context);
 }
 
+Path plan_trapezoids(const TrapezoidParams& p, const Problem& problem, Context& context) {
+  return plan(p, problem, context);
+}
+
+/// The parameters of both planners, less `cells`.
+template <class P>
+std::vector<Parameter<P>> parameters(std::vector<Parameter<P>> own) {
+  std::vector<Parameter<P>> all{
+      {"sweep", &P::sweep, Choices{"best", "given"}, "lane direction: the cheapest of up to 16, or `angle`"},
+      {"angle", &P::angle, Range{-360, 360}, "degrees; direction of the lanes if sweep is given"},
+      {"outline", &P::outline, "drive every wall once; off: links follow the walls, as in the paper"}};
+  all.insert(all.end(), own.begin(), own.end());
+  all.push_back({"spacing", &P::spacing, Range{0.1, 1}, "distance of lanes, in tool widths"});
+  all.push_back(
+      {"order", &P::order, Choices{"improved", "nearest", "dfs"}, "of cells; dfs: depth-first on their graph"});
+  return with_headland<P>(std::move(all));
+}
+
 }  // namespace
 
 PlannerInfo boustrophedon() {
@@ -339,14 +364,8 @@ PlannerInfo boustrophedon() {
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (with outline; along traced walls but for 0.0003 of it)",
        .promise = Promise::target,
-       .parameters = with_headland<Params>(
-           {{"sweep", &Params::sweep, Choices{"best", "given"}, "lane direction: the cheapest of up to 16, or `angle`"},
-            {"angle", &Params::angle, Range{-360, 360}, "degrees; direction of the lanes if sweep is given"},
-            {"outline", &Params::outline, "drive every wall once; off: links follow the walls, as in the paper"},
-            {"cells", &Params::cells, Choices{"slab", "exact"}, "slab: runs of lanes; exact: cut at critical points"},
-            {"spacing", &Params::spacing, Range{0.1, 1}, "distance of lanes, in tool widths"},
-            {"order", &Params::order, Choices{"improved", "nearest", "dfs"},
-             "of cells; dfs: depth-first on their graph"}}),
+       .parameters = parameters<Params>(
+           {{"cells", &Params::cells, Choices{"slab", "exact"}, "slab: runs of lanes; exact: cut at critical points"}}),
        // The paper: vertical lanes, cells visited depth-first, boundaries only followed between lanes.
        .published = {{"sweep", std::string("given")},
                      {"angle", 90.0},
@@ -354,6 +373,21 @@ PlannerInfo boustrophedon() {
                      {"cells", std::string("exact")},
                      {"order", std::string("dfs")}},
        .promises_with = [](const Params& p) { return p.outline || p.headland > 0; }});
+}
+
+PlannerInfo trapezoid() {
+  return describe<TrapezoidParams, plan_trapezoids>(
+      {.name = "trapezoid",
+       .family = "polygon",
+       .title = "trapezoidal decomposition",
+       .citation = "Latombe 1991; Choset 2001",
+       .capabilities = {Capability::holes, Capability::footprint},
+       .guarantee = "covers the whole target (with outline; along traced walls but for 0.0003 of it)",
+       .promise = Promise::target,
+       .parameters = parameters<TrapezoidParams>({}),
+       .published =
+           {{"sweep", std::string("given")}, {"angle", 90.0}, {"outline", false}, {"order", std::string("dfs")}},
+       .promises_with = [](const TrapezoidParams& p) { return p.outline || p.headland > 0; }});
 }
 
 }  // namespace oxturn

@@ -37,5 +37,9 @@ struct BoustrophedonCell {
 /// position has 3 k + 1 cells. O(n log n). Throws std::invalid_argument where edges cross or overlap; repaired()
 /// removes overlaps.
 std::vector<BoustrophedonCell> boustrophedon_cells(const Region& region);
+/// The parts of trapezoid_partition() with their neighbours. Parts narrower than `least` metres (along x) are joined
+/// with those beside them, unless a critical point is between: with `least` infinite they are the boustrophedon cells.
+/// O(n log n); throws as above.
+std::vector<BoustrophedonCell> trapezoid_cells(const Region& region, double least = 0);
 
 }  // namespace oxturn

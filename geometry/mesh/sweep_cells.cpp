@@ -5,6 +5,8 @@
 //             walls in floor and ceiling make no cells of their own, and cells are still monotone in x.
 // Source      Choset and Pignon, "Coverage path planning: the boustrophedon cellular decomposition", 1997.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/sorting.hpp"
 #include "geometry/mesh/partition.hpp"
@@ -14,6 +16,7 @@ namespace oxturn {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The left or right side of a cell.
 struct Side {
@@ -79,12 +82,35 @@ std::vector<std::size_t> continuations(std::size_t cells,
   return next;
 }
 
-}  // namespace
+/// Takes cuts out of `next`, along each chain of cells wherever what lies between cuts is at least so wide.
+void keep_cuts(const std::vector<PlaneSweepCell>& cells, double least, std::vector<std::size_t>& next) {
+  std::vector<bool> begins(cells.size(), true);
+  for (const std::size_t k : next)
+    if (k != kNone) begins[k] = false;
+  const auto left = [&](std::size_t c) { return cells[c].lower.front().point.x(); };
+  const auto right = [&](std::size_t c) { return cells[c].lower.back().point.x(); };
+  for (std::size_t first = 0; first < cells.size(); ++first) {
+    if (!begins[first]) continue;
+    std::size_t last = first;
+    while (next[last] != kNone) last = next[last];
+    double from = left(first);
+    for (std::size_t c = first; c != last;) {
+      const std::size_t following = next[c];
+      if (right(c) - from >= least && right(last) - right(c) >= least) {
+        next[c] = kNone;
+        from = right(c);
+      }
+      c = following;
+    }
+  }
+}
 
-std::vector<BoustrophedonCell> boustrophedon_cells(const Region& region) {
-  std::vector<PlaneSweepCell> cells = plane_sweep_cells(region, Cuts::critical);
+
+/// The cells with unneeded cuts undone: all that leave a part narrower than `least` to their left or right.
+std::vector<BoustrophedonCell> joined(std::vector<PlaneSweepCell> cells, double least) {
   const auto pairs = contacts(cells);
-  const std::vector<std::size_t> next = continuations(cells.size(), pairs);
+  std::vector<std::size_t> next = continuations(cells.size(), pairs);
+  if (std::isfinite(least)) keep_cuts(cells, least, next);
   std::vector<bool> continues_another(cells.size(), false);
   for (const std::size_t k : next)
     if (k != kNone) continues_another[k] = true;
@@ -108,6 +134,16 @@ std::vector<BoustrophedonCell> boustrophedon_cells(const Region& region) {
   }
   for (BoustrophedonCell& c : out) sort_unique(c.neighbours);
   return out;
+}
+
+}  // namespace
+
+std::vector<BoustrophedonCell> boustrophedon_cells(const Region& region) {
+  return joined(plane_sweep_cells(region, Cuts::critical), kInfinity);
+}
+
+std::vector<BoustrophedonCell> trapezoid_cells(const Region& region, double least) {
+  return joined(plane_sweep_cells(region, Cuts::every_vertex), least);
 }
 
 std::vector<Ring> trapezoid_partition(const Region& region) {

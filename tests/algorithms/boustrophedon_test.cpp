@@ -178,5 +178,15 @@ TEST(Boustrophedon, AnUnknownOrderIsOneSentence) {
       testing::ThrowsMessage<std::invalid_argument>(HasSubstr("order")));
 }
 
+TEST(Trapezoid, CoversEveryFamilyWhole) {
+  for (const auto seed : seeds(3))
+    for (const Problem& p : sample_problems(seed)) {
+      SCOPED_TRACE(p.map().source);
+      const Path path = plan("trapezoid", p);
+      expect_valid(p, path);
+      EXPECT_EQ(uncovered_share(p, path, 1500), 0);
+    }
+}
+
 }  // namespace
 }  // namespace oxturn

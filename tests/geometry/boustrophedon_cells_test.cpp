@@ -177,5 +177,48 @@ TEST(BoustrophedonCells, EdgesThatCrossAreOneSentence) {
   EXPECT_THROW(boustrophedon_cells(Region{{{{{0, 0}, {std::nan(""), 2}, {2, 0}}, {}}}}), std::invalid_argument);
 }
 
+// All cuts undone that no critical point asks for: what is left are the boustrophedon cells.
+TEST(TrapezoidCells, JoinedTheyAreTheBoustrophedonCells) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Rng rng(seed);
+    const Region region = transformed(clutter_box(rng, 4, 4, false), 0.3, {0, 0});
+    const auto by_corner = [](const BoustrophedonCell& a, const BoustrophedonCell& b) {
+      return before(a.lower.front(), b.lower.front());
+    };
+    auto joined = trapezoid_cells(region, 1e9), cells = boustrophedon_cells(region);
+    ASSERT_EQ(joined.size(), cells.size()) << seed;
+    std::sort(joined.begin(), joined.end(), by_corner);
+    std::sort(cells.begin(), cells.end(), by_corner);
+    for (std::size_t k = 0; k < cells.size(); ++k) EXPECT_NEAR(cell_area(joined[k]), cell_area(cells[k]), 1e-9);
+  }
+}
+
+TEST(TrapezoidCells, AreThePartitionWithNeighbours) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    Rng rng(seed);
+    const Region region = transformed(clutter_box(rng, 4, 4, false), 0.3, {0, 0});
+    const auto cells = trapezoid_cells(region);
+    EXPECT_EQ(cells.size(), trapezoid_partition(region).size());
+    EXPECT_EQ(cell_components(cells), mesh_components(region));
+  }
+}
+
+TEST(TrapezoidCells, NarrowOnesAreJoinedWhereNoCriticalPointIsBetween) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    Rng rng(seed);
+    const Region region = transformed(clutter_box(rng, 4, 4, false), 0.3, {0, 0});
+    const auto narrow = [](const std::vector<BoustrophedonCell>& cells, double width) {
+      return std::count_if(cells.begin(), cells.end(), [&](const BoustrophedonCell& c) {
+        return c.lower.back().x() - c.lower.front().x() < width;
+      });
+    };
+    const auto cells = trapezoid_cells(region, 0.4);
+    EXPECT_LE(narrow(cells, 0.4), narrow(boustrophedon_cells(region), 0.4));
+    double all = 0;
+    for (const BoustrophedonCell& c : cells) all += cell_area(c);
+    EXPECT_NEAR(all, area(region), 1e-9 * area(region));
+  }
+}
+
 }  // namespace
 }  // namespace oxturn
