@@ -308,6 +308,43 @@ TEST(Tether, Invariances) {
   }
 }
 
+// A point robot that drives along walls, through corners and over bends of its own tether: what counts as a crossing
+// does not depend on how the map is turned, although ties are broken by a shift in a fixed direction.
+TEST(Tether, CrossingsAtBendsDoNotDependOnTheDirection) {
+  std::size_t crossings = 0;
+  for (const auto seed : seeds(150)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    Region map = box_region({0, 0}, {12, 12});  // square pillars with corners on integers
+    for (double y = 2; y < 11; y += 3)
+      for (double x = 2; x < 11; x += 3)
+        if (rng.chance(0.7)) map.polygons[0].holes.push_back({{x, y}, {x, y + 1}, {x + 1, y + 1}, {x + 1, y}});
+    const auto lattice_point = [&] { return Point(rng.between(0, 12), rng.between(0, 12)); };
+    const Problem p = leashed(map, {0, 0}, {}, 1000, 0);
+    Polyline walk{p.start()};
+    while (walk.size() < 40)
+      if (const Point to = lattice_point(); contains(map, to) || p.walls().on_boundary(to)) {
+        const auto part = p.transit().path(walk.back(), to);
+        walk.insert(walk.end(), part->begin() + 1, part->end());
+      }
+    const std::size_t expected = run(p, walk).crossings.size();
+    crossings += expected;
+    const std::vector<std::function<Point(const Point&)>> moves{
+        [](const Point& q) { return perpendicular(q); }, [](const Point& q) { return Point(-q); },
+        [](const Point& q) { return Point(-perpendicular(q)); }};
+    for (const auto& move : moves) {
+      Region there = map;
+      for_each_ring(there, [&](Ring& ring) {
+        for (Point& q : ring) q = move(q);
+      });
+      Polyline path;
+      for (const Point& q : walk) path.push_back(move(q));
+      EXPECT_EQ(run(leashed(there, move(p.start()), {}, 1000, 0), path).crossings.size(), expected);
+    }
+  }
+  EXPECT_GT(crossings, 100u);
+}
+
 TEST(TetherTolerance, ReachesTheTether) {
   const ScoreOptions millimetre{.tolerance = 1e-3};
   const Problem p = leashed(pillar_room(), {1, 1}, Point{0, 1}, 8);
