@@ -105,7 +105,6 @@ void keep_cuts(const std::vector<PlaneSweepCell>& cells, double least, std::vect
   }
 }
 
-
 /// The cells with unneeded cuts undone: all that leave a part narrower than `least` to their left or right.
 std::vector<BoustrophedonCell> joined(std::vector<PlaneSweepCell> cells, double least) {
   const auto pairs = contacts(cells);
