@@ -6,6 +6,7 @@ namespace oxturn {
 PlannerInfo boustrophedon();
 PlannerInfo zigzag();
 PlannerInfo contour();
+PlannerInfo completed();
 PlannerInfo trapezoid();
 PlannerInfo stc();
 PlannerInfo stc_spiral();
@@ -32,15 +33,13 @@ PlannerInfo wall_follow();
 PlannerInfo vacuum_mix();
 
 Planners built_in_planners() {
-  return Planners("planner", {boustrophedon(), zigzag(),       contour(),
-                              trapezoid(),     stc(),          stc_spiral(),
-                              stc_scan(),      stc_loops(),    rectangles(),
-                              wavefront(),     bsa(),          linked_spiral(),
-                              ba_star(),       smart_dfs(),    cell_explore(),
-                              hyun(),          leashed(),      berg(),
-                              berg_complete(), shnaps_rimon(), shnaps_rimon_banded(),
-                              tether_tree(),   tethered_stc(), random_walk(),
-                              spiral_out(),    wall_follow(),  vacuum_mix()});
+  return Planners(
+      "planner",
+      {boustrophedon(), zigzag(),        contour(),      completed(),           trapezoid(),   stc(),
+       stc_spiral(),    stc_scan(),      stc_loops(),    rectangles(),          wavefront(),   bsa(),
+       linked_spiral(), ba_star(),       smart_dfs(),    cell_explore(),        hyun(),        leashed(),
+       berg(),          berg_complete(), shnaps_rimon(), shnaps_rimon_banded(), tether_tree(), tethered_stc(),
+       random_walk(),   spiral_out(),    wall_follow(),  vacuum_mix()});
 }
 
 }  // namespace oxturn

@@ -11,14 +11,13 @@
 //             2. The planner is a built-in one; its parameters are given beside `planner`, under their own names.
 //             3. Components that the cut isolates (tether_space.hpp) are covered one after the other, each by a call of
 //                the planner.
-#include <fmt/format.h>
+#include <utility>
 
 #include "algorithms/transit/tether_space.hpp"
+#include "algorithms/wrapper.hpp"
 
 namespace oxturn {
 namespace {
-
-constexpr const char* kOwner = "planner 'leashed'";
 
 class Leashed final : public CoveragePlanner {
  public:
@@ -39,16 +38,6 @@ class Leashed final : public CoveragePlanner {
   bool return_home_;
 };
 
-const PlannerInfo& inner_of(const Settings& settings, const Planners& planners) {
-  const auto given = settings.find("planner");
-  const std::string* name = given == settings.end() ? nullptr : std::get_if<std::string>(&given->second);
-  const PlannerInfo& inner = planners.find(name != nullptr ? *name : "boustrophedon");
-  if (inner.has(Capability::tether))
-    throw std::invalid_argument(
-        fmt::format("{}: planner '{}' handles the tether itself; expected one that does not", kOwner, inner.name));
-  return inner;
-}
-
 }  // namespace
 
 PlannerInfo leashed() {
@@ -60,24 +49,11 @@ PlannerInfo leashed() {
   info.capabilities = {Capability::tether, Capability::holes};
   info.guarantee =
       "within the tether length limit, never over its own tether; covers what `planner` covers of the cut space";
-  info.parameters = {
-      {"planner", std::string("boustrophedon"), {}, {}, "name of the planner; its own parameters go beside it"},
-      {"return_home", true, {}, {}, "drive back to the start at the end"}};
-  info.more_parameters = [](const Settings& settings, const Planners& planners) {
-    return inner_of(settings, planners).parameters;
-  };
-  info.make = [](const Settings& settings, const Planners& planners) -> std::unique_ptr<CoveragePlanner> {
-    const PlannerInfo& inner = inner_of(settings, planners);
-    const std::vector<ParameterInfo> parameters = parameters_of(leashed(), settings, planners);
-    Settings own, of_inner;
-    for (const auto& [name, value] : settings) {
-      const bool is_own = name == "planner" || name == "return_home";
-      (is_own ? own : of_inner)[name] = checked(kOwner, find_parameter(kOwner, parameters, name), value);
-    }
-    const bool home = own.count("return_home") == 0 || std::get<bool>(own["return_home"]);
-    return std::make_unique<Leashed>(inner.make(of_inner, planners), home);
-  };
-  return info;
+  info.parameters = {{"return_home", true, {}, {}, "drive back to the start at the end"}};
+  return wrapper(std::move(info), "boustrophedon",
+                 [](std::unique_ptr<CoveragePlanner> inner, const Settings& own) -> std::unique_ptr<CoveragePlanner> {
+                   return std::make_unique<Leashed>(std::move(inner), std::get<bool>(own.at("return_home")));
+                 });
 }
 
 }  // namespace oxturn

@@ -1,0 +1,53 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "coverage_oracle.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+// Whatever the planner leaves: every one that does not mind a tether, even those that promise nothing.
+TEST(Completed, AnyPlannerCoversTheTarget) {
+  const auto problems = sample_problems(2);
+  std::size_t next = 0;
+  for (const PlannerInfo& planner : built_in_planners()) {
+    if (planner.has(Capability::tether) || planner.more_parameters) continue;
+    for (int k = 0; k < 2; ++k) {
+      const Problem& p = problems[next++ % problems.size()];
+      SCOPED_TRACE(planner.name + " on " + p.map().source);
+      const Path path = plan("completed", p, {{"planner", planner.name}});
+      expect_valid(p, path);
+      EXPECT_LE(uncovered_share(p, path, 500), 2e-3);
+    }
+  }
+}
+
+TEST(Completed, SettingsReachThePlanner) {
+  const Problem p(Map{"hall", box_region({0, 0}, {8, 6}), "", ""}, Robot{}, Point(1, 1));
+  const double fine = plan("completed", p, {{"planner", std::string("stc")}, {"cell_size", 0.2}}).length();
+  EXPECT_GT(fine, 1.3 * plan("completed", p, {{"planner", std::string("stc")}, {"cell_size", 0.4}}).length());
+}
+
+TEST(Wrapper, RefusesPlannersThatItCannotRun) {
+  const Planners planners = built_in_planners();
+  const auto make = [&](const char* outer, const char* inner) {
+    return planners.find(outer).make({{"planner", std::string(inner)}}, planners);
+  };
+  EXPECT_THAT([&] { make("completed", "berg"); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("'berg' handles the tether itself")));
+  EXPECT_THAT([&] { make("leashed", "completed"); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("'completed' runs another planner itself")));
+  EXPECT_THAT([&] { make("completed", "bss"); }, ThrowsMessage<std::invalid_argument>(HasSubstr("did you mean 'bsa'")));
+  EXPECT_THAT(
+      [&] {
+        planners.find("completed").make({{"planner", std::string("bsa")}, {"tree", std::string("bfs")}}, planners);
+      },
+      ThrowsMessage<std::invalid_argument>(HasSubstr("planner 'completed'")));
+}
+
+}  // namespace
+}  // namespace oxturn
