@@ -6,6 +6,7 @@
 // Complexity  that of the planner, plus O(m log m) for a path of m segments
 // Decisions   1. What is left is added as detours, each from where the path passes next to it. A planner that leaves
 //                little keeps its path; one that leaves much is better run with other parameters.
+//             2. Where the planner finds nothing to drive, as where no cell is free, all of the path is detours.
 #include <utility>
 
 #include "algorithms/lanes/repair.hpp"
@@ -19,7 +20,10 @@ class Completed final : public CoveragePlanner {
   explicit Completed(std::unique_ptr<CoveragePlanner> inner) : inner_(std::move(inner)) {}
 
   Path plan(const Problem& problem, Context& context) const override {
-    Path path = inner_->plan(problem, context);
+    Path path;
+    try {
+      path = inner_->plan(problem, context);
+    } catch (const Infeasible&) {}  // Decision 2
     context.publish(path);
     return context.cancelled() ? path : repaired(problem, path, Connector(problem), context);
   }

@@ -32,6 +32,14 @@ TEST(Completed, SettingsReachThePlanner) {
   EXPECT_GT(fine, 1.3 * plan("completed", p, {{"planner", std::string("stc")}, {"cell_size", 0.4}}).length());
 }
 
+TEST(Completed, APlannerThatFindsNoCellIsNoReasonToGiveUp) {
+  const Problem corridor(Map{"corridor", box_region({0, 0}, {6, 0.5}), "", ""}, disc(0.2, 0.4), Point(0.3, 0.25));
+  EXPECT_THROW(plan("stc", corridor), Infeasible);
+  const Path path = plan("completed", corridor, {{"planner", std::string("stc")}});
+  expect_valid(corridor, path);
+  EXPECT_LE(uncovered_share(corridor, path, 500), 2e-3);
+}
+
 TEST(Wrapper, RefusesPlannersThatItCannotRun) {
   const Planners planners = built_in_planners();
   const auto make = [&](const char* outer, const char* inner) {
