@@ -118,7 +118,7 @@ void TileRemainder::subtract(const Capsule& k, Bound bound, const Extent& where)
   pieces_.insert(pieces_.end(), parts_.begin(), parts_.end());
 }
 
-/// Does a line separate the piece from the capsule? That at a right angle to the shortest connection of the two, nearly.
+/// Does the line that is perpendicular to the connection of the piece's middle and the capsule separate the two?
 bool TileRemainder::apart(const Convex& piece, const Capsule& k) const {
   const Vec middle = centre_ + middle_of(piece), nearest = nearest_point(middle, k), away = middle - nearest;
   const double far = outer(k) * std::sqrt(dot(away, away));
