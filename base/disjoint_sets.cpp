@@ -14,6 +14,11 @@ DisjointSets::DisjointSets(std::size_t n) : parent_(n), rank_(n, 0) {
   std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
 }
 
+void DisjointSets::add() {
+  parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
+  rank_.push_back(0);
+}
+
 std::size_t DisjointSets::find(std::size_t i) {
   return Sets(rank_.data(), parent_.data()).find_set(static_cast<std::uint32_t>(i));
 }

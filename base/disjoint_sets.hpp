@@ -18,6 +18,8 @@ class DisjointSets {
  public:
   /// n sets of one member each; n < 2^32.
   explicit DisjointSets(std::size_t n);
+  /// One more set of one member, whose number is the size before.
+  void add();
   std::size_t size() const { return parent_.size(); }
   /// The representative of the set that contains i.
   std::size_t find(std::size_t i);

@@ -68,16 +68,6 @@ Side split(const Convex& c, const HalfPlane& h, Convex& inside, Convex* outside)
   return Side::both;
 }
 
-/// Is one of the half-planes disjoint from c?
-bool disjoint(const Convex& c, const std::vector<HalfPlane>& cut) {
-  for (const HalfPlane& h : cut) {
-    bool all = true;
-    for (std::size_t i = 0; all && i < c.size; ++i) all = beyond(h, c.at[i]) >= -kSlack;
-    if (all) return true;
-  }
-  return false;
-}
-
 /// Appends c \ (intersection of cut[from...]) to `out`.
 void subtract_from(const Convex& c, const std::vector<HalfPlane>& cut, std::size_t from, std::vector<Convex>& out) {
   Convex one, two, outside;
@@ -138,16 +128,17 @@ Convex clipped(const Convex& c, const HalfPlane& h) {
   return inside;
 }
 
-void subtract(std::vector<Convex>& pieces, const std::vector<HalfPlane>& cut, std::vector<Convex>& spare) {
-  spare.clear();
-  spare.swap(pieces);
-  for (const Convex& c : spare) {
-    if (disjoint(c, cut)) {
-      pieces.push_back(c);
-    } else {
-      subtract_from(c, cut, 0, pieces);
-    }
+bool disjoint(const Convex& c, const std::vector<HalfPlane>& cut) {
+  for (const HalfPlane& h : cut) {
+    bool all = true;
+    for (std::size_t i = 0; all && i < c.size; ++i) all = beyond(h, c.at[i]) >= -kSlack;
+    if (all) return true;
   }
+  return false;
+}
+
+void subtract(const Convex& c, const std::vector<HalfPlane>& cut, std::vector<Convex>& out) {
+  subtract_from(c, cut, 0, out);
 }
 
 }  // namespace oxturn

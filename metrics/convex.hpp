@@ -1,7 +1,7 @@
 /// Small convex polygons, clipped and subtracted. Private to metrics/.
 ///
-///   std::vector<Convex> uncovered{tile}, spare;
-///   subtract(uncovered, half_planes, spare);             // tile without the half-planes' intersection
+///   std::vector<Convex> uncovered;
+///   subtract(tile, half_planes, uncovered);              // tile without the half-planes' intersection
 ///
 /// Coordinates are relative to a tile's centre, in tile sides, so all are about 1. A point counts as inside a
 /// half-plane up to kSlack beyond it. Users shrink what they subtract by far more than that, so slack and rounding
@@ -71,9 +71,10 @@ double area(const Convex& c);
 std::pair<Convex, Convex> halves(const Convex& c);
 /// The part inside `h`.
 Convex clipped(const Convex& c, const HalfPlane& h);
-/// Subtracts the intersection of `cut`; the result is again convex pieces with disjoint interiors. `spare` is working
-/// memory.
-void subtract(std::vector<Convex>& pieces, const std::vector<HalfPlane>& cut, std::vector<Convex>& spare);
+/// Does one of the half-planes meet `c` in its boundary at most?
+bool disjoint(const Convex& c, const std::vector<HalfPlane>& cut);
+/// Appends `c` without the intersection of `cut`: convex pieces with disjoint interiors.
+void subtract(const Convex& c, const std::vector<HalfPlane>& cut, std::vector<Convex>& out);
 double area(const std::vector<Convex>& pieces);
 
 }  // namespace oxturn

@@ -118,7 +118,7 @@ std::optional<double> kept_promise(const Problem& problem, const Path& path, con
       return swept.coverage.lower;
     case Promise::cells:
       if (options.promised == nullptr || !(area(*options.promised) > 0)) return std::nullopt;
-      return swept_area(*options.promised, 0, problem.robot().tool_width, path).coverage.lower;
+      return coverage_of(*options.promised, 0, problem.robot().tool_width, path).lower;
     case Promise::nothing:
       break;
   }

@@ -23,53 +23,19 @@ void check(double width, const Path& path) {
   if (!std::isfinite(path.length())) throw std::invalid_argument("the path's length is not finite");
 }
 
-struct Scan {
-  CapsuleSet set;
-  TileSums sums;
-  CoverageCurve curve;
-  UncoveredPieces pieces;
+/// The path over the target, in tile coordinates: (p - origin) / side.
+struct Ground {
+  const Region& target;
+  Point origin;
+  double side, tile_m2;
+  Box room;  // the part of the path inside it counts
+  WorkChains chains;
+  double wanted, excess;  // tiles: the target, and by how much it may be larger
+  double arcs;            // how wide the chords may make the coverage's interval
+  double margin;          // by how much polygons are shrunk or grown
 };
 
-/// Scans with smaller budgets until the bounds of the missed target are close enough.
-Scan scanned(const Region& target, const Point& origin, double side, const WorkChains& chains, const Box& room,
-             double margin, double certainty, double wanted, double path_m) {
-  Scan scan{{}, {}, {path_m, wanted}, {}};
-  double budget = certainty / 2, slack = kToolRadius * certainty * kSlackShare;
-  for (int attempt = 0; attempt < kAttempts; ++attempt, budget /= 4, slack /= 4) {
-    scan.set = capsules(chains, room, slack);
-    scan.curve = {path_m, wanted};
-    scan.pieces = {};
-    scan.sums = TileScan(target, origin, side, scan.set, margin, scan.curve, scan.pieces).run(budget);
-    if (scan.sums.missed_most - scan.sums.missed_least <= 0.9 * certainty * wanted) break;
-  }
-  return scan;
-}
-
-/// Sums of tiles as areas. `wanted`: the target in tiles; `excess`: by how much it may be larger.
-SweptArea areas_of(const Scan& scan, double wanted, double excess, double tile_m2) {
-  const TileSums& sums = scan.sums;
-  double untouched = wanted - sums.target;
-  if (untouched < 1e-12 * wanted) untouched = 0;  // rounding of the sums
-  const double hit_least = std::max(0.0, sums.target - sums.missed_most);
-  const double hit_most = sums.target - sums.missed_least + excess;
-  const double missed_most = untouched + sums.missed_most + excess;
-  const double missed_least = untouched + sums.missed_least;
-  SweptArea s;
-  s.coverage.lower = hit_least / (hit_least + missed_most);
-  s.coverage.upper = std::clamp(hit_most / (hit_most + missed_least), s.coverage.lower, 1.0);
-  s.curve = scan.curve.points(s.coverage.middle());
-  s.covered_m2 = hit_least * tile_m2;
-  s.covered_estimate_m2 = std::max(hit_least, sums.target - sums.missed) * tile_m2;
-  s.union_m2 = sums.swept * tile_m2;
-  const double begun =
-      2 * kToolRadius * scan.set.work + static_cast<double>(scan.set.discs) * kPi * kToolRadius * kToolRadius;
-  s.visits_m2 = std::max(0.0, begun - sums.visits_outside) * tile_m2;
-  return s;
-}
-
-}  // namespace
-
-SweptArea swept_area(const Region& target, double target_excess, double width, const Path& path, double certainty) {
+Ground ground_of(const Region& target, double target_excess, double width, const Path& path, double certainty) {
   check(width, path);
   const double wanted_m2 = area(target);
   if (!(wanted_m2 > 0)) throw std::invalid_argument("the target is empty, there is nothing to cover");
@@ -82,17 +48,68 @@ SweptArea swept_area(const Region& target, double target_excess, double width, c
   room.add(size);
   room.grow(kReach * kToolRadius);
   const double joint = 1e-6 * width + 1e-12 * box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
-  const WorkChains chains = work_chains(path, box.low, side, joint);
-
   const double wanted = wanted_m2 / tile_m2, excess = target_excess / tile_m2;
-  // What the target's own error leaves of the interval is for the arcs.
-  const double arcs = std::max(certainty - excess / wanted, certainty / kArcsAtLeast);
-  // Coordinates are rounded to 1e-16 of the map's size in tiles; the margin is above that on maps of any size.
-  const double margin = 1e-9 + 1e-15 * size.maxCoeff();
-  Scan scan = scanned(target, box.low, side, chains, room, margin, arcs, wanted, path.length());
-  SweptArea s = areas_of(scan, wanted, excess, tile_m2);
-  s.missed = scan.pieces.take(box.low, side, kLeastPiece * kPi * kToolRadius * kToolRadius);
-  s.work_m2 = length_in(chains, room) * side * width;
+  return {target, box.low, side, tile_m2, room, work_chains(path, box.low, side, joint), wanted, excess,
+          // What the target's own error leaves of the interval is for the arcs.
+          std::max(certainty - excess / wanted, certainty / kArcsAtLeast),
+          // Coordinates are rounded to 1e-16 of the map's size in tiles; the margin is above that on maps of any size.
+          1e-9 + 1e-15 * size.maxCoeff()};
+}
+
+struct Scan {
+  CapsuleSet set;
+  TileSums sums;
+};
+
+/// Scans with smaller budgets until the bounds of the missed target are close enough. The details of the last scan
+/// replace `details`, unless they are nullptr.
+Scan scanned(const Ground& g, double path_m, TileDetails* details) {
+  Scan scan;
+  double budget = 2 * g.arcs, slack = kToolRadius * g.arcs * kSlackShare;
+  for (int attempt = 0; attempt < kAttempts; ++attempt, budget /= 4, slack /= 4) {
+    scan.set = capsules(g.chains, g.room, slack);
+    if (details != nullptr) *details = {{path_m, g.wanted}};
+    scan.sums = TileScan(g.target, g.origin, g.side, scan.set, g.margin, details).run(budget);
+    if (scan.sums.missed_most - scan.sums.missed_least <= 0.9 * g.arcs * g.wanted) break;
+  }
+  return scan;
+}
+
+/// Covered target, certified lower bound, in tiles.
+double least_covered(const TileSums& sums) { return std::max(0.0, sums.target - sums.missed_most); }
+
+Interval coverage_in(const Ground& g, const TileSums& sums) {
+  double untouched = g.wanted - sums.target;
+  if (untouched < 1e-12 * g.wanted) untouched = 0;  // rounding of the sums
+  const double hit_least = least_covered(sums), hit_most = sums.target - sums.missed_least + g.excess;
+  const double missed_most = untouched + sums.missed_most + g.excess;
+  const double missed_least = untouched + sums.missed_least;
+  const double lower = hit_least / (hit_least + missed_most);
+  return {lower, std::clamp(hit_most / (hit_most + missed_least), lower, 1.0)};
+}
+
+}  // namespace
+
+Interval coverage_of(const Region& target, double target_excess, double width, const Path& path, double certainty) {
+  const Ground g = ground_of(target, target_excess, width, path, certainty);
+  return coverage_in(g, scanned(g, path.length(), nullptr).sums);
+}
+
+SweptArea swept_area(const Region& target, double target_excess, double width, const Path& path, double certainty) {
+  const Ground g = ground_of(target, target_excess, width, path, certainty);
+  TileDetails details{{path.length(), g.wanted}};
+  const Scan scan = scanned(g, path.length(), &details);
+  const double begun =
+      2 * kToolRadius * scan.set.work + static_cast<double>(scan.set.discs) * kPi * kToolRadius * kToolRadius;
+  SweptArea s;
+  s.coverage = coverage_in(g, scan.sums);
+  s.covered_m2 = least_covered(scan.sums) * g.tile_m2;
+  s.covered_estimate_m2 = std::max(least_covered(scan.sums), scan.sums.target - scan.sums.missed) * g.tile_m2;
+  s.union_m2 = details.swept * g.tile_m2;
+  s.work_m2 = length_in(g.chains, g.room) * g.side * width;
+  s.visits_m2 = std::max(0.0, begun - details.visits_outside) * g.tile_m2;
+  s.curve = details.curve.points(s.coverage.middle());
+  s.missed = details.pieces.take(g.origin, g.side, kLeastPiece * kPi * kToolRadius * kToolRadius);
   return s;
 }
 

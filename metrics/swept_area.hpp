@@ -63,4 +63,8 @@ struct SweptArea {
 SweptArea swept_area(const Region& target, double target_excess, double width, const Path& path,
                      double certainty = 0.001);
 
+/// Its `coverage` alone: half of the time, and no memory for what is missed.
+Interval coverage_of(const Region& target, double target_excess, double width, const Path& path,
+                     double certainty = 0.001);
+
 }  // namespace oxturn

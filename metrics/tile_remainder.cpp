@@ -87,18 +87,43 @@ bool TileRemainder::subtract(const Extent& cell, std::size_t from, Bound bound, 
   std::size_t work = 0;
   for (std::size_t i = from; i < candidates_.size() && !pieces_.empty(); ++i) {
     const Capsule& k = capsules_[candidates_[i].capsule];
-    const bool inscribed = bound == Bound::inscribed;
-    const double side = inscribed ? inner(k) : outer(k);
-    const double cap = inscribed ? (kToolRadius - k.slack) * chords_->inscribed() - margin_ : side;
-    const double far = side + span + kSpare;
+    const double far = outer(k) + span + kSpare;
     if (squared_distance(centre_ + where.centre, k) >= far * far) continue;
     work += pieces_.size();
     if (may_stop && work > kMuch && candidates_.size() - i > kFew) return false;
-    polygon_of(k, centre_, where, *chords_, side, cap, cut_);
-    oxturn::subtract(pieces_, cut_, spare_);
+    subtract(k, bound, where);
     where = extent_of(pieces_);
     span = half_diagonal(where);
   }
+  return true;
+}
+
+/// Subtracts the capsule's polygon from pieces_, which lie in the box `where`. Most of them are apart from it.
+void TileRemainder::subtract(const Capsule& k, Bound bound, const Extent& where) {
+  const bool inscribed = bound == Bound::inscribed;
+  const double side = inscribed ? inner(k) : outer(k);
+  const double cap = inscribed ? (kToolRadius - k.slack) * chords_->inscribed() - margin_ : side;
+  polygon_of(k, centre_, where, *chords_, side, cap, cut_);
+  parts_.clear();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    if (!apart(pieces_[i], k) && !disjoint(pieces_[i], cut_)) {
+      oxturn::subtract(pieces_[i], cut_, parts_);
+      continue;
+    }
+    if (kept != i) pieces_[kept] = pieces_[i];
+    ++kept;
+  }
+  pieces_.resize(kept);
+  pieces_.insert(pieces_.end(), parts_.begin(), parts_.end());
+}
+
+/// Does the line that is perpendicular to the connection of the piece's middle and the capsule separate the two?
+bool TileRemainder::apart(const Convex& piece, const Capsule& k) const {
+  const Vec middle = centre_ + middle_of(piece), nearest = nearest_point(middle, k), away = middle - nearest;
+  const double far = outer(k) * std::sqrt(dot(away, away));
+  for (std::size_t i = 0; i < piece.size; ++i)
+    if (dot(away, centre_ + piece.at[i] - nearest) < far) return false;
   return true;
 }
 

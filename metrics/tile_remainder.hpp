@@ -53,6 +53,8 @@ class TileRemainder {
   bool covers(const Capsule& capsule, double distance2, const Extent& cell) const;
   void add_cell(const Extent& cell, std::size_t from, int depth);
   bool subtract(const Extent& cell, std::size_t from, Bound bound, bool may_stop);
+  void subtract(const Capsule& capsule, Bound bound, const Extent& where);
+  bool apart(const Convex& piece, const Capsule& capsule) const;
   void add_quarter(const Extent& quarter, std::size_t from, std::size_t to, int depth);
 
   const std::vector<Capsule>& capsules_;
@@ -62,7 +64,7 @@ class TileRemainder {
   std::vector<Convex> most_, least_;
   // Working memory.
   std::vector<Candidate> candidates_;  // a stack: of the tile, of its quarter, ...
-  std::vector<Convex> pieces_, spare_;
+  std::vector<Convex> pieces_, parts_;
   std::vector<HalfPlane> cut_;
 };
 

@@ -30,11 +30,10 @@ double estimate(double inscribed, double circumscribed) { return inscribed / 3 +
 }  // namespace
 
 TileScan::TileScan(const Region& target, const Point& origin, double side, const CapsuleSet& capsules, double margin,
-                   CoverageCurve& curve, UncoveredPieces& pieces)
+                   TileDetails* details)
     : rows_(target, origin, side),
       capsules_(capsules),
-      curve_(curve),
-      pieces_(pieces),
+      details_(details),
       left_(capsules.all, margin),
       reach_(kToolRadius + capsules.slack + kSpare),
       visit_chords_(kVisitChords) {
@@ -116,7 +115,7 @@ void TileScan::sort_near() {
 
 void TileScan::scan_row(std::int64_t row) {
   rows_.start_row(row);
-  pieces_.start_row(row);
+  if (details_ != nullptr) details_->pieces.start_row(row);
   std::int64_t untouched = 0;  // from this column on
   const std::int64_t end = rows_.last_column() + 1;
   for (std::size_t from = 0; from < near_.size();) {
@@ -134,28 +133,35 @@ void TileScan::scan_row(std::int64_t row) {
 
 /// Tiles of the row that no capsule touches.
 void TileScan::add_untouched(std::int64_t from, std::int64_t to) {
+  if (details_ == nullptr) return;
   while (from < to) {
     const TileTarget& target = rows_.tile(from);
     if (!target.inside() && !target.outside()) {
-      pieces_.add_tile(from++, {unit_square()}, target);
+      details_->pieces.add_tile(from++, {unit_square()}, target);
       continue;
     }
     const std::int64_t until = std::min(to, rows_.alike_until(from));
-    if (target.inside()) pieces_.add_run(from, until);
+    if (target.inside()) details_->pieces.add_run(from, until);
     from = until;
   }
 }
 
 void TileScan::scan_tile(const Tile& tile, const TileTarget& target) {
+  if (details_ == nullptr && target.outside()) return;
   const double wanted = target.inside() ? 1 : target.outside() ? 0 : target.area_in(unit_square());
   const double left = uncovered(tile);
+  // Before the chords are refined: finer ones make more parts of the same pieces.
+  if (details_ != nullptr && wanted > 0 && left > 0 && !left_.least().empty())
+    details_->pieces.add_tile(floor_of(tile.centre.x), left_.least(), target);
+  const double missed = wanted > 0 && left > 0 ? add_missed(tile, target, wanted) : 0;
   sums_.target += wanted;
-  sums_.swept += 1 - left;
-  if (wanted > 0) {
-    const double missed = left > 0 ? add_missed(tile, target, wanted) : 0;
-    if (missed > 0 && !left_.least().empty()) pieces_.add_tile(floor_of(tile.centre.x), left_.least(), target);
-    if (wanted > missed) curve_.add(tile.centre, tile.near, capsules_.all, target, wanted - missed);
-  }
+  if (details_ != nullptr) add_details(tile, target, left, wanted - missed);
+}
+
+/// `left` of the tile is not covered, and `covered` of it is covered target.
+void TileScan::add_details(const Tile& tile, const TileTarget& target, double left, double covered) {
+  details_->swept += 1 - left;
+  if (covered > 0) details_->curve.add(tile.centre, tile.near, capsules_.all, target, covered);
   if (!target.inside()) add_visits(tile, target);
 }
 
@@ -201,8 +207,8 @@ void TileScan::add_visits(const Tile& tile, const TileTarget& target) {
   for (const NearCapsule& n : tile.near) {
     const Capsule& k = capsules_.all[n.capsule];
     if (k.disc && !k.visits_only) continue;
-    sums_.visits_outside += k.forth * visits_begun(tile, target, *where, k, k.a);
-    if (k.back > 0) sums_.visits_outside += k.back * visits_begun(tile, target, *where, k, k.b);
+    details_->visits_outside += k.forth * visits_begun(tile, target, *where, k, k.a);
+    if (k.back > 0) details_->visits_outside += k.back * visits_begun(tile, target, *where, k, k.b);
   }
 }
 

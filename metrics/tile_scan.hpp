@@ -1,6 +1,6 @@
 /// Adds up covered, swept and visited areas tile by tile: the main loop of swept_area.hpp. Private to metrics/.
 ///
-///   TileScan scan(target, origin, side, capsules, margin, curve, pieces);
+///   TileScan scan(target, origin, side, capsules, margin, &details);
 ///   const TileSums sums = scan.run(0.0005);
 #pragma once
 
@@ -19,20 +19,26 @@ namespace oxturn {
 
 /// Areas in tiles.
 struct TileSums {
-  double target = 0;          // of the touched tiles
-  double missed_most = 0;     // target not covered: upper bound
-  double missed_least = 0;    // lower bound
-  double missed = 0;          // estimate
-  double swept = 0;           // union of all swaths, estimate
-  double visits_outside = 0;  // where visits begin outside the target, estimate
+  double target = 0;        // of the touched tiles
+  double missed_most = 0;   // target not covered: upper bound
+  double missed_least = 0;  // lower bound
+  double missed = 0;        // estimate
+};
+
+/// What takes most of the time, and is left out where only the coverage counts.
+struct TileDetails {
+  CoverageCurve curve;
+  UncoveredPieces pieces = {};
+  double swept = 0;           // tiles: union of all swaths, estimate
+  double visits_outside = 0;  // tiles: where visits begin outside the target, estimate
 };
 
 class TileScan {
  public:
   /// Tile coordinates: (p - origin) / side. `margin`: by how much polygons are shrunk or grown, in tile sides. Keeps
-  /// references to all but the region.
+  /// references to all but the region. Adds to `details` unless they are nullptr.
   TileScan(const Region& target, const Point& origin, double side, const CapsuleSet& capsules, double margin,
-           CoverageCurve& curve, UncoveredPieces& pieces);
+           TileDetails* details);
 
   /// `budget`: how much of a tile's target may stay undecided between the bounds. Once per object.
   TileSums run(double budget);
@@ -51,6 +57,7 @@ class TileScan {
   void scan_row(std::int64_t row);
   void add_untouched(std::int64_t from, std::int64_t to);
   void scan_tile(const Tile& tile, const TileTarget& target);
+  void add_details(const Tile& tile, const TileTarget& target, double left, double covered);
   bool any_covers(const Tile& tile) const;
   double uncovered(const Tile& tile);
   double add_missed(const Tile& tile, const TileTarget& target, double wanted);
@@ -61,8 +68,7 @@ class TileScan {
 
   TargetRows rows_;
   const CapsuleSet& capsules_;
-  CoverageCurve& curve_;
-  UncoveredPieces& pieces_;
+  TileDetails* details_;
   TileRemainder left_;  // of the present tile
   double budget_ = 0;
   double reach_;                // how far a capsule extends from its segment at most

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/disjoint_sets.hpp"
-
 namespace oxturn {
 namespace {
 
@@ -56,15 +54,21 @@ void UncoveredPieces::join(std::vector<Touch>& left, std::vector<Touch>& right) 
   std::sort(right.begin(), right.end(), by_from);
   for (std::size_t i = 0, k = 0; i < left.size() && k < right.size();) {
     if (std::min(left[i].to, right[k].to) - std::max(left[i].from, right[k].from) > kTouch)
-      joined_.emplace_back(left[i].part, right[k].part);
+      joined_.unite(left[i].part, right[k].part);
     left[i].to < right[k].to ? ++i : ++k;
   }
 }
 
+/// Its vertices are those added from now on.
+std::size_t UncoveredPieces::new_part(double area) {
+  parts_.push_back({vertices_.size(), area});
+  joined_.add();
+  return parts_.size() - 1;
+}
+
 /// `c` is relative to `centre`.
 void UncoveredPieces::add_part(const Convex& c, double area, Vec centre) {
-  const std::size_t part = parts_.size();
-  parts_.push_back({vertices_.size(), area});
+  const std::size_t part = new_part(area);
   for (std::size_t i = 0; i < c.size; ++i) {
     const Vec p = c.at[i], q = c.at[(i + 1) % c.size];
     vertices_.push_back(centre + p);
@@ -105,15 +109,13 @@ void UncoveredPieces::join_within(std::size_t first) {
   order_.clear();
   for (std::size_t i = 0; i < boxes_.size(); ++i) order_.emplace_back(boxes_[i].centre.x - boxes_[i].half.x, i);
   std::sort(order_.begin(), order_.end());
-  DisjointSets sets(boxes_.size());  // most pairs that touch are connected already
   for (std::size_t n = 0; n < order_.size(); ++n) {
     const std::size_t i = order_[n].second;
     const double right = boxes_[i].centre.x + boxes_[i].half.x + kNear;
     for (std::size_t m = n + 1; m < order_.size() && order_[m].first <= right; ++m) {
       const std::size_t k = order_[m].second;
-      if (!boxes_touch(boxes_[i], boxes_[k]) || sets.same(i, k) || !share_edge(pieces_[i], pieces_[k])) continue;
-      sets.unite(i, k);
-      joined_.emplace_back(first + i, first + k);
+      if (!boxes_touch(boxes_[i], boxes_[k]) || joined_.same(first + i, first + k)) continue;
+      if (share_edge(pieces_[i], pieces_[k])) joined_.unite(first + i, first + k);
     }
   }
 }
@@ -122,8 +124,7 @@ void UncoveredPieces::add_run(std::int64_t from, std::int64_t to) {
   std::vector<Touch> before;
   before.swap(right_);
   const double low = static_cast<double>(row_), left = static_cast<double>(from), right = static_cast<double>(to);
-  const std::size_t part = parts_.size();
-  parts_.push_back({vertices_.size(), right - left});
+  const std::size_t part = new_part(right - left);
   for (const Vec p : {Vec{left, low}, Vec{right, low}, Vec{right, low + 1}, Vec{left, low + 1}}) vertices_.push_back(p);
   left_.assign(1, {low, low + 1, part});
   right_.assign(1, {low, low + 1, part});
@@ -133,25 +134,31 @@ void UncoveredPieces::add_run(std::int64_t from, std::int64_t to) {
   column_ = to;
 }
 
+/// By representative.
+std::vector<double> UncoveredPieces::areas_of_pieces() {
+  std::vector<double> areas(parts_.size());
+  for (std::size_t i = 0; i < parts_.size(); ++i) areas[joined_.find(i)] += parts_[i].area;
+  return areas;
+}
+
 std::vector<MissedPiece> UncoveredPieces::take(const Point& origin, double side, double least) {
   start_row(row_ + 2);  // joins the last row
-  DisjointSets sets(parts_.size());
-  for (const auto& [a, b] : joined_) sets.unite(a, b);
-  std::vector<double> areas(parts_.size());
-  for (std::size_t i = 0; i < parts_.size(); ++i) areas[sets.find(i)] += parts_[i].area;
-  std::vector<std::size_t> piece_of(parts_.size()), largest;  // largest: part of a piece
+  const std::vector<double> areas = areas_of_pieces();
+  std::vector<std::uint32_t> piece_of(parts_.size());
+  std::vector<std::size_t> largest;  // largest: part of a piece
   std::vector<MissedPiece> pieces;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const std::size_t root = sets.find(i);
+    const std::size_t root = joined_.find(i);
     if (areas[root] <= least) continue;
     if (piece_of[root] == 0) {
       pieces.push_back({areas[root] * side * side, {}, {}});
       largest.push_back(i);
-      piece_of[root] = pieces.size();
+      piece_of[root] = static_cast<std::uint32_t>(pieces.size());
     }
     const std::size_t piece = piece_of[root] - 1;
     const std::size_t end = i + 1 < parts_.size() ? parts_[i + 1].first : vertices_.size();
     Ring ring;
+    ring.reserve(end - parts_[i].first);
     Point middle(0, 0);
     for (std::size_t v = parts_[i].first; v < end; ++v) {
       ring.push_back(origin + side * Point(vertices_[v].x, vertices_[v].y));

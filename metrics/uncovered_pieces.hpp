@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/disjoint_sets.hpp"
 #include "metrics/convex.hpp"
 #include "metrics/swept_area.hpp"
 #include "metrics/target_rows.hpp"
@@ -43,14 +44,16 @@ class UncoveredPieces {
     double from, to;  // along the border
     std::size_t part;
   };
+  std::size_t new_part(double area);
   void add_part(const Convex& c, double area, Vec centre);
+  std::vector<double> areas_of_pieces();
   void join_within(std::size_t first);
   void join(std::vector<Touch>& left, std::vector<Touch>& right);
 
   std::int64_t row_ = -1, column_ = -1;  // column_: right of the tile added last
   std::vector<Vec> vertices_;
   std::vector<Part> parts_;
-  std::vector<std::pair<std::size_t, std::size_t>> joined_;
+  DisjointSets joined_{0};                   // the parts
   std::vector<Touch> left_, right_;          // of the present tile, of the one before
   std::vector<Touch> bottom_, top_, below_;  // of the present row; below_: top_ of the row before
   std::vector<Convex> pieces_, spare_;

@@ -18,6 +18,16 @@ TEST(DisjointSets, BeginAsSetsOfOneMember) {
   EXPECT_EQ(DisjointSets(0).size(), 0u);
 }
 
+TEST(DisjointSets, GrowByOneMember) {
+  DisjointSets sets(2);
+  sets.unite(0, 1);
+  sets.add();
+  EXPECT_EQ(sets.size(), 3u);
+  EXPECT_EQ(sets.find(2), 2u);
+  EXPECT_TRUE(sets.unite(2, 0));
+  EXPECT_TRUE(sets.same(1, 2));
+}
+
 // Oracle: a label for each member; uniting relabels one set.
 TEST(DisjointSets, AgreeWithRelabelling) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "shapes.hpp"
+#include "tests/support/seeds.hpp"
 
 namespace oxturn {
 namespace {
@@ -121,6 +122,18 @@ TEST(SweptArea, SumOfTargetOverTilesIsItsArea) {
       EXPECT_NEAR(s.covered_m2, area(target), 1e-10 * area(target));
       EXPECT_EQ(s.coverage.lower, 1);
     }
+  }
+}
+
+TEST(SweptArea, CoverageAloneIsTheSame) {
+  for (const auto seed : seeds(20)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Path path = random_walk(rng, Box{{0, 0}, {10, 8}}, 5, 20, 3);
+    const Interval alone = coverage_of(two_holes(), 0.01, 0.4, path);
+    const SweptArea s = swept_area(two_holes(), 0.01, 0.4, path);
+    EXPECT_EQ(alone.lower, s.coverage.lower);
+    EXPECT_EQ(alone.upper, s.coverage.upper);
   }
 }
 
