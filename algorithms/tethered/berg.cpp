@@ -44,6 +44,7 @@ constexpr double kBreak = 1.5;          // spacings: samples farther apart are s
 constexpr double kStepsPerSpacing = 4;  // samples per step of tether, by default
 constexpr double kGateRange = 3;        // radii in front of a divider within which its gate is sought
 constexpr double kGateSteps = 4;        // tries per radius
+constexpr double kTrimSlack = 3;        // tolerances: an anchor on a wall is moved off it by two (berg_boundary.hpp)
 constexpr double kOpen = 500;           // tool widths over the clearance of the narrowest open passage (problem.hpp)
 
 enum class Order { bfs_per_divider, bfs, dfs };
@@ -213,7 +214,7 @@ BergTree::Laps laps_for(const Params& p, const Robot& robot) {
 BergTree tree_of(const BergBoundary& boundary, const BergTree::Laps& laps, Trim trim, const Problem& problem,
                  Context& context) {
   const GeodesicField& field = problem.tether()->geodesics();
-  const double slack = 1e-6 * problem.robot().tool_width + 1e-9 * laps.longest;
+  const double slack = kTrimSlack * problem.tolerance() + 1e-9 * laps.longest;
   const auto keep = [&](const Point& p, double length) {
     return problem.walls().contains(p) && (trim == Trim::none || std::abs(field.distance(p) - length) <= slack);
   };
