@@ -56,7 +56,7 @@ TetherRun run_at_start(const Problem& problem) {
 
 void drive_tether(const Problem& problem, const Polyline& path, const TetherVisitor& visitor) {
   TautTether tether = tether_at_start(problem);
-  CrossingDetector detector;
+  CrossingDetector detector(problem.tolerance());
   double driven = 0;
   for (const Point& to : path) {
     const Point from = tether.robot();
