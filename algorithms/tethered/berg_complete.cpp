@@ -31,16 +31,19 @@
 #include <algorithm>
 
 #include "algorithms/lanes/outline.hpp"
+#include "algorithms/lattice/grid_graph.hpp"
 #include "algorithms/online/survey_then_plan.hpp"
 #include "algorithms/tethered/gears.hpp"
 #include "algorithms/tethered/level_set_strips.hpp"
 #include "algorithms/tethered/needed_boundary.hpp"
 #include "algorithms/tethered/tacking.hpp"
+#include "algorithms/transit/short_segments.hpp"
 
 namespace oxturn {
 namespace {
 
 constexpr double kChordsPerWidth = 1000;  // tool widths over the chord error of level sets
+constexpr double kStepsPerSize = 100;     // robot sizes over the shortest step between vertices
 
 // In the order of their names in berg_complete().
 enum class Order { tour, dfs, bfs };
@@ -182,8 +185,9 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   const auto cover = [&](const TetherSpace::Component& component, Context& inner) {
     Task task = task_in(component, sets, boundary, space.field(), w, problem.tolerance());
     if (p.winding == TetherSide::right) reverse(task.rings);
-    const Path path = p.winding == TetherSide::any ? cover_by_tour(p, task, inner)
-                                                   : with_task_rings(task, drive_one_way(p, task, inner), inner);
+    Path path = p.winding == TetherSide::any ? cover_by_tour(p, task, inner)
+                                             : with_task_rings(task, drive_one_way(p, task, inner), inner);
+    path = without_short_segments(std::move(path), robot_size(problem.robot()) / kStepsPerSize, task.connector);
     const bool first = &component == &space.components().front();  // with the transit that follows, below
     return first || tacking.angle <= 0 ? path : tacked(space.field(), component.problem, path, tacking);
   };

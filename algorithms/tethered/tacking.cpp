@@ -5,11 +5,11 @@
 #include "algorithms/tethered/tacking.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "algorithms/transit/connector.hpp"
+#include "geometry/point_outside.hpp"
 
 namespace oxturn {
 namespace {
@@ -33,11 +33,7 @@ class Tacker {
         width_(tacking.width) {}
 
   /// Is ab, a segment of a path along walls and inside them, in the component?
-  bool inside(const Point& a, const Point& b) const {
-    return std::ranges::all_of(std::array{a, lerp(a, b, 0.5), b}, [&](const Point& p) {
-      return walls_.contains(p) || walls_.nearest(p, rounding_).has_value();
-    });
-  }
+  bool inside(const Point& a, const Point& b) const { return !point_outside(walls_, a, b, rounding_); }
   /// Is the heading from a to b too near the pull at a?
   bool folds(const Point& a, const Point& b) const {
     const auto pull = pull_at(a);
