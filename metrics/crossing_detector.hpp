@@ -20,8 +20,8 @@
 ///                however far it drives along it in between. Leaving to the other side is a crossing at the point where
 ///                it leaves. The contact may extend over several drives. A robot that touches its tether before the
 ///                first test came from no side.
-///             3. At its ends, the anchor and the pivot, the tether cannot be crossed; nor within rounding of the anchor:
-///                a path that returns to an anchor passes it on either side by rounding alone.
+///             3. At its ends, the anchor and the pivot, the tether cannot be crossed; nor within rounding of the
+///                anchor: a path that returns to an anchor passes it on either side by rounding alone.
 /// Method      For contacts the drive is shifted by (e, e^2) with an infinitesimal e (simulation of simplicity), so
 ///             that nothing touches any more. The robot has changed sides if the number of crossings of the shifted
 ///             drive, from the beginning of the contact to its end, is odd. The tether's segments are kept in a

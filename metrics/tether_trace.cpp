@@ -38,8 +38,8 @@ class Tracer {
   void add(const PivotMotion& m) {
     for (const auto& [metres, event] : events_of(m)) {
       const double s = m.begin + metres, driven = m.path_m + metres;
-      rows_.push_back(
-          {driven, clock_.at(driven), m.swing.from + metres * m.direction, m.length_at(s), bends_, m.angle_at(s), event});
+      rows_.push_back({driven, clock_.at(driven), m.swing.from + metres * m.direction, m.length_at(s), bends_,
+                       m.angle_at(s), event});
     }
     last_ = m;
   }

@@ -225,9 +225,8 @@ BergTree tree_of(const BergBoundary& boundary, const BergTree::Laps& laps, Trim 
 Point beside_closed_gaps(const Problem& problem) {
   const Point& anchor = problem.anchor();
   const auto at_anchor = [&](const Point& p) { return distance(p, anchor) <= problem.tolerance(); };
-  const bool in_gap = std::ranges::any_of(problem.tether()->closed_gaps(), [&](const Polyline& gap) {
-    return std::ranges::any_of(gap, at_anchor);
-  });
+  const bool in_gap = std::ranges::any_of(problem.tether()->closed_gaps(),
+                                          [&](const Polyline& gap) { return std::ranges::any_of(gap, at_anchor); });
   const Polyline out = problem.tether()->geodesics().path(problem.start());
   if (!in_gap || out.size() < 2 || distance(out[0], out[1]) <= 2 * problem.tolerance()) return anchor;
   return anchor + 2 * problem.tolerance() * (out[1] - out[0]).normalized();

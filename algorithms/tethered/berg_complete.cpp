@@ -21,13 +21,14 @@
 //             4. winding = left (right): level sets are driven with the tether on the left (right) side only, each by
 //                itself, and rings likewise wherever the tether leaves inwards; connections are free.
 //             5. min_tether_angle: where the heading would come nearer to the direction of the tether's pull, the robot
-//                tacks, in each component by itself: strokes at that angle to the pull, within a tool width, if there is
-//                room. What covers is driven outwards (tacking.hpp), so coverage stays complete. The robot enters and
-//                leaves components behind the cut straight.
+//                tacks, in each component by itself: strokes at that angle to the pull, within a tool width, if there
+//                is room. What covers is driven outwards (tacking.hpp), so coverage stays complete. The robot enters
+//                and leaves components behind the cut straight.
 //             6. Short level sets (corridors) may be covered by lanes along the tether (lanes = 4), out and back: each
 //                component is planned with and without them, and the shorter path is driven. lanes = 0, or a
 //                min_tether_angle, uses level sets only.
-//             7. reverse = true: both demands are met by driving backwards, everywhere and without a detour (gears.hpp).
+//             7. reverse = true: both demands are met by driving backwards, everywhere and without a detour
+//                (gears.hpp).
 #include <algorithm>
 
 #include "algorithms/lanes/outline.hpp"

@@ -2,7 +2,8 @@
 //             the line driven, s the robot's position along it (0 at the pivot's foot) and a the least angle. Forwards
 //             is too near the pull for s < -h cot(a), in reverse for s > h cot(a); in between both gears will do, and
 //             the side on which the tether is decides.
-// Decisions   1. Where neither rule demands a gear, the gear stays; before the first demand it is the first one demanded.
+// Decisions   1. Where neither rule demands a gear, the gear stays; before the first demand it is the first one
+//             demanded.
 //             2. A tether within 0.02 rad of the line driven is on neither side.
 #include "algorithms/tethered/gears.hpp"
 
@@ -37,7 +38,8 @@ class GearChoice {
   void add(const TautTether::Swing& swing, const Point& direction, bool tool, std::vector<Part>& parts) const {
     const double begin = (swing.from - swing.pivot).dot(direction), end = (swing.to - swing.pivot).dot(direction);
     const double left = cross(direction, swing.pivot - swing.from);  // of the pivot, from the line driven
-    const double limit = rules_.least_angle > 0 ? std::abs(left) * cotangent_ : std::max(std::abs(begin), std::abs(end));
+    const double limit =
+        rules_.least_angle > 0 ? std::abs(left) * cotangent_ : std::max(std::abs(begin), std::abs(end));
     double from = begin;
     const auto add_until = [&](double s) {
       if (s <= from) return;
@@ -115,7 +117,7 @@ TetherSide side_of(const std::string& winding) {
 
 PlannerInfo with_reverse(PlannerInfo planner) {
   const ParameterInfo reverse{
-      "reverse", false, {}, {}, "winding and min_tether_angle by driving backwards in places, without a longer path"};
+      "reverse", false, {}, {}, "winding and min_tether_angle by driving backwards where need be; no longer path"};
   const auto named = [&](const char* name) {
     return *std::ranges::find(planner.parameters, std::string(name), &ParameterInfo::name);
   };

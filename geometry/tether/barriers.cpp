@@ -7,9 +7,9 @@
 //             suffice. Another ring may lie between a vertex and its nearest point. That does no harm: it divides the
 //             segment into two shorter ones, whose gaps come first and connect both rings already.
 // Anchor      An anchor in a narrow gap could be on the wrong side of that gap's barrier, out of the robot's reach. So
-//             its gap is closed first, through the anchor: the tether may then leave it on either side. The anchor is in
-//             a gap if a line by it from its nearest ring to another one is shorter than the disc is wide. That line may
-//             run along the wall for a while, so that an anchor beside the mouth of a gap is in it as well.
+//             its gap is closed first, through the anchor: the tether may then leave it on either side. The anchor is
+//             in a gap if a line by it from its nearest ring to another one is shorter than the disc is wide. That line
+//             may run along the wall for a while, so that an anchor beside the mouth of a gap is in it as well.
 // Source      Kruskal, "On the shortest spanning subtree of a graph", 1956
 #include <algorithm>
 #include <stdexcept>
@@ -127,7 +127,7 @@ class GapFinder {
   }
 
  private:
-  /// A way from the anchor to another ring.
+  /// A line from the anchor to another ring.
   struct Crossing {
     double length;
     std::uint32_t ring;

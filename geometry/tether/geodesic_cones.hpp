@@ -28,7 +28,8 @@ struct Cone {
 class GeodesicCones {
  public:
   /// All paths begin with `stem`, one or more points of the mesh from the anchor on, and leave its last point into the
-  /// triangles `home` (ascending), which contain that. Points of queries may be outside the mesh by at most `tolerance`.
+  /// triangles `home` (ascending), which contain that. Points of queries may be outside the mesh by at most
+  /// `tolerance`.
   GeodesicCones(Mesh mesh, const Polyline& stem, const std::vector<std::int32_t>& home, double tolerance);
 
   static constexpr std::int32_t kNone = -1;

@@ -86,8 +86,9 @@ class CsvReader {
     };
     x_ = column("x"), y_ = column("y"), tool_ = column("tool"), reverse_ = column("reverse");
     if (x_ == kNone || y_ == kNone)
-      throw_invalid("{}:{}: begins with '{}', expected numbers x,y[,tool[,reverse]] or a header with the columns x and y",
-                    source_, line_, shown(cells_[0]));
+      throw_invalid(
+          "{}:{}: begins with '{}', expected numbers x,y[,tool[,reverse]] or a header with the columns x and y",
+          source_, line_, shown(cells_[0]));
     return true;
   }
 

@@ -80,8 +80,9 @@ std::string to_geojson(const Path& path, const PathProblem* problem) {
   text += "\"type\": \"FeatureCollection\", \"features\": [";
   for (std::size_t i = 0; i < path.legs.size(); ++i) {
     const Leg& leg = path.legs[i];
-    text += fmt::format("{}\n{{\"type\": \"Feature\", \"properties\": {{\"tool\": {}{}}}, \"geometry\": ",
-                        i > 0 ? "," : "", leg.tool, leg.gear == Gear::reverse ? ", \"reverse\": true" : "");
+    text +=
+        fmt::format("{}\n{{\"type\": \"Feature\", \"properties\": {{\"tool\": {}{}}}, \"geometry\": ", i > 0 ? "," : "",
+                    leg.tool, leg.gear == Gear::reverse ? ", \"reverse\": true" : "");
     text += "{\"type\": \"LineString\", \"coordinates\": " + json_points(leg.points) + "}}";
   }
   return text + "\n]}\n";

@@ -251,8 +251,8 @@ TEST(BergComplete, ReverseKeepsTheTetherOnOneSide) {
   for (const char* name : {"rooms", "clutter"})
     for (const double sign : {1.0, -1.0}) {
       const Problem problem(oxturn::generate(name, {{"width", 10.0}, {"height", 8.0}}, 2), tethered_robot(1.1));
-      const Path path = plan("berg-complete", problem,
-                             {{"winding", std::string(sign > 0 ? "left" : "right")}, {"reverse", true}});
+      const Path path =
+          plan("berg-complete", problem, {{"winding", std::string(sign > 0 ? "left" : "right")}, {"reverse", true}});
       EXPECT_NEAR(path.length(), plan("berg-complete", problem).length(), 1e-9 * path.length());
       TautTether tether(problem.tether()->taut_space(), problem.anchor());
       tether.drive(problem.tether()->geodesics().path(problem.start()));

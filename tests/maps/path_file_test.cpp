@@ -49,12 +49,12 @@ TEST(PathCsv, AHeaderNamesTheColumns) {
 }
 
 TEST(PathCsv, AChangeOfGearBeginsALeg) {
-  const std::vector<Leg> legs{{true, {{0, 0}, {1, 0}}},
-                              {true, {{1, 0}, {2, 0}}, Gear::reverse},
-                              {false, {{2, 0}, {3, 0}}, Gear::reverse}};
+  const std::vector<Leg> legs{
+      {true, {{0, 0}, {1, 0}}}, {true, {{1, 0}, {2, 0}}, Gear::reverse}, {false, {{2, 0}, {3, 0}}, Gear::reverse}};
   expect_legs(csv("0,0,1,0\n1,0,1,1\n2,0,0,on\n3,0,0,1\n"), legs);
   expect_legs(csv("reverse,x,y,tool\nfalse,0,0,1\n1,1,0,1\n1,2,0,0\n1,3,0,0\n"), legs);
-  EXPECT_EQ(why_not("1,2,1,x\n1,2,1,0\n"), "p.csv:1: column 4 (reverse) is 'x', expected 1 or 0, on or off, true or false");
+  EXPECT_EQ(why_not("1,2,1,x\n1,2,1,0\n"),
+            "p.csv:1: column 4 (reverse) is 'x', expected 1 or 0, on or off, true or false");
 }
 
 TEST(PathGeoJson, GearsAreReadBackAndForwardsIsNotWritten) {

@@ -129,7 +129,8 @@ Point anchor_at(const Ring& ring, Rng& rng) {
   const double kind = rng.unit();
   if (kind < 0.4) return a;
   const Point on_wall = lerp(a, b, rng.unit());
-  return kind < 0.7 ? on_wall : Point(on_wall + rng.between(0.0, 0.2) * rotated(Point(1, 0), rng.between(0.0, 2 * kPi)));
+  return kind < 0.7 ? on_wall
+                    : Point(on_wall + rng.between(0.0, 0.2) * rotated(Point(1, 0), rng.between(0.0, 2 * kPi)));
 }
 
 // Boxes anywhere, and an anchor on one of their vertices or edges, or in a gap between them: moved by 0.1 mm it changes
