@@ -63,8 +63,9 @@ TEST(PathGeoJson, GearsAreReadBackAndForwardsIsNotWritten) {
   expect_legs(path_from_geojson(text, "p.geojson").path, path.legs);
   EXPECT_EQ(text.find("reverse"), text.rfind("reverse"));
   EXPECT_THAT(complaint([] {
-                path_from_geojson(R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties":
-                    {"tool": true, "reverse": 1}, "geometry": {"type": "LineString", "coordinates": [[0, 0], [1, 0]]}}]})",
+                path_from_geojson(R"({"type": "FeatureCollection", "features": [{"type": "Feature",
+                    "properties": {"tool": true, "reverse": 1},
+                    "geometry": {"type": "LineString", "coordinates": [[0, 0], [1, 0]]}}]})",
                                   "p.geojson");
               }),
               HasSubstr("reverse is 1, expected true or false"));
