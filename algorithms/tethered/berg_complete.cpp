@@ -32,7 +32,6 @@
 #include <algorithm>
 
 #include "algorithms/lanes/outline.hpp"
-#include "algorithms/lattice/grid_graph.hpp"
 #include "algorithms/online/survey_then_plan.hpp"
 #include "algorithms/tethered/gears.hpp"
 #include "algorithms/tethered/level_set_strips.hpp"
@@ -44,7 +43,6 @@ namespace oxturn {
 namespace {
 
 constexpr double kChordsPerWidth = 1000;  // tool widths over the chord error of level sets
-constexpr double kStepsPerSize = 100;     // robot sizes over the shortest step between vertices
 
 // In the order of their names in berg_complete().
 enum class Order { tour, dfs, bfs };
@@ -188,7 +186,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
     if (p.winding == TetherSide::right) reverse(task.rings);
     Path path = p.winding == TetherSide::any ? cover_by_tour(p, task, inner)
                                              : with_task_rings(task, drive_one_way(p, task, inner), inner);
-    path = without_short_segments(std::move(path), robot_size(problem.robot()) / kStepsPerSize, task.connector);
+    path = without_short_segments(std::move(path), component.problem);
     const bool first = &component == &space.components().front();  // with the transit that follows, below
     return first || tacking.angle <= 0 ? path : tacked(space.field(), component.problem, path, tacking);
   };

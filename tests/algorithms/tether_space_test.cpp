@@ -286,6 +286,18 @@ TEST(BergComplete, CoversByLidar) {
   }
 }
 
+// A vertex next to another one stays only where the straight segment past it is not free, as at the ends of the cut.
+TEST(BergComplete, FewSegmentsAreShorterThanAHundredthOfTheRobot) {
+  for (const char* name : {"cave", "rooms"}) {
+    const Problem problem(generate(name, {}, 2), tethered_robot(1.1));
+    std::size_t all = 0, tiny = 0;
+    for (const Leg& leg : plan("berg-complete", problem).legs)
+      for (std::size_t i = 1; i < leg.points.size(); ++i, ++all)
+        tiny += distance(leg.points[i - 1], leg.points[i]) < 0.99 * problem.robot().radius / 100;
+    EXPECT_LT(static_cast<double>(tiny), 0.01 * static_cast<double>(all)) << name;
+  }
+}
+
 TEST(BergComplete, SameBytesTwice) {
   const Problem problem(generate("rooms", {}, 5), tethered_robot(0.9));
   EXPECT_EQ(to_geojson(plan("berg-complete", problem)), to_geojson(plan("berg-complete", problem)));
