@@ -98,8 +98,8 @@ bool send_path(int fd, char type, const Path& path) {
   const std::uint64_t legs = path.legs.size();
   if (!send_header(fd, type, size) || !write_all(fd, reinterpret_cast<const char*>(&legs), sizeof legs)) return false;
   for (const Leg& leg : path.legs) {
-    const char tool = leg.tool ? 1 : 0;
-    if (!write_all(fd, &tool, 1) || !send_points(fd, leg.points)) return false;
+    const char kind = static_cast<char>((leg.tool ? 1 : 0) + (leg.gear == Gear::reverse ? 2 : 0));
+    if (!write_all(fd, &kind, 1) || !send_points(fd, leg.points)) return false;
   }
   return true;
 }
@@ -110,8 +110,8 @@ Path path_from(std::string_view in) {
   if (legs > in.size()) throw std::runtime_error("fewer legs than announced");
   path.legs.reserve(legs);
   for (std::uint64_t i = 0; i < legs; ++i) {
-    const char tool = take<char>(in);
-    path.legs.push_back({tool != 0, take_points(in)});
+    const char kind = take<char>(in);
+    path.legs.push_back({(kind & 1) != 0, take_points(in), (kind & 2) != 0 ? Gear::reverse : Gear::forward});
   }
   if (!in.empty()) throw std::runtime_error("bytes after the last leg");
   return path;

@@ -26,22 +26,26 @@ double Path::length(bool tool) const {
   return sum;
 }
 
-void PathBuilder::drive(const Polyline& points, bool tool) {
+/// Is the last leg of this kind?
+bool PathBuilder::goes_on(bool tool, Gear gear) const {
+  return !path_.legs.empty() && path_.legs.back().tool == tool && path_.legs.back().gear == gear;
+}
+
+void PathBuilder::drive(const Polyline& points, bool tool, Gear gear) {
   for (const Point& p : points) {
     if (repeats(p, at_)) continue;
-    if (path_.legs.empty() || path_.legs.back().tool != tool) path_.legs.push_back({tool, {at_}});
+    if (!goes_on(tool, gear)) path_.legs.push_back({tool, {at_}, gear});
     path_.legs.back().points.push_back(p);
     at_ = p;
   }
 }
 
-void PathBuilder::drive(Polyline&& points, bool tool) {
-  const bool new_leg = path_.legs.empty() || path_.legs.back().tool != tool;
-  if (!new_leg || points.size() < 2 || points.front() != at_ ||
+void PathBuilder::drive(Polyline&& points, bool tool, Gear gear) {
+  if (goes_on(tool, gear) || points.size() < 2 || points.front() != at_ ||
       std::adjacent_find(points.begin(), points.end(), repeats) != points.end())
-    return drive(static_cast<const Polyline&>(points), tool);
+    return drive(static_cast<const Polyline&>(points), tool, gear);
   at_ = points.back();
-  path_.legs.push_back({tool, std::move(points)});
+  path_.legs.push_back({tool, std::move(points), gear});
 }
 
 }  // namespace oxturn

@@ -10,9 +10,13 @@
 
 namespace oxturn {
 
+/// In reverse the robot drives backwards: its heading is opposite to its motion. A change of gear is a stop.
+enum class Gear { forward, reverse };
+
 struct Leg {
   bool tool = true;  // on: work; off: transit
   Polyline points;   // at least two; the first is the last of the previous leg
+  Gear gear = Gear::forward;
 };
 
 struct Path {
@@ -32,12 +36,14 @@ class PathBuilder {
   /// Where the path ends.
   const Point& at() const { return at_; }
   /// Appends `points` to the path; a first point that repeats its end is dropped.
-  void drive(const Polyline& points, bool tool);
-  void drive(Polyline&& points, bool tool);  // moved, not copied, where they become a leg of their own
-  void drive(const Point& to, bool tool) { drive(Polyline{to}, tool); }
+  void drive(const Polyline& points, bool tool, Gear gear = Gear::forward);
+  void drive(Polyline&& points, bool tool, Gear gear = Gear::forward);  // moved where they become a leg of their own
+  void drive(const Point& to, bool tool, Gear gear = Gear::forward) { drive(Polyline{to}, tool, gear); }
   Path take() { return std::move(path_); }
 
  private:
+  bool goes_on(bool tool, Gear gear) const;
+
   Point at_;
   Path path_;
 };

@@ -30,18 +30,21 @@ class Follower {
       : problem_(problem), walls_(walls), tolerance_(tolerance), last_(problem.start()) {}
 
   /// False if the path cannot be followed to this point. `joint`: the first of a leg.
-  bool follow(const Point& to, bool joint) {
+  bool follow(const Point& to, bool joint, Gear gear) {
     if (!finite(to)) return false;
+    gear_ = gear;
     if (joint ? distance(last_, to) > tolerance_ : point_outside(walls_, last_, to, tolerance_).has_value())
       return false;
     last_ = to;
     return tolerance_ > problem_.tolerance() ? append_inside(to) : append(to);
   }
-  Polyline take() { return std::move(points_); }
+  FollowedPath take(bool whole) { return {std::move(points_), std::move(gears_), whole}; }
 
  private:
   bool append(const Point& to) {
-    if (to != points_.back()) points_.push_back(to);
+    if (to == points_.back()) return true;
+    points_.push_back(to);
+    gears_.push_back(gear_);
     return true;
   }
 
@@ -63,17 +66,25 @@ class Follower {
   double tolerance_;
   Point last_;  // of the path as given
   Polyline points_{last_};
+  std::vector<Gear> gears_;
+  Gear gear_ = Gear::forward;
   std::optional<ShortestPaths> paths_;
 };
 
 }  // namespace
 
+Path FollowedPath::path() const {
+  PathBuilder builder(points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) builder.drive(points[i], true, gears[i - 1]);
+  return builder.take();
+}
+
 FollowedPath followed_path(const Problem& problem, const Path& path, const EdgeIndex& walls, double tolerance) {
   Follower follower(problem, walls, tolerance);
   for (const Leg& leg : path.legs)
     for (std::size_t i = 0; i < leg.points.size(); ++i)
-      if (!follower.follow(leg.points[i], i == 0)) return {follower.take(), false};
-  return {follower.take(), true};
+      if (!follower.follow(leg.points[i], i == 0, leg.gear)) return follower.take(false);
+  return follower.take(true);
 }
 
 }  // namespace oxturn

@@ -16,9 +16,12 @@ namespace oxturn {
 TautTether tether_at_start(const Problem& problem);
 
 struct FollowedPath {
-  Polyline points;    // from the problem's start, transit included
+  Polyline points;          // from the problem's start, transit included
+  std::vector<Gear> gears;  // of the segments between them
   bool whole = true;  // false: the path jumps, starts elsewhere, leaves free space or is not finite; then `points` go
                       // up to there
+  /// Legs of one gear each, the tool on.
+  Path path() const;
 };
 /// `walls`: edges of the map's free space. Joints and walls are judged within `tolerance` metres; where that is more
 /// than the problem's and the path runs within walls, the result runs along them. O(n), and once O(m log m) for m

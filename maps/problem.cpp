@@ -148,8 +148,8 @@ bool limited_by_tether(const ProblemBasis& basis) {
 
 /// Adds the tether to a basis whose space is still that of the robot alone, and cuts the space down to its reach.
 void attach_tether(ProblemBasis& basis) {
-  basis.tether =
-      std::make_unique<const TetherModel>(basis.map.free, basis.space, basis.robot, basis.anchor, basis.tolerance);
+  basis.tether = std::make_unique<const TetherModel>(basis.map.free, basis.space, basis.robot, basis.anchor,
+                                                     basis.start, basis.tolerance);
   const TetherModel& model = *basis.tether;
   const double away = model.geodesics().distance(basis.start);
   if (!std::isfinite(away))

@@ -2,6 +2,7 @@
 //             2. {distance <= tether length} is cut out along its boundary by a strip w / 10^4 wide, inside of it; the
 //                area lost counts in Problem::target_excess. What the tether reaches only through points that it does
 //                not reach is no part of configuration space.
+//             3. An anchor in a closed gap has the tether on the side from which the start is nearer.
 #include "maps/tether_model.hpp"
 
 #include <algorithm>
@@ -16,12 +17,30 @@
 namespace oxturn {
 namespace {
 
-/// A segment across every gap of free space that the robot cannot pass; see Decision 1.
-std::vector<Polyline> gaps_to_close(const Region& free, const Robot& robot, const Region& space) {
+/// Half of the length along.
+Point middle_of(const Polyline& line) {
+  double left = length(line) / 2;
+  std::size_t i = 1;
+  for (; i + 1 < line.size() && distance(line[i - 1], line[i]) < left; ++i) left -= distance(line[i - 1], line[i]);
+  return lerp(line[i - 1], line[i], left / distance(line[i - 1], line[i]));
+}
+
+/// A line across every gap of free space that the robot cannot pass; see Decisions 1 and 3.
+std::vector<Polyline> gaps_to_close(const Region& free, const Robot& robot, const Region& space, const Point& anchor,
+                                    double tolerance) {
   if (robot.radius <= 0) return {};
-  std::vector<Polyline> gaps = barriers(free, 2 * robot.radius + robot.tool_width / 250);
   const EdgeIndex walls(space);
-  std::erase_if(gaps, [&](const Polyline& gap) { return walls.contains(lerp(gap.front(), gap.back(), 0.5)); });
+  const auto is_open = [&](const Polyline& gap) { return walls.contains(middle_of(gap)); };
+  const auto closed = [&](const std::optional<Point>& through) {
+    return barriers(free, 2 * robot.radius + robot.tool_width / 250, through);
+  };
+  std::vector<Polyline> gaps = closed(anchor);
+  const auto at_anchor = [&](const Polyline& gap) {
+    return std::any_of(gap.begin(), gap.end(), [&](const Point& p) { return distance(p, anchor) <= tolerance; });
+  };
+  if (std::any_of(gaps.begin(), gaps.end(), [&](const Polyline& gap) { return at_anchor(gap) && is_open(gap); }))
+    gaps = closed(std::nullopt);
+  std::erase_if(gaps, is_open);
   return gaps;
 }
 
@@ -46,11 +65,11 @@ double farthest_in(const Region& space, const GeodesicField& field, double chord
 }  // namespace
 
 TetherModel::TetherModel(const Region& free, std::shared_ptr<const Region> robot_space, const Robot& robot,
-                         const Point& anchor, double tolerance)
+                         const Point& anchor, const Point& start, double tolerance)
     : free_(free),
       robot_space_(std::move(robot_space)),
-      closed_gaps_(gaps_to_close(free, robot, *robot_space_)),
-      geodesics_(std::make_unique<const GeodesicField>(free, anchor, closed_gaps_, tolerance)),
+      closed_gaps_(gaps_to_close(free, robot, *robot_space_, anchor, tolerance)),
+      geodesics_(std::make_unique<const GeodesicField>(free, anchor, closed_gaps_, tolerance, start)),
       farthest_(farthest_in(*robot_space_, *geodesics_, robot.tool_width / 100)) {}
 
 const TautSpace& TetherModel::taut_space() const {

@@ -19,9 +19,10 @@ namespace oxturn {
 class TetherModel {
  public:
   /// `free`: the map's free space, which must outlive the model. `robot_space`: configuration space of the same robot
-  /// without a tether. Distances hold within `tolerance` metres. O(n log n) for n vertices.
+  /// without a tether. Distances hold within `tolerance` metres. Where a gap is closed at the anchor, the tether leaves
+  /// it on the side of the start only. O(n log n) for n vertices.
   TetherModel(const Region& free, std::shared_ptr<const Region> robot_space, const Robot& robot, const Point& anchor,
-              double tolerance);
+              const Point& start, double tolerance);
 
   /// Where the robot's centre might be if its tether were endless.
   const Region& robot_space() const { return *robot_space_; }

@@ -55,6 +55,7 @@ std::vector<Point> CrossingDetector::crossings(const TautTether& tether, const P
     }
   }
   follow_contacts(touched, a, b, found);
+  std::erase_if(found, [&](const Candidate& c) { return distance(c.at, tether.anchor()) <= rounding_; });
 
   std::stable_sort(found.begin(), found.end(),
                    [](const Candidate& p, const Candidate& q) { return p.along < q.along; });

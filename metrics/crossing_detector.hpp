@@ -1,6 +1,6 @@
 /// Finds where a robot drives over its own taut tether. Private to metrics/.
 ///
-///   CrossingDetector detector;
+///   CrossingDetector detector(problem.tolerance());
 ///   for (const Point& to : path) {
 ///     count += detector.crossings(tether, to).size();      // before the tether is driven
 ///     tether.drive(to);
@@ -20,7 +20,8 @@
 ///                however far it drives along it in between. Leaving to the other side is a crossing at the point where
 ///                it leaves. The contact may extend over several drives. A robot that touches its tether before the
 ///                first test came from no side.
-///             3. At its ends, the anchor and the pivot, the tether cannot be crossed.
+///             3. At its ends, the anchor and the pivot, the tether cannot be crossed; nor within rounding of the
+///                anchor: a path that returns to an anchor passes it on either side by rounding alone.
 /// Method      For contacts the drive is shifted by (e, e^2) with an infinitesimal e (simulation of simplicity), so
 ///             that nothing touches any more. The robot has changed sides if the number of crossings of the shifted
 ///             drive, from the beginning of the contact to its end, is odd. The tether's segments are kept in a
@@ -37,6 +38,8 @@ namespace oxturn {
 
 class CrossingDetector {
  public:
+  /// `rounding`: metres from the anchor within which nothing counts as a crossing.
+  explicit CrossingDetector(double rounding) : rounding_(rounding) {}
   /// The points, in driving order and rounded, where the robot crosses its tether on the drive from tether.robot() to
   /// `to`. To be called before each drive of one and the same tether.
   std::vector<Point> crossings(const TautTether& tether, const Point& to);
@@ -66,6 +69,7 @@ class CrossingDetector {
   bool inherit(Contact& contact) const;
   bool same(const Candidate& p, const Candidate& q) const;
 
+  double rounding_;
   Polyline points_;  // anchor and bends; segment i leads from point i to point i + 1
   // boxes_[l][i] encloses the kFan^(l + 1) segments from i * kFan^(l + 1) on. It may be too large, because it does not
   // shrink when segments disappear; it disappears with its last segment.

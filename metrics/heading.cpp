@@ -36,7 +36,7 @@ Headings headings(const Problem& problem, const Path& path) {
         any_point = true;
         continue;
       }
-      const Point step = p - at;
+      const Point step = leg.gear == Gear::forward ? Point(p - at) : Point(at - p);
       const double length = step.norm();
       if (length <= near) continue;
       if (any_heading) {

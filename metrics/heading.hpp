@@ -1,4 +1,5 @@
-/// Where a path changes its heading, and which changes belong to one bend. For turns, turn_rad and mission_s; private
+/// Where a path changes its heading, and which changes belong to one bend. In reverse the heading is opposite to the
+/// motion, so a change of gear on a straight line is no turn. For turns, turn_rad and mission_s; private
 /// to metrics/.
 ///
 ///   for (const Turn& turn : headings(problem, path).turns) total += std::abs(turn.angle);

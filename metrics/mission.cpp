@@ -42,12 +42,41 @@ double turn_between(const Point& a, const Point& b) {
   return std::abs(std::atan2(cross(a, b), a.dot(b)));
 }
 
+/// The path in parts, each driven forwards or backwards throughout.
+std::vector<Path> parts_of_one_gear(const Path& path) {
+  std::vector<Path> parts;
+  for (const Leg& leg : path.legs) {
+    if (parts.empty() || parts.back().legs.back().gear != leg.gear) parts.emplace_back();
+    parts.back().legs.push_back(leg);
+  }
+  return parts;
+}
+
+/// The heading on the segment from a to b.
+Point heading_on(const Point& a, const Point& b, Gear gear) { return gear == Gear::forward ? b - a : a - b; }
+
+/// Of a part with a length.
+Point first_heading(const Path& part) {
+  for (const Leg& leg : part.legs)
+    for (std::size_t i = 1; i < leg.points.size(); ++i)
+      if (leg.points[i] != leg.points[i - 1]) return heading_on(leg.points[i - 1], leg.points[i], leg.gear);
+  return {0, 0};
+}
+Point last_heading(const Path& part) {
+  for (auto leg = part.legs.rbegin(); leg != part.legs.rend(); ++leg)
+    for (std::size_t i = leg->points.size(); i-- > 1;)
+      if (leg->points[i] != leg->points[i - 1]) return heading_on(leg->points[i - 1], leg->points[i], leg->gear);
+  return {0, 0};
+}
+
 }  // namespace
 
 /// Samples the smooth path, left to right.
 class MissionClock::Sampler {
  public:
-  Sampler(SmoothPath& path, const Robot& robot, std::vector<Interval>& out) : path_(path), robot_(robot), out_(out) {}
+  /// `before`: metres driven before this part of the path.
+  Sampler(SmoothPath& path, const Robot& robot, double before, std::vector<Interval>& out)
+      : path_(path), robot_(robot), before_(before), first_(out.size()), out_(out) {}
 
   void run() {
     const double reach = 2 * path_.half_width();
@@ -63,7 +92,7 @@ class MissionClock::Sampler {
       to = bend + reach;
     }
     add_window(from, to);
-    out_.push_back({last_.state.progress, 0, 0, last_.limit, 0, 0});
+    out_.push_back({before_ + last_.state.progress, 0, 0, last_.limit, 0, 0});
     cap_tight_turns();
   }
 
@@ -116,7 +145,7 @@ class MissionClock::Sampler {
 
   void advance(const Sample& next) {
     if (last_.heads) heading_ = last_.state.first;
-    Interval interval{last_.state.progress, 0, 0, last_.limit, 0, 0};
+    Interval interval{before_ + last_.state.progress, 0, 0, last_.limit, 0, 0};
     interval.length = (next.state.progress - last_.state.progress) * (last_.stretch + next.stretch) / 2;
     if (next.heads) interval.turn = turn_between(heading_, next.state.first);
     out_.push_back(interval);
@@ -125,7 +154,7 @@ class MissionClock::Sampler {
 
   /// Where the heading changes too fast to be sampled, the robot turns on the spot.
   void cap_tight_turns() {
-    for (std::size_t i = 0; i + 1 < out_.size(); ++i) {
+    for (std::size_t i = first_; i + 1 < out_.size(); ++i) {
       if (out_[i].turn <= 2 * kMostTurn) continue;
       const double most = limit(out_[i].length / out_[i].turn);
       out_[i].speed = std::min(out_[i].speed, most);
@@ -135,6 +164,8 @@ class MissionClock::Sampler {
 
   SmoothPath& path_;
   const Robot& robot_;
+  double before_;
+  std::size_t first_;  // of this part's intervals
   std::vector<Interval>& out_;
   Sample last_{};
   Point heading_{0, 0};  // the last one
@@ -142,10 +173,21 @@ class MissionClock::Sampler {
 
 MissionClock::MissionClock(const Problem& problem, const Path& path) : acceleration_(problem.robot().acceleration) {
   const Robot& robot = problem.robot();
-  SmoothPath smooth(path, kHalfWidth * robot.tool_width);
-  if (!(smooth.length() > 0)) return;
-  Sampler(smooth, robot, intervals_).run();
-  find_speeds();
+  std::vector<std::size_t> stops;  // the intervals that begin at rest
+  double driven = 0;
+  Point heading(0, 0);  // at the end of the part before
+  for (const Path& part : parts_of_one_gear(path)) {
+    SmoothPath smooth(part, kHalfWidth * robot.tool_width);
+    if (!(smooth.length() > 0)) continue;
+    if (!intervals_.empty()) intervals_.back().turn = turn_between(heading, first_heading(part));
+    stops.push_back(intervals_.size());
+    Sampler(smooth, robot, driven, intervals_).run();
+    stops.push_back(intervals_.size() - 1);
+    driven += smooth.length();
+    heading = last_heading(part);
+  }
+  if (intervals_.empty()) return;
+  find_speeds(stops);
   for (std::size_t i = 0; i + 1 < intervals_.size(); ++i) {
     Interval& here = intervals_[i];
     here.begin_s = total_;
@@ -157,12 +199,12 @@ MissionClock::MissionClock(const Problem& problem, const Path& path) : accelerat
   intervals_.back().begin_s = total_;
 }
 
-/// From the limits at the samples to speeds: at rest at both ends, and by the acceleration in both directions.
-void MissionClock::find_speeds() {
+/// From the limits at the samples to speeds: at rest at the stops, and by the acceleration in both directions.
+void MissionClock::find_speeds(const std::vector<std::size_t>& stops) {
   const double twice = 2 * acceleration_;
   const std::size_t last = intervals_.size() - 1;
   for (std::size_t i = 0; i < last; ++i) intervals_[i].top = std::max(intervals_[i].speed, intervals_[i + 1].speed);
-  intervals_[0].speed = intervals_[last].speed = 0;
+  for (const std::size_t stop : stops) intervals_[stop].speed = 0;
   const auto slow_down = [&](std::size_t from, std::size_t to, double length) {
     const double v = intervals_[from].speed;
     intervals_[to].speed = std::min(intervals_[to].speed, std::sqrt(v * v + twice * length));

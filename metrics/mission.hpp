@@ -9,7 +9,8 @@
 ///             `turn_rate` times the radius of curvature. Where the curve turns back on itself the robot turns on the
 ///             spot. It accelerates and brakes at most at `acceleration`, and starts and ends at rest, with the right
 ///             heading. In a curve tighter than min_turn_radius, the change of heading beyond that of a curve with this
-///             radius is made up at rest, at turn_rate. Switching the tool takes no time.
+///             radius is made up at rest, at turn_rate. Switching the tool takes no time. To change gear it stops, and
+///             turns to the new heading if that is another one.
 /// Guarantee   Continuous in the path: cutting a corner into many small ones or moving a vertex by a millimetre changes
 ///             the time by as little, and points on a straight line change nothing.
 /// Method      The curve is sampled near bends only, more finely where it turns more. Speed limits at the samples, then
@@ -42,7 +43,7 @@ class MissionClock {
     double begin_s;  // time at its begin
   };
   class Sampler;
-  void find_speeds();
+  void find_speeds(const std::vector<std::size_t>& stops);
 
   double acceleration_;
   std::vector<Interval> intervals_;  // the last one is empty: the path's end

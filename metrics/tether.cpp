@@ -5,25 +5,26 @@
 #include <algorithm>
 #include <cmath>
 
-#include "maps/followed_path.hpp"
 #include "metrics/crossing_detector.hpp"
 
 namespace oxturn {
 namespace {
 
-/// Integral of atan2(h, s) over s.
+/// Integral of the angle over s.
 double angle_integral(const PivotMotion& m) {
   const double h = m.height;
   const auto antiderivative = [h](double s) {
     return s * std::atan2(h, s) + (h > 0 ? h * std::log(std::hypot(h, s)) : 0.0);
   };
-  return antiderivative(m.end) - antiderivative(m.begin);
+  const double forward = antiderivative(m.end) - antiderivative(m.begin);
+  return m.gear == Gear::forward ? forward : kPi * (m.end - m.begin) - forward;
 }
 
-/// Metres of the motion with atan2(h, s) > limit, that is s < h cot(limit).
+/// Metres of the motion with atan2(h, s) > limit, that is s < h cot(limit); in reverse with -s in place of s.
 double sharp_metres(const PivotMotion& m, double limit) {
   if (limit >= kPi) return 0;
   const double until = m.height * std::cos(limit) / std::sin(limit);
+  if (m.gear == Gear::reverse) return m.end - std::clamp(-until, m.begin, m.end);
   return std::clamp(until, m.begin, m.end) - m.begin;
 }
 
@@ -37,7 +38,7 @@ void add(TetherRun& run, const PivotMotion& m, double sharp_angle) {
   lengthen(run, m.length_at(m.begin), m.swing.from);
   lengthen(run, m.length_at(m.end), m.swing.to);
   run.bends_max = std::max(run.bends_max, m.swing.bends);
-  run.angle_min = std::min(run.angle_min, m.angle_at(m.end));
+  run.angle_min = std::min(run.angle_min, m.angle_at(m.gear == Gear::forward ? m.end : m.begin));
   run.angle_sum += angle_integral(m);
   run.sharp_m += sharp_metres(m, sharp_angle);
 }
@@ -54,23 +55,24 @@ TetherRun run_at_start(const Problem& problem) {
 
 }  // namespace
 
-void drive_tether(const Problem& problem, const Polyline& path, const TetherVisitor& visitor) {
+void drive_tether(const Problem& problem, const FollowedPath& path, const TetherVisitor& visitor) {
   TautTether tether = tether_at_start(problem);
-  CrossingDetector detector;
+  CrossingDetector detector(problem.tolerance());
   double driven = 0;
-  for (const Point& to : path) {
-    const Point from = tether.robot();
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const Point &to = path.points[i], from = tether.robot();
     const double length = distance(from, to);
     if (!(length > 0)) continue;
     if (visitor.crossing)
       for (const Point& at : detector.crossings(tether, to)) visitor.crossing({driven + distance(from, at), at});
-    const Point heading = (to - from) / length;
+    const Point direction = (to - from) / length;
+    const Gear gear = i > 0 ? path.gears[i - 1] : Gear::forward;
     tether.drive(to, [&](const TautTether::Swing& swing) {
       if (!visitor.motion) return;
-      PivotMotion motion{swing, heading, driven + distance(from, swing.from), 0, 0, 0};
-      motion.begin = (swing.from - swing.pivot).dot(heading);
-      motion.end = std::max(motion.begin, (swing.to - swing.pivot).dot(heading));
-      motion.height = std::abs(cross(heading, from - swing.pivot));
+      PivotMotion motion{swing, direction, gear, driven + distance(from, swing.from), 0, 0, 0};
+      motion.begin = (swing.from - swing.pivot).dot(direction);
+      motion.end = std::max(motion.begin, (swing.to - swing.pivot).dot(direction));
+      motion.height = std::abs(cross(direction, from - swing.pivot));
       visitor.motion(motion);
     });
     driven += length;
@@ -93,7 +95,7 @@ std::optional<TetherRun> tether_run(const Problem& problem, const Path& path, co
     run.path_m = path_m;
     run.end_m = tether.length();
   };
-  drive_tether(problem, followed.points, visitor);
+  drive_tether(problem, followed, visitor);
   run.geodesic_m = problem.tether()->geodesics().distance(followed.points.back());
   return run;
 }

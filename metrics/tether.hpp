@@ -11,9 +11,9 @@
 /// Method      TautTether reports each part of the drive during which the tether turns about one pivot. With h the
 ///             pivot's distance from the driven line and s the robot's position along it (0 at the pivot's foot), the
 ///             angle between the heading and the direction away from the tether's pull is atan2(h, s): 0 straight away
-///             from the pull, pi back along the tether. Its mean, and the share of the path above a limit, are
-///             integrals in closed form; the tether's length is convex in s, hence greatest at an end. Nothing is
-///             sampled, so the figures do not depend on how the path is cut into segments.
+///             from the pull, pi back along the tether; in reverse atan2(h, -s). Its mean, and the share of the path
+///             above a limit, are integrals in closed form; the tether's length is convex in s, hence greatest at an
+///             end. Nothing is sampled, so the figures do not depend on how the path is cut into segments.
 /// Decisions   1. Where the robot is at the pivot, the angle is 0.
 ///             2. "Sharper than the limit" means strictly greater; a limit of pi is never exceeded.
 ///             3. A path that jumps, starts elsewhere or leaves free space has no tether, hence no figures.
@@ -27,21 +27,21 @@
 #include <vector>
 
 #include "geometry/edge_index.hpp"
-#include "geometry/path.hpp"
-#include "geometry/tether/taut_tether.hpp"
-#include "maps/problem.hpp"
+#include "maps/followed_path.hpp"
 
 namespace oxturn {
 
 /// A part of the path during which the tether turns about one pivot.
 struct PivotMotion {
   TautTether::Swing swing;
-  Point heading{1, 0};        // unit vector
+  Point direction{1, 0};  // of motion, unit vector; in reverse the heading is the opposite one
+  Gear gear = Gear::forward;
   double path_m = 0;          // driven before it
-  double begin = 0, end = 0;  // robot's position along the heading, metres from the pivot's foot; begin <= end
+  double begin = 0, end = 0;  // robot's position along the motion, metres from the pivot's foot; begin <= end
   double height = 0;          // the pivot's distance from the driven line, metres
   double length_at(double s) const { return swing.before + std::hypot(height, s); }  // of the tether, metres
-  double angle_at(double s) const { return std::atan2(height, s); }                  // radians
+  /// Radians, between the heading and the direction away from the tether's pull.
+  double angle_at(double s) const { return std::atan2(height, gear == Gear::forward ? s : -s); }
 };
 
 struct TetherCrossing {
@@ -56,8 +56,8 @@ struct TetherVisitor {
   std::function<void(const PivotMotion&)> motion;
   std::function<void(const TautTether&, double path_m)> vertex;
 };
-/// Drives the tether along `path`, which begins at the problem's start (maps/followed_path.hpp).
-void drive_tether(const Problem& problem, const Polyline& path, const TetherVisitor& visitor);
+/// Drives the tether along `path`.
+void drive_tether(const Problem& problem, const FollowedPath& path, const TetherVisitor& visitor);
 
 struct TetherRun {
   double longest_m = 0;    // greatest length of the tether

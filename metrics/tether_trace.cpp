@@ -21,8 +21,7 @@ using Event = TetherRow::Event;
 
 class Tracer {
  public:
-  Tracer(const Problem& problem, const Polyline& path, double step)
-      : clock_(problem, Path{{{true, path}}}), step_(step) {
+  Tracer(const Problem& problem, const FollowedPath& path, double step) : clock_(problem, path.path()), step_(step) {
     const TautTether tether = tether_at_start(problem);
     bends_ = tether.bends().size();
     pivot_ = tether.pivot();
@@ -39,8 +38,8 @@ class Tracer {
   void add(const PivotMotion& m) {
     for (const auto& [metres, event] : events_of(m)) {
       const double s = m.begin + metres, driven = m.path_m + metres;
-      rows_.push_back(
-          {driven, clock_.at(driven), m.swing.from + metres * m.heading, m.length_at(s), bends_, m.angle_at(s), event});
+      rows_.push_back({driven, clock_.at(driven), m.swing.from + metres * m.direction, m.length_at(s), bends_,
+                       m.angle_at(s), event});
     }
     last_ = m;
   }
@@ -101,7 +100,7 @@ std::string to_text(Event event) {
 std::vector<TetherRow> tether_trace(const Problem& problem, const Path& path, double step, double tolerance) {
   if (!(step > 0)) throw std::invalid_argument(fmt::format("tether trace: step is {}, expected metres above 0", step));
   const EdgeIndex& walls = problem.map_edges();
-  return Tracer(problem, followed_path(problem, path, walls, problem.tolerance() + tolerance).points, step).take();
+  return Tracer(problem, followed_path(problem, path, walls, problem.tolerance() + tolerance), step).take();
 }
 
 std::string to_csv(const std::vector<TetherRow>& rows) {

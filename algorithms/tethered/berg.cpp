@@ -44,6 +44,7 @@ constexpr double kBreak = 1.5;          // spacings: samples farther apart are s
 constexpr double kStepsPerSpacing = 4;  // samples per step of tether, by default
 constexpr double kGateRange = 3;        // radii in front of a divider within which its gate is sought
 constexpr double kGateSteps = 4;        // tries per radius
+constexpr double kTrimSlack = 5;        // tolerances: an anchor in a gap or on a wall is moved off either by two
 constexpr double kOpen = 500;           // tool widths over the clearance of the narrowest open passage (problem.hpp)
 
 enum class Order { bfs_per_divider, bfs, dfs };
@@ -213,11 +214,22 @@ BergTree::Laps laps_for(const Params& p, const Robot& robot) {
 BergTree tree_of(const BergBoundary& boundary, const BergTree::Laps& laps, Trim trim, const Problem& problem,
                  Context& context) {
   const GeodesicField& field = problem.tether()->geodesics();
-  const double slack = 1e-6 * problem.robot().tool_width + 1e-9 * laps.longest;
+  const double slack = kTrimSlack * problem.tolerance() + 1e-9 * laps.longest;
   const auto keep = [&](const Point& p, double length) {
     return problem.walls().contains(p) && (trim == Trim::none || std::abs(field.distance(p) - length) <= slack);
   };
   return BergTree(boundary, laps, keep, [&] { return context.cancelled(); });
+}
+
+/// The anchor; where it lies on a closed gap, moved off that by two tolerances, to the side on which its tether is.
+Point beside_closed_gaps(const Problem& problem) {
+  const Point& anchor = problem.anchor();
+  const auto at_anchor = [&](const Point& p) { return distance(p, anchor) <= problem.tolerance(); };
+  const bool in_gap = std::ranges::any_of(problem.tether()->closed_gaps(),
+                                          [&](const Polyline& gap) { return std::ranges::any_of(gap, at_anchor); });
+  const Polyline out = problem.tether()->geodesics().path(problem.start());
+  if (!in_gap || out.size() < 2 || distance(out[0], out[1]) <= 2 * problem.tolerance()) return anchor;
+  return anchor + 2 * problem.tolerance() * (out[1] - out[0]).normalized();
 }
 
 void trace(const BergBoundary& boundary, const BergTree& tree, Context& context) {
@@ -245,7 +257,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
                     "take a planner without",
                     robot.name));
   const BergBoundary boundary(problem.map().free, problem.map_edges(), problem.tether()->closed_gaps(),
-                              problem.anchor(), robot.tether->length, problem.tolerance());
+                              beside_closed_gaps(problem), robot.tether->length, problem.tolerance());
   const BergTree::Laps laps = laps_for(p, robot);
   const BergTree tree = tree_of(boundary, laps, p.trim, problem, context);
   if (context.wants_traces()) trace(boundary, tree, context);

@@ -21,34 +21,38 @@
 //             4. winding = left (right): level sets are driven with the tether on the left (right) side only, each by
 //                itself, and rings likewise wherever the tether leaves inwards; connections are free.
 //             5. min_tether_angle: where the heading would come nearer to the direction of the tether's pull, the robot
-//                tacks: short strokes at that angle to the pull, within a quarter of the tool width, if there is room.
+//                tacks, in each component by itself: strokes at that angle to the pull, within a tool width, if there
+//                is room. What covers is driven outwards (tacking.hpp), so coverage stays complete. The robot enters
+//                and leaves components behind the cut straight.
 //             6. Short level sets (corridors) may be covered by lanes along the tether (lanes = 4), out and back: each
 //                component is planned with and without them, and the shorter path is driven. lanes = 0, or a
 //                min_tether_angle, uses level sets only.
+//             7. reverse = true: both demands are met by driving backwards, everywhere and without a detour
+//                (gears.hpp).
 #include <algorithm>
 
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/online/survey_then_plan.hpp"
+#include "algorithms/tethered/gears.hpp"
 #include "algorithms/tethered/level_set_strips.hpp"
 #include "algorithms/tethered/needed_boundary.hpp"
 #include "algorithms/tethered/tacking.hpp"
+#include "algorithms/transit/short_segments.hpp"
 
 namespace oxturn {
 namespace {
 
 constexpr double kChordsPerWidth = 1000;  // tool widths over the chord error of level sets
-constexpr double kTackPerWidth = 4;       // tool widths over the width of tacking
 
 // In the order of their names in berg_complete().
 enum class Order { tour, dfs, bfs };
-enum class Winding { any, left, right };
 
 struct Params {
   Order order = Order::tour;
-  Winding winding = Winding::any;
+  TetherSide winding = TetherSide::any;
   double min_tether_angle = 0;
   int lanes = 4;
-  bool return_home = false;
+  bool return_home = true;
 };
 
 /// What is to be driven in one component.
@@ -146,7 +150,7 @@ Path drive_one_way(const Params& p, const Task& task, Context& context) {
   for (const std::size_t k : sequence) {
     if (context.cancelled()) break;
     Polyline line = task.sets[k].line;
-    if (p.winding == Winding::right) std::reverse(line.begin(), line.end());
+    if (p.winding == TetherSide::right) std::reverse(line.begin(), line.end());
     path.drive(task.connector.path(path.at(), line.front()), false);
     path.drive(line, true);
   }
@@ -172,18 +176,22 @@ void trace(const TetherSpace& space, const NeededBoundary& boundary, const std::
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const TetherSpace space(problem, "berg-complete");
   const double w = problem.robot().tool_width;
-  const bool open = p.order == Order::tour && p.winding == Winding::any;
+  const bool open = p.order == Order::tour && p.winding == TetherSide::any;
   const NeededBoundary boundary = needed_boundary(space, open ? CutEdges::across_tether : CutEdges::all);
   const std::vector<LevelSet> sets = level_sets(space, boundary.space, boundary.inner, w, w / kChordsPerWidth);
   if (context.wants_traces()) trace(space, boundary, sets, context);
+  const Tacking tacking{.angle = p.min_tether_angle, .width = w};
   const auto cover = [&](const TetherSpace::Component& component, Context& inner) {
     Task task = task_in(component, sets, boundary, space.field(), w, problem.tolerance());
-    if (p.winding == Winding::right) reverse(task.rings);
-    return p.winding == Winding::any ? cover_by_tour(p, task, inner)
-                                     : with_task_rings(task, drive_one_way(p, task, inner), inner);
+    if (p.winding == TetherSide::right) reverse(task.rings);
+    Path path = p.winding == TetherSide::any ? cover_by_tour(p, task, inner)
+                                             : with_task_rings(task, drive_one_way(p, task, inner), inner);
+    path = without_short_segments(std::move(path), component.problem);
+    const bool first = &component == &space.components().front();  // with the transit that follows, below
+    return first || tacking.angle <= 0 ? path : tacked(space.field(), component.problem, path, tacking);
   };
   Path path = cover_components(space, cover, p.return_home, context);
-  if (p.min_tether_angle > 0) path = tacked(space, path, p.min_tether_angle, w / kTackPerWidth);
+  if (tacking.angle > 0) path = tacked(space.field(), space.cut_problem(), path, tacking);
   context.publish(path);
   return path;
 }
@@ -191,23 +199,24 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
 }  // namespace
 
 PlannerInfo berg_complete() {
-  return with_sensing(describe<Params, plan>(
+  return with_reverse(with_sensing(describe<Params, plan>(
       {.name = "berg-complete",
        .family = "tethered",
        .title = "level sets of tether distance, complete",
        .citation = "oxturn, after Berg 2021",
        .capabilities = {Capability::tether, Capability::holes},
-       .guarantee = "covers all that the tether reaches; never over its own tether, which is always the geodesic",
+       .guarantee = "covers all that the tether reaches, with all settings; never over its own tether, which is always "
+                    "the geodesic; min_tether_angle only where there is room to tack, with reverse everywhere",
        .promise = Promise::target,
        .parameters = {
            {"order", &Params::order, Choices{"tour", "dfs", "bfs"}, "of the pieces of level sets"},
            {"winding", &Params::winding, Choices{"any", "left", "right"},
             "the side of the robot on which the tether is while it drives level sets"},
            {"min_tether_angle", &Params::min_tether_angle, Range{0, kPi / 2 - 0.01},
-            "radians that the heading keeps from the tether's pull, by tacking; 0: none"},
+            "radians that the heading keeps from the tether's pull, by tacking where there is room; 0: none"},
            {"lanes", &Params::lanes, Range{0, 20},
             "level sets up to this many tool widths long may be covered by lanes along the tether; 0: never"},
-           {"return_home", &Params::return_home, "drive back to the start at the end"}}}));
+           {"return_home", &Params::return_home, "drive back to the start at the end"}}})));
 }
 
 }  // namespace oxturn

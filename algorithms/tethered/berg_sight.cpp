@@ -12,9 +12,10 @@ BergSight::BergSight(const Region& free, const EdgeIndex& walls, const std::vect
     for (std::size_t i = 0; i < n; ++i) corners_.push_back({ring[i], ring[(i + n - 1) % n], ring[(i + 1) % n]});
   });
   for (const Polyline& barrier : barriers) {
-    const Point a = add_barrier_end(barrier.front(), barrier.back());
-    const Point b = add_barrier_end(barrier.back(), barrier.front());
-    barriers_.push_back({a, b});
+    Polyline line = barrier;
+    line.front() = add_barrier_end(barrier.front(), barrier[1]);
+    line.back() = add_barrier_end(barrier.back(), barrier[barrier.size() - 2]);
+    for (std::size_t i = 1; i < line.size(); ++i) barriers_.push_back({line[i - 1], line[i]});
   }
 }
 

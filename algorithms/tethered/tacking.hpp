@@ -1,6 +1,6 @@
 /// Tacking: driving against the pull of the tether in strokes at an angle, as a boat sails against the wind.
 ///
-///   path = tacked(space, path, 0.8, tool_width / 4);     // at least 0.8 rad between heading and pull
+///   path = tacked(space.field(), component.problem, path, {.angle = 0.8, .width = tool_width});
 ///
 ///                .           .
 ///              .   .       .   .
@@ -12,10 +12,15 @@
 
 namespace oxturn {
 
-/// Replaces every segment whose heading is nearer than `angle` (radians) to the direction of the tether's pull by
-/// strokes at that angle to the pull, at most `width` metres to either side of the segment. Segments without room for
-/// that stay. The path must not leave the cut space: the tether is the geodesic everywhere. O(n + strokes) queries of
-/// the field.
-Path tacked(const TetherSpace& space, const Path& path, double angle, double width);
+struct Tacking {
+  double angle = 0;  // least one between the heading and the direction of the tether's pull, radians
+  double width = 0;  // of the strokes, metres to either side of the path, at most
+};
+
+/// Replaces whatever is driven nearer than `angle` to the direction of the tether's pull by strokes at that angle. What
+/// covers (tool on) is driven exactly in between, outwards: in by strokes, back out along the path, and in again. Parts
+/// without room for strokes stay, and so do those outside `component`, of the cut space, in which the tether is the
+/// geodesic of `field`. O(n + strokes) queries of the field.
+Path tacked(const GeodesicField& field, const Problem& component, const Path& path, const Tacking& tacking);
 
 }  // namespace oxturn

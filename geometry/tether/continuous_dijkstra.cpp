@@ -79,10 +79,10 @@ class ContinuousDijkstra {
  public:
   explicit ContinuousDijkstra(GeodesicCones& cones) : cones_(cones), mesh_(cones.mesh_) {}
 
-  /// From the first root, which the triangles `home` (ascending) contain.
+  /// From the last of the first roots, which the triangles `home` (ascending) contain.
   void run(const std::vector<std::int32_t>& home) {
     number_fans();
-    leave_anchor(home);
+    leave_root(static_cast<std::int32_t>(cones_.roots_.size()) - 1, home);
     while (!events_.empty()) {
       const Event next = events_.top();
       events_.pop();
@@ -130,18 +130,18 @@ class ContinuousDijkstra {
     labels_.resize(at(count));
   }
 
-  void leave_anchor(const std::vector<std::int32_t>& home) {
-    const Point& anchor = root(0).at;
+  void leave_root(std::int32_t first, const std::vector<std::int32_t>& home) {
+    const Point& from = root(first).at;
     for (const std::int32_t t : home) {
-      placed_.push_back({t, {0, true, {0, 0}, {0, 0}}});
-      for (std::size_t k = 0; k < 3; ++k) reach({t, k}, 0);
+      placed_.push_back({t, {first, true, {0, 0}, {0, 0}}});
+      for (std::size_t k = 0; k < 3; ++k) reach({t, k}, first);
     }
     for (const std::int32_t t : home) {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::int32_t n = mesh_.triangle(t).neighbour[k];
         if (n == Mesh::kWall || std::binary_search(home.begin(), home.end(), n)) continue;
         const Point &right = mesh_.vertex(t, k + 1), &left = mesh_.vertex(t, k + 2);
-        if (orientation(right, left, anchor) > 0) leave(t, k, {0, 0, 0, {left}, {right}});
+        if (orientation(right, left, from) > 0) leave(t, k, {first, 0, 0, {left}, {right}});
       }
     }
   }

@@ -2,23 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "base/throw_invalid.hpp"
+#include <utility>
 
 namespace oxturn {
 
-GeodesicCones::GeodesicCones(const Region& free, const Point& anchor, const std::vector<Polyline>& barriers,
-                             double tolerance)
-    : mesh_(free, barriers), tolerance_(tolerance) {
+GeodesicCones::GeodesicCones(Mesh mesh, const Polyline& stem, const std::vector<std::int32_t>& home, double tolerance)
+    : mesh_(std::move(mesh)), tolerance_(tolerance) {
   constexpr double kTie = 1e-12;  // relative, as in the search
-  if (!(tolerance >= 0)) throw_invalid("tolerance of a geodesic field must be 0 or more metres");
   const Box box = bounding_box(mesh_.points());
   if (!box.empty()) rounding_ = 1e-13 * box.size().norm() + 1e-15 * std::max(box.low.norm(), box.high.norm());
-  Point start = anchor;
-  std::vector<std::int32_t> home;
-  if (!finite(anchor) || !mesh_.move_inside(start, tolerance_, home))
-    throw_invalid("anchor ({}, {}) is outside free space; move it inside", anchor.x(), anchor.y());
-  roots_.push_back({start, 0, kNone, 0});
+  roots_.push_back({stem.front(), 0, kNone, 0});
+  for (std::size_t i = 1; i < stem.size(); ++i) {
+    const auto parent = static_cast<std::int32_t>(i - 1);
+    roots_.push_back({stem[i], roots_.back().before + oxturn::distance(stem[i - 1], stem[i]), parent, parent + 1});
+  }
   search(home);
   double longest = 0;
   for (const double l : label_)
@@ -70,7 +67,7 @@ bool GeodesicCones::beaten(const Cone& cone, const Facet& part, std::span<const 
     }
   if (mine - least <= tie_) return false;
   double radius = 0;
-  for (const Point& p : share.vertices()) radius = std::max(radius, distance(p, middle));
+  for (const Point& p : share.vertices()) radius = std::max(radius, oxturn::distance(p, middle));
   if (mine - least > 2 * radius + tie_) return true;  // distances change at most as much as points move
   const auto vertices = share.vertices();
   if (!std::ranges::all_of(vertices, [&](const Point& p) { return contains(*best, p); })) return false;
@@ -95,6 +92,11 @@ std::vector<Cone> GeodesicCones::needed(const Facet& part, std::span<const Cone>
   return out;
 }
 
+double GeodesicCones::distance(Point p) const {
+  const std::int32_t last = last_root(p);
+  return last == kNone ? std::numeric_limits<double>::infinity() : root(last).before + (p - root(last).at).norm();
+}
+
 std::int32_t GeodesicCones::last_root(Point& p) const {
   constexpr double kEqual = 1e-12;  // relative
   thread_local std::vector<std::int32_t> found;
@@ -116,7 +118,7 @@ std::int32_t GeodesicCones::last_root(Point& p) const {
 }
 
 bool GeodesicCones::same_path(std::int32_t a, std::int32_t b, const Point& p) const {
-  const auto length_by = [&](std::int32_t i) { return root(i).before + distance(root(i).at, p); };
+  const auto length_by = [&](std::int32_t i) { return root(i).before + oxturn::distance(root(i).at, p); };
   const double to_a = length_by(a), to_b = length_by(b);
   // Up both paths, from the later root each time, as long as the path from there straight to p is no shorter.
   while (a != b) {

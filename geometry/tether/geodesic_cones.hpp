@@ -27,8 +27,10 @@ struct Cone {
 
 class GeodesicCones {
  public:
-  /// Throws std::invalid_argument if the anchor is farther outside than `tolerance`.
-  GeodesicCones(const Region& free, const Point& anchor, const std::vector<Polyline>& barriers, double tolerance);
+  /// All paths begin with `stem`, one or more points of the mesh from the anchor on, and leave its last point into the
+  /// triangles `home` (ascending), which contain that. Points of queries may be outside the mesh by at most
+  /// `tolerance`.
+  GeodesicCones(Mesh mesh, const Polyline& stem, const std::vector<std::int32_t>& home, double tolerance);
 
   static constexpr std::int32_t kNone = -1;
   struct Root {
@@ -72,6 +74,8 @@ class GeodesicCones {
     const Root& r = root(cone.root);
     return r.before + (p - r.at).norm();
   }
+  /// Length of the shortest path to p; infinity if there is none.
+  double distance(Point p) const;
   /// The root of the shortest path to p, which is moved into the mesh; of equal paths the one with fewest corners.
   /// kNone if there is none.
   std::int32_t last_root(Point& p) const;

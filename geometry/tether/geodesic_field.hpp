@@ -13,6 +13,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "geometry/mesh/mesh.hpp"
 
@@ -21,17 +22,19 @@ namespace oxturn {
 /// Segments that close gaps of free space narrower than `width`, which a disc of that diameter cannot pass. For every
 /// two obstacles (rings; the outer one counts as one) that a chain of such gaps connects, as many as it takes to
 /// connect them, shortest gaps first: a minimum spanning forest. Their ends lie on the boundary, at a vertex or inside
-/// an edge. Closed in this way, free space has the homotopy classes of the disc's configuration space. O(n log n) for
-/// usual data.
-std::vector<Polyline> barriers(const Region& free, double width);
+/// an edge. Closed in this way, free space has the homotopy classes of the disc's configuration space. If `anchor` lies
+/// in such a gap, or where one begins, the barrier across that gap passes through it. O(n log n) for usual data.
+std::vector<Polyline> barriers(const Region& free, double width, const std::optional<Point>& anchor = {});
 
 class GeodesicCones;
 
 class GeodesicField {
  public:
   /// Points of queries, and the anchor, may be outside free space by at most `tolerance`. Throws std::invalid_argument
-  /// if the anchor is farther outside.
-  GeodesicField(const Region& free, const Point& anchor, const std::vector<Polyline>& barriers, double tolerance);
+  /// if the anchor is farther outside. Where barriers or touching rings divide free space at the anchor, paths leave it
+  /// on one side only: that of the shortest path to `start`. No start: on all sides.
+  GeodesicField(const Region& free, const Point& anchor, const std::vector<Polyline>& barriers, double tolerance,
+                const std::optional<Point>& start = {});
 
   const Point& anchor() const { return anchor_; }
   /// Length of the shortest path to p, metres; infinity if there is none.

@@ -1,8 +1,9 @@
-// Paths as CSV: x,y[,tool], a point a line.
+// Paths as CSV: x,y[,tool[,reverse]], a point a line.
 //
 // Decisions   1. A first line whose first cell is no number is a header: it names the columns, in any order, and those
 //                with other names are ignored.
-//             2. `tool` holds from its point to the next, so a change begins a leg at the point where it stands.
+//             2. `tool` and `reverse` hold from their point to the next, so a change begins a leg at the point where it
+//                stands.
 //             3. Empty lines and lines that begin with # are skipped; lines may end in \r\n, and the file may begin
 //                with a byte order mark.
 #include <algorithm>
@@ -64,34 +65,38 @@ class CsvReader {
     if (cells_.size() != columns_)
       throw_invalid("{}:{}: {} column{}, expected {}", source_, line_, cells_.size(), cells_.size() == 1 ? "" : "s",
                     columns_);
-    add({number(x_, "x"), number(y_, "y")}, tool_ == kNone || truth(tool_));
+    const bool tool = tool_ == kNone || truth(tool_, "tool");
+    const bool reverse = reverse_ != kNone && truth(reverse_, "reverse");
+    add({number(x_, "x"), number(y_, "y")}, tool, reverse ? Gear::reverse : Gear::forward);
   }
 
   /// Learns the columns from the first line; true if that is a header.
   bool begin() {
     columns_ = cells_.size();
     if (parse_all<double>(cells_[0])) {
-      if (columns_ < 2 || columns_ > 3)
-        throw_invalid("{}:{}: {} column{}, expected x,y or x,y,tool", source_, line_, columns_,
+      if (columns_ < 2 || columns_ > 4)
+        throw_invalid("{}:{}: {} column{}, expected x,y or x,y,tool or x,y,tool,reverse", source_, line_, columns_,
                       columns_ == 1 ? "" : "s");
-      x_ = 0, y_ = 1, tool_ = columns_ == 3 ? 2 : kNone;
+      x_ = 0, y_ = 1, tool_ = columns_ > 2 ? 2 : kNone, reverse_ = columns_ > 3 ? 3 : kNone;
       return false;
     }
     const auto column = [&](const char* name) {
       const auto found = std::ranges::find_if(cells_, [&](std::string_view cell) { return lower_case(cell) == name; });
       return found == cells_.end() ? kNone : static_cast<std::size_t>(found - cells_.begin());
     };
-    x_ = column("x"), y_ = column("y"), tool_ = column("tool");
+    x_ = column("x"), y_ = column("y"), tool_ = column("tool"), reverse_ = column("reverse");
     if (x_ == kNone || y_ == kNone)
-      throw_invalid("{}:{}: begins with '{}', expected numbers x,y[,tool] or a header with the columns x and y",
-                    source_, line_, shown(cells_[0]));
+      throw_invalid(
+          "{}:{}: begins with '{}', expected numbers x,y[,tool[,reverse]] or a header with the columns x and y",
+          source_, line_, shown(cells_[0]));
     return true;
   }
 
-  /// A point of the path, and the tool from there on.
-  void add(const Point& point, bool tool) {
+  /// A point of the path, and the tool and gear from there on.
+  void add(const Point& point, bool tool, Gear gear) {
     if (points_ > 0) path_.legs.back().points.push_back(point);
-    if (points_ == 0 || path_.legs.back().tool != tool) path_.legs.push_back({tool, {point}});
+    if (points_ == 0 || path_.legs.back().tool != tool || path_.legs.back().gear != gear)
+      path_.legs.push_back({tool, {point}, gear});
     ++points_;
   }
 
@@ -99,11 +104,11 @@ class CsvReader {
     if (const auto value = parse_number(cells_[column])) return *value;
     refuse(column, name, "a finite number in metres");
   }
-  bool truth(std::size_t column) const {
+  bool truth(std::size_t column, const char* name) const {
     const std::string text = lower_case(cells_[column]);
     if (text == "1" || text == "on" || text == "true") return true;
     if (text == "0" || text == "off" || text == "false") return false;
-    refuse(column, "tool", "1 or 0, on or off, true or false");
+    refuse(column, name, "1 or 0, on or off, true or false");
   }
   [[noreturn]] void refuse(std::size_t column, const char* name, const char* expected) const {
     throw_invalid("{}:{}: column {} ({}) is '{}', expected {}", source_, line_, column + 1, name, shown(cells_[column]),
@@ -117,7 +122,7 @@ class CsvReader {
   const std::string& source_;
   Path path_;
   std::vector<std::string_view> cells_;
-  std::size_t line_ = 0, points_ = 0, columns_ = 0, x_ = 0, y_ = 0, tool_ = 0;
+  std::size_t line_ = 0, points_ = 0, columns_ = 0, x_ = 0, y_ = 0, tool_ = 0, reverse_ = 0;
 };
 
 }  // namespace

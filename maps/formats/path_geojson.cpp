@@ -1,4 +1,4 @@
-// Paths as GeoJSON: a FeatureCollection of LineStrings with `tool`, in driving order.
+// Paths as GeoJSON: a FeatureCollection of LineStrings with `tool`, and `reverse` where that is true, in driving order.
 //
 // Paths are not judged here: jumps, walls and wrong starts concern the score. A coordinate that JSON cannot represent
 // (NaN) is written as null, which the reader refuses, naming the point.
@@ -26,9 +26,14 @@ Leg read_leg(const JsonAt& feature) {
   const JsonAt properties{member(feature, "properties", "an object with tool"), feature.where + ", properties"};
   const JsonAt tool{member(properties, "tool", "true or false"), feature.where + ", tool"};
   if (!tool.value.is_boolean()) tool.refuse("true or false");
+  Gear gear = Gear::forward;
+  if (const Json* reverse = properties.find("reverse")) {
+    if (!reverse->is_boolean()) JsonAt{*reverse, feature.where + ", reverse"}.refuse("true or false");
+    if (reverse->get<bool>()) gear = Gear::reverse;
+  }
   const JsonAt points{member(geometry, "coordinates", "a list of points"), feature.where + ", coordinates"};
   if (!points.value.is_array() || points.value.size() < 2) points.refuse("a list of at least two points");
-  return {tool.value.get<bool>(), points.points(feature.where)};
+  return {tool.value.get<bool>(), points.points(feature.where), gear};
 }
 
 std::string problem_text(const PathProblem& problem) {
@@ -75,8 +80,9 @@ std::string to_geojson(const Path& path, const PathProblem* problem) {
   text += "\"type\": \"FeatureCollection\", \"features\": [";
   for (std::size_t i = 0; i < path.legs.size(); ++i) {
     const Leg& leg = path.legs[i];
-    text += fmt::format(
-        "{}\n{{\"type\": \"Feature\", \"properties\": {{\"tool\": {}}}, \"geometry\": ", i > 0 ? "," : "", leg.tool);
+    text +=
+        fmt::format("{}\n{{\"type\": \"Feature\", \"properties\": {{\"tool\": {}{}}}, \"geometry\": ", i > 0 ? "," : "",
+                    leg.tool, leg.gear == Gear::reverse ? ", \"reverse\": true" : "");
     text += "{\"type\": \"LineString\", \"coordinates\": " + json_points(leg.points) + "}}";
   }
   return text + "\n]}\n";

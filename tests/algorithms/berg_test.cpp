@@ -551,5 +551,19 @@ TEST(Berg, UnsupportedProblemsAreOneSentence) {
   EXPECT_NO_THROW(built_in_planner("berg")->plan(big, context));
 }
 
+// An anchor on a wall is moved off it by rounding; trimming does not take that for a shorter tether.
+TEST(Berg, TrimmingKeepsTheLapsOfAnAnchorOnAWall) {
+  const Map map = generate("berg-rectangle", {}, 1);
+  const Box box = bounding_box(map.free);
+  const Point middle = (box.low + box.high) / 2;
+  for (const Point& anchor : {Point(box.low.x(), middle.y()), Point(box.high.x(), middle.y()),
+                              Point(middle.x(), box.low.y()), Point(middle.x() + 0.3, box.high.y())}) {
+    SCOPED_TRACE(fmt::format("anchor ({}, {})", anchor.x(), anchor.y()));
+    const Problem problem(map, tethered_robot(30), std::nullopt, anchor);
+    const Path path = plan_berg(problem, {{"trim", std::string("geodesic")}});
+    EXPECT_GE(score(problem, path).value("coverage").value_or(0), 0.95);
+  }
+}
+
 }  // namespace
 }  // namespace oxturn

@@ -189,26 +189,84 @@ TEST(BergComplete, WindingKeepsTheTetherOnOneSide) {
   }
 }
 
-TEST(BergComplete, TackingKeepsTheHeadingFromThePull) {
-  for (const char* name : {"cave", "polygon"}) {
+/// Share of the path with a heading nearer than `angle` to the pull of a taut tether driven along.
+double share_near_pull(const Problem& problem, const Path& path, double angle) {
+  TautTether tether(problem.tether()->taut_space(), problem.anchor());
+  tether.drive(problem.tether()->geodesics().path(problem.start()));
+  double sum = 0;
+  for (const Leg& leg : path.legs)
+    for (std::size_t i = 1; i < leg.points.size(); ++i) {
+      const Point heading = (leg.points[i] - leg.points[i - 1]) * (leg.gear == Gear::forward ? 1 : -1);
+      tether.drive(leg.points[i], [&](const TautTether::Swing& swing) {
+        const Point pull = swing.pivot - (swing.from + swing.to) / 2;
+        if (heading.dot(pull) > std::cos(angle) * heading.norm() * pull.norm()) sum += distance(swing.from, swing.to);
+      });
+    }
+  return sum / path.length();
+}
+
+TEST(BergComplete, TackingKeepsTheHeadingFromThePullAndCoversTheSame) {
+  for (const char* name : {"cave", "polygon", "rooms"}) {
+    SCOPED_TRACE(name);
     const Problem problem(oxturn::generate(name, {{"width", 10.0}, {"height", 8.0}}, 2), tethered_robot(1.1));
-    const auto sharp = [&](const Path& path) {
-      double sum = 0;
-      for (const Leg& leg : path.legs)
-        for (std::size_t i = 1; i < leg.points.size(); ++i) {
-          const Point &a = leg.points[i - 1], &b = leg.points[i];
-          const Point pull = problem.tether()->geodesics().sight(lerp(a, b, 0.5)).from - lerp(a, b, 0.5);
-          if ((b - a).dot(pull) > std::cos(kPi / 4) * (b - a).norm() * pull.norm()) sum += distance(a, b);
-        }
-      return sum / path.length();
-    };
     const Path free = plan("berg-complete", problem),
                kept = plan("berg-complete", problem, {{"min_tether_angle", 0.8}});
     expect_geodesic(problem, kept);
-    EXPECT_LT(sharp(kept), 0.5 * sharp(free)) << name;
-    EXPECT_LT(sharp(kept), 0.05) << name;
-    EXPECT_LT(kept.length(), 1.5 * free.length()) << name;
+    EXPECT_GE(score(problem, kept).value("coverage_lower").value_or(0), 0.999);
+    EXPECT_LT(share_near_pull(problem, kept, 0.78), 0.3 * share_near_pull(problem, free, 0.78));
+    EXPECT_LT(kept.length(), 2 * free.length());
   }
+}
+
+// Each component of the cut space by itself.
+TEST(BergComplete, TackingWhereTheCutIsolatesComponents) {
+  for (const auto& [name, seed] : {std::pair("cave", 1), {"cave", 3}, {"clutter", 1}, {"clutter", 2}}) {
+    SCOPED_TRACE(fmt::format("{}:{}", name, seed));
+    const Problem problem(oxturn::generate(name, {}, seed), tethered_robot(1.1));
+    EXPECT_GE(TetherSpace(problem, "test").components().size(), 2u);
+    const Path path = plan("berg-complete", problem, {{"min_tether_angle", 0.8}});
+    const Score result = score(problem, path);
+    EXPECT_EQ(result.flaw, "");
+    EXPECT_GE(result.value("coverage_lower").value_or(0), 0.999);
+  }
+}
+
+// The same points in the same order; the rules hold everywhere, transit included.
+TEST(BergComplete, ReverseFulfilsTheRulesWithoutADetour) {
+  for (const auto seed : seeds(2))
+    for (const Map& map : tether_maps(seed)) {
+      SCOPED_TRACE(map.source);
+      const Problem problem(map, tethered_robot(1.1));
+      const Path free = plan("berg-complete", problem);
+      const Path kept = plan("berg-complete", problem, {{"min_tether_angle", 1.2}, {"reverse", true}});
+      EXPECT_NEAR(kept.length(), free.length(), 1e-9 * free.length());
+      EXPECT_NEAR(kept.length(true), free.length(true), 1e-9 * free.length());
+      EXPECT_LT(share_near_pull(problem, kept, 1.2 - 1e-6), 1e-6);
+      EXPECT_GT(share_near_pull(problem, free, 1.2), 0.05);
+      EXPECT_EQ(score(problem, kept).flaw, "");
+    }
+}
+
+TEST(BergComplete, ReverseKeepsTheTetherOnOneSide) {
+  for (const char* name : {"rooms", "clutter"})
+    for (const double sign : {1.0, -1.0}) {
+      const Problem problem(oxturn::generate(name, {{"width", 10.0}, {"height", 8.0}}, 2), tethered_robot(1.1));
+      const Path path =
+          plan("berg-complete", problem, {{"winding", std::string(sign > 0 ? "left" : "right")}, {"reverse", true}});
+      EXPECT_NEAR(path.length(), plan("berg-complete", problem).length(), 1e-9 * path.length());
+      TautTether tether(problem.tether()->taut_space(), problem.anchor());
+      tether.drive(problem.tether()->geodesics().path(problem.start()));
+      double wrong = 0;
+      for (const Leg& leg : path.legs)
+        for (std::size_t i = 1; i < leg.points.size(); ++i) {
+          const Point heading = (leg.points[i] - leg.points[i - 1]) * (leg.gear == Gear::forward ? 1 : -1);
+          tether.drive(leg.points[i], [&](const TautTether::Swing& swing) {
+            const Point pull = swing.pivot - (swing.from + swing.to) / 2;
+            if (sign * cross(heading.normalized(), pull) < -0.03 * pull.norm()) wrong += distance(swing.from, swing.to);
+          });
+        }
+      EXPECT_LT(wrong, 1e-3 * path.length()) << name;
+    }
 }
 
 // The map by lidar only.
@@ -225,6 +283,18 @@ TEST(BergComplete, CoversByLidar) {
     EXPECT_EQ(result.flaw, "");
     EXPECT_GE(result.value("coverage_upper").value_or(0), 0.99);
     EXPECT_LE(path.length(), 2 * plan("berg-complete", problem).length());
+  }
+}
+
+// A vertex next to another one stays only where the straight segment past it is not free, as at the ends of the cut.
+TEST(BergComplete, FewSegmentsAreShorterThanAHundredthOfTheRobot) {
+  for (const char* name : {"cave", "rooms"}) {
+    const Problem problem(generate(name, {}, 2), tethered_robot(1.1));
+    std::size_t all = 0, tiny = 0;
+    for (const Leg& leg : plan("berg-complete", problem).legs)
+      for (std::size_t i = 1; i < leg.points.size(); ++i, ++all)
+        tiny += distance(leg.points[i - 1], leg.points[i]) < 0.99 * problem.robot().radius / 100;
+    EXPECT_LT(static_cast<double>(tiny), 0.01 * static_cast<double>(all)) << name;
   }
 }
 

@@ -40,6 +40,18 @@ TEST(PathBuilder, PointsThatDifferByRoundingAreRepeats) {
   EXPECT_EQ(p.legs[1].points, (Polyline{{1, 7}, {1, 8}, {1, 8 + 1e-9}}));
 }
 
+TEST(PathBuilder, AChangeOfGearBeginsALeg) {
+  PathBuilder builder({0, 0});
+  builder.drive({1, 0}, true);
+  builder.drive({0, 0}, true, Gear::reverse);
+  builder.drive(Polyline{{0, 0}, {-1, 0}}, true, Gear::reverse);
+  const Path path = builder.take();
+  ASSERT_EQ(path.legs.size(), 2u);
+  EXPECT_EQ(path.legs[0].gear, Gear::forward);
+  EXPECT_EQ(path.legs[1].gear, Gear::reverse);
+  EXPECT_EQ(path.legs[1].points, (Polyline{{1, 0}, {0, 0}, {-1, 0}}));
+}
+
 TEST(PathBuilder, NothingDrivenIsAnEmptyPath) {
   PathBuilder b({1, 1});
   b.drive(Polyline{}, true);

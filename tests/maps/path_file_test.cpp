@@ -27,6 +27,7 @@ void expect_legs(const Path& path, const std::vector<Leg>& legs) {
   for (std::size_t i = 0; i < legs.size(); ++i) {
     EXPECT_EQ(path.legs[i].tool, legs[i].tool) << i;
     EXPECT_EQ(path.legs[i].points, legs[i].points) << i;
+    EXPECT_EQ(path.legs[i].gear, legs[i].gear) << i;
   }
 }
 
@@ -47,6 +48,29 @@ TEST(PathCsv, AHeaderNamesTheColumns) {
   expect_legs(csv("\"time\" , \"Y\",\"X\",tool,quality\n12:00,2,1,off,bad\n12:01,4,3,off,\n"), legs);
 }
 
+TEST(PathCsv, AChangeOfGearBeginsALeg) {
+  const std::vector<Leg> legs{
+      {true, {{0, 0}, {1, 0}}}, {true, {{1, 0}, {2, 0}}, Gear::reverse}, {false, {{2, 0}, {3, 0}}, Gear::reverse}};
+  expect_legs(csv("0,0,1,0\n1,0,1,1\n2,0,0,on\n3,0,0,1\n"), legs);
+  expect_legs(csv("reverse,x,y,tool\nfalse,0,0,1\n1,1,0,1\n1,2,0,0\n1,3,0,0\n"), legs);
+  EXPECT_EQ(why_not("1,2,1,x\n1,2,1,0\n"),
+            "p.csv:1: column 4 (reverse) is 'x', expected 1 or 0, on or off, true or false");
+}
+
+TEST(PathGeoJson, GearsAreReadBackAndForwardsIsNotWritten) {
+  const Path path{{Leg{true, {{0, 0}, {1, 0}}}, Leg{true, {{1, 0}, {0, 0}}, Gear::reverse}}};
+  const std::string text = to_geojson(path);
+  expect_legs(path_from_geojson(text, "p.geojson").path, path.legs);
+  EXPECT_EQ(text.find("reverse"), text.rfind("reverse"));
+  EXPECT_THAT(complaint([] {
+                path_from_geojson(R"({"type": "FeatureCollection", "features": [{"type": "Feature",
+                    "properties": {"tool": true, "reverse": 1},
+                    "geometry": {"type": "LineString", "coordinates": [[0, 0], [1, 0]]}}]})",
+                                  "p.geojson");
+              }),
+              HasSubstr("reverse is 1, expected true or false"));
+}
+
 TEST(PathCsv, LineEndsMarksCommentsAndBlanks) {
   const std::vector<Leg> legs{{true, {{1, 2}, {3, 4}}}};
   expect_legs(csv("\xEF\xBB\xBFx,y\r\n1,2\r\n3,4"), legs);
@@ -63,9 +87,9 @@ TEST(PathCsv, BadLinesAreNamedByLineAndColumn) {
   EXPECT_EQ(why_not("1,2\n1,\n"), "p.csv:2: column 2 (y) is '', expected a finite number in metres");
   EXPECT_EQ(why_not("1,2,3\n1,2,1\n"), "p.csv:1: column 3 (tool) is '3', expected 1 or 0, on or off, true or false");
   EXPECT_EQ(why_not("1,2\n1,2,1\n"), "p.csv:2: 3 columns, expected 2");
-  EXPECT_EQ(why_not("1\n2\n"), "p.csv:1: 1 column, expected x,y or x,y,tool");
+  EXPECT_EQ(why_not("1\n2\n"), "p.csv:1: 1 column, expected x,y or x,y,tool or x,y,tool,reverse");
   EXPECT_EQ(why_not("1;2\n3;4\n"),
-            "p.csv:1: begins with '1;2', expected numbers x,y[,tool] or a header with the columns x and y");
+            "p.csv:1: begins with '1;2', expected numbers x,y[,tool[,reverse]] or a header with the columns x and y");
   EXPECT_THAT(why_not("lat,lon\n1,2\n"), HasSubstr("begins with 'lat'"));
   EXPECT_THAT(why_not(std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)),
               StartsWith("p.csv:1: begins with '\xEF\xBF\xBDPNG'"));

@@ -1,7 +1,9 @@
 // Configuration space and target of a tethered robot.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "geometry/edge_index.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "maps/generators.hpp"
 #include "maps/problem.hpp"
@@ -79,6 +81,92 @@ TEST(TetheredProblem, GapsNarrowerThanTheRobotAreClosed) {
   // A smaller robot passes.
   const Problem small(map, tethered(30, 0.05, 0.1), Point(4, 5));
   EXPECT_NEAR(small.tether()->geodesics().distance({6, 5}), 2, 1e-7);
+}
+
+// The anchor is in or beside a gap that the robot cannot pass: the tether leaves it on the side of the start only.
+TEST(TetheredProblem, AnAnchorAtAClosedGapServesTheSideOfTheStart) {
+  const Region free =
+      subtract(subtract(box_region({0, 0}, {10, 8}), box_region({0, 3.9}, {4, 4.1})), box_region({4.3, 3.9}, {9, 4.1}));
+  const Map map{"gap", free, "test", "test"};
+  const double round = 4.7 + 0.2 + std::hypot(9 - 4.15, 0.9);  // from (4.3, 3.9) below the wall to (4.15, 5)
+  for (const Point& anchor : {Point(4.3, 3.8999), Point(4.3, 3.9), Point(4.3, 3.9001), Point(4.3, 4), Point(4.3, 4.1),
+                              Point(4.3, 4.1001), Point(4.3001, 3.9), Point(4.3001, 4.1), Point(4.1, 3.95)}) {
+    SCOPED_TRACE(fmt::format("anchor ({}, {})", anchor.x(), anchor.y()));
+    for (const double y : {3.0, 5.0}) {
+      const Problem problem(map, tethered(20), Point(4.15, y), anchor);
+      const double here = problem.tether()->geodesics().distance({4.15, y});
+      EXPECT_LE(here, 1.2);
+      const double there = problem.tether()->geodesics().distance({4.15, 8 - y});
+      EXPECT_NEAR(there, round, 0.4);
+      EXPECT_FALSE(problem.limited());
+    }
+  }
+}
+
+Region rotated_box(const Point& centre, const Point& half, double angle) {
+  Ring ring;
+  for (const Point& corner : {Point(-1, -1), Point(1, -1), Point(1, 1), Point(-1, 1)})
+    ring.push_back(centre + rotated(corner.cwiseProduct(half), angle));
+  return {{{ring, {}}}};
+}
+
+/// Two to four boxes in a room, with gaps between them.
+std::vector<Region> boxes_with_gaps(Rng& rng) {
+  Point at(rng.between(2.5, 4.0), rng.between(2.5, 5.5));
+  std::vector<Region> boxes;
+  for (std::size_t n = 2 + rng.below(3); n > 0 && at.x() < 8; --n) {
+    const Point half(rng.between(0.3, 1.0), rng.between(0.02, 0.4));
+    boxes.push_back(rotated_box(at, half, rng.between(-0.4, 0.4)));
+    at += Point(2 * half.x() + rng.between(0.02, 0.35), rng.between(-0.3, 0.3));
+  }
+  return boxes;
+}
+
+/// A vertex of a box, a point of its boundary near a vertex, or a point near that.
+Point anchor_at(const Ring& ring, Rng& rng) {
+  const std::size_t k = rng.below(ring.size());
+  const Point &a = ring[k], &b = ring[(k + 1) % ring.size()];
+  const double kind = rng.unit();
+  if (kind < 0.4) return a;
+  const Point on_wall = lerp(a, b, rng.unit());
+  return kind < 0.7 ? on_wall
+                    : Point(on_wall + rng.between(0.0, 0.2) * rotated(Point(1, 0), rng.between(0.0, 2 * kPi)));
+}
+
+// Boxes anywhere, and an anchor on one of their vertices or edges, or in a gap between them: moved by 0.1 mm it changes
+// distances by as little, and what the tether reaches, too.
+TEST(TetheredProblem, AnAnchorMovedALittleChangesLittle) {
+  std::size_t compared = 0, at_gaps = 0;
+  for (const auto seed : seeds(200)) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Rng rng(seed);
+    Region free = box_region({0, 0}, {10, 8});
+    const std::vector<Region> boxes = boxes_with_gaps(rng);
+    for (const Region& box : boxes) free = subtract(free, box);
+    const EdgeIndex walls(free);
+    Point anchor = anchor_at(boxes[rng.below(boxes.size())].polygons[0].outer, rng);
+    if (const auto wall = walls.nearest(anchor, 1e-6)) anchor = wall->point;  // rounded
+    const Map map{"gaps", free, "", ""};
+    const Point start = default_start(map, tethered(30));
+    const auto problem_at = [&](const Point& p) { return Problem(map, tethered(100), start, p); };
+    if (!walls.contains(anchor)) continue;
+    const Problem here = problem_at(anchor);
+    at_gaps += !here.tether()->closed_gaps().empty() && walls.nearest(anchor, 0.3);
+    for (int tries = 0; tries < 4; ++tries) {
+      const Point moved = anchor + 1e-4 * rotated(Point(1, 0), rng.between(0.0, 2 * kPi));
+      if (!walls.contains(moved)) continue;
+      ++compared;
+      const Problem there = problem_at(moved);
+      for (const Point& p : {start, Point(0.5, 0.5), Point(9.5, 0.5), Point(9.5, 7.5), Point(0.5, 7.5)})
+        EXPECT_NEAR(here.tether()->geodesics().distance(p), there.tether()->geodesics().distance(p), 1.01e-4);
+      if (tries > 0) continue;
+      const double length = here.tether()->geodesics().distance(start) + 1;
+      const Problem near(map, tethered(length), start, anchor), beside(map, tethered(length), start, moved);
+      EXPECT_NEAR(area(near.target()), area(beside.target()), 5e-3);
+    }
+  }
+  EXPECT_GT(compared, 300u);
+  EXPECT_GT(at_gaps, 60u);
 }
 
 TEST(TetheredProblem, SpaceIsWhereTheGeodesicIsShortEnough) {

@@ -183,6 +183,27 @@ double corner_by_fine_steps(double arm, double angle, const Robot& robot) {
   return time + 2 * (ramp + (arm - 2 * h - ramps) / robot.speed);
 }
 
+// In reverse the heading is opposite to the motion: there and back without a turn, but with a stop.
+TEST(Mission, AChangeOfGearIsAStopAndNoTurn) {
+  const Problem p = plain();
+  const Path there_and_back{{Leg{true, {{0, 0}, {5, 0}}}, Leg{true, {{5, 0}, {1, 0}}, Gear::reverse}}};
+  EXPECT_EQ(value("turns", there_and_back, p), 0);
+  EXPECT_EQ(value("turn_rad", there_and_back, p), 0);
+  EXPECT_NEAR(value("mission_s", there_and_back, p), mission({{0, 0}, {5, 0}}) + mission({{0, 0}, {4, 0}}), 1e-6);
+  const MissionClock clock(p, there_and_back);
+  EXPECT_NEAR(clock.at(5), mission({{0, 0}, {5, 0}}), 1e-6);
+  EXPECT_NEAR(clock.at(9), clock.total(), 1e-9);
+  // Onwards in reverse: turned round at rest.
+  const Path onwards{{Leg{true, {{0, 0}, {5, 0}}}, Leg{true, {{5, 0}, {9, 0}}, Gear::reverse}}};
+  EXPECT_EQ(value("turns", onwards, p), 1);
+  EXPECT_NEAR(value("mission_s", onwards, p), value("mission_s", there_and_back, p) + kPi / p.robot().turn_rate, 1e-6);
+  // All of it in reverse: the same as forwards.
+  const Polyline bent{{0, 0}, {3, 0}, {3, 2}, {0, 2}};
+  const Path backwards{{Leg{true, bent, Gear::reverse}}};
+  for (const char* metric : {"turns", "turn_rad", "mission_s"})
+    EXPECT_EQ(value(metric, backwards, p), value(metric, work(bent), p)) << metric;
+}
+
 TEST(Mission, OneCornerByFineSteps) {
   const Robot robot;
   for (const double angle : {0.05, 0.3, 1.0, kPi / 2, 2.0, 2.5, 3.0}) {

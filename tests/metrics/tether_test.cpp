@@ -54,6 +54,42 @@ TEST(Tether, AngleAlongALineThatPassesTheAnchor) {
   EXPECT_NEAR(r.longest_m, std::hypot(1.5, 7), 1e-12);
 }
 
+// Backwards along any walk: each angle becomes pi less it.
+TEST(Tether, ReverseTurnsTheHeadingRound) {
+  for (const auto seed : seeds(20)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Region free = pillars(rng, 4);
+    Robot robot;
+    robot.radius = 0.1;
+    robot.tether = Tether{1000, 0, 2};
+    const Problem p(Map{"m", free, "test", "test"}, robot), mirrored = [&] {
+      Robot other = robot;
+      other.tether->sharp_angle = kPi - 2;
+      return Problem(p.map(), other, p.start());
+    }();
+    const Polyline walk = free_walk(p, rng, 30, 3);
+    const auto run_in = [&](const Problem& problem, Gear gear) {
+      return tether_run(problem, Path{{Leg{true, walk, gear}}}, problem.map_edges(), problem.tolerance()).value();
+    };
+    const TetherRun forward = run_in(mirrored, Gear::forward), reverse = run_in(p, Gear::reverse);
+    EXPECT_EQ(reverse.longest_m, forward.longest_m);
+    EXPECT_EQ(reverse.crossings.size(), forward.crossings.size());
+    EXPECT_NEAR(reverse.angle_sum, kPi * forward.path_m - forward.angle_sum, 1e-9 * forward.path_m);
+    EXPECT_NEAR(reverse.sharp_m, forward.path_m - forward.sharp_m, 1e-9 * forward.path_m);
+  }
+}
+
+TEST(Tether, ACrossingOfTheAnchorWithinRoundingIsNone) {
+  const Problem p = leashed(pillar_room(), {3, 3});
+  // Round the pillar and past the anchor.
+  const auto past = [](double off) {
+    return Polyline{{3, 3}, {7, 3}, {7, 7}, {3.5, 7}, {3 + off, 3.5}, {3 + off, 2.5}};
+  };
+  for (const double off : {1e-9, 1e-12, 0.0, -1e-9, -0.5}) EXPECT_EQ(crossings(p, past(off)), 0u) << off;
+  for (const double off : {1e-3, 0.5}) EXPECT_EQ(crossings(p, past(off)), 1u) << off;
+}
+
 TEST(Tether, LimitOfPiIsNeverSharp) {
   Robot robot;
   robot.tether = Tether{100, 0, kPi};
