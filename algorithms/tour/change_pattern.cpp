@@ -4,7 +4,7 @@ namespace oxturn {
 
 bool change_pattern(MoveSearch& search, ElementId a) {
   const TourProblem& problem = search.problem;
-  if (a == 0 || problem.pattern_count(a) == 1) return false;
+  if ((a == 0 && problem.has_direction()) || problem.pattern_count(a) == 1) return false;
   TourState& state = search.state;
   const ElementId before = state.previous(a), after = state.next(a);
   const PatternId from = state.pattern(before), to = state.pattern(after), old = state.pattern(a);

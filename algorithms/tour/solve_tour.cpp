@@ -49,11 +49,9 @@ class IteratedSearch {
 
  private:
   bool improve(ElementId a) {
-    if (problem_.has_choice() && change_pattern(search_, a)) return true;
-    if (problem_.symmetric())
-      return two_opt(search_, a, false) || two_opt(search_, a, true) || or_opt(search_, a, false) ||
-             or_opt(search_, a, true);
-    return or_opt(search_, a, false) || or_three_opt(search_, a);
+    if (problem_.has_choice() && (change_pattern(search_, a) || reinsert(search_, a))) return true;
+    if (problem_.symmetric()) return three_opt(search_, a, false) || three_opt(search_, a, true);
+    return or_three_opt(search_, a);
   }
 
   void empty_queue() {
