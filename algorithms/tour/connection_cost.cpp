@@ -9,8 +9,8 @@ namespace oxturn {
 
 MatrixCost::MatrixCost(std::size_t n, std::vector<double> costs) : n_(n), costs_(std::move(costs)) {
   if (costs_.size() != n * n)
-    throw std::invalid_argument(fmt::format("a matrix of costs for {} patterns has {} values, expected {}", n,
-                                            costs_.size(), n * n));
+    throw std::invalid_argument(
+        fmt::format("a matrix of costs for {} patterns has {} values, expected {}", n, costs_.size(), n * n));
   for (std::size_t i = 0; i < costs_.size(); ++i)
     if (!std::isfinite(costs_[i]))
       throw std::invalid_argument(fmt::format("the cost from {} to {} is {}, expected a finite number (forbidden: {})",

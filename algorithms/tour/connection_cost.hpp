@@ -65,9 +65,7 @@ class StraightCost final : public ConnectionCost {
   explicit StraightCost(const std::vector<Point>& points) {
     for (const Point& p : points) ends_.push_back({p, p});
   }
-  double operator()(PatternId from, PatternId to) const override {
-    return (ends_[from].exit - ends_[to].entry).norm();
-  }
+  double operator()(PatternId from, PatternId to) const override { return (ends_[from].exit - ends_[to].entry).norm(); }
   bool symmetric(const std::vector<PatternId>& reverse) const override;
   const std::vector<Ends>* ends() const override { return &ends_; }
 

@@ -89,9 +89,8 @@ Tour greedy_tour(const TourProblem& problem, const NeighbourLists& lists) {
   std::vector<PatternId> entries;
   for (PatternId q = 0; q < problem.patterns(); ++q)
     if (paths.entry_free(q)) entries.push_back(q);
-  PatternId next = *std::find_if(entries.begin(), entries.end(), [&](PatternId q) {
-    return paths.same_path(problem.element_of(q), 0);
-  });
+  PatternId next = *std::find_if(entries.begin(), entries.end(),
+                                 [&](PatternId q) { return paths.same_path(problem.element_of(q), 0); });
   Tour tour;
   while (true) {
     const std::vector<PatternId> path = paths.from(next);

@@ -11,9 +11,9 @@
 namespace oxturn {
 namespace {
 
-constexpr int kSteps = 500;                    // subgradient steps on one sparse graph
-constexpr int kGraphs = 6;                     // each with the edges of the complete trees before it
-constexpr int kIdleSteps = 10;                 // without a better bound: then steps become shorter
+constexpr int kSteps = 500;     // subgradient steps on one sparse graph
+constexpr int kGraphs = 6;      // each with the edges of the complete trees before it
+constexpr int kIdleSteps = 10;  // without a better bound: then steps become shorter
 constexpr double kShorter = 0.7;
 constexpr std::size_t kNeighbours = 8;
 constexpr std::size_t kMostForMatrix = 3000;  // elements, for what takes O(n^2) memory
@@ -45,9 +45,7 @@ class Ascent {
   }
 
  private:
-  double arc(ElementId a, ElementId b) const {
-    return arcs_.empty() ? least_connection(a, b) : arcs_[a * n_ + b];
-  }
+  double arc(ElementId a, ElementId b) const { return arcs_.empty() ? least_connection(a, b) : arcs_[a * n_ + b]; }
   /// The least cost over pairs of patterns, in one direction.
   double least_connection(ElementId a, ElementId b) const {
     double least = std::numeric_limits<double>::infinity();

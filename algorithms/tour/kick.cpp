@@ -27,9 +27,7 @@ bool kick(MoveSearch& search, Rng& rng) {
     heads[k] = state.at(first[k]);
     tails[k] = state.at((first[k] + n - 1) % n);
   }
-  const auto cost = [&](ElementId a, ElementId b) {
-    return search.connection(state.pattern(a), state.pattern(b));
-  };
+  const auto cost = [&](ElementId a, ElementId b) { return search.connection(state.pattern(a), state.pattern(b)); };
   double gain = 0;
   for (std::size_t k = 0; k < 4; ++k) gain += cost(tails[k], heads[k]);
   gain -= cost(tails[0], heads[2]) + cost(tails[3], heads[1]) + cost(tails[2], heads[0]) + cost(tails[1], heads[3]);

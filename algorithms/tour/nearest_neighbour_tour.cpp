@@ -27,7 +27,8 @@ Tour nearest_neighbour_tour(const TourProblem& problem) {
         }
     }
     if (best == kNoPattern)
-      throw std::invalid_argument("elements of a tour are required before each other in a cycle; remove one requirement");
+      throw std::invalid_argument(
+          "elements of a tour are required before each other in a cycle; remove one requirement");
     at = best;
     visited[problem.element_of(at)] = true;
     tour.push_back(problem.stop_of(at));

@@ -23,9 +23,7 @@ class OrThreeOpt {
   }
 
  private:
-  double between(ElementId e, ElementId f) const {
-    return search_.connection(state_.pattern(e), state_.pattern(f));
-  }
+  double between(ElementId e, ElementId f) const { return search_.connection(state_.pattern(e), state_.pattern(f)); }
   /// Stops from a' on; a is the last.
   std::size_t offset(ElementId e) const {
     return (state_.position(e) + state_.size() - state_.position(a_next_)) % state_.size();

@@ -14,8 +14,7 @@ bool reinsert(MoveSearch& search, ElementId a) {
     const ElementId c = near.element, p = state.previous(c), n = state.next(c);
     if (c == b || p == n || (c == 0 && problem.has_direction())) continue;
     const double removed = here + between(p, c) + between(c, n) + problem.inner(state.pattern(c));
-    const double added =
-        near.cost + search.connection(near.pattern, to) + between(p, n) + problem.inner(near.pattern);
+    const double added = near.cost + search.connection(near.pattern, to) + between(p, n) + problem.inner(near.pattern);
     if (!search.better(removed, added)) continue;
     if (!state.swap_blocks(state.position(c), 1, state.count(n, a))) continue;
     state.set_pattern(c, near.pattern);

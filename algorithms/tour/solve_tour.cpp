@@ -1,6 +1,7 @@
 #include "algorithms/tour/solve_tour.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "algorithms/tour/exact_tour.hpp"
 #include "algorithms/tour/kick.hpp"
@@ -11,8 +12,45 @@
 namespace oxturn {
 namespace {
 
-constexpr std::uint64_t kKicksBetweenReports = 100;
+/// Of a typical difference between neighbours' costs. In the plane, at 1000 points and 10^5 kicks: 0: 1.12 % above the
+/// Held-Karp bound, 0.1: 1.09 %, 0.35: 0.94 %, 0.7: 0.97 %.
+constexpr double kWarmth = 0.35;
 constexpr std::size_t kMostForAssignment = 3000;  // elements: O(n^2) memory
+
+/// How much of the effort is spent.
+class Schedule {
+ public:
+  Schedule(const TourEffort& effort, std::size_t elements, const Context& context)
+      : context_(context), elements_(elements), kicks_(effort.kicks_for(elements)), by_time_(effort.until_deadline) {
+    seconds_ = context.seconds_left();
+  }
+  /// A check costs O(n).
+  std::uint64_t kicks_between_checks() const { return std::max<std::uint64_t>(100, elements_ / 8); }
+  double share(std::uint64_t kick) const {
+    if (by_time_) return seconds_ > 0 ? 1 - context_.seconds_left() / seconds_ : 1;
+    return kicks_ > 0 ? static_cast<double>(kick) / static_cast<double>(kicks_) : 1;
+  }
+
+ private:
+  const Context& context_;
+  std::size_t elements_;
+  std::uint64_t kicks_;
+  bool by_time_;
+  double seconds_;
+};
+
+/// The median, over patterns, of the difference between the second and the sixth neighbour.
+double typical_difference(const TourProblem& problem, const NeighbourLists& lists) {
+  std::vector<double> differences;
+  for (PatternId p = 0; p < problem.patterns(); ++p) {
+    const auto list = lists.after(p);
+    const auto at = [&](std::size_t k) { return list[std::min(k, list.size() - 1)].cost; };
+    differences.push_back(at(5) - at(1));
+  }
+  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+  std::nth_element(differences.begin(), middle, differences.end());
+  return *middle;
+}
 
 class IteratedSearch {
  public:
@@ -25,27 +63,32 @@ class IteratedSearch {
     empty_queue();
     while (problem_.has_choice() && choose_patterns() && !context_.cancelled()) empty_queue();
     state_.commit();
+    keep_if_best({});
   }
 
-  void kick_and_search(std::uint64_t kicks, const std::function<void(const Tour&)>& improved) {
-    double gained = 0;
-    for (std::uint64_t k = 0; k < kicks && !context_.cancelled(); ++k) {
+  void kick_and_search(const TourEffort& effort) {
+    const Schedule schedule(effort, state_.size(), context_);
+    const double warmth = kWarmth * typical_difference(problem_, search_.lists);
+    double temperature = warmth;
+    for (std::uint64_t k = 0; schedule.share(k) < 1 && !context_.cancelled(); ++k) {
+      if (k % schedule.kicks_between_checks() == 0) {
+        keep_if_best(effort.improved);
+        temperature = warmth * (1 - schedule.share(k));
+      }
       search_.gained = 0;
-      if (kick(search_, context_.rng())) empty_queue();
-      if (search_.gained >= 0) {
+      if (!kick(search_, context_.rng())) continue;
+      empty_queue();
+      // As in simulated annealing (Kirkpatrick, Gelatt and Vecchi 1983): a little dearer is accepted at first.
+      if (search_.gained >= 0 || search_.gained > temperature * std::log(1 - context_.rng().unit()))
         state_.commit();
-        gained += search_.gained;
-      } else {
+      else
         state_.undo();
-      }
-      if (improved && gained > 0 && k % kKicksBetweenReports == 0) {
-        improved(state_.tour());
-        gained = 0;
-      }
     }
+    keep_if_best(effort.improved);
   }
 
-  Tour tour() const { return state_.tour(); }
+  /// The best tour of those seen at checks.
+  const Tour& best() const { return best_; }
 
  private:
   bool improve(ElementId a) {
@@ -72,10 +115,21 @@ class IteratedSearch {
     return true;
   }
 
+  void keep_if_best(const std::function<void(const Tour&)>& improved) {
+    Tour tour = state_.tour();
+    const double cost = problem_.cost(tour);
+    if (!best_.empty() && !MoveSearch::better(best_cost_, cost)) return;
+    best_ = std::move(tour);
+    best_cost_ = cost;
+    if (improved) improved(best_);
+  }
+
   const TourProblem& problem_;
   Context& context_;
   TourState state_;
   MoveSearch search_;
+  Tour best_;
+  double best_cost_ = 0;
 };
 
 /// The cheapest of the tours that suit the problem.
@@ -92,9 +146,9 @@ Tour search(const TourProblem& problem, const NeighbourLists& lists, const Tour&
             const TourEffort& effort) {
   IteratedSearch search(problem, lists, first, context);
   search.descend();
-  search.kick_and_search(effort.kicks_for(problem.elements()), effort.improved);
-  if (problem.has_choice()) search.descend();
-  return search.tour();
+  search.kick_and_search(effort);
+  if (!problem.has_choice()) return search.best();
+  return best_patterns(problem, search.best());
 }
 
 NeighbourLists lists_for(const TourProblem& problem, const TourEffort& effort) {

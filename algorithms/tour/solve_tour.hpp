@@ -3,10 +3,11 @@
 ///   const Tour tour = solve_tour(problem, context);                     // default effort
 ///   const Tour best = solve_tour(problem, context, {.kicks = 1000000, .improved = show});
 ///
-/// Symmetric problems by 2-opt and Or-opt moves, asymmetric ones by Or-3opt; over neighbour lists, with don't-look bits;
-/// started from a greedy tour (asymmetric also from a patched assignment); patterns by dynamic programming along the
-/// order, in turn with moves (generalised tours). Iterated: kick, search, keep what is no dearer, else undo (Johnson and
-/// McGeoch 1997). Small problems are solved exactly (exact_tour.hpp).
+/// Symmetric problems by 3-opt moves, asymmetric ones by those that reverse nothing (tour_moves.hpp); over neighbour
+/// lists, with don't-look bits; started from a greedy tour (asymmetric also from a patched assignment); patterns by
+/// dynamic programming along the order, in turn with moves (generalised tours). Iterated: kick, search, keep what is
+/// cheaper or, less and less often, a little dearer, else undo (Martin, Otto and Felten 1991). Small problems are solved
+/// exactly (exact_tour.hpp).
 /// A kick costs 10 to 30 us; memory O(k n). The same effort gives the same tour on every machine; the context's deadline
 /// only ends it early, with the best tour so far. Tours of 1000 points are 1 % above the Held-Karp bound after 10^5
 /// kicks.
@@ -23,9 +24,10 @@ namespace oxturn {
 
 struct TourEffort {
   std::optional<std::uint64_t> kicks = {};  // none given: the larger of 20 for each element and 20000
+  bool until_deadline = false;              // instead of kicks: all the time the context has; differs from run to run
   std::size_t neighbours = 8;               // in lists; asymmetric problems take two more
   bool exact_if_small = true;               // dynamic programming where it is cheap
-  std::function<void(const Tour&)> improved = {};  // called with better tours, at most once each 100 kicks
+  std::function<void(const Tour&)> improved = {};  // called with better tours, at most once in 100 kicks
 
   std::uint64_t kicks_for(std::size_t elements) const;
 };

@@ -48,10 +48,12 @@ void TourProblem::check_patterns() const {
   for (ElementId e = 0; e < elements(); ++e)
     if (pattern_count(e) == 0) throw std::invalid_argument(fmt::format("element {} of a tour has no pattern", e));
   for (PatternId p = 0; p < patterns(); ++p)
-    if (reverse_[p] != kNoPattern && (reverse_[p] >= patterns() || element_of_[reverse_[p]] != element_of_[p] ||
-                                      reverse_[reverse_[p]] != p))
-      throw std::invalid_argument(fmt::format("the reverse of pattern {} is {}, expected a pattern of its element {} "
-                                              "with the reverse {}", p, reverse_[p], element_of_[p], p));
+    if (reverse_[p] != kNoPattern &&
+        (reverse_[p] >= patterns() || element_of_[reverse_[p]] != element_of_[p] || reverse_[reverse_[p]] != p))
+      throw std::invalid_argument(
+          fmt::format("the reverse of pattern {} is {}, expected a pattern of its element {} "
+                      "with the reverse {}",
+                      p, reverse_[p], element_of_[p], p));
 }
 
 void TourProblem::require_before(ElementId first, ElementId later) {

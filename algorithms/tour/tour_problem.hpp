@@ -56,9 +56,7 @@ class TourProblem {
   std::span<const ElementId> before(ElementId e) const { return before_[e]; }
   std::span<const ElementId> after(ElementId e) const { return after_[e]; }
 
-  PatternId pattern_of(const TourStop& s) const {
-    return first_[s.element] + static_cast<PatternId>(s.pattern);
-  }
+  PatternId pattern_of(const TourStop& s) const { return first_[s.element] + static_cast<PatternId>(s.pattern); }
   TourStop stop_of(PatternId p) const { return {element_of_[p], p - first_[element_of_[p]]}; }
   /// Patterns and connections, the one back to the first element included.
   double cost(const Tour& tour) const;

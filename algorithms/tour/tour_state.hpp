@@ -35,9 +35,7 @@ class TourState {
   }
   PatternId pattern(ElementId e) const { return pattern_[e]; }
   /// How many stops from a to b, driving forwards, both included.
-  std::size_t count(ElementId a, ElementId b) const {
-    return (position_[b] + size() - position_[a]) % size() + 1;
-  }
+  std::size_t count(ElementId a, ElementId b) const { return (position_[b] + size() - position_[a]) % size() + 1; }
 
   /// Reverses `count` stops from a position on, or all others. False, and nothing done, if that breaks the order.
   bool reverse(std::size_t from, std::size_t count);
