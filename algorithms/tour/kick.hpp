@@ -12,8 +12,9 @@
 
 namespace oxturn {
 
-/// Pushes the ends of what has changed; the cost is added to what the search has gained. False if the order of elements
-/// forbids it. O(1) for at least 8 elements; with fewer nothing is done.
-bool kick(MoveSearch& search, Rng& rng);
+/// Pushes the ends of what has changed; the cost is added to what the search has gained. Returns an element in the
+/// middle; nullopt, and nothing done, if the order of elements forbids the kick, or there are less than 4. O(length of
+/// blocks).
+std::optional<ElementId> kick(MoveSearch& search, Rng& rng);
 
 }  // namespace oxturn

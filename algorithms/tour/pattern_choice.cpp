@@ -7,65 +7,66 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-/// Shortest paths from one pattern of the first layer through all layers and back to it.
-class Layers {
- public:
-  Layers(const TourProblem& problem, const Tour& tour) : problem_(problem), tour_(tour), before_(tour.size()) {}
+/// The patterns of one element, with the cheapest path to the end of each.
+struct Layer {
+  Layer(const TourProblem& problem, ElementId e) : first(problem.first_pattern(e)), best(problem.pattern_count(e)) {}
+  explicit Layer(PatternId only) : first(only), best{{0.0, kNoPattern}} {}
 
-  /// The least cost; the patterns are in `chosen`.
-  double solve(PatternId root, std::vector<PatternId>& chosen) {
-    std::vector<double> cost{problem_.inner(root)}, next;
-    PatternId first = root, end = root + 1;  // patterns of the layer reached
-    for (std::size_t i = 1; i < tour_.size(); ++i) {
-      const auto e = static_cast<ElementId>(tour_[i].element);
-      next.assign(problem_.pattern_count(e), kNone);
-      before_[i].assign(next.size(), first);
-      for (PatternId q = problem_.first_pattern(e); q < problem_.end_pattern(e); ++q)
-        for (PatternId p = first; p < end; ++p)
-          relax(cost[p - first] + problem_.connection(p, q) + problem_.inner(q), p, next[q - problem_.first_pattern(e)],
-                before_[i][q - problem_.first_pattern(e)]);
-      first = problem_.first_pattern(e);
-      end = problem_.end_pattern(e);
-      cost.swap(next);
-    }
-    double least = kNone;
-    PatternId last = first;
-    for (PatternId p = first; p < end; ++p) relax(cost[p - first] + problem_.connection(p, root), p, least, last);
-    for (std::size_t i = tour_.size(); i-- > 0;) {
-      chosen[i] = last;
-      if (i > 0) last = before_[i][last - problem_.first_pattern(static_cast<ElementId>(tour_[i].element))];
-    }
+  struct Step {
+    double cost = kNone;
+    PatternId before = kNoPattern;
+  };
+  PatternId first;
+  std::vector<Step> best;
+
+  /// The cheapest step to p, without p's own cost.
+  Step step_to(const TourProblem& problem, PatternId p) const {
+    Step least;
+    for (PatternId q = first; q < first + best.size(); ++q)
+      if (const double cost = best[q - first].cost + problem.connection(q, p); cost < least.cost) least = {cost, q};
     return least;
   }
-
- private:
-  static void relax(double cost, PatternId p, double& least, PatternId& from) {
-    if (cost >= least) return;
-    least = cost;
-    from = p;
-  }
-
-  const TourProblem& problem_;
-  const Tour& tour_;
-  std::vector<std::vector<PatternId>> before_;  // [layer][pattern]: pattern of the layer before
 };
 
 }  // namespace
+
+double best_patterns_between(const TourProblem& problem, PatternId from, std::span<const ElementId> run, PatternId to,
+                             std::vector<PatternId>& chosen) {
+  std::vector<Layer> layers{Layer(from)};
+  layers.reserve(run.size() + 1);
+  for (const ElementId e : run) {
+    Layer next(problem, e);
+    for (PatternId p = next.first; p < next.first + next.best.size(); ++p) {
+      next.best[p - next.first] = layers.back().step_to(problem, p);
+      next.best[p - next.first].cost += problem.inner(p);
+    }
+    layers.push_back(std::move(next));
+  }
+  const Layer::Step last = layers.back().step_to(problem, to);
+  chosen.assign(run.size(), kNoPattern);
+  PatternId p = last.before;
+  for (std::size_t i = run.size(); i-- > 0;) {
+    chosen[i] = p;
+    p = layers[i + 1].best[p - layers[i + 1].first].before;
+  }
+  return last.cost;
+}
 
 Tour best_patterns(const TourProblem& problem, const Tour& tour) {
   if (tour.size() < 2) return tour;
   Tour best = tour;
   double least = problem.cost(tour);
-  Layers layers(problem, tour);
-  std::vector<PatternId> chosen(tour.size());
+  std::vector<ElementId> run;
+  for (std::size_t i = 1; i < tour.size(); ++i) run.push_back(static_cast<ElementId>(tour[i].element));
+  std::vector<PatternId> chosen;
   const auto root = static_cast<ElementId>(tour.front().element);
-  const PatternId given = problem.pattern_of(tour.front());
   for (PatternId p = problem.first_pattern(root); p < problem.end_pattern(root); ++p) {
-    if (problem.has_direction() && p != given) continue;
-    const double cost = layers.solve(p, chosen);
+    if (problem.has_direction() && p != problem.pattern_of(tour.front())) continue;
+    const double cost = problem.inner(p) + best_patterns_between(problem, p, run, p, chosen);
     if (cost >= least) continue;
     least = cost;
-    for (std::size_t i = 0; i < tour.size(); ++i) best[i] = problem.stop_of(chosen[i]);
+    best.front() = problem.stop_of(p);
+    for (std::size_t i = 1; i < tour.size(); ++i) best[i] = problem.stop_of(chosen[i - 1]);
   }
   return best;
 }

@@ -56,8 +56,7 @@ class ThreeOpt {
       if (near.cost >= gain) return false;
       const ElementId e = near.element;
       const std::size_t at_e = offset(e);
-      if (at_e > at_d && at_d > 0 ? both(c, d, e, removed, cost, near)
-                                  : at_e < at_c && outer(c, d, e, removed, cost, near))
+      if (at_e > at_d ? both(c, d, e, removed, cost, near) : at_e < at_c && outer(c, d, e, removed, cost, near))
         return true;
     }
     return false;

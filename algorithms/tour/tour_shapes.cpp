@@ -128,15 +128,20 @@ struct ShapeTourModel::Impl {
              return directions(chain) == std::pair(true, true);
            });
   }
-  /// The elements' patterns; those of a single polygon are its vertices.
+  /// Left where it is entered: a polygon or a point, alone.
+  bool is_entered_anywhere(const ShapeChain& chain) const {
+    const TourShape& shape = drawing.shapes[chain[0].shape];
+    return chain.size() == 1 && (shape.closed || shape.points.size() == 1);
+  }
+  /// The elements' patterns; those of a polygon are its vertices.
   void add_patterns() {
     for (const ShapeChain& chain : chains) {
       const std::size_t element = counts.size();
       const ShapeLink &head = chain.front(), &tail = chain.back();
-      const auto first = static_cast<PatternId>(inner.size());
+      const auto first = static_cast<PatternId>(own_costs.size());
       const double own = inner_cost(chain);
-      if (chain.size() == 1 && drawing.shapes[head.shape].closed) {
-        for (const Point& p : drawing.shapes[head.shape].points) add_pattern({p, p}, element, own, inner.size());
+      if (is_entered_anywhere(chain)) {
+        for (const Point& p : drawing.shapes[head.shape].points) add_pattern({p, p}, element, own, own_costs.size());
       } else {
         const auto [forwards, backwards] = directions(chain);
         const Point &a = at(head.shape, head.entry), &b = at(tail.shape, tail.exit);
@@ -144,12 +149,12 @@ struct ShapeTourModel::Impl {
         if (forwards) add_pattern({a, b}, element, own, both ? first + 1 : kNoPattern);
         if (backwards) add_pattern({b, a}, element, own, both ? first : kNoPattern);
       }
-      counts.push_back(inner.size() - first);
+      counts.push_back(own_costs.size() - first);
     }
   }
   void add_pattern(const ConnectionCost::Ends& ends, std::size_t element, double own, std::size_t reversed) {
     cost.add(ends, element);
-    inner.push_back(own);
+    own_costs.push_back(own);
     reverse.push_back(static_cast<PatternId>(reversed));
   }
 
@@ -166,9 +171,9 @@ struct ShapeTourModel::Impl {
     if (reversible()) cost.add({start, end}, 0, free_start, free_end);
     counts = {reversible() ? 2u : 1u};
     reverse = reversible() ? std::vector<PatternId>{1, 0} : std::vector<PatternId>{kNoPattern};
-    inner.assign(counts[0], 0.0);
+    own_costs.assign(counts[0], 0.0);
     add_patterns();
-    problem.emplace(cost, counts, reverse, inner);
+    problem.emplace(cost, counts, reverse, own_costs);
     if (drawing.containment == Containment::strict)
       for (const auto& [outer, inside] : drawing.contained)
         if (element_of[outer] != element_of[inside])
@@ -182,7 +187,7 @@ struct ShapeTourModel::Impl {
   ShapeCost cost;
   std::vector<std::size_t> counts;
   std::vector<PatternId> reverse;
-  std::vector<double> inner;
+  std::vector<double> own_costs;  // of each pattern
   std::optional<TourProblem> problem;
 };
 
@@ -197,7 +202,7 @@ std::vector<ShapeVisit> ShapeTourModel::visits(const Tour& tour) const {
   for (const TourStop& stop : tour) {
     if (stop.element == 0) continue;
     const ShapeChain& chain = impl_->chains[stop.element - 1];
-    if (chain.size() == 1 && impl_->drawing.shapes[chain[0].shape].closed) {
+    if (impl_->is_entered_anywhere(chain)) {
       visits.push_back({chain[0].shape, stop.pattern});
       continue;
     }

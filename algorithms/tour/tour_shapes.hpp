@@ -24,7 +24,7 @@
 namespace oxturn {
 
 struct TourShape {
-  Polyline points;
+  Polyline points = {};
   bool closed = false;   // a polygon; driven in the order of its points
   bool one_way = false;  // a polyline that is driven from its first point to its last only
 };
@@ -39,11 +39,11 @@ struct ShapeVertex {
 enum class Containment { strict, literal };
 
 struct ShapeTour {
-  std::vector<TourShape> shapes;
-  std::vector<std::pair<ShapeVertex, ShapeVertex>> joined;     // connections that must be driven
-  std::vector<std::pair<std::size_t, std::size_t>> contained;  // (outer shape, inner shape)
+  std::vector<TourShape> shapes = {};
+  std::vector<std::pair<ShapeVertex, ShapeVertex>> joined = {};     // connections that must be driven
+  std::vector<std::pair<std::size_t, std::size_t>> contained = {};  // (outer shape, inner shape)
   Containment containment = Containment::strict;
-  std::optional<Point> start, end;  // none: free. A closed tour ends at its start
+  std::optional<Point> start = {}, end = {};  // none: free. A closed tour ends at its start
   /// The cost of a connection, the same in both directions, at least 0; none: straight distance.
   std::function<double(const Point&, const Point&)> connection = {};
 };

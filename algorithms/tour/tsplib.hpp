@@ -19,11 +19,11 @@ namespace oxturn {
 
 struct TsplibInstance {
   enum class Weights { euc_2d, ceil_2d, full_matrix };
-  std::string name;
+  std::string name = {};
   bool symmetric = true;  // TSP, else ATSP
   Weights weights = Weights::euc_2d;
-  std::vector<Point> points;   // of euc_2d (distances rounded to the nearest whole number) and ceil_2d (rounded up)
-  std::vector<double> matrix;  // of full_matrix: by rows
+  std::vector<Point> points = {};  // of euc_2d (distances rounded to the nearest whole number) and ceil_2d (rounded up)
+  std::vector<double> matrix = {};  // of full_matrix: by rows
   std::size_t dimension = 0;
 
   std::size_t size() const { return dimension; }

@@ -1,4 +1,5 @@
 // Lower bounds of tours, and the assignments they begin with.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

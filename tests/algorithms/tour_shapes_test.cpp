@@ -70,8 +70,9 @@ TEST(NodeMatrix, WeightShiftingAndDoubleCitiesCostTheSame) {
   for (const auto seed : seeds(12)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
-    ShapeTour drawing = random_drawing({}, 3, rng);
+    ShapeTour drawing = random_drawing({}, 2, rng);
     drawing.shapes.push_back(random_shape({.polygons = true}, rng));
+    if (drawing.shapes.back().points.size() == 5) drawing.shapes.back().points.pop_back();  // keep exact tours short
     drawing.shapes.push_back({.points = {Point(rng.between(0.0, 100.0), 20), Point(50, rng.between(0.0, 100.0))}});
     const ShapeTourModel model(drawing);
     const TourProblem& problem = model.problem();
