@@ -23,8 +23,8 @@ struct BoundedTour {
   std::uint64_t nodes = 0;
 };
 /// Depth-first branch and bound as in Vollprecht (2014): the nearest element next; a branch is left as soon as it costs
-/// as much as the best tour so far. Ends after `most_nodes` elements have been appended. Costs must not be negative. Its
-/// first tour is that of the nearest neighbour; the bound is so weak that 15 elements are many.
+/// as much as the best tour so far. Ends after `most_nodes` elements have been appended. Costs must not be negative.
+/// Its first tour is that of the nearest neighbour; the bound is so weak that 15 elements are many.
 BoundedTour branch_and_bound_tour(const TourProblem& problem, std::uint64_t most_nodes);
 
 }  // namespace oxturn

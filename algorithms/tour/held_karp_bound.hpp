@@ -16,8 +16,8 @@ namespace oxturn {
 /// Prices start from the dual solution of the assignment problem, so the bound is never below that of the assignment.
 /// Elements with several patterns: the least over pairs of patterns; precedence is ignored. Both keep it a bound.
 /// `tour_cost`: of any tour; it sets the length of the steps. Ascends on a sparse graph, but the bound is that of the
-/// complete graph: some 500 sparse trees, O(n k log n) each, and a few complete ones, O(patterns^2) each. 0.5 s for 1000
-/// points. Costs must not be negative.
+/// complete graph: some 500 sparse trees, O(n k log n) each, and a few complete ones, O(patterns^2) each. 0.5 s for
+/// 1000 points. Costs must not be negative.
 double held_karp_bound(const TourProblem& problem, double tour_cost);
 
 }  // namespace oxturn

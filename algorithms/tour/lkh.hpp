@@ -19,7 +19,8 @@ std::optional<std::string> find_lkh();
 
 /// One run of LKH with the seed 1, ended at the context's deadline or by cancel(). Costs are rounded to whole numbers,
 /// with as many digits as LKH can take (30 bits for the dearest connection and the constant of node_matrix.hpp).
-/// Throws std::invalid_argument for problems with precedence, std::runtime_error if LKH cannot be run or leaves no tour.
+/// Throws std::invalid_argument for problems with precedence, std::runtime_error if LKH cannot be run or leaves no
+/// tour.
 Tour lkh_tour(const TourProblem& problem, const std::string& program, const Context& context);
 
 }  // namespace oxturn

@@ -2,8 +2,8 @@
 ///
 ///   tour = best_patterns(problem, tour);          // never dearer; begins with element 0
 ///
-/// Shortest paths through layers, one for each element, its nodes the patterns: cluster optimisation (Fischetti, Salazar
-/// Gonzalez and Toth 1997). O(p q) costs for neighbouring elements of p and q patterns.
+/// Shortest paths through layers, one for each element, its nodes the patterns: cluster optimisation (Fischetti,
+/// Salazar Gonzalez and Toth 1997). O(p q) costs for neighbouring elements of p and q patterns.
 #pragma once
 
 #include "algorithms/tour/tour_problem.hpp"

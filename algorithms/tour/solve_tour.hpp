@@ -6,11 +6,11 @@
 /// Symmetric problems by 3-opt moves, asymmetric ones by those that reverse nothing (tour_moves.hpp); over neighbour
 /// lists, with don't-look bits; started from a greedy tour (asymmetric also from a patched assignment); patterns by
 /// dynamic programming along the order, in turn with moves (generalised tours). Iterated: kick, search, keep what is
-/// cheaper or, less and less often, a little dearer, else undo (Martin, Otto and Felten 1991). Small problems are solved
-/// exactly (exact_tour.hpp).
-/// A kick costs 10 to 30 us; memory O(k n). The same effort gives the same tour on every machine; the context's deadline
-/// only ends it early, with the best tour so far. Tours of 1000 points are 1 % above the Held-Karp bound after 10^5
-/// kicks.
+/// cheaper or, less and less often, a little dearer, else undo (Martin, Otto and Felten 1991). Small problems are
+/// solved exactly (exact_tour.hpp).
+/// A kick costs 10 to 30 us; memory O(k n). The same effort gives the same tour on every machine; the context's
+/// deadline only ends it early, with the best tour so far. Tours of 1000 points are 1 % above the Held-Karp bound after
+/// 10^5 kicks.
 #pragma once
 
 #include <cstdint>

@@ -69,7 +69,7 @@ class ThreeOpt {
     if (!search_.better(removed, cost)) return false;
     const std::size_t mark = state_.mark();
     if (!reverse(b_, c)) return false;
-    // The reversal may have turned the other side instead: then the second run lies the other way round.
+    // The reversal may have turned the other side instead: then the second run lies backwards.
     const bool turned = view_.next(f) != e;
     if (!(turned ? reverse(f, d) : reverse(d, f))) return undo(mark);
     return done(removed - cost, {a_, b_, c, d, e, f});

@@ -1,10 +1,10 @@
-/// The moves of the local search. Each looks for a move that makes the tour cheaper at element a, makes it, and says so.
+/// The moves of the local search. Each makes the tour cheaper at element a, if it can, and says so.
 ///
 ///   while (three_opt(search, a, false) || three_opt(search, a, true)) {}
 ///
 /// A move is looked at only if it adds a connection from the neighbour list of a that is cheaper than one that it
-/// removes there, and so on from end to end (the gain criterion of Lin and Kernighan 1973). O(k^2) connections each, for
-/// k neighbours, and what the change of the array costs (tour_state.hpp).
+/// removes there, and so on from end to end (the gain criterion of Lin and Kernighan 1973). O(k^2) connections each,
+/// for k neighbours, and what the change of the array costs (tour_state.hpp).
 #pragma once
 
 #include "algorithms/tour/move_search.hpp"

@@ -1,4 +1,4 @@
-/// Tours over shapes to be drawn: polylines, driven from either end, and polygons, entered at any vertex and left there.
+/// Tours over shapes to be drawn: polylines, driven from either end, and polygons, left at the vertex of entry.
 ///
 ///   ShapeTour drawing;
 ///   drawing.shapes = {{.points = stroke}, {.points = outline, .closed = true}};

@@ -107,8 +107,8 @@ TEST(NodeMatrix, OrdersOfNodesBecomeToursOfShapes) {
 
 TourShape dot(double x, double y) { return {.points = {Point(x, y)}}; }
 
-// A square round a dot, and another dot outside. Literally, the robot may go from the square to the dot outside and then
-// in; strictly, the dot inside comes first.
+// A square round a dot, and another dot outside. Literally, the robot may go from the square to the dot outside and
+// then in; strictly, the dot inside comes first.
 TEST(ShapeTour, ContainmentIsKeptStrictlyOrAsPrinted) {
   ShapeTour drawing;
   drawing.shapes = {{.points = {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, .closed = true}, dot(9, 5), dot(11, 0)};
