@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "algorithms/tour/point_grid.hpp"
+#include "algorithms/tour/quadrant_tree.hpp"
 
 namespace oxturn {
 namespace {
@@ -33,23 +34,45 @@ void keep_cheapest(std::vector<Neighbour>& list, std::size_t k) {
 class NearElements {
  public:
   NearElements(const TourProblem& problem, bool after)
-      : problem_(problem), after_(after), seen_(problem.elements(), kNoPattern), grid_(points(problem, after)) {}
+      : problem_(problem),
+        after_(after),
+        seen_(problem.elements(), kNoPattern),
+        grid_(points(problem, after)),
+        quadrants_(points(problem, after)) {}
 
-  std::vector<Neighbour> around(PatternId p, std::size_t count) {
-    const auto& ends = (*problem_.connections().ends())[p];
-    std::vector<Neighbour> found;
-    seen_[problem_.element_of(p)] = seen_[0] = p;
-    if (problem_.element_of(p) != 0) found.push_back(best_pattern(problem_, p, 0, after_));
-    grid_.visit(after_ ? ends.exit : ends.entry, [&](std::size_t q, double) {
-      const ElementId e = problem_.element_of(static_cast<PatternId>(q));
-      if (seen_[e] != p) found.push_back(best_pattern(problem_, p, e, after_));
-      seen_[e] = p;
-      return found.size() < count;
+  /// The k cheapest of the nearest, and the nearest in each quadrant, which lead from one cluster of points to others.
+  std::vector<Neighbour> around(PatternId p, std::size_t k) {
+    const Point at = position(p);
+    const ElementId own = problem_.element_of(p);
+    found_.clear();
+    seen_[own] = seen_[0] = p;
+    if (own != 0) found_.push_back(best_pattern(problem_, p, 0, after_));
+    // Twice as many by distance as are kept by cost: the two orders differ somewhat.
+    grid_.visit(at, [&](std::size_t q, double) {
+      add(p, problem_.element_of(static_cast<PatternId>(q)));
+      return found_.size() < 2 * k;
     });
-    return found;
+    keep_cheapest(found_, k);
+    for (const std::size_t q : quadrants_.nearest(
+             at, [&](std::size_t other) { return problem_.element_of(static_cast<PatternId>(other)) != own; })) {
+      const ElementId e = problem_.element_of(static_cast<PatternId>(q));
+      if (std::none_of(found_.begin(), found_.end(), [&](const Neighbour& n) { return n.element == e; }))
+        found_.push_back(best_pattern(problem_, p, e, after_));
+    }
+    std::sort(found_.begin(), found_.end(), cheaper);
+    return found_;
   }
 
  private:
+  void add(PatternId p, ElementId e) {
+    if (seen_[e] == p) return;
+    seen_[e] = p;
+    found_.push_back(best_pattern(problem_, p, e, after_));
+  }
+  const Point& position(PatternId p) const {
+    const auto& ends = (*problem_.connections().ends())[p];
+    return after_ ? ends.exit : ends.entry;
+  }
   static std::vector<Point> points(const TourProblem& problem, bool after) {
     std::vector<Point> all;
     for (const auto& e : *problem.connections().ends()) all.push_back(after ? e.entry : e.exit);
@@ -60,12 +83,15 @@ class NearElements {
   bool after_;
   std::vector<PatternId> seen_;  // by element: the pattern whose neighbours it was met among
   PointGrid grid_;
+  QuadrantTree quadrants_;
+  std::vector<Neighbour> found_;
 };
 
-std::vector<Neighbour> all_others(const TourProblem& problem, PatternId p, bool after) {
+std::vector<Neighbour> all_others(const TourProblem& problem, PatternId p, std::size_t k, bool after) {
   std::vector<Neighbour> all;
   for (ElementId e = 0; e < problem.elements(); ++e)
     if (e != problem.element_of(p)) all.push_back(best_pattern(problem, p, e, after));
+  keep_cheapest(all, k);
   return all;
 }
 
@@ -89,9 +115,7 @@ NeighbourLists::Lists NeighbourLists::build(const TourProblem& problem, std::siz
   std::optional<NearElements> near;
   if (problem.connections().ends() != nullptr) near.emplace(problem, after);
   for (PatternId p = 0; p < problem.patterns(); ++p) {
-    // Twice as many by distance as are kept by cost: the two orders differ somewhat.
-    std::vector<Neighbour> list = near ? near->around(p, 2 * k) : all_others(problem, p, after);
-    keep_cheapest(list, k);
+    const std::vector<Neighbour> list = near ? near->around(p, k) : all_others(problem, p, k, after);
     lists.all.insert(lists.all.end(), list.begin(), list.end());
     lists.first.push_back(lists.all.size());
   }

@@ -23,7 +23,8 @@ struct Neighbour {
 
 class NeighbourLists {
  public:
-  /// At most k neighbours each, the cheapest first.
+  /// The k cheapest; where they are found by distance also the two nearest in each quadrant (Johnson and McGeoch 1997),
+  /// without which clusters of points would have no neighbours outside. The cheapest first.
   NeighbourLists(const TourProblem& problem, std::size_t k);
   std::span<const Neighbour> after(PatternId p) const { return after_.of(p); }
   std::span<const Neighbour> before(PatternId p) const { return before_.of(p); }

@@ -21,6 +21,14 @@ double enough(const TourProblem& problem) {
   return static_cast<double>(problem.elements() + 1) * (most + 1);
 }
 
+/// The cost of an element in its cheapest pattern: every tour pays it, so it stays out of the matrix.
+double least_inner(const TourProblem& problem, ElementId e) {
+  double least = problem.inner(problem.first_pattern(e));
+  for (PatternId p = problem.first_pattern(e); p < problem.end_pattern(e); ++p)
+    least = std::min(least, problem.inner(p));
+  return least;
+}
+
 NodeMatrix begin(const TourProblem& problem, std::size_t nodes, ElementConstant constant) {
   if (problem.has_precedence())
     throw std::invalid_argument(
@@ -29,7 +37,9 @@ NodeMatrix begin(const TourProblem& problem, std::size_t nodes, ElementConstant 
   NodeMatrix m;
   m.nodes = nodes;
   m.costs.assign(nodes * nodes, kForbidden);
-  m.surplus = constant == ElementConstant::enough ? enough(problem) * static_cast<double>(problem.elements()) : 0;
+  if (constant == ElementConstant::enough) m.between = enough(problem);
+  m.surplus = m.between * static_cast<double>(problem.elements());
+  for (ElementId e = 0; e < problem.elements(); ++e) m.surplus -= least_inner(problem, e);
   return m;
 }
 
@@ -40,12 +50,14 @@ struct Doors {
 
 /// Connections from the leaving nodes of one element to the entering nodes of another.
 void connect(const TourProblem& problem, const Doors& doors, NodeMatrix& m) {
-  const double constant = m.surplus / static_cast<double>(problem.elements());
-  for (ElementId e = 0; e < problem.elements(); ++e)
+  for (ElementId e = 0; e < problem.elements(); ++e) {
+    const double least = least_inner(problem, e);
     for (ElementId f = 0; f < problem.elements(); ++f)
       for (PatternId p = problem.first_pattern(e); e != f && p < end_pattern(problem, e); ++p)
         for (PatternId q = problem.first_pattern(f); q < end_pattern(problem, f); ++q)
-          m.costs[doors.out[p] * m.nodes + doors.in[q]] = problem.connection(p, q) + problem.inner(p) + constant;
+          m.costs[doors.out[p] * m.nodes + doors.in[q]] =
+              problem.connection(p, q) + problem.inner(p) - least + m.between;
+  }
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct NodeMatrix {
   std::vector<double> costs;       // by rows
   std::vector<PatternId> pattern;  // of each node: how its element is driven if the tour enters it here
   std::vector<ElementId> element;  // of each node
+  double between = 0;              // the constant M that is added to each connection between elements
   double surplus = 0;              // what every tour costs more than in the problem
 
   MatrixCost matrix() const { return {nodes, costs}; }

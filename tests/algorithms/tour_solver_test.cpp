@@ -191,6 +191,18 @@ TEST(SolveTour, IsWithinTwoPercentOfTheBound) {
   EXPECT_LT(length, 1.02 * held_karp_bound(problem, length));
 }
 
+// Far clusters: the nearest neighbours of a point are all in its own.
+TEST(SolveTour, IsWithinThreePercentOfTheBoundForClusters) {
+  Rng rng(1);
+  std::vector<Point> points = random_points(12, 4);
+  while (points.size() < 300) points.push_back(points[points.size() % 12] + 0.01 * Point(rng.normal(), rng.normal()));
+  const StraightCost cost(points);
+  const TourProblem problem(cost, points.size());
+  Context context(1);
+  const double length = problem.cost(solve_tour(problem, context, {.kicks = 8000}));
+  EXPECT_LT(length, 1.03 * held_karp_bound(problem, length));
+}
+
 TEST(SolveTour, IsWithinTwoPercentOfTheBoundForDirectedCurves) {
   Rng rng(3);
   std::vector<DirectedPoint> poses;
