@@ -144,8 +144,6 @@ class Ascent {
       } else if (++idle >= kIdleSteps) {
         idle = 0;
         length *= kShorter;
-        leave_ = best_leave;
-        enter_ = best_enter;
       }
       if (length < 1e-3) break;
       if (!take_step(tree, length * std::max(tour_cost_ - bound, 1e-4 * tour_cost_), leaving, entering)) break;
