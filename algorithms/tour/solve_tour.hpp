@@ -8,7 +8,8 @@
 /// dynamic programming along the order, in turn with moves (generalised tours). Iterated: kick, search, keep what is
 /// cheaper or, less and less often, a little dearer, else undo (Martin, Otto and Felten 1991). Small problems are
 /// solved exactly (exact_tour.hpp).
-/// A kick costs 10 to 30 us; memory O(k n). The same effort gives the same tour on every machine; the context's
+/// A descent costs O(n log n), 0.1 s for 16 000 points; a kick 15 us in the plane, 90 us for random matrices of 1000
+/// elements. Memory O(k n). Points in clusters far apart: the order of clusters may stay some per cent too long. The same effort gives the same tour on every machine; the context's
 /// deadline only ends it early, with the best tour so far. Tours of 1000 points are 1 % above the Held-Karp bound after
 /// 10^5 kicks.
 #pragma once
