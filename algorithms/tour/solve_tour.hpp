@@ -9,9 +9,9 @@
 /// cheaper or, less and less often, a little dearer, else undo (Martin, Otto and Felten 1991). Small problems are
 /// solved exactly (exact_tour.hpp).
 /// A descent costs O(n log n), 0.1 s for 16 000 points; a kick 15 us in the plane, 90 us for random matrices of 1000
-/// elements. Memory O(k n). Points in clusters far apart: the order of clusters may stay some per cent too long. The same effort gives the same tour on every machine; the context's
-/// deadline only ends it early, with the best tour so far. Tours of 1000 points are 1 % above the Held-Karp bound after
-/// 10^5 kicks.
+/// elements. Memory O(k n). The same effort gives the same tour on every machine; the context's deadline only ends it
+/// early, with the best tour so far. Tours of 1000 points are 1 % above the Held-Karp bound after 10^5 kicks. Where
+/// points lie in clusters far apart, the order of the clusters may stay some per cent too long.
 #pragma once
 
 #include <cstdint>
