@@ -13,21 +13,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "algorithms/tour/tour_elements.hpp"
 #include "algorithms/transit/connector.hpp"
 
 namespace oxturn {
-
-/// How an element can be driven. `reverse` is the index of the pattern that drives it backwards, from `exit` to
-/// `entry`, at the same cost.
-struct Pattern {
-  Point entry, exit;
-  double cost = 0;
-  std::size_t reverse = 0;
-};
-using TourElement = std::vector<Pattern>;  // at least one pattern
-struct TourStop {
-  std::size_t element = 0, pattern = 0;
-};
 
 class TourCosts {
  public:

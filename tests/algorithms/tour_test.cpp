@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "algorithms/tour/open_tour.hpp"
 #include "algorithms/tour/point_grid.hpp"
+#include "algorithms/tour/quadrant_tree.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/maps.hpp"
 #include "tests/support/seeds.hpp"
@@ -201,6 +203,32 @@ TEST(PointGrid, VisitsInOrderOfDistance) {
       if (i % 3 != 0) wanted.push_back(distance(p, points[i]));
     std::sort(wanted.begin(), wanted.end());
     EXPECT_EQ(seen, wanted);
+  }
+}
+
+TEST(QuadrantTree, FindsTheTwoNearestInEachQuadrant) {
+  Rng rng(5);
+  std::vector<Point> points;
+  for (int i = 0; i < 200; ++i) points.push_back({std::floor(rng.between(0.0, 30.0)), rng.between(0.0, 3.0)});
+  const QuadrantTree tree(points);
+  for (std::size_t q = 0; q < points.size(); ++q) {
+    const auto others = [&](std::size_t i) { return i != q; };
+    std::vector<double> found, wanted;
+    for (const std::size_t i : tree.nearest(points[q], others)) found.push_back(distance(points[q], points[i]));
+    for (const bool right : {false, true})
+      for (const bool above : {false, true}) {
+        std::vector<double> all;
+        for (std::size_t i = 0; i < points.size(); ++i)
+          if (i != q && (points[i].x() >= points[q].x()) == right && (points[i].y() >= points[q].y()) == above)
+            all.push_back(distance(points[q], points[i]));
+        std::sort(all.begin(), all.end());
+        wanted.insert(wanted.end(), all.begin(),
+                      all.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(2, all.size())));
+      }
+    std::sort(found.begin(), found.end());
+    std::sort(wanted.begin(), wanted.end());
+    ASSERT_EQ(found.size(), wanted.size());
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], wanted[i], 1e-12);
   }
 }
 
