@@ -36,10 +36,10 @@ std::string one_line(std::string text) {
 std::string question(const Problem& problem, const Settings& settings, const Context& context) {
   std::string feature = one_line(to_geojson(problem));
   feature.pop_back();  // its last brace: two members more
-  return one_line(fmt::format(
-             R"({{"problem": {}, "configuration_space": {}, "target": {}}}, "settings": {}, "seed": {}, "wall_s": {}}})",
-             feature, to_geojson(problem.configuration_space()), to_geojson(problem.target()), settings_text(settings),
-             context.seed(), to_decimal(context.wall_s()))) +
+  return one_line(fmt::format(R"({{"problem": {}, "configuration_space": {}, "target": {}}}, )"
+                              R"("settings": {}, "seed": {}, "wall_s": {}}})",
+                              feature, to_geojson(problem.configuration_space()), to_geojson(problem.target()),
+                              settings_text(settings), context.seed(), to_decimal(context.wall_s()))) +
          "\n";
 }
 

@@ -1,8 +1,8 @@
 // What an external planner says of itself: the members that `oxturn list planners --json` prints, checked one by one.
 //
 // Decisions  1. A member that is not known is refused: a typing error would silently change what the planner promises.
-//            2. The files that determine what a program does cannot be known. Those that the command names are hashed, and
-//               the description, whose `version` an author can change.
+//            2. The files that determine what a program does cannot be known. Those that the command names are hashed,
+//               and the description, whose `version` an author can change.
 #include <fmt/format.h>
 #include <unistd.h>
 

@@ -20,7 +20,7 @@ struct Command {
 };
 
 /// What the command says of itself, and how to run it. Its `identity` is a hash of the command's text, its description
-/// and the program files that the command names. Takes the time that the program takes to describe itself, at most 20 s.
+/// and the program files that the command names. Takes as long as the program takes to describe itself, at most 20 s.
 /// Throws std::invalid_argument with a sentence that names the command and what is wrong with its description. The
 /// caller must be single-threaded.
 PlannerInfo external_planner(const Command& command);

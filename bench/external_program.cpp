@@ -1,5 +1,5 @@
-// Decisions  1. One loop reads output and errors and writes input: a program that publishes before it has read all of its
-//               problem does not block, nor one that prints errors without end.
+// Decisions  1. One loop reads output and errors and writes input: a program that publishes before it has read all of
+//               its problem does not block, nor one that prints errors without end.
 //            2. The limit on address space is lifted for the program: runtimes of many languages reserve more than they
 //               use. The supervisor measures what it uses.
 #include "bench/external_program.hpp"

@@ -51,7 +51,7 @@ class ExternalProgram {
     bool killed = false;  // by us, because it did not end
     int exit_code = 0, signal = 0;
   };
-  /// Waits until it has ended, and kills it after `seconds`; what it still prints is dropped. Its processor time is then
+  /// Waits until it has ended, kills it after `seconds`; what it still prints is dropped. Its processor time is then
   /// among that of this process's children.
   End wait(double seconds);
   /// The last line that it has printed to standard error, or "". All of it is passed on to ours.

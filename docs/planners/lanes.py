@@ -152,7 +152,7 @@ class Path:
 
 
 def drive_lanes(grid, path, node, until):
-    """Drives the nearest lane that is left, again and again; returns the grid point at the end, and how many it drove."""
+    """Drives the nearest lane that is left, again and again; returns where it ends, and how many it drove."""
     lanes = {}  # grid point at the end of a lane -> lane
     for other in grid.links:
         lanes.setdefault(grid.interval(other), []).append(other)

@@ -177,7 +177,7 @@ struct Leg {
   std::vector<Point> points;
 };
 
-/// Visits every grid point that moves reach from the start: the tool is on where the walk goes on, off where it returns.
+/// Visits every grid point that moves reach from the start: the tool is on where the walk goes on, else off.
 std::vector<Leg> walk(const Grid& grid, std::mt19937_64& random) {
   std::vector<Leg> legs;
   std::vector<Node> stack{{0, 0}};

@@ -159,7 +159,7 @@ TEST(External, EachBadPlannerCostsOneRowWithItsOutcome) {
 }
 
 TEST(External, ThoseThatNeverEndTimeOut) {
-  for (const char* mode : {"hang", "spin", "endless_lines", "endless_errors"}) {
+  for (const char* mode : {"no_answer", "spin", "endless_lines", "endless_errors"}) {
     SCOPED_TRACE(mode);
     const Planned planned = zoo_until(mode, [](const Planned& p) { return p.reason.starts_with("no result"); });
     EXPECT_EQ(planned.outcome, Outcome::timeout);
@@ -171,7 +171,7 @@ TEST(External, ThoseThatNeverEndTimeOut) {
 }
 
 TEST(External, APublishedPathSurvivesTheTimeout) {
-  for (const char* mode : {"publish_then_hang", "ignore_signals"}) {
+  for (const char* mode : {"publish_then_wait", "ignore_signals"}) {
     const Planned planned = zoo_until(mode, [](const Planned& p) { return p.path.has_value(); });
     EXPECT_EQ(planned.outcome, Outcome::timeout) << planned.reason;
     ASSERT_TRUE(planned.path) << mode;

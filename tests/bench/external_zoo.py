@@ -134,7 +134,7 @@ def after_problem():
     if MODE in LINES:
         sys.stdout.buffer.write(LINES[MODE].encode("utf-8", "surrogateescape"))
         sys.stdout.flush()
-    elif MODE in ("publish_then_hang", "ignore_signals"):
+    elif MODE in ("publish_then_wait", "ignore_signals"):
         answer({"publish": GOOD})
         forever()
     elif MODE == "publish_then_die":
@@ -144,7 +144,7 @@ def after_problem():
         answer({"publish": GOOD})
         print("out of ideas", file=sys.stderr)
         sys.exit(3)
-    elif MODE == "hang":
+    elif MODE == "no_answer":
         forever()
     elif MODE == "spin":
         burn(1e9)

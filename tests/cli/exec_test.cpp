@@ -23,7 +23,7 @@ TEST(Exec, TheProgramIsThePlannerOfAPlan) {
       const Said said = oxturn("plan " + exec + map + " --json");
       SCOPED_TRACE(exec + map + said.err);
       ASSERT_EQ(said.code, 0) << said.out;  // a valid path
-      EXPECT_GT(nlohmann::json::parse(said.out).at("metrics").at("coverage").get<double>(), 0.9);
+      EXPECT_GT(nlohmann::json::parse(said.out).at("metrics").at("coverage").get<double>(), 0.8);
     }
   }
 }

@@ -1,5 +1,5 @@
-"""try_external.py OXTURN PAGE: writes the page's first python block to sweep.py and runs its first sh block, as a reader
-would, in a clean folder; then looks for the rows that the page promises."""
+"""try_external.py OXTURN PAGE: writes the page's first python block to sweep.py and runs its first sh block, as a
+reader would, in a clean folder; then looks for the rows that the page promises."""
 import csv
 import os
 import re
