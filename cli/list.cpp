@@ -217,9 +217,7 @@ struct Options {
 };
 
 int list(const Options& options, const Registry& registry) {
-  std::vector<std::string> names;
   for (const Kind& kind : kKinds) {
-    names.emplace_back(kind.name);
     if (options.what != kind.name) continue;
     const Json all = kind.all(with_programs(registry, options.programs).registry);
     if (options.json)
@@ -228,7 +226,7 @@ int list(const Options& options, const Registry& registry) {
       kind.print(all);
     return 0;
   }
-  throw std::invalid_argument(unknown_name("list", options.what, names));
+  throw std::invalid_argument(unknown_name("list", options.what, kinds_of_lists()));
 }
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
@@ -242,6 +240,12 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
 }
 
 }  // namespace
+
+std::vector<std::string> kinds_of_lists() {
+  std::vector<std::string> names;
+  for (const Kind& kind : kKinds) names.emplace_back(kind.name);
+  return names;
+}
 
 Command list_command() {
   return {"list", "what there is: planners, maps, formats, metrics, robot, suites, tables, columns",
