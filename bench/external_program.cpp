@@ -7,9 +7,9 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/pidfd.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -90,7 +90,7 @@ ExternalProgram::ExternalProgram(const Command& command) {
   pid_ = ::fork();
   if (pid_ < 0) cannot_start(command);
   if (pid_ == 0) become(command, parent, input.read.number(), output.write.number(), errors.write.number());
-  process_ = wire::Descriptor(::pidfd_open(pid_, 0));
+  process_ = wire::Descriptor(static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0)));
   input_ = std::move(input.write);
   output_ = std::move(output.read);
   errors_ = std::move(errors.read);

@@ -279,7 +279,9 @@ TEST(ExternalDescription, EachMistakeIsOneSentenceThatNamesCommandAndMember) {
   const Folder folder;
   for (const auto& [text, sentence] : mistakes) {
     SCOPED_TRACE(text);
-    EXPECT_THAT([&, t = text] { external_planner({describing(folder, t)}); },
+    const std::string command = describing(folder, text);
+    const auto refused = [&] { external_planner({command}); };
+    EXPECT_THAT(refused,
                 ThrowsMessage<std::invalid_argument>(::testing::AllOf(HasSubstr("`cat '"), HasSubstr(sentence))));
   }
 }
@@ -290,8 +292,10 @@ TEST(ExternalDescription, BadProgramsAreOneSentence) {
                                                     {"no-such-program", "exited with code 127; it printed last"},
                                                     {"yes;:", "prints more than a megabyte"},
                                                     {"cat", "exited with code 1; it printed last"}};
-  for (const auto& [command, sentence] : commands)
-    EXPECT_THAT([&, c = command] { external_planner({c}); }, ThrowsMessage<std::invalid_argument>(HasSubstr(sentence)));
+  for (const auto& [text, sentence] : commands) {
+    const Command command{text};
+    EXPECT_THAT([&] { external_planner(command); }, ThrowsMessage<std::invalid_argument>(HasSubstr(sentence)));
+  }
   EXPECT_TRUE(children_of(::getpid()).empty());
 }
 
