@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -280,7 +281,8 @@ std::string identity_of(const Command& command, const std::string& description) 
 
 PlannerInfo external_planner(const Command& command) {
   const Command describe{command.text + " --describe", command.folder};
-  const std::string answer = answer_of(describe);
+  std::string answer = answer_of(describe);
+  while (!answer.empty() && std::isspace(static_cast<unsigned char>(answer.back())) != 0) answer.pop_back();
   Json json;
   try {
     json = Json::parse(answer);

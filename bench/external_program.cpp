@@ -33,6 +33,7 @@ constexpr std::size_t kChunk = 1 << 16;
 constexpr std::size_t kKeptWords = 4096;  // of standard error
 constexpr std::size_t kShown = 80;        // bytes of a line or command in messages
 constexpr int kWatchMs = 10;              // between two readings of memory
+constexpr int kShellSignal = 128;         // and the signal's number: exit code of a shell
 
 std::string shortened(std::string_view text) {
   return printable(text.substr(0, kShown)) + (text.size() > kShown ? "..." : "");
@@ -192,6 +193,11 @@ bool ExternalProgram::reap() {
   end_.emplace();
   if (WIFEXITED(status)) end_->exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) end_->signal = WTERMSIG(status);
+  // By this the shell tells that the program was killed.
+  if (end_->exit_code > kShellSignal && end_->exit_code - kShellSignal < NSIG) {
+    end_->signal = end_->exit_code - kShellSignal;
+    end_->exit_code = 0;
+  }
   return true;
 }
 

@@ -136,7 +136,8 @@ class Path:
         self.at, self.legs = start, []
 
     def drive(self, points, tool):
-        points = [p for p in points if p != self.at]
+        while points and points[0] == self.at:
+            points = points[1:]
         if not points:
             return
         if self.legs and self.legs[-1][0] == tool:

@@ -24,7 +24,7 @@ def path(*legs):
 
 
 def lanes():
-    points = []
+    points = [[0.21, 0.21]]
     for k in range(6):
         row = [[0.2, 0.2 + 0.32 * k], [2.8, 0.2 + 0.32 * k]]
         points += row if k % 2 == 0 else row[::-1]
@@ -32,7 +32,7 @@ def lanes():
 
 
 GOOD = path(leg(lanes()))
-WALL = path(leg([[0.2, 0.2], [4, 0.2]]))
+WALL = path(leg([[0.21, 0.21], [4, 0.21]]))
 
 
 def answer(message):
