@@ -45,7 +45,8 @@ std::string question(const Problem& problem, const Settings& settings, const Con
 
 class Conversation {
  public:
-  Conversation(const Command& command, Context& context) : command_(command), context_(context), program_(command) {}
+  Conversation(const ShellCommand& command, Context& context)
+      : command_(command), context_(context), program_(command) {}
 
   void await_ready() {
     const Next next = program_.next_line(context_.seconds_left());
@@ -171,7 +172,7 @@ class Conversation {
     throw std::runtime_error(fmt::format("{} failed: {}", quoted(command_), reason));
   }
 
-  const Command& command_;
+  const ShellCommand& command_;
   Context& context_;
   ExternalProgram program_;
   const Json* object_ = nullptr;  // the line at hand
@@ -180,7 +181,8 @@ class Conversation {
 
 class ExternalPlanner final : public CoveragePlanner {
  public:
-  ExternalPlanner(Command command, Settings settings) : command_(std::move(command)), settings_(std::move(settings)) {}
+  ExternalPlanner(ShellCommand command, Settings settings)
+      : command_(std::move(command)), settings_(std::move(settings)) {}
 
   Path plan(const Problem& problem, Context& context) const override {
     const std::string line = question(problem, settings_, context);
@@ -191,7 +193,7 @@ class ExternalPlanner final : public CoveragePlanner {
   }
 
  private:
-  Command command_;
+  ShellCommand command_;
   Settings settings_;
 };
 
@@ -212,7 +214,7 @@ std::string ending_of(const ExternalProgram& program, const ExternalProgram::End
   return text;
 }
 
-std::unique_ptr<CoveragePlanner> converse_with(const Command& command, Settings settings) {
+std::unique_ptr<CoveragePlanner> converse_with(const ShellCommand& command, Settings settings) {
   return std::make_unique<ExternalPlanner>(command, std::move(settings));
 }
 

@@ -14,7 +14,7 @@ namespace oxturn {
 
 /// `settings`: of every parameter. plan() throws for an answer that is none: std::runtime_error with the number and
 /// the beginning of the line, WorkEnded for a program that was killed or failed.
-std::unique_ptr<CoveragePlanner> converse_with(const Command& command, Settings settings);
+std::unique_ptr<CoveragePlanner> converse_with(const ShellCommand& command, Settings settings);
 
 /// How a program ended that should not have: "exited with code 3; it printed last: ...".
 std::string ending_of(const ExternalProgram& program, const ExternalProgram::End& end);

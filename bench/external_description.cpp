@@ -38,7 +38,7 @@ const Limits kLimits{.wall_s = 20, .cpu_s = 0, .memory_mb = 4096};
 // --- asking --------------------------------------------------------------------------------------------------
 
 /// In a child process.
-void ask(const Command& command, int fd) {
+void ask(const ShellCommand& command, int fd) {
   ExternalProgram program(command);
   program.close_input();
   std::string text;
@@ -54,7 +54,7 @@ void ask(const Command& command, int fd) {
   wire::send(fd, 'A', text);
 }
 
-std::string answer_of(const Command& command) {
+std::string answer_of(const ShellCommand& command) {
   std::string text;
   ChildTask task;
   task.limits = kLimits;
@@ -266,7 +266,7 @@ std::string found_in_path(const std::string& name) {
   return {};
 }
 
-std::string identity_of(const Command& command, const std::string& description) {
+std::string identity_of(const ShellCommand& command, const std::string& description) {
   std::string text = fmt::format("command {}\ndescription {}\n", command.text, description);
   for (const Word& word : words_of(command.text)) {
     std::error_code error;
@@ -279,8 +279,8 @@ std::string identity_of(const Command& command, const std::string& description) 
 
 }  // namespace
 
-PlannerInfo external_planner(const Command& command) {
-  const Command describe{command.text + " --describe", command.folder};
+PlannerInfo external_planner(const ShellCommand& command) {
+  const ShellCommand describe{command.text + " --describe", command.folder};
   std::string answer = answer_of(describe);
   while (!answer.empty() && std::isspace(static_cast<unsigned char>(answer.back())) != 0) answer.pop_back();
   Json json;
@@ -300,7 +300,7 @@ PlannerInfo external_planner(const Command& command) {
   return info;
 }
 
-std::string add_external_planner(Planners& planners, const Command& command) {
+std::string add_external_planner(Planners& planners, const ShellCommand& command) {
   PlannerInfo info = external_planner(command);
   const std::string name = info.name;
   if (const PlannerInfo* known = planners.get(name); known == nullptr)

@@ -14,7 +14,7 @@
 namespace oxturn {
 
 /// A command for /bin/sh.
-struct Command {
+struct ShellCommand {
   std::string text;
   std::string folder = {};  // in which it is started; empty: the current one
 };
@@ -23,10 +23,10 @@ struct Command {
 /// and the program files that the command names. Takes as long as the program takes to describe itself, at most 20 s.
 /// Throws std::invalid_argument with a sentence that names the command and what is wrong with its description. The
 /// caller must be single-threaded.
-PlannerInfo external_planner(const Command& command);
+PlannerInfo external_planner(const ShellCommand& command);
 
 /// Adds the planner to the list unless it is there already, and returns its name. Throws std::invalid_argument as
 /// external_planner() does, and for a name that another planner has.
-std::string add_external_planner(Planners& planners, const Command& command);
+std::string add_external_planner(Planners& planners, const ShellCommand& command);
 
 }  // namespace oxturn

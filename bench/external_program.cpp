@@ -39,12 +39,12 @@ std::string shortened(std::string_view text) {
   return printable(text.substr(0, kShown)) + (text.size() > kShown ? "..." : "");
 }
 
-[[noreturn]] void cannot_start(const Command& command) {
+[[noreturn]] void cannot_start(const ShellCommand& command) {
   throw std::runtime_error(fmt::format("cannot start {}: {}", quoted(command), std::strerror(errno)));
 }
 
 /// In the forked process.
-[[noreturn]] void become(const Command& command, pid_t parent, int input, int output, int errors) {
+[[noreturn]] void become(const ShellCommand& command, pid_t parent, int input, int output, int errors) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);
   ::dup2(input, 0);
@@ -80,11 +80,11 @@ void read_some(wire::Descriptor& fd, std::size_t most, Take take) {
 
 }  // namespace
 
-std::string quoted(const Command& command) { return "`" + shortened(command.text) + "`"; }
+std::string quoted(const ShellCommand& command) { return "`" + shortened(command.text) + "`"; }
 
 std::string beginning_of(std::string_view text) { return "'" + shortened(text) + "'"; }
 
-ExternalProgram::ExternalProgram(const Command& command) {
+ExternalProgram::ExternalProgram(const ShellCommand& command) {
   std::signal(SIGPIPE, SIG_IGN);  // a program that reads no further is no reason to die
   wire::Pipe input = wire::make_pipe(), output = wire::make_pipe(), errors = wire::make_pipe();
   const pid_t parent = ::getpid();

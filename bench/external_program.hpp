@@ -20,7 +20,7 @@
 namespace oxturn {
 
 /// The command in backquotes, shortened, for messages.
-std::string quoted(const Command& command);
+std::string quoted(const ShellCommand& command);
 /// The beginning of a text that came from a program, in quotes and printable.
 std::string beginning_of(std::string_view text);
 
@@ -30,7 +30,7 @@ class ExternalProgram {
   static constexpr std::size_t kLongestLine = std::size_t{256} << 20;
 
   /// Throws std::runtime_error if no process can be started. That there is no such command shows by its ending.
-  explicit ExternalProgram(const Command& command);
+  explicit ExternalProgram(const ShellCommand& command);
   /// Kills it and all that it has started, as far as they are still its descendants.
   ~ExternalProgram();
   ExternalProgram(const ExternalProgram&) = delete;

@@ -87,7 +87,8 @@ std::string for_bash(const std::vector<Described>& all) {
   text += fmt::format("  if ((COMP_CWORD == 1)); then options='--help --version' words='{}'; fi\n", names_of(all));
   return text +
          "  if [[ $cur == -* ]]; then COMPREPLY=($(compgen -W \"$options\" -- \"$cur\"))\n"
-         "  elif ((COMP_CWORD == 1)); then COMPREPLY=($(compgen -W \"$words\" -- \"$cur\"))\n"
+         "  elif ((COMP_CWORD == 1)) || [[ ${COMP_WORDS[1]} == help ]]; then COMPREPLY=($(compgen -W \"$words\" -- "
+         "\"$cur\"))\n"
          "  else COMPREPLY=($(compgen -W \"$words\" -- \"$cur\") $(compgen -f -- \"$cur\")); fi\n"
          "}\ncomplete -o filenames -F _oxturn oxturn\n";
 }

@@ -299,7 +299,7 @@ TEST(ExternalDescription, BadProgramsAreOneSentence) {
                                                     {"yes;:", "prints more than a megabyte"},
                                                     {"cat", "exited with code 1; it printed last"}};
   for (const auto& [text, sentence] : commands) {
-    const Command command{text};
+    const ShellCommand command{text};
     EXPECT_THAT([&] { external_planner(command); }, ThrowsMessage<std::invalid_argument>(HasSubstr(sentence)));
   }
   EXPECT_TRUE(children_of(::getpid()).empty());

@@ -18,7 +18,7 @@ const std::string kLanes = "--exec 'python3 " OXTURN_SOURCE_DIR "/docs/planners/
 const std::string kWalk = "--exec " OXTURN_WALK " ";
 
 TEST(Exec, TheProgramIsThePlannerOfAPlan) {
-  for (const char* map : {"rooms:7", "rooms:2", "clutter:3", "clutter:8", "cave:1", "rectangle"}) {
+  for (const char* map : {"rooms:2", "clutter:3", "cave:1"}) {
     for (const std::string& exec : {kLanes, kWalk}) {
       const Said said = oxturn("plan " + exec + map + " --json");
       SCOPED_TRACE(exec + map + said.err);
