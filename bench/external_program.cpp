@@ -98,7 +98,12 @@ ExternalProgram::ExternalProgram(const ShellCommand& command) {
   for (const wire::Descriptor* fd : {&input_, &output_, &errors_}) do_not_block(*fd);
 }
 
-ExternalProgram::~ExternalProgram() { wait(0); }
+ExternalProgram::~ExternalProgram() {
+  try {
+    wait(0);
+  } catch (...) {  // memory is lacking: the supervisor kills what is left
+  }
+}
 
 void ExternalProgram::send(std::string text) {
   pending_ = std::move(text);
@@ -120,7 +125,9 @@ void ExternalProgram::write_input() {
 }
 
 void ExternalProgram::read_output() {
-  read_some(output_, kChunk * 16, [this](std::string_view chunk) { buffer_ += chunk; });
+  read_some(output_, kChunk * 16, [this](std::string_view chunk) {
+    if (!dropping_) buffer_ += chunk;
+  });
 }
 
 void ExternalProgram::read_errors() {
@@ -204,7 +211,9 @@ bool ExternalProgram::reap() {
 ExternalProgram::End ExternalProgram::wait(double seconds) {
   const auto begin = Clock::now();
   input_.close();
-  pending_ = {};
+  dropping_ = true;
+  pending_ = buffer_ = std::string();
+  taken_ = searched_ = 0;
   bool killed = false;
   while (!reap()) {
     if (!killed && std::chrono::duration<double>(Clock::now() - begin).count() >= seconds) {
@@ -213,8 +222,6 @@ ExternalProgram::End ExternalProgram::wait(double seconds) {
       ::kill(pid_, SIGKILL);
     }
     poll_all(kWatchMs);
-    buffer_.clear();
-    taken_ = searched_ = 0;
   }
   read_errors();
   end_->killed = end_->killed || killed;

@@ -75,6 +75,7 @@ class ExternalProgram {
   std::string buffer_, line_, words_;
   std::size_t taken_ = 0, searched_ = 0;  // of buffer_; no line break before `searched_`
   std::size_t lines_ = 0;
+  bool dropping_ = false;  // output is read, but not kept
   double peak_ = 0;
   std::optional<End> end_;
 };
