@@ -1,6 +1,7 @@
 // Planners that are programs, on the command line. Those of docs/planners are run as they stand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -60,6 +61,16 @@ TEST(Exec, BadCommandsAreOneSentence) {
   }
   EXPECT_THAT(oxturn("plan stc").err, HasSubstr("MAP is missing. See `oxturn plan --help`"));
   EXPECT_THAT(oxturn("plan").err, HasSubstr("PLANNER is missing"));
+}
+
+// Whoever presses Ctrl-C while a program plans leaves nothing behind.
+TEST(Exec, AnInterruptEndsTheProgram) {
+  const std::string mark = "interrupted-" + std::to_string(::getpid());
+  const std::string program = "python3 " OXTURN_SOURCE_DIR "/tests/cli/waits.py " + mark;
+  const std::string command =
+      std::string("timeout -s INT 2 '") + OXTURN_PROGRAM + "' plan --exec '" + program + "' rectangle >/dev/null 2>&1";
+  EXPECT_NE(std::system(command.c_str()), 0);
+  EXPECT_NE(std::system(("pgrep -f '[i]" + mark.substr(1) + "' >/dev/null").c_str()), 0);
 }
 
 TEST(Exec, ListsShowItBesideTheOthers) {
