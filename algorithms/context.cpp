@@ -22,7 +22,18 @@ Context::Clock::time_point deadline_after(double wall_s) {
 }  // namespace
 
 Context::Context(std::uint64_t seed, double wall_s, Sinks sinks)
-    : rng_(seed), deadline_(deadline_after(wall_s)), sinks_(std::move(sinks)) {}
+    : seed_(seed), wall_s_(wall_s), rng_(seed), deadline_(deadline_after(wall_s)), sinks_(std::move(sinks)) {}
+
+void Context::begin() {
+  if (begun_) return;
+  begun_ = true;
+  deadline_ = deadline_after(wall_s_);
+  if (sinks_.begin) sinks_.begin();
+}
+
+void Context::peak_memory(double bytes) {
+  if (sinks_.peak_memory) sinks_.peak_memory(bytes);
+}
 
 bool Context::cancelled() const { return cancelled_ || Clock::now() >= deadline_; }
 

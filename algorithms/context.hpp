@@ -36,14 +36,25 @@ class Context {
     std::function<void(const Trace&)> trace;
     std::function<void(const std::string&, double)> record;
     std::function<void(std::function<Region()>)> promise;
+    std::function<void()> begin;
+    std::function<void(double)> peak_memory;
   };
   using Clock = std::chrono::steady_clock;
   /// `wall_s`: seconds from now to the deadline.
   explicit Context(std::uint64_t seed = 1, double wall_s = 1e9, Sinks sinks = {});
   Context(const Context&) = delete;
 
-  /// The only source of randomness.
+  /// The only source of randomness, seeded with seed().
   Rng& rng() { return rng_; }
+  std::uint64_t seed() const { return seed_; }
+  /// Seconds from the beginning to the deadline.
+  double wall_s() const { return wall_s_; }
+  /// For planners that start a program: planning begins now. What came before is not measured, and the deadline counts
+  /// from here. Only the first call counts; without one, planning begins with plan().
+  void begin();
+  /// For planners that start a program: its memory at its peak, bytes. Stands in place of what is measured of this
+  /// process.
+  void peak_memory(double bytes);
   /// True once the deadline has passed or cancel() was called: return the best path so far soon. Reads the clock.
   bool cancelled() const;
   double seconds_left() const;
@@ -68,10 +79,12 @@ class Context {
   Sinks traces_only() const;
 
  private:
+  std::uint64_t seed_;
+  double wall_s_;
   Rng rng_;
   Clock::time_point deadline_;
   Sinks sinks_;
-  bool cancelled_ = false;
+  bool begun_ = false, cancelled_ = false;
 };
 
 }  // namespace oxturn

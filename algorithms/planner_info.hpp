@@ -41,6 +41,9 @@ struct PlannerInfo {
   std::function<std::vector<ParameterInfo>(const Settings&, const Planners& planners)> more_parameters = {};
   /// Whether `promise` holds with these settings; empty: with all.
   std::function<bool(const Settings&)> promises_with = {};
+  /// Of a planner from outside: where it comes from ("python3 lanes.py"), and a hash of everything that determines
+  /// what it does. Empty: it is part of oxturn.
+  std::string origin = {}, identity = {};
 
   /// What it promises to cover with these settings. Throws as `make` does.
   Promise promised(const Settings& settings) const;

@@ -97,13 +97,16 @@ void prepare(const Limits& limits, const Birth& birth) {
   if (!OXTURN_SANITIZED) set_soft_limit(RLIMIT_AS, address_space_bytes(::getpid()) + limits.memory_mb * kMega);
 }
 
-void fail(int fd, Outcome outcome, const char* what) {
+void fail(int fd, Outcome outcome, const char* what, int exit_code = 0, int signal = 0) {
   // Built on the stack: memory may be what is lacking.
-  char message[1 + 2000];
+  constexpr std::size_t kHead = 1 + 2 * sizeof(int);
+  char message[kHead + 2000];
   message[0] = static_cast<char>(outcome);
-  const std::size_t size = std::min<std::size_t>(std::strlen(what), sizeof message - 1);
-  std::copy_n(what, size, message + 1);
-  wire::send(fd, child_frames::kFailed, {message, 1 + size});
+  std::memcpy(message + 1, &exit_code, sizeof exit_code);
+  std::memcpy(message + 1 + sizeof exit_code, &signal, sizeof signal);
+  const std::size_t size = std::min<std::size_t>(std::strlen(what), sizeof message - kHead);
+  std::copy_n(what, size, message + kHead);
+  wire::send(fd, child_frames::kFailed, {message, kHead + size});
 }
 
 [[noreturn]] void be_child(const ChildTask& task, const Birth& birth) {
@@ -113,9 +116,11 @@ void fail(int fd, Outcome outcome, const char* what) {
     task.work(fd);
   } catch (const Infeasible& e) { fail(fd, Outcome::infeasible, e.what()); } catch (const Unsupported& e) {
     fail(fd, Outcome::unsupported, e.what());
-  } catch (const std::bad_alloc&) { fail(fd, Outcome::out_of_memory, ""); } catch (const std::exception& e) {
-    fail(fd, Outcome::error, e.what());
-  } catch (...) { fail(fd, Outcome::error, "threw something that is not a std::exception"); }
+  } catch (const WorkEnded& e) { fail(fd, e.outcome, e.what(), e.exit_code, e.signal); } catch (const std::bad_alloc&) {
+    fail(fd, Outcome::out_of_memory, "");
+  } catch (const std::exception& e) { fail(fd, Outcome::error, e.what()); } catch (...) {
+    fail(fd, Outcome::error, "threw something that is not a std::exception");
+  }
   wire::send(fd, child_frames::kEnd, "");
   std::fflush(nullptr);  // what the work has printed; the parent's own buffers were flushed before the fork
   ::_exit(0);
@@ -123,24 +128,38 @@ void fail(int fd, Outcome outcome, const char* what) {
 
 // --- the parent's side ---------------------------------------------------------------------------------------
 
-std::string signal_text(int s) {
-  const char* name = ::sigabbrev_np(s);
-  const char* meaning = ::sigdescr_np(s);
-  std::string text = fmt::format("killed by SIG{}", name != nullptr ? name : std::to_string(s));
-  if (meaning != nullptr) {
-    std::string lower = meaning;
-    if (lower.size() > 1 && (lower[1] < 'A' || lower[1] > 'Z'))
-      lower[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(lower[0])));
-    text += fmt::format(" ({})", lower);
+/// While a child runs, a signal that ends this process ends the child's process group first. Handlers that a caller has
+/// installed stay.
+class KillOnSignal {
+ public:
+  KillOnSignal() {
+    for (const int s : kSignals) {
+      struct sigaction now {};
+      if (::sigaction(s, nullptr, &now) != 0 || now.sa_handler != SIG_DFL) continue;
+      std::signal(s, kill_and_end);
+      ours_.push_back(s);
+    }
   }
-  return text;
-}
+  ~KillOnSignal() {
+    for (const int s : ours_) std::signal(s, SIG_DFL);
+  }
+  KillOnSignal(const KillOnSignal&) = delete;
+
+ private:
+  static constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
+  static void kill_and_end(int s) {
+    kill_running_child();
+    std::signal(s, SIG_DFL);
+    std::raise(s);
+  }
+  std::vector<int> ours_;
+};
 
 // The log is kept only if something was printed.
 class Log {
  public:
   explicit Log(std::string file) : file_(std::move(file)) {
-    if (file_.empty()) return;
+    if (file_.empty() || file_ == kLogToStandardError) return;
     fd_ = wire::Descriptor(::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666));
     if (!fd_.open()) throw std::runtime_error(fmt::format("cannot write '{}': {}", file_, std::strerror(errno)));
   }
@@ -149,7 +168,7 @@ class Log {
     struct stat about {};
     if (fd_.open() && ::fstat(fd_.number(), &about) == 0 && about.st_size == 0) ::unlink(file_.c_str());
   }
-  int number() const { return fd_.number(); }
+  int number() const { return file_ == kLogToStandardError ? STDERR_FILENO : fd_.number(); }
 
  private:
   std::string file_;
@@ -275,6 +294,8 @@ class Supervisor {
       const auto outcome = static_cast<Outcome>(wire::take<char>(payload));
       said_failed_ = true;
       report_.outcome = outcome;
+      report_.exit_code = wire::take<int>(payload);
+      report_.signal = wire::take<int>(payload);
       report_.reason = outcome == Outcome::out_of_memory ? memory_text() : std::string(payload);
     } else {
       task_.receive(type, payload);
@@ -326,6 +347,19 @@ class Supervisor {
 
 }  // namespace
 
+std::string signal_text(int s) {
+  const char* name = ::sigabbrev_np(s);
+  const char* meaning = ::sigdescr_np(s);
+  std::string text = fmt::format("killed by SIG{}", name != nullptr ? name : std::to_string(s));
+  if (meaning != nullptr) {
+    std::string lower = meaning;
+    if (lower.size() > 1 && (lower[1] < 'A' || lower[1] > 'Z'))
+      lower[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(lower[0])));
+    text += fmt::format(" ({})", lower);
+  }
+  return text;
+}
+
 Orphans::Orphans() : before_(children_of(::getpid())) { ::prctl(PR_SET_CHILD_SUBREAPER, 1); }
 
 void Orphans::kill_all(const std::vector<int>& own) const {
@@ -352,6 +386,7 @@ ChildReport run_child(const ChildTask& task) {
   std::fflush(nullptr);
   const pid_t parent = ::getpid();
   const Orphans orphans;
+  const KillOnSignal guard;
   const pid_t pid = ::fork();
   if (pid < 0) throw std::runtime_error(fmt::format("cannot start a process: {}", std::strerror(errno)));
   if (pid == 0) be_child(task, {parent, log.number(), pipe.write.number()});

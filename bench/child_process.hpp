@@ -13,6 +13,7 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,16 +34,28 @@ inline constexpr double kMega = 1e6;
 
 /// Frame types that the task's own must not use.
 namespace child_frames {
-inline constexpr char kFailed = 'X';   // outcome (one byte), text: the work threw
+inline constexpr char kFailed = 'X';   // outcome (one byte), exit code and signal (int), text: the work threw
 inline constexpr char kEnd = 'E';      // the work is over
 inline constexpr char kRestart = 'T';  // the limits on time start anew: another stage begins
 }  // namespace child_frames
+
+/// Thrown by the work to say how it ended, where that is not what the exception's type tells: a program that it has
+/// started was killed, or took too long.
+struct WorkEnded : std::runtime_error {
+  WorkEnded(Outcome how, const std::string& reason, int code = 0, int signal_number = 0)
+      : std::runtime_error(reason), outcome(how), exit_code(code), signal(signal_number) {}
+  Outcome outcome;
+  int exit_code, signal;
+};
+
+/// As ChildTask::log_file: to standard error.
+inline constexpr const char* kLogToStandardError = "-";
 
 struct ChildTask {
   std::function<void(int fd)> work;
   std::function<void(char type, std::string_view payload)> receive;
   Limits limits;
-  std::string log_file;  // the child's stdout and stderr; empty: dropped
+  std::string log_file;  // the child's stdout and stderr; empty: dropped; or kLogToStandardError
   std::string what;      // begins reasons: "scoring: no result after 2 s"; empty: "no result after 2 s"
 };
 
@@ -75,5 +88,7 @@ void reset_peak();
 double peak_bytes();
 /// Processor time of this process and of its children that have been waited for.
 double own_cpu_seconds();
+/// "killed by SIGSEGV (segmentation fault)".
+std::string signal_text(int signal);
 
 }  // namespace oxturn

@@ -41,10 +41,7 @@ class PlannerChild {
       wire::send(fd_, child_frames::kRestart, "");
     }
     Context context(options_.seed, deadline_s(), sinks());
-    reset_peak();
-    resident_before_ = resident_bytes(::getpid());
-    cpu_before_ = own_cpu_seconds();
-    wall_before_ = Clock::now();
+    start_measuring();
     try {
       const Path path = planner->plan(problem, context);
       send_measures();
@@ -59,6 +56,16 @@ class PlannerChild {
  private:
   double deadline_s() const { return 0.95 * options_.limits.wall_s; }
 
+  void start_measuring() {
+    reset_peak();
+    peak_memory_.reset();
+    resident_before_ = resident_bytes(::getpid());
+    cpu_before_ = own_cpu_seconds();
+    // Programs that were started before and are waited for later count with all of their time then.
+    for (const pid_t p : descendants(::getpid())) cpu_before_ += precise_cpu_seconds(p);
+    wall_before_ = Clock::now();
+  }
+
   Context::Sinks sinks() {
     Context::Sinks sinks;
     sinks.publish = [this](const Path& path) { wire::send_path(fd_, frames::kPublished, path); };
@@ -70,6 +77,11 @@ class PlannerChild {
     if (options_.progress) sinks.progress = [this](double fraction) { send_progress(fraction); };
     if (options_.traces) sinks.trace = [this](const Trace& trace) { send_trace(trace); };
     sinks.promise = [this](std::function<Region()> region) { promised_ = std::move(region); };
+    sinks.begin = [this] {
+      wire::send(fd_, child_frames::kRestart, "");
+      start_measuring();
+    };
+    sinks.peak_memory = [this](double bytes) { peak_memory_ = bytes; };
     return sinks;
   }
 
@@ -91,7 +103,7 @@ class PlannerChild {
   void send_measures() {
     const double wall = std::chrono::duration<double>(Clock::now() - wall_before_).count();
     const double cpu = own_cpu_seconds() - cpu_before_;
-    const double growth = std::max(0.0, peak_bytes() - resident_before_);
+    const double growth = peak_memory_.value_or(std::max(0.0, peak_bytes() - resident_before_));
     const double values[3] = {wall, cpu, growth};
     wire::send(fd_, frames::kMeasures, {reinterpret_cast<const char*>(values), sizeof values});
     wire::send(fd_, child_frames::kRestart, "");
@@ -103,6 +115,7 @@ class PlannerChild {
   Clock::time_point last_progress_, wall_before_;
   std::size_t trace_bytes_ = 0;
   double resident_before_ = 0, cpu_before_ = 0;
+  std::optional<double> peak_memory_;
 };
 
 /// The parent's side: gathers what the child sends.

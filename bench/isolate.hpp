@@ -45,7 +45,7 @@ struct IsolationOptions {
   std::uint64_t seed = 1;
   int warm_ups = 0;  // calls of plan() before the one that counts, in the same process
   bool traces = false;
-  std::string log_file;                  // planner's stdout and stderr; empty: dropped
+  std::string log_file;                  // ChildTask::log_file
   std::function<void(double)> progress;  // optional
 };
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 
 namespace oxturn {
 namespace {
@@ -121,6 +122,18 @@ double cpu_seconds(pid_t pid) {
     return 0;
   return (static_cast<double>(user + system) + static_cast<double>(children_user + children_system)) /
          static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
+double precise_cpu_seconds(pid_t pid) {
+  clockid_t clock{};
+  timespec t{};
+  if (::clock_getcpuclockid(pid, &clock) != 0 || ::clock_gettime(clock, &t) != 0) return 0;
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double peak_resident_bytes(pid_t pid) {
+  const SmallFile status(FileName(pid, "status").text);
+  return 1024.0 * static_cast<double>(number_after(status.text, "VmHWM:"));
 }
 
 std::vector<pid_t> children_of(pid_t pid) {

@@ -22,6 +22,10 @@ double address_space_bytes(pid_t pid);
 double private_bytes(pid_t pid);
 /// User and system time of a process and of its children that have been waited for.
 double cpu_seconds(pid_t pid);
+/// The same without its children, to the microsecond.
+double precise_cpu_seconds(pid_t pid);
+/// The most resident memory that a process has had since it began its program.
+double peak_resident_bytes(pid_t pid);
 
 /// Processes that this one has started and that still exist.
 std::vector<pid_t> children_of(pid_t pid);

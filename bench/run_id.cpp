@@ -13,6 +13,24 @@ Settings full_settings(const PlannerInfo& planner, const Settings& settings, con
   return all;
 }
 
+std::vector<const PlannerInfo*> from_outside(const PlannerInfo& planner, const Settings& settings,
+                                             const Planners& planners) {
+  std::vector<const PlannerInfo*> all;
+  if (!planner.identity.empty()) all.push_back(&planner);
+  for (const auto& [name, value] : settings) {
+    const std::string* text = std::get_if<std::string>(&value);
+    const PlannerInfo* named = text != nullptr ? planners.get(*text) : nullptr;
+    if (named != nullptr && !named->identity.empty()) all.push_back(named);
+  }
+  return all;
+}
+
+std::string identified(const PlannerInfo& planner, const Settings& settings, const Planners& planners) {
+  std::string text = planner.name;
+  for (const PlannerInfo* part : from_outside(planner, settings, planners)) text += " " + part->identity;
+  return text;
+}
+
 std::string run_id(const std::string& map, const std::string& robot, const std::string& problem,
                    const std::string& planner, const Settings& settings, std::uint64_t seed, int repeat,
                    const std::string& build) {

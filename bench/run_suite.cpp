@@ -107,7 +107,7 @@ class SuiteRun {
   SuiteRun(const Suite& suite, const Registry& registry, const SuiteRunOptions& options)
       : options_(options),
         columns_(run_columns(registry.metrics)),
-        session_(suite, columns_, options),
+        session_(suite, registry.planners, columns_, options),
         metrics_(options.folder, "metrics.csv", kMetricsHeader),
         trace_(options.folder, "trace.csv", kTraceHeader),
         cells_(cells_of(suite)),
@@ -389,9 +389,11 @@ Results run_suite(const Suite& suite, const Registry& registry, const SuiteRunOp
   if (options.folder.empty()) throw std::invalid_argument("no folder for the results; name one with -o");
   Suite named = suite;
   name_maps(named.maps);
-  for (const PlannerSpec& spec : named.planners) registry.planners.find(spec.name);
+  Registry all_planners = registry;
+  for (const PlannerInfo& program : suite.programs) all_planners.planners.add(program);
+  for (const PlannerSpec& spec : named.planners) all_planners.planners.find(spec.name);
   {
-    SuiteRun all(named, registry, options);
+    SuiteRun all(named, all_planners, options);
     all.run();
   }
   return read_results(options.folder);

@@ -17,6 +17,7 @@
 
 #include "base/files.hpp"
 #include "bench/build_info.hpp"
+#include "bench/run_id.hpp"
 #include "maps/formats.hpp"
 
 namespace oxturn {
@@ -40,6 +41,17 @@ std::string whole_lines(const std::string& text) {
   return text.substr(0, end);
 }
 
+/// The planners from outside that take part in the suite.
+std::vector<ProgramEntry> programs_of(const Suite& suite, const Planners& planners) {
+  std::map<std::string, ProgramEntry> programs;
+  for (const PlannerSpec& spec : suite.planners)
+    for (const PlannerInfo* planner : from_outside(planners.find(spec.name), spec.settings, planners))
+      programs[planner->name] = {planner->name, planner->origin, planner->identity};
+  std::vector<ProgramEntry> all;
+  for (const auto& [name, program] : programs) all.push_back(program);
+  return all;
+}
+
 }  // namespace
 
 void lock_results(const wire::Descriptor& runs_csv, const std::string& folder) {
@@ -48,8 +60,11 @@ void lock_results(const wire::Descriptor& runs_csv, const std::string& folder) {
         fmt::format("another process is writing to '{}'; wait for it, or choose another folder", folder));
 }
 
-Session::Session(const Suite& suite, const Columns& columns, const SuiteRunOptions& options)
-    : columns_(columns), folder_(options.folder), file_(options.folder + "/runs.csv") {
+Session::Session(const Suite& suite, const Planners& planners, const Columns& columns, const SuiteRunOptions& options)
+    : columns_(columns),
+      folder_(options.folder),
+      file_(options.folder + "/runs.csv"),
+      programs_(programs_of(suite, planners)) {
   const bool there = fs::exists(file_);
   if (there && !options.resume)
     throw std::invalid_argument(fmt::format(
@@ -92,6 +107,7 @@ void Session::take_up(const Suite& suite) {
     throw std::invalid_argument(fmt::format(
         "'{}' was scored again by another build of oxturn ({}, this is {}); `oxturn rescore` it with this build first",
         folder_, before.scoring_identity(), build_identity()));
+  compare_programs(before.programs);
   sessions_ = before.sessions;
   const std::string text = read_file(file_);
   const std::string whole = whole_lines(text);
@@ -101,6 +117,19 @@ void Session::take_up(const Suite& suite) {
     throw std::invalid_argument(
         fmt::format("{}: its columns are not those of this version of oxturn; choose another folder", file_));
   for (Row& row : rows_from_csv(whole, file_)) earlier_[row.get("run_id")].push_back(std::move(row));
+}
+
+void Session::compare_programs(const std::vector<ProgramEntry>& before) const {
+  for (const ProgramEntry& now : programs_) {
+    for (const ProgramEntry& then : before) {
+      if (then.planner != now.planner || then.identity == now.identity) continue;
+      const std::string was = then.origin == now.origin ? "" : fmt::format(" (`{}`)", then.origin);
+      throw std::invalid_argument(fmt::format(
+          "'{}' holds results of another version of planner '{}'{}: `{}`, its description or a file that it "
+          "names has changed since; choose another folder",
+          folder_, now.planner, was, now.origin));
+    }
+  }
 }
 
 void Session::append(const std::string& line) {
@@ -123,7 +152,7 @@ void Session::rewrite(const std::string& lines) { write_file(file_, csv_header(c
 
 void Session::describe(const Suite& suite, const SuiteRunOptions& options) {
   SessionFile session{suite.name, suite.file, suite.limits, suite.warm_ups, suite.target_coverage,
-                      {},         {},         sessions_,    nullptr};
+                      {},         {},         programs_,    sessions_,      nullptr};
   for (const Robot& robot : suite.robots) session.robots.emplace_back(robot.name, canonical_text(robot));
   session.build = build_description();
   session.sessions.push_back({fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),

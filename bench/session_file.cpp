@@ -43,6 +43,8 @@ SessionFile session_from(const Json& json) {
   for (const auto& [name, robot] : json.at("robots").items()) session.robots.emplace_back(name, robot);
   session.build = json.at("build");
   session.rescored = json.value("rescored", Json());
+  for (const Json& p : json.value("programs", Json::array()))
+    session.programs.push_back({p.at("planner"), p.at("command"), p.at("identity")});
   for (const Json& entry : json.at("sessions")) session.sessions.push_back(entry_from(entry));
   return session;
 }
@@ -72,6 +74,9 @@ void write_session_file(const std::string& folder, const SessionFile& session) {
   for (const auto& [name, robot] : session.robots) json["robots"][name] = robot;
   json["build"] = session.build;
   if (!session.rescored.is_null()) json["rescored"] = session.rescored;
+  if (!session.programs.empty()) json["programs"] = Json::array();
+  for (const ProgramEntry& p : session.programs)
+    json["programs"].push_back({{"planner", p.planner}, {"command", p.origin}, {"identity", p.identity}});
   json["sessions"] = Json::array();
   for (const SessionEntry& entry : session.sessions) json["sessions"].push_back(to_json(entry));
   write_file(file_of(folder), json_text(json));

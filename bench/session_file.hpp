@@ -21,6 +21,11 @@ struct SessionEntry {
   std::vector<std::string> command_line;
 };
 
+/// A planner from outside.
+struct ProgramEntry {
+  std::string planner, origin, identity;  // as PlannerInfo has them
+};
+
 struct SessionFile {
   std::string suite, suite_file;  // name and file of the suite
   Limits limits;
@@ -28,6 +33,7 @@ struct SessionFile {
   double target_coverage = 0;
   std::vector<std::pair<std::string, std::string>> robots;  // name, canonical_text()
   nlohmann::ordered_json build;                             // build_description()
+  std::vector<ProgramEntry> programs;                       // external planners of the suite
   std::vector<SessionEntry> sessions;                       // in order
   nlohmann::ordered_json rescored;  // build_description() of another build whose rescore() was the last; or null
   /// Of the build that planned, and of the one that scored; "unknown" if it is not said.

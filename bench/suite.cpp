@@ -52,7 +52,9 @@ Suite read_suite(const std::string& file, const Registry& registry) {
   }
   suite.robots = read_robots(file, robots, root);
   suite.maps = read_maps(file, maps, root, registry, suite.limits);
-  suite.planners = read_planners(file, kinds, root, registry.planners);
+  Planners planners = registry.planners;
+  suite.planners = read_planners(file, kinds, root, planners);
+  for (std::size_t i = registry.planners.size(); i < planners.size(); ++i) suite.programs.push_back(planners[i]);
   return suite;
 }
 

@@ -51,12 +51,14 @@ struct Suite {
   std::vector<Robot> robots;
   std::vector<MapSpec> maps;
   std::vector<PlannerSpec> planners;
+  std::vector<PlannerInfo> programs;  // external planners that the suite names by `exec`
 };
 
 /// Any value may be a list, and lists multiply; "*" names every planner (with ignore_tether: those that have the
 /// capability `tether` run as always). Everything is checked here: names
 /// against `planners` and the generators, parameters, types, files. Throws std::invalid_argument
-/// "quick.toml:12: ..." for each kind of mistake. File patterns are relative to the suite's folder.
+/// "quick.toml:12: ..." for each kind of mistake. File patterns are relative to the suite's folder, and in it commands
+/// of external planners are started, here for their descriptions.
 Suite read_suite(const std::string& file, const Registry& registry);
 
 /// Gives a name to every map that has none. Throws std::invalid_argument if a map is listed twice.

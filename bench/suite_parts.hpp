@@ -33,7 +33,8 @@ bool truth(const std::string& file, const toml::node& node, const std::string& k
 std::vector<Robot> read_robots(const std::string& file, const toml::node* node, const toml::table& root);
 std::vector<MapSpec> read_maps(const std::string& file, const toml::node* node, const toml::table& root,
                                const Registry& registry, const Limits& limits);
+/// Adds external planners to `planners`.
 std::vector<PlannerSpec> read_planners(const std::string& file, const toml::node* node, const toml::table& root,
-                                       const Planners& planners);
+                                       Planners& planners);
 
 }  // namespace oxturn

@@ -4,10 +4,14 @@
 //            2. A setting equal to the default is dropped: `zigzag[margin=0]` and `zigzag` are one variant.
 //            3. ignore_tether is a key of the suite, not a parameter: it says what the planner is given, and how its
 //               path is judged.
+//            4. `exec` in place of `name` adds an external planner, whose command is started in the suite's folder. "*"
+//               means the planners that were there before: those of the suite have an entry of their own.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <set>
 
+#include "bench/external_planner.hpp"
 #include "bench/run_id.hpp"
 #include "bench/suite_parts.hpp"
 
@@ -46,18 +50,24 @@ std::vector<bool> read_ignored(const std::string& file, TomlTable& table) {
 /// Gathers the variants of a suite, each once.
 class PlannerReader {
  public:
-  PlannerReader(const std::string& file, const Planners& planners) : file_(file), planners_(planners) {}
+  PlannerReader(const std::string& file, Planners& planners)
+      : file_(file), planners_(planners), built_in_(planners.size()) {}
 
   void read(const toml::table& section) {
     TomlTable table(file_, section, "[[planners]]");
     const std::vector<bool> ignored = read_ignored(file_, table);
-    const auto names = alternatives(file_, table.need("name"), "name");
+    const toml::node* commands = table.find("exec");
+    if (commands != nullptr && section.contains("name"))
+      refuse(file_, *commands, "exec stands beside name; a program tells its name itself, leave it out");
+    const std::string key = commands != nullptr ? "exec" : "name";
+    const auto names = alternatives(file_, commands != nullptr ? *commands : table.need("name"), key);
     const auto combinations = product(file_, table.rest());
     for (const toml::node* node : names) {
-      const auto* name = node->as_string();
-      if (name == nullptr) refuse(file_, *node, "name is not a text in quotes");
-      const Entry entry{section, *node, name->get() == "*"};
-      for (const PlannerInfo* planner : named(entry, name->get()))
+      const auto* text = node->as_string();
+      if (text == nullptr) refuse(file_, *node, key + " is not a text in quotes");
+      const std::string name = commands != nullptr ? add_program(*node, text->get()) : text->get();
+      const Entry entry{section, *node, name == "*"};
+      for (const PlannerInfo* planner : named(entry, name))
         for (const auto& chosen : combinations) add_all(entry, *planner, chosen, ignored);
     }
   }
@@ -70,10 +80,17 @@ class PlannerReader {
     bool every;  // the name is "*"
   };
 
+  std::string add_program(const toml::node& node, const std::string& command) {
+    std::string name;
+    const std::string folder = std::filesystem::path(file_).parent_path().string();
+    at_position(file_, node, [&] { name = add_external_planner(planners_, {command, folder}); });
+    return name;
+  }
+
   std::vector<const PlannerInfo*> named(const Entry& entry, const std::string& name) const {
     std::vector<const PlannerInfo*> all;
     if (entry.every)
-      for (const PlannerInfo& planner : planners_) all.push_back(&planner);
+      for (std::size_t i = 0; i < built_in_; ++i) all.push_back(&planners_[i]);
     else
       at_position(file_, entry.name, [&] { all.push_back(&planners_.find(name)); });
     return all;
@@ -104,7 +121,8 @@ class PlannerReader {
   }
 
   const std::string& file_;
-  const Planners& planners_;
+  Planners& planners_;
+  std::size_t built_in_;  // how many there were before
   std::vector<PlannerSpec> specs_;
   std::set<std::string> variants_;
 };
@@ -112,7 +130,7 @@ class PlannerReader {
 }  // namespace
 
 std::vector<PlannerSpec> read_planners(const std::string& file, const toml::node* node, const toml::table& root,
-                                       const Planners& planners) {
+                                       Planners& planners) {
   if (node == nullptr) refuse(file, root, "no [[planners]]; a suite needs at least one, for instance name = \"*\"");
   const toml::array* list = node->as_array();
   if (list == nullptr || list->empty()) refuse(file, *node, "planners is no list of tables; write [[planners]]");

@@ -131,20 +131,20 @@ Row row_of(const Work& work, std::size_t index, const Setting& setting) {
   if (spec.ignore_tether) settings[kIgnoreTether] = true;
   Row row;
   const std::string& map = work.suite.maps[cell.map].name;
-  row.cells = {
-      {"schema", "1"},
-      {"run_id", run_id(map, robot.name, setting.hash, spec.name, settings, seed, cell.repeat, build_identity())},
-      {"attempt", "1"},
-      {"suite", work.suite.name},
-      {"map", map},
-      {"planner", spec.name},
-      {"planner_family", planner.family},
-      {"variant", spec.variant()},
-      {"params", to_text(spec.said())},
-      {"promise", to_text(planner.promised(spec.settings))},
-      {"robot", robot.name},
-      {"tool_width_m", to_decimal(robot.tool_width)},
-      {"repeat", std::to_string(cell.repeat)}};
+  row.cells = {{"schema", "1"},
+               {"run_id", run_id(map, robot.name, setting.hash, identified(planner, settings, work.registry.planners),
+                                 settings, seed, cell.repeat, build_identity())},
+               {"attempt", "1"},
+               {"suite", work.suite.name},
+               {"map", map},
+               {"planner", spec.name},
+               {"planner_family", planner.family},
+               {"variant", spec.variant()},
+               {"params", to_text(spec.said())},
+               {"promise", to_text(planner.promised(spec.settings))},
+               {"robot", robot.name},
+               {"tool_width_m", to_decimal(robot.tool_width)},
+               {"repeat", std::to_string(cell.repeat)}};
   row.cells.insert(setting.cells.begin(), setting.cells.end());
   if (robot.footprint.empty()) row.cells["robot_radius_m"] = to_decimal(robot.radius);
   if (setting.problem) {

@@ -27,5 +27,9 @@ Command score_command();
 Command run_command();
 Command report_command();
 Command rescore_command();
+Command completion_command();
+
+/// What `oxturn list` lists: planners, maps, ...
+std::vector<std::string> kinds_of_lists();
 
 }  // namespace oxturn::cli

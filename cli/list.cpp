@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "bench/results.hpp"
 #include "cli/commands.hpp"
+#include "cli/programs.hpp"
 #include "cli/suites.hpp"
 
 namespace oxturn::cli {
@@ -53,6 +54,7 @@ Json planners(const Registry& registry) {
                    {"guarantee", p.guarantee},
                    {"promise", to_text(p.promise)},
                    {"parameters", to_json(p.parameters)}});
+    if (!p.origin.empty()) all.back()["origin"] = p.origin;
   }
   return all;
 }
@@ -137,7 +139,9 @@ void print_described(const Json& all) {
     first = false;
     fmt::print("{}{}: {}\n", text_of(one["name"]),
                one.contains("family") ? " (" + text_of(one["family"]) + ")" : std::string(), text_of(one["title"]));
-    if (one.contains("citation")) fmt::print("    source: {}\n", text_of(one["citation"]));
+    if (one.contains("origin")) fmt::print("    program: {}\n", text_of(one["origin"]));
+    if (one.contains("citation") && !text_of(one["citation"]).empty())
+      fmt::print("    source: {}\n", text_of(one["citation"]));
     if (one.contains("capabilities") && !one["capabilities"].empty()) {
       std::string list;
       for (const Json& c : one["capabilities"]) list += (list.empty() ? "" : ", ") + text_of(c);
@@ -208,22 +212,21 @@ const Kind kKinds[] = {
 
 struct Options {
   std::string what;
+  std::vector<std::string> programs;
   bool json = false;
 };
 
 int list(const Options& options, const Registry& registry) {
-  std::vector<std::string> names;
   for (const Kind& kind : kKinds) {
-    names.emplace_back(kind.name);
     if (options.what != kind.name) continue;
-    const Json all = kind.all(registry);
+    const Json all = kind.all(with_programs(registry, options.programs).registry);
     if (options.json)
       fmt::print("{}\n", all.dump(2));
     else
       kind.print(all);
     return 0;
   }
-  throw std::invalid_argument(unknown_name("list", options.what, names));
+  throw std::invalid_argument(unknown_name("list", options.what, kinds_of_lists()));
 }
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
@@ -231,15 +234,23 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
   app.add_option("WHAT", options->what, "planners, maps, formats, metrics, robot, suites, tables or columns")
       ->required()
       ->type_name("");
+  add_programs(app, options->programs);
   app.add_flag("--json", options->json, "print JSON");
   return [options, &registry] { return list(*options, registry); };
 }
 
 }  // namespace
 
+std::vector<std::string> kinds_of_lists() {
+  std::vector<std::string> names;
+  for (const Kind& kind : kKinds) names.emplace_back(kind.name);
+  return names;
+}
+
 Command list_command() {
   return {"list", "what there is: planners, maps, formats, metrics, robot, suites, tables, columns",
-          "  oxturn list planners\n  oxturn list maps --json\n", attach};
+          "  oxturn list planners\n  oxturn list maps --json\n  oxturn list planners --exec 'python3 lanes.py'\n",
+          attach};
 }
 
 }  // namespace oxturn::cli

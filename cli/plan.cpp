@@ -14,6 +14,7 @@
 #include "cli/commands.hpp"
 #include "cli/outputs.hpp"
 #include "cli/problem_options.hpp"
+#include "cli/programs.hpp"
 #include "cli/report_printer.hpp"
 #include "maps/path_file.hpp"
 
@@ -22,6 +23,7 @@ namespace {
 
 struct Options {
   std::string planner, output;
+  std::vector<std::string> programs;
   OutputOptions outputs;
   std::vector<std::string> settings;
   ProblemOptions problem;
@@ -83,6 +85,7 @@ Report run_planner(const Options& options, const PlannerInfo& planner, const Set
   problem.map_edges();
   IsolationOptions isolation = options.isolation;
   isolation.progress = progress_line();
+  isolation.log_file = kLogToStandardError;
   const Planned planned = plan_isolated([&] { return planner.make(settings, registry.planners); }, problem, isolation);
   if (planned.wall_s > 0)
     report.costs = {
@@ -99,7 +102,15 @@ Report run_planner(const Options& options, const PlannerInfo& planner, const Set
   return report;
 }
 
-int plan(const Options& options, const Registry& registry) {
+int plan(Options options, const Registry& built_in) {
+  const auto [registry, programs] = with_programs(built_in, options.programs);
+  if (options.problem.map.empty() && !programs.empty()) {  // the program is the planner: what is named is the map
+    options.problem.map = options.planner;
+    options.planner = programs.front();
+  }
+  if (options.problem.map.empty())
+    throw std::invalid_argument(
+        fmt::format("{} is missing. See `oxturn plan --help`", options.planner.empty() ? "PLANNER" : "MAP"));
   const PlannerInfo& planner = registry.planners.find(options.planner);
   const Settings settings = check_arguments(options, planner, registry.planners);
   const MapSource source = map_source(options.problem, registry);
@@ -117,8 +128,10 @@ int plan(const Options& options, const Registry& registry) {
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
   const auto options = std::make_shared<Options>();
-  app.add_option("PLANNER", options->planner, "a planner (`oxturn list planners`)")->required()->type_name("");
-  app.add_option("MAP", options->problem.map, kMapHelp)->required()->type_name("");
+  app.add_option("PLANNER", options->planner, "a planner (`oxturn list planners`); the one of --exec if not given")
+      ->type_name("");
+  app.add_option("MAP", options->problem.map, kMapHelp)->type_name("");
+  add_programs(app, options->programs);
   add_settings(app, options->settings, "planner");
   app.add_option("--seed", options->isolation.seed, "seed of the planner's random choices; 1 if not given")
       ->check(whole_number())
@@ -146,6 +159,7 @@ Command plan_command() {
   return {"plan", "plan one path on one map, and score it",
           "  oxturn plan boustrophedon rooms:7 --svg plan.svg\n"
           "  oxturn plan zigzag kitchen.yaml --radius 0.17 --tool-width 0.3 -o path.geojson\n"
+          "  oxturn plan --exec 'python3 lanes.py' rooms:7 --set spacing=0.8\n"
           "  oxturn plan stc lab.yaml --drop-speckle 0.02 --start 12,3.5 --json\n"
           "\nExit code 0 for outcome ok or partial, 1 for any other.\n",
           attach};

@@ -60,12 +60,12 @@ std::string sentence_of(const CLI::ParseError& error, CLI::App& app) {
 int run(int argc, const char* const* argv, const Registry& registry) {
   CLI::App app{"oxturn: plans, scores and compares coverage paths.", "oxturn"};
   app.set_help_flag("-h,--help", "print this help and exit");
-  app.set_version_flag("--version", std::string("oxturn ") + OXTURN_VERSION, "print the version and exit");
+  app.set_version_flag("-V,--version", std::string("oxturn ") + OXTURN_VERSION, "print the version and exit");
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.require_subcommand(0, 1);
   app.footer(
       "Examples:\n  oxturn list planners\n  oxturn plan boustrophedon rooms:7 --svg plan.svg\n"
-      "  oxturn run quick -o out\n\n`oxturn COMMAND --help` tells more of each.\n\n"
+      "  oxturn run quick -o out\n\n`oxturn help COMMAND` tells more of each.\n\n"
       "Exit codes: 0 done; 1 done, but the path is not valid or a run is not as required; 2 bad input.");
   std::map<const CLI::App*, std::function<int()>> actions;
   for (const Command& command : commands()) {
@@ -92,11 +92,22 @@ int run(int argc, const char* const* argv, const Registry& registry) {
   return actions.at(chosen.front())();
 }
 
+/// `oxturn help plan` is `oxturn plan --help`, and `oxturn help` is `oxturn --help`.
+std::vector<const char*> without_help_command(int argc, const char* const* argv) {
+  std::vector<const char*> words(argv, argv + argc);
+  if (argc < 2 || std::string(argv[1]) != "help") return words;
+  words.erase(words.begin() + 1);
+  words.resize(std::min<std::size_t>(words.size(), 2));
+  words.push_back("--help");
+  return words;
+}
+
 }  // namespace
 
 int run_program(int argc, const char* const* argv, const Registry& registry) {
   try {
-    const int code = run(argc, argv, registry);
+    const std::vector<const char*> words = without_help_command(argc, argv);
+    const int code = run(static_cast<int>(words.size()), words.data(), registry);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return refuse("cannot write to standard output");
     return code;
   } catch (const std::bad_alloc&) { return refuse("out of memory"); } catch (const std::exception& error) {

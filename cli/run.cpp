@@ -1,6 +1,7 @@
 // oxturn run: a whole suite into a results folder, with its report.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 #include "bench/run_suite.hpp"
 #include "bench/suite.hpp"
 #include "cli/commands.hpp"
+#include "cli/programs.hpp"
 #include "cli/results_printer.hpp"
 #include "cli/suites.hpp"
 
@@ -19,6 +21,7 @@ constexpr std::size_t kMostShown = 10;  // runs that fall short
 
 struct Options {
   std::string suite;
+  std::vector<std::string> programs;
   SuiteRunOptions run;
   bool quiet = false;
   std::string require;  // the worst outcome for exit code 0; empty: any
@@ -49,8 +52,19 @@ bool meets(const Results& results, const std::string& required) {
   return count == 0;
 }
 
-int run(const Options& options, const Registry& registry) {
-  const Suite suite = read_suite(find_suite(options.suite), registry);
+/// Planners given on the command line take part whether or not the suite names them.
+void add_unnamed(const std::vector<std::string>& planners, Suite& suite) {
+  for (const std::string& name : planners) {
+    const bool named = std::any_of(suite.planners.begin(), suite.planners.end(),
+                                   [&](const PlannerSpec& spec) { return spec.name == name; });
+    if (!named) suite.planners.push_back({.name = name, .settings = {}});
+  }
+}
+
+int run(const Options& options, const Registry& built_in) {
+  const auto [registry, programs] = with_programs(built_in, options.programs);
+  Suite suite = read_suite(find_suite(options.suite), registry);
+  add_unnamed(programs, suite);
   SuiteRunOptions run_options = options.run;
   run_options.progress = !options.quiet;
   run_options.command_line = command_line();
@@ -72,6 +86,7 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
       ->required()
       ->type_name("");
   app.add_option("-o,--output", options->run.folder, "results folder to make")->required()->type_name("DIR");
+  add_programs(app, options->programs);
   app.add_option("-j,--jobs", options->run.jobs, "runs at the same time; 1 if not given")
       ->check(CLI::Range(1, 1024).description(""))
       ->type_name("N");
@@ -93,6 +108,7 @@ Command run_command() {
   return {"run", "run a suite: every planner on every map, one row each",
           "  oxturn run quick -o out\n  oxturn run my.toml -o out -j 4\n  oxturn run my.toml -o out --resume\n"
           "  oxturn run quick -o out --require ok\n"
+          "  oxturn run quick -o out --exec 'python3 lanes.py'        a planner of your own beside the others\n"
           "\nExit code 0 whatever the outcomes, unless --require is given.\n",
           attach};
 }

@@ -6,6 +6,8 @@
 //            3. Coordinates that look like degrees are taken as metres as well: the two cannot be told apart.
 //            4. Unknown properties are ignored, but unknown keys of `robot` are refused: a typing error there would
 //               silently plan for another robot.
+#include "maps/formats/geojson.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -187,6 +189,18 @@ MapFile read_geojson(const std::string& file, const NoOptions&) {
 }
 
 }  // namespace
+
+std::string to_geojson(const Region& region) { return geometry_text(region); }
+
+Region region_from(const JsonAt& geometry) {
+  try {
+    return repaired(read_geometry(geometry, geometry.where));
+  } catch (const std::invalid_argument& e) {
+    const std::string why = e.what();
+    if (why.starts_with(geometry.where)) throw;
+    throw_invalid("{}: {}", geometry.where, why);
+  }
+}
 
 MapFormat geojson_format() {
   return describe_format<NoOptions>("geojson", "GeoJSON: Polygon or MultiPolygon in planar metres",

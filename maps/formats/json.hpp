@@ -1,4 +1,4 @@
-/// JSON values that know where they are, for precise error messages. Private to maps/formats.
+/// JSON values that know where they are, for precise error messages. Internal: not installed.
 ///
 ///   const nlohmann::json root = parse_json(text, "yard.geojson");
 ///   const JsonAt at{root["start"], "yard.geojson: start"};

@@ -4,6 +4,7 @@
 // (NaN) is written as null, which the reader refuses, naming the point.
 #include <fmt/format.h>
 
+#include "maps/formats/geojson.hpp"
 #include "maps/formats/robot_json.hpp"
 #include "maps/path_file.hpp"
 
@@ -88,17 +89,23 @@ std::string to_geojson(const Path& path, const PathProblem* problem) {
   return text + "\n]}\n";
 }
 
+Path path_from(const JsonAt& collection) {
+  const std::string& where = collection.where;
+  const JsonAt type{member(collection, "type", "FeatureCollection"), where + ": type"};
+  if (type.value != "FeatureCollection") type.refuse("FeatureCollection");
+  const JsonAt features{member(collection, "features", "a list of LineStrings"), where + ": features"};
+  if (!features.value.is_array()) features.refuse("a list of LineStrings");
+  Path path;
+  path.legs.reserve(features.value.size());
+  for (std::size_t i = 0; i < features.value.size(); ++i)
+    path.legs.push_back(read_leg({features.value[i], fmt::format("{}: feature {}", where, i + 1)}));
+  return path;
+}
+
 PathFile path_from_geojson(const std::string& text, const std::string& source) {
   const Json root = parse_json(text, source);
   const JsonAt top{root, source};
-  const JsonAt type{member(top, "type", "FeatureCollection"), source + ": type"};
-  if (type.value != "FeatureCollection") type.refuse("FeatureCollection");
-  const JsonAt features{member(top, "features", "a list of LineStrings"), source + ": features"};
-  if (!features.value.is_array()) features.refuse("a list of LineStrings");
-  PathFile file;
-  file.path.legs.reserve(features.value.size());
-  for (std::size_t i = 0; i < features.value.size(); ++i)
-    file.path.legs.push_back(read_leg({features.value[i], fmt::format("{}: feature {}", source, i + 1)}));
+  PathFile file{path_from(top), {}};
   if (const Json* problem = top.find("problem")) file.problem = read_problem({*problem, source + ": problem"}, source);
   return file;
 }

@@ -19,8 +19,11 @@ using testing::StartsWith;
 using Json = nlohmann::json;
 
 TEST(Program, HelpHasExamplesForEveryCommand) {
+  EXPECT_EQ(oxturn("help").out, oxturn("--help").out);
+  EXPECT_EQ(oxturn("help plan").out, oxturn("plan --help").out);
+  EXPECT_EQ(oxturn("help plam").code, 2);
   EXPECT_EQ(oxturn("--help").code, 0);
-  for (const std::string command : {"list", "map", "plan", "score", "run", "report", "rescore"}) {
+  for (const std::string command : {"list", "map", "plan", "score", "run", "report", "rescore", "completion"}) {
     const Said said = oxturn(command + " --help");
     EXPECT_EQ(said.code, 0) << command;
     EXPECT_THAT(said.out, HasSubstr("oxturn " + command + " ")) << command;
@@ -31,6 +34,7 @@ TEST(Program, HelpHasExamplesForEveryCommand) {
 
 TEST(Program, SaysItsVersion) {
   const Said said = oxturn("--version");
+  EXPECT_EQ(oxturn("-V").out, said.out);
   EXPECT_EQ(said.code, 0);
   EXPECT_THAT(said.out, StartsWith("oxturn 0."));
 }
