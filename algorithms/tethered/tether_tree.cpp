@@ -36,6 +36,8 @@ struct Params : TreeParameters {
   bool partial = false;
 };
 
+constexpr double kRounding = 1e-9;  // cell sides
+
 using Children = std::vector<CellList>;  // by cell
 
 /// The breadth-first tree from the root, no deeper than `deepest`.
@@ -78,6 +80,13 @@ Path walk(const Problem& problem, const TetherCells& cells, const Children& chil
   return path.take();
 }
 
+/// All cells of the tree.
+CellList visited(const TetherCells& cells, const Children& children) {
+  CellList list{cells.root()};
+  for (const CellList& of_cell : children) list.insert(list.end(), of_cell.begin(), of_cell.end());
+  return list;
+}
+
 std::vector<Polyline> edges_of(const TetherCells& cells, const Children& children) {
   std::vector<Polyline> lines;
   for (std::size_t c = 0; c < cells.size(); ++c)
@@ -95,20 +104,34 @@ Path visit_free_cells(const Params& p, const TetherSpace& space, Context& contex
   if (deepest == 0)
     throw Infeasible("the tether does not reach the cells beside that of the start; a smaller cell_size may help");
   const Children children = shortest_path_tree(cells, deepest);
+  promise_cells(context, cells.lattice(), cells.central(visited(cells, children)), problem.robot().tool_width);
   if (context.wants_traces()) context.trace("tree", edges_of(cells, children));
   return walk(problem, cells, children, context);
 }
 
+/// All walls are driven: everything that can be entered. Otherwise the cells of the start's component.
+void promise(Context& context, const TetherSpace& space, double side, bool all, const WallTree& first) {
+  const double w = space.problem().robot().tool_width;
+  if (!all || side > w / std::sqrt(2.0) * (1 + kRounding))
+    return promise_cells(context, first.lattice(), first.cells(), w);
+  Region region;
+  for (const TetherSpace::Component& component : space.components())
+    for (const Polygon& polygon : component.problem.configuration_space().polygons) region.polygons.push_back(polygon);
+  promise_region(context, std::move(region));
+}
+
 Path visit_cells_and_walls(const Params& p, const TetherSpace& space, Context& context) {
   const EdgeIndex& walls = space.problem().walls();
+  const double side = p.side(space.problem().robot());
+  const bool all = p.reach == TreeReach::geodesic;
   const auto is_wall = [&, tolerance = space.problem().tolerance()](const Point& a, const Point& b) {
     return walls.nearest(lerp(a, b, 0.5), tolerance).has_value();
   };
   const auto cover = [&](const TetherSpace::Component& component, Context& inner) {
     const Point& start = component.problem.start();
-    const double longest = p.reach == TreeReach::geodesic ? std::numeric_limits<double>::infinity()
-                                                          : space.tether_length() - space.field().distance(start);
-    const WallTree tree(component.problem, p.side(space.problem().robot()), longest, is_wall);
+    const double remaining = space.tether_length() - space.field().distance(start);
+    const WallTree tree(component.problem, side, all ? std::numeric_limits<double>::infinity() : remaining, is_wall);
+    if (&component == &space.components().front()) promise(context, space, side, all, tree);
     if (inner.wants_traces()) inner.trace("tree", tree.branches());
     PathBuilder path(start);
     path.drive(tree.path(), true);
@@ -133,6 +156,7 @@ PlannerInfo tether_tree() {
        .citation = "after Sharma et al. 2019",
        .capabilities = {Capability::tether, Capability::holes},
        .guarantee = "every cell no deeper than the tether is long, in exactly 2 (n - 1) D; never tangled",
+       .promise = Promise::cells,
        .parameters = with_tree_parameters<Params>(
            {{"partial", &Params::partial,
              "also drive the walls, so that cells which are not entirely free are covered"}})}));

@@ -10,7 +10,7 @@
 namespace oxturn {
 namespace {
 
-constexpr double kEqual = 1e-9;  // cell sides, radians: rounding
+constexpr double kEqual = 1e-9;   // cell sides, radians: rounding
 constexpr double kBesideCut = 2;  // decision 3
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
