@@ -1,7 +1,7 @@
 #include "algorithms/grid/stc_online.hpp"
 
 #include "algorithms/grid/cell_planner.hpp"
-#include "algorithms/grid/sub_cell_tree.hpp"
+#include "algorithms/lattice/sub_cell_tree.hpp"
 #include "algorithms/lattice/promised_cells.hpp"
 
 namespace oxturn {

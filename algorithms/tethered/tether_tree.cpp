@@ -133,8 +133,11 @@ Path visit_cells_and_walls(const Params& p, const TetherSpace& space, Context& c
     const WallTree tree(component.problem, side, all ? std::numeric_limits<double>::infinity() : remaining, is_wall);
     if (&component == &space.components().front()) promise(context, space, side, all, tree);
     if (inner.wants_traces()) inner.trace("tree", tree.branches());
+    const Polyline line = tree.path();
+    if (line.size() < 2)
+      throw Infeasible("the tether reaches no cell and no wall beside the start; a smaller cell_size may help");
     PathBuilder path(start);
-    path.drive(tree.path(), true);
+    path.drive(line, true);
     return path.take();
   };
   return cover_components(space, cover, true, context);

@@ -1,4 +1,4 @@
-#include "algorithms/grid/linked_rounds.hpp"
+#include "algorithms/lattice/linked_rounds.hpp"
 
 namespace oxturn {
 
