@@ -105,11 +105,11 @@ struct WallTree::Impl {
     std::vector<Candidate> candidates;
     const auto offer = [&](const WallCrossing& x, int along, std::size_t number) {
       const Cell c = x.vertical ? Cell{x.line, along} : Cell{along, x.line};
-      if (!graph.inside(c.i, c.j) || vertex_of[graph.at(c)] == kNone) return;
+      if (!graph.free(c)) return;
       const Direction up = x.vertical ? kNorth : kEast;
       for (const Direction d : {up, opposite(up)}) {
         const double away = d == up ? x.along - along : along - x.along;
-        if (away >= 0 && away <= 1 && !graph.passable(c, d))
+        if (away >= -kEqual && away <= 1 && !graph.passable(c, d))
           candidates.push_back({vertex_of[graph.at(c)], static_cast<std::size_t>(d), away, number});
       }
     };
