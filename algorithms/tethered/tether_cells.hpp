@@ -48,7 +48,7 @@ class TetherCells {
   }
   /// The pieces of the space's boundary inside the cell: everything that the tool reaches from this cell's part of the
   /// space is within reach from the free centre or from these (w >= sqrt 2 D). Empty unless `partial`.
-  const std::vector<Polyline>& walls(std::size_t c) const { return walls_[walls_.empty() ? 0 : nodes_[c]]; }
+  const std::vector<Polyline>& walls(std::size_t c) const { return walls_[walls_.size() == 1 ? 0 : nodes_[c]]; }
 
   const GridGraph& lattice() const { return lattice_; }
   /// Of these cells, those whose position is the centre.
@@ -60,7 +60,7 @@ class TetherCells {
   std::optional<Point> position_in(std::size_t node, CellKind kind, bool joined, const EdgeIndex& walls) const;
 
   GridGraph lattice_;
-  Walls walls_;  // by node
+  Walls walls_;  // by node; only one, without walls, unless `partial`
   std::vector<Position> cells_;
   std::vector<std::size_t> nodes_;  // of the lattice, by cell
   std::vector<std::array<std::size_t, 4>> neighbours_;

@@ -120,22 +120,27 @@ Path cover_component(const Params& p, const TetherSpace& space, const TetherSpac
                      Context& context) {
   const Problem& problem = component.problem;
   const double side = p.side(problem.robot());
+  const bool by_depth = p.reach == TreeReach::depth;
   const double remaining = space.tether_length() - space.field().distance(problem.start());
   TreeOptions options;
-  if (p.reach == TreeReach::depth) options.components = Components::start;
-  std::optional<Path> best;
+  options.components = by_depth ? Components::start : Components::all;
+  Path best;
   for (const auto& shift : kShifts) {
     GridGraph fine = fine_cells(problem, side, shift);
-    if (p.reach == TreeReach::depth)
-      remove_distant(fine, fine.cell_of(problem.start()), static_cast<std::size_t>(remaining / side + 1e-9));
+    const std::optional<Entry> entry = entry_from_start(problem, fine);
+    if (!entry) throw Infeasible("no sub-cell is free; a smaller cell_size may help");
+    const double steps = (remaining - length(entry->path)) / side + 1e-9;
+    if (by_depth && steps < 1) throw Infeasible("the tether is too short for one step; a smaller cell_size may help");
+    if (by_depth) remove_distant(fine, entry->cell, static_cast<std::size_t>(steps));
     Context inner(1, context.seconds_left(), {});
     Path path = cover_partial_cells(problem, fine, options, inner);
-    if (best && (path.length() >= best->length() || context.cancelled())) continue;
+    if (path.legs.empty()) throw Infeasible("no sub-cell beside the start's is free; a smaller cell_size may help");
+    if (!best.legs.empty() && (path.length() >= best.length() || context.cancelled())) continue;
     best = std::move(path);
     if (&component == &space.components().front())
-      promise_free_cells(context, fine, options.components, fine.cell_of(problem.start()), problem.robot().tool_width);
+      promise_free_cells(context, fine, options.components, entry->cell, problem.robot().tool_width);
   }
-  return std::move(*best);
+  return best;
 }
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
