@@ -6,6 +6,7 @@ namespace oxturn {
 namespace {
 
 constexpr std::size_t kPublications = 16;
+constexpr double kMostWound = 3;    // tether lengths
 constexpr double kRounding = 1e-9;  // cell sides
 
 /// One run.
@@ -16,6 +17,7 @@ class CellVisits {
         cells_(cells),
         how_(how),
         robot_(space.world(), space.problem().start()),
+        trail_(space.world().space, space.problem().start()),
         path_(space.problem().start()) {}
 
   void visit(std::size_t cell) {
@@ -44,12 +46,27 @@ class CellVisits {
   /// False if no path keeps the tether length limit.
   bool go(const Point& goal) {
     if (goal == robot_.at()) return true;
+    if (trail_.length() > kMostWound * space_.tether_length()) unwind();
     const auto next = robot_.path_to(goal, how_.retraction, static_cast<std::size_t>(how_.budget));
     if (!next) return false;
     if (!next->shortest) ++unproven_;
-    robot_.drive(next->points);
-    path_.drive(next->points, true);
+    drive(next->points);
     return true;
+  }
+  void drive(const Polyline& points) {
+    robot_.drive(points);
+    trail_.drive(points);
+    path_.drive(points, true);
+  }
+  /// About an obstacle much smaller than the robot the tether can wind again and again, and gets hardly longer. The
+  /// path driven, pulled taut, does; what it costs to follow it back must be bounded. Back home along itself it is
+  /// undone.
+  void unwind() {
+    const auto home = robot_.path_home();
+    if (!home) return;
+    path_.drive(*home, true);
+    robot_ = TetheredRobot(space_.world(), space_.problem().start());
+    trail_ = TautTether(space_.world().space, space_.problem().start());
   }
   void miss(const Point& at) {
     const Point arm(space_.problem().robot().tool_width / 4, 0);
@@ -67,6 +84,7 @@ class CellVisits {
   const TetherCells& cells_;
   const VisitParameters& how_;
   TetheredRobot robot_;
+  TautTether trail_;  // the path driven, pulled taut
   PathBuilder path_;
   CellList visited_;
   std::vector<Polyline> missed_;  // a short level line at each
