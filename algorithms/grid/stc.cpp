@@ -26,8 +26,8 @@
 #include "algorithms/grid/component_order.hpp"
 #include "algorithms/lattice/linked_rounds.hpp"
 #include "algorithms/lattice/partial_stc.hpp"
-#include "algorithms/lattice/spanning_trees.hpp"
 #include "algorithms/lattice/promised_cells.hpp"
+#include "algorithms/lattice/spanning_trees.hpp"
 
 namespace oxturn {
 namespace {

@@ -4,10 +4,10 @@
 #include <array>
 #include <utility>
 
-#include "algorithms/lattice/linked_rounds.hpp"
-#include "algorithms/lattice/sub_cell_tree.hpp"
 #include "algorithms/lattice/cell_robot.hpp"
+#include "algorithms/lattice/linked_rounds.hpp"
 #include "algorithms/lattice/promised_cells.hpp"
+#include "algorithms/lattice/sub_cell_tree.hpp"
 #include "algorithms/transit/component_links.hpp"
 
 namespace oxturn {

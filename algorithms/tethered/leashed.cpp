@@ -21,7 +21,6 @@
 namespace oxturn {
 namespace {
 
-constexpr double kShortest = 0.01;  // radii of the robot; decision 4
 constexpr const char* kOwner = "planner 'leashed'";
 
 class Leashed final : public CoveragePlanner {
@@ -35,8 +34,7 @@ class Leashed final : public CoveragePlanner {
     return cover_components(
         space,
         [&](const TetherSpace::Component& component, Context& inner) {
-          return without_short_segments(inner_->plan(component.problem, inner),
-                                        kShortest * component.problem.robot().radius, Connector(component.problem));
+          return without_short_segments(inner_->plan(component.problem, inner), component.problem);
         },
         return_home_, context);
   }
