@@ -11,8 +11,8 @@
 //             2. The planner is a built-in one; its parameters are given beside `planner`, under their own names.
 //             3. Components that the cut isolates (tether_space.hpp) are covered one after the other, each by a call of
 //                the planner.
-//             4. The cut is thin, and its pieces short: vertices that this leaves on the path nearer than a hundredth of
-//                the robot's radius to the one before are dropped, where the straight segment stays in the cut space.
+//             4. The cut is thin, and its pieces short: vertices that this leaves on the path nearer to each other than
+//                a hundredth of the robot's radius are dropped, where the straight segment stays in the cut space.
 #include <fmt/format.h>
 
 #include "algorithms/transit/short_segments.hpp"
