@@ -15,8 +15,8 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/grid/spanning_trees.hpp"
 #include "algorithms/lattice/lattice_paths.hpp"
+#include "algorithms/lattice/spanning_trees.hpp"
 #include "algorithms/transit/component_links.hpp"
 
 namespace oxturn {

@@ -24,10 +24,10 @@
 
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/grid/component_order.hpp"
-#include "algorithms/grid/linked_rounds.hpp"
-#include "algorithms/grid/partial_stc.hpp"
-#include "algorithms/grid/spanning_trees.hpp"
+#include "algorithms/lattice/linked_rounds.hpp"
+#include "algorithms/lattice/partial_stc.hpp"
 #include "algorithms/lattice/promised_cells.hpp"
+#include "algorithms/lattice/spanning_trees.hpp"
 
 namespace oxturn {
 namespace {

@@ -35,10 +35,10 @@
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/grid/branch_tree.hpp"
 #include "algorithms/grid/component_order.hpp"
-#include "algorithms/grid/spanning_trees.hpp"
 #include "algorithms/grid/uncovered_chains.hpp"
 #include "algorithms/grid/wall_loops.hpp"
 #include "algorithms/lattice/promised_cells.hpp"
+#include "algorithms/lattice/spanning_trees.hpp"
 #include "geometry/overlay/boolean.hpp"
 
 namespace oxturn {

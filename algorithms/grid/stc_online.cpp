@@ -1,8 +1,8 @@
 #include "algorithms/grid/stc_online.hpp"
 
 #include "algorithms/grid/cell_planner.hpp"
-#include "algorithms/grid/sub_cell_tree.hpp"
 #include "algorithms/lattice/promised_cells.hpp"
+#include "algorithms/lattice/sub_cell_tree.hpp"
 
 namespace oxturn {
 namespace {

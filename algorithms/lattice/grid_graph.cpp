@@ -123,6 +123,12 @@ void GridGraph::close_edges_at_walls(const Region& space) {
   });
 }
 
+void GridGraph::remove(const Cell& c) {
+  close(c.i, c.j, kFree | kEastOpen | kNorthOpen);
+  close(c.i - 1, c.j, kEastOpen);
+  close(c.i, c.j - 1, kNorthOpen);
+}
+
 void GridGraph::add_diagonals(const Region& space) {
   open_squares();
   for_each_wall(space, [&](const Edge& e) {

@@ -77,6 +77,8 @@ class GridGraph : public CellNumbers {
         return j > 0 && (cells_[at(i, j - 1)] & kNorthOpen) != 0;
     }
   }
+  /// Takes a node and its edges out of the graph; before add_diagonals().
+  void remove(const Cell& c);
   /// Finds out what lies between the nodes; diagonal() and straight() need it.
   /// O(nodes + lattice edges and diagonals crossed by walls).
   void add_diagonals(const Region& configuration_space);

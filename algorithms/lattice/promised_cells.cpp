@@ -80,6 +80,15 @@ void promise_coarse_cells(Context& context, const GridGraph& fine, Components co
   });
 }
 
+void promise_cells(Context& context, const GridGraph& graph, std::vector<Cell> cells, double tool_width) {
+  if (!context.wants_promise()) return;
+  context.promise([graph, cells = std::move(cells), tool_width] { return squares_of(graph, cells, tool_width); });
+}
+
+void promise_region(Context& context, Region region) {
+  context.promise([region = std::move(region)] { return region; });
+}
+
 std::vector<Cell> coarse_sub_cells(const GridGraph& fine, Components components, const Cell& first) {
   std::vector<Cell> cells;
   for (const auto& [i, j] : free_coarse_cells(fine, components, first))

@@ -24,6 +24,11 @@ void promise_free_cells(Context& context, const GridGraph& graph, Components com
 void promise_coarse_cells(Context& context, const GridGraph& fine, Components components, const Cell& first,
                           double tool_width);
 
+/// Promises the squares of these cells.
+void promise_cells(Context& context, const GridGraph& graph, std::vector<Cell> cells, double tool_width);
+/// Promises a region.
+void promise_region(Context& context, Region region);
+
 /// The sub-cells of the free coarse cells.
 std::vector<Cell> coarse_sub_cells(const GridGraph& fine, Components components, const Cell& first);
 /// The squares of these cells.

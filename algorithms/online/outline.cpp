@@ -15,6 +15,7 @@ constexpr double kSimpler[] = {1.0 / 128, 1.0 / 32};  // what region() may lose,
 constexpr double kAround = 1.0 / 8;                   // half the side of the square around an overlooked wall point
 constexpr double kNear = 8;                           // wall points from nearer are kept on the finer lattice
 constexpr double kExact = 1e-3, kFine = 1.0 / 128, kCoarse = 1.0 / 16;  // squares of which one wall point is kept
+constexpr double kSpeck = 1.0 / 4;  // holes up to this in which no wall was seen are no obstacles
 constexpr std::size_t kMostPending = 64;
 
 double angle_of(const Point& p) {
@@ -170,8 +171,20 @@ void Outline::unite_again(const std::vector<Box>& boxes) {
 const Region& Outline::region(bool coarse) const {
   merge();
   auto& known = simple_[coarse ? 1 : 0];
-  if (!known) known = simplify_inward(free_, kSimpler[coarse ? 1 : 0] * size_);
+  if (!known) known = without_specks(simplify_inward(free_, kSimpler[coarse ? 1 : 0] * size_));
   return *known;
+}
+
+Region Outline::without_specks(Region region) const {
+  const double most = kSpeck * size_;
+  const auto is_speck = [&](const Ring& hole) {
+    Box box = bounding_box(hole);
+    if (box.size().maxCoeff() > most) return false;
+    box.grow(most);
+    return std::none_of(walls_.begin(), walls_.end(), [&](const Point& wall) { return box.contains(wall); });
+  };
+  for (Polygon& polygon : region.polygons) std::erase_if(polygon.holes, is_speck);
+  return region;
 }
 
 bool Outline::free_for(const Point& a, const Point& b, double radius) const {

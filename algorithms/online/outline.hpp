@@ -38,7 +38,9 @@ class Outline {
   /// ceased to be free.
   bool add_walls(const std::vector<Point>& hits, const std::vector<Point>& corners, const Point& eye);
 
-  /// What is free, less up to size / 128 at walls to save vertices; coarse: up to size / 32.
+  /// What is free, less up to size / 128 at walls to save vertices; coarse: up to size / 32. Where stars leave out a
+  /// speck up to a quarter of the robot's size, and no wall has been seen near it, there is no obstacle: it would only
+  /// be something to wind a tether around. free_for() leaves it out until a star contains it.
   const Region& region(bool coarse = false) const;
   /// The disc of `radius`, moved from a to b, stays in free space.
   bool free_for(const Point& a, const Point& b, double radius) const;
@@ -69,6 +71,7 @@ class Outline {
   std::optional<Box> add_wall(const Point& p);
   void unite_again(const std::vector<Box>& boxes);
   void merge() const;
+  Region without_specks(Region region) const;
 
   double size_;
   std::vector<Star> stars_;

@@ -23,8 +23,9 @@ struct VisitParameters : CellSize {
 
 template <class P>
 std::vector<Parameter<P>> with_visit_parameters(std::vector<Parameter<P>> own) {
-  own.push_back({"cells", &P::cells, Choices{"any", "joined"},
-                 "any: at walls, a cell's free point nearest to its centre counts for it; joined: wholly free cells"});
+  own.push_back({"cells", &P::cells, Choices{"any", "joined", "partial"},
+                 "any: at walls, a cell's free point nearest to its centre counts for it; joined: wholly free cells; "
+                 "partial: every cell of which a part is free, and the walls inside it are driven"});
   own.push_back(cell_size_line<P>("metres; side of a cell; 0: tool width / sqrt 2"));
   own.push_back({"retraction", &P::retraction, Choices{"automatic", "untangle"},
                  "untangle: back along the path driven until the next cell can be reached straight"});

@@ -11,8 +11,11 @@
 //             2. The planner is a built-in one; its parameters are given beside `planner`, under their own names.
 //             3. Components that the cut isolates (tether_space.hpp) are covered one after the other, each by a call of
 //                the planner.
+//             4. The cut is thin, and its pieces short: vertices that this leaves on the path nearer to each other than
+//                a hundredth of the robot's radius are dropped, where the straight segment stays in the cut space.
 #include <utility>
 
+#include "algorithms/transit/short_segments.hpp"
 #include "algorithms/transit/tether_space.hpp"
 #include "algorithms/wrapper.hpp"
 
@@ -29,7 +32,9 @@ class Leashed final : public CoveragePlanner {
     if (context.wants_traces()) context.trace("cut", space.cut());
     return cover_components(
         space,
-        [&](const TetherSpace::Component& component, Context& inner) { return inner_->plan(component.problem, inner); },
+        [&](const TetherSpace::Component& component, Context& inner) {
+          return without_short_segments(inner_->plan(component.problem, inner), component.problem);
+        },
         return_home_, context);
   }
 

@@ -4,7 +4,9 @@
 //             environments", IEEE T-RO 2014, as described by Berg 2021 (chapters 2 and 4.1)
 // Model       grid, here offline, disc footprint of one cell
 // Guarantee   visits every cell in which the robot fits (`cells`); the path, home included, is at most 2 L n for n
-//             cells and a tether of L metres; keeps the tether length limit
+//             cells and a tether of L metres; keeps the tether length limit. With cells = partial the vertices of the
+//             walls count as cells in this bound, and nothing that the tether reaches is left uncovered: of any point
+//             of a cell, the segment to the cell's centre is free, or meets a wall that is driven, within w/2.
 // Complexity  n cells: O(n log n) for their order, then n tethered shortest paths
 // Decisions   1. Round k of the paper visits the new cells within k D, nearest first. Over all rounds that is one order
 //                by (distance, row, column). Distances that differ by rounding alone count as equal.
@@ -16,7 +18,9 @@
 //             4. The paper's cells are wholly free and connected by free edges (`cells = joined`). By default a cell at
 //                a wall counts as well: at its free point nearest to the centre, if that lies in the cell. According to
 //                Berg 2021 the robot gets close to walls and into corners.
-//             5. All paths are driven with the tool on: scattered cells would not be covered otherwise.
+//             5. `cells = partial` (ours) leaves out no cell of which the robot reaches any part, and after a cell's
+//                position drives the walls inside the cell, each from the nearer end.
+//             6. All paths are driven with the tool on: scattered cells would not be covered otherwise.
 #include "algorithms/online/survey_then_plan.hpp"
 #include "algorithms/tethered/band_forest.hpp"
 #include "algorithms/tethered/visit_cells.hpp"
@@ -55,6 +59,7 @@ PlannerInfo shnaps_rimon() {
                               .citation = "after Shnaps & Rimon 2014",
                               .capabilities = {Capability::tether, Capability::holes},
                               .guarantee = "visits every cell; length at most 2 L n, home included",
+                              .promise = Promise::cells,
                               .parameters = with_visit_parameters<Params>(
                                   {{"order", &Params::order, Choices{"distance", "split"},
                                     "distance: literal; split: one side of an obstacle is finished before the other"}}),

@@ -8,7 +8,7 @@
 //                axis; Berg 2021 says no more. So cells about different bends are mixed, which is a weakness.
 //             2. `group = bend` (ours) keeps the cells about one bend together, bends by their distance.
 //             3. `alternate` (ours) reverses every second band; `band` (ours) is the depth of a band in cells.
-//             4. All paths are driven with the tool on, as in shnaps-rimon.
+//             4. All paths are driven with the tool on, and `cells = partial` (ours) drives walls, as in shnaps-rimon.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -67,6 +67,7 @@ PlannerInfo shnaps_rimon_banded() {
        .citation = "Berg 2021, after Shnaps & Rimon 2014",
        .capabilities = {Capability::tether, Capability::holes},
        .guarantee = "visits every cell; length at most 2 L n, home included",
+       .promise = Promise::cells,
        .parameters = with_visit_parameters<Params>(
            {{"band", &Params::band, Range{0.01, 1000}, "depth of a band, in cells"},
             {"alternate", &Params::alternate, "every second band in the opposite direction"},

@@ -1,4 +1,4 @@
-#include "algorithms/grid/spanning_trees.hpp"
+#include "algorithms/lattice/spanning_trees.hpp"
 
 #include <algorithm>
 

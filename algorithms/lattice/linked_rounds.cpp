@@ -1,4 +1,4 @@
-#include "algorithms/grid/linked_rounds.hpp"
+#include "algorithms/lattice/linked_rounds.hpp"
 
 namespace oxturn {
 
@@ -27,7 +27,9 @@ void LinkedRounds::drive(const Link& root, const Context& context, const Steps& 
 }
 
 void LinkedRounds::enter(const Link& link, std::vector<Direction> steps) {
-  transit(*link.path, steps.empty());  // a single sub-cell is covered on arrival
+  // A single sub-cell is covered on arrival; the first one, where the robot may start, when it is left.
+  const bool leaves_single = open_.size() == 1 && open_.front().steps.empty();
+  transit(*link.path, steps.empty() || leaves_single);
   open_.push_back({link.to, std::move(steps), 0, link.path});
 }
 

@@ -1,13 +1,13 @@
-#include "algorithms/grid/partial_stc.hpp"
+#include "algorithms/lattice/partial_stc.hpp"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "algorithms/grid/linked_rounds.hpp"
-#include "algorithms/grid/sub_cell_tree.hpp"
 #include "algorithms/lattice/cell_robot.hpp"
+#include "algorithms/lattice/linked_rounds.hpp"
 #include "algorithms/lattice/promised_cells.hpp"
+#include "algorithms/lattice/sub_cell_tree.hpp"
 #include "algorithms/transit/component_links.hpp"
 
 namespace oxturn {

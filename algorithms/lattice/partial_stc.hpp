@@ -2,11 +2,14 @@
 ///
 ///   if (p_.partial) return cover_partial_cells(problem, p_.lattice(problem, 2), p_, context);
 ///
+/// Guarantee   every free sub-cell (with Components::start: that free lattice edges connect to the first) is visited,
+///             each component on a closed path of at most (n + m) D for its n sub-cells of side D, m of which share a
+///             point with a blocked one
 /// O(n log n) for n sub-cells.
 #pragma once
 
 #include "algorithms/coverage_planner.hpp"
-#include "algorithms/grid/spanning_trees.hpp"
+#include "algorithms/lattice/spanning_trees.hpp"
 
 namespace oxturn {
 
