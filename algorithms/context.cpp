@@ -69,6 +69,12 @@ void Context::promise(std::function<Region()> region) {
   if (sinks_.promise) sinks_.promise(std::move(region));
 }
 
+Context::Sinks Context::without_promise() const {
+  Sinks sinks = sinks_;
+  sinks.promise = {};
+  return sinks;
+}
+
 Context::Sinks Context::traces_only() const {
   Sinks sinks;
   sinks.trace = sinks_.trace;

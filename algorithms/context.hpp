@@ -77,6 +77,8 @@ class Context {
   void record(const std::string& name, double value);
   /// For the context of an inner planner, of which only the drawings are passed on.
   Sinks traces_only() const;
+  /// For the context of a planner whose path becomes this one's: all is passed on but what it promises.
+  Sinks without_promise() const;
 
  private:
   std::uint64_t seed_;

@@ -22,7 +22,8 @@ class Completed final : public CoveragePlanner {
   Path plan(const Problem& problem, Context& context) const override {
     Path path;
     try {
-      path = inner_->plan(problem, context);
+      Context inner(context.seed(), context.seconds_left(), context.without_promise());
+      path = inner_->plan(problem, inner);
     } catch (const Infeasible&) {}  // Decision 2
     context.publish(path);
     return context.cancelled() ? path : repaired(problem, path, Connector(problem), context);

@@ -94,10 +94,8 @@ class Reversing final : public CoveragePlanner {
  public:
   Reversing(std::unique_ptr<CoveragePlanner> inner, const GearRules& rules) : inner_(std::move(inner)), rules_(rules) {}
   Path plan(const Problem& problem, Context& context) const override {
-    Context::Sinks sinks = context.traces_only();
+    Context::Sinks sinks = context.without_promise();
     sinks.publish = [&](const Path& path) { context.publish(with_gears(problem, path, rules_)); };
-    sinks.progress = [&](double fraction) { context.progress(fraction); };
-    sinks.record = [&](const std::string& name, double value) { context.record(name, value); };
     Context inner(context.rng().bits(), context.seconds_left(), std::move(sinks));
     Path path = with_gears(problem, inner_->plan(problem, inner), rules_);
     context.publish(path);
