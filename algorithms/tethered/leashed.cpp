@@ -12,7 +12,8 @@
 //             3. Components that the cut isolates (tether_space.hpp) are covered one after the other, each by a call of
 //                the planner.
 //             4. The cut is thin, and its pieces short: vertices that this leaves on the path nearer to each other than
-//                a hundredth of the robot's radius are dropped, where the straight segment stays in the cut space.
+//                a hundredth of the robot's radius are dropped or joined where the segments stay in the cut
+//                space.
 #include <utility>
 
 #include "algorithms/transit/short_segments.hpp"

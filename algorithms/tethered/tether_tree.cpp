@@ -26,6 +26,7 @@
 #include "algorithms/online/survey_then_plan.hpp"
 #include "algorithms/tethered/cell_parameters.hpp"
 #include "algorithms/tethered/wall_tree.hpp"
+#include "algorithms/transit/short_segments.hpp"
 #include "algorithms/transit/tether_space.hpp"
 #include "base/graph_search.hpp"
 
@@ -138,7 +139,7 @@ Path visit_cells_and_walls(const Params& p, const TetherSpace& space, Context& c
       throw Infeasible("the tether reaches no cell and no wall beside the start; a smaller cell_size may help");
     PathBuilder path(start);
     path.drive(line, true);
-    return path.take();
+    return without_short_segments(path.take(), component.problem);
   };
   return cover_components(space, cover, true, context);
 }

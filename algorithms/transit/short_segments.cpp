@@ -1,7 +1,33 @@
 #include "algorithms/transit/short_segments.hpp"
 
+#include <optional>
+
 namespace oxturn {
 namespace {
+
+/// Where the segment ab, extended beyond b, meets dc extended beyond c, if that is nearer than `most` to b and c.
+std::optional<Point> corner(const Point& a, const Point& b, const Point& c, const Point& d, double most) {
+  const Point u = b - a, v = c - d;
+  const double den = cross(u, v);
+  if (den == 0) return std::nullopt;
+  const double s = cross(d - a, v) / den, t = cross(d - a, u) / den;
+  const Point at = a + s * u;
+  if (!(s >= 1 && t >= 1) || distance(at, b) >= most || distance(at, c) >= most) return std::nullopt;
+  return at;
+}
+
+/// One vertex in place of the last two, before the path goes on to p: around the corner of a wall.
+bool join(Polyline& kept, const Point& p, double least, const EdgeIndex& walls) {
+  if (kept.size() < 3) return false;
+  const Point &last = kept.back(), &before = kept[kept.size() - 2], &earlier = kept[kept.size() - 3];
+  const auto fits = [&](const Point& at) { return walls.contains(earlier, at) && walls.contains(at, p); };
+  std::optional<Point> at = corner(earlier, before, last, p, least);
+  if (!at || !fits(*at)) at = last;
+  if (!fits(*at)) return false;
+  kept.pop_back();
+  kept.back() = *at;
+  return true;
+}
 
 Polyline without_short_segments(const Polyline& points, double least, const EdgeIndex& walls) {
   Polyline kept;
@@ -10,8 +36,11 @@ Polyline without_short_segments(const Polyline& points, double least, const Edge
     while (kept.size() > 1) {
       const Point &last = kept.back(), &before = kept[kept.size() - 2];
       const bool near = distance(before, last) < least || (end && distance(last, p) < least);
-      if (!near || !walls.contains(before, p)) break;
-      kept.pop_back();
+      if (!near) break;
+      if (walls.contains(before, p))
+        kept.pop_back();
+      else if (!join(kept, p, least, walls))
+        break;
     }
     kept.push_back(p);
   }

@@ -2,8 +2,9 @@
 //
 // Complexity  O((n + k) log n) for n vertices of configuration space and k pieces of the cut; a search for each
 //             component that can be entered across the cut only
-// Decisions   1. The strip is r / 100 wide (w / 200 for robots without size): far above the chord error of the cut and
-//                above rounding, far below what a tool reaches over.
+// Decisions   1. The strip is r / 90 wide (w / 200 for robots without size): far above the chord error of the cut and
+//                above rounding, not below the shortest segments that paths should have (short_segments.hpp), far below
+//                what a tool reaches over.
 //             2. The cut of free space reaches into the walls by r as seen from configuration space, so it divides that
 //                without loose ends. For robots without size its ends are extended by a few widths of the strip.
 //             3. A component is entered at its vertex nearest to the anchor.
@@ -22,7 +23,7 @@
 namespace oxturn {
 namespace {
 
-constexpr double kStripsPerRadius = 100;  // decision 1
+constexpr double kStripsPerRadius = 90;  // decision 1
 constexpr double kStripsPerTool = 200;
 constexpr int kLeastStripBits = -22;        // at least 2^this of the map's extent: cut_along() needs 2^-26
 constexpr double kComponentsPerTool = 100;  // decision 4
