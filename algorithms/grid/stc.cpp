@@ -38,17 +38,6 @@ struct Params : TreeOptions {
 
 LinkedRounds::Link link_to(const ComponentOrder::Entry& entry) { return {entry.from, entry.at, &entry.path}; }
 
-/// Once around the tree of coarse cells that contains a sub-cell.
-std::vector<Direction> steps_around(const CoarseCells& cells, const Cell& start) {
-  std::vector<Direction> steps;
-  Cell at = start;
-  do {
-    steps.push_back(round_step(cells, at));
-    at = neighbour(at, steps.back());
-  } while (at != start);
-  return steps;
-}
-
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const GridGraph fine = p.lattice(problem, 2);
   if (p.partial) return cover_partial_cells(problem, fine, p, context);

@@ -11,11 +11,9 @@
 namespace oxturn {
 namespace {
 
-constexpr double kLongLink = 2;  // tool widths; shorter links between laps are driven with the tool on
-
-class LapDrive {
+class HeadlandDrive {
  public:
-  LapDrive(const Problem& problem, const Connector& connector, PathBuilder& path)
+  HeadlandDrive(const Problem& problem, const Connector& connector, PathBuilder& path)
       : width_(problem.robot().tool_width), connector_(connector), path_(path) {}
 
   /// All laps beside one part of the boundary, then those beside the part whose first lap is nearest.
@@ -47,10 +45,8 @@ class LapDrive {
   void drive(const Ring& ring) {
     const std::size_t entry = nearest_vertex(ring, path_.at());
     const Polyline link = connector_.path(path_.at(), ring[entry]);
-    path_.drive(link, begun_ && length(link) <= kLongLink * width_);
-    Polyline lap;
-    for (std::size_t k = 0; k <= ring.size(); ++k) lap.push_back(ring[(entry + k) % ring.size()]);
-    path_.drive(std::move(lap), true);
+    path_.drive(link, begun_ && length(link) <= kLongestLinkOn * width_);
+    path_.drive(lap_from(ring, entry), true);
     begun_ = true;
   }
 
@@ -75,7 +71,7 @@ Path drive_with_headland(const Problem& problem, const Headland& headland,
   };
   const bool last = headland.headland_order == HeadlandOrder::last;
   if (last) drive_lanes();
-  LapDrive(problem, connector, path).drive(laps, last, context);
+  HeadlandDrive(problem, connector, path).drive(laps, last, context);
   if (!last && !context.cancelled()) drive_lanes();
   const Path whole = without_short_segments(path.take(), problem);
   context.publish(whole);

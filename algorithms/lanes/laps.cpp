@@ -72,6 +72,13 @@ std::size_t nearest_vertex(const Ring& ring, const Point& p) {
   return static_cast<std::size_t>(std::ranges::min_element(ring, nearer) - ring.begin());
 }
 
+Polyline lap_from(const Ring& ring, std::size_t entry) {
+  Polyline lap(ring.begin(), ring.end());
+  std::ranges::rotate(lap, lap.begin() + static_cast<std::ptrdiff_t>(entry));
+  lap.push_back(ring[entry]);
+  return lap;
+}
+
 NearestRing::NearestRing(const std::vector<const Ring*>& rings)
     : vertices_([&] {
         std::vector<Point> all;

@@ -38,6 +38,12 @@ Laps laps_of(const Problem& problem, double spacing, const Context& context,
 /// The vertex of a ring that is nearest to a point.
 std::size_t nearest_vertex(const Ring& ring, const Point& p);
 
+/// Links between laps up to this many tool widths long are driven with the tool on.
+inline constexpr double kLongestLinkOn = 2;
+
+/// Once around a ring, from vertex `entry` back to it.
+Polyline lap_from(const Ring& ring, std::size_t entry);
+
 /// Rings that are taken one by one, always the one with the nearest vertex. O(v log v) for all v vertices together.
 class NearestRing {
  public:

@@ -52,17 +52,26 @@ Direction round_step(const CoarseCells& cells, const Cell& at) {
   return cells.in_tree(cells.at(at.i / 2, at.j / 2), out) ? out : left_of(out);
 }
 
+std::vector<Direction> steps_around(const CoarseCells& cells, const Cell& first) {
+  std::vector<Direction> steps;
+  Cell at = first;
+  do {
+    steps.push_back(round_step(cells, at));
+    at = neighbour(at, steps.back());
+  } while (at != first);
+  return steps;
+}
+
 Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, const Cell& first, RoundPoints points) {
   Polyline line{fine.centre(first)};
   Cell at = first;
   std::optional<Direction> last;
-  do {
-    const Direction d = round_step(cells, at);
+  for (const Direction d : steps_around(cells, first)) {
     at = neighbour(at, d);
     if (last == d && points == RoundPoints::at_turns) line.pop_back();
     line.push_back(fine.centre(at));
     last = d;
-  } while (at != first);
+  }
   return line;
 }
 

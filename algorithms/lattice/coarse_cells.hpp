@@ -57,6 +57,8 @@ std::vector<std::size_t> grow_breadth_first(CoarseCells& cells, std::size_t root
 
 /// Counter-clockwise around the tree: where the path leads from a sub-cell.
 Direction round_step(const CoarseCells& cells, const Cell& at);
+/// The steps once around the tree, from a sub-cell back to it.
+std::vector<Direction> steps_around(const CoarseCells& cells, const Cell& first);
 enum class RoundPoints { at_turns, at_every_cell };
 /// The closed path around the tree from sub-cell `first`, counter-clockwise: each sub-cell of the tree's cells once.
 Polyline round_tree(const GridGraph& fine, const CoarseCells& cells, const Cell& first,

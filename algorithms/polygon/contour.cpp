@@ -30,8 +30,6 @@
 namespace oxturn {
 namespace {
 
-constexpr double kLongLink = 2;  // tool widths; shorter links are driven with the tool on
-
 enum class Join { tree, nearest, alternating, longest_edge };
 
 struct Params {
@@ -78,15 +76,13 @@ class LapDrive {
 
   void drive(std::size_t number) {
     const Ring& ring = laps_.all[number].ring;
-    const std::size_t n = ring.size(), entry = entry_of(ring);
-    const bool reversed = join_ == Join::alternating && reverse_;
-    Polyline lap;
-    for (std::size_t k = 0; k < n; ++k) lap.push_back(ring[(reversed ? entry + n - k : entry + k) % n]);
-    if (join_ != Join::longest_edge) lap.push_back(ring[entry]);
+    Polyline lap = lap_from(ring, entry_of(ring));
+    if (join_ == Join::alternating && reverse_) std::ranges::reverse(lap);
+    if (join_ == Join::longest_edge) lap.pop_back();
     if (join_ == Join::alternating) shorten(lap, width_);
     const Polyline link = connector_.path(path_.at(), lap.front());
     const bool diagonal = join_ == Join::longest_edge && link.size() == 2 && is_inside(number);
-    path_.drive(link, last_ && (diagonal || length(link) <= kLongLink * width_));
+    path_.drive(link, last_ && (diagonal || length(link) <= kLongestLinkOn * width_));
     path_.drive(lap, true);
     reverse_ = !reverse_;
     last_ = number;
