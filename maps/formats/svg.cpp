@@ -1,10 +1,10 @@
 // Pictures of maps, problems and paths, as SVG without external parts.
 //
 // Layers      grey walls; white free space; the target in a warm tint (what stays visible of it is not covered); the
-// tool's
-//             swath; named traces; transit, dashed grey; the path coloured by the distance driven, blue to red; the
-//             tether at some moments, dark red, with dots where it bends and a ring where the robot is; anchor, start
-//             and end; below, the scale bar in metres and the colour key
+//             tool's swath; named traces; transit, dashed grey; the path coloured by the distance driven, blue to red,
+//             with white dots where the robot drives backwards; the tether at some moments, dark red, with dots where
+//             it bends and a ring where the robot is; anchor, start and end; below, the scale bar in metres and the
+//             colour key
 // Complexity  O(n); the path takes at most a few hundred elements, and vertices too near to be seen are left out
 #include <fmt/format.h>
 
@@ -80,7 +80,7 @@ Path drawable(const Path& path) {
   for (const Leg& leg : path.legs) {
     const auto bad = std::ranges::find_if_not(
         leg.points, [](const Point& p) { return finite(p) && p.cwiseAbs().maxCoeff() < kMostCoordinate; });
-    if (bad - leg.points.begin() > 1) out.legs.push_back({leg.tool, {leg.points.begin(), bad}});
+    if (bad - leg.points.begin() > 1) out.legs.push_back({leg.tool, {leg.points.begin(), bad}, leg.gear});
     if (bad != leg.points.end()) break;
   }
   return out;

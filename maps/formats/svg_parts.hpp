@@ -25,7 +25,7 @@ std::string time_colour(double t);
 void append_swath(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path);
 /// Convex parts of the target that the path missed.
 void append_missed(std::string& out, const Canvas& canvas, const std::vector<Ring>& missed);
-/// Transit dashed, work coloured by the distance driven, with arrowheads.
+/// Transit dashed, work coloured by the distance driven, with arrowheads; white dots where it is driven backwards.
 void append_path(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path);
 /// Traces of one name have one colour.
 void append_traces(std::string& out, const Canvas& canvas, const std::vector<Trace>& traces);

@@ -20,13 +20,17 @@ bool sharp_turn(const Point& a, const Point& b, const Point& c) {
   return before.dot(after) < 0.5 * before.norm() * after.norm();
 }
 
-/// The legs with the tool on, or those with the tool off.
-std::string legs_data(const Canvas& canvas, const Path& path, bool tool) {
+/// The legs for which `wanted` holds.
+template <class Wanted>
+std::string legs_data(const Canvas& canvas, const Path& path, Wanted wanted) {
   PathData data(canvas, kLeastLineStep);
   for (const Leg& leg : path.legs)
-    if (leg.tool == tool) data.add(leg.points);
+    if (wanted(leg)) data.add(leg.points);
   return data.take();
 }
+constexpr auto works = [](const Leg& leg) { return leg.tool; };
+constexpr auto transits = [](const Leg& leg) { return !leg.tool; };
+constexpr auto reverses = [](const Leg& leg) { return leg.gear == Gear::reverse; };
 
 /// The work legs in pieces, each one colour. The whole path (transit too) is divided into kPieces equal lengths.
 class ColouredPath {
@@ -89,7 +93,7 @@ std::vector<std::string> swath_parts(const Canvas& canvas, const Path& path) {
   for (const Leg& leg : path.legs) segments += leg.points.size();
   std::vector<std::string> parts;
   if (segments > kMostShaded) {
-    parts.push_back(legs_data(canvas, path, true));
+    parts.push_back(legs_data(canvas, path, works));
     return parts;
   }
   for (const Leg& leg : path.legs) {
@@ -105,6 +109,16 @@ std::vector<std::string> swath_parts(const Canvas& canvas, const Path& path) {
     parts.push_back(line_data(canvas, part));
   }
   return parts;
+}
+
+/// White dots on the legs that are driven backwards.
+void append_reverse(std::string& out, const Canvas& canvas, const Path& path, double line_px) {
+  const std::string reverse = legs_data(canvas, path, reverses);
+  if (!reverse.empty())
+    out += fmt::format(
+        "<path id=\"reverse\" fill=\"none\" stroke=\"#fff\" stroke-width=\"{}\" stroke-linecap=\"round\" "
+        "stroke-dasharray=\"0 {}\" d=\"{}\"><title>driven backwards</title></path>\n",
+        px(std::max(0.4, 0.6 * line_px)), px(std::max(3.0, 2.5 * line_px)), reverse);
 }
 
 /// Arrowheads in the direction of driving, equally spaced along the work.
@@ -163,13 +177,14 @@ void append_missed(std::string& out, const Canvas& canvas, const std::vector<Rin
 void append_path(std::string& out, const Canvas& canvas, const Problem& problem, const Path& path) {
   const double tool_px = problem.robot().tool_width * canvas.scale;
   const double line_px = std::clamp(tool_px * 0.14, 0.5, 2.2);
-  const std::string transit = legs_data(canvas, path, false);
+  const std::string transit = legs_data(canvas, path, transits);
   if (!transit.empty())
     out += fmt::format(
         "<path id=\"transit\" fill=\"none\" stroke=\"#555\" stroke-width=\"{}\" stroke-dasharray=\"{} {}\" "
         "d=\"{}\"/>\n",
         px(std::max(0.7, line_px * 0.8)), px(std::max(3.0, 3 * line_px)), px(std::max(2.0, 2 * line_px)), transit);
   append_work(out, canvas, path, line_px);
+  append_reverse(out, canvas, path, line_px);
   append_arrows(out, canvas, path, std::max(5.0, 3 * line_px) / canvas.scale);
 }
 

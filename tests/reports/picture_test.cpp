@@ -42,6 +42,13 @@ TEST(Picture, HasEveryLayer) {
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
 }
 
+TEST(Picture, ShowsWhereTheRobotDrivesBackwards) {
+  Path path = there_and_back();
+  EXPECT_THAT(to_svg(box(), &path), Not(HasSubstr("id=\"reverse\"")));
+  path.legs.back().gear = Gear::reverse;
+  EXPECT_THAT(to_svg(box(), &path), HasSubstr("id=\"reverse\""));
+}
+
 // A metre is as many pixels across as up; y points up: the start is below the end.
 TEST(Picture, IsToScaleAndUpright) {
   const Path path = there_and_back();
