@@ -119,7 +119,7 @@ Approach nearest_approach(const Point& a, const Point& b, const Point& c, const 
 
 /// How a ring is attached to the path or to another ring, its parent.
 struct Attachment {
-  double distance = kInfinity;
+  double distance = kInfinity;        // metres to drive
   std::optional<std::size_t> parent;  // a ring; nullopt: the path
   std::size_t segment = 0;            // of the parent
   double along = 0;                   // metres from the beginning of that segment
@@ -131,8 +131,13 @@ struct Attachment {
 /// Every ring attached to the path or to another ring, the nearest pair first (Prim).
 class RingTree {
  public:
-  RingTree(Rings rings, const Polyline& path, double width, Context& context)
-      : rings_(std::move(rings)), attached_(rings_.size(), false), how_(rings_.size()), children_(rings_.size()) {
+  /// `connector`: walls may lie between path and rings; nullptr: never where one is nearest to the other.
+  RingTree(Rings rings, const Polyline& path, double width, const Connector* connector, Context& context)
+      : rings_(std::move(rings)),
+        connector_(connector),
+        attached_(rings_.size(), false),
+        how_(rings_.size()),
+        children_(rings_.size()) {
     for (std::size_t i = 0; i + 1 < path.size(); ++i) sources_.push_back({std::nullopt, i, path[i], path[i + 1]});
     // The reach doubles, so a start far from every ring does not mean many passes.
     remaining_ = rings_.size();
@@ -150,23 +155,42 @@ class RingTree {
     std::size_t segment;
     Point a, b;
   };
-  using Candidate = std::pair<double, std::size_t>;  // distance, ring
+  /// How a ring may be attached.
+  struct Offer {
+    std::size_t ring;
+    Attachment how;
+    bool blocked;  // a wall is in between, and how.distance less than there is to drive
+    bool operator>(const Offer& o) const { return std::tie(how.distance, ring) > std::tie(o.how.distance, o.ring); }
+  };
 
   void attach_within(double reach) {
     const RingGrid grid(rings_, attached_, reach);
-    best_.assign(rings_.size(), {});
+    least_.assign(rings_.size(), kInfinity);
     for (const Source& s : sources_) search(s, grid, reach);
-    while (!candidates_.empty()) {
-      const auto [distance, ring] = candidates_.top();
-      candidates_.pop();
-      if (attached_[ring] || distance > best_[ring].distance) continue;
-      attach(ring, best_[ring]);
-      const Ring& r = *rings_[ring];
+    while (!offers_.empty()) {
+      const Offer offer = offers_.top();
+      offers_.pop();
+      const double least = least_[offer.ring];
+      if (attached_[offer.ring] || offer.how.distance > least) continue;
+      if (offer.blocked) {
+        // Only now, because most rings have been attached to something in sight before.
+        const double driven = connector_->length(offer.how.from, offer.how.on, std::min(reach, least));
+        if (driven <= reach && driven < least) accept(offer, driven);
+        continue;
+      }
+      attach(offer.ring, offer.how);
+      const Ring& r = *rings_[offer.ring];
       for (std::size_t e = 0; e < r.size(); ++e) {
-        sources_.push_back({ring, e, r[e], r[(e + 1) % r.size()]});
+        sources_.push_back({offer.ring, e, r[e], r[(e + 1) % r.size()]});
         search(sources_.back(), grid, reach);
       }
     }
+  }
+
+  void accept(Offer offer, double driven) {
+    offer.how.distance = least_[offer.ring] = driven;
+    offer.blocked = false;
+    offers_.push(offer);
   }
 
   void attach(std::size_t ring, const Attachment& how) {
@@ -189,24 +213,27 @@ class RingTree {
         if (attached_[item.ring]) return;
         const Ring& ring = *rings_[item.ring];
         const Approach m = nearest_approach(a, b, ring[item.edge], ring[(item.edge + 1) % ring.size()]);
-        if (m.distance > reach || m.distance >= best_[item.ring].distance) return;
-        best_[item.ring] = {m.distance, source.ring, source.segment, distance(source.a, m.first),
-                            m.first,    m.second,    item.edge};
-        candidates_.push({m.distance, item.ring});
+        if (m.distance > reach || m.distance >= least_[item.ring]) return;
+        const Offer offer{
+            item.ring,
+            {m.distance, source.ring, source.segment, distance(source.a, m.first), m.first, m.second, item.edge},
+            connector_ != nullptr && !connector_->straight(m.first, m.second)};
+        offer.blocked ? offers_.push(offer) : accept(offer, m.distance);
       });
     }
   }
 
   Rings rings_;
+  const Connector* connector_;
   std::vector<bool> attached_;
   std::vector<Attachment> how_;
   std::vector<std::vector<std::size_t>> children_;  // rings attached to a ring
   std::vector<std::size_t> on_path_;                // rings attached to the path
   std::vector<Source> sources_;
   std::size_t remaining_ = 0;
-  // Of the present reach: the nearest attachment of each ring, and all that were once the nearest.
-  std::vector<Attachment> best_;
-  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates_;
+  // Of the present reach: what there is to drive to each ring at least, as far as is known; all offers that may be less.
+  std::vector<double> least_;
+  std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers_;
 };
 
 /// The path as one polyline: tool[i] belongs to the segment from points[i] to points[i + 1].
@@ -350,13 +377,28 @@ Path with_outline(const Problem& problem, const Path& path, double width, const 
   return without_short_segments(with_laps, problem);
 }
 
-Path with_rings(const Problem& problem, const std::vector<Ring>& rings, const Path& path, double width,
-                const Connector& connector, Context& context) {
+namespace {
+
+/// `around`: links may have to lead around walls (RingTree); nullptr: no.
+Path driven_with(const Problem& problem, const std::vector<Ring>& rings, const Path& path, double width,
+                 const Connector& connector, const Connector* around, Context& context) {
   Rings all;
   for (const Ring& ring : rings) all.push_back(&ring);
   const FlatPath flat = flattened(path, problem.start());
-  const RingTree tree(std::move(all), flat.points, width, context);
+  const RingTree tree(std::move(all), flat.points, width, around, context);
   return RingDrive(tree, problem.start(), width, connector).run(flat);
+}
+
+}  // namespace
+
+Path with_rings(const Problem& problem, const std::vector<Ring>& rings, const Path& path, double width,
+                const Connector& connector, Context& context) {
+  return driven_with(problem, rings, path, width, connector, nullptr, context);
+}
+
+Path with_detours(const Problem& problem, const std::vector<Ring>& detours, const Path& path, double width,
+                  const Connector& connector, Context& context) {
+  return driven_with(problem, detours, path, width, connector, &connector, context);
 }
 
 Path with_rings(const Problem& problem, const Region& region, const Path& path, double width,

@@ -30,12 +30,16 @@ Region straightened_space(const Problem& problem);
 /// robot's radius (transit/short_segments.hpp). About O(n) for n segments if every ring lies within a few widths
 /// of the path or of another ring; each doubling of the distance to the farthest ring costs another pass.
 Path with_outline(const Problem& problem, const Path& path, double width, const Connector& connector, Context& context);
-/// The same with any rings in configuration space. Those of two points are driven there and back.
+/// The same with any rings in configuration space. Those of two points are driven there and back. No wall of the space
+/// may lie between a ring and what is nearest to it, so the boundary belongs to the rings or to the path.
 Path with_rings(const Problem& problem, const std::vector<Ring>& rings, const Path& path, double width,
                 const Connector& connector, Context& context);
 /// The same with the boundary of a region that lies in configuration space.
 Path with_rings(const Problem& problem, const Region& region, const Path& path, double width,
                 const Connector& connector, Context& context);
+/// The same with rings anywhere in configuration space: each is attached where the drive there is shortest.
+Path with_detours(const Problem& problem, const std::vector<Ring>& detours, const Path& path, double width,
+                  const Connector& connector, Context& context);
 /// The strips (drive_strips), and with `outline` the walls as well, a tool width from the path. Publishes both.
 Path drive_strips_and_walls(const Problem& problem, const std::vector<Strip>& strips, StripOrder order, bool outline,
                             Context& context);

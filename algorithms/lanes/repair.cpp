@@ -179,7 +179,7 @@ Path repaired(const Problem& problem, const Path& path, Region uncovered, const 
   const std::vector<Ring> pieces = Repair(problem, std::move(uncovered)).find(context);
   if (pieces.empty()) return path;
   if (context.wants_traces()) context.trace("repair", pieces);
-  return with_rings(problem, pieces, path, problem.robot().tool_width, connector, context);
+  return with_detours(problem, pieces, path, problem.robot().tool_width, connector, context);
 }
 
 }  // namespace oxturn

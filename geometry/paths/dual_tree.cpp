@@ -7,6 +7,8 @@
 namespace oxturn {
 namespace {
 
+constexpr double kRounding = 1 + 1e-9;
+
 /// The shortest path through portals, by a funnel: an apex and the narrowest view of the portals passed so far. Where
 /// one side of the view crosses the other, the path bends there and a new view begins.
 class Funnel {
@@ -83,25 +85,36 @@ DualTree::DualTree(const Mesh& mesh, const ConnectedComponents& components)
   for (std::size_t c = 0; c < count; ++c) is_tree_.push_back(half_edges[c] == 2 * (triangles[c] - 1));
 }
 
-/// The edges of the sleeve: from both ends up the tree to where they meet.
-void DualTree::find_portals(std::int32_t from, std::int32_t to, std::vector<Portal>& out) const {
+DualTree::Portal DualTree::portal(std::int32_t from, std::int32_t to) const {
+  const std::size_t k = mesh_.edge_towards(from, to);
+  return {mesh_.vertex(from, k + 2), mesh_.vertex(from, k + 1)};
+}
+
+/// From both ends up the tree to where they meet.
+std::optional<std::vector<std::int32_t>> DualTree::sleeve(const Point& start, std::int32_t from, const Point& goal,
+                                                          std::int32_t to, double longest) const {
   std::vector<std::int32_t> up{from}, down{to};
   const auto depth = [&](std::int32_t t) { return depth_[static_cast<std::size_t>(t)]; };
   while (up.back() != down.back()) {
     std::vector<std::int32_t>& deeper = depth(up.back()) >= depth(down.back()) ? up : down;
-    deeper.push_back(parent_[static_cast<std::size_t>(deeper.back())]);
+    const std::int32_t parent = parent_[static_cast<std::size_t>(deeper.back())];
+    const Portal door = portal(deeper.back(), parent);
+    const double least =
+        distance_to_segment(start, door.left, door.right) + distance_to_segment(goal, door.left, door.right);
+    if (least > longest * kRounding) return std::nullopt;
+    deeper.push_back(parent);
   }
   up.insert(up.end(), down.rbegin() + 1, down.rend());
-  out.clear();
-  for (std::size_t i = 1; i < up.size(); ++i) {
-    const std::size_t k = mesh_.edge_towards(up[i - 1], up[i]);
-    out.push_back({mesh_.vertex(up[i - 1], k + 2), mesh_.vertex(up[i - 1], k + 1)});
-  }
+  return up;
 }
 
-Polyline DualTree::path(const Point& start, std::int32_t from, const Point& goal, std::int32_t to) const {
+std::optional<Polyline> DualTree::path(const Point& start, std::int32_t from, const Point& goal, std::int32_t to,
+                                       double longest) const {
+  const auto triangles = sleeve(start, from, goal, to, longest);
+  if (!triangles) return std::nullopt;
   thread_local std::vector<Portal> portals;
-  find_portals(from, to, portals);
+  portals.clear();
+  for (std::size_t i = 1; i < triangles->size(); ++i) portals.push_back(portal((*triangles)[i - 1], (*triangles)[i]));
   // A start on the first portals has passed them: seen from it they span 180 degrees, which orientations cannot tell
   // from none.
   portals.erase(portals.begin(), std::find_if(portals.begin(), portals.end(), [&](const Portal& p) {

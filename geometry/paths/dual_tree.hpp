@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "base/graph_search.hpp"
 #include "geometry/mesh/mesh.hpp"
@@ -21,15 +22,20 @@ class DualTree {
   /// Is the component free of holes?
   bool is_tree(std::int32_t component) const { return is_tree_[static_cast<std::size_t>(component)]; }
   /// The shortest path from a point of triangle `from` to one of triangle `to`, both points included. The triangles
-  /// must be in one component without holes.
-  Polyline path(const Point& start, std::int32_t from, const Point& goal, std::int32_t to) const;
+  /// must be in one component without holes. nullopt if it is certainly longer than `longest`: found after as many
+  /// triangles as the robot can enter within that length.
+  std::optional<Polyline> path(const Point& start, std::int32_t from, const Point& goal, std::int32_t to,
+                               double longest) const;
 
  private:
   /// An edge between two triangles of a sleeve, seen in the direction of the path.
   struct Portal {
     Point left, right;
   };
-  void find_portals(std::int32_t from, std::int32_t to, std::vector<Portal>& out) const;
+  Portal portal(std::int32_t from, std::int32_t to) const;
+  /// The triangles of the sleeve, if every portal of it can be passed on a path no longer than `longest`.
+  std::optional<std::vector<std::int32_t>> sleeve(const Point& start, std::int32_t from, const Point& goal,
+                                                  std::int32_t to, double longest) const;
 
   static constexpr std::int32_t kNone = -1;
   const Mesh& mesh_;

@@ -124,13 +124,13 @@ std::vector<std::int32_t> one_of_each_group(const Mesh& mesh, const std::vector<
   return first;
 }
 
-/// The shortest path in a component without holes.
-Polyline path_in_tree(const ShortestPaths::Impl& impl, const ShortestPaths::Impl::Ends& ends) {
+/// The shortest path in a component without holes; empty if it is longer than `longest`.
+Polyline path_in_tree(const ShortestPaths::Impl& impl, const ShortestPaths::Impl::Ends& ends, double longest) {
   Polyline best;
   for (const std::int32_t from : one_of_each_group(impl.mesh, ends.from))
     for (const std::int32_t to : one_of_each_group(impl.mesh, ends.to)) {
-      Polyline line = impl.tree.path(ends.start, from, ends.goal, to);
-      if (best.empty() || length(line) < length(best)) best = std::move(line);
+      std::optional<Polyline> line = impl.tree.path(ends.start, from, ends.goal, to, longest);
+      if (line && (best.empty() || length(*line) < length(best))) best = std::move(*line);
     }
   return best;
 }
@@ -153,7 +153,8 @@ std::optional<Polyline> ShortestPaths::path(const Point& a, const Point& b, doub
   Polyline path;
   if (impl_->tree.is_tree(component) && std::all_of(ends.from.begin(), ends.from.end(),
                                                     [&](std::int32_t t) { return impl_->component(t) == component; })) {
-    path = path_in_tree(*impl_, ends);
+    path = path_in_tree(*impl_, ends, longest);
+    if (path.empty()) return std::nullopt;
     path.front() = a;
     path.back() = b;
   } else {

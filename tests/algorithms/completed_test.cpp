@@ -40,6 +40,16 @@ TEST(Completed, APlannerThatFindsNoCellIsNoReasonToGiveUp) {
   EXPECT_LE(uncovered_share(corridor, path, 500), 2e-3);
 }
 
+// In a spiral whose corridors are narrower than the tool, what is next to a piece is mostly behind a wall.
+TEST(Completed, DetoursDoNotLeadAllTheWayRound) {
+  for (const double corridors : {8, 16}) {
+    const Map spiral = generate("spiral", {{"width", corridors * 5}, {"height", corridors * 4}, {"robot", 0.6}}, 1);
+    const Problem p(spiral, disc(0.6, 7.0));
+    const double least = plan("boustrophedon", p).length();
+    EXPECT_LE(plan("completed", p, {{"planner", std::string("stc")}}).length(), 2 * least);
+  }
+}
+
 TEST(Wrapper, RefusesPlannersThatItCannotRun) {
   const Planners planners = built_in_planners();
   const auto make = [&](const char* outer, const char* inner) {
