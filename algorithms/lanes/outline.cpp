@@ -231,7 +231,7 @@ class RingTree {
   std::vector<std::size_t> on_path_;                // rings attached to the path
   std::vector<Source> sources_;
   std::size_t remaining_ = 0;
-  // Of the present reach: what there is to drive to each ring at least, as far as is known; all offers that may be less.
+  // Of the present reach: what is known of the drive to each ring, and all offers that may be shorter.
   std::vector<double> least_;
   std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers_;
 };

@@ -91,9 +91,7 @@ void compare(const Region& region, Rng& rng, int starts) {
       EXPECT_NEAR(length(*path), best, 1e-9 * best + 1e-12);
       EXPECT_NEAR(length(*back), best, 1e-9 * best + 1e-12);
       EXPECT_EQ(paths.path(a, b, length(*path)), path);
-      if (best > 0) {
-        EXPECT_FALSE(paths.path(a, b, best * (1 - 1e-8)));
-      }
+      if (best > 0) { EXPECT_FALSE(paths.path(a, b, best * (1 - 1e-8))); }
     }
   }
 }
