@@ -107,7 +107,7 @@ class SuiteRun {
   SuiteRun(const Suite& suite, const Registry& registry, const SuiteRunOptions& options)
       : options_(options),
         columns_(run_columns(registry.metrics)),
-        session_(suite, registry.planners, columns_, options),
+        session_(suite, registry.planners, registry.metrics, options),
         metrics_(options.folder, "metrics.csv", kMetricsHeader),
         trace_(options.folder, "trace.csv", kTraceHeader),
         cells_(cells_of(suite)),

@@ -42,13 +42,20 @@ std::string whole_lines(const std::string& text) {
 }
 
 /// The planners from outside that take part in the suite.
-std::vector<ProgramEntry> programs_of(const Suite& suite, const Planners& planners) {
-  std::map<std::string, ProgramEntry> programs;
+std::vector<OutsideEntry> programs_of(const Suite& suite, const Planners& planners) {
+  std::map<std::string, OutsideEntry> programs;
   for (const PlannerSpec& spec : suite.planners)
     for (const PlannerInfo* planner : from_outside(planners.find(spec.name), spec.settings, planners))
       programs[planner->name] = {planner->name, planner->origin, planner->identity};
-  std::vector<ProgramEntry> all;
+  std::vector<OutsideEntry> all;
   for (const auto& [name, program] : programs) all.push_back(program);
+  return all;
+}
+
+std::vector<OutsideEntry> from_plugins(const Metrics& metrics) {
+  std::vector<OutsideEntry> all;
+  for (const Metric& m : metrics)
+    if (!m.identity.empty()) all.push_back({m.name, m.origin, m.identity});
   return all;
 }
 
@@ -60,11 +67,12 @@ void lock_results(const wire::Descriptor& runs_csv, const std::string& folder) {
         fmt::format("another process is writing to '{}'; wait for it, or choose another folder", folder));
 }
 
-Session::Session(const Suite& suite, const Planners& planners, const Columns& columns, const SuiteRunOptions& options)
-    : columns_(columns),
+Session::Session(const Suite& suite, const Planners& planners, const Metrics& metrics, const SuiteRunOptions& options)
+    : columns_(run_columns(metrics)),
       folder_(options.folder),
       file_(options.folder + "/runs.csv"),
-      programs_(programs_of(suite, planners)) {
+      programs_(programs_of(suite, planners)),
+      metrics_(from_plugins(metrics)) {
   const bool there = fs::exists(file_);
   if (there && !options.resume)
     throw std::invalid_argument(fmt::format(
@@ -107,7 +115,8 @@ void Session::take_up(const Suite& suite) {
     throw std::invalid_argument(fmt::format(
         "'{}' was scored again by another build of oxturn ({}, this is {}); `oxturn rescore` it with this build first",
         folder_, before.scoring_identity(), build_identity()));
-  compare_programs(before.programs);
+  compare("planner", programs_, before.programs);
+  compare("metric", metrics_, before.metrics);
   sessions_ = before.sessions;
   const std::string text = read_file(file_);
   const std::string whole = whole_lines(text);
@@ -119,15 +128,16 @@ void Session::take_up(const Suite& suite) {
   for (Row& row : rows_from_csv(whole, file_)) earlier_[row.get("run_id")].push_back(std::move(row));
 }
 
-void Session::compare_programs(const std::vector<ProgramEntry>& before) const {
-  for (const ProgramEntry& now : programs_) {
-    for (const ProgramEntry& then : before) {
-      if (then.planner != now.planner || then.identity == now.identity) continue;
+void Session::compare(const char* kind, const std::vector<OutsideEntry>& entries,
+                      const std::vector<OutsideEntry>& before) const {
+  for (const OutsideEntry& now : entries) {
+    for (const OutsideEntry& then : before) {
+      if (then.name != now.name || then.identity == now.identity) continue;
       const std::string was = then.origin == now.origin ? "" : fmt::format(" (`{}`)", then.origin);
-      throw std::invalid_argument(fmt::format(
-          "'{}' holds results of another version of planner '{}'{}: `{}`, its description or a file that it "
-          "names has changed since; choose another folder",
-          folder_, now.planner, was, now.origin));
+      throw std::invalid_argument(
+          fmt::format("'{}' holds results of another version of {} '{}'{}: `{}`, its description or a file that it "
+                      "names has changed since; choose another folder",
+                      folder_, kind, now.name, was, now.origin));
     }
   }
 }
@@ -151,8 +161,8 @@ void Session::append(const std::string& line) {
 void Session::rewrite(const std::string& lines) { write_file(file_, csv_header(columns_) + lines); }
 
 void Session::describe(const Suite& suite, const SuiteRunOptions& options) {
-  SessionFile session{suite.name, suite.file, suite.limits, suite.warm_ups, suite.target_coverage,
-                      {},         {},         programs_,    sessions_,      nullptr};
+  SessionFile session{suite.name, suite.file, suite.limits, suite.warm_ups, suite.target_coverage, {}, {},
+                      programs_,  metrics_,   sessions_,    nullptr};
   for (const Robot& robot : suite.robots) session.robots.emplace_back(robot.name, canonical_text(robot));
   session.build = build_description();
   session.sessions.push_back({fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),

@@ -19,7 +19,7 @@ void lock_results(const wire::Descriptor& runs_csv, const std::string& folder);
 /// Refuses what run_suite() promises to refuse, before anything is written.
 class Session {
  public:
-  Session(const Suite& suite, const Planners& planners, const Columns& columns, const SuiteRunOptions& options);
+  Session(const Suite& suite, const Planners& planners, const Metrics& metrics, const SuiteRunOptions& options);
 
   /// Rows that an earlier session left, by run_id, attempts in order.
   const std::map<std::string, std::vector<Row>>& earlier() const { return earlier_; }
@@ -31,14 +31,15 @@ class Session {
  private:
   void open();
   void take_up(const Suite& suite);
-  void compare_programs(const std::vector<ProgramEntry>& before) const;
+  void compare(const char* kind, const std::vector<OutsideEntry>& entries,
+               const std::vector<OutsideEntry>& before) const;
   void describe(const Suite& suite, const SuiteRunOptions& options);
 
-  const Columns& columns_;
+  Columns columns_;
   std::string folder_, file_;
   std::map<std::string, std::vector<Row>> earlier_;
   std::vector<SessionEntry> sessions_;  // earlier ones
-  std::vector<ProgramEntry> programs_;
+  std::vector<OutsideEntry> programs_, metrics_;
   wire::Descriptor out_;
 };
 

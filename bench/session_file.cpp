@@ -45,6 +45,8 @@ SessionFile session_from(const Json& json) {
   session.rescored = json.value("rescored", Json());
   for (const Json& p : json.value("programs", Json::array()))
     session.programs.push_back({p.at("planner"), p.at("command"), p.at("identity")});
+  for (const Json& m : json.value("plugin_metrics", Json::array()))
+    session.metrics.push_back({m.at("metric"), m.at("plugin"), m.at("identity")});
   for (const Json& entry : json.at("sessions")) session.sessions.push_back(entry_from(entry));
   return session;
 }
@@ -75,8 +77,11 @@ void write_session_file(const std::string& folder, const SessionFile& session) {
   json["build"] = session.build;
   if (!session.rescored.is_null()) json["rescored"] = session.rescored;
   if (!session.programs.empty()) json["programs"] = Json::array();
-  for (const ProgramEntry& p : session.programs)
-    json["programs"].push_back({{"planner", p.planner}, {"command", p.origin}, {"identity", p.identity}});
+  for (const OutsideEntry& p : session.programs)
+    json["programs"].push_back({{"planner", p.name}, {"command", p.origin}, {"identity", p.identity}});
+  if (!session.metrics.empty()) json["plugin_metrics"] = Json::array();
+  for (const OutsideEntry& m : session.metrics)
+    json["plugin_metrics"].push_back({{"metric", m.name}, {"plugin", m.origin}, {"identity", m.identity}});
   json["sessions"] = Json::array();
   for (const SessionEntry& entry : session.sessions) json["sessions"].push_back(to_json(entry));
   write_file(file_of(folder), json_text(json));

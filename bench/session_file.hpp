@@ -21,9 +21,9 @@ struct SessionEntry {
   std::vector<std::string> command_line;
 };
 
-/// A planner from outside.
-struct ProgramEntry {
-  std::string planner, origin, identity;  // as PlannerInfo has them
+/// A planner or metric from outside.
+struct OutsideEntry {
+  std::string name, origin, identity;  // as PlannerInfo and Metric have them
 };
 
 struct SessionFile {
@@ -33,7 +33,8 @@ struct SessionFile {
   double target_coverage = 0;
   std::vector<std::pair<std::string, std::string>> robots;  // name, canonical_text()
   nlohmann::ordered_json build;                             // build_description()
-  std::vector<ProgramEntry> programs;                       // external planners of the suite
+  std::vector<OutsideEntry> programs;                       // planners of the suite that are not part of oxturn
+  std::vector<OutsideEntry> metrics;                        // metrics that are not
   std::vector<SessionEntry> sessions;                       // in order
   nlohmann::ordered_json rescored;  // build_description() of another build whose rescore() was the last; or null
   /// Of the build that planned, and of the one that scored; "unknown" if it is not said.

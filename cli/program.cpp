@@ -14,6 +14,7 @@
 
 #include "base/text.hpp"
 #include "cli/commands.hpp"
+#include "cli/plugins.hpp"
 
 namespace oxturn::cli {
 namespace {
@@ -73,6 +74,7 @@ int run(int argc, const char* const* argv, const Registry& registry) {
     sub->group("Commands");
     sub->footer("Examples:\n" + command.examples);
     actions[sub] = command.attach(*sub, registry);
+    add_plugin_option(*sub);
   }
   if (argc < 2)
     return refuse(
@@ -107,7 +109,8 @@ std::vector<const char*> without_help_command(int argc, const char* const* argv)
 int run_program(int argc, const char* const* argv, const Registry& registry) {
   try {
     const std::vector<const char*> words = without_help_command(argc, argv);
-    const int code = run(static_cast<int>(words.size()), words.data(), registry);
+    const auto count = static_cast<int>(words.size());
+    const int code = run(count, words.data(), with_plugins(registry, count, words.data()));
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return refuse("cannot write to standard output");
     return code;
   } catch (const std::bad_alloc&) { return refuse("out of memory"); } catch (const std::exception& error) {

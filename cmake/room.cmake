@@ -1,5 +1,5 @@
-# oxturn_room(NAME HEADERS ... SOURCES ... USES ... PRIVATE ...): one folder, one static library
-# oxturn::NAME, with our compile options, installed and exported.
+# oxturn_room(NAME HEADERS ... SOURCES ... USES ... PRIVATE ...): one folder, one static library oxturn::NAME, with our
+# compile options. Its headers are installed; cmake/install.cmake makes one shared library of all rooms.
 
 # GCC 12 at -O2 warns of uninitialised, overlapping and overrun objects inside std::variant and std::string: its own
 # bugs.
@@ -12,9 +12,11 @@ function(oxturn_room name)
   cmake_parse_arguments(ROOM "" "" "HEADERS;SOURCES;USES;PRIVATE" ${ARGN})
   add_library(oxturn_${name} STATIC ${ROOM_SOURCES})
   add_library(oxturn::${name} ALIAS oxturn_${name})
-  set_target_properties(oxturn_${name} PROPERTIES EXPORT_NAME ${name})
-  target_sources(oxturn_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ROOM_HEADERS})
+  target_include_directories(oxturn_${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_compile_features(oxturn_${name} PUBLIC cxx_std_20)
-  target_link_libraries(oxturn_${name} PUBLIC ${ROOM_USES} PRIVATE $<BUILD_INTERFACE:oxturn_options> ${ROOM_PRIVATE})
-  install(TARGETS oxturn_${name} EXPORT oxturn FILE_SET HEADERS DESTINATION include/oxturn)
+  target_link_libraries(oxturn_${name} PUBLIC ${ROOM_USES} PRIVATE oxturn_options ${ROOM_PRIVATE})
+  list(TRANSFORM ROOM_HEADERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  set_property(GLOBAL APPEND PROPERTY OXTURN_HEADERS ${ROOM_HEADERS})
+  set_property(GLOBAL APPEND PROPERTY OXTURN_ROOMS oxturn_${name})
+  set_property(GLOBAL APPEND PROPERTY OXTURN_LIBRARIES ${ROOM_PRIVATE})
 endfunction()

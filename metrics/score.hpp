@@ -41,6 +41,8 @@ struct Metric {
   Better better;
   std::string help;  // one line, with the meaning of an empty value
   std::function<std::optional<double>(const Scored&)> compute;
+  /// Of a metric from a plug-in: its file, and a hash of that. Empty: it is part of oxturn.
+  std::string origin = {}, identity = {};
 };
 using Metrics = NamedList<Metric>;
 
