@@ -1,11 +1,13 @@
 #include "bench/isolate.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
 
+#include "base/text.hpp"
 #include "bench/process_info.hpp"
 #include "bench/wire.hpp"
 
@@ -15,6 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kProgress{50};  // least time between two progress messages
+constexpr double kDeadline = 0.95;                  // of which planners are told, of the wall time
 
 /// Types of the frames (wire.hpp) that a planning child sends.
 namespace frames {
@@ -54,7 +57,7 @@ class PlannerChild {
   }
 
  private:
-  double deadline_s() const { return 0.95 * options_.limits.wall_s; }
+  double deadline_s() const { return kDeadline * options_.limits.wall_s; }
 
   void start_measuring() {
     reset_peak();
@@ -162,6 +165,12 @@ class PlannerParent {
     if (report.outcome == Outcome::ok && !has_result_) {
       planned_.outcome = Outcome::error;
       planned_.reason = "its process ended without a result";
+    }
+    const bool late = planned_.wall_s >= kDeadline * options_.limits.wall_s;
+    if (planned_.outcome == Outcome::ok && late && planned_.path->legs.empty()) {
+      planned_.outcome = Outcome::timeout;
+      planned_.reason = fmt::format("no result after {} s", to_decimal(options_.limits.wall_s));
+      planned_.path.reset();
     }
     const bool kept = planned_.outcome == Outcome::ok || planned_.outcome == Outcome::timeout;
     if (!kept) planned_.path.reset();

@@ -83,6 +83,7 @@ class TestPlanner final : public CoveragePlanner {
     die_if_told();
     if (auto path = bad_path(problem, context)) return *path;
     behave(problem, context);
+    if (context.cancelled()) return {};
     context.progress(0.5);
     context.trace("box", {{problem.start(), problem.start() + Point(1, 0)}});
     return lanes(problem);
