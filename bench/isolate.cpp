@@ -129,9 +129,10 @@ class PlannerParent {
   void take(char type, std::string_view payload) {
     switch (type) {
       case frames::kPublished:
-      case frames::kResult:
         planned_.path = wire::path_from(payload);
-        has_result_ = type == frames::kResult;
+        break;
+      case frames::kResult:
+        result_ = wire::path_from(payload);
         break;
       case frames::kMeasures:
         planned_.wall_s = wire::take<double>(payload);
@@ -162,15 +163,15 @@ class PlannerParent {
     planned_.reason = report.reason;
     planned_.exit_code = report.exit_code;
     planned_.signal = report.signal;
-    if (report.outcome == Outcome::ok && !has_result_) {
+    const bool late = planned_.wall_s >= kDeadline * options_.limits.wall_s;
+    if (report.outcome == Outcome::ok && !result_) {
       planned_.outcome = Outcome::error;
       planned_.reason = "its process ended without a result";
-    }
-    const bool late = planned_.wall_s >= kDeadline * options_.limits.wall_s;
-    if (planned_.outcome == Outcome::ok && late && planned_.path->legs.empty()) {
+    } else if (report.outcome == Outcome::ok && late && result_->legs.empty()) {
       planned_.outcome = Outcome::timeout;
       planned_.reason = fmt::format("no result after {} s", to_decimal(options_.limits.wall_s));
-      planned_.path.reset();
+    } else if (result_) {
+      planned_.path = std::move(result_);
     }
     const bool kept = planned_.outcome == Outcome::ok || planned_.outcome == Outcome::timeout;
     if (!kept) planned_.path.reset();
@@ -190,7 +191,7 @@ class PlannerParent {
 
   const IsolationOptions& options_;
   Planned planned_;
-  bool has_result_ = false;
+  std::optional<Path> result_;
   std::map<std::string, std::size_t> index_;  // of records
 };
 
