@@ -207,16 +207,17 @@ Region LaneFrame::to_frame(const Region& region) const {
 }
 
 Region lane_region(const Problem& problem, double inset, double chord) {
-  // A point at least `inset` from the boundary of C is at least radius + inset from every wall. Intersecting with C
-  // keeps the component of the start and respects a restricted C. The C of a polygonal robot has no arcs, so eroding in
-  // two steps loses nothing there.
   const Region &space = problem.configuration_space(), &free = problem.map().free;
+  // Only C knows the boundaries that are no walls (the tether's reach, a cut). It may be a small part of the map.
+  if (problem.limited()) return erode(space, inset, chord, Bound::outside);
+  // A point at least `inset` from the boundary of C is at least radius + inset from every wall. Intersecting with C
+  // keeps the component of the start. The C of a polygonal robot has no arcs, so eroding in two steps loses nothing
+  // there.
   const Robot& robot = problem.robot();
   const Region inner = robot.footprint.empty()
                            ? erode(free, robot.radius + inset, chord, Bound::outside)
                            : erode(erode(free, robot.footprint, Bound::outside), inset, chord, Bound::outside);
-  // Only C knows the boundaries that are no walls (the tether's reach, a cut).
-  return problem.limited() ? intersect(inner, erode(space, inset, chord, Bound::outside)) : intersect(inner, space);
+  return intersect(inner, space);
 }
 
 void add_ring(std::vector<Segment>& edges, const Ring& ring) {

@@ -6,6 +6,7 @@
 
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
+#include "geometry/coarse_arcs.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
 #include "geometry/raster.hpp"
@@ -60,7 +61,7 @@ Laps laps_of(const Problem& problem, double spacing, const Context& context, int
     laps.depth_m = level * step + width / 2;
     if (level + 1 == levels) break;
     outer.emplace(region, first);
-    Region next = simplify_inward(erode(region, step, chord, Bound::inside), simplify);
+    Region next = with_coarser_arcs(simplify_inward(erode(region, step, chord, Bound::inside), simplify), simplify / 2);
     add_uncovered(laps.between, region, next, problem.robot());
     region = std::move(next);
   }

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "algorithms/transit/short_segments.hpp"
+#include "geometry/coarse_arcs.hpp"
 #include "geometry/raster.hpp"
 
 namespace oxturn {
@@ -21,8 +22,9 @@ constexpr double kMostPieces = 1e6;  // of one segment of the path
 // that they may lose by it.
 constexpr std::array kStraightening{1.0 / 20, 1.0 / 40, 1.0 / 80, 1.0 / 160};
 constexpr double kMostLost = 3e-4;
-constexpr double kRightAngle = 1e-6;  // cosine
-constexpr double kLongestStep = 0.5;  // tool widths: steps of a staircase are shorter
+constexpr double kCoarsening = 1.0 / 100;  // of the robot's radius: laps may keep as far off corners
+constexpr double kRightAngle = 1e-6;       // cosine
+constexpr double kLongestStep = 0.5;       // tool widths: steps of a staircase are shorter
 
 using Rings = std::vector<const Ring*>;
 
@@ -358,17 +360,24 @@ bool is_staircase(const Region& walls, double longest) {
   return 4 * steps >= vertex_count(walls);
 }
 
+Region with_coarser_arcs(const Region& space, const Problem& problem) {
+  return with_coarser_arcs(space, kCoarsening * problem.robot().radius, problem.robot().tool_width / 2);
+}
+
 }  // namespace
 
+Region coarser_space(const Problem& problem) { return with_coarser_arcs(problem.configuration_space(), problem); }
+
 Region straightened_space(const Problem& problem) {
+  const double width = problem.robot().tool_width;
+  if (!is_staircase(problem.map().free, kLongestStep * width)) return coarser_space(problem);
   const Region& space = problem.configuration_space();
-  if (!is_staircase(problem.map().free, kLongestStep * problem.robot().tool_width)) return space;
   const double whole = area(space);
   for (const double tolerance : kStraightening) {
-    Region straight = simplify_inward(space, tolerance * problem.robot().tool_width);
-    if (whole - area(straight) <= kMostLost * whole) return straight;
+    const Region straight = simplify_inward(space, tolerance * width);
+    if (whole - area(straight) <= kMostLost * whole) return with_coarser_arcs(straight, problem);
   }
-  return space;
+  return coarser_space(problem);
 }
 
 Path with_outline(const Problem& problem, const Path& path, double width, const Connector& connector,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,6 @@ class Repair {
         walls_(problem.walls()),
         width_(problem.robot().tool_width),
         seam_(covered_seam(problem.robot())),
-        arcs_(problem.walls()),
         left_(std::move(uncovered)) {
     drop_negligible();
   }
@@ -63,8 +63,13 @@ class Repair {
   void cover_by_pieces(std::size_t from) {
     std::vector<Polyline> lines;
     for (std::size_t k = from; k < pieces_.size(); ++k) {
-      lines.push_back(pieces_[k]);
-      if (pieces_[k].size() > 2) lines.back().push_back(pieces_[k].front());
+      const Ring& ring = pieces_[k];
+      const std::size_t n = ring.size();
+      lines.push_back(ring);
+      if (n > 2 && ring[1] == ring[n - 1])  // there and back
+        lines.back().resize(n / 2 + 1);
+      else if (n > 2)
+        lines.back().push_back(ring.front());
     }
     cover(lines);
   }
@@ -135,14 +140,16 @@ class Repair {
 
   /// The boundary of configuration space beside pieces that lanes do not cover.
   void add_arcs() {
+    if (!laps_) laps_.emplace(coarser_space(problem_));
+    BoundaryArcs arcs(*laps_);
     for (const Polygon& piece : left_.polygons)
       for_each_ring(Region{{piece}}, [&](const Ring& ring) {
         for_each_edge(ring, [&](const Point& a, const Point& b) {
           const double steps = std::max(1.0, std::ceil(distance(a, b) / (kStep * width_)));
-          for (double k = 0; k < steps; ++k) arcs_.add(lerp(a, b, k / steps));
+          for (double k = 0; k < steps; ++k) arcs.add(lerp(a, b, k / steps));
         });
       });
-    for (Ring& arc : arcs_.take(width_)) arc.size() == 1 ? add_stop(arc.front()) : pieces_.push_back(std::move(arc));
+    for (Ring& arc : arcs.take(width_)) arc.size() == 1 ? add_stop(arc.front()) : pieces_.push_back(std::move(arc));
   }
 
   void add_whole_rings() {
@@ -158,8 +165,8 @@ class Repair {
   const Problem& problem_;
   const EdgeIndex& walls_;
   double width_, seam_;
-  BoundaryArcs arcs_;
-  Region left_;  // of the target, not covered yet
+  std::optional<EdgeIndex> laps_;  // the boundary that arcs follow
+  Region left_;                    // of the target, not covered yet
   std::vector<Ring> pieces_;
 };
 
