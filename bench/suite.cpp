@@ -37,6 +37,7 @@ Suite read_suite(const std::string& file, const Registry& registry) {
   suite.repeats = static_cast<int>(table.whole("repeats", 1, {1, 1e6}));
   suite.warm_ups = static_cast<int>(table.whole("warm_ups", 0, {0, 1000}));
   suite.target_coverage = table.number("target_coverage", 0.99, {0, 1});
+  suite.scoring = table.flag("scoring", true);
   const toml::node* limits = table.find("limits");
   const toml::node* robots = table.find("robots");
   const toml::node* maps = table.find("maps");

@@ -47,6 +47,7 @@ struct Suite {
   int repeats = 1;
   int warm_ups = 0;  // calls of plan() before the one that is measured, in the same process
   double target_coverage = 0.99;
+  bool scoring = true;  // false: paths are neither scored nor stored, for the time and memory of planning alone
   Limits limits;
   std::vector<Robot> robots;
   std::vector<MapSpec> maps;

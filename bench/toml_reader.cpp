@@ -97,6 +97,13 @@ std::int64_t TomlTable::whole(const std::string& key, std::int64_t fallback, Ran
   return value->get();
 }
 
+bool TomlTable::flag(const std::string& key, bool fallback) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return fallback;
+  if (!node->is_boolean()) refuse(file_, *node, fmt::format("{} is {}, expected true or false", key, describe(*node)));
+  return node->as_boolean()->get();
+}
+
 std::string TomlTable::text(const std::string& key) {
   const toml::node& node = need(key);
   const auto* value = node.as_string();

@@ -34,6 +34,7 @@ class TomlTable {
   const toml::node& need(const std::string& key);
   double number(const std::string& key, double fallback, Range range);
   std::int64_t whole(const std::string& key, std::int64_t fallback, Range range);
+  bool flag(const std::string& key, bool fallback);
   std::string text(const std::string& key);  // must be there
   /// Keys not taken so far, in file order.
   std::vector<std::pair<std::string, const toml::node*>> rest() const;

@@ -171,9 +171,14 @@ std::vector<std::string> metric_lines(const Records& records) {
   return lines;
 }
 
+/// Of a suite with `scoring = false`.
+void end_unscored(const Planned& planned, Row& row) {
+  const bool returned = planned.outcome == Outcome::ok;
+  end(row, planned.outcome, returned ? "the path is not scored" : planned.reason);
+}
+
 /// Scores and stores what came of planning, in a process of its own.
 void finish_run(const Work& work, const Setting& setting, std::size_t index, const Planned& planned, int fd, Row& row) {
-  write_process(planned, row);
   const PlannerSpec& spec = work.suite.planners[work.cells[index].planner];
   const Promise promise = work.registry.planners.find(spec.name).promised(spec.settings);
   const ScoreOptions scoring = score_options(planned, promise, !spec.ignore_tether);
@@ -208,7 +213,11 @@ void run_one(const Work& work, const Setting& setting, std::size_t index, int fd
     options.log_file = fmt::format("{}/logs/{}.log", work.options.folder, row.get("run_id"));
     const auto make = [&] { return planner.make(spec.settings, work.registry.planners); };
     const Planned planned = plan_isolated(make, problem, options);
-    finish_run(work, setting, index, planned, fd, row);
+    write_process(planned, row);
+    if (work.suite.scoring)
+      finish_run(work, setting, index, planned, fd, row);
+    else
+      end_unscored(planned, row);
   } catch (const std::exception& e) {
     // A defect or limit of the harness: a full disk, no more processes, a metric that throws.
     end(row, Outcome::infrastructure, e.what());

@@ -1,6 +1,6 @@
-// Method      Ring by ring, greedily: from an edge that is kept, the farthest edge whose line may follow. Two new stretches
-//             cannot meet: each lies within the tolerance of the boundary that it replaces, and there no other boundary
-//             is nearer than that.
+// Method      Ring by ring, greedily: from an edge that is kept, the farthest edge whose line may follow. Two new
+//             stretches cannot meet: each lies within the tolerance of the boundary that it replaces, and there no
+//             other boundary is nearer than that.
 #include "geometry/coarse_arcs.hpp"
 
 #include <algorithm>
@@ -86,8 +86,8 @@ class ArcCoarsener {
     if (std::isfinite(reach_) && !covered(i, j, corner)) return std::nullopt;
     return corner;
   }
-  /// Along the two edges the disc covers what lies in front of their lines moved back by its radius. Nothing in front of
-  /// a dropped edge's line lies behind both, if the point where these two meet does not.
+  /// Along the two edges the disc covers what lies in front of their lines moved back by its radius. Nothing in front
+  /// of a dropped edge's line lies behind both, if the point where these two meet does not.
   bool covered(std::size_t i, std::size_t j, const Point& corner) const {
     const Point m = normal(i), n = normal(j), deepest = corner - reach_ * (m + n) / (1 + m.dot(n));
     for (std::size_t k = i + 1; k < j; ++k)
@@ -95,8 +95,8 @@ class ArcCoarsener {
     return true;
   }
 
-  /// Does another boundary come within the tolerance of what is cut off? Edges of the ring next to the dropped ones bend
-  /// away.
+  /// Does another boundary come within the tolerance of what is cut off? Edges of the ring next to the dropped ones
+  /// bend away.
   bool crowded(std::size_t i, std::size_t j, const Point& corner) const {
     const std::array cut_off{to(i), corner, from(j)};
     std::size_t low = i, high = j;
@@ -126,8 +126,8 @@ class ArcCoarsener {
   double tolerance_, reach_;
   std::vector<Edge> edges_;
   UniformGrid grid_;
-  // Of the present ring: its first edge, its size, its edges from one that is kept to the same again, and by edge whether
-  // both ends are reflex.
+  // Of the present ring: its first edge, its size, its edges from one that is kept to the same again, and by edge
+  // whether both ends are reflex.
   std::size_t first_ = 0, size_ = 0;
   std::vector<std::size_t> edge_;
   std::vector<bool> reflex_;

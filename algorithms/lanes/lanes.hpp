@@ -44,8 +44,8 @@ class LaneFrame {
 
 /// What lanes must cover if the boundary of configuration space C is driven as well: a superset of the points of C at
 /// least `inset` metres from its boundary, larger only by the chords of round vertices, which lie up to `chord` metres
-/// too far out. Never leaves C, as long as `chord` is less than `inset`. Made from the map in one step (radius + inset),
-/// because eroding C again would round every vertex twice; but from C where C ends elsewhere than near walls.
+/// too far out. Never leaves C, as long as `chord` is less than `inset`. Made from the map in one step (radius +
+/// inset), because eroding C again would round every vertex twice; but from C where C ends elsewhere than near walls.
 Region lane_region(const Problem& problem, double inset, double chord);
 
 struct Segment {

@@ -19,9 +19,9 @@
 
 namespace oxturn {
 
-/// Configuration space with fewer vertices on the arcs around obstacles: tangents keep off an arc by at most a hundredth
-/// of the robot's radius. None where the tool is narrower than the robot, because it would leave seams there. A lap
-/// along the boundary covers what one along that of configuration space covers. O(n log n).
+/// Configuration space with fewer vertices on the arcs around obstacles: tangents keep off an arc by at most a
+/// hundredth of the robot's radius. The same where the tool is narrower than the robot, because it would leave seams.
+/// A lap along the boundary covers what one along that of configuration space covers. O(n log n).
 Region coarser_space(const Problem& problem);
 /// What laps follow: the coarser space, with straighter walls inside the given ones if those are staircases, as in
 /// maps traced from images, along which a robot would shake. Vertices that stick out of free space by less than a

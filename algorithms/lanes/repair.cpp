@@ -37,10 +37,11 @@ class Repair {
 
   /// The detours as rings, of one or two points where the robot comes back the way it went.
   std::vector<Ring> find(const Context& context) {
+    std::erase_if(left_.polygons, [this](const Polygon& piece) { return add_covering_stop(piece); });
     for (int round = 0; round < kRounds && !left_.empty() && !context.cancelled(); ++round) {
       const std::size_t before = pieces_.size();
       if (round == 0)
-        for (const Polygon& piece : left_.polygons) fill(piece);
+        for (const Polygon& piece : left_.polygons) add_lanes(piece);
       else
         add_arcs();
       cover_by_pieces(before);
@@ -77,18 +78,17 @@ class Repair {
   /// The position of the robot that is nearest to p.
   Point position(const Point& p) const { return walls_.contains(p) ? p : walls_.nearest(p)->point; }
 
-  void fill(const Polygon& piece) {
-    const Ring hull = convex_hull(piece.outer);
-    const Point stop = position(bounding_box(hull).centre());
-    const auto covered = [&](const Point& p) { return distance(p, stop) <= kReach * width_; };
-    if (std::all_of(hull.begin(), hull.end(), covered))
-      add_stop(stop);
-    else
-      add_lanes(piece, hull);
+  /// A stop, if the tool covers the whole piece from there.
+  bool add_covering_stop(const Polygon& piece) {
+    const Point stop = position(bounding_box(piece.outer).centre());
+    const bool covers =
+        std::ranges::all_of(piece.outer, [&](const Point& p) { return distance(p, stop) <= kReach * width_; });
+    if (covers) add_stop(stop);
+    return covers;
   }
 
-  void add_lanes(const Polygon& piece, const Ring& hull) {
-    const Point along = diameter(hull);
+  void add_lanes(const Polygon& piece) {
+    const Point along = diameter(convex_hull(piece.outer));
     const LaneFrame frame(std::atan2(along.y(), along.x()) * 180 / kPi);
     const Region turned = frame.to_frame({{piece}});
     const Box box = bounding_box(turned);

@@ -56,7 +56,47 @@ struct Params {
 };
 
 /// What is to be driven in one component.
+struct Parts {
+  std::vector<LevelSet> sets;
+  Region rings;
+  std::vector<Strip> chains;
+};
+
+/// By component.
+std::vector<Parts> parts_by_component(const TetherSpace& space, const std::vector<LevelSet>& sets,
+                                      const NeededBoundary& boundary) {
+  Region all;
+  std::vector<std::size_t> component_of_edge;
+  for (std::size_t k = 0; k < space.components().size(); ++k)
+    for (const Polygon& polygon : space.components()[k].problem.configuration_space().polygons) {
+      all.polygons.push_back(polygon);
+      component_of_edge.resize(component_of_edge.size() + vertex_count({{polygon}}), k);
+    }
+  const EdgeIndex walls(all);
+  std::vector<Parts> parts(space.components().size());
+  const auto at = [&](const Point& p) -> Parts* {
+    const auto nearest = walls.nearest(p);
+    if (!nearest || !(walls.contains(p) || nearest->distance < space.problem().tolerance())) return nullptr;
+    return &parts[component_of_edge[nearest->edge]];
+  };
+  for (const LevelSet& set : sets)
+    if (Parts* of = at(set.line[set.line.size() / 2])) of->sets.push_back(set);
+  for (const Polygon& ring : boundary.rings.polygons)
+    if (Parts* of = at(ring.outer.front())) of->rings.polygons.push_back(ring);
+  for (const Polyline& chain : boundary.chains)
+    if (Parts* of = at(chain[chain.size() / 2])) of->chains.push_back({{{chain.front(), chain.back(), chain}}});
+  return parts;
+}
+
+/// The same, and what driving it takes.
 struct Task {
+  Task(const Problem& problem_, Parts parts, const GeodesicField& field, double spacing)
+      : problem(problem_),
+        sets(std::move(parts.sets)),
+        outward(outward_neighbours(sets, field, spacing)),
+        rings(std::move(parts.rings)),
+        chains(std::move(parts.chains)),
+        connector(problem_) {}
   const Problem& problem;  // the component's
   std::vector<LevelSet> sets;
   Outward outward;
@@ -64,21 +104,6 @@ struct Task {
   std::vector<Strip> chains;
   Connector connector;
 };
-
-Task task_in(const TetherSpace::Component& component, const std::vector<LevelSet>& sets, const NeededBoundary& boundary,
-             const GeodesicField& field, double spacing, double tolerance) {
-  const EdgeIndex& walls = component.problem.walls();
-  const auto inside = [&](const Point& p) { return walls.contains(p) || walls.nearest(p, tolerance); };
-  Task task{component.problem, {}, {}, {}, {}, Connector(component.problem)};
-  for (const LevelSet& set : sets)
-    if (inside(set.line[set.line.size() / 2])) task.sets.push_back(set);
-  for (const Polygon& ring : boundary.rings.polygons)
-    if (inside(ring.outer.front())) task.rings.polygons.push_back(ring);
-  for (const Polyline& chain : boundary.chains)
-    if (inside(chain[chain.size() / 2])) task.chains.push_back({{{chain.front(), chain.back(), chain}}});
-  task.outward = outward_neighbours(task.sets, field, spacing);
-  return task;
-}
 
 void reverse(Region& rings) {
   for (Polygon& polygon : rings.polygons) {
@@ -181,8 +206,10 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   const std::vector<LevelSet> sets = level_sets(space, boundary.space, boundary.inner, w, w / kChordsPerWidth);
   if (context.wants_traces()) trace(space, boundary, sets, context);
   const Tacking tacking{.angle = p.min_tether_angle, .width = w};
+  std::vector<Parts> parts = parts_by_component(space, sets, boundary);
   const auto cover = [&](const TetherSpace::Component& component, Context& inner) {
-    Task task = task_in(component, sets, boundary, space.field(), w, problem.tolerance());
+    const auto number = static_cast<std::size_t>(&component - space.components().data());
+    Task task(component.problem, std::move(parts[number]), space.field(), w);
     if (p.winding == TetherSide::right) reverse(task.rings);
     Path path = p.winding == TetherSide::any ? cover_by_tour(p, task, inner)
                                              : with_task_rings(task, drive_one_way(p, task, inner), inner);

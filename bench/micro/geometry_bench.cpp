@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/random.hpp"
+#include "geometry/coarse_arcs.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/mesh/mesh.hpp"
 #include "geometry/mesh/partition.hpp"
@@ -338,6 +339,13 @@ void BM_ErodeSpeckled(benchmark::State& state) {  // to configuration space
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(BM_ErodeSpeckled)->RangeMultiplier(4)->Range(1 << 10, 1 << 18)->Complexity()->Unit(benchmark::kMillisecond);
+
+void BM_CoarserArcs(benchmark::State& state) {  // of a configuration space
+  const Region space = erode(speckled(state.range(0)), 0.19, 0.4e-3, Bound::inside);
+  for (auto _ : state) benchmark::DoNotOptimize(with_coarser_arcs(space, 0.0019, 0.2));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_CoarserArcs)->RangeMultiplier(4)->Range(1 << 10, 1 << 18)->Complexity()->Unit(benchmark::kMillisecond);
 
 void BM_DilateSpeckled(benchmark::State& state) {  // configuration space to target: holes made of fine arcs
   const Region space = erode(speckled(state.range(0)), 0.19, 0.4e-3, Bound::inside);

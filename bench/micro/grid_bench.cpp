@@ -258,6 +258,8 @@ void BM_Speckle(benchmark::State& state, const char* name, const Settings& setti
 OXTURN_UP_TO_A_MILLION(BM_Speckle, stc, "stc", Settings{});
 OXTURN_UP_TO_A_MILLION(BM_Speckle, stc_partial, "stc", Settings{{"partial", true}});
 OXTURN_UP_TO_A_MILLION(BM_Speckle, stc_loops, "stc-loops", Settings{});
+OXTURN_UP_TO_A_MILLION(BM_Speckle, contour, "contour", Settings{});
+OXTURN_UP_TO_A_MILLION(BM_Speckle, completed, "completed", Settings{});
 #undef OXTURN_UP_TO_A_MILLION
 
 }  // namespace

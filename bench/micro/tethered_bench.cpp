@@ -44,6 +44,29 @@ BENCHMARK(BM_BergComplete)->RangeMultiplier(2)->Range(250, 4000)->Unit(benchmark
 BENCHMARK(BM_BergCompleteDepthFirst)->RangeMultiplier(2)->Range(250, 4000)->Unit(benchmark::kMillisecond)->Complexity();
 BENCHMARK(BM_Leashed)->RangeMultiplier(2)->Range(250, 4000)->Unit(benchmark::kMillisecond)->Complexity();
 
+// Cells of speckle; the cut isolates more and more components.
+void plan_speckle(benchmark::State& state, const std::string& name) {
+  const double side = std::sqrt(static_cast<double>(state.range(0)) * 0.08);
+  Robot robot;
+  robot.tether = Tether{0, 1.2};
+  const Problem problem(generate("speckle", {{"width", side}, {"height", side}}, 1), robot);
+  const auto planner = built_in_planner(name);
+  for (auto _ : state) {
+    Context context(1);
+    benchmark::DoNotOptimize(planner->plan(problem, context));
+  }
+  state.SetComplexityN(state.range(0));
+}
+#define OXTURN_SPECKLE(label, name)            \
+  BENCHMARK_CAPTURE(plan_speckle, label, name) \
+      ->RangeMultiplier(4)                     \
+      ->Range(1 << 10, 1 << 16)                \
+      ->Complexity()                           \
+      ->Unit(benchmark::kMillisecond)
+OXTURN_SPECKLE(berg_complete, "berg-complete");
+OXTURN_SPECKLE(leashed, "leashed");
+#undef OXTURN_SPECKLE
+
 void BM_TetheredProblem(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(hall_with(state.range(0)).tether()->geodesics().farthest());
   state.SetComplexityN(state.range(0));

@@ -95,6 +95,19 @@ TEST(SuiteRun, APathFileScoresAsTheRowSays) {
   EXPECT_EQ(row.get("map_sha256"), content_hash(map.map));
 }
 
+TEST(SuiteRun, WithoutScoringThereIsTimeAndNothingElse) {
+  const Folder folder;
+  Suite suite = rectangles({"good", "throw"});
+  suite.scoring = false;
+  const Results results = run_suite(suite, test_registry(), into(folder.file("out")));
+  ASSERT_EQ(results.rows.size(), 2u);
+  EXPECT_EQ(results.rows[0].outcome(), Outcome::ok);
+  EXPECT_TRUE(results.rows[0].number("plan_cpu_s"));
+  EXPECT_FALSE(results.rows[0].number("coverage"));
+  EXPECT_EQ(results.rows[0].get("path_file"), "");
+  EXPECT_EQ(results.rows[1].outcome(), Outcome::error);
+}
+
 TEST(SuiteRun, SameRowsWhateverTheJobsAndAgain) {
   const std::vector<std::string> hows{"random", "good", "partial", "null", "throw", "wall"};
   for (const int maps : {1, 3}) {

@@ -90,14 +90,16 @@ TEST(Suite, DefaultsAndValues) {
   EXPECT_EQ(plain.seed, 1u);
   EXPECT_EQ(plain.repeats, 1);
   EXPECT_EQ(plain.target_coverage, 0.99);
+  EXPECT_TRUE(plain.scoring);
   EXPECT_EQ(plain.limits.wall_s, 60);
   const Suite full =
-      suite_of(fmt::format("{}seed = 9\nrepeats = 3\ntarget_coverage = 0.5\n[limits]\nwall_s = 2.5\n"
+      suite_of(fmt::format("{}seed = 9\nrepeats = 3\ntarget_coverage = 0.5\nscoring = false\n[limits]\nwall_s = 2.5\n"
                            "memory_mb = 100\n{}speed = 1\ntether = {{ length = 4.0 }}\n{}{}",
                            kHead, kRobot, kMap, kPlanner));
   EXPECT_EQ(full.seed, 9u);
   EXPECT_EQ(full.repeats, 3);
   EXPECT_EQ(full.target_coverage, 0.5);
+  EXPECT_FALSE(full.scoring);
   EXPECT_EQ(full.limits.wall_s, 2.5);
   EXPECT_EQ(full.limits.memory_mb, 100);
   ASSERT_EQ(full.robots.size(), 1u);
@@ -252,6 +254,7 @@ TEST(Suite, MistakesAreOneSentenceWithTheirLine) {
       {std::string(kHead) + "repeats = 0\n", "t.toml:3: ", "repeats is 0, expected a whole number"},
       {std::string(kHead) + "seed = \"x\"\n", "t.toml:3: ", "seed is the text \"x\", expected a whole number"},
       {std::string(kHead) + "target_coverage = nan\n", "t.toml:3: ", "expected a number from 0 to 1"},
+      {std::string(kHead) + "scoring = 1\n", "t.toml:3: ", "scoring is 1, expected true or false"},
       {std::string(kHead) + "[limits]\nwall = 3\n",
        "t.toml:4: ", "unknown key 'wall' in [limits]; expected: wall_s, cpu_s, memory_mb"},
       {std::string(kHead) + "[limits]\nwall_s = -1\n", "t.toml:4: ", "wall_s is -1"},
