@@ -8,7 +8,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -40,11 +42,18 @@ class Connector {
 /// `longest`; it is called only where the straight distance leaves hope. nullopt if no path is found.
 template <class Candidate, class Length>
 std::optional<Candidate> nearest_by_path(std::vector<std::pair<double, Candidate>> candidates, Length length) {
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  // A heap, because few are looked at. Of equal distances the first comes first.
+  std::vector<std::size_t> waiting(candidates.size());
+  std::iota(waiting.begin(), waiting.end(), std::size_t{0});
+  const auto later = [&](std::size_t a, std::size_t b) {
+    return candidates[a].first != candidates[b].first ? candidates[a].first > candidates[b].first : a > b;
+  };
+  std::make_heap(waiting.begin(), waiting.end(), later);
   std::optional<Candidate> best;
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& [straight, candidate] : candidates) {
+  for (; !waiting.empty(); waiting.pop_back()) {
+    std::pop_heap(waiting.begin(), waiting.end(), later);
+    const auto& [straight, candidate] = candidates[waiting.back()];
     if (straight >= least) break;
     const double path = length(candidate, least);
     if (path >= least) continue;

@@ -195,6 +195,7 @@ std::optional<TetherSpace::EntryPath> TetherSpace::path_into(const Polygon& comp
 
 /// The tether stays within its length while the robot drives `path`, if at `from`, where it begins, it is the geodesic.
 bool TetherSpace::within_tether(const Point& from, const Polyline& path) const {
+  if (field().distance(from) + length(path) <= tether_length()) return true;  // it grows by what is driven, at most
   TautTether tether(problem_.tether()->taut_space(), problem_.anchor());
   tether.drive(field().path(from));
   for (std::size_t k = 1; k < path.size(); ++k) {
@@ -222,11 +223,19 @@ Polyline TetherSpace::path(const Component& from_component, const Point& from, c
     return std::move(*found);
   };
   if (&from_component == &to_component) return inside(from_component, from, to);
-  Polyline whole = inside(from_component, from, from_component.problem.start());
-  const auto append = [&](const Polyline& line) { whole.insert(whole.end(), line.begin() + 1, line.end()); };
-  append(Polyline(from_component.entry_path.rbegin(), from_component.entry_path.rend()));
-  append(to_component.entry_path);
-  append(inside(to_component, to_component.problem.start(), to));
+  const auto append = [](Polyline& line, const Polyline& more, std::size_t skip) {
+    line.insert(line.end(), more.begin() + static_cast<std::ptrdiff_t>(skip), more.end());
+  };
+  Polyline whole = inside(from_component, from, from_component.problem.start()), forth = to_component.entry_path;
+  append(whole, Polyline(from_component.entry_path.rbegin(), from_component.entry_path.rend()), 1);
+  append(forth, inside(to_component, to_component.problem.start(), to), 1);
+  // Both lead over the problem's start. What is driven there and back in between is left out: it may be most of both.
+  std::size_t shared = 0;  // segments
+  while (whole.size() > 1 && shared + 1 < forth.size() && whole[whole.size() - 2] == forth[shared + 1]) {
+    whole.pop_back();
+    ++shared;
+  }
+  append(whole, forth, shared + 1);
   // Pulling the path taut keeps its class. On the shorter path the tether may exceed its length for a moment, on
   // `whole` it never does.
   Polyline taut = pulled_taut(world(), whole);

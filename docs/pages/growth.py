@@ -16,7 +16,7 @@ INTRODUCTION = """\
 Planning alone, on one core, with each planner's defaults; planners for tethered robots with a tether of 1.2 times the
 distance of the farthest point. A size is the number of squares of side tool width / sqrt 2 in free space. Order: the
 slope of log seconds over log cells; n log n has 1.09. MB: the greatest of the sizes, beyond what the problem takes. A
-run without a path shows its outcome: `timeout` is more than 30 s of processor time. The figures are those of one
+run without a path shows its outcome: `timeout` is more than 20 s of processor time. The figures are those of one
 machine: orders carry over, seconds do not.
 """
 
