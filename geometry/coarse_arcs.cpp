@@ -14,7 +14,8 @@
 namespace oxturn {
 namespace {
 
-constexpr double kSeam = 3e-5;  // of the reach: above what rounded vertices turn short edges by
+constexpr double kSeam = 3e-5;    // of the reach: above what rounded vertices turn short edges by
+constexpr double kInside = 1e-6;  // of the tolerance: new vertices move into free space, so that rounding costs nothing
 
 class ArcCoarsener {
  public:
@@ -84,7 +85,7 @@ class ArcCoarsener {
     for (std::size_t k = i + 1; k < j; ++k) away = std::min(away, distance_to_segment(corner, from(k), to(k)));
     if (away > tolerance_) return std::nullopt;
     if (std::isfinite(reach_) && !covered(i, j, corner)) return std::nullopt;
-    return corner;
+    return corner + kInside * tolerance_ * (normal(i) + normal(j));
   }
   /// Along the two edges the disc covers what lies in front of their lines moved back by its radius. Nothing in front
   /// of a dropped edge's line lies behind both, if the point where these two meet does not.

@@ -4,8 +4,8 @@
 ///   const Region laps = with_coarser_arcs(space, tool_width / 200, tool_width / 2);  // some 6
 ///
 /// Of a run of reflex vertices, such as an erosion makes at an obstacle's corner, some edges are dropped and the others
-/// extended until they meet. So free space only shrinks, and where it did its new boundary lies within `tolerance` of
-/// the old one. Rings neither cross nor vanish. O(n log n) for usual data.
+/// extended until they meet. So free space only shrinks, exactly, and where it did its new boundary lies within
+/// `tolerance` of the old one. Rings neither cross nor vanish. O(n log n) for usual data.
 ///
 ///          .--*--.                    .-------.
 ///        *'       '*                 /         \        the obstacle is below

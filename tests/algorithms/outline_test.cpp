@@ -50,10 +50,17 @@ TEST(Outline, StraightenedSpaceLiesInsideAndLosesLittle) {
   EXPECT_LT(after, before);
 }
 
-// Walls that are no staircases are followed exactly.
+// Walls that are no staircases are followed, but for arcs.
 TEST(Outline, DrawnWallsStayAsTheyAre) {
-  for (const Problem& p : sample_problems(3))
-    EXPECT_EQ(vertex_count(straightened_space(p)), vertex_count(p.configuration_space())) << p.map().source;
+  for (const Problem& p : sample_problems(3)) {
+    EXPECT_EQ(vertex_count(straightened_space(p)), vertex_count(coarser_space(p))) << p.map().source;
+    EXPECT_LE(vertex_count(coarser_space(p)), vertex_count(p.configuration_space())) << p.map().source;
+  }
+}
+
+TEST(Outline, ANarrowToolFollowsFineArcs) {
+  const Problem p(generate("clutter", {{"width", 8.0}, {"height", 8.0}}, 1), disc(0.2, 0.3));
+  EXPECT_EQ(vertex_count(coarser_space(p)), vertex_count(p.configuration_space()));
 }
 
 Polyline only_leg(const Path& path) {
