@@ -48,7 +48,7 @@ class ArcCoarsener {
       i = next;
     }
     first_ += size_;
-    return out.size() < 3 ? ring : out;
+    return out.size() < 3 || out.size() == size_ ? ring : out;
   }
 
  private:

@@ -5,7 +5,8 @@
 ///
 /// Of a run of reflex vertices, such as an erosion makes at an obstacle's corner, some edges are dropped and the others
 /// extended until they meet. So free space only shrinks, exactly, and where it did its new boundary lies within
-/// `tolerance` of the old one. Rings neither cross nor vanish. O(n log n) for usual data.
+/// `tolerance` of the old one. Rings neither cross nor vanish; a ring that loses no edge stays as it is. O(n log n) for
+/// usual data.
 ///
 ///          .--*--.                    .-------.
 ///        *'       '*                 /         \        the obstacle is below
