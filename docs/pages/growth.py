@@ -16,8 +16,8 @@ INTRODUCTION = """\
 Planning alone, on one core, with each planner's defaults; planners for tethered robots with a tether of 1.2 times the
 distance of the farthest point. A size is the number of squares of side tool width / sqrt 2 in free space. Order: the
 slope of log seconds over log cells; n log n has 1.09. MB: the greatest of the sizes, beyond what the problem takes. A
-run without a path shows its outcome: `timeout` is more than 20 s of processor time. The figures are those of one
-machine: orders carry over, seconds do not.
+run without a path shows its outcome: `timeout` is more than 20 s of processor time; an empty field was not run. The
+figures are those of one machine: orders carry over, seconds do not.
 """
 
 
@@ -70,7 +70,7 @@ def offenders(rows):
 
 
 def page(rows):
-    rows = [row for row in rows if row["outcome"] != "unsupported"]
+    rows = [row for row in rows if row["outcome"] not in ("unsupported", "cancelled")]
     text = INTRODUCTION
     for family, mine in groups(rows, lambda row: row["map_family"]).items():
         text += f"\n## {family}\n\n" + growth(mine)
