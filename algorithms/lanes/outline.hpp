@@ -20,7 +20,7 @@
 namespace oxturn {
 
 /// Configuration space with fewer vertices on the arcs around obstacles: tangents keep off an arc by at most a
-/// hundredth of the robot's radius. The same where the tool is narrower than the robot, because it would leave seams.
+/// hundredth of the robot's radius. Most stay where the tool is narrower than the robot: it would leave seams there.
 /// A lap along the boundary covers what one along that of configuration space covers. O(n log n).
 Region coarser_space(const Problem& problem);
 /// What laps follow: the coarser space, with straighter walls inside the given ones if those are staircases, as in

@@ -58,11 +58,6 @@ TEST(Outline, DrawnWallsStayAsTheyAre) {
   }
 }
 
-TEST(Outline, ANarrowToolFollowsFineArcs) {
-  const Problem p(generate("clutter", {{"width", 8.0}, {"height", 8.0}}, 1), disc(0.2, 0.3));
-  EXPECT_GT(vertex_count(coarser_space(p)), 0.95 * static_cast<double>(vertex_count(p.configuration_space())));
-}
-
 Polyline only_leg(const Path& path) {
   Polyline all;
   for (const Leg& leg : path.legs)
