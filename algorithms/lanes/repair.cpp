@@ -21,7 +21,8 @@ constexpr double kLane = 0.98;          // distance of lanes at most: they overl
 constexpr double kStep = 1.0 / 8;       // between the points of a lane that are looked at
 constexpr double kStop = 1.0 / 50;      // length of a stop
 constexpr double kReach = 0.5 * 0.999;  // from which a stop covers
-constexpr int kRounds = 3;              // lanes, then arcs of the boundary, before whole rings
+constexpr double kBeside = 0.5 * 1.01;  // from a wall: about what an arc of it covers
+constexpr int kRounds = 4;              // of lanes and arcs of the boundary, before whole rings
 
 class Repair {
  public:
@@ -31,6 +32,7 @@ class Repair {
         width_(problem.robot().tool_width),
         seam_(covered_seam(problem.robot())),
         arcs_(problem.walls()),
+        trial_(problem.walls()),
         left_(std::move(uncovered)) {
     drop_negligible();
   }
@@ -39,10 +41,15 @@ class Repair {
   std::vector<Ring> find(const Context& context) {
     for (int round = 0; round < kRounds && !left_.empty() && !context.cancelled(); ++round) {
       const std::size_t before = pieces_.size();
-      if (round == 0)
-        for (const Polygon& piece : left_.polygons) fill(piece);
-      else
-        add_arcs();
+      for (const Polygon& piece : left_.polygons) {
+        if (round == 0)
+          fill(piece);
+        else if (round + 1 < kRounds && !arcs_reach(piece))
+          add_lanes(piece, convex_hull(piece.outer));
+        else
+          note_walls(piece, arcs_);
+      }
+      add_arcs();
       cover_by_pieces(before);
     }
     if (!left_.empty() && !context.cancelled()) add_whole_rings();
@@ -72,14 +79,59 @@ class Repair {
   /// The position of the robot that is nearest to p.
   Point position(const Point& p) const { return walls_.contains(p) ? p : walls_.nearest(p)->point; }
 
+  /// A stop, or lanes, or arcs of the boundary where those are shorter.
   void fill(const Polygon& piece) {
     const Ring hull = convex_hull(piece.outer);
     const Point stop = position(bounding_box(hull).centre());
     const auto covered = [&](const Point& p) { return distance(p, stop) <= kReach * width_; };
-    if (std::all_of(hull.begin(), hull.end(), covered))
-      add_stop(stop);
-    else
-      add_lanes(piece, hull);
+    if (std::all_of(hull.begin(), hull.end(), covered)) return add_stop(stop);
+    const std::size_t before = pieces_.size();
+    add_lanes(piece, hull);
+    if (!lies_along_walls(piece)) return;
+    note_walls(piece, trial_);
+    const std::vector<Ring> arcs = trial_.take(width_);
+    if (length_with(arcs.begin(), arcs.end()) >
+        length_with(pieces_.begin() + static_cast<std::ptrdiff_t>(before), pieces_.end()))
+      return;
+    pieces_.resize(before);
+    note_walls(piece, arcs_);
+  }
+  /// Of detours and what attaches them.
+  template <class It>
+  double length_with(It from, It to) const {
+    double sum = 0;
+    for (; from != to; ++from) {
+      sum += 2 * width_;
+      for_each_edge(*from, [&](const Point& a, const Point& b) { sum += distance(a, b); });
+    }
+    return sum;
+  }
+
+  /// Is the piece a band along walls, which arcs of the boundary cover but for what a next round does?
+  bool lies_along_walls(const Polygon& piece) const {
+    return 2 * area(piece) <= kBeside * width_ * perimeter({{piece}}) &&
+           all_around(piece, [&](const Point& p) { return walls_.nearest(p, kBeside * width_).has_value(); });
+  }
+  /// Does what lanes or arcs have left lie outside of configuration space, or beside its wall?
+  bool arcs_reach(const Polygon& piece) const {
+    return all_around(
+        piece, [&](const Point& p) { return walls_.nearest(p, kReach * width_).has_value() || !walls_.contains(p); });
+  }
+  template <class Holds>
+  bool all_around(const Polygon& piece, Holds holds) const {
+    bool all = true;
+    for_each_sample(piece, [&](const Point& p) { all = all && holds(p); });
+    return all;
+  }
+  /// Points of the piece's boundary.
+  template <class F>
+  void for_each_sample(const Polygon& piece, F f) const {
+    for_each_ring(Region{{piece}}, [&](const Ring& ring) {
+      for_each_edge(ring, [&](const Point& a, const Point& b) {
+        const double steps = std::max(1.0, std::ceil(distance(a, b) / (kStep * width_)));
+        for (double k = 0; k < steps; ++k) f(lerp(a, b, k / steps));
+      });
+    });
   }
 
   void add_lanes(const Polygon& piece, const Ring& hull) {
@@ -133,15 +185,12 @@ class Repair {
     pieces_.push_back({at});
   }
 
-  /// The boundary of configuration space beside pieces that lanes do not cover.
+  /// The boundary of configuration space beside the piece, for its arcs.
+  void note_walls(const Polygon& piece, BoundaryArcs& arcs) const {
+    for_each_sample(piece, [&](const Point& p) { arcs.add(p); });
+  }
+
   void add_arcs() {
-    for (const Polygon& piece : left_.polygons)
-      for_each_ring(Region{{piece}}, [&](const Ring& ring) {
-        for_each_edge(ring, [&](const Point& a, const Point& b) {
-          const double steps = std::max(1.0, std::ceil(distance(a, b) / (kStep * width_)));
-          for (double k = 0; k < steps; ++k) arcs_.add(lerp(a, b, k / steps));
-        });
-      });
     for (Ring& arc : arcs_.take(width_)) arc.size() == 1 ? add_stop(arc.front()) : pieces_.push_back(std::move(arc));
   }
 
@@ -158,7 +207,7 @@ class Repair {
   const Problem& problem_;
   const EdgeIndex& walls_;
   double width_, seam_;
-  BoundaryArcs arcs_;
+  BoundaryArcs arcs_, trial_;
   Region left_;  // of the target, not covered yet
   std::vector<Ring> pieces_;
 };
