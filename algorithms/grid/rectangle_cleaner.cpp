@@ -20,6 +20,7 @@ class RectangleCleaner {
         context_(context),
         paths_(graph, problem.walls()),
         side_(graph.side()),
+        smallest_(options.cells_needed(problem.robot())),
         done_(std::move(done)),
         path_(problem.start()) {}
 
@@ -47,10 +48,13 @@ class RectangleCleaner {
   };
   enum class Approach { work_if_short, transit };
 
-  /// The lattice's cells that lie entirely in free space, without those that are done.
+  /// The lattice's cells that lie entirely in free space, without those that are done; also cells larger than the robot
+  /// of which it can reach the centre.
   BitGrid dirty_cells() const {
-    BitGrid free =
-        without_gaps(rasterise(problem_.map().free, graph_, 1, 0, CellRule::inside), p_.gap, p_.small_obstacle);
+    BitGrid free = rasterise(problem_.map().free, graph_, 1, 0, CellRule::inside);
+    for (std::size_t c = 0; c < free.bits.size(); ++c)
+      if (graph_.free(graph_.cell(c))) free.bits[c] = 1;
+    free = without_gaps(free, p_.gap, p_.small_obstacle);
     for (std::size_t c = 0; c < done_.size(); ++c)
       if (done_[c]) free.bits[c] = 0;
     return free;
@@ -102,7 +106,7 @@ class RectangleCleaner {
       bool anew = false;
       for (const CellRectangle& whole : all) {
         CellRectangle r = whole;
-        if (whole.width() < p_.smallest || whole.height() < p_.smallest || !start_of(r)) continue;
+        if (whole.width() < smallest_ || whole.height() < smallest_ || !start_of(r)) continue;
         for (int i = whole.left; i < r.left; ++i) {
           ++result_.skipped_columns;
           skip(i, r.bottom, r.top);
@@ -121,7 +125,7 @@ class RectangleCleaner {
     for (CellRectangle r : all) {
       const int cells = r.width() * r.height();
       const std::optional<Run> start = start_of(r);
-      if (!start || r.width() < p_.smallest || r.height() < p_.smallest) {
+      if (!start || r.width() < smallest_ || r.height() < smallest_) {
         result_.small_cells += static_cast<std::size_t>(cells);
         continue;
       }
@@ -232,12 +236,19 @@ class RectangleCleaner {
 
   void clean_rectangle(const Job& job) {
     const CellRectangle& r = job.rectangle;
+    const bool strip = r.width() == 1 || r.height() == 1;  // ours: driven from its nearer end
     const int ci = (r.left + r.right) / 2, cj = (r.bottom + r.top) / 2;
-    if (p_.via_centre && graph_.free(ci, cj) && graph_.at(ci, cj) != start_node(job))
+    if (p_.via_centre && !strip && graph_.free(ci, cj) && graph_.at(ci, cj) != start_node(job))
       go(graph_.at(ci, cj), Approach::transit, 0);
+    std::vector<int> columns = columns_of(r);
     bool up = true;
+    if (strip &&
+        distance(path_.at(), graph_.centre(r.right, r.top)) < distance(path_.at(), graph_.centre(r.left, r.bottom))) {
+      std::reverse(columns.begin(), columns.end());
+      up = false;
+    }
     Approach approach = Approach::transit;
-    for (const int i : columns_of(r)) {
+    for (const int i : columns) {
       std::vector<Run> column = runs(job, i);
       if (column.empty()) {
         ++result_.skipped_columns;
@@ -342,6 +353,7 @@ class RectangleCleaner {
   Context& context_;
   LatticePaths paths_;
   double side_;
+  int smallest_;  // cells on each side of a rectangle
   std::vector<bool> done_;
   std::size_t at_ = 0;  // the node where the path ends
   CleanedRectangles result_;

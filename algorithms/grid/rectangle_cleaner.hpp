@@ -25,10 +25,10 @@ enum class CellsAs { wider, robot };
 struct RectangleOptions : CellOptions {
   NextRectangle choose = NextRectangle::first;
   CellsAs cells = CellsAs::wider;
-  ColumnStep columns = ColumnStep::each;
+  ColumnStep columns = ColumnStep::tool;
   ScanOrder scan = ScanOrder::columns;
   Lanes lanes = Lanes::straight;
-  int smallest = 2;
+  int smallest = 0;
   int gap = 1;
   int small_obstacle = 4;
   int shift = 4;
@@ -39,6 +39,11 @@ struct RectangleOptions : CellOptions {
   double side(const Robot& robot) const {
     if (cell_size > 0) return cell_size;
     return cells == CellsAs::robot ? robot_size(robot) : std::max(robot_size(robot), robot.tool_width / 2);
+  }
+  /// Cells that a rectangle needs on each side: `smallest`; if that is 0 two, or one if cells are as wide as the robot.
+  int cells_needed(const Robot& robot) const {
+    if (smallest > 0) return smallest;
+    return side(robot) >= 2 * robot_size(robot) ? 1 : 2;
   }
 };
 

@@ -1,16 +1,20 @@
 // Partitions the world into rectangles of cells and cleans them one by one, column by column.
 //
 // Source      MyCarbot (TH Nuernberg), "Rechteck-Partitionierungs-Strategie", sections 2 and 5. The defaults are the
-//             source, but for `cells`
+//             source, but for `cells`, `columns` and `smallest`
 // Model       grid, offline, or online by lidar (`sensing = lidar`), disc footprint
-// Guarantee   every cell of a drivable rectangle of at least 2 x 2 cells is cleaned, except skipped columns and cells
-//             below a shifted start; with `revisit_skipped` every lattice node that the robot can reach is driven
+// Guarantee   every cell of a driven column of a drivable rectangle of at least 2 x 2 cells is cleaned, except those
+//             below a shifted start; with `columns = each` columns are skipped only where the robot does not fit; with
+//             `revisit_skipped` every lattice node that the robot can reach is driven
 // Complexity  n cells: world and partition O(n), a path between rectangles O(cells nearer than its end); some 60 bytes
 //             a cell. `choose = first` returns to the lower end after each column of rectangles: O(n^1.5) driven at
 //             worst
 // Decisions   1. Cells default to half the robot's width (`cells = robot`; the source's robot is larger than a cell) or
 //                to half the tool's, whichever is more: narrow lanes under a wide tool are driven many times over,
-//                and a tool covers cells up to 0.7 of its width. A cell is wall unless it lies entirely in free space.
+//                and a tool covers cells up to 0.7 of its width. A cell is wall unless it lies entirely in free space,
+//                or is larger than the robot and its centre can be driven: what else lies in it is under the tool.
+//                Rectangles one cell wide are left, as in the source, unless cells are as wide as the robot
+//                (`smallest`); then they are driven from their nearer end.
 //             2. "First from the lower left" may run row by row or column by column (`scan`); the source does not say.
 //                Columns is the default: it covered more on six of seven maps tried.
 //             3. The source closes gaps and partitions anew after each rectangle and each skipped column, with cleaned
@@ -23,7 +27,7 @@
 //                between runs and columns that are not straight are planned on the lattice and pulled straight; where
 //                the lattice leads nowhere they are shortest paths among the walls.
 //             5. The centre is visited on the way (section 2.3) if the robot fits there.
-//             6. `columns = tool` (ours) steps as many columns as the tool covers, instead of one.
+//             6. `columns = tool` (ours, the default) steps as many columns as the tool covers, instead of one.
 //             7. The outlooks of section 5: `choose = nearest` takes the start with the fewest planned steps, so a
 //                divided corridor is cleaned one side after the other. `lanes = diagonal` makes no rectangles but lanes
 //                at 45 degrees ("Schraegen ueber das Grid"), each as long as possible, on to the nearest end of one,
@@ -159,7 +163,7 @@ Path plan(const RectangleOptions& p, const Problem& problem, Context& context) {
   Path path = p.sensing == Sensing::map ? clean_known(p, problem, context) : drive_online(problem, by_lidar, context);
   if (path.legs.empty())
     throw Infeasible(fmt::format("no rectangle of at least {} x {} cells can be driven; a smaller cell_size may help",
-                                 p.smallest, p.smallest));
+                                 p.cells_needed(problem.robot()), p.cells_needed(problem.robot())));
   return path;
 }
 
@@ -173,7 +177,8 @@ PlannerInfo rectangles() {
        .title = "rectangle partition, column by column",
        .citation = "MyCarbot (TH Nuernberg)",
        .capabilities = {Capability::online, Capability::holes, Capability::footprint},
-       .guarantee = "every cell of a drivable rectangle of at least 2 x 2 cells, except skipped columns",
+       .guarantee =
+           "every cell of the driven columns of rectangles of at least 2 x 2 cells (1 x 1 if as wide as the robot)",
        .promise = Promise::cells,
        .parameters =
            {cell_size_line<P>("side of a cell, metres; 0: as `cells` says"),
@@ -186,8 +191,9 @@ PlannerInfo rectangles() {
              "in which order the first cell from the lower left is searched"},
             {"lanes", &P::lanes, Choices{"straight", "diagonal"},
              "diagonal: no rectangles but lanes at 45 degrees, for staggered pillars"},
-            {"smallest", &P::smallest, Range{1, 1000},
-             "rectangles with fewer cells a side are not driven; 1: strips beside slanted walls are"},
+            {"smallest", &P::smallest, Range{0, 1000},
+             "rectangles with fewer cells a side are not driven; 0: 2, or 1 if cells are as wide as the robot; 1: "
+             "strips beside slanted walls are driven, too"},
             {"gap", &P::gap, Range{0, 100}, "gaps in walls of up to so many cells are closed"},
             {"small_obstacle", &P::small_obstacle, Range{0, 100},
              "obstacles of up to so many cells a side get their missing corners"},
@@ -196,7 +202,7 @@ PlannerInfo rectangles() {
             {"revisit_skipped", &P::revisit_skipped, "at the end, drive what was skipped"},
             align_line<P>(),
             sensing_line<P>("map: known beforehand; lidar: seen by the robot's lidar, its outer wall scanned first")},
-       .published = {{"cells", std::string("robot")}}});
+       .published = {{"cells", std::string("robot")}, {"columns", std::string("each")}, {"smallest", 2}}});
 }
 
 }  // namespace oxturn

@@ -22,7 +22,15 @@ constexpr double kLane = 0.98;          // distance of lanes at most: they overl
 constexpr double kStep = 1.0 / 8;       // between the points of a lane that are looked at
 constexpr double kStop = 1.0 / 50;      // length of a stop
 constexpr double kReach = 0.5 * 0.999;  // from which a stop covers
-constexpr int kRounds = 3;              // lanes, then arcs of the boundary, before whole rings
+constexpr double kBeside = 0.5 * 1.01;  // from a wall: about what an arc of it covers
+constexpr int kRounds = 4;              // of lanes and arcs of the boundary, before whole rings
+
+/// The boundary that arcs follow; the arcs that are to be driven, and those whose length is looked at.
+struct Laps {
+  explicit Laps(const Region& space) : boundary(space), arcs(boundary), trial(boundary) {}
+  EdgeIndex boundary;
+  BoundaryArcs arcs, trial;
+};
 
 class Repair {
  public:
@@ -40,10 +48,15 @@ class Repair {
     std::erase_if(left_.polygons, [this](const Polygon& piece) { return add_covering_stop(piece); });
     for (int round = 0; round < kRounds && !left_.empty() && !context.cancelled(); ++round) {
       const std::size_t before = pieces_.size();
-      if (round == 0)
-        for (const Polygon& piece : left_.polygons) add_lanes(piece);
-      else
-        add_arcs();
+      for (const Polygon& piece : left_.polygons) {
+        if (round == 0)
+          fill(piece);
+        else if (round + 1 < kRounds && !arcs_reach(piece))
+          add_lanes(piece);
+        else
+          note_walls(piece, laps().arcs);
+      }
+      add_arcs();
       cover_by_pieces(before);
     }
     if (!left_.empty() && !context.cancelled()) add_whole_rings();
@@ -85,6 +98,57 @@ class Repair {
         std::ranges::all_of(piece.outer, [&](const Point& p) { return distance(p, stop) <= kReach * width_; });
     if (covers) add_stop(stop);
     return covers;
+  }
+
+  /// Lanes, or arcs of the boundary where those are shorter.
+  void fill(const Polygon& piece) {
+    const std::size_t before = pieces_.size();
+    add_lanes(piece);
+    if (!lies_along_walls(piece)) return;
+    note_walls(piece, laps().trial);
+    const std::vector<Ring> arcs = laps().trial.take(width_);
+    if (length_with(arcs.begin(), arcs.end()) >
+        length_with(pieces_.begin() + static_cast<std::ptrdiff_t>(before), pieces_.end()))
+      return;
+    pieces_.resize(before);
+    note_walls(piece, laps().arcs);
+  }
+  /// Of detours and what attaches them.
+  template <class It>
+  double length_with(It from, It to) const {
+    double sum = 0;
+    for (; from != to; ++from) {
+      sum += 2 * width_;
+      for_each_edge(*from, [&](const Point& a, const Point& b) { sum += distance(a, b); });
+    }
+    return sum;
+  }
+
+  /// Is the piece a band along walls, which arcs of the boundary cover but for what a next round does?
+  bool lies_along_walls(const Polygon& piece) const {
+    return 2 * area(piece) <= kBeside * width_ * perimeter({{piece}}) &&
+           all_around(piece, [&](const Point& p) { return walls_.nearest(p, kBeside * width_).has_value(); });
+  }
+  /// Does what lanes or arcs have left lie outside of configuration space, or beside its wall?
+  bool arcs_reach(const Polygon& piece) const {
+    return all_around(
+        piece, [&](const Point& p) { return walls_.nearest(p, kReach * width_).has_value() || !walls_.contains(p); });
+  }
+  template <class Holds>
+  bool all_around(const Polygon& piece, Holds holds) const {
+    bool all = true;
+    for_each_sample(piece, [&](const Point& p) { all = all && holds(p); });
+    return all;
+  }
+  /// Points of the piece's boundary.
+  template <class F>
+  void for_each_sample(const Polygon& piece, F f) const {
+    for_each_ring(Region{{piece}}, [&](const Ring& ring) {
+      for_each_edge(ring, [&](const Point& a, const Point& b) {
+        const double steps = std::max(1.0, std::ceil(distance(a, b) / (kStep * width_)));
+        for (double k = 0; k < steps; ++k) f(lerp(a, b, k / steps));
+      });
+    });
   }
 
   void add_lanes(const Polygon& piece) {
@@ -138,18 +202,20 @@ class Repair {
     pieces_.push_back({at});
   }
 
-  /// The boundary of configuration space beside pieces that lanes do not cover.
+  /// The boundary of configuration space beside the piece, for its arcs.
+  void note_walls(const Polygon& piece, BoundaryArcs& arcs) const {
+    for_each_sample(piece, [&](const Point& p) { arcs.add(p); });
+  }
+
   void add_arcs() {
+    if (!laps_) return;
+    for (Ring& arc : laps_->arcs.take(width_))
+      arc.size() == 1 ? add_stop(arc.front()) : pieces_.push_back(std::move(arc));
+  }
+  /// Made when first needed.
+  Laps& laps() {
     if (!laps_) laps_.emplace(coarser_space(problem_));
-    BoundaryArcs arcs(*laps_);
-    for (const Polygon& piece : left_.polygons)
-      for_each_ring(Region{{piece}}, [&](const Ring& ring) {
-        for_each_edge(ring, [&](const Point& a, const Point& b) {
-          const double steps = std::max(1.0, std::ceil(distance(a, b) / (kStep * width_)));
-          for (double k = 0; k < steps; ++k) arcs.add(lerp(a, b, k / steps));
-        });
-      });
-    for (Ring& arc : arcs.take(width_)) arc.size() == 1 ? add_stop(arc.front()) : pieces_.push_back(std::move(arc));
+    return *laps_;
   }
 
   void add_whole_rings() {
@@ -165,8 +231,8 @@ class Repair {
   const Problem& problem_;
   const EdgeIndex& walls_;
   double width_, seam_;
-  std::optional<EdgeIndex> laps_;  // the boundary that arcs follow
-  Region left_;                    // of the target, not covered yet
+  std::optional<Laps> laps_;
+  Region left_;  // of the target, not covered yet
   std::vector<Ring> pieces_;
 };
 

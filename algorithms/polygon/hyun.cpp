@@ -9,7 +9,7 @@
 //             contacts on every line and a separation of at most the tool's width w it covers the whole target (along
 //             traced walls but for 0.0003 of it, see straightened_space in outline.hpp): the
 //             boundary of configuration space C covers all points within w/2 of it; from any other point of C the foot
-//             on the nearest line is no farther than w/2, so it lies in C, on a lane.
+//             on its slab's line is no farther than w/2, so it lies in C, on a lane that is not dropped.
 // Complexity  n edges, k tracking points, j jumps: O(n + k log k) and j paths, by TLPPA O(N log N) each for N cells
 // Decisions   1. Both contacts of every free interval are tracking points. `passes = alternate` is the source to the
 //                letter: contacts of one side only on each pass.
@@ -26,6 +26,8 @@
 //                count as one.
 //             4. Lines begin at the top of configuration space, and one more runs at its bottom: without it a strip up
 //                to one separation wide stays uncovered there. Lines and contacts keep 1e-6 tool widths off walls.
+//                With `outline` lines begin half a separation below the top of what the outline leaves, and intervals
+//                beside which it leaves nothing are dropped, as in passages no wider than the tool.
 //             5. The separation follows the tool: its width where the outline is driven as well, which covers
 //                everything once, else half of that. separation_by = robot is the source: half the robot's width, or
 //                half the tool's if that is less. A tool as wide as the robot then covers everything twice, a wider one
@@ -51,6 +53,7 @@
 #include <utility>
 
 #include "algorithms/coverage_planner.hpp"
+#include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/polygon/link_crossings.hpp"
 #include "algorithms/polygon/tracking_points.hpp"
@@ -110,8 +113,7 @@ class HyunRun {
         context_(context),
         separation_(separation),
         connector_(problem),
-        lines_(tracking_lines(problem.configuration_space(), separation, kKeepOff * problem.robot().tool_width,
-                              p.delta_x)),
+        lines_(lines_of(p, problem, separation)),
         positions_(positions_of(lines_)),
         untracked_(positions_),
         untracked_on_(lines_.first.size() - 1),
@@ -130,6 +132,7 @@ class HyunRun {
 
   Path run() {
     const std::size_t all = untracked_.remaining();
+    if (untracked_on_.empty()) return {};  // the outline covers everything
     if (all == 0) throw Infeasible("no line has a tracking point; a smaller separation or delta_x may give some");
     std::size_t at = first_point();
     path_.drive(connector_.path(path_.at(), positions_[at]), false);
@@ -144,6 +147,13 @@ class HyunRun {
   }
 
  private:
+  /// With the outline, which covers half a tool's width beside it, lines are needed for what is left.
+  static TrackingLines lines_of(const Params& p, const Problem& problem, double separation) {
+    const double tool = problem.robot().tool_width, keep_off = kKeepOff * tool;
+    const Region& space = problem.configuration_space();
+    if (!p.outline) return tracking_lines(space, separation, keep_off, p.delta_x);
+    return tracking_lines(space, lane_region(problem, tool / 2, tool / 50), separation, keep_off, p.delta_x);
+  }
   static std::vector<Point> positions_of(const TrackingLines& lines) {
     std::vector<Point> all;
     for (const TrackingPoint& t : lines.points) all.push_back(t.at);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/lanes/lanes.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -36,11 +38,11 @@ void add_crossings(const Ring& ring, int obstacle, const std::vector<double>& li
   }
 }
 
-}  // namespace
-
-TrackingLines tracking_lines(const Region& space, double separation, double keep_off, double delta_x) {
+/// The contacts of the intervals that `needs(line, left, right)` keeps.
+template <class Needs>
+TrackingLines contacts_on(const std::vector<double>& lines, const Region& space, double keep_off, double delta_x,
+                          Needs needs) {
   const Box box = bounding_box(space);
-  const std::vector<double> lines = heights(box, separation, keep_off);
   CrossingsByLine crossings(lines.size());
   int obstacles = 0;
   for (const Polygon& polygon : space.polygons) {
@@ -57,6 +59,7 @@ TrackingLines tracking_lines(const Region& space, double separation, double keep
     std::vector<LineCrossing>& on = crossings[k];
     std::stable_sort(on.begin(), on.end(), [](const LineCrossing& a, const LineCrossing& b) { return a.x < b.x; });
     for (std::size_t i = 0; i + 1 < on.size(); i += 2) {
+      if (!needs(k, on[i].x, on[i + 1].x)) continue;
       double left = on[i].x + keep_off, right = on[i + 1].x - keep_off;
       if (left > right) left = right = (on[i].x + on[i + 1].x) / 2;
       if (delta_x > 0) {
@@ -70,6 +73,29 @@ TrackingLines tracking_lines(const Region& space, double separation, double keep
   }
   result.first.push_back(result.points.size());
   return result;
+}
+
+}  // namespace
+
+TrackingLines tracking_lines(const Region& space, double separation, double keep_off, double delta_x) {
+  return contacts_on(heights(bounding_box(space), separation, keep_off), space, keep_off, delta_x,
+                     [](std::size_t, double, double) { return true; });
+}
+
+TrackingLines tracking_lines(const Region& space, const Region& needed, double separation, double keep_off,
+                             double delta_x) {
+  if (needed.empty()) return {{}, {0}};
+  const Region turned = LaneFrame(0).to_frame(needed);  // (x, y) becomes (-y, x)
+  const Box box = bounding_box(turned);
+  const Slabs slabs = slabs_over(box.low.x(), box.high.x(), separation);
+  std::vector<double> lines;
+  for (std::size_t k = 0; k < slabs.count; ++k) lines.push_back(-slabs.centre(k));
+  std::vector<std::vector<LaneInterval>> needed_on(slabs.count);
+  for (const LaneInterval& part : project(edges_of(turned), slabs).intervals) needed_on[part.slab].push_back(part);
+  return contacts_on(lines, space, keep_off, delta_x, [&](std::size_t line, double left, double right) {
+    return std::any_of(needed_on[line].begin(), needed_on[line].end(),
+                       [&](const LaneInterval& part) { return part.low <= right && part.high >= left; });
+  });
 }
 
 }  // namespace oxturn

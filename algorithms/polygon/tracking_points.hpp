@@ -34,5 +34,9 @@ struct TrackingLines {
 /// shorter than twice that becomes its midpoint. `delta_x` > 0: contacts are moved inwards to multiples of it, counted
 /// from the left end of the space; intervals without such a point are omitted.
 TrackingLines tracking_lines(const Region& space, double separation, double keep_off, double delta_x);
+/// The same if only `needed`, a part of the space, has to be covered: lines lie in the middle of slabs over it that are
+/// at most `separation` wide, and intervals next to which nothing of it lies in their slab are omitted.
+TrackingLines tracking_lines(const Region& space, const Region& needed, double separation, double keep_off,
+                             double delta_x);
 
 }  // namespace oxturn

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "coverage_oracle.hpp"
+#include "maps/generators.hpp"
+#include "metrics/score.hpp"
 #include "tests/support/seeds.hpp"
 
 namespace oxturn {
@@ -47,6 +49,17 @@ TEST(Completed, DetoursDoNotLeadAllTheWayRound) {
     const Problem p(spiral, disc(0.6, 7.0));
     const double least = plan("boustrophedon", p).length();
     EXPECT_LE(plan("completed", p, {{"planner", std::string("stc")}}).length(), 2 * least);
+  }
+}
+
+// A band along the walls of a room is covered by one lap, not by lanes across it.
+TEST(Completed, BandsAlongWallsAreDrivenAlong) {
+  for (const auto seed : seeds(4)) {
+    SCOPED_TRACE(seed);
+    const Problem p(generate("rooms", {{"width", 10.0}, {"height", 8.0}, {"rooms", 6}}, seed), disc(0.2, 0.4));
+    const Path path = plan("completed", p, {{"planner", std::string("bsa")}});
+    EXPECT_LE(uncovered_share(p, path, 500), 2e-3);
+    EXPECT_LT(*score(p, path).value("length_ratio"), 1.82);
   }
 }
 

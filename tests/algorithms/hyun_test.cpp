@@ -432,5 +432,24 @@ TEST(Footprints, OthersAreUnsupported) {
             "planner 'berg' has no capability 'footprint', which a robot that is no disc asks for");
 }
 
+// The outline covers passages that are no wider than the tool, and half a tool's width beside it elsewhere.
+TEST(Hyun, WithTheOutlineLinesCoverOnlyTheRest) {
+  const auto problem = [](const char* generator, const Settings& settings, double radius, double tool) {
+    Robot robot;
+    robot.radius = radius;
+    robot.tool_width = tool;
+    return Problem(generate(generator, settings, 1), robot);
+  };
+  const auto lines = [](const Problem& p) { return plan_recorded("hyun", p).figures.at("tracking_points") / 2; };
+  EXPECT_EQ(lines(problem("rectangle", {{"width", 10.0}, {"height", 8.0}}, 0.2, 0.4)), 18) << "7.2 m / 0.4 m";
+  const Problem narrow =
+      problem("spiral", {{"width", 20.0}, {"height", 15.0}, {"robot", 0.1}, {"corridor", 1.0}}, 0.1, 3);
+  const Path path = plan_hyun(narrow);
+  const Score result = score(narrow, path);
+  EXPECT_EQ(result.flaw, "");
+  EXPECT_GT(*result.value("coverage"), 0.999);
+  EXPECT_LT(path.length(), 1.02 * plan_with("boustrophedon", narrow).length());
+}
+
 }  // namespace
 }  // namespace oxturn

@@ -127,7 +127,7 @@ TEST(Promise, IsTheCellsOfTheDescription) {
   // The lap's swath as well, 0.505 m off the walls, which is more than 0.1 m beyond the cells all around.
   EXPECT_GT(promised("stc-loops"), 24 + 2 * (6 + 4) * 0.1);
   // Lanes 0.5 m apart from x = 0.5 to 5.5 and beside the right wall, each from y = 0.5 to 3.5.
-  EXPECT_NEAR(promised("rectangles", {{"cells", std::string("robot")}}), 11 * 7 * 0.25, kRounding);
+  EXPECT_NEAR(promised("rectangles", {{"variant", std::string("published")}}), 11 * 7 * 0.25, kRounding);
 }
 
 // The cells depend on what the lidar shows.

@@ -113,12 +113,16 @@ Path plan_rectangles(const Problem& problem, const Settings& settings = {}) {
 
 TEST(Rectangles, AnEmptyRoomIsOneRectangleDrivenColumnByColumn) {
   const Problem problem({"room", box_region({0, 0}, {4, 3}), "test", ""}, Robot{}, Point(2, 1.5));
-  const Path path = plan_rectangles(problem);
-  int work = 0;
-  for (const Leg& leg : path.legs) work += leg.tool;
-  EXPECT_EQ(work, 1);
-  // 19 columns of 2.6 m, from wall to wall, 0.2 apart.
-  EXPECT_NEAR(path.length(true), 19 * 2.6 + 18 * 0.2, 0.001);
+  const auto work_of = [&](const char* columns) {
+    const Path path = plan_rectangles(problem, {{"columns", std::string(columns)}});
+    int work = 0;
+    for (const Leg& leg : path.legs) work += leg.tool;
+    EXPECT_EQ(work, 1);
+    return path.length(true);
+  };
+  // 19 columns of 2.6 m, from wall to wall, 0.2 apart; every second one, as the tool is 0.4 m wide.
+  EXPECT_NEAR(work_of("each"), 19 * 2.6 + 18 * 0.2, 0.001);
+  EXPECT_NEAR(work_of("tool"), 10 * 2.6 + 9 * 0.4, 0.001);
 }
 
 Robot robot_with_tool(double radius, double tool_width) {
@@ -269,6 +273,23 @@ TEST(Rectangles, InADividedCorridorTheNearestChoiceDoesNotShuttle) {
   }
 }
 
+// Cells half as wide as the tool are wider than the robot: strips of one cell, and cells that an obstacle enters, can
+// be driven all the same.
+TEST(Rectangles, AWideToolCoversFieldsWithCurvedEdges) {
+  for (const auto seed : seeds(3)) {
+    SCOPED_TRACE(seed);
+    Robot robot;
+    robot.radius = 0.1;
+    robot.tool_width = 3;
+    const Problem field(generate("field", {{"width", 60.0}, {"height", 40.0}, {"ponds", 5}, {"robot", 0.1}}, seed),
+                        robot);
+    const Score result = score(field, plan_rectangles(field));
+    EXPECT_EQ(result.flaw, "");
+    EXPECT_GT(*result.value("coverage"), 0.98);
+    EXPECT_LT(*result.value("length_ratio"), 4);
+  }
+}
+
 // MyCarbot, section 5.2: between staggered pillars straight lanes find few rectangles that can be driven. Lanes at 45
 // degrees cover more, and drive less for the same coverage.
 TEST(Rectangles, BetweenStaggeredPillarsDiagonalLanesDoBetter) {
@@ -276,7 +297,8 @@ TEST(Rectangles, BetweenStaggeredPillarsDiagonalLanesDoBetter) {
     SCOPED_TRACE(fmt::format("pillars --seed {}", seed));
     const Problem problem(generate("pillars", {{"width", 9.0}, {"height", 9.0}, {"jitter", 0.3}}, seed), Robot{});
     const Settings lanes{{"lanes", std::string("diagonal")}};
-    const Path straight = plan_rectangles(problem), diagonal = plan_rectangles(problem, lanes);
+    const Path straight = plan_rectangles(problem, {{"columns", std::string("each")}});
+    const Path diagonal = plan_rectangles(problem, lanes);
     const double before = coverage_of(problem, straight), after = coverage_of(problem, diagonal);
     EXPECT_GT(after, before + 0.1);
     EXPECT_LT(diagonal.length() / after, 0.9 * straight.length() / before);
