@@ -45,7 +45,7 @@ Curve by_ompl(const Pose& from, const Pose& to, double radius) {
     if (type == Space::RS_NOP || path.length_[i] == 0) continue;
     const Steering steering = type == Space::RS_LEFT       ? Steering::left
                               : type == Space::RS_STRAIGHT ? Steering::straight
-                                                                              : Steering::right;
+                                                           : Steering::right;
     curve.pieces.push_back(
         {steering, std::abs(path.length_[i]) * radius, path.length_[i] > 0 ? Gear::forward : Gear::reverse});
   }
