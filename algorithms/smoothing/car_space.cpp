@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/smoothing/lattice_search.hpp"
+#include "geometry/point_outside.hpp"
 
 namespace oxturn {
 namespace {
@@ -31,12 +32,13 @@ CarSpace::CarSpace(const Problem& problem)
     : walls_(problem.walls()),
       radius_(problem.robot().min_turn_radius),
       chord_error_(problem.robot().tool_width / 1000),
+      tolerance_(problem.tolerance() / 2),
       stop_cost_(problem.robot().speed * problem.robot().speed / problem.robot().acceleration),
       reverse_(problem.robot().reverse) {}
 
 bool CarSpace::free(const Polyline& line) const {
   for (std::size_t i = 1; i < line.size(); ++i)
-    if (!walls_.contains(line[i - 1], line[i])) return false;
+    if (point_outside(walls_, line[i - 1], line[i], tolerance_)) return false;
   return true;
 }
 

@@ -3,7 +3,8 @@
 ///   const CarSpace space(problem, Detour::lattice, context);
 ///   if (const auto link = space.link(lane_end, next_begin)) drive(*link);
 ///
-/// A curve is driven as chords that leave it by a thousandth of the tool's width at most; these are tested exactly.
+/// A curve is driven as chords that leave it by a thousandth of the tool's width at most; these are tested against
+/// configuration space exactly, but for half the problem's tolerance.
 /// A link is the first of these that is free:
 ///   1. Dubins words, shortest first; in reverse: the shortest Reeds-Shepp curve
 ///   2. the same between poses further ahead on the lane's line (or, in reverse, also further back), shortest first
@@ -47,7 +48,9 @@ class CarSpace {
   void add_curves(const Pose& from, const Pose& to, std::vector<Curve>& out) const;
 
   const EdgeIndex& walls_;
-  double radius_, chord_error_, stop_cost_;
+  double radius_, chord_error_;
+  double tolerance_;  // laps along the boundary are off it by rounding
+  double stop_cost_;
   bool reverse_;
 };
 

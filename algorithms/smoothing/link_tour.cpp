@@ -10,15 +10,17 @@ constexpr double kBlocked = 1e6;  // metres; dearer than any detour, so that a t
 constexpr int kRounds = 12;
 constexpr double kEntrySpacing = 2;  // radii, between points where a closed stroke may be entered
 constexpr double kMostEntries = 12;
+constexpr double kLeastCut = 0.4;             // radii
 constexpr std::size_t kMostTabulated = 2000;  // patterns
 constexpr std::size_t kStartHeadings = 24;
 
-/// A closed stroke from another point, a lap on.
-Polyline rotated_lap(const Polyline& lap, double from) {
+/// A closed stroke from another point, a lap on. Short edges may belong to a sampled curve and are not cut.
+Polyline rotated_lap(const Polyline& lap, double from, double radius) {
   std::size_t i = 1;
   while (i + 1 < lap.size() && distance(lap[i - 1], lap[i]) <= from) from -= distance(lap[i - 1], lap[i]), ++i;
   const double edge = distance(lap[i - 1], lap[i]);
-  const Point begin = lerp(lap[i - 1], lap[i], std::min(1.0, from / edge));
+  const bool cut = edge > kLeastCut * radius;
+  const Point begin = cut ? lerp(lap[i - 1], lap[i], std::clamp(from / edge, 0.25, 0.75)) : lap[i];
   Polyline result{begin};
   const std::size_t n = lap.size() - 1;
   for (std::size_t k = 0; k < n; ++k)
@@ -58,7 +60,7 @@ void LinkTour::add_ways(std::size_t stroke) {
 
 Polyline LinkTour::points(const Way& way) const {
   const Stroke& s = strokes_[way.stroke];
-  Polyline line = s.closed ? rotated_lap(s.points, way.from) : s.points;
+  Polyline line = s.closed ? rotated_lap(s.points, way.from, space_.radius()) : s.points;
   if (way.backwards) std::ranges::reverse(line);
   return line;
 }

@@ -9,6 +9,8 @@ namespace oxturn {
 namespace {
 
 constexpr double kMostTurn = kPi * 2 / 3;  // of a rounded corner
+constexpr double kAlmost = 0.995;          // chords of an arc are shorter than its tangents
+constexpr double kParallel = 1e-6;         // radians
 constexpr double kShort = 1;               // radii; edges shorter than this may be left out
 constexpr double kMostLeftOut = 3;         // radii, of consecutive edges together
 
@@ -85,23 +87,33 @@ class Rounding {
   std::optional<Joint> joint_between(const Part& top, std::size_t k) const {
     const Edge &a = edges_[top.edge], &b = edges_[k];
     const double turn = turn_between(a, b);
-    if (top.edge + 1 == k && smooth_vertex(a.length - top.joint.enter, b.length, turn, radius_, space_.chord_error()))
-      return top.joint.enter < a.length ? std::optional<Joint>({a.length, 0, {}}) : std::nullopt;
-    if (std::abs(turn) > kMostTurn || std::abs(turn) < 1e-6) return std::nullopt;
+    const double tangent = kAlmost * radius_ * std::tan(std::abs(turn) / 2);
+    if (top.edge + 1 == k && smooth(turn)) {
+      if (a.length - tangent < top.joint.enter || tangent > b.length) return std::nullopt;
+      return Joint{a.length, tangent, {}};
+    }
+    if (std::abs(turn) > kMostTurn || std::abs(turn) < kParallel) return std::nullopt;
     // The lines meet at a.at(s) = b.at(t).
     const Point between = b.a - a.a;
     const double s = cross(between, b.along) / cross(a.along, b.along);
     const double t = cross(between, a.along) / cross(a.along, b.along);
-    const double tangent = radius_ * std::tan(std::abs(turn) / 2);
-    const Joint joint{s - tangent, t + tangent,
+    const double touch = tangent / kAlmost;
+    const Joint joint{s - touch, t + touch,
                       CurvePiece{turn > 0 ? Steering::left : Steering::right, radius_ * std::abs(turn)}};
     const bool fits =
         joint.leave > top.joint.enter && joint.enter < b.length && s < a.length + 2 * radius_ && t > -2 * radius_;
-    if (!fits || !space_.free(pose(a, joint.leave), *joint.arc)) return std::nullopt;
-    if (joint.leave > a.length && !space_.free(Polyline{a.at(a.length), a.at(joint.leave)})) return std::nullopt;
-    if (joint.enter < 0 && !space_.free(Polyline{b.at(joint.enter), b.a})) return std::nullopt;
-    return joint;
+    return fits && free(a, b, joint) ? std::optional(joint) : std::nullopt;
   }
+
+  /// The arc, and where edges are extended to meet it.
+  bool free(const Edge& a, const Edge& b, const Joint& joint) const {
+    return space_.free(pose(a, joint.leave), *joint.arc) &&
+           (joint.leave <= a.length || space_.free(Polyline{a.at(a.length), a.at(joint.leave)})) &&
+           (joint.enter >= 0 || space_.free(Polyline{b.at(joint.enter), b.a}));
+  }
+
+  /// A curve of the least radius, sampled as paths must be, may turn that much at a vertex.
+  bool smooth(double turn) const { return (1 - std::cos(turn / 2)) * radius_ <= space_.chord_error(); }
 
   static Pose pose(const Edge& edge, double s) { return {edge.at(s), std::atan2(edge.along.y(), edge.along.x())}; }
 
@@ -146,11 +158,6 @@ Polyline from_longest_edge(const Polyline& ring) {
 }
 
 }  // namespace
-
-bool smooth_vertex(double a, double b, double turn, double radius, double chord_error) {
-  const double d = std::abs(turn), chord = std::sqrt(std::max(0.0, a * a + b * b + 2 * a * b * std::cos(d)));
-  return 2 * std::sin(d) * radius <= chord && (1 - std::cos(d / 2)) * radius <= chord_error && d < kPi / 2;
-}
 
 std::vector<Polyline> rounded_runs(const Polyline& line, const CarSpace& space) {
   const bool closed = line.size() > 3 && line.front() == line.back();

@@ -20,8 +20,4 @@ namespace oxturn {
 /// Each run can be driven in both directions. A closed polyline gives one closed run if all its corners can be rounded.
 std::vector<Polyline> rounded_runs(const Polyline& line, const CarSpace& space);
 
-/// Whether a robot of this turning radius may pass from one edge of a sampled curve to the next, of these lengths, with
-/// this change of heading.
-bool smooth_vertex(double a, double b, double turn, double radius, double chord_error);
-
 }  // namespace oxturn

@@ -18,6 +18,7 @@ constexpr double kSameEnd = 1e-4;                              // tool widths
 constexpr double kSameHeading = 1e-3;                          // radians
 constexpr double kSampleStep = 0.25;                           // tool widths, along strokes
 constexpr double kAcross[] = {-0.45, -0.225, 0, 0.225, 0.45};  // tool widths
+constexpr double kLeastPart = 0.1;                             // radii, of an edge that is cut
 constexpr double kUncovered = 0.05;                            // share of a stroke's swath that may be lost with it
 
 double heading(const Point& from, const Point& to) { return std::atan2(to.y() - from.y(), to.x() - from.x()); }
@@ -153,14 +154,16 @@ class Cover {
   UniformGrid grid_;
 };
 
-/// Without the last `metres`.
-void shorten(Polyline& line, double metres) {
+/// Without the last `metres`, or a little more: edges of a sampled curve are not cut, because a shorter edge would make
+/// the curve sharper.
+void shorten(Polyline& line, double metres, double radius) {
   while (line.size() > 1) {
     const double last = distance(line[line.size() - 2], line.back());
-    if (last > metres) {
+    if (last > metres + kLeastPart * radius) {
       line.back() = lerp(line.back(), line[line.size() - 2], metres / last);
       return;
     }
+    if (metres <= 0) return;
     metres -= last;
     line.pop_back();
   }
@@ -189,7 +192,8 @@ void shorten_dead_ends(std::vector<Stroke>& strokes, const Problem& problem, con
   for (Stroke& stroke : strokes) {
     if (stroke.closed) continue;
     for (int end = 0; end < 2 && !stroke.points.empty(); ++end) {
-      while (stroke.points.size() > 1 && !space.can_go_on(last_pose(stroke.points))) shorten(stroke.points, step);
+      while (stroke.points.size() > 1 && !space.can_go_on(last_pose(stroke.points)))
+        shorten(stroke.points, step, space.radius());
       if (stroke.points.size() < 2) stroke.points.clear();
       std::ranges::reverse(stroke.points);
     }
