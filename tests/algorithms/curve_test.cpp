@@ -1,4 +1,6 @@
 // Dubins and Reeds-Shepp curves: ends, tangents and lengths on random poses, against closed forms.
+#include "algorithms/smoothing/curve.hpp"
+
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/DubinsStateSpace.h>
@@ -8,7 +10,6 @@
 #include <limits>
 #include <memory>
 
-#include "algorithms/smoothing/curve.hpp"
 #include "base/random.hpp"
 #include "tests/support/dubins.hpp"
 
