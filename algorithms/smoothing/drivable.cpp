@@ -88,7 +88,11 @@ Path drivable(const Problem& problem, const Path& path, Context& context) {
     last = &stroke;
   }
   if (left_out.metres() > 0) context.record("lanes_left_out_m", left_out.metres());
-  return builder.take();
+  Path result = builder.take();
+  if (result.legs.empty() && !context.cancelled())
+    throw Infeasible(fmt::format("no lane that the robot can drive from the start ({:.6g}, {:.6g})",
+                                 problem.start().x(), problem.start().y()));
+  return result;
 }
 
 PlannerInfo drivable_planner(PlannerInfo info) {
