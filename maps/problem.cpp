@@ -238,9 +238,8 @@ Problem Problem::restricted(Region configuration_space) const {
 Problem Problem::restricted(Region configuration_space, const Point& start) const {
   if (!holds(configuration_space, start, tolerance()))
     throw_invalid("restricted configuration space of '{}' does not hold the start {}", map().name, to_text(start));
-  return Problem(std::make_shared<const Impl>(impl_->basis,
-                                              std::make_shared<const Region>(std::move(configuration_space)), start,
-                                              robot()));
+  return Problem(std::make_shared<const Impl>(
+      impl_->basis, std::make_shared<const Region>(std::move(configuration_space)), start, robot()));
 }
 
 Problem Problem::turning_on_the_spot() const {

@@ -7,13 +7,13 @@ namespace oxturn {
 
 extern const Metric kCurvatureMaxPerM;
 
-const Metric kCurvatureMaxPerM{
-    "curvature_max_per_m", "1/m", Better::lower, "greatest curvature; a corner has that of a curve with its chord error",
-    [](const Scored& s) -> std::optional<double> {
-      double most = 0;
-      for (const Bend& bend : bends(s.path, s.tolerance, s.problem.robot().tool_width))
-        most = std::max(most, bend.curvature);
-      return most;
-    }};
+const Metric kCurvatureMaxPerM{"curvature_max_per_m", "1/m", Better::lower,
+                               "greatest curvature; a corner counts as a sampled curve",
+                               [](const Scored& s) -> std::optional<double> {
+                                 double most = 0;
+                                 for (const Bend& bend : bends(s.path, s.tolerance, s.problem.robot().tool_width))
+                                   most = std::max(most, bend.curvature);
+                                 return most;
+                               }};
 
 }  // namespace oxturn

@@ -33,51 +33,51 @@ Polyline rotated_lap(const Polyline& lap, double from, double radius) {
 
 LinkTour::LinkTour(const std::vector<Stroke>& strokes, const CarSpace& space, const Point& start, Context& context)
     : strokes_(strokes), space_(space), start_(start), context_(context) {
-  for (std::size_t s = 0; s < strokes.size(); ++s) add_ways(s);
-  const std::size_t n = ways_.size() + 2;
+  for (std::size_t s = 0; s < strokes.size(); ++s) add_passes(s);
+  const std::size_t n = passes_.size() + 2;
   if (n > kMostTabulated) return;
   bounds_.resize(n * n);
   for (PatternId p = 0; p < n; ++p)
     for (PatternId q = 0; q < n; ++q) bounds_[p * n + q] = bound(p, q);
 }
 
-void LinkTour::add_ways(std::size_t stroke) {
+void LinkTour::add_passes(std::size_t stroke) {
   const Stroke& s = strokes_[stroke];
   const double whole = length(s.points);
   const double entries =
       s.closed ? std::clamp(std::round(whole / (kEntrySpacing * space_.radius())), 1.0, kMostEntries) : 1;
   for (double k = 0; k < entries; ++k)
     for (const bool backwards : {false, true}) {
-      Way way{stroke, k / entries * whole, backwards, {}, {}};
-      const Polyline line = points(way);
-      way.entry = first_pose(line), way.exit = last_pose(line);
-      const auto p = static_cast<PatternId>(ways_.size() + 2);
+      Pass pass{stroke, k / entries * whole, backwards, {}, {}};
+      const Polyline line = points(pass);
+      pass.entry = first_pose(line), pass.exit = last_pose(line);
+      const auto p = static_cast<PatternId>(passes_.size() + 2);
       reverse_.push_back(backwards ? p - 1 : p + 1);
-      ways_.push_back(way);
+      passes_.push_back(pass);
     }
   counts_.push_back(static_cast<std::size_t>(2 * entries));
 }
 
-Polyline LinkTour::points(const Way& way) const {
-  const Stroke& s = strokes_[way.stroke];
-  Polyline line = s.closed ? rotated_lap(s.points, way.from, space_.radius()) : s.points;
-  if (way.backwards) std::ranges::reverse(line);
+Polyline LinkTour::points(const Pass& pass) const {
+  const Stroke& s = strokes_[pass.stroke];
+  Polyline line = s.closed ? rotated_lap(s.points, pass.from, space_.radius()) : s.points;
+  if (pass.backwards) std::ranges::reverse(line);
   return line;
 }
 
 double LinkTour::bound(PatternId from, PatternId to) const {
   if (from < 2 && to < 2) return 0;
   // Patterns 0 and 1: the tour begins at the start in the direction of pattern 0; it ends anywhere.
-  if (to < 2) return to == 0 ? 0 : distance(start_, ways_[reverse_[from] - 2].entry.at);
-  if (from < 2) return from == 1 ? 0 : distance(start_, ways_[to - 2].entry.at);
-  if (ways_[from - 2].stroke == ways_[to - 2].stroke) return 0;
-  return space_.lower_bound(ways_[from - 2].exit, ways_[to - 2].entry);
+  if (to < 2) return to == 0 ? 0 : distance(start_, passes_[reverse_[from] - 2].entry.at);
+  if (from < 2) return from == 1 ? 0 : distance(start_, passes_[to - 2].entry.at);
+  if (passes_[from - 2].stroke == passes_[to - 2].stroke) return 0;
+  return space_.lower_bound(passes_[from - 2].exit, passes_[to - 2].entry);
 }
 
 double LinkTour::cost(PatternId from, PatternId to) const {
   const auto known = learnt_.find({from, to});
   if (known != learnt_.end()) return known->second;
-  return bounds_.empty() ? bound(from, to) : bounds_[from * (ways_.size() + 2) + to];
+  return bounds_.empty() ? bound(from, to) : bounds_[from * (passes_.size() + 2) + to];
 }
 
 bool LinkTour::learn(const TourProblem& problem, const Tour& tour) {
@@ -85,8 +85,8 @@ bool LinkTour::learn(const TourProblem& problem, const Tour& tour) {
   for (std::size_t i = 0; i + 1 < tour.size() && !context_.cancelled(); ++i) {
     const PatternId from = problem.pattern_of(tour[i]), to = problem.pattern_of(tour[i + 1]);
     if (learnt_.contains({from, to})) continue;
-    const Pose& entry = ways_[to - 2].entry;
-    const auto found = from < 2 ? link_from_start(entry) : link_between(ways_[from - 2].exit, entry);
+    const Pose& entry = passes_[to - 2].entry;
+    const auto found = from < 2 ? link_from_start(entry) : link_between(passes_[from - 2].exit, entry);
     const double real = found ? space_.cost(*found) : kBlocked;
     learnt_[{from, to}] = learnt_[{reverse_[to], reverse_[from]}] = real;
     new_one = true;
@@ -101,15 +101,15 @@ std::vector<DrivenStroke> LinkTour::order() {
   Tour tour = solve_tour(problem, context_);
   for (int round = 0; round < kRounds && learn(problem, tour); ++round)
     tour = improved_tour(problem, tour, context_, {.kicks = 20 * strokes_.size()});
-  // A tour may come out the other way round: then it leaves from the start's second pattern.
+  // A tour may come out the other direction: then it leaves from the start's second pattern.
   if (problem.pattern_of(tour.front()) == 1) {
     for (TourStop& stop : tour) stop = problem.stop_of(reverse_[problem.pattern_of(stop)]);
     std::reverse(tour.begin() + 1, tour.end());
   }
   std::vector<DrivenStroke> result;
   for (std::size_t i = 1; i < tour.size(); ++i) {
-    const Way& way = ways_[problem.pattern_of(tour[i]) - 2];
-    result.push_back({way.stroke, points(way)});
+    const Pass& pass = passes_[problem.pattern_of(tour[i]) - 2];
+    result.push_back({pass.stroke, points(pass)});
   }
   return result;
 }

@@ -1,11 +1,11 @@
-/// In which order, and which way round, a car-like robot drives its strokes.
+/// In which order, and in which direction, a car-like robot drives its strokes.
 ///
 ///   LinkTour tour(strokes, space, start, context);
 ///   for (const DrivenStroke& s : tour.order()) ...
 ///
 /// A tour (tour/solve_tour.hpp) over all strokes: open ones from either end, closed ones from some points in both
-/// directions. Connections first cost what a curve without obstacles costs. Those of the tour are then tested; what they
-/// really cost takes the place of the bound, and the tour is improved, until all its connections are known.
+/// directions. Connections first cost what a curve without obstacles costs. Those of the tour are then tested and cost
+/// what the curve found does, and the tour is improved, until all its connections are known.
 #pragma once
 
 #include <map>
@@ -32,7 +32,8 @@ class LinkTour {
   std::optional<Curve> link(const DrivenStroke* from, const DrivenStroke& to) const;
 
  private:
-  struct Way {
+  /// One pattern of a stroke.
+  struct Pass {
     std::size_t stroke;
     double from;  // metres along a closed stroke
     bool backwards;
@@ -40,8 +41,8 @@ class LinkTour {
   };
   using Key = std::pair<PatternId, PatternId>;
 
-  void add_ways(std::size_t stroke);
-  Polyline points(const Way& way) const;
+  void add_passes(std::size_t stroke);
+  Polyline points(const Pass& pass) const;
   double bound(PatternId from, PatternId to) const;
   double cost(PatternId from, PatternId to) const;
   /// Tests the connections of the tour; false if all were known.
@@ -53,7 +54,7 @@ class LinkTour {
   const CarSpace& space_;
   Point start_;
   Context& context_;
-  std::vector<Way> ways_;  // pattern p is ways_[p - 2]; patterns 0 and 1 are the start
+  std::vector<Pass> passes_;  // pattern p is passes_[p - 2]; patterns 0 and 1 are the start
   std::vector<std::size_t> counts_{2};
   std::vector<PatternId> reverse_{1, 0};
   std::vector<double> bounds_;    // by pattern pairs, if there are not too many

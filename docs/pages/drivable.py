@@ -6,11 +6,11 @@ from results import by_problem, escaped, fixed, greatest, groups, least, median,
 
 INTRODUCTION = """\
 A tractor of radius 1 m with a tool 3 m wide and a least turning radius of 4 m (`tractor`), the same with a reverse gear
-(`reverse`), and one that turns on the spot (`spot`), on the same fields with the same planners. All three drive the lanes
-that the planner lays out; the first two by the shared step that makes any path drivable: lanes in an order that leaves
-room for turns, Dubins or Reeds-Shepp curves between them, the tool lifted. `length`, `time`: over those of `spot` on the
-same map. `coverage`: of the target; what cannot be reached without a reverse gear stays uncovered. `violations`: bends
-sharper than the robot can drive.
+(`reverse`), and one that turns on the spot (`spot`), on the same fields with the same planners. All three drive the
+lanes that the planner lays out; the first two by the shared step that makes any path drivable: lanes in an order that
+leaves room for turns, Dubins or Reeds-Shepp curves between them, the tool lifted. `length`, `time`: over those of `spot`
+on the same map. `coverage`: of the target; what cannot be reached without a reverse gear stays uncovered. `violations`:
+bends sharper than the robot can drive.
 """
 
 
@@ -24,15 +24,16 @@ def summary(rows):
     lines = []
     for (variant, robot), runs in groups(rows, lambda row: (row["variant"], row["robot"])).items():
         valid = [row for row in runs if row.valid]
+        coverage = [row.number("coverage") for row in valid]
         lines.append([escaped(variant), robot, f"{len(valid)} of {len(runs)}",
-                      fixed(median(ratios(runs, bases, "path_m")), 3), fixed(median(ratios(runs, bases, "mission_s")), 3),
-                      fixed(median(row.number("coverage") for row in valid), 4),
-                      fixed(least(row.number("coverage") for row in valid), 4),
+                      fixed(median(ratios(runs, bases, "path_m")), 3),
+                      fixed(median(ratios(runs, bases, "mission_s")), 3),
+                      fixed(median(coverage), 4), fixed(least(coverage), 4),
                       fixed(greatest(row.number("curvature_violations") for row in valid), 0),
                       fixed(median(row.number("cusps") for row in valid), 0),
                       fixed(median(row.number("plan_cpu_s") for row in runs), 1)])
-    return table("llrrrrrrrr", ["planner", "robot", "valid", "length", "time", "coverage", "least", "violations", "cusps",
-                                "cpu s"], lines)
+    return table("llrrrrrrrr", ["planner", "robot", "valid", "length", "time", "coverage", "least", "violations",
+                                "cusps", "cpu s"], lines)
 
 
 def outcomes(rows):
@@ -44,7 +45,8 @@ def outcomes(rows):
             lines.append([escaped(title), escaped(row["variant"]), row["outcome"], fixed(row.number("path_m"), 0),
                           fixed(row.number("transit_m"), 0), fixed(row.number("mission_s"), 0),
                           fixed(row.number("coverage"), 4), escaped(row["reason"])])
-    return table("lllrrrrl", ["map", "planner", "outcome", "path m", "transit m", "time s", "coverage", "reason"], lines)
+    return table("lllrrrrl", ["map", "planner", "outcome", "path m", "transit m", "time s", "coverage", "reason"],
+                 lines)
 
 
 def page(rows):
