@@ -89,14 +89,12 @@ std::optional<Curve> CarSpace::detour(const std::vector<Pose>& from, const Pose&
   return lattice_search(*this, from, to, context);
 }
 
-bool CarSpace::can_go_on(const Pose& from) const {
-  if (reverse_) return true;  // it came from somewhere
-  const double quarter = kPi / 2 * radius_;
-  for (const Steering first : {Steering::straight, Steering::left, Steering::right}) {
-    const CurvePiece piece{first, quarter};
-    if (!free(from, piece)) continue;
-    for (const Steering second : {Steering::straight, Steering::left, Steering::right})
-      if (free(after(from, piece, radius_), {second, quarter})) return true;
+bool CarSpace::can_go_on(const Pose& from, double metres) const {
+  if (reverse_ || metres <= 0) return true;  // in reverse: it came from somewhere
+  const double length = kPi / 4 * radius_;
+  for (const Steering steering : {Steering::straight, Steering::left, Steering::right}) {
+    const CurvePiece piece{steering, length};
+    if (free(from, piece) && can_go_on(after(from, piece, radius_), metres - length)) return true;
   }
   return false;
 }

@@ -41,8 +41,8 @@ class CarSpace {
   std::optional<Curve> simple_link(const Pose& from, const Pose& to) const;
   /// Step 3: from the pose from which it is cheapest.
   std::optional<Curve> detour(const std::vector<Pose>& from, const Pose& to, const Context& context) const;
-  /// The robot can go on from there for half a circle's length: by quarter turns and straight lines, or backwards.
-  bool can_go_on(const Pose& from) const;
+  /// The robot can go on from there for so many metres: by eighths of circles and straight lines as long, or backwards.
+  bool can_go_on(const Pose& from, double metres) const;
 
  private:
   void add_curves(const Pose& from, const Pose& to, std::vector<Curve>& out) const;

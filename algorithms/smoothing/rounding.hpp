@@ -7,8 +7,8 @@
 ///        .     /           point X where their lines meet, d being the change of heading. Edges too short for
 ///      a ----'             their arcs are left out, so one arc may replace several vertices.
 ///
-/// A vertex is kept if a curve of radius R, sampled as paths must be, may have it. Elsewhere, and where the arc meets an
-/// obstacle or the robot turns by more than 120 degrees, the polyline is cut. O(n) for n vertices.
+/// A vertex is kept if a curve of radius R, sampled as paths must be, may have it. Elsewhere, and where the arc meets
+/// an obstacle or the robot turns by more than 120 degrees, the polyline is cut. O(n) for n vertices.
 #pragma once
 
 #include <vector>

@@ -188,11 +188,11 @@ std::vector<Stroke> strokes_of(const Path& path, const Problem& problem, const C
 }
 
 void shorten_dead_ends(std::vector<Stroke>& strokes, const Problem& problem, const CarSpace& space) {
-  const double step = problem.robot().tool_width / 4;
+  const double step = problem.robot().tool_width / 4, turn = kPi * space.radius();
   for (Stroke& stroke : strokes) {
     if (stroke.closed) continue;
     for (int end = 0; end < 2 && !stroke.points.empty(); ++end) {
-      while (stroke.points.size() > 1 && !space.can_go_on(last_pose(stroke.points)))
+      while (stroke.points.size() > 1 && !space.can_go_on(last_pose(stroke.points), turn))
         shorten(stroke.points, step, space.radius());
       if (stroke.points.size() < 2) stroke.points.clear();
       std::ranges::reverse(stroke.points);
