@@ -9,6 +9,8 @@
 namespace oxturn {
 namespace {
 
+// Of the thousandth that paths may have, so that leaving out a sample near another one makes no bend too sharp.
+constexpr double kChordError = 0.8e-3;        // tool widths
 constexpr double kShifts[] = {0, 0.5, 1, 2};  // radii that a pose is moved along its lane's line
 
 /// One curve after the other.
@@ -31,7 +33,7 @@ Curve straight(const Pose& from, double shift, double radius) {
 CarSpace::CarSpace(const Problem& problem)
     : walls_(problem.walls()),
       radius_(problem.robot().min_turn_radius),
-      chord_error_(problem.robot().tool_width / 1000),
+      chord_error_(kChordError * problem.robot().tool_width),
       tolerance_(problem.tolerance() / 2),
       stop_cost_(problem.robot().speed * problem.robot().speed / problem.robot().acceleration),
       reverse_(problem.robot().reverse) {}
