@@ -1,6 +1,7 @@
 // Paths for robots with a least turning radius: valid by the scorer, whatever planner they come from.
 #include "algorithms/smoothing/drivable.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
