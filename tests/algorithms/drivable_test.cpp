@@ -8,9 +8,7 @@
 
 #include "algorithms/smoothing/car_space.hpp"
 #include "algorithms/smoothing/rounding.hpp"
-#include "maps/generators.hpp"
 #include "metrics/score.hpp"
-#include "tests/support/maps.hpp"
 #include "tests/support/planners.hpp"
 
 namespace oxturn {
