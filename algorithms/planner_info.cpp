@@ -16,7 +16,8 @@ bool PlannerInfo::has(Capability capability) const {
   return std::find(capabilities.begin(), capabilities.end(), capability) != capabilities.end();
 }
 
-Promise PlannerInfo::promised(const Settings& settings) const {
+Promise PlannerInfo::promised(const Settings& settings, const Robot& robot) const {
+  if (robot.min_turn_radius > 0) return Promise::nothing;
   return !promises_with || promises_with(settings) ? promise : Promise::nothing;
 }
 

@@ -45,8 +45,9 @@ struct PlannerInfo {
   /// what it does. Empty: it is part of oxturn.
   std::string origin = {}, identity = {};
 
-  /// What it promises to cover with these settings. Throws as `make` does.
-  Promise promised(const Settings& settings) const;
+  /// What it promises to cover with these settings. Nothing if the robot has a least turning radius: corners stay
+  /// uncovered. Throws as `make` does.
+  Promise promised(const Settings& settings, const Robot& robot = {}) const;
   bool has(Capability capability) const;
 };
 

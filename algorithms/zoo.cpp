@@ -1,5 +1,6 @@
 // The list of built-in planners. A new one is a file of its own, a declaration and an entry here.
 #include "algorithms/coverage_planner.hpp"
+#include "algorithms/drivable_planner.hpp"
 
 namespace oxturn {
 
@@ -32,14 +33,28 @@ PlannerInfo spiral_out();
 PlannerInfo wall_follow();
 PlannerInfo vacuum_mix();
 
+namespace {
+
+/// Offline planners drive robots with a least turning radius too.
+Planners with_curves(const Planners& planners) {
+  Planners all("planner", {});
+  for (const PlannerInfo& planner : planners) {
+    const bool offline = !planner.has(Capability::online) && !planner.has(Capability::tether);
+    all.add(offline ? drivable_planner(planner) : planner);
+  }
+  return all;
+}
+
+}  // namespace
+
 Planners built_in_planners() {
-  return Planners(
-      "planner",
-      {boustrophedon(), zigzag(),        contour(),      completed(),           trapezoid(),   stc(),
-       stc_spiral(),    stc_scan(),      stc_loops(),    rectangles(),          wavefront(),   bsa(),
-       linked_spiral(), ba_star(),       smart_dfs(),    cell_explore(),        hyun(),        leashed(),
-       berg(),          berg_complete(), shnaps_rimon(), shnaps_rimon_banded(), tether_tree(), tethered_stc(),
-       random_walk(),   spiral_out(),    wall_follow(),  vacuum_mix()});
+  return with_curves(
+      Planners("planner",
+               {boustrophedon(), zigzag(),        contour(),      completed(),           trapezoid(),   stc(),
+                stc_spiral(),    stc_scan(),      stc_loops(),    rectangles(),          wavefront(),   bsa(),
+                linked_spiral(), ba_star(),       smart_dfs(),    cell_explore(),        hyun(),        leashed(),
+                berg(),          berg_complete(), shnaps_rimon(), shnaps_rimon_banded(), tether_tree(), tethered_stc(),
+                random_walk(),   spiral_out(),    wall_follow(),  vacuum_mix()}));
 }
 
 }  // namespace oxturn

@@ -141,7 +141,7 @@ Row row_of(const Work& work, std::size_t index, const Setting& setting) {
                {"planner_family", planner.family},
                {"variant", spec.variant()},
                {"params", to_text(spec.said())},
-               {"promise", to_text(planner.promised(spec.settings))},
+               {"promise", to_text(planner.promised(spec.settings, setting.problem->robot()))},
                {"robot", robot.name},
                {"tool_width_m", to_decimal(robot.tool_width)},
                {"repeat", std::to_string(cell.repeat)}};

@@ -92,7 +92,7 @@ Report run_planner(const Options& options, const PlannerInfo& planner, const Set
         {"plan_wall_s", planned.wall_s}, {"plan_cpu_s", planned.cpu_s}, {"peak_rss_bytes", planned.peak_rss_bytes}};
   report.records = planned.records;
   if (is_scored(planned)) {
-    const ScoreOptions scoring = score_options(planned, planner.promised(settings));
+    const ScoreOptions scoring = score_options(planned, planner.promised(settings, problem.robot()));
     report.about.emplace_back("promise", to_text(scoring.promise));
     report.score = score(problem, *planned.path, registry.metrics, scoring);
     if (!options.output.empty()) write_path(options.output, *planned.path, problem, source);

@@ -130,13 +130,14 @@ struct Problem::Impl {
   std::shared_ptr<const ProblemBasis> basis;
   std::shared_ptr<const Region> space;
   Point start;
+  Robot robot;
   mutable std::once_flag transit_once, walls_once;
   mutable std::optional<Mesh> mesh;  // of the space, if the search for a start made it; shortest paths take it
   mutable std::unique_ptr<const ShortestPaths> transit;
   mutable std::unique_ptr<const EdgeIndex> walls;
 
-  Impl(std::shared_ptr<const ProblemBasis> b, std::shared_ptr<const Region> s, const Point& from)
-      : basis(std::move(b)), space(std::move(s)), start(from) {}
+  Impl(std::shared_ptr<const ProblemBasis> b, std::shared_ptr<const Region> s, const Point& from, Robot r)
+      : basis(std::move(b)), space(std::move(s)), start(from), robot(std::move(r)) {}
 };
 
 namespace {
@@ -198,14 +199,14 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
   basis->robot = std::move(robot);
   if (basis->robot.tether) attach_tether(*basis);
   const bool meshed = found && found->component == component && !limited_by_tether(*basis);
-  impl_ = std::make_shared<const Impl>(basis, basis->space, basis->start);
+  impl_ = std::make_shared<const Impl>(basis, basis->space, basis->start, basis->robot);
   if (meshed) impl_->mesh = std::move(found->mesh);
 }
 
 Problem::Problem(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
 const Map& Problem::map() const { return impl_->basis->map; }
-const Robot& Problem::robot() const { return impl_->basis->robot; }
+const Robot& Problem::robot() const { return impl_->robot; }
 const Point& Problem::start() const { return impl_->start; }
 const Point& Problem::anchor() const { return impl_->basis->anchor; }
 const Region& Problem::configuration_space() const { return *impl_->space; }
@@ -237,8 +238,14 @@ Problem Problem::restricted(Region configuration_space) const {
 Problem Problem::restricted(Region configuration_space, const Point& start) const {
   if (!holds(configuration_space, start, tolerance()))
     throw_invalid("restricted configuration space of '{}' does not hold the start {}", map().name, to_text(start));
-  return Problem(std::make_shared<const Impl>(impl_->basis,
-                                              std::make_shared<const Region>(std::move(configuration_space)), start));
+  return Problem(std::make_shared<const Impl>(
+      impl_->basis, std::make_shared<const Region>(std::move(configuration_space)), start, robot()));
+}
+
+Problem Problem::turning_on_the_spot() const {
+  Robot robot = impl_->robot;
+  robot.min_turn_radius = 0;
+  return Problem(std::make_shared<const Impl>(impl_->basis, impl_->space, start(), std::move(robot)));
 }
 
 std::string Problem::content_hash() const {

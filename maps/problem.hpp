@@ -60,6 +60,9 @@ class Problem {
   /// The same with another start.
   Problem restricted(Region configuration_space, const Point& start) const;
 
+  /// The same problem for a robot without min_turn_radius.
+  Problem turning_on_the_spot() const;
+
   /// SHA-256 of map, robot, start and anchor in canonical form.
   std::string content_hash() const;
 

@@ -110,6 +110,7 @@ const std::vector<Parameter<Robot>>& robot_parameters() {
       {"acceleration", &Robot::acceleration, Range{0, kLargest, true}, "metres per second squared"},
       {"turn_rate", &Robot::turn_rate, Range{0, kLargest, true}, "radians per second"},
       {"min_turn_radius", &Robot::min_turn_radius, Range{0, kLargest}, "metres; 0: turns on the spot"},
+      {"reverse", &Robot::reverse, "with min_turn_radius above 0: it can drive backwards too"},
       grouped("tether_length", &Robot::tether, &Tether::length, Range{0, kLargest}, "metres of tether"),
       grouped("tether_reach", &Robot::tether, &Tether::reach, Range{0, kLargest},
               "in place of a length: as a multiple of the geodesic distance from the anchor to the farthest point"),
@@ -166,6 +167,7 @@ Settings settings_of(const Robot& robot) {
 std::string canonical_text(const Robot& robot) {
   Settings all = settings_of(robot);
   all.erase("name");
+  if (!(robot.min_turn_radius > 0)) all.erase("reverse");  // has no effect then
   return to_text(all);
 }
 

@@ -33,6 +33,7 @@ struct Robot {
   double acceleration = 0.5;   // m/s^2, > 0
   double turn_rate = 1.5;      // rad/s, > 0
   double min_turn_radius = 0;  // metres, >= 0; 0: turns on the spot
+  bool reverse = false;        // with min_turn_radius: it can drive backwards too
   std::optional<Tether> tether;
   std::optional<Lidar> lidar;
   /// Empty: a disc. Else a convex polygon about the robot's centre, which lies strictly inside; counter-clockwise,

@@ -13,7 +13,7 @@ extern const Metric kCoverage, kCoverageLower, kCoverageUpper, kCoverageOfFree, 
 extern const Metric kPathM, kWorkM, kTransitM, kLengthRatio, kOverlap, kRevisits;
 extern const Metric kPromiseCoverage, kPath90M, kPath95M, kPath99M, kMission90S, kMission95S, kMission99S;
 extern const Metric kMissedPieces, kMissedLargestM2;
-extern const Metric kTurns, kTurnRad, kClearanceM, kMissionS;
+extern const Metric kTurns, kTurnRad, kCurvatureMaxPerM, kCurvatureViolations, kCusps, kClearanceM, kMissionS;
 extern const Metric kTetherLimitM, kTetherMaxM, kTetherBendsMax, kTetherAngleMinRad, kTetherAngleMeanRad;
 extern const Metric kTetherSharpFraction, kTetherCrossings, kTetherEntangled;
 
@@ -40,6 +40,9 @@ Metrics built_in_metrics() {
                             kMissedLargestM2,
                             kTurns,
                             kTurnRad,
+                            kCurvatureMaxPerM,
+                            kCurvatureViolations,
+                            kCusps,
                             kClearanceM,
                             kMissionS,
                             kTetherLimitM,

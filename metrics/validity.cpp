@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/point_outside.hpp"
+#include "metrics/curvature.hpp"
 #include "metrics/footprint.hpp"
 #include "metrics/score.hpp"
 #include "metrics/walls.hpp"
@@ -59,6 +60,30 @@ std::string find_disc_flaw(const Point& a, const Point& b, double radius, double
                      wall ? wall->distance : 0.0);
 }
 
+/// Of a robot that cannot turn on the spot.
+std::string find_turn_flaw(const Problem& problem, const Path& path, double tolerance) {
+  const Robot& robot = problem.robot();
+  if (!(robot.min_turn_radius > 0)) return "";
+  for (const Leg& leg : path.legs)
+    if (leg.gear == Gear::reverse && !robot.reverse)
+      return fmt::format("drives backwards at {}, robot '{}' only forwards (reverse = false)", text(leg.points.front()),
+                         robot.name);
+  for (const Bend& bend : bends(path, tolerance, robot.tool_width))
+    if (too_sharp(bend, robot))
+      return fmt::format("turns too sharply at {}: radius {:.3g} m, min_turn_radius {:.6g} m", text(bend.at),
+                         1 / bend.curvature, robot.min_turn_radius);
+  return "";
+}
+
+std::string find_disc_flaw(const Problem& problem, const Path& path, const EdgeIndex& walls, double tolerance) {
+  for (const Leg& leg : path.legs)
+    for (std::size_t i = 1; i < leg.points.size(); ++i) {
+      std::string flaw = find_disc_flaw(leg.points[i - 1], leg.points[i], problem.robot().radius, tolerance, walls);
+      if (!flaw.empty()) return flaw;
+    }
+  return "";
+}
+
 }  // namespace
 
 std::string find_flaw(const Problem& problem, const Path& path, const EdgeIndex& walls, double tolerance) {
@@ -66,12 +91,8 @@ std::string find_flaw(const Problem& problem, const Path& path, const EdgeIndex&
   const Point& start = path.legs.front().points.front();
   if (!nearly_contains(walls, start, tolerance)) return fmt::format("starts at {}, inside a wall", text(start));
   if (!problem.robot().footprint.empty()) return find_footprint_flaw(problem, path, walls, tolerance);
-  for (const Leg& leg : path.legs)
-    for (std::size_t i = 1; i < leg.points.size(); ++i) {
-      std::string flaw = find_disc_flaw(leg.points[i - 1], leg.points[i], problem.robot().radius, tolerance, walls);
-      if (!flaw.empty()) return flaw;
-    }
-  return "";
+  std::string flaw = find_disc_flaw(problem, path, walls, tolerance);
+  return flaw.empty() ? find_turn_flaw(problem, path, tolerance) : flaw;
 }
 
 double clearance(const Problem& problem, const Path& path, const EdgeIndex& walls) {

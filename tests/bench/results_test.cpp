@@ -35,7 +35,7 @@ TEST(Results, HeaderIsTheContract) {
       "coverage,coverage_lower,coverage_upper,coverage_of_free,target_m2,"
       "path_m,work_m,transit_m,length_ratio,overlap,revisits,promise_coverage,"
       "path_90_m,path_95_m,path_99_m,mission_90_s,mission_95_s,mission_99_s,missed_pieces,missed_largest_m2,"
-      "turns,turn_rad,clearance_m,mission_s,"
+      "turns,turn_rad,curvature_max_per_m,curvature_violations,cusps,clearance_m,mission_s,"
       "tether_limit_m,tether_max_m,tether_bends_max,tether_angle_min_rad,tether_angle_mean_rad,"
       "tether_sharp_fraction,tether_crossings,tether_entangled,"
       "plan_wall_s,plan_cpu_s,peak_rss_bytes,score_s,load,path_sha256,path_file\n");

@@ -131,6 +131,14 @@ TEST(Layers, CgalAndClipperStayInGeometrysSources) {
   }
 }
 
+TEST(Layers, OmplStaysInSourcesOfSmoothing) {
+  for (const Include& include : includes()) {
+    if (include.name.rfind("ompl/", 0) != 0) continue;
+    EXPECT_TRUE(include.folder() == "algorithms/smoothing" && include.file.ends_with(".cpp"))
+        << include.file << " includes <" << include.name << ">";
+  }
+}
+
 // Two types of one name share their templates' code as far as the linker sees: vectors of one would run on the other's
 // size.
 TEST(Layers, NoTypeNameIsTakenTwice) {

@@ -134,8 +134,8 @@ TEST(GeoJson, BadPropertiesAreNamed) {
   EXPECT_EQ(
       with(R"({"robot":{"radius":0.2,"toolwidth":0.4}})"),
       "m.geojson: unknown parameter 'toolwidth' of robot 'disc'; it has: name, radius, footprint, tool_width, speed, "
-      "acceleration, turn_rate, min_turn_radius, tether_length, tether_reach, tether_sharp_angle, lidar_range, "
-      "lidar_rays, lidar_noise");
+      "acceleration, turn_rate, min_turn_radius, reverse, tether_length, tether_reach, tether_sharp_angle, "
+      "lidar_range, lidar_rays, lidar_noise");
   EXPECT_EQ(with(R"({"robot":{"radius":"0.2"}})"),
             "m.geojson: parameter 'radius' of robot 'disc' is '0.2', expected a number from 0 to 1e+09");
   EXPECT_EQ(with(R"({"robot":{"tool_width":0}})"),

@@ -1,0 +1,104 @@
+#include "algorithms/smoothing/car_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/smoothing/lattice_search.hpp"
+#include "geometry/point_outside.hpp"
+
+namespace oxturn {
+namespace {
+
+// Of the thousandth that paths may have, so that leaving out a sample near another one makes no bend too sharp.
+constexpr double kChordError = 0.8e-3;        // tool widths
+constexpr double kShifts[] = {0, 0.5, 1, 2};  // radii that a pose is moved along its lane's line
+
+/// One curve after the other.
+Curve joined(Curve first, const Curve& second) {
+  first.pieces.insert(first.pieces.end(), second.pieces.begin(), second.pieces.end());
+  first.to = second.to;
+  return first;
+}
+
+/// Straight ahead by `shift` metres; backwards if it is negative.
+Curve straight(const Pose& from, double shift, double radius) {
+  return {from,
+          ahead(from, shift),
+          radius,
+          {{Steering::straight, std::abs(shift), shift < 0 ? Gear::reverse : Gear::forward}}};
+}
+
+}  // namespace
+
+CarSpace::CarSpace(const Problem& problem)
+    : walls_(problem.walls()),
+      radius_(problem.robot().min_turn_radius),
+      chord_error_(kChordError * problem.robot().tool_width),
+      tolerance_(problem.tolerance() / 2),
+      stop_cost_(problem.robot().speed * problem.robot().speed / problem.robot().acceleration),
+      reverse_(problem.robot().reverse) {}
+
+bool CarSpace::free(const Polyline& line) const {
+  for (std::size_t i = 1; i < line.size(); ++i)
+    if (point_outside(walls_, line[i - 1], line[i], tolerance_)) return false;
+  return true;
+}
+
+bool CarSpace::free(const Curve& curve) const {
+  for (const Leg& leg : sampled(curve, chord_error_, false))
+    if (!free(leg.points)) return false;
+  return true;
+}
+
+bool CarSpace::free(const Pose& from, const CurvePiece& piece) const {
+  return free(Curve{from, after(from, piece, radius_), radius_, {piece}});
+}
+
+double CarSpace::lower_bound(const Pose& from, const Pose& to) const {
+  return (reverse_ ? reeds_shepp_curve(from, to, radius_) : dubins_curve(from, to, radius_)).length();
+}
+
+double CarSpace::cost(const Curve& curve) const {
+  return curve.length() + stop_cost_ * static_cast<double>(curve.cusps());
+}
+
+void CarSpace::add_curves(const Pose& from, const Pose& to, std::vector<Curve>& out) const {
+  if (reverse_) out.push_back(reeds_shepp_curve(from, to, radius_));
+  for (Curve& word : dubins_words(from, to, radius_)) out.push_back(std::move(word));
+}
+
+std::optional<Curve> CarSpace::simple_link(const Pose& from, const Pose& to) const {
+  std::vector<double> shifts;
+  for (const double shift : kShifts) {
+    shifts.push_back(shift * radius_);
+    if (reverse_ && shift > 0) shifts.push_back(-shift * radius_);
+  }
+  std::vector<Curve> all;
+  for (const double out : shifts)
+    for (const double in : shifts) {
+      const Curve first = straight(from, out, radius_), last = straight(ahead(to, -in), in, radius_);
+      std::vector<Curve> middle;
+      add_curves(first.to, last.from, middle);
+      for (const Curve& curve : middle) all.push_back(joined(joined(first, curve), last));
+    }
+  std::ranges::stable_sort(all, {}, [&](const Curve& curve) { return cost(curve); });
+  for (const Curve& curve : all)
+    if (free(curve)) return curve;
+  return std::nullopt;
+}
+
+std::optional<Curve> CarSpace::detour(const std::vector<Pose>& from, const Pose& to, const Context& context) const {
+  return lattice_search(*this, from, to, context);
+}
+
+bool CarSpace::can_go_on(const Pose& from, double metres) const {
+  if (reverse_ || metres <= 0) return true;  // in reverse: it came from somewhere
+  const double length = kPi / 4 * radius_;
+  for (const Steering steering : {Steering::straight, Steering::left, Steering::right}) {
+    const CurvePiece piece{steering, length};
+    if (free(from, piece) && can_go_on(after(from, piece, radius_), metres - length)) return true;
+  }
+  return false;
+}
+
+}  // namespace oxturn

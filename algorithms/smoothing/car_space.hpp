@@ -1,0 +1,57 @@
+/// Where a car-like robot can drive: curves against configuration space, and links between two poses.
+///
+///   const CarSpace space(problem, Detour::lattice, context);
+///   if (const auto link = space.link(lane_end, next_begin)) drive(*link);
+///
+/// A curve is driven as chords that leave it by a thousandth of the tool's width at most; these are tested against
+/// configuration space exactly, but for half the problem's tolerance.
+/// A link is the first of these that is free:
+///   1. Dubins words, shortest first; in reverse: the shortest Reeds-Shepp curve
+///   2. the same between poses further ahead on the lane's line (or, in reverse, also further back), shortest first
+///   3. a detour: hybrid A* over position and heading (lattice_search.hpp), or OMPL's planner
+/// Complexity  some dozens of curves of a few microseconds and O(length) segment tests; a detour up to a second
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "algorithms/context.hpp"
+#include "algorithms/smoothing/curve.hpp"
+#include "maps/problem.hpp"
+
+namespace oxturn {
+
+class CarSpace {
+ public:
+  /// `problem` must outlive it.
+  explicit CarSpace(const Problem& problem);
+
+  double radius() const { return radius_; }
+  bool reverse() const { return reverse_; }
+  double chord_error() const { return chord_error_; }
+  bool free(const Curve& curve) const;
+  bool free(const Pose& from, const CurvePiece& piece) const;
+  bool free(const Polyline& line) const;
+  /// Without obstacles: the length of the shortest curve.
+  double lower_bound(const Pose& from, const Pose& to) const;
+  /// The length of a curve, and for each cusp the metres lost by stopping.
+  double cost(const Curve& curve) const;
+
+  /// Steps 1 and 2. nullopt: none of them is free.
+  std::optional<Curve> simple_link(const Pose& from, const Pose& to) const;
+  /// Step 3: from the pose from which it is cheapest.
+  std::optional<Curve> detour(const std::vector<Pose>& from, const Pose& to, const Context& context) const;
+  /// The robot can go on from there for so many metres: by eighths of circles and straight lines as long, or backwards.
+  bool can_go_on(const Pose& from, double metres) const;
+
+ private:
+  void add_curves(const Pose& from, const Pose& to, std::vector<Curve>& out) const;
+
+  const EdgeIndex& walls_;
+  double radius_, chord_error_;
+  double tolerance_;  // laps along the boundary are off it by rounding
+  double stop_cost_;
+  bool reverse_;
+};
+
+}  // namespace oxturn

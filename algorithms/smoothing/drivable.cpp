@@ -1,0 +1,106 @@
+#include "algorithms/smoothing/drivable.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "algorithms/drivable_planner.hpp"
+#include "algorithms/smoothing/link_tour.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr double kMostLeftOut = 0.1;  // of the strokes' length
+
+double total_length(const std::vector<Stroke>& strokes) {
+  double sum = 0;
+  for (const Stroke& stroke : strokes) sum += length(stroke.points);
+  return sum;
+}
+
+/// Strokes left out because the robot does not get there.
+class LeftOut {
+ public:
+  explicit LeftOut(double all) : all_(all) {}
+  void add(double metres, const Point& where) {
+    if (metres_ == 0) first_ = where;
+    metres_ += metres;
+    if (metres_ > kMostLeftOut * all_)
+      throw Infeasible(fmt::format("no drivable connection with a lane at ({:.6g}, {:.6g})", first_.x(), first_.y()));
+  }
+  double metres() const { return metres_; }
+
+ private:
+  double all_, metres_ = 0;
+  Point first_{0, 0};
+};
+
+void drive(PathBuilder& path, const std::vector<Leg>& legs) {
+  for (const Leg& leg : legs) path.drive(leg.points, leg.tool, leg.gear);
+}
+
+class Drivable final : public CoveragePlanner {
+ public:
+  explicit Drivable(std::unique_ptr<CoveragePlanner> inner) : inner_(std::move(inner)) {}
+
+  Path plan(const Problem& problem, Context& context) const override {
+    if (!(problem.robot().min_turn_radius > 0)) return inner_->plan(problem, context);
+    Context::Sinks sinks = context.without_promise();
+    sinks.publish = {};  // its paths cannot be driven
+    Context inner(context.seed(), context.seconds_left(), std::move(sinks));
+    return drivable(problem, inner_->plan(problem.turning_on_the_spot(), inner), context);
+  }
+
+ private:
+  std::unique_ptr<CoveragePlanner> inner_;
+};
+
+}  // namespace
+
+Path drivable(const Problem& problem, const Path& path, Context& context) {
+  const CarSpace space(problem);
+  std::vector<Stroke> strokes = strokes_of(path, problem, space);
+  LeftOut left_out(total_length(strokes));
+  const std::vector<Stroke> whole = strokes;
+  shorten_dead_ends(strokes, problem, space);
+  for (std::size_t s = 0; s < strokes.size(); ++s)
+    if (strokes[s].points.empty()) left_out.add(length(whole[s].points), whole[s].points.front());
+  std::erase_if(strokes, [](const Stroke& stroke) { return stroke.points.empty(); });
+  if (context.wants_traces()) {
+    std::vector<Polyline> lines;
+    for (const Stroke& stroke : strokes) lines.push_back(stroke.points);
+    context.trace("strokes", std::move(lines));
+  }
+
+  LinkTour tour(strokes, space, problem.start(), context);
+  PathBuilder builder(problem.start());
+  const std::vector<DrivenStroke> order = tour.order();
+  const DrivenStroke* last = nullptr;
+  for (const DrivenStroke& stroke : order) {
+    if (context.cancelled()) break;
+    const auto link = tour.link(last, stroke);
+    if (!link) {
+      left_out.add(length(stroke.points), stroke.points.front());
+      continue;
+    }
+    drive(builder, sampled(*link, space.chord_error(), false));
+    builder.drive(stroke.points, true);
+    last = &stroke;
+  }
+  if (left_out.metres() > 0) context.record("lanes_left_out_m", left_out.metres());
+  Path result = builder.take();
+  if (result.legs.empty() && !context.cancelled())
+    throw Infeasible(fmt::format("no lane that the robot can drive from the start ({:.6g}, {:.6g})",
+                                 problem.start().x(), problem.start().y()));
+  return result;
+}
+
+PlannerInfo drivable_planner(PlannerInfo info) {
+  info.capabilities.push_back(Capability::curvature);
+  info.make = [make = std::move(info.make)](const Settings& settings, const Planners& planners) {
+    return std::make_unique<Drivable>(make(settings, planners));
+  };
+  return info;
+}
+
+}  // namespace oxturn

@@ -1,0 +1,30 @@
+/// Makes a path drivable for a robot with a least turning radius, whatever planner it comes from.
+///
+///   const Path path = drivable(problem, planned, context);
+///
+///     planned           drivable, forward only       with reverse
+///     |  |  |  |            .-.   .---.                |  |
+///     |  |  |  |           (   ) /     \               |  |
+///     '--'  '--'            '. .'       |               \ | ->
+///
+/// What the planner drives with the tool on is cut into strokes (strokes.hpp): lanes, laps, whatever the robot can
+/// follow. They keep their course; a tour over Dubins or Reeds-Shepp links chooses their order and direction, so that
+/// lanes too near to each other for a turn are not driven one after the other. Links are driven with the tool off and
+/// tested exactly (car_space.hpp); where one is blocked the tour is improved with what it really costs. What turning
+/// leaves uncovered stays so. The robot starts with the heading that suits it.
+///
+/// Source      ours; lane orders after Bochtis and Vougioukas 2008, links after Dubins 1957, Reeds and Shepp 1990
+/// Guarantee   the path keeps min_turn_radius and stays in configuration space
+/// Complexity  for m strokes, m^2 curves and some tens of m exact link tests
+#pragma once
+
+#include "algorithms/context.hpp"
+#include "maps/problem.hpp"
+
+namespace oxturn {
+
+/// Throws Infeasible with the position if the robot cannot get to, or not out of, more than a tenth of the strokes by
+/// length. Records "lanes_left_out_m" if it is less. Traces "strokes". Ends early if cancelled.
+Path drivable(const Problem& problem, const Path& path, Context& context);
+
+}  // namespace oxturn

@@ -1,0 +1,94 @@
+// The six words of Dubins curves in closed form.
+//
+// Source      Shkel and Lumelsky, Classification of the Dubins set, Robotics and Autonomous Systems 34(4), 2001
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "algorithms/smoothing/curve.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr double kFullTurn = 2 * kPi;
+
+/// In [0, 2 pi). An angle that rounding has left just below a full turn is none: else aligned poses get a circle more.
+double turn(double angle) {
+  const double a = angle - kFullTurn * std::floor(angle / kFullTurn);
+  return a > kFullTurn - 1e-9 ? 0 : a;
+}
+
+/// In the frame where the straight line from the first to the second position is the x axis and the radius is 1.
+class Words {
+ public:
+  Words(const Pose& from, const Pose& to, double radius) : curve_{from, to, radius, {}} {
+    const Point line = (to.at - from.at) / radius;
+    d_ = line.norm();
+    const double theta = d_ > 0 ? std::atan2(line.y(), line.x()) : 0;
+    a_ = turn(from.heading - theta), b_ = turn(to.heading - theta);
+  }
+
+  std::vector<Curve> all() {
+    outer(1), outer(-1), inner(1), inner(-1), loop(1), loop(-1);
+    std::ranges::stable_sort(found_, {}, &Curve::length);
+    return std::move(found_);
+  }
+
+ private:
+  /// Mirrored words are the same with both angles negated.
+  static Steering side(int sense) { return sense > 0 ? Steering::left : Steering::right; }
+  void add(const std::array<Steering, 3>& steering, const std::array<double, 3>& lengths) {
+    Curve curve = curve_;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double length = steering[i] == Steering::straight ? lengths[i] : turn(lengths[i]);
+      curve.pieces.push_back({steering[i], curve.radius * length});
+    }
+    found_.push_back(std::move(curve));
+  }
+
+  /// LSL (sense 1) and RSR.
+  void outer(int sense) {
+    const double a = sense * a_, b = sense * b_;
+    const Point line(d_ + std::sin(a) - std::sin(b), std::cos(b) - std::cos(a));
+    const double heading = std::atan2(line.y(), line.x());
+    add({side(sense), Steering::straight, side(sense)}, {heading - a, line.norm(), b - heading});
+  }
+  /// LSR (sense 1) and RSL.
+  void inner(int sense) {
+    const double a = sense * a_, b = sense * b_;
+    const Point centres(d_ + std::sin(a) + std::sin(b), -std::cos(a) - std::cos(b));
+    const double squared = centres.squaredNorm() - 4;
+    if (squared < 0) return;
+    const double length = std::sqrt(squared);
+    const double heading = std::atan2(centres.y(), centres.x()) + std::atan2(2, length);
+    add({side(sense), Steering::straight, side(-sense)}, {heading - a, length, heading - b});
+  }
+  /// LRL (sense 1) and RLR.
+  void loop(int sense) {
+    const double a = sense * a_, b = sense * b_;
+    const Point centres(d_ + std::sin(a) - std::sin(b), std::cos(b) - std::cos(a));
+    const double apart = centres.norm();
+    if (apart > 4) return;
+    // Around the first centre until the middle circle touches, on the far side of the line of centres.
+    const double heading = std::atan2(centres.y(), centres.x()) + std::acos(apart / 4) + kPi / 2;
+    const double middle = turn(kPi + 2 * std::acos(apart / 4));
+    add({side(sense), side(-sense), side(sense)}, {heading - a, middle, b - heading + middle});
+  }
+
+  Curve curve_;
+  double d_ = 0, a_ = 0, b_ = 0;
+  std::vector<Curve> found_;
+};
+
+}  // namespace
+
+std::vector<Curve> dubins_words(const Pose& from, const Pose& to, double radius) {
+  return Words(from, to, radius).all();
+}
+
+Curve dubins_curve(const Pose& from, const Pose& to, double radius) {
+  return std::move(Words(from, to, radius).all().front());
+}
+
+}  // namespace oxturn

@@ -1,0 +1,139 @@
+#include "algorithms/smoothing/link_tour.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace oxturn {
+namespace {
+
+constexpr double kBlocked = 1e6;  // metres; dearer than any detour, so that a tour with few blocked links is preferred
+constexpr int kRounds = 12;
+constexpr double kEntrySpacing = 2;  // radii, between points where a closed stroke may be entered
+constexpr double kMostEntries = 12;
+constexpr double kLeastCut = 0.4;             // radii
+constexpr std::size_t kMostTabulated = 2000;  // patterns
+constexpr std::size_t kStartHeadings = 24;
+
+/// A closed stroke from another point, a lap on. Short edges may belong to a sampled curve and are not cut.
+Polyline rotated_lap(const Polyline& lap, double from, double radius) {
+  std::size_t i = 1;
+  while (i + 1 < lap.size() && distance(lap[i - 1], lap[i]) <= from) from -= distance(lap[i - 1], lap[i]), ++i;
+  const double edge = distance(lap[i - 1], lap[i]);
+  const bool cut = edge > kLeastCut * radius;
+  const Point begin = cut ? lerp(lap[i - 1], lap[i], std::clamp(from / edge, 0.25, 0.75)) : lap[i];
+  Polyline result{begin};
+  const std::size_t n = lap.size() - 1;
+  for (std::size_t k = 0; k < n; ++k)
+    if (const Point& p = lap[(i + k) % n]; p != result.back()) result.push_back(p);
+  if (result.back() != begin) result.push_back(begin);
+  return result;
+}
+
+}  // namespace
+
+LinkTour::LinkTour(const std::vector<Stroke>& strokes, const CarSpace& space, const Point& start, Context& context)
+    : strokes_(strokes), space_(space), start_(start), context_(context) {
+  for (std::size_t s = 0; s < strokes.size(); ++s) add_passes(s);
+  const std::size_t n = passes_.size() + 2;
+  if (n > kMostTabulated) return;
+  bounds_.resize(n * n);
+  for (PatternId p = 0; p < n; ++p)
+    for (PatternId q = 0; q < n; ++q) bounds_[p * n + q] = bound(p, q);
+}
+
+void LinkTour::add_passes(std::size_t stroke) {
+  const Stroke& s = strokes_[stroke];
+  const double whole = length(s.points);
+  const double entries =
+      s.closed ? std::clamp(std::round(whole / (kEntrySpacing * space_.radius())), 1.0, kMostEntries) : 1;
+  for (double k = 0; k < entries; ++k)
+    for (const bool backwards : {false, true}) {
+      Pass pass{stroke, k / entries * whole, backwards, {}, {}};
+      const Polyline line = points(pass);
+      pass.entry = first_pose(line), pass.exit = last_pose(line);
+      const auto p = static_cast<PatternId>(passes_.size() + 2);
+      reverse_.push_back(backwards ? p - 1 : p + 1);
+      passes_.push_back(pass);
+    }
+  counts_.push_back(static_cast<std::size_t>(2 * entries));
+}
+
+Polyline LinkTour::points(const Pass& pass) const {
+  const Stroke& s = strokes_[pass.stroke];
+  Polyline line = s.closed ? rotated_lap(s.points, pass.from, space_.radius()) : s.points;
+  if (pass.backwards) std::ranges::reverse(line);
+  return line;
+}
+
+double LinkTour::bound(PatternId from, PatternId to) const {
+  if (from < 2 && to < 2) return 0;
+  // Patterns 0 and 1: the tour begins at the start in the direction of pattern 0; it ends anywhere.
+  if (to < 2) return to == 0 ? 0 : distance(start_, passes_[reverse_[from] - 2].entry.at);
+  if (from < 2) return from == 1 ? 0 : distance(start_, passes_[to - 2].entry.at);
+  if (passes_[from - 2].stroke == passes_[to - 2].stroke) return 0;
+  return space_.lower_bound(passes_[from - 2].exit, passes_[to - 2].entry);
+}
+
+double LinkTour::cost(PatternId from, PatternId to) const {
+  const auto known = learnt_.find({from, to});
+  if (known != learnt_.end()) return known->second;
+  return bounds_.empty() ? bound(from, to) : bounds_[from * (passes_.size() + 2) + to];
+}
+
+bool LinkTour::learn(const TourProblem& problem, const Tour& tour) {
+  bool new_one = false;
+  for (std::size_t i = 0; i + 1 < tour.size() && !context_.cancelled(); ++i) {
+    const PatternId from = problem.pattern_of(tour[i]), to = problem.pattern_of(tour[i + 1]);
+    if (learnt_.contains({from, to})) continue;
+    const Pose& entry = passes_[to - 2].entry;
+    const auto found = from < 2 ? link_from_start(entry) : link_between(passes_[from - 2].exit, entry);
+    const double real = found ? space_.cost(*found) : kBlocked;
+    learnt_[{from, to}] = learnt_[{reverse_[to], reverse_[from]}] = real;
+    new_one = true;
+  }
+  return new_one;
+}
+
+std::vector<DrivenStroke> LinkTour::order() {
+  if (strokes_.empty()) return {};
+  const FunctionCost costs([this](PatternId from, PatternId to) { return cost(from, to); }, true);
+  const TourProblem problem(costs, counts_, reverse_);
+  Tour tour = solve_tour(problem, context_);
+  for (int round = 0; round < kRounds && learn(problem, tour); ++round)
+    tour = improved_tour(problem, tour, context_, {.kicks = 20 * strokes_.size()});
+  // A tour may come out the other direction: then it leaves from the start's second pattern.
+  if (problem.pattern_of(tour.front()) == 1) {
+    for (TourStop& stop : tour) stop = problem.stop_of(reverse_[problem.pattern_of(stop)]);
+    std::reverse(tour.begin() + 1, tour.end());
+  }
+  std::vector<DrivenStroke> result;
+  for (std::size_t i = 1; i < tour.size(); ++i) {
+    const Pass& pass = passes_[problem.pattern_of(tour[i]) - 2];
+    result.push_back({pass.stroke, points(pass)});
+  }
+  return result;
+}
+
+std::optional<Curve> LinkTour::link(const DrivenStroke* from, const DrivenStroke& to) const {
+  const Pose entry = first_pose(to.points);
+  return from == nullptr ? link_from_start(entry) : link_between(last_pose(from->points), entry);
+}
+
+std::optional<Curve> LinkTour::link_between(const Pose& from, const Pose& to) const {
+  if (auto simple = space_.simple_link(from, to)) return simple;
+  return space_.detour({from}, to, context_);
+}
+
+std::optional<Curve> LinkTour::link_from_start(const Pose& to) const {
+  std::vector<Pose> poses;
+  for (std::size_t k = 0; k < kStartHeadings; ++k)
+    poses.push_back({start_, 2 * kPi * static_cast<double>(k) / static_cast<double>(kStartHeadings)});
+  std::optional<Curve> best;
+  for (const Pose& pose : poses)
+    if (const Curve curve = dubins_curve(pose, to, space_.radius());
+        (!best || curve.length() < best->length()) && space_.free(curve))
+      best = curve;
+  return best ? best : space_.detour(poses, to, context_);
+}
+
+}  // namespace oxturn

@@ -1,0 +1,64 @@
+/// In which order, and in which direction, a car-like robot drives its strokes.
+///
+///   LinkTour tour(strokes, space, start, context);
+///   for (const DrivenStroke& s : tour.order()) ...
+///
+/// A tour (tour/solve_tour.hpp) over all strokes: open ones from either end, closed ones from some points in both
+/// directions. Connections first cost what a curve without obstacles costs. Those of the tour are then tested and cost
+/// what the curve found does, and the tour is improved, until all its connections are known.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "algorithms/smoothing/strokes.hpp"
+#include "algorithms/tour/solve_tour.hpp"
+
+namespace oxturn {
+
+struct DrivenStroke {
+  std::size_t stroke = 0;
+  Polyline points;
+};
+
+class LinkTour {
+ public:
+  /// All references must outlive it.
+  LinkTour(const std::vector<Stroke>& strokes, const CarSpace& space, const Point& start, Context& context);
+  std::vector<DrivenStroke> order();
+  /// The free link between two strokes driven one after the other, or from the start; nullopt if none was found.
+  std::optional<Curve> link(const DrivenStroke* from, const DrivenStroke& to) const;
+
+ private:
+  /// One pattern of a stroke.
+  struct Pass {
+    std::size_t stroke;
+    double from;  // metres along a closed stroke
+    bool backwards;
+    Pose entry, exit;
+  };
+  using Key = std::pair<PatternId, PatternId>;
+
+  void add_passes(std::size_t stroke);
+  Polyline points(const Pass& pass) const;
+  double bound(PatternId from, PatternId to) const;
+  double cost(PatternId from, PatternId to) const;
+  /// Tests the connections of the tour; false if all were known.
+  bool learn(const TourProblem& problem, const Tour& tour);
+  std::optional<Curve> link_from_start(const Pose& to) const;
+  std::optional<Curve> link_between(const Pose& from, const Pose& to) const;
+
+  const std::vector<Stroke>& strokes_;
+  const CarSpace& space_;
+  Point start_;
+  Context& context_;
+  std::vector<Pass> passes_;  // pattern p is passes_[p - 2]; patterns 0 and 1 are the start
+  std::vector<std::size_t> counts_{2};
+  std::vector<PatternId> reverse_{1, 0};
+  std::vector<double> bounds_;    // by pattern pairs, if there are not too many
+  std::map<Key, double> learnt_;  // kBlocked: none was found
+};
+
+}  // namespace oxturn

@@ -1,0 +1,19 @@
+// Greatest curvature of the path, 1/m; see curvature.hpp. Its inverse is the least turning radius.
+#include <algorithm>
+
+#include "metrics/curvature.hpp"
+
+namespace oxturn {
+
+extern const Metric kCurvatureMaxPerM;
+
+const Metric kCurvatureMaxPerM{"curvature_max_per_m", "1/m", Better::lower,
+                               "greatest curvature; a corner counts as a sampled curve",
+                               [](const Scored& s) -> std::optional<double> {
+                                 double most = 0;
+                                 for (const Bend& bend : bends(s.path, s.tolerance, s.problem.robot().tool_width))
+                                   most = std::max(most, bend.curvature);
+                                 return most;
+                               }};
+
+}  // namespace oxturn

@@ -1,0 +1,128 @@
+// Paths for robots with a least turning radius: valid by the scorer, whatever planner they come from.
+#include "algorithms/smoothing/drivable.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "algorithms/smoothing/car_space.hpp"
+#include "algorithms/smoothing/rounding.hpp"
+#include "metrics/score.hpp"
+#include "tests/support/planners.hpp"
+
+namespace oxturn {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+Robot tractor(double radius, bool reverse) {
+  Robot robot;
+  robot.name = "tractor";
+  robot.radius = 1, robot.tool_width = 3, robot.min_turn_radius = radius, robot.reverse = reverse;
+  return robot;
+}
+
+Problem on(const Region& free, const Robot& robot) { return Problem(Map{"plain", free, "test", "test"}, robot); }
+
+Problem meadow(double width, double height, const Robot& robot) {
+  return on(box_region({0, 0}, {width, height}), robot);
+}
+
+Path plan_on(const std::string& planner, const Settings& settings, const Problem& problem) {
+  Context context;
+  return built_in().find(planner).make(settings, built_in())->plan(problem, context);
+}
+
+TEST(Drivable, LanesKeepTheirCourseAndNothingIsTooSharp) {
+  for (const bool reverse : {false, true})
+    for (const double radius : {0.5, 2.0, 4.0, 6.0}) {
+      SCOPED_TRACE(fmt::format("radius {}, reverse {}", radius, reverse));
+      const Problem problem = meadow(70, 50, tractor(radius, reverse));
+      const Score s = score(problem, plan_on("boustrophedon", {{"headland", std::int64_t{3}}}, problem));
+      EXPECT_EQ(s.flaw, "");
+      EXPECT_EQ(s.value("curvature_violations"), 0);
+      EXPECT_GT(*s.value("coverage"), 0.95);
+      if (!reverse) { EXPECT_EQ(s.value("cusps"), 0); }
+    }
+}
+
+// A robot that turns on the spot gets the planner's own path.
+TEST(Drivable, OthersAreLeftAlone) {
+  Robot robot = tractor(4, false);
+  const Problem car = meadow(40, 30, robot);
+  robot.min_turn_radius = 0;
+  const Problem spot = meadow(40, 30, robot);
+  const Path plain = plan_on("zigzag", {}, spot), same = plan_on("zigzag", {}, car.turning_on_the_spot());
+  ASSERT_EQ(plain.legs.size(), same.legs.size());
+  for (std::size_t l = 0; l < plain.legs.size(); ++l) EXPECT_EQ(plain.legs[l].points, same.legs[l].points);
+}
+
+TEST(Drivable, EveryOfflinePlannerOfTheZoo) {
+  const Problem problem = meadow(45, 35, tractor(2.5, true));
+  for (const PlannerInfo& planner : built_in()) {
+    if (planner.has(Capability::online) || planner.has(Capability::tether)) continue;
+    SCOPED_TRACE(planner.name);
+    EXPECT_EQ(missing_capability(planner, problem), "");
+    EXPECT_EQ(planner.promised({}, problem.robot()), Promise::nothing);
+    const Score s = score(problem, plan_on(planner.name, {}, problem));
+    EXPECT_EQ(s.flaw, "");
+    EXPECT_GT(*s.value("coverage"), 0.8);
+  }
+}
+
+// In a dead-end corridor narrower than a turn there is one lane forward at most.
+TEST(Drivable, ADeadEndIsInfeasibleForwardAndSaysWhere) {
+  const Problem forward = meadow(60, 5, tractor(4, false));
+  EXPECT_THAT([&] { plan_on("boustrophedon", {}, forward); },
+              ThrowsMessage<Infeasible>(HasSubstr("no drivable connection with a lane at (")));
+  const Problem both = meadow(60, 5, tractor(4, true));
+  const Score s = score(both, plan_on("boustrophedon", {}, both));
+  EXPECT_EQ(s.flaw, "");
+  EXPECT_GT(*s.value("coverage"), 0.85);
+}
+
+TEST(Drivable, TwiceAsLargeIsTheSamePathTwiceAsLong) {
+  const auto length_of = [](double scale) {
+    Robot robot = tractor(4 * scale, false);
+    robot.radius *= scale, robot.tool_width *= scale, robot.speed *= scale, robot.acceleration *= scale;
+    const Problem problem = meadow(64 * scale, 48 * scale, robot);
+    return plan_on("boustrophedon", {{"headland", std::int64_t{3}}}, problem).length();
+  };
+  EXPECT_NEAR(length_of(2), 2 * length_of(1), 1e-3 * length_of(2));
+}
+
+TEST(Rounding, ArcsOfTheRadiusBetweenTangents) {
+  const Problem problem = meadow(100, 100, tractor(4, false));
+  const CarSpace space(problem);
+  const std::vector<Polyline> runs = rounded_runs({{10, 10}, {50, 10}, {50, 60}}, space);
+  ASSERT_EQ(runs.size(), 1u);
+  EXPECT_NEAR(length(runs[0]), 36 + 46 + 4 * kPi / 2, 0.01);
+  for (const Point& p : runs[0])
+    EXPECT_TRUE(p.y() == 10 || p.x() == 50 || std::abs(distance(p, {46, 14}) - 4) < 1e-9) << to_text(p);
+}
+
+TEST(Rounding, CutsWhereItCannotTurn) {
+  const Problem problem = meadow(100, 100, tractor(4, false));
+  const CarSpace space(problem);
+  EXPECT_EQ(rounded_runs({{10, 10}, {50, 10}, {10, 12}}, space).size(), 2u);                      // there and back
+  EXPECT_EQ(rounded_runs({{10, 10}, {50, 10}, {50, 13}, {10, 13}}, space).size(), 3u);            // lanes too near
+  EXPECT_EQ(rounded_runs({{10, 10}, {50, 10}, {50, 50}, {10, 50}, {10, 10}}, space).size(), 1u);  // a lap
+}
+
+// Corners cut in many small steps with too small a radius become one arc.
+TEST(Rounding, ArcsTooTightBecomeWider) {
+  const Problem problem = meadow(100, 100, tractor(4, false));
+  const CarSpace space(problem);
+  Polyline line{{10, 10}};
+  for (int k = 0; k <= 20; ++k) {
+    const double a = k * kPi / 40;
+    line.push_back({50 + std::sin(a), 11 - std::cos(a)});
+  }
+  line.push_back({51, 60});
+  EXPECT_EQ(rounded_runs(line, space).size(), 1u);
+}
+
+}  // namespace
+}  // namespace oxturn
