@@ -7,6 +7,7 @@ PlannerInfo boustrophedon();
 PlannerInfo zigzag();
 PlannerInfo contour();
 PlannerInfo connected_fermat();
+PlannerInfo oarp();
 PlannerInfo completed();
 PlannerInfo trapezoid();
 PlannerInfo stc();
@@ -36,11 +37,11 @@ PlannerInfo vacuum_mix();
 Planners built_in_planners() {
   return Planners(
       "planner",
-      {boustrophedon(), zigzag(),        contour(),       connected_fermat(), completed(),           trapezoid(),
-       stc(),           stc_spiral(),    stc_scan(),      stc_loops(),        rectangles(),          wavefront(),
-       bsa(),           linked_spiral(), ba_star(),       smart_dfs(),        cell_explore(),        hyun(),
-       leashed(),       berg(),          berg_complete(), shnaps_rimon(),     shnaps_rimon_banded(), tether_tree(),
-       tethered_stc(),  random_walk(),   spiral_out(),    wall_follow(),      vacuum_mix()});
+      {boustrophedon(), zigzag(),       contour(),       connected_fermat(), oarp(),         completed(),
+       trapezoid(),     stc(),          stc_spiral(),    stc_scan(),         stc_loops(),    rectangles(),
+       wavefront(),     bsa(),          linked_spiral(), ba_star(),          smart_dfs(),    cell_explore(),
+       hyun(),          leashed(),      berg(),          berg_complete(),    shnaps_rimon(), shnaps_rimon_banded(),
+       tether_tree(),   tethered_stc(), random_walk(),   spiral_out(),       wall_follow(),  vacuum_mix()});
 }
 
 }  // namespace oxturn
