@@ -8,6 +8,7 @@ PlannerInfo zigzag();
 PlannerInfo contour();
 PlannerInfo connected_fermat();
 PlannerInfo oarp();
+PlannerInfo smooth_spiral();
 PlannerInfo completed();
 PlannerInfo trapezoid();
 PlannerInfo stc();
@@ -35,13 +36,37 @@ PlannerInfo wall_follow();
 PlannerInfo vacuum_mix();
 
 Planners built_in_planners() {
-  return Planners(
-      "planner",
-      {boustrophedon(), zigzag(),       contour(),       connected_fermat(), oarp(),         completed(),
-       trapezoid(),     stc(),          stc_spiral(),    stc_scan(),         stc_loops(),    rectangles(),
-       wavefront(),     bsa(),          linked_spiral(), ba_star(),          smart_dfs(),    cell_explore(),
-       hyun(),          leashed(),      berg(),          berg_complete(),    shnaps_rimon(), shnaps_rimon_banded(),
-       tether_tree(),   tethered_stc(), random_walk(),   spiral_out(),       wall_follow(),  vacuum_mix()});
+  return Planners("planner", {boustrophedon(),
+                              zigzag(),
+                              contour(),
+                              connected_fermat(),
+                              oarp(),
+                              smooth_spiral(),
+                              completed(),
+                              trapezoid(),
+                              stc(),
+                              stc_spiral(),
+                              stc_scan(),
+                              stc_loops(),
+                              rectangles(),
+                              wavefront(),
+                              bsa(),
+                              linked_spiral(),
+                              ba_star(),
+                              smart_dfs(),
+                              cell_explore(),
+                              hyun(),
+                              leashed(),
+                              berg(),
+                              berg_complete(),
+                              shnaps_rimon(),
+                              shnaps_rimon_banded(),
+                              tether_tree(),
+                              tethered_stc(),
+                              random_walk(),
+                              spiral_out(),
+                              wall_follow(),
+                              vacuum_mix()});
 }
 
 }  // namespace oxturn
