@@ -9,6 +9,7 @@ PlannerInfo contour();
 PlannerInfo connected_fermat();
 PlannerInfo oarp();
 PlannerInfo smooth_spiral();
+PlannerInfo skeleton_spiral();
 PlannerInfo completed();
 PlannerInfo trapezoid();
 PlannerInfo stc();
@@ -42,6 +43,7 @@ Planners built_in_planners() {
                               connected_fermat(),
                               oarp(),
                               smooth_spiral(),
+                              skeleton_spiral(),
                               completed(),
                               trapezoid(),
                               stc(),
