@@ -19,7 +19,7 @@
 //                and from b2 to the middle of the gap of lap 1. The links are parallel diagonals.
 //             3. Where the links would cross a lap or a wall, a spiral ends and another one begins.
 //             4. Spirals are spliced into the path of their parent, parents first, where both ends lie beside one piece
-//                of it; if there is no such place, into another neighbour. Laps left are closed detours.
+//                of it; if there is none, into another neighbour. Laps left are closed detours.
 //             5. The paper's last step, smoothing, is not done.
 #include <algorithm>
 #include <utility>
@@ -195,7 +195,7 @@ class FermatPath {
     }
   }
 
-  /// Splices the spiral that begins with a lap into another lap. The gaps of its laps; none: there is no place for it.
+  /// Splices the spiral that begins with a lap into another lap. The gaps of its laps; none: it fits nowhere.
   std::vector<Gap> attach(std::size_t lap, std::size_t parent, SplicedPath& path) {
     const double reach = graph_.reach(lap, parent);
     std::vector<double> seams = graph_.beside(lap, parent, reach, width_ / 4);

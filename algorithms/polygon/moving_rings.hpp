@@ -7,7 +7,7 @@
 ///   }
 ///
 /// All insets are read off one straight skeleton: the vertices of a ring are the arcs alive at its time, and its edges
-/// lie in faces. So a point of a ring keeps its position, as an arc or between two arcs, whatever edges vanish elsewhere.
+/// lie in faces. So a point of a ring keeps its position, on an arc or between two, whatever edges vanish elsewhere.
 /// O(k log k) for a ring with k vertices and what lies between the two times.
 #pragma once
 

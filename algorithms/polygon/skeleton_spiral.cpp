@@ -3,8 +3,8 @@
 // Source      BeachBot (Vollprecht 2014), Algorithm 1: spirals whose offset grows with each vertex, read off a straight
 //             skeleton, with recursion where the inset splits
 // Model       polygons with holes, offline, disc or polygonal footprint
-// Guarantee   covers the whole target with `repair` (lanes/repair.hpp; along traced walls but for 0.0003 of it). Inside a
-//             face of the skeleton laps are at most `spacing` apart; at sharp vertices they are farther
+// Guarantee   covers the whole target with `repair` (lanes/repair.hpp; along traced walls but for 0.0003 of it). Inside
+//             faces of the skeleton laps are at most `spacing` apart; at sharp vertices they are farther
 // Complexity  O(n^2) for the skeleton of n vertices (2 s for 2000), O(k log n) for laps with k vertices in all
 // Decisions   1. The boundary of configuration space is driven as closed rings, by detours (lanes/outline.hpp). The
 //                spirals fill the inset a spacing further inside, whose round vertices have few chords.
@@ -153,12 +153,12 @@ class SkeletonDrive {
     for (std::size_t i = 0; i < lap.ring.arcs.size(); ++i)
       if (const auto now = rings_.follow(lap.ring.arcs[i], time)) share.try_emplace(*now, lap.share[i]);
     const auto first = rings_.follow(lap.ring.arcs.front(), time);
-    const auto place = first ? std::ranges::find(ring.arcs, *first) : ring.arcs.end();
-    if (growth_ == Growth::vertex || place == ring.arcs.end() || share.size() != ring.arcs.size()) {
-      if (place != ring.arcs.end()) std::ranges::rotate(ring.arcs, place);
+    const auto found = first ? std::ranges::find(ring.arcs, *first) : ring.arcs.end();
+    if (growth_ == Growth::vertex || found == ring.arcs.end() || share.size() != ring.arcs.size()) {
+      if (found != ring.arcs.end()) std::ranges::rotate(ring.arcs, found);
       return measured(std::move(ring), time);
     }
-    std::ranges::rotate(ring.arcs, place);
+    std::ranges::rotate(ring.arcs, found);
     Lap next{std::move(ring), {}};
     for (const std::size_t arc : next.ring.arcs) next.share.push_back(share.at(arc));
     return next;

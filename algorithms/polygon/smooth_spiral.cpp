@@ -4,10 +4,10 @@
 //             Design 41(7), 2009; islands after "Improved spiral high-speed machining of multiply-connected pockets",
 //             Computer-Aided Design and Applications 11(3), 2014
 // Model       polygons with holes, offline, disc or polygonal footprint
-// Guarantee   covers the whole target (along traced walls but for 0.0003 of it): points of neighbouring laps on the way
-//             to the same leaf are at most 0.95 w apart, and straight motion from one lap to the next sweeps all between
-//             them. So each point is within 0.475 w of the end of such a segment, which is on a lap before it is
-//             smoothed; smoothing moves it by at most 0.025 w. The rest is within w/2 of the last lap, the boundary.
+// Guarantee   covers the whole target (along traced walls but for 0.0003 of it): points of neighbouring laps on the
+//             path to the same leaf are at most 0.95 w apart, and straight motion from one lap to the next sweeps all
+//             between them. So each point is within 0.475 w of the end of such a segment, which is on a lap before it
+//             is smoothed; smoothing moves it by at most 0.025 w. The rest is within w/2 of the last lap, the boundary.
 // Complexity  O(n log n) for the medial axis, and its output: l m points of l feet on the boundary and m laps
 // Decisions   1. The wave over the medial axis and its laps: polygon/wave_tree.hpp.
 //             2. Islands are connected with the boundary by their shortest bridges, a minimum spanning tree (2014: by

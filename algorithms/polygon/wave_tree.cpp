@@ -145,17 +145,18 @@ std::size_t WaveTree::spine_end(std::size_t from) const {
   return best;
 }
 
-/// Over all branches of the spine, each but those on the way between the ends there and back.
+/// Over all branches of the spine, each but those on the path between the ends there and back.
 Polyline WaveTree::walk_spine(std::size_t from, std::size_t to) const {
-  std::vector<bool> on_way(nodes_.size(), false);
-  const std::vector<double> far = distances(from);
-  on_way[to] = true;
-  for (std::size_t at = to; at != from;)  // the neighbour nearer to the beginning
-    for (const std::size_t next : links_[at])
-      if (far[next] <= far[at] && !on_way[next]) {
-        on_way[at = next] = true;
-        break;
+  std::vector<std::size_t> before(nodes_.size(), nodes_.size()), open{from};
+  before[from] = from;
+  for (std::size_t k = 0; k < open.size(); ++k)
+    for (const std::size_t next : links_[open[k]])
+      if (before[next] == nodes_.size()) {
+        before[next] = open[k];
+        open.push_back(next);
       }
+  std::vector<bool> on_path(nodes_.size(), false);
+  for (std::size_t at = to; !on_path[at]; at = before[at]) on_path[at] = true;
   struct Visit {
     std::size_t node, parent;
     std::size_t next = 0;
@@ -169,12 +170,12 @@ Polyline WaveTree::walk_spine(std::size_t from, std::size_t to) const {
     std::size_t child = nodes_.size();
     while (v.next < links.size() && child == nodes_.size()) {
       const std::size_t c = links[v.next++];
-      if (c != v.parent && time_[c] == 0 && on_way[c] == v.last_round) child = c;
+      if (c != v.parent && time_[c] == 0 && on_path[c] == v.last_round) child = c;
     }
     if (child < nodes_.size()) {
       walk.push_back(nodes_[child].at);
       stack.push_back({child, v.node});
-    } else if (on_way[v.node] && !v.last_round && v.node != to) {  // side branches are done
+    } else if (on_path[v.node] && !v.last_round && v.node != to) {  // side branches are done
       v.last_round = true;
       v.next = 0;
     } else if (v.node == to) {
@@ -187,14 +188,14 @@ Polyline WaveTree::walk_spine(std::size_t from, std::size_t to) const {
   return walk;
 }
 
-std::vector<WaveTree::Crossing> WaveTree::way_to(std::size_t leaf) const {
-  std::vector<Crossing> way;
+std::vector<WaveTree::Crossing> WaveTree::path_to(std::size_t leaf) const {
+  std::vector<Crossing> path;
   for (std::size_t at = leaf;; at = parent_[at]) {
-    way.push_back({time_[at], nodes_[at].at});
+    path.push_back({time_[at], nodes_[at].at});
     if (time_[at] == 0) break;
   }
-  std::ranges::reverse(way);
-  return way;
+  std::ranges::reverse(path);
+  return path;
 }
 
 WaveSpiral WaveTree::spiral(double step, double start_height, const Point& near) {
@@ -214,14 +215,14 @@ WaveSpiral WaveTree::spiral(double step, double start_height, const Point& near)
   std::vector<Polyline> laps(spiral.count, Polyline(n));
   for (std::size_t j = 0; j < n; ++j) {
     const std::size_t leaf = leaves_[(first + j) % n];
-    const std::vector<Crossing> way = way_to(leaf);
+    const std::vector<Crossing> path = path_to(leaf);
     std::size_t k = 0;
     for (std::size_t i = 0; i < spiral.count; ++i) {
       const double t = (static_cast<double>(i) + static_cast<double>(j) / static_cast<double>(n)) / m;
-      while (k + 1 < way.size() && way[k + 1].time <= t) ++k;
-      const bool last = k + 1 == way.size();
+      while (k + 1 < path.size() && path[k + 1].time <= t) ++k;
+      const bool last = k + 1 == path.size();
       laps[i][j] =
-          last ? way[k].at : lerp(way[k].at, way[k + 1].at, (t - way[k].time) / (way[k + 1].time - way[k].time));
+          last ? path[k].at : lerp(path[k].at, path[k + 1].at, (t - path[k].time) / (path[k + 1].time - path[k].time));
     }
     spiral.boundary.push_back(nodes_[leaf].at);
   }

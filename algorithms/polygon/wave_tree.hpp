@@ -10,7 +10,7 @@
 /// The wave leaves the root (or the spine, a subtree about the root) at time 0, and on every branch travels at the
 /// constant speed at which it reaches the end of the longest path beyond at time 1. So it arrives at all leaves, the
 /// feet of spokes on the boundary, at time 1, and no branch is faster than the longest one. Lap i of n leaves has, for
-/// each leaf j, the position of the wave on the way to it at time (i + j / n) / m: one continuous curve, which moves
+/// each leaf j, the position of the wave on the path to it at time (i + j / n) / m: one continuous curve, which moves
 /// outwards by at most a lap's distance, the height of the tree over m, in each turn. The last lap is the boundary.
 ///
 /// After Held and Spielberger 2009. O(l (d + m)) for l leaves at depth d and m laps.
@@ -67,7 +67,7 @@ class WaveTree {
   std::size_t spine_end(std::size_t from) const;
   Polyline walk_spine(std::size_t from, std::size_t to) const;
   std::size_t start_of(std::size_t node) const;  // its last ancestor, or itself, at time 0
-  std::vector<Crossing> way_to(std::size_t leaf) const;
+  std::vector<Crossing> path_to(std::size_t leaf) const;
 
   std::vector<Node> nodes_;
   std::vector<std::vector<std::size_t>> links_;

@@ -24,7 +24,7 @@ TEST(MeasuredRing, PiecesGoOnPastTheFirstVertex) {
   EXPECT_EQ(ring.piece(0.25, 0.5), (Polyline{{0.25, 0}, {0.5, 0}}));
 }
 
-// A line of 10 m on lap 0; what is spliced in takes the place of the piece between its ends, whichever comes first.
+// A line of 10 m on lap 0; what is spliced in replaces the piece between its ends, whichever comes first.
 TEST(SplicedPath, TakesOutThePieceBetweenTheEnds) {
   Strand base;
   base.add({{0, 0}, {10, 0}}, 0);

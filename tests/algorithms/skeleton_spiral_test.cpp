@@ -63,8 +63,8 @@ TEST(MovingRings, AreInsets) {
   }
 }
 
-// By hand: the boundary and the first lap are closed, each further lap of a square of side a is as long as the mean of the
-// squares before and after it, and the last one is closed again.
+// By hand: the boundary and the first lap are closed, each further lap is as long as
+// the mean of the squares before and after it, and the last one is closed again.
 TEST(SkeletonSpiral, LapsOfASquare) {
   const Problem p(Map{"square", box_region({0, 0}, {12.4, 12.4}), "", ""}, disc(0.2, 0.4), Point(0.3, 0.3));
   double laps = 4 * 12, side = 12 - 2 * 0.4;

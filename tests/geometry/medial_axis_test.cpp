@@ -14,8 +14,7 @@ namespace {
 
 double to_boundary(const Region& region, const Point& p) {
   double least = 1e300;
-  for_each_edge(region,
-                [&](const Point& a, const Point& b) { least = std::min(least, distance_to_segment(p, a, b)); });
+  for_each_edge(region, [&](const Point& a, const Point& b) { least = std::min(least, distance_to_segment(p, a, b)); });
   return least;
 }
 
