@@ -36,11 +36,11 @@ namespace oxturn {
 namespace {
 
 // Tool widths.
-constexpr double kChord = 0.08;     // error of round vertices, which lie so much nearer to the boundary
-constexpr double kSimplify = 0.02;  // by which round vertices may be simplified
-constexpr double kBridge = 1e-3;    // width of the cuts along bridges
-constexpr double kAfter = 1e-6;     // by which parts begin after a split
-constexpr int kBisections = 30;     // to find the time of a split
+constexpr double kChord = 0.08;          // error of round vertices, which lie so much nearer to the boundary
+constexpr double kSimplify = 0.02;       // by which round vertices may be simplified
+constexpr double kBridge = 1e-3;         // width of the cuts along bridges
+constexpr int kBisections = 8;           // to find the time of a split
+constexpr double kLeastStep = 1.0 / 64;  // spacings from one split to the next
 
 enum class Growth { length, vertex };
 
@@ -86,7 +86,7 @@ class SkeletonDrive {
   /// Drives a part until it splits or vanishes, and returns what it splits into.
   std::vector<Part> fill(Part part, const Context& context) {
     Lap lap = measured(turned_to(std::move(part.ring), part.time), part.time);
-    double t = part.time, end = part.closed + spacing_;
+    double t = part.time, end = std::max(part.closed + spacing_, part.time + kLeastStep * spacing_);
     bool spiralled = false;
     while (!context.cancelled()) {
       std::vector<MovingRing> next = rings_.advance(lap.ring, end);
@@ -101,14 +101,14 @@ class SkeletonDrive {
     return children(lap.ring, t, end, spiralled ? t : part.closed);
   }
 
-  /// What a ring splits into before the time `end`.
+  /// What a ring has split into soon after it is no longer one.
   std::vector<Part> children(const MovingRing& ring, double time, double end, double closed) const {
     double before = time, after = end;
     for (int k = 0; k < kBisections; ++k) {
       const double middle = (before + after) / 2;
       (rings_.advance(ring, middle).size() == 1 ? before : after) = middle;
     }
-    after += kAfter * width_;
+    after = std::max(after, time + kLeastStep * spacing_);
     std::vector<Part> parts;
     for (MovingRing& child : rings_.advance(ring, after)) parts.push_back({std::move(child), after, closed});
     return parts;
