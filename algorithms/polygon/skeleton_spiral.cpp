@@ -5,7 +5,8 @@
 // Model       polygons with holes, offline, disc or polygonal footprint
 // Guarantee   covers the whole target with `repair` (lanes/repair.hpp; along traced walls but for 0.0003 of it). Inside
 //             faces of the skeleton laps are at most `spacing` apart; at sharp vertices they are farther
-// Complexity  O(n^2) for the skeleton of n vertices (2 s for 2000), O(k log n) for laps with k vertices in all
+// Complexity  O(n^2) for the skeleton of n vertices (8 s for a map with 1484 vertices, 37 round obstacles),
+//             O(k log k) for laps with k vertices in all
 // Decisions   1. The boundary of configuration space is driven as closed rings, by detours (lanes/outline.hpp). The
 //                spirals fill the inset a spacing further inside, whose round vertices have few chords.
 //             2. growth = length (ours): at length x of a lap of length l the offset is t + s x / l. growth = vertex
