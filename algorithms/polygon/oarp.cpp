@@ -154,6 +154,7 @@ std::vector<Strip> strips_in(const Region& region, const Params& p, const Proble
   const CellRule rule = p.outline ? CellRule::touches : CellRule::centre;
   const LaneFrame frame(degrees);
   const RunCover cover = fewest_runs_of(frame.to_frame(region), w, rule, p, context);
+  if (cover.runs.empty()) return {};
   const Point& low = cover.cells.origin;
   context.record("lanes", static_cast<double>(cover.runs.size()));
   // In the frame of the horizontal lanes x is this frame's y, and y its -x.

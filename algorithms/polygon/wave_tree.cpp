@@ -259,7 +259,8 @@ std::vector<WaveTree> wave_trees(const MedialAxis& axis) {
     p.nodes.push_back({s.foot, 0});
   }
   std::vector<WaveTree> trees;
-  for (Part& p : parts) trees.emplace_back(std::move(p.nodes), p.links, std::move(p.leaves));
+  for (Part& p : parts)
+    if (!p.leaves.empty()) trees.emplace_back(std::move(p.nodes), p.links, std::move(p.leaves));
   return trees;
 }
 
