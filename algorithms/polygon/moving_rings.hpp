@@ -1,0 +1,53 @@
+/// The rings of a polygon's insets, as they move inwards.
+///
+///   const MovingRings rings(straight_skeleton(polygon));
+///   for (MovingRing ring : rings.begin()) {
+///     const Polyline lap = rings.closed(ring, 0);
+///     std::vector<MovingRing> later = rings.advance(ring, 0.4);       // none: it has vanished; several: split
+///   }
+///
+/// All insets are read off one straight skeleton: the vertices of a ring are the arcs alive at its time, and its edges
+/// lie in faces. So a point of a ring keeps its position, on an arc or between two, whatever edges vanish elsewhere.
+/// O(k log k) for a ring with k vertices and what lies between the two times.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "geometry/mesh/straight_skeleton.hpp"
+
+namespace oxturn {
+
+/// Its vertices, in order: arcs of the skeleton.
+struct MovingRing {
+  std::vector<std::size_t> arcs = {};
+};
+
+class MovingRings {
+ public:
+  explicit MovingRings(StraightSkeleton skeleton);
+
+  /// At time 0.
+  std::vector<MovingRing> begin() const;
+  /// What becomes of a ring until a later time.
+  std::vector<MovingRing> advance(const MovingRing& ring, double to) const;
+  /// A vertex of a ring at a later time, if it exists then.
+  std::optional<Point> later(std::size_t arc, double to) const;
+  /// The arc that continues it, if any.
+  std::optional<std::size_t> follow(std::size_t arc, double to) const;
+  Point at(std::size_t arc, double time) const;
+  /// The whole ring, its first vertex repeated at the end.
+  Polyline closed(const MovingRing& ring, double time) const;
+
+ private:
+  bool alive(std::size_t arc, double time) const;
+  std::vector<MovingRing> linked(const std::vector<std::size_t>& arcs, double time) const;
+  void collect(std::size_t arc, double to, std::vector<std::size_t>& open, std::vector<std::size_t>& found,
+               std::set<std::size_t>& seen) const;
+
+  StraightSkeleton skeleton_;
+  std::vector<std::vector<std::size_t>> at_node_;  // arcs, by node
+};
+
+}  // namespace oxturn

@@ -1,0 +1,232 @@
+// Spirals through the insets of a straight skeleton.
+//
+// Source      BeachBot (Vollprecht 2014), Algorithm 1: spirals whose offset grows with each vertex, read off a straight
+//             skeleton, with recursion where the inset splits
+// Model       polygons with holes, offline, disc or polygonal footprint
+// Guarantee   covers the whole target with `repair` (lanes/repair.hpp; along traced walls but for 0.0003 of it). Inside
+//             faces of the skeleton laps are at most `spacing` apart; at sharp vertices they are farther
+// Complexity  O(n^2) for the skeleton of n vertices (8 s for a map with 1484 vertices, 37 round obstacles),
+//             O(k log k) for laps with k vertices in all
+// Decisions   1. The boundary of configuration space is driven as closed rings, by detours (lanes/outline.hpp). The
+//                spirals fill the inset a spacing further inside, whose round vertices have few chords.
+//             2. growth = length (ours): at length x of a lap of length l the offset is t + s x / l. growth = vertex
+//                (source): after vertex i of n it is t + s i / n; laps then lie unevenly where edges differ in length.
+//                With growth = length each vertex keeps its share of the lap while other edges vanish
+//                (moving_rings.hpp), so laps are s apart everywhere.
+//             3. A part begins with a closed lap and goes on as a spiral. When it splits or vanishes within the next
+//                lap, a closed lap ends the spiral, and the spirals of the new parts begin at the split, the nearest
+//                part first. (The source drops the recursion's result.)
+//             4. The ridge that the last lap of a part leaves is covered by repair.
+//             5. Islands are connected with the boundary by their shortest bridges, cuts w / 1000 wide; each side of a
+//                bridge is driven.
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "algorithms/lanes/lanes.hpp"
+#include "algorithms/lanes/laps.hpp"
+#include "algorithms/lanes/outline.hpp"
+#include "algorithms/lanes/repair.hpp"
+#include "algorithms/polygon/moving_rings.hpp"
+#include "geometry/mesh/medial_axis.hpp"
+#include "geometry/overlay/cut_along.hpp"
+#include "geometry/raster.hpp"
+
+namespace oxturn {
+namespace {
+
+// Tool widths.
+constexpr double kChord = 0.08;          // error of round vertices, which lie so much nearer to the boundary
+constexpr double kSimplify = 0.02;       // by which round vertices may be simplified
+constexpr double kBridge = 1e-3;         // width of the cuts along bridges
+constexpr int kBisections = 8;           // to find the time of a split
+constexpr double kLeastStep = 1.0 / 64;  // spacings from one split to the next
+
+enum class Growth { length, vertex };
+
+struct Params {
+  Growth growth = Growth::length;
+  double spacing = 0;
+  bool repair = true;
+};
+
+/// A component of the inset that is still to be filled. A closed lap was driven at the offset `closed`.
+struct Part {
+  MovingRing ring;
+  double time = 0, closed = 0;
+};
+
+/// Drives the spirals of one polygon.
+class SkeletonDrive {
+ public:
+  SkeletonDrive(const MovingRings& rings, double spacing, double width, Growth growth, const Connector& connector,
+                PathBuilder& path)
+      : rings_(rings), spacing_(spacing), width_(width), growth_(growth), connector_(connector), path_(path) {}
+
+  void run(const Context& context) {
+    std::vector<Part> open;
+    for (MovingRing& ring : rings_.begin()) {
+      open.push_back({turned_to(std::move(ring), 0), 0, 0});
+      drive(rings_.closed(open.back().ring, 0));
+    }
+    while (!open.empty() && !context.cancelled()) {
+      Part part = std::move(open.back());
+      open.pop_back();
+      push_nearest_last(open, fill(std::move(part), context));
+    }
+  }
+
+ private:
+  /// A ring with the share of a lap that is driven at each of its vertices.
+  struct Lap {
+    MovingRing ring;
+    std::vector<double> share;
+  };
+
+  /// Drives a part until it splits or vanishes, and returns what it splits into.
+  std::vector<Part> fill(Part part, const Context& context) {
+    Lap lap = measured(turned_to(std::move(part.ring), part.time), part.time);
+    double t = part.time, end = std::max(part.closed + spacing_, part.time + kLeastStep * spacing_);
+    bool spiralled = false;
+    while (!context.cancelled()) {
+      std::vector<MovingRing> next = rings_.advance(lap.ring, end);
+      if (next.size() != 1) break;
+      spiral(lap, t, end - t);
+      lap = continued(lap, std::move(next[0]), end);
+      t = end;
+      end += spacing_;
+      spiralled = true;
+    }
+    if (spiralled) drive(rings_.closed(lap.ring, t));
+    return children(lap.ring, t, end, spiralled ? t : part.closed);
+  }
+
+  /// What a ring has split into soon after it is no longer one.
+  std::vector<Part> children(const MovingRing& ring, double time, double end, double closed) const {
+    double before = time, after = end;
+    for (int k = 0; k < kBisections; ++k) {
+      const double middle = (before + after) / 2;
+      (rings_.advance(ring, middle).size() == 1 ? before : after) = middle;
+    }
+    after = std::max(after, time + kLeastStep * spacing_);
+    std::vector<Part> parts;
+    for (MovingRing& child : rings_.advance(ring, after)) parts.push_back({std::move(child), after, closed});
+    return parts;
+  }
+
+  /// One lap, the offset of which grows.
+  void spiral(const Lap& lap, double time, double growth) {
+    Polyline line;
+    const std::size_t n = lap.ring.arcs.size();
+    for (std::size_t i = 0; i <= n; ++i) {
+      const double at = time + growth * (i < n ? lap.share[i] : 1);
+      if (const auto p = rings_.later(lap.ring.arcs[i % n], at)) line.push_back(*p);
+    }
+    drive(line);
+  }
+
+  Lap measured(MovingRing ring, double time) const {
+    Lap lap{std::move(ring), {}};
+    const Polyline line = rings_.closed(lap.ring, time);
+    const double whole = length(line), count = static_cast<double>(lap.ring.arcs.size());
+    double driven = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      lap.share.push_back(growth_ == Growth::vertex ? static_cast<double>(i) / count : driven / whole);
+      driven += distance(line[i], line[i + 1]);
+    }
+    return lap;
+  }
+
+  /// The ring begins at the vertex nearest to the robot.
+  MovingRing turned_to(MovingRing ring, double time) const {
+    const Point from = path_.at();
+    const auto nearest =
+        std::ranges::min_element(ring.arcs, {}, [&](std::size_t a) { return distance(rings_.at(a, time), from); });
+    std::ranges::rotate(ring.arcs, nearest);
+    return ring;
+  }
+
+  /// The next lap begins at the vertex that continues the first one. Each vertex keeps its share, so that laps are as
+  /// far apart everywhere; of vertices that have become one the least share counts.
+  Lap continued(const Lap& lap, MovingRing ring, double time) const {
+    std::map<std::size_t, double> share;
+    for (std::size_t i = 0; i < lap.ring.arcs.size(); ++i)
+      if (const auto now = rings_.follow(lap.ring.arcs[i], time)) share.try_emplace(*now, lap.share[i]);
+    const auto first = rings_.follow(lap.ring.arcs.front(), time);
+    const auto found = first ? std::ranges::find(ring.arcs, *first) : ring.arcs.end();
+    if (growth_ == Growth::vertex || found == ring.arcs.end() || share.size() != ring.arcs.size()) {
+      if (found != ring.arcs.end()) std::ranges::rotate(ring.arcs, found);
+      return measured(std::move(ring), time);
+    }
+    std::ranges::rotate(ring.arcs, found);
+    Lap next{std::move(ring), {}};
+    for (const std::size_t arc : next.ring.arcs) next.share.push_back(share.at(arc));
+    return next;
+  }
+
+  void push_nearest_last(std::vector<Part>& open, std::vector<Part> parts) const {
+    const auto far = [&](const Part& part) {
+      double least = 1e300;
+      for (const std::size_t a : part.ring.arcs) least = std::min(least, distance(rings_.at(a, part.time), path_.at()));
+      return least;
+    };
+    std::ranges::stable_sort(parts, std::greater<>{}, far);
+    for (Part& part : parts) open.push_back(std::move(part));
+  }
+
+  void drive(const Polyline& line) {
+    if (line.empty()) return;
+    const Polyline link = connector_.path(path_.at(), line.front());
+    path_.drive(link, length(link) <= kLongestLinkOn * width_);
+    for (const Point& p : line) path_.drive(connector_.path(path_.at(), p), true);
+  }
+
+  const MovingRings& rings_;
+  double spacing_, width_;
+  Growth growth_;
+  const Connector& connector_;
+  PathBuilder& path_;
+};
+
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  const double w = problem.robot().tool_width, spacing = p.spacing > 0 ? p.spacing : w;
+  const double simplify = kSimplify * w;
+  const Region inset = simplify_inward(lane_region(problem, spacing - simplify, kChord * w), simplify);
+  const Connector connector(problem);
+  PathBuilder builder(problem.start());
+  std::vector<Polyline> traced;
+  for (const Polygon& part : cut_along(inset, shortest_bridges(inset), kBridge * w).polygons) {
+    if (context.cancelled()) break;
+    const StraightSkeleton skeleton = straight_skeleton(part);
+    for (const StraightSkeleton::Arc& a : skeleton.arcs)
+      traced.push_back({skeleton.nodes[a.low].at, skeleton.nodes[a.high].at});
+    const MovingRings rings(skeleton);
+    SkeletonDrive(rings, spacing, w, p.growth, connector, builder).run(context);
+  }
+  if (context.wants_traces()) context.trace("skeleton", std::move(traced));
+  Path path = with_outline(problem, builder.take(), kLongestLinkOn * w, connector, context);
+  context.publish(path);
+  return p.repair && !context.cancelled() ? repaired(problem, path, connector, context) : path;
+}
+
+}  // namespace
+
+PlannerInfo skeleton_spiral() {
+  return describe<Params, plan>(
+      {.name = "skeleton-spiral",
+       .family = "polygon",
+       .title = "spirals through the insets of a straight skeleton",
+       .citation = "BeachBot (Vollprecht 2014)",
+       .capabilities = {Capability::holes, Capability::footprint},
+       .guarantee = "covers the whole target (with repair; along traced walls but for 0.0003 of it)",
+       .promise = Promise::target,
+       .parameters = {{"growth", &Params::growth, Choices{"length", "vertex"},
+                       "how the offset grows: with the length driven, or with each vertex, as in the source"},
+                      {"spacing", &Params::spacing, Range{0, 1000}, "metres between laps; 0: the tool width"},
+                      {"repair", &Params::repair, "cover what laps leave uncovered at sharp vertices and ridges"}},
+       .published = {{"growth", std::string("vertex")}, {"repair", false}},
+       .promises_with = [](const Params& p) { return p.repair; }});
+}
+
+}  // namespace oxturn

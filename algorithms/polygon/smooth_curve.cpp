@@ -1,0 +1,102 @@
+#include "algorithms/polygon/smooth_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace oxturn {
+namespace {
+
+constexpr double kLeastTurn = 0.02;  // radians: smaller ones need no arc
+constexpr double kChordTurn = 0.15;  // radians from chord to chord
+constexpr double kStraight = 1e-9;   // of the distance between its neighbours, by which a vertex may be off
+
+/// The directions from a point that pass within a distance of each point added.
+class Wedge {
+ public:
+  Wedge(const Point& apex, double tolerance) : apex_(apex), tolerance_(tolerance) {}
+  bool holds(const Point& p) const {
+    const Point d = p - apex_;
+    return !narrowed_ || (d.norm() >= farthest_ - tolerance_ && cross(right_, d) >= 0 && cross(d, left_) >= 0 &&
+                          d.dot(right_ + left_) > 0);
+  }
+  void add(const Point& p) {
+    const Point d = p - apex_;
+    const double far = d.norm();
+    farthest_ = std::max(farthest_, far);
+    if (far <= tolerance_) return;
+    const double open = std::asin(tolerance_ / far);
+    const Point right = turned(d, -open), left = turned(d, open);
+    if (!narrowed_ || cross(right_, right) > 0) right_ = right;
+    if (!narrowed_ || cross(left, left_) > 0) left_ = left;
+    narrowed_ = true;
+  }
+
+ private:
+  static Point turned(const Point& d, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * d.x() - s * d.y(), s * d.x() + c * d.y()};
+  }
+  Point apex_;
+  double tolerance_, farthest_ = 0;
+  bool narrowed_ = false;
+  Point right_{0, 0}, left_{0, 0};
+};
+
+void add_corner(Polyline& line, const Point& a, const Point& b, const Point& c, double off,
+                const Connector& connector) {
+  const Point u = (b - a).normalized(), v = (c - b).normalized();
+  const double turn = std::atan2(cross(u, v), u.dot(v)), half = std::abs(turn) / 2;
+  const double room = std::min(distance(a, b), distance(b, c)) / 2;
+  const double most = off / (1 / std::cos(half) - 1) * std::tan(half);  // from the vertex to where the arc begins
+  const double tangent = std::min(room, most);
+  if (std::abs(turn) < kLeastTurn || half > kPi / 2 - kLeastTurn) return line.push_back(b);
+  const double radius = tangent / std::tan(half), side = turn > 0 ? 1 : -1;
+  const Point begin = b - tangent * u, centre = begin + side * radius * perpendicular(u);
+  const double chords = std::ceil(std::abs(turn) / kChordTurn);
+  Polyline arc;
+  for (double k = 0; k <= chords; ++k) arc.push_back(centre + rotated(begin - centre, turn * k / chords));
+  for (std::size_t i = 1; i < arc.size(); ++i)
+    if (!connector.straight(arc[i - 1], arc[i])) return line.push_back(b);
+  line.insert(line.end(), arc.begin(), arc.end());
+}
+
+}  // namespace
+
+Polyline with_fewer_vertices(const Polyline& curve, double tolerance, const Connector& connector) {
+  if (curve.size() < 3) return curve;
+  Polyline line{curve.front()};
+  for (std::size_t i = 0; i + 1 < curve.size();) {
+    Wedge wedge(curve[i], tolerance);
+    std::size_t next = i + 1;
+    wedge.add(curve[next]);
+    while (next + 1 < curve.size() && wedge.holds(curve[next + 1])) wedge.add(curve[++next]);
+    if (next > i + 1 && !connector.straight(curve[i], curve[next])) next = i + 1;
+    if (line.back() != curve[next]) line.push_back(curve[next]);
+    i = next;
+  }
+  return line;
+}
+
+Polyline without_collinear_vertices(const Polyline& curve) {
+  Polyline line;
+  for (const Point& p : curve) {
+    while (line.size() > 1) {
+      const Point &a = line[line.size() - 2], &b = line.back();
+      if (distance_to_segment(b, a, p) > kStraight * distance(a, p)) break;
+      line.pop_back();
+    }
+    if (line.empty() || line.back() != p) line.push_back(p);
+  }
+  return line;
+}
+
+Polyline rounded_corners(const Polyline& curve, double off, const Connector& connector) {
+  if (curve.size() < 3) return curve;
+  Polyline line{curve.front()};
+  for (std::size_t i = 1; i + 1 < curve.size(); ++i)
+    add_corner(line, curve[i - 1], curve[i], curve[i + 1], off, connector);
+  line.push_back(curve.back());
+  return line;
+}
+
+}  // namespace oxturn

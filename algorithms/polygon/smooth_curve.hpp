@@ -1,0 +1,22 @@
+/// Curves made of many short segments: fewer vertices, and arcs in place of corners.
+///
+///   curve = rounded_corners(with_fewer_vertices(curve, 0.002, connector), 0.008, connector);
+///
+/// O(n), and a segment test for each new segment: what would leave configuration space stays as it is.
+#pragma once
+
+#include "algorithms/transit/connector.hpp"
+
+namespace oxturn {
+
+/// Vertices are left out as long as all of them stay within `tolerance` metres of the segment that replaces them.
+Polyline with_fewer_vertices(const Polyline& curve, double tolerance, const Connector& connector);
+
+/// Vertices in the middle of straight lines are left out (exactly straight but for rounding).
+Polyline without_collinear_vertices(const Polyline& curve);
+
+/// Corners become arcs tangent to both segments, at most `off` metres from the vertex, with chords that turn by at most
+/// 0.15 rad. An arc takes no more than half of a segment.
+Polyline rounded_corners(const Polyline& curve, double off, const Connector& connector);
+
+}  // namespace oxturn

@@ -1,0 +1,267 @@
+#include "algorithms/polygon/wave_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/disjoint_sets.hpp"
+
+namespace oxturn {
+
+WaveTree::WaveTree(std::vector<Node> nodes, const std::vector<std::pair<std::size_t, std::size_t>>& links,
+                   std::vector<std::size_t> leaves)
+    : nodes_(std::move(nodes)), links_(nodes_.size()), leaves_(std::move(leaves)) {
+  for (const auto& [a, b] : links) {
+    links_[a].push_back(b);
+    links_[b].push_back(a);
+  }
+  orient();
+}
+
+/// Order, parents and heights from the root.
+void WaveTree::orient() {
+  order_.assign(1, root_);
+  parent_.assign(nodes_.size(), root_);
+  height_.assign(nodes_.size(), 0);
+  for (std::size_t k = 0; k < order_.size(); ++k)
+    for (const std::size_t next : links_[order_[k]])
+      if (next != parent_[order_[k]]) {
+        parent_[next] = order_[k];
+        order_.push_back(next);
+      }
+  for (std::size_t k = order_.size(); k-- > 1;) {
+    const std::size_t q = order_[k], p = parent_[q];
+    height_[p] = std::max(height_[p], height_[q] + distance(nodes_[p].at, nodes_[q].at));
+  }
+}
+
+std::size_t WaveTree::add(const Node& node, std::size_t a, std::size_t b) {
+  const std::size_t added = nodes_.size();
+  nodes_.push_back(node);
+  links_.push_back({a, b});
+  std::ranges::replace(links_[a], b, added);
+  std::ranges::replace(links_[b], a, added);
+  return added;
+}
+
+std::vector<double> WaveTree::distances(std::size_t from) const {
+  std::vector<double> far(nodes_.size(), -1);
+  std::vector<std::size_t> open{from};
+  far[from] = 0;
+  while (!open.empty()) {
+    const std::size_t at = open.back();
+    open.pop_back();
+    for (const std::size_t next : links_[at])
+      if (far[next] < 0) {
+        far[next] = far[at] + distance(nodes_[at].at, nodes_[next].at);
+        open.push_back(next);
+      }
+  }
+  return far;
+}
+
+void WaveTree::root_at_centre() {
+  const auto farthest = [&](std::size_t from) {
+    const std::vector<double> far = distances(from);
+    return static_cast<std::size_t>(std::ranges::max_element(far) - far.begin());
+  };
+  root_ = farthest(0);
+  orient();
+  const std::size_t end = farthest(root_);
+  const double half = height_[root_] / 2;
+  std::size_t q = end;
+  double from_end = 0;
+  while (q != root_) {
+    const double size = distance(nodes_[q].at, nodes_[parent_[q]].at);
+    if (from_end + size >= half) break;
+    from_end += size;
+    q = parent_[q];
+  }
+  const std::size_t p = parent_[q];
+  const double size = distance(nodes_[q].at, nodes_[p].at);
+  if (p != q && size > 0) {
+    const double t = std::min(1.0, (half - from_end) / size);
+    q = add({lerp(nodes_[q].at, nodes_[p].at, t), std::lerp(nodes_[q].clearance, nodes_[p].clearance, t)}, p, q);
+  }
+  root_ = q;
+  orient();
+}
+
+void WaveTree::root_near(const Point& p) {
+  for (std::size_t k = 0; k < nodes_.size(); ++k)
+    if (distance(nodes_[k].at, p) < distance(nodes_[root_].at, p)) root_ = k;
+  orient();
+}
+
+double WaveTree::greatest_clearance() const {
+  double most = 0;
+  for (const Node& n : nodes_) most = std::max(most, n.clearance);
+  return most;
+}
+
+/// Nodes where branches pass a height above the boundary.
+void WaveTree::cut_at(double height) {
+  const std::vector<std::size_t> order = order_, parent = parent_;
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const std::size_t q = order[k], p = parent[q];
+    const double size = distance(nodes_[p].at, nodes_[q].at), below = height - height_[q];
+    if (!(below > 0 && below < size)) continue;
+    const double t = below / size;
+    add({lerp(nodes_[q].at, nodes_[p].at, t), std::lerp(nodes_[q].clearance, nodes_[p].clearance, t)}, p, q);
+  }
+  orient();
+}
+
+void WaveTree::set_times(double start_height) {
+  const double high = start_height * (1 - 1e-12);
+  time_.assign(nodes_.size(), 0);
+  for (std::size_t k = 1; k < order_.size(); ++k) {
+    const std::size_t q = order_[k], p = parent_[q];
+    if (height_[q] >= high) continue;
+    const double size = distance(nodes_[p].at, nodes_[q].at), far = size + height_[q];
+    time_[q] = far > 0 ? time_[p] + (1 - time_[p]) * size / far : 1;
+  }
+}
+
+std::vector<double> WaveTree::arrivals(double start_height) {
+  if (start_height < height()) cut_at(start_height);
+  set_times(start_height);
+  std::vector<double> times;
+  for (const std::size_t leaf : leaves_) times.push_back(time_[leaf]);
+  return times;
+}
+
+std::size_t WaveTree::start_of(std::size_t node) const {
+  while (time_[node] > 0) node = parent_[node];
+  return node;
+}
+
+/// The node of the spine farthest from another one.
+std::size_t WaveTree::spine_end(std::size_t from) const {
+  const std::vector<double> far = distances(from);
+  std::size_t best = from;
+  for (std::size_t k = 0; k < nodes_.size(); ++k)
+    if (time_[k] == 0 && far[k] > far[best]) best = k;
+  return best;
+}
+
+/// Over all branches of the spine, each but those on the path between the ends there and back.
+Polyline WaveTree::walk_spine(std::size_t from, std::size_t to) const {
+  std::vector<std::size_t> before(nodes_.size(), nodes_.size()), open{from};
+  before[from] = from;
+  for (std::size_t k = 0; k < open.size(); ++k)
+    for (const std::size_t next : links_[open[k]])
+      if (before[next] == nodes_.size()) {
+        before[next] = open[k];
+        open.push_back(next);
+      }
+  std::vector<bool> on_path(nodes_.size(), false);
+  for (std::size_t at = to; !on_path[at]; at = before[at]) on_path[at] = true;
+  struct Visit {
+    std::size_t node, parent;
+    std::size_t next = 0;
+    bool last_round = false;
+  };
+  Polyline walk{nodes_[from].at};
+  std::vector<Visit> stack{{from, from}};
+  while (!stack.empty()) {
+    Visit& v = stack.back();
+    const std::vector<std::size_t>& links = links_[v.node];
+    std::size_t child = nodes_.size();
+    while (v.next < links.size() && child == nodes_.size()) {
+      const std::size_t c = links[v.next++];
+      if (c != v.parent && time_[c] == 0 && on_path[c] == v.last_round) child = c;
+    }
+    if (child < nodes_.size()) {
+      walk.push_back(nodes_[child].at);
+      stack.push_back({child, v.node});
+    } else if (on_path[v.node] && !v.last_round && v.node != to) {  // side branches are done
+      v.last_round = true;
+      v.next = 0;
+    } else if (v.node == to) {
+      break;
+    } else {
+      walk.push_back(nodes_[v.parent].at);
+      stack.pop_back();
+    }
+  }
+  return walk;
+}
+
+std::vector<WaveTree::Crossing> WaveTree::path_to(std::size_t leaf) const {
+  std::vector<Crossing> path;
+  for (std::size_t at = leaf;; at = parent_[at]) {
+    path.push_back({time_[at], nodes_[at].at});
+    if (time_[at] == 0) break;
+  }
+  std::ranges::reverse(path);
+  return path;
+}
+
+WaveSpiral WaveTree::spiral(double step, double start_height, const Point& near) {
+  arrivals(start_height);
+  WaveSpiral spiral;
+  const std::size_t end = spine_end(root_), begin = spine_end(end), n = leaves_.size();
+  std::size_t first = n;
+  for (std::size_t j = 0; j < n; ++j) {
+    if (start_of(leaves_[j]) != end) continue;
+    if (first == n || distance(nodes_[leaves_[j]].at, near) < distance(nodes_[leaves_[first]].at, near)) first = j;
+  }
+  if (first == n) first = 0;
+  spiral.spine = walk_spine(begin, start_of(leaves_[first]));
+  const double highest = std::min(start_height, height());
+  spiral.count = static_cast<std::size_t>(std::max(1.0, std::ceil(highest / step - 1e-9)));
+  const double m = static_cast<double>(spiral.count);
+  std::vector<Polyline> laps(spiral.count, Polyline(n));
+  for (std::size_t j = 0; j < n; ++j) {
+    const std::size_t leaf = leaves_[(first + j) % n];
+    const std::vector<Crossing> path = path_to(leaf);
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < spiral.count; ++i) {
+      const double t = (static_cast<double>(i) + static_cast<double>(j) / static_cast<double>(n)) / m;
+      while (k + 1 < path.size() && path[k + 1].time <= t) ++k;
+      const bool last = k + 1 == path.size();
+      laps[i][j] =
+          last ? path[k].at : lerp(path[k].at, path[k + 1].at, (t - path[k].time) / (path[k + 1].time - path[k].time));
+    }
+    spiral.boundary.push_back(nodes_[leaf].at);
+  }
+  spiral.boundary.push_back(spiral.boundary.front());
+  for (const Polyline& lap : laps) spiral.laps.insert(spiral.laps.end(), lap.begin(), lap.end());
+  return spiral;
+}
+
+std::vector<WaveTree> wave_trees(const MedialAxis& axis) {
+  const std::size_t n = axis.nodes.size();
+  DisjointSets sets(n);
+  std::vector<MedialAxis::Edge> tree;
+  for (const MedialAxis::Edge& e : axis.edges)
+    if (sets.unite(e.a, e.b)) tree.push_back(e);
+  struct Part {
+    std::vector<WaveTree::Node> nodes = {};
+    std::vector<std::pair<std::size_t, std::size_t>> links = {};
+    std::vector<std::size_t> leaves = {};
+  };
+  std::vector<Part> parts;
+  std::vector<std::size_t> part_of(n, n), index(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t& part = part_of[sets.find(k)];
+    if (part == n) part = parts.size(), parts.emplace_back();
+    index[k] = parts[part].nodes.size();
+    parts[part].nodes.push_back({axis.nodes[k].at, axis.nodes[k].clearance});
+  }
+  const auto part = [&](std::size_t node) -> Part& { return parts[part_of[sets.find(node)]]; };
+  for (const MedialAxis::Edge& e : tree) part(e.a).links.push_back({index[e.a], index[e.b]});
+  for (const MedialAxis::Spoke& s : axis.spokes) {
+    Part& p = part(s.node);
+    p.links.push_back({index[s.node], p.nodes.size()});
+    p.leaves.push_back(p.nodes.size());
+    p.nodes.push_back({s.foot, 0});
+  }
+  std::vector<WaveTree> trees;
+  for (Part& p : parts)
+    if (!p.leaves.empty()) trees.emplace_back(std::move(p.nodes), p.links, std::move(p.leaves));
+  return trees;
+}
+
+}  // namespace oxturn

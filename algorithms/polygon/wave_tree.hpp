@@ -1,0 +1,84 @@
+/// The medial axis as a tree over which a wave travels from its root to the boundary, and the spiral that it gives.
+///
+///   const MedialAxis axis = medial_axis(region, tool_width / 100);       // a region without holes
+///   for (WaveTree& tree : wave_trees(axis)) {
+///     tree.root_at_centre();
+///     const WaveSpiral spiral = tree.spiral(0.95 * tool_width, greatest_branch);
+///     drive(spiral.spine), drive(spiral.laps);
+///   }
+///
+/// The wave leaves the root (or the spine, a subtree about the root) at time 0, and on every branch travels at the
+/// constant speed at which it reaches the end of the longest path beyond at time 1. So it arrives at all leaves, the
+/// feet of spokes on the boundary, at time 1, and no branch is faster than the longest one. Lap i of n leaves has, for
+/// each leaf j, the position of the wave on the path to it at time (i + j / n) / m: one continuous curve, which moves
+/// outwards by at most a lap's distance, the height of the tree over m, in each turn. The last lap is the boundary.
+///
+/// After Held and Spielberger 2009. O(l (d + m)) for l leaves at depth d and m laps.
+#pragma once
+
+#include <vector>
+
+#include "geometry/mesh/medial_axis.hpp"
+
+namespace oxturn {
+
+struct WaveSpiral {
+  Polyline spine = {};     // a walk over the part where time is 0, to the spiral's beginning; one point: the root
+  Polyline laps = {};      // from the end of the spine to the last lap, exclusive
+  Polyline boundary = {};  // the last lap, closed
+  std::size_t count = 0;   // of laps, the last one not counted
+};
+
+class WaveTree {
+ public:
+  struct Node {
+    Point at;
+    double clearance;
+  };
+
+  /// Nodes and links form a tree; `leaves` are the nodes on the boundary, in its order.
+  WaveTree(std::vector<Node> nodes, const std::vector<std::pair<std::size_t, std::size_t>>& links,
+           std::vector<std::size_t> leaves);
+
+  /// The middle of the longest path becomes the root (the default is node 0).
+  void root_at_centre();
+  /// The node nearest to a point becomes the root.
+  void root_near(const Point& p);
+
+  /// Metres from the root to the farthest leaf.
+  double height() const { return height_[root_]; }
+  double greatest_clearance() const;
+  /// When the wave reaches a leaf, if it leaves all that is higher above the boundary than `start_height` at time 0.
+  std::vector<double> arrivals(double start_height);
+  /// Laps at most `step` apart. The spine is what is higher than `start_height`; infinity: the root alone. Of the
+  /// possible beginnings the one nearest to `near`.
+  WaveSpiral spiral(double step, double start_height, const Point& near);
+
+ private:
+  struct Crossing {
+    double time;
+    Point at;
+  };
+  std::size_t add(const Node& node, std::size_t a, std::size_t b);  // on the link ab
+  void orient();
+  std::vector<double> distances(std::size_t from) const;
+  void cut_at(double height);
+  void set_times(double start_height);
+  std::size_t spine_end(std::size_t from) const;
+  Polyline walk_spine(std::size_t from, std::size_t to) const;
+  std::size_t start_of(std::size_t node) const;  // its last ancestor, or itself, at time 0
+  std::vector<Crossing> path_to(std::size_t leaf) const;
+
+  std::vector<Node> nodes_;
+  std::vector<std::vector<std::size_t>> links_;
+  std::vector<std::size_t> leaves_;
+  std::size_t root_ = 0;
+  // Of the rooted tree: nodes, parents first; and by node.
+  std::vector<std::size_t> order_, parent_;
+  std::vector<double> height_, time_;
+};
+
+/// One tree for each connected component of the axis. Links that would close a cycle are left out.
+std::vector<WaveTree> wave_trees(const MedialAxis& axis);
+
+}  // namespace oxturn

@@ -1,0 +1,91 @@
+#include "algorithms/polygon/moving_rings.hpp"
+#include "coverage_oracle.hpp"
+#include "geometry/convex_hull.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr int kSamples = 700;
+
+double to_boundary(const Region& region, const Point& p) {
+  double least = 1e300;
+  for_each_edge(region, [&](const Point& a, const Point& b) { least = std::min(least, distance_to_segment(p, a, b)); });
+  return least;
+}
+
+// By hand: 5 arcs, the inner nodes 2 m from the boundary.
+TEST(StraightSkeleton, OfARectangle) {
+  const StraightSkeleton skeleton = straight_skeleton(box_region({0, 0}, {10, 4}).polygons[0]);
+  EXPECT_EQ(skeleton.nodes.size(), 6u);
+  EXPECT_EQ(skeleton.arcs.size(), 5u);
+  for (const StraightSkeleton::Node& n : skeleton.nodes) EXPECT_NEAR(n.time, n.time > 0 ? 2 : 0, 1e-12);
+}
+
+// Of a convex polygon it is the medial axis: the time of a node is its distance from the boundary.
+TEST(StraightSkeleton, OfConvexPolygonsIsTheMedialAxis) {
+  for (const auto seed : seeds(10)) {
+    Rng rng(seed);
+    std::vector<Point> points;
+    for (int k = 0; k < 12; ++k) points.push_back({rng.between(0, 9), rng.between(0, 7)});
+    const Region region{{{convex_hull(points), {}}}};
+    for (const StraightSkeleton::Node& n : straight_skeleton(region.polygons[0]).nodes)
+      EXPECT_NEAR(n.time, to_boundary(region, n.at), 1e-6) << seed;
+  }
+}
+
+// Insets keep their distance, and rings of later times come from those of earlier ones, none twice.
+TEST(MovingRings, AreInsets) {
+  for (const auto seed : seeds(10)) {
+    SCOPED_TRACE(seed);
+    const Region region = generate("polygon", {{"width", 9.0}, {"height", 8.0}}, seed).free;
+    const MovingRings rings(straight_skeleton(region.polygons[0]));
+    std::vector<MovingRing> now = rings.begin();
+    ASSERT_EQ(now.size(), 1u);
+    EXPECT_NEAR(length(rings.closed(now[0], 0)), perimeter(region), 1e-9);
+    double last_area = area(region);
+    for (double t = 0.1; !now.empty() && t < 9; t += 0.1) {
+      std::vector<MovingRing> next;
+      for (const MovingRing& ring : now)
+        for (MovingRing& later : rings.advance(ring, t)) next.push_back(std::move(later));
+      double sum = 0;
+      for (const MovingRing& ring : next) {
+        Polyline lap = rings.closed(ring, t);
+        for (const Point& p : lap) ASSERT_GE(to_boundary(region, p), t - 1e-9);
+        lap.pop_back();
+        sum += signed_area(lap);
+      }
+      EXPECT_LT(sum, last_area);
+      last_area = sum;
+      now = std::move(next);
+    }
+    EXPECT_TRUE(now.empty());
+  }
+}
+
+// By hand: the boundary and the first lap are closed, each further lap is as long as
+// the mean of the squares before and after it, and the last one is closed again.
+TEST(SkeletonSpiral, LapsOfASquare) {
+  const Problem p(Map{"square", box_region({0, 0}, {12.4, 12.4}), "", ""}, disc(0.2, 0.4), Point(0.3, 0.3));
+  double laps = 4 * 12, side = 12 - 2 * 0.4;
+  for (laps += 4 * side; side > 0.8; side -= 0.8) laps += 4 * (side - 0.4);
+  laps += 4 * side;
+  for (const char* growth : {"length", "vertex"}) {
+    const Path path = plan("skeleton-spiral", p, {{"growth", std::string(growth)}, {"repair", false}});
+    EXPECT_NEAR(path.length(true), laps, 0.03 * laps) << growth;
+  }
+}
+
+TEST(SkeletonSpiral, CoversEveryFamilyWhole) {
+  for (const auto seed : seeds(2))
+    for (const Problem& p : sample_problems(seed))
+      for (const char* growth : {"length", "vertex"}) {
+        SCOPED_TRACE(p.map().source + " " + growth);
+        const Path path = plan("skeleton-spiral", p, {{"growth", std::string(growth)}});
+        expect_valid(p, path);
+        EXPECT_LE(uncovered_share(p, path, kSamples), 2e-3);
+      }
+}
+
+}  // namespace
+}  // namespace oxturn

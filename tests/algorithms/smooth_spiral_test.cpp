@@ -1,0 +1,113 @@
+#include "algorithms/polygon/link_crossings.hpp"
+#include "algorithms/polygon/smooth_curve.hpp"
+#include "algorithms/polygon/wave_tree.hpp"
+#include "coverage_oracle.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr int kSamples = 700;
+
+WaveTree tree_of(const Region& region) {
+  std::vector<WaveTree> trees = wave_trees(medial_axis(region, 0.01));
+  EXPECT_EQ(trees.size(), 1u);
+  trees[0].root_at_centre();
+  return std::move(trees[0]);
+}
+
+// By hand, for a rectangle of a x b: from the middle along half the ridge and to a vertex.
+TEST(WaveTree, HeightsAndLapsOfRectangles) {
+  WaveTree tree = tree_of(box_region({0, 0}, {10, 4}));
+  EXPECT_NEAR(tree.height(), 3 + 4 / std::sqrt(2), 1e-6);
+  EXPECT_EQ(tree.spiral(0.5, 1e300, {0, 0}).count, 12u);
+  WaveTree longer = tree_of(box_region({0, 0}, {20, 3}));
+  EXPECT_EQ(longer.spiral(0.95 * 0.7, 1e300, {0, 0}).count, 16u);
+  const WaveSpiral spiral = tree_of(box_region({0, 0}, {20, 3})).spiral(0.95 * 0.7, 1.5 * 1.5, {0, 0});
+  EXPECT_EQ(spiral.count, 4u);
+  EXPECT_NEAR(length(spiral.spine), 17 - 2 * (2.25 - 3 / std::sqrt(2)), 1e-6);  // the ridge but for its lower ends
+  EXPECT_NEAR(length(spiral.boundary), 46, 1e-5);
+}
+
+TEST(WaveTree, ReachesAllLeavesAtTimeOne) {
+  for (const auto seed : seeds(10)) {
+    const Region region = generate("polygon", {{"width", 9.0}, {"height", 8.0}}, seed).free;
+    for (const double start : {0.8, 2.0, 1e300}) {
+      WaveTree tree = tree_of(region);
+      for (const double t : tree.arrivals(start)) EXPECT_NEAR(t, 1, 1e-9);
+    }
+  }
+}
+
+// But where laps on both sides of the axis lie on it, as the first ones do, and rounding makes them cross.
+TEST(SmoothSpiral, HardlyCrossesItself) {
+  for (const auto seed : seeds(10)) {
+    SCOPED_TRACE(seed);
+    const Problem p(generate("polygon", {{"width", 9.0}, {"height", 8.0}}, seed), Robot{});
+    const Path path = plan("smooth-spiral", p, {{"repair", false}, {"start", std::string("centre")}});
+    Polyline all;
+    for (const Leg& leg : path.legs)
+      if (leg.tool) all.insert(all.end(), leg.points.begin(), leg.points.end());
+    EXPECT_LE(count_crossings({all}, {}).links, 10u);
+  }
+}
+
+TEST(SmoothSpiral, CoversWithoutRepair) {
+  for (const auto seed : seeds(3))
+    for (const char* family : {"polygon", "clutter", "field"})
+      for (const char* start : {"spine", "centre", "start"}) {
+        SCOPED_TRACE(fmt::format("{} {} {}", family, seed, start));
+        const Problem p(generate(family, {{"width", 9.0}, {"height", 8.0}}, seed), Robot{});
+        const Path path = plan("smooth-spiral", p, {{"repair", false}, {"start", std::string(start)}});
+        expect_valid(p, path);
+        EXPECT_LE(uncovered_share(p, path, kSamples), 2e-3);
+        std::size_t work = 0;
+        for (const Leg& leg : path.legs) work += leg.tool ? 1 : 0;
+        EXPECT_EQ(work, 1u);
+      }
+}
+
+TEST(SmoothSpiral, CoversEveryFamilyWhole) {
+  for (const auto seed : seeds(2))
+    for (const Problem& p : sample_problems(seed))
+      for (const char* direction : {"out", "in"}) {
+        SCOPED_TRACE(p.map().source);
+        const Path path = plan("smooth-spiral", p, {{"direction", std::string(direction)}});
+        expect_valid(p, path);
+        EXPECT_LE(uncovered_share(p, path, kSamples), 2e-3);
+      }
+}
+
+// From the middle to the boundary, so the last lap is driven at the end, or at the beginning.
+TEST(SmoothSpiral, EndsOrBeginsWithTheBoundary) {
+  const Problem p(Map{"room", box_region({0, 0}, {7, 5}), "", ""}, Robot{}, Point(2, 2));
+  const double off = p.robot().radius * 1.001;
+  const auto on_boundary = [&](const Point& q) {
+    return q.x() <= off || q.y() <= off || q.x() >= 7 - off || q.y() >= 5 - off;
+  };
+  EXPECT_TRUE(on_boundary(plan("smooth-spiral", p).legs.back().points.back()));
+  const Path in = plan("smooth-spiral", p, {{"direction", std::string("in")}});
+  EXPECT_FALSE(on_boundary(in.legs.back().points.back()));
+}
+
+TEST(SmoothCurve, StaysWithinItsTolerances) {
+  const Problem p(Map{"room", box_region({-9, -9}, {9, 9}), "", ""}, Robot{}, Point(0, 0));
+  const Connector connector(p);
+  Polyline wave;
+  for (int k = 0; k <= 2000; ++k) wave.push_back({k * 0.006 - 6, std::sin(k * 0.02)});
+  const Polyline fewer = with_fewer_vertices(wave, 0.01, connector);
+  EXPECT_LT(fewer.size(), 150u);
+  for (const Point& q : wave) {
+    double far = 1e300;
+    for (std::size_t i = 1; i < fewer.size(); ++i) far = std::min(far, distance_to_segment(q, fewer[i - 1], fewer[i]));
+    ASSERT_LE(far, 0.0101);
+  }
+  // A right angle rounded within 0.1 m: radius 0.1 / (sqrt 2 - 1).
+  const Polyline arc = rounded_corners({{0, 0}, {4, 0}, {4, 4}}, 0.1, connector);
+  const double r = 0.1 / (std::sqrt(2) - 1);
+  EXPECT_NEAR(length(arc), 8 - 2 * r + kPi / 2 * r, 1e-3);
+  EXPECT_EQ(without_collinear_vertices({{0, 0}, {1, 0}, {2, 0}, {2, 1}}), (Polyline{{0, 0}, {2, 0}, {2, 1}}));
+}
+
+}  // namespace
+}  // namespace oxturn

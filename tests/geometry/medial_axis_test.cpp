@@ -1,0 +1,108 @@
+#include "geometry/mesh/medial_axis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "base/disjoint_sets.hpp"
+#include "geometry/overlay/cut_along.hpp"
+#include "tests/support/maps.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+double to_boundary(const Region& region, const Point& p) {
+  double least = 1e300;
+  for_each_edge(region, [&](const Point& a, const Point& b) { least = std::min(least, distance_to_segment(p, a, b)); });
+  return least;
+}
+
+double length_of(const MedialAxis& axis) {
+  double sum = 0;
+  for (const MedialAxis::Edge& e : axis.edges) sum += distance(axis.nodes[e.a].at, axis.nodes[e.b].at);
+  return sum;
+}
+
+// By hand: a ridge of 6 m and four edges to the vertices, sqrt(8) each.
+TEST(MedialAxis, OfARectangle) {
+  const MedialAxis axis = medial_axis(box_region({0, 0}, {10, 4}), 0.01);
+  EXPECT_EQ(axis.nodes.size(), 6u);
+  EXPECT_NEAR(length_of(axis), 6 + 4 * std::sqrt(8), 1e-6);
+  EXPECT_EQ(axis.spokes.size(), 4u + 2 * 3);  // each end of the ridge has three nearest points
+}
+
+// Brute force: what is nearest to a node, and that each node has two nearest points.
+TEST(MedialAxis, NodesAreAsFarFromTheirFeetAsFromTheBoundary) {
+  for (const auto seed : seeds(10))
+    for (const char* family : {"polygon", "clutter"}) {
+      SCOPED_TRACE(std::string(family) + " " + std::to_string(seed));
+      const Region region = generate(family, {{"width", 9.0}, {"height", 8.0}}, seed).free;
+      const MedialAxis axis = medial_axis(region, 0.01);
+      for (const MedialAxis::Spoke& s : axis.spokes) {
+        const MedialAxis::Node& n = axis.nodes[s.node];
+        ASSERT_NEAR(distance(n.at, s.foot), to_boundary(region, n.at), 1e-6);
+        ASSERT_NEAR(n.clearance, to_boundary(region, n.at), 1e-6);
+        ASSERT_NEAR(to_boundary(region, s.foot), 0, 1e-6);
+      }
+      // One component; as many cycles as holes, because each hole lies in one.
+      DisjointSets sets(axis.nodes.size());
+      std::size_t cycles = 0, parts = axis.nodes.size();
+      for (const MedialAxis::Edge& e : axis.edges) sets.unite(e.a, e.b) ? --parts : ++cycles;
+      EXPECT_EQ(parts, 1u);
+      EXPECT_EQ(cycles, hole_count(region));
+    }
+}
+
+// In the order of the boundary each foot follows the one before: around the polygon once.
+TEST(MedialAxis, SpokesFollowTheBoundary) {
+  for (const auto seed : seeds(10)) {
+    const Region region = generate("polygon", {{"width", 9.0}, {"height", 8.0}}, seed).free;
+    const MedialAxis axis = medial_axis(region, 0.01);
+    double around = 0;
+    for (std::size_t k = 0; k < axis.spokes.size(); ++k)
+      around += distance(axis.spokes[k].foot, axis.spokes[(k + 1) % axis.spokes.size()].foot);
+    EXPECT_NEAR(around, perimeter(region), 1e-5) << seed;
+  }
+}
+
+// Kruskal over all pairs of rings, by brute force.
+TEST(ShortestBridges, AreAMinimumSpanningTree) {
+  for (const auto seed : seeds(10)) {
+    SCOPED_TRACE(seed);
+    const Region region = generate("clutter", {{"width", 9.0}, {"height", 8.0}}, seed).free;
+    std::vector<Ring> rings;
+    for_each_ring(region, [&](const Ring& ring) { rings.push_back(ring); });
+    struct Pair {
+      double far;
+      std::size_t a, b;
+    };
+    std::vector<Pair> pairs;
+    for (std::size_t a = 0; a < rings.size(); ++a)
+      for (std::size_t b = a + 1; b < rings.size(); ++b) {
+        double far = 1e300;
+        for_each_edge(rings[a], [&](const Point& p, const Point& q) {
+          for_each_edge(rings[b], [&](const Point& r, const Point& s) {
+            far = std::min({far, distance_to_segment(p, r, s), distance_to_segment(r, p, q)});
+          });
+        });
+        pairs.push_back({far, a, b});
+      }
+    std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.far < b.far; });
+    DisjointSets sets(rings.size());
+    double least = 0;
+    for (const Pair& p : pairs)
+      if (sets.unite(p.a, p.b)) least += p.far;
+    const std::vector<Polyline> bridges = shortest_bridges(region);
+    double sum = 0;
+    for (const Polyline& b : bridges) sum += length(b);
+    EXPECT_EQ(bridges.size(), rings.size() - 1);
+    EXPECT_NEAR(sum, least, 1e-5);
+    const Region open = cut_along(region, bridges, 1e-4);
+    EXPECT_EQ(open.polygons.size(), 1u);
+    EXPECT_EQ(hole_count(open), 0u);
+  }
+}
+
+}  // namespace
+}  // namespace oxturn
