@@ -25,6 +25,7 @@ Command map_command();
 Command plan_command();
 Command score_command();
 Command run_command();
+Command check_command();
 Command report_command();
 Command rescore_command();
 Command completion_command();
