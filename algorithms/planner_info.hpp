@@ -49,7 +49,8 @@ struct PlannerInfo {
   /// Of a planner from outside: where it comes from ("python3 lanes.py"), and a hash of everything that determines
   /// what it does. Empty: it is part of oxturn.
   std::string origin = {}, identity = {};
-  std::vector<Symmetry> symmetries = {};
+  bool is_program = false;  // an external planner: each plan is a program of its own
+  std::vector<Symmetry> symmetries = {};  // with the default settings
 
   /// What it promises to cover with these settings. Throws as `make` does.
   Promise promised(const Settings& settings) const;
@@ -77,10 +78,10 @@ struct Description {
   std::vector<Capability> capabilities;
   std::string guarantee;
   Promise promise = Promise::nothing;
+  std::vector<Symmetry> symmetries = {};  // with the default settings
   std::vector<Parameter<P>> parameters;
   Settings published = {};
   bool (*promises_with)(const P&) = nullptr;  // whether `promise` holds with these parameters; nullptr: with all
-  std::vector<Symmetry> symmetries = {};      // with the default settings
 };
 
 /// The parameter `variant`, which describe() adds to planners with a published form.

@@ -175,6 +175,7 @@ PlannerInfo rectangles() {
        .capabilities = {Capability::online, Capability::holes, Capability::footprint},
        .guarantee = "every cell of a drivable rectangle of at least 2 x 2 cells, except skipped columns",
        .promise = Promise::cells,
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters =
            {cell_size_line<P>("side of a cell, metres; 0: as `cells` says"),
             {"cells", &P::cells, Choices{"wider", "robot"},

@@ -283,6 +283,7 @@ PlannerInfo berg() {
        .citation = "Berg, A Geometric Algorithm for Online Tethered Navigation, LTH 2021, sections 3.1, 3.3",
        .capabilities = {Capability::tether, Capability::holes},
        .guarantee = "stays in configuration space; checks neither coverage nor the tether while joining pieces",
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = {
            {"order", &Params::order, Choices{"bfs-per-divider", "bfs", "dfs"},
             "area by area between dividers, lap by lap, or to the end of each branch first"},

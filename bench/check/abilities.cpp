@@ -38,7 +38,7 @@ std::string tether(CheckSubject& subject) {
 
 std::string footprint(CheckSubject& subject) {
   require(subject, Capability::footprint);
-  Problem plain = subject.problem("room");
+  const Problem plain = subject.problem("polygon:3");  // with oblique walls
   Robot robot = plain.robot();
   robot.footprint = parse_footprint("square:0.4");
   return must_manage(subject, subject.take(Problem(plain.map(), robot)));

@@ -32,7 +32,8 @@ std::string cancel(CheckSubject& subject) {
   const Planned planned = subject.plan(problem, {.wall_s = kDeadline, .how = cancelled});
   const bool late = planned.outcome == Outcome::timeout || planned.wall_s > kSoon * kDeadline;
   if (late) return fmt::format("on '{}': goes on after it was cancelled", problem.map().name);
-  if (planned.outcome == Outcome::infeasible) return "";  // nothing was found so far
+  const bool nothing = planned.outcome == Outcome::infeasible || (planned.path && planned.path->legs.empty());
+  if (nothing) return "";  // so far
   return subject.must_be_valid(problem, planned);
 }
 
@@ -59,7 +60,7 @@ std::string infeasible(CheckSubject& subject) {
 
 PlannerChecks limit_checks() {
   return {{"deadline", "ends by its deadline", deadline},
-          {"cancel", "ends soon after it was cancelled, with a valid path or a refusal", cancel},
+          {"cancel", "ends soon after it was cancelled, with a valid path, a refusal or nothing", cancel},
           {"refusal", "does not refuse a plain room", honest_refusal},
           {"infeasible", "says infeasible where it can do nothing", infeasible}};
 }

@@ -39,11 +39,16 @@ Region wavy(int vertices) {
   return {{{ring, {}}}};
 }
 
-/// A rectangle whose sides have many vertices, each of them twice.
+/// A rectangle whose sides have many vertices, each of them twice, and every second pair a little off the line.
 Region collinear() {
+  constexpr double kOff = 4e-6, kApart = 1e-5;  // metres
   Ring ring;
   const auto side = [&](const Point& a, const Point& b) {
-    for (int k = 0; k < 500; ++k) ring.insert(ring.end(), 2, lerp(a, b, k / 500.0));
+    const Point along = (b - a).normalized(), in = perpendicular(along);
+    for (int k = 0; k < 200; ++k) {
+      const Point p = lerp(a, b, k / 200.0) + (k % 2) * kOff * in;
+      for (const Point& q : {p, p, Point(p + kApart * along)}) ring.push_back(q);
+    }
   };
   side({0, 0}, {5, 0});
   side({5, 0}, {5, 4});
@@ -53,8 +58,9 @@ Region collinear() {
 }
 
 /// Dyadic numbers and nothing symmetric, so that turning, mirroring and scaling by 2 change no digit.
-Drawn for_symmetries() {
+Drawn for_symmetries(bool pillar) {
   Drawn drawn{{{{{{0, 0}, {7, 0}, {7, 3.5}, {4.25, 3.5}, {4.25, 5}, {0, 5}}, {}}}}, {}, Point(0.5, 0.75)};
+  if (pillar) drawn.free = with_pillar(drawn.free);
   drawn.robot.radius = 0.25;
   drawn.robot.tool_width = 0.5;
   return drawn;
@@ -67,7 +73,7 @@ Drawn drawn(const std::string& name) {
   if (name == "one cell") return {box_region({0, 0}, {0.45, 0.45})};
   if (name == "corridor as wide as the robot") return {box_region({0, 0}, {6, 0.402})};
   if (name == "disconnected") return {unite({box_region({0, 0}, {5, 4}), box_region({7, 0}, {9, 4})}), {}, Point(1, 1)};
-  if (name == "ten thousand vertices") return {wavy(10000)};
+  if (name == "ten thousand vertices") return {wavy(10000), check_robot(1.5)};
   if (name == "collinear and duplicate points") return {collinear()};
   if (name == "huge coordinates") return {transformed(box_region({0, 0}, {5, 4}), 0.3, {1e6, -1e6})};
   if (name == "tiny") return sized_room(1e-3);
@@ -75,7 +81,8 @@ Drawn drawn(const std::string& name) {
   if (name == "start on the boundary") return {box_region({0, 0}, {5, 4}), check_robot(), Point(0.2, 1)};
   if (name == "wide tool") return sized_room(1, 5);
   if (name == "narrow tool") return sized_room(1, 0.5);
-  if (name == "symmetries") return for_symmetries();
+  if (name == "symmetries") return for_symmetries(false);
+  if (name == "symmetries with a pillar") return for_symmetries(true);
   throw std::logic_error("no problem of the checks is called " + name);
 }
 

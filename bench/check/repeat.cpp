@@ -54,12 +54,13 @@ std::string unobserved(CheckSubject& subject) {
 }
 
 /// path_sha256 and outcome of each map.
-std::map<std::string, std::string> run_all(CheckSubject& subject, std::vector<Problem> problems, int jobs) {
+std::map<std::string, std::string> run_all(CheckSubject& subject, const std::vector<Problem>& problems,
+                                           const Robot& robot, int jobs) {
   const ScratchFolder folder;
   Suite suite;
   suite.name = "check";
   suite.limits.wall_s = subject.wall_s();
-  suite.robots = {problems.front().robot()};
+  suite.robots = {robot};
   for (const Problem& problem : problems) {
     MapSpec map;
     map.name = map.file = problem.map().name;
@@ -81,8 +82,9 @@ std::string any_order(CheckSubject& subject) {
   std::vector<Problem> problems;
   for (const char* name : {"room", "symmetries", "corridor as wide as the robot"})
     problems.push_back(subject.problem(name));
-  const auto one = run_all(subject, problems, 1);
-  const auto many = run_all(subject, {problems.rbegin(), problems.rend()}, 3);
+  const Robot robot = problems.front().robot();
+  const auto one = run_all(subject, problems, robot, 1);
+  const auto many = run_all(subject, {problems.rbegin(), problems.rend()}, robot, 3);
   for (const auto& [map, result] : one)
     if (many.at(map) != result)
       return fmt::format("on '{}': another path in a suite of other order with -j 3 ({}, {} before)", map, many.at(map),

@@ -52,7 +52,7 @@ class CheckSubject {
   const PlannerInfo& planner() const { return planner_; }
   const Registry& registry() const { return registry_; }
   double wall_s() const { return options_.wall_s; }
-  bool is_program() const { return !planner_.origin.empty(); }
+  bool is_program() const { return planner_.is_program; }
   /// A planner that plans for tethers is checked with one.
   bool tethered() const { return planner_.has(Capability::tether); }
   /// Of check_problems(). Throws CheckSkipped if the planner lacks a capability that it needs.

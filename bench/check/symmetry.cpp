@@ -45,27 +45,37 @@ Problem transformed(const Problem& problem, const Transformation& t) {
   return Problem(std::move(map), robot, t.apply(problem.start()), t.apply(problem.anchor()));
 }
 
+/// Why the paths of a problem and of the transformed one are not alike, or "".
+std::string difference(CheckSubject& subject, const Problem& problem, const Transformation& t) {
+  const Problem& other = subject.take(transformed(problem, t));
+  const Planned before = subject.plan(problem), after = subject.plan(other);
+  if (std::string wrong = subject.must_be_valid(other, after); !wrong.empty()) return wrong;
+  if (before.outcome != after.outcome)
+    return fmt::format("{}, {} on '{}'", to_text(before.outcome), to_text(after.outcome), other.map().name);
+  if (!before.path || !after.path) return "";
+  for (const bool tool : {true, false}) {
+    const double expected = t.scale * before.path->length(tool), found = after.path->length(tool);
+    if (std::abs(expected - found) > kRelative * t.scale * before.path->length())
+      return fmt::format("on '{}': drives {:.9g} m with the tool {}, expected {:.9g} m", other.map().name, found,
+                         tool ? "on" : "off", expected);
+  }
+  return "";
+}
+
 PlannerCheck check_of(const Transformation& t) {
   const auto run = [t](CheckSubject& subject) -> std::string {
     const auto& declared = subject.planner().symmetries;
     if (std::find(declared.begin(), declared.end(), t.symmetry) == declared.end())
       throw CheckSkipped("it does not declare this");
-    const Problem problem = subject.problem("symmetries");
-    const Problem& other = subject.take(transformed(problem, t));
-    const Planned before = subject.plan(problem), after = subject.plan(other);
-    if (std::string wrong = subject.must_be_valid(other, after); !wrong.empty()) return wrong;
-    if (before.outcome != after.outcome)
-      return fmt::format("{}, {} on the problem {}", to_text(before.outcome), to_text(after.outcome), t.title);
-    if (!before.path || !after.path) return "";
-    for (const bool tool : {true, false}) {
-      const double expected = t.scale * before.path->length(tool), found = after.path->length(tool);
-      if (std::abs(expected - found) > kRelative * t.scale * before.path->length())
-        return fmt::format("drives {:.9g} m with the tool {} on the problem {}, expected {:.9g} m", found,
-                           tool ? "on" : "off", t.title, expected);
+    for (const char* name : {"symmetries", "symmetries with a pillar"}) {
+      const bool holes = std::string_view(name) != "symmetries";
+      if (holes && !subject.planner().has(Capability::holes)) continue;
+      const Problem problem = subject.problem(name);
+      if (std::string wrong = difference(subject, problem, t); !wrong.empty()) return wrong;
     }
     return "";
   };
-  return {to_text(t.symmetry), fmt::format("the same path on a problem that is {}", t.title), run};
+  return {to_text(t.symmetry), fmt::format("a path of the same length on a problem that is {}", t.title), run};
 }
 
 }  // namespace
