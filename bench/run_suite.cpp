@@ -71,19 +71,20 @@ class Interrupts {
   }, old_term_{};
 };
 
-/// Of the runs in `range`, first and one past the last.
+/// Of the runs in `range`, from the first up to before the second.
 std::vector<Unit> units_of(const Suite& suite, std::size_t cells, int jobs, std::pair<std::size_t, std::size_t> range) {
-  const std::size_t problems = suite.maps.size() * suite.robots.size();
-  const std::size_t runs = problems > 0 ? cells / problems : 0;  // of one problem
-  const std::size_t wanted = problems < static_cast<std::size_t>(jobs) ? static_cast<std::size_t>(jobs) : 1;
-  const std::size_t parts = std::max<std::size_t>(1, std::min(wanted, runs));
+  const auto [first, last] = range;
+  if (first >= last) return {};
+  const std::size_t runs = cells / (suite.maps.size() * suite.robots.size());  // of one problem
+  const std::size_t begin = first / runs, end = (last - 1) / runs + 1;         // problems
+  const std::size_t wanted = end - begin < static_cast<std::size_t>(jobs) ? static_cast<std::size_t>(jobs) : 1;
   std::vector<Unit> units;
-  for (std::size_t p = 0; p < problems; ++p) {
+  for (std::size_t p = begin; p < end; ++p) {
+    const std::size_t low = std::max(first, p * runs), high = std::min(last, (p + 1) * runs);
+    const std::size_t parts = std::min(wanted, high - low);
     for (std::size_t k = 0; k < parts; ++k)
-      units.push_back({std::max(range.first, p * runs + runs * k / parts),
-                       std::min(range.second, p * runs + runs * (k + 1) / parts)});
+      units.push_back({low + (high - low) * k / parts, low + (high - low) * (k + 1) / parts});
   }
-  std::erase_if(units, [](const Unit& unit) { return unit.first >= unit.last; });
   return units;
 }
 

@@ -39,7 +39,7 @@ struct SessionFile {
   std::vector<SessionEntry> sessions;                       // in order
   Shard shard = {};                                         // whose runs the folder holds
   std::size_t runs = 0;                                     // of the whole suite
-  std::string suite_identity;                               // suite_identity()
+  std::string suite_identity = {};                          // suite_identity()
   nlohmann::ordered_json rescored =
       nullptr;  // build_description() of another build whose rescore() was the last; or null
   /// Of the build that planned, and of the one that scored; "unknown" if it is not said.

@@ -19,15 +19,15 @@ using ::testing::HasSubstr;
 using testing::planted_faults;
 using ::testing::ThrowsMessage;
 
-std::vector<CheckResult> checked_with(const std::string& planner, CheckOptions options) {
-  options.wall_s = 5;
+std::vector<CheckResult> checked_with(const std::string& planner, CheckOptions options, double wall_s = 20) {
+  options.wall_s = wall_s;
   return PlannerChecker(faulty_registry(), std::move(options)).check(faulty_registry().planners.find(planner));
 }
 
 TEST(Check, EachPlantedFaultIsFoundAndNamed) {
   for (const auto& [planner, check] : planted_faults()) {
     SCOPED_TRACE(planner);
-    const auto results = checked_with(planner, {.only = {check}});
+    const auto results = checked_with(planner, {.only = {check}}, 5);
     ASSERT_EQ(results.size(), 1u);
     EXPECT_EQ(to_text(results[0].status), "failed") << check << ": " << results[0].reason;
     EXPECT_NE(results[0].reason, "");

@@ -103,7 +103,7 @@ Path single_precision(const CoveragePlanner& good, const Problem& problem, Conte
   Path path = good.plan(problem, context);
   for (Leg& leg : path.legs)
     for (Point& p : leg.points)
-      if (p != problem.start()) p = p.cast<float>().cast<double>();
+      if (p != problem.start()) p = Point(static_cast<float>(p.x()), static_cast<float>(p.y()));
   return path;
 }
 Path bounded_grid(const CoveragePlanner& good, const Problem& problem, Context& context) {
