@@ -49,7 +49,7 @@ struct PlannerInfo {
   /// Of a planner from outside: where it comes from ("python3 lanes.py"), and a hash of everything that determines
   /// what it does. Empty: it is part of oxturn.
   std::string origin = {}, identity = {};
-  bool is_program = false;  // an external planner: each plan is a program of its own
+  bool is_program = false;                // an external planner: each plan is a program of its own
   std::vector<Symmetry> symmetries = {};  // with the default settings
 
   /// What it promises to cover with these settings. Throws as `make` does.

@@ -1,7 +1,6 @@
 // oxturn run: a whole suite into a results folder, with its report.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <string>
