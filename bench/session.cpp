@@ -166,8 +166,8 @@ void Session::append(const std::string& line) {
 void Session::rewrite(const std::string& lines) { write_file(file_, csv_header(columns_) + lines); }
 
 void Session::describe(const Suite& suite, const SuiteRunOptions& options) {
-  SessionFile session{suite.name, suite.file, suite.limits, suite.warm_ups, suite.target_coverage, {}, {},
-                      programs_,  metrics_,   sessions_};
+  SessionFile session{suite.name, suite.file, suite.limits, suite.warm_ups, suite.target_coverage,
+                      {},         {},         programs_,    metrics_,       sessions_};
   session.shard = shard_;
   session.suite_identity = suite_identity_;
   session.runs = run_count(suite);

@@ -99,12 +99,9 @@ Path divides_by_lengths(const CoveragePlanner& good, const Problem& problem, Con
     if (distance(ring[k - 1], ring[k]) < 1e-4) throw std::domain_error("division by zero");
   return good.plan(problem, context);
 }
-Path single_precision(const CoveragePlanner& good, const Problem& problem, Context& context) {
-  Path path = good.plan(problem, context);
-  for (Leg& leg : path.legs)
-    for (Point& p : leg.points)
-      if (p != problem.start()) p = Point(static_cast<float>(p.x()), static_cast<float>(p.y()));
-  return path;
+Path fixed_point(const CoveragePlanner& good, const Problem& problem, Context& context) {
+  if (space(problem).low.cwiseAbs().maxCoeff() > 1e5) throw std::overflow_error("coordinates do not fit");
+  return good.plan(problem, context);
 }
 Path bounded_grid(const CoveragePlanner& good, const Problem& problem, Context& context) {
   if (space(problem).high.x() > 32767) throw std::length_error("the grid is too large");
@@ -238,7 +235,7 @@ const std::vector<Planted>& planted() {
       {"visits-other-components", "disconnected", visits_other_components},
       {"quadratic", "many-vertices", quadratic},
       {"divides-by-lengths", "collinear", divides_by_lengths},
-      {"single-precision", "huge-coordinates", single_precision},
+      {"fixed-point", "huge-coordinates", fixed_point},
       {"bounded-grid", "huge", bounded_grid},
       {"centimetres", "tiny", centimetres},
       {"moves-the-start", "start-on-boundary", moves_the_start},
