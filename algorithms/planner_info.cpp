@@ -12,6 +12,11 @@ std::string to_text(Capability capability) {
   return kNames.at(static_cast<std::size_t>(capability));
 }
 
+std::string to_text(Symmetry symmetry) {
+  static const std::array kNames{"shift", "quarter-turn", "mirror", "scale"};  // in the enumerators' order
+  return kNames.at(static_cast<std::size_t>(symmetry));
+}
+
 bool PlannerInfo::has(Capability capability) const {
   return std::find(capabilities.begin(), capabilities.end(), capability) != capabilities.end();
 }

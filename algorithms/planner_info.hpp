@@ -26,6 +26,11 @@ using Planners = NamedList<PlannerInfo>;
 enum class Capability { tether, online, holes, curvature, footprint };
 std::string to_text(Capability capability);
 
+/// Changes of a problem that leave the path as it is, but for the same change: its length stays, or doubles with the
+/// map and the robot. Declared by planners whose choices depend on nothing else; `oxturn check` holds them to it.
+enum class Symmetry { shift, quarter_turn, mirror, scale };
+std::string to_text(Symmetry symmetry);
+
 struct PlannerInfo {
   std::string name, family, title, citation;
   std::vector<Capability> capabilities;
@@ -44,6 +49,8 @@ struct PlannerInfo {
   /// Of a planner from outside: where it comes from ("python3 lanes.py"), and a hash of everything that determines
   /// what it does. Empty: it is part of oxturn.
   std::string origin = {}, identity = {};
+  bool is_program = false;                // an external planner: each plan is a program of its own
+  std::vector<Symmetry> symmetries = {};  // with the default settings
 
   /// What it promises to cover with these settings. Nothing if the robot has a least turning radius: corners stay
   /// uncovered. Throws as `make` does.
@@ -72,6 +79,7 @@ struct Description {
   std::vector<Capability> capabilities;
   std::string guarantee;
   Promise promise = Promise::nothing;
+  std::vector<Symmetry> symmetries = {};  // with the default settings
   std::vector<Parameter<P>> parameters;
   Settings published = {};
   bool (*promises_with)(const P&) = nullptr;  // whether `promise` holds with these parameters; nullptr: with all
@@ -85,6 +93,7 @@ PlannerInfo describe(Description<P> d) {
   PlannerInfo info{d.name,         d.family,    d.title,   d.citation,
                    d.capabilities, d.guarantee, d.promise, infos_of(d.parameters),
                    d.published,    {},          {}};
+  info.symmetries = d.symmetries;
   if (!d.published.empty()) info.parameters.push_back(variant_parameter(d.published));
   const auto params = [self = info, lines = std::move(d.parameters)](const Settings& settings) {
     const std::string owner = "planner '" + self.name + "'";

@@ -194,6 +194,14 @@ std::vector<Capability> capabilities_from(const JsonAt& at) {
   return all;
 }
 
+std::vector<Symmetry> symmetries_from(const JsonAt& at) {
+  constexpr std::array kAll{Symmetry::shift, Symmetry::quarter_turn, Symmetry::mirror, Symmetry::scale};
+  if (!at.value.is_array()) at.refuse("a list of texts");
+  std::vector<Symmetry> all;
+  for (const Json& item : at.value) all.push_back(one_of(JsonAt{item, at.where}, kAll));
+  return all;
+}
+
 PlannerInfo info_from(const JsonAt& at) {
   constexpr std::array kPromises{Promise::target, Promise::cells, Promise::nothing};
   Members members(at);
@@ -207,6 +215,7 @@ PlannerInfo info_from(const JsonAt& at) {
   info.guarantee = members.text("guarantee", "none");
   if (const auto promise = members.find("promise")) info.promise = one_of(*promise, kPromises);
   if (const auto capabilities = members.find("capabilities")) info.capabilities = capabilities_from(*capabilities);
+  if (const auto symmetries = members.find("symmetries")) info.symmetries = symmetries_from(*symmetries);
   if (const auto parameters = members.find("parameters"))
     info.parameters = parameters_from(*parameters, "planner '" + info.name + "'");
   members.text("version");
@@ -292,6 +301,7 @@ PlannerInfo external_planner(const ShellCommand& command) {
   }
   PlannerInfo info = info_from({json, quoted(describe)});
   info.origin = command.text;
+  info.is_program = true;
   info.identity = identity_of(command, json.dump());
   info.make = [command, own = info](const Settings& settings, const Planners& planners) {
     const Settings given = checked("planner '" + own.name + "'", own.parameters, settings);

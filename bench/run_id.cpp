@@ -31,6 +31,23 @@ std::string identified(const PlannerInfo& planner, const Settings& settings, con
   return text;
 }
 
+std::string suite_identity(const Suite& suite, const Planners& planners) {
+  const auto located = [](const std::optional<Location>& at) { return at ? to_text(*at) : std::string("-"); };
+  const Limits& limits = suite.limits;
+  std::string text =
+      fmt::format("suite {}\nseed {}\nrepeats {}\nwarm-ups {}\ncoverage {}\nlimits {} {} {}\n", suite.name, suite.seed,
+                  suite.repeats, suite.warm_ups, suite.target_coverage, limits.wall_s, limits.cpu_s, limits.memory_mb);
+  for (const Robot& robot : suite.robots) text += fmt::format("robot {} {}\n", robot.name, canonical_text(robot));
+  for (const MapSpec& map : suite.maps)
+    text += fmt::format("map {} {} {} {} {} {} {} {}\n", map.name, map.generator, to_text(map.settings), map.seed,
+                        to_text(map.read), located(map.start), located(map.anchor),
+                        map.content ? content_hash(map.content->map) : "-");
+  for (const PlannerSpec& spec : suite.planners)
+    text +=
+        fmt::format("planner {} {}\n", identified(planners.find(spec.name), spec.settings, planners), spec.variant());
+  return sha256(text).substr(0, 16);
+}
+
 std::string run_id(const std::string& map, const std::string& robot, const std::string& problem,
                    const std::string& planner, const Settings& settings, std::uint64_t seed, int repeat,
                    const std::string& build) {

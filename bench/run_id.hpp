@@ -21,6 +21,10 @@ std::vector<const PlannerInfo*> from_outside(const PlannerInfo& planner, const S
 /// The planner's name, and the identities of those from outside.
 std::string identified(const PlannerInfo& planner, const Settings& settings, const Planners& planners);
 
+/// A hash of everything that a suite runs, on what and how, the contents of its map files included. Its maps must have
+/// names.
+std::string suite_identity(const Suite& suite, const Planners& planners);
+
 /// First 16 hex digits of a SHA-256. Limits do not count: they may end a run, they do not make it another one.
 /// `problem` is Problem::content_hash(), or any text in place of a problem that cannot be built.
 /// `planner`: identified(). `settings`: all that the planner takes (full_settings). `build`: build_identity().

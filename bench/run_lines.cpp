@@ -20,9 +20,9 @@ std::string text_of(const std::string& run_id, const std::vector<std::string>& l
 
 }  // namespace
 
-RunLines::RunLines(const std::string& folder, const std::string& name, std::string header)
-    : file_(folder + "/" + name), header_(std::move(header)) {
-  if (!std::filesystem::exists(file_)) return;
+RunLines::RunLines(const std::string& folder, const std::string& name, std::string header, bool keep)
+    : file_(folder + "/" + name), header_(std::move(header)), keep_(keep) {
+  if (!keep_ || !std::filesystem::exists(file_)) return;
   std::string text = read_file(file_);
   text.resize(text.rfind('\n') + 1);  // npos + 1 is 0
   const std::size_t wanted = parse_csv(header_, file_).front().size();

@@ -18,10 +18,13 @@ class RunLines {
  public:
   /// Reads what an earlier session left in `folder`, if anything; an incomplete last line is dropped. Throws
   /// std::invalid_argument if the lines have not as many cells as the header.
-  RunLines(const std::string& folder, const std::string& name, std::string header);
+  /// `keep`: for put_in_order(); without it nothing is kept in memory.
+  RunLines(const std::string& folder, const std::string& name, std::string header, bool keep = true);
   /// Replaces what is known of the run; the file stays as it is until put_in_order(). `lines`: without run_id and line
   /// break.
-  void set(const std::string& run_id, const std::vector<std::string>& lines) { all_[run_id] = lines; }
+  void set(const std::string& run_id, const std::vector<std::string>& lines) {
+    if (keep_) all_[run_id] = lines;
+  }
   /// The same, and appends to the file at once.
   void append(const std::string& run_id, const std::vector<std::string>& lines);
   /// Replaces the file as a whole: the runs in this order, without those that are not listed.
@@ -29,6 +32,7 @@ class RunLines {
 
  private:
   std::string file_, header_;
+  bool keep_;
   std::map<std::string, std::vector<std::string>> all_;  // by run
 };
 

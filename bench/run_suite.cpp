@@ -71,15 +71,19 @@ class Interrupts {
   }, old_term_{};
 };
 
-std::vector<Unit> units_of(const Suite& suite, std::size_t cells, int jobs) {
-  const std::size_t problems = suite.maps.size() * suite.robots.size();
-  const std::size_t runs = problems > 0 ? cells / problems : 0;  // of one problem
-  const std::size_t wanted = problems < static_cast<std::size_t>(jobs) ? static_cast<std::size_t>(jobs) : 1;
-  const std::size_t parts = std::max<std::size_t>(1, std::min(wanted, runs));
+/// Of the runs in `range`, from the first up to before the second.
+std::vector<Unit> units_of(const Suite& suite, std::size_t cells, int jobs, std::pair<std::size_t, std::size_t> range) {
+  const auto [first, last] = range;
+  if (first >= last) return {};
+  const std::size_t runs = cells / (suite.maps.size() * suite.robots.size());  // of one problem
+  const std::size_t begin = first / runs, end = (last - 1) / runs + 1;         // problems
+  const std::size_t wanted = end - begin < static_cast<std::size_t>(jobs) ? static_cast<std::size_t>(jobs) : 1;
   std::vector<Unit> units;
-  for (std::size_t p = 0; p < problems; ++p) {
+  for (std::size_t p = begin; p < end; ++p) {
+    const std::size_t low = std::max(first, p * runs), high = std::min(last, (p + 1) * runs);
+    const std::size_t parts = std::min(wanted, high - low);
     for (std::size_t k = 0; k < parts; ++k)
-      units.push_back({p * runs + runs * k / parts, p * runs + runs * (k + 1) / parts});
+      units.push_back({low + (high - low) * k / parts, low + (high - low) * (k + 1) / parts});
   }
   return units;
 }
@@ -108,20 +112,22 @@ class SuiteRun {
       : options_(options),
         columns_(run_columns(registry.metrics)),
         session_(suite, registry.planners, registry.metrics, options),
-        metrics_(options.folder, "metrics.csv", kMetricsHeader),
-        trace_(options.folder, "trace.csv", kTraceHeader),
+        metrics_(options.folder, "metrics.csv", kMetricsHeader, rewrites()),
+        trace_(options.folder, "trace.csv", kTraceHeader, rewrites()),
         cells_(cells_of(suite)),
+        range_(options.shard.range(cells_.size())),
         runs_(cells_.size()),
         earlier_(summary(session_)),
         work_{suite, registry, options_, cells_, earlier_, known_maps_},
-        progress_(cells_.size(), options.progress) {
+        progress_(range_.second - range_.first, options.progress),
+        next_(range_.first) {
     for (const MapSpec& map : suite.maps) {
       if (!map.content) continue;
       for (const std::string& remark : map.content->remarks) progress_.remark(fmt::format("{}: {}", map.file, remark));
     }
     if (const double load = load_average(); load > 0.5)
       progress_.remark(fmt::format("the machine is busy (load {:.1f}): times will be less certain", load));
-    for (const Unit& unit : units_of(suite, cells_.size(), options.jobs)) waiting_.push_back(unit);
+    for (const Unit& unit : units_of(suite, cells_.size(), options.jobs, range_)) waiting_.push_back(unit);
   }
 
   ~SuiteRun() { stop(); }
@@ -135,7 +141,7 @@ class SuiteRun {
       write_ready();
     }
     if (interrupted != 0) give_up();
-    if (!session_.earlier().empty()) put_in_order();
+    if (rewrites()) put_in_order();
   }
 
  private:
@@ -145,6 +151,9 @@ class SuiteRun {
     Row row;                                  // what is known of it so far
     std::vector<std::string> metrics, trace;  // lines of metrics.csv and trace.csv
   };
+
+  /// There are rows of earlier sessions, among which the new ones are put in order at the end.
+  bool rewrites() const { return !session_.earlier().empty(); }
 
   static std::map<std::string, Earlier> summary(const Session& session) {
     std::map<std::string, Earlier> all;
@@ -318,8 +327,12 @@ class SuiteRun {
   }
 
   void write_ready() {
-    for (; next_ < runs_.size() && runs_[next_].done; ++next_) {
-      if (!runs_[next_].kept) append(runs_[next_]);
+    for (; next_ < range_.second && runs_[next_].done; ++next_) {
+      Run& run = runs_[next_];
+      if (!run.kept) append(run);
+      if (rewrites()) continue;
+      run.row = {};  // so that memory does not grow with the rows
+      run.metrics = run.trace = {};
     }
   }
 
@@ -335,7 +348,7 @@ class SuiteRun {
   [[noreturn]] void give_up() {
     stop();
     std::size_t written = 0;
-    for (std::size_t i = 0; i < runs_.size(); ++i) {
+    for (std::size_t i = range_.first; i < range_.second; ++i) {
       Run& run = runs_[i];
       if (run.done) ++written;
       if (i < next_) continue;
@@ -343,14 +356,15 @@ class SuiteRun {
       if (run.done && !run.kept) append(run);
     }
     throw Interrupted(fmt::format("interrupted after {} of {} runs; the same command with --resume does the rest",
-                                  written, runs_.size()));
+                                  written, range_.second - range_.first));
   }
 
   void put_in_order() {
     std::string lines;
     std::size_t lost = 0;
     for (const auto& [id, earlier] : earlier_) lost += earlier.done ? 1 : 0;
-    for (const Run& run : runs_) {
+    for (std::size_t i = range_.first; i < range_.second; ++i) {
+      const Run& run = runs_[i];
       const auto before = session_.earlier().find(run.id);
       if (before != session_.earlier().end()) {
         if (earlier_.at(run.id).done) --lost;
@@ -361,7 +375,7 @@ class SuiteRun {
     if (lost > 0) progress_.remark(fmt::format("dropped the rows of {} runs whose maps have changed since", lost));
     session_.rewrite(lines);
     std::vector<std::string> ids;
-    for (const Run& run : runs_) ids.push_back(run.id);
+    for (std::size_t i = range_.first; i < range_.second; ++i) ids.push_back(runs_[i].id);
     metrics_.put_in_order(ids);
     trace_.put_in_order(ids);
   }
@@ -372,6 +386,7 @@ class SuiteRun {
   Session session_;
   RunLines metrics_, trace_;
   std::vector<SuiteCell> cells_;
+  std::pair<std::size_t, std::size_t> range_;  // of the shard: first run, and one past the last
   std::vector<Run> runs_;
   std::map<std::string, Earlier> earlier_;
   std::map<std::size_t, MapCells> known_maps_;  // by index, for the workers that start later
@@ -379,12 +394,12 @@ class SuiteRun {
   Progress progress_;
   std::deque<Unit> waiting_;
   std::list<Worker> workers_;
-  std::size_t next_ = 0;
+  std::size_t next_;  // the first run that is not written
 };
 
 }  // namespace
 
-Results run_suite(const Suite& suite, const Registry& registry, const SuiteRunOptions& options) {
+void run_suite_into_folder(const Suite& suite, const Registry& registry, const SuiteRunOptions& options) {
   if (options.jobs < 1) throw std::invalid_argument(fmt::format("jobs is {}, expected 1 or more", options.jobs));
   if (options.folder.empty()) throw std::invalid_argument("no folder for the results; name one with -o");
   Suite named = suite;
@@ -392,10 +407,11 @@ Results run_suite(const Suite& suite, const Registry& registry, const SuiteRunOp
   Registry all_planners = registry;
   for (const PlannerInfo& program : suite.programs) all_planners.planners.add(program);
   for (const PlannerSpec& spec : named.planners) all_planners.planners.find(spec.name);
-  {
-    SuiteRun all(named, all_planners, options);
-    all.run();
-  }
+  SuiteRun(named, all_planners, options).run();
+}
+
+Results run_suite(const Suite& suite, const Registry& registry, const SuiteRunOptions& options) {
+  run_suite_into_folder(suite, registry, options);
   return read_results(options.folder);
 }
 

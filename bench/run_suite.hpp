@@ -15,6 +15,7 @@
 
 #include "bench/registry.hpp"
 #include "bench/results.hpp"
+#include "bench/shard.hpp"
 #include "bench/suite.hpp"
 
 namespace oxturn {
@@ -22,6 +23,7 @@ namespace oxturn {
 struct SuiteRunOptions {
   std::string folder;
   int jobs = 1;
+  Shard shard = {};      // of the suite's runs; all of them by default
   bool resume = false;   // keep existing rows (except cancelled and infrastructure), run the missing ones
   bool traces = false;   // also ask planners for drawings of their inside (costs them time) and keep them
   bool pictures = true;  // draw every path
@@ -38,5 +40,7 @@ struct Interrupted : std::runtime_error {
 /// Throws std::invalid_argument for a folder that already holds results (without resume), holds those of another
 /// suite (with it) or is in use; std::runtime_error for one that cannot be written; Interrupted.
 Results run_suite(const Suite& suite, const Registry& registry, const SuiteRunOptions& options);
+/// The same without reading the rows again: memory does not grow with their number, but for some 200 bytes each.
+void run_suite_into_folder(const Suite& suite, const Registry& registry, const SuiteRunOptions& options);
 
 }  // namespace oxturn

@@ -71,6 +71,8 @@ Session::Session(const Suite& suite, const Planners& planners, const Metrics& me
     : columns_(run_columns(metrics)),
       folder_(options.folder),
       file_(options.folder + "/runs.csv"),
+      suite_identity_(suite_identity(suite, planners)),
+      shard_(options.shard),
       programs_(programs_of(suite, planners)),
       metrics_(from_plugins(metrics)) {
   const bool there = fs::exists(file_);
@@ -117,6 +119,9 @@ void Session::take_up(const Suite& suite) {
         folder_, before.scoring_identity(), build_identity()));
   compare("planner", programs_, before.programs);
   compare("metric", metrics_, before.metrics);
+  if (before.shard != shard_)
+    throw std::invalid_argument(fmt::format("'{}' holds shard {} of the suite, not {}; choose another folder", folder_,
+                                            before.shard.text(), shard_.text()));
   sessions_ = before.sessions;
   const std::string text = read_file(file_);
   const std::string whole = whole_lines(text);
@@ -161,8 +166,11 @@ void Session::append(const std::string& line) {
 void Session::rewrite(const std::string& lines) { write_file(file_, csv_header(columns_) + lines); }
 
 void Session::describe(const Suite& suite, const SuiteRunOptions& options) {
-  SessionFile session{suite.name, suite.file, suite.limits, suite.warm_ups, suite.target_coverage, {}, {},
-                      programs_,  metrics_,   sessions_,    nullptr};
+  SessionFile session{suite.name, suite.file, suite.limits, suite.warm_ups, suite.target_coverage,
+                      {},         {},         programs_,    metrics_,       sessions_};
+  session.shard = shard_;
+  session.suite_identity = suite_identity_;
+  session.runs = run_count(suite);
   for (const Robot& robot : suite.robots) session.robots.emplace_back(robot.name, canonical_text(robot));
   session.build = build_description();
   session.sessions.push_back({fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),

@@ -37,6 +37,8 @@ class Session {
 
   Columns columns_;
   std::string folder_, file_;
+  std::string suite_identity_;
+  Shard shard_;
   std::map<std::string, std::vector<Row>> earlier_;
   std::vector<SessionEntry> sessions_;  // earlier ones
   std::vector<OutsideEntry> programs_, metrics_;

@@ -36,6 +36,9 @@ SessionFile session_from(const Json& json) {
   SessionFile session;
   session.suite = json.at("suite");
   session.suite_file = json.at("suite_file");
+  session.suite_identity = json.at("suite_identity");
+  session.runs = json.at("runs");
+  session.shard = parse_shard(json.at("shard"));
   const Json& limits = json.at("limits");
   session.limits = {limits.at("wall_s"), limits.at("cpu_s"), limits.at("memory_mb")};
   session.warm_ups = json.at("warm_ups");
@@ -67,7 +70,12 @@ SessionFile read_session_file(const std::string& folder) {
 }
 
 void write_session_file(const std::string& folder, const SessionFile& session) {
-  Json json{{"schema", 1}, {"suite", session.suite}, {"suite_file", session.suite_file}};
+  Json json{{"schema", 1},
+            {"suite", session.suite},
+            {"suite_file", session.suite_file},
+            {"suite_identity", session.suite_identity},
+            {"runs", session.runs},
+            {"shard", session.shard.text()}};
   json["limits"] = {
       {"wall_s", session.limits.wall_s}, {"cpu_s", session.limits.cpu_s}, {"memory_mb", session.limits.memory_mb}};
   json["warm_ups"] = session.warm_ups;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/child_process.hpp"
+#include "bench/shard.hpp"
 
 namespace oxturn {
 
@@ -36,7 +37,11 @@ struct SessionFile {
   std::vector<OutsideEntry> programs;                       // planners of the suite that are not part of oxturn
   std::vector<OutsideEntry> metrics;                        // metrics that are not
   std::vector<SessionEntry> sessions;                       // in order
-  nlohmann::ordered_json rescored;  // build_description() of another build whose rescore() was the last; or null
+  Shard shard = {};                                         // whose runs the folder holds
+  std::size_t runs = 0;                                     // of the whole suite
+  std::string suite_identity = {};                          // suite_identity()
+  nlohmann::ordered_json rescored =
+      nullptr;  // build_description() of another build whose rescore() was the last; or null
   /// Of the build that planned, and of the one that scored; "unknown" if it is not said.
   std::string build_identity() const;
   std::string scoring_identity() const;

@@ -24,6 +24,10 @@ std::string PlannerSpec::variant() const {
   return all.empty() ? name : fmt::format("{}[{}]", name, to_text(all));
 }
 
+std::size_t run_count(const Suite& suite) {
+  return suite.maps.size() * suite.robots.size() * suite.planners.size() * static_cast<std::size_t>(suite.repeats);
+}
+
 Suite read_suite(const std::string& file, const Registry& registry) {
   const toml::table root = parse_toml(file);
   TomlTable table(file, root, "the suite");

@@ -62,6 +62,9 @@ struct Suite {
 /// of external planners are started, here for their descriptions.
 Suite read_suite(const std::string& file, const Registry& registry);
 
+/// How many runs the suite has.
+std::size_t run_count(const Suite& suite);
+
 /// Gives a name to every map that has none. Throws std::invalid_argument if a map is listed twice.
 void name_maps(std::vector<MapSpec>& maps);
 

@@ -25,8 +25,11 @@ Command map_command();
 Command plan_command();
 Command score_command();
 Command run_command();
+Command check_command();
 Command report_command();
 Command rescore_command();
+Command merge_command();
+Command missing_command();
 Command completion_command();
 
 /// What `oxturn list` lists: planners, maps, ...

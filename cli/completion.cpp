@@ -24,7 +24,7 @@ struct Described {
 
 std::vector<std::string> words_after(const std::string& command, const Registry& registry) {
   std::vector<std::string> names;
-  if (command == "plan") return registry.planners.names();
+  if (command == "plan" || command == "check") return registry.planners.names();
   if (command == "map") return registry.generators.names();
   if (command == "list") return kinds_of_lists();
   if (command == "completion") return {"bash", "zsh", "fish"};

@@ -46,6 +46,8 @@ Json planners(const Registry& registry) {
   for (const PlannerInfo& p : registry.planners) {
     Json capabilities = Json::array();
     for (const Capability c : p.capabilities) capabilities.push_back(to_text(c));
+    Json symmetries = Json::array();
+    for (const Symmetry s : p.symmetries) symmetries.push_back(to_text(s));
     all.push_back({{"name", p.name},
                    {"family", p.family},
                    {"title", p.title},
@@ -53,6 +55,7 @@ Json planners(const Registry& registry) {
                    {"capabilities", capabilities},
                    {"guarantee", p.guarantee},
                    {"promise", to_text(p.promise)},
+                   {"symmetries", symmetries},
                    {"parameters", to_json(p.parameters)}});
     if (!p.origin.empty()) all.back()["origin"] = p.origin;
   }

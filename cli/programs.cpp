@@ -1,5 +1,7 @@
 #include "cli/programs.hpp"
 
+#include <algorithm>
+
 #include "bench/external_planner.hpp"
 
 namespace oxturn::cli {
@@ -18,6 +20,14 @@ Extended with_programs(const Registry& registry, const std::vector<std::string>&
   for (const std::string& command : commands)
     extended.names.push_back(add_external_planner(extended.registry.planners, {command}));
   return extended;
+}
+
+void add_unnamed(const std::vector<std::string>& planners, Suite& suite) {
+  for (const std::string& name : planners) {
+    const bool named = std::any_of(suite.planners.begin(), suite.planners.end(),
+                                   [&](const PlannerSpec& spec) { return spec.name == name; });
+    if (!named) suite.planners.push_back({.name = name, .settings = {}});
+  }
 }
 
 }  // namespace oxturn::cli

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/registry.hpp"
+#include "bench/suite.hpp"
 
 namespace oxturn::cli {
 
@@ -19,5 +20,8 @@ struct Extended {
 /// The registry with the external planners that the commands start in the current folder. Asks each for its
 /// description; throws std::invalid_argument for one that has no good answer.
 Extended with_programs(const Registry& registry, const std::vector<std::string>& commands);
+
+/// Planners given on the command line take part whether or not the suite names them.
+void add_unnamed(const std::vector<std::string>& planners, Suite& suite);
 
 }  // namespace oxturn::cli

@@ -1,7 +1,6 @@
 // oxturn run: a whole suite into a results folder, with its report.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -52,15 +51,6 @@ bool meets(const Results& results, const std::string& required) {
   return count == 0;
 }
 
-/// Planners given on the command line take part whether or not the suite names them.
-void add_unnamed(const std::vector<std::string>& planners, Suite& suite) {
-  for (const std::string& name : planners) {
-    const bool named = std::any_of(suite.planners.begin(), suite.planners.end(),
-                                   [&](const PlannerSpec& spec) { return spec.name == name; });
-    if (!named) suite.planners.push_back({.name = name, .settings = {}});
-  }
-}
-
 int run(const Options& options, const Registry& built_in) {
   const auto [registry, programs] = with_programs(built_in, options.programs);
   Suite suite = read_suite(find_suite(options.suite), registry);
@@ -68,14 +58,18 @@ int run(const Options& options, const Registry& built_in) {
   SuiteRunOptions run_options = options.run;
   run_options.progress = !options.quiet;
   run_options.command_line = command_line();
-  Results results;
   try {
-    results = run_suite(suite, registry, run_options);
+    run_suite_into_folder(suite, registry, run_options);
   } catch (const Interrupted& interrupted) {  // not done, but no bad input either
     fmt::print(stderr, "oxturn: {}\n", interrupted.what());
     return 1;
   }
-  report_results(results, registry, run_options.folder);
+  if (run_options.shard != Shard{}) {
+    fmt::print("rows      {}/runs.csv\n", run_options.folder);
+    if (options.require.empty()) return 0;
+  }
+  const Results results = read_results(run_options.folder);
+  if (run_options.shard == Shard{}) report_results(results, registry, run_options.folder);
   return meets(results, options.require) ? 0 : 1;
 }
 
@@ -86,6 +80,10 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
       ->required()
       ->type_name("");
   app.add_option("-o,--output", options->run.folder, "results folder to make")->required()->type_name("DIR");
+  app.add_option_function<std::string>(
+         "--shard", [options](const std::string& text) { options->run.shard = parse_shard(text); },
+         "do part K of N of the runs, without a report: one of several machines (then `oxturn merge`)")
+      ->type_name("K/N");
   add_programs(app, options->programs);
   app.add_option("-j,--jobs", options->run.jobs, "runs at the same time; 1 if not given")
       ->check(CLI::Range(1, 1024).description(""))
@@ -108,6 +106,7 @@ Command run_command() {
   return {"run", "run a suite: every planner on every map, one row each",
           "  oxturn run quick -o out\n  oxturn run my.toml -o out -j 4\n  oxturn run my.toml -o out --resume\n"
           "  oxturn run quick -o out --require ok\n"
+          "  oxturn run my.toml -o out/3 --shard 3/16                 on the third of 16 machines\n"
           "  oxturn run quick -o out --exec 'python3 lanes.py'        a planner of your own beside the others\n"
           "\nExit code 0 whatever the outcomes, unless --require is given.\n",
           attach};

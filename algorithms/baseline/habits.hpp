@@ -109,6 +109,7 @@ PlannerInfo describe_habit(std::string name, std::string title, std::string guar
                                                           .citation = "after Hasan et al. 2014",
                                                           .capabilities = {Capability::online, Capability::holes},
                                                           .guarantee = std::move(guarantee),
+                                                          .symmetries = {Symmetry::shift, Symmetry::scale},
                                                           .parameters = with_stop_rule<Params>(std::move(own))});
 }
 

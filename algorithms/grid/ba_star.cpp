@@ -119,6 +119,7 @@ PlannerInfo ba_star() {
        .capabilities = {Capability::holes, Capability::online},
        .guarantee = "visits every free cell that free lattice edges connect to the start",
        .promise = Promise::cells,
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = with_cell_options<Params>(
            {{"smooth", &Params::smooth, "paths to backtracking points leave the lattice where that is shorter"}})});
 }

@@ -133,6 +133,7 @@ PlannerInfo bsa() {
        .capabilities = {Capability::holes, Capability::online},
        .guarantee = "visits every free cell that free lattice edges connect to the start",
        .promise = Promise::cells,
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = with_spiral_options<Params>(
            {{"backtrack", &Params::backtrack, Choices{"nearest", "latest"}, "where to go when a spiral has ended"}}),
        .published = {{"backtrack", "latest"}}});

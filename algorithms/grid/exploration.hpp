@@ -33,6 +33,7 @@ PlannerInfo describe_exploration(std::string name, std::string title, std::strin
        .capabilities = {Capability::holes, Capability::online},
        .guarantee = "visits every free cell that free lattice edges connect to the start, and returns to the start",
        .promise = Promise::cells,
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = with_cell_options<CellOptions>({})});
 }
 

@@ -78,6 +78,7 @@ PlannerInfo linked_spiral() {
        .capabilities = {Capability::holes, Capability::online},
        .guarantee = "visits every free cell that free lattice edges connect to the start",
        .promise = Promise::cells,
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = with_spiral_options<SpiralOptions>({}),
        .published = {{"align", "edges"}}});
 }

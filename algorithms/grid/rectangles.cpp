@@ -180,6 +180,7 @@ PlannerInfo rectangles() {
        .guarantee =
            "every cell of the driven columns of rectangles of at least 2 x 2 cells (1 x 1 if as wide as the robot)",
        .promise = Promise::cells,
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters =
            {cell_size_line<P>("side of a cell, metres; 0: as `cells` says"),
             {"cells", &P::cells, Choices{"wider", "robot"},

@@ -77,6 +77,7 @@ PlannerInfo stc() {
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "each sub-cell of the free coarse cells exactly once, on a closed path",
        .promise = Promise::cells,
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = with_tree_options<Params>(
            {{"partial", &Params::partial, "also enter coarse cells of which only some sub-cells are free"}}),
        .published = {{"components", "start"}}});

@@ -38,6 +38,7 @@ PlannerInfo describe_online_stc(std::string name, std::string title, std::string
        .capabilities = {Capability::holes, Capability::online},
        .guarantee = "each sub-cell of the free coarse cells connected to the start exactly once, on a closed path",
        .promise = Promise::cells,
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = with_cell_options<OnlineStcOptions>(
            {{"partial", &OnlineStcOptions::partial,
              "also enter coarse cells of which only some sub-cells are free (2002)"}})});

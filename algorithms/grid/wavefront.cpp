@@ -294,6 +294,7 @@ PlannerInfo wavefront() {
        .capabilities = {Capability::holes},
        .guarantee = "visits every free cell; with stop = closed only until it is closed in",
        .promise = Promise::cells,
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = with_grid_options<Params>(
            {{"stop", &Params::stop, Choices{"backtrack", "closed"},
              "closed: ends where it is closed in (as published); backtrack: goes on to the nearest unvisited cell"},

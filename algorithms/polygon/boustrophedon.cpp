@@ -364,6 +364,7 @@ PlannerInfo boustrophedon() {
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (with outline; along traced walls but for 0.0003 of it)",
        .promise = Promise::target,
+       .symmetries = {Symmetry::shift, Symmetry::quarter_turn, Symmetry::mirror, Symmetry::scale},
        .parameters = parameters<Params>(
            {{"cells", &Params::cells, Choices{"slab", "exact"}, "slab: runs of lanes; exact: cut at critical points"}}),
        // The paper: vertical lanes, cells visited depth-first, boundaries only followed between lanes.
@@ -384,6 +385,7 @@ PlannerInfo trapezoid() {
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (with outline; along traced walls but for 0.0003 of it)",
        .promise = Promise::target,
+       .symmetries = {Symmetry::shift, Symmetry::quarter_turn, Symmetry::mirror, Symmetry::scale},
        .parameters = parameters<TrapezoidParams>({}),
        .published =
            {{"sweep", std::string("given")}, {"angle", 90.0}, {"outline", false}, {"order", std::string("dfs")}},

@@ -44,6 +44,7 @@ PlannerInfo completed() {
   info.capabilities = {Capability::holes, Capability::footprint};
   info.guarantee = "covers the whole target, whatever `planner` covers of it";
   info.promise = Promise::target;
+  info.symmetries = {Symmetry::shift, Symmetry::scale};
   return wrapper(std::move(info), "stc", [](std::unique_ptr<CoveragePlanner> inner, const Settings&) {
     return std::make_unique<Completed>(std::move(inner));
   });

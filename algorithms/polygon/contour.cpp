@@ -169,6 +169,7 @@ PlannerInfo contour() {
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (with repair; along traced walls but for 0.0003 of it)",
        .promise = Promise::target,
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = {{"join", &Params::join, Choices{"tree", "nearest", "alternating", "longest-edge"},
                        "how laps are connected; tree: closed laps, each a detour of another; the others: from the "
                        "innermost outwards, as in the source"},

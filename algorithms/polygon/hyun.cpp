@@ -375,6 +375,7 @@ PlannerInfo hyun() {
        .guarantee = "covers the whole target (with outline, both contacts and at most a tool width between lines; "
                     "along traced walls but for 0.0003 of it); links with the tool on never cross",
        .promise = Promise::target,
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = {{"separation", &Params::separation, Range{0, 1000},
                        "metres between lines; 0: as `separation_by` says"},
                       {"separation_by", &Params::separation_by, Choices{"tool", "robot"},

@@ -345,6 +345,7 @@ PlannerInfo zigzag() {
        .guarantee = "covers the whole target (fit cover, with outline, slivers merged, margin up to half a tool width; "
                     "along traced walls but for 0.0003 of it)",
        .promise = Promise::target,
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = with_headland<Params>(
            {{"partition", &Params::partition, Choices{"auto", "convex", "approximate", "monotone", "trapezoid", "none"},
              "parts; auto: the source, convex up to 150 vertices if CGAL finds one, else approximate; none: every lane "

@@ -285,6 +285,7 @@ PlannerInfo berg() {
        .capabilities = {Capability::tether, Capability::holes},
        .guarantee = "stays in configuration space; as published, checks neither coverage nor the tether while joining "
                     "pieces, which may pull it over its limit; berg-complete does both",
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = {
            {"order", &Params::order, Choices{"bfs-per-divider", "bfs", "dfs"},
             "area by area between dividers, lap by lap, or to the end of each branch first"},

@@ -235,6 +235,7 @@ PlannerInfo berg_complete() {
        .guarantee = "covers all that the tether reaches, with all settings; never over its own tether, which is always "
                     "the geodesic; min_tether_angle only where there is room to tack, with reverse everywhere",
        .promise = Promise::target,
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = {
            {"order", &Params::order, Choices{"tour", "dfs", "bfs"}, "of the pieces of level sets"},
            {"winding", &Params::winding, Choices{"any", "left", "right"},

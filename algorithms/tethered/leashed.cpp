@@ -53,6 +53,7 @@ PlannerInfo leashed() {
   info.title = "any planner, made safe for a tether by the cut locus of the anchor";
   info.citation = "oxturn";
   info.capabilities = {Capability::tether, Capability::holes};
+  info.symmetries = {Symmetry::shift, Symmetry::scale};
   info.guarantee =
       "within the tether length limit, never over its own tether; covers what `planner` covers of the cut space";
   info.parameters = {{"return_home", true, {}, {}, "drive back to the start at the end"}};

@@ -60,6 +60,7 @@ PlannerInfo shnaps_rimon() {
                               .capabilities = {Capability::tether, Capability::holes},
                               .guarantee = "visits every cell; length at most 2 L n, home included",
                               .promise = Promise::cells,
+                              .symmetries = {Symmetry::shift, Symmetry::scale},
                               .parameters = with_visit_parameters<Params>(
                                   {{"order", &Params::order, Choices{"distance", "split"},
                                     "distance: literal; split: one side of an obstacle is finished before the other"}}),

@@ -68,6 +68,7 @@ PlannerInfo shnaps_rimon_banded() {
        .capabilities = {Capability::tether, Capability::holes},
        .guarantee = "visits every cell; length at most 2 L n, home included",
        .promise = Promise::cells,
+       .symmetries = {Symmetry::scale},
        .parameters = with_visit_parameters<Params>(
            {{"band", &Params::band, Range{0.01, 1000}, "depth of a band, in cells"},
             {"alternate", &Params::alternate, "every second band in the opposite direction"},

@@ -161,6 +161,7 @@ PlannerInfo tether_tree() {
        .capabilities = {Capability::tether, Capability::holes},
        .guarantee = "every cell no deeper than the tether is long, in exactly 2 (n - 1) D; never tangled",
        .promise = Promise::cells,
+       .symmetries = {Symmetry::shift, Symmetry::quarter_turn, Symmetry::mirror, Symmetry::scale},
        .parameters = with_tree_parameters<Params>(
            {{"partial", &Params::partial,
              "also drive the walls, so that cells which are not entirely free are covered"}})}));

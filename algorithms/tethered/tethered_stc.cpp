@@ -163,6 +163,7 @@ PlannerInfo tethered_stc() {
        .capabilities = {Capability::tether, Capability::holes},
        .guarantee = "each sub-cell of the tree's cells exactly once, closed; tether the geodesic, never driven over",
        .promise = Promise::cells,
+       .symmetries = {Symmetry::shift, Symmetry::quarter_turn, Symmetry::mirror, Symmetry::scale},
        .parameters = with_tree_parameters<Params>(
            {{"partial", &Params::partial, "also enter coarse cells of which only some sub-cells are free"}})});
 }
