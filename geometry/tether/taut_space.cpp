@@ -7,6 +7,8 @@
 namespace oxturn {
 namespace {
 
+constexpr double kShortest = 2 * TautSpace::kNear;  // metres: edges between corners
+
 /// A wall at a corner, seen from there. Free space is to the left of every ring, so the obstacle lies counter-clockwise
 /// of an incoming wall and clockwise of an outgoing one.
 struct Wall {
@@ -35,12 +37,56 @@ Point between(const Point& at, const Point& from, const Point& to) {
   return from;  // so narrow a wedge that there is no such double
 }
 
+/// A ring as a doubly linked list.
+struct LinkedRing {
+  explicit LinkedRing(const Ring& r) : ring(r), size(r.size()) {
+    for (std::size_t i = 0; i < size; ++i) {
+      after.push_back(i + 1 < size ? i + 1 : 0);
+      before.push_back(i > 0 ? i - 1 : size - 1);
+    }
+  }
+  bool is_corner(std::size_t i) const { return orientation(ring[before[i]], ring[i], ring[after[i]]) < 0; }
+  void drop(std::size_t i) {
+    after[before[i]] = after[i];
+    before[after[i]] = before[i];
+    --size;
+  }
+
+  const Ring& ring;
+  std::size_t size;
+  std::vector<std::size_t> after, before;
+};
+
+/// The ring without corners of obstacles that are nearer than kShortest to the next vertex. Obstacles only shrink, so no
+/// path is on another side of one than before. Obstacles smaller than that vanish.
+Ring without_short_edges(const Ring& ring) {
+  LinkedRing list(ring);
+  std::size_t i = 0;
+  for (std::size_t left = ring.size(); left > 0 && list.size > 2; --left) {
+    const std::size_t next = list.after[i];
+    const bool repeated = ring[i] == ring[next];
+    if (!repeated && distance(ring[i], ring[next]) >= kShortest) {
+      i = next;
+    } else if (const bool at_next = repeated || list.is_corner(next); at_next || list.is_corner(i)) {
+      list.drop(at_next ? next : i);
+      i = list.before[list.before[i]];  // what the vertex before is may have changed
+      left += 3;
+    } else {
+      i = next;
+    }
+  }
+  Ring kept;
+  for (std::size_t k = 0; list.size > 2 && k < list.size; ++k, i = list.after[i]) kept.push_back(ring[i]);
+  return kept;
+}
+
 std::vector<Wall> walls_of(const Region& free) {
   std::vector<Wall> walls;
-  for_each_edge(free, [&](const Point& a, const Point& b) {
-    if (a == b) return;
-    walls.push_back({a, b, false});
-    walls.push_back({b, a, true});
+  for_each_ring(free, [&](const Ring& ring) {
+    for_each_edge(without_short_edges(ring), [&](const Point& a, const Point& b) {
+      walls.push_back({a, b, false});
+      walls.push_back({b, a, true});
+    });
   });
   std::sort(walls.begin(), walls.end(), wall_order);
   return walls;

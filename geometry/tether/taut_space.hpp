@@ -21,6 +21,10 @@ class TautSpace {
     Point at;
     Point inside;  // seen from `at`, a point strictly between the wedge's two walls
   };
+  /// Metres by which points of a path may lie inside a wall. Corners nearer than twice that to the next one of their
+  /// ring are left out: they could not be passed in a definite order.
+  static constexpr double kNear = 2e-6;
+
   explicit TautSpace(const Region& free);
 
   /// Calls f(corner) for every corner within `pad` of a segment or a convex polygon, given by its vertices; also for

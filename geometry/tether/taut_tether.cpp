@@ -23,8 +23,7 @@ namespace {
 
 using Corner = TautSpace::Corner;
 
-/// Metres by which points of a path may lie inside a wall.
-constexpr double kNear = 2e-6;
+constexpr double kNear = TautSpace::kNear;
 
 /// The ray from the tether's pivot, which is one of the two points, towards `through` or straight on from there.
 struct PivotRay {
