@@ -10,6 +10,7 @@
 //             1. Laps lie at multiples of the step: walls and corners in between are passed at up to a step more than
 //                the radius and stay partly uncovered (4.2).
 //             2. Connections are plain shortest paths: they ignore the tether, which may become too long or wind (3.3).
+//                Such a path is invalid, and its row says where. berg-complete is the planner without this flaw.
 //             3. A corner is looked at once (berg_boundary.hpp, 1). With a known map all are seen; online some are
 //                missed (5.1).
 //             4. Boundaries overlap behind an obstacle that the tether passes on both sides; trim = geodesic avoids it.
@@ -282,7 +283,8 @@ PlannerInfo berg() {
        .title = "Berg's laps of equal tether length",
        .citation = "Berg, A Geometric Algorithm for Online Tethered Navigation, LTH 2021, sections 3.1, 3.3",
        .capabilities = {Capability::tether, Capability::holes},
-       .guarantee = "stays in configuration space; checks neither coverage nor the tether while joining pieces",
+       .guarantee = "stays in configuration space; as published, checks neither coverage nor the tether while joining "
+                    "pieces, which may pull it over its limit; berg-complete does both",
        .parameters = {
            {"order", &Params::order, Choices{"bfs-per-divider", "bfs", "dfs"},
             "area by area between dividers, lap by lap, or to the end of each branch first"},

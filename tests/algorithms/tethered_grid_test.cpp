@@ -207,6 +207,32 @@ TEST(ShnapsRimonBanded, BandsComeInOrderAndTheAngleIncreasesInEach) {
   }
 }
 
+/// The longest that the path, pulled taut in the robot's space, becomes on the way.
+double longest_trail(const Problem& problem, const Path& path) {
+  const TautSpace space(problem.configuration_space());
+  TautTether trail(space, problem.start());
+  double longest = 0;
+  for (const Leg& leg : path.legs)
+    for (const Point& p : leg.points) {
+      trail.drive(p);
+      longest = std::max(longest, trail.length());
+    }
+  return longest;
+}
+
+// Around a pillar of two millimetres each band is a lap more, and the tether gets hardly longer: memory and time of the
+// paths that follow grew with every lap.
+TEST(ShnapsRimonBanded, WindingsAboutATinyPillarAreUndoneAtThreeTetherLengths) {
+  Region room = box_region({0, 0}, {10, 10});
+  room.polygons[0].holes.push_back({{5, 5}, {5, 5.002}, {5.002, 5.002}, {5.002, 5}});
+  const Problem problem(Map{"pillar", room, "drawn", "drawn"}, tethered_robot(1.1), Point(5.3, 5.1));
+  const Path path = plan("shnaps-rimon-banded", problem);
+  const double tether = problem.robot().tether->length;
+  EXPECT_EQ(find_flaw(problem, path), "");
+  EXPECT_LE(longest_trail(problem, path), 3 * tether + 2);  // one path to a cell more
+  EXPECT_GT(*score(problem, path).value("coverage_lower"), 0.97);
+}
+
 // ------------------------------------------------------------------------------------------------- tether-tree
 
 TEST(TetherTree, ThereAndBackOverEveryEdgeAndNoDeeperThanTheTether) {
