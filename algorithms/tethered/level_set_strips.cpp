@@ -8,7 +8,8 @@ namespace oxturn {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-constexpr double kCountSlack = 0.02;  // spacings: a level set longer than n lanes by no more than this still takes n
+constexpr double kCountSlack = 0.02;  // spacings: a set longer than n lanes by no more than this still takes n, between
+                                      // driven boundaries
 // Radial lanes pay only if a part of a run has this many more level sets than lanes.
 constexpr std::size_t kLeastDepth = 2;
 
@@ -56,11 +57,23 @@ class StripList {
   std::vector<std::size_t> strip_of_;
 };
 
-/// A polyline addressed by shares of its length, from 0 to 1.
+/// A level set addressed by shares of its length, from 0 to 1.
 class Along {
  public:
-  explicit Along(const Polyline& line) : line_(line), total_(length(line)) {}
-  double total() const { return total_; }
+  Along(const LevelSet& set, double spacing) : line_(set.line), total_(length(set.line)), spacing_(spacing) {
+    const double trim = kLevelSetTrim * spacing;
+    if (set.trimmed_begin) unneeded_[0] = std::min(0.5, trim / total_);
+    if (set.trimmed_end) unneeded_[1] = std::min(0.5, trim / total_);
+    slack_ = set.trimmed_begin && set.trimmed_end ? kCountSlack : 0;
+  }
+  /// How many radial lanes it needs.
+  std::size_t lanes() const {
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(total_ * needed_share() / spacing_ - slack_)));
+  }
+  /// Where a lane crosses it: evenly spaced over what is needed.
+  double share(std::size_t lane, std::size_t lanes) const {
+    return unneeded_[0] + needed_share() * (static_cast<double>(lane) + 0.5) / static_cast<double>(lanes);
+  }
   /// From share f to share g (backwards if g < f), both ends included.
   Polyline part(double f, double g) const {
     Polyline inside;
@@ -88,24 +101,23 @@ class Along {
   }
 
  private:
+  double needed_share() const { return 1 - unneeded_[0] - unneeded_[1]; }
+
   const Polyline& line_;
-  double total_;
+  double total_, spacing_, slack_;
+  double unneeded_[2] = {0, 0};  // shares at the beginning and at the end
 };
 
 /// Radial lanes across part of a run.
 class RadialLanes {
  public:
-  RadialLanes(std::vector<Along> sets, std::size_t lanes, double trim)
-      : sets_(std::move(sets)), lanes_(lanes), trim_(trim), top_(sets_.size() - 1) {}
+  RadialLanes(std::vector<Along> sets, std::size_t lanes)
+      : sets_(std::move(sets)), lanes_(lanes), top_(sets_.size() - 1) {}
 
-  /// How many lanes a level set of this length needs.
-  static std::size_t needed(double length, double spacing) {
-    return static_cast<std::size_t>(std::max(1.0, std::ceil(length / spacing - 2 * kLevelSetTrim - kCountSlack)));
-  }
   /// Do straight lanes from one level set to the next stay in `space`?
-  static bool free_between(const Along& a, const Along& b, std::size_t lanes, double trim, const EdgeIndex& space) {
+  static bool free_between(const Along& a, const Along& b, std::size_t lanes, const EdgeIndex& space) {
     for (std::size_t lane = 0; lane < lanes; ++lane)
-      if (!space.contains(a.at(share(a, lane, lanes, trim)), b.at(share(b, lane, lanes, trim)))) return false;
+      if (!space.contains(a.at(a.share(lane, lanes)), b.at(b.share(lane, lanes)))) return false;
     return true;
   }
 
@@ -132,12 +144,7 @@ class RadialLanes {
   }
 
  private:
-  /// Where a lane crosses a level set: evenly spaced over what is needed of it.
-  static double share(const Along& set, std::size_t lane, std::size_t lanes, double trim) {
-    const double unneeded = std::min(0.5, trim / set.total());
-    return unneeded + (1 - 2 * unneeded) * (static_cast<double>(lane) + 0.5) / static_cast<double>(lanes);
-  }
-  double at(std::size_t lane, std::size_t set) const { return share(sets_[set], lane, lanes_, trim_); }
+  double at(std::size_t lane, std::size_t set) const { return sets_[set].share(lane, lanes_); }
   void append(const Polyline& more) { line_.insert(line_.end(), more.begin(), more.end()); }
 
   /// Over the level sets between the first and the last one.
@@ -157,7 +164,6 @@ class RadialLanes {
 
   std::vector<Along> sets_;
   std::size_t lanes_;
-  double trim_;  // metres at each end of a level set that are not needed
   std::size_t top_;
   Polyline line_;
 };
@@ -165,31 +171,26 @@ class RadialLanes {
 /// Divides a run into parts with radial lanes and parts driven along the level sets.
 void add_run(const Run& run, const std::vector<LevelSet>& sets, const EdgeIndex& space, const RadialSettings& settings,
              StripList& strips) {
-  const double trim = kLevelSetTrim * settings.spacing;
   std::vector<Along> along;
-  std::vector<std::size_t> needed;
-  for (const std::size_t k : run) {
-    along.emplace_back(sets[k].line);
-    needed.push_back(RadialLanes::needed(length(sets[k].line), settings.spacing));
-  }
+  for (const std::size_t k : run) along.emplace_back(sets[k], settings.spacing);
   Strip level;  // level sets from run[level_from] on that are driven whole
   std::size_t level_from = 0;
   const auto flush = [&](std::size_t end) {
     if (!level.lanes.empty()) strips.add(std::exchange(level, {}), run, level_from, end);
   };
   for (std::size_t first = 0; first < run.size();) {
-    const std::size_t lanes = needed[first];
+    const std::size_t lanes = along[first].lanes();
     std::size_t end = first + 1;  // of the level sets that take the same small number of lanes
     if (lanes <= settings.most_lanes)
-      while (end < run.size() && needed[end] == lanes &&
-             RadialLanes::free_between(along[end - 1], along[end], lanes, trim, space))
+      while (end < run.size() && along[end].lanes() == lanes &&
+             RadialLanes::free_between(along[end - 1], along[end], lanes, space))
         ++end;
     if (lanes <= settings.most_lanes && end - first >= lanes + kLeastDepth) {
       flush(first);
       const auto begin = along.begin();
       const std::vector<Along> part(begin + static_cast<std::ptrdiff_t>(first),
                                     begin + static_cast<std::ptrdiff_t>(end));
-      strips.add({{lane_of(RadialLanes(part, lanes, trim).drive())}}, run, first, end);
+      strips.add({{lane_of(RadialLanes(part, lanes).drive())}}, run, first, end);
       first = end;
       continue;
     }

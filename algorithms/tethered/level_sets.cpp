@@ -2,7 +2,8 @@
 //               y, that is farther than spacing / 2 from the boundary of `inner`. Most points are tested at five points
 //               of the geodesic, with a margin of a fifth of the spacing, which is more than can lie between them. The
 //               ends of a piece are found with 17 points and a margin of kLevelSetTrim.
-//            2. Useless parts up to two spacings long are kept where they are free: an interruption costs more.
+//            2. A piece ends exactly where the region does if that is not trimmed: at the cut.
+//            3. Useless parts up to two spacings long are kept where they are free: an interruption costs more.
 #include "algorithms/tethered/level_sets.hpp"
 
 #include <algorithm>
@@ -22,6 +23,7 @@ constexpr double kSampling = 1.0 / 8;  // largest distance between samples
 constexpr double kFarthestSeen = 4;    // depths beyond this are not distinguished
 constexpr int kFineSteps = 8;          // points of the geodesic on either side, at the ends of a piece
 constexpr int kBisections = 6;         // to find where a piece ends
+constexpr int kFreeBisections = 12;    // to find where the region ends
 constexpr int kMostBends = 1000;       // of a geodesic, against endless loops
 
 /// Trims level sets to what is useful.
@@ -130,14 +132,30 @@ class Trimmer {
     return unneeded;
   }
 
+  /// Between a free point and one outside of the region: the last free one.
+  Point last_free(Point free, Point outside) const {
+    for (int k = 0; k < kFreeBisections; ++k) {
+      const Point middle = lerp(free, outside, 0.5);
+      (region_.contains(free, middle) ? free : outside) = middle;
+    }
+    return free;
+  }
+
   void add_piece(std::size_t first, std::size_t last, std::size_t level, std::vector<LevelSet>& sets) const {
     std::size_t begin = first, end = last;
     while (begin < end && !needed(samples_[begin])) ++begin;
     while (end > begin && !needed(samples_[end])) --end;
-    LevelSet set{level, {}};
-    if (begin > first) set.line.push_back(threshold(samples_[begin - 1], samples_[begin]).at);
+    LevelSet set{level, {}, begin > first, end < last};
+    const auto goes_on = [&](std::size_t i) { return i < samples_.size() && !samples_[i].free; };  // beyond the region
+    if (set.trimmed_begin)
+      set.line.push_back(threshold(samples_[begin - 1], samples_[begin]).at);
+    else if (begin > 0 && goes_on(begin - 1))
+      set.line.push_back(last_free(samples_[begin].at, samples_[begin - 1].at));
     for (std::size_t i = begin; i <= end; ++i) set.line.push_back(samples_[i].at);
-    if (end < last) set.line.push_back(threshold(samples_[end + 1], samples_[end]).at);
+    if (set.trimmed_end)
+      set.line.push_back(threshold(samples_[end + 1], samples_[end]).at);
+    else if (goes_on(end + 1))
+      set.line.push_back(last_free(samples_[end].at, samples_[end + 1].at));
     if (set.line.size() < 2 || (begin == end && !needed(samples_[begin]))) return;
     sets.push_back(std::move(set));
   }

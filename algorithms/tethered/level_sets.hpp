@@ -23,6 +23,9 @@ inline constexpr double kLevelSetTrim = 0.04;
 struct LevelSet {
   std::size_t level = 0;  // at distance (level + 1/2) * spacing
   Polyline line;
+  /// The line's beginning (end) is trimmed: the driven boundary covers what follows. Otherwise it lies at a part of the
+  /// cut that is not driven.
+  bool trimmed_begin = true, trimmed_end = true;
 };
 
 /// The level sets in `inner`, which lies in `region`, the space where the robot may drive; the boundary of `inner` is

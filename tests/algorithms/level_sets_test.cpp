@@ -39,7 +39,7 @@ template <class F>
 void for_each_cut_space(CutEdges edges, F f) {
   for (const auto seed : seeds(2))
     for (const Map& map : tether_maps(seed))
-      for (const auto& [radius, tool] : {std::pair(0.2, 0.4), std::pair(0.15, 0.6)}) {
+      for (const auto& [radius, tool] : {std::pair(0.2, 0.4), std::pair(0.15, 0.6), std::pair(0.2, 0.2)}) {
         SCOPED_TRACE(fmt::format("{} tool {}", map.source, tool));
         const Problem problem(map, tethered_robot(1.2, radius, tool));
         const TetherSpace space(problem, "test");
