@@ -93,7 +93,7 @@ std::optional<Curve> CarSpace::detour(const std::vector<Pose>& from, const Pose&
 
 bool CarSpace::can_go_on(const Pose& from, double metres) const {
   if (reverse_ || metres <= 0) return true;  // in reverse: it came from somewhere
-  const double length = kPi / 4 * radius_;
+  const double length = kPi / 2 * radius_;
   for (const Steering steering : {Steering::straight, Steering::left, Steering::right}) {
     const CurvePiece piece{steering, length};
     if (free(from, piece) && can_go_on(after(from, piece, radius_), metres - length)) return true;

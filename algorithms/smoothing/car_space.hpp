@@ -41,7 +41,7 @@ class CarSpace {
   std::optional<Curve> simple_link(const Pose& from, const Pose& to) const;
   /// Step 3: from the pose from which it is cheapest.
   std::optional<Curve> detour(const std::vector<Pose>& from, const Pose& to, const Context& context) const;
-  /// The robot can go on from there for so many metres: by eighths of circles and straight lines as long, or backwards.
+  /// The robot can go on from there for so many metres: by quarter circles and straight lines as long, or backwards.
   bool can_go_on(const Pose& from, double metres) const;
 
  private:

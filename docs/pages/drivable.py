@@ -30,10 +30,9 @@ def summary(rows):
                       fixed(median(ratios(runs, bases, "mission_s")), 3),
                       fixed(median(coverage), 4), fixed(least(coverage), 4),
                       fixed(greatest(row.number("curvature_violations") for row in valid), 0),
-                      fixed(median(row.number("cusps") for row in valid), 0),
-                      fixed(median(row.number("plan_cpu_s") for row in runs), 1)])
-    return table("llrrrrrrrr", ["planner", "robot", "valid", "length", "time", "coverage", "least", "violations",
-                                "cusps", "cpu s"], lines)
+                      fixed(median(row.number("cusps") for row in valid), 0)])
+    return table("llrrrrrrr", ["planner", "robot", "valid", "length", "time", "coverage", "least", "violations",
+                                "cusps"], lines)
 
 
 def outcomes(rows):

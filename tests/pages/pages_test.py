@@ -97,7 +97,16 @@ def growth_rows():
             run("berg", "rooms", 4, "", "unsupported")]
 
 
-ALL = {"berg-table-4-1": berg_rows, "growth": growth_rows, "leashed": leashed_rows, "stc-loops": stc_rows,
+def drivable_rows():
+    """On m2 the tractor has no path."""
+    data = [("m1", "spot", "ok", "100", "1"), ("m1", "tractor", "partial", "120", "0.9"),
+            ("m2", "spot", "ok", "50", "1"), ("m2", "tractor", "infeasible", "", "")]
+    return [row("drivable", m, "contour", "", outcome, robot=robot, path_m=metres, mission_s=metres, transit_m="10",
+                coverage=c, curvature_violations="0", cusps="0") for m, robot, outcome, metres, c in data]
+
+
+ALL = {"berg-table-4-1": berg_rows, "drivable": drivable_rows, "growth": growth_rows, "leashed": leashed_rows,
+       "stc-loops": stc_rows,
        "tether-online": online_rows}
 
 
@@ -160,6 +169,12 @@ class Figures(unittest.TestCase):
         self.assertEqual(line(text, "zigzag", 2), ["zigzag", "cave", "1.50", "30.0", ""])
         self.assertEqual(line(text, "stc", 1), ["stc", "rooms", "", "0.0", "crash"])
         self.assertNotIn("berg", text)
+
+
+class Drivable(unittest.TestCase):
+    def test_ratios_over_the_robot_that_turns_on_the_spot(self):
+        text = page("drivable", drivable_rows())
+        self.assertEqual(line(text, "contour", 1)[1:7], ["tractor", "1 of 2", "1.200", "1.200", "0.9000", "0.9000"])
 
 
 class Pages(unittest.TestCase):
