@@ -35,11 +35,11 @@ Polyline without_short_segments(const Polyline& points, double least, const Edge
     const bool end = &p == &points.back();
     while (kept.size() > 1) {
       const Point &last = kept.back(), &before = kept[kept.size() - 2];
-      const bool near = distance(before, last) < least || (end && distance(last, p) < least);
-      if (!near) break;
+      const bool near = distance(before, last) < least, near_end = end && distance(last, p) < least;
+      if (!near && !near_end) break;
       if (walls.contains(before, p))
         kept.pop_back();
-      else if (!join(kept, p, least, walls))
+      else if (!near || !join(kept, p, least, walls))  // joining does not bring the last vertex away from the end
         break;
     }
     kept.push_back(p);
