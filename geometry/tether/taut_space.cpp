@@ -57,7 +57,7 @@ struct LinkedRing {
   std::vector<std::size_t> after, before;
 };
 
-/// The ring without corners of obstacles that are nearer than kShortest to the next vertex. Obstacles only shrink, so no
+/// The ring without corners of obstacles nearer than kShortest to the next vertex. Obstacles only shrink, so no
 /// path is on another side of one than before. Obstacles smaller than that vanish.
 Ring without_short_edges(const Ring& ring) {
   LinkedRing list(ring);

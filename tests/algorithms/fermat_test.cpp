@@ -78,7 +78,7 @@ TEST(ConnectedFermat, IsOneCurveWithoutCrossings) {
           if (leg.tool) work.push_back(leg);
         EXPECT_EQ(work.size(), 1u);
         EXPECT_LE(distance(work[0].points.front(), work[0].points.back()), 2 * p.robot().tool_width);
-        if (closed_laps == 0) EXPECT_EQ(count_crossings({work[0].points}, {}).links, 0u);
+        if (closed_laps == 0) { EXPECT_EQ(count_crossings({work[0].points}, {}).links, 0u); }
         without_detours += closed_laps == 0 ? 1 : 0;
         EXPECT_LE(uncovered_share(p, path, kSamples), 0.1);
       }

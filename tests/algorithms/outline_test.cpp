@@ -93,6 +93,25 @@ TEST(ShortSegments, AreDroppedWhereTheShortcutIsFree) {
 }
 
 // No vertex nearer to the one before than a hundredth of the radius, unless a wall or a change of the tool is between.
+// Two vertices within rounding at the end, the second one just around a corner from the vertex before them.
+TEST(ShortSegments, AtTheEndDoNotEatThePathBefore) {
+  Region free = box_region({0, 0}, {10, 10});
+  free.polygons[0].holes.push_back({{4, 4}, {4, 6}, {6, 6}, {6, 4}});
+  const Problem hall(Map{"hall", free, "", ""}, Robot{}, Point(1, 1));
+  const Ring hole = hall.configuration_space().polygons[0].holes[0];
+  for (std::size_t k = 0; k < hole.size(); ++k) {
+    const Point &before = hole[k], &corner = hole[(k + 1) % hole.size()], &after = hole[(k + 2) % hole.size()];
+    Polyline line{{1, 1}};
+    for (int j = 0; j < 200; ++j) line.push_back({1 + 8 * (j % 2), 1 + 0.01 * j});
+    const Polyline link = Connector(hall).path(line.back(), before);
+    line.insert(line.end(), link.begin() + 1, link.end());
+    line.push_back(corner);
+    line.push_back(corner + 2e-6 * (after - corner).normalized());
+    const Path path{{Leg{true, line}}};
+    EXPECT_NEAR(without_short_segments(path, hall).length(), path.length(), 0.05) << k;
+  }
+}
+
 TEST(ShortSegments, PolygonPlannersAndHabitsLeaveNone) {
   for (const auto seed : seeds(3))
     for (const Problem& p : sample_problems(seed))

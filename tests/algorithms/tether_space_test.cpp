@@ -160,8 +160,8 @@ TEST(BergComplete, CoversWhatTheTetherReachesAndStaysGeodesic) {
 // tether kept off it besides: 0.9975 in a maze of 176 pillars.
 TEST(BergComplete, LanesBesideACutThatIsNotDrivenLeaveNoStrip) {
   for (const auto seed : seeds(2)) {
-    const Map maze =
-        oxturn::generate("maze", {{"width", 9.0}, {"height", 7.0}, {"corridor", 1.14}, {"loops", 0.98}, {"robot", 0.133}}, seed);
+    const Map maze = oxturn::generate(
+        "maze", {{"width", 9.0}, {"height", 7.0}, {"corridor", 1.14}, {"loops", 0.98}, {"robot", 0.133}}, seed);
     const Problem problem(maze, tethered_robot(1.4, 0.133, 0.19));
     const Path path = plan("berg-complete", problem);
     expect_geodesic(problem, path);

@@ -239,7 +239,8 @@ Region chamfered(Rng& rng, const Region& region) {
   const auto chamfer = [&](const Ring& ring) {
     Ring out;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point &before = ring[(i + ring.size() - 1) % ring.size()], &at = ring[i], &after = ring[(i + 1) % ring.size()];
+      const Point &before = ring[(i + ring.size() - 1) % ring.size()], &at = ring[i],
+                  &after = ring[(i + 1) % ring.size()];
       const double size = 3e-8 * std::pow(300.0, rng.unit());
       const Point in = at + size * (before - at).normalized(), on = at + size * (after - at).normalized();
       out.push_back(in);
