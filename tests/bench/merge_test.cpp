@@ -103,9 +103,7 @@ TEST(Merge, ShardsGiveTheTableOfOneRun) {
   for (const char* name : {"trace.csv", "columns.json"})
     EXPECT_EQ(read_file(parts.file("all/") + name), read_file(whole + "/" + name)) << name;
   for (const Row& row : read_results(parts.file("all")).rows)
-    if (!row.get("path_file").empty()) {
-      EXPECT_TRUE(fs::exists(parts.file("all/") + row.get("path_file")));
-    }
+    if (!row.get("path_file").empty()) { EXPECT_TRUE(fs::exists(parts.file("all/") + row.get("path_file"))); }
   EXPECT_TRUE(missing_runs(parts.suite, parts.registry.planners, {parts.file("all")}).empty());
 }
 

@@ -60,12 +60,15 @@ TEST(Robot, EveryParameterIsWrittenAndHashed) {
     const Value plain = parameter.get(Robot{});
     const Value other = name == "footprint"                           ? Value(std::string("octagon:1"))
                         : std::holds_alternative<std::int64_t>(plain) ? Value(std::int64_t{7})
+                        : std::holds_alternative<bool>(plain)         ? Value(!std::get<bool>(plain))
                                                                       : Value(0.375);
     Robot robot;
+    if (name == "reverse") robot.min_turn_radius = 1;  // has no effect otherwise
+    const std::string before = canonical_text(robot);
     change(robot, {{name, other}});
     EXPECT_NE(parameter.get(robot), plain);
     EXPECT_TRUE(settings_of(robot).contains(name));
-    EXPECT_NE(canonical_text(robot), canonical_text(Robot{}));
+    EXPECT_NE(canonical_text(robot), before);
     Robot back;
     change(back, settings_of(robot));
     EXPECT_EQ(parameter.get(back), parameter.get(robot));

@@ -184,7 +184,8 @@ TEST(Invariance, RecutResampledShiftedRotatedMirroredScaled) {
     SCOPED_TRACE(seed);
     const Case base = random_case(seed);
     const Score before = score_of(base);
-    if (!base.robot.tether) { EXPECT_EQ(before.flaw, ""); }
+    // A tether may be too short for a random walk, and a car cannot drive one.
+    if (!base.robot.tether && base.robot.min_turn_radius == 0) { EXPECT_EQ(before.flaw, ""); }
     Rng rng(1000 + seed);
     const auto check = [&](const char* what, const Case& c, double scale, bool same) {
       SCOPED_TRACE(what);
