@@ -141,7 +141,7 @@ Row row_of(const Work& work, std::size_t index, const Setting& setting) {
                {"planner_family", planner.family},
                {"variant", spec.variant()},
                {"params", to_text(spec.said())},
-               {"promise", to_text(planner.promised(spec.settings, setting.problem->robot()))},
+               {"promise", to_text(planner.promised(spec.settings, robot))},
                {"robot", robot.name},
                {"tool_width_m", to_decimal(robot.tool_width)},
                {"repeat", std::to_string(cell.repeat)}};
@@ -180,7 +180,7 @@ void end_unscored(const Planned& planned, Row& row) {
 /// Scores and stores what came of planning, in a process of its own.
 void finish_run(const Work& work, const Setting& setting, std::size_t index, const Planned& planned, int fd, Row& row) {
   const PlannerSpec& spec = work.suite.planners[work.cells[index].planner];
-  const Promise promise = work.registry.planners.find(spec.name).promised(spec.settings);
+  const Promise promise = work.registry.planners.find(spec.name).promised(spec.settings, setting.problem->robot());
   const ScoreOptions scoring = score_options(planned, promise, !spec.ignore_tether);
   const FinishTask task{*setting.problem,  planned, work.registry.metrics, work.options, setting.problem_file,
                         row.get("run_id"), scoring};

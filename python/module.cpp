@@ -149,7 +149,7 @@ Plan plan(const std::string& name, const Problem& problem, std::uint64_t seed, d
     result.path = planner->plan(problem, context);
     if (region) result.promised = std::make_shared<const Region>(region());
   }
-  const Promise promise = info.promised(settings);
+  const Promise promise = info.promised(settings, problem.robot());
   if (promise == Promise::target) result.scoring.promise = promise;
   if (result.promised) {
     result.scoring.promise = Promise::cells;

@@ -12,7 +12,7 @@
 namespace oxturn {
 namespace {
 
-constexpr double kRelative = 1e-6;  // lengths that agree
+constexpr double kRelative = 1e-4;  // lengths that agree: arcs may be cut into other chords
 
 struct Transformation {
   Symmetry symmetry;
