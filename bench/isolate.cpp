@@ -23,6 +23,7 @@ constexpr double kDeadline = 0.95;                  // of which planners are tol
 namespace frames {
 constexpr char kPublished = 'P';   // path
 constexpr char kResult = 'R';      // path
+constexpr char kNothing = 'N';     // no path by the deadline
 constexpr char kMeasures = 'M';    // wall s, cpu s, growth of resident memory in bytes: plan() is over
 constexpr char kTrace = 'D';       // one trace
 constexpr char kRecorded = 'V';    // value, name: Context::record
@@ -49,7 +50,10 @@ class PlannerChild {
       const Path path = planner->plan(problem, context);
       send_measures();
       if (promised_) wire::send(fd_, frames::kPromised, wire::pack(promised_()));
-      wire::send_path(fd_, frames::kResult, path);
+      if (path.legs.empty() && context.cancelled())
+        wire::send(fd_, frames::kNothing, "");
+      else
+        wire::send_path(fd_, frames::kResult, path);
     } catch (...) {
       send_measures();
       throw;
@@ -134,6 +138,9 @@ class PlannerParent {
       case frames::kResult:
         result_ = wire::path_from(payload);
         break;
+      case frames::kNothing:
+        nothing_ = true;
+        break;
       case frames::kMeasures:
         planned_.wall_s = wire::take<double>(payload);
         planned_.cpu_s = wire::take<double>(payload);
@@ -163,15 +170,14 @@ class PlannerParent {
     planned_.reason = report.reason;
     planned_.exit_code = report.exit_code;
     planned_.signal = report.signal;
-    const bool late = planned_.wall_s >= kDeadline * options_.limits.wall_s;
-    if (report.outcome == Outcome::ok && !result_) {
-      planned_.outcome = Outcome::error;
-      planned_.reason = "its process ended without a result";
-    } else if (report.outcome == Outcome::ok && late && result_->legs.empty()) {
+    if (result_) {
+      planned_.path = std::move(result_);
+    } else if (report.outcome == Outcome::ok && nothing_) {
       planned_.outcome = Outcome::timeout;
       planned_.reason = fmt::format("no result after {} s", to_decimal(options_.limits.wall_s));
-    } else if (result_) {
-      planned_.path = std::move(result_);
+    } else if (report.outcome == Outcome::ok) {
+      planned_.outcome = Outcome::error;
+      planned_.reason = "its process ended without a result";
     }
     const bool kept = planned_.outcome == Outcome::ok || planned_.outcome == Outcome::timeout;
     if (!kept) planned_.path.reset();
@@ -192,6 +198,7 @@ class PlannerParent {
   const IsolationOptions& options_;
   Planned planned_;
   std::optional<Path> result_;
+  bool nothing_ = false;                      // kNothing has come
   std::map<std::string, std::size_t> index_;  // of records
 };
 
