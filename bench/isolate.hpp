@@ -34,8 +34,8 @@ struct Planned {
   int exit_code = 0, signal = 0;
   std::optional<Path> path;  // the result, or the last published one
   std::vector<Trace> traces;
-  double wall_s = 0, cpu_s = 0;
-  double peak_rss_bytes = 0;  // growth of resident memory during plan(), at its peak
+  double wall_s = 0, cpu_s = 0;  // 0: plan() did not come back
+  double peak_rss_bytes = 0;     // growth of resident memory during plan(), at its peak
   Records records;
   std::optional<Region> promised;  // what the planner has promised to cover (Context::promise)
 };
