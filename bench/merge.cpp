@@ -102,15 +102,13 @@ class Merger {
     if (fresh) return order_.push_back(known);
     ++merged_.duplicates;
     const Row before = row_of(known->second.line);
-    if (known->second.part != part && !is_unfinished(before)) return compare(before, known->second.part, row, part);
+    if (known->second.part != part && !is_unfinished(before.outcome()))
+      return compare(before, known->second.part, row, part);
     known->second = {part, line};
   }
 
-  static bool is_unfinished(const Row& row) {
-    return row.outcome() == Outcome::cancelled || row.outcome() == Outcome::infrastructure;
-  }
   static bool depends_on_the_machine(const Row& row) {
-    return is_unfinished(row) || row.outcome() == Outcome::timeout || row.outcome() == Outcome::out_of_memory;
+    return is_unfinished(row.outcome()) || row.outcome() == Outcome::timeout || row.outcome() == Outcome::out_of_memory;
   }
 
   void compare(const Row& a, std::size_t part_a, const Row& b, std::size_t part_b) const {
@@ -230,7 +228,7 @@ std::vector<MissingRun> missing_runs(const Suite& given, const Planners& planner
         return;
       }
       const Row row = rows_from_csv(header + line, folder + "/runs.csv").front();
-      if (row.outcome() != Outcome::cancelled && row.outcome() != Outcome::infrastructure)
+      if (!is_unfinished(row.outcome()))
         done.insert(key(row.get("map"), row.get("robot"), row.get("variant"), row.get("repeat")));
     });
   }

@@ -113,6 +113,8 @@ std::optional<Outcome> outcome_from(const std::string& name) {
   return std::nullopt;
 }
 
+bool is_unfinished(Outcome outcome) { return outcome == Outcome::cancelled || outcome == Outcome::infrastructure; }
+
 const std::string& Row::get(const std::string& column) const {
   static const std::string kEmpty;
   const auto cell = cells.find(column);

@@ -29,6 +29,8 @@ enum class Outcome {
 };
 std::string to_text(Outcome outcome);
 std::optional<Outcome> outcome_from(const std::string& text);
+/// The run was lost by the harness, not by the planner; it is run again on `--resume`.
+bool is_unfinished(Outcome outcome);
 
 /// One column of runs.csv.
 struct Column {

@@ -159,7 +159,7 @@ class SuiteRun {
     std::map<std::string, Earlier> all;
     for (const auto& [id, rows] : session.earlier()) {
       const Outcome last = rows.back().outcome();
-      all[id] = {static_cast<int>(rows.size()), last != Outcome::cancelled && last != Outcome::infrastructure};
+      all[id] = {static_cast<int>(rows.size()), !is_unfinished(last)};
     }
     return all;
   }

@@ -8,11 +8,8 @@ foreach(header ${headers})
 endforeach()
 string(SHA256 hash "${all}")
 string(SUBSTRING ${hash} 0 8 hash)
-set(text "#pragma once\n#define OXTURN_HEADERS \"${hash}\"\n#define OXTURN_VERSION_TEXT \"${VERSION}\"\n")
-set(old "")
-if(EXISTS ${OUTPUT})
-  file(READ ${OUTPUT} old)
-endif()
-if(NOT old STREQUAL text)
-  file(WRITE ${OUTPUT} "${text}")
-endif()
+file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [[
+#pragma once
+#define OXTURN_HEADERS "@hash@"
+#define OXTURN_VERSION_TEXT "@VERSION@"
+]])

@@ -26,8 +26,8 @@ constexpr double kBeside = 0.5 * 1.01;  // from a wall: about what an arc of it 
 constexpr int kRounds = 4;              // of lanes and arcs of the boundary, before whole rings
 
 /// The boundary that arcs follow; the arcs that are to be driven, and those whose length is looked at.
-struct Laps {
-  explicit Laps(const Region& space) : boundary(space), arcs(boundary), trial(boundary) {}
+struct WallArcs {
+  explicit WallArcs(const Region& space) : boundary(space), arcs(boundary), trial(boundary) {}
   EdgeIndex boundary;
   BoundaryArcs arcs, trial;
 };
@@ -54,7 +54,7 @@ class Repair {
         else if (round + 1 < kRounds && !arcs_reach(piece))
           add_lanes(piece);
         else
-          note_walls(piece, laps().arcs);
+          note_walls(piece, wall_arcs().arcs);
       }
       add_arcs();
       cover_by_pieces(before);
@@ -105,13 +105,13 @@ class Repair {
     const std::size_t before = pieces_.size();
     add_lanes(piece);
     if (!lies_along_walls(piece)) return;
-    note_walls(piece, laps().trial);
-    const std::vector<Ring> arcs = laps().trial.take(width_);
+    note_walls(piece, wall_arcs().trial);
+    const std::vector<Ring> arcs = wall_arcs().trial.take(width_);
     if (length_with(arcs.begin(), arcs.end()) >
         length_with(pieces_.begin() + static_cast<std::ptrdiff_t>(before), pieces_.end()))
       return;
     pieces_.resize(before);
-    note_walls(piece, laps().arcs);
+    note_walls(piece, wall_arcs().arcs);
   }
   /// Of detours and what attaches them.
   template <class It>
@@ -208,14 +208,14 @@ class Repair {
   }
 
   void add_arcs() {
-    if (!laps_) return;
-    for (Ring& arc : laps_->arcs.take(width_))
+    if (!wall_arcs_) return;
+    for (Ring& arc : wall_arcs_->arcs.take(width_))
       arc.size() == 1 ? add_stop(arc.front()) : pieces_.push_back(std::move(arc));
   }
   /// Made when first needed.
-  Laps& laps() {
-    if (!laps_) laps_.emplace(coarser_space(problem_));
-    return *laps_;
+  WallArcs& wall_arcs() {
+    if (!wall_arcs_) wall_arcs_.emplace(coarser_space(problem_));
+    return *wall_arcs_;
   }
 
   void add_whole_rings() {
@@ -231,7 +231,7 @@ class Repair {
   const Problem& problem_;
   const EdgeIndex& walls_;
   double width_, seam_;
-  std::optional<Laps> laps_;
+  std::optional<WallArcs> wall_arcs_;
   Region left_;  // of the target, not covered yet
   std::vector<Ring> pieces_;
 };

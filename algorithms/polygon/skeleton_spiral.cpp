@@ -200,7 +200,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
     if (context.cancelled()) break;
     const StraightSkeleton skeleton = straight_skeleton(part);
     for (const StraightSkeleton::Arc& a : skeleton.arcs)
-      traced.push_back({skeleton.nodes[a.low].at, skeleton.nodes[a.high].at});
+      if (context.wants_traces()) traced.push_back({skeleton.nodes[a.low].at, skeleton.nodes[a.high].at});
     const MovingRings rings(skeleton);
     SkeletonDrive(rings, spacing, w, p.growth, connector, builder).run(context);
   }

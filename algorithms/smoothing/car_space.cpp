@@ -54,8 +54,8 @@ bool CarSpace::free(const Pose& from, const CurvePiece& piece) const {
   return free(Curve{from, after(from, piece, radius_), radius_, {piece}});
 }
 
-double CarSpace::lower_bound(const Pose& from, const Pose& to) const {
-  return (reverse_ ? reeds_shepp_curve(from, to, radius_) : dubins_curve(from, to, radius_)).length();
+Curve CarSpace::shortest(const Pose& from, const Pose& to) const {
+  return reverse_ ? reeds_shepp_curve(from, to, radius_) : dubins_curve(from, to, radius_);
 }
 
 double CarSpace::cost(const Curve& curve) const {

@@ -1,14 +1,14 @@
 /// Where a car-like robot can drive: curves against configuration space, and links between two poses.
 ///
-///   const CarSpace space(problem, Detour::lattice, context);
-///   if (const auto link = space.link(lane_end, next_begin)) drive(*link);
+///   const CarSpace space(problem);
+///   if (const auto link = space.simple_link(lane_end, next_begin)) drive(*link);
 ///
 /// A curve is driven as chords that leave it by a thousandth of the tool's width at most; these are tested against
 /// configuration space exactly, but for half the problem's tolerance.
 /// A link is the first of these that is free:
 ///   1. Dubins words, shortest first; in reverse: the shortest Reeds-Shepp curve
 ///   2. the same between poses further ahead on the lane's line (or, in reverse, also further back), shortest first
-///   3. a detour: hybrid A* over position and heading (lattice_search.hpp), or OMPL's planner
+///   3. a detour: hybrid A* over position and heading (lattice_search.hpp)
 /// Complexity  some dozens of curves of a few microseconds and O(length) segment tests; a detour up to a second
 #pragma once
 
@@ -32,8 +32,8 @@ class CarSpace {
   bool free(const Curve& curve) const;
   bool free(const Pose& from, const CurvePiece& piece) const;
   bool free(const Polyline& line) const;
-  /// Without obstacles: the length of the shortest curve.
-  double lower_bound(const Pose& from, const Pose& to) const;
+  /// The shortest curve if there were no obstacles: Dubins', in reverse Reeds and Shepp's.
+  Curve shortest(const Pose& from, const Pose& to) const;
   /// The length of a curve, and for each cusp the metres lost by stopping.
   double cost(const Curve& curve) const;
 

@@ -78,7 +78,7 @@ Path drivable(const Problem& problem, const Path& path, Context& context) {
   const DrivenStroke* last = nullptr;
   for (const DrivenStroke& stroke : order) {
     if (context.cancelled()) break;
-    const auto link = tour.link(last, stroke);
+    const auto& link = tour.link(last, stroke);
     if (!link) {
       left_out.add(length(stroke.points), stroke.points.front());
       continue;

@@ -62,7 +62,7 @@ class LatticeSearch {
       closed_[entry->second] = true;
       entry->second = nodes_.size();
     }
-    const double rest = space_.lower_bound(node.pose, to_);
+    const double rest = space_.shortest(node.pose, to_).length();
     open_.push({-(node.cost + kGreed * rest), nodes_.size()});
     nodes_.push_back(node);
     rest_.push_back(rest);
@@ -86,8 +86,7 @@ class LatticeSearch {
 
   std::optional<Curve> rest_from(std::size_t at) const {
     if (rest_[at] > kNearGoal * radius_ && at % 4 != 0) return std::nullopt;
-    const Pose& pose = nodes_[at].pose;
-    Curve rest = space_.reverse() ? reeds_shepp_curve(pose, to_, radius_) : dubins_curve(pose, to_, radius_);
+    Curve rest = space_.shortest(nodes_[at].pose, to_);
     if (!space_.free(rest)) return std::nullopt;
     return rest;
   }

@@ -71,7 +71,7 @@ double LinkTour::bound(PatternId from, PatternId to) const {
   if (to < 2) return to == 0 ? 0 : distance(start_, passes_[reverse_[from] - 2].entry.at);
   if (from < 2) return from == 1 ? 0 : distance(start_, passes_[to - 2].entry.at);
   if (passes_[from - 2].stroke == passes_[to - 2].stroke) return 0;
-  return space_.lower_bound(passes_[from - 2].exit, passes_[to - 2].entry);
+  return space_.shortest(passes_[from - 2].exit, passes_[to - 2].entry).length();
 }
 
 double LinkTour::cost(PatternId from, PatternId to) const {
@@ -85,10 +85,8 @@ bool LinkTour::learn(const TourProblem& problem, const Tour& tour) {
   for (std::size_t i = 0; i + 1 < tour.size() && !context_.cancelled(); ++i) {
     const PatternId from = problem.pattern_of(tour[i]), to = problem.pattern_of(tour[i + 1]);
     if (learnt_.contains({from, to})) continue;
-    const Pose& entry = passes_[to - 2].entry;
-    const auto found = from < 2 ? link_from_start(entry) : link_between(passes_[from - 2].exit, entry);
-    const double real = found ? space_.cost(*found) : kBlocked;
-    learnt_[{from, to}] = learnt_[{reverse_[to], reverse_[from]}] = real;
+    const std::optional<Curve>& found = find(from, to);
+    learnt_[{from, to}] = learnt_[{reverse_[to], reverse_[from]}] = found ? space_.cost(*found) : kBlocked;
     new_one = true;
   }
   return new_one;
@@ -98,25 +96,35 @@ std::vector<DrivenStroke> LinkTour::order() {
   if (strokes_.empty()) return {};
   const FunctionCost costs([this](PatternId from, PatternId to) { return cost(from, to); }, true);
   const TourProblem problem(costs, counts_, reverse_);
-  Tour tour = solve_tour(problem, context_);
+  Tour tour = from_start(problem, solve_tour(problem, context_));
   for (int round = 0; round < kRounds && learn(problem, tour); ++round)
-    tour = improved_tour(problem, tour, context_, {.kicks = 20 * strokes_.size()});
-  // A tour may come out the other direction: then it leaves from the start's second pattern.
-  if (problem.pattern_of(tour.front()) == 1) {
-    for (TourStop& stop : tour) stop = problem.stop_of(reverse_[problem.pattern_of(stop)]);
-    std::reverse(tour.begin() + 1, tour.end());
-  }
+    tour = from_start(problem, improved_tour(problem, tour, context_, {.kicks = 20 * strokes_.size()}));
   std::vector<DrivenStroke> result;
   for (std::size_t i = 1; i < tour.size(); ++i) {
-    const Pass& pass = passes_[problem.pattern_of(tour[i]) - 2];
-    result.push_back({pass.stroke, points(pass)});
+    const PatternId pattern = problem.pattern_of(tour[i]);
+    const Pass& pass = passes_[pattern - 2];
+    result.push_back({pass.stroke, pattern, points(pass)});
   }
   return result;
 }
 
-std::optional<Curve> LinkTour::link(const DrivenStroke* from, const DrivenStroke& to) const {
-  const Pose entry = first_pose(to.points);
-  return from == nullptr ? link_from_start(entry) : link_between(last_pose(from->points), entry);
+/// A tour may come out the other direction: then it leaves from the start's second pattern.
+Tour LinkTour::from_start(const TourProblem& problem, Tour tour) const {
+  if (problem.pattern_of(tour.front()) == 0) return tour;
+  for (TourStop& stop : tour) stop = problem.stop_of(reverse_[problem.pattern_of(stop)]);
+  std::reverse(tour.begin() + 1, tour.end());
+  return tour;
+}
+
+const std::optional<Curve>& LinkTour::link(const DrivenStroke* from, const DrivenStroke& to) {
+  return find(from == nullptr ? 0 : from->pattern, to.pattern);
+}
+
+const std::optional<Curve>& LinkTour::find(PatternId from, PatternId to) {
+  const auto [known, fresh] = links_.try_emplace({from, to});
+  const Pose& entry = passes_[to - 2].entry;
+  if (fresh) known->second = from < 2 ? link_from_start(entry) : link_between(passes_[from - 2].exit, entry);
+  return known->second;
 }
 
 std::optional<Curve> LinkTour::link_between(const Pose& from, const Pose& to) const {

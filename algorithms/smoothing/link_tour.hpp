@@ -20,6 +20,7 @@ namespace oxturn {
 
 struct DrivenStroke {
   std::size_t stroke = 0;
+  PatternId pattern = 0;  // of the tour
   Polyline points;
 };
 
@@ -29,7 +30,7 @@ class LinkTour {
   LinkTour(const std::vector<Stroke>& strokes, const CarSpace& space, const Point& start, Context& context);
   std::vector<DrivenStroke> order();
   /// The free link between two strokes driven one after the other, or from the start; nullopt if none was found.
-  std::optional<Curve> link(const DrivenStroke* from, const DrivenStroke& to) const;
+  const std::optional<Curve>& link(const DrivenStroke* from, const DrivenStroke& to);
 
  private:
   /// One pattern of a stroke.
@@ -47,6 +48,9 @@ class LinkTour {
   double cost(PatternId from, PatternId to) const;
   /// Tests the connections of the tour; false if all were known.
   bool learn(const TourProblem& problem, const Tour& tour);
+  Tour from_start(const TourProblem& problem, Tour tour) const;
+  /// Searches each link once.
+  const std::optional<Curve>& find(PatternId from, PatternId to);
   std::optional<Curve> link_from_start(const Pose& to) const;
   std::optional<Curve> link_between(const Pose& from, const Pose& to) const;
 
@@ -58,7 +62,8 @@ class LinkTour {
   std::vector<std::size_t> counts_{2};
   std::vector<PatternId> reverse_{1, 0};
   std::vector<double> bounds_;    // by pattern pairs, if there are not too many
-  std::map<Key, double> learnt_;  // kBlocked: none was found
+  std::map<Key, double> learnt_;  // costs, in either direction; kBlocked: none was found
+  std::map<Key, std::optional<Curve>> links_;
 };
 
 }  // namespace oxturn

@@ -89,19 +89,14 @@ std::vector<Parts> parts_by_component(const TetherSpace& space, const std::vecto
 }
 
 /// The same, and what driving it takes.
-struct Task {
+struct Task : Parts {
   Task(const Problem& problem_, Parts parts, const GeodesicField& field, double spacing)
-      : problem(problem_),
-        sets(std::move(parts.sets)),
+      : Parts(std::move(parts)),
+        problem(problem_),
         outward(outward_neighbours(sets, field, spacing)),
-        rings(std::move(parts.rings)),
-        chains(std::move(parts.chains)),
         connector(problem_) {}
   const Problem& problem;  // the component's
-  std::vector<LevelSet> sets;
   Outward outward;
-  Region rings;
-  std::vector<Strip> chains;
   Connector connector;
 };
 
@@ -208,13 +203,12 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   const Tacking tacking{.angle = p.min_tether_angle, .width = w};
   std::vector<Parts> parts = parts_by_component(space, sets, boundary);
   const auto cover = [&](const TetherSpace::Component& component, Context& inner) {
-    const auto number = static_cast<std::size_t>(&component - space.components().data());
-    Task task(component.problem, std::move(parts[number]), space.field(), w);
+    Task task(component.problem, std::move(parts[component.index]), space.field(), w);
     if (p.winding == TetherSide::right) reverse(task.rings);
     Path path = p.winding == TetherSide::any ? cover_by_tour(p, task, inner)
                                              : with_task_rings(task, drive_one_way(p, task, inner), inner);
     path = without_short_segments(std::move(path), component.problem);
-    const bool first = &component == &space.components().front();  // with the transit that follows, below
+    const bool first = component.index == 0;  // with the transit that follows, below
     return first || tacking.angle <= 0 ? path : tacked(space.field(), component.problem, path, tacking);
   };
   Path path = cover_components(space, cover, p.return_home, context);

@@ -132,7 +132,7 @@ Path visit_cells_and_walls(const Params& p, const TetherSpace& space, Context& c
     const Point& start = component.problem.start();
     const double remaining = space.tether_length() - space.field().distance(start);
     const WallTree tree(component.problem, side, all ? std::numeric_limits<double>::infinity() : remaining, is_wall);
-    if (&component == &space.components().front()) promise(context, space, side, all, tree);
+    if (component.index == 0) promise(context, space, side, all, tree);
     if (inner.wants_traces()) inner.trace("tree", tree.branches());
     const Polyline line = tree.path();
     if (line.size() < 2)

@@ -137,7 +137,7 @@ Path cover_component(const Params& p, const TetherSpace& space, const TetherSpac
     if (path.legs.empty()) throw Infeasible("no sub-cell beside the start's is free; a smaller cell_size may help");
     if (!best.legs.empty() && (path.length() >= best.length() || context.cancelled())) continue;
     best = std::move(path);
-    if (&component == &space.components().front())
+    if (component.index == 0)
       promise_free_cells(context, fine, options.components, entry->cell, problem.robot().tool_width);
   }
   return best;

@@ -17,6 +17,7 @@
 #include "algorithms/tour/node_matrix.hpp"
 #include "algorithms/tour/tsplib.hpp"
 #include "base/files.hpp"
+#include "base/temporary_folder.hpp"
 
 extern char** environ;
 
@@ -27,26 +28,6 @@ namespace fs = std::filesystem;
 
 constexpr double kLargestWeight = 1 << 30;  // LKH adds weights and penalties in 32 bits
 constexpr auto kPoll = std::chrono::milliseconds(10);
-
-/// A new folder that is removed with all it holds.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "oxturn-lkh-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr)
-      throw std::runtime_error("cannot make a folder for LKH in " + fs::temp_directory_path().string());
-    path_ = pattern;
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
 
 /// Runs the program, without input and output, until it ends or the context is cancelled.
 void run(const std::string& program, const std::string& argument, const Context& context) {

@@ -154,7 +154,7 @@ void TetherSpace::cut_open() {
       throw std::logic_error(
           fmt::format("the cut locus of '{}' does not cut open the space around the obstacle at ({:.6g}, {:.6g})",
                       problem_.map().name, component.holes[0][0].x(), component.holes[0][0].y()));
-  components_.push_back({problem_.restricted(Region{{*home}}), {problem_.start()}});
+  components_.push_back({problem_.restricted(Region{{*home}}), {problem_.start()}, 0});
   all.polygons.erase(home);
   add_components(std::move(all.polygons));
 }
@@ -177,8 +177,8 @@ void TetherSpace::add_components(std::vector<Polygon> others) {
   }
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.away < b.away; });
   for (Found& f : found)
-    components_.push_back(
-        {problem_.restricted(Region{{std::move(*f.component)}}, f.entry.entry), std::move(f.entry.path)});
+    components_.push_back({problem_.restricted(Region{{std::move(*f.component)}}, f.entry.entry),
+                           std::move(f.entry.path), components_.size()});
 }
 
 /// nullopt: the tether is too short.

@@ -51,6 +51,7 @@ class TetherSpace {
   struct Component {
     Problem problem;      // with the component as configuration space; starts at its entry
     Polyline entry_path;  // from the start to the entry, in the class of the geodesic and within the tether's length
+    std::size_t index;    // among components()
   };
   /// The start's component first, then those that the robot can enter, by their entries' distance from the anchor.
   const std::vector<Component>& components() const { return components_; }

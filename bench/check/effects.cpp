@@ -17,7 +17,7 @@
 #include <filesystem>
 #include <set>
 
-#include "bench/check/scratch_folder.hpp"
+#include "base/temporary_folder.hpp"
 #include "bench/check/subject.hpp"
 
 namespace oxturn {
@@ -83,12 +83,13 @@ double written_bytes() {
 
 std::string no_files(CheckSubject& subject) {
   const Problem& problem = usual(subject);
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   const bool program = subject.is_program();
   const auto run = [&](const CoveragePlanner& planner, const Problem& given, Context& context) {
     ::setenv("TMPDIR", folder.path().c_str(), 1);
     if (!program) ::setenv("HOME", folder.path().c_str(), 1);
-    if (!program && ::chdir(folder.path().c_str()) != 0) throw std::runtime_error("cannot enter " + folder.path());
+    if (!program && ::chdir(folder.path().c_str()) != 0)
+      throw std::runtime_error("cannot enter " + folder.path().string());
     const double before = written_bytes();
     Path path = plan_alone(planner, given, context);
     std::fflush(nullptr);
@@ -97,7 +98,7 @@ std::string no_files(CheckSubject& subject) {
   };
   const auto before = names_in(".");
   const Planned planned = subject.plan(problem, {.how = run});
-  for (const fs::path& where : {fs::path(folder.path()), fs::path(".")})
+  for (const fs::path& where : {folder.path(), fs::path(".")})
     for (const std::string& name : names_in(where))
       if (where != "." || before.count(name) == 0)
         return fmt::format("on '{}': leaves the file '{}'", problem.map().name, name);

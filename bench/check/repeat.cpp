@@ -1,7 +1,7 @@
 // The same bytes again: in another process, after other problems, beside other runs, under observation.
 #include <fmt/format.h>
 
-#include "bench/check/scratch_folder.hpp"
+#include "base/temporary_folder.hpp"
 #include "bench/check/subject.hpp"
 #include "bench/run_suite.hpp"
 
@@ -56,7 +56,7 @@ std::string unobserved(CheckSubject& subject) {
 /// path_sha256 and outcome of each map.
 std::map<std::string, std::string> run_all(CheckSubject& subject, const std::vector<Problem>& problems,
                                            const Robot& robot, int jobs) {
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   Suite suite;
   suite.name = "check";
   suite.limits.wall_s = subject.wall_s();

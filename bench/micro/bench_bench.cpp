@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "algorithms/coverage_planner.hpp"
+#include "base/temporary_folder.hpp"
 #include "bench/isolate.hpp"
 #include "bench/run_suite.hpp"
 #include "maps/generators.hpp"
@@ -39,12 +40,11 @@ void BM_SuiteOverhead(benchmark::State& state) {
   planner.name = "one_leg";
   planner.make = [](const Settings&, const Planners&) { return std::make_unique<OneLeg>(); };
   registry.planners.add(planner);
-  std::string folder = (std::filesystem::temp_directory_path() / "oxturn-XXXXXX").string();
-  if (::mkdtemp(folder.data()) == nullptr) return state.SkipWithError("no temporary folder");
+  const TemporaryFolder folder;
   double beyond = 0, runs = 0;
   for (auto _ : state) {
     SuiteRunOptions options;
-    options.folder = folder + "/out";
+    options.folder = folder.file("out");
     options.progress = false;
     const auto before = std::chrono::steady_clock::now();
     const Results results = run_suite(suite, registry, options);
@@ -56,7 +56,6 @@ void BM_SuiteOverhead(benchmark::State& state) {
     std::filesystem::remove_all(options.folder);
     state.ResumeTiming();
   }
-  std::filesystem::remove_all(folder);
   state.counters["ms_per_run"] = 1e3 * beyond / runs;
 }
 BENCHMARK(BM_SuiteOverhead)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime();

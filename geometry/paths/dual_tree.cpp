@@ -1,6 +1,7 @@
 #include "geometry/paths/dual_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/predicates.hpp"
 
@@ -93,15 +94,18 @@ DualTree::Portal DualTree::portal(std::int32_t from, std::int32_t to) const {
 /// From both ends up the tree to where they meet.
 std::optional<std::vector<std::int32_t>> DualTree::sleeve(const Point& start, std::int32_t from, const Point& goal,
                                                           std::int32_t to, double longest) const {
+  const bool bounded = std::isfinite(longest);
   std::vector<std::int32_t> up{from}, down{to};
   const auto depth = [&](std::int32_t t) { return depth_[static_cast<std::size_t>(t)]; };
   while (up.back() != down.back()) {
     std::vector<std::int32_t>& deeper = depth(up.back()) >= depth(down.back()) ? up : down;
     const std::int32_t parent = parent_[static_cast<std::size_t>(deeper.back())];
-    const Portal door = portal(deeper.back(), parent);
-    const double least =
-        distance_to_segment(start, door.left, door.right) + distance_to_segment(goal, door.left, door.right);
-    if (least > longest * kRounding) return std::nullopt;
+    if (bounded) {
+      const Portal door = portal(deeper.back(), parent);
+      const double least =
+          distance_to_segment(start, door.left, door.right) + distance_to_segment(goal, door.left, door.right);
+      if (least > longest * kRounding) return std::nullopt;
+    }
     deeper.push_back(parent);
   }
   up.insert(up.end(), down.rbegin() + 1, down.rend());

@@ -69,7 +69,7 @@ std::vector<double> coverages(const std::vector<const Row*>& rows) {
   std::vector<double> all;
   for (const Row* row : rows) {
     const Outcome outcome = row->outcome();
-    if (outcome == Outcome::cancelled || outcome == Outcome::infrastructure) continue;
+    if (is_unfinished(outcome)) continue;
     // An interrupted run is scored on what it had published; a path through a wall covers nothing.
     all.push_back(outcome == Outcome::invalid ? 0 : row->number("coverage").value_or(0));
   }

@@ -331,14 +331,4 @@ Problem small_problem() {
   return Problem(map, Robot{}, Point(0.21, 0.21));
 }
 
-Folder::Folder() {
-  std::string name = (std::filesystem::temp_directory_path() / "oxturn-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder for the test");
-  path_ = name;
-}
-Folder::~Folder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
 }  // namespace oxturn::testing

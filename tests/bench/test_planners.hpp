@@ -1,4 +1,4 @@
-// Planners that behave as badly as planners do, and a good one. And a folder that goes away.
+// Planners that behave as badly as planners do, and a good one.
 #pragma once
 
 #include <memory>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algorithms/coverage_planner.hpp"
+#include "base/temporary_folder.hpp"
 #include "bench/registry.hpp"
 
 namespace oxturn::testing {
@@ -22,16 +23,6 @@ std::unique_ptr<CoveragePlanner> test_planner(const Settings& settings);
 /// 3 m x 2 m with its lower left corner at the origin; robot 0.2, tool 0.4, start (0.2, 0.2).
 Problem small_problem();
 
-class Folder {
- public:
-  Folder();
-  ~Folder();
-  Folder(const Folder&) = delete;
-  std::string file(const std::string& name) const { return path_ + "/" + name; }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
+using Folder = TemporaryFolder;
 
 }  // namespace oxturn::testing

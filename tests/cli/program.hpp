@@ -10,31 +10,21 @@
 #include <iterator>
 #include <string>
 
+#include "base/temporary_folder.hpp"
+
 namespace oxturn {
 
-/// A folder of its own, gone afterwards.
-class Folder {
+class Folder : public TemporaryFolder {
  public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "oxturn-cli-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  std::string operator/(const std::string& name) const { return file(name); }
   std::size_t files() const {
-    return static_cast<std::size_t>(std::distance(std::filesystem::recursive_directory_iterator(path_),
+    return static_cast<std::size_t>(std::distance(std::filesystem::recursive_directory_iterator(path()),
                                                   std::filesystem::recursive_directory_iterator()));
   }
   std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(*this / name, std::ios::binary) << text;
-    return *this / name;
+    std::ofstream(file(name), std::ios::binary) << text;
+    return file(name);
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 inline std::string content(const std::string& file) {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "base/files.hpp"
+#include "base/temporary_folder.hpp"
 #include "maps/formats.hpp"
 #include "maps/path_file.hpp"
 
@@ -27,21 +28,10 @@ Written write(const Results& results, const std::string& folder) {
 using testing::HasSubstr;
 using testing::Not;
 
-class Folder {
+class Folder : public TemporaryFolder {
  public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "oxturn-reports-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::string name() const { return path_.string(); }
-
- private:
-  fs::path path_;
+  std::string operator/(const std::string& name) const { return file(name); }
+  std::string name() const { return path().string(); }
 };
 
 using Cells = std::map<std::string, std::string>;
