@@ -12,7 +12,8 @@
 //             2. growth = length (ours): at length x of a lap of length l the offset is t + s x / l. growth = vertex
 //                (source): after vertex i of n it is t + s i / n; laps then lie unevenly where edges differ in length.
 //                With growth = length each vertex keeps its share of the lap while other edges vanish
-//                (moving_rings.hpp), so laps are s apart everywhere.
+//                (moving_rings.hpp), and s is less by what laps would be farther apart at the ends of edges: they
+//                leave no gaps there.
 //             3. A part begins with a closed lap and goes on as a spiral. When it splits or vanishes within the next
 //                lap, a closed lap ends the spiral, and the spirals of the new parts begin at the split, the nearest
 //                part first. (The source drops the recursion's result.)
@@ -87,7 +88,7 @@ class SkeletonDrive {
   /// Drives a part until it splits or vanishes, and returns what it splits into.
   std::vector<Part> fill(Part part, const Context& context) {
     Lap lap = measured(turned_to(std::move(part.ring), part.time), part.time);
-    double t = part.time, end = std::max(part.closed + spacing_, part.time + kLeastStep * spacing_);
+    double t = part.time, end = std::max(part.closed + growth_of(lap, t), t + kLeastStep * spacing_);
     bool spiralled = false;
     while (!context.cancelled()) {
       std::vector<MovingRing> next = rings_.advance(lap.ring, end);
@@ -95,7 +96,7 @@ class SkeletonDrive {
       spiral(lap, t, end - t);
       lap = continued(lap, std::move(next[0]), end);
       t = end;
-      end += spacing_;
+      end += growth_of(lap, t);
       spiralled = true;
     }
     if (spiralled) drive(rings_.closed(lap.ring, t));
@@ -124,6 +125,31 @@ class SkeletonDrive {
       if (const auto p = rings_.later(lap.ring.arcs[i % n], at)) line.push_back(*p);
     }
     drive(line);
+  }
+
+  /// Of the offset, during one lap. The next lap's vertices lie elsewhere along their edges, so at the same place it has
+  /// another share of its growth than this one. Where that share is larger, laps are farther apart than they grow.
+  double growth_of(const Lap& lap, double time) const {
+    if (growth_ == Growth::vertex) return spacing_;
+    const std::size_t n = lap.ring.arcs.size();
+    double widest = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double share = (i + 1 < n ? lap.share[i + 1] : 1) - lap.share[i];
+      widest = std::max(widest, share * lead(lap.ring.arcs[i], lap.ring.arcs[(i + 1) % n], time));
+    }
+    return spacing_ / (1 + widest);
+  }
+
+  /// By how much of an edge, at most, its next lap is ahead of this one: where it ends earlier or begins earlier.
+  double lead(std::size_t from, std::size_t to, double time) const {
+    const Point a = rings_.at(from, time), b = rings_.at(to, time);
+    const auto later_a = rings_.later(from, time + spacing_), later_b = rings_.later(to, time + spacing_);
+    if (a == b) return 0;
+    if (!later_a || !later_b || *later_a == *later_b) return 1;  // it vanishes
+    const Point along = (b - a).normalized();
+    const double ends_earlier = along.dot(b - *later_b) / distance(a, b);
+    const double begins_earlier = along.dot(a - *later_a) / distance(*later_a, *later_b);
+    return std::clamp(std::max(ends_earlier, begins_earlier), 0.0, 1.0);
   }
 
   Lap measured(MovingRing ring, double time) const {

@@ -76,6 +76,18 @@ TEST(SkeletonSpiral, LapsOfASquare) {
   }
 }
 
+// Laps leave no strips between them, which repair would have to drive: only corners and the ridge.
+TEST(SkeletonSpiral, LapsOfConvexPolygonsLeaveNoStrips) {
+  const std::vector<Ring> shapes{{{0, 0}, {12, 0}, {12, 12}, {0, 12}},
+                                 {{0, 0}, {20, 0}, {5, 14}},
+                                 {{0, 0}, {9, -3}, {16, 2}, {15, 9}, {7, 13}, {1, 8}}};
+  for (const Ring& shape : shapes) {
+    const Problem p(Map{"convex", Region{{{shape, {}}}}, "", ""}, disc(0.2, 0.4), Point(7, 4));
+    const double laps = plan("skeleton-spiral", p, {{"repair", false}}).length(true);
+    EXPECT_LT(plan("skeleton-spiral", p, {}).length(true), 1.12 * laps) << shape.size() << " corners";
+  }
+}
+
 TEST(SkeletonSpiral, CoversEveryFamilyWhole) {
   for (const auto seed : seeds(2))
     for (const Problem& p : sample_problems(seed))
