@@ -28,24 +28,6 @@ double half_turn(double degrees) {
 
 double direction_of(const Point& d) { return half_turn(std::atan2(d.y(), d.x()) * 180 / kPi); }
 
-/// Direction of the hull edge whose farthest vertex is nearest (rotating callipers): lanes along it are fewest.
-double narrowest_direction(const Ring& hull) {
-  double best = kInfinity, direction = 0;
-  std::size_t far = 1;
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Point edge = hull[(i + 1) % hull.size()] - hull[i];
-    const auto height = [&](std::size_t k) { return cross(edge, hull[k % hull.size()] - hull[i]); };
-    far = std::max(far, i + 1);
-    while (far < i + hull.size() && height(far + 1) > height(far)) ++far;
-    const double width = height(far) / edge.norm();
-    if (width < best) {
-      best = width;
-      direction = direction_of(edge);
-    }
-  }
-  return direction;
-}
-
 /// Estimated cost of covering `region` by lanes in this direction, metres.
 double cost(const Region& region, double degrees, double width) {
   const LaneFrame frame(degrees);
@@ -98,6 +80,24 @@ std::vector<double> frequent_directions(const Region& region) {
 }
 
 }  // namespace
+
+/// Of the edge whose farthest vertex is nearest, by rotating callipers.
+double narrowest_direction(const Ring& hull) {
+  double best = kInfinity, direction = 0;
+  std::size_t far = 1;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Point edge = hull[(i + 1) % hull.size()] - hull[i];
+    const auto height = [&](std::size_t k) { return cross(edge, hull[k % hull.size()] - hull[i]); };
+    far = std::max(far, i + 1);
+    while (far < i + hull.size() && height(far + 1) > height(far)) ++far;
+    const double width = height(far) / edge.norm();
+    if (width < best) {
+      best = width;
+      direction = direction_of(edge);
+    }
+  }
+  return direction;
+}
 
 std::vector<double> lane_directions(const Region& region) {
   std::vector<double> candidates;

@@ -13,6 +13,10 @@ namespace oxturn {
 /// How a planner chooses the direction of its lanes: by least estimated cost, or as the parameter `angle` says.
 enum class LaneDirection { best, given };
 
+/// The direction across which a convex polygon with at least 3 vertices is narrowest, degrees in [0, 180): lanes along
+/// it are fewest. O(n).
+double narrowest_direction(const Ring& hull);
+
 /// Candidate lane directions, degrees in [0, 180): the directions with the most boundary length, those across them,
 /// the two axes, and the direction across which the region's convex hull is narrowest. At most 16. O(n log n).
 std::vector<double> lane_directions(const Region& region);

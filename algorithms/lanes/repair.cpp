@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/lanes/boundary_arcs.hpp"
+#include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
 #include "geometry/convex_hull.hpp"
@@ -152,8 +153,7 @@ class Repair {
   }
 
   void add_lanes(const Polygon& piece) {
-    const Point along = diameter(convex_hull(piece.outer));
-    const LaneFrame frame(std::atan2(along.y(), along.x()) * 180 / kPi);
+    const LaneFrame frame(narrowest_direction(convex_hull(piece.outer)));
     const Region turned = frame.to_frame({{piece}});
     const Box box = bounding_box(turned);
     const Slabs slabs = slabs_over(box.low.x(), box.high.x(), kLane * width_);
@@ -161,13 +161,6 @@ class Repair {
       const double x = slabs.centre(lane.slab);
       add_lane(frame.to_world({x, lane.low}), frame.to_world({x, lane.high}));
     }
-  }
-  static Point diameter(const Ring& hull) {
-    Point longest(0, 0);
-    for (const Point& a : hull)
-      for (const Point& b : hull)
-        if ((b - a).squaredNorm() > longest.squaredNorm()) longest = b - a;
-    return longest;
   }
 
   /// The parts of the lane in configuration space.
