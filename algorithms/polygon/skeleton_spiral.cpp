@@ -15,8 +15,9 @@
 //                (moving_rings.hpp), and s is less by what laps would be farther apart at the ends of edges: they
 //                leave no gaps there.
 //             3. A part begins with a closed lap and goes on as a spiral. When it splits or vanishes within the next
-//                lap, a closed lap ends the spiral, and the spirals of the new parts begin at the split, the nearest
-//                part first. (The source drops the recursion's result.)
+//                lap, a closed lap ends the spiral, and the spirals of the new parts begin at the split. With order =
+//                recursion they follow at once, the nearest part first (the source drops the recursion's result); with
+//                order = tour (ours) all spirals of all parts are driven in the order of a tour, from either end.
 //             4. The ridge that the last lap of a part leaves is covered by repair.
 //             5. Islands are connected with the boundary by their shortest bridges, cuts w / 1000 wide; each side of a
 //                bridge is driven.
@@ -29,6 +30,7 @@
 #include "algorithms/lanes/laps.hpp"
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
+#include "algorithms/lanes/strips.hpp"
 #include "algorithms/polygon/moving_rings.hpp"
 #include "geometry/mesh/medial_axis.hpp"
 #include "geometry/overlay/cut_along.hpp"
@@ -44,10 +46,13 @@ constexpr double kBridge = 1e-3;         // width of the cuts along bridges
 constexpr int kBisections = 8;           // to find the time of a split
 constexpr double kLeastStep = 1.0 / 64;  // spacings from one split to the next
 
+// In the order of their names in skeleton_spiral().
 enum class Growth { length, vertex };
+enum class Order { tour, recursion };
 
 struct Params {
   Growth growth = Growth::length;
+  Order order = Order::tour;
   double spacing = 0;
   bool repair = true;
 };
@@ -58,24 +63,26 @@ struct Part {
   double time = 0, closed = 0;
 };
 
-/// Drives the spirals of one polygon.
-class SkeletonDrive {
+/// The spirals of one polygon, each a strip.
+class SkeletonSpirals {
  public:
-  SkeletonDrive(const MovingRings& rings, double spacing, double width, Growth growth, const Connector& connector,
-                PathBuilder& path)
-      : rings_(rings), spacing_(spacing), width_(width), growth_(growth), connector_(connector), path_(path) {}
+  /// Begins at the vertex nearest to `from`.
+  SkeletonSpirals(const MovingRings& rings, double spacing, Growth growth, const Connector& connector,
+                  const Point& from)
+      : rings_(rings), spacing_(spacing), growth_(growth), connector_(connector), at_(from) {}
 
-  void run(const Context& context) {
-    std::vector<Part> open;
+  std::vector<Strip> find(const Context& context) {
     for (MovingRing& ring : rings_.begin()) {
-      open.push_back({turned_to(std::move(ring), 0), 0, 0});
+      std::vector<Part> open{{turned_to(std::move(ring), 0), 0, 0}};
       drive(rings_.closed(open.back().ring, 0));
+      while (!open.empty() && !context.cancelled()) {
+        Part part = std::move(open.back());
+        open.pop_back();
+        push_nearest_last(open, fill(std::move(part), context));
+        end_strip();
+      }
     }
-    while (!open.empty() && !context.cancelled()) {
-      Part part = std::move(open.back());
-      open.pop_back();
-      push_nearest_last(open, fill(std::move(part), context));
-    }
+    return std::move(strips_);
   }
 
  private:
@@ -166,9 +173,8 @@ class SkeletonDrive {
 
   /// The ring begins at the vertex nearest to the robot.
   MovingRing turned_to(MovingRing ring, double time) const {
-    const Point from = path_.at();
     const auto nearest =
-        std::ranges::min_element(ring.arcs, {}, [&](std::size_t a) { return distance(rings_.at(a, time), from); });
+        std::ranges::min_element(ring.arcs, {}, [&](std::size_t a) { return distance(rings_.at(a, time), at_); });
     std::ranges::rotate(ring.arcs, nearest);
     return ring;
   }
@@ -194,7 +200,7 @@ class SkeletonDrive {
   void push_nearest_last(std::vector<Part>& open, std::vector<Part> parts) const {
     const auto far = [&](const Part& part) {
       double least = 1e300;
-      for (const std::size_t a : part.ring.arcs) least = std::min(least, distance(rings_.at(a, part.time), path_.at()));
+      for (const std::size_t a : part.ring.arcs) least = std::min(least, distance(rings_.at(a, part.time), at_));
       return least;
     };
     std::ranges::stable_sort(parts, std::greater<>{}, far);
@@ -202,17 +208,25 @@ class SkeletonDrive {
   }
 
   void drive(const Polyline& line) {
-    if (line.empty()) return;
-    const Polyline link = connector_.path(path_.at(), line.front());
-    path_.drive(link, length(link) <= kLongestLinkOn * width_);
-    for (const Point& p : line) path_.drive(connector_.path(path_.at(), p), true);
+    for (const Point& p : line) {
+      if (line_.empty()) line_.push_back(p);
+      const Polyline link = connector_.path(line_.back(), p);
+      line_.insert(line_.end(), link.begin() + 1, link.end());
+      at_ = p;
+    }
+  }
+  void end_strip() {
+    if (line_.size() > 1) strips_.push_back({.lanes = {{line_.front(), line_.back(), line_}}});
+    line_.clear();
   }
 
   const MovingRings& rings_;
-  double spacing_, width_;
+  double spacing_;
   Growth growth_;
   const Connector& connector_;
-  PathBuilder& path_;
+  Point at_;
+  Polyline line_;  // of the next strip
+  std::vector<Strip> strips_;
 };
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
@@ -220,7 +234,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   const double simplify = kSimplify * w;
   const Region inset = simplify_inward(lane_region(problem, spacing - simplify, kChord * w), simplify);
   const Connector connector(problem);
-  PathBuilder builder(problem.start());
+  std::vector<Strip> strips;
   std::vector<Polyline> traced;
   for (const Polygon& part : cut_along(inset, shortest_bridges(inset), kBridge * w).polygons) {
     if (context.cancelled()) break;
@@ -228,10 +242,14 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
     for (const StraightSkeleton::Arc& a : skeleton.arcs)
       if (context.wants_traces()) traced.push_back({skeleton.nodes[a.low].at, skeleton.nodes[a.high].at});
     const MovingRings rings(skeleton);
-    SkeletonDrive(rings, spacing, w, p.growth, connector, builder).run(context);
+    const Point from = strips.empty() ? problem.start() : strips.back().lanes[0].high;
+    for (Strip& strip : SkeletonSpirals(rings, spacing, p.growth, connector, from).find(context))
+      strips.push_back(std::move(strip));
   }
   if (context.wants_traces()) context.trace("skeleton", std::move(traced));
-  Path path = with_outline(problem, builder.take(), kLongestLinkOn * w, connector, context);
+  const StripOrder order = p.order == Order::tour ? StripOrder::improved : StripOrder::given;
+  Path path = with_outline(problem, drive_strips(problem, strips, order, connector, context), kLongestLinkOn * w,
+                           connector, context);
   context.publish(path);
   return p.repair && !context.cancelled() ? repaired(problem, path, connector, context) : path;
 }
@@ -249,9 +267,11 @@ PlannerInfo skeleton_spiral() {
        .promise = Promise::target,
        .parameters = {{"growth", &Params::growth, Choices{"length", "vertex"},
                        "how the offset grows: with the length driven, or with each vertex, as in the source"},
+                      {"order", &Params::order, Choices{"tour", "recursion"},
+                       "of the spirals: a tour on shortest paths, or from each to its parts, as in the source"},
                       {"spacing", &Params::spacing, Range{0, 1000}, "metres between laps; 0: the tool width"},
                       {"repair", &Params::repair, "cover what laps leave uncovered at sharp vertices and ridges"}},
-       .published = {{"growth", std::string("vertex")}, {"repair", false}},
+       .published = {{"growth", std::string("vertex")}, {"order", std::string("recursion")}, {"repair", false}},
        .promises_with = [](const Params& p) { return p.repair; }});
 }
 
