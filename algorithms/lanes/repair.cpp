@@ -152,8 +152,24 @@ class Repair {
     });
   }
 
+  /// In the direction of the piece's longest diameter, or across which its hull is narrowest: a strip needs one lane in
+  /// the second, a ring of strips fewer in the first.
   void add_lanes(const Polygon& piece) {
-    const LaneFrame frame(narrowest_direction(convex_hull(piece.outer)));
+    const Ring hull = convex_hull(piece.outer);
+    const Point along = diameter(hull);
+    const auto before = static_cast<std::ptrdiff_t>(pieces_.size());
+    add_lanes(piece, narrowest_direction(hull));
+    const auto middle = static_cast<std::ptrdiff_t>(pieces_.size());
+    if (middle - before < 2) return;
+    add_lanes(piece, std::atan2(along.y(), along.x()) * 180 / kPi);
+    const auto begin = pieces_.begin();
+    if (length_with(begin + before, begin + middle) <= length_with(begin + middle, pieces_.end()))
+      pieces_.erase(begin + middle, pieces_.end());
+    else
+      pieces_.erase(begin + before, begin + middle);
+  }
+  void add_lanes(const Polygon& piece, double degrees) {
+    const LaneFrame frame(degrees);
     const Region turned = frame.to_frame({{piece}});
     const Box box = bounding_box(turned);
     const Slabs slabs = slabs_over(box.low.x(), box.high.x(), kLane * width_);
@@ -161,6 +177,13 @@ class Repair {
       const double x = slabs.centre(lane.slab);
       add_lane(frame.to_world({x, lane.low}), frame.to_world({x, lane.high}));
     }
+  }
+  static Point diameter(const Ring& hull) {
+    Point longest(0, 0);
+    for (const Point& a : hull)
+      for (const Point& b : hull)
+        if ((b - a).squaredNorm() > longest.squaredNorm()) longest = b - a;
+    return longest;
   }
 
   /// The parts of the lane in configuration space.

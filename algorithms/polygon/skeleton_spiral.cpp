@@ -134,8 +134,8 @@ class SkeletonSpirals {
     drive(line);
   }
 
-  /// Of the offset, during one lap. The next lap's vertices lie elsewhere along their edges, so at the same place it has
-  /// another share of its growth than this one. Where that share is larger, laps are farther apart than they grow.
+  /// Of the offset, during one lap. The next lap's vertices lie elsewhere along their edges, so at the same position it
+  /// has another share of its growth than this one. Where that share is larger, laps are farther apart than they grow.
   double growth_of(const Lap& lap, double time) const {
     if (growth_ == Growth::vertex) return spacing_;
     const std::size_t n = lap.ring.arcs.size();
