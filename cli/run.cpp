@@ -76,7 +76,7 @@ int run(const Options& options, const Registry& built_in) {
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
   const auto options = std::make_shared<Options>();
   app.add_option("SUITE", options->suite,
-                 "a suite file, or the name of one that comes with oxturn (`oxturn list suites`)")
+                 "a suite file (- is standard input), or the name of one that comes with oxturn (`oxturn list suites`)")
       ->required()
       ->type_name("");
   app.add_option("-o,--output", options->run.folder, "results folder to make")->required()->type_name("DIR");
