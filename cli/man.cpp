@@ -3,6 +3,7 @@
 // Source   man(7): the macros of manual pages
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 
@@ -56,7 +57,8 @@ std::string synopsis(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     if (!option->get_positional()) continue;
     const std::string name = option->get_name(true) + (option->get_items_expected_max() > 1 ? " ..." : "");
-    words += fmt::format(option->get_required() ? " \\fI{}\\fR" : " [\\fI{}\\fR]", roff(name));
+    const std::string word = "\\fI" + roff(name) + "\\fR";
+    words += option->get_required() ? " " + word : " [" + word + "]";
   }
   return words + " [\\fIOPTIONS\\fR]";
 }

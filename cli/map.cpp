@@ -76,7 +76,7 @@ Command map_command() {
           "  oxturn map rooms --set rooms=9 --seed 7 -o rooms.geojson\n"
           "  oxturn map kitchen.yaml --drop-speckle 0.02 -o kitchen.svg\n"
           "  oxturn map plan.png --scale 0.05 -o plan.geojson\n"
-          "  oxturn map rooms:9 -o - | oxturn plan stc - -o - | oxturn score - rooms:9\n"
+          "  oxturn map rooms --seed 9 -o - | oxturn plan stc - -o - | oxturn score - rooms:9\n"
           "  oxturn map - --from image --scale 0.05 -o - --to svg < plan.png > plan.svg\n",
           attach};
 }

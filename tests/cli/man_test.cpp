@@ -20,7 +20,7 @@ std::set<std::string> options_in(const std::string& text) {
   std::set<std::string> options;
   std::istringstream words(text);
   for (std::string word; words >> word;)
-    if (word.size() > 1 && word[0] == '-') options.insert(word.substr(0, word.find_first_of(",.;:=)[]")));
+    if (word.size() > 1 && word[0] == '-') options.insert(word.substr(0, word.find_first_of("`,.;:=)[]")));
   return options;
 }
 

@@ -142,7 +142,7 @@ TEST_F(Shards, MissingRefuses) {
   refused("missing " + other + " " + a, HasSubstr("holds results of another suite, or of other contents of this one"));
   for (const std::string count : {"0", "-1", "x", "1000001"})
     refused("missing " + suite + " " + a + " --shards " + count, HasSubstr("--shards"));
-  refused("missing " + suite + " " + a + " --exec true", HasSubstr("`true`"));
+  refused("missing " + suite + " " + a + " --exec true", HasSubstr("`true --describe` printed ''"));
   refused("missing " + suite + " " + a + " --plugin none.so", HasSubstr("no such file: 'none.so'"));
 }
 
