@@ -65,6 +65,7 @@ std::string own_folder() {
 }
 
 void remove_stale_groups(const std::string& folder) {
+  if (folder.empty()) return;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
@@ -103,6 +104,9 @@ const Parent& parent() {
 
 }  // namespace
 
+ControlGroup::ControlGroup(std::string folder)
+    : folder_(std::move(folder)), kill_(::open((folder_ + "/cgroup.kill").c_str(), O_WRONLY | O_CLOEXEC)) {}
+
 std::optional<ControlGroup> ControlGroup::make(double memory_bytes) {
   if (parent().folder.empty()) return std::nullopt;
   std::string folder = new_group(parent().folder);
@@ -120,7 +124,7 @@ std::optional<ControlGroup> ControlGroup::make(double memory_bytes) {
 
 ControlGroup::~ControlGroup() {
   if (folder_.empty()) return;
-  put(folder_ + "/cgroup.kill", "1");
+  kill();
   for (int round = 0; round < kRemovalRounds && !remove_group(folder_); ++round) ::usleep(kRemovalPause);
 }
 
@@ -136,7 +140,7 @@ std::vector<pid_t> ControlGroup::processes() const {
   return all;
 }
 
-void ControlGroup::kill() const { put(folder_ + "/cgroup.kill", "1"); }
+void ControlGroup::kill() const { [[maybe_unused]] const ssize_t done = ::write(kill_.number(), "1", 1); }
 
 unsigned long ControlGroup::out_of_memory_kills() const {
   std::ifstream in(folder_ + "/memory.events");
@@ -150,5 +154,7 @@ Confinement confinement() {
   const char* const kGroups = "cgroup v2";
   return {parent().folder.empty() ? "subreaper" : kGroups, parent().limits_memory ? kGroups : "polled"};
 }
+
+void remove_stale_control_groups() { remove_stale_groups(parent().folder); }
 
 }  // namespace oxturn

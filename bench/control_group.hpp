@@ -17,7 +17,10 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "bench/wire.hpp"
 
 namespace oxturn {
 
@@ -28,21 +31,25 @@ class ControlGroup {
   static std::optional<ControlGroup> make(double memory_bytes);
   /// Kills what is left in the group, and removes it.
   ~ControlGroup();
-  ControlGroup(ControlGroup&& other) noexcept : folder_(std::move(other.folder_)) { other.folder_.clear(); }
+  ControlGroup(ControlGroup&& other) noexcept
+      : folder_(std::exchange(other.folder_, {})), kill_(std::move(other.kill_)) {}
   ControlGroup(const ControlGroup&) = delete;
   ControlGroup& operator=(const ControlGroup&) = delete;
 
   /// This process, which is the child's, enters the group. Throws std::runtime_error.
   void enter() const;
   std::vector<pid_t> processes() const;
-  /// Ends all processes of the group. Returns when they are gone.
+  /// Ends all processes of the group.
   void kill() const;
+  /// Ends the processes when a byte "1" is written to it: for signal handlers. Open as long as the group lives.
+  int kill_descriptor() const { return kill_.number(); }
   /// How many processes the kernel has killed because of the group's limit on memory.
   unsigned long out_of_memory_kills() const;
 
  private:
-  explicit ControlGroup(std::string folder) : folder_(std::move(folder)) {}
+  explicit ControlGroup(std::string folder);
   std::string folder_;
+  wire::Descriptor kill_;  // cgroup.kill
 };
 
 /// How children are confined here, for session.json.
@@ -51,5 +58,8 @@ struct Confinement {
   std::string memory;  // "cgroup v2", or "polled": what /proc tells every 10 ms
 };
 Confinement confinement();
+
+/// Removes the groups of processes that have ended without doing so, because they were killed.
+void remove_stale_control_groups();
 
 }  // namespace oxturn

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "base/files.hpp"
@@ -127,10 +126,9 @@ class FinishChild {
   }
 
   void score_path(const Path& path) {
-    const auto before = std::chrono::steady_clock::now();
+    const double before = own_cpu_seconds();
     score_ = score(task_.problem, path, task_.metrics, task_.scoring);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
-    cell("score_s", to_decimal(seconds));
+    cell("score_s", to_decimal(own_cpu_seconds() - before));
     for (const MetricValue& metric : score_->values)
       if (metric.value) cell(metric.name, to_decimal(*metric.value));
     for (const CurvePoint& p : score_->curve)
@@ -160,7 +158,7 @@ class FinishChild {
 void build_scoring_parts(const Problem& problem) {
   problem.walls();
   problem.map_edges();
-  problem.target();
+  problem.target_excess();  // and the target
   if (problem.tether()) problem.tether()->taut_space();
 }
 

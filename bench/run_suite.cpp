@@ -28,6 +28,7 @@
 #include "base/text.hpp"
 #include "bench/build_info.hpp"
 #include "bench/child_process.hpp"
+#include "bench/control_group.hpp"
 #include "bench/process_info.hpp"
 #include "bench/progress.hpp"
 #include "bench/run_lines.hpp"
@@ -343,6 +344,7 @@ class SuiteRun {
     }
     workers_.clear();
     orphans_.kill_all({});
+    remove_stale_control_groups();
   }
 
   [[noreturn]] void give_up() {
