@@ -42,6 +42,7 @@ int put(const std::string& file, std::string_view text) {
 
 /// False if something lives in the group, or there is none. A child may have made groups below its own.
 bool remove_group(const std::string& folder) {
+  if (::rmdir(folder.c_str()) == 0) return true;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
     if (entry.is_directory(error)) remove_group(entry.path().string());

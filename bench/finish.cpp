@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/files.hpp"
 #include "base/sha256.hpp"
@@ -19,9 +20,9 @@ namespace {
 /// Types of the frames that the child sends.
 namespace frames {
 constexpr char kStage = 'S';   // name of the stage that begins
-constexpr char kCell = 'C';    // column, cell
+constexpr char kCells = 'C';   // column, cell, column, cell, ...
 constexpr char kScore = 'M';   // flaw, then name, has value, value of each metric
-constexpr char kCurve = 'V';   // a line of trace.csv
+constexpr char kCurve = 'V';   // the run's lines of trace.csv
 constexpr char kRemark = 'N';  // a stage after scoring failed
 }  // namespace frames
 
@@ -105,11 +106,10 @@ class FinishChild {
   }
 
   void cell(const std::string& column, const std::string& text) {
-    std::string message;
-    wire::put_text(message, column);
-    wire::put_text(message, text);
-    wire::send(fd_, frames::kCell, message);
+    wire::put_text(cells_, column);
+    wire::put_text(cells_, text);
   }
+  void send_cells() { wire::send(fd_, frames::kCells, std::exchange(cells_, {})); }
 
   void write(const std::string& name, const std::string& content) const {
     write_file(fmt::format("{}/{}", task_.options.folder, name), content);
@@ -122,6 +122,7 @@ class FinishChild {
     const PathProblem problem = path_problem(task_.problem, {.file = "../" + task_.problem_file});
     write(path_name(task_.run_id), to_geojson(path, &problem));
     cell("path_file", path_name(task_.run_id));
+    send_cells();
     stored_ = true;
   }
 
@@ -131,9 +132,12 @@ class FinishChild {
     cell("score_s", to_decimal(own_cpu_seconds() - before));
     for (const MetricValue& metric : score_->values)
       if (metric.value) cell(metric.name, to_decimal(*metric.value));
+    send_cells();
+    std::string curve;
     for (const CurvePoint& p : score_->curve)
-      wire::send(fd_, frames::kCurve,
-                 fmt::format("{},{},{}", to_decimal(p.path_m), to_decimal(p.mission_s), to_decimal(p.coverage)));
+      wire::put_text(curve,
+                     fmt::format("{},{},{}", to_decimal(p.path_m), to_decimal(p.mission_s), to_decimal(p.coverage)));
+    wire::send(fd_, frames::kCurve, curve);
     wire::send(fd_, frames::kScore, pack(*score_));
   }
 
@@ -149,6 +153,7 @@ class FinishChild {
 
   const FinishTask& task_;
   int fd_;
+  std::string cells_;  // not yet sent
   bool stored_ = false;
   std::optional<Score> score_;
 };
@@ -172,11 +177,13 @@ Finished finish_isolated(const FinishTask& task, const Limits& limits) {
   child.receive = [&](char type, std::string_view payload) {
     if (type == frames::kStage) {
       stage = payload;
-    } else if (type == frames::kCell) {
-      const std::string column = wire::take_text(payload);
-      finished.cells[column] = wire::take_text(payload);
+    } else if (type == frames::kCells) {
+      while (!payload.empty()) {
+        const std::string column = wire::take_text(payload);
+        finished.cells[column] = wire::take_text(payload);
+      }
     } else if (type == frames::kCurve) {
-      finished.trace.emplace_back(payload);
+      while (!payload.empty()) finished.trace.push_back(wire::take_text(payload));
     } else if (type == frames::kScore) {
       finished.score = score_from(payload);
     } else {
