@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -78,8 +79,21 @@ void remove_stale_groups(const std::string& folder) {
 
 std::string new_group(const std::string& parent) {
   static unsigned long serial = 0;
-  const std::string folder = fmt::format("{}/{}{}-{}", parent, kPrefix, ::getpid(), ++serial);
-  return ::mkdir(folder.c_str(), 0755) == 0 ? folder : "";
+  for (;;) {
+    const std::string folder = fmt::format("{}/{}{}-{}", parent, kPrefix, ::getpid(), ++serial);
+    if (::mkdir(folder.c_str(), 0755) == 0) return folder;
+    if (errno != EEXIST) return "";  // EEXIST: of an earlier process with the same id
+  }
+}
+
+/// By trying: there are more rules than those of the files' permissions.
+bool can_be_entered(const std::string& folder) {
+  const std::string processes = folder + "/cgroup.procs";
+  const pid_t pid = ::fork();
+  if (pid == 0) ::_exit(put(processes, "0") == 0 ? 0 : 1);
+  int status = 1;
+  while (pid > 0 && ::waitpid(pid, &status, 0) < 0 && errno == EINTR) {}
+  return pid > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 /// Where groups can be made. Found out once; forked processes know it too.
@@ -93,8 +107,7 @@ const Parent& parent() {
     if (p.folder.empty()) return p;
     remove_stale_groups(p.folder);
     const std::string probe = new_group(p.folder);
-    if (probe.empty() || ::access((probe + "/cgroup.kill").c_str(), W_OK) != 0 ||
-        ::access((probe + "/cgroup.procs").c_str(), W_OK) != 0)
+    if (probe.empty() || ::access((probe + "/cgroup.kill").c_str(), W_OK) != 0 || !can_be_entered(probe))
       p.folder.clear();
     p.limits_memory = !p.folder.empty() && ::access((probe + "/memory.max").c_str(), W_OK) == 0;
     if (!probe.empty()) ::rmdir(probe.c_str());

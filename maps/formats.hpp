@@ -47,8 +47,8 @@ std::vector<ParameterInfo> reader_parameters(const MapFormats& formats);
 MapFile read_map(const std::string& file, const Settings& settings, const MapFormats& formats,
                  const std::string& format = {});
 
-/// Writes the file in the format that is named so, or by its suffix, as read_map() does. Throws std::invalid_argument for a suffix that cannot be
-/// written (with the list), std::runtime_error if the file cannot be written.
+/// Writes the file in the format of that name, or as read_map() in the one that its suffix names. Throws
+/// std::invalid_argument for a suffix that cannot be written (with the list), std::runtime_error if the file cannot be.
 void write_map(const std::string& file, const MapFile& map, const MapFormats& formats, const std::string& format = {});
 /// Throws as write_map does for the suffix or the format's name, without writing.
 const MapFormat& format_to_write(const std::string& file, const MapFormats& formats, const std::string& format = {});
