@@ -78,6 +78,10 @@ TEST_F(Shards, AreOneTableAfterTheMerge) {
   ASSERT_EQ(oxturn("run " + suite + " -q --no-pictures -o " + (folder / "whole")).code, 0);
   EXPECT_EQ(rows_of(folder / "all"), rows_of(folder / "whole"));
   EXPECT_EQ(content(folder / "all/trace.csv"), content(folder / "whole/trace.csv"));
+  const Said no_report = oxturn("run " + suite + " -q --no-pictures --no-report -o " + (folder / "rows"));
+  EXPECT_EQ(no_report.out, "rows      " + (folder / "rows") + "/runs.csv\n");
+  EXPECT_EQ(content(folder / "rows/report.md"), "");
+  EXPECT_EQ(rows_of(folder / "rows"), rows_of(folder / "whole"));
   const Said only_files = oxturn("merge " + a + " " + b + " " + c + " --no-report -o " + (folder / "files"));
   EXPECT_EQ(only_files.code, 0);
   EXPECT_EQ(only_files.out, "");
