@@ -3,7 +3,7 @@
 //               that never sees bad_alloc, and for sanitizers, which reserve terabytes of address space). The child
 //               counts with what it has grown since the fork, its own children with the memory that is theirs alone.
 //            2. Where the kernel lets us, the child is in a control group of its own, which tells what belongs to it
-//               and kills all of it at once. Elsewhere its descendants are searched for. A daemon's parent is gone, so that
+//               and kills all of it at once. Elsewhere its descendants are searched for. A daemon's parent is gone, so
 //               it is adopted (PR_SET_CHILD_SUBREAPER) and counts as a descendant too; with a control group it is
 //               adopted as well, because someone must reap it.
 //            3. A SIGKILL that the parent did not send is the kernel's, if the kernel's count of out-of-memory kills
