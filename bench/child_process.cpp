@@ -2,7 +2,10 @@
 //               bad_alloc and can report it), memory of the whole tree of processes by the parent every 10 ms (for work
 //               that never sees bad_alloc, and for sanitizers, which reserve terabytes of address space). The child
 //               counts with what it has grown since the fork, its own children with the memory that is theirs alone.
-//            2. A child that daemonises is adopted by the parent (PR_SET_CHILD_SUBREAPER), and killed with the others.
+//            2. Where the kernel lets us, the child is in a control group of its own, which tells what belongs to it
+//               and kills all of it at once. Elsewhere its descendants are searched for. A daemon's parent is gone, so
+//               it is adopted (PR_SET_CHILD_SUBREAPER) and counts as a descendant too; with a control group it is
+//               adopted as well, because someone must reap it.
 //            3. A SIGKILL that the parent did not send is the kernel's, if the kernel's count of out-of-memory kills
 //               has grown meanwhile.
 //            4. The child ends by _exit: nothing of the parent (atexit, destructors, buffers) happens twice.
@@ -26,10 +29,12 @@
 #include <cstring>
 #include <ctime>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 #include "algorithms/context.hpp"
 #include "base/text.hpp"
+#include "bench/control_group.hpp"
 #include "bench/process_info.hpp"
 #include "bench/wire.hpp"
 
@@ -48,14 +53,16 @@ constexpr rlim_t kLogBytes = rlim_t{64} << 20;
 constexpr std::chrono::milliseconds kWatch{10};  // between two readings of memory and processor time
 constexpr int kKillRounds = 1000;                // processes may be started while others are killed
 
-volatile std::sig_atomic_t running_group = 0;
+volatile std::sig_atomic_t running_group = 0;        // process group of the child, or 0
+volatile std::sig_atomic_t running_group_kill = -1;  // ControlGroup::kill_descriptor(), or -1
 
 // --- the child's side ----------------------------------------------------------------------------------------
 
 struct Birth {
   pid_t parent = 0;
-  int log = -1;   // takes what the work prints; -1: it is dropped
-  int pipe = -1;  // takes the frames
+  int log = -1;                         // takes what the work prints; -1: it is dropped
+  int pipe = -1;                        // takes the frames
+  const ControlGroup* group = nullptr;  // to enter; nullptr: there is none
 };
 
 void default_signals() {
@@ -85,14 +92,22 @@ void set_soft_limit(int resource, double value) {
   ::setrlimit(static_cast<__rlimit_resource>(resource), &limit);
 }
 
+/// A limit of one byte, because the kernel does not apply a limit of none where dumps are piped to a program: one byte
+/// stops these too (Linux, fs/coredump.c).
+void disable_core_dumps() {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_CORE, &limit);
+  limit.rlim_cur = limit.rlim_max = std::min<rlim_t>(1, limit.rlim_max);
+  ::setrlimit(RLIMIT_CORE, &limit);
+}
+
 void prepare(const Limits& limits, const Birth& birth) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != birth.parent) ::_exit(1);  // the parent died before the line above
   default_signals();
   redirect(birth);
-  const rlimit no_core{0, 0};
-  ::setrlimit(RLIMIT_CORE, &no_core);
+  disable_core_dumps();
   set_soft_limit(RLIMIT_FSIZE, static_cast<double>(kLogBytes));
   if (!OXTURN_SANITIZED) set_soft_limit(RLIMIT_AS, address_space_bytes(::getpid()) + limits.memory_mb * kMega);
 }
@@ -113,6 +128,7 @@ void fail(int fd, Outcome outcome, const char* what, int exit_code = 0, int sign
   prepare(task.limits, birth);
   const int fd = birth.pipe;
   try {
+    if (birth.group != nullptr) birth.group->enter();
     task.work(fd);
   } catch (const Infeasible& e) { fail(fd, Outcome::infeasible, e.what()); } catch (const Unsupported& e) {
     fail(fd, Outcome::unsupported, e.what());
@@ -177,10 +193,12 @@ class Log {
 
 class Supervisor {
  public:
-  Supervisor(pid_t pid, int fd, const ChildTask& task)
+  Supervisor(pid_t pid, int fd, const ChildTask& task, const ControlGroup* group, const Orphans& orphans)
       : pid_(pid),
         fd_(fd),
         task_(task),
+        group_(group),
+        orphans_(orphans),
         resident_before_(resident_bytes(::getpid())),
         frames_(static_cast<std::uint64_t>(task.limits.memory_mb * kMega)) {
     restart();
@@ -217,16 +235,33 @@ class Supervisor {
     return fmt::format("needs more than {} MB of memory", to_decimal(task_.limits.memory_mb));
   }
 
-  /// Memory of the child beyond what it had at the fork, and all of its own children.
+  /// The processes that the child has started, daemons included.
+  std::vector<pid_t> others() const {
+    std::vector<pid_t> all;
+    if (group_ != nullptr) {
+      all = group_->processes();
+      std::erase(all, pid_);
+      return all;
+    }
+    all = descendants(pid_);
+    for (const pid_t orphan : orphans_.adopted({pid_})) {
+      all.push_back(orphan);
+      const std::vector<pid_t> more = descendants(orphan);
+      all.insert(all.end(), more.begin(), more.end());
+    }
+    return all;
+  }
+
+  /// Memory of the child beyond what it had at the fork, and all of the others.
   double memory_grown() const {
     double grown = resident_bytes(pid_) - resident_before_;
-    for (const pid_t p : descendants(pid_)) grown += private_bytes(p);
+    for (const pid_t p : others()) grown += private_bytes(p);
     return grown;
   }
 
   double cpu_used() const {
     double used = cpu_seconds(pid_);
-    for (const pid_t p : descendants(pid_)) used += cpu_seconds(p);
+    for (const pid_t p : others()) used += cpu_seconds(p);
     return used;
   }
 
@@ -316,7 +351,11 @@ class Supervisor {
 
   void conclude() {
     if (failed_ || ended_ || said_failed_) return;  // how the child ended after that was caused by the parent
-    if (signal_ == SIGKILL && out_of_memory_kills() > kills_before_) {
+    if (signal_ == SIGKILL && group_ != nullptr && group_->out_of_memory_kills() > 0) {
+      report_.outcome = Outcome::out_of_memory;
+      report_.signal = signal_;
+      report_.reason = memory_text();
+    } else if (signal_ == SIGKILL && out_of_memory_kills() > kills_before_) {
       report_.outcome = Outcome::out_of_memory;
       report_.signal = signal_;
       report_.reason = "killed by the kernel, which ran out of memory";
@@ -335,6 +374,8 @@ class Supervisor {
   pid_t pid_;
   int fd_;
   const ChildTask& task_;
+  const ControlGroup* group_;
+  const Orphans& orphans_;
   double resident_before_;
   unsigned long kills_before_ = out_of_memory_kills();
   wire::FrameReader frames_;
@@ -362,21 +403,21 @@ std::string signal_text(int s) {
 
 Orphans::Orphans() : before_(children_of(::getpid())) { ::prctl(PR_SET_CHILD_SUBREAPER, 1); }
 
+std::vector<int> Orphans::adopted(const std::vector<int>& own) const {
+  std::vector<int> all = children_of(::getpid());
+  std::erase_if(all, [&](int p) { return std::ranges::count(own, p) + std::ranges::count(before_, p) > 0; });
+  return all;
+}
+
 void Orphans::kill_all(const std::vector<int>& own) const {
-  const auto spared = [&](pid_t p) {
-    return std::find(own.begin(), own.end(), p) != own.end() ||
-           std::find(before_.begin(), before_.end(), p) != before_.end();
-  };
   for (int round = 0; round < kKillRounds; ++round) {
-    bool any = false;
-    for (const pid_t orphan : children_of(::getpid())) {
-      if (spared(orphan)) continue;
-      any = true;
+    const std::vector<int> orphans = adopted(own);
+    for (const pid_t orphan : orphans) {
       for (const pid_t p : descendants(orphan)) ::kill(p, SIGKILL);
       ::kill(orphan, SIGKILL);
       while (::waitpid(orphan, nullptr, 0) < 0 && errno == EINTR) {}
     }
-    if (!any) return;
+    if (orphans.empty()) return;
   }
 }
 
@@ -387,20 +428,27 @@ ChildReport run_child(const ChildTask& task) {
   const pid_t parent = ::getpid();
   const Orphans orphans;
   const KillOnSignal guard;
+  const std::optional<ControlGroup> group =
+      task.control_group ? ControlGroup::make(task.limits.memory_mb * kMega) : std::nullopt;
+  const ControlGroup* const entered = group ? &*group : nullptr;
   const pid_t pid = ::fork();
   if (pid < 0) throw std::runtime_error(fmt::format("cannot start a process: {}", std::strerror(errno)));
-  if (pid == 0) be_child(task, {parent, log.number(), pipe.write.number()});
+  if (pid == 0) be_child(task, {parent, log.number(), pipe.write.number(), entered});
   ::setpgid(pid, pid);  // in both processes, so that no kill comes too early
   running_group = static_cast<std::sig_atomic_t>(pid);
+  running_group_kill = group ? group->kill_descriptor() : -1;
   pipe.write.close();
-  ChildReport report = Supervisor(pid, pipe.read.number(), task).watch();
+  ChildReport report = Supervisor(pid, pipe.read.number(), task, entered, orphans).watch();
   running_group = 0;
+  running_group_kill = -1;
+  if (group) group->kill();
   orphans.kill_all({});
   return report;
 }
 
 void kill_running_child() {
   if (running_group > 0) ::kill(-static_cast<pid_t>(running_group), SIGKILL);
+  if (running_group_kill >= 0) { [[maybe_unused]] const ssize_t done = ::write(running_group_kill, "1", 1); }
 }
 
 void reset_peak() {

@@ -8,7 +8,8 @@
 ///   const ChildReport report = run_child(task);
 ///
 /// The child is forked, so it has everything at hand that the parent has. It leads a process group, dies with its
-/// parent, sees /dev/null as standard input and a log as its output (at most 64 MiB of it). What it finds comes back
+/// parent, sees /dev/null as standard input and a log as its output (at most 64 MiB of it), leaves no core dump, and
+/// where that is possible is in a control group of its own (control_group.hpp). What it finds comes back
 /// through a pipe in frames (wire.hpp).
 #pragma once
 
@@ -55,8 +56,9 @@ struct ChildTask {
   std::function<void(int fd)> work;
   std::function<void(char type, std::string_view payload)> receive;
   Limits limits;
-  std::string log_file;  // the child's stdout and stderr; empty: dropped; or kLogToStandardError
-  std::string what;      // begins reasons: "scoring: no result after 2 s"; empty: "no result after 2 s"
+  std::string log_file;       // the child's stdout and stderr; empty: dropped; or kLogToStandardError
+  bool control_group = true;  // if one can be made
+  std::string what;           // begins reasons: "scoring: no result after 2 s"; empty: "no result after 2 s"
 };
 
 struct ChildReport {
@@ -73,6 +75,8 @@ ChildReport run_child(const ChildTask& task);
 class Orphans {
  public:
   Orphans();
+  /// Process ids of those that have been adopted since, and have not ended. `own`: of children that are none.
+  std::vector<int> adopted(const std::vector<int>& own) const;
   /// Kills all that have been adopted since, with their descendants. `own`: process ids of children to be spared.
   void kill_all(const std::vector<int>& own) const;
 
@@ -80,7 +84,8 @@ class Orphans {
   std::vector<int> before_;  // process ids
 };
 
-/// Of the child that this process is running, if any: kills its process group. Safe in a signal handler.
+/// Of the child that this process is running, if any: kills its process group and control group. Safe in a signal
+/// handler.
 void kill_running_child();
 
 /// From the child's side: the peak of resident memory since reset_peak(), and memory at present, in bytes.

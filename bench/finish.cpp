@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/files.hpp"
 #include "base/sha256.hpp"
@@ -20,9 +20,9 @@ namespace {
 /// Types of the frames that the child sends.
 namespace frames {
 constexpr char kStage = 'S';   // name of the stage that begins
-constexpr char kCell = 'C';    // column, cell
+constexpr char kCells = 'C';   // column, cell, column, cell, ...
 constexpr char kScore = 'M';   // flaw, then name, has value, value of each metric
-constexpr char kCurve = 'V';   // a line of trace.csv
+constexpr char kCurve = 'V';   // the run's lines of trace.csv
 constexpr char kRemark = 'N';  // a stage after scoring failed
 }  // namespace frames
 
@@ -106,11 +106,10 @@ class FinishChild {
   }
 
   void cell(const std::string& column, const std::string& text) {
-    std::string message;
-    wire::put_text(message, column);
-    wire::put_text(message, text);
-    wire::send(fd_, frames::kCell, message);
+    wire::put_text(cells_, column);
+    wire::put_text(cells_, text);
   }
+  void send_cells() { wire::send(fd_, frames::kCells, std::exchange(cells_, {})); }
 
   void write(const std::string& name, const std::string& content) const {
     write_file(fmt::format("{}/{}", task_.options.folder, name), content);
@@ -123,19 +122,22 @@ class FinishChild {
     const PathProblem problem = path_problem(task_.problem, {.file = "../" + task_.problem_file});
     write(path_name(task_.run_id), to_geojson(path, &problem));
     cell("path_file", path_name(task_.run_id));
+    send_cells();
     stored_ = true;
   }
 
   void score_path(const Path& path) {
-    const auto before = std::chrono::steady_clock::now();
+    const double before = own_cpu_seconds();
     score_ = score(task_.problem, path, task_.metrics, task_.scoring);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
-    cell("score_s", to_decimal(seconds));
+    cell("score_s", to_decimal(own_cpu_seconds() - before));
     for (const MetricValue& metric : score_->values)
       if (metric.value) cell(metric.name, to_decimal(*metric.value));
+    send_cells();
+    std::string curve;
     for (const CurvePoint& p : score_->curve)
-      wire::send(fd_, frames::kCurve,
-                 fmt::format("{},{},{}", to_decimal(p.path_m), to_decimal(p.mission_s), to_decimal(p.coverage)));
+      wire::put_text(curve,
+                     fmt::format("{},{},{}", to_decimal(p.path_m), to_decimal(p.mission_s), to_decimal(p.coverage)));
+    wire::send(fd_, frames::kCurve, curve);
     wire::send(fd_, frames::kScore, pack(*score_));
   }
 
@@ -151,6 +153,7 @@ class FinishChild {
 
   const FinishTask& task_;
   int fd_;
+  std::string cells_;  // not yet sent
   bool stored_ = false;
   std::optional<Score> score_;
 };
@@ -160,7 +163,7 @@ class FinishChild {
 void build_scoring_parts(const Problem& problem) {
   problem.walls();
   problem.map_edges();
-  problem.target();
+  problem.target_excess();  // and the target
   if (problem.tether()) problem.tether()->taut_space();
 }
 
@@ -170,15 +173,18 @@ Finished finish_isolated(const FinishTask& task, const Limits& limits) {
   std::string stage;
   ChildTask child;
   child.limits = limits;
+  child.control_group = false;  // which takes its time, and what runs here is no planner
   child.work = [&](int fd) { FinishChild(task, fd).run(); };
   child.receive = [&](char type, std::string_view payload) {
     if (type == frames::kStage) {
       stage = payload;
-    } else if (type == frames::kCell) {
-      const std::string column = wire::take_text(payload);
-      finished.cells[column] = wire::take_text(payload);
+    } else if (type == frames::kCells) {
+      while (!payload.empty()) {
+        const std::string column = wire::take_text(payload);
+        finished.cells[column] = wire::take_text(payload);
+      }
     } else if (type == frames::kCurve) {
-      finished.trace.emplace_back(payload);
+      while (!payload.empty()) finished.trace.push_back(wire::take_text(payload));
     } else if (type == frames::kScore) {
       finished.score = score_from(payload);
     } else {

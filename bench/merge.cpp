@@ -11,6 +11,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "base/csv.hpp"
 #include "base/files.hpp"
@@ -58,9 +59,11 @@ void require_same(const Part& a, const Part& b) {
   compare("metrics of plug-ins", metrics(a), metrics(b));
 }
 
+/// Where the row of a run is.
 struct Kept {
   std::size_t part = 0;
-  std::string line;
+  std::streamoff begin = 0;  // in the part's runs.csv
+  std::size_t size = 0;      // bytes, line break included
 };
 
 class Merger {
@@ -85,10 +88,11 @@ class Merger {
 
   void read_rows(std::size_t part) {
     const std::string file = parts_[part].folder + "/runs.csv";
-    bool first = true;
+    files_.emplace_back(file, std::ios::binary);
+    std::streamoff begin = 0;
     for_each_record(file, [&](const std::string& line) {
-      if (!first) return take(part, line);
-      first = false;
+      const Kept here{part, std::exchange(begin, begin + static_cast<std::streamoff>(line.size())), line.size()};
+      if (here.begin > 0) return take(here, line);
       if (header_.empty()) header_ = line;
       if (line != header_)
         throw_invalid("{}: its columns are not those of '{}'", file, parts_.front().folder + "/runs.csv");
@@ -96,15 +100,23 @@ class Merger {
     });
   }
 
-  void take(std::size_t part, const std::string& line) {
+  std::string line_of(const Kept& kept) {
+    std::string line(kept.size, '\0');
+    std::ifstream& in = files_[kept.part];
+    if (!in.seekg(kept.begin).read(line.data(), static_cast<std::streamsize>(line.size())))
+      throw std::runtime_error(fmt::format("cannot read '{}/runs.csv' again", parts_[kept.part].folder));
+    return line;
+  }
+
+  void take(const Kept& here, const std::string& line) {
     const Row row = row_of(line);
-    const auto [known, fresh] = kept_.emplace(row.get("run_id"), Kept{part, line});
+    const auto [known, fresh] = kept_.emplace(row.get("run_id"), here);
     if (fresh) return order_.push_back(known);
     ++merged_.duplicates;
-    const Row before = row_of(known->second.line);
-    if (known->second.part != part && !is_unfinished(before.outcome()))
-      return compare(before, known->second.part, row, part);
-    known->second = {part, line};
+    const Row before = row_of(line_of(known->second));
+    if (known->second.part != here.part && !is_unfinished(before.outcome()))
+      return compare(before, known->second.part, row, here.part);
+    known->second = here;
   }
 
   static bool depends_on_the_machine(const Row& row) {
@@ -136,10 +148,10 @@ class Merger {
     if (!out) throw std::runtime_error(fmt::format("cannot write '{}/{}'", folder_, name));
   }
 
-  void write_rows() const {
+  void write_rows() {
     std::ofstream out = opened("runs.csv");
     out << header_;
-    for (const auto& run : order_) out << run->second.line;
+    for (const auto& run : order_) out << line_of(run->second);
     close(out, "runs.csv");
     write_file(folder_ + "/columns.json", read_file(parts_.front().folder + "/columns.json"));
   }
@@ -192,6 +204,7 @@ class Merger {
   }
 
   std::vector<Part> parts_;
+  std::vector<std::ifstream> files_;  // runs.csv of each part
   std::string folder_, header_;
   std::vector<std::string> columns_;
   std::map<std::string, Kept> kept_;  // by run_id

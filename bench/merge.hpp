@@ -21,7 +21,7 @@ struct Merged {
 /// Writes `folder` with the rows, figures, paths, pictures and logs of all `parts`, in the order of the suite. Of a run
 /// that several parts have, the first that ended by itself is kept. Throws std::invalid_argument for parts of different
 /// suites, limits or builds, for two attempts that disagree in a column that only the run determines, and if `folder`
-/// holds results already. Memory: one line of runs.csv for each run.
+/// holds results already. Memory: some 200 bytes for each run.
 Merged merge(const std::vector<std::string>& parts, const std::string& folder);
 
 /// A run of a suite that has no row, or only one that `run --resume` would do again.

@@ -90,7 +90,7 @@ Columns run_columns(const Metrics& metrics) {
   all.push_back(timing("plan_wall_s", "s", "time that plan() took"));
   all.push_back(timing("plan_cpu_s", "s", "processor time that plan() took"));
   all.push_back(timing("peak_rss_bytes", "bytes", "growth of resident memory during plan(), at its peak"));
-  all.push_back(timing("score_s", "s", "time that scoring the path took"));
+  all.push_back(timing("score_s", "s", "processor time that scoring the path took"));
   all.back().empty = "no path was scored";
   all.push_back(timing("load", "1", "processes ready to run on the machine, when the run began"));
   all.back().empty = "the system does not say";

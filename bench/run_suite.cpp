@@ -28,6 +28,7 @@
 #include "base/text.hpp"
 #include "bench/build_info.hpp"
 #include "bench/child_process.hpp"
+#include "bench/control_group.hpp"
 #include "bench/process_info.hpp"
 #include "bench/progress.hpp"
 #include "bench/run_lines.hpp"
@@ -116,7 +117,6 @@ class SuiteRun {
         trace_(options.folder, "trace.csv", kTraceHeader, rewrites()),
         cells_(cells_of(suite)),
         range_(options.shard.range(cells_.size())),
-        runs_(cells_.size()),
         earlier_(summary(session_)),
         work_{suite, registry, options_, cells_, earlier_, known_maps_},
         progress_(range_.second - range_.first, options.progress),
@@ -262,7 +262,7 @@ class SuiteRun {
   }
 
   void take(Worker& worker, std::size_t index, char type, std::string_view payload) {
-    Run& run = runs_.at(index);
+    Run& run = runs_[index];
     if (type == messages::kBegun) {
       run.begun = true;
       run.row = row_from(payload);
@@ -327,12 +327,9 @@ class SuiteRun {
   }
 
   void write_ready() {
-    for (; next_ < range_.second && runs_[next_].done; ++next_) {
-      Run& run = runs_[next_];
-      if (!run.kept) append(run);
-      if (rewrites()) continue;
-      run.row = {};  // so that memory does not grow with the rows
-      run.metrics = run.trace = {};
+    for (auto at = runs_.find(next_); at != runs_.end() && at->second.done; at = runs_.find(++next_)) {
+      if (!at->second.kept) append(at->second);
+      if (!rewrites()) runs_.erase(at);  // so that memory does not grow with the rows
     }
   }
 
@@ -343,15 +340,15 @@ class SuiteRun {
     }
     workers_.clear();
     orphans_.kill_all({});
+    remove_stale_control_groups();
   }
 
   [[noreturn]] void give_up() {
     stop();
-    std::size_t written = 0;
-    for (std::size_t i = range_.first; i < range_.second; ++i) {
-      Run& run = runs_[i];
-      if (run.done) ++written;
+    std::size_t written = next_ - range_.first;
+    for (auto& [i, run] : runs_) {
       if (i < next_) continue;
+      if (run.done) ++written;
       if (!run.done && run.begun) finish(i, Outcome::cancelled, "interrupted");
       if (run.done && !run.kept) append(run);
     }
@@ -387,7 +384,7 @@ class SuiteRun {
   RunLines metrics_, trace_;
   std::vector<SuiteCell> cells_;
   std::pair<std::size_t, std::size_t> range_;  // of the shard: first run, and one past the last
-  std::vector<Run> runs_;
+  std::map<std::size_t, Run> runs_;            // begun, and not yet written; all of them if rewrites()
   std::map<std::string, Earlier> earlier_;
   std::map<std::size_t, MapCells> known_maps_;  // by index, for the workers that start later
   Work work_;

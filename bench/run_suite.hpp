@@ -40,7 +40,7 @@ struct Interrupted : std::runtime_error {
 /// Throws std::invalid_argument for a folder that already holds results (without resume), holds those of another
 /// suite (with it) or is in use; std::runtime_error for one that cannot be written; Interrupted.
 Results run_suite(const Suite& suite, const Registry& registry, const SuiteRunOptions& options);
-/// The same without reading the rows again: memory does not grow with their number, but for some 200 bytes each.
+/// The same without reading the rows again: memory does not grow with their number, but for some 30 bytes each.
 void run_suite_into_folder(const Suite& suite, const Registry& registry, const SuiteRunOptions& options);
 
 }  // namespace oxturn

@@ -174,7 +174,7 @@ void Session::describe(const Suite& suite, const SuiteRunOptions& options) {
   for (const Robot& robot : suite.robots) session.robots.emplace_back(robot.name, canonical_text(robot));
   session.build = build_description();
   session.sessions.push_back({fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
-                              machine_description(), options.jobs, options.command_line});
+                              machine_description(), options.jobs, options.command_line, confinement()});
   write_session_file(folder_, session);
   write_file(folder_ + "/columns.json", to_json(columns_));
 }

@@ -25,11 +25,17 @@ Json to_json(const SessionEntry& entry) {
   return {{"started", entry.started},
           {"machine", entry.machine},
           {"jobs", entry.jobs},
+          {"isolation", {{"kill", entry.isolation.kill}, {"memory", entry.isolation.memory}}},
           {"command_line", entry.command_line}};
 }
 
 SessionEntry entry_from(const Json& json) {
-  return {json.at("started"), json.at("machine"), json.at("jobs"), json.at("command_line")};
+  const Json isolation = json.value("isolation", Json::object());  // results of older versions have none
+  return {json.at("started"),
+          json.at("machine"),
+          json.at("jobs"),
+          json.at("command_line"),
+          {isolation.value("kill", ""), isolation.value("memory", "")}};
 }
 
 SessionFile session_from(const Json& json) {

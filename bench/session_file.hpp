@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/child_process.hpp"
+#include "bench/control_group.hpp"
 #include "bench/shard.hpp"
 
 namespace oxturn {
@@ -20,6 +21,7 @@ struct SessionEntry {
   nlohmann::ordered_json machine;  // machine_description()
   int jobs = 1;
   std::vector<std::string> command_line;
+  Confinement isolation = {};  // of the planners' processes
 };
 
 /// A planner or metric from outside.

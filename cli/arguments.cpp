@@ -4,12 +4,14 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
 
+#include "base/files.hpp"
 #include "base/text.hpp"
 
 namespace oxturn::cli {
@@ -56,6 +58,24 @@ bool file_exists(const std::string& name) {
   return fs::exists(name, error);
 }
 
+bool is_standard_stream(const std::string& file) { return file == kStandardStream; }
+
+void require_one_stream(const std::vector<NamedFile>& files, const std::string& stream) {
+  const NamedFile* first = nullptr;
+  for (const NamedFile& file : files) {
+    if (!is_standard_stream(file.file)) continue;
+    if (first != nullptr)
+      throw std::invalid_argument(
+          fmt::format("{} and {} are both '-', {}, which carries one file; name a file for one of them", first->option,
+                      file.option, stream));
+    first = &file;
+  }
+}
+
+std::FILE* print_to(const std::vector<std::string>& files) {
+  return std::any_of(files.begin(), files.end(), is_standard_stream) ? stderr : stdout;
+}
+
 namespace {
 
 bool has_suffix(const std::string& file, const std::string& suffix) {
@@ -70,6 +90,7 @@ bool has_suffix(const std::string& file, const std::string& suffix) {
 }  // namespace
 
 void require_suffix(const std::string& file, const std::vector<std::string>& suffixes) {
+  if (is_standard_stream(file)) return;
   for (const std::string& s : suffixes)
     if (has_suffix(file, s)) return;
   throw std::invalid_argument(
@@ -77,6 +98,7 @@ void require_suffix(const std::string& file, const std::vector<std::string>& suf
 }
 
 void require_writable(const std::string& file) {
+  if (is_standard_stream(file)) return;
   const auto refuse = [&](const std::string& why) {
     throw std::runtime_error(fmt::format("cannot write '{}': {}", file, why));
   };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,9 +23,19 @@ std::vector<std::string> split(const std::string& text, char at);
 
 // --- files -------------------------------------------------------------------------------------------------
 bool file_exists(const std::string& name);
+/// "-": standard input where a file is read, standard output where one is written. All that a command prints goes to
+/// standard error then, so that a pipe carries the file alone.
+bool is_standard_stream(const std::string& file);
+struct NamedFile {
+  std::string option, file;
+};
+/// Throws if more than one of the files is standard input, or standard output.
+void require_one_stream(const std::vector<NamedFile>& files, const std::string& stream);
+/// Where a command prints that writes these files: standard output, or standard error if one of them is.
+std::FILE* print_to(const std::vector<std::string>& files);
 /// Throws "cannot write ..." now rather than after the work. Nothing is left behind.
 void require_writable(const std::string& file);
-/// Throws unless the file's name ends in one of `suffixes`.
+/// Throws unless the file's name ends in one of `suffixes`, or is standard output.
 void require_suffix(const std::string& file, const std::vector<std::string>& suffixes);
 
 /// A line on standard error: "oxturn: ...".

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
+#include "cli/colour.hpp"
 #include "cli/commands.hpp"
 #include "cli/programs.hpp"
 
@@ -22,6 +23,14 @@ struct Options {
   bool json = false;
 };
 
+/// In a column, so the blanks that fill it are part of the text.
+std::string coloured_status(CheckStatus status) {
+  const std::string text = fmt::format("{:16}", to_text(status));
+  if (status == CheckStatus::skipped) return text;
+  const bool passed = status == CheckStatus::passed, failed = status == CheckStatus::failed;
+  return coloured(stdout, passed ? Colour::green : failed ? Colour::red : Colour::yellow, text);
+}
+
 void print_table(const std::string& planner, const std::vector<CheckResult>& results) {
   std::map<CheckStatus, int> count;
   std::size_t width = 0;
@@ -29,7 +38,7 @@ void print_table(const std::string& planner, const std::vector<CheckResult>& res
   fmt::print("{}\n", planner);
   for (const CheckResult& result : results) {
     ++count[result.status];
-    fmt::print("  {:{}}  {:16}  {}\n", result.check, width, to_text(result.status),
+    fmt::print("  {:{}}  {}  {}\n", result.check, width, coloured_status(result.status),
                result.reason.empty() ? result.title : result.reason);
   }
   fmt::print("  {} passed, {} failed, {} skipped, {} expected failures\n", count[CheckStatus::passed],

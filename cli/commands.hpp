@@ -31,6 +31,7 @@ Command rescore_command();
 Command merge_command();
 Command missing_command();
 Command completion_command();
+Command man_command();
 
 /// What `oxturn list` lists: planners, maps, ...
 std::vector<std::string> kinds_of_lists();

@@ -106,7 +106,10 @@ std::string for_zsh(const std::vector<Described>& all) {
     text += fmt::format(" \\\n      '*: :_alternative \"names:name:({})\" \"files:file:_files\"' ;;\n",
                         fmt::join(command.words, " "));
   }
-  return text + fmt::format("    help) _arguments '2: :({})' ;;\n  esac\n}}\ncompdef _oxturn oxturn\n", names_of(all));
+  return text + fmt::format(
+                    "    help) _arguments '2: :({})' ;;\n  esac\n}}\n"
+                    "if [[ $funcstack[1] == _oxturn ]]; then _oxturn \"$@\"; else compdef _oxturn oxturn; fi\n",
+                    names_of(all));  // loaded by the first completion, or sourced
 }
 
 std::string for_fish(const std::vector<Described>& all) {

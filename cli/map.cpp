@@ -14,18 +14,20 @@ namespace {
 
 struct Options {
   std::string source, output;
+  std::string from, to;  // names of formats; empty: by the suffixes
   std::vector<std::string> settings;
   std::optional<std::uint64_t> seed;
   ReaderOptions read;
 };
 
 MapFile make(const Options& options, const Registry& registry) {
-  const bool file = file_exists(options.source) || options.source.find_first_of("./\\") != std::string::npos;
+  const bool file = is_standard_stream(options.source) || !options.from.empty() || file_exists(options.source) ||
+                    options.source.find_first_of("./\\") != std::string::npos;
   if (file && registry.generators.get(options.source) == nullptr) {
     if (!options.settings.empty() || options.seed)
       throw std::invalid_argument(
           fmt::format("--set and --seed are for generators, and '{}' is a file", options.source));
-    return read_map(options.source, reader_settings(options.read, registry.formats), registry.formats);
+    return read_map(options.source, reader_settings(options.read, registry.formats), registry.formats, options.from);
   }
   const GeneratorInfo& generator = registry.generators.find(options.source);
   const Settings settings =
@@ -34,28 +36,35 @@ MapFile make(const Options& options, const Registry& registry) {
 }
 
 int map(const Options& options, const Registry& registry) {
-  format_to_write(options.output, registry.formats);
+  format_to_write(options.output, registry.formats, options.to);
   require_writable(options.output);
   const MapFile file = make(options, registry);
   say_remarks(file);
-  write_map(options.output, file, registry.formats);
-  fmt::print("{}: '{}', {:.6g} m2 free, {} vertices, {} holes\n", options.output, file.map.name, area(file.map.free),
-             vertex_count(file.map.free), hole_count(file.map.free));
+  write_map(options.output, file, registry.formats, options.to);
+  fmt::print(print_to({options.output}), "{}: '{}', {:.6g} m2 free, {} vertices, {} holes\n", options.output,
+             file.map.name, area(file.map.free), vertex_count(file.map.free), hole_count(file.map.free));
   return 0;
 }
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
   const auto options = std::make_shared<Options>();
-  app.add_option("SOURCE", options->source, "a generator (`oxturn list maps`) or a map file (`oxturn list formats`)")
+  app.add_option("SOURCE", options->source,
+                 "a generator (`oxturn list maps`) or a map file (`oxturn list formats`); - is standard input")
       ->required()
       ->type_name("");
   add_settings(app, options->settings, "generator");
   app.add_option("--seed", options->seed, "seed of the generator; 1 if not given")
       ->check(whole_number())
       ->type_name("N");
-  app.add_option("-o,--output", options->output, "file to write; its suffix names the format")
+  app.add_option("-o,--output", options->output, "file to write; its suffix names the format; - is standard output")
       ->required()
       ->type_name("FILE");
+  app.add_option(
+         "--from", options->from,
+         "format of SOURCE (`oxturn list formats`); as its suffix says, geojson for standard input, if not given")
+      ->type_name("FORMAT");
+  app.add_option("--to", options->to, "format to write; as the suffix says, geojson for standard output, if not given")
+      ->type_name("FORMAT");
   add_reader_options(app, registry.formats, options->read);
   return [options, &registry] { return map(*options, registry); };
 }
@@ -66,7 +75,9 @@ Command map_command() {
   return {"map", "make a map, or convert one to another format",
           "  oxturn map rooms --set rooms=9 --seed 7 -o rooms.geojson\n"
           "  oxturn map kitchen.yaml --drop-speckle 0.02 -o kitchen.svg\n"
-          "  oxturn map plan.png --scale 0.05 -o plan.geojson\n",
+          "  oxturn map plan.png --scale 0.05 -o plan.geojson\n"
+          "  oxturn map rooms --seed 9 -o - | oxturn plan stc - -o - | oxturn score - rooms:9\n"
+          "  oxturn map - --from image --scale 0.05 -o - --to svg < plan.png > plan.svg\n",
           attach};
 }
 

@@ -12,7 +12,8 @@
 namespace oxturn::cli {
 
 void add_output_options(CLI::App& app, OutputOptions& options) {
-  app.add_option("--svg", options.svg, "write a picture of the path, FILE.svg")->type_name("FILE");
+  app.add_option("--svg", options.svg, "write a picture of the path, FILE.svg; - is standard output")
+      ->type_name("FILE");
   app.add_option(
          "--tethers", options.tethers,
          "with --svg: at how many positions along the path the tether is drawn, besides where it is longest; 8 if "
@@ -20,11 +21,13 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
       ->check(CLI::Range(0, 1000).description(""))
       ->type_name("N");
   app.add_option("--tether-trace", options.tether_trace,
-                 "write the tether's length, bends and angle along the path, FILE.csv")
+                 "write the tether's length, bends and angle along the path, FILE.csv; - is standard output")
       ->type_name("FILE");
 }
 
-void check_outputs(const OutputOptions& options) {
+void check_outputs(const OutputOptions& options, const std::string& path_output) {
+  require_one_stream({{"--output", path_output}, {"--svg", options.svg}, {"--tether-trace", options.tether_trace}},
+                     "standard output");
   if (!options.svg.empty()) {
     require_suffix(options.svg, {".svg"});
     require_writable(options.svg);

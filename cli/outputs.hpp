@@ -16,8 +16,9 @@ struct OutputOptions {
 };
 /// --svg FILE, --tethers N, --tether-trace FILE.csv.
 void add_output_options(CLI::App& app, OutputOptions& options);
-/// Throws if a file's name is wrong or cannot be written.
-void check_outputs(const OutputOptions& options);
+/// Throws if a file's name is wrong or cannot be written, or if several are standard output. `path_output`: where the
+/// path is written, if anywhere.
+void check_outputs(const OutputOptions& options, const std::string& path_output = {});
 /// Throws if a tether's trace is asked for and there is no tether.
 void check_outputs(const OutputOptions& options, const Robot& robot);
 /// Writes what was asked for. `path`: nullptr if there is none; `score`: of the path, with this tolerance.

@@ -46,7 +46,7 @@ Settings check_arguments(const Options& options, const PlannerInfo& planner, con
     require_suffix(options.output, {".geojson", ".json"});
     require_writable(options.output);
   }
-  check_outputs(options.outputs);
+  check_outputs(options.outputs, options.output);
   return settings;
 }
 
@@ -68,9 +68,11 @@ std::function<void(double)> progress_line() {
   };
 }
 
-/// The path with its problem; a map's file is named as seen from the path's folder.
+/// The path with its problem; a map's file is named as seen from the path's folder. A map that came from standard input
+/// cannot be loaded again, so it is not named.
 void write_path(const std::string& file, const Path& path, const Problem& problem, MapSource source) {
   namespace fs = std::filesystem;
+  if (is_standard_stream(source.file)) return write_file(file, to_geojson(path));
   if (!source.file.empty()) source.file = fs::proximate(source.file, fs::absolute(file).parent_path()).generic_string();
   const PathProblem made_for = path_problem(problem, std::move(source));
   write_file(file, to_geojson(path, &made_for));
@@ -116,14 +118,15 @@ int plan(Options options, const Registry& built_in) {
   const MapSource source = map_source(options.problem, registry);
   const Problem problem = make_problem(options.problem, load_map(source, registry.generators, registry.formats));
   check_outputs(options.outputs, problem.robot());
+  std::FILE* const out = print_to({options.output, options.outputs.svg, options.outputs.tether_trace});
   if (const std::string missing = missing_capability(planner, problem); !missing.empty()) {
     Report report;
     report.about = {{"planner", variant_of(planner, settings, registry.planners)}};
     report.verdict = {Outcome::unsupported, missing};
-    return print(report, problem, registry.metrics, options.json);
+    return print(report, problem, registry.metrics, options.json, out);
   }
   const Report report = run_planner(options, planner, settings, problem, source, registry);
-  return print(report, problem, registry.metrics, options.json);
+  return print(report, problem, registry.metrics, options.json, out);
 }
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
@@ -136,7 +139,8 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
   app.add_option("--seed", options->isolation.seed, "seed of the planner's random choices; 1 if not given")
       ->check(whole_number())
       ->type_name("N");
-  app.add_option("-o,--output", options->output, "write the path and the name of its problem, FILE.geojson")
+  app.add_option("-o,--output", options->output,
+                 "write the path and the name of its problem, FILE.geojson; - is standard output")
       ->type_name("FILE");
   add_output_options(app, options->outputs);
   add_problem_options(app, registry, options->problem);
@@ -160,6 +164,7 @@ Command plan_command() {
           "  oxturn plan boustrophedon rooms:7 --svg plan.svg\n"
           "  oxturn plan zigzag kitchen.yaml --radius 0.17 --tool-width 0.3 -o path.geojson\n"
           "  oxturn plan --exec 'python3 lanes.py' rooms:7 --set spacing=0.8\n"
+          "  oxturn plan stc rooms:7 -o - | oxturn score -\n"
           "  oxturn plan stc lab.yaml --drop-speckle 0.02 --start 12,3.5 --json\n"
           "\nExit code 0 for outcome ok or partial, 1 for any other.\n",
           attach};

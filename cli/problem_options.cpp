@@ -110,7 +110,7 @@ MapSource map_source(const ProblemOptions& options, const Registry& registry) {
   const std::string generator = name.substr(0, colon);
   const bool known = registry.generators.get(generator) != nullptr;
   // A name that looks like a file is taken for one, so that a mistyped file is reported as missing.
-  if (file_exists(name) || (!known && name.find_first_of("./\\") != std::string::npos))
+  if (is_standard_stream(name) || file_exists(name) || (!known && name.find_first_of("./\\") != std::string::npos))
     return {.file = name, .settings = reader_settings(options.read, registry.formats)};
   MapSource source{.generator = generator};
   if (colon != std::string::npos) {

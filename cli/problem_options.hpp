@@ -20,7 +20,8 @@ Settings reader_settings(const ReaderOptions& options, const MapFormats& formats
 /// Prints each of the reader's remarks on standard error.
 void say_remarks(const MapFile& file);
 
-inline constexpr const char* kMapHelp = "a map file (`oxturn list formats`) or GENERATOR[:SEED] (`oxturn list maps`)";
+inline constexpr const char* kMapHelp =
+    "a map file (`oxturn list formats`; - is standard input, GeoJSON) or GENERATOR[:SEED] (`oxturn list maps`)";
 
 struct ProblemOptions {
   std::string map;  // a file, or GENERATOR[:SEED]; empty: not given

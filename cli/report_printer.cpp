@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
+#include "cli/colour.hpp"
 
 namespace oxturn::cli {
 namespace {
@@ -19,7 +20,7 @@ struct Line {
   std::string name, value, note;
 };
 
-void print_lines(const std::vector<Line>& lines) {
+void print_lines(const std::vector<Line>& lines, std::FILE* out) {
   std::size_t width = 0, value_width = 0;
   for (const Line& line : lines) {
     width = std::max(width, line.name.size());
@@ -27,9 +28,9 @@ void print_lines(const std::vector<Line>& lines) {
   }
   for (const Line& line : lines) {
     if (line.note.empty())
-      fmt::print("{:{}}  {}\n", line.name, width, line.value);
+      fmt::print(out, "{:{}}  {}\n", line.name, width, line.value);
     else
-      fmt::print("{:{}}  {:{}}  {}\n", line.name, width, line.value, value_width, line.note);
+      fmt::print(out, "{:{}}  {:{}}  {}\n", line.name, width, line.value, value_width, line.note);
   }
 }
 
@@ -51,8 +52,9 @@ Json as_json(const Report& report, const Problem& problem) {
   return json;
 }
 
-void print_table(const Report& report, const Problem& problem, const Metrics& metrics) {
-  std::vector<Line> lines{{"outcome", to_text(report.verdict.outcome), ""}};
+void print_table(const Report& report, const Problem& problem, const Metrics& metrics, std::FILE* out) {
+  std::vector<Line> lines{
+      {"outcome", coloured(out, colour_of(report.verdict.outcome), to_text(report.verdict.outcome)), ""}};
   for (const auto& [name, value] : report.about)
     if (!value.empty()) lines.push_back({name, value, ""});
   const Region& free = problem.map().free;
@@ -75,17 +77,17 @@ void print_table(const Report& report, const Problem& problem, const Metrics& me
   for (const auto& [name, value] : report.costs) lines.push_back({name, fmt::format("{:.4g}", value), help(name)});
   for (const auto& [name, value] : report.records)
     lines.push_back({name, fmt::format("{:.6g}", value), "recorded by the planner"});
-  print_lines(lines);
+  print_lines(lines, out);
 }
 
 }  // namespace
 
-int print(const Report& report, const Problem& problem, const Metrics& metrics, bool json) {
+int print(const Report& report, const Problem& problem, const Metrics& metrics, bool json, std::FILE* out) {
   if (json)
-    fmt::print("{}\n", as_json(report, problem).dump(2, ' ', false, Json::error_handler_t::replace));
+    fmt::print(out, "{}\n", as_json(report, problem).dump(2, ' ', false, Json::error_handler_t::replace));
   else
-    print_table(report, problem, metrics);
-  std::fflush(stdout);  // before what follows on standard error
+    print_table(report, problem, metrics, out);
+  std::fflush(out);  // before what follows on standard error
   const Outcome outcome = report.verdict.outcome;
   if (outcome == Outcome::ok) return 0;
   say(fmt::format("{}: {}", to_text(outcome), report.verdict.reason));

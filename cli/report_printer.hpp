@@ -1,6 +1,7 @@
 /// How `plan` and `score` print what came out.
 #pragma once
 
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,8 +22,8 @@ struct Report {
   Records records;                                         // figures that the planner recorded
 };
 
-/// Outcome and all figures on standard output, as an aligned table or JSON; the reason of a failure on standard
+/// Outcome and all figures to `out`, as an aligned table or JSON; the reason of a failure on standard
 /// error. Returns the exit code: 0 for ok and partial, else 1.
-int print(const Report& report, const Problem& problem, const Metrics& metrics, bool json);
+int print(const Report& report, const Problem& problem, const Metrics& metrics, bool json, std::FILE* out);
 
 }  // namespace oxturn::cli

@@ -22,7 +22,7 @@ struct Options {
   std::string suite;
   std::vector<std::string> programs;
   SuiteRunOptions run;
-  bool quiet = false;
+  bool quiet = false, report = true;
   std::string require;  // the worst outcome for exit code 0; empty: any
 };
 
@@ -64,19 +64,20 @@ int run(const Options& options, const Registry& built_in) {
     fmt::print(stderr, "oxturn: {}\n", interrupted.what());
     return 1;
   }
-  if (run_options.shard != Shard{}) {
+  const bool report = options.report && run_options.shard == Shard{};
+  if (!report) {
     fmt::print("rows      {}/runs.csv\n", run_options.folder);
     if (options.require.empty()) return 0;
   }
   const Results results = read_results(run_options.folder);
-  if (run_options.shard == Shard{}) report_results(results, registry, run_options.folder);
+  if (report) report_results(results, registry, run_options.folder);
   return meets(results, options.require) ? 0 : 1;
 }
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
   const auto options = std::make_shared<Options>();
   app.add_option("SUITE", options->suite,
-                 "a suite file, or the name of one that comes with oxturn (`oxturn list suites`)")
+                 "a suite file (- is standard input), or the name of one that comes with oxturn (`oxturn list suites`)")
       ->required()
       ->type_name("");
   app.add_option("-o,--output", options->run.folder, "results folder to make")->required()->type_name("DIR");
@@ -93,6 +94,9 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
                "keep and draw the planners' intermediate results too: cells, trees, partitions (costs planning time)");
   app.add_flag_callback(
       "--no-pictures", [options] { options->run.pictures = false; }, "draw no pictures");
+  app.add_flag_callback(
+      "--no-report", [options] { options->report = false; },
+      "write no report, whose memory grows with the number of rows");
   app.add_option("--require", options->require, "exit with code 1 unless every run is ok, or ok or partial")
       ->check(CLI::IsMember({"ok", "partial"}).description(""))
       ->type_name("ok|partial");

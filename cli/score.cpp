@@ -36,8 +36,9 @@ MapFile map_of(const Options& options, const PathFile& file, const Registry& reg
 }
 
 int score_path(const Options& options, const Registry& registry) {
-  const PathFile file = read_path_file(options.path);
   check_outputs(options.outputs);
+  require_one_stream({{"PATH", options.path}, {"MAP", options.problem.map}}, "standard input");
+  const PathFile file = read_path_file(options.path);
   const Problem problem = make_problem(options.problem, map_of(options, file, registry));
   check_outputs(options.outputs, problem.robot());
   Report report;
@@ -46,13 +47,15 @@ int score_path(const Options& options, const Registry& registry) {
   report.score = score(problem, file.path, registry.metrics, {.tolerance = options.tolerance});
   report.verdict = judge(*report.score, Suite{}.target_coverage);
   write_outputs(options.outputs, problem, &file.path, report.score, {}, options.tolerance);
-  return print(report, problem, registry.metrics, options.json);
+  return print(report, problem, registry.metrics, options.json,
+               print_to({options.outputs.svg, options.outputs.tether_trace}));
 }
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
   const auto options = std::make_shared<Options>();
   app.add_option("PATH", options->path,
-                 "GeoJSON: LineStrings in driving order with the property `tool`; or CSV: x,y[,tool], metres")
+                 "GeoJSON: LineStrings in driving order with the property `tool`; or CSV: x,y[,tool], metres; - is "
+                 "standard input")
       ->required()
       ->type_name("");
   app.add_option("MAP", options->problem.map, std::string(kMapHelp) + "; the problem that PATH names if not given")
@@ -76,6 +79,7 @@ Command score_command() {
   return {"score", "score a path, whoever planned or recorded it",
           "  oxturn score mine.geojson kitchen.yaml --radius 0.17 --tool-width 0.3 --start 1,2\n"
           "  oxturn score recorded.csv rooms:7 --tolerance 0.001 --svg mine.svg\n"
+          "  oxturn plan stc rooms:7 -o - | oxturn score - rooms:7 --svg - > stc.svg\n"
           "  oxturn score out/paths/0123456789abcdef.geojson        on the problem that the file names\n"
           "\nExit code 1 if the path is invalid.\n",
           attach};

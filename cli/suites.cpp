@@ -57,7 +57,7 @@ std::vector<SuiteFile> suite_files() {
 
 std::string find_suite(const std::string& name) {
   std::error_code error;
-  if (fs::exists(name, error) || name.find_first_of("./") != std::string::npos) return name;
+  if (name == kStandardStream || fs::exists(name, error) || name.find_first_of("./") != std::string::npos) return name;
   std::vector<std::string> names;
   for (const SuiteFile& suite : suite_files()) {
     if (suite.name == name) return suite.file;

@@ -41,15 +41,17 @@ MapFormats built_in_map_formats();
 /// The parameters of all readers, each name once.
 std::vector<ParameterInfo> reader_parameters(const MapFormats& formats);
 
-/// Reads the file in the format that its suffix names. A setting that this format does not have but another one has
+/// Reads the file in the format of that name, or if it is empty in the one that the file's suffix names; standard input
+/// (kStandardStream of base/files.hpp) is GeoJSON then. A setting that this format does not have but another one has
 /// becomes a remark. Throws for a missing file, an unknown suffix (with the list), a bad setting or bad content.
-MapFile read_map(const std::string& file, const Settings& settings, const MapFormats& formats);
+MapFile read_map(const std::string& file, const Settings& settings, const MapFormats& formats,
+                 const std::string& format = {});
 
-/// Writes the file in the format that its suffix names. Throws std::invalid_argument for a suffix that cannot be
-/// written (with the list), std::runtime_error if the file cannot be written.
-void write_map(const std::string& file, const MapFile& map, const MapFormats& formats);
-/// Throws as write_map does for the suffix, without writing.
-const MapFormat& format_to_write(const std::string& file, const MapFormats& formats);
+/// Writes the file in the format of that name, or as read_map() in the one that its suffix names. Throws
+/// std::invalid_argument for a suffix that cannot be written (with the list), std::runtime_error if the file cannot be.
+void write_map(const std::string& file, const MapFile& map, const MapFormats& formats, const std::string& format = {});
+/// Throws as write_map does for the suffix or the format's name, without writing.
+const MapFormat& format_to_write(const std::string& file, const MapFormats& formats, const std::string& format = {});
 
 /// ".yaml", in lower case.
 std::string suffix_of(const std::string& file);

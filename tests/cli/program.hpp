@@ -38,13 +38,16 @@ struct Said {
   auto err_lines() const { return std::count(err.begin(), err.end(), '\n'); }
 };
 
-/// `arguments` are shell words.
-inline Said oxturn(const std::string& arguments) {
+/// A command of the shell, in which `oxturn` is the program; the exit code of a pipe is that of its last command.
+inline Said shell(const std::string& line) {
   const Folder folder;
-  const std::string command = std::string("'") + OXTURN_PROGRAM + "' " + arguments + " >" + (folder / "out") + " 2>" +
-                              (folder / "err") + " </dev/null";
+  const std::string command = std::string("{ oxturn() { '") + OXTURN_PROGRAM + "' \"$@\"; }; " + line + "\n} >" +
+                              (folder / "out") + " 2>" + (folder / "err") + " </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, content(folder / "out"), content(folder / "err")};
 }
+
+/// `arguments` are shell words.
+inline Said oxturn(const std::string& arguments) { return shell("oxturn " + arguments); }
 
 }  // namespace oxturn

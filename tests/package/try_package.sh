@@ -8,6 +8,11 @@ export HOME=$work/home CXXFLAGS=$flags CMAKE_GENERATOR=Ninja
 mkdir -p "$HOME/clean"
 cmake --install "$build" --prefix "$HOME/oxturn" >/dev/null
 
+for file in share/man/man1/oxturn.1 share/bash-completion/completions/oxturn share/zsh/site-functions/_oxturn \
+    share/fish/vendor_completions.d/oxturn.fish; do
+  [ -s "$HOME/oxturn/$file" ] || { echo "not installed: $file"; exit 1; }
+done
+
 cmake -S "$source/tests/package" -B "$work/consumer" -DCMAKE_PREFIX_PATH="$HOME/oxturn" >/dev/null
 cmake --build "$work/consumer"
 "$work/consumer/consumer"
