@@ -9,10 +9,10 @@
 namespace oxturn {
 namespace {
 
-constexpr double kStraight = 1e-9;    // radians; less than that is rounding
+constexpr double kStraight = 1e-9;         // radians; less than that is rounding
 constexpr double kSameDistance = 0x1p-20;  // bucket sides; distances that are closer differ by rounding only
-constexpr int kMostRings = 24;        // of buckets in which a visible vertex is searched
-constexpr double kMostBuckets = 1e6;  // also along one axis
+constexpr int kMostRings = 24;             // of buckets in which a visible vertex is searched
+constexpr double kMostBuckets = 1e6;       // also along one axis
 
 int clamped(double v, int n) { return static_cast<int>(std::clamp(v, 0.0, n - 1.0)); }
 

@@ -15,7 +15,9 @@ constexpr double kTouches = 1e-6;
 }  // namespace
 
 UncoveredSamples::UncoveredSamples(const GridGraph& cells, const Region& free, double reach)
-    : cells_(cells), reach_(4 * reach / cells.side() + kTouches), bits_(rasterise(free, cells, 4, 1, CellRule::centre)) {}
+    : cells_(cells),
+      reach_(4 * reach / cells.side() + kTouches),
+      bits_(rasterise(free, cells, 4, 1, CellRule::centre)) {}
 
 // A row of samples meets the capsule in one interval. Its right end lies on the right flank, whose foot on the segment
 // is at t, or on the disc around the end of the segment that is nearest to that foot; its left end likewise.

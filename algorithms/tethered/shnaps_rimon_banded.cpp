@@ -49,7 +49,8 @@ CellList banded(const Params& p, const TetherCells& cells, const GeodesicField& 
     const auto band = static_cast<long long>(cells[c].distance / (p.band * cells.side()) + kSameDistance);
     if (p.alternate && band % 2 == 1) angle = -angle;
     if (p.group == Group::bend)
-      keys.emplace_back(band, std::llround(sight.before / (kSameDistance * cells.side())), sight.from.x(), sight.from.y(), angle, c);
+      keys.emplace_back(band, std::llround(sight.before / (kSameDistance * cells.side())), sight.from.x(),
+                        sight.from.y(), angle, c);
     else
       keys.emplace_back(band, 0, 0, 0, angle, c);
   }
