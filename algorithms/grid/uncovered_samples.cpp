@@ -8,8 +8,8 @@ namespace oxturn {
 
 namespace {
 
-// Samples; a sample as close as that to the boundary of what is covered counts as covered, whatever rounding says. Paths
-// run along the lattice at distances of whole samples, so this is usual.
+// Samples; a sample as close as that to the boundary of what is covered counts as covered, whatever rounding says.
+// Paths run along the lattice at distances of whole samples, so this is usual.
 constexpr double kTouches = 1e-6;
 
 }  // namespace
