@@ -6,10 +6,9 @@
 namespace oxturn {
 namespace {
 
-constexpr double kFarthest = 2;  // cell sides from one point of a chain to the next
-constexpr double kTurn = 0.5;    // cell sides that turning around costs: chains go straight on where they can
-constexpr double kSameCost =
-    1e-6;  // cell sides; of spots that cost the same the first one is taken, not what rounding says
+constexpr double kFarthest = 2;        // cell sides from one point of a chain to the next
+constexpr double kTurn = 0.5;          // cell sides that turning around costs: chains go straight on where they can
+constexpr double kSameCost = 1e-6;     // cell sides; of spots that cost the same the first is taken
 constexpr double kWorthClosing = 0.6;  // of the chain's length: a straight line back as short as that is taken
 
 /// A point on the boundary of configuration space is often outside it by rounding: a nearby point inside.
