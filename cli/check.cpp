@@ -75,8 +75,11 @@ int check(Options options, const Registry& built_in) {
     throw std::invalid_argument("no planner to check; name one, or a program with --exec. See `oxturn check --help`");
   for (const std::string& name : names) registry.planners.find(name);
   options.check.expected = expected_failures(options.expected, names);
-  if (const std::string& folder = options.check.problems_folder; !folder.empty())
-    std::filesystem::create_directories(folder);
+  if (const std::string& folder = options.check.problems_folder; !folder.empty()) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw std::invalid_argument(fmt::format("--problems: cannot make '{}': {}", folder, error.message()));
+  }
   PlannerChecker checker(registry, options.check);
   bool failed = false;
   auto json = nlohmann::ordered_json::array();

@@ -9,9 +9,10 @@
 namespace oxturn {
 namespace {
 
-constexpr double kStraight = 1e-9;    // radians; less than that is rounding
-constexpr int kMostRings = 24;        // of buckets in which a visible vertex is searched
-constexpr double kMostBuckets = 1e6;  // also along one axis
+constexpr double kStraight = 1e-9;         // radians; less than that is rounding
+constexpr double kSameDistance = 0x1p-20;  // bucket sides; distances that are closer differ by rounding only
+constexpr int kMostRings = 24;             // of buckets in which a visible vertex is searched
+constexpr double kMostBuckets = 1e6;       // also along one axis
 
 int clamped(double v, int n) { return static_cast<int>(std::clamp(v, 0.0, n - 1.0)); }
 
@@ -50,21 +51,22 @@ std::uint32_t BranchTree::add(const Polyline& piece, Kind kind, std::uint32_t pa
 void BranchTree::begin(const Polyline& piece, Kind kind) { add(piece, kind, kNone); }
 
 // Outwards, ring by ring of buckets. Vertices that are certainly nearer than those of the next ring are tried in the
-// order of their distance.
+// order of their distance, the oldest first of those at the same distance.
 std::uint32_t BranchTree::nearest_visible(const Point& p) const {
   const EdgeIndex& walls = problem_.walls();
-  std::vector<std::pair<double, std::uint32_t>> waiting;  // a heap of squared distances
+  std::vector<std::pair<double, std::uint32_t>> waiting;  // a heap of distances, in steps of kSameDistance
   const auto later = [](const auto& a, const auto& b) { return a > b; };
+  const double step = kSameDistance * side_;
   const int last = std::min(std::max(columns_, rows_), kMostRings);
   for (int ring = 0; ring <= last; ++ring) {
     for_each_in_ring(bucket_column(p), bucket_row(p), ring, columns_, rows_, [&](int i, int j) {
       for (std::uint32_t v = newest_[bucket(i, j)]; v != kNone; v = older_[v]) {
-        waiting.emplace_back((vertices_[v] - p).squaredNorm(), v);
+        waiting.emplace_back(std::round(distance(vertices_[v], p) / step), v);
         std::push_heap(waiting.begin(), waiting.end(), later);
       }
     });
-    const double certain = ring * side_;
-    while (!waiting.empty() && waiting.front().first <= certain * certain) {
+    const double certain = ring * side_ / step - 1;
+    while (!waiting.empty() && waiting.front().first <= certain) {
       const std::uint32_t v = waiting.front().second;
       if (walls.contains(p, vertices_[v])) return v;
       std::pop_heap(waiting.begin(), waiting.end(), later);

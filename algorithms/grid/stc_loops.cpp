@@ -298,7 +298,7 @@ PlannerInfo stc_loops() {
        .capabilities = {Capability::holes},
        .guarantee = "what stc covers, and one lap along every wall that the robot can follow",
        .promise = Promise::cells,
-       .symmetries = {Symmetry::scale},
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = with_tree_options<Params>(
            {{"epsilon", &Params::epsilon, Range{0, 1},
              "how much farther off the walls than the radius loops run, in radii"},

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kFarthest = 2;        // cell sides from one point of a chain to the next
 constexpr double kTurn = 0.5;          // cell sides that turning around costs: chains go straight on where they can
+constexpr double kSameCost = 1e-6;     // cell sides; of spots that cost the same the first is taken
 constexpr double kWorthClosing = 0.6;  // of the chain's length: a straight line back as short as that is taken
 
 /// A point on the boundary of configuration space is often outside it by rounding: a nearby point inside.
@@ -78,7 +79,7 @@ std::optional<UncoveredChains::Spot> UncoveredChains::next_spot(const Polyline& 
       const Point step = spot->at - end;
       const double turn = step.norm() > 0 ? (1 - heading.dot(step) / step.norm()) / 2 : 0;
       const double cost = step.norm() / cells_.side() + kTurn * turn;
-      if (cost >= least || !problem_.walls().contains(end, spot->at)) continue;
+      if (cost >= least - kSameCost || !problem_.walls().contains(end, spot->at)) continue;
       least = cost;
       best = spot;
     }

@@ -6,8 +6,18 @@
 
 namespace oxturn {
 
+namespace {
+
+// Samples; a sample as close as that to the boundary of what is covered counts as covered, whatever rounding says.
+// Paths run along the lattice at distances of whole samples, so this is usual.
+constexpr double kTouches = 1e-6;
+
+}  // namespace
+
 UncoveredSamples::UncoveredSamples(const GridGraph& cells, const Region& free, double reach)
-    : cells_(cells), reach_(4 * reach / cells.side()), bits_(rasterise(free, cells, 4, 1, CellRule::centre)) {}
+    : cells_(cells),
+      reach_(4 * reach / cells.side() + kTouches),
+      bits_(rasterise(free, cells, 4, 1, CellRule::centre)) {}
 
 // A row of samples meets the capsule in one interval. Its right end lies on the right flank, whose foot on the segment
 // is at t, or on the disc around the end of the segment that is nearest to that foot; its left end likewise.

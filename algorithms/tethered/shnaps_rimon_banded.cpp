@@ -20,6 +20,15 @@ namespace oxturn {
 namespace {
 
 constexpr double kSameDistance = 1e-6;  // cell sides
+constexpr double kSameAngle = 1e-6;     // radians; what is closer than that differs by rounding only
+
+/// The direction of `arm`, counter-clockwise from the x axis, in steps of kSameAngle: cells of one row or diagonal are
+/// in one direction, and a cell due east is in direction 0, whatever rounding says.
+long long direction(const Point& arm) {
+  const auto full = std::llround(2 * kPi / kSameAngle);
+  const auto angle = std::llround(std::atan2(arm.y(), arm.x()) / kSameAngle);
+  return angle < 0 ? angle + full : angle;
+}
 
 enum class Group { none, bend };
 
@@ -30,18 +39,18 @@ struct Params : VisitParameters {
 };
 
 CellList banded(const Params& p, const TetherCells& cells, const GeodesicField& field) {
-  // Band; the bend, if cells are grouped by it (metres of tether up to it, position); angle; cell.
-  using Key = std::tuple<long long, double, double, double, double, std::size_t>;
+  // Band; the bend, if cells are grouped by it (tether up to it, position); direction; cell.
+  using Key = std::tuple<long long, long long, double, double, long long, std::size_t>;
   std::vector<Key> keys;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const GeodesicField::Sight sight = field.sight(cells[c].at);
     const Point arm = cells[c].at - sight.from;
-    double angle = std::atan2(arm.y(), arm.x());
-    if (angle < 0) angle += 2 * kPi;
+    long long angle = direction(arm);
     const auto band = static_cast<long long>(cells[c].distance / (p.band * cells.side()) + kSameDistance);
     if (p.alternate && band % 2 == 1) angle = -angle;
     if (p.group == Group::bend)
-      keys.emplace_back(band, sight.before, sight.from.x(), sight.from.y(), angle, c);
+      keys.emplace_back(band, std::llround(sight.before / (kSameDistance * cells.side())), sight.from.x(),
+                        sight.from.y(), angle, c);
     else
       keys.emplace_back(band, 0, 0, 0, angle, c);
   }
@@ -68,7 +77,7 @@ PlannerInfo shnaps_rimon_banded() {
        .capabilities = {Capability::tether, Capability::holes},
        .guarantee = "visits every cell; length at most 2 L n, home included",
        .promise = Promise::cells,
-       .symmetries = {Symmetry::scale},
+       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = with_visit_parameters<Params>(
            {{"band", &Params::band, Range{0.01, 1000}, "depth of a band, in cells"},
             {"alternate", &Params::alternate, "every second band in the opposite direction"},

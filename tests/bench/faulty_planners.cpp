@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "algorithms/coverage_planner.hpp"
@@ -48,6 +49,16 @@ bool small(const Problem& problem, double metres) {
 Path clock_seeded(const CoveragePlanner& good, const Problem& problem, Context& context) {
   const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
   return longer(good.plan(problem, context), 0.1 + 1e-9 * static_cast<double>(now % 100000000));
+}
+/// The order of a set of pointers is that of addresses.
+Path orders_by_address(const CoveragePlanner& good, const Problem& problem, Context& context) {
+  std::vector<std::unique_ptr<Point>> objects;
+  for (int k = 0; k < 100; ++k) objects.push_back(std::make_unique<Point>(k, 0));
+  std::set<const Point*> sorted;
+  for (const auto& object : objects) sorted.insert(object.get());
+  double sum = 0, rank = 0;
+  for (const Point* object : sorted) sum += ++rank * object->x();
+  return longer(good.plan(problem, context), 0.1 + 1e-6 * sum);
 }
 Path counts_calls(const CoveragePlanner& good, const Problem& problem, Context& context) {
   static int calls = 0;
@@ -103,6 +114,19 @@ Path fixed_point(const CoveragePlanner& good, const Problem& problem, Context& c
   if (space(problem).low.cwiseAbs().maxCoeff() > 1e5) throw std::overflow_error("coordinates do not fit");
   return good.plan(problem, context);
 }
+/// Volatile, because GCC 12 at -O2 wrongly drops the conversion of two neighbouring numbers to float and back.
+double in_single_precision(double value) {
+  const volatile float rounded = static_cast<float>(value);
+  return rounded;
+}
+/// Valid to the tolerance near the origin, centimetres off at 10^6 m.
+Path single_precision(const CoveragePlanner& good, const Problem& problem, Context& context) {
+  Path path = good.plan(problem, context);
+  for (Leg& leg : path.legs)
+    for (Point& p : leg.points)
+      if (p != problem.start()) p = Point(in_single_precision(p.x()), in_single_precision(p.y()));
+  return path;
+}
 Path bounded_grid(const CoveragePlanner& good, const Problem& problem, Context& context) {
   if (space(problem).high.x() > 32767) throw std::length_error("the grid is too large");
   return good.plan(problem, context);
@@ -122,6 +146,13 @@ Path moves_the_start(const CoveragePlanner& good, const Problem& problem, Contex
 Path refuses_wide_tools(const CoveragePlanner& good, const Problem& problem, Context& context) {
   if (problem.robot().tool_width > 2.5 * problem.robot().radius) throw Infeasible("the tool is too wide");
   return good.plan(problem, context);
+}
+/// Drives less the wider the tool is.
+Path skips_lanes_with_wide_tools(const CoveragePlanner& good, const Problem& problem, Context& context) {
+  Path path = good.plan(problem, context);
+  if (problem.robot().tool_width > 2.5 * problem.robot().radius) path.legs.resize(1);
+  path.legs[0].tool = true;
+  return path;
 }
 Path tool_as_wide_as_the_robot(const CoveragePlanner& good, const Problem& problem, Context& context) {
   Robot robot = problem.robot();
@@ -168,6 +199,9 @@ Path knows_the_map(const CoveragePlanner& good, const Problem& problem, Context&
 }
 Path as_it_is(const CoveragePlanner& good, const Problem& problem, Context& context) {
   return good.plan(problem, context);
+}
+Path turns_on_the_spot(const CoveragePlanner& good, const Problem& problem, Context& context) {
+  return good.plan(problem.turning_on_the_spot(), context);
 }
 Path gives_up_early(const CoveragePlanner& good, const Problem& problem, Context& context) {
   Path path = good.plan(problem, context);
@@ -227,6 +261,7 @@ struct Planted {
 const std::vector<Planted>& planted() {
   static const std::vector<Planted> all{
       {"clock-seeded", "same-seed", clock_seeded},
+      {"orders-by-address", "same-seed", orders_by_address},
       {"counts-calls", "no-memory", counts_calls},
       {"draws-for-drawings", "unobserved", draws_for_drawings},
       {"learns-from-files", "any-order", learns_from_files},
@@ -236,10 +271,12 @@ const std::vector<Planted>& planted() {
       {"quadratic", "many-vertices", quadratic},
       {"divides-by-lengths", "collinear", divides_by_lengths},
       {"fixed-point", "huge-coordinates", fixed_point},
+      {"single-precision", "huge-coordinates", single_precision},
       {"bounded-grid", "huge", bounded_grid},
       {"centimetres", "tiny", centimetres},
       {"moves-the-start", "start-on-boundary", moves_the_start},
       {"refuses-wide-tools", "wide-tool", refuses_wide_tools},
+      {"skips-lanes-with-wide-tools", "wide-tool", skips_lanes_with_wide_tools},
       {"tool-as-wide-as-the-robot", "narrow-tool", tool_as_wide_as_the_robot},
       {"wide-first", "quarter-turn", wide_first},
       {"left-first", "mirror", left_first},
@@ -257,6 +294,7 @@ const std::vector<Planted>& planted() {
       {"fears-holes", "holes", fears_holes},
       {"ignores-its-tether", "tether", as_it_is, {Capability::tether}, Promise::nothing},
       {"takes-squares-for-discs", "footprint", takes_squares_for_discs},
+      {"turns-on-the-spot", "curvature", turns_on_the_spot},
       {"knows-the-map", "online", knows_the_map, {Capability::online}},
       {"gives-up-early", "promise", gives_up_early},
   };

@@ -33,11 +33,18 @@ TEST(CheckCommand, AFailureIsExitCodeOneAndItsProblemCanBePlanned) {
   EXPECT_EQ(oxturn("plan zigzag '" + (folder / "failed/one-cell.geojson") + "'").code, 0);
 }
 
+TEST(CheckCommand, ACrashIsAFailureWithItsCause) {
+  const Said said = oxturn("check --exec 'python3 " OXTURN_SOURCE_DIR "/tests/cli/dies.py' --only refusal");
+  EXPECT_EQ(said.code, 1) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("it printed last 'ZeroDivisionError"));
+}
+
 TEST(CheckCommand, BadArgumentsAreOneSentence) {
   for (const auto& [arguments, sentence] :
        {std::pair("check", "no planner to check"),
         {"check stcc", "no planner 'stcc'; did you mean 'stc'?"},
         {"check stc --only same-sed", "no check 'same-sed'; did you mean 'same-seed'?"},
+        {"check stc --problems /proc/none", "--problems: cannot make '/proc/none': No such file or directory"},
         {"check stc --expect same-seed", "--expect same-seed: expected name=value"}}) {
     const Said said = oxturn(arguments);
     EXPECT_EQ(said.code, 2) << arguments;
