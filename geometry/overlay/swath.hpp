@@ -1,7 +1,7 @@
 /// What a disc sweeps while its centre runs along lines.
 ///
 ///   const Region swept = swath({leg.points}, tool_width / 2, 1e-3 * tool_width, Bound::outside);
-///   const Region missed = subtract(target, swath_parts({leg.points}, tool_width / 2, 1e-3 * tool_width, Bound::outside));
+///   const Region missed = subtract(target, swath_parts(lines, tool_width / 2, 1e-3 * tool_width, Bound::outside));
 ///
 /// The union of a rectangle about each segment, arcs on the outer side of bends, and half discs at the ends; arcs are
 /// chords or tangents. Lines that lie many deep on each other cost their sum (boolean.hpp): O(m log m) for parts with m

@@ -82,7 +82,8 @@ TEST(Swath, OfWindingLinesAgreesWithDistances) {
       for (std::size_t k = line.size(); k-- > 1;) line.push_back(line[k - 1]);
     std::vector<Point> points;
     for (int k = 0; k < 400; ++k)
-      points.push_back(line[rng.below(line.size())] + rotated({radius * rng.between(0.5, 1.3), 0}, 2 * kPi * rng.unit()));
+      points.push_back(line[rng.below(line.size())] +
+                       rotated({radius * rng.between(0.5, 1.3), 0}, 2 * kPi * rng.unit()));
     expect_near_lines({line}, radius, points);
   }
 }
