@@ -66,7 +66,7 @@ class Repair {
 
  private:
   void cover(const std::vector<Polyline>& lines) {
-    left_ = subtract(left_, swath(lines, width_ / 2, seam_, Bound::outside));
+    left_ = subtract(left_, swath_parts(lines, width_ / 2, seam_, Bound::outside));
     drop_negligible();
   }
   void drop_negligible() {
@@ -259,7 +259,7 @@ Path repaired(const Problem& problem, const Path& path, const Connector& connect
   std::vector<Polyline> lines;
   for (const Leg& leg : path.legs)
     if (leg.tool) lines.push_back(leg.points);
-  const Region covered = swath(lines, robot.tool_width / 2, covered_seam(robot), Bound::outside);
+  const auto covered = swath_parts(lines, robot.tool_width / 2, covered_seam(robot), Bound::outside);
   return repaired(problem, path, subtract(problem.target(), covered), connector, context);
 }
 

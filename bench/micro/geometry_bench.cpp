@@ -9,8 +9,10 @@
 #include "geometry/edge_index.hpp"
 #include "geometry/mesh/mesh.hpp"
 #include "geometry/mesh/partition.hpp"
+#include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/cut_along.hpp"
 #include "geometry/overlay/offset.hpp"
+#include "geometry/overlay/swath.hpp"
 #include "geometry/paths/shortest_path.hpp"
 #include "geometry/paths/visibility.hpp"
 #include "geometry/raster.hpp"
@@ -353,6 +355,20 @@ void BM_DilateSpeckled(benchmark::State& state) {  // configuration space to tar
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(BM_DilateSpeckled)->RangeMultiplier(4)->Range(1 << 10, 1 << 18)->Complexity()->Unit(benchmark::kMillisecond);
+
+void BM_SubtractSwath(benchmark::State& state) {  // of lanes through a hall, by their number
+  Rng rng(1);
+  const double side = 0.4 * std::sqrt(10.0 * static_cast<double>(state.range(0)));
+  std::vector<Polyline> lanes;
+  for (std::int64_t k = 0; k < state.range(0); ++k) {
+    const Point from(side * rng.unit(), side * rng.unit());
+    lanes.push_back({from, from + Point(0, 2)});
+  }
+  const Region hall = box_region({0, 0}, {side, side});
+  for (auto _ : state) benchmark::DoNotOptimize(subtract(hall, swath_parts(lanes, 0.2, 1.6e-3, Bound::outside)));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(BM_SubtractSwath)->RangeMultiplier(4)->Range(1 << 8, 1 << 16)->Complexity()->Unit(benchmark::kMillisecond);
 
 void BM_DilateOneArc(benchmark::State& state) {  // a round hole of so many corners, grown by about its radius
   Polygon ring{{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{}}};

@@ -43,11 +43,13 @@ std::vector<std::size_t> spatial_order(const std::vector<Box>& boxes, const Box&
   return indices;
 }
 
+using Boundaries = std::vector<std::vector<BoundaryEdge>>;
+constexpr std::size_t kGroup = 32;
+
 /// The boundaries of the unions of groups of consecutive items; add(edges, k) adds item k of n to an overlay.
 template <class Add>
-std::vector<std::vector<BoundaryEdge>> united_groups(std::size_t n, Add add_item) {
-  constexpr std::size_t kGroup = 32;
-  std::vector<std::vector<BoundaryEdge>> unions;
+Boundaries united_groups(std::size_t n, Add add_item) {
+  Boundaries unions;
   for (std::size_t i = 0; i < n; i += kGroup) {
     std::vector<OverlayEdge> edges;
     for (std::size_t k = i; k < std::min(i + kGroup, n); ++k) add_item(edges, k);
@@ -56,31 +58,51 @@ std::vector<std::vector<BoundaryEdge>> united_groups(std::size_t n, Add add_item
   return unions;
 }
 
-}  // namespace
-
-// Groups of neighbours are united first, then groups of groups: parts that overlap many deep cost their sum, not its
-// square.
-Region unite(const std::vector<Region>& parts) {
-  Box box;
-  std::vector<Box> boxes;
-  for (const Region& p : parts) {
-    boxes.push_back(finite_box(p));
-    box.add(boxes.back());
-  }
-  if (box.empty()) return {};
-  const Lattice lattice(box);
-  const std::vector<std::size_t> order = spatial_order(boxes, box);
-  auto unions = united_groups(order.size(), [&](std::vector<OverlayEdge>& edges, std::size_t k) {
+/// The parts as at most kGroup unions. Groups of neighbours are united first, then groups of groups: parts that overlap
+/// many deep cost their sum, not its square.
+Boundaries few_unions(const std::vector<Region>& parts, const std::vector<Box>& boxes, const Lattice& lattice) {
+  Box whole;
+  for (const Box& box : boxes) whole.add(box);
+  const std::vector<std::size_t> order = spatial_order(boxes, whole);
+  Boundaries unions = united_groups(order.size(), [&](std::vector<OverlayEdge>& edges, std::size_t k) {
     add_region(edges, parts[order[k]], lattice, {1, 0});
   });
-  while (unions.size() > 1)
+  while (unions.size() > kGroup)
     unions = united_groups(unions.size(), [&](std::vector<OverlayEdge>& edges, std::size_t k) {
       add_boundary(edges, unions[k], {1, 0});
     });
-  return to_region(unions.front(), lattice);
+  return unions;
 }
 
+std::vector<Box> finite_boxes(const std::vector<Region>& parts) {
+  std::vector<Box> boxes;
+  for (const Region& p : parts) boxes.push_back(finite_box(p));
+  return boxes;
+}
+
+/// What lies `inside` of a region, counted first, and the parts, counted second.
+Region combine(const Region& a, const std::vector<Region>& parts, Inside inside) {
+  const std::vector<Box> boxes = finite_boxes(parts);
+  Box box = finite_box(a);
+  for (const Box& b : boxes) box.add(b);
+  if (box.empty()) return {};
+  const Lattice lattice(box);
+  std::vector<OverlayEdge> edges;
+  add_region(edges, a, lattice, {1, 0});
+  if (parts.size() <= kGroup)
+    for (const Region& p : parts) add_region(edges, p, lattice, {0, 1});
+  else
+    for (const auto& boundary : few_unions(parts, boxes, lattice)) add_boundary(edges, boundary, {0, 1});
+  return to_region(boundary_of(std::move(edges), inside), lattice);
+}
+
+bool in_second(Windings w) { return w.second > 0; }
+
+}  // namespace
+
+Region unite(const std::vector<Region>& parts) { return combine({}, parts, in_second); }
 Region intersect(const Region& a, const Region& b) { return combine(a, b, in_both); }
 Region subtract(const Region& a, const Region& b) { return combine(a, b, in_first_only); }
+Region subtract(const Region& a, const std::vector<Region>& parts) { return combine(a, parts, in_first_only); }
 
 }  // namespace oxturn

@@ -15,5 +15,7 @@ namespace oxturn {
 Region unite(const std::vector<Region>& parts);
 Region intersect(const Region& a, const Region& b);
 Region subtract(const Region& a, const Region& b);
+/// What no part covers: subtract(a, unite(parts)) in less than half the time.
+Region subtract(const Region& a, const std::vector<Region>& parts);
 
 }  // namespace oxturn

@@ -31,27 +31,12 @@ class Arc {
     if (!inside_ && parts > 0) add(radius_, angle);
   }
 
+  double radius() const { return radius_; }
+
  private:
   double radius_, step_;
   bool inside_;
 };
-
-/// The swath of a segment without its ends, and about b the arc that the next segment leaves open if the line turns
-/// there by `turn` radians (positive: to the left), -pi to pi.
-Region piece(const Point& a, const Point& b, const Point& along, double turn, const Arc& arc) {
-  const Point left = perpendicular(along), right = -left;
-  Ring ring;
-  arc.append(ring, a, left, 0);
-  arc.append(ring, a, right, 0);
-  if (turn > 0) {  // the gap is on the right
-    arc.append(ring, b, right, turn);
-    arc.append(ring, b, left, 0);
-  } else {
-    arc.append(ring, b, right, 0);
-    arc.append(ring, b, rotated(left, turn), -turn);
-  }
-  return {{{std::move(ring), {}}}};
-}
 
 Region disc(const Point& centre, const Arc& arc) {
   Ring ring;
@@ -60,28 +45,100 @@ Region disc(const Point& centre, const Arc& arc) {
   return {{{std::move(ring), {}}}};
 }
 
-void add_line(const Polyline& points, const Arc& arc, std::vector<Region>& pieces) {
+/// The swath of a line without repeated points, in rings of a few segments each. A point's nearest point on the line
+/// lies inside a segment, at a bend or at an end: rectangles, arcs on the outer side of bends and half discs at the
+/// ends cover all. Every ring winds around what it covers at least once.
+class LineSwath {
+ public:
+  LineSwath(const Polyline& line, const Arc& arc) : line_(line), arc_(arc), segments_(line.size() - 1) {
+    for (std::size_t i = 0; i < segments_; ++i) left_.push_back(perpendicular((line[i + 1] - line[i]).normalized()));
+    turn_.assign(line.size(), 0);
+    for (std::size_t v = 1; v < segments_; ++v)
+      turn_[v] = std::atan2(cross(left_[v - 1], left_[v]), left_[v - 1].dot(left_[v]));
+    find_mitres();
+  }
+  void append(std::vector<Region>& parts) const {
+    for (std::size_t first = 0; first < segments_; first += kSegments)
+      parts.push_back({{{part(first, std::min(first + kSegments, segments_)), {}}}});
+  }
+
+ private:
+  static constexpr std::size_t kSegments = 16;  // of a ring: parts stay small, and neighbours share few edges
+
+  /// On the inner side of a bend the two rectangles end where their sides meet, if these are long enough for the bends
+  /// at both of their ends.
+  void find_mitres() {
+    mitre_.assign(line_.size(), 0);
+    double left = 0, right = 0;  // what the bend before has taken of a segment's sides
+    for (std::size_t v = 1; v < segments_; ++v) {
+      const double before = distance(line_[v - 1], line_[v]), after = distance(line_[v], line_[v + 1]);
+      const double needed = arc_.radius() * std::tan(std::abs(turn_[v]) / 2);
+      const double taken = turn_[v] > 0 ? left : right;
+      const bool fits = v % kSegments != 0 && needed <= before - taken && needed <= after;
+      if (fits) mitre_[v] = arc_.radius() / std::cos(turn_[v] / 2);
+      left = fits && turn_[v] > 0 ? needed : 0;
+      right = fits && turn_[v] < 0 ? needed : 0;
+    }
+  }
+
+  /// Segments `first` to `last` - 1: forwards on the right side, back on the left.
+  Ring part(std::size_t first, std::size_t last) const {
+    Ring ring;
+    const Point &start = line_[first], &end = line_[last];
+    arc_.append(ring, start, left_[first], first == 0 ? kPi : 0);
+    if (first != 0) arc_.append(ring, start, -left_[first], 0);
+    for (std::size_t v = first + 1; v < last; ++v) append_bend(ring, v, -left_[v - 1], -left_[v], turn_[v]);
+    if (last == segments_) {
+      arc_.append(ring, end, -left_[last - 1], kPi);
+    } else {  // with the arc of the bend to the next part
+      arc_.append(ring, end, -left_[last - 1], std::max(turn_[last], 0.0));
+      arc_.append(ring, end, turn_[last] > 0 ? left_[last - 1] : left_[last], std::max(-turn_[last], 0.0));
+    }
+    for (std::size_t v = last; --v > first;) append_bend(ring, v, left_[v], left_[v - 1], -turn_[v]);
+    return ring;
+  }
+
+  /// From one direction about vertex v to another; `turn` is positive on the outer side.
+  void append_bend(Ring& ring, std::size_t v, const Point& from, const Point& to, double turn) const {
+    if (turn >= 0) {
+      arc_.append(ring, line_[v], from, turn);
+    } else if (mitre_[v] > 0) {
+      ring.push_back(line_[v] + mitre_[v] * (from + to).normalized());
+    } else {
+      arc_.append(ring, line_[v], from, 0);
+      ring.push_back(line_[v]);
+      arc_.append(ring, line_[v], to, 0);
+    }
+  }
+
+  const Polyline& line_;
+  const Arc& arc_;
+  std::size_t segments_;
+  std::vector<Point> left_;    // of each segment: the unit vector to its left
+  std::vector<double> turn_;   // of each vertex, radians to the left, -pi to pi
+  std::vector<double> mitre_;  // of each vertex: metres to where the sides meet; 0: they do not
+};
+
+void add_line(const Polyline& points, const Arc& arc, std::vector<Region>& parts) {
   Polyline line;
   for (const Point& p : points)
     if (line.empty() || p != line.back()) line.push_back(p);
-  if (line.empty()) return;
-  pieces.push_back(disc(line.front(), arc));
-  if (line.size() > 1) pieces.push_back(disc(line.back(), arc));
-  const auto direction = [&](std::size_t i) { return Point((line[i + 1] - line[i]).normalized()); };
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Point along = direction(i), next = i + 2 < line.size() ? direction(i + 1) : along;
-    pieces.push_back(piece(line[i], line[i + 1], along, std::atan2(cross(along, next), along.dot(next)), arc));
-  }
+  if (line.size() == 1) parts.push_back(disc(line.front(), arc));
+  if (line.size() > 1) LineSwath(line, arc).append(parts);
 }
 
 }  // namespace
 
-Region swath(const std::vector<Polyline>& lines, double radius, double chord_error, Bound bound) {
+std::vector<Region> swath_parts(const std::vector<Polyline>& lines, double radius, double chord_error, Bound bound) {
   if (!(radius > 0) || !(chord_error > 0)) throw_invalid("a swath's radius and chord error must be above 0");
   const Arc arc(radius, chord_error, bound);
-  std::vector<Region> pieces;
-  for (const Polyline& line : lines) add_line(line, arc, pieces);
-  return unite(pieces);
+  std::vector<Region> parts;
+  for (const Polyline& line : lines) add_line(line, arc, parts);
+  return parts;
+}
+
+Region swath(const std::vector<Polyline>& lines, double radius, double chord_error, Bound bound) {
+  return unite(swath_parts(lines, radius, chord_error, bound));
 }
 
 }  // namespace oxturn
