@@ -23,9 +23,9 @@ struct PassSpace {
   Region pockets;  // what such a planner leaves uncovered
 };
 
-/// `component`: the problem with a component of its cut space as configuration space. Passes are on the cut itself where
-/// walls leave little room beside it, and where the space would otherwise become disconnected. O(k log k) for k pieces
-/// of the cut, an eighth of a tool width long; again for what becomes disconnected, which is rare.
+/// `component`: the problem with a component of its cut space as configuration space. Passes are on the cut itself
+/// where walls leave little room beside it, and where the space would otherwise become disconnected. O(k log k) for k
+/// pieces of the cut, an eighth of a tool width long; again for what becomes disconnected, which is rare.
 PassSpace pass_space(const Problem& problem, const Problem& component, const std::vector<Polyline>& cut);
 
 /// A union of squares of side `cell` that contains all points within `reach` of the segments (of two points each).
