@@ -39,7 +39,7 @@ PlannerInfo wrapper(PlannerInfo info, const std::string& default_planner, MakeWr
     for (const ParameterInfo& parameter : info.parameters) own[parameter.name] = parameter.fallback;
     for (const auto& [name, value] : settings)
       (own.count(name) > 0 ? own : of_inner)[name] = checked(owner, find_parameter(owner, all, name), value);
-    return make(inner.make(of_inner, planners), own);
+    return make({inner.make(of_inner, planners), inner.promised(of_inner)}, own);
   };
   return info;
 }

@@ -45,9 +45,8 @@ PlannerInfo completed() {
   info.guarantee = "covers the whole target, whatever `planner` covers of it";
   info.promise = Promise::target;
   info.symmetries = {Symmetry::shift, Symmetry::scale};
-  return wrapper(std::move(info), "stc", [](std::unique_ptr<CoveragePlanner> inner, const Settings&) {
-    return std::make_unique<Completed>(std::move(inner));
-  });
+  return wrapper(std::move(info), "stc",
+                 [](Wrapped inner, const Settings&) { return std::make_unique<Completed>(std::move(inner.planner)); });
 }
 
 }  // namespace oxturn

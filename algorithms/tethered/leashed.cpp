@@ -7,7 +7,10 @@
 //             of each component
 // Complexity  that of the planner, plus O((n + k) log n) for the cut
 // Decisions   1. The planner gets the cut space by Problem::restricted. The cut is a wall to it: if it drives along
-//                walls, it drives along both sides of the cut.
+//                walls, it drives along both sides of the cut. These two passes lie a tool width apart where they fit
+//                (cut_passes.hpp), so nothing is covered twice. What that leaves uncovered where the cut branches is
+//                added as detours. A planner that does not promise the whole target gets all of the cut space: those
+//                on a grid would lose the cells beside the cut.
 //             2. The planner is a built-in one; its parameters are given beside `planner`, under their own names.
 //             3. Components that the cut isolates (tether_space.hpp) are covered one after the other, each by a call of
 //                the planner.
@@ -16,6 +19,8 @@
 //                space.
 #include <utility>
 
+#include "algorithms/lanes/repair.hpp"
+#include "algorithms/tethered/cut_passes.hpp"
 #include "algorithms/transit/short_segments.hpp"
 #include "algorithms/transit/tether_space.hpp"
 #include "algorithms/wrapper.hpp"
@@ -25,22 +30,28 @@ namespace {
 
 class Leashed final : public CoveragePlanner {
  public:
-  Leashed(std::unique_ptr<CoveragePlanner> inner, bool return_home)
-      : inner_(std::move(inner)), return_home_(return_home) {}
+  Leashed(Wrapped inner, bool return_home) : inner_(std::move(inner)), return_home_(return_home) {}
 
   Path plan(const Problem& problem, Context& context) const override {
     const TetherSpace space(problem, "leashed");
     if (context.wants_traces()) context.trace("cut", space.cut());
     return cover_components(
         space,
-        [&](const TetherSpace::Component& component, Context& inner) {
-          return without_short_segments(inner_->plan(component.problem, inner), component.problem);
-        },
+        [&](const TetherSpace::Component& component, Context& inner) { return cover(space, component.problem, inner); },
         return_home_, context);
   }
 
  private:
-  std::unique_ptr<CoveragePlanner> inner_;
+  Path cover(const TetherSpace& space, const Problem& component, Context& context) const {
+    if (inner_.promise != Promise::target)
+      return without_short_segments(inner_.planner->plan(component, context), component);
+    PassSpace passes = pass_space(space.problem(), component, space.cut());
+    const Path path = inner_.planner->plan(component.restricted(std::move(passes.space)), context);
+    return repaired(component, without_short_segments(path, component), std::move(passes.pockets), Connector(component),
+                    context);
+  }
+
+  Wrapped inner_;
   bool return_home_;
 };
 
@@ -58,7 +69,7 @@ PlannerInfo leashed() {
       "within the tether length limit, never over its own tether; covers what `planner` covers of the cut space";
   info.parameters = {{"return_home", true, {}, {}, "drive back to the start at the end"}};
   return wrapper(std::move(info), "boustrophedon",
-                 [](std::unique_ptr<CoveragePlanner> inner, const Settings& own) -> std::unique_ptr<CoveragePlanner> {
+                 [](Wrapped inner, const Settings& own) -> std::unique_ptr<CoveragePlanner> {
                    return std::make_unique<Leashed>(std::move(inner), std::get<bool>(own.at("return_home")));
                  });
 }

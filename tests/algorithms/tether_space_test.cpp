@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "algorithms/tethered/cut_passes.hpp"
 #include "coverage_oracle.hpp"
 #include "maps/path_file.hpp"
 #include "metrics/score.hpp"
@@ -140,6 +141,65 @@ TEST(Leashed, TakesThePlannersOwnParameters) {
         plan("leashed", problem, {{"planner", std::string("zigzac")}});
       },
       testing::ThrowsMessage<std::invalid_argument>(HasSubstr("did you mean 'zigzag'")));
+}
+
+/// Metres driven, tool on, nearer than `within` to the lines.
+double driven_along(const std::vector<Polyline>& lines, const Path& path, double within) {
+  double sum = 0;
+  for (const Leg& leg : path.legs)
+    for (std::size_t i = 1; leg.tool && i < leg.points.size(); ++i) {
+      const Point &a = leg.points[i - 1], &b = leg.points[i];
+      const double n = std::max(1.0, std::ceil(distance(a, b) / (within / 4)));
+      for (double k = 0.5; k < n; ++k)
+        if (std::ranges::any_of(lines, [&](const Polyline& line) {
+              for (std::size_t j = 1; j < line.size(); ++j)
+                if (distance_to_segment(lerp(a, b, k / n), line[j - 1], line[j]) < within) return true;
+              return false;
+            }))
+          sum += distance(a, b) / n;
+    }
+  return sum;
+}
+
+// A planner that drives along walls drove along both sides of the cut itself, and covered one strip twice.
+TEST(Leashed, PassesAlongTheCutLieAToolWidthApart) {
+  const Region free{{{{{0, 0}, {12, 0}, {12, 9}, {0, 9}}, {{{4, 4}, {4, 5}, {5, 5}, {5, 4}}}}}};
+  const Problem problem({"pillar", free, "file", "pillar"}, tethered_robot(1.1),
+                        Point(1, 4.5));  // the cut leads from the pillar to the right: 6.6 m
+  const double w = problem.robot().tool_width;
+  for (const char* inner : {"boustrophedon", "contour", "oarp"}) {
+    const Path path = plan("leashed", problem, {{"planner", std::string(inner)}});
+    EXPECT_LE(driven_along(TetherSpace(problem, "test").cut(), path, w / 4), 4 * w) << inner;
+    EXPECT_GE(score(problem, path).value("coverage").value_or(0), 0.9999) << inner;
+  }
+}
+
+TEST(Leashed, ThePassesAndTheirPocketsMissNothing) {
+  int pockets = 0;
+  for (const auto seed : seeds(3))
+    for (const Map& map : tether_maps(seed))
+      for (const double w : {0.2, 0.4, 1.5}) {
+        SCOPED_TRACE(fmt::format("{} tool {}", map.source, w));
+        const Problem problem(map, tethered_robot(1.1, 0.2, w));
+        const TetherSpace tether(problem, "test");
+        for (const TetherSpace::Component& component : tether.components()) {
+          const PassSpace passes = pass_space(problem, component.problem, tether.cut());
+          ASSERT_EQ(passes.space.polygons.size(), 1u);
+          const EdgeIndex space(passes.space), whole(component.problem.configuration_space());
+          EXPECT_TRUE(space.contains(component.problem.start()) ||
+                      space.nearest(component.problem.start(), problem.tolerance()));
+          const EdgeIndex missed(passes.pockets);
+          pockets += static_cast<int>(passes.pockets.polygons.size());
+          const Box box = bounding_box(component.problem.configuration_space());
+          Rng rng(seed);
+          for (int k = 0; k < 1000; ++k) {
+            const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
+            if (!whole.contains(p) || space.contains(p) || space.nearest(p, 0.502 * w)) continue;
+            EXPECT_TRUE(!passes.pockets.empty() && missed.contains(p)) << p.x() << ' ' << p.y();
+          }
+        }
+      }
+  EXPECT_GT(pockets, 0);
 }
 
 // --------------------------------------------------------------------------------------------- berg-complete

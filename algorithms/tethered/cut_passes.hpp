@@ -1,0 +1,34 @@
+/// Two passes along the cut of a tethered problem, one on each side, as far apart as the tool is wide.
+///
+///   on the cut itself        half a tool width from it
+///   - - - - <- - - - - -        .- - - <- - - - -       What lies between the two passes on the right is covered
+///   ~~~~~~~~~~~~~~~~~~~~  cut   ~~~~~~~~~~~~~~~~~~~~    once, and as much again outside. Both approach the cut
+///   - - - - -> - - - - -        '- - - -> - - - -       towards its ends.
+///
+///   const PassSpace passes = pass_space(problem, component, tether.cut());
+///   Path path = planner.plan(component.restricted(passes.space), context);   // drives along both sides
+///   path = repaired(component, path, passes.pockets, connector, context);
+#pragma once
+
+#include <vector>
+
+#include "geometry/edge_index.hpp"
+#include "maps/problem.hpp"
+
+namespace oxturn {
+
+/// The space for a planner that covers everything within half a tool width of its space.
+struct PassSpace {
+  Region space;    // connected; holds the problem's start
+  Region pockets;  // what such a planner leaves uncovered
+};
+
+/// `component`: the problem with a component of its cut space as configuration space. Passes are on the cut itself
+/// where walls leave little room beside it, and where the space would otherwise become disconnected. O(k log k) for k
+/// pieces of the cut, an eighth of a tool width long; again for what becomes disconnected, which is rare.
+PassSpace pass_space(const Problem& problem, const Problem& component, const std::vector<Polyline>& cut);
+
+/// A union of squares of side `cell` that contains all points within `reach` of the segments (of two points each).
+Region squares_around(const std::vector<Polyline>& segments, double reach, double cell);
+
+}  // namespace oxturn
