@@ -8,6 +8,8 @@ PlannerInfo boustrophedon();
 PlannerInfo zigzag();
 PlannerInfo contour();
 PlannerInfo connected_fermat();
+PlannerInfo field();
+PlannerInfo field_predictive();
 PlannerInfo oarp();
 PlannerInfo smooth_spiral();
 PlannerInfo skeleton_spiral();
@@ -56,6 +58,8 @@ Planners built_in_planners() {
                                           zigzag(),
                                           contour(),
                                           connected_fermat(),
+                                          field(),
+                                          field_predictive(),
                                           oarp(),
                                           smooth_spiral(),
                                           skeleton_spiral(),
