@@ -98,10 +98,12 @@ std::vector<Strip> directed_strips(const Region& region, const Params& p, const 
 std::vector<Strip> strips_in(const Region& region, const Params& p, const Problem& problem, Context& context) {
   if (region.empty()) return {};
   const LaneFit fit = p.outline || p.headland > 0 ? LaneFit::fitted : LaneFit::spaced;
-  if (p.order == Order::gtsp && p.cells != Decomposition::slab) return directed_strips(region, p, problem, fit, context);
+  if (p.order == Order::gtsp && p.cells != Decomposition::slab)
+    return directed_strips(region, p, problem, fit, context);
   const double w = problem.robot().tool_width, spacing = p.spacing * w;
   const double direction = p.sweep == LaneDirection::given ? p.angle : best_lane_direction(region, spacing);
-  const bool slabs = p.cells == Decomposition::slab || (p.cells == Decomposition::automatic && p.order != Order::postman);
+  const bool slabs =
+      p.cells == Decomposition::slab || (p.cells == Decomposition::automatic && p.order != Order::postman);
   if (slabs) return slab_strips(region, direction, spacing, problem);
   const LaneField field(problem, direction, spacing);
   // United first: rings that touch may cross by rounding once rotated, which the exact plane sweep rejects.
@@ -135,7 +137,8 @@ StripOrder strip_order(Order order) {
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
   if (p.order == Order::postman && p.cells == Decomposition::slab)
-    throw std::invalid_argument("planner 'boustrophedon': order 'postman' needs cells with two ends; set cells to 'exact'");
+    throw std::invalid_argument(
+        "planner 'boustrophedon': order 'postman' needs cells with two ends; set cells to 'exact'");
   const double w = problem.robot().tool_width;
   const auto strips_deeper_than = [&](double depth) {
     return strips_in(lane_region(problem, depth, w / 50), p, problem, context);
@@ -180,7 +183,8 @@ PlannerInfo boustrophedon() {
              "slab: runs of lanes; exact: cut at critical points; auto: exact for order gtsp and postman, else slab"},
             {"objective", &Params::objective, Choices{"length", "time"}, "what order gtsp makes least"}},
            {"order", &Params::order, Choices{"improved", "nearest", "dfs", "gtsp", "postman"},
-            "of cells; dfs: depth-first on their graph; gtsp: a generalised tour that chooses each cell's direction too; "
+            "of cells; dfs: depth-first on their graph; gtsp: a generalised tour that chooses each cell's direction "
+            "too; "
             "postman: a round trip that divides cells which it would cross twice"}),
        // The paper: vertical lanes, cells visited depth-first, boundaries only followed between lanes.
        .published = {{"sweep", std::string("given")},
@@ -201,8 +205,9 @@ PlannerInfo trapezoid() {
        .guarantee = "covers the whole target (with outline; along traced walls but for 0.0003 of it)",
        .promise = Promise::target,
        .symmetries = {Symmetry::shift, Symmetry::quarter_turn, Symmetry::mirror, Symmetry::scale},
-       .parameters = parameters<TrapezoidParams>({}, {"order", &TrapezoidParams::order, Choices{"improved", "nearest", "dfs"},
-                                                  "of cells; dfs: depth-first on their graph"}),
+       .parameters =
+           parameters<TrapezoidParams>({}, {"order", &TrapezoidParams::order, Choices{"improved", "nearest", "dfs"},
+                                            "of cells; dfs: depth-first on their graph"}),
        .published =
            {{"sweep", std::string("given")}, {"angle", 90.0}, {"outline", false}, {"order", std::string("dfs")}},
        .promises_with = [](const TrapezoidParams& p) { return p.outline || p.headland > 0; }});

@@ -222,7 +222,8 @@ std::optional<BoustrophedonCell> turned(const BoustrophedonCell& cell, const Lan
 std::vector<DirectedCell> directed_cells(const Problem& problem, const Region& region, const CellDirections& options,
                                          Context& context) {
   const EdgeDirections directions(region);
-  const Cut cut = options.cut ? cut_along(region, *options.cut) : best_cut(region, directions, options.spacing, context);
+  const Cut cut =
+      options.cut ? cut_along(region, *options.cut) : best_cut(region, directions, options.spacing, context);
   const double turn = turn_cost(problem.robot(), options.objective);
   const Connector connector(problem);
   LaneFields fields(problem, options.spacing);

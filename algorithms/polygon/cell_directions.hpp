@@ -25,8 +25,8 @@ namespace oxturn {
 enum class TourMeasure { length, time };
 
 struct CellDirections {
-  double spacing = 0;                // of lanes, metres
-  std::optional<double> cut = {};    // degrees; none given: the cheapest of up to 16
+  double spacing = 0;              // of lanes, metres
+  std::optional<double> cut = {};  // degrees; none given: the cheapest of up to 16
   LaneFit fit = LaneFit::fitted;
   TourMeasure objective = TourMeasure::length;
 };

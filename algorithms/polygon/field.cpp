@@ -11,7 +11,9 @@
 // Decisions   1. All numbers: headings every 30 degrees, along the edges, and halved steps down to 1 degree about the best
 //                one; 20 degrees between ends that run on; no block below four squared tool widths while there are
 //                larger ones.
-//             2. The value of a block counts its area, lanes, turns and the straight drive there.
+//             2. The rate of a block is its area over the time for lanes, turns and the straight drive there. The best
+//                block has the greatest rate times area: by the rate alone (value = rate, the source) a rectangle falls
+//                into a strip along its diagonal and two triangles.
 //             3. Blocks found for one heading are used until the component that they lie in has lost a twentieth of its
 //                area; the source divides again after each block. What is too small for blocks takes slabs in the
 //                direction that is cheapest for it.
@@ -32,6 +34,7 @@ enum class BlockOrder { improved, greedy };
 struct Params : Headland {
   Params() { headland = 1; }
   BlockOrder order = BlockOrder::improved;
+  BlockValue value = BlockValue::area_rate;
 };
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
@@ -41,7 +44,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
     const Region field = simplify_inward(lane_region(problem, depth - kSimplify * w, kChord * w), kSimplify * w);
     std::vector<Strip> strips;
     std::vector<Polyline> outlines;
-    for (FieldBlock& block : field_blocks(problem, field, context)) {
+    for (FieldBlock& block : field_blocks(problem, field, p.value, context)) {
       outlines.emplace_back(block.ring.begin(), block.ring.end());
       if (!block.ring.empty()) outlines.back().push_back(block.ring.front());
       for (Strip& strip : block.strips) strips.push_back(std::move(strip));
@@ -71,8 +74,10 @@ PlannerInfo field() {
                       {"headland_order", &Params::headland_order, Choices{"last", "first"},
                        "last: lanes, then laps from the inside out; first: laps from the outside in, then lanes"},
                       {"order", &Params::order, Choices{"improved", "greedy"},
-                       "of the blocks; improved: a tour; greedy: as they were chosen, as in the source"}},
-       .published = {{"order", std::string("greedy")}}});
+                       "of the blocks; improved: a tour; greedy: as they were chosen, as in the source"},
+                      {"value", &Params::value, Choices{"area-rate", "rate"},
+                       "of a block; rate: area a second, as in the source; area-rate: that times the area"}},
+       .published = {{"order", std::string("greedy")}, {"value", std::string("rate")}}});
 }
 
 }  // namespace oxturn

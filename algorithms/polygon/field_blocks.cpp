@@ -14,13 +14,14 @@ namespace oxturn {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-constexpr double kSame = 0.01;        // tool widths: sides that differ by less are equal
-constexpr double kStraight = 20;      // degrees: ends that bend by less run on
-constexpr double kFirstStep = 30;     // degrees between headings
-constexpr double kLastStep = 1;       // degrees: the heading is refined to this
-constexpr double kLeastBlock = 4;     // squares of the tool width: smaller blocks are not worth a heading of their own
-constexpr double kCrumb = 1e-6;       // squares of the tool width
+constexpr double kSame = 0.01;         // tool widths: sides that differ by less are equal
+constexpr double kStraight = 20;       // degrees: ends that bend by less run on
+constexpr double kFirstStep = 30;      // degrees between headings
+constexpr double kLastStep = 1;        // degrees: the heading is refined to this
+constexpr double kLeastBlock = 4;      // squares of the tool width: smaller blocks are not worth a heading of their own
+constexpr double kCrumb = 1e-6;        // squares of the tool width
 constexpr double kDivideAgain = 0.95;  // divided again when this share of a component and what it lost since is left
+constexpr double kClearlyMore = 1 + 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A block that could be driven next.
@@ -85,8 +86,8 @@ struct Component {
 
 class FieldDivision {
  public:
-  FieldDivision(const Problem& problem, const Region& field)
-      : problem_(problem), robot_(problem.robot()), width_(robot_.tool_width), at_(problem.start()) {
+  FieldDivision(const Problem& problem, const Region& field, BlockValue value)
+      : problem_(problem), robot_(problem.robot()), width_(robot_.tool_width), value_(value), at_(problem.start()) {
     add_components(field, {});
   }
 
@@ -119,14 +120,17 @@ class FieldDivision {
     return LaneFrame(k.degrees).to_world({x, (height_on(k.cell.lower, x) + height_on(k.cell.upper, x)) / 2});
   }
 
-  double value(const Candidate& c) const { return c.area / (c.seconds + turn_time(robot_)); }
+  double value(const Candidate& c, double seconds_there) const {
+    const double rate = c.area / (c.seconds + seconds_there);
+    return value_ == BlockValue::rate ? rate : rate * c.area;
+  }
   /// With the drive there, straight.
   double value_from_here(const Candidate& c) const {
     const LaneFrame frame(c.degrees);
     double least = kInfinity;
     for (const Polyline* chain : {&c.cell.lower, &c.cell.upper})
       for (const Point& p : {chain->front(), chain->back()}) least = std::min(least, distance(frame.to_world(p), at_));
-    return c.area / (c.seconds + least / robot_.speed);
+    return value(c, least / robot_.speed);
   }
 
   std::vector<Candidate> along(const Region& region, double degrees) const {
@@ -148,8 +152,8 @@ class FieldDivision {
     const auto try_heading = [&](double degrees) {
       bool better = false;
       for (Candidate& k : along(c.region, degrees)) {
-        if (value(k) > best) {
-          best = value(k);
+        if (const double v = value(k, turn_time(robot_)); v > best * kClearlyMore) {
+          best = v;
           heading = degrees;
           better = true;
         }
@@ -168,10 +172,10 @@ class FieldDivision {
   /// The component and candidate to drive next; kNone: all that is left of the component.
   std::pair<std::size_t, std::size_t> best() const {
     std::pair<std::size_t, std::size_t> best{0, kNone};
-    double most = -1;
+    double most = 0;
     for (std::size_t c = 0; c < components_.size(); ++c)
       for (std::size_t k = 0; k < components_[c].candidates.size(); ++k)
-        if (const double v = value_from_here(components_[c].candidates[k]); v > most) {
+        if (const double v = value_from_here(components_[c].candidates[k]); v > most * kClearlyMore) {
           most = v;
           best = {c, k};
         }
@@ -208,6 +212,7 @@ class FieldDivision {
   const Problem& problem_;
   const Robot& robot_;
   double width_;
+  BlockValue value_;
   Point at_;
   std::vector<Component> components_;
 };
@@ -237,8 +242,8 @@ std::vector<BoustrophedonCell> merged_trapezoids(const Region& region, double to
   return merged;
 }
 
-std::vector<FieldBlock> field_blocks(const Problem& problem, const Region& field, Context& context) {
-  return FieldDivision(problem, field).run(context);
+std::vector<FieldBlock> field_blocks(const Problem& problem, const Region& field, BlockValue value, Context& context) {
+  return FieldDivision(problem, field, value).run(context);
 }
 
 }  // namespace oxturn

@@ -1,6 +1,6 @@
 /// A field divided into blocks that are easy to drive, the best block first.
 ///
-///   std::vector<FieldBlock> blocks = field_blocks(problem, field, context);
+///   std::vector<FieldBlock> blocks = field_blocks(problem, field, BlockValue::area_rate, context);
 ///   for (const FieldBlock& b : blocks) strips.insert(strips.end(), b.strips.begin(), b.strips.end());
 ///
 ///     +--------------+----.        Cut along a heading at every vertex, the field falls into trapezoids; neighbours whose
@@ -21,15 +21,19 @@
 namespace oxturn {
 
 struct FieldBlock {
-  double degrees = 0;          // of its lanes
-  Ring ring = {};              // empty: a remainder of several shapes
-  double area = 0;             // square metres
-  std::vector<Strip> strips;   // in driving order
+  double degrees = 0;         // of its lanes
+  Ring ring = {};             // empty: a remainder of several shapes
+  double area = 0;            // square metres
+  std::vector<Strip> strips;  // in driving order
 };
+
+/// What makes a block the best one: area a second, or that times its area. The rate alone prefers strips along a
+/// diagonal, where lanes are longest, and leaves triangles.
+enum class BlockValue { area_rate, rate };
 
 /// Blocks that together make up `field`, which lies in configuration space at least half a tool width from its
 /// boundary; but for pieces below 1e-6 of the square of the tool width. Ends early if cancelled.
-std::vector<FieldBlock> field_blocks(const Problem& problem, const Region& field, Context& context);
+std::vector<FieldBlock> field_blocks(const Problem& problem, const Region& field, BlockValue value, Context& context);
 
 /// The trapezoids of a region in the frame of vertical lanes, merged with their neighbours where the whole side between
 /// them is equal and lower and upper ends bend by less than 20 degrees there.

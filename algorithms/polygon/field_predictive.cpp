@@ -34,7 +34,7 @@ namespace oxturn {
 namespace {
 
 constexpr double kTurn = kPi / 4;         // a stretch ends at sharper turns
-constexpr double kChord = 0.02;           // tool widths: error of arcs
+constexpr double kChord = 0.01;           // tool widths: error of arcs, and by which what is left is simplified
 constexpr double kShortestStretch = 0.5;  // tool widths
 constexpr double kWorkLink = 2;           // tool widths: shorter links are driven with the tool on
 
@@ -67,7 +67,8 @@ class PredictiveDrive {
       Polyline line = stretch.points;
       if (reversed) std::ranges::reverse(line);
       drive(line);
-      left = simplify_inward(subtract(left, swath({line}, width_, kChord * width_, Bound::outside)), kChord * width_);
+      left = simplify_inward(subtract(left, swath({line}, width_ * (1 - 2 * kChord), kChord * width_, Bound::outside)),
+                             kChord * width_);
     }
     return path_.take();
   }

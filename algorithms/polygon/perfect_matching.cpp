@@ -255,8 +255,7 @@ class Blossoms {
       if (!change_duals(step())) return false;
       for (int x = 1; x <= last_; ++x) {
         const int u = at(slack_, x);
-        if (is_outer(x) && u != 0 && at(outer_, u) != x && slack_of(at(edge_, u, x)) == 0 &&
-            use_tight(at(edge_, u, x)))
+        if (is_outer(x) && u != 0 && at(outer_, u) != x && slack_of(at(edge_, u, x)) == 0 && use_tight(at(edge_, u, x)))
           return true;
       }
       for (int b = n_ + 1; b <= last_; ++b)
@@ -278,8 +277,7 @@ class Blossoms {
 
 }  // namespace
 
-std::vector<std::size_t> perfect_matching(std::size_t n,
-                                          const std::function<Weight(std::size_t, std::size_t)>& cost) {
+std::vector<std::size_t> perfect_matching(std::size_t n, const std::function<Weight(std::size_t, std::size_t)>& cost) {
   if (n == 0) return {};
   const auto of = [&](int u, int v) { return cost(static_cast<std::size_t>(u - 1), static_cast<std::size_t>(v - 1)); };
   const auto count = static_cast<int>(n);

@@ -89,7 +89,7 @@ std::vector<bool> doubled_edges(std::size_t vertices, const std::vector<GraphEdg
 }
 
 std::vector<EdgeVisit> closed_tour(std::size_t vertices, const std::vector<GraphEdge>& edges,
-                                  const std::vector<bool>& twice, std::size_t start) {
+                                   const std::vector<bool>& twice, std::size_t start) {
   std::vector<int> left(edges.size());
   std::vector<std::vector<std::size_t>> at(vertices);  // edges, once for each visit
   for (std::size_t e = 0; e < edges.size(); ++e) {

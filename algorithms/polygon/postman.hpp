@@ -27,6 +27,6 @@ struct EdgeVisit {
 };
 /// From `start` over all edges connected with it and back; `twice` as doubled_edges() says.
 std::vector<EdgeVisit> closed_tour(std::size_t vertices, const std::vector<GraphEdge>& edges,
-                                  const std::vector<bool>& twice, std::size_t start);
+                                   const std::vector<bool>& twice, std::size_t start);
 
 }  // namespace oxturn

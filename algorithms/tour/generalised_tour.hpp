@@ -31,8 +31,7 @@ std::vector<std::size_t> undominated(const TourElement& element, Length length) 
     for (std::size_t b = 0; b < element.size() && !dominated; ++b) {
       const double saved = element[a].cost - element[b].cost;
       if (distance(element[a].entry, element[b].entry) + distance(element[b].exit, element[a].exit) >= saved) continue;
-      dominated =
-          length(element[a].entry, element[b].entry) + length(element[b].exit, element[a].exit) < saved;
+      dominated = length(element[a].entry, element[b].entry) + length(element[b].exit, element[a].exit) < saved;
     }
     if (!dominated) kept.push_back(a);
   }

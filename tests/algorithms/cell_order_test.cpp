@@ -109,7 +109,7 @@ TEST(GeneralisedTour, DominatedPatternsAreNotNeeded) {
     std::vector<TourElement> kept(elements.size());
     for (std::size_t e = 0; e < elements.size(); ++e)
       for (const std::size_t k :
-           undominated(elements[e], [&](const Point& a, const Point& b) { return connector.length(a, b); }))
+           undominated(elements[e], [&](const Point&a, const Point&b) { return connector.length(a, b); }))
         kept[e].push_back(elements[e][k]);
     std::vector<bool> done(elements.size(), false);
     EXPECT_NEAR(cheapest(p, connector, kept, done, p.start()), cheapest(p, connector, elements, done, p.start()), 1e-9);
@@ -272,7 +272,8 @@ TEST(CellDirections, PartsOfAUAreDrivenAlong) {
     if (t.name == "lanes") lanes = t.lines;
   };
   Context context(1, 1e9, sinks);
-  built_in_planner("boustrophedon", {{"order", std::string("gtsp")}, {"objective", std::string("time")}})->plan(p, context);
+  built_in_planner("boustrophedon", {{"order", std::string("gtsp")}, {"objective", std::string("time")}})
+      ->plan(p, context);
   bool upright = false, level = false;
   for (const Polyline& lane : lanes) {
     const Point d = lane.back() - lane.front();
@@ -288,7 +289,8 @@ TEST(CellOrder, CoversEveryFamilyWhole) {
       for (const Settings& settings :
            {Settings{{"order", std::string("gtsp")}}, Settings{{"order", std::string("postman")}},
             Settings{{"order", std::string("gtsp")}, {"cells", std::string("slab")}},
-            Settings{{"order", std::string("gtsp")}, {"objective", std::string("time")}, {"headland", std::int64_t{2}}}}) {
+            Settings{
+                {"order", std::string("gtsp")}, {"objective", std::string("time")}, {"headland", std::int64_t{2}}}}) {
         SCOPED_TRACE(p.map().source);
         const Path path = plan("boustrophedon", p, settings);
         expect_valid(p, path);
@@ -309,8 +311,11 @@ TEST(CellOrder, WithoutOutlineIsValid) {
 
 TEST(CellOrder, APostmanNeedsCellsWithTwoEnds) {
   const Problem p = walls_between();
-  EXPECT_THAT([&] { plan("boustrophedon", p, {{"order", std::string("postman")}, {"cells", std::string("slab")}}); },
-              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("set cells to 'exact'")));
+  EXPECT_THAT(
+      [&] {
+        plan("boustrophedon", p, {{"order", std::string("postman")}, {"cells", std::string("slab")}});
+      },
+      testing::ThrowsMessage<std::invalid_argument>(HasSubstr("set cells to 'exact'")));
 }
 
 }  // namespace
