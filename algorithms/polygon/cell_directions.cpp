@@ -94,21 +94,21 @@ class EdgeDirections {
   std::vector<double> all_;
 };
 
-/// The ways in which a cell can be driven: first along the cuts, then along its longest edges.
-std::vector<DirectedCell> ways_of(const BoustrophedonCell& cell, double cut, const EdgeDirections& directions) {
+/// Directions in which a cell can be driven: first along the cuts, then along its longest edges.
+std::vector<DirectedCell> candidates_of(const BoustrophedonCell& cell, double cut, const EdgeDirections& directions) {
   const LaneFrame frame(cut);
-  std::vector<DirectedCell> ways{{cut, {cell.lower, cell.upper, {}}}};
+  std::vector<DirectedCell> candidates{{cut, {cell.lower, cell.upper, {}}}};
   Ring ring = ring_of(cell, frame);
   std::vector<std::pair<double, double>> edges;  // length, degrees
   for_each_edge(ring, [&](const Point& a, const Point& b) { edges.push_back({distance(a, b), direction_of(b - a)}); });
   std::stable_sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   for (const auto& [l, degrees] : edges) {
-    if (ways.size() > kMostDirections) break;
+    if (candidates.size() > kMostDirections) break;
     const std::optional<double> d = directions.nearest(degrees);
-    if (!d || std::ranges::any_of(ways, [&](const DirectedCell& w) { return w.degrees == *d; })) continue;
-    if (auto other = turned(cell, frame, LaneFrame(*d))) ways.push_back({*d, std::move(*other)});
+    if (!d || std::ranges::any_of(candidates, [&](const DirectedCell& w) { return w.degrees == *d; })) continue;
+    if (auto other = turned(cell, frame, LaneFrame(*d))) candidates.push_back({*d, std::move(*other)});
   }
-  return ways;
+  return candidates;
 }
 
 struct Cut {
@@ -140,8 +140,8 @@ Cut best_cut(const Region& region, const EdgeDirections& directions, double spac
     double sum = 0;
     for (const BoustrophedonCell& cell : cut.cells) {
       double cheapest = std::numeric_limits<double>::infinity();
-      for (const DirectedCell& way : ways_of(cell, degrees, directions))
-        cheapest = std::min(cheapest, lanes_cost(way.cell, spacing));
+      for (const DirectedCell& candidate : candidates_of(cell, degrees, directions))
+        cheapest = std::min(cheapest, lanes_cost(candidate.cell, spacing));
       sum += cheapest + kBreakCost * spacing;
     }
     if (sum >= least * kClearlyLess) continue;
@@ -151,7 +151,7 @@ Cut best_cut(const Region& region, const EdgeDirections& directions, double spac
   return best;
 }
 
-/// What driving to the next lane costs beside the way there, in metres: twice a right angle, and stops.
+/// What driving to the next lane costs beside the drive there, in metres: twice a right angle, and stops.
 double turn_cost(const Robot& robot, TourMeasure objective) {
   if (objective == TourMeasure::length) return 0;
   return robot.speed * (kPi / robot.turn_rate + 2 * robot.speed / robot.acceleration);
@@ -171,7 +171,7 @@ class LaneFields {
   std::map<double, LaneField> fields_;
 };
 
-/// Appends the four patterns of a way to drive a cell.
+/// Appends the four patterns of a cell in one direction.
 void add_patterns(TourElement& element, const Strip& strip, double turn) {
   double lanes = 0;
   for (const LaneEnds& l : strip.lanes) lanes += distance(l.low, l.high) + turn;
@@ -183,30 +183,31 @@ void add_patterns(TourElement& element, const Strip& strip, double turn) {
   }
 }
 
-/// The ways of one cell that have a lane, with the patterns that may be of use.
+/// The directions of one cell that have a lane, with the patterns that may be of use.
 struct Choice {
-  std::vector<DirectedCell> ways;
-  std::vector<std::size_t> way_of;  // by pattern
+  std::vector<DirectedCell> candidates;
+  std::vector<std::size_t> candidate_of;  // by pattern
   TourElement patterns;
 };
 
-Choice choice_of(std::vector<DirectedCell> ways, LaneFields& fields, LaneFit fit, double turn,
+Choice choice_of(std::vector<DirectedCell> candidates, LaneFields& fields, LaneFit fit, double turn,
                  const Connector& connector, Context& context) {
   TourElement all;
-  std::vector<std::size_t> way_of;
-  for (std::size_t w = 0; w < ways.size(); ++w) {
-    const std::vector<Strip> strip = cell_strips(fields.along(ways[w].degrees), {ways[w].cell}, fit, context);
+  std::vector<std::size_t> candidate_of;
+  for (std::size_t w = 0; w < candidates.size(); ++w) {
+    const std::vector<Strip> strip =
+        cell_strips(fields.along(candidates[w].degrees), {candidates[w].cell}, fit, context);
     if (strip[0].lanes.empty()) continue;
     add_patterns(all, strip[0], turn);
-    way_of.resize(all.size(), w);
+    candidate_of.resize(all.size(), w);
   }
-  Choice choice{std::move(ways), {}, {}};
+  Choice choice{std::move(candidates), {}, {}};
   const std::vector<std::size_t> kept =
       undominated(all, [&](const Point& a, const Point& b) { return connector.length(a, b); });
   for (const std::size_t k : kept) {
     const auto reverse = std::ranges::lower_bound(kept, all[k].reverse) - kept.begin();
     choice.patterns.push_back({all[k].entry, all[k].exit, all[k].cost, static_cast<std::size_t>(reverse)});
-    choice.way_of.push_back(way_of[k]);
+    choice.candidate_of.push_back(candidate_of[k]);
   }
   return choice;
 }
@@ -231,7 +232,8 @@ std::vector<DirectedCell> directed_cells(const Problem& problem, const Region& r
   std::vector<TourElement> elements;
   for (const BoustrophedonCell& cell : cut.cells) {
     if (context.cancelled()) break;
-    Choice choice = choice_of(ways_of(cell, cut.degrees, directions), fields, options.fit, turn, connector, context);
+    Choice choice =
+        choice_of(candidates_of(cell, cut.degrees, directions), fields, options.fit, turn, connector, context);
     if (choice.patterns.empty()) continue;
     elements.push_back(choice.patterns);
     choices.push_back(std::move(choice));
@@ -240,7 +242,7 @@ std::vector<DirectedCell> directed_cells(const Problem& problem, const Region& r
   std::vector<DirectedCell> cells;
   for (const TourStop& stop : generalised_tour(costs, context)) {
     const Choice& choice = choices[stop.element];
-    cells.push_back(choice.ways[choice.way_of[stop.pattern]]);
+    cells.push_back(choice.candidates[choice.candidate_of[stop.pattern]]);
   }
   context.record("cells", static_cast<double>(cells.size()));
   return cells;

@@ -8,8 +8,8 @@
 //             deeper is divided into blocks. A point of a block is at most half a tool width from its foot on a lane,
 //             which is therefore in configuration space.
 // Complexity  see field_blocks.hpp, and the order of blocks
-// Decisions   1. All numbers: headings every 30 degrees, along the edges, and halved steps down to 1 degree about the best
-//                one; 20 degrees between ends that run on; no block below four squared tool widths while there are
+// Decisions   1. All numbers: headings every 30 degrees, along the edges, and halved steps down to 1 degree about the
+//                best one; 20 degrees between ends that run on; no block below four squared tool widths while there are
 //                larger ones.
 //             2. The rate of a block is its area over the time for lanes, turns and the straight drive there. The best
 //                block has the greatest rate times area: by the rate alone (value = rate, the source) a rectangle falls

@@ -19,7 +19,7 @@ constexpr double kStraight = 20;       // degrees: ends that bend by less run on
 constexpr double kFirstStep = 30;      // degrees between headings
 constexpr double kLastStep = 1;        // degrees: the heading is refined to this
 constexpr double kLeastBlock = 4;      // squares of the tool width: smaller blocks are not worth a heading of their own
-constexpr double kCrumb = 1e-6;        // squares of the tool width
+constexpr double kDropped = 1e-6;        // squares of the tool width
 constexpr double kDivideAgain = 0.95;  // divided again when this share of a component and what it lost since is left
 constexpr double kClearlyMore = 1 + 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -107,7 +107,7 @@ class FieldDivision {
   void add_components(const Region& region, const std::vector<Candidate>& candidates) {
     for (const Polygon& polygon : region.polygons) {
       Component c{{{polygon}}, area(polygon)};
-      if (c.area < kCrumb * width_ * width_) continue;
+      if (c.area < kDropped * width_ * width_) continue;
       const Box box = bounding_box(c.region);
       for (const Candidate& k : candidates)
         if (box.overlaps(k.box) && contains(c.region, inner_point(k))) c.candidates.push_back(k);
@@ -192,7 +192,7 @@ class FieldDivision {
     const Candidate chosen = std::move(c.candidates[candidate]);
     std::erase_if(c.candidates, [&](const Candidate& k) {
       return k.region.empty() ||
-             (k.box.overlaps(chosen.box) && area(intersect(k.region, chosen.region)) > kCrumb * width_ * width_);
+             (k.box.overlaps(chosen.box) && area(intersect(k.region, chosen.region)) > kDropped * width_ * width_);
     });
     const std::size_t first = components_.size();
     add_components(subtract(c.region, chosen.region), c.candidates);

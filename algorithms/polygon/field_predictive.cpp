@@ -8,11 +8,11 @@
 // Complexity  O(s n log n) for s stretches between turns and n vertices of what is left; s grows as the area over the
 //             tool's width and the length of a stretch
 // Decisions   1. What is left is kept as the positions whose disc is uncovered: at first configuration space, then less
-//                all positions nearer than a tool width to what was driven. Its boundary is half a tool width inside what
-//                is uncovered, as the source's insets are.
+//                all positions nearer than a tool width to what was driven. Its boundary is half a tool width inside
+//                what is uncovered, as the source's insets are.
 //             2. A stretch is a part of that boundary between turns above 45 degrees, driven in either sense. Its value
-//                is that of the better of two routes: the whole round that begins with it, or it and a swath back beside
-//                it; area over time, turns and the straight drive there included. Where fewer than two tool widths are
+//                is that of the better of two routes: the whole round that begins with it, or it and a swath back
+//                beside it; area over time, turns and the straight drive there included. Where fewer than two tool widths are
 //                left beside a stretch, the swath back covers what is there.
 //             3. Stretches shorter than half a tool width are not driven. Uncovered bands narrower than the tool, where
 //                no disc fits, are left to repair.

@@ -1,6 +1,6 @@
 /// The cheapest perfect matching of a complete graph.
 ///
-///   const std::vector<std::size_t> mate = perfect_matching(4, [&](std::size_t a, std::size_t b) { return cost[a][b]; });
+///   const std::vector<std::size_t> mate = perfect_matching(4, cost_between);
 ///
 /// Edmonds' blossom algorithm with dual variables, in integers (Galil, "Efficient algorithms for finding maximum
 /// matching in graphs", ACM Computing Surveys 18(1), 1986). O(n^3) time, O(n^2) memory. Boost 1.74's

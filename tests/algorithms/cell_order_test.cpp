@@ -304,7 +304,7 @@ TEST(CellOrder, WithoutOutlineIsValid) {
       SCOPED_TRACE(p.map().source + " " + order);
       const Path path = plan("boustrophedon", p, {{"order", std::string(order)}, {"outline", false}});
       expect_valid(p, path);
-      // The shortest lanes leave most uncovered at slanted ends, where links are too long to be driven with the tool on.
+      // The shortest lanes leave most uncovered at slanted ends, where links are too long for the tool.
       EXPECT_LT(uncovered_share(p, path, 500), 0.4);
     }
 }

@@ -48,7 +48,7 @@ TEST(FieldPredictive, CoversEveryFamilyWhole) {
     }
 }
 
-// One block, its lanes along the longer side, whichever way the rectangle is turned.
+// One block, its lanes along the longer side, however the rectangle is turned.
 TEST(Field, ARectangleIsOneBlockAlongItsLongerSide) {
   for (const double degrees : {0.0, 30.0, 90.0, 117.0}) {
     const Region region = transformed(box_region({0, 0}, {14, 7}), degrees * kPi / 180, {0, 0});

@@ -113,7 +113,8 @@ def cell_order_rows():
                 coverage="1", plan_cpu_s=seconds) for m, params, outcome, metres, seconds in data]
 
 
-ALL = {"berg-table-4-1": berg_rows, "cell-order": cell_order_rows, "drivable": drivable_rows, "growth": growth_rows, "leashed": leashed_rows,
+ALL = {"berg-table-4-1": berg_rows, "cell-order": cell_order_rows, "drivable": drivable_rows, "growth": growth_rows,
+       "leashed": leashed_rows,
        "stc-loops": stc_rows,
        "tether-online": online_rows}
 
