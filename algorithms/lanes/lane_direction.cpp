@@ -26,7 +26,6 @@ double half_turn(double degrees) {
   return positive >= 180 ? 0 : positive;
 }
 
-
 /// Estimated cost of covering `region` by lanes in this direction, metres.
 double cost(const Region& region, double degrees, double width) {
   const LaneFrame frame(degrees);

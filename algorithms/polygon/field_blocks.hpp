@@ -4,8 +4,8 @@
 ///   for (const FieldBlock& b : blocks) strips.insert(strips.end(), b.strips.begin(), b.strips.end());
 ///
 ///     +--------------+----.        Cut along a heading at every vertex, the field falls into trapezoids; neighbours
-///     | ------------ |  |  \       whose whole sides touch and whose ends run on nearly straight are merged to blocks with
-///     | ------------ |  |  /       lanes along the heading. The block that covers most for its time is taken, its
+///     | ------------ |  |  \       whose whole sides touch and whose ends run on nearly straight are merged to blocks
+///     | ------------ |  |  /       with lanes along the heading. The block that covers most for its time is taken, its
 ///     +--------------+----'        heading refined; what remains is divided again.
 ///
 /// Source      after Oksanen and Visala, "Coverage path planning algorithms for agricultural field machines", Journal

@@ -12,8 +12,8 @@
 //                what is uncovered, as the source's insets are.
 //             2. A stretch is a part of that boundary between turns above 45 degrees, driven in either sense. Its value
 //                is that of the better of two routes: the whole round that begins with it, or it and a swath back
-//                beside it; area over time, turns and the straight drive there included. Where fewer than two tool widths are
-//                left beside a stretch, the swath back covers what is there.
+//                beside it; area over time, turns and the straight drive there included. Where fewer than two tool
+//                widths are left beside a stretch, the swath back covers what is there.
 //             3. Stretches shorter than half a tool width are not driven. Uncovered bands narrower than the tool, where
 //                no disc fits, are left to repair.
 #include <algorithm>
