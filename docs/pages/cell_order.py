@@ -9,8 +9,8 @@ BASE = "boustrophedon"
 INTRODUCTION = """\
 How `boustrophedon` orders its cells, over its default on the same map. The default: `cells = slab`, runs of lanes of
 one direction, ordered by local search. `cells=slab;order=gtsp`: the same runs, ordered by the tour solver.
-`cells=exact`: the cells of the plane sweep, each with lanes of its own, in the same direction. `order=gtsp`: those cells,
-each in its own direction, all chosen by one generalised tour (Bähnemann et al. 2019), which makes length or time
+`cells=exact`: the cells of the plane sweep, each with lanes of its own, in the same direction. `order=gtsp`: those
+cells, each in its own direction, all chosen by one generalised tour (Bähnemann et al. 2019), which makes length or time
 (`objective`) least. `order=postman`: a closed tour of the Reeb graph, for which cells are divided (Mannadiar and
 Rekleitis 2010). `planning`: processor time; rounded, because it differs from machine to machine.
 """
