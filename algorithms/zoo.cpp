@@ -8,6 +8,8 @@ PlannerInfo boustrophedon();
 PlannerInfo zigzag();
 PlannerInfo contour();
 PlannerInfo connected_fermat();
+PlannerInfo field();
+PlannerInfo field_predictive();
 PlannerInfo oarp();
 PlannerInfo smooth_spiral();
 PlannerInfo skeleton_spiral();
@@ -52,38 +54,14 @@ Planners with_curves(const Planners& planners) {
 }  // namespace
 
 Planners built_in_planners() {
-  return with_curves(Planners("planner", {boustrophedon(),
-                                          zigzag(),
-                                          contour(),
-                                          connected_fermat(),
-                                          oarp(),
-                                          smooth_spiral(),
-                                          skeleton_spiral(),
-                                          completed(),
-                                          trapezoid(),
-                                          stc(),
-                                          stc_spiral(),
-                                          stc_scan(),
-                                          stc_loops(),
-                                          rectangles(),
-                                          wavefront(),
-                                          bsa(),
-                                          linked_spiral(),
-                                          ba_star(),
-                                          smart_dfs(),
-                                          cell_explore(),
-                                          hyun(),
-                                          leashed(),
-                                          berg(),
-                                          berg_complete(),
-                                          shnaps_rimon(),
-                                          shnaps_rimon_banded(),
-                                          tether_tree(),
-                                          tethered_stc(),
-                                          random_walk(),
-                                          spiral_out(),
-                                          wall_follow(),
-                                          vacuum_mix()}));
+  return with_curves(Planners(
+      "planner",
+      {boustrophedon(), zigzag(),        contour(),         connected_fermat(),    field(),       field_predictive(),
+       oarp(),          smooth_spiral(), skeleton_spiral(), completed(),           trapezoid(),   stc(),
+       stc_spiral(),    stc_scan(),      stc_loops(),       rectangles(),          wavefront(),   bsa(),
+       linked_spiral(), ba_star(),       smart_dfs(),       cell_explore(),        hyun(),        leashed(),
+       berg(),          berg_complete(), shnaps_rimon(),    shnaps_rimon_banded(), tether_tree(), tethered_stc(),
+       random_walk(),   spiral_out(),    wall_follow(),     vacuum_mix()}));
 }
 
 }  // namespace oxturn

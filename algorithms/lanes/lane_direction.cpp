@@ -26,8 +26,6 @@ double half_turn(double degrees) {
   return positive >= 180 ? 0 : positive;
 }
 
-double direction_of(const Point& d) { return half_turn(std::atan2(d.y(), d.x()) * 180 / kPi); }
-
 /// Estimated cost of covering `region` by lanes in this direction, metres.
 double cost(const Region& region, double degrees, double width) {
   const LaneFrame frame(degrees);
@@ -80,6 +78,8 @@ std::vector<double> frequent_directions(const Region& region) {
 }
 
 }  // namespace
+
+double direction_of(const Point& d) { return half_turn(std::atan2(d.y(), d.x()) * 180 / kPi); }
 
 /// Of the edge whose farthest vertex is nearest, by rotating callipers.
 double narrowest_direction(const Ring& hull) {

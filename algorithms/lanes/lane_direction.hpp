@@ -13,6 +13,8 @@ namespace oxturn {
 /// How a planner chooses the direction of its lanes: by least estimated cost, or as the parameter `angle` says.
 enum class LaneDirection { best, given };
 
+/// Of a vector, degrees in [0, 180).
+double direction_of(const Point& d);
 /// The direction across which a convex polygon with at least 3 vertices is narrowest, degrees in [0, 180): lanes along
 /// it are fewest. O(n).
 double narrowest_direction(const Ring& hull);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "algorithms/tour/generalised_tour.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -76,6 +78,7 @@ std::vector<TourStop> tour_of(const Problem& problem, const std::vector<Strip>& 
                               const std::vector<TourElement>& elements, StripOrder order, const Connector& connector,
                               Context& context) {
   const TourCosts costs(from, elements, connector);
+  if (order == StripOrder::generalised) return generalised_tour(costs, context);
   std::vector<TourStop> tour;
   if (order == StripOrder::given) {
     for (std::size_t i = 0; i < elements.size(); ++i) tour.push_back({i, 0});

@@ -1,0 +1,54 @@
+/// Lanes in the cells of a boustrophedon decomposition.
+///
+///   const LaneField field(problem, degrees, spacing);
+///   std::vector<Strip> strips = cell_strips(field, boustrophedon_cells(field.frame.to_frame(region)), fit, context);
+///
+///     fitted                spaced
+///      .-'|'-.               .-'-.         fitted: the fewest lanes whose slabs contain the cell (lanes.hpp); the
+///     | | | | |             |  |  |        boundary is driven as well. spaced: from the cell's left end to its right
+///     | | | | |             |  |  |        end, inclusive, linked along the boundary (Choset and Pignon 1997).
+///      '-.|.-'               '-.-'
+///
+/// O(v + l log l) for a cell of v vertices and l lanes, and what clipping them to configuration space costs.
+#pragma once
+
+#include <vector>
+
+#include "algorithms/context.hpp"
+#include "algorithms/lanes/lanes.hpp"
+#include "algorithms/lanes/strips.hpp"
+#include "geometry/mesh/partition.hpp"
+
+namespace oxturn {
+
+/// What lanes in one direction are made with.
+struct LaneField {
+  /// `degrees`: of the lanes; `lane_spacing` in metres.
+  LaneField(const Problem& problem, double degrees, double lane_spacing)
+      : frame(degrees),
+        space(frame.to_frame(problem.configuration_space())),
+        spacing(lane_spacing),
+        width(problem.robot().tool_width),
+        margin(2 * problem.tolerance()) {}
+
+  LaneFrame frame;
+  EdgeIndex space;                           // configuration space, in the frame
+  double spacing, width;                     // of lanes; of the tool
+  double margin;                             // how far lane ends keep off walls
+  double join() const { return 2 * width; }  // pieces of a lane this near to each other become one
+};
+
+enum class LaneFit { fitted, spaced };
+
+/// A strip for each cell, in the order of the cells, which are given in the field's frame. Fitted lanes whose part of
+/// the cell lies under lanes of wider cells are omitted, so that a strip may be empty. Ends early if cancelled.
+std::vector<Strip> cell_strips(const LaneField& field, const std::vector<BoustrophedonCell>& cells, LaneFit fit,
+                               Context& context);
+
+/// y of a chain that runs from left to right, at x.
+double height_on(const Polyline& chain, double x);
+
+inline double left_of(const BoustrophedonCell& cell) { return cell.lower.front().x(); }
+inline double right_of(const BoustrophedonCell& cell) { return cell.lower.back().x(); }
+
+}  // namespace oxturn
