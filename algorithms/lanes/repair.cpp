@@ -24,6 +24,7 @@ constexpr double kStep = 1.0 / 8;       // between the points of a lane that are
 constexpr double kStop = 1.0 / 50;      // length of a stop
 constexpr double kReach = 0.5 * 0.999;  // from which a stop covers
 constexpr double kBeside = 0.5 * 1.01;  // from a wall: about what an arc of it covers
+constexpr double kAttached = 4;         // that it takes to attach a detour
 constexpr int kRounds = 4;              // of lanes and arcs of the boundary, before whole rings
 
 /// The boundary that arcs follow; the arcs that are to be driven, and those whose length is looked at.
@@ -119,7 +120,7 @@ class Repair {
   double length_with(It from, It to) const {
     double sum = 0;
     for (; from != to; ++from) {
-      sum += 2 * width_;
+      sum += kAttached * width_;
       for_each_edge(*from, [&](const Point& a, const Point& b) { sum += distance(a, b); });
     }
     return sum;
