@@ -23,6 +23,9 @@
 #include <deque>
 #include <list>
 #include <optional>
+#include <string>
+#include <thread>
+#include <utility>
 
 #include "base/csv.hpp"
 #include "base/text.hpp"
@@ -71,6 +74,16 @@ class Interrupts {
   struct sigaction old_int_ {
   }, old_term_{};
 };
+
+/// Clusters end a job by sending SIGTERM to all of its processes at once, so a planner that it ended tells that this
+/// process will be told to stop, too, if it has not been yet.
+bool ended_with_us(const Row& row) {
+  constexpr int kRounds = 20;
+  constexpr std::chrono::milliseconds kPause{10};
+  if (row.get("signal") != std::to_string(SIGTERM)) return false;
+  for (int k = 0; k < kRounds && interrupted == 0; ++k) std::this_thread::sleep_for(kPause);
+  return interrupted != 0;
+}
 
 /// Of the runs in `range`, from the first up to before the second.
 std::vector<Unit> units_of(const Suite& suite, std::size_t cells, int jobs, std::pair<std::size_t, std::size_t> range) {
@@ -274,9 +287,9 @@ class SuiteRun {
       run.id = payload;
       worker.rest.first = index + 1;
       progress_.kept();
-    } else {
+    } else if (Row row = row_from(payload); !ended_with_us(row)) {
       run.done = true;
-      run.row = row_from(payload);
+      run.row = std::move(row);
       run.id = run.row.get("run_id");
       worker.rest.first = index + 1;
       progress_.ran(run.row.outcome());
