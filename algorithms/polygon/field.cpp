@@ -19,6 +19,8 @@
 //                direction that is cheapest for it.
 //             4. order = improved: the blocks in the order of a tour. greedy, as in the source: in the order in which
 //                they were chosen.
+//             5. No symmetry is declared: time does not scale with the map, because the robot's speed and acceleration
+//                do not, and blocks of the same value are told apart by rounding.
 #include "algorithms/lanes/headland.hpp"
 #include "algorithms/polygon/field_blocks.hpp"
 #include "geometry/raster.hpp"
@@ -69,7 +71,6 @@ PlannerInfo field() {
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (along traced walls but for 0.0003 of it)",
        .promise = Promise::target,
-       .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = {{"headland", &Params::headland, Range{1, 1000}, "laps around the field"},
                       {"headland_order", &Params::headland_order, Choices{"last", "first"},
                        "last: lanes, then laps from the inside out; first: laps from the outside in, then lanes"},

@@ -16,6 +16,7 @@
 //                widths are left beside a stretch, the swath back covers what is there.
 //             3. Stretches shorter than half a tool width are not driven. Uncovered bands narrower than the tool, where
 //                no disc fits, are left to repair.
+//             4. Not the same on a scaled map: the robot's speed and acceleration do not scale with it.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -180,7 +181,7 @@ PlannerInfo field_predictive() {
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (with repair; along traced walls but for 0.0003 of it)",
        .promise = Promise::target,
-       .symmetries = {Symmetry::shift, Symmetry::scale},
+       .symmetries = {Symmetry::shift},
        .parameters = {{"repair", &Params::repair, "cover what is left where the tool no longer fits"}},
        .published = {{"repair", false}},
        .promises_with = [](const Params& p) { return p.repair; }});

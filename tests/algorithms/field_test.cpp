@@ -129,7 +129,7 @@ TEST(FieldPredictive, ARectangleIsDrivenWithoutRepairs) {
   EXPECT_LE(path.length(), 1.15 * area(p.target()) / 0.4);
 }
 
-TEST(FieldPlanners, ShiftedAndScaledMapsTakeTheSameLength) {
+TEST(FieldPlanners, ShiftedMapsTakeAboutTheSameLength) {
   const Map map = generate("field", {{"width", 16.0}, {"height", 11.0}}, 3);
   for (const char* name : {"field", "field-predictive"}) {
     const Problem base(map, Robot{});
