@@ -49,8 +49,8 @@ class PathCost final : public ConnectionCost {
     return port == costs_.start() ? costs_.elements().size() : costs_.element_of(port);
   }
   std::uint64_t key(std::size_t a, std::size_t b) const {
-    const auto [low, high] = std::minmax(element(a), element(b));
-    return low << 32 | high;
+    const std::uint64_t x = element(a), y = element(b);
+    return std::min(x, y) << 32 | std::max(x, y);
   }
 
   const TourCosts& costs_;
