@@ -27,25 +27,27 @@ double Path::length(bool tool) const {
 }
 
 /// Is the last leg of this kind?
-bool PathBuilder::goes_on(bool tool, Gear gear) const {
-  return !path_.legs.empty() && path_.legs.back().tool == tool && path_.legs.back().gear == gear;
+bool PathBuilder::goes_on(bool tool, Gear gear, double width) const {
+  if (path_.legs.empty()) return false;
+  const Leg& last = path_.legs.back();
+  return last.tool == tool && last.gear == gear && last.width == width;
 }
 
-void PathBuilder::drive(const Polyline& points, bool tool, Gear gear) {
+void PathBuilder::drive(const Polyline& points, bool tool, Gear gear, double width) {
   for (const Point& p : points) {
     if (repeats(p, at_)) continue;
-    if (!goes_on(tool, gear)) path_.legs.push_back({tool, {at_}, gear});
+    if (!goes_on(tool, gear, width)) path_.legs.push_back({tool, {at_}, gear, width});
     path_.legs.back().points.push_back(p);
     at_ = p;
   }
 }
 
-void PathBuilder::drive(Polyline&& points, bool tool, Gear gear) {
-  if (goes_on(tool, gear) || points.size() < 2 || points.front() != at_ ||
+void PathBuilder::drive(Polyline&& points, bool tool, Gear gear, double width) {
+  if (goes_on(tool, gear, width) || points.size() < 2 || points.front() != at_ ||
       std::adjacent_find(points.begin(), points.end(), repeats) != points.end())
-    return drive(static_cast<const Polyline&>(points), tool, gear);
+    return drive(static_cast<const Polyline&>(points), tool, gear, width);
   at_ = points.back();
-  path_.legs.push_back({tool, std::move(points), gear});
+  path_.legs.push_back({tool, std::move(points), gear, width});
 }
 
 }  // namespace oxturn

@@ -17,6 +17,7 @@ struct Leg {
   bool tool = true;  // on: work; off: transit
   Polyline points;   // at least two; the first is the last of the previous leg
   Gear gear = Gear::forward;
+  double width = 0;  // metres of the tool that are used; 0: all of it. Drawing robots use less for thin strokes
 };
 
 struct Path {
@@ -36,13 +37,14 @@ class PathBuilder {
   /// Where the path ends.
   const Point& at() const { return at_; }
   /// Appends `points` to the path; a first point that repeats its end is dropped.
-  void drive(const Polyline& points, bool tool, Gear gear = Gear::forward);
-  void drive(Polyline&& points, bool tool, Gear gear = Gear::forward);  // moved where they become a leg of their own
+  void drive(const Polyline& points, bool tool, Gear gear = Gear::forward, double width = 0);
+  /// Moves the points where they become a leg of their own.
+  void drive(Polyline&& points, bool tool, Gear gear = Gear::forward, double width = 0);
   void drive(const Point& to, bool tool, Gear gear = Gear::forward) { drive(Polyline{to}, tool, gear); }
   Path take() { return std::move(path_); }
 
  private:
-  bool goes_on(bool tool, Gear gear) const;
+  bool goes_on(bool tool, Gear gear, double width) const;
 
   Point at_;
   Path path_;

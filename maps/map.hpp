@@ -4,9 +4,12 @@
 ///   content_hash(map);                      // its address
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "geometry/region.hpp"
+#include "maps/drawing.hpp"
 
 namespace oxturn {
 
@@ -15,6 +18,11 @@ struct Map {
   Region free;         // metres, canonical (see region.hpp)
   std::string family;  // generator's name, or "file"
   std::string source;  // "rooms --seed 7 --set rooms=9", or the file's path as given
+  /// The part of the map that is to be covered; the robot may drive anywhere in free space. By default all of it, and
+  /// of a drawing what it marks.
+  std::optional<Region> target_area = {};
+  /// What a drawing robot is to draw on this map, its canvas; usually nothing.
+  std::shared_ptr<const Drawing> drawing = {};
 };
 
 /// Canonical bytes of a region: rings rotated to their smallest vertex, polygons and holes sorted, doubles as

@@ -24,7 +24,7 @@ using Location = std::pair<int, int>;  // column, row
 const std::vector<Location> kFour{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
 
 // A robot much smaller than a letter, with a tool as wide as its diagonal: the letters are exactly the free cells.
-Drawing small_robot() {
+DrawnMap small_robot() {
   Robot robot;
   robot.radius = 0.2;
   robot.tool_width = 1.42;

@@ -174,7 +174,7 @@ TEST(ShnapsRimon, AnAnchorElsewhere) {
 TEST(ShnapsRimon, SplitFinishesOneSideFirst) {
   const std::vector<std::string> rows{"...........", "...........", "...##S##...", "...........",
                                       "...........", "...#####...", "...#####...", "...#####..."};
-  Drawing drawing;
+  DrawnMap drawing;
   drawing.robot = tethered_robot(1.1);
   const Problem problem = drawn(rows, drawing);
   const auto changes = [&](const std::string& order) {

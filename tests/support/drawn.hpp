@@ -12,7 +12,7 @@
 
 namespace oxturn {
 
-struct Drawing {
+struct DrawnMap {
   double cell = 1;
   Robot robot = {};  // radius 0.2, tool 0.4
   std::optional<Point> start = {}, anchor = {};
@@ -41,10 +41,10 @@ inline std::optional<Point> drawn_point(const std::vector<std::string>& rows, ch
   return std::nullopt;
 }
 
-inline Problem drawn(const std::vector<std::string>& rows, const Drawing& drawing = {}) {
-  Map map{drawing.name, drawn_region(rows, drawing.cell), "drawn", "drawn"};
-  return Problem(std::move(map), drawing.robot, drawing.start ? drawing.start : drawn_point(rows, 'S', drawing.cell),
-                 drawing.anchor ? drawing.anchor : drawn_point(rows, 'A', drawing.cell));
+inline Problem drawn(const std::vector<std::string>& rows, const DrawnMap& how = {}) {
+  Map map{how.name, drawn_region(rows, how.cell), "drawn", "drawn"};
+  return Problem(std::move(map), how.robot, how.start ? how.start : drawn_point(rows, 'S', how.cell),
+                 how.anchor ? how.anchor : drawn_point(rows, 'A', how.cell));
 }
 
 }  // namespace oxturn
