@@ -45,6 +45,7 @@ const std::vector<std::string> kFolders{"base",
                                         "bench/check",
                                         "reports",
                                         "reports/tables",
+                                        "reports/viewer",
                                         "bench/micro",
                                         "cli"};
 /// They stand side by side: none includes another.
