@@ -1,9 +1,12 @@
 #include "algorithms/polygon/moving_rings.hpp"
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <functional>
+#include <numeric>
+#include <tuple>
 #include <utility>
+
+#include "base/disjoint_sets.hpp"
 
 namespace oxturn {
 namespace {
@@ -12,11 +15,13 @@ constexpr double kSameTime = 1e-9;  // metres
 
 }  // namespace
 
-MovingRings::MovingRings(StraightSkeleton skeleton) : skeleton_(std::move(skeleton)), at_node_(skeleton_.nodes.size()) {
+MovingRings::MovingRings(StraightSkeleton skeleton)
+    : skeleton_(std::move(skeleton)), at_node_(skeleton_.nodes.size()), seen_(skeleton_.arcs.size(), 0) {
   for (std::size_t a = 0; a < skeleton_.arcs.size(); ++a) {
     at_node_[skeleton_.arcs[a].low].push_back(a);
     at_node_[skeleton_.arcs[a].high].push_back(a);
   }
+  find_branches();
 }
 
 bool MovingRings::alive(std::size_t arc, double time) const {
@@ -38,29 +43,38 @@ Polyline MovingRings::closed(const MovingRing& ring, double time) const {
   return line;
 }
 
-/// Rings of arcs that are alive: in each face, arcs in the order of its edge are the ends of segments, two by two.
+/// Rings of arcs that are alive, in ascending order: in each face, arcs in the order of its edge are the ends of
+/// segments, two by two.
 std::vector<MovingRing> MovingRings::linked(const std::vector<std::size_t>& arcs, double time) const {
-  std::map<std::size_t, std::vector<std::pair<double, std::size_t>>> in_face;
-  for (const std::size_t a : arcs)
-    for (const std::size_t f : skeleton_.arcs[a].faces)
-      in_face[f].push_back({at(a, time).dot(skeleton_.directions[f]), a});
-  std::map<std::size_t, std::size_t> next;
-  for (auto& [face, ends] : in_face) {
-    std::sort(ends.begin(), ends.end());
-    for (std::size_t k = 0; k + 1 < ends.size(); k += 2) next[ends[k].second] = ends[k + 1].second;
+  struct End {
+    std::size_t face;
+    double along;
+    std::size_t arc;  // its position in `arcs`
+  };
+  std::vector<End> ends;
+  ends.reserve(2 * arcs.size());
+  for (std::size_t k = 0; k < arcs.size(); ++k) {
+    const Point p = at(arcs[k], time);
+    for (const std::size_t f : skeleton_.arcs[arcs[k]].faces) ends.push_back({f, p.dot(skeleton_.directions[f]), k});
+  }
+  std::ranges::sort(ends, {}, [](const End& e) { return std::tuple(e.face, e.along, e.arc); });
+  std::vector<std::size_t> next(arcs.size(), kNone);
+  for (std::size_t k = 0; k + 1 < ends.size();) {
+    const bool segment = ends[k].face == ends[k + 1].face;
+    if (segment) next[ends[k].arc] = ends[k + 1].arc;
+    k += segment ? 2 : 1;
   }
   std::vector<MovingRing> rings;
-  std::set<std::size_t> used;
-  for (const std::size_t first : arcs) {
+  std::vector<bool> used(arcs.size(), false);
+  for (std::size_t first = 0; first < arcs.size(); ++first) {
     MovingRing ring;
-    std::size_t at = first;
-    while (used.insert(at).second) {
-      ring.arcs.push_back(at);
-      const auto step = next.find(at);
-      if (step == next.end()) break;
-      at = step->second;
+    std::size_t k = first;
+    while (k != kNone && !used[k]) {
+      used[k] = true;
+      ring.arcs.push_back(arcs[k]);
+      k = next[k];
     }
-    if (at == first && ring.arcs.size() > 2) rings.push_back(std::move(ring));
+    if (k == first && ring.arcs.size() > 2) rings.push_back(std::move(ring));
   }
   return rings;
 }
@@ -72,40 +86,89 @@ std::vector<MovingRing> MovingRings::begin() const {
   return linked(arcs, 0);
 }
 
-/// One step upwards: the arc itself if it is alive, else those that begin where it ends.
-void MovingRings::collect(std::size_t arc, double to, std::vector<std::size_t>& open, std::vector<std::size_t>& found,
-                          std::set<std::size_t>& seen) const {
-  if (alive(arc, to)) return found.push_back(arc);
-  const StraightSkeleton::Arc& a = skeleton_.arcs[arc];
-  const double time = skeleton_.nodes[a.high].time;
-  if (time > to) return;
-  for (const std::size_t node : {a.high, a.low}) {
-    if (skeleton_.nodes[node].time < time - kSameTime) continue;  // a level arc leads on from both ends
-    for (const std::size_t b : at_node_[node])
-      if (skeleton_.nodes[skeleton_.arcs[b].low].time >= time - kSameTime && seen.insert(b).second) open.push_back(b);
+/// The arcs that are alive at a later time and continue the given ones; with `first_only` no more than one. A step
+/// upwards leads to the arcs that begin where one ends.
+std::vector<std::size_t> MovingRings::followed(const std::vector<std::size_t>& arcs, double to, bool first_only) const {
+  std::vector<std::size_t> open = arcs, found;
+  ++walks_;
+  for (const std::size_t a : arcs) seen_[a] = walks_;
+  while (!open.empty() && !(first_only && !found.empty())) {
+    const std::size_t arc = open.back();
+    open.pop_back();
+    if (alive(arc, to)) {
+      found.push_back(arc);
+      continue;
+    }
+    const StraightSkeleton::Arc& a = skeleton_.arcs[arc];
+    const double time = skeleton_.nodes[a.high].time;
+    if (time > to) continue;
+    for (const std::size_t node : {a.high, a.low}) {
+      if (skeleton_.nodes[node].time < time - kSameTime) continue;  // a level arc leads on from both ends
+      for (const std::size_t b : at_node_[node])
+        if (skeleton_.nodes[skeleton_.arcs[b].low].time >= time - kSameTime && seen_[b] != walks_) {
+          seen_[b] = walks_;
+          open.push_back(b);
+        }
+    }
   }
+  return found;
 }
 
 std::vector<MovingRing> MovingRings::advance(const MovingRing& ring, double to) const {
-  std::vector<std::size_t> open = ring.arcs, found;
-  std::set<std::size_t> seen(open.begin(), open.end());
-  while (!open.empty()) {
-    const std::size_t arc = open.back();
-    open.pop_back();
-    collect(arc, to, open, found, seen);
-  }
+  std::vector<std::size_t> found = followed(ring.arcs, to, false);
   std::sort(found.begin(), found.end());
   return linked(found, to);
 }
 
-std::optional<std::size_t> MovingRings::follow(std::size_t arc, double to) const {
-  std::vector<std::size_t> open{arc}, found;
-  std::set<std::size_t> seen{arc};
-  while (!open.empty() && found.empty()) {
-    const std::size_t next = open.back();
-    open.pop_back();
-    collect(next, to, open, found, seen);
+/// From the last nodes back to the first: where parts meet, a whole has split.
+void MovingRings::find_branches() {
+  std::vector<std::size_t> order(skeleton_.nodes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater<>{}, [&](std::size_t v) { return skeleton_.nodes[v].time; });
+  DisjointSets sets(order.size());
+  std::vector<std::size_t> branch_of_set(order.size(), kNone);
+  branch_.assign(order.size(), kNone);
+  for (const std::size_t v : order) {
+    std::vector<std::size_t> parts;
+    const auto add = [&](std::size_t node) {
+      const std::size_t b = branch_of_set[sets.find(node)];
+      if (b != kNone && std::ranges::find(parts, b) == parts.end()) parts.push_back(b);
+    };
+    add(v);
+    for (const std::size_t a : at_node_[v])
+      if (skeleton_.arcs[a].low == v) add(skeleton_.arcs[a].high);
+    for (const std::size_t a : at_node_[v])
+      if (skeleton_.arcs[a].low == v) sets.unite(v, skeleton_.arcs[a].high);
+    const double time = skeleton_.nodes[v].time;
+    std::size_t branch = parts.empty() ? branches_.size() : parts.front();
+    if (parts.size() != 1) {
+      branch = branches_.size();
+      double last = time;
+      for (const std::size_t p : parts) {
+        branches_[p].whole = branch;
+        last = std::max(last, branches_[p].last);
+      }
+      branches_.push_back({time, last, std::move(parts)});
+    }
+    branch_[v] = branch_of_set[sets.find(v)] = branch;
   }
+}
+
+bool MovingRings::single(const MovingRing& ring, double time, double to) const {
+  std::size_t branch = branch_[skeleton_.arcs[ring.arcs.front()].high];
+  while (branches_[branch].whole && branches_[*branches_[branch].whole].end > time) branch = *branches_[branch].whole;
+  while (branches_[branch].end <= to) {
+    const auto left = [&](std::size_t part) { return branches_[part].last > to; };
+    const std::vector<std::size_t>& parts = branches_[branch].parts;
+    if (std::ranges::count_if(parts, left) != 1) return false;
+    branch = *std::ranges::find_if(parts, left);
+  }
+  return true;
+}
+
+std::optional<std::size_t> MovingRings::follow(std::size_t arc, double to) const {
+  if (alive(arc, to)) return arc;
+  const std::vector<std::size_t> found = followed({arc}, to, true);
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
 

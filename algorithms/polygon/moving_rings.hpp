@@ -11,8 +11,8 @@
 /// O(k log k) for a ring with k vertices and what lies between the two times.
 #pragma once
 
+#include <cstdint>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include "geometry/mesh/straight_skeleton.hpp"
@@ -32,6 +32,8 @@ class MovingRings {
   std::vector<MovingRing> begin() const;
   /// What becomes of a ring until a later time.
   std::vector<MovingRing> advance(const MovingRing& ring, double to) const;
+  /// Is a ring of one time a single one at a later time? Other than advance(), without looking at all of it.
+  bool single(const MovingRing& ring, double time, double to) const;
   /// A vertex of a ring at a later time, if it exists then.
   std::optional<Point> later(std::size_t arc, double to) const;
   /// The arc that continues it, if any.
@@ -43,11 +45,24 @@ class MovingRings {
  private:
   bool alive(std::size_t arc, double time) const;
   std::vector<MovingRing> linked(const std::vector<std::size_t>& arcs, double time) const;
-  void collect(std::size_t arc, double to, std::vector<std::size_t>& open, std::vector<std::size_t>& found,
-               std::set<std::size_t>& seen) const;
+  std::vector<std::size_t> followed(const std::vector<std::size_t>& arcs, double to, bool first_only) const;
+  void find_branches();
+
+  /// A part of the polygon's inside as it shrinks, until it splits into `parts` or vanishes.
+  struct Branch {
+    double end;   // metres
+    double last;  // when the last of its parts vanishes
+    std::vector<std::size_t> parts = {};
+    std::optional<std::size_t> whole = {};  // whose part it is
+  };
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
   StraightSkeleton skeleton_;
   std::vector<std::vector<std::size_t>> at_node_;  // arcs, by node
+  std::vector<Branch> branches_;
+  std::vector<std::size_t> branch_;          // that ends at a node or passes it, by node
+  mutable std::vector<std::uint32_t> seen_;  // by arc: the last walk that came by
+  mutable std::uint32_t walks_ = 0;
 };
 
 }  // namespace oxturn

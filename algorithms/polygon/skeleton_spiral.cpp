@@ -5,8 +5,9 @@
 // Model       polygons with holes, offline, disc or polygonal footprint
 // Guarantee   covers the whole target with `repair` (lanes/repair.hpp; along traced walls but for 0.0003 of it). Inside
 //             faces of the skeleton laps are at most `spacing` apart; at sharp vertices they are farther
-// Complexity  O(n^2) for the skeleton of n vertices (8 s for a map with 1484 vertices, 37 round obstacles),
-//             O(k log k) for laps with k vertices in all
+// Complexity  O(n log n) for the skeleton of n vertices of usual maps (straight_skeleton.hpp), O(k log k) for laps with
+//             k vertices in all, and for each split (or spacing / 64, in which there may be many) the vertices of the
+//             ring that splits
 // Decisions   1. The boundary of configuration space is driven as closed rings, by detours (lanes/outline.hpp). The
 //                spirals fill the inset a spacing further inside, whose round vertices have few chords.
 //             2. growth = length (ours): at length x of a lap of length l the offset is t + s x / l. growth = vertex
@@ -115,7 +116,7 @@ class SkeletonSpirals {
     double before = time, after = end;
     for (int k = 0; k < kBisections; ++k) {
       const double middle = (before + after) / 2;
-      (rings_.advance(ring, middle).size() == 1 ? before : after) = middle;
+      (rings_.single(ring, time, middle) ? before : after) = middle;
     }
     after = std::max(after, time + kLeastStep * spacing_);
     std::vector<Part> parts;

@@ -1,29 +1,100 @@
 #include "geometry/mesh/straight_skeleton.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_with_holes_2.h>
-#include <CGAL/create_straight_skeleton_from_polygon_with_holes_2.h>
+#include <CGAL/Straight_skeleton_builder_2.h>
 
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "geometry/mesh/cgal_guard.hpp"
+#include "geometry/mesh/split_candidates.hpp"
 
 namespace oxturn {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using CgalPolygon = CGAL::Polygon_2<Kernel>;
 using Skeleton = CGAL::Straight_skeleton_2<Kernel>;
+using Traits = CGAL::Straight_skeleton_builder_traits_2<Kernel>;
 
-CgalPolygon to_cgal(const Ring& ring) {
-  CgalPolygon polygon;
-  for (const Point& p : ring) polygon.push_back({p.x(), p.y()});
-  return polygon;
-}
+/// Makes CGAL's builder one that looks for splits near by. CGAL tests each reflex vertex against all edges, and looks
+/// at all reflex vertices after each event: O(n^2). The members specialised below do neither; the skeleton is the same.
+struct NearBy : CGAL::Dummy_straight_skeleton_builder_2_visitor<Skeleton> {
+  mutable std::optional<SplitCandidates> candidates;
+};
+using Builder = CGAL::Straight_skeleton_builder_2<Traits, Skeleton, NearBy>;
 
 Point to_point(const Kernel::Point_2& p) { return {p.x(), p.y()}; }
+
+}  // namespace
+}  // namespace oxturn
+
+namespace CGAL {
+
+template <>
+void oxturn::Builder::CollectSplitEvents(Vertex_handle node, Triedge const& previous) {
+  const auto number = [](Halfedge_handle border) { return static_cast<std::size_t>(border->id()) / 2; };
+  if (!mVisitor.candidates) {
+    std::vector<oxturn::SplitCandidates::Edge> edges(mContourHalfedges.size());
+    for (const Halfedge_handle h : mContourHalfedges)
+      edges[number(h)] = {oxturn::to_point(h->opposite()->vertex()->point()), oxturn::to_point(h->vertex()->point())};
+    mVisitor.candidates.emplace(std::move(edges));
+  }
+  const Triedge triedge = GetVertexTriedge(node);
+  const Halfedge_handle left = triedge.e0(), right = triedge.e1();
+  Halfedge_handle_vector near;
+  for (const std::uint32_t e :
+       mVisitor.candidates->find(number(left), number(right), oxturn::to_point(node->point()), node->time()))
+    near.push_back(mContourHalfedges[e]);
+  ComputeUpperBoundForValidSplitEvents(GetPrevInLAV(node), node, GetNextInLAV(node), near.begin(), near.end());
+  for (const Halfedge_handle opposite : near) {
+    const Triedge event(left, right, opposite);
+    if (opposite != left && opposite != right && event != previous) CollectSplitEvent(node, event);
+  }
+}
+
+/// After an event only the vertices that it made, and the one that waited for it, have a next split.
+template <>
+void oxturn::Builder::Propagate() {
+  std::size_t known = 0;
+  const auto insert_next = [&](Vertex_handle v) {
+    if (!IsProcessed(v)) InsertNextSplitEventInPQ(v);
+  };
+  for (;;) {
+    for (; known < mReflexVertices.size(); ++known) insert_next(mReflexVertices[known]);
+    if (mPQ.empty()) return;
+    const EventPtr event = PopEventFromPQ();
+    const bool split = event->type() != Event::cEdgeEvent;
+    if (split) AllowNextSplitEvent(event->seed0());
+    if (!IsProcessed(event)) {
+      SetEventTimeAndPoint(*event);
+      switch (event->type()) {
+        case Event::cEdgeEvent:
+          HandleEdgeEvent(event);
+          break;
+        case Event::cSplitEvent:
+          HandleSplitOrPseudoSplitEvent(event);
+          break;
+        case Event::cPseudoSplitEvent:
+          HandlePseudoSplitEvent(event);
+          break;
+      }
+    }
+    if (split) insert_next(event->seed0());
+  }
+}
+
+}  // namespace CGAL
+
+namespace oxturn {
+namespace {
+
+void enter(Builder& builder, const Ring& ring) {
+  std::vector<Kernel::Point_2> points;
+  for (const Point& p : ring) points.emplace_back(p.x(), p.y());
+  builder.enter_contour(points.begin(), points.end());
+}
 
 StraightSkeleton converted(const Skeleton& skeleton) {
   StraightSkeleton result;
@@ -53,9 +124,11 @@ StraightSkeleton converted(const Skeleton& skeleton) {
 StraightSkeleton straight_skeleton(const Polygon& polygon) {
   StraightSkeleton result;
   cgal_guarded("the straight skeleton", [&] {
-    CGAL::Polygon_with_holes_2<Kernel> shape(to_cgal(polygon.outer));
-    for (const Ring& hole : polygon.holes) shape.add_hole(to_cgal(hole));
-    const auto skeleton = CGAL::create_interior_straight_skeleton_2(shape, Kernel());
+    const NearBy near_by;
+    Builder builder(boost::none, Traits(), near_by);
+    enter(builder, polygon.outer);
+    for (const Ring& hole : polygon.holes) enter(builder, hole);
+    const auto skeleton = builder.construct_skeleton();
     if (!skeleton) throw std::runtime_error("no result");
     result = converted(*skeleton);
   });

@@ -34,6 +34,24 @@ TEST(StraightSkeleton, OfConvexPolygonsIsTheMedialAxis) {
   }
 }
 
+// The merge tree of the insets says the same as the insets themselves.
+TEST(MovingRings, KnowWhenTheySplit) {
+  for (const auto seed : seeds(10)) {
+    const Region region = generate("polygon", {{"width", 9.0}, {"height", 8.0}}, seed).free;
+    const MovingRings rings(straight_skeleton(region.polygons[0]));
+    std::vector<MovingRing> now = rings.begin();
+    for (double t = 0; !now.empty(); t += 0.05) {
+      std::vector<MovingRing> next;
+      for (const MovingRing& ring : now) {
+        for (const double later : {0.01, 0.05, 0.3, 2.0})
+          ASSERT_EQ(rings.single(ring, t, t + later), rings.advance(ring, t + later).size() == 1) << seed << ", " << t;
+        for (MovingRing& child : rings.advance(ring, t + 0.05)) next.push_back(std::move(child));
+      }
+      now = std::move(next);
+    }
+  }
+}
+
 // Insets keep their distance, and rings of later times come from those of earlier ones, none twice.
 TEST(MovingRings, AreInsets) {
   for (const auto seed : seeds(10)) {
