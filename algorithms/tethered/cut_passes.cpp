@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -152,6 +153,18 @@ Region strip_of(const std::vector<StripPiece>& pieces, double w) {
   return simplify_inward(unite(parts), kStraightening * w);
 }
 
+/// The region as it is in a box: without polygons and holes that lie elsewhere.
+Region near_box(const Region& region, const Box& box) {
+  Region near;
+  const auto overlaps = [&](const Ring& ring) { return bounding_box(ring).overlaps(box); };
+  for (const Polygon& polygon : region.polygons) {
+    if (!overlaps(polygon.outer)) continue;
+    near.polygons.push_back({polygon.outer, {}});
+    std::ranges::copy_if(polygon.holes, std::back_inserter(near.polygons.back().holes), overlaps);
+  }
+  return near;
+}
+
 /// What the tool would reach from `whole` near the strip, and does not from `driven`: in `whole`, and beside walls.
 /// What lies across the cut is for the passes there.
 Region unreached(const Problem& problem, const std::vector<StripPiece>& pieces, const Region& whole,
@@ -161,7 +174,9 @@ Region unreached(const Problem& problem, const std::vector<StripPiece>& pieces, 
   for (const StripPiece& piece : pieces) lines.push_back({piece.from.at, piece.to.at});
   const Region around = squares_around(lines, kDrivenWithin * w, kSquare * w);
   const Region near = intersect(whole, around), swept = dilate(near, w / 2, chord, Bound::inside);
-  const Region beside = subtract(intersect(problem.target(), swept), problem.configuration_space());
+  const Box box = bounding_box(swept);
+  const Region beside =
+      subtract(intersect(near_box(problem.target(), box), swept), near_box(problem.configuration_space(), box));
   const Region missed = subtract(unite({near, beside}), dilate(intersect(driven, around), w / 2, chord, Bound::inside));
   return intersect(missed, squares_around(lines, kMissedWithin * w, kSquare * w));
 }
@@ -188,13 +203,25 @@ Region squares_around(const std::vector<Polyline>& segments, double reach, doubl
   return trace(grid);
 }
 
-PassSpace pass_space(const Problem& problem, const Problem& component, const std::vector<Polyline>& cut) {
+CutPasses::CutPasses(const Problem& problem, const std::vector<Polyline>& cut) : problem_(problem) {
+  CutLines all = joined(cut);
+  lines_ = std::move(all.lines);
+  junctions_ = std::move(all.junctions);
+}
+
+PassSpace CutPasses::beside(const Problem& component) const {
   const double w = component.robot().tool_width;
   const Region& whole = component.configuration_space();
+  Box box = bounding_box(whole);
+  box.grow(w);
   std::vector<StripPiece> pieces;
-  const CutLines lines = joined(cut);
-  for (const Polyline& line : lines.lines)
-    append_wide(with_half_widths(line, lines.junctions, component.start(), problem), kLeastDistance * w, pieces);
+  for (const Polyline& line : lines_)
+    if (bounding_box(line).overlaps(box))
+      append_wide(with_half_widths(line, junctions_, component.start(), problem_), kLeastDistance * w, pieces);
+  std::erase_if(pieces, [&](const StripPiece& piece) {  // others do not touch it
+    return !component.walls().contains(piece.from.at) &&
+           !component.walls().nearest(piece.from.at, piece.to.at, w / 2).has_value();
+  });
   while (!pieces.empty()) {
     Region space, lost;
     for (Polygon& part : subtract(whole, strip_of(pieces, w)).polygons) {
@@ -206,7 +233,7 @@ PassSpace pass_space(const Problem& problem, const Problem& component, const std
         lost.polygons.push_back(std::move(part));
     }
     if (lost.empty()) {
-      Region pockets = unreached(problem, pieces, whole, space);
+      Region pockets = unreached(problem_, pieces, whole, space);
       return {std::move(space), std::move(pockets)};
     }
     const EdgeIndex around(lost);

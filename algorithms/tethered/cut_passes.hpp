@@ -5,7 +5,8 @@
 ///   ~~~~~~~~~~~~~~~~~~~~  cut   ~~~~~~~~~~~~~~~~~~~~    once, and as much again outside. Both approach the cut
 ///   - - - - -> - - - - -        '- - - -> - - - -       towards its ends.
 ///
-///   const PassSpace passes = pass_space(problem, component, tether.cut());
+///   const CutPasses cut(problem, tether.cut());
+///   const PassSpace passes = cut.beside(component);
 ///   Path path = planner.plan(component.restricted(passes.space), context);   // drives along both sides
 ///   path = repaired(component, path, passes.pockets, connector, context);
 #pragma once
@@ -23,10 +24,22 @@ struct PassSpace {
   Region pockets;  // what such a planner leaves uncovered
 };
 
-/// `component`: the problem with a component of its cut space as configuration space. Passes are on the cut itself
-/// where walls leave little room beside it, and where the space would otherwise become disconnected. O(k log k) for k
-/// pieces of the cut, an eighth of a tool width long; again for what becomes disconnected, which is rare.
-PassSpace pass_space(const Problem& problem, const Problem& component, const std::vector<Polyline>& cut);
+class CutPasses {
+ public:
+  /// `problem` must outlive it.
+  CutPasses(const Problem& problem, const std::vector<Polyline>& cut);
+
+  /// `component`: the problem with a component of its cut space as configuration space. Passes are on the cut itself
+  /// where walls leave little room beside it, and where the space would otherwise become disconnected. O(k log k) for k
+  /// pieces of the cut near the component, an eighth of a tool width long, and the map's vertices near by; again for
+  /// what becomes disconnected, which is rare.
+  PassSpace beside(const Problem& component) const;
+
+ private:
+  const Problem& problem_;
+  std::vector<Polyline> lines_;   // of the cut, joined
+  std::vector<Point> junctions_;  // where three or more end, sorted
+};
 
 /// A union of squares of side `cell` that contains all points within `reach` of the segments (of two points each).
 Region squares_around(const std::vector<Polyline>& segments, double reach, double cell);

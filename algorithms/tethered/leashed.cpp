@@ -35,17 +35,18 @@ class Leashed final : public CoveragePlanner {
   Path plan(const Problem& problem, Context& context) const override {
     const TetherSpace space(problem, "leashed");
     if (context.wants_traces()) context.trace("cut", space.cut());
+    const CutPasses cut(problem, space.cut());
     return cover_components(
         space,
-        [&](const TetherSpace::Component& component, Context& inner) { return cover(space, component.problem, inner); },
+        [&](const TetherSpace::Component& component, Context& inner) { return cover(cut, component.problem, inner); },
         return_home_, context);
   }
 
  private:
-  Path cover(const TetherSpace& space, const Problem& component, Context& context) const {
+  Path cover(const CutPasses& cut, const Problem& component, Context& context) const {
     if (inner_.promise != Promise::target)
       return without_short_segments(inner_.planner->plan(component, context), component);
-    PassSpace passes = pass_space(space.problem(), component, space.cut());
+    PassSpace passes = cut.beside(component);
     const Path path = inner_.planner->plan(component.restricted(std::move(passes.space)), context);
     return repaired(component, without_short_segments(path, component), std::move(passes.pockets), Connector(component),
                     context);

@@ -183,7 +183,7 @@ TEST(Leashed, ThePassesAndTheirPocketsMissNothing) {
         const Problem problem(map, tethered_robot(1.1, 0.2, w));
         const TetherSpace tether(problem, "test");
         for (const TetherSpace::Component& component : tether.components()) {
-          const PassSpace passes = pass_space(problem, component.problem, tether.cut());
+          const PassSpace passes = CutPasses(problem, tether.cut()).beside(component.problem);
           ASSERT_EQ(passes.space.polygons.size(), 1u);
           const EdgeIndex space(passes.space), whole(component.problem.configuration_space());
           EXPECT_TRUE(space.contains(component.problem.start()) ||
