@@ -5,10 +5,9 @@
 ///   for (const std::vector<std::size_t>& chain : chains(projection.intervals.size(), projection.links)) ...
 ///   for (const ChainPart& part : corridors_in(intervals_of_the_chain, tool_width)) ...
 ///
-///      |  |  |  |  |  |  |  |            A chain of eight slabs: lanes in the first two and the last two, and one lane
-///      |  |___________     |  |          along the corridor between them. Nothing is lost: a point of the corridor is no
-///      |  |  .  .  .  .    |  |          farther than half the width from its foot on that lane, as it is from its foot
-///      |  |                |  |          on a lane across (lanes.hpp).
+///     |  |              |  |     A chain of eight slabs: lanes in the first two and the last two, and one lane along
+///     |  | ------------ |  |     the corridor between them. Nothing is lost: a point of the corridor is no farther
+///     |  |              |  |     than half the width from its foot on that lane, as from its foot on one across.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +27,7 @@ std::vector<std::vector<std::size_t>> chains(std::size_t count,
 struct ChainPart {
   std::size_t from, count;
   bool corridor;
-  double middle;  // of a corridor: half-way between its lowest and its highest y
+  double middle;  // of a corridor: halfway between its lowest and its highest y
 };
 /// A chain of intervals of consecutive slabs in parts, from left to right: corridors are at least 3 slabs long and no
 /// higher than `most`.

@@ -16,8 +16,7 @@ TEST(Chains, EndWhereLinksBranchOrJoin) {
   EXPECT_EQ(chains(2, {}), (Chains{{0}, {1}}));
   EXPECT_EQ(chains(4, {{0, 1}, {1, 2}, {2, 3}}), (Chains{{0, 1, 2, 3}}));
   // 0 - 1 divides into 2 - 4 and 3 - 5, which join in 6.
-  EXPECT_EQ(chains(7, {{0, 1}, {1, 2}, {1, 3}, {2, 4}, {3, 5}, {4, 6}, {5, 6}}),
-            (Chains{{0, 1}, {2, 4}, {3, 5}, {6}}));
+  EXPECT_EQ(chains(7, {{0, 1}, {1, 2}, {1, 3}, {2, 4}, {3, 5}, {4, 6}, {5, 6}}), (Chains{{0, 1}, {2, 4}, {3, 5}, {6}}));
 }
 
 // Parts make up the chain; corridors are low and long; no three lanes between them would be one.

@@ -132,7 +132,8 @@ TEST(FieldPredictive, ARectangleIsDrivenWithoutRepairs) {
 // Lanes along a slanted wall: each begins where a cut ended, beside the wall but for rounding, which must not add up.
 TEST(FieldPredictive, RotatedRectanglesAreDrivenAlongTheirWalls) {
   const Settings size{{"width", 106.629}, {"height", 47.833}, {"robot", 0.211}, {"rotation", 64.0}};
-  const Problem p(generate("rectangle", size, 587465), disc(0.211, 0.626), Point(8.73747456073761, -13.417912364006042));
+  const Point start(8.73747456073761, -13.417912364006042);
+  const Problem p(generate("rectangle", size, 587465), disc(0.211, 0.626), start);
   expect_valid(p, plan("field-predictive", p, {{"repair", false}}));
 }
 
