@@ -17,8 +17,7 @@
 //                follow each other one to one. Where two critical points are nearer than w, the exact cells need an
 //                extra lane each; slabs never do. On maps traced from laser scans that is most of the length. A
 //                component of R that is no wider than a slab takes one lane of its own, and so does a corridor across
-the slabs(lanes / corridors.hpp)
-    .
+//                the slabs (lanes/corridors.hpp).
 //             3. cells = exact: the paper's cells (of R with `outline`, of C without), with evenly spaced lanes in
 //                each. A lane whose part of the cell lies under lanes placed before is omitted.
 //             4. sweep = best counts a turn as 2 w and a break between cells as 4 w.
@@ -37,182 +36,182 @@ the slabs(lanes / corridors.hpp)
 #include "algorithms/polygon/slab_strips.hpp"
 #include "geometry/overlay/boolean.hpp"
 
-    namespace oxturn {
-  namespace {
+namespace oxturn {
+namespace {
 
-  enum class Decomposition { automatic, slab, exact, trapezoid };
-  enum class Order { improved, nearest, depth_first, gtsp, postman };
+enum class Decomposition { automatic, slab, exact, trapezoid };
+enum class Order { improved, nearest, depth_first, gtsp, postman };
 
-  struct Params : Headland {
-    LaneDirection sweep = LaneDirection::best;
-    double angle = 0;
-    bool outline = true;
-    Decomposition cells = Decomposition::automatic;
-    double spacing = 1;
-    Order order = Order::improved;
-    TourMeasure objective = TourMeasure::length;
+struct Params : Headland {
+  LaneDirection sweep = LaneDirection::best;
+  double angle = 0;
+  bool outline = true;
+  Decomposition cells = Decomposition::automatic;
+  double spacing = 1;
+  Order order = Order::improved;
+  TourMeasure objective = TourMeasure::length;
+};
+
+struct TrapezoidParams : Params {
+  TrapezoidParams() { cells = Decomposition::trapezoid; }
+};
+
+using Cells = std::vector<BoustrophedonCell>;
+
+/// The strips that have lanes, with the neighbours that their cells have.
+std::vector<Strip> without_empty(std::vector<Strip> of_cell, const Cells& cells) {
+  std::vector<std::size_t> index(cells.size(), ClippedLanes::kNone);
+  std::vector<Strip> strips;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    if (!of_cell[c].lanes.empty()) {
+      index[c] = strips.size();
+      strips.push_back(std::move(of_cell[c]));
+    }
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (const std::size_t o : cells[c].neighbours)
+      if (index[c] != ClippedLanes::kNone && index[o] != ClippedLanes::kNone)
+        strips[index[c]].neighbours.push_back(index[o]);
+  return strips;
+}
+
+Polyline outline_of(const BoustrophedonCell& cell, const LaneFrame& frame) {
+  Polyline line = cell.lower;
+  line.insert(line.end(), cell.upper.rbegin(), cell.upper.rend());
+  line.push_back(line.front());
+  for (Point& p : line) p = frame.to_world(p);
+  return line;
+}
+
+/// Cells with directions of their own, in the order of the tour that chose them.
+std::vector<Strip> directed_strips(const Region& region, const Params& p, const Problem& problem, LaneFit fit,
+                                   Context& context) {
+  CellDirections options{.spacing = p.spacing * problem.robot().tool_width, .fit = fit, .objective = p.objective};
+  if (p.sweep == LaneDirection::given) options.cut = p.angle;
+  const std::vector<DirectedCell> cells = directed_cells(problem, region, options, context);
+  if (context.wants_traces()) {
+    std::vector<Polyline> outlines;
+    for (const DirectedCell& c : cells) outlines.push_back(outline_of(c.cell, LaneFrame(c.degrees)));
+    context.trace("cells", std::move(outlines));
+  }
+  return strips_of(problem, cells, options, context);
+}
+
+std::vector<Strip> strips_in(const Region& region, const Params& p, const Problem& problem, Context& context) {
+  if (region.empty()) return {};
+  const LaneFit fit = p.outline || p.headland > 0 ? LaneFit::fitted : LaneFit::spaced;
+  if (p.order == Order::gtsp && p.cells != Decomposition::slab)
+    return directed_strips(region, p, problem, fit, context);
+  const double w = problem.robot().tool_width, spacing = p.spacing * w;
+  const double direction = p.sweep == LaneDirection::given ? p.angle : best_lane_direction(region, spacing);
+  const bool slabs =
+      p.cells == Decomposition::slab || (p.cells == Decomposition::automatic && p.order != Order::postman);
+  if (slabs) return slab_strips(region, direction, spacing, problem);
+  const LaneField field(problem, direction, spacing);
+  // United first: rings that touch may cross by rounding once rotated, which the exact plane sweep rejects.
+  const Region clean = unite({field.frame.to_frame(region)});
+  Cells cells = p.cells == Decomposition::trapezoid ? trapezoid_cells(clean, w) : boustrophedon_cells(clean);
+  if (p.order == Order::postman) cells = cell_circuit(cells, field.frame.to_frame(problem.start()));
+  std::vector<Strip> strips = cell_strips(field, cells, fit, context);
+  if (context.wants_traces()) {
+    std::vector<Polyline> outlines;
+    for (const BoustrophedonCell& cell : cells) outlines.push_back(outline_of(cell, field.frame));
+    context.trace("cells", std::move(outlines));
+  }
+  return without_empty(std::move(strips), cells);
+}
+
+StripOrder strip_order(Order order) {
+  switch (order) {
+    case Order::improved:
+      return StripOrder::improved;
+    case Order::nearest:
+      return StripOrder::nearest;
+    case Order::depth_first:
+      return StripOrder::depth_first;
+    case Order::gtsp:
+      return StripOrder::generalised;
+    case Order::postman:
+      return StripOrder::given;
+  }
+  return StripOrder::improved;
+}
+
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  if (p.order == Order::postman && p.cells == Decomposition::slab)
+    throw std::invalid_argument(
+        "planner 'boustrophedon': order 'postman' needs cells with two ends; set cells to 'exact'");
+  const double w = problem.robot().tool_width;
+  const auto strips_deeper_than = [&](double depth) {
+    return strips_in(lane_region(problem, depth, w / 50), p, problem, context);
   };
+  if (p.headland > 0) return drive_with_headland(problem, p, strips_deeper_than, strip_order(p.order), context);
+  const Region region = p.outline ? lane_region(problem, w / 2, w / 50) : problem.configuration_space();
+  return drive_strips_and_walls(problem, strips_in(region, p, problem, context), strip_order(p.order), p.outline,
+                                context);
+}
 
-  struct TrapezoidParams : Params {
-    TrapezoidParams() { cells = Decomposition::trapezoid; }
-  };
+Path plan_trapezoids(const TrapezoidParams& p, const Problem& problem, Context& context) {
+  return plan(p, problem, context);
+}
 
-  using Cells = std::vector<BoustrophedonCell>;
+/// The parameters of both planners, less `cells`.
+template <class P>
+std::vector<Parameter<P>> parameters(std::vector<Parameter<P>> own, Parameter<P> order) {
+  std::vector<Parameter<P>> all{
+      {"sweep", &P::sweep, Choices{"best", "given"}, "lane direction: the cheapest of up to 16, or `angle`"},
+      {"angle", &P::angle, Range{-360, 360}, "degrees; direction of the lanes if sweep is given"},
+      {"outline", &P::outline, "drive every wall once; off: links follow the walls, as in the paper"}};
+  all.insert(all.end(), own.begin(), own.end());
+  all.push_back({"spacing", &P::spacing, Range{0.1, 1}, "distance of lanes, in tool widths"});
+  all.push_back(std::move(order));
+  return with_headland<P>(std::move(all));
+}
 
-  /// The strips that have lanes, with the neighbours that their cells have.
-  std::vector<Strip> without_empty(std::vector<Strip> of_cell, const Cells& cells) {
-    std::vector<std::size_t> index(cells.size(), ClippedLanes::kNone);
-    std::vector<Strip> strips;
-    for (std::size_t c = 0; c < cells.size(); ++c)
-      if (!of_cell[c].lanes.empty()) {
-        index[c] = strips.size();
-        strips.push_back(std::move(of_cell[c]));
-      }
-    for (std::size_t c = 0; c < cells.size(); ++c)
-      for (const std::size_t o : cells[c].neighbours)
-        if (index[c] != ClippedLanes::kNone && index[o] != ClippedLanes::kNone)
-          strips[index[c]].neighbours.push_back(index[o]);
-    return strips;
-  }
+}  // namespace
 
-  Polyline outline_of(const BoustrophedonCell& cell, const LaneFrame& frame) {
-    Polyline line = cell.lower;
-    line.insert(line.end(), cell.upper.rbegin(), cell.upper.rend());
-    line.push_back(line.front());
-    for (Point& p : line) p = frame.to_world(p);
-    return line;
-  }
+PlannerInfo boustrophedon() {
+  return describe<Params, plan>(
+      {.name = "boustrophedon",
+       .family = "polygon",
+       .title = "Boustrophedon decomposition",
+       .citation = "Choset, Pignon 1998",
+       .capabilities = {Capability::holes, Capability::footprint},
+       .guarantee = "covers the whole target (with outline; along traced walls but for 0.0003 of it)",
+       .promise = Promise::target,
+       .symmetries = {Symmetry::shift, Symmetry::quarter_turn, Symmetry::mirror, Symmetry::scale},
+       .parameters = parameters<Params>(
+           {{"cells", &Params::cells, Choices{"auto", "slab", "exact"},
+             "slab: runs of lanes; exact: cut at critical points; auto: exact for order gtsp and postman, else slab"},
+            {"objective", &Params::objective, Choices{"length", "time"}, "what order gtsp makes least"}},
+           {"order", &Params::order, Choices{"improved", "nearest", "dfs", "gtsp", "postman"},
+            "of cells; dfs: depth-first on their graph; gtsp: a generalised tour that chooses each cell's direction "
+            "too; "
+            "postman: a round trip that divides cells which it would cross twice"}),
+       // The paper: vertical lanes, cells visited depth-first, boundaries only followed between lanes.
+       .published = {{"sweep", std::string("given")},
+                     {"angle", 90.0},
+                     {"outline", false},
+                     {"cells", std::string("exact")},
+                     {"order", std::string("dfs")}},
+       .promises_with = [](const Params& p) { return p.outline || p.headland > 0; }});
+}
 
-  /// Cells with directions of their own, in the order of the tour that chose them.
-  std::vector<Strip> directed_strips(const Region& region, const Params& p, const Problem& problem, LaneFit fit,
-                                     Context& context) {
-    CellDirections options{.spacing = p.spacing * problem.robot().tool_width, .fit = fit, .objective = p.objective};
-    if (p.sweep == LaneDirection::given) options.cut = p.angle;
-    const std::vector<DirectedCell> cells = directed_cells(problem, region, options, context);
-    if (context.wants_traces()) {
-      std::vector<Polyline> outlines;
-      for (const DirectedCell& c : cells) outlines.push_back(outline_of(c.cell, LaneFrame(c.degrees)));
-      context.trace("cells", std::move(outlines));
-    }
-    return strips_of(problem, cells, options, context);
-  }
-
-  std::vector<Strip> strips_in(const Region& region, const Params& p, const Problem& problem, Context& context) {
-    if (region.empty()) return {};
-    const LaneFit fit = p.outline || p.headland > 0 ? LaneFit::fitted : LaneFit::spaced;
-    if (p.order == Order::gtsp && p.cells != Decomposition::slab)
-      return directed_strips(region, p, problem, fit, context);
-    const double w = problem.robot().tool_width, spacing = p.spacing * w;
-    const double direction = p.sweep == LaneDirection::given ? p.angle : best_lane_direction(region, spacing);
-    const bool slabs =
-        p.cells == Decomposition::slab || (p.cells == Decomposition::automatic && p.order != Order::postman);
-    if (slabs) return slab_strips(region, direction, spacing, problem);
-    const LaneField field(problem, direction, spacing);
-    // United first: rings that touch may cross by rounding once rotated, which the exact plane sweep rejects.
-    const Region clean = unite({field.frame.to_frame(region)});
-    Cells cells = p.cells == Decomposition::trapezoid ? trapezoid_cells(clean, w) : boustrophedon_cells(clean);
-    if (p.order == Order::postman) cells = cell_circuit(cells, field.frame.to_frame(problem.start()));
-    std::vector<Strip> strips = cell_strips(field, cells, fit, context);
-    if (context.wants_traces()) {
-      std::vector<Polyline> outlines;
-      for (const BoustrophedonCell& cell : cells) outlines.push_back(outline_of(cell, field.frame));
-      context.trace("cells", std::move(outlines));
-    }
-    return without_empty(std::move(strips), cells);
-  }
-
-  StripOrder strip_order(Order order) {
-    switch (order) {
-      case Order::improved:
-        return StripOrder::improved;
-      case Order::nearest:
-        return StripOrder::nearest;
-      case Order::depth_first:
-        return StripOrder::depth_first;
-      case Order::gtsp:
-        return StripOrder::generalised;
-      case Order::postman:
-        return StripOrder::given;
-    }
-    return StripOrder::improved;
-  }
-
-  Path plan(const Params& p, const Problem& problem, Context& context) {
-    if (p.order == Order::postman && p.cells == Decomposition::slab)
-      throw std::invalid_argument(
-          "planner 'boustrophedon': order 'postman' needs cells with two ends; set cells to 'exact'");
-    const double w = problem.robot().tool_width;
-    const auto strips_deeper_than = [&](double depth) {
-      return strips_in(lane_region(problem, depth, w / 50), p, problem, context);
-    };
-    if (p.headland > 0) return drive_with_headland(problem, p, strips_deeper_than, strip_order(p.order), context);
-    const Region region = p.outline ? lane_region(problem, w / 2, w / 50) : problem.configuration_space();
-    return drive_strips_and_walls(problem, strips_in(region, p, problem, context), strip_order(p.order), p.outline,
-                                  context);
-  }
-
-  Path plan_trapezoids(const TrapezoidParams& p, const Problem& problem, Context& context) {
-    return plan(p, problem, context);
-  }
-
-  /// The parameters of both planners, less `cells`.
-  template <class P>
-  std::vector<Parameter<P>> parameters(std::vector<Parameter<P>> own, Parameter<P> order) {
-    std::vector<Parameter<P>> all{
-        {"sweep", &P::sweep, Choices{"best", "given"}, "lane direction: the cheapest of up to 16, or `angle`"},
-        {"angle", &P::angle, Range{-360, 360}, "degrees; direction of the lanes if sweep is given"},
-        {"outline", &P::outline, "drive every wall once; off: links follow the walls, as in the paper"}};
-    all.insert(all.end(), own.begin(), own.end());
-    all.push_back({"spacing", &P::spacing, Range{0.1, 1}, "distance of lanes, in tool widths"});
-    all.push_back(std::move(order));
-    return with_headland<P>(std::move(all));
-  }
-
-  }  // namespace
-
-  PlannerInfo boustrophedon() {
-    return describe<Params, plan>(
-        {.name = "boustrophedon",
-         .family = "polygon",
-         .title = "Boustrophedon decomposition",
-         .citation = "Choset, Pignon 1998",
-         .capabilities = {Capability::holes, Capability::footprint},
-         .guarantee = "covers the whole target (with outline; along traced walls but for 0.0003 of it)",
-         .promise = Promise::target,
-         .symmetries = {Symmetry::shift, Symmetry::quarter_turn, Symmetry::mirror, Symmetry::scale},
-         .parameters = parameters<Params>(
-             {{"cells", &Params::cells, Choices{"auto", "slab", "exact"},
-               "slab: runs of lanes; exact: cut at critical points; auto: exact for order gtsp and postman, else slab"},
-              {"objective", &Params::objective, Choices{"length", "time"}, "what order gtsp makes least"}},
-             {"order", &Params::order, Choices{"improved", "nearest", "dfs", "gtsp", "postman"},
-              "of cells; dfs: depth-first on their graph; gtsp: a generalised tour that chooses each cell's direction "
-              "too; "
-              "postman: a round trip that divides cells which it would cross twice"}),
-         // The paper: vertical lanes, cells visited depth-first, boundaries only followed between lanes.
-         .published = {{"sweep", std::string("given")},
-                       {"angle", 90.0},
-                       {"outline", false},
-                       {"cells", std::string("exact")},
-                       {"order", std::string("dfs")}},
-         .promises_with = [](const Params& p) { return p.outline || p.headland > 0; }});
-  }
-
-  PlannerInfo trapezoid() {
-    return describe<TrapezoidParams, plan_trapezoids>(
-        {.name = "trapezoid",
-         .family = "polygon",
-         .title = "trapezoidal decomposition",
-         .citation = "Latombe 1991; Choset 2001",
-         .capabilities = {Capability::holes, Capability::footprint},
-         .guarantee = "covers the whole target (with outline; along traced walls but for 0.0003 of it)",
-         .promise = Promise::target,
-         .symmetries = {Symmetry::shift, Symmetry::quarter_turn, Symmetry::mirror, Symmetry::scale},
-         .parameters =
-             parameters<TrapezoidParams>({}, {"order", &TrapezoidParams::order, Choices{"improved", "nearest", "dfs"},
-                                              "of cells; dfs: depth-first on their graph"}),
-         .published =
-             {{"sweep", std::string("given")}, {"angle", 90.0}, {"outline", false}, {"order", std::string("dfs")}},
-         .promises_with = [](const TrapezoidParams& p) { return p.outline || p.headland > 0; }});
-  }
+PlannerInfo trapezoid() {
+  return describe<TrapezoidParams, plan_trapezoids>(
+      {.name = "trapezoid",
+       .family = "polygon",
+       .title = "trapezoidal decomposition",
+       .citation = "Latombe 1991; Choset 2001",
+       .capabilities = {Capability::holes, Capability::footprint},
+       .guarantee = "covers the whole target (with outline; along traced walls but for 0.0003 of it)",
+       .promise = Promise::target,
+       .symmetries = {Symmetry::shift, Symmetry::quarter_turn, Symmetry::mirror, Symmetry::scale},
+       .parameters =
+           parameters<TrapezoidParams>({}, {"order", &TrapezoidParams::order, Choices{"improved", "nearest", "dfs"},
+                                            "of cells; dfs: depth-first on their graph"}),
+       .published =
+           {{"sweep", std::string("given")}, {"angle", 90.0}, {"outline", false}, {"order", std::string("dfs")}},
+       .promises_with = [](const TrapezoidParams& p) { return p.outline || p.headland > 0; }});
+}
 
 }  // namespace oxturn
