@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/lanes/boundary_arcs.hpp"
+#include "algorithms/lanes/corridors.hpp"
 #include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
@@ -174,9 +175,27 @@ class Repair {
     const Region turned = frame.to_frame({{piece}});
     const Box box = bounding_box(turned);
     const Slabs slabs = slabs_over(box.low.x(), box.high.x(), kLane * width_);
-    for (const LaneInterval& lane : project(edges_of(turned), slabs).intervals) {
-      const double x = slabs.centre(lane.slab);
-      add_lane(frame.to_world({x, lane.low}), frame.to_world({x, lane.high}));
+    const Projection projection = project(edges_of(turned), slabs);
+    // A lane along a piece that reaches out of configuration space would leave what is outside to arcs of the boundary.
+    const bool inside = all_around(piece, [&](const Point& p) { return walls_.contains(p); });
+    const double highest_corridor = inside ? kLane * width_ : 0;
+    const auto add = [&](double x0, double y0, double x1, double y1) {
+      add_lane(frame.to_world({x0, y0}), frame.to_world({x1, y1}));
+    };
+    for (const std::vector<std::size_t>& chain : chains(projection.intervals.size(), projection.links)) {
+      std::vector<LaneInterval> lanes;
+      for (const std::size_t i : chain) lanes.push_back(projection.intervals[i]);
+      for (const ChainPart& part : corridors_in(lanes, highest_corridor)) {
+        const std::size_t end = part.from + part.count, left = lanes[part.from].slab;
+        if (part.corridor) {
+          add(slabs.line(left), part.middle, slabs.line(left + part.count), part.middle);
+          continue;
+        }
+        for (std::size_t i = part.from; i < end; ++i) {
+          const double x = slabs.centre(lanes[i].slab);
+          add(x, lanes[i].low, x, lanes[i].high);
+        }
+      }
     }
   }
   static Point diameter(const Ring& hull) {

@@ -16,7 +16,8 @@
 //             2. cells = slab (default): one set of slabs over the whole map; a cell is a longest run of lanes that
 //                follow each other one to one. Where two critical points are nearer than w, the exact cells need an
 //                extra lane each; slabs never do. On maps traced from laser scans that is most of the length. A
-//                component of R that is no wider than a slab takes one lane of its own.
+//                component of R that is no wider than a slab takes one lane of its own, and so does a corridor across
+//                the slabs (lanes/corridors.hpp).
 //             3. cells = exact: the paper's cells (of R with `outline`, of C without), with evenly spaced lanes in
 //                each. A lane whose part of the cell lies under lanes placed before is omitted.
 //             4. sweep = best counts a turn as 2 w and a break between cells as 4 w.

@@ -1,8 +1,10 @@
 #include "algorithms/polygon/slab_strips.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "algorithms/lanes/corridors.hpp"
 #include "algorithms/polygon/cell_strips.hpp"
 
 namespace oxturn {
@@ -29,35 +31,68 @@ Links links_of(const Projection& projection, const ClippedLanes& lanes) {
   return links;
 }
 
+/// The farthest point of the segment ab to which it runs inside `space`; a itself must lie inside.
+Point reach(const EdgeIndex& space, const Point& a, const Point& b) {
+  if (space.contains(a, b)) return b;
+  double inside = 0, outside = 1;
+  for (int k = 0; k < 40; ++k) {
+    const double middle = (inside + outside) / 2;
+    (space.contains(a, lerp(a, b, middle)) ? inside : outside) = middle;
+  }
+  return lerp(a, b, inside);
+}
+
+/// The lane along a corridor, from the left side of its slabs to the right side. nullopt if a wall is in between, which
+/// happens only if the lanes' region reaches walls.
+std::optional<LaneEnds> lane_along(const std::vector<LaneInterval>& chain, const ChainPart& corridor,
+                                   const Slabs& slabs, const EdgeIndex& space) {
+  const std::size_t first = chain[corridor.from].slab, last = first + corridor.count - 1;
+  const auto at = [&](std::size_t line) { return Point(slabs.line(line), corridor.middle); };
+  const Point left = at(first + 1), right = at(last);  // the region connects the slabs on these lines
+  if (!space.contains(left, right)) return std::nullopt;
+  return LaneEnds{reach(space, left, at(first)), reach(space, right, at(last + 1))};
+}
+
+/// The lanes of a chain, one list for each strip: a corridor's lane is a strip of its own.
+std::vector<std::vector<LaneEnds>> lanes_of(const std::vector<LaneInterval>& chain, const Slabs& slabs,
+                                            const LaneField& f) {
+  std::vector<std::vector<LaneEnds>> strips;
+  for (const ChainPart& part : corridors_in(chain, f.spacing - 2 * f.margin)) {
+    strips.emplace_back();
+    if (part.corridor)
+      if (const auto along = lane_along(chain, part, slabs, f.space)) {
+        strips.back() = {*along};
+        continue;
+      }
+    for (std::size_t i = part.from; i < part.from + part.count; ++i)
+      strips.back().push_back(upright(slabs.centre(chain[i].slab), chain[i].low, chain[i].high));
+  }
+  return strips;
+}
+
 /// One set of slabs over the whole region, which is given in the field's frame; strips are the longest one-to-one runs
-/// of lanes.
+/// of lanes, cut where corridors begin and end.
 std::vector<Strip> slab_strips(const LaneField& f, const Region& region) {
   const Box box = bounding_box(region);
   const Slabs slabs = slabs_over(box.low.x(), box.high.x(), f.spacing);
   const Projection projection = project(edges_of(region), slabs);
   const ClippedLanes lanes = clip_lanes(projection.intervals, slabs, f.space, f.join(), f.margin);
   const Links links = links_of(projection, lanes);
-  const std::size_t n = lanes.pieces.size();
-  std::vector<std::vector<std::size_t>> right(n), left(n);
-  for (const auto& [a, b] : links) {
-    right[a].push_back(b);
-    left[b].push_back(a);
-  }
-  const auto has_one_successor = [&](std::size_t a) { return right[a].size() == 1 && left[right[a][0]].size() == 1; };
   std::vector<Strip> strips;
-  std::vector<std::size_t> strip_of(n, ClippedLanes::kNone);
-  for (std::size_t i = 0; i < n; ++i) {  // by slab, so a run's first lane comes first
-    if (strip_of[i] != ClippedLanes::kNone) continue;
-    std::vector<LaneEnds> run;
-    for (std::size_t k = i;; k = right[k][0]) {
-      const LaneInterval& s = lanes.pieces[k];
-      run.push_back(upright(slabs.centre(s.slab), s.low, s.high));
-      strip_of[k] = strips.size();
-      if (!has_one_successor(k)) break;
+  std::vector<std::size_t> first_strip(lanes.pieces.size()), last_strip(lanes.pieces.size());  // of a piece's chain
+  for (const std::vector<std::size_t>& chain : chains(lanes.pieces.size(), links)) {
+    std::vector<LaneInterval> pieces;
+    for (const std::size_t i : chain) pieces.push_back(lanes.pieces[i]);
+    const std::size_t first = strips.size();
+    for (const auto& strip : lanes_of(pieces, slabs, f)) strips.push_back(to_world(strip, f.frame));
+    for (std::size_t s = first; s + 1 < strips.size(); ++s) connect(strips, s, s + 1);
+    for (const std::size_t i : chain) {
+      first_strip[i] = first;
+      last_strip[i] = strips.size() - 1;
     }
-    strips.push_back(to_world(run, f.frame));
   }
-  for (const auto& [a, b] : links) connect(strips, strip_of[a], strip_of[b]);
+  for (const auto& [a, b] : links)
+    if (first_strip[a] != first_strip[b]) connect(strips, last_strip[a], first_strip[b]);
   return strips;
 }
 

@@ -129,6 +129,14 @@ TEST(FieldPredictive, ARectangleIsDrivenWithoutRepairs) {
   EXPECT_LE(path.length(), 1.15 * area(p.target()) / 0.4);
 }
 
+// Lanes along a slanted wall: each begins where a cut ended, beside the wall but for rounding, which must not add up.
+TEST(FieldPredictive, RotatedRectanglesAreDrivenAlongTheirWalls) {
+  const Settings size{{"width", 106.629}, {"height", 47.833}, {"robot", 0.211}, {"rotation", 64.0}};
+  const Point start(8.73747456073761, -13.417912364006042);
+  const Problem p(generate("rectangle", size, 587465), disc(0.211, 0.626), start);
+  expect_valid(p, plan("field-predictive", p, {{"repair", false}}));
+}
+
 TEST(FieldPlanners, ShiftedMapsTakeAboutTheSameLength) {
   const Map map = generate("field", {{"width", 16.0}, {"height", 11.0}}, 3);
   for (const char* name : {"field", "field-predictive"}) {
