@@ -43,14 +43,15 @@ class TurnShape {
   /// The circle's centre in the frame of a pose that begins a left turn.
   const Point& centre() const { return centre_; }
   double outer_radius() const { return centre_.norm(); }
-  /// The turn by `deflection` radians, to the left if positive; |deflection| < 2 pi. 0: a straight line of 2
-  /// centre().x(). `sense` (1 left, -1 right) counts only for deflections of zero.
+  /// The turn by `deflection` radians, to the left if positive; |deflection| < 2 pi. It begins and ends on the circle; by
+  /// 0 it is a straight line of 2 centre().x().
   std::vector<Clothoid> turn(const Pose& from, double deflection) const;
-  /// The turn of a corner: from the line before to the line after it, as far from their intersection.
-  double tangent_length(double deflection) const;
-  /// The turn that touches both lines of a corner where there is no need for the circle: sharpness as allowed. Used
-  /// to round corners.
+  /// The turn that rounds a corner, of the greatest sharpness: shorter than turn() for small deflections.
   std::vector<Clothoid> corner(const Pose& from, double deflection) const;
+  /// From where it begins to the vertex, and as far from there to its end; |deflection| < pi.
+  double tangent_length(double deflection) const;
+  /// From the vertex to its middle.
+  double deviation(double deflection) const;
 
  private:
   double radius_, sharpness_;

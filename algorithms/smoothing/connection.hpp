@@ -26,8 +26,8 @@ namespace oxturn {
 enum class ConnectionKind { spiro, bezier, clothoid, dubins };
 
 struct ConnectionOptions {
-  double radius = 1;     // least turning radius, metres, > 0
-  double sharpness = 0;  // of clothoids, 1/m^2; 0: 2 / radius^2
+  double radius = 1;                             // least turning radius, metres, > 0
+  double sharpness = 0;                          // of clothoids, 1/m^2; 0: 2 / radius^2
   ConnectionKind first = ConnectionKind::spiro;  // where the list above begins
   /// `literal`: the first spiro curve (rho = 2 radii) without tests, if it is finite, as Vollprecht drives it.
   SpiroRule rule = SpiroRule::improved;

@@ -25,7 +25,7 @@
 namespace oxturn {
 
 /// `automatic`: inside if it fits and leaves the vertex by `largest_deviation` at most, else outside, else a stop.
-/// `inside` and `outside` are refused where they do not fit or are not free. `literal` is Vollprecht's rule: outside, by
+/// Where `inside` does not fit or `outside` is not free, the robot stops. `literal` is Vollprecht's rule: outside, by
 /// his loop, where the inner angle is below 1.57, else inside; corners whose arc does not fit are kept.
 enum class CornerRule { automatic, inside, outside, stop, literal };
 
@@ -42,21 +42,23 @@ struct CornerOptions {
 };
 
 struct RoundedLine {
-  std::vector<Leg> legs;            // tool on along the polyline, off in loops outside
+  std::vector<Leg> legs;            // tool on along the polyline, off in loops outside; one ends at each stop
   std::vector<std::size_t> stops;   // vertices where the robot stops and turns
   std::vector<std::size_t> failed;  // vertices that could not be rounded where it may not stop; kept as they are
 };
 
 /// `corners`: increasing indices of inner vertices; the others belong to curves and are kept as they are. Throws
 /// std::invalid_argument if an index is not that of an inner vertex.
-RoundedLine rounded_corners(const Polyline& line, const std::vector<std::size_t>& corners, const CornerOptions& options);
+RoundedLine rounded_corners(const Polyline& line, const std::vector<std::size_t>& corners,
+                            const CornerOptions& options);
 
 /// Inner vertices at which the heading changes by more than `angle` radians.
 std::vector<std::size_t> corners_of(const Polyline& line, double angle);
 
-/// The shortest loop from the pose `at` back to its position, with the heading changed by `deflection` (left positive).
+/// The shortest loop from the pose `at` back to its position, with the heading changed by `deflection` (left positive,
+/// between -pi and pi).
 Curve bulb(const Pose& at, double deflection, double radius);
-/// The same of continuous curvature, in three turns.
-std::vector<Clothoid> continuous_bulb(const Pose& at, double deflection, const TurnShape& shape);
+/// Vollprecht's: straight on, round and straight back. As long as it likes for sharp corners.
+Curve straight_loop(const Pose& at, double deflection, double radius);
 
 }  // namespace oxturn

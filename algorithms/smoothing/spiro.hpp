@@ -26,8 +26,8 @@ enum class SpiroRule { literal, improved };
 /// None for a gentle connection, else two.
 std::vector<Point> spiro_control_points(const Pose& from, const Pose& to, double rho, SpiroRule rule);
 
-/// Through any control points, also those of a person. nullopt: libspiro finds no curve, or one that is not finite.
-/// The curvature is not limited (largest_curvature() tells it); the ends and their headings are exact.
+/// Through any control points, also those of a person. nullopt: libspiro finds no curve, or one that is not finite or
+/// has kinks. The curvature is not limited (largest_curvature() tells it); the ends and their headings are exact.
 std::optional<SmoothCurve> spiro_curve(const Pose& from, const Pose& to, const std::vector<Point>& through, double rho);
 
 }  // namespace oxturn
