@@ -11,9 +11,11 @@
 namespace oxturn {
 namespace {
 
-constexpr std::size_t kSamples = 64;  // of a curve, for its greatest curvature
-constexpr double kRefined = 0.7;      // of the greatest sample: peaks above that are refined
-constexpr int kLengthPanels = 8;
+constexpr std::size_t kSamples = 64;   // of a curve, for its greatest curvature
+constexpr double kRefined = 0.7;       // of the greatest sample: peaks above that are refined
+constexpr double kSharp = 0.3;         // radians between two samples: their mean curvature counts too
+constexpr double kLengthError = 1e-8;  // of the length
+constexpr int kMostHalvings = 20;
 constexpr std::size_t kSearchSamples = 32;  // of a quintic, while its handles are searched
 constexpr int kHandles = 32;                // that are tried first
 
@@ -43,6 +45,15 @@ Point value(const std::vector<Point>& points, double t) {
 double curvature_of(const Point& velocity, const Point& acceleration) {
   const double speed = velocity.norm();
   return speed > 0 ? cross(velocity, acceleration) / (speed * speed * speed) : std::numeric_limits<double>::infinity();
+}
+
+/// Between two samples the curve may turn round on the spot, almost: then so much per metre of the chord, else 0.
+double mean_curvature(const std::vector<Point>& points, const std::vector<Point>& velocity, double a, double b) {
+  const Point from = value(velocity, a), to = value(velocity, b);
+  const double dot = from.dot(to), area = std::abs(cross(from, to));
+  if (dot > 0 && area < kSharp * dot) return 0;
+  const double turned = std::atan2(area, dot), chord = distance(value(points, a), value(points, b));
+  return chord > 0 ? turned / chord : std::numeric_limits<double>::infinity();
 }
 
 /// The greatest curvature of the quintics between two poses, by the length of their handles. Their first and last three
@@ -76,6 +87,15 @@ class QuinticFamily {
   std::array<Terms, kSearchSamples + 1> terms_{};
 };
 
+/// Halves the interval until that makes no difference.
+template <class Function>
+double refined_integral(const Function& f, double a, double b, double whole, double error, int halvings) {
+  const double middle = (a + b) / 2, left = integral(f, a, middle), right = integral(f, middle, b);
+  if (halvings == 0 || !(std::abs(left + right - whole) > error)) return left + right;
+  return refined_integral(f, a, middle, left, error / 2, halvings - 1) +
+         refined_integral(f, middle, b, right, error / 2, halvings - 1);
+}
+
 }  // namespace
 
 Point position_at(const Bezier& curve, double t) { return value(curve.points, t); }
@@ -93,6 +113,9 @@ double largest_curvature(const Bezier& curve) {
   std::array<double, kSamples + 1> samples{};
   for (std::size_t i = 0; i <= kSamples; ++i) samples[i] = bend(static_cast<double>(i) / kSamples);
   double largest = *std::ranges::max_element(samples);
+  for (std::size_t i = 0; i < kSamples; ++i)
+    largest = std::max(largest, mean_curvature(curve.points, velocity, static_cast<double>(i) / kSamples,
+                                               static_cast<double>(i + 1) / kSamples));
   const double refined = kRefined * largest;
   if (!std::isfinite(largest)) return largest;
   for (std::size_t i = 0; i <= kSamples; ++i) {
@@ -108,11 +131,9 @@ double largest_curvature(const Bezier& curve) {
 
 double length(const Bezier& curve) {
   const std::vector<Point> velocity = derivative(curve.points);
-  double sum = 0;
-  for (int i = 0; i < kLengthPanels; ++i)
-    sum += integral([&](double t) { return value(velocity, t).norm(); }, static_cast<double>(i) / kLengthPanels,
-                    static_cast<double>(i + 1) / kLengthPanels);
-  return sum;
+  const auto speed = [&](double t) { return value(velocity, t).norm(); };
+  const double whole = integral(speed, 0, 1);
+  return refined_integral(speed, 0, 1, whole, kLengthError * whole, kMostHalvings);
 }
 
 Bezier cubic_connection(const Pose& from, const Pose& to, double handle) {

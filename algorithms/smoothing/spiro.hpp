@@ -4,7 +4,7 @@
 ///   const std::optional<SmoothCurve> curve = spiro_curve(from, to, through, 2 * radius);
 ///
 /// The curve passes through its control points with continuous curvature, leaves `from` and reaches `to` along their
-/// headings. Without control points the curvature may become large, so for all but gentle connections there are two,
+/// headings, without curvature at its ends. Without control points the curvature may become large, so for all but gentle connections there are two,
 /// each at the distance rho = 2 radius along the heading; they are moved where they are too close to each other or
 /// where the curve would swing out.
 ///
