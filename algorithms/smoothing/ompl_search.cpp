@@ -52,8 +52,8 @@ Pose pose_along(const Curve& curve, double metres) {
   return at;
 }
 
-/// Poses and the shortest curves between them. (OMPL's own spaces of that kind abort the program for some aligned poses,
-/// see reeds_shepp.cpp.)
+/// Poses and the shortest curves between them. (OMPL's own spaces of that kind abort the program for some aligned
+/// poses, see reeds_shepp.cpp.)
 class CarStateSpace : public ob::SE2StateSpace {
  public:
   explicit CarStateSpace(const CarSpace& space) : space_(space) {}

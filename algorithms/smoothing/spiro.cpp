@@ -1,7 +1,7 @@
 // libspiro gets five to seven points: an end, a point of type ']' a little ahead on its heading, the control points of
 // type 'c', and the same mirrored at the other end, with '['. (With '[' first, as Vollprecht has it in his text,
-// tangents are lost.) It answers with cubic Bézier curves. It works in a frame where the first end is the origin, the second
-// one is on the x axis, and rho is the unit.
+// tangents are lost.) It answers with cubic Bézier curves. It works in a frame where the first end is the origin, the
+// second one is on the x axis, and rho is the unit.
 #include "algorithms/smoothing/spiro.hpp"
 
 #include <spiroentrypoints.h>

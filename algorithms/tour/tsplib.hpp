@@ -5,8 +5,8 @@
 ///   const TourProblem problem(*cost, instance.size());
 ///   write_file("eil51.tour", write_tsplib_tour("eil51", order));
 ///
-/// Types TSP, ATSP and SOP (sequential ordering: a path from the first node to the last, where some nodes must come before
-/// others); edge weights EUC_2D, CEIL_2D and EXPLICIT as FULL_MATRIX.
+/// Types TSP, ATSP and SOP (sequential ordering: a path from the first node to the last, where some nodes must come
+/// before others); edge weights EUC_2D, CEIL_2D and EXPLICIT as FULL_MATRIX.
 #pragma once
 
 #include <memory>

@@ -153,7 +153,7 @@ TEST(OmplSearch, FindsAFreeDetourAndTheSameOneAgain) {
       EXPECT_LT(distance(at.at, kBehindWall.at), 1e-4);
       EXPECT_LT(std::abs(std::remainder(at.heading - kBehindWall.heading, 2 * kPi)), 1e-4);
     }
-    EXPECT_LT(*length, 130) << "the way round is some 80 m";
+    EXPECT_LT(*length, 130) << "the path round is some 80 m";
   }
 }
 
