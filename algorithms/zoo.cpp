@@ -14,6 +14,8 @@ PlannerInfo oarp();
 PlannerInfo smooth_spiral();
 PlannerInfo skeleton_spiral();
 PlannerInfo completed();
+PlannerInfo shortest();
+PlannerInfo polished();
 PlannerInfo trapezoid();
 PlannerInfo stc();
 PlannerInfo stc_spiral();
@@ -38,15 +40,17 @@ PlannerInfo random_walk();
 PlannerInfo spiral_out();
 PlannerInfo wall_follow();
 PlannerInfo vacuum_mix();
+PlannerInfo beachbot();
 
 namespace {
 
-/// Offline planners drive robots with a least turning radius too.
+/// Offline planners drive robots with a least turning radius too, if they do not themselves.
 Planners with_curves(const Planners& planners) {
   Planners all("planner", {});
   for (const PlannerInfo& planner : planners) {
     const bool offline = !planner.has(Capability::online) && !planner.has(Capability::tether);
-    all.add(offline ? drivable_planner(planner) : planner);
+    const bool wrapped = offline && !planner.has(Capability::curvature);
+    all.add(wrapped ? drivable_planner(planner) : planner);
   }
   return all;
 }
@@ -54,14 +58,45 @@ Planners with_curves(const Planners& planners) {
 }  // namespace
 
 Planners built_in_planners() {
-  return with_curves(Planners(
-      "planner",
-      {boustrophedon(), zigzag(),        contour(),         connected_fermat(),    field(),       field_predictive(),
-       oarp(),          smooth_spiral(), skeleton_spiral(), completed(),           trapezoid(),   stc(),
-       stc_spiral(),    stc_scan(),      stc_loops(),       rectangles(),          wavefront(),   bsa(),
-       linked_spiral(), ba_star(),       smart_dfs(),       cell_explore(),        hyun(),        leashed(),
-       berg(),          berg_complete(), shnaps_rimon(),    shnaps_rimon_banded(), tether_tree(), tethered_stc(),
-       random_walk(),   spiral_out(),    wall_follow(),     vacuum_mix()}));
+  return with_curves(Planners("planner", {
+                                             boustrophedon(),
+                                             zigzag(),
+                                             contour(),
+                                             connected_fermat(),
+                                             field(),
+                                             field_predictive(),
+                                             oarp(),
+                                             smooth_spiral(),
+                                             skeleton_spiral(),
+                                             completed(),
+                                             shortest(),
+                                             polished(),
+                                             trapezoid(),
+                                             stc(),
+                                             stc_spiral(),
+                                             stc_scan(),
+                                             stc_loops(),
+                                             rectangles(),
+                                             wavefront(),
+                                             bsa(),
+                                             linked_spiral(),
+                                             ba_star(),
+                                             smart_dfs(),
+                                             cell_explore(),
+                                             hyun(),
+                                             leashed(),
+                                             berg(),
+                                             berg_complete(),
+                                             shnaps_rimon(),
+                                             shnaps_rimon_banded(),
+                                             tether_tree(),
+                                             tethered_stc(),
+                                             random_walk(),
+                                             spiral_out(),
+                                             wall_follow(),
+                                             vacuum_mix(),
+                                             beachbot(),
+                                         }));
 }
 
 }  // namespace oxturn

@@ -20,7 +20,7 @@ class Joints {
       add(a, b);
       add(b, a);
       if (!groups.unite(a.shape, b.shape))
-        throw_invalid("joining shapes {} and {} closes a cycle; remove one joint of it", a.shape, b.shape);
+        throw_invalid("joining shapes {} and {} closes a cycle; remove one joint of it", named(a), named(b));
     }
   }
   bool is_end(std::size_t shape) const { return joints_[shape].size() == 1; }
@@ -33,20 +33,22 @@ class Joints {
     const TourShape& shape = drawing_.shapes[a.shape];
     const std::size_t last = shape.points.size() - 1;
     if (shape.closed ? a.vertex > last : a.vertex != 0 && a.vertex != last)
-      throw_invalid("shape {} is joined at vertex {}, expected {}", a.shape, a.vertex,
+      throw_invalid("shape {} is joined at vertex {}, expected {}", named(a), a.vertex,
                     shape.closed ? fmt::format("one of 0 to {}", last) : fmt::format("an end: 0 or {}", last));
     auto& joints = joints_[a.shape];
     if (joints.size() == 2)
-      throw_invalid("shape {} is joined to shapes {}, {} and {}, expected at most two", a.shape, joints[0].other.shape,
-                    joints[1].other.shape, b.shape);
+      throw_invalid("shape {} is joined to shapes {}, {} and {}, expected at most two", named(a), named(joints[0].other),
+                    named(joints[1].other), named(b));
     if (!joints.empty() && shape.closed && joints[0].at != a.vertex)
       throw_invalid("polygon {} is joined at vertices {} and {} (to shapes {} and {}), but is left where it is entered",
-                    a.shape, joints[0].at, a.vertex, joints[0].other.shape, b.shape);
+                    named(a), joints[0].at, a.vertex, named(joints[0].other), named(b));
     if (!joints.empty() && !shape.closed && last > 0 && joints[0].at == a.vertex)
       throw_invalid("shapes {} and {} are both joined to vertex {} of polyline {}, expected one at each end",
-                    joints[0].other.shape, b.shape, a.vertex, a.shape);
+                    named(joints[0].other), named(b), a.vertex, named(a));
     joints.push_back({a.vertex, b});
   }
+
+  std::string named(const ShapeVertex& v) const { return label(drawing_.shapes, v.shape); }
 
   const ShapeTour& drawing_;
   std::vector<std::vector<Joint>> joints_;

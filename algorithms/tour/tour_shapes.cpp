@@ -57,6 +57,11 @@ double length_of(const TourShape& shape) {
 
 }  // namespace
 
+std::string label(const std::vector<TourShape>& shapes, std::size_t shape) {
+  const std::string& name = shapes[shape].name;
+  return name.empty() ? fmt::format("{}", shape) : fmt::format("'{}'", name);
+}
+
 struct ShapeTourModel::Impl {
   explicit Impl(ShapeTour d) : drawing(std::move(d)), element_of(drawing.shapes.size(), kNone) {
     check_shapes();
@@ -114,7 +119,7 @@ struct ShapeTourModel::Impl {
       throw_invalid(
           "the joined shapes {} to {} can be driven in neither direction; remove a joint, a one-way shape or "
           "a containment",
-          chain.front().shape, chain.back().shape);
+          label(drawing.shapes, chain.front().shape), label(drawing.shapes, chain.back().shape));
     return {forwards, backwards};
   }
   static std::size_t in(const ShapeChain& chain, std::size_t shape) {

@@ -15,6 +15,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -25,9 +26,12 @@ namespace oxturn {
 
 struct TourShape {
   Polyline points = {};
-  bool closed = false;   // a polygon; driven in the order of its points
-  bool one_way = false;  // a polyline that is driven from its first point to its last only
+  bool closed = false;    // a polygon; driven in the order of its points
+  bool one_way = false;   // a polyline that is driven from its first point to its last only
+  std::string name = {};  // for messages; none: its number
 };
+/// "'eye'" or "3", for messages.
+std::string label(const std::vector<TourShape>& shapes, std::size_t shape);
 
 /// A vertex of a shape: of a polyline the first or the last.
 struct ShapeVertex {

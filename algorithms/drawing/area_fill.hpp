@@ -1,0 +1,45 @@
+/// Fills of the areas of a drawing, by planners of the zoo.
+///
+///   AreaFiller filler(problem, planners, {.fill = "spiral"});
+///   for (DrawingElement& fill : filler.elements(area, context)) ...
+///
+/// Each part of the area in which the tool fits is a problem of its own: to be covered by a robot whose centre keeps
+/// half the tool's width (`inset`) from the area's boundary, so that nothing beyond it is drawn. Spirals and laps are
+/// driven from the inside to the outside only, as the source demands.
+/// Source: Vollprecht 2014, section 2.2. Cost: that of the planner.
+#pragma once
+
+#include "algorithms/coverage_planner.hpp"
+#include "algorithms/drawing/element.hpp"
+
+namespace oxturn {
+
+struct FillOptions {
+  std::string fill = "spiral";  // "spiral", "zigzag" or "contour", where the drawing does not say
+  double line_distance = 0;     // metres between lanes; 0: the tool's width
+  double inset = 0;             // metres; 0: half the tool's width
+  bool outline = true;          // of zigzag fills: a lap along the boundary
+};
+
+class AreaFiller {
+ public:
+  /// All references must outlive it.
+  AreaFiller(const Problem& problem, const Planners& planners, FillOptions options)
+      : problem_(problem), planners_(planners), options_(std::move(options)) {}
+
+  /// One for each part of the area in which the tool fits. Throws std::invalid_argument for an unknown fill.
+  std::vector<DrawingElement> elements(const FilledArea& area, const Context& context) const;
+
+ private:
+  DrawingElement fill(const FilledArea& area, const Polygon& part, const Context& context) const;
+  std::unique_ptr<CoveragePlanner> planner(const FillChoice& choice) const;
+  double inset() const;
+  /// A disc that keeps the inset from the area's boundary.
+  Robot filling_robot() const;
+
+  const Problem& problem_;
+  const Planners& planners_;
+  FillOptions options_;
+};
+
+}  // namespace oxturn

@@ -1,0 +1,106 @@
+#include "algorithms/drawing/containment.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "geometry/convex_hull.hpp"
+#include "geometry/edge_index.hpp"
+#include "geometry/overlay/boolean.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr double kSamples = 1000;     // along the inner element
+constexpr double kMostOutside = 1;    // of those samples
+constexpr double kTouch = 1e-9;       // of the extent: an element on the boundary is inside
+
+/// An element that may contain others.
+class Container {
+ public:
+  Container(const DrawingElement& element, ContainmentTest test) {
+    Ring ring = element.is_fill() ? element.area : element.legs[0].points;
+    if (test == ContainmentTest::hull) ring = convex_hull(ring);
+    box_ = bounding_box(ring);
+    region_ = unite({Region{{Polygon{ring, {}}}}});
+    area_ = area(region_);
+  }
+  double area_m2() const { return area_; }
+  const Box& box() const { return box_; }
+
+  bool holds(const DrawingElement& inner, ContainmentTest test) {
+    if (region_.empty()) return false;
+    if (!index_) index_ = std::make_unique<EdgeIndex>(region_);
+    if (test == ContainmentTest::hull)
+      return index_->contains(inner.first()) || (!inner.closed && index_->contains(inner.last()));
+    return samples_outside(inner) <= kMostOutside;
+  }
+
+ private:
+  double samples_outside(const DrawingElement& inner) const {
+    const double step = length(inner) / kSamples, near = kTouch * box_.size().norm();
+    double outside = 0, along = step / 2;  // to the next sample
+    for (const Leg& leg : inner.legs)
+      for (std::size_t k = 1; k < leg.points.size(); ++k) {
+        const Point &a = leg.points[k - 1], &b = leg.points[k];
+        const double d = distance(a, b);
+        for (; along < d; along += step)
+          if (const Point p = lerp(a, b, along / d); !index_->contains(p) && !index_->nearest(p, near))
+            if (++outside > kMostOutside) return outside;
+        along -= d;
+      }
+    return outside;
+  }
+
+  Region region_;
+  Box box_;
+  double area_ = 0;
+  std::unique_ptr<EdgeIndex> index_;  // built when first asked
+};
+
+Box box_of(const DrawingElement& element) {
+  Box box;
+  for (const Leg& leg : element.legs)
+    for (const Point& p : leg.points) box.add(p);
+  return box;
+}
+
+bool holds(const Box& outer, const Box& inner) {
+  const double touch = kTouch * outer.size().norm();
+  return (inner.low - outer.low).minCoeff() >= -touch && (outer.high - inner.high).minCoeff() >= -touch;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::size_t, std::size_t>> contained_elements(const std::vector<DrawingElement>& elements,
+                                                                    ContainmentTest test) {
+  struct Candidate {
+    std::size_t element;
+    Container container;
+  };
+  std::vector<Candidate> outer;
+  std::vector<double> areas(elements.size(), 0);
+  for (std::size_t e = 0; e < elements.size(); ++e)
+    if ((elements[e].closed && elements[e].legs[0].tool) || elements[e].is_fill()) {
+      outer.push_back({e, Container(elements[e], test)});
+      areas[e] = outer.back().container.area_m2();
+    }
+  std::stable_sort(outer.begin(), outer.end(), [&](const Candidate& a, const Candidate& b) {
+    return areas[a.element] < areas[b.element];
+  });
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    const Box box = box_of(elements[e]);
+    for (Candidate& c : outer) {
+      const bool larger = areas[c.element] > areas[e] || (areas[c.element] == areas[e] && c.element > e);
+      if (c.element == e || !larger) continue;
+      if (test == ContainmentTest::overlay && !holds(c.container.box(), box)) continue;
+      if (!c.container.holds(elements[e], test)) continue;
+      pairs.push_back({c.element, e});
+      break;
+    }
+  }
+  return pairs;
+}
+
+}  // namespace oxturn

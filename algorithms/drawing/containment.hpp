@@ -1,0 +1,26 @@
+/// Which elements of a drawing lie inside which others.
+///
+///   for (const auto& [outer, inner] : contained_elements(elements, ContainmentTest::overlay)) ...
+///
+/// Elements inside a closed stroke or a filled area are drawn before it, so that the robot need not enter it again.
+/// Source: Vollprecht 2014, sections 2.3.2 and 3.4. O(n^2) box tests for n elements, and some hundred point locations
+/// for each pair whose boxes lie inside each other.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "algorithms/drawing/element.hpp"
+
+namespace oxturn {
+
+/// overlay: at most a thousandth of the inner one's length is outside the outer one. hull, as the program of Vollprecht
+/// 2014: the convex hull of the outer one holds the first point of the inner one (or the last, of a polyline).
+enum class ContainmentTest { overlay, hull };
+
+/// Pairs (outer, inner): for each element the smallest one that contains it. Of two that contain each other the earlier
+/// one is inside.
+std::vector<std::pair<std::size_t, std::size_t>> contained_elements(const std::vector<DrawingElement>& elements,
+                                                                    ContainmentTest test);
+
+}  // namespace oxturn

@@ -1,0 +1,98 @@
+#include "algorithms/drawing/demands.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "base/throw_invalid.hpp"
+
+namespace oxturn {
+namespace {
+
+/// Of a stroke: how many nodes, and where the k-th one is in its points.
+std::size_t node_count(const DrawingElement& e) { return e.nodes.empty() ? e.legs[0].points.size() : e.nodes.size(); }
+std::size_t position(const DrawingElement& e, std::size_t k) { return e.nodes.empty() ? k : e.nodes[k]; }
+
+void add_entry(DrawingElement& e, std::size_t at) {
+  const auto next = std::lower_bound(e.entries.begin(), e.entries.end(), at);
+  if (next == e.entries.end() || *next != at) e.entries.insert(next, at);
+}
+
+ElementPort stroke_port(std::vector<DrawingElement>& elements, std::size_t stroke, std::size_t k,
+                        const NodeOfElement& node) {
+  DrawingElement& e = elements[stroke];
+  const std::size_t last = e.legs[0].points.size() - 1, at = position(e, k);
+  if (e.closed) {
+    add_entry(e, at % last);
+    return {stroke, at % last};
+  }
+  if (at != 0 && at != last)
+    throw_invalid("node {} of element '{}' is no end of its stroke; only ends can be connected", node.node, node.element);
+  return {stroke, at == 0 ? 0u : 1u};
+}
+
+/// The end of the element's fill that is nearer to the node of the area's boundary.
+std::optional<ElementPort> fill_port(const std::vector<DrawingElement>& elements, const NodeOfElement& node) {
+  std::optional<ElementPort> best;
+  double least = 0;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    if (elements[e].name != node.element || !elements[e].is_fill()) continue;
+    const auto n = static_cast<std::ptrdiff_t>(elements[e].area.size());
+    const Point& at = elements[e].area[static_cast<std::size_t>(((node.node % n) + n) % n)];
+    for (const std::size_t end : {0u, 1u}) {
+      const double d = distance(at, end == 0 ? elements[e].first() : elements[e].last());
+      if (!best || d < least) best = ElementPort{e, end}, least = d;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+ElementPort entry_port(const DrawingElement& element, const ElementVisit& visit) {
+  return {visit.element, element.closed ? visit.entry : visit.backwards ? 1u : 0u};
+}
+
+ElementPort exit_port(const DrawingElement& element, const ElementVisit& visit) {
+  return {visit.element, element.closed ? visit.entry : visit.backwards ? 0u : 1u};
+}
+
+ElementPort port_of(std::vector<DrawingElement>& elements, const NodeOfElement& node) {
+  std::vector<std::size_t> strokes;
+  std::ptrdiff_t count = 0;
+  for (std::size_t e = 0; e < elements.size(); ++e)
+    if (elements[e].name == node.element && !elements[e].is_fill()) {
+      strokes.push_back(e);
+      count += static_cast<std::ptrdiff_t>(node_count(elements[e]));
+    }
+  if (strokes.empty()) {
+    if (const auto port = fill_port(elements, node)) return *port;
+    throw_invalid("a connection names element '{}', but the drawing has no such stroke or filled area", node.element);
+  }
+  std::ptrdiff_t k = node.node < 0 ? count + node.node : node.node;
+  if (k < 0 || k >= count)
+    throw_invalid("a connection names node {} of element '{}', which has {} nodes", node.node, node.element, count);
+  for (const std::size_t stroke : strokes) {
+    const auto nodes = static_cast<std::ptrdiff_t>(node_count(elements[stroke]));
+    if (k < nodes) return stroke_port(elements, stroke, static_cast<std::size_t>(k), node);
+    k -= nodes;
+  }
+  throw_invalid("element '{}' has no node {}", node.element, node.node);
+}
+
+TourDemands demands_of(const Drawing& drawing, std::vector<DrawingElement>& elements) {
+  TourDemands demands;
+  for (const DrawnConnection& c : drawing.connections) {
+    const ElementPort from = port_of(elements, c.from), to = port_of(elements, c.to);
+    if (from.element == to.element)
+      throw_invalid("a connection leads from element '{}' to itself; expected two elements", c.from.element);
+    (c.enforced ? demands.joined : demands.deleted).push_back({from, to});
+  }
+  for (const auto& joint : demands.joined)
+    for (const auto& [a, b] : demands.deleted)
+      if (joint == std::pair(a, b) || joint == std::pair(b, a))
+        throw_invalid("the connection between elements '{}' and '{}' is both enforced and deleted",
+                      elements[a.element].name, elements[b.element].name);
+  return demands;
+}
+
+}  // namespace oxturn
