@@ -47,13 +47,12 @@ double curvature_of(const Point& velocity, const Point& acceleration) {
   return speed > 0 ? cross(velocity, acceleration) / (speed * speed * speed) : std::numeric_limits<double>::infinity();
 }
 
-/// Between two samples the curve may turn round on the spot, almost: then so much per metre of the chord, else 0.
-double mean_curvature(const std::vector<Point>& points, const std::vector<Point>& velocity, double a, double b) {
-  const Point from = value(velocity, a), to = value(velocity, b);
+/// Between two samples, whose velocities these are, the curve may turn round almost on the spot: then so much per metre
+/// of the chord, else 0.
+double mean_curvature(const Point& from, const Point& to, double chord) {
   const double dot = from.dot(to), area = std::abs(cross(from, to));
   if (dot > 0 && area < kSharp * dot) return 0;
-  const double turned = std::atan2(area, dot), chord = distance(value(points, a), value(points, b));
-  return chord > 0 ? turned / chord : std::numeric_limits<double>::infinity();
+  return chord > 0 ? std::atan2(area, dot) / chord : std::numeric_limits<double>::infinity();
 }
 
 /// The greatest curvature of the quintics between two poses, by the length of their handles. Their first and last three
@@ -70,8 +69,12 @@ class QuinticFamily {
   double largest_curvature(double handle) const {
     const Point a = handle * first_, b = handle * last_, middle = chord_ - 2 * (a + b);
     double largest = 0;
+    Point before = 5 * a;
     for (const Terms& t : terms_) {
       const Point velocity = 5 * (t.first * a + t.middle * middle + t.last * b);
+      const double chord = (before + velocity).norm() / (2 * kSearchSamples);  // almost
+      largest = std::max(largest, mean_curvature(before, velocity, chord));
+      before = velocity;
       const Point acceleration = 20 * (t.rise * (middle - a) + t.fall * (b - middle));
       largest = std::max(largest, std::abs(curvature_of(velocity, acceleration)));
     }
@@ -113,9 +116,11 @@ double largest_curvature(const Bezier& curve) {
   std::array<double, kSamples + 1> samples{};
   for (std::size_t i = 0; i <= kSamples; ++i) samples[i] = bend(static_cast<double>(i) / kSamples);
   double largest = *std::ranges::max_element(samples);
-  for (std::size_t i = 0; i < kSamples; ++i)
-    largest = std::max(largest, mean_curvature(curve.points, velocity, static_cast<double>(i) / kSamples,
-                                               static_cast<double>(i + 1) / kSamples));
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    const double a = static_cast<double>(i) / kSamples, b = static_cast<double>(i + 1) / kSamples;
+    const double chord = distance(value(curve.points, a), value(curve.points, b));
+    largest = std::max(largest, mean_curvature(value(velocity, a), value(velocity, b), chord));
+  }
   const double refined = kRefined * largest;
   if (!std::isfinite(largest)) return largest;
   for (std::size_t i = 0; i <= kSamples; ++i) {
