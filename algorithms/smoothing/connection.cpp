@@ -1,5 +1,7 @@
 #include "algorithms/smoothing/connection.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -10,6 +12,7 @@ namespace {
 constexpr double kRhos[] = {2, 2.25, 2.5, 3, 3.5, 4, 5};  // radii
 constexpr double kAllowed = 1.005;                        // of the greatest curvature; half of it is for the sampling
 constexpr double kDetour = 8 * kPi;                       // radii, over the distance
+constexpr std::size_t kMostPoints = 32;                   // of a person's Bézier curve
 constexpr double kKink = 1e-3, kGap = 1e-6;               // radians; radii
 
 /// Tries one curve after the other.
@@ -102,6 +105,9 @@ std::optional<Connection> edited_connection(const Pose& from, const Pose& to, Co
   if (kind == ConnectionKind::spiro) {
     curve = spiro_curve(from, to, points, 2 * radius);
   } else if (kind == ConnectionKind::bezier) {
+    if (points.size() > kMostPoints)
+      throw std::invalid_argument(
+          fmt::format("a Bézier connection has {} control points, expected at most {}", points.size(), kMostPoints));
     Bezier bezier{{from.at}};
     bezier.points.insert(bezier.points.end(), points.begin(), points.end());
     bezier.points.push_back(to.at);

@@ -49,7 +49,8 @@ Connection smooth_connection(const Pose& from, const Pose& to, const ConnectionO
 
 /// With the control points of a person: a spiro curve through `points`, or the Bézier curve of which they are the inner
 /// control points. It is obeyed whatever its curvature (see Connection::curvature); for `bezier` the headings at the
-/// ends are what the points say. nullopt: not finite, or libspiro finds none. Other kinds throw std::invalid_argument.
+/// ends are what the points say. nullopt: not finite, or libspiro finds none. Other kinds, and Bézier curves of more
+/// than 32 points, throw std::invalid_argument.
 std::optional<Connection> edited_connection(const Pose& from, const Pose& to, ConnectionKind kind,
                                             const std::vector<Point>& points, double radius);
 

@@ -39,7 +39,9 @@ class ControlPoints {
         c2_(ahead(to, -rho).at) {}
 
   std::vector<Point> get(SpiroRule rule) {
-    if (swings_out()) {
+    // Vollprecht's program leaves near ends alone.
+    const bool may_turn = rule == SpiroRule::improved || distance(from_.at, to_.at) > rho_;
+    if (may_turn && swings_out()) {
       c1_ = from_.at + turned(c1_ - from_.at, -first_ / 2);
       c2_ = to_.at + turned(c2_ - to_.at, -last_ / 2);
     }

@@ -19,8 +19,8 @@
 
 namespace oxturn {
 
-/// How control points that are too close to each other are moved. `literal`: pushed apart along their line, as in
-/// Vollprecht's program. `improved`: turned about the ends in opposite senses, as in his text.
+/// How control points are moved. `literal`: as in Vollprecht's program; those too close to each other are pushed apart
+/// along their line. `improved`: as in his text; they are turned about the ends in opposite senses.
 enum class SpiroRule { literal, improved };
 
 /// None for a gentle connection, else two.
