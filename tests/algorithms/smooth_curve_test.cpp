@@ -86,7 +86,7 @@ double chord_error(const SmoothCurve& fine, const Polyline& chords) {
 
 TEST(SampledCurve, SamplesKeepTheChordError) {
   Rng rng(4);
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 20; ++i) {
     const Pose from{{0, 0}, rng.between(-3.0, 3.0)}, to{{rng.between(0.5, 5.0), 0}, rng.between(-3.0, 3.0)};
     const double error = std::exp(rng.between(-8.0, -3.0));
     const SmoothCurve dubins = smooth_curve(dubins_curve(from, to, 1));
