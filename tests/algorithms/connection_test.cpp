@@ -91,6 +91,25 @@ void check_spiro_curves(SpiroRule rule) {
 TEST(Connection, SpiroCurvesAreFiniteAndEndInTheirPoses) { check_spiro_curves(SpiroRule::improved); }
 TEST(Connection, LiteralSpiroCurvesAreFiniteToo) { check_spiro_curves(SpiroRule::literal); }
 
+TEST(Connection, TheShortestIsNoLongerThanTheFirst) {
+  Rng rng(5);
+  double first = 0, shortest = 0;
+  for (int i = 0; i < 2000; ++i) {
+    SCOPED_TRACE(i);
+    const RandomConnection p(rng);
+    const Connection a = smooth_connection(p.from, p.to, {.radius = p.radius});
+    const Connection b = smooth_connection(p.from, p.to, {.radius = p.radius, .shortest = true});
+    check(b, p, i % 5 == 0);
+    if (HasFatalFailure()) return;
+    ASSERT_LE(length(b.curve), length(a.curve) * (1 + 1e-12));
+    ASSERT_NE(b.kind, ConnectionKind::dubins);
+    first += (length(a.curve) - distance(p.from.at, p.to.at)) / p.radius;
+    shortest += (length(b.curve) - distance(p.from.at, p.to.at)) / p.radius;
+  }
+  EXPECT_LT(shortest, first);
+  RecordProperty("detour_radii", std::to_string(first / 2000) + " " + std::to_string(shortest / 2000));
+}
+
 // Gentle connections need no control points; a straight one is a line.
 TEST(Connection, AnalyticCases) {
   EXPECT_TRUE(spiro_control_points({{0, 0}, 0.3}, {{10, 0}, 0.2}, 2, SpiroRule::improved).empty());
