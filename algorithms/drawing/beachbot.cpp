@@ -3,7 +3,7 @@
 // Source      Vollprecht, Path Generation for a Mobile Drawing Robot, ETH Zurich 2014
 // Model       drawing on a canvas (maps/drawing.hpp), offline, disc footprint
 // Guarantee   drives every stroke once, with its own width, and covers of each filled area what the tool reaches
-//             without leaving it
+//             without leaving it; drives over finished work only where no other path exists
 // Complexity  that of the fills, and of a tour over n elements (tour/solve_tour.hpp)
 // Decisions   1. A map without a drawing is one filled area: what is to be covered of it.
 //             2. A path begins where the robot is. It goes from there to the drawing's start, if it has one.
@@ -11,7 +11,7 @@
 
 #include "algorithms/drawing/area_fill.hpp"
 #include "algorithms/drawing/containment.hpp"
-#include "algorithms/drawing/drawing_tour.hpp"
+#include "algorithms/drawing/priced_order.hpp"
 #include "algorithms/transit/connector.hpp"
 
 namespace oxturn {
@@ -26,6 +26,8 @@ struct Params {
   double inset = 0;
   bool outline = true;
   Containment containment = Containment::strict;
+  Finished finished = Finished::around;
+  double keep_off = -1;
 };
 
 FillOptions fill_options(const Params& p) {
@@ -67,14 +69,16 @@ class Beachbot final : public CoveragePlanner {
     demands.containment = p_.containment;
     trace_containment(all, demands, context);
 
-    const Connector connector(problem);
     PathBuilder path(problem.start());
-    if (drawing.start) path.drive(connector.path(path.at(), *drawing.start), false);
-    const DrawingTour tour(all, demands, path.at(), problem.robot().min_turn_radius);
-    for (const ElementVisit& visit : tour.solve(context)) {
-      path.drive(connector.path(path.at(), entry_of(all[visit.element], visit)), false);
-      for (const Leg& leg : driven(all[visit.element], visit)) path.drive(leg.points, leg.tool, leg.gear, leg.width);
-    }
+    if (drawing.start) path.drive(Connector(problem).path(path.at(), *drawing.start), false);
+    DrawingTour tour(all, demands, path.at(), problem.robot().min_turn_radius);
+    FinishedWork work(pieces_of(all).pieces, problem.robot().tool_width / 2);
+    TransitRouter router(problem, work, p_.keep_off < 0 ? problem.robot().radius : p_.keep_off);
+    PricedOrder priced(all, path.at(), p_.finished, router, work);
+    const DrivenOrder order = priced.search(tour, context);
+    context.record("over_finished_m", order.crossing_m);
+    trace_order(order, context);
+    drive(path, all, order);
     return path.take();
   }
 
@@ -96,6 +100,31 @@ class Beachbot final : public CoveragePlanner {
     context.trace("containment", std::move(lines));
   }
 
+  static void trace_order(const DrivenOrder& order, Context& context) {
+    std::vector<Polyline> transits, over;
+    const auto add = [&](const Transit& t) {
+      transits.push_back(t.path);
+      if (t.crossing_m > 0) over.push_back(t.path);
+    };
+    for (std::size_t k = 0; k < order.order.size(); ++k) {
+      add(order.transits[k]);
+      for (const Transit& t : order.inner[k]) add(t);
+    }
+    context.record("transits_over_finished", static_cast<double>(over.size()));
+    context.trace("transits", std::move(transits));
+    context.trace("over finished work", std::move(over));
+  }
+
+  static void drive(PathBuilder& path, const std::vector<DrawingElement>& elements, const DrivenOrder& order) {
+    for (std::size_t k = 0; k < order.order.size(); ++k) {
+      const DrawingElement& element = elements[order.order[k].element];
+      path.drive(order.transits[k].path, false);
+      auto inner = order.inner[k].begin();
+      for (const Leg& leg : driven(element, order.order[k]))
+        path.drive(leg.tool || !element.is_fill() ? leg.points : (inner++)->path, leg.tool, leg.gear, leg.width);
+    }
+  }
+
   Params p_;
   Planners fills_;  // planners that fill areas
 };
@@ -107,7 +136,11 @@ const std::vector<Parameter<Params>>& parameters() {
       {"inset", &Params::inset, Range{0, 1000}, "metres that fills keep from an area's boundary; 0: half the tool width"},
       {"outline", &Params::outline, "zigzag fills end with a lap along the boundary"},
       {"containment", &Params::containment, Choices{"strict", "literal"},
-       "strict: elements inside another one are drawn before it; literal: only no direct connection leads inwards"}};
+       "strict: elements inside another one are drawn before it; literal: only no direct connection leads inwards"},
+      {"finished", &Params::finished, Choices{"around", "weight", "ignore"},
+       "transits go round what is drawn; weight: tours with connections over it are changed; ignore: neither"},
+      {"keep_off", &Params::keep_off, Range{-1, 1000},
+       "metres that the robot's centre keeps from what is drawn, where it can; below 0: the robot's radius"}};
   return all;
 }
 
@@ -122,7 +155,7 @@ PlannerInfo beachbot() {
   info.capabilities = {Capability::holes, Capability::curvature};
   info.guarantee = "drives every stroke once, with its width, and fills what the tool reaches of each area";
   info.parameters = infos_of(parameters());
-  info.published = {{"containment", std::string("literal")}, {"line_distance", 0.25}, {"inset", 0.3}};
+  info.published = {{"containment", std::string("literal")}, {"finished", std::string("ignore")}, {"line_distance", 0.25}, {"inset", 0.3}};
   info.parameters.push_back(variant_parameter(info.published));
   info.make = [info](const Settings& settings, const Planners& planners) {
     const std::string owner = "planner 'beachbot'";

@@ -253,6 +253,23 @@ std::vector<ElementVisit> DrawingTour::improve(const std::vector<ElementVisit>& 
   return impl_->visits(improved_tour(*impl_->problem, impl_->tour(order), context, effort));
 }
 
+bool DrawingTour::allows(const std::vector<ElementVisit>& order) const {
+  std::vector<std::size_t> position(impl_->elements.size());
+  PatternId last = 0;
+  for (std::size_t k = 0; k < order.size();) {
+    const auto found = impl_->pattern_of.find(Impl::pattern_key(order[k]));
+    if (found == impl_->pattern_of.end() || impl_->cost(last, found->second) >= kForbidden) return false;
+    last = found->second;
+    for (const ElementVisit& visit : impl_->pattern_chains[last]) {
+      if (k == order.size() || order[k] != visit) return false;
+      position[visit.element] = k++;
+    }
+  }
+  if (impl_->demands.containment == Containment::literal) return true;
+  return std::all_of(impl_->demands.contained.begin(), impl_->demands.contained.end(),
+                     [&](const auto& pair) { return position[pair.second] < position[pair.first]; });
+}
+
 double DrawingTour::cost(const std::vector<ElementVisit>& order) const { return impl_->problem->cost(impl_->tour(order)); }
 
 void DrawingTour::raise(const ElementVisit* from, const ElementVisit& to, double cost) {

@@ -30,6 +30,9 @@ class DrawingTour {
   std::vector<ElementVisit> solve(Context& context) const;
   /// A better tour from this one, which is one of those returned before. Never dearer.
   std::vector<ElementVisit> improve(const std::vector<ElementVisit>& order, Context& context) const;
+  /// Whether the order keeps containment and joints, drives no one-way element backwards, and uses no deleted
+  /// connection. O(n).
+  bool allows(const std::vector<ElementVisit>& order) const;
   /// What the tour's connections cost, as far as is known.
   double cost(const std::vector<ElementVisit>& order) const;
   /// The connection from one visit to the next costs this; `from` none: the start. No effect on joined ones.

@@ -36,6 +36,7 @@ struct ElementVisit {
   std::size_t element = 0;
   std::size_t entry = 0;  // of a closed one: position in its points
   bool backwards = false;
+  friend bool operator==(const ElementVisit&, const ElementVisit&) = default;
 };
 
 /// One element for each stroke, in their order. A closed stroke may be entered at the source's nodes and at more of its
