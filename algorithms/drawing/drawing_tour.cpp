@@ -16,11 +16,11 @@ namespace oxturn {
 namespace {
 
 constexpr std::uint64_t kKicksToImprove = 2000;
+constexpr std::size_t kMostRemembered = 5000;       // patterns: 100 MB
+constexpr std::size_t kMostDirectedEntries = 8;     // of a closed stroke that has a heading there; in both directions
 
 /// What is driven as one: one element, or several that are joined. Its visits in driving order.
 using Chain = std::vector<ElementVisit>;
-
-double heading(const Point& from, const Point& to) { return std::atan2(to.y() - from.y(), to.x() - from.x()); }
 
 /// Costs between patterns. Pattern 0 is the start; 1 is the same if the tour is driven backwards.
 class DrawingCost final : public ConnectionCost {
@@ -38,7 +38,14 @@ class DrawingCost final : public ConnectionCost {
     if (is_forbidden(from, to)) return kForbidden;
     const Pose &a = exits_[from], &b = entries_[to];
     if (!(radius_ > 0) || from < starts_ || to < starts_) return distance(a.at, b.at);
-    return dubins_curve(a, b, radius_).length();
+    if (known_.empty()) return dubins_curve(a, b, radius_).length();
+    float& known = known_[from * ends_.size() + to];
+    if (known < 0) known = static_cast<float>(dubins_curve(a, b, radius_).length());
+    return known;
+  }
+  /// All patterns are there. Lengths of curves are remembered, unless there are too many.
+  void finish() {
+    if (radius_ > 0 && ends_.size() <= kMostRemembered) known_.assign(ends_.size() * ends_.size(), -1);
   }
 
   void add_start(const Point& at, bool forwards) {
@@ -79,19 +86,10 @@ class DrawingCost final : public ConnectionCost {
   std::set<std::pair<ElementPort, ElementPort>> ports_;
   std::set<std::pair<std::size_t, std::size_t>> elements_;
   std::unordered_map<std::uint64_t, double> raised_;  // looked up, never listed
+  mutable std::vector<float> known_;                  // lengths of curves by patterns; below 0: not yet
 };
 
 }  // namespace
-
-Pose entry_pose(const DrawingElement& element, const ElementVisit& visit) {
-  const Polyline points = driven(element, visit).front().points;
-  return {points[0], heading(points[0], points[1])};
-}
-
-Pose exit_pose(const DrawingElement& element, const ElementVisit& visit) {
-  const Polyline points = driven(element, visit).back().points;
-  return {points.back(), heading(points[points.size() - 2], points.back())};
-}
 
 struct DrawingTour::Impl {
   Impl(const std::vector<DrawingElement>& all, TourDemands d, const Point& start, double radius)
@@ -102,6 +100,7 @@ struct DrawingTour::Impl {
       for (const auto& [outer, inner] : demands.contained)
         if (element_of[outer] != element_of[inner]) cost.forbid(outer, inner);
     add_patterns(start);
+    cost.finish();
     problem.emplace(cost, counts, reverse);
     if (demands.containment == Containment::strict)
       for (const auto& [outer, inner] : demands.contained)
@@ -167,9 +166,10 @@ struct DrawingTour::Impl {
                       e.name, elements[chain.back().element].name);
       return all;
     }
-    for (const std::size_t entry : e.entries) {
-      all.push_back({{chain[0].element, entry, false}});
-      if (directed) all.push_back({{chain[0].element, entry, true}});
+    const std::size_t step = directed ? (e.entries.size() + kMostDirectedEntries - 1) / kMostDirectedEntries : 1;
+    for (std::size_t k = 0; k < e.entries.size(); k += step) {
+      all.push_back({{chain[0].element, e.entries[k], false}});
+      if (directed) all.push_back({{chain[0].element, e.entries[k], true}});
     }
     return all;
   }

@@ -43,9 +43,4 @@ class DrawingTour {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Pose on entering and leaving an element.
-struct Pose;
-Pose entry_pose(const DrawingElement& element, const ElementVisit& visit);
-Pose exit_pose(const DrawingElement& element, const ElementVisit& visit);
-
 }  // namespace oxturn

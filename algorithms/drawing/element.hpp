@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/smoothing/curve.hpp"
 #include "geometry/path.hpp"
 #include "geometry/region.hpp"
 #include "maps/drawing.hpp"
@@ -50,6 +51,12 @@ std::vector<Leg> driven(const DrawingElement& element, const ElementVisit& visit
 /// Where the element is entered and left.
 Point entry_of(const DrawingElement& element, const ElementVisit& visit);
 Point exit_of(const DrawingElement& element, const ElementVisit& visit);
+/// The same with the headings there.
+Pose entry_pose(const DrawingElement& element, const ElementVisit& visit);
+Pose exit_pose(const DrawingElement& element, const ElementVisit& visit);
+/// At the ends of a line of at least two points.
+Pose first_heading(const Polyline& line);
+Pose last_heading(const Polyline& line);
 
 /// Metres driven with the tool on and off.
 double length(const DrawingElement& element);

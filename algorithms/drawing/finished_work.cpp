@@ -125,6 +125,13 @@ std::vector<std::size_t> FinishedWork::crossed(const Polyline& line, double keep
   return pieces;
 }
 
+bool FinishedWork::clear(const Polyline& line, double keep_off) const {
+  for (std::size_t i = 1; i < line.size(); ++i)
+    for (const double growth : {keep_off, 0.0})
+      if (!inside(line[i - 1], line[i], line.front(), line.back(), growth).empty()) return false;
+  return true;
+}
+
 double FinishedWork::crossing_m(const Polyline& line) const {
   double sum = 0;
   for (std::size_t i = 1; i < line.size(); ++i) sum += crossing_m(line[i - 1], line[i], line.front(), line.back());

@@ -39,6 +39,8 @@ class FinishedWork {
   /// The finished pieces nearer to the line than their half width, outside of the discs about its ends; and, with
   /// `keep_off`, those nearer than that more, outside of discs larger by as much. Ascending.
   std::vector<std::size_t> crossed(const Polyline& line, double keep_off) const;
+  /// Whether crossed() is empty; ends with the first piece that is crossed.
+  bool clear(const Polyline& line, double keep_off) const;
   /// Metres of the line inside finished pieces, outside of the discs.
   double crossing_m(const Polyline& line) const;
   /// The same for one segment of a transit from `from` to `to`.

@@ -13,20 +13,38 @@ constexpr std::size_t kReach = 50;            // positions
 constexpr std::size_t kTransitsEach = 40;     // priced for each element of the drawing, and at least
 constexpr std::size_t kLeastTransits = 4000;  // so many
 constexpr int kMostRounds = 20;
-constexpr double kGain = 1e-9;  // metres
+constexpr double kSmoothCost = 20;  // times as much as a transit with bends
+constexpr double kGain = 1e-9;      // metres
+constexpr double kDear = 1.25;      // of its bound: what a smooth transit costs at least to be looked at
 
 }  // namespace
 
 OrderMoves::OrderMoves(const std::vector<DrawingElement>& elements, const Point& start, const DrawingTour& tour,
-                       TransitRouter& router, FinishedWork& work, const std::vector<std::size_t>& first_piece)
-    : elements_(elements), start_(start), tour_(tour), router_(router), work_(work), first_piece_(first_piece) {}
+                       double radius, TransitRouter& router, FinishedWork& work,
+                       const std::vector<std::size_t>& first_piece)
+    : elements_(elements),
+      start_(start),
+      tour_(tour),
+      radius_(radius),
+      router_(router),
+      work_(work),
+      first_piece_(first_piece) {}
 
 Point OrderMoves::exit_before(const Order& order, std::size_t k) const {
   return k == 0 ? start_ : exit_of(elements_[order[k - 1].element], order[k - 1]);
 }
 
+double OrderMoves::price_of(const Order& order, std::size_t k) {
+  const Pose entry = entry_pose(elements_[order[k].element], order[k]);
+  return (k == 0 ? router_.route(start_, entry)
+                 : router_.route(exit_pose(elements_[order[k - 1].element], order[k - 1]), entry))
+      .price();
+}
+
 double OrderMoves::bound(const Order& order, std::size_t k) const {
-  return distance(exit_before(order, k), entry_of(elements_[order[k].element], order[k]));
+  const DrawingElement& to = elements_[order[k].element];
+  if (k == 0 || !(radius_ > 0)) return distance(exit_before(order, k), entry_of(to, order[k]));
+  return dubins_curve(exit_pose(elements_[order[k - 1].element], order[k - 1]), entry_pose(to, order[k]), radius_).length();
 }
 
 void OrderMoves::set_finished(const ElementVisit& visit, bool finished) {
@@ -54,7 +72,7 @@ double OrderMoves::price(const Order& order, std::size_t low, std::size_t high, 
   std::size_t k = low;
   for (; k < end && sum < most; ++k) {
     const double least = bound(order, k);
-    prices.push_back(router_.route(exit_before(order, k), entry_of(elements_[order[k].element], order[k])).price());
+    prices.push_back(price_of(order, k));
     sum += prices.back() - least;
     budget_ -= budget_ > 0;
     set_finished(order[k], true);
@@ -127,6 +145,8 @@ bool OrderMoves::improve_at(std::size_t k, const Context& context) {
 std::vector<ElementVisit> OrderMoves::improved(const DrivenOrder& from, const Context& context) {
   order_ = from.order;
   budget_ = std::max(kLeastTransits, kTransitsEach * order_.size());
+  if (radius_ > 0) budget_ = static_cast<std::size_t>(static_cast<double>(budget_) / kSmoothCost);
+  const double dear = radius_ > 0 ? kDear : 1;
   prices_.clear();
   for (const Transit& t : from.transits) prices_.push_back(t.price());
   for (std::size_t piece = 0; piece < work_.pieces().size(); ++piece) work_.undo(piece);
@@ -134,7 +154,7 @@ std::vector<ElementVisit> OrderMoves::improved(const DrivenOrder& from, const Co
   for (int round = 0; round < kMostRounds; ++round) {
     bool changed = false;
     for (std::size_t k = 0; k < order_.size(); ++k)
-      if (prices_[k] > bound(order_, k) + kGain && improve_at(k, context)) changed = true;
+      if (prices_[k] > dear * bound(order_, k) + kGain && improve_at(k, context)) changed = true;
     if (!changed || budget_ == 0 || context.cancelled()) break;
   }
   return order_;

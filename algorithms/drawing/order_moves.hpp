@@ -1,12 +1,12 @@
 /// Local search over the order of a drawing's elements, at the price that transits really have (priced_order.hpp).
 ///
-///   OrderMoves moves(elements, start, tour, router, work, first_piece);
+///   OrderMoves moves(elements, start, tour, radius, router, work, first_piece);
 ///   order = moves.improved(driven, context);
 ///
 /// At each transit that is longer than the straight line, or crosses finished work: the element on either side is moved
 /// up to 50 positions away, in either direction of driving, and a run of up to 50 elements beside it is turned round.
 /// What is drawn before the first and after the last changed position stays the same, so only transits between are
-/// priced. A move whose straight distances already cost more is rejected at once.
+/// priced. A move whose shortest curves already cost more is rejected at once.
 #pragma once
 
 #include <vector>
@@ -21,7 +21,7 @@ struct DrivenOrder;
 class OrderMoves {
  public:
   /// References must outlive it.
-  OrderMoves(const std::vector<DrawingElement>& elements, const Point& start, const DrawingTour& tour,
+  OrderMoves(const std::vector<DrawingElement>& elements, const Point& start, const DrawingTour& tour, double radius,
              TransitRouter& router, FinishedWork& work, const std::vector<std::size_t>& first_piece);
 
   std::vector<ElementVisit> improved(const DrivenOrder& from, const Context& context);
@@ -40,6 +40,7 @@ class OrderMoves {
   /// The price of the transits to positions low to high + 1; infinity once it is `most` or more.
   double price(const Order& order, std::size_t low, std::size_t high, double most, std::vector<double>& prices);
   double bound(const Order& order, std::size_t k) const;
+  double price_of(const Order& order, std::size_t k);
   void set_finished(const ElementVisit& visit, bool finished);
   void finish_before(std::size_t k);
   ElementVisit turned(ElementVisit visit) const;
@@ -48,6 +49,7 @@ class OrderMoves {
   const std::vector<DrawingElement>& elements_;
   Point start_;
   const DrawingTour& tour_;
+  double radius_;  // 0: transits may have bends
   TransitRouter& router_;
   FinishedWork& work_;
   const std::vector<std::size_t>& first_piece_;

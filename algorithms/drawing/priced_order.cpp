@@ -35,8 +35,14 @@ PricedOrder::PricedOrder(const std::vector<DrawingElement>& elements, const Poin
                          TransitRouter& router, FinishedWork& work)
     : elements_(elements), start_(start), rule_(rule), router_(router), work_(work), first_piece_(pieces_of(elements).first) {}
 
-Transit PricedOrder::transit(const Point& from, const Point& to) {
+Transit PricedOrder::transit(const Pose& from, const Pose& to) {
   return rule_ == Finished::around ? router_.route(from, to) : router_.direct(from, to);
+}
+
+Transit PricedOrder::transit_to(const std::vector<ElementVisit>& order, std::size_t k) {
+  const Pose entry = entry_pose(elements_[order[k].element], order[k]);
+  if (k > 0) return transit(exit_pose(elements_[order[k - 1].element], order[k - 1]), entry);
+  return rule_ == Finished::around ? router_.route(start_, entry) : router_.direct(start_, entry);
 }
 
 /// Finishes the element's pieces in driving order. Transits inside a fill.
@@ -44,24 +50,21 @@ std::vector<Transit> PricedOrder::draw(const ElementVisit& visit) {
   const DrawingElement& element = elements_[visit.element];
   std::size_t piece = visit.backwards ? first_piece_[visit.element + 1] : first_piece_[visit.element];
   std::vector<Transit> inner;
-  for (const Leg& leg : oxturn::driven(element, visit)) {
-    if (leg.tool)
+  const std::vector<Leg> legs = oxturn::driven(element, visit);
+  for (std::size_t k = 0; k < legs.size(); ++k) {
+    if (legs[k].tool)
       work_.finish(visit.backwards ? --piece : piece++);
     else if (element.is_fill())
-      inner.push_back(transit(leg.points.front(), leg.points.back()));
+      inner.push_back(transit(last_heading(legs[k - 1].points), first_heading(legs[k + 1].points)));
   }
   return inner;
-}
-
-Point PricedOrder::exit_before(const std::vector<ElementVisit>& order, std::size_t k) const {
-  return k == 0 ? start_ : exit_of(elements_[order[k - 1].element], order[k - 1]);
 }
 
 DrivenOrder PricedOrder::driven(const std::vector<ElementVisit>& order) {
   DrivenOrder result{order, {}, {}, 0, 0};
   for (std::size_t piece = 0; piece < work_.pieces().size(); ++piece) work_.undo(piece);
   for (std::size_t k = 0; k < order.size(); ++k) {
-    result.transits.push_back(transit(exit_before(order, k), entry_of(elements_[order[k].element], order[k])));
+    result.transits.push_back(transit_to(order, k));
     result.inner.push_back(draw(order[k]));
     result.crossing_m += result.transits.back().crossing_m;
     result.length_m += result.transits.back().length_m;
@@ -90,7 +93,7 @@ DrivenOrder PricedOrder::search(DrawingTour& tour, Context& context) {
     if (better(at, best)) best = at;
   }
   if (rule_ != Finished::around || context.cancelled()) return best;
-  OrderMoves moves(elements_, start_, tour, router_, work_, first_piece_);
+  OrderMoves moves(elements_, start_, tour, router_.radius(), router_, work_, first_piece_);
   at = driven(moves.improved(best, context));
   return better(at, best) ? at : best;
 }

@@ -49,10 +49,10 @@ class PricedOrder {
   DrivenOrder driven(const std::vector<ElementVisit>& order);
 
  private:
-  Transit transit(const Point& from, const Point& to);
+  Transit transit(const Pose& from, const Pose& to);
+  Transit transit_to(const std::vector<ElementVisit>& order, std::size_t k);
   std::vector<Transit> draw(const ElementVisit& visit);
   void raise(const DrivenOrder& order, DrawingTour& tour);
-  Point exit_before(const std::vector<ElementVisit>& order, std::size_t k) const;
 
   const std::vector<DrawingElement>& elements_;
   Point start_;

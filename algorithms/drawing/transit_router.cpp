@@ -13,15 +13,28 @@ constexpr int kMostRounds = 40;       // of adding what the path crosses
 
 }  // namespace
 
-TransitRouter::TransitRouter(const Problem& problem, const FinishedWork& work, double keep_off)
-    : problem_(problem), work_(work), keep_off_(keep_off), connector_(problem) {}
+TransitRouter::TransitRouter(const Problem& problem, const FinishedWork& work, double keep_off,
+                             const SmoothTransits* smooth)
+    : problem_(problem), work_(work), keep_off_(keep_off), smooth_(smooth), connector_(problem) {}
 
-Transit TransitRouter::measured(Polyline path) const {
+Transit TransitRouter::measured(Polyline path, bool keeps_radius) const {
   const double metres = length(path), crossing = work_.crossing_m(path);
-  return {std::move(path), metres, crossing};
+  return {std::move(path), metres, crossing, keeps_radius};
 }
 
-Transit TransitRouter::direct(const Point& from, const Point& to) const { return measured(connector_.path(from, to)); }
+Transit TransitRouter::direct(const Pose& from, const Pose& to) const {
+  Polyline path = connector_.path(from.at, to.at);
+  if (smooth_ == nullptr) return measured(std::move(path));
+  SmoothTransit t = smooth_->find(from, to, path);
+  return measured(std::move(t.path), t.keeps_radius);
+}
+
+Transit TransitRouter::direct(const Point& from, const Pose& to) const {
+  Polyline path = connector_.path(from, to.at);
+  if (smooth_ == nullptr) return measured(std::move(path));
+  SmoothTransit t = smooth_->find(from, to, path);
+  return measured(std::move(t.path), t.keeps_radius);
+}
 
 const Region& TransitRouter::sweep(std::size_t piece, bool grown) {
   const auto found = sweeps_.find({piece, grown});
@@ -50,7 +63,7 @@ Region TransitRouter::free_region(const std::vector<std::size_t>& pieces, const 
 }
 
 std::optional<TransitRouter::Known> TransitRouter::lazy(const Point& from, const Point& to, double keep_off) {
-  Known known{{}, keep_off, {connector_.path(from, to)}, 0};
+  Known known{.round = {}, .keep_off = keep_off, .transit = {connector_.path(from, to)}};
   for (int round = 0; round < kMostRounds; ++round) {
     bool added = false;
     for (const std::size_t piece : work_.crossed(known.transit.path, keep_off)) {
@@ -72,7 +85,7 @@ std::optional<TransitRouter::Known> TransitRouter::lazy(const Point& from, const
 }
 
 bool TransitRouter::valid(const Known& known) const {
-  if (known.transit.crossing_m > 0 || known.keep_off < keep_off_) return known.fingerprint == work_.fingerprint();
+  if (known.for_this_work) return known.fingerprint == work_.fingerprint();
   const auto finished = [&](std::size_t piece) { return work_.finished(piece); };
   return std::all_of(known.round.begin(), known.round.end(), finished) && is_clear(known);
 }
@@ -83,22 +96,41 @@ bool TransitRouter::is_clear(const Known& known) const {
   return std::includes(known.round.begin(), known.round.end(), crossed.begin(), crossed.end());
 }
 
-Transit TransitRouter::route(const Point& from, const Point& to) {
-  const Key key{from.x(), from.y(), to.x(), to.y()};
+TransitRouter::Known TransitRouter::with_bends(const Point& from, const Point& to) {
+  if (auto best = lazy(from, to, keep_off_)) return *best;
+  if (keep_off_ > 0)
+    if (auto best = lazy(from, to, 0)) {
+      best->for_this_work = true;
+      return *best;
+    }
+  Known best{.round = {}, .transit = measured(connector_.path(from, to)), .for_this_work = true};
+  if (!weighted_) weighted_.emplace(problem_, work_, Transit::kCrossingWeight);
+  if (auto path = weighted_->path(from, to))
+    if (Transit t = measured(std::move(*path)); t.price() < best.transit.price()) best.transit = std::move(t);
+  return best;
+}
+
+void TransitRouter::smoothen(Known& known, const Pose& from, bool any_heading, const Pose& to) const {
+  SmoothTransit t = any_heading ? smooth_->find(from.at, to, known.transit.path)
+                                : smooth_->find(from, to, known.transit.path);
+  known.transit = measured(std::move(t.path), t.keeps_radius);
+  known.for_this_work = known.for_this_work || known.transit.crossing_m > 0 || !t.keeps_radius;
+  if (!is_clear(known)) known.keep_off = 0;
+}
+
+Transit TransitRouter::route(const Pose& from, bool any_heading, const Pose& to) {
+  const bool headings = smooth_ != nullptr;
+  const Key key{from.at.x(), from.at.y(), headings && !any_heading ? from.heading : kAnyHeading,
+                to.at.x(),   to.at.y(),   headings ? to.heading : kAnyHeading};
   const auto found = known_.find(key);
   if (found != known_.end() && valid(found->second)) return found->second.transit;
-  std::optional<Known> best = lazy(from, to, keep_off_);
-  if (!best && keep_off_ > 0) best = lazy(from, to, 0);
-  if (!best) {
-    if (!weighted_) weighted_.emplace(problem_, work_, Transit::kCrossingWeight);
-    std::optional<Polyline> path = weighted_->path(from, to);
-    best = Known{{}, 0, direct(from, to), 0};
-    if (path)
-      if (Transit t = measured(std::move(*path)); t.price() < best->transit.price()) best->transit = std::move(t);
-  }
-  best->fingerprint = work_.fingerprint();
-  known_.insert_or_assign(key, *best);
-  return best->transit;
+  Known known = with_bends(from.at, to.at);
+  if (smooth_ != nullptr) smoothen(known, from, any_heading, to);
+  known.fingerprint = work_.fingerprint();
+  return known_.insert_or_assign(key, std::move(known)).first->second.transit;
 }
+
+Transit TransitRouter::route(const Pose& from, const Pose& to) { return route(from, false, to); }
+Transit TransitRouter::route(const Point& from, const Pose& to) { return route(Pose{from, 0}, true, to); }
 
 }  // namespace oxturn

@@ -48,7 +48,14 @@ class DrawingGenerator {
 
   void stroke(const std::string& element, Polyline points) {
     if (points.size() < 2) return;
-    drawing_.strokes.push_back({.element = element, .points = std::move(points), .width = kWidths[rng_.below(4)]});
+    DrawnStroke stroke{};
+    stroke.element = element;
+    stroke.points = std::move(points);
+    stroke.width = kWidths[rng_.below(4)];
+    for (std::size_t k = 0; k < stroke.points.size(); ++k) stroke.nodes.push_back(k);
+    for (std::size_t k = 1; k + 1 < stroke.points.size(); ++k) stroke.corners.push_back(k);
+    if (stroke.points.front() == stroke.points.back()) stroke.corners.push_back(stroke.points.size() - 1);
+    drawing_.strokes.push_back(std::move(stroke));
   }
   void add_area(int k, const Polygon& part) {
     static const std::vector<std::string> kFills{"", "spiral", "zigzag", "contour"};
