@@ -19,6 +19,9 @@
 namespace oxturn {
 namespace {
 
+// Tool widths about the ends of a transit in which nothing counts as driving over finished work: half a width, and a
+// little more, so that the round end of a stroke as wide as the tool leaves no ring about the robot.
+constexpr double kExempt = 0.52;
 constexpr double kDeviation = 0.1;  // tool widths that a rounded corner may leave its vertex
 
 enum class Fill { spiral, zigzag, contour };
@@ -80,7 +83,7 @@ class Beachbot final : public CoveragePlanner {
     if (drawing.start) path.drive(Connector(problem).path(path.at(), *drawing.start), false);
     const double radius = p_.round_radius > 0 ? p_.round_radius : problem.robot().min_turn_radius;
     const double keep_off = p_.keep_off < 0 ? problem.robot().radius : p_.keep_off;
-    FinishedWork work(pieces_of(elements).pieces, problem.robot().tool_width / 2);
+    FinishedWork work(pieces_of(elements).pieces, kExempt * problem.robot().tool_width);
     std::optional<SmoothTransits> smooth;
     if (radius > 0) smooth.emplace(problem, work, smooth_options(radius, keep_off));
     TransitRouter router(problem, work, keep_off, smooth ? &*smooth : nullptr);

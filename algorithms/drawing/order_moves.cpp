@@ -139,7 +139,25 @@ bool OrderMoves::try_turning(std::size_t k) {
 
 bool OrderMoves::improve_at(std::size_t k, const Context& context) {
   if (context.cancelled() || budget_ == 0) return false;
-  return try_moving(k) || (k > 0 && try_moving(k - 1)) || try_turning(k);
+  if (try_moving(k) || (k > 0 && try_moving(k - 1)) || try_turning(k)) return true;
+  for (const std::size_t obstacle : obstacles(k))
+    if (budget_ > 0 && try_moving(obstacle)) return true;
+  return false;
+}
+
+/// Positions of the elements that are in the way of the straight line to position k: they might be drawn later.
+std::vector<std::size_t> OrderMoves::obstacles(std::size_t k) {
+  finish_before(k);
+  std::vector<bool> in_the_way(elements_.size(), false);
+  for (const std::size_t piece :
+       work_.crossed({exit_before(order_, k), entry_of(elements_[order_[k].element], order_[k])}, 0)) {
+    const auto after = std::upper_bound(first_piece_.begin(), first_piece_.end(), piece);
+    in_the_way[static_cast<std::size_t>(after - first_piece_.begin()) - 1] = true;
+  }
+  std::vector<std::size_t> positions;
+  for (std::size_t p = 0; p < k; ++p)
+    if (in_the_way[order_[p].element]) positions.push_back(p);
+  return positions;
 }
 
 std::vector<ElementVisit> OrderMoves::improved(const DrivenOrder& from, const Context& context) {

@@ -4,7 +4,8 @@
 ///   order = moves.improved(driven, context);
 ///
 /// At each transit that is longer than the straight line, or crosses finished work: the element on either side is moved
-/// up to 50 positions away, in either direction of driving, and a run of up to 50 elements beside it is turned round.
+/// up to 50 positions away, in either direction of driving, as are those that are in the way; and a run of up to 50
+/// elements beside it is turned round.
 /// What is drawn before the first and after the last changed position stays the same, so only transits between are
 /// priced. A move whose shortest curves already cost more is rejected at once.
 #pragma once
@@ -34,6 +35,7 @@ class OrderMoves {
     Order block;
   };
   bool improve_at(std::size_t k, const Context& context);
+  std::vector<std::size_t> obstacles(std::size_t k);
   bool try_moving(std::size_t k);
   bool try_turning(std::size_t k);
   bool accept(const Move& move);
