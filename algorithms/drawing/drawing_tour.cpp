@@ -15,6 +15,8 @@
 namespace oxturn {
 namespace {
 
+constexpr std::uint64_t kKicksEach = 100;           // for each element, and at most the solver's default
+constexpr std::uint64_t kKicksEachToImprove = 40;   // the same for tours to be improved, and at most
 constexpr std::uint64_t kKicksToImprove = 2000;
 constexpr std::size_t kMostRemembered = 5000;       // patterns: 100 MB
 constexpr std::size_t kMostDirectedEntries = 8;     // of a closed stroke that has a heading there; in both directions
@@ -33,7 +35,7 @@ class DrawingCost final : public ConnectionCost {
   const std::vector<Ends>* ends() const override { return &ends_; }
   double operator()(PatternId from, PatternId to) const override {
     if (free_entry_[to] || free_exit_[from]) return 0;
-    if (!raised_.empty())
+    if (has_raised_[from])
       if (const auto known = raised_.find(key(from, to)); known != raised_.end()) return known->second;
     if (is_forbidden(from, to)) return kForbidden;
     const Pose &a = exits_[from], &b = entries_[to];
@@ -62,11 +64,15 @@ class DrawingCost final : public ConnectionCost {
     out_.push_back(out);
     free_entry_.push_back(false);
     free_exit_.push_back(false);
+    has_raised_.push_back(0);
   }
   void forbid(const ElementPort& a, const ElementPort& b) { ports_.insert({a, b}), ports_.insert({b, a}); }
   /// No direct connection from one element to another.
   void forbid(std::size_t from, std::size_t to) { elements_.insert({from, to}), reversible_ = false; }
-  void raise(PatternId from, PatternId to, double cost) { raised_[key(from, to)] = cost; }
+  void raise(PatternId from, PatternId to, double cost) {
+    raised_[key(from, to)] = cost;
+    has_raised_[from] = 1;
+  }
 
  private:
   static std::uint64_t key(PatternId from, PatternId to) { return std::uint64_t{from} << 32 | to; }
@@ -86,6 +92,7 @@ class DrawingCost final : public ConnectionCost {
   std::set<std::pair<ElementPort, ElementPort>> ports_;
   std::set<std::pair<std::size_t, std::size_t>> elements_;
   std::unordered_map<std::uint64_t, double> raised_;  // looked up, never listed
+  std::vector<std::uint8_t> has_raised_;              // by pattern: some connection from there
   mutable std::vector<float> known_;                  // lengths of curves by patterns; below 0: not yet
 };
 
@@ -133,6 +140,12 @@ struct DrawingTour::Impl {
   void add_chain(Chain chain) {
     for (const ElementVisit& visit : chain) element_of[visit.element] = chains.size() + 1;
     chains.push_back(std::move(chain));
+  }
+
+  TourEffort effort(std::uint64_t each, std::optional<std::uint64_t> most) const {
+    TourEffort effort{.kicks = most};
+    effort.kicks = std::min(each * chains.size(), effort.kicks_for(chains.size()));
+    return effort;
   }
 
   static Chain backwards(Chain chain) {
@@ -244,12 +257,11 @@ DrawingTour::DrawingTour(const std::vector<DrawingElement>& elements, TourDemand
 DrawingTour::~DrawingTour() = default;
 
 std::vector<ElementVisit> DrawingTour::solve(Context& context) const {
-  return impl_->visits(solve_tour(*impl_->problem, context));
+  return impl_->visits(solve_tour(*impl_->problem, context, impl_->effort(kKicksEach, {})));
 }
 
 std::vector<ElementVisit> DrawingTour::improve(const std::vector<ElementVisit>& order, Context& context) const {
-  TourEffort effort;
-  effort.kicks = kKicksToImprove;
+  const TourEffort effort = impl_->effort(kKicksEachToImprove, kKicksToImprove);
   return impl_->visits(improved_tour(*impl_->problem, impl_->tour(order), context, effort));
 }
 
