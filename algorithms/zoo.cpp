@@ -14,6 +14,8 @@ PlannerInfo oarp();
 PlannerInfo smooth_spiral();
 PlannerInfo skeleton_spiral();
 PlannerInfo completed();
+PlannerInfo shortest();
+PlannerInfo polished();
 PlannerInfo trapezoid();
 PlannerInfo stc();
 PlannerInfo stc_spiral();
@@ -56,14 +58,45 @@ Planners with_curves(const Planners& planners) {
 }  // namespace
 
 Planners built_in_planners() {
-  return with_curves(Planners(
-      "planner",
-      {boustrophedon(), zigzag(),        contour(),         connected_fermat(),    field(),       field_predictive(),
-       oarp(),          smooth_spiral(), skeleton_spiral(), completed(),           trapezoid(),   stc(),
-       stc_spiral(),    stc_scan(),      stc_loops(),       rectangles(),          wavefront(),   bsa(),
-       linked_spiral(), ba_star(),       smart_dfs(),       cell_explore(),        hyun(),        leashed(),
-       berg(),          berg_complete(), shnaps_rimon(),    shnaps_rimon_banded(), tether_tree(), tethered_stc(),
-       random_walk(),   spiral_out(),    wall_follow(),     vacuum_mix(),          beachbot()}));
+  return with_curves(Planners("planner", {
+                                             boustrophedon(),
+                                             zigzag(),
+                                             contour(),
+                                             connected_fermat(),
+                                             field(),
+                                             field_predictive(),
+                                             oarp(),
+                                             smooth_spiral(),
+                                             skeleton_spiral(),
+                                             completed(),
+                                             shortest(),
+                                             polished(),
+                                             trapezoid(),
+                                             stc(),
+                                             stc_spiral(),
+                                             stc_scan(),
+                                             stc_loops(),
+                                             rectangles(),
+                                             wavefront(),
+                                             bsa(),
+                                             linked_spiral(),
+                                             ba_star(),
+                                             smart_dfs(),
+                                             cell_explore(),
+                                             hyun(),
+                                             leashed(),
+                                             berg(),
+                                             berg_complete(),
+                                             shnaps_rimon(),
+                                             shnaps_rimon_banded(),
+                                             tether_tree(),
+                                             tethered_stc(),
+                                             random_walk(),
+                                             spiral_out(),
+                                             wall_follow(),
+                                             vacuum_mix(),
+                                             beachbot(),
+                                         }));
 }
 
 }  // namespace oxturn

@@ -26,6 +26,12 @@ std::string csv_line(const std::vector<std::string>& cells) {
 
 std::vector<std::vector<std::string>> parse_csv(const std::string& text, const std::string& source) {
   std::vector<std::vector<std::string>> lines;
+  for_each_csv_line(text, source, [&](std::vector<std::string> cells) { lines.push_back(std::move(cells)); });
+  return lines;
+}
+
+void for_each_csv_line(const std::string& text, const std::string& source,
+                       const std::function<void(std::vector<std::string>)>& f) {
   std::vector<std::string> cells;
   std::string cell;
   std::size_t line = 1, opened = 0;
@@ -62,7 +68,7 @@ std::vector<std::vector<std::string>> parse_csv(const std::string& text, const s
       if (c == '\r') ++i;
       ++line;
       end_cell();
-      lines.push_back(std::move(cells));
+      f(std::move(cells));
       cells.clear();
     } else if (was_quoted) {
       throw_invalid("{}:{}: text after a closing quote; expected a comma or the line's end", source, line);
@@ -73,9 +79,8 @@ std::vector<std::vector<std::string>> parse_csv(const std::string& text, const s
   if (in_quotes) throw_invalid("{}:{}: a quote is never closed", source, opened);
   if (!cell.empty() || was_quoted || !cells.empty()) {
     end_cell();
-    lines.push_back(std::move(cells));
+    f(std::move(cells));
   }
-  return lines;
 }
 
 }  // namespace oxturn

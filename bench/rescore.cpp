@@ -160,12 +160,12 @@ class Rescoring {
     const FinishTask task{problem, planned, registry_.metrics, options_, problem_name(problem_hash_), run, scoring};
     const Finished finished = finish_isolated(task, session_.limits);
     for (const Metric& metric : registry_.metrics) row.cells.erase(metric.name);
-    for (const auto& [column, cell] : finished.cells) row.cells[column] = cell;
-    if (row.get("promise") == to_text(Promise::cells) && !kept.empty()) row.cells["promise_coverage"] = kept;
+    for (const auto& [column, cell] : finished.cells) row.cells.set(column, cell);
+    if (row.get("promise") == to_text(Promise::cells) && !kept.empty()) row.cells.set("promise_coverage", kept);
     const Verdict verdict =
         finished.breach ? *finished.breach : judge(planned, finished.score, session_.target_coverage);
-    row.cells["outcome"] = to_text(verdict.outcome);
-    row.cells["reason"] = verdict.reason;
+    row.cells.set("outcome", to_text(verdict.outcome));
+    row.cells.set("reason", verdict.reason);
     trace_.set(run, finished.trace);
     for (const std::string& remark : finished.remarks)
       progress_.remark(fmt::format("{} on {}: {}", row.get("variant"), row.get("map"), remark));

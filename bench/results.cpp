@@ -115,14 +115,8 @@ std::optional<Outcome> outcome_from(const std::string& name) {
 
 bool is_unfinished(Outcome outcome) { return outcome == Outcome::cancelled || outcome == Outcome::infrastructure; }
 
-const std::string& Row::get(const std::string& column) const {
-  static const std::string kEmpty;
-  const auto cell = cells.find(column);
-  return cell == cells.end() ? kEmpty : cell->second;
-}
-
 std::optional<double> Row::number(const std::string& column) const {
-  const std::string& cell = get(column);
+  const std::string cell = get(column);
   if (cell.empty()) return std::nullopt;
   double value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
@@ -166,7 +160,7 @@ Row row_of(const std::vector<std::string>& header, const std::vector<std::string
                     line, cells.size(), header.size()));
   Row row;
   for (std::size_t k = 0; k < header.size(); ++k)
-    if (!cells[k].empty()) row.cells[header[k]] = cells[k];
+    if (!cells[k].empty()) row.cells.set(header[k], cells[k]);
   if (!outcome_from(row.get("outcome")))
     throw std::invalid_argument(
         fmt::format("{}: row {} has outcome '{}', which is none", source, line, row.get("outcome")));
@@ -183,11 +177,14 @@ void require_columns(const std::vector<std::string>& header, const std::string& 
 }  // namespace
 
 std::vector<Row> rows_from_csv(const std::string& text, const std::string& source) {
-  const auto lines = parse_csv(text, source);
-  if (lines.empty()) throw std::invalid_argument(fmt::format("{}: empty, expected a header line", source));
-  require_columns(lines[0], source);
+  std::vector<std::string> header;
   std::vector<Row> rows;
-  for (std::size_t i = 1; i < lines.size(); ++i) rows.push_back(row_of(lines[0], lines[i], source, i));
+  for_each_csv_line(text, source, [&](std::vector<std::string> cells) {
+    if (!header.empty()) return rows.push_back(row_of(header, cells, source, rows.size() + 1));
+    header = std::move(cells);
+    require_columns(header, source);
+  });
+  if (header.empty()) throw std::invalid_argument(fmt::format("{}: empty, expected a header line", source));
   return rows;
 }
 

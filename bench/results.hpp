@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/row_cells.hpp"
 #include "metrics/score.hpp"
 
 namespace oxturn {
@@ -46,8 +47,8 @@ std::string to_json(const Columns& columns);
 
 /// One line of runs.csv, by column name. A missing name is an empty cell.
 struct Row {
-  std::map<std::string, std::string> cells;
-  const std::string& get(const std::string& column) const;  // "" if empty
+  RowCells cells;
+  std::string get(const std::string& column) const { return cells.get(column); }  // "" if empty
   /// Throws std::invalid_argument if the cell holds something else than a number.
   std::optional<double> number(const std::string& column) const;
   Outcome outcome() const;

@@ -326,8 +326,8 @@ class SuiteRun {
   void finish(std::size_t index, Outcome outcome, const std::string& reason) {
     Run& run = runs_[index];
     if (!run.begun) run.row = blank_row(work_, index);
-    run.row.cells["outcome"] = to_text(outcome);
-    run.row.cells["reason"] = reason;
+    run.row.cells.set("outcome", to_text(outcome));
+    run.row.cells.set("reason", reason);
     run.done = true;
     run.id = run.row.get("run_id");
     progress_.ran(outcome);

@@ -36,8 +36,8 @@ std::string as_reason(const std::string& text) {
 }
 
 void end(Row& row, Outcome outcome, const std::string& reason) {
-  row.cells["outcome"] = to_text(outcome);
-  row.cells["reason"] = as_reason(reason);
+  row.cells.set("outcome", to_text(outcome));
+  row.cells.set("reason", as_reason(reason));
 }
 
 struct Setting {
@@ -145,22 +145,22 @@ Row row_of(const Work& work, std::size_t index, const Setting& setting) {
                {"robot", robot.name},
                {"tool_width_m", to_decimal(robot.tool_width)},
                {"repeat", std::to_string(cell.repeat)}};
-  row.cells.insert(setting.cells.begin(), setting.cells.end());
-  if (robot.footprint.empty()) row.cells["robot_radius_m"] = to_decimal(robot.radius);
+  for (const auto& [column, value] : setting.cells) row.cells.set(column, value);
+  if (robot.footprint.empty()) row.cells.set("robot_radius_m", to_decimal(robot.radius));
   if (setting.problem) {
-    row.cells["seed"] = std::to_string(seed);
-    row.cells["problem_sha256"] = setting.hash;
+    row.cells.set("seed", std::to_string(seed));
+    row.cells.set("problem_sha256", setting.hash);
   }
   return row;
 }
 
 void write_process(const Planned& planned, Row& row) {
-  if (planned.exit_code != 0) row.cells["exit_code"] = std::to_string(planned.exit_code);
-  if (planned.signal != 0) row.cells["signal"] = std::to_string(planned.signal);
+  if (planned.exit_code != 0) row.cells.set("exit_code", std::to_string(planned.exit_code));
+  if (planned.signal != 0) row.cells.set("signal", std::to_string(planned.signal));
   if (planned.wall_s <= 0) return;
-  row.cells["plan_wall_s"] = to_decimal(planned.wall_s);
-  row.cells["plan_cpu_s"] = to_decimal(planned.cpu_s);
-  row.cells["peak_rss_bytes"] = to_decimal(planned.peak_rss_bytes);
+  row.cells.set("plan_wall_s", to_decimal(planned.wall_s));
+  row.cells.set("plan_cpu_s", to_decimal(planned.cpu_s));
+  row.cells.set("peak_rss_bytes", to_decimal(planned.peak_rss_bytes));
 }
 
 /// Lines of metrics.csv; empty means not applicable.
@@ -185,11 +185,11 @@ void finish_run(const Work& work, const Setting& setting, std::size_t index, con
   const FinishTask task{*setting.problem,  planned, work.registry.metrics, work.options, setting.problem_file,
                         row.get("run_id"), scoring};
   const Finished finished = finish_isolated(task, work.suite.limits);
-  for (const auto& [column, cell] : finished.cells) row.cells[column] = cell;
+  for (const auto& [column, cell] : finished.cells) row.cells.set(column, cell);
   const Verdict verdict =
       finished.breach ? *finished.breach : judge(planned, finished.score, work.suite.target_coverage);
   end(row, verdict.outcome, verdict.reason);
-  if (planned.outcome == Outcome::ok) row.cells["promise"] = to_text(scoring.promise);
+  if (planned.outcome == Outcome::ok) row.cells.set("promise", to_text(scoring.promise));
   if (!planned.records.empty()) send_message(fd, messages::kMetrics, index, joined(metric_lines(planned.records)));
   if (!finished.trace.empty()) send_message(fd, messages::kTrace, index, joined(finished.trace));
   for (const std::string& remark : finished.remarks)
@@ -209,7 +209,7 @@ void run_one(const Work& work, const Setting& setting, std::size_t index, int fd
     options.seed = run_seed(work.suite.seed, spec.name, setting.hash, work.cells[index].repeat);
     options.warm_ups = work.suite.warm_ups;
     options.traces = work.options.traces;
-    if (const double load = load_average(); load >= 0) row.cells["load"] = to_decimal(load);
+    if (const double load = load_average(); load >= 0) row.cells.set("load", to_decimal(load));
     options.log_file = fmt::format("{}/logs/{}.log", work.options.folder, row.get("run_id"));
     const auto make = [&] { return planner.make(spec.settings, work.registry.planners); };
     const Planned planned = plan_isolated(make, problem, options);
@@ -247,7 +247,7 @@ std::vector<std::string> lines_from(std::string_view bytes) {
 
 std::string pack(const Row& row) {
   std::string bytes;
-  for (const auto& [column, cell] : row.cells) {
+  for (const auto& [column, cell] : row.cells.all()) {
     wire::put_text(bytes, column);
     wire::put_text(bytes, cell);
   }
@@ -258,14 +258,14 @@ Row row_from(std::string_view bytes) {
   Row row;
   while (!bytes.empty()) {
     const std::string column = wire::take_text(bytes);
-    row.cells[column] = wire::take_text(bytes);
+    row.cells.set(column, wire::take_text(bytes));
   }
   return row;
 }
 
 MapCells map_cells_of(const Row& row) {
   MapCells cells;
-  for (const auto& [column, cell] : row.cells)
+  for (const auto& [column, cell] : row.cells.all())
     if (column.starts_with("map_") && column != kAreaTools) cells[column] = cell;
   return cells;
 }
@@ -300,7 +300,7 @@ void run_unit(const Work& work, const Unit& unit, int fd) {
         send_message(fd, messages::kKept, index, row.get("run_id"));
         continue;
       }
-      row.cells["attempt"] = std::to_string(earlier->second.attempts + 1);
+      row.cells.set("attempt", std::to_string(earlier->second.attempts + 1));
     }
     send_message(fd, messages::kBegun, index, pack(row));
     run_one(work, setting, index, fd, row);

@@ -20,19 +20,30 @@ struct Options {
   ReaderOptions read;
 };
 
+MapSource source_of(const Options& options, const Registry& registry) {
+  if (!options.from.empty())
+    return {.file = options.source, .settings = reader_settings(options.read, registry.formats)};
+  ProblemOptions map;
+  map.map = options.source;
+  map.read = options.read;
+  return map_source(map, registry);
+}
+
 MapFile make(const Options& options, const Registry& registry) {
-  const bool file = is_standard_stream(options.source) || !options.from.empty() || file_exists(options.source) ||
-                    options.source.find_first_of("./\\") != std::string::npos;
-  if (file && registry.generators.get(options.source) == nullptr) {
+  MapSource source = source_of(options, registry);
+  if (!source.file.empty()) {
     if (!options.settings.empty() || options.seed)
       throw std::invalid_argument(
           fmt::format("--set and --seed are for generators, and '{}' is a file", options.source));
-    return read_map(options.source, reader_settings(options.read, registry.formats), registry.formats, options.from);
+    return read_map(source.file, source.settings, registry.formats, options.from);
   }
-  const GeneratorInfo& generator = registry.generators.find(options.source);
-  const Settings settings =
-      parse_settings("generator '" + generator.name + "'", generator.parameters, options.settings);
-  return MapFile{generate(generator, settings, options.seed.value_or(1)), {}, {}, {}, {}};
+  const GeneratorInfo& generator = registry.generators.find(source.generator);
+  source.settings = parse_settings("generator '" + generator.name + "'", generator.parameters, options.settings);
+  if (options.seed && options.source != source.generator)
+    throw std::invalid_argument(
+        fmt::format("the seed is given twice: by '{}' and by --seed {}", options.source, *options.seed));
+  if (options.seed) source.seed = *options.seed;
+  return load_map(source, registry.generators, registry.formats);
 }
 
 int map(const Options& options, const Registry& registry) {
@@ -48,12 +59,9 @@ int map(const Options& options, const Registry& registry) {
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
   const auto options = std::make_shared<Options>();
-  app.add_option("SOURCE", options->source,
-                 "a generator (`oxturn list maps`) or a map file (`oxturn list formats`); - is standard input")
-      ->required()
-      ->type_name("");
+  app.add_option("SOURCE", options->source, kMapHelp)->required()->type_name("");
   add_settings(app, options->settings, "generator");
-  app.add_option("--seed", options->seed, "seed of the generator; 1 if not given")
+  app.add_option("--seed", options->seed, "seed of the generator, in place of GENERATOR:SEED; 1 if not given")
       ->check(whole_number())
       ->type_name("N");
   app.add_option("-o,--output", options->output, "file to write; its suffix names the format; - is standard output")
@@ -76,7 +84,7 @@ Command map_command() {
           "  oxturn map rooms --set rooms=9 --seed 7 -o rooms.geojson\n"
           "  oxturn map kitchen.yaml --drop-speckle 0.02 -o kitchen.svg\n"
           "  oxturn map plan.png --scale 0.05 -o plan.geojson\n"
-          "  oxturn map rooms --seed 9 -o - | oxturn plan stc - -o - | oxturn score - rooms:9\n"
+          "  oxturn map rooms:9 -o - | oxturn plan stc - -o - | oxturn score - rooms:9\n"
           "  oxturn map - --from image --scale 0.05 -o - --to svg < plan.png > plan.svg\n",
           attach};
 }

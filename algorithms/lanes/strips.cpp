@@ -105,14 +105,20 @@ void trace_lanes(const std::vector<Strip>& strips, Context& context) {
 
 std::vector<bool> Strip::directions(bool first_up) const {
   std::vector<bool> up{first_up};
-  for (std::size_t i = 1; i < lanes.size(); ++i) {
-    if (!low_links.empty()) {  // links follow the boundary: strictly alternating
-      up.push_back(!up.back());
-      continue;
-    }
-    const Point& at = end_of(lanes[i - 1], up.back());
-    const double to_low = distance(at, lanes[i].low), to_high = distance(at, lanes[i].high);
-    up.push_back(to_low == to_high ? !up.back() : to_low < to_high);
+  if (!low_links.empty()) {  // links follow the boundary: strictly alternating
+    for (std::size_t i = 1; i < lanes.size(); ++i) up.push_back(!up.back());
+    return up;
+  }
+  // rest[i][u]: the least length of the links after lane i if that lane is driven up (u = 1) or down.
+  std::vector<std::array<double, 2>> rest(lanes.size(), {0, 0});
+  const auto through = [&](std::size_t i, bool from_up, bool to_up) {
+    return distance(end_of(lanes[i], from_up), begin_of(lanes[i + 1], to_up)) + rest[i + 1][to_up];
+  };
+  for (std::size_t i = lanes.size() - 1; i-- > 0;)
+    for (const bool u : {false, true}) rest[i][u] = std::min(through(i, u, u), through(i, u, !u));
+  for (std::size_t i = 0; i + 1 < lanes.size(); ++i) {
+    const bool u = up.back();
+    up.push_back(through(i, u, u) < through(i, u, !u) ? u : !u);
   }
   return up;
 }

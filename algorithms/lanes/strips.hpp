@@ -22,8 +22,8 @@ struct LaneEnds {
   Polyline curve = {};  // from low to high, both included; empty: straight
 };
 
-/// Lanes in driving order. The first lane is driven up (low to high) or down; each next lane is begun at its nearer
-/// end. The result can also be driven backwards, so a strip has four patterns.
+/// Lanes in driving order. The first lane is driven up (low to high) or down; the others so that the straight links
+/// between them have the least total length. The result can also be driven backwards, so a strip has four patterns.
 struct Strip {
   std::vector<LaneEnds> lanes;
   /// Optional: the boundary from lane i to lane i + 1 along the low ends and along the high ends, ends included. Lanes

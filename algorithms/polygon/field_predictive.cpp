@@ -59,7 +59,11 @@ double turn_at(const Point& before, const Point& at, const Point& after) {
 class PredictiveDrive {
  public:
   PredictiveDrive(const Problem& problem, const Connector& connector)
-      : robot_(problem.robot()), width_(robot_.tool_width), connector_(connector), path_(problem.start()) {}
+      : robot_(problem.robot()),
+        width_(robot_.tool_width),
+        walls_(problem.walls()),
+        connector_(connector),
+        path_(problem.start()) {}
 
   Path run(Region left, const Context& context) {
     while (!left.empty() && !context.cancelled()) {
@@ -70,11 +74,26 @@ class PredictiveDrive {
       drive(line);
       left = simplify_inward(subtract(left, swath({line}, width_ * (1 - 2 * kChord), kChord * width_, Bound::outside)),
                              kChord * width_);
+      bring_inside(left);
     }
     return path_.take();
   }
 
  private:
+  /// Where a cut ends on a wall, rounding may leave the new vertex outside; the next cut there would start from it, and
+  /// so go astray by the sum of all.
+  void bring_inside(Region& left) const {
+    const auto bring = [&](Ring& ring) {
+      for (Point& p : ring)
+        if (!walls_.contains(p))
+          if (const auto wall = walls_.nearest(p)) p = wall->point;
+    };
+    for (Polygon& polygon : left.polygons) {
+      bring(polygon.outer);
+      for (Ring& hole : polygon.holes) bring(hole);
+    }
+  }
+
   void drive(const Polyline& line) {
     const Polyline link = connector_.path(path_.at(), line.front());
     path_.drive(link, begun_ && length(link) <= kWorkLink * width_);
@@ -157,6 +176,7 @@ class PredictiveDrive {
 
   const Robot& robot_;
   double width_;
+  const EdgeIndex& walls_;
   const Connector& connector_;
   PathBuilder path_;
   bool begun_ = false;

@@ -118,10 +118,4 @@ std::string to_svg(const Map& map, const PictureOptions& options) {
   return out + "</svg>\n";
 }
 
-MapFormat svg_format() {
-  MapFormat format{"svg", "picture of a map", {".svg"}, {}, {}, {}};
-  format.write = [](const MapFile& file) { return to_svg(file.map); };
-  return format;
-}
-
 }  // namespace oxturn

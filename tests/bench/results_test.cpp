@@ -115,8 +115,8 @@ TEST(Results, CsvByHand) {
 
 TEST(Results, RowKnowsItsColumns) {
   Row row;
-  row.cells["path_m"] = "2.5";
-  row.cells["turns"] = "many";
+  row.cells.set("path_m", "2.5");
+  row.cells.set("turns", "many");
   EXPECT_EQ(row.number("path_m"), 2.5);
   EXPECT_EQ(row.number("overlap"), std::nullopt);
   EXPECT_EQ(row.get("no such column"), "");

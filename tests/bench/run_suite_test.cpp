@@ -202,8 +202,8 @@ TEST(SuiteRun, ResumeRetriesCancelledAndInfrastructure) {
   Results results = read_results(out);
   std::string text = csv_header(all_columns());
   for (Row& row : results.rows) {
-    if (row.get("params") == "how=good") row.cells["outcome"] = "cancelled";
-    if (row.get("params") == "how=partial") row.cells["outcome"] = "infrastructure";
+    if (row.get("params") == "how=good") row.cells.set("outcome", "cancelled");
+    if (row.get("params") == "how=partial") row.cells.set("outcome", "infrastructure");
     text += csv_line(row, all_columns());
   }
   write_file(out + "/runs.csv", text);

@@ -57,7 +57,7 @@ std::string rows_of(const std::string& results) {
   std::string text;
   const Columns columns = run_columns(Metrics("metric"));
   for (const Row& row : read_results(results).rows) {
-    for (const auto& [column, cell] : row.cells) {
+    for (const auto& [column, cell] : row.cells.all()) {
       bool varies = column == "attempt";
       for (const Column& c : columns) varies = varies || (c.name == column && c.timing);
       if (!varies) text += column + "=" + cell + " ";

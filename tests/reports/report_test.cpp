@@ -44,7 +44,7 @@ Row row(const std::string& map, const std::string& variant, const std::string& o
              {"planner", variant}, {"variant", variant},
              {"robot", "disc"},    {"repeat", "1"},
              {"outcome", outcome}};
-  for (const auto& [k, v] : more) r.cells[k] = v;
+  for (const auto& [k, v] : more) r.cells.set(k, v);
   return r;
 }
 

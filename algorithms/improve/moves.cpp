@@ -1,0 +1,174 @@
+#include "algorithms/improve/moves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace oxturn {
+namespace {
+
+// Shares of the moves, in per cent, and their sizes in tool widths.
+constexpr std::uint64_t kShiftVertex = 40, kShiftEdge = 15, kRemove = 10, kSplit = 10, kMerge = 5, kTwoOpt = 10;
+constexpr double kLeastSpread = 0.01, kMostSpread = 0.3;  // standard deviations, log-uniform
+constexpr double kPartner = 2.2;                          // distance of vertices for 2-opt and Or-opt
+constexpr std::uint64_t kMostMoved = 8;                   // vertices that Or-opt moves
+
+}  // namespace
+
+double Edges::length() const {
+  double sum = 0;
+  for (const Edge& e : *this) sum += distance(e.a, e.b);
+  return sum;
+}
+
+void Change::apply(VertexPath& path) const {
+  switch (kind) {
+    case Kind::replace:
+      return path.replace(first, last - first, std::span(points.data(), point_count));
+    case Kind::reverse:
+      return path.reverse(first, last);
+    case Kind::relocate:
+      return path.relocate(first, last, after, turned);
+  }
+}
+
+double Moves::spread(Rng& rng) const {
+  return width_ * kLeastSpread * std::exp(rng.unit() * std::log(kMostSpread / kLeastSpread));
+}
+
+Point Moves::cloud(Rng& rng) const {
+  const double size = spread(rng);
+  const double x = rng.normal(), y = rng.normal();
+  return size * Point(x, y);
+}
+
+std::optional<Change> Moves::propose(const VertexPath& path, Rng& rng) const {
+  const std::size_t i = rng.below(path.size());
+  std::uint64_t kind = rng.below(100);
+  const auto drawn = [&kind](std::uint64_t share) {
+    if (kind < share) return true;
+    kind -= share;
+    return false;
+  };
+  if (drawn(kShiftVertex)) return shift_vertex(path, i, rng);
+  if (drawn(kShiftEdge)) return shift_edge(path, i, rng);
+  if (drawn(kRemove)) return remove(path, i);
+  if (drawn(kSplit)) return split(path, i, rng);
+  if (drawn(kMerge)) return merge(path, i, rng);
+  if (drawn(kTwoOpt)) return two_opt(path, i, rng);
+  return or_opt(path, i, rng);
+}
+
+/// `first` is above 0.
+Change Moves::replaced(const VertexPath& path, std::size_t first, std::size_t count,
+                       std::span<const Point> points) const {
+  Change change;
+  change.first = first;
+  change.last = first + count;
+  change.point_count = points.size();
+  std::copy(points.begin(), points.end(), change.points.begin());
+  const bool goes_on = first + count < path.size();
+  for (std::size_t k = first; k < first + count + (goes_on ? 1 : 0); ++k) change.olds.add(path[k - 1], path[k]);
+  Point at = path[first - 1];
+  for (const Point& p : points) {
+    change.news.add(at, p);
+    at = p;
+  }
+  if (goes_on) change.news.add(at, path[first + count]);
+  return change;
+}
+
+std::optional<Change> Moves::shift_vertex(const VertexPath& path, std::size_t i, Rng& rng) const {
+  if (!movable(path, i)) return std::nullopt;
+  Point to = path[i];
+  const std::uint64_t kind = rng.below(4);
+  const bool last = i + 1 == path.size();
+  if (kind < 2)
+    to += cloud(rng);
+  else if (kind == 2 || last)
+    to = lerp(to, path[last || rng.chance(0.5) ? i - 1 : i + 1], rng.unit());
+  else
+    to = lerp(to, nearest_on_segment(to, path[i - 1], path[i + 1]), rng.unit());
+  return replaced(path, i, 1, std::array{to});
+}
+
+std::optional<Change> Moves::shift_edge(const VertexPath& path, std::size_t i, Rng& rng) const {
+  if (!movable(path, i) || !movable(path, i + 1)) return std::nullopt;
+  Point by = cloud(rng);
+  if (rng.chance(0.5)) {  // sideways
+    const Point side = perpendicular(path[i + 1] - path[i]);
+    const double size = side.squaredNorm();
+    if (size > 0) by = by.dot(side) / size * side;
+  }
+  return replaced(path, i, 2, std::array<Point, 2>{path[i] + by, path[i + 1] + by});
+}
+
+std::optional<Change> Moves::remove(const VertexPath& path, std::size_t i) const {
+  if (!movable(path, i)) return std::nullopt;
+  return replaced(path, i, 1, {});
+}
+
+std::optional<Change> Moves::split(const VertexPath& path, std::size_t i, Rng& rng) const {
+  if (i == 0) return std::nullopt;
+  const Point at = lerp(path[i - 1], path[i], rng.unit());
+  return replaced(path, i, 0, std::array<Point, 1>{at + cloud(rng)});
+}
+
+std::optional<Change> Moves::merge(const VertexPath& path, std::size_t i, Rng& rng) const {
+  if (!movable(path, i) || !movable(path, i + 1)) return std::nullopt;
+  return replaced(path, i, 2, std::array{lerp(path[i], path[i + 1], rng.unit())});
+}
+
+std::optional<std::size_t> Moves::partner(const VertexPath& path, std::size_t i, Rng& rng) const {
+  const double far = kPartner * width_;
+  const double x = rng.between(-far, far), y = rng.between(-far, far);
+  return path.near(path[i] + Point(x, y), rng);
+}
+
+/// The vertices after i, up to the partner, are driven in the opposite order.
+std::optional<Change> Moves::two_opt(const VertexPath& path, std::size_t i, Rng& rng) const {
+  const auto other = partner(path, i, rng);
+  if (!other) return std::nullopt;
+  const auto [before, last] = std::minmax(i, *other);
+  const bool end = last + 1 == path.size();
+  if (last < before + 2 || (end && fixed_end_)) return std::nullopt;
+  Change change;
+  change.kind = Change::Kind::reverse;
+  change.first = before + 1;
+  change.last = last;
+  change.olds.add(path[before], path[before + 1]);
+  change.news.add(path[before], path[last]);
+  if (!end) {
+    change.olds.add(path[last], path[last + 1]);
+    change.news.add(path[before + 1], path[last + 1]);
+  }
+  return change;
+}
+
+/// Some vertices from i on move between the partner and the vertex after it.
+std::optional<Change> Moves::or_opt(const VertexPath& path, std::size_t i, Rng& rng) const {
+  const auto after = partner(path, i, rng);
+  const std::size_t last = i + rng.below(kMostMoved);
+  if (!after || !movable(path, i) || !movable(path, last)) return std::nullopt;
+  if (*after + 1 >= i && *after <= last) return std::nullopt;
+  const bool tail = last + 1 == path.size(), to_end = *after + 1 == path.size();
+  if (to_end && fixed_end_) return std::nullopt;
+  Change change;
+  change.kind = Change::Kind::relocate;
+  change.first = i;
+  change.last = last;
+  change.after = *after;
+  change.turned = rng.chance(0.5);
+  change.olds.add(path[i - 1], path[i]);
+  if (!tail) {
+    change.olds.add(path[last], path[last + 1]);
+    change.news.add(path[i - 1], path[last + 1]);
+  }
+  change.news.add(path[*after], path[change.turned ? last : i]);
+  if (!to_end) {
+    change.olds.add(path[*after], path[*after + 1]);
+    change.news.add(path[change.turned ? i : last], path[*after + 1]);
+  }
+  return change;
+}
+
+}  // namespace oxturn

@@ -1,0 +1,77 @@
+/// Small random changes of a path, for annealing.
+///
+///   const Moves moves(MoveSizes{tool_width});
+///   if (const auto change = moves.propose(path, rng)) { ... change->apply(path); }
+///
+/// Shifts of a vertex or an edge, vertices deleted, added and merged, 2-opt and Or-opt with a vertex near by. The first
+/// vertex stays where it is, and so does the last one if `fixed_end`. Each O(1), but for what apply() costs.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "algorithms/improve/vertex_path.hpp"
+
+namespace oxturn {
+
+struct Edge {
+  Point a, b;
+};
+
+/// Up to four edges.
+class Edges {
+ public:
+  void add(const Point& a, const Point& b) { edges_[size_++] = {a, b}; }
+  std::size_t size() const { return size_; }
+  const Edge* begin() const { return edges_.data(); }
+  const Edge* end() const { return edges_.data() + size_; }
+  const Edge& operator[](std::size_t i) const { return edges_[i]; }
+  double length() const;
+
+ private:
+  std::array<Edge, 4> edges_;
+  std::size_t size_ = 0;
+};
+
+/// What a move does: edges that leave the path and edges that come, and how to carry it out.
+struct Change {
+  enum class Kind { replace, reverse, relocate } kind = Kind::replace;
+  std::size_t first = 0, last = 0;  // positions; last = first + count of replaced ones
+  std::size_t after = 0;            // of relocate
+  bool turned = false;              // of relocate
+  std::array<Point, 2> points{};    // of replace
+  std::size_t point_count = 0;
+  Edges olds, news;
+
+  void apply(VertexPath& path) const;
+};
+
+class Moves {
+ public:
+  /// `width`: the tool's, metres.
+  Moves(double width, bool fixed_end) : width_(width), fixed_end_(fixed_end) {}
+  /// nullopt: the move drawn does not exist here.
+  std::optional<Change> propose(const VertexPath& path, Rng& rng) const;
+
+ private:
+  bool movable(const VertexPath& path, std::size_t i) const {
+    return i > 0 && i < path.size() && !(fixed_end_ && i + 1 == path.size());
+  }
+  double spread(Rng& rng) const;
+  Point cloud(Rng& rng) const;
+  Change replaced(const VertexPath& path, std::size_t first, std::size_t count, std::span<const Point> points) const;
+  std::optional<Change> shift_vertex(const VertexPath& path, std::size_t i, Rng& rng) const;
+  std::optional<Change> shift_edge(const VertexPath& path, std::size_t i, Rng& rng) const;
+  std::optional<Change> remove(const VertexPath& path, std::size_t i) const;
+  std::optional<Change> split(const VertexPath& path, std::size_t i, Rng& rng) const;
+  std::optional<Change> merge(const VertexPath& path, std::size_t i, Rng& rng) const;
+  std::optional<Change> two_opt(const VertexPath& path, std::size_t i, Rng& rng) const;
+  std::optional<Change> or_opt(const VertexPath& path, std::size_t i, Rng& rng) const;
+  std::optional<std::size_t> partner(const VertexPath& path, std::size_t i, Rng& rng) const;
+
+  double width_;
+  bool fixed_end_;
+};
+
+}  // namespace oxturn

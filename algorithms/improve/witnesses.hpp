@@ -1,0 +1,64 @@
+/// How often a path covers each point of a fine raster of the target.
+///
+///   Witnesses witnesses(target, 0.05 * w, w / 2);
+///   witnesses.add(witnesses.capsule(a, b));                    // an edge of the path
+///   const long change = witnesses.exchange(old_edges, new_edges);   // of the number of uncovered points
+///
+/// One byte a point. The raster is turned, so that no row runs along a wall. A capsule, the points within the radius of
+/// an edge, is convex: one interval in each row. Exchanging a capsule for one near by touches only what lies in one of
+/// the two. Counters run modulo 256, and points outside the target start at 128: a path that lies 128 times on itself
+/// would be misjudged, until it does so no more.
+///
+/// Complexity  O(A / cell^2) bytes and time to build for a box of area A; a capsule costs a few operations for each row,
+///             an exchange in addition one for each point in the difference
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/region.hpp"
+
+namespace oxturn {
+
+class Witnesses {
+ public:
+  /// The points of row first + k that an edge covers: low[k] to high[k] - 1.
+  struct Capsule {
+    int first = 0, rows = 0;
+    std::vector<std::int32_t> low, high;
+  };
+
+  /// `cell`: distance of the points; `radius`: half of the tool's width, both in metres.
+  Witnesses(const Region& target, double cell, double radius);
+
+  /// Does not depend on the order of the ends. Writes to `out`, to spare the allocation.
+  void capsule(const Point& a, const Point& b, Capsule& out) const;
+  void add(const Capsule& capsule) { apply({}, capsule); }
+  /// Points that are uncovered now and lie in the new capsules, but not in the old ones of the same index: an upper
+  /// bound of what an exchange gains.
+  long gain(std::span<const Capsule> olds, std::span<const Capsule> news) const;
+  /// Takes the old capsules away and adds the new ones. The change of the number of uncovered points.
+  long exchange(std::span<const Capsule> olds, std::span<const Capsule> news);
+
+  long points() const { return points_; }        // of the target
+  long uncovered() const { return uncovered_; }  // of these
+  double area_each() const { return cell_ * cell_; }
+
+ private:
+  static constexpr std::uint8_t kOutside = 128;
+  std::uint8_t* row(int r) { return counts_.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_); }
+  const std::uint8_t* row(int r) const {
+    return counts_.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_);
+  }
+  Point in_raster(const Point& p) const;
+  void apply(const Capsule& old, const Capsule& next);
+
+  double cell_, radius_;
+  Point origin_{0, 0};  // of the turned raster
+  int columns_ = 0, rows_ = 0;
+  long points_ = 0, uncovered_ = 0;
+  std::vector<std::uint8_t> counts_;
+};
+
+}  // namespace oxturn

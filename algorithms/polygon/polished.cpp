@@ -1,0 +1,54 @@
+// Any planner, and then its path made shorter.
+//
+// Source      ours; see improve/improve.hpp
+// Model       that of the planner, but offline
+// Guarantee   covers the share `coverage` of the target, but for seams thinner than a 250th of the tool's width; never
+//             longer than the planner's path, completed
+// Complexity  that of the planner, and a few microseconds a move
+// Decisions   1. Where the planner finds nothing to drive, as where no cell is free, all of the path is detours.
+#include <utility>
+
+#include "algorithms/improve/improve.hpp"
+#include "algorithms/wrapper.hpp"
+
+namespace oxturn {
+namespace {
+
+class Polished final : public CoveragePlanner {
+ public:
+  Polished(std::unique_ptr<CoveragePlanner> inner, const Improvement& how) : inner_(std::move(inner)), how_(how) {}
+
+  Path plan(const Problem& problem, Context& context) const override {
+    Path path;
+    try {
+      Context inner(context.seed(), context.seconds_left(), context.without_promise());
+      path = inner_->plan(problem, inner);
+    } catch (const Infeasible&) {}  // Decision 1
+    return improved(problem, path, how_, context);
+  }
+
+ private:
+  std::unique_ptr<CoveragePlanner> inner_;
+  Improvement how_;
+};
+
+}  // namespace
+
+PlannerInfo polished() {
+  PlannerInfo info;
+  info.name = "polished";
+  info.family = "polygon";
+  info.title = "any planner, and then its path made shorter by annealing";
+  info.citation = "oxturn";
+  info.capabilities = {Capability::holes, Capability::footprint};
+  info.guarantee = "covers the share `coverage` of the target; never longer than the path of `planner`, completed";
+  info.promise = Promise::target;
+  info.parameters = infos_of(improvement_parameters());
+  info.promises_with = covers_all;
+  return wrapper(std::move(info), "boustrophedon", [](Wrapped inner, const Settings& own) {
+    return std::make_unique<Polished>(std::move(inner.planner),
+                                      with_settings<Improvement>("planner 'polished'", improvement_parameters(), own));
+  });
+}
+
+}  // namespace oxturn

@@ -1,0 +1,21 @@
+# Writes OUTPUT, a source file that defines the constants of HEADER in NAMESPACE: each of PARTS is NAME=FILE, and of one
+# NAME all files are put together in their order.
+set(names "")
+foreach(part ${PARTS})
+  string(REGEX MATCH "^([^=]+)=(.+)$" matched "${part}")
+  set(name ${CMAKE_MATCH_1})
+  file(READ ${CMAKE_MATCH_2} text)
+  string(FIND "${text}" ")embedded\"" found)
+  if(NOT found EQUAL -1)
+    message(FATAL_ERROR "${CMAKE_MATCH_2} contains )embedded\", which ends the raw string that it is written as")
+  endif()
+  list(APPEND names ${name})
+  # Adjacent literals, one a file: compilers limit the length of one.
+  string(APPEND text_of_${name} "\n    R\"embedded(${text})embedded\"")
+endforeach()
+list(REMOVE_DUPLICATES names)
+set(source "// Made by cmake/embed_text.cmake.\n#include \"${HEADER}\"\n\nnamespace ${NAMESPACE} {\n\n")
+foreach(name ${names})
+  string(APPEND source "const std::string_view ${name} =${text_of_${name}};\n\n")
+endforeach()
+file(WRITE ${OUTPUT} "${source}}  // namespace ${NAMESPACE}\n")

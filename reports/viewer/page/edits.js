@@ -1,0 +1,99 @@
+// The person's edits, as a list that is replaced as a whole at each change: undo takes the one before. Written in the
+// format that `oxturn draw --edits` reads (docs/viewer.md).
+
+/** Of a file of edits (or null) the list, in the file's order. */
+function editsFrom(file) {
+  if (!file) return [];
+  const of = (key, kind) => (file[key] || []).map(edit => ({kind, ...edit, ...(kind === "curve" ? {kind, shape: edit.kind} : {})}));
+  const start = file.start ? [{kind: "start", at: file.start}] : [];
+  return [...start, ...of("cuts", "cut"), ...of("fills", "fill"), ...of("connections", "connection"), ...of("curves", "curve")];
+}
+
+class Edits {
+  constructor(file, changed) {
+    this.list = editsFrom(file);
+    this.planned = this.list;  // those that the path on the page obeys
+    this.history = [];
+    this.changed = changed;
+  }
+
+  change(list) {
+    this.history.push(this.list);
+    this.list = list;
+    this.changed();
+  }
+  undo() {
+    if (!this.history.length) return;
+    this.list = this.history.pop();
+    this.changed();
+  }
+  remove(edit) { this.change(this.list.filter(e => e !== edit)); }
+  /** `replaced`: edits that the new ones take over from. */
+  add(edits, replaced = []) { this.change([...this.list.filter(e => !replaced.includes(e)), ...edits]); }
+
+  ofKind(kind) { return this.list.filter(edit => edit.kind === kind); }
+  pair(kind, from, to) {
+    return this.ofKind(kind).find(e => (sameReference(e.from, from) && sameReference(e.to, to)) ||
+                                       (sameReference(e.from, to) && sameReference(e.to, from)));
+  }
+
+  /** Enforces or deletes the connection of two nodes; what contradicts it goes. */
+  connect(action, from, to) {
+    const edit = {kind: "connection", action, from: referenceOf(from), to: referenceOf(to)};
+    const same = this.pair("connection", edit.from, edit.to);
+    const replaced = same ? [same] : [];
+    if (action === "enforce") for (const node of [from, to]) replaced.push(...this.inTheWayOf(node, same));
+    this.add([edit], replaced);
+  }
+  /** Enforced connections that leave no room for one more at a node: an open stroke has one at each end; a closed one is
+   *  entered and left in the same vertex, so it has two there and none elsewhere. */
+  inTheWayOf(node, except) {
+    const own = this.ofKind("connection").filter(e => e !== except && e.action === "enforce");
+    const at = e => [e.from, e.to].find(end => end.element === node.shape.element);
+    if (!node.shape.closed) return own.filter(e => at(e) && at(e).vertex === node.vertex);
+    if (node.shape.kind === "area") return own.filter(at).slice(1);
+    const elsewhere = own.filter(e => at(e) && at(e).vertex !== node.vertex);
+    return [...elsewhere, ...own.filter(e => at(e) && at(e).vertex === node.vertex).slice(1)];
+  }
+
+  moveStart(x, y) { this.add([{kind: "start", at: [x, y].map(millimetres)}], this.ofKind("start")); }
+
+  /** The file's text. One edit a line, so that changes are seen in version control. */
+  toText() {
+    const pick = (edit, keys) => Object.fromEntries(keys.filter(k => edit[k] !== undefined).map(k => [k, edit[k]]));
+    const lines = (key, kind, write) => {
+      const own = this.ofKind(kind).map(edit => "  " + JSON.stringify(write(edit)));
+      return own.length ? [`"${key}": [\n${own.join(",\n")}\n ]`] : [];
+    };
+    const start = this.ofKind("start").map(edit => `"start": ${JSON.stringify(edit.at)}`);
+    return "{" + [
+      `"oxturn_edits": 1`,
+      `"drawing_sha256": ${JSON.stringify(data.drawing ? data.drawing.sha256 : "")}`,
+      ...start,
+      ...lines("cuts", "cut", e => pick(e, ["element", "line"])),
+      ...lines("fills", "fill", e => pick(e, ["element", "at", "fill", "angle_deg", "outline"])),
+      ...lines("connections", "connection", e => pick(e, ["action", "from", "to"])),
+      ...lines("curves", "curve", e => ({from: e.from, to: e.to, kind: e.shape, points: e.points})),
+    ].join(",\n ") + "}\n";
+  }
+}
+
+const kFillNames = {spiral: "spiral", zigzag: "zigzag", contour: "contour", none: "not filled"};
+
+/** One line for the list. */
+function editText(edit) {
+  switch (edit.kind) {
+    case "start": return `Start at ${edit.at[0].toFixed(2)}, ${edit.at[1].toFixed(2)} m`;
+    case "cut": return `Cut ${edit.element}`;
+    case "fill": {
+      const parts = [];
+      if (edit.fill) parts.push(kFillNames[edit.fill]);
+      if (edit.angle_deg !== undefined) parts.push(`lanes at ${edit.angle_deg}°`);
+      if (edit.outline !== undefined) parts.push(edit.outline ? "with outline" : "no outline");
+      return `Fill ${edit.element}: ${parts.join(", ")}`;
+    }
+    case "connection":
+      return `${edit.action === "enforce" ? "Connect" : "Never connect"} ${nodeText(edit.from)} – ${nodeText(edit.to)}`;
+    default: return `Curve ${nodeText(edit.from)} – ${nodeText(edit.to)}`;
+  }
+}

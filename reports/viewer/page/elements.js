@@ -1,0 +1,116 @@
+// The drawing's strokes and areas as shapes that can be painted, hit and named. An SVG element may give several shapes;
+// its vertices are counted through all of its strokes, as files of edits count them.
+const kCorner = Math.PI / 12;  // a vertex of an area's boundary that turns less is no node: curves have hundreds
+
+/** Indices of the vertices of a ring at which it turns; all if it turns nowhere sharply. */
+function cornersOf(ring) {
+  const n = ring.length / 2, corners = [];
+  for (let i = 0; i < n; ++i) {
+    const p = (i + n - 1) % n, q = (i + 1) % n;
+    const before = Math.atan2(ring[2 * i + 1] - ring[2 * p + 1], ring[2 * i] - ring[2 * p]);
+    const after = Math.atan2(ring[2 * q + 1] - ring[2 * i + 1], ring[2 * q] - ring[2 * i]);
+    const turn = Math.abs(Math.atan2(Math.sin(after - before), Math.cos(after - before)));
+    if (turn > kCorner) corners.push(i);
+  }
+  return corners.length > 2 ? corners : Array.from({length: n}, (_, i) => i);
+}
+
+function strokeShape(stroke, firstVertex) {
+  const flat = stroke.points, n = flat.length / 2;
+  const closed = n > 2 && flat[0] === flat[2 * n - 2] && flat[1] === flat[2 * n - 1];
+  const positions = stroke.nodes.length > 1 ? stroke.nodes : [0, n - 1];
+  const nodes = positions.map((at, i) => ({vertex: firstVertex + i, x: flat[2 * at], y: flat[2 * at + 1]}));
+  return {
+    kind: "stroke", element: stroke.element, flats: [flat], closed, width: stroke.width, tool: stroke.tool,
+    length: lengthOf(flat), path: pathOf(flat), box: boxOf([flat]), allNodes: nodes,
+    // The path enters and leaves an open stroke at its ends only; a closed one at any node, of which the last is the first.
+    nodes: closed ? nodes.slice(0, -1) : [nodes[0], nodes[nodes.length - 1]],
+  };
+}
+
+function areaShape(area) {
+  const outer = area.rings[0];
+  let squareMetres = 0;
+  for (const ring of area.rings)
+    for (let i = 0, n = ring.length; i < n; i += 2)
+      squareMetres += (ring[i] * ring[(i + 3) % n] - ring[(i + 2) % n] * ring[i + 1]) / 2;
+  return {
+    kind: "area", element: area.element, flats: area.rings.map(ring => [...ring, ring[0], ring[1]]), closed: true,
+    tool: true, squareMetres: Math.abs(squareMetres), rings: area.rings, path: pathOfRings(area.rings),
+    box: boxOf(area.rings), nodes: cornersOf(outer).map(i => ({vertex: i, x: outer[2 * i], y: outer[2 * i + 1]})),
+  };
+}
+
+/** Of an element's last stroke, the end that is its last vertex is called -1. */
+function nameLastVertices(shapes) {
+  const lastOf = new Map();
+  for (const shape of shapes) if (shape.kind === "stroke") lastOf.set(shape.element, shape);
+  for (const shape of lastOf.values()) if (!shape.closed) shape.nodes[1].vertex = -1;
+}
+
+function shapesOf(drawing) {
+  if (!drawing) return [];
+  const areas = drawing.areas.map(areaShape), strokes = [], counts = new Map();
+  for (const stroke of drawing.strokes) {
+    const first = counts.get(stroke.element) || 0, shape = strokeShape(stroke, first);
+    counts.set(stroke.element, first + shape.allNodes.length);
+    strokes.push(shape);
+  }
+  nameLastVertices(strokes);
+  for (const shape of [...areas, ...strokes]) for (const node of shape.nodes) node.shape = shape;
+  return [...areas, ...strokes];
+}
+
+const shapes = shapesOf(data.drawing);
+const wholeBox = {left: data.box[0][0], bottom: data.box[0][1], right: data.box[1][0], top: data.box[1][1]};
+const shapeGrid = new SegmentGrid(wholeBox);
+for (const shape of shapes) for (const flat of shape.flats) shapeGrid.add(flat, shape);
+
+const testContext = document.createElement("canvas").getContext("2d");
+function insideArea(shape, x, y) {
+  const box = shape.box;
+  return x >= box.left && x <= box.right && y >= box.bottom && y <= box.top &&
+         testContext.isPointInPath(shape.path, x, y, "evenodd");
+}
+const areaAt = (x, y) => shapes.find(shape => shape.kind === "area" && insideArea(shape, x, y)) || null;
+
+/** The node nearest to a point, of one shape. */
+function nearestNode(shape, x, y) {
+  let best = null, least = Infinity;
+  for (const node of shape.nodes) {
+    const distance = Math.hypot(node.x - x, node.y - y);
+    if (distance < least) [best, least] = [node, distance];
+  }
+  return best;
+}
+
+/** The node that somebody means who points at (x, y): one within the radius, else that of the shape which is there. */
+function nodeNear(x, y, radius) {
+  let best = null, least = radius;
+  for (const shape of shapes)
+    for (const node of shape.nodes) {
+      const distance = Math.hypot(node.x - x, node.y - y);
+      if (distance < least) [best, least] = [node, distance];
+    }
+  if (best) return best;
+  const hit = shapeGrid.nearest(x, y, radius), shape = hit ? hit.item : areaAt(x, y);
+  return shape ? nearestNode(shape, x, y) : null;
+}
+
+const referenceOf = node => ({element: node.shape.element, vertex: node.vertex});
+const sameReference = (a, b) => a.element === b.element && a.vertex === b.vertex;
+/** The node that a file of edits names; null if there is none in the drawing. */
+function nodeOf(reference) {
+  for (const shape of shapes)
+    if (shape.element === reference.element)
+      for (const node of shape.allNodes || shape.nodes)
+        if (node.vertex === reference.vertex || sameReference(referenceOf({shape, ...node}), reference)) return {shape, ...node};
+  return null;
+}
+function nodeText(reference) {
+  const node = nodeOf(reference);
+  const open = node && node.shape.kind === "stroke" && !node.shape.closed;
+  if (reference.vertex === -1) return `${reference.element}, end`;
+  if (open && reference.vertex === 0) return `${reference.element}, begin`;
+  return `${reference.element}, vertex ${reference.vertex}`;
+}

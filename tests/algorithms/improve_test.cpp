@@ -1,0 +1,151 @@
+#include "algorithms/improve/improve.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "algorithms/improve/moves.hpp"
+#include "algorithms/improve/witnesses.hpp"
+#include "coverage_oracle.hpp"
+#include "maps/generators.hpp"
+#include "metrics/score.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+Point random_point(const Box& box, Rng& rng) {
+  const double x = rng.between(box.low.x(), box.high.x()), y = rng.between(box.low.y(), box.high.y());
+  return {x, y};
+}
+
+Polyline random_line(std::size_t n, const Box& box, Rng& rng) {
+  Polyline line;
+  for (std::size_t k = 0; k < n; ++k) line.push_back(random_point(box, rng));
+  return line;
+}
+
+double length_of(const VertexPath& path) { return length(path.points()); }
+
+// The area that is left against a count of sampled points by their distance from the path.
+TEST(Witnesses, CountWhatIsFartherThanTheRadius) {
+  const Region hall = box_region({0, 0}, {6, 4});
+  for (const auto seed : seeds(20)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Box around{{-1, -1}, {7, 5}};
+    Polyline line = random_line(2 + rng.below(6), around, rng);
+    if (rng.chance(0.5)) line[1] = line[0];                                  // a disc
+    if (rng.chance(0.5)) line.back() = line[line.size() - 2] + Point(1, 0);  // runs along no row, but along a wall
+    const double radius = rng.between(0.1, 0.8), cell = 0.02;
+    Witnesses witnesses(hall, cell, radius);
+    Witnesses::Capsule capsule;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      witnesses.capsule(line[i], line[i - 1], capsule);
+      witnesses.add(capsule);
+    }
+    long uncovered = 0, all = 0;
+    for (double x = cell / 2; x < 6; x += cell)
+      for (double y = cell / 2; y < 4; y += cell) {
+        double nearest = 1e9;
+        for (std::size_t i = 1; i < line.size(); ++i)
+          nearest = std::min(nearest, distance_to_segment({x, y}, line[i - 1], line[i]));
+        ++all;
+        uncovered += nearest > radius;
+      }
+    EXPECT_NEAR(static_cast<double>(witnesses.points()), static_cast<double>(all), 2e-3 * static_cast<double>(all));
+    EXPECT_NEAR(static_cast<double>(witnesses.uncovered()), static_cast<double>(uncovered),
+                2e-3 * static_cast<double>(all));
+  }
+}
+
+TEST(Witnesses, AnExchangeAndItsReverseCancel) {
+  const Region hall = box_region({0, 0}, {6, 4});
+  Witnesses witnesses(hall, 0.05, 0.3);
+  const Box box{{0, 0}, {6, 4}};
+  Rng rng(1);
+  for (int k = 0; k < 200; ++k) {
+    std::array<Witnesses::Capsule, 3> olds, news;
+    for (auto* set : {&olds, &news})
+      for (auto& capsule : *set) {
+        const Point a = random_point(box, rng);
+        witnesses.capsule(a, a + Point(rng.between(-1, 1), rng.between(-1, 1)), capsule);
+      }
+    for (const auto& capsule : olds) witnesses.add(capsule);
+    const long before = witnesses.uncovered(), bound = witnesses.gain(olds, news);
+    const long change = witnesses.exchange(olds, news);
+    EXPECT_EQ(witnesses.uncovered(), before + change);
+    EXPECT_LE(-change, bound);
+    EXPECT_EQ(witnesses.exchange(news, olds), -change);
+    witnesses.exchange(olds, {});
+  }
+  EXPECT_EQ(witnesses.uncovered(), witnesses.points());
+}
+
+// Against a plain list of points; and the edges that a change names are those by which the path differs.
+TEST(Moves, ChangeThePathAsTheySay) {
+  for (const auto seed : seeds(30)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const bool fixed_end = rng.chance(0.5);
+    const Polyline start = random_line(2 + rng.below(60), Box{{0, 0}, {3, 3}}, rng);
+    VertexPath path(start, 0.4);
+    const Moves moves(0.4, fixed_end);
+    for (int k = 0; k < 300 && path.size() > 1; ++k) {
+      const auto change = moves.propose(path, rng);
+      if (!change) continue;
+      const double before = length_of(path);
+      change->apply(path);
+      ASSERT_NEAR(length_of(path), before + change->news.length() - change->olds.length(), 1e-9);
+      ASSERT_EQ(path[0], start[0]);
+      if (fixed_end) { ASSERT_EQ(path[path.size() - 1], start.back()); }
+      for (std::size_t i = 0; i < path.size(); i += 7) ASSERT_TRUE(path.near(path[i], rng).has_value());
+    }
+  }
+}
+
+struct Sample {
+  Problem problem;
+  std::string name;
+};
+
+std::vector<Sample> samples(int each) {
+  std::vector<Sample> all;
+  for (const char* kind : {"polygon", "rooms", "clutter", "cave", "maze", "comb"})
+    for (const auto seed : seeds(each)) {
+      Rng rng(mix(seed, kind));
+      const double radius = rng.between(0.15, 0.25), width = 2 * radius * rng.between(0.5, 2.5);
+      all.push_back(
+          {Problem(generate(kind, {{"width", rng.between(4.0, 7.0)}, {"height", rng.between(3.0, 6.0)}}, seed),
+                   disc(radius, width)),
+           fmt::format("{} {} tool {}", kind, seed, width)});
+    }
+  return all;
+}
+
+TEST(Shortest, CoversAsMuchAsItIsAskedForAndIsNeverLongerThanItsStart) {
+  for (const Sample& sample : samples(2)) {
+    SCOPED_TRACE(sample.name);
+    const double start = plan("completed", sample.problem, {{"planner", "boustrophedon"}, {"outline", false}}).length();
+    for (const double coverage : {1.0, 0.97}) {
+      const Path path = plan("shortest", sample.problem, {{"coverage", coverage}, {"moves", 10000}});
+      expect_valid(sample.problem, path);
+      EXPECT_LE(path.length(), start * (1 + 1e-9));
+      EXPECT_GE(*score(sample.problem, path).value("coverage"), coverage - 2e-3);
+    }
+  }
+}
+
+TEST(Polished, IsNeverLongerThanThePlannersPath) {
+  for (const char* inner : {"stc", "contour", "random-walk"})
+    for (const Sample& sample : samples(1)) {
+      SCOPED_TRACE(sample.name + " " + inner);
+      const double start = plan("completed", sample.problem, {{"planner", std::string(inner)}}).length();
+      const Path path = plan("polished", sample.problem, {{"planner", std::string(inner)}, {"moves", 5000}});
+      expect_valid(sample.problem, path);
+      EXPECT_LE(path.length(), start * (1 + 1e-9));
+      EXPECT_GE(*score(sample.problem, path).value("coverage"), 0.998);
+    }
+}
+
+}  // namespace
+}  // namespace oxturn
