@@ -110,7 +110,8 @@ class Beachbot final : public CoveragePlanner {
   static void trace_containment(const std::vector<DrawingElement>& elements, const TourDemands& demands,
                                 Context& context) {
     std::vector<Polyline> lines;
-    for (const auto& [outer, inner] : demands.contained) lines.push_back({elements[inner].first(), elements[outer].first()});
+    for (const auto& [outer, inner] : demands.contained)
+      lines.push_back({elements[inner].first(), elements[outer].first()});
     context.trace("containment", std::move(lines));
   }
 
@@ -148,7 +149,8 @@ const std::vector<Parameter<Params>>& parameters() {
   static const std::vector<Parameter<Params>> all{
       {"fill", &Params::fill, kFills, "of areas for which the drawing does not choose one"},
       {"line_distance", &Params::line_distance, Range{0, 1000}, "metres between lanes of a fill; 0: the tool width"},
-      {"inset", &Params::inset, Range{0, 1000}, "metres that fills keep from an area's boundary; 0: half the tool width"},
+      {"inset", &Params::inset, Range{0, 1000},
+       "metres that fills keep from an area's boundary; 0: half the tool width"},
       {"outline", &Params::outline, "zigzag fills end with a lap along the boundary"},
       {"containment", &Params::containment, Choices{"strict", "literal"},
        "strict: elements inside another one are drawn before it; literal: only no direct connection leads inwards"},

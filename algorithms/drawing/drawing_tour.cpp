@@ -15,11 +15,11 @@
 namespace oxturn {
 namespace {
 
-constexpr std::uint64_t kKicksEach = 100;           // for each element, and at most the solver's default
-constexpr std::uint64_t kKicksEachToImprove = 40;   // the same for tours to be improved, and at most
+constexpr std::uint64_t kKicksEach = 100;          // for each element, and at most the solver's default
+constexpr std::uint64_t kKicksEachToImprove = 40;  // the same for tours to be improved, and at most
 constexpr std::uint64_t kKicksToImprove = 2000;
-constexpr std::size_t kMostRemembered = 5000;       // patterns: 100 MB
-constexpr std::size_t kMostDirectedEntries = 8;     // of a closed stroke that has a heading there; in both directions
+constexpr std::size_t kMostRemembered = 5000;    // patterns: 100 MB
+constexpr std::size_t kMostDirectedEntries = 8;  // of a closed stroke that has a heading there; in both directions
 
 /// What is driven as one: one element, or several that are joined. Its visits in driving order.
 using Chain = std::vector<ElementVisit>;
@@ -230,7 +230,7 @@ struct DrawingTour::Impl {
   }
   Tour tour(const std::vector<ElementVisit>& order) const {
     Tour tour{problem->stop_of(0)};
-    for (std::size_t k = 0; k < order.size(); ) {
+    for (std::size_t k = 0; k < order.size();) {
       const PatternId p = pattern_of.at(pattern_key(order[k]));
       tour.push_back(problem->stop_of(p));
       k += pattern_chains[p].size();
@@ -246,7 +246,7 @@ struct DrawingTour::Impl {
   std::vector<Chain> chains;            // by element of the tour, less 1
   std::vector<std::size_t> counts;
   std::vector<PatternId> reverse;
-  std::vector<Chain> pattern_chains;  // by pattern
+  std::vector<Chain> pattern_chains;                                                      // by pattern
   std::map<std::tuple<std::size_t, std::size_t, bool>, PatternId> pattern_of, ending_in;  // by first and last visit
   std::optional<TourProblem> problem;
 };
@@ -282,7 +282,9 @@ bool DrawingTour::allows(const std::vector<ElementVisit>& order) const {
                      [&](const auto& pair) { return position[pair.second] < position[pair.first]; });
 }
 
-double DrawingTour::cost(const std::vector<ElementVisit>& order) const { return impl_->problem->cost(impl_->tour(order)); }
+double DrawingTour::cost(const std::vector<ElementVisit>& order) const {
+  return impl_->problem->cost(impl_->tour(order));
+}
 
 void DrawingTour::raise(const ElementVisit* from, const ElementVisit& to, double cost) {
   const auto q = impl_->pattern_of.find(Impl::pattern_key(to));

@@ -30,7 +30,8 @@ std::vector<std::size_t> entries_of(const Polyline& closed, const std::vector<st
 }
 
 void check(const DrawnStroke& stroke, std::size_t number) {
-  if (!(stroke.width > 0)) throw_invalid("stroke {} ('{}') has width {}, expected above 0", number, stroke.element, stroke.width);
+  if (!(stroke.width > 0))
+    throw_invalid("stroke {} ('{}') has width {}, expected above 0", number, stroke.element, stroke.width);
   for (const Point& p : stroke.points)
     if (!finite(p)) throw_invalid("stroke {} ('{}') has a point that is not finite", number, stroke.element);
   if (!(length(stroke.points) > 0)) throw_invalid("stroke {} ('{}') has no length", number, stroke.element);

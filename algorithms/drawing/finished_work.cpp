@@ -62,7 +62,8 @@ FinishedWork::FinishedWork(std::vector<DrawnPiece> pieces, double exempt)
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
     widest_ = std::max(widest_, pieces_[k].half_width);
     const Polyline& line = pieces_[k].points;
-    for (std::size_t i = 1; i < line.size(); ++i) items_.push_back({line[i - 1], line[i], static_cast<std::uint32_t>(k)});
+    for (std::size_t i = 1; i < line.size(); ++i)
+      items_.push_back({line[i - 1], line[i], static_cast<std::uint32_t>(k)});
   }
   grid_ = UniformGrid(items_.size(), [&](std::size_t i) { return std::array{items_[i].a, items_[i].b}; });
 }
@@ -79,7 +80,8 @@ std::vector<FinishedWork::Interval> FinishedWork::inside(const Point& a, const P
   const double length = distance(a, b);
   if (!(length > 0)) return found;
   const Point u = (b - a) / length;
-  const auto at_start = in_disc(a, u, length, from, exempt_ + growth), at_end = in_disc(a, u, length, to, exempt_ + growth);
+  const auto at_start = in_disc(a, u, length, from, exempt_ + growth),
+             at_end = in_disc(a, u, length, to, exempt_ + growth);
   // What the discs leave: three parts at most.
   std::vector<Span> open{{0, length}};
   for (const auto& disc : {at_start, at_end}) {

@@ -5,10 +5,10 @@
 namespace oxturn {
 namespace {
 
-constexpr double kChord = 1e-3;            // tool widths
-constexpr double kFillCorner = kPi / 18;   // radians: vertices of fills that turn by less belong to curves
+constexpr double kChord = 1e-3;           // tool widths
+constexpr double kFillCorner = kPi / 18;  // radians: vertices of fills that turn by less belong to curves
 
-constexpr double kMostCurvature = 1.01;    // of the greatest, as for curves that are sampled
+constexpr double kMostCurvature = 1.01;  // of the greatest, as for curves that are sampled
 
 /// The corners of a closed stroke after it was turned to begin at `entry`.
 std::size_t from_entry(std::size_t corner, std::size_t entry, std::size_t n) { return (corner + n - entry % n) % n; }
@@ -72,7 +72,8 @@ std::vector<std::size_t> OrderDriver::corners(const DrawingElement& element, con
 /// One leg with the tool on; what it is left for at corners that cannot be rounded is driven with the tool off.
 void OrderDriver::stroke(const DrawingElement& element, const Leg& leg, const ElementVisit& visit, PathBuilder& path) {
   if (!(corners_.radius > 0)) return path.drive(leg.points, leg.tool, leg.gear, leg.width);
-  CornerOptions options{.rule = corners_.rule, .radius = corners_.radius, .largest_deviation = corners_.largest_deviation};
+  CornerOptions options{
+      .rule = corners_.rule, .radius = corners_.radius, .largest_deviation = corners_.largest_deviation};
   options.chord_error = kChord * router_.problem().robot().tool_width;
   options.free = [&](const Polyline& loop) {
     for (std::size_t k = 1; k < loop.size(); ++k)

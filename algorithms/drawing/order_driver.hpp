@@ -53,7 +53,8 @@ class OrderDriver {
   void transit(const Transit& t, PathBuilder& path);
   /// The person's curve, or `otherwise` if there is none through its points.
   Transit by_hand(const ElementVisit& from, const ElementVisit& to, const PortCurve& curve, const Transit& otherwise);
-  std::vector<std::size_t> corners(const DrawingElement& element, const ElementVisit& visit, const Polyline& line) const;
+  std::vector<std::size_t> corners(const DrawingElement& element, const ElementVisit& visit,
+                                   const Polyline& line) const;
 
   const std::vector<DrawingElement>& elements_;
   TransitRouter& router_;

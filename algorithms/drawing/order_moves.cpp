@@ -44,7 +44,8 @@ double OrderMoves::price_of(const Order& order, std::size_t k) {
 double OrderMoves::bound(const Order& order, std::size_t k) const {
   const DrawingElement& to = elements_[order[k].element];
   if (k == 0 || !(radius_ > 0)) return distance(exit_before(order, k), entry_of(to, order[k]));
-  return dubins_curve(exit_pose(elements_[order[k - 1].element], order[k - 1]), entry_pose(to, order[k]), radius_).length();
+  return dubins_curve(exit_pose(elements_[order[k - 1].element], order[k - 1]), entry_pose(to, order[k]), radius_)
+      .length();
 }
 
 void OrderMoves::set_finished(const ElementVisit& visit, bool finished) {

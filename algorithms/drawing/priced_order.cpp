@@ -33,7 +33,12 @@ ElementPieces pieces_of(const std::vector<DrawingElement>& elements) {
 
 PricedOrder::PricedOrder(const std::vector<DrawingElement>& elements, const Point& start, Finished rule,
                          TransitRouter& router, FinishedWork& work)
-    : elements_(elements), start_(start), rule_(rule), router_(router), work_(work), first_piece_(pieces_of(elements).first) {}
+    : elements_(elements),
+      start_(start),
+      rule_(rule),
+      router_(router),
+      work_(work),
+      first_piece_(pieces_of(elements).first) {}
 
 Transit PricedOrder::transit(const Pose& from, const Pose& to) {
   return rule_ == Finished::around ? router_.route(from, to) : router_.direct(from, to);
@@ -78,7 +83,8 @@ void PricedOrder::raise(const DrivenOrder& order, DrawingTour& tour) {
     const Transit& t = order.transits[k];
     const bool crosses = t.crossing_m > 0;
     const double price = rule_ == Finished::weight ? t.length_m + (crosses ? kConstantWeight : 0) : t.price();
-    if (rule_ == Finished::weight ? !crosses : price <= distance(t.path.front(), t.path.back()) * (1 + kNoDifference)) continue;
+    if (rule_ == Finished::weight ? !crosses : price <= distance(t.path.front(), t.path.back()) * (1 + kNoDifference))
+      continue;
     tour.raise(k == 0 ? nullptr : &order.order[k - 1], order.order[k], price);
   }
 }

@@ -7,9 +7,9 @@
 namespace oxturn {
 namespace {
 
-constexpr double kChord = 1e-3;   // tool widths: of sampled curves
-constexpr double kCoarse = 8;     // of that: for tests against finished work
-constexpr int kHeadings = 8;      // tried at a start
+constexpr double kChord = 1e-3;  // tool widths: of sampled curves
+constexpr double kCoarse = 8;    // of that: for tests against finished work
+constexpr int kHeadings = 8;     // tried at a start
 constexpr double kMostCurvature = 1.01;
 
 double heading(const Point& from, const Point& to) { return std::atan2(to.y() - from.y(), to.x() - from.x()); }

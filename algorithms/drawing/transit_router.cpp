@@ -8,8 +8,8 @@
 namespace oxturn {
 namespace {
 
-constexpr double kChord = 2e-3;       // tool widths: error of the obstacles' arcs, outside
-constexpr int kMostRounds = 40;       // of adding what the path crosses
+constexpr double kChord = 2e-3;  // tool widths: error of the obstacles' arcs, outside
+constexpr int kMostRounds = 40;  // of adding what the path crosses
 
 }  // namespace
 
@@ -51,7 +51,8 @@ Region TransitRouter::free_region(const std::vector<std::size_t>& pieces, const 
   for (const bool grown : {false, true}) {
     if (grown && !(keep_off > 0)) continue;
     const double exempt = work_.exempt() + (grown ? keep_off : 0);
-    const std::vector<Region> discs{swath({{from}}, exempt, chord, Bound::inside), swath({{to}}, exempt, chord, Bound::inside)};
+    const std::vector<Region> discs{swath({{from}}, exempt, chord, Bound::inside),
+                                    swath({{to}}, exempt, chord, Bound::inside)};
     for (const std::size_t piece : pieces) {
       const Region& swept = sweep(piece, grown);
       const Box box = bounding_box(swept);
@@ -111,8 +112,8 @@ TransitRouter::Known TransitRouter::with_bends(const Point& from, const Point& t
 }
 
 void TransitRouter::smoothen(Known& known, const Pose& from, bool any_heading, const Pose& to) const {
-  SmoothTransit t = any_heading ? smooth_->find(from.at, to, known.transit.path)
-                                : smooth_->find(from, to, known.transit.path);
+  SmoothTransit t =
+      any_heading ? smooth_->find(from.at, to, known.transit.path) : smooth_->find(from, to, known.transit.path);
   known.transit = measured(std::move(t.path), t.keeps_radius);
   known.for_this_work = known.for_this_work || known.transit.crossing_m > 0 || !t.keeps_radius;
   if (!is_clear(known)) known.keep_off = 0;

@@ -37,7 +37,8 @@ std::vector<std::uint32_t> WeightedSearch::cells_of(const DrawnPiece& piece) con
     box.grow(radius);
     const Point low = (box.low - free_.origin) / free_.cell, high = (box.high - free_.origin) / free_.cell;
     for (int j = std::max(0, static_cast<int>(low.y())); j <= std::min(free_.rows - 1, static_cast<int>(high.y())); ++j)
-      for (int i = std::max(0, static_cast<int>(low.x())); i <= std::min(free_.columns - 1, static_cast<int>(high.x())); ++i)
+      for (int i = std::max(0, static_cast<int>(low.x())); i <= std::min(free_.columns - 1, static_cast<int>(high.x()));
+           ++i)
         if (distance_to_segment(free_.centre(i, j), piece.points[k - 1], piece.points[k]) < radius)
           cells.push_back(static_cast<std::uint32_t>(free_.at(i, j)));
   }
@@ -91,8 +92,7 @@ double WeightedSearch::cost(const Point& a, const Point& b, const Point& from, c
 Polyline WeightedSearch::straightened(const Polyline& path) const {
   const Point &from = path.front(), &to = path.back();
   std::vector<double> so_far{0};
-  for (std::size_t k = 1; k < path.size(); ++k)
-    so_far.push_back(so_far.back() + cost(path[k - 1], path[k], from, to));
+  for (std::size_t k = 1; k < path.size(); ++k) so_far.push_back(so_far.back() + cost(path[k - 1], path[k], from, to));
   Polyline out{from};
   for (std::size_t k = 0; k + 1 < path.size();) {
     std::size_t next = path.size() - 1;

@@ -146,9 +146,7 @@ TEST(Beachbot, ContradictionsNameBothElements) {
     drawing.connections = std::move(connections);
     try {
       plan("beachbot", canvas(drawing, beach_robot()));
-    } catch (const std::invalid_argument& e) {
-      return std::string(e.what());
-    }
+    } catch (const std::invalid_argument& e) { return std::string(e.what()); }
     return std::string("no message");
   };
   EXPECT_THAT(message({{{"eye", -1}, {"ear", 0}, true}, {{"tail", 0}, {"eye", -1}, true}}),
@@ -179,7 +177,8 @@ TEST(Beachbot, TransitsGoRoundWhatIsDrawn) {
   EXPECT_NEAR(router.direct(Pose{{3, 5}}, Pose{{5, 5}}).crossing_m, 0.42, 1e-3);
   EXPECT_EQ(round.crossing_m, 0);
   // Tangents to the discs of 0.21 + 0.3 about an end of the wall, and the arc between them.
-  const double tangent = std::sqrt(1 + 16 - 0.51 * 0.51), turn = 2 * (std::atan2(1, 4) + std::acos(0.51 / std::sqrt(17)));
+  const double tangent = std::sqrt(1 + 16 - 0.51 * 0.51),
+               turn = 2 * (std::atan2(1, 4) + std::acos(0.51 / std::sqrt(17)));
   EXPECT_NEAR(round.length_m, 2 * tangent + 0.51 * (2 * kPi - turn), 0.02);
   work.undo(1);
   EXPECT_NEAR(router.route(Pose{{3, 5}}, Pose{{5, 5}}).length_m, 2, 1e-9);
@@ -189,7 +188,8 @@ TEST(Beachbot, TransitsGoRoundWhatIsDrawn) {
 TEST(Beachbot, LeavesAStrokeAsWideAsTheTool) {
   for (const double width : {0.04, 0.16, 0.32, 0.42}) {
     Drawing drawing;
-    drawing.strokes = {line("near", {{1, 2}, {1, 4}}), line("wall", {{4, 1}, {4, 9}}, width), line("far", {{6, 4}, {9, 4}})};
+    drawing.strokes = {line("near", {{1, 2}, {1, 4}}), line("wall", {{4, 1}, {4, 9}}, width),
+                       line("far", {{6, 4}, {9, 4}})};
     EXPECT_EQ(plan_recorded("beachbot", canvas(drawing, beach_robot())).figures.at("over_finished_m"), 0);
   }
 }
@@ -237,7 +237,8 @@ TEST(Beachbot, TheSameBytesAgain) {
   for (const auto seed : seeds(2)) {
     SCOPED_TRACE(seed);
     const Drawing drawing = DrawingGenerator(seed, {}).drawing();
-    const Path one = plan("beachbot", canvas(drawing, beach_robot())), two = plan("beachbot", canvas(drawing, beach_robot()));
+    const Path one = plan("beachbot", canvas(drawing, beach_robot())),
+               two = plan("beachbot", canvas(drawing, beach_robot()));
     ASSERT_EQ(one.legs.size(), two.legs.size());
     for (std::size_t k = 0; k < one.legs.size(); ++k) EXPECT_EQ(one.legs[k].points, two.legs[k].points);
   }

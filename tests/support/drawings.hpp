@@ -27,7 +27,8 @@ class DrawingGenerator {
     for (int k = 0; k < kind_.closed; ++k) {
       const Point centre = point();
       double radius = rng_.between(0.5, 2.5);
-      for (int n = 0; n < kind_.nested; ++n, radius *= 0.55) stroke(fmt::format("ring{}.{}", k, n), blob(centre, radius, true));
+      for (int n = 0; n < kind_.nested; ++n, radius *= 0.55)
+        stroke(fmt::format("ring{}.{}", k, n), blob(centre, radius, true));
     }
     for (int k = 0; k < kind_.letters; ++k) letter(k, point());
     Region drawn;  // areas are disjoint
@@ -70,11 +71,13 @@ class DrawingGenerator {
     stroke(fmt::format("letter{}.0", k), {inside(at), inside(at + Point(0, size))});
     for (int bar = 1; bar <= rng_.between(1, 3); ++bar) {
       const double y = size * rng_.between(0, 2) / 2;
-      stroke(fmt::format("letter{}.{}", k, bar), {inside(at + Point(0, y)), inside(at + Point(0.6 * size, y + rng_.between(-0.3, 0.3)))});
+      stroke(fmt::format("letter{}.{}", k, bar),
+             {inside(at + Point(0, y)), inside(at + Point(0.6 * size, y + rng_.between(-0.3, 0.3)))});
     }
   }
   Point point() {
-    return {rng_.between(kind_.margin, kind_.width - kind_.margin), rng_.between(kind_.margin, kind_.height - kind_.margin)};
+    return {rng_.between(kind_.margin, kind_.width - kind_.margin),
+            rng_.between(kind_.margin, kind_.height - kind_.margin)};
   }
   Point inside(const Point& p) const {
     return {std::clamp(p.x(), kind_.margin, kind_.width - kind_.margin),
