@@ -7,7 +7,8 @@
 /// that this one crosses, and so on (a path that is shortest round some of the obstacles and clear of all is shortest
 /// round all). The robot's centre keeps `keep_off` from what is drawn; where that leaves no path, only off the drawn
 /// lines themselves; where there is still none, the path with the least driving over them (weighted_search.hpp). With
-/// smooth transits the path is replaced by a curve (smooth_transits.hpp). Paths are remembered as long as they are valid.
+/// smooth transits the path is replaced by a curve (smooth_transits.hpp). Paths are remembered as long as they are
+/// valid.
 /// Source: the outlook of Vollprecht 2014 (figure 5.1). Cost: a triangulation of the obstacles that are in the way.
 #pragma once
 

@@ -11,9 +11,11 @@
 namespace oxturn {
 namespace {
 
-constexpr std::size_t kSamples = 64;  // of a curve, for its greatest curvature
-constexpr double kRefined = 0.7;      // of the greatest sample: peaks above that are refined
-constexpr int kLengthPanels = 8;
+constexpr std::size_t kSamples = 64;   // of a curve, for its greatest curvature
+constexpr double kRefined = 0.7;       // of the greatest sample: peaks above that are refined
+constexpr double kSharp = 0.3;         // radians between two samples: their mean curvature counts too
+constexpr double kLengthError = 1e-8;  // of the length
+constexpr int kMostHalvings = 20;
 constexpr std::size_t kSearchSamples = 32;  // of a quintic, while its handles are searched
 constexpr int kHandles = 32;                // that are tried first
 
@@ -45,6 +47,14 @@ double curvature_of(const Point& velocity, const Point& acceleration) {
   return speed > 0 ? cross(velocity, acceleration) / (speed * speed * speed) : std::numeric_limits<double>::infinity();
 }
 
+/// Between two samples, whose velocities these are, the curve may turn round almost on the spot: then so much per metre
+/// of the chord, else 0.
+double mean_curvature(const Point& from, const Point& to, double chord) {
+  const double dot = from.dot(to), area = std::abs(cross(from, to));
+  if (dot > 0 && area < kSharp * dot) return 0;
+  return chord > 0 ? std::atan2(area, dot) / chord : std::numeric_limits<double>::infinity();
+}
+
 /// The greatest curvature of the quintics between two poses, by the length of their handles. Their first and last three
 /// control points lie on lines, so few terms of the Bernstein polynomials remain.
 class QuinticFamily {
@@ -59,8 +69,12 @@ class QuinticFamily {
   double largest_curvature(double handle) const {
     const Point a = handle * first_, b = handle * last_, middle = chord_ - 2 * (a + b);
     double largest = 0;
+    Point before = 5 * a;
     for (const Terms& t : terms_) {
       const Point velocity = 5 * (t.first * a + t.middle * middle + t.last * b);
+      const double chord = (before + velocity).norm() / (2 * kSearchSamples);  // almost
+      largest = std::max(largest, mean_curvature(before, velocity, chord));
+      before = velocity;
       const Point acceleration = 20 * (t.rise * (middle - a) + t.fall * (b - middle));
       largest = std::max(largest, std::abs(curvature_of(velocity, acceleration)));
     }
@@ -75,6 +89,15 @@ class QuinticFamily {
   Point chord_, first_, last_;
   std::array<Terms, kSearchSamples + 1> terms_{};
 };
+
+/// Halves the interval until that makes no difference.
+template <class Function>
+double refined_integral(const Function& f, double a, double b, double whole, double error, int halvings) {
+  const double middle = (a + b) / 2, left = integral(f, a, middle), right = integral(f, middle, b);
+  if (halvings == 0 || !(std::abs(left + right - whole) > error)) return left + right;
+  return refined_integral(f, a, middle, left, error / 2, halvings - 1) +
+         refined_integral(f, middle, b, right, error / 2, halvings - 1);
+}
 
 }  // namespace
 
@@ -93,6 +116,11 @@ double largest_curvature(const Bezier& curve) {
   std::array<double, kSamples + 1> samples{};
   for (std::size_t i = 0; i <= kSamples; ++i) samples[i] = bend(static_cast<double>(i) / kSamples);
   double largest = *std::ranges::max_element(samples);
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    const double a = static_cast<double>(i) / kSamples, b = static_cast<double>(i + 1) / kSamples;
+    const double chord = distance(value(curve.points, a), value(curve.points, b));
+    largest = std::max(largest, mean_curvature(value(velocity, a), value(velocity, b), chord));
+  }
   const double refined = kRefined * largest;
   if (!std::isfinite(largest)) return largest;
   for (std::size_t i = 0; i <= kSamples; ++i) {
@@ -108,11 +136,9 @@ double largest_curvature(const Bezier& curve) {
 
 double length(const Bezier& curve) {
   const std::vector<Point> velocity = derivative(curve.points);
-  double sum = 0;
-  for (int i = 0; i < kLengthPanels; ++i)
-    sum += integral([&](double t) { return value(velocity, t).norm(); }, static_cast<double>(i) / kLengthPanels,
-                    static_cast<double>(i + 1) / kLengthPanels);
-  return sum;
+  const auto speed = [&](double t) { return value(velocity, t).norm(); };
+  const double whole = integral(speed, 0, 1);
+  return refined_integral(speed, 0, 1, whole, kLengthError * whole, kMostHalvings);
 }
 
 Bezier cubic_connection(const Pose& from, const Pose& to, double handle) {

@@ -23,7 +23,8 @@ Point position_at(const Bezier& curve, double t);
 Point velocity_at(const Bezier& curve, double t);
 /// Signed curvature, positive to the left. Infinite where the velocity is zero.
 double curvature_at(const Bezier& curve, double t);
-/// The greatest absolute curvature: of 64 samples, refined by golden sections around the greatest ones.
+/// The greatest absolute curvature: of 64 samples, refined by golden sections around the greatest ones; where the
+/// heading changes much between two samples, as it does near a cusp, also the mean curvature between them.
 double largest_curvature(const Bezier& curve);
 double length(const Bezier& curve);
 

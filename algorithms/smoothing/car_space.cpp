@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/smoothing/lattice_search.hpp"
+#include "algorithms/smoothing/ompl_search.hpp"
 #include "geometry/point_outside.hpp"
 
 namespace oxturn {
@@ -30,8 +31,10 @@ Curve straight(const Pose& from, double shift, double radius) {
 
 }  // namespace
 
-CarSpace::CarSpace(const Problem& problem)
+CarSpace::CarSpace(const Problem& problem, DetourSearch search)
     : walls_(problem.walls()),
+      bounds_(bounding_box(problem.configuration_space())),
+      search_(search),
       radius_(problem.robot().min_turn_radius),
       chord_error_(kChordError * problem.robot().tool_width),
       tolerance_(problem.tolerance() / 2),
@@ -88,7 +91,8 @@ std::optional<Curve> CarSpace::simple_link(const Pose& from, const Pose& to) con
 }
 
 std::optional<Curve> CarSpace::detour(const std::vector<Pose>& from, const Pose& to, const Context& context) const {
-  return lattice_search(*this, from, to, context);
+  return search_ == DetourSearch::ompl ? ompl_search(*this, from, to, context)
+                                       : lattice_search(*this, from, to, context);
 }
 
 bool CarSpace::can_go_on(const Pose& from, double metres) const {

@@ -8,7 +8,7 @@
 /// A link is the first of these that is free:
 ///   1. Dubins words, shortest first; in reverse: the shortest Reeds-Shepp curve
 ///   2. the same between poses further ahead on the lane's line (or, in reverse, also further back), shortest first
-///   3. a detour: hybrid A* over position and heading (lattice_search.hpp)
+///   3. a detour: hybrid A* over position and heading (lattice_search.hpp), or OMPL's random trees (ompl_search.hpp)
 /// Complexity  some dozens of curves of a few microseconds and O(length) segment tests; a detour up to a second
 #pragma once
 
@@ -21,14 +21,19 @@
 
 namespace oxturn {
 
+/// Who searches detours.
+enum class DetourSearch { lattice, ompl };
+
 class CarSpace {
  public:
   /// `problem` must outlive it.
-  explicit CarSpace(const Problem& problem);
+  explicit CarSpace(const Problem& problem, DetourSearch search = DetourSearch::lattice);
 
   double radius() const { return radius_; }
   bool reverse() const { return reverse_; }
   double chord_error() const { return chord_error_; }
+  /// Of configuration space.
+  const Box& bounds() const { return bounds_; }
   bool free(const Curve& curve) const;
   bool free(const Pose& from, const CurvePiece& piece) const;
   bool free(const Polyline& line) const;
@@ -48,6 +53,8 @@ class CarSpace {
   void add_curves(const Pose& from, const Pose& to, std::vector<Curve>& out) const;
 
   const EdgeIndex& walls_;
+  Box bounds_;
+  DetourSearch search_;
   double radius_, chord_error_;
   double tolerance_;  // laps along the boundary are off it by rounding
   double stop_cost_;

@@ -43,8 +43,8 @@ class TurnShape {
   /// The circle's centre in the frame of a pose that begins a left turn.
   const Point& centre() const { return centre_; }
   double outer_radius() const { return centre_.norm(); }
-  /// The turn by `deflection` radians, to the left if positive; |deflection| < 2 pi. It begins and ends on the circle; by
-  /// 0 it is a straight line of 2 centre().x().
+  /// The turn by `deflection` radians, to the left if positive; |deflection| < 2 pi. It begins and ends on the circle;
+  /// by 0 it is a straight line of 2 centre().x().
   std::vector<Clothoid> turn(const Pose& from, double deflection) const;
   /// The turn that rounds a corner, of the greatest sharpness: shorter than turn() for small deflections.
   std::vector<Clothoid> corner(const Pose& from, double deflection) const;

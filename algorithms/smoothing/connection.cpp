@@ -1,5 +1,7 @@
 #include "algorithms/smoothing/connection.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -10,6 +12,7 @@ namespace {
 constexpr double kRhos[] = {2, 2.25, 2.5, 3, 3.5, 4, 5};  // radii
 constexpr double kAllowed = 1.005;                        // of the greatest curvature; half of it is for the sampling
 constexpr double kDetour = 8 * kPi;                       // radii, over the distance
+constexpr std::size_t kMostPoints = 32;                   // of a person's Bézier curve
 constexpr double kKink = 1e-3, kGap = 1e-6;               // radians; radii
 
 /// Tries one curve after the other.
@@ -22,8 +25,8 @@ class Search {
     const ConnectionKind first = options_.first;
     const bool found = (first <= ConnectionKind::spiro && try_spiro()) ||
                        (first <= ConnectionKind::bezier && try_bezier()) ||
-                       (first <= ConnectionKind::clothoid && try_clothoids()) || try_dubins();
-    if (!found) best_.allowed = false;
+                       (first <= ConnectionKind::clothoid && try_clothoids());
+    if (!found && (empty_ || !best_.allowed)) try_dubins();
     return std::move(best_);
   }
 
@@ -61,7 +64,7 @@ class Search {
     return false;
   }
 
-  /// The curve becomes the result if it is the first one that keeps the radius, or an allowed one.
+  /// The curve becomes the result if it is the first one that keeps the radius, or an allowed one. True: it will do.
   bool offer(SmoothCurve curve, ConnectionKind kind, std::vector<Point> through = {}) {
     const double curvature = largest_curvature(curve);
     const JointErrors errors = joint_errors(curve);
@@ -69,18 +72,23 @@ class Search {
     const bool drivable = finite(curve) && curvature * options_.radius <= kAllowed && exact;
     // The shortest of the last kind is the only one that must do.
     const bool last_resort = kind == ConnectionKind::dubins && empty_;
-    if (!last_resort && (!drivable || length(curve) > longest_)) return false;
+    if (!last_resort && !drivable) return false;
+    const double metres = length(curve);
+    const bool have_one = !empty_ && best_.allowed;
+    if ((!last_resort && metres > longest_) || (have_one && metres >= length_)) return false;
     const bool allowed = !options_.allowed || options_.allowed(curve);
     if (!allowed && !empty_) return false;
     best_ = {std::move(curve), kind, std::move(through), curvature, allowed};
+    length_ = metres;
     empty_ = false;
-    return allowed;
+    return allowed && !options_.shortest;
   }
 
   const Pose &from_, &to_;
   const ConnectionOptions& options_;
   double longest_;
   bool empty_ = true;
+  double length_ = 0;  // of the best
   Connection best_;
 };
 
@@ -102,6 +110,9 @@ std::optional<Connection> edited_connection(const Pose& from, const Pose& to, Co
   if (kind == ConnectionKind::spiro) {
     curve = spiro_curve(from, to, points, 2 * radius);
   } else if (kind == ConnectionKind::bezier) {
+    if (points.size() > kMostPoints)
+      throw std::invalid_argument(
+          fmt::format("a Bézier connection has {} control points, expected at most {}", points.size(), kMostPoints));
     Bezier bezier{{from.at}};
     bezier.points.insert(bezier.points.end(), points.begin(), points.end());
     bezier.points.push_back(to.at);

@@ -16,6 +16,7 @@ namespace {
 constexpr double kThreshold = 1.57;       // inner angle in radians below which Vollprecht drives round outside
 constexpr double kLongestStraight = 1e4;  // radii, of his loop
 constexpr double kNone = 1e-9;            // radians: no corner
+constexpr double kArcError = 0.8;         // chord errors; leaving out a sample near another one takes the rest
 constexpr double kRepeated = 1e-9;        // radii
 
 Point unit(const Point& v) { return v / v.norm(); }
@@ -129,24 +130,24 @@ class Rounding {
   std::vector<Loop> loops(const Pose& at, const Turn& turn) const {
     const double radius = options_.radius;
     std::vector<Loop> found;
-    const auto offer = [&](const Curve& curve) {
-      found.emplace_back(curve.length(), sampled(curve, options_.chord_error, false));
+    const auto offer = [&](const SmoothCurve& curve) {
+      found.emplace_back(length(curve), std::vector<Leg>{{false, sampled(curve, options_.chord_error)}});
     };
     if (options_.rule == CornerRule::literal) {
       const Curve loop = straight_loop(at, turn.deflection, radius);
-      if (loop.pieces.front().length <= kLongestStraight * radius) offer(loop);
+      if (loop.pieces.front().length <= kLongestStraight * radius) offer(smooth_curve(loop));
       return found;
     }
     const Pose to{at.at, at.heading + turn.deflection};
     if (shape_) {
-      for (const auto& word : continuous_dubins_words(at, to, *shape_))
-        found.emplace_back(
-            length(word),
-            std::vector<Leg>{{false, sampled({at, to, {word.begin(), word.end()}}, options_.chord_error)}});
+      for (const auto& word : continuous_dubins_words(at, to, *shape_)) offer({at, to, {word.begin(), word.end()}});
     } else {
-      offer(bulb(at, turn.deflection, radius));
+      offer(smooth_curve(bulb(at, turn.deflection, radius)));
     }
-    if (options_.reverse) offer(reeds_shepp_curve(at, to, radius));
+    if (options_.reverse) {
+      const Curve turn_on_the_spot = reeds_shepp_curve(at, to, radius);
+      found.emplace_back(turn_on_the_spot.length(), sampled(turn_on_the_spot, kArcError * options_.chord_error, false));
+    }
     std::ranges::stable_sort(found, {}, &Loop::first);
     return found;
   }

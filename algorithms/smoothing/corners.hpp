@@ -1,18 +1,18 @@
 /// Corners of a polyline for a robot with a least turning radius: rounded inside, driven round outside, or a stop.
 ///
-///   const RoundedLine line = rounded_corners(stroke, {3, 7}, {.radius = 0.5, .largest_deviation = 0.03, .free = free});
+///   const RoundedLine line = rounded_corners(stroke, {3, 7}, {.radius = 0.5, .largest_deviation = 0.03});
 ///   for (const Leg& leg : line.legs) path.drive(leg.points, leg.tool, leg.gear, width);
 ///
 ///     inside            outside (tool up): the bulb begins and ends in the vertex with both tangents
 ///      ____                  .-.
-///          '.          -----+---+     Arcs by d/2 - g with the corner, 2 pi - 2 g against it, d/2 - g with it, where d is
-///            \              |'-'      the change of heading and g = asin(sin(d/2) / 2). At most 7 pi R / 3 long, at most
-///             |             |         (1 + sqrt 3) R away from the vertex, for all corners.
+///          '.          -----+---+     Arcs by d/2 - g with the corner, 2 pi - 2 g against it, d/2 - g with it,
+///            \              |'-'      where d is the change of heading and g = asin(sin(d/2) / 2). For all corners
+///             |             |         at most 7 pi R / 3 long, and at most (1 + sqrt 3) R away from the vertex.
 ///
 /// Inside: an arc, or clothoids, that begins R tan(d/2) (more for clothoids) before the vertex. It fits if the edges
 /// beside the vertex are long enough for it and its neighbours.
-/// Source      rounding inside and outside by a threshold angle: Vollprecht 2014; his loop (straight, arc, straight) has
-///             no bound for sharp corners (`literal`). The bulb is ours.
+/// Source      rounding inside and outside by a threshold angle: Vollprecht 2014; his loop (straight, arc, straight)
+///             has no bound for sharp corners (`literal`). The bulb is ours.
 /// Guarantee   tangents are continuous but at stops; curvature <= 1 / radius
 /// Complexity  O(n) for n vertices, and a test of `free` for each loop
 #pragma once
@@ -35,7 +35,7 @@ struct CornerOptions {
   double sharpness = -1;         // of clothoids, 1/m^2; 0: 2 / radius^2; negative: arcs
   double largest_deviation = 0;  // metres that `automatic` may leave a vertex
   double chord_error = 1e-3;     // metres
-  bool reverse = false;          // three-point turns may take the place of bulbs where they are shorter
+  bool reverse = false;          // three-point turns may replace bulbs where they are shorter
   bool may_stop = true;          // the robot can turn on the spot
   /// Whether a loop outside may be driven (canvas, finished work); empty: anywhere.
   std::function<bool(const Polyline&)> free = {};

@@ -11,6 +11,7 @@ namespace oxturn {
 namespace {
 
 constexpr double kMostLeftOut = 0.1;  // of the strokes' length
+constexpr const char* kDetour = "detour";
 
 double total_length(const std::vector<Stroke>& strokes) {
   double sum = 0;
@@ -41,24 +42,25 @@ void drive(PathBuilder& path, const std::vector<Leg>& legs) {
 
 class Drivable final : public CoveragePlanner {
  public:
-  explicit Drivable(std::unique_ptr<CoveragePlanner> inner) : inner_(std::move(inner)) {}
+  Drivable(std::unique_ptr<CoveragePlanner> inner, DetourSearch search) : inner_(std::move(inner)), search_(search) {}
 
   Path plan(const Problem& problem, Context& context) const override {
     if (!(problem.robot().min_turn_radius > 0)) return inner_->plan(problem, context);
     Context::Sinks sinks = context.without_promise();
     sinks.publish = {};  // its paths cannot be driven
     Context inner(context.seed(), context.seconds_left(), std::move(sinks));
-    return drivable(problem, inner_->plan(problem.turning_on_the_spot(), inner), context);
+    return drivable(problem, inner_->plan(problem.turning_on_the_spot(), inner), context, search_);
   }
 
  private:
   std::unique_ptr<CoveragePlanner> inner_;
+  DetourSearch search_;
 };
 
 }  // namespace
 
-Path drivable(const Problem& problem, const Path& path, Context& context) {
-  const CarSpace space(problem);
+Path drivable(const Problem& problem, const Path& path, Context& context, DetourSearch search) {
+  const CarSpace space(problem, search);
   std::vector<Stroke> strokes = strokes_of(path, problem, space);
   LeftOut left_out(total_length(strokes));
   const std::vector<Stroke> whole = strokes;
@@ -96,10 +98,27 @@ Path drivable(const Problem& problem, const Path& path, Context& context) {
 }
 
 PlannerInfo drivable_planner(PlannerInfo info) {
+  const std::string help = "of a car-like robot where a link is blocked: hybrid A*, or OMPL's random trees";
   info.capabilities.push_back(Capability::curvature);
-  info.make = [make = std::move(info.make)](const Settings& settings, const Planners& planners) {
-    return std::make_unique<Drivable>(make(settings, planners));
+  // A planner that runs another one has the parameter of that one.
+  const bool own = !info.more_parameters;
+  if (own) info.parameters.push_back({kDetour, std::string("lattice"), {}, {"lattice", "ompl"}, help});
+  const auto rest = [own](Settings settings) {
+    if (own) settings.erase(kDetour);
+    return settings;
   };
+  info.make = [owner = "planner '" + info.name + "'", make = std::move(info.make), own, all = info.parameters, rest](
+                  const Settings& settings, const Planners& planners) {
+    if (own) checked(owner, all, settings);  // to name all parameters where one is unknown
+    auto inner = make(rest(settings), planners);
+    const auto search = settings.find(kDetour);
+    const bool ompl = search != settings.end() && search->second == Value(std::string("ompl"));
+    return std::make_unique<Drivable>(std::move(inner), ompl ? DetourSearch::ompl : DetourSearch::lattice);
+  };
+  if (info.promises_with)
+    info.promises_with = [holds = std::move(info.promises_with), rest](const Settings& settings) {
+      return holds(rest(settings));
+    };
   return info;
 }
 

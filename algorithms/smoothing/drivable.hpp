@@ -19,12 +19,14 @@
 #pragma once
 
 #include "algorithms/context.hpp"
+#include "algorithms/smoothing/car_space.hpp"
 #include "maps/problem.hpp"
 
 namespace oxturn {
 
 /// Throws Infeasible with the position if the robot cannot get to, or not out of, more than a tenth of the strokes by
-/// length. Records "lanes_left_out_m" if it is less. Traces "strokes". Ends early if cancelled.
-Path drivable(const Problem& problem, const Path& path, Context& context);
+/// length. Records "lanes_left_out_m" if it is less. Traces "strokes". Ends early if cancelled. `search`: who looks for
+/// detours where links are blocked.
+Path drivable(const Problem& problem, const Path& path, Context& context, DetourSearch search = DetourSearch::lattice);
 
 }  // namespace oxturn

@@ -27,11 +27,11 @@ SmoothCurve smooth_curve(const Curve& curve);
 
 /// Metres; Bézier curves by quadrature, to 1e-6 of the length.
 double length(const SmoothCurve& curve);
-/// The greatest absolute curvature, 1/m; of Bézier curves the greatest of 64 samples a piece, refined. Infinite at a cusp.
+/// The greatest absolute curvature, 1/m; of Bézier curves that of 64 samples a piece, refined. Infinite at a cusp.
 double largest_curvature(const SmoothCurve& curve);
 /// All coordinates are finite.
 bool finite(const SmoothCurve& curve);
-/// The largest of: the gap between a piece's end and the next one's begin, and between the curve's ends and `from`, `to`.
+/// The largest gap between a piece's end and the next one's begin, and between the curve's ends and `from` and `to`.
 /// Metres for positions, radians for headings.
 struct JointErrors {
   double position = 0, heading = 0;

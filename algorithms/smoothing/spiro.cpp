@@ -1,7 +1,7 @@
 // libspiro gets five to seven points: an end, a point of type ']' a little ahead on its heading, the control points of
 // type 'c', and the same mirrored at the other end, with '['. (With '[' first, as Vollprecht has it in his text,
-// tangents are lost.) It answers with cubic Bézier curves. It works in a frame where the first end is the origin, the second
-// one is on the x axis, and rho is the unit.
+// tangents are lost.) It answers with cubic Bézier curves. It works in a frame where the first end is the origin, the
+// second one is on the x axis, and rho is the unit.
 #include "algorithms/smoothing/spiro.hpp"
 
 #include <spiroentrypoints.h>
@@ -39,7 +39,9 @@ class ControlPoints {
         c2_(ahead(to, -rho).at) {}
 
   std::vector<Point> get(SpiroRule rule) {
-    if (swings_out()) {
+    // Vollprecht's program leaves near ends alone.
+    const bool may_turn = rule == SpiroRule::improved || distance(from_.at, to_.at) > rho_;
+    if (may_turn && swings_out()) {
       c1_ = from_.at + turned(c1_ - from_.at, -first_ / 2);
       c2_ = to_.at + turned(c2_ - to_.at, -last_ / 2);
     }

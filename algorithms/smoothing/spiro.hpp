@@ -4,9 +4,9 @@
 ///   const std::optional<SmoothCurve> curve = spiro_curve(from, to, through, 2 * radius);
 ///
 /// The curve passes through its control points with continuous curvature, leaves `from` and reaches `to` along their
-/// headings. Without control points the curvature may become large, so for all but gentle connections there are two,
-/// each at the distance rho = 2 radius along the heading; they are moved where they are too close to each other or
-/// where the curve would swing out.
+/// headings, without curvature at its ends. Without control points the curvature may become large, so for all but
+/// gentle connections there are two, each at the distance rho = 2 radius along the heading; they are moved where they
+/// are too close to each other or where the curve would swing out.
 ///
 /// Source      Levien, From Spiral to Spline, 2009 (libspiro 20221101); control points after Vollprecht 2014
 /// Complexity  30 to 50 microseconds
@@ -19,8 +19,8 @@
 
 namespace oxturn {
 
-/// How control points that are too close to each other are moved. `literal`: pushed apart along their line, as in
-/// Vollprecht's program. `improved`: turned about the ends in opposite senses, as in his text.
+/// How control points are moved. `literal`: as in Vollprecht's program; those too close to each other are pushed apart
+/// along their line. `improved`: as in his text; they are turned about the ends in opposite senses.
 enum class SpiroRule { literal, improved };
 
 /// None for a gentle connection, else two.

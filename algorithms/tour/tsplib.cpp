@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::size_t kMostNodes = 1000000;
 constexpr std::size_t kMostMatrixNodes = 10000;
+constexpr double kComesBefore = -1;     // a weight from i to j of a SOP: j comes before i
 constexpr std::size_t kMostShown = 40;  // bytes of a word in messages
 
 std::string upper(std::string_view text) {
@@ -160,8 +161,9 @@ class Reader {
     }
   }
   void take_type(const std::string& type) {
-    if (type != "TSP" && type != "ATSP") words_.fail("TYPE is '{}', expected TSP or ATSP", Words::shown(type));
-    instance_.symmetric = type == "TSP";
+    if (type != "TSP" && type != "ATSP" && type != "SOP")
+      words_.fail("TYPE is '{}', expected TSP, ATSP or SOP", Words::shown(type));
+    instance_.symmetric = type == "TSP", instance_.sequential = type == "SOP";
   }
   void take_weights(const std::string& weights) {
     using enum TsplibInstance::Weights;
@@ -195,11 +197,16 @@ class Reader {
     const std::size_t n = dimension();
     if (n > kMostMatrixNodes) words_.fail("a matrix of {} nodes, expected at most {}", n, kMostMatrixNodes);
     instance_.matrix.resize(n * n);
+    double first = words_.number("an edge weight");
+    // The matrix of a SOP begins with its size.
+    if (instance_.sequential && first == static_cast<double>(n)) first = words_.number("an edge weight");
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) {
-        double& weight = instance_.matrix[i * n + j] = words_.number("an edge weight");
+        double& weight = instance_.matrix[i * n + j] = i + j == 0 ? first : words_.number("an edge weight");
         if (i == j) weight = 0;  // of no effect, and often written as a huge number
       }
+    for (std::size_t j = 1; j < n && instance_.sequential; ++j)
+      if (instance_.matrix[j] == kComesBefore) words_.fail("node {} comes before node 1, expected none", j + 1);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (instance_.symmetric && instance_.matrix[i * n + j] != instance_.matrix[j * n + i])
@@ -216,18 +223,35 @@ class Reader {
 }  // namespace
 
 std::unique_ptr<ConnectionCost> TsplibInstance::cost() const {
-  if (weights == Weights::full_matrix) return std::make_unique<MatrixCost>(dimension, matrix);
+  if (weights == Weights::full_matrix && !sequential) return std::make_unique<MatrixCost>(dimension, matrix);
+  if (weights == Weights::full_matrix) {
+    std::vector<double> costs = matrix;
+    std::ranges::replace(costs, kComesBefore, kForbidden);
+    for (std::size_t i = 0; i < dimension; ++i) costs[i * dimension] = 0;
+    return std::make_unique<MatrixCost>(dimension, std::move(costs));
+  }
   return std::make_unique<RoundedCost>(points, weights == Weights::ceil_2d);
+}
+
+void TsplibInstance::require_order(TourProblem& problem) const {
+  if (!sequential || matrix.empty()) return;
+  for (ElementId i = 1; i < dimension; ++i)
+    for (ElementId j = 1; j < dimension; ++j)
+      if (matrix[i * dimension + j] == kComesBefore) problem.require_before(j, i);
 }
 
 TsplibInstance read_tsplib(std::string_view text, const std::string& source) { return Reader(text, source).read(); }
 
 std::string write_tsplib(const TsplibInstance& instance) {
   const std::size_t n = instance.dimension;
-  std::string out =
-      fmt::format("NAME: {}\nTYPE: {}\nDIMENSION: {}\n", instance.name, instance.symmetric ? "TSP" : "ATSP", n);
+  std::string out = fmt::format("NAME: {}\nTYPE: {}\nDIMENSION: {}\n", instance.name,
+                                instance.sequential  ? "SOP"
+                                : instance.symmetric ? "TSP"
+                                                     : "ATSP",
+                                n);
   if (instance.weights == TsplibInstance::Weights::full_matrix) {
     out += "EDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: FULL_MATRIX\nEDGE_WEIGHT_SECTION\n";
+    if (instance.sequential) out += fmt::format("{}\n", n);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) out += to_decimal(instance.matrix[i * n + j]) + (j + 1 < n ? ' ' : '\n');
   } else {

@@ -1,6 +1,7 @@
 // Tours: by how much they are above the Held-Karp bound, and how processor time grows.
 //
 //   oxturn_micro --benchmark_filter=Tour        the table: over_bound is in per cent, on three kinds of problems
+//   scripts/tours                               makes docs/tours.md of it
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -114,10 +115,10 @@ void rows(benchmark::internal::Benchmark* b) {
   b->Args({plane, 1000})->Args({dubins, 1000})->Args({matrix, 1000})->Unit(benchmark::kMillisecond)->Iterations(1);
   b->ArgNames({"kind", "n"});
 }
-BENCHMARK(BM_TourNearestNeighbour)->Apply(rows);
+BENCHMARK(BM_TourNearestNeighbour)->Apply(rows)->Args({plane, 10000});
 BENCHMARK(BM_TourBranchAndBound)->Apply(rows);
-BENCHMARK(BM_TourDescent)->Apply(rows);
-BENCHMARK(BM_TourDefault)->Apply(rows);
+BENCHMARK(BM_TourDescent)->Apply(rows)->Args({plane, 10000});
+BENCHMARK(BM_TourDefault)->Apply(rows)->Args({plane, 10000});
 BENCHMARK(BM_TourTwoSeconds)->Apply(rows)->Args({plane, 10000});
 BENCHMARK(BM_TourLkh)->Apply(rows);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdlib>
 #include <limits>
 
 #include "tests/algorithms/curve_checks.hpp"
@@ -16,16 +17,18 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// OXTURN_CONNECTIONS: how many instead, for the wide test by hand.
 int connections() {
   const char* count = std::getenv("OXTURN_CONNECTIONS");
-  return count != nullptr ? std::atoi(count) : 20000;
+  return count != nullptr ? std::atoi(count) : 10000;
 }
 
-void check(const Connection& c, const RandomConnection& p) {
+/// `samples`: also by the sampled points.
+void check(const Connection& c, const RandomConnection& p, bool samples) {
   const JointErrors errors = joint_errors(c.curve);
   ASSERT_TRUE(finite(c.curve));
-  ASSERT_LT(errors.position, 3e-6 * p.radius) << static_cast<int>(c.kind);
-  ASSERT_LT(errors.heading, 3e-6) << static_cast<int>(c.kind);
+  const double exact = c.kind == ConnectionKind::dubins ? 3e-6 : 1e-6;  // see the limits of curve_test.cpp
+  ASSERT_LT(errors.position, exact * p.radius) << static_cast<int>(c.kind);
+  ASSERT_LT(errors.heading, exact) << static_cast<int>(c.kind);
   ASSERT_LE(c.curvature * p.radius, 1.01);
-  if (distance(p.from.at, p.to.at) < 1e-3 * p.radius) return;
+  if (!samples || distance(p.from.at, p.to.at) < 1e-3 * p.radius) return;
   const Polyline line = sampled(c.curve, 2e-4 * p.radius);
   ASSERT_EQ(line.front(), p.from.at);
   ASSERT_EQ(line.back(), p.to.at);
@@ -42,7 +45,7 @@ TEST(Connection, AlwaysOneThatKeepsTheRadius) {
     SCOPED_TRACE(i);
     const RandomConnection p(rng);
     const Connection c = smooth_connection(p.from, p.to, {.radius = p.radius});
-    check(c, p);
+    check(c, p, i % 5 == 0);
     if (HasFatalFailure()) return;
     ++kinds[static_cast<std::size_t>(c.kind)];
   }
@@ -58,7 +61,7 @@ TEST(Connection, FromEachKindOn) {
       const RandomConnection p(rng);
       const Connection c = smooth_connection(p.from, p.to, {.radius = p.radius, .first = first});
       ASSERT_GE(c.kind, first);
-      check(c, p);
+      check(c, p, i % 5 == 0);
       if (HasFatalFailure()) return;
       if (first == ConnectionKind::dubins) {
         ASSERT_NEAR(length(c.curve), dubins_curve(p.from, p.to, p.radius).length(), 1e-6 * p.radius);
@@ -66,26 +69,45 @@ TEST(Connection, FromEachKindOn) {
     }
 }
 
-// 100,000 connections, with Vollprecht's rule too: some of his are not finite.
-TEST(Connection, SpiroCurvesAreFiniteAndEndInTheirPoses) {
+/// 50,000 connections by each rule: Vollprecht's gave some that were not finite.
+void check_spiro_curves(SpiroRule rule) {
   Rng rng(3);
-  int found = 0, literal = 0;
-  for (int i = 0; i < 100000; ++i) {
+  int found = 0;
+  for (int i = 0; i < 50000; ++i) {
     const RandomConnection p(rng);
-    const auto rule = i % 2 == 0 ? SpiroRule::improved : SpiroRule::literal;
     const std::vector<Point> through = spiro_control_points(p.from, p.to, 2 * p.radius, rule);
     for (const Point& c : through) ASSERT_TRUE(finite(c)) << i;
     ASSERT_TRUE(through.empty() || distance(through[0], through[1]) > 1.999 * p.radius) << i;
     const auto curve = spiro_curve(p.from, p.to, through, 2 * p.radius);
     if (!curve) continue;
-    (rule == SpiroRule::improved ? found : literal) += 1;
+    ++found;
     ASSERT_TRUE(finite(*curve)) << i;
     const JointErrors errors = joint_errors(*curve);
     ASSERT_LT(errors.heading, 1e-6) << i;
     ASSERT_LT(errors.position, 1e-9) << i;
   }
   EXPECT_GT(found, 45000);
-  EXPECT_GT(literal, 45000);
+}
+TEST(Connection, SpiroCurvesAreFiniteAndEndInTheirPoses) { check_spiro_curves(SpiroRule::improved); }
+TEST(Connection, LiteralSpiroCurvesAreFiniteToo) { check_spiro_curves(SpiroRule::literal); }
+
+TEST(Connection, TheShortestIsNoLongerThanTheFirst) {
+  Rng rng(5);
+  double first = 0, shortest = 0;
+  for (int i = 0; i < 2000; ++i) {
+    SCOPED_TRACE(i);
+    const RandomConnection p(rng);
+    const Connection a = smooth_connection(p.from, p.to, {.radius = p.radius});
+    const Connection b = smooth_connection(p.from, p.to, {.radius = p.radius, .shortest = true});
+    check(b, p, i % 5 == 0);
+    if (HasFatalFailure()) return;
+    ASSERT_LE(length(b.curve), length(a.curve) * (1 + 1e-12));
+    ASSERT_NE(b.kind, ConnectionKind::dubins);
+    first += (length(a.curve) - distance(p.from.at, p.to.at)) / p.radius;
+    shortest += (length(b.curve) - distance(p.from.at, p.to.at)) / p.radius;
+  }
+  EXPECT_LT(shortest, first);
+  RecordProperty("detour_radii", std::to_string(first / 2000) + " " + std::to_string(shortest / 2000));
 }
 
 // Gentle connections need no control points; a straight one is a line.
@@ -100,10 +122,12 @@ TEST(Connection, AnalyticCases) {
   ASSERT_EQ(beside.size(), 2u);
   EXPECT_NEAR(distance(beside[0], {0, 2}), 0, 1e-6);
   EXPECT_NEAR(distance(beside[1], {10, 2}), 0, 1e-6);
-  // A quarter circle is a spiro curve: helper points make it a little longer.
+  // Spiro curves begin and end without curvature, as lines do.
   const auto quarter = spiro_curve({{0, 0}, 0}, {{1, 1}, kPi / 2}, {}, 0.1);
   ASSERT_TRUE(quarter);
-  EXPECT_NEAR(length(*quarter), kPi / 2, 2e-3);
+  EXPECT_NEAR(curvature_at(std::get<Bezier>(quarter->pieces.at(1)), 0), 0, 0.2);
+  EXPECT_GT(largest_curvature(*quarter), 1);
+  EXPECT_NEAR(length(*quarter), 1.6525, 1e-3);
 }
 
 // Control points closer than rho are moved: literally along their line, else about the ends.
@@ -162,11 +186,13 @@ TEST(Connection, APersonsPointsAreObeyed) {
   EXPECT_EQ(std::get<Bezier>(bezier->curve.pieces.at(0)).points.size(), 4u);
   EXPECT_THROW(edited_connection(from, to, ConnectionKind::dubins, {}, 1), std::invalid_argument);
   EXPECT_FALSE(edited_connection(from, to, ConnectionKind::bezier, {{kNaN, 0}}, 1));
+  EXPECT_THROW(edited_connection(from, to, ConnectionKind::bezier, std::vector<Point>(33, {1, 1}), 1),
+               std::invalid_argument);
 }
 
 TEST(Connection, ManyPointsOfAPersonAreFinite) {
   Rng rng(4);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < 3000; ++i) {
     const RandomConnection p(rng);
     std::vector<Point> points;
     for (auto n = rng.below(6); n > 0; --n)

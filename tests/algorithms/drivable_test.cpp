@@ -7,7 +7,9 @@
 #include <algorithm>
 
 #include "algorithms/smoothing/car_space.hpp"
+#include "algorithms/smoothing/ompl_search.hpp"
 #include "algorithms/smoothing/rounding.hpp"
+#include "geometry/overlay/boolean.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/planners.hpp"
 
@@ -122,6 +124,68 @@ TEST(Rounding, ArcsTooTightBecomeWider) {
   }
   line.push_back({51, 60});
   EXPECT_EQ(rounded_runs(line, space).size(), 1u);
+}
+
+// A wall with a gap at one end stands between the poses, so no simple link is free.
+Problem walled(bool reverse) {
+  return on(subtract(box_region({0, 0}, {60, 40}), box_region({29, 0}, {31, 30})), tractor(3, reverse));
+}
+const Pose kBeforeWall{{20, 5}, 0}, kBehindWall{{40, 5}, 0};
+
+TEST(OmplSearch, FindsAFreeDetourAndTheSameOneAgain) {
+  for (const bool reverse : {false, true}) {
+    const Problem problem = walled(reverse);
+    const CarSpace space(problem, DetourSearch::ompl);
+    ASSERT_FALSE(space.simple_link(kBeforeWall, kBehindWall));
+    std::optional<double> length;
+    for (int again = 0; again < 3; ++again) {
+      Context context(5);
+      const auto detour = space.detour({kBeforeWall}, kBehindWall, context);
+      ASSERT_TRUE(detour) << reverse;
+      EXPECT_TRUE(space.free(*detour));
+      EXPECT_EQ(length.value_or(detour->length()), detour->length()) << "same seed, same path";
+      length = detour->length();
+      Pose at = detour->from;
+      for (const CurvePiece& piece : detour->pieces) {
+        at = after(at, piece, detour->radius);
+        EXPECT_TRUE(reverse || piece.gear == Gear::forward);
+      }
+      EXPECT_LT(distance(at.at, kBehindWall.at), 1e-4);
+      EXPECT_LT(std::abs(std::remainder(at.heading - kBehindWall.heading, 2 * kPi)), 1e-4);
+    }
+    EXPECT_LT(*length, 130) << "the path round is some 80 m";
+  }
+}
+
+TEST(OmplSearch, GivesUpWhereThereIsNoPath) {
+  const Problem problem = on(subtract(box_region({0, 0}, {40, 20}), box_region({19, 0}, {21, 20})), tractor(3, false));
+  const CarSpace space(problem, DetourSearch::ompl);
+  Context context;
+  EXPECT_FALSE(space.detour({{{10, 10}, 0}}, {{30, 10}, 0}, context));
+}
+
+TEST(Drivable, DetoursByOmpl) {
+  const Problem problem = walled(false);
+  const Settings settings{{"headland", std::int64_t{2}}, {"detour", std::string("ompl")}};
+  const Score s = score(problem, plan_on("boustrophedon", settings, problem));
+  EXPECT_EQ(s.flaw, "");
+  EXPECT_EQ(s.value("curvature_violations"), 0);
+  EXPECT_GT(*s.value("coverage"), 0.85);
+  EXPECT_THAT(
+      [&] {
+        plan_on("boustrophedon", {{"detour", std::string("none")}}, problem);
+      },
+      ThrowsMessage<std::invalid_argument>(HasSubstr("one of: lattice, ompl")));
+}
+
+// The parameter is that of the planner within.
+TEST(Drivable, APlannerThatRunsAnotherOneTakesTheParameterToo) {
+  const Problem problem = meadow(45, 35, tractor(2.5, true));
+  EXPECT_GT(plan_on("completed", {{"detour", std::string("ompl")}}, problem).length(), 0);
+  std::size_t named = 0;
+  for (const ParameterInfo& p : parameters_of(built_in().find("completed"), {}, built_in()))
+    named += p.name == "detour";
+  EXPECT_EQ(named, 1u);
 }
 
 }  // namespace

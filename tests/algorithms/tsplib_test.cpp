@@ -69,7 +69,7 @@ void expect_refused(const std::string& text, const std::string& words) {
 
 TEST(Tsplib, HostileFilesAreOneSentence) {
   expect_refused("", "x.tsp has no EDGE_WEIGHT_TYPE");
-  expect_refused("TYPE: CVRP\n", "x.tsp:1: TYPE is 'CVRP', expected TSP or ATSP");
+  expect_refused("TYPE: CVRP\n", "x.tsp:1: TYPE is 'CVRP', expected TSP, ATSP or SOP");
   expect_refused("NAME: a\nDIMENSION: -3\n", "x.tsp:2: DIMENSION is '-3'");
   expect_refused("DIMENSION: 99999999999\n", "expected a number from 1 to 1000000");
   expect_refused("EDGE_WEIGHT_TYPE: XRAY1\n", "EDGE_WEIGHT_TYPE is 'XRAY1', expected EUC_2D, CEIL_2D or EXPLICIT");
@@ -83,6 +83,7 @@ TEST(Tsplib, HostileFilesAreOneSentence) {
   expect_refused("DIMENSION: 2\nEDGE_WEIGHT_SECTION\n0 1\n2\n", "an edge weight is '', expected a number");
   expect_refused("TYPE: TSP\nDIMENSION: 2\nEDGE_WEIGHT_SECTION\n0 1\n2 0\n", "the weight from 1 to 2 is 1 and back 2");
   expect_refused("DIMENSION: 2\nEDGE_WEIGHT_TYPE: EUC_2D\n", "x.tsp has no NODE_COORD_SECTION");
+  expect_refused("TYPE: SOP\nDIMENSION: 2\nEDGE_WEIGHT_SECTION\n2\n0 -1\n-1 0\n", "node 2 comes before node 1");
   expect_refused("DIMENSION: 20000\nEDGE_WEIGHT_SECTION\n", "expected at most 10000");
   const auto refuse_tour = [](const std::string& text, const std::string& words) {
     EXPECT_THAT([&] { read_tsplib_tour(text, "x.tour"); }, ThrowsMessage<std::invalid_argument>(HasSubstr(words)));
@@ -91,6 +92,66 @@ TEST(Tsplib, HostileFilesAreOneSentence) {
   refuse_tour("DIMENSION: 2\nTOUR_SECTION\n1\n1\n-1\n", "x.tour:4: node 1 comes twice");
   refuse_tour("DIMENSION: 2\nTOUR_SECTION\n1\n-1\n", "x.tour:4: node '-1', expected a number from 1 to 2");
   refuse_tour("DIMENSION: 1\nTOUR_SECTION\n1\n7\n", "'7' follows the 1 nodes");
+}
+
+// A path from node 1 to node 4, in which node 3 comes before node 2.
+constexpr const char* kSop =
+    "NAME: s\nTYPE: SOP\nDIMENSION: 4\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: FULL_MATRIX\n"
+    "EDGE_WEIGHT_SECTION\n4\n0 1 5 1000\n-1 0 -1 2\n-1 3 0 9\n-1 -1 -1 0\nEOF\n";
+
+TEST(Tsplib, SequentialOrdering) {
+  const TsplibInstance instance = read_tsplib(kSop, "s.sop");
+  EXPECT_TRUE(instance.sequential);
+  EXPECT_EQ(read_tsplib(write_tsplib(instance), "again").matrix, instance.matrix);
+  const auto cost = instance.cost();
+  TourProblem problem(*cost, instance.size());
+  instance.require_order(problem);
+  Context context;
+  const Tour tour = solve_tour(problem, context);
+  std::vector<std::size_t> order;
+  for (const TourStop& stop : tour) order.push_back(stop.element);
+  EXPECT_EQ(order, (std::vector<std::size_t>{0, 2, 1, 3}));
+  EXPECT_EQ(problem.cost(tour), 5 + 3 + 2);
+}
+
+/// Random weights and precedence that some hidden order keeps: the least cost over all orders that keep it, by trying
+/// them.
+TEST(Tsplib, SequentialOrderingIsOptimalAndKept) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Rng rng(seed);
+    const std::size_t n = 7;
+    TsplibInstance instance{.symmetric = false, .sequential = true, .weights = TsplibInstance::Weights::full_matrix};
+    instance.dimension = n;
+    std::vector<std::size_t> hidden{1, 2, 3, 4, 5};
+    rng.shuffle(hidden);
+    for (std::size_t i = 0; i < n * n; ++i) instance.matrix.push_back(static_cast<double>(rng.below(100)));
+    for (std::size_t i = 1; i < n; ++i) instance.matrix[i * n] = -1;
+    for (std::size_t j = 0; j + 1 < n; ++j) instance.matrix[(n - 1) * n + j] = -1;
+    for (std::size_t a = 0; a < 5; ++a)
+      for (std::size_t b = a + 1; b < 5; ++b)
+        if (rng.chance(0.4)) instance.matrix[hidden[b] * n + hidden[a]] = -1;
+    const auto cost = instance.cost();
+    TourProblem problem(*cost, n);
+    instance.require_order(problem);
+    Context context;
+    const Tour tour = solve_tour(problem, context);
+    const auto price = [&](const std::vector<std::size_t>& order) {
+      double sum = 0;
+      for (std::size_t k = 1; k < n; ++k) {
+        for (std::size_t later = k; later < n; ++later)
+          if (instance.matrix[order[k - 1] * n + order[later]] == -1) return 1e18;
+        sum += instance.matrix[order[k - 1] * n + order[k]];
+      }
+      return sum;
+    };
+    std::vector<std::size_t> order{0, 1, 2, 3, 4, 5, 6}, driven;
+    double best = 1e18;
+    do best = std::min(best, price(order));
+    while (std::next_permutation(order.begin() + 1, order.end() - 1));
+    for (const TourStop& stop : tour) driven.push_back(stop.element);
+    ASSERT_EQ(driven.back(), n - 1);
+    ASSERT_EQ(price(driven), best) << seed;
+  }
 }
 
 ShapeTourModel drawing_of(std::uint64_t seed) {

@@ -1,5 +1,5 @@
-// Drawings generated from a seed, on a canvas: polylines, closed strokes inside one another, shapes like letters, filled
-// areas with holes.
+// Drawings generated from a seed, on a canvas: polylines, closed strokes inside one another, shapes like letters,
+// filled areas with holes.
 #pragma once
 
 #include <fmt/format.h>
