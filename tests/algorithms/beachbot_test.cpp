@@ -70,7 +70,7 @@ double covered_share(const FilledArea& area, const Path& path, const Robot& robo
 
 // Strokes are drawn once, with their widths; fills are covered; nothing jumps.
 TEST(Beachbot, DrawsEveryStrokeOnceAndCoversEveryFill) {
-  for (const auto seed : seeds(8)) {
+  for (const auto seed : seeds(4)) {
     SCOPED_TRACE(seed);
     DrawingKind kind{.polylines = 4, .closed = 2, .nested = 2, .letters = 2, .areas = static_cast<int>(seed % 3)};
     const Drawing drawing = DrawingGenerator(seed, kind).drawing();
@@ -98,7 +98,7 @@ TEST(Beachbot, DrawsEveryStrokeOnceAndCoversEveryFill) {
 }
 
 TEST(Beachbot, WhatIsInsideComesFirst) {
-  for (const auto seed : seeds(5)) {
+  for (const auto seed : seeds(3)) {
     SCOPED_TRACE(seed);
     DrawingKind kind{.polylines = 3, .closed = 4, .nested = 3, .letters = 2, .areas = 0};
     const Drawing drawing = DrawingGenerator(seed, kind).drawing();
@@ -234,7 +234,7 @@ TEST(Beachbot, FindsTheBestOrderOfFewElements) {
 }
 
 TEST(Beachbot, TheSameBytesAgain) {
-  for (const auto seed : seeds(2)) {
+  for (const auto seed : seeds(1)) {
     SCOPED_TRACE(seed);
     const Drawing drawing = DrawingGenerator(seed, {}).drawing();
     const Path one = plan("beachbot", canvas(drawing, beach_robot())),
