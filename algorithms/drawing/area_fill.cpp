@@ -9,8 +9,8 @@
 namespace oxturn {
 namespace {
 
-constexpr double kChord = 1e-3;       // tool widths: error of the inset's arcs
-constexpr double kLeastPart = 1e-4;   // square tool widths: smaller parts of the inset are rounding
+constexpr double kChord = 1e-3;      // tool widths: error of the inset's arcs
+constexpr double kLeastPart = 1e-4;  // square tool widths: smaller parts of the inset are rounding
 
 double degrees(double radians) { return radians * 180 / kPi; }
 
@@ -41,7 +41,8 @@ std::unique_ptr<CoveragePlanner> AreaFiller::planner(const FillChoice& choice) c
   if (fill == "contour") return planners_.find("contour").make({}, planners_);
   if (fill != "zigzag") throw_invalid("unknown fill '{}'; expected spiral, zigzag, contour or none", fill);
   Settings settings{{"outline", choice.outline.value_or(options_.outline)}};
-  if (choice.angle) settings["sweep"] = std::string("given"), settings["angle"] = std::remainder(degrees(*choice.angle), 360);
+  if (choice.angle)
+    settings["sweep"] = std::string("given"), settings["angle"] = std::remainder(degrees(*choice.angle), 360);
   return planners_.find("zigzag").make(settings, planners_);
 }
 
@@ -63,7 +64,8 @@ DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, con
 std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, const Context& context) const {
   const double w = filling_robot().tool_width;
   if (area.choice.fill == "none") return {};
-  const Region space = intersect(erode({{area.area}}, inset(), kChord * w, Bound::inside), problem_.configuration_space());
+  const Region space =
+      intersect(erode({{area.area}}, inset(), kChord * w, Bound::inside), problem_.configuration_space());
   std::vector<DrawingElement> elements;
   for (const Polygon& part : space.polygons) {
     if (oxturn::area(part) < kLeastPart * w * w) continue;

@@ -3,19 +3,26 @@
 // Source      Vollprecht, Path Generation for a Mobile Drawing Robot, ETH Zurich 2014
 // Model       drawing on a canvas (maps/drawing.hpp), offline, disc footprint
 // Guarantee   drives every stroke once, with its own width, and covers of each filled area what the tool reaches
-//             without leaving it
+//             without leaving it; drives over finished work only where no other path exists
 // Complexity  that of the fills, and of a tour over n elements (tour/solve_tour.hpp)
 // Decisions   1. A map without a drawing is one filled area: what is to be covered of it.
 //             2. A path begins where the robot is. It goes from there to the drawing's start, if it has one.
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "algorithms/drawing/area_fill.hpp"
 #include "algorithms/drawing/containment.hpp"
-#include "algorithms/drawing/drawing_tour.hpp"
+#include "algorithms/drawing/order_driver.hpp"
 #include "algorithms/transit/connector.hpp"
 
 namespace oxturn {
 namespace {
+
+// Tool widths about the ends of a transit in which nothing counts as driving over finished work: half a width, and a
+// little more, so that the round end of a stroke as wide as the tool leaves no ring about the robot.
+constexpr double kExempt = 0.52;
+constexpr double kDeviation = 0.1;  // tool widths that a rounded corner may leave its vertex
 
 enum class Fill { spiral, zigzag, contour };
 const Choices kFills{"spiral", "zigzag", "contour"};
@@ -26,6 +33,11 @@ struct Params {
   double inset = 0;
   bool outline = true;
   Containment containment = Containment::strict;
+  Finished finished = Finished::around;
+  double keep_off = -1;
+  CornerRule corner = CornerRule::automatic;
+  double round_radius = 0;
+  ConnectionKind connection = ConnectionKind::spiro;
 };
 
 FillOptions fill_options(const Params& p) {
@@ -58,23 +70,29 @@ class Beachbot final : public CoveragePlanner {
 
   Path plan(const Problem& problem, Context& context) const override {
     const Drawing drawing = drawing_of(problem.map());
-    const std::vector<DrawingElement> elements = elements_of(problem, drawing, context);
+    std::vector<DrawingElement> elements = elements_of(problem, drawing, context);
     if (elements.empty()) throw Infeasible("the drawing has nothing that the robot can draw");
-    std::vector<DrawingElement> all = elements;
-    TourDemands demands = demands_of(drawing, all);
+    TourDemands demands = demands_of(drawing, elements);
+    const PortCurves curves = curves_of(drawing, elements);
     const bool literal = p_.containment == Containment::literal;
-    demands.contained = contained_elements(all, literal ? ContainmentTest::hull : ContainmentTest::overlay);
+    demands.contained = contained_elements(elements, literal ? ContainmentTest::hull : ContainmentTest::overlay);
     demands.containment = p_.containment;
-    trace_containment(all, demands, context);
+    trace_containment(elements, demands, context);
 
-    const Connector connector(problem);
     PathBuilder path(problem.start());
-    if (drawing.start) path.drive(connector.path(path.at(), *drawing.start), false);
-    const DrawingTour tour(all, demands, path.at(), problem.robot().min_turn_radius);
-    for (const ElementVisit& visit : tour.solve(context)) {
-      path.drive(connector.path(path.at(), entry_of(all[visit.element], visit)), false);
-      for (const Leg& leg : driven(all[visit.element], visit)) path.drive(leg.points, leg.tool, leg.gear, leg.width);
-    }
+    if (drawing.start) path.drive(Connector(problem).path(path.at(), *drawing.start), false);
+    const double radius = p_.round_radius > 0 ? p_.round_radius : problem.robot().min_turn_radius;
+    const double keep_off = p_.keep_off < 0 ? problem.robot().radius : p_.keep_off;
+    FinishedWork work(pieces_of(elements).pieces, kExempt * problem.robot().tool_width);
+    std::optional<SmoothTransits> smooth;
+    if (radius > 0) smooth.emplace(problem, work, smooth_options(radius, keep_off));
+    TransitRouter router(problem, work, keep_off, smooth ? &*smooth : nullptr);
+    DrawingTour tour(elements, demands, path.at(), radius);
+    const DrivenOrder order = PricedOrder(elements, path.at(), p_.finished, router, work).search(tour, context);
+    OrderDriver driver(elements, router, work, smooth ? &*smooth : nullptr,
+                       {p_.corner, radius, kDeviation * problem.robot().tool_width});
+    driver.drive(order, curves, path);
+    report(order, driver, curves, context);
     return path.take();
   }
 
@@ -92,8 +110,35 @@ class Beachbot final : public CoveragePlanner {
   static void trace_containment(const std::vector<DrawingElement>& elements, const TourDemands& demands,
                                 Context& context) {
     std::vector<Polyline> lines;
-    for (const auto& [outer, inner] : demands.contained) lines.push_back({elements[inner].first(), elements[outer].first()});
+    for (const auto& [outer, inner] : demands.contained)
+      lines.push_back({elements[inner].first(), elements[outer].first()});
     context.trace("containment", std::move(lines));
+  }
+
+  SmoothTransits::Options smooth_options(double radius, double keep_off) const {
+    return {.radius = radius,
+            .keep_off = keep_off,
+            .first = p_.connection,
+            .avoid = p_.finished == Finished::around,
+            .literal = p_.finished == Finished::ignore && p_.connection == ConnectionKind::spiro};
+  }
+
+  static void report(const DrivenOrder& order, const OrderDriver& driver, const PortCurves& curves, Context& context) {
+    std::vector<Polyline> over;
+    const auto add = [&](const Transit& t) {
+      if (t.crossing_m > 0) over.push_back(t.path);
+    };
+    std::for_each(order.transits.begin(), order.transits.end(), add);
+    for (const auto& inner : order.inner) std::for_each(inner.begin(), inner.end(), add);
+    context.record("over_finished_m", order.crossing_m);
+    context.record("transits_over_finished", static_cast<double>(over.size()));
+    context.record("sharp_bends", static_cast<double>(driver.bends().size()));
+    if (!curves.empty()) context.record("curves_obeyed", static_cast<double>(driver.curves_used()));
+    context.trace("transits", driver.transits());
+    context.trace("over finished work", std::move(over));
+    std::vector<Polyline> bends;
+    for (const Point& p : driver.bends()) bends.push_back({p, p});
+    context.trace("sharp bends", std::move(bends));
   }
 
   Params p_;
@@ -104,10 +149,21 @@ const std::vector<Parameter<Params>>& parameters() {
   static const std::vector<Parameter<Params>> all{
       {"fill", &Params::fill, kFills, "of areas for which the drawing does not choose one"},
       {"line_distance", &Params::line_distance, Range{0, 1000}, "metres between lanes of a fill; 0: the tool width"},
-      {"inset", &Params::inset, Range{0, 1000}, "metres that fills keep from an area's boundary; 0: half the tool width"},
+      {"inset", &Params::inset, Range{0, 1000},
+       "metres that fills keep from an area's boundary; 0: half the tool width"},
       {"outline", &Params::outline, "zigzag fills end with a lap along the boundary"},
       {"containment", &Params::containment, Choices{"strict", "literal"},
-       "strict: elements inside another one are drawn before it; literal: only no direct connection leads inwards"}};
+       "strict: elements inside another one are drawn before it; literal: only no direct connection leads inwards"},
+      {"finished", &Params::finished, Choices{"around", "weight", "ignore"},
+       "transits go round what is drawn; weight: tours with connections over it are changed; ignore: neither"},
+      {"keep_off", &Params::keep_off, Range{-1, 1000},
+       "metres that the robot's centre keeps from what is drawn, where it can; below 0: the robot's radius"},
+      {"corner", &Params::corner, Choices{"automatic", "inside", "outside", "stop", "literal"},
+       "how a radius is kept at corners of strokes; automatic: inside if that deviates little, else outside"},
+      {"round_radius", &Params::round_radius, Range{0, 1000},
+       "metres: radius of connections and corners; 0: the robot's least turning radius"},
+      {"connection", &Params::connection, Choices{"spiro", "bezier", "clothoid", "dubins"},
+       "the kind of curve that is tried first"}};
   return all;
 }
 
@@ -122,7 +178,12 @@ PlannerInfo beachbot() {
   info.capabilities = {Capability::holes, Capability::curvature};
   info.guarantee = "drives every stroke once, with its width, and fills what the tool reaches of each area";
   info.parameters = infos_of(parameters());
-  info.published = {{"containment", std::string("literal")}, {"line_distance", 0.25}, {"inset", 0.3}};
+  info.published = {{"containment", std::string("literal")},
+                    {"finished", std::string("ignore")},
+                    {"corner", std::string("literal")},
+                    {"line_distance", 0.25},
+                    {"inset", 0.3},
+                    {"round_radius", 0.5}};
   info.parameters.push_back(variant_parameter(info.published));
   info.make = [info](const Settings& settings, const Planners& planners) {
     const std::string owner = "planner 'beachbot'";

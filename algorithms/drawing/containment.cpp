@@ -11,9 +11,9 @@
 namespace oxturn {
 namespace {
 
-constexpr double kSamples = 1000;     // along the inner element
-constexpr double kMostOutside = 1;    // of those samples
-constexpr double kTouch = 1e-9;       // of the extent: an element on the boundary is inside
+constexpr double kSamples = 1000;   // along the inner element
+constexpr double kMostOutside = 1;  // of those samples
+constexpr double kTouch = 1e-9;     // of the extent: an element on the boundary is inside
 
 /// An element that may contain others.
 class Container {
@@ -85,9 +85,8 @@ std::vector<std::pair<std::size_t, std::size_t>> contained_elements(const std::v
       outer.push_back({e, Container(elements[e], test)});
       areas[e] = outer.back().container.area_m2();
     }
-  std::stable_sort(outer.begin(), outer.end(), [&](const Candidate& a, const Candidate& b) {
-    return areas[a.element] < areas[b.element];
-  });
+  std::stable_sort(outer.begin(), outer.end(),
+                   [&](const Candidate& a, const Candidate& b) { return areas[a.element] < areas[b.element]; });
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const Box box = box_of(elements[e]);

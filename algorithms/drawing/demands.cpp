@@ -26,7 +26,8 @@ ElementPort stroke_port(std::vector<DrawingElement>& elements, std::size_t strok
     return {stroke, at % last};
   }
   if (at != 0 && at != last)
-    throw_invalid("node {} of element '{}' is no end of its stroke; only ends can be connected", node.node, node.element);
+    throw_invalid("node {} of element '{}' is no end of its stroke; only ends can be connected", node.node,
+                  node.element);
   return {stroke, at == 0 ? 0u : 1u};
 }
 

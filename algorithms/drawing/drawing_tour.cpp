@@ -15,12 +15,14 @@
 namespace oxturn {
 namespace {
 
+constexpr std::uint64_t kKicksEach = 100;          // for each element, and at most the solver's default
+constexpr std::uint64_t kKicksEachToImprove = 40;  // the same for tours to be improved, and at most
 constexpr std::uint64_t kKicksToImprove = 2000;
+constexpr std::size_t kMostRemembered = 5000;    // patterns: 100 MB
+constexpr std::size_t kMostDirectedEntries = 8;  // of a closed stroke that has a heading there; in both directions
 
 /// What is driven as one: one element, or several that are joined. Its visits in driving order.
 using Chain = std::vector<ElementVisit>;
-
-double heading(const Point& from, const Point& to) { return std::atan2(to.y() - from.y(), to.x() - from.x()); }
 
 /// Costs between patterns. Pattern 0 is the start; 1 is the same if the tour is driven backwards.
 class DrawingCost final : public ConnectionCost {
@@ -33,12 +35,19 @@ class DrawingCost final : public ConnectionCost {
   const std::vector<Ends>* ends() const override { return &ends_; }
   double operator()(PatternId from, PatternId to) const override {
     if (free_entry_[to] || free_exit_[from]) return 0;
-    if (!raised_.empty())
+    if (has_raised_[from])
       if (const auto known = raised_.find(key(from, to)); known != raised_.end()) return known->second;
     if (is_forbidden(from, to)) return kForbidden;
     const Pose &a = exits_[from], &b = entries_[to];
     if (!(radius_ > 0) || from < starts_ || to < starts_) return distance(a.at, b.at);
-    return dubins_curve(a, b, radius_).length();
+    if (known_.empty()) return dubins_curve(a, b, radius_).length();
+    float& known = known_[from * ends_.size() + to];
+    if (known < 0) known = static_cast<float>(dubins_curve(a, b, radius_).length());
+    return known;
+  }
+  /// All patterns are there. Lengths of curves are remembered, unless there are too many.
+  void finish() {
+    if (radius_ > 0 && ends_.size() <= kMostRemembered) known_.assign(ends_.size() * ends_.size(), -1);
   }
 
   void add_start(const Point& at, bool forwards) {
@@ -55,11 +64,15 @@ class DrawingCost final : public ConnectionCost {
     out_.push_back(out);
     free_entry_.push_back(false);
     free_exit_.push_back(false);
+    has_raised_.push_back(0);
   }
   void forbid(const ElementPort& a, const ElementPort& b) { ports_.insert({a, b}), ports_.insert({b, a}); }
   /// No direct connection from one element to another.
   void forbid(std::size_t from, std::size_t to) { elements_.insert({from, to}), reversible_ = false; }
-  void raise(PatternId from, PatternId to, double cost) { raised_[key(from, to)] = cost; }
+  void raise(PatternId from, PatternId to, double cost) {
+    raised_[key(from, to)] = cost;
+    has_raised_[from] = 1;
+  }
 
  private:
   static std::uint64_t key(PatternId from, PatternId to) { return std::uint64_t{from} << 32 | to; }
@@ -79,19 +92,11 @@ class DrawingCost final : public ConnectionCost {
   std::set<std::pair<ElementPort, ElementPort>> ports_;
   std::set<std::pair<std::size_t, std::size_t>> elements_;
   std::unordered_map<std::uint64_t, double> raised_;  // looked up, never listed
+  std::vector<std::uint8_t> has_raised_;              // by pattern: some connection from there
+  mutable std::vector<float> known_;                  // lengths of curves by patterns; below 0: not yet
 };
 
 }  // namespace
-
-Pose entry_pose(const DrawingElement& element, const ElementVisit& visit) {
-  const Polyline points = driven(element, visit).front().points;
-  return {points[0], heading(points[0], points[1])};
-}
-
-Pose exit_pose(const DrawingElement& element, const ElementVisit& visit) {
-  const Polyline points = driven(element, visit).back().points;
-  return {points.back(), heading(points[points.size() - 2], points.back())};
-}
 
 struct DrawingTour::Impl {
   Impl(const std::vector<DrawingElement>& all, TourDemands d, const Point& start, double radius)
@@ -102,6 +107,7 @@ struct DrawingTour::Impl {
       for (const auto& [outer, inner] : demands.contained)
         if (element_of[outer] != element_of[inner]) cost.forbid(outer, inner);
     add_patterns(start);
+    cost.finish();
     problem.emplace(cost, counts, reverse);
     if (demands.containment == Containment::strict)
       for (const auto& [outer, inner] : demands.contained)
@@ -136,6 +142,12 @@ struct DrawingTour::Impl {
     chains.push_back(std::move(chain));
   }
 
+  TourEffort effort(std::uint64_t each, std::optional<std::uint64_t> most) const {
+    TourEffort effort{.kicks = most};
+    effort.kicks = std::min(each * chains.size(), effort.kicks_for(chains.size()));
+    return effort;
+  }
+
   static Chain backwards(Chain chain) {
     std::reverse(chain.begin(), chain.end());
     for (ElementVisit& visit : chain) visit.backwards = !visit.backwards;
@@ -167,9 +179,10 @@ struct DrawingTour::Impl {
                       e.name, elements[chain.back().element].name);
       return all;
     }
-    for (const std::size_t entry : e.entries) {
-      all.push_back({{chain[0].element, entry, false}});
-      if (directed) all.push_back({{chain[0].element, entry, true}});
+    const std::size_t step = directed ? (e.entries.size() + kMostDirectedEntries - 1) / kMostDirectedEntries : 1;
+    for (std::size_t k = 0; k < e.entries.size(); k += step) {
+      all.push_back({{chain[0].element, e.entries[k], false}});
+      if (directed) all.push_back({{chain[0].element, e.entries[k], true}});
     }
     return all;
   }
@@ -217,7 +230,7 @@ struct DrawingTour::Impl {
   }
   Tour tour(const std::vector<ElementVisit>& order) const {
     Tour tour{problem->stop_of(0)};
-    for (std::size_t k = 0; k < order.size(); ) {
+    for (std::size_t k = 0; k < order.size();) {
       const PatternId p = pattern_of.at(pattern_key(order[k]));
       tour.push_back(problem->stop_of(p));
       k += pattern_chains[p].size();
@@ -233,7 +246,7 @@ struct DrawingTour::Impl {
   std::vector<Chain> chains;            // by element of the tour, less 1
   std::vector<std::size_t> counts;
   std::vector<PatternId> reverse;
-  std::vector<Chain> pattern_chains;  // by pattern
+  std::vector<Chain> pattern_chains;                                                      // by pattern
   std::map<std::tuple<std::size_t, std::size_t, bool>, PatternId> pattern_of, ending_in;  // by first and last visit
   std::optional<TourProblem> problem;
 };
@@ -244,16 +257,34 @@ DrawingTour::DrawingTour(const std::vector<DrawingElement>& elements, TourDemand
 DrawingTour::~DrawingTour() = default;
 
 std::vector<ElementVisit> DrawingTour::solve(Context& context) const {
-  return impl_->visits(solve_tour(*impl_->problem, context));
+  return impl_->visits(solve_tour(*impl_->problem, context, impl_->effort(kKicksEach, {})));
 }
 
 std::vector<ElementVisit> DrawingTour::improve(const std::vector<ElementVisit>& order, Context& context) const {
-  TourEffort effort;
-  effort.kicks = kKicksToImprove;
+  const TourEffort effort = impl_->effort(kKicksEachToImprove, kKicksToImprove);
   return impl_->visits(improved_tour(*impl_->problem, impl_->tour(order), context, effort));
 }
 
-double DrawingTour::cost(const std::vector<ElementVisit>& order) const { return impl_->problem->cost(impl_->tour(order)); }
+bool DrawingTour::allows(const std::vector<ElementVisit>& order) const {
+  std::vector<std::size_t> position(impl_->elements.size());
+  PatternId last = 0;
+  for (std::size_t k = 0; k < order.size();) {
+    const auto found = impl_->pattern_of.find(Impl::pattern_key(order[k]));
+    if (found == impl_->pattern_of.end() || impl_->cost(last, found->second) >= kForbidden) return false;
+    last = found->second;
+    for (const ElementVisit& visit : impl_->pattern_chains[last]) {
+      if (k == order.size() || order[k] != visit) return false;
+      position[visit.element] = k++;
+    }
+  }
+  if (impl_->demands.containment == Containment::literal) return true;
+  return std::all_of(impl_->demands.contained.begin(), impl_->demands.contained.end(),
+                     [&](const auto& pair) { return position[pair.second] < position[pair.first]; });
+}
+
+double DrawingTour::cost(const std::vector<ElementVisit>& order) const {
+  return impl_->problem->cost(impl_->tour(order));
+}
 
 void DrawingTour::raise(const ElementVisit* from, const ElementVisit& to, double cost) {
   const auto q = impl_->pattern_of.find(Impl::pattern_key(to));

@@ -30,6 +30,9 @@ class DrawingTour {
   std::vector<ElementVisit> solve(Context& context) const;
   /// A better tour from this one, which is one of those returned before. Never dearer.
   std::vector<ElementVisit> improve(const std::vector<ElementVisit>& order, Context& context) const;
+  /// Whether the order keeps containment and joints, drives no one-way element backwards, and uses no deleted
+  /// connection. O(n).
+  bool allows(const std::vector<ElementVisit>& order) const;
   /// What the tour's connections cost, as far as is known.
   double cost(const std::vector<ElementVisit>& order) const;
   /// The connection from one visit to the next costs this; `from` none: the start. No effect on joined ones.
@@ -39,10 +42,5 @@ class DrawingTour {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// Pose on entering and leaving an element.
-struct Pose;
-Pose entry_pose(const DrawingElement& element, const ElementVisit& visit);
-Pose exit_pose(const DrawingElement& element, const ElementVisit& visit);
 
 }  // namespace oxturn

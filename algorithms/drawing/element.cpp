@@ -30,7 +30,8 @@ std::vector<std::size_t> entries_of(const Polyline& closed, const std::vector<st
 }
 
 void check(const DrawnStroke& stroke, std::size_t number) {
-  if (!(stroke.width > 0)) throw_invalid("stroke {} ('{}') has width {}, expected above 0", number, stroke.element, stroke.width);
+  if (!(stroke.width > 0))
+    throw_invalid("stroke {} ('{}') has width {}, expected above 0", number, stroke.element, stroke.width);
   for (const Point& p : stroke.points)
     if (!finite(p)) throw_invalid("stroke {} ('{}') has a point that is not finite", number, stroke.element);
   if (!(length(stroke.points) > 0)) throw_invalid("stroke {} ('{}') has no length", number, stroke.element);
@@ -70,6 +71,37 @@ Point entry_of(const DrawingElement& element, const ElementVisit& visit) {
 Point exit_of(const DrawingElement& element, const ElementVisit& visit) {
   if (element.closed) return element.legs[0].points[visit.entry];
   return visit.backwards ? element.first() : element.last();
+}
+
+Pose first_heading(const Polyline& line) {
+  const auto other = std::find_if(line.begin(), line.end(), [&](const Point& p) { return p != line.front(); });
+  const Point d = (other == line.end() ? line.back() : *other) - line.front();
+  return {line.front(), std::atan2(d.y(), d.x())};
+}
+
+Pose last_heading(const Polyline& line) {
+  const auto other = std::find_if(line.rbegin(), line.rend(), [&](const Point& p) { return p != line.back(); });
+  const Point d = line.back() - (other == line.rend() ? line.front() : *other);
+  return {line.back(), std::atan2(d.y(), d.x())};
+}
+
+/// Without copying a closed stroke: of its points only those about the entry count.
+Pose entry_pose(const DrawingElement& element, const ElementVisit& visit) {
+  if (!element.closed)
+    return visit.backwards ? turned_round(last_heading(element.legs.back().points))
+                           : first_heading(element.legs.front().points);
+  const Polyline& ring = element.legs[0].points;
+  const std::size_t n = ring.size() - 1, next = visit.backwards ? (visit.entry + n - 1) % n : visit.entry + 1;
+  return first_heading({ring[visit.entry], ring[next]});
+}
+
+Pose exit_pose(const DrawingElement& element, const ElementVisit& visit) {
+  if (!element.closed)
+    return visit.backwards ? turned_round(first_heading(element.legs.front().points))
+                           : last_heading(element.legs.back().points);
+  const Polyline& ring = element.legs[0].points;
+  const std::size_t n = ring.size() - 1, before = visit.backwards ? visit.entry + 1 : (visit.entry + n - 1) % n;
+  return last_heading({ring[before], ring[visit.entry]});
 }
 
 double length(const DrawingElement& element) {

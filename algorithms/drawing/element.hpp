@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/smoothing/curve.hpp"
 #include "geometry/path.hpp"
 #include "geometry/region.hpp"
 #include "maps/drawing.hpp"
@@ -17,11 +18,11 @@
 namespace oxturn {
 
 struct DrawingElement {
-  std::string name;              // id of the element in the drawing
-  std::vector<Leg> legs;         // driven forwards; each leg begins where the one before it ends
-  bool closed = false;           // one leg that ends where it begins: entered at any of `entries`, and left there
-  bool one_way = false;          // never driven backwards
-  Ring area = {};                // of a fill: the outer boundary of what it covers
+  std::string name;       // id of the element in the drawing
+  std::vector<Leg> legs;  // driven forwards; each leg begins where the one before it ends
+  bool closed = false;    // one leg that ends where it begins: entered at any of `entries`, and left there
+  bool one_way = false;   // never driven backwards
+  Ring area = {};         // of a fill: the outer boundary of what it covers
   std::vector<std::size_t> entries = {};  // of a closed one: positions in its points, ascending
   std::vector<std::size_t> nodes = {};    // of a stroke: positions in its points of the source's nodes
   std::vector<std::size_t> corners = {};  // of a stroke: positions in its points at which it is not smooth
@@ -36,6 +37,7 @@ struct ElementVisit {
   std::size_t element = 0;
   std::size_t entry = 0;  // of a closed one: position in its points
   bool backwards = false;
+  friend bool operator==(const ElementVisit&, const ElementVisit&) = default;
 };
 
 /// One element for each stroke, in their order. A closed stroke may be entered at the source's nodes and at more of its
@@ -49,6 +51,12 @@ std::vector<Leg> driven(const DrawingElement& element, const ElementVisit& visit
 /// Where the element is entered and left.
 Point entry_of(const DrawingElement& element, const ElementVisit& visit);
 Point exit_of(const DrawingElement& element, const ElementVisit& visit);
+/// The same with the headings there.
+Pose entry_pose(const DrawingElement& element, const ElementVisit& visit);
+Pose exit_pose(const DrawingElement& element, const ElementVisit& visit);
+/// At the ends of a line of at least two points.
+Pose first_heading(const Polyline& line);
+Pose last_heading(const Polyline& line);
 
 /// Metres driven with the tool on and off.
 double length(const DrawingElement& element);

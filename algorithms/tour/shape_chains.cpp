@@ -37,8 +37,8 @@ class Joints {
                     shape.closed ? fmt::format("one of 0 to {}", last) : fmt::format("an end: 0 or {}", last));
     auto& joints = joints_[a.shape];
     if (joints.size() == 2)
-      throw_invalid("shape {} is joined to shapes {}, {} and {}, expected at most two", named(a), named(joints[0].other),
-                    named(joints[1].other), named(b));
+      throw_invalid("shape {} is joined to shapes {}, {} and {}, expected at most two", named(a),
+                    named(joints[0].other), named(joints[1].other), named(b));
     if (!joints.empty() && shape.closed && joints[0].at != a.vertex)
       throw_invalid("polygon {} is joined at vertices {} and {} (to shapes {} and {}), but is left where it is entered",
                     named(a), joints[0].at, a.vertex, named(joints[0].other), named(b));

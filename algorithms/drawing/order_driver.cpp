@@ -1,0 +1,125 @@
+#include "algorithms/drawing/order_driver.hpp"
+
+#include <algorithm>
+
+namespace oxturn {
+namespace {
+
+constexpr double kChord = 1e-3;           // tool widths
+constexpr double kFillCorner = kPi / 18;  // radians: vertices of fills that turn by less belong to curves
+
+constexpr double kMostCurvature = 1.01;  // of the greatest, as for curves that are sampled
+
+/// The corners of a closed stroke after it was turned to begin at `entry`.
+std::size_t from_entry(std::size_t corner, std::size_t entry, std::size_t n) { return (corner + n - entry % n) % n; }
+
+}  // namespace
+
+PortCurves curves_of(const Drawing& drawing, std::vector<DrawingElement>& elements) {
+  PortCurves curves;
+  for (const DrawnCurve& c : drawing.curves) {
+    const ElementPort from = port_of(elements, c.from), to = port_of(elements, c.to);
+    PortCurve curve{c.kind == DrawnCurve::Kind::spiro ? ConnectionKind::spiro : ConnectionKind::bezier, c.points};
+    curves[{from, to}] = curve;
+    std::reverse(curve.points.begin(), curve.points.end());
+    curves.insert({{to, from}, std::move(curve)});
+  }
+  return curves;
+}
+
+OrderDriver::OrderDriver(const std::vector<DrawingElement>& elements, TransitRouter& router, FinishedWork& work,
+                         const SmoothTransits* smooth, const CornerChoice& corners)
+    : elements_(elements),
+      router_(router),
+      work_(work),
+      smooth_(smooth),
+      corners_(corners),
+      first_piece_(pieces_of(elements).first) {}
+
+void OrderDriver::transit(const Transit& t, PathBuilder& path) {
+  transits_.push_back(t.path);
+  if (!t.keeps_radius) bends_.insert(bends_.end(), t.path.begin(), t.path.end());
+  path.drive(t.path, false);
+}
+
+Transit OrderDriver::by_hand(const ElementVisit& from, const ElementVisit& to, const PortCurve& curve,
+                             const Transit& otherwise) {
+  const Pose exit = exit_pose(elements_[from.element], from), entry = entry_pose(elements_[to.element], to);
+  const double radius = smooth_ != nullptr ? smooth_->radius() : router_.problem().robot().tool_width;
+  const auto c = edited_connection(exit, entry, curve.kind, curve.points, radius);
+  if (!c) return otherwise;
+  ++curves_used_;
+  Polyline path = sampled(c->curve, kChord * router_.problem().robot().tool_width);
+  const double metres = length(path), crossing = work_.crossing_m(path);
+  return {std::move(path), metres, crossing, smooth_ == nullptr || c->curvature * radius <= kMostCurvature};
+}
+
+std::vector<std::size_t> OrderDriver::corners(const DrawingElement& element, const ElementVisit& visit,
+                                              const Polyline& line) const {
+  if (element.is_fill()) return corners_of(line, kFillCorner);
+  const std::size_t last = line.size() - 1;
+  std::vector<std::size_t> found;
+  for (std::size_t corner : element.corners) {
+    if (element.closed) corner = from_entry(corner % last, visit.entry, last);
+    if (visit.backwards) corner = last - corner;
+    if (corner > 0 && corner < last) found.push_back(corner);
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+/// One leg with the tool on; what it is left for at corners that cannot be rounded is driven with the tool off.
+void OrderDriver::stroke(const DrawingElement& element, const Leg& leg, const ElementVisit& visit, PathBuilder& path) {
+  if (!(corners_.radius > 0)) return path.drive(leg.points, leg.tool, leg.gear, leg.width);
+  CornerOptions options{
+      .rule = corners_.rule, .radius = corners_.radius, .largest_deviation = corners_.largest_deviation};
+  options.chord_error = kChord * router_.problem().robot().tool_width;
+  options.free = [&](const Polyline& loop) {
+    for (std::size_t k = 1; k < loop.size(); ++k)
+      if (!router_.problem().walls().contains(loop[k - 1], loop[k])) return false;
+    return work_.crossing_m(loop) <= 0;
+  };
+  const RoundedLine rounded = rounded_corners(leg.points, corners(element, visit, leg.points), options);
+  const Leg* before = nullptr;
+  for (const Leg& part : rounded.legs) {
+    const bool drawn = part.tool && leg.tool;
+    if (before != nullptr && smooth_ != nullptr && before->tool && part.tool)
+      transit(router_.route(last_heading(before->points), first_heading(part.points)), path);
+    path.drive(part.points, drawn, part.gear, drawn ? leg.width : 0);
+    before = &part;
+  }
+}
+
+void OrderDriver::drive(const DrawingElement& element, const ElementVisit& visit, const std::vector<Transit>& inner,
+                        PathBuilder& path) {
+  std::size_t piece = visit.backwards ? first_piece_[visit.element + 1] : first_piece_[visit.element];
+  auto next = inner.begin();
+  const std::vector<Leg> legs = driven(element, visit);
+  for (std::size_t k = 0; k < legs.size(); ++k) {
+    if (!legs[k].tool && element.is_fill()) {
+      transit(*next++, path);
+      continue;
+    }
+    stroke(element, legs[k], visit, path);
+    if (legs[k].tool) work_.finish(visit.backwards ? --piece : piece++);
+  }
+}
+
+void OrderDriver::drive(const DrivenOrder& order, const PortCurves& curves, PathBuilder& path) {
+  for (std::size_t piece = 0; piece < work_.pieces().size(); ++piece) work_.undo(piece);
+  for (std::size_t k = 0; k < order.order.size(); ++k) {
+    const ElementVisit& to = order.order[k];
+    const DrawingElement& element = elements_[to.element];
+    Transit t = order.transits[k];
+    if (k > 0 && !curves.empty()) {
+      const ElementVisit& from = order.order[k - 1];
+      const auto curve = curves.find({exit_port(elements_[from.element], from), entry_port(element, to)});
+      if (curve != curves.end()) t = by_hand(from, to, curve->second, t);
+    }
+    transit(t, path);
+    drive(element, to, order.inner[k], path);
+  }
+}
+
+}  // namespace oxturn

@@ -1,0 +1,70 @@
+/// The path over a drawing's elements in their order: strokes with rounded corners, transits, a person's curves.
+///
+///   OrderDriver driver(elements, router, work, {.corner = CornerRule::automatic, .radius = 0.5});
+///   driver.drive(order, path);
+///   driver.bends();                              // where the robot turns more sharply than its radius
+///
+/// For a robot without radius every corner is a stop. Else corners are rounded (smoothing/corners.hpp); where that does
+/// not fit, the robot leaves the stroke with the tool off and comes back in the new direction.
+/// Source: Vollprecht 2014, section 3.7, with the curves of his outlook.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "algorithms/drawing/demands.hpp"
+#include "algorithms/drawing/priced_order.hpp"
+#include "algorithms/smoothing/corners.hpp"
+
+namespace oxturn {
+
+struct CornerChoice {
+  CornerRule rule = CornerRule::automatic;
+  double radius = 0;             // metres; 0: corners are kept
+  double largest_deviation = 0;  // metres that an arc inside may leave a vertex
+};
+
+/// A person's curve between two ports.
+struct PortCurve {
+  ConnectionKind kind = ConnectionKind::spiro;
+  std::vector<Point> points;
+};
+using PortCurves = std::map<std::pair<ElementPort, ElementPort>, PortCurve>;
+/// Those of the drawing, in both directions. Throws as port_of().
+PortCurves curves_of(const Drawing& drawing, std::vector<DrawingElement>& elements);
+
+class OrderDriver {
+ public:
+  /// References must outlive it. `smooth`: nullptr without radius.
+  OrderDriver(const std::vector<DrawingElement>& elements, TransitRouter& router, FinishedWork& work,
+              const SmoothTransits* smooth, const CornerChoice& corners);
+
+  void drive(const DrivenOrder& order, const PortCurves& curves, PathBuilder& path);
+  /// Positions at which the path turns on the spot or with less than the radius.
+  const std::vector<Point>& bends() const { return bends_; }
+  const std::vector<Polyline>& transits() const { return transits_; }
+  /// Of a person's curves.
+  std::size_t curves_used() const { return curves_used_; }
+
+ private:
+  void drive(const DrawingElement& element, const ElementVisit& visit, const std::vector<Transit>& inner,
+             PathBuilder& path);
+  void stroke(const DrawingElement& element, const Leg& leg, const ElementVisit& visit, PathBuilder& path);
+  void transit(const Transit& t, PathBuilder& path);
+  /// The person's curve, or `otherwise` if there is none through its points.
+  Transit by_hand(const ElementVisit& from, const ElementVisit& to, const PortCurve& curve, const Transit& otherwise);
+  std::vector<std::size_t> corners(const DrawingElement& element, const ElementVisit& visit,
+                                   const Polyline& line) const;
+
+  const std::vector<DrawingElement>& elements_;
+  TransitRouter& router_;
+  FinishedWork& work_;
+  const SmoothTransits* smooth_;
+  CornerChoice corners_;
+  std::vector<std::size_t> first_piece_;
+  std::vector<Point> bends_;
+  std::vector<Polyline> transits_;
+  std::size_t curves_used_ = 0;
+};
+
+}  // namespace oxturn

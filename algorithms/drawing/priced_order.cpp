@@ -1,0 +1,107 @@
+#include "algorithms/drawing/priced_order.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "algorithms/drawing/order_moves.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr int kMostRounds = 10;
+constexpr double kConstantWeight = 1000;  // metres, of a connection over finished work
+constexpr double kNoDifference = 1e-9;
+
+}  // namespace
+
+bool better(const DrivenOrder& a, const DrivenOrder& b) {
+  if (std::abs(a.crossing_m - b.crossing_m) > kNoDifference) return a.crossing_m < b.crossing_m;
+  return a.length_m < b.length_m - kNoDifference;
+}
+
+ElementPieces pieces_of(const std::vector<DrawingElement>& elements) {
+  ElementPieces all;
+  for (const DrawingElement& e : elements) {
+    all.first.push_back(all.pieces.size());
+    for (const Leg& leg : e.legs)
+      if (leg.tool) all.pieces.push_back({leg.points, leg.width / 2});
+  }
+  all.first.push_back(all.pieces.size());
+  return all;
+}
+
+PricedOrder::PricedOrder(const std::vector<DrawingElement>& elements, const Point& start, Finished rule,
+                         TransitRouter& router, FinishedWork& work)
+    : elements_(elements),
+      start_(start),
+      rule_(rule),
+      router_(router),
+      work_(work),
+      first_piece_(pieces_of(elements).first) {}
+
+Transit PricedOrder::transit(const Pose& from, const Pose& to) {
+  return rule_ == Finished::around ? router_.route(from, to) : router_.direct(from, to);
+}
+
+Transit PricedOrder::transit_to(const std::vector<ElementVisit>& order, std::size_t k) {
+  const Pose entry = entry_pose(elements_[order[k].element], order[k]);
+  if (k > 0) return transit(exit_pose(elements_[order[k - 1].element], order[k - 1]), entry);
+  return rule_ == Finished::around ? router_.route(start_, entry) : router_.direct(start_, entry);
+}
+
+/// Finishes the element's pieces in driving order. Transits inside a fill.
+std::vector<Transit> PricedOrder::draw(const ElementVisit& visit) {
+  const DrawingElement& element = elements_[visit.element];
+  std::size_t piece = visit.backwards ? first_piece_[visit.element + 1] : first_piece_[visit.element];
+  std::vector<Transit> inner;
+  const std::vector<Leg> legs = oxturn::driven(element, visit);
+  for (std::size_t k = 0; k < legs.size(); ++k) {
+    if (legs[k].tool)
+      work_.finish(visit.backwards ? --piece : piece++);
+    else if (element.is_fill())
+      inner.push_back(transit(last_heading(legs[k - 1].points), first_heading(legs[k + 1].points)));
+  }
+  return inner;
+}
+
+DrivenOrder PricedOrder::driven(const std::vector<ElementVisit>& order) {
+  DrivenOrder result{order, {}, {}, 0, 0};
+  for (std::size_t piece = 0; piece < work_.pieces().size(); ++piece) work_.undo(piece);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    result.transits.push_back(transit_to(order, k));
+    result.inner.push_back(draw(order[k]));
+    result.crossing_m += result.transits.back().crossing_m;
+    result.length_m += result.transits.back().length_m;
+    for (const Transit& t : result.inner.back()) result.crossing_m += t.crossing_m, result.length_m += t.length_m;
+  }
+  return result;
+}
+
+void PricedOrder::raise(const DrivenOrder& order, DrawingTour& tour) {
+  for (std::size_t k = 0; k < order.order.size(); ++k) {
+    const Transit& t = order.transits[k];
+    const bool crosses = t.crossing_m > 0;
+    const double price = rule_ == Finished::weight ? t.length_m + (crosses ? kConstantWeight : 0) : t.price();
+    if (rule_ == Finished::weight ? !crosses : price <= distance(t.path.front(), t.path.back()) * (1 + kNoDifference))
+      continue;
+    tour.raise(k == 0 ? nullptr : &order.order[k - 1], order.order[k], price);
+  }
+}
+
+DrivenOrder PricedOrder::search(DrawingTour& tour, Context& context) {
+  DrivenOrder at = driven(tour.solve(context)), best = at;
+  for (int round = 0; round < kMostRounds && rule_ != Finished::ignore && !context.cancelled(); ++round) {
+    raise(at, tour);
+    std::vector<ElementVisit> order = tour.improve(at.order, context);
+    if (order == at.order) break;
+    at = driven(order);
+    if (better(at, best)) best = at;
+  }
+  if (rule_ != Finished::around || context.cancelled()) return best;
+  OrderMoves moves(elements_, start_, tour, router_.radius(), router_, work_, first_piece_);
+  at = driven(moves.improved(best, context));
+  return better(at, best) ? at : best;
+}
+
+}  // namespace oxturn

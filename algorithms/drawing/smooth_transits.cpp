@@ -1,0 +1,104 @@
+#include "algorithms/drawing/smooth_transits.hpp"
+
+#include <algorithm>
+
+#include "algorithms/smoothing/car_space.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr double kChord = 1e-3;  // tool widths: of sampled curves
+constexpr double kCoarse = 8;    // of that: for tests against finished work
+constexpr int kHeadings = 8;     // tried at a start
+constexpr double kMostCurvature = 1.01;
+
+double heading(const Point& from, const Point& to) { return std::atan2(to.y() - from.y(), to.x() - from.x()); }
+
+/// The direction of a path's bend at k: half way between those of its two segments.
+double heading_at(const Polyline& path, std::size_t k) {
+  const double before = heading(path[k - 1], path[k]), after = heading(path[k], path[k + 1]);
+  return before + std::remainder(after - before, 2 * kPi) / 2;
+}
+
+}  // namespace
+
+SmoothTransits::SmoothTransits(const Problem& problem, const FinishedWork& work, const Options& options)
+    : problem_(problem), work_(work), options_(options), chord_error_(kChord * problem.robot().tool_width) {}
+
+bool SmoothTransits::stays_inside(const Polyline& path) const {
+  for (std::size_t k = 1; k < path.size(); ++k)
+    if (!problem_.walls().contains(path[k - 1], path[k])) return false;
+  return true;
+}
+
+bool SmoothTransits::allowed(const SmoothCurve& curve, Clear clear) const {
+  const double keep_off = clear == Clear::near_work ? options_.keep_off : 0;
+  return (clear == Clear::walls || work_.clear(sampled(curve, kCoarse * chord_error_), keep_off)) &&
+         stays_inside(sampled(curve, chord_error_));
+}
+
+std::optional<Polyline> SmoothTransits::one(const Pose& from, const Pose& to, Clear clear) const {
+  if (from.at == to.at && std::remainder(from.heading - to.heading, 2 * kPi) == 0) return Polyline{from.at, to.at};
+  ConnectionOptions options{.radius = options_.radius, .first = options_.first};
+  options.allowed = [&](const SmoothCurve& curve) { return allowed(curve, clear); };
+  const Connection c = smooth_connection(from, to, options);
+  if (!c.allowed) return std::nullopt;
+  return sampled(c.curve, chord_error_);
+}
+
+std::optional<Polyline> SmoothTransits::along(const Pose& from, const Pose& to, const Polyline& round) const {
+  Polyline path{from.at};
+  Pose at = from;
+  for (std::size_t k = 1; k < round.size(); ++k) {
+    const bool last = k + 1 == round.size();
+    if (!last && distance(round[k], at.at) < options_.radius) continue;  // too near for a curve of its own
+    const Pose next = last ? to : Pose{round[k], heading_at(round, k)};
+    const Connection c = smooth_connection(at, next, {.radius = options_.radius, .first = options_.first});
+    const Polyline piece = sampled(c.curve, chord_error_);
+    if (!piece.empty()) path.insert(path.end(), piece.begin() + 1, piece.end());
+    at = next;
+  }
+  if (!stays_inside(path) || !work_.clear(path, 0)) return std::nullopt;
+  return path;
+}
+
+std::optional<Polyline> SmoothTransits::by_lattice(const Pose& from, const Pose& to) const {
+  if (!(problem_.robot().min_turn_radius > 0)) return std::nullopt;
+  const std::optional<Curve> curve = CarSpace(problem_).detour({from}, to, Context());
+  if (!curve || curve->cusps() > 0) return std::nullopt;
+  Polyline path{from.at};
+  for (const Leg& leg : sampled(*curve, chord_error_, false))
+    path.insert(path.end(), leg.points.begin() + 1, leg.points.end());
+  return path;
+}
+
+SmoothTransit SmoothTransits::find(const Pose& from, const Pose& to, const Polyline& round) const {
+  if (options_.literal) {
+    const Connection c = smooth_connection(from, to, {.radius = options_.radius, .rule = SpiroRule::literal});
+    return {sampled(c.curve, chord_error_), c.curvature <= kMostCurvature / options_.radius};
+  }
+  if (options_.avoid) {
+    for (const Clear clear : {Clear::near_work, Clear::work})
+      if (auto path = one(from, to, clear)) return {std::move(*path)};
+    if (round.size() > 2)
+      if (auto path = along(from, to, round)) return {std::move(*path)};
+  }
+  if (auto path = one(from, to, Clear::walls)) return {std::move(*path)};
+  if (auto path = by_lattice(from, to)) return {std::move(*path)};
+  return {round, false};
+}
+
+SmoothTransit SmoothTransits::find(const Point& from, const Pose& to, const Polyline& round) const {
+  std::optional<SmoothTransit> best;
+  const double first = round.size() > 1 ? heading(round[0], round[1]) : to.heading;
+  for (int k = 0; k < kHeadings; ++k) {
+    SmoothTransit t = find(Pose{from, first + 2 * kPi * k / kHeadings}, to, round);
+    const auto cost = [&](const SmoothTransit& s) {
+      return std::pair(!s.keeps_radius, length(s.path) + 100 * work_.crossing_m(s.path));
+    };
+    if (!best || cost(t) < cost(*best)) best = std::move(t);
+  }
+  return *best;
+}
+
+}  // namespace oxturn

@@ -1,0 +1,60 @@
+/// Transits for a robot with a least turning radius: curves from pose to pose, round what is drawn where they can.
+///
+///   SmoothTransits smooth(problem, work, radius, keep_off);
+///   const SmoothTransit t = smooth.find(exit, entry, round);       // round: the shortest path without a radius
+///
+/// The first of these that stays in configuration space and
+///   1. is clear of finished work by `keep_off`: one smooth connection (smoothing/connection.hpp: spiro curves first)
+///   2. is clear of finished work itself: the same; then connections through the bends of `round`
+///   3. crosses it: one smooth connection
+///   4. as 3, found by a lattice search, if the robot cannot turn on the spot
+/// If there is none, `round` itself with its bends, which are reported.
+/// Source: Vollprecht 2014, section 2.4. Cost: some dozen curves of up to a millisecond.
+#pragma once
+
+#include <optional>
+
+#include "algorithms/drawing/finished_work.hpp"
+#include "algorithms/smoothing/connection.hpp"
+#include "maps/problem.hpp"
+
+namespace oxturn {
+
+struct SmoothTransit {
+  Polyline path;
+  bool keeps_radius = true;
+};
+
+class SmoothTransits {
+ public:
+  struct Options {
+    double radius = 1;    // metres, > 0
+    double keep_off = 0;  // metres from finished work, where possible
+    ConnectionKind first = ConnectionKind::spiro;
+    bool avoid = true;     // finished work; false: 3 and 4 only
+    bool literal = false;  // the source's spiro curve, whatever its curvature and wherever it leads
+  };
+  /// References must outlive it.
+  SmoothTransits(const Problem& problem, const FinishedWork& work, const Options& options);
+
+  double radius() const { return options_.radius; }
+  SmoothTransit find(const Pose& from, const Pose& to, const Polyline& round) const;
+  /// From a point, with the best of some headings.
+  SmoothTransit find(const Point& from, const Pose& to, const Polyline& round) const;
+
+ private:
+  /// What a curve must keep clear of.
+  enum class Clear { near_work, work, walls };
+  bool allowed(const SmoothCurve& curve, Clear clear) const;
+  bool stays_inside(const Polyline& path) const;
+  std::optional<Polyline> one(const Pose& from, const Pose& to, Clear clear) const;
+  std::optional<Polyline> along(const Pose& from, const Pose& to, const Polyline& round) const;
+  std::optional<Polyline> by_lattice(const Pose& from, const Pose& to) const;
+
+  const Problem& problem_;
+  const FinishedWork& work_;
+  Options options_;
+  double chord_error_;
+};
+
+}  // namespace oxturn

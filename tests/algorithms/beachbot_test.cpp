@@ -1,0 +1,284 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "algorithms/drawing/containment.hpp"
+#include "algorithms/drawing/priced_order.hpp"
+#include "coverage_oracle.hpp"
+#include "geometry/overlay/boolean.hpp"
+#include "geometry/overlay/swath.hpp"
+#include "tests/support/drawings.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+DrawnStroke line(const std::string& element, Polyline points, double width = 0.16) {
+  DrawnStroke stroke;
+  stroke.element = element;
+  stroke.points = std::move(points);
+  stroke.width = width;
+  return stroke;
+}
+DrawnStroke square(const std::string& element, const Point& low, double side) {
+  return line(element, {low, low + Point(side, 0), low + Point(side, side), low + Point(0, side), low});
+}
+
+void expect_no_jump(const Problem& problem, const Path& path) {
+  Point at = problem.start();
+  for (const Leg& leg : path.legs) {
+    ASSERT_GE(leg.points.size(), 2u);
+    EXPECT_LE(distance(at, leg.points.front()), 1e-9);
+    for (const Point& p : leg.points) EXPECT_TRUE(finite(p));
+    at = leg.points.back();
+  }
+}
+
+/// The order in which strokes of these end points are begun: the index of the first leg that draws the point.
+std::size_t first_drawn(const Path& path, const Point& p) {
+  for (std::size_t k = 0; k < path.legs.size(); ++k)
+    if (path.legs[k].tool)
+      for (std::size_t i = 1; i < path.legs[k].points.size(); ++i)
+        if (distance_to_segment(p, path.legs[k].points[i - 1], path.legs[k].points[i]) < 1e-9) return k;
+  return path.legs.size();
+}
+
+/// Metres driven with the tool at this width.
+double drawn_m(const Path& path, double width) {
+  double sum = 0;
+  for (const Leg& leg : path.legs)
+    if (leg.tool && leg.width == width) sum += length(leg.points);
+  return sum;
+}
+
+double covered_share(const FilledArea& area, const Path& path, const Robot& robot) {
+  std::vector<Polyline> lines;
+  for (const Leg& leg : path.legs)
+    if (leg.tool && leg.width == robot.tool_width) lines.push_back(leg.points);
+  const double w = robot.tool_width;
+  const Region all{{area.area}};
+  const Region reachable = dilate(erode(all, w / 2, 1e-3 * w, Bound::inside), w / 2, 1e-3 * w, Bound::inside);
+  if (oxturn::area(reachable) <= 0) return 1;
+  const Region missed = subtract(reachable, swath_parts(lines, w / 2, 1e-3 * w, Bound::outside));
+  return 1 - oxturn::area(missed) / oxturn::area(reachable);
+}
+
+// Strokes are drawn once, with their widths; fills are covered; nothing jumps.
+TEST(Beachbot, DrawsEveryStrokeOnceAndCoversEveryFill) {
+  for (const auto seed : seeds(4)) {
+    SCOPED_TRACE(seed);
+    DrawingKind kind{.polylines = 4, .closed = 2, .nested = 2, .letters = 2, .areas = static_cast<int>(seed % 3)};
+    const Drawing drawing = DrawingGenerator(seed, kind).drawing();
+    const Robot robot = beach_robot();
+    const Problem problem = canvas(drawing, robot, kind);
+    const Path path = plan("beachbot", problem);
+    expect_no_jump(problem, path);
+    double fills_m = 0;
+    for (const double width : {0.04, 0.16, 0.32, 0.42}) {
+      double strokes_m = 0;
+      for (const DrawnStroke& s : drawing.strokes)
+        if (s.width == width) strokes_m += length(s.points);
+      const double drawn = drawn_m(path, width);
+      if (width < 0.42)
+        EXPECT_NEAR(drawn, strokes_m, 1e-6);
+      else
+        fills_m = drawn - strokes_m;
+    }
+    EXPECT_GE(fills_m, -1e-6);
+    for (const DrawnStroke& s : drawing.strokes)
+      for (std::size_t k = 1; k < s.points.size(); ++k)
+        EXPECT_LT(first_drawn(path, lerp(s.points[k - 1], s.points[k], 0.5)), path.legs.size());
+    for (const FilledArea& area : drawing.areas) EXPECT_GE(covered_share(area, path, robot), 0.98);
+  }
+}
+
+TEST(Beachbot, WhatIsInsideComesFirst) {
+  for (const auto seed : seeds(3)) {
+    SCOPED_TRACE(seed);
+    DrawingKind kind{.polylines = 3, .closed = 4, .nested = 3, .letters = 2, .areas = 0};
+    const Drawing drawing = DrawingGenerator(seed, kind).drawing();
+    const std::vector<DrawingElement> elements = stroke_elements(drawing);
+    const Path path = plan("beachbot", canvas(drawing, beach_robot(), kind));
+    for (const auto& [outer, inner] : contained_elements(elements, ContainmentTest::overlay)) {
+      const Polyline &o = elements[outer].legs[0].points, &i = elements[inner].legs[0].points;
+      EXPECT_LT(first_drawn(path, lerp(i[0], i[1], 0.37)), first_drawn(path, lerp(o[0], o[1], 0.37)));
+    }
+  }
+}
+
+TEST(Beachbot, ContainmentIsThatOfTheShapes) {
+  Drawing drawing;
+  drawing.strokes = {square("outer", {1, 1}, 8), square("middle", {2, 2}, 3), square("inner", {2.5, 2.5}, 1),
+                     line("crossing", {{0.5, 3}, {4, 3}}), line("touching", {{2, 2}, {4, 4}})};
+  const auto pairs = contained_elements(stroke_elements(drawing), ContainmentTest::overlay);
+  EXPECT_EQ(pairs, (std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}, {1, 2}, {1, 4}}));
+}
+
+TEST(Beachbot, EnforcedConnectionsAreDriven) {
+  Drawing drawing;
+  drawing.strokes = {line("a", {{1, 1}, {3, 1}}), line("b", {{8, 6}, {10, 6}}), line("c", {{3.5, 1}, {5, 1}})};
+  drawing.connections = {{.from = {"a", -1}, .to = {"b", 0}, .enforced = true}};
+  const Path path = plan("beachbot", canvas(drawing, beach_robot()));
+  bool found = false;
+  for (const Leg& leg : path.legs)
+    if (!leg.tool) {
+      const Point &p = leg.points.front(), &q = leg.points.back();
+      found = found || (p == Point(3, 1) && q == Point(8, 6)) || (q == Point(3, 1) && p == Point(8, 6));
+    }
+  EXPECT_TRUE(found);
+  drawing.connections[0] = {.from = {"a", -1}, .to = {"c", 0}, .enforced = false};
+  for (const Leg& leg : plan("beachbot", canvas(drawing, beach_robot())).legs) {
+    const Point &p = leg.points.front(), &q = leg.points.back();
+    EXPECT_FALSE(!leg.tool && std::min(distance(p, {3, 1}), distance(q, {3, 1})) < 1e-9 &&
+                 std::min(distance(p, {3.5, 1}), distance(q, {3.5, 1})) < 1e-9);
+  }
+}
+
+TEST(Beachbot, ContradictionsNameBothElements) {
+  Drawing drawing;
+  drawing.strokes = {line("eye", {{1, 1}, {3, 1}}), line("ear", {{8, 6}, {10, 6}}), line("tail", {{3.5, 1}, {5, 1}})};
+  const auto message = [&](std::vector<DrawnConnection> connections) {
+    drawing.connections = std::move(connections);
+    try {
+      plan("beachbot", canvas(drawing, beach_robot()));
+    } catch (const std::invalid_argument& e) { return std::string(e.what()); }
+    return std::string("no message");
+  };
+  EXPECT_THAT(message({{{"eye", -1}, {"ear", 0}, true}, {{"tail", 0}, {"eye", -1}, true}}),
+              ::testing::AllOf(HasSubstr("'ear'"), HasSubstr("'tail'")));
+  EXPECT_THAT(message({{{"eye", -1}, {"ear", 0}, true}, {{"eye", 0}, {"ear", -1}, true}}),
+              ::testing::AllOf(HasSubstr("'eye'"), HasSubstr("'ear'"), HasSubstr("cycle")));
+  EXPECT_THAT(message({{{"eye", -1}, {"ear", 0}, true}, {{"ear", 0}, {"eye", -1}, false}}),
+              HasSubstr("both enforced and deleted"));
+  EXPECT_THAT(message({{{"nose", 0}, {"ear", 0}, true}}), HasSubstr("'nose'"));
+  EXPECT_THAT(message({{{"eye", 7}, {"ear", 0}, true}}), HasSubstr("node 7 of element 'eye', which has 2 nodes"));
+}
+
+// A wall that is drawn between two strokes is gone round, not over.
+TEST(Beachbot, TransitsGoRoundWhatIsDrawn) {
+  Drawing drawing;
+  drawing.strokes = {line("near", {{1, 2}, {1, 4}}), line("wall", {{4, 1}, {4, 9}}, 0.42),
+                     line("far", {{6, 4}, {9, 4}})};
+  drawing.connections = {{{"near", 0}, {"wall", 0}, true}, {{"wall", -1}, {"far", 0}, true}};
+  const RecordedPlan around = plan_recorded("beachbot", canvas(drawing, beach_robot()));
+  EXPECT_EQ(around.figures.at("over_finished_m"), 0);
+
+  const Problem problem = canvas(drawing, beach_robot());
+  FinishedWork work(pieces_of(stroke_elements(drawing)).pieces, 0.22);
+  TransitRouter router(problem, work, 0.3, nullptr);
+  EXPECT_NEAR(router.route(Pose{{3, 5}}, Pose{{5, 5}}).length_m, 2, 1e-9);
+  work.finish(1);
+  const Transit round = router.route(Pose{{3, 5}}, Pose{{5, 5}});
+  EXPECT_NEAR(router.direct(Pose{{3, 5}}, Pose{{5, 5}}).crossing_m, 0.42, 1e-3);
+  EXPECT_EQ(round.crossing_m, 0);
+  // Tangents to the discs of 0.21 + 0.3 about an end of the wall, and the arc between them.
+  const double tangent = std::sqrt(1 + 16 - 0.51 * 0.51),
+               turn = 2 * (std::atan2(1, 4) + std::acos(0.51 / std::sqrt(17)));
+  EXPECT_NEAR(round.length_m, 2 * tangent + 0.51 * (2 * kPi - turn), 0.02);
+  work.undo(1);
+  EXPECT_NEAR(router.route(Pose{{3, 5}}, Pose{{5, 5}}).length_m, 2, 1e-9);
+}
+
+// The round end of a stroke as wide as the tool must not enclose the robot.
+TEST(Beachbot, LeavesAStrokeAsWideAsTheTool) {
+  for (const double width : {0.04, 0.16, 0.32, 0.42}) {
+    Drawing drawing;
+    drawing.strokes = {line("near", {{1, 2}, {1, 4}}), line("wall", {{4, 1}, {4, 9}}, width),
+                       line("far", {{6, 4}, {9, 4}})};
+    EXPECT_EQ(plan_recorded("beachbot", canvas(drawing, beach_robot())).figures.at("over_finished_m"), 0);
+  }
+}
+
+// All orders of up to six strokes, each priced with the same transits.
+TEST(Beachbot, FindsTheBestOrderOfFewElements) {
+  double found_price = 0, best_price = 0;
+  for (const auto seed : seeds(12)) {
+    SCOPED_TRACE(seed);
+    DrawingKind kind{.polylines = 5, .closed = 0, .nested = 0, .letters = 0, .areas = 0, .width = 9, .height = 7};
+    const Drawing drawing = DrawingGenerator(seed, kind).drawing();
+    const Problem problem = canvas(drawing, beach_robot(), kind);
+    const std::vector<DrawingElement> elements = stroke_elements(drawing);
+    FinishedWork work(pieces_of(elements).pieces, 0.52 * 0.42);
+    TransitRouter router(problem, work, 0.3, nullptr);
+    PricedOrder priced(elements, problem.start(), Finished::around, router, work);
+    DrawingTour tour(elements, {}, problem.start(), 0);
+    Context context;
+    const auto price = [](const DrivenOrder& o) { return o.length_m + Transit::kCrossingWeight * o.crossing_m; };
+    const double found = price(priced.search(tour, context));
+    double best = found;
+    std::vector<std::size_t> order(elements.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    do
+      for (unsigned turned = 0; turned < (1u << order.size()); ++turned) {
+        std::vector<ElementVisit> visits;
+        double straight = 0;
+        Point at = problem.start();
+        for (const std::size_t e : order) {
+          visits.push_back({e, 0, (turned >> e & 1) != 0});
+          straight += distance(at, entry_of(elements[e], visits.back()));
+          at = exit_of(elements[e], visits.back());
+        }
+        if (straight < best) best = std::min(best, price(priced.driven(visits)));
+      }
+    while (std::next_permutation(order.begin(), order.end()));
+    EXPECT_LE(found, 1.25 * best + 1e-9);
+    found_price += found;
+    best_price += best;
+  }
+  EXPECT_LE(found_price, 1.05 * best_price);
+}
+
+TEST(Beachbot, TheSameBytesAgain) {
+  for (const auto seed : seeds(1)) {
+    SCOPED_TRACE(seed);
+    const Drawing drawing = DrawingGenerator(seed, {}).drawing();
+    const Path one = plan("beachbot", canvas(drawing, beach_robot())),
+               two = plan("beachbot", canvas(drawing, beach_robot()));
+    ASSERT_EQ(one.legs.size(), two.legs.size());
+    for (std::size_t k = 0; k < one.legs.size(); ++k) EXPECT_EQ(one.legs[k].points, two.legs[k].points);
+  }
+}
+
+// Every bend of the path is one that the radius allows, or was reported.
+TEST(Beachbot, KeepsTheLeastTurningRadius) {
+  for (const auto seed : seeds(3)) {
+    SCOPED_TRACE(seed);
+    DrawingKind kind{.polylines = 4, .closed = 2, .nested = 1, .letters = 2, .areas = 0};
+    const Drawing drawing = DrawingGenerator(seed, kind).drawing();
+    const Problem problem = canvas(drawing, beach_robot(0.3), kind);
+    const RecordedPlan planned = plan_recorded("beachbot", problem);
+    expect_no_jump(problem, planned.path);
+    if (planned.figures.at("sharp_bends") > 0) continue;
+    Polyline all;
+    for (const Leg& leg : planned.path.legs)
+      for (const Point& p : leg.points)
+        if (all.empty() || distance(p, all.back()) > 1e-9) all.push_back(p);
+    for (std::size_t k = 1; k + 1 < all.size(); ++k) {
+      const Point a = all[k] - all[k - 1], b = all[k + 1] - all[k];
+      const double turn = std::abs(std::atan2(cross(a, b), a.dot(b)));
+      EXPECT_LE(turn, 0.35) << to_text(all[k]);  // radians: chords of curves only
+    }
+  }
+}
+
+TEST(Beachbot, AMapWithoutADrawingIsFilled) {
+  const Problem hall(Map{"hall", box_region({0, 0}, {6, 4}), "", ""}, Robot{}, Point(1, 1));
+  const Path path = plan("beachbot", hall);
+  expect_valid(hall, path);
+  EXPECT_LE(uncovered_share(hall, path, 500), 2e-3);
+}
+
+TEST(Beachbot, AStrokeWithoutLengthIsOneSentence) {
+  Drawing drawing;
+  drawing.strokes = {line("dot", {{1, 1}, {1, 1}})};
+  EXPECT_THAT([&] { plan("beachbot", canvas(drawing, beach_robot())); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("stroke 0 ('dot') has no length")));
+}
+
+}  // namespace
+}  // namespace oxturn
