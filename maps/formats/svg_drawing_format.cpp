@@ -12,6 +12,7 @@ MapFile read_drawing(const std::string& file, const DrawingOptions& options) {
   MapFile result;
   result.map = {stem_of(file), box_region({0, 0}, {options.canvas_width, options.canvas_height}), "file", file};
   result.start = read.drawing.start;
+  if (Region area = drawn_area(read.drawing); !area.empty()) result.map.target_area = std::move(area);
   result.map.drawing = std::make_shared<const Drawing>(std::move(read.drawing));
   result.remarks = std::move(read.remarks);
   return result;
