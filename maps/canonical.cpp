@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/sha256.hpp"
+#include "maps/drawing_file.hpp"
 #include "maps/map.hpp"
 
 namespace oxturn {
@@ -57,13 +58,10 @@ std::string canonical_bytes(const Region& region) {
   return sorted_list(std::move(polygons));
 }
 
-std::string canonical_bytes(const Map& map) {
+std::string content_hash(const Map& map) {
   std::string bytes = canonical_bytes(map.free);
-  if (map.target_area) bytes += "target" + canonical_bytes(*map.target_area);
   if (map.drawing) bytes += "drawing" + canonical_bytes(*map.drawing);
-  return bytes;
+  return sha256(bytes);
 }
-
-std::string content_hash(const Map& map) { return sha256(canonical_bytes(map)); }
 
 }  // namespace oxturn

@@ -1,4 +1,4 @@
-#include "maps/drawing.hpp"
+#include "maps/drawing_file.hpp"
 
 #include "base/sha256.hpp"
 #include "geometry/overlay/boolean.hpp"

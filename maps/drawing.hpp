@@ -61,18 +61,12 @@ struct DrawnCurve {
 };
 
 struct Drawing {
-  std::vector<DrawnStroke> strokes;  // in document order
-  std::vector<FilledArea> areas;     // in document order, interiors disjoint
-  std::optional<Point> start;        // where the path begins
+  std::vector<DrawnStroke> strokes;    // in document order
+  std::vector<FilledArea> areas;  // in document order, interiors disjoint
+  std::optional<Point> start;     // where the path begins
   std::vector<DrawnConnection> connections;
   std::vector<DrawnCurve> curves;
   std::string sha256;  // of the file that it was read from
 };
-
-/// What is to be covered: the filled areas, and the strokes as wide as they are drawn. Strokes with the tool off do not
-/// count. Errs inside, by a thousandth of a stroke's width. Empty if nothing has an area.
-Region drawn_area(const Drawing& drawing);
-/// Canonical bytes of everything but the file's hash, for content addresses.
-std::string canonical_bytes(const Drawing& drawing);
 
 }  // namespace oxturn

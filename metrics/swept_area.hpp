@@ -51,7 +51,7 @@ struct SweptArea {
   double covered_m2 = 0;             // covered part of the target, certified lower bound
   double covered_estimate_m2 = 0;    // covered part of the target, best estimate
   double union_m2 = 0;               // area swept with the tool on, inside the target or not
-  double work_m2 = 0;                // length driven with the tool on, times the width that is used
+  double work_m2 = 0;                // length driven with the tool on, times the width
   double visits_m2 = 0;              // integral over the target of the number of separate visits
   std::vector<CoveragePoint> curve;  // estimate; from (0, 0) to the path's end and coverage.middle()
   std::vector<MissedPiece> missed;   // largest first; pieces above a hundredth of the tool's disc
