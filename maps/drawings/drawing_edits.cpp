@@ -106,7 +106,6 @@ class Editor {
     }
     drawing_.areas = std::move(areas);
     if (!any) edit["line"].refuse(fmt::format("does not cut an area of element '{}' in two", element));
-    filled_.clear();
   }
 
   void fill(const Edit& edit) {

@@ -73,7 +73,7 @@ DrawnStroke stroke_from(const JsonAt& properties, const JsonAt& geometry) {
   s.points = points.points(geometry.where);
   s.nodes = positions(properties, "nodes", s.points.size());
   s.corners = positions(properties, "corners", s.points.size());
-  if (s.nodes.empty()) s.nodes = {0, s.points.size() - 1};
+  if (properties.find("nodes") == nullptr) s.nodes = {0, s.points.size() - 1};
   return s;
 }
 

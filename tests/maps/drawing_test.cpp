@@ -119,7 +119,7 @@ TEST(DrawingEdits, ErrorsNameTheirPointer) {
   EXPECT_THAT(why(edits(R"("fills": [{"element": "box"}, {"element": "box"}])")),
               HasSubstr("/fills/1: the fill of this area was chosen"));
   EXPECT_THAT(why(edits(R"("cuts": [{"element": "box", "line": [[0, 0], [1, 0]]}])")),
-              HasSubstr("/cuts/0/line is [[0,0],[1,0]], expected"));
+              HasSubstr("/cuts/0/line: does not cut an area of element 'box' in two"));
   const auto connection = [](const std::string& action, int to) {
     return R"({"action": ")" + action +
            R"(", "from": {"element": "line", "vertex": -1}, "to": {"element": "up", "vertex": )" + std::to_string(to) +
