@@ -19,6 +19,12 @@ Problem canvas(Drawing drawing, double turn_radius = 0) {
   return Problem(map, robot, Point(2, 2));
 }
 DrawnStroke stroke(Polyline points, double width) { return {"s", std::move(points), width, true, {}, {}}; }
+Drawing drawing_of(std::vector<DrawnStroke> strokes, std::vector<FilledArea> areas = {}) {
+  Drawing drawing;
+  drawing.strokes = std::move(strokes);
+  drawing.areas = std::move(areas);
+  return drawing;
+}
 Leg up(Polyline points) { return {false, std::move(points)}; }
 Leg down(Polyline points, double width = 0) { return {true, std::move(points), Gear::forward, width}; }
 std::optional<double> value(const std::string& metric, const Problem& p, const Path& path) {
@@ -34,7 +40,7 @@ TEST(DrawingMetrics, EmptyWithoutADrawing) {
 }
 
 TEST(DrawingMetrics, StrokesCountWhereNearParallelAndOfTheirWidth) {
-  const Problem p = canvas({.strokes = {stroke(kSquare, 0.16)}});
+  const Problem p = canvas(drawing_of({stroke(kSquare, 0.16)}));
   EXPECT_NEAR(*value("stroke_share", p, {{down(kSquare, 0.16)}}), 1, 1e-12);
   EXPECT_NEAR(*value("stroke_error_m", p, {{down(kSquare, 0.16)}}), 0, 1e-12);
   EXPECT_NEAR(*value("stroke_share", p, {{down(kSquare)}}), 0, 1e-12);  // too wide
@@ -49,7 +55,7 @@ TEST(DrawingMetrics, StrokesCountWhereNearParallelAndOfTheirWidth) {
 
 TEST(DrawingMetrics, FillsAndSpill) {
   const FilledArea box{"a", box_region({4, 4}, {8, 6}).polygons[0], {}};
-  const Problem p = canvas({.areas = {box}});
+  const Problem p = canvas(drawing_of({}, {box}));
   const Path lane{{up({{2, 2}, {4, 5}}), down({{4, 5}, {8, 5}})}};
   EXPECT_NEAR(*value("fill_share", p, lane), 4 * kTool / 8, 1e-3);
   EXPECT_NEAR(*value("spill_m2", p, lane), kDisc, 1e-3);  // half a disc at either end
@@ -60,14 +66,14 @@ TEST(DrawingMetrics, FillsAndSpill) {
   EXPECT_NEAR(*value("fill_share_reachable", p, inside), covered / reachable, 1e-3);
   EXPECT_NEAR(*value("spill_m2", p, inside), 0, 1e-3);
   // A stroke is allowed 1 cm.
-  const Problem q = canvas({.strokes = {stroke({{4, 5}, {8, 5}}, 0.16)}});
+  const Problem q = canvas(drawing_of({stroke({{4, 5}, {8, 5}}, 0.16)}));
   EXPECT_NEAR(*value("spill_m2", q, {{down({{4, 5}, {8, 5}}, 0.16)}}), 0, 1e-9);
   EXPECT_NEAR(*value("spill_m2", q, {{down({{4, 5}, {8, 5}}, 0.32)}}), 4 * 0.14 + kPi * (0.16 * 0.16 - 0.09 * 0.09),
               2e-3);
 }
 
 TEST(DrawingMetrics, DrivingOverFinishedWork) {
-  const Problem p = canvas({.strokes = {stroke({{2, 4}, {10, 4}}, 0.16)}});
+  const Problem p = canvas(drawing_of({stroke({{2, 4}, {10, 4}}, 0.16)}));
   // Across, at right angles: as long as the stroke is wide.
   const Path across{{down({{2, 4}, {10, 4}}, 0.16), up({{10, 4}, {10, 8}, {6, 8}, {6, 2}})}};
   EXPECT_NEAR(*value("over_finished_m", p, across), 0.16, 1e-9);
@@ -84,13 +90,13 @@ TEST(DrawingMetrics, DrivingOverFinishedWork) {
 }
 
 TEST(DrawingMetrics, TangentBreaks) {
-  const Problem p = canvas({.strokes = {stroke(kSquare, 0.16)}}, 0.5);
+  const Problem p = canvas(drawing_of({stroke(kSquare, 0.16)}), 0.5);
   Polyline circle;
   for (int i = 0; i <= 200; ++i) circle.emplace_back(5 + std::cos(i * kPi / 100), 5 + std::sin(i * kPi / 100));
   EXPECT_EQ(*value("tangent_breaks", p, {{down(circle)}}), 0);
-  EXPECT_EQ(*value("tangent_breaks", canvas({.strokes = {stroke(kSquare, 0.16)}}, 1.2), {{down(circle)}}) > 0, true);
+  EXPECT_EQ(*value("tangent_breaks", canvas(drawing_of({stroke(kSquare, 0.16)}), 1.2), {{down(circle)}}) > 0, true);
   // A square of sides 4: its corners allow fillets of radius 2.
-  EXPECT_EQ(*value("tangent_breaks", canvas({.strokes = {stroke(kSquare, 0.16)}}, 2.2), {{down(kSquare)}}), 3);
+  EXPECT_EQ(*value("tangent_breaks", canvas(drawing_of({stroke(kSquare, 0.16)}), 2.2), {{down(kSquare)}}), 3);
 }
 
 // The same path in narrow legs: figures by hand, and a leg as wide as the tool is a leg without a width.
