@@ -1,8 +1,7 @@
-#include "maps/drawing_file.hpp"
-
 #include "base/sha256.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/swath.hpp"
+#include "maps/drawing_file.hpp"
 #include "maps/map.hpp"
 
 namespace oxturn {

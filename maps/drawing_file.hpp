@@ -1,5 +1,5 @@
-/// Drawings as areas and as files. GeoJSON: a FeatureCollection of strokes (LineString) and areas (Polygon). docs/formats.md has its
-/// properties.
+/// Drawings as areas and as files. GeoJSON: a FeatureCollection of strokes (LineString) and areas (Polygon);
+/// docs/drawings.md has its properties.
 ///
 ///   const Drawing copy = drawing_from_geojson(to_geojson(drawing), "copy.geojson");
 #pragma once

@@ -1,5 +1,5 @@
-// Area that the path works outside of what is to be drawn, square metres: outside the filled areas, and farther from the
-// strokes than half their width plus 1 cm.
+// Area that the path works outside of what is to be drawn, square metres: outside the filled areas, and farther from
+// the strokes than half their width plus 1 cm.
 #include <map>
 
 #include "geometry/overlay/boolean.hpp"

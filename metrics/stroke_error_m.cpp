@@ -1,5 +1,5 @@
-// Largest distance from a drawing's strokes to where the path drives with the tool on, metres. Strokes are sampled every
-// 5 mm, so the result is at most 2.5 mm too small.
+// Largest distance from a drawing's strokes to where the path drives with the tool on, metres. Strokes are sampled
+// every 5 mm, so the result is at most 2.5 mm too small.
 #include <limits>
 
 #include "maps/drawing.hpp"

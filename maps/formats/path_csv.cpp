@@ -2,8 +2,8 @@
 //
 // Decisions   1. A first line whose first cell is no number is a header: it names the columns, in any order, and those
 //                with other names are ignored.
-//             2. `tool`, `reverse` and `width` hold from their point to the next, so a change begins a leg at the point where it
-//                stands.
+//             2. `tool`, `reverse` and `width` hold from their point to the next, so a change begins a leg at the
+//                point where it stands.
 //             3. Empty lines and lines that begin with # are skipped; lines may end in \r\n, and the file may begin
 //                with a byte order mark.
 #include <algorithm>

@@ -1,5 +1,7 @@
 #!/usr/bin/python3
-"""Metrics of drawings by Shapely alone, on random paths over a drawing, against `oxturn score`. Shares no code with oxturn.
+"""Metrics of drawings by Shapely alone, on random paths over a drawing, against `oxturn score`.
+
+Shares no code with oxturn.
 
 usage: drawing.py OXTURN WORK_DIR
 

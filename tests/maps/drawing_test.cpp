@@ -43,7 +43,8 @@ TEST(Drawing, AreaIsFillsAndStrokesAsWideAsDrawn) {
 TEST(Drawing, GeoJsonKeepsEverything) {
   Drawing d =
       edit(R"("start": [1, 2], "fills": [{"element": "box", "fill": "zigzag", "angle_deg": 90, "outline": true}],
-    "connections": [{"action": "enforce", "from": {"element": "line", "vertex": -1}, "to": {"element": "up", "vertex": 0}}],
+    "connections": [{"action": "enforce", "from": {"element": "line", "vertex": -1},
+                     "to": {"element": "up", "vertex": 0}}],
     "curves": [{"from": {"element": "up", "vertex": 1}, "to": {"element": "box", "vertex": 2}, "kind": "bezier",
                 "points": [[5, 5]]}])");
   const std::string text = to_geojson(d);
@@ -94,7 +95,8 @@ TEST(Drawing, SvgIsAMapWithRobotTargetAndEdits) {
 
 TEST(DrawingEdits, CutsThenFillsByAPointInside) {
   const Drawing d = edit(R"("cuts": [{"element": "box", "line": [[6, 0], [6, 4]]}],
-    "fills": [{"element": "box", "at": [5, 2], "fill": "spiral"}, {"element": "box", "at": [7, 2], "outline": false}])");
+    "fills": [{"element": "box", "at": [5, 2], "fill": "spiral"},
+              {"element": "box", "at": [7, 2], "outline": false}])");
   ASSERT_EQ(d.areas.size(), 2u);
   for (const FilledArea& a : d.areas) {
     EXPECT_NEAR(area(a.area), 4, 1e-3);

@@ -112,8 +112,8 @@ TEST(PartOfTheTool, CoverageCountsTheWidthThatIsUsed) {
   EXPECT_NEAR(covered(0.1).visits_m2, 16 * 0.1 + kPi * 0.05 * 0.05, 1e-4);
   EXPECT_EQ(covered(0).coverage.lower, covered(kTool).coverage.lower);
   const Path mixed{{down({{2, 10}, {10, 10}}, 0.1), down({{10, 10}, {18, 10}}, 0.3)}};
-  // The narrow leg, the wide one, their outer half discs, and of the wide one's inner half disc what the narrow leg does
-  // not cover: the half disc less the strip |y| < 0.05 in it.
+  // The narrow leg, the wide one, their outer half discs, and of the wide one's inner half disc what the narrow leg
+  // does not cover: the half disc less the strip |y| < 0.05 in it.
   const double r = 0.15, h = 0.05, strip = h * std::sqrt(r * r - h * h) + r * r * std::asin(h / r);
   EXPECT_NEAR(swept_area(p.target(), 0, kTool, mixed).union_m2,
               8 * 0.1 + 8 * 0.3 + kPi * (h * h + r * r) / 2 + kPi * r * r / 2 - strip, 1e-4);
