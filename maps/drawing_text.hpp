@@ -3,8 +3,8 @@
 ///   write_file("plan.txt", drawing_text(path));
 ///
 /// Positions are at most 0.05 m apart, evenly spaced between stops and changes of the rake; metres, y up. Where the
-/// rake changes, the position is repeated. An empty line follows a position at which the robot stops and turns (by more than
-/// 20 degrees, or into the other gear). Source: Vollprecht 2014, section 3.4.
+/// rake changes, the position is repeated. An empty line follows a position at which the robot stops and turns (by more
+/// than 20 degrees, or into the other gear). Source: Vollprecht 2014, section 3.4.
 #pragma once
 
 #include <string>
