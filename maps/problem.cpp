@@ -27,6 +27,7 @@
 #include "geometry/overlay/validity.hpp"
 #include "geometry/predicates.hpp"
 #include "maps/configuration_space.hpp"
+#include "maps/drawing_file.hpp"
 
 namespace oxturn {
 namespace {
