@@ -131,8 +131,9 @@ TEST(DrawingEdits, ErrorsNameTheirPointer) {
               HasSubstr("/connections/0/to/vertex is 2, expected 0 to 1, or -1 for the last"));
   EXPECT_THAT(why(edits("\"connections\": [" + connection("enforce", 0) + "," + connection("delete", 0) + "]")),
               HasSubstr("/connections/1: the same connection is enforced and deleted"));
-  EXPECT_THAT(why(edits("\"connections\": [" + connection("enforce", 0) + "," + connection("enforce", 1) + "]")),
-              HasSubstr("/connections/1/from: another enforced connection leaves here"));
+  EXPECT_THAT(why(edits(R"("connections": [{"action": "delete", "from": {"element": "up", "vertex": 0},
+                                            "to": {"element": "up", "vertex": 0}}])")),
+              HasSubstr("/connections/0: a connection from a node to itself"));
 }
 
 TEST(DrawingText, EvenlySpacedWithMasksAndStops) {
