@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/trace.hpp"
+#include "maps/drawing_file.hpp"
 
 namespace oxturn::wire {
 
@@ -94,12 +95,15 @@ bool send(int fd, char type, std::string_view payload) {
 
 bool send_path(int fd, char type, const Path& path) {
   std::uint64_t size = sizeof(std::uint64_t);
-  for (const Leg& leg : path.legs) size += 1 + sizeof(std::uint64_t) + leg.points.size() * sizeof(Point);
+  for (const Leg& leg : path.legs)
+    size += 1 + sizeof(double) + sizeof(std::uint64_t) + leg.points.size() * sizeof(Point);
   const std::uint64_t legs = path.legs.size();
   if (!send_header(fd, type, size) || !write_all(fd, reinterpret_cast<const char*>(&legs), sizeof legs)) return false;
   for (const Leg& leg : path.legs) {
     const char kind = static_cast<char>((leg.tool ? 1 : 0) + (leg.gear == Gear::reverse ? 2 : 0));
-    if (!write_all(fd, &kind, 1) || !send_points(fd, leg.points)) return false;
+    if (!write_all(fd, &kind, 1) || !write_all(fd, reinterpret_cast<const char*>(&leg.width), sizeof leg.width) ||
+        !send_points(fd, leg.points))
+      return false;
   }
   return true;
 }
@@ -111,7 +115,8 @@ Path path_from(std::string_view in) {
   path.legs.reserve(legs);
   for (std::uint64_t i = 0; i < legs; ++i) {
     const char kind = take<char>(in);
-    path.legs.push_back({(kind & 1) != 0, take_points(in), (kind & 2) != 0 ? Gear::reverse : Gear::forward});
+    const auto width = take<double>(in);
+    path.legs.push_back({(kind & 1) != 0, take_points(in), (kind & 2) != 0 ? Gear::reverse : Gear::forward, width});
   }
   if (!in.empty()) throw std::runtime_error("bytes after the last leg");
   return path;
@@ -176,6 +181,7 @@ std::string pack(const MapFile& file) {
   put_region(out, file.map.free);
   put_point(out, file.start);
   put_point(out, file.anchor);
+  put_text(out, file.map.drawing ? to_geojson(*file.map.drawing) : "");
   for (const std::string& remark : file.remarks) put_text(out, remark);
   return out;
 }
@@ -186,6 +192,8 @@ MapFile map_file_from(std::string_view in) {
   file.map.free = take_region(in);
   file.start = take_point(in);
   file.anchor = take_point(in);
+  if (const std::string drawing = take_text(in); !drawing.empty())
+    file.map.drawing = std::make_shared<const Drawing>(drawing_from_geojson(drawing, "a worker's message"));
   while (!in.empty()) file.remarks.push_back(take_text(in));
   return file;
 }

@@ -23,6 +23,7 @@ const std::vector<Command>& commands();
 Command list_command();
 Command map_command();
 Command plan_command();
+Command draw_command();
 Command score_command();
 Command run_command();
 Command check_command();

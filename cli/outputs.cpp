@@ -14,6 +14,15 @@ namespace oxturn::cli {
 void add_output_options(CLI::App& app, OutputOptions& options) {
   app.add_option("--svg", options.svg, "write a picture of the path, FILE.svg; - is standard output")
       ->type_name("FILE");
+  app.add_option("--text", options.text,
+                 "write the path as a drawing robot's controller reads it, x y rake, FILE.txt; - is standard output")
+      ->type_name("FILE");
+  app.add_option("--rake", options.rake,
+                 "with --text: the rake as a mask of its pins, or as their number; mask if not given")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, RakeText>{{"mask", RakeText::mask}, {"pins", RakeText::pins}})
+              .description(""))
+      ->type_name("mask|pins");
   app.add_option(
          "--tethers", options.tethers,
          "with --svg: at how many positions along the path the tether is drawn, besides where it is longest; 8 if "
@@ -25,9 +34,24 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
       ->type_name("FILE");
 }
 
+DrawingOptions drawing_widths(const Settings& settings) {
+  DrawingOptions widths;
+  for (auto& [name, width] : {std::pair("width_1", &widths.width_1), std::pair("width_3", &widths.width_3),
+                              std::pair("width_5", &widths.width_5), std::pair("width_7", &widths.width_7)})
+    if (const auto given = settings.find(name); given != settings.end()) *width = std::get<double>(given->second);
+  return widths;
+}
+
 void check_outputs(const OutputOptions& options, const std::string& path_output) {
-  require_one_stream({{"--output", path_output}, {"--svg", options.svg}, {"--tether-trace", options.tether_trace}},
+  require_one_stream({{"--output", path_output},
+                      {"--svg", options.svg},
+                      {"--text", options.text},
+                      {"--tether-trace", options.tether_trace}},
                      "standard output");
+  if (!options.text.empty()) {
+    require_suffix(options.text, {".txt"});
+    require_writable(options.text);
+  }
   if (!options.svg.empty()) {
     require_suffix(options.svg, {".svg"});
     require_writable(options.svg);
@@ -52,6 +76,8 @@ void write_outputs(const OutputOptions& options, const Problem& problem, const P
     picture.tolerance = tolerance;
     write_file(options.svg, run_picture(problem, path, score, traces, picture));
   }
+  if (!options.text.empty() && path != nullptr)
+    write_file(options.text, drawing_text(*path, options.widths, options.rake));
   if (!options.tether_trace.empty() && path != nullptr)
     write_file(options.tether_trace, to_csv(tether_trace(problem, *path, problem.robot().tool_width, tolerance)));
 }

@@ -5,16 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "maps/drawing_text.hpp"
 #include "maps/picture.hpp"
 #include "metrics/score.hpp"
 
 namespace oxturn::cli {
 
 struct OutputOptions {
-  std::string svg, tether_trace;
+  std::string svg, tether_trace, text;
+  RakeText rake = RakeText::mask;
+  DrawingOptions widths;  // of the rake's pins
   int tethers = PictureOptions{}.tethers;
 };
-/// --svg FILE, --tethers N, --tether-trace FILE.csv.
+/// The widths among the settings of a drawing's reader.
+DrawingOptions drawing_widths(const Settings& settings);
+/// --svg FILE, --text FILE, --rake mask|pins, --tethers N, --tether-trace FILE.csv.
 void add_output_options(CLI::App& app, OutputOptions& options);
 /// Throws if a file's name is wrong or cannot be written, or if several are standard output. `path_output`: where the
 /// path is written, if anywhere.

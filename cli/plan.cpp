@@ -1,4 +1,6 @@
 // oxturn plan: one planner, one map, one path, scored.
+#include "cli/plan.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -12,8 +14,6 @@
 #include "bench/suite.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/outputs.hpp"
-#include "cli/problem_options.hpp"
 #include "cli/programs.hpp"
 #include "cli/report_printer.hpp"
 #include "maps/path_file.hpp"
@@ -21,18 +21,8 @@
 namespace oxturn::cli {
 namespace {
 
-struct Options {
-  std::string planner, output;
-  std::vector<std::string> programs;
-  OutputOptions outputs;
-  std::vector<std::string> settings;
-  ProblemOptions problem;
-  IsolationOptions isolation;
-  bool json = false;
-};
-
 /// Everything that can be wrong with the arguments is found here, before the map is read.
-Settings check_arguments(const Options& options, const PlannerInfo& planner, const Planners& planners) {
+Settings check_arguments(const PlanOptions& options, const PlannerInfo& planner, const Planners& planners) {
   // A planner that runs another one has its own parameters first: they say which others there are.
   const std::string owner = "planner '" + planner.name + "'";
   std::vector<std::string> own;
@@ -78,8 +68,8 @@ void write_path(const std::string& file, const Path& path, const Problem& proble
   write_file(file, to_geojson(path, &made_for));
 }
 
-Report run_planner(const Options& options, const PlannerInfo& planner, const Settings& settings, const Problem& problem,
-                   const MapSource& source, const Registry& registry) {
+Report run_planner(const PlanOptions& options, const PlannerInfo& planner, const Settings& settings,
+                   const Problem& problem, const MapSource& source, const Registry& registry) {
   Report report;
   report.about = {{"planner", variant_of(planner, settings, registry.planners)}};
   // Scoring needs these too, so they are no cost of the planner's.
@@ -104,7 +94,9 @@ Report run_planner(const Options& options, const PlannerInfo& planner, const Set
   return report;
 }
 
-int plan(Options options, const Registry& built_in) {
+}  // namespace
+
+int plan(PlanOptions options, const Registry& built_in) {
   const auto [registry, programs] = with_programs(built_in, options.programs);
   if (options.problem.map.empty() && !programs.empty()) {  // the program is the planner: what is named is the map
     options.problem.map = options.planner;
@@ -118,42 +110,50 @@ int plan(Options options, const Registry& built_in) {
   const MapSource source = map_source(options.problem, registry);
   const Problem problem = make_problem(options.problem, load_map(source, registry.generators, registry.formats));
   check_outputs(options.outputs, problem.robot());
-  std::FILE* const out = print_to({options.output, options.outputs.svg, options.outputs.tether_trace});
+  std::FILE* const out =
+      print_to({options.output, options.outputs.svg, options.outputs.tether_trace, options.outputs.text});
   if (const std::string missing = missing_capability(planner, problem); !missing.empty()) {
     Report report;
     report.about = {{"planner", variant_of(planner, settings, registry.planners)}};
     report.verdict = {Outcome::unsupported, missing};
     return print(report, problem, registry.metrics, options.json, out);
   }
+  options.outputs.widths = drawing_widths(source.settings);
   const Report report = run_planner(options, planner, settings, problem, source, registry);
   return print(report, problem, registry.metrics, options.json, out);
 }
 
-std::function<int()> attach(CLI::App& app, const Registry& registry) {
-  const auto options = std::make_shared<Options>();
-  app.add_option("PLANNER", options->planner, "a planner (`oxturn list planners`); the one of --exec if not given")
-      ->type_name("");
-  app.add_option("MAP", options->problem.map, kMapHelp)->type_name("");
-  add_programs(app, options->programs);
-  add_settings(app, options->settings, "planner");
-  app.add_option("--seed", options->isolation.seed, "seed of the planner's random choices; 1 if not given")
+void add_plan_options(CLI::App& app, const Registry& registry, PlanOptions& options) {
+  add_programs(app, options.programs);
+  add_settings(app, options.settings, "planner");
+  app.add_option("--seed", options.isolation.seed, "seed of the planner's random choices; 1 if not given")
       ->check(whole_number())
       ->type_name("N");
-  app.add_option("-o,--output", options->output,
+  app.add_option("-o,--output", options.output,
                  "write the path and the name of its problem, FILE.geojson; - is standard output")
       ->type_name("FILE");
-  add_output_options(app, options->outputs);
-  add_problem_options(app, registry, options->problem);
-  app.add_option("--wall", options->isolation.limits.wall_s, "time limit of planning, seconds; 60 if not given")
+  add_output_options(app, options.outputs);
+  add_problem_options(app, registry, options.problem);
+  app.add_option("--wall", options.isolation.limits.wall_s, "time limit of planning, seconds; 60 if not given")
       ->check(number_from(0, false, "seconds"))
       ->type_name("S");
-  app.add_option("--memory", options->isolation.limits.memory_mb,
+  app.add_option("--memory", options.isolation.limits.memory_mb,
                  "memory limit of planning, megabytes; 4096 if not given")
       ->check(number_from(0, false, "megabytes"))
       ->type_name("MB");
-  app.add_flag("--traces", options->isolation.traces,
+  app.add_flag("--traces", options.isolation.traces,
                "with --svg: draw the planner's intermediate results too: cells, trees, partitions");
-  app.add_flag("--json", options->json, "print JSON");
+  app.add_flag("--json", options.json, "print JSON");
+}
+
+namespace {
+
+std::function<int()> attach(CLI::App& app, const Registry& registry) {
+  const auto options = std::make_shared<PlanOptions>();
+  app.add_option("PLANNER", options->planner, "a planner (`oxturn list planners`); the one of --exec if not given")
+      ->type_name("");
+  app.add_option("MAP", options->problem.map, kMapHelp)->type_name("");
+  add_plan_options(app, registry, *options);
   return [options, &registry] { return plan(*options, registry); };
 }
 

@@ -12,7 +12,7 @@
 namespace oxturn::cli {
 namespace {
 
-constexpr const char* kReaderGroup = "Options for ROS maps and images";
+constexpr const char* kReaderGroup = "Options for map files";
 
 /// `tether=25` is short for the first parameter of the group of that name, tether_length=25.
 std::string full_name(const std::string& name, const std::vector<ParameterInfo>& parameters) {
@@ -68,7 +68,7 @@ void add_reader_options(CLI::App& app, const MapFormats& formats, ReaderOptions&
     else
       app.add_option_function<std::string>(
              option_name(name), [&options, name](const std::string& text) { options[name] = text; }, parameter.help)
-          ->type_name("N")
+          ->type_name(std::holds_alternative<std::string>(parameter.fallback) ? "FILE" : "N")
           ->group(kReaderGroup);
   }
 }

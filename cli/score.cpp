@@ -31,7 +31,7 @@ MapFile map_of(const Options& options, const PathFile& file, const Registry& reg
     throw std::invalid_argument(
         fmt::format("'{}' does not name the problem that it was made for; give MAP", options.path));
   if (!options.problem.read.empty())
-    throw std::invalid_argument("options for ROS maps and images apply to MAP; give MAP, or leave them out");
+    throw std::invalid_argument("options for map files apply to MAP; give MAP, or leave them out");
   return load_map(*file.problem, options.path, registry.generators, registry.formats);
 }
 
@@ -48,7 +48,7 @@ int score_path(const Options& options, const Registry& registry) {
   report.verdict = judge(*report.score, Suite{}.target_coverage);
   write_outputs(options.outputs, problem, &file.path, report.score, {}, options.tolerance);
   return print(report, problem, registry.metrics, options.json,
-               print_to({options.outputs.svg, options.outputs.tether_trace}));
+               print_to({options.outputs.svg, options.outputs.tether_trace, options.outputs.text}));
 }
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/sha256.hpp"
+#include "maps/drawing_file.hpp"
 #include "maps/map.hpp"
 
 namespace oxturn {
@@ -57,6 +58,10 @@ std::string canonical_bytes(const Region& region) {
   return sorted_list(std::move(polygons));
 }
 
-std::string content_hash(const Map& map) { return sha256(canonical_bytes(map.free)); }
+std::string content_hash(const Map& map) {
+  std::string bytes = canonical_bytes(map.free);
+  if (map.drawing) bytes += "drawing" + canonical_bytes(*map.drawing);
+  return sha256(bytes);
+}
 
 }  // namespace oxturn

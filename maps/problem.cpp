@@ -27,6 +27,7 @@
 #include "geometry/overlay/validity.hpp"
 #include "geometry/predicates.hpp"
 #include "maps/configuration_space.hpp"
+#include "maps/drawing_file.hpp"
 
 namespace oxturn {
 namespace {
@@ -250,6 +251,7 @@ Problem Problem::turning_on_the_spot() const {
 
 std::string Problem::content_hash() const {
   std::string bytes = canonical_bytes(map().free) + canonical_text(robot());
+  if (map().drawing) bytes += "drawing" + canonical_bytes(*map().drawing);
   for (const double value : {start().x(), start().y(), anchor().x(), anchor().y()}) append_canonical(bytes, value);
   return sha256(bytes);
 }

@@ -69,7 +69,8 @@ class Collector {
  public:
   Collector(const Box& room, double slack, CapsuleSet& set) : room_(room), slack_(slack), set_(set) {}
 
-  void add_chain(const WorkChains::Station* first, const WorkChains::Station* last) {
+  void add_chain(const WorkChains::Station* first, const WorkChains::Station* last, double radius) {
+    radius_ = radius;
     add_disc(*first, true);
     if (last - first == 1) return add_disc(*first, false);
     while (last - first > 1) {
@@ -85,14 +86,16 @@ class Collector {
   void add_disc(const WorkChains::Station& at, bool switched_on) {
     if (!room_.contains({at.at.x, at.at.y})) return;
     Capsule k{at.at, at.at, {1, 0}, at.path_m, at.path_m};
+    k.radius = radius_;
     k.disc = true;
     k.visits_only = switched_on;
     set_.all.push_back(k);
-    if (switched_on) ++set_.discs;
+    if (switched_on) set_.begun += kPi * radius_ * radius_;
   }
   /// One segment in place of the chain from `from` to `to`.
   void add_segment(const WorkChains::Station* from, const WorkChains::Station* to) {
     Capsule k;
+    k.radius = radius_;
     k.a = from->at;
     k.b = to->at;
     const Vec d = k.b - k.a;
@@ -110,10 +113,10 @@ class Collector {
     k.path_m = driven_at(k.a);
     k.end_m = driven_at(k.b);
     set_.all.push_back(k);
-    set_.work += oxturn::length(k.b - k.a);
+    set_.begun += 2 * radius_ * oxturn::length(k.b - k.a);
   }
   const Box& room_;
-  double slack_;
+  double slack_, radius_ = kToolRadius;
   CapsuleSet& set_;
 };
 
@@ -140,7 +143,7 @@ void merge_repeated(std::vector<Capsule>& all) {
   for (std::size_t i = 1, first = 0; i < order.size(); ++i) {
     const Capsule& k = all[order[i].second];
     Capsule& kept = all[order[first].second];
-    const bool same = order[i].first == order[first].first && k.slack == kept.slack;
+    const bool same = order[i].first == order[first].first && k.slack == kept.slack && k.radius == kept.radius;
     const bool forth = equal(k.a, kept.a) && equal(k.b, kept.b), back = equal(k.a, kept.b) && equal(k.b, kept.a);
     if (!same || !(forth || back)) {
       first = i;
@@ -160,6 +163,7 @@ void merge_repeated(std::vector<Capsule>& all) {
 WorkChains work_chains(const Path& path, const Point& origin, double side, double joint) {
   WorkChains chains;
   const Point* before = nullptr;  // end of the previous leg, if it had the tool on
+  double radius = kToolRadius;    // of that leg
   double driven = 0;
   const auto add = [&](const Point& p) {
     const Point q = (p - origin) / side;
@@ -167,10 +171,12 @@ WorkChains work_chains(const Path& path, const Point& origin, double side, doubl
   };
   for (const Leg& leg : path.legs) {
     if (leg.points.empty()) continue;
+    const double own = leg.width > 0 ? std::min(leg.width / 2 / side, kToolRadius) : kToolRadius;
     if (!leg.tool) {
       before = nullptr;
-    } else if (before == nullptr || distance(*before, leg.points.front()) > joint) {
-      if (!chains.stations.empty()) chains.ends.push_back(chains.stations.size());
+    } else if (before == nullptr || own != radius || distance(*before, leg.points.front()) > joint) {
+      if (!chains.stations.empty()) chains.chains.push_back({chains.stations.size(), radius});
+      radius = own;
       add(leg.points.front());
     } else if (*before != leg.points.front()) {
       add(leg.points.front());
@@ -182,21 +188,21 @@ WorkChains work_chains(const Path& path, const Point& origin, double side, doubl
     }
     if (leg.tool) before = &leg.points.back();
   }
-  if (!chains.stations.empty()) chains.ends.push_back(chains.stations.size());
+  if (!chains.stations.empty()) chains.chains.push_back({chains.stations.size(), radius});
   return chains;
 }
 
-double length_in(const WorkChains& chains, const Box& room) {
-  double length = 0;
+double work_in(const WorkChains& chains, const Box& room) {
+  double work = 0;
   std::size_t begin = 0;
-  for (const std::size_t end : chains.ends) {
+  for (const auto& [end, radius] : chains.chains) {
     for (std::size_t i = begin + 1; i < end; ++i) {
       Vec a = chains.stations[i - 1].at, b = chains.stations[i].at;
-      if (clip_to(room, a, b)) length += oxturn::length(b - a);
+      if (clip_to(room, a, b)) work += 2 * radius * oxturn::length(b - a);
     }
     begin = end;
   }
-  return length;
+  return work;
 }
 
 CapsuleSet capsules(const WorkChains& chains, const Box& room, double slack) {
@@ -204,8 +210,8 @@ CapsuleSet capsules(const WorkChains& chains, const Box& room, double slack) {
   slack = std::max(slack, kStraight);
   Collector collector(room, slack, set);
   std::size_t begin = 0;
-  for (const std::size_t end : chains.ends) {
-    collector.add_chain(chains.stations.data() + begin, chains.stations.data() + end);
+  for (const auto& [end, radius] : chains.chains) {
+    collector.add_chain(chains.stations.data() + begin, chains.stations.data() + end, radius);
     begin = end;
   }
   merge_repeated(set.all);

@@ -16,9 +16,12 @@
 
 namespace oxturn {
 
+inline constexpr double kToolRadius = 1;  // in tile sides
+
 struct Capsule {
   Vec a, b, along;                    // along: unit vector
   double path_m = 0, end_m = 0;       // driven before `a` and `b`, metres
+  double radius = kToolRadius;        // of the part of the tool that is used
   double slack = 0;                   // the path is within this distance of the segment, and the segment of the path
   bool disc = false;                  // a == b: where the tool is switched on, or a chain without length
   bool visits_only = false;           // counts for visits, not for areas
@@ -27,8 +30,8 @@ struct Capsule {
 
 struct CapsuleSet {
   std::vector<Capsule> all;  // in driving order, each segment once
-  double work = 0;           // total length of the driven segments
-  std::size_t discs = 0;     // how often the tool was switched on inside `room`
+  double begun = 0;          // area swept if none overlapped: that of the driven segments, and of the discs inside
+                             // `room` where the tool was switched on
   double slack = 0;          // the greatest
 };
 
@@ -39,13 +42,18 @@ struct WorkChains {
     double path_m;  // driven before it, metres
   };
   std::vector<Station> stations;
-  std::vector<std::size_t> ends;  // of the chains, in `stations`
+  struct Chain {
+    std::size_t end;  // in `stations`
+    double radius;    // of the part of the tool that is used
+  };
+  std::vector<Chain> chains;
 };
 /// The points p of `path` with the tool on, as (p - origin) / side. Between legs with the tool on that join within
-/// `joint` metres the tool stays on. Repeated points are dropped, except in chains without length.
+/// `joint` metres the tool stays on, unless they use different widths of it; no leg uses more than all of it. Repeated
+/// points are dropped, except in chains without length.
 WorkChains work_chains(const Path& path, const Point& origin, double side, double joint);
-/// Length of the chains inside `room`, in tile sides.
-double length_in(const WorkChains& chains, const Box& room);
+/// Length times width of the chains inside `room`, in tiles.
+double work_in(const WorkChains& chains, const Box& room);
 
 /// The segments of the chains, clipped to `room`. Consecutive segments are merged as long as they and the merged
 /// segment are within `slack` of each other and the path does not turn back (slack below 1e-9 counts as rounding, users

@@ -39,7 +39,7 @@ double CoverageCurve::first_reached(const Capsule& k, Vec p) const {
   const double length = dot(k.b - k.a, k.along);
   if (!(length > 0)) return k.path_m;
   const double along = dot(p - k.a, k.along), off = cross(k.along, p - k.a);
-  const double half = std::sqrt(std::max(0.0, kToolRadius * kToolRadius - off * off));
+  const double half = std::sqrt(std::max(0.0, k.radius * k.radius - off * off));
   return k.path_m + std::clamp((along - half) / length, 0.0, 1.0) * (k.end_m - k.path_m);
 }
 
@@ -59,12 +59,13 @@ void CoverageCurve::collect_cell(const Extent& cell, std::span<Vec> samples, std
   if (to - from <= kFewCapsules || samples.size() <= kFewSamples) return collect_each(samples, from);
   const auto upper = std::partition(samples.begin(), samples.end(), [&](Vec p) { return p.y < cell.centre.y; });
   const Vec half = 0.5 * cell.half;
-  const double span = std::sqrt(dot(half, half)) + kSpare, far = kToolRadius + span, inside = kToolRadius - span;
+  const double span = std::sqrt(dot(half, half)) + kSpare, far = kToolRadius + span;
   const auto quarter = [&](auto first, auto last, Vec middle) {
     for (std::size_t i = from; i < to && first != last; ++i) {
       const double distance2 = squared_distance(middle, *near_[i]);
       if (distance2 < far * far) near_.push_back(near_[i]);
-      if (distance2 < inside * inside) break;  // contains the quarter
+      const double inside = near_[i]->radius - span;
+      if (inside > 0 && distance2 < inside * inside) break;  // contains the quarter
     }
     if (first != last) collect_cell({middle, half}, {first, last}, to);
     near_.resize(to);
@@ -84,7 +85,7 @@ void CoverageCurve::collect_each(std::span<Vec> samples, std::size_t from) {
   for (std::size_t c = from; c < near_.size() && open > 0; ++c) {
     const Capsule& k = *near_[c];
     for (std::size_t i = 0; i < open;) {
-      if (squared_distance(samples[i], k) > kToolRadius * kToolRadius) {
+      if (squared_distance(samples[i], k) > k.radius * k.radius) {
         ++i;
         continue;
       }

@@ -16,6 +16,8 @@ extern const Metric kMissedPieces, kMissedLargestM2;
 extern const Metric kTurns, kTurnRad, kCurvatureMaxPerM, kCurvatureViolations, kCusps, kClearanceM, kMissionS;
 extern const Metric kTetherLimitM, kTetherMaxM, kTetherBendsMax, kTetherAngleMinRad, kTetherAngleMeanRad;
 extern const Metric kTetherSharpFraction, kTetherCrossings, kTetherEntangled;
+extern const Metric kStrokeShare, kStrokeErrorM, kFillShare, kFillShareReachable, kSpillM2, kToolUpM, kOverFinishedM;
+extern const Metric kWorkOverFinishedM, kTangentBreaks;
 
 Metrics built_in_metrics() {
   return Metrics("metric", {kCoverage,
@@ -52,7 +54,16 @@ Metrics built_in_metrics() {
                             kTetherAngleMeanRad,
                             kTetherSharpFraction,
                             kTetherCrossings,
-                            kTetherEntangled});
+                            kTetherEntangled,
+                            kStrokeShare,
+                            kStrokeErrorM,
+                            kFillShare,
+                            kFillShareReachable,
+                            kSpillM2,
+                            kToolUpM,
+                            kOverFinishedM,
+                            kWorkOverFinishedM,
+                            kTangentBreaks});
 }
 
 std::string to_text(Better better) {

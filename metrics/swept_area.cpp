@@ -99,15 +99,13 @@ SweptArea swept_area(const Region& target, double target_excess, double width, c
   const Ground g = ground_of(target, target_excess, width, path, certainty);
   TileDetails details{{path.length(), g.wanted}};
   const Scan scan = scanned(g, path.length(), &details);
-  const double begun =
-      2 * kToolRadius * scan.set.work + static_cast<double>(scan.set.discs) * kPi * kToolRadius * kToolRadius;
   SweptArea s;
   s.coverage = coverage_in(g, scan.sums);
   s.covered_m2 = least_covered(scan.sums) * g.tile_m2;
   s.covered_estimate_m2 = std::max(least_covered(scan.sums), scan.sums.target - scan.sums.missed) * g.tile_m2;
   s.union_m2 = details.swept * g.tile_m2;
-  s.work_m2 = length_in(g.chains, g.room) * g.side * width;
-  s.visits_m2 = std::max(0.0, begun - details.visits_outside) * g.tile_m2;
+  s.work_m2 = work_in(g.chains, g.room) * g.tile_m2;
+  s.visits_m2 = std::max(0.0, scan.set.begun - details.visits_outside) * g.tile_m2;
   s.curve = details.curve.points(s.coverage.middle());
   s.missed = details.pieces.take(g.origin, g.side, kLeastPiece * kPi * kToolRadius * kToolRadius);
   return s;

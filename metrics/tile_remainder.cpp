@@ -102,7 +102,7 @@ bool TileRemainder::subtract(const Extent& cell, std::size_t from, Bound bound, 
 void TileRemainder::subtract(const Capsule& k, Bound bound, const Extent& where) {
   const bool inscribed = bound == Bound::inscribed;
   const double side = inscribed ? inner(k) : outer(k);
-  const double cap = inscribed ? (kToolRadius - k.slack) * chords_->inscribed() - margin_ : side;
+  const double cap = inscribed ? (k.radius - k.slack) * chords_->inscribed() - margin_ : side;
   polygon_of(k, centre_, where, *chords_, side, cap, cut_);
   parts_.clear();
   std::size_t kept = 0;

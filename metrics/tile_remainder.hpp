@@ -20,8 +20,6 @@
 
 namespace oxturn {
 
-inline constexpr double kToolRadius = 1;  // in tile sides
-
 /// A capsule near a tile.
 struct NearCapsule {
   std::int64_t column;
@@ -48,8 +46,8 @@ class TileRemainder {
     std::uint32_t capsule;
   };
   enum class Bound { inscribed, circumscribed };  // polygons in place of capsules
-  double inner(const Capsule& k) const { return kToolRadius - k.slack - margin_; }
-  double outer(const Capsule& k) const { return kToolRadius + k.slack + margin_; }
+  double inner(const Capsule& k) const { return k.radius - k.slack - margin_; }
+  double outer(const Capsule& k) const { return k.radius + k.slack + margin_; }
   bool covers(const Capsule& capsule, double distance2, const Extent& cell) const;
   void add_cell(const Extent& cell, std::size_t from, int depth);
   bool subtract(const Extent& cell, std::size_t from, Bound bound, bool may_stop);

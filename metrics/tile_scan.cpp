@@ -225,14 +225,14 @@ std::optional<Extent> TileScan::box_outside(const TileTarget& target) {
 /// segment from its end `from`: that in the capsule less that in the disc about `from`.
 double TileScan::visits_begun(const Tile& tile, const TileTarget& target, const Extent& where, const Capsule& k,
                               Vec from) {
-  const double cap = kToolRadius * visit_chords_.equal_area();
+  const double cap = k.radius * visit_chords_.equal_area();
   const Vec off = tile.centre + where.centre - from;
   const Vec farthest{std::abs(off.x) + where.half.x, std::abs(off.y) + where.half.y};
   if (!k.disc && dot(farthest, farthest) < cap * cap) return 0;
   const double reach = kMostVisitReach + std::sqrt(dot(where.half, where.half));
   if (squared_distance(tile.centre + where.centre, k) > reach * reach) return 0;
 
-  polygon_of(k, tile.centre, where, visit_chords_, kToolRadius, cap, cut_);
+  polygon_of(k, tile.centre, where, visit_chords_, k.radius, cap, cut_);
   begun_.clear();
   clip_to_cut(box_of(where), 0, begun_);
   double outside = area(begun_) - target.area_in(begun_);

@@ -4,7 +4,8 @@
 // Decisions  1. Rings may run either way and may or may not repeat their first point.
 //            2. The region is repaired here, so that a flaw is reported with the file; what changed is a remark.
 //            3. Coordinates that look like degrees are taken as metres as well: the two cannot be told apart.
-//            4. Unknown properties are ignored, but unknown keys of `robot` are refused: a typing error there would
+//            4. A drawing is the member `drawing` of the Feature, a FeatureCollection beside `geometry`, the canvas.
+//            5. Unknown properties are ignored, but unknown keys of `robot` are refused: a typing error there would
 //               silently plan for another robot.
 #include "maps/formats/geojson.hpp"
 
@@ -15,6 +16,7 @@
 
 #include "base/files.hpp"
 #include "geometry/overlay/validity.hpp"
+#include "maps/drawing_file.hpp"
 #include "maps/formats/readers.hpp"
 #include "maps/formats/robot_json.hpp"
 
@@ -122,7 +124,9 @@ std::string feature_text(const Map& map, const Point* start, const Point* anchor
   if (anchor) text += ", \"anchor\": " + json_point(*anchor);
   if (robot) text += ", \"robot\": " + robot_text(*robot);
   if (!map.source.empty()) text += ", \"source\": " + json_text(map.source);
-  return text + "},\n\"geometry\": " + geometry_text(map.free) + "}\n";
+  text += "},\n\"geometry\": " + geometry_text(map.free);
+  if (map.drawing) text += ",\n\"drawing\": " + to_geojson(*map.drawing);
+  return text + "}\n";
 }
 
 struct NoOptions {};
@@ -131,19 +135,20 @@ struct NoOptions {};
 struct Parts {
   const Json* geometry;
   const Json* properties;
+  const Json* drawing;  // nullptr: none
 };
 
 Parts parts_of(const Json& root, const std::string& file, std::vector<std::string>& remarks) {
   static const Json kNone = Json::object();
   const std::string expected = "a GeoJSON Feature, Polygon, MultiPolygon or FeatureCollection";
   const std::string type = type_of({root, file}, expected);
-  if (is_polygonal(root)) return {&root, &kNone};
+  if (is_polygonal(root)) return {&root, &kNone, nullptr};
   if (type != "Feature" && type != "FeatureCollection") throw_invalid("{} is a {}, expected {}", file, type, expected);
   const JsonAt feature{type == "Feature" ? root : only_feature({root, file}, remarks), file};
   const Json* geometry = feature.find("geometry");
   if (geometry == nullptr) throw_invalid("{}: geometry is missing, expected a Polygon or MultiPolygon", file);
   const Json* properties = feature.find("properties");
-  return {geometry, properties != nullptr ? properties : &kNone};
+  return {geometry, properties != nullptr ? properties : &kNone, feature.find("drawing")};
 }
 
 void read_properties(const JsonAt& properties, const std::string& file, MapFile& result) {
@@ -177,6 +182,15 @@ Region repaired_region(const Region& written, const std::string& file, std::vect
   return free;
 }
 
+/// What the file does not say of the target and the start, the drawing does.
+void read_drawing(const JsonAt& at, MapFile& result) {
+  Drawing drawing = drawing_from(at);
+  if (!result.start) result.start = drawing.start;
+  if (Region drawn = drawn_area(drawing); !result.map.target_area && !drawn.empty())
+    result.map.target_area = std::move(drawn);
+  result.map.drawing = std::make_shared<const Drawing>(std::move(drawing));
+}
+
 MapFile read_geojson(const std::string& file, const NoOptions&) {
   const Json root = parse_json(read_file(file), file);
   MapFile result;
@@ -185,6 +199,7 @@ MapFile read_geojson(const std::string& file, const NoOptions&) {
   read_properties({*parts.properties, file + ": properties"}, file, result);
   const Region written = read_geometry({*parts.geometry, file + ": geometry"}, file);
   result.map.free = repaired_region(written, file, result.remarks);
+  if (parts.drawing != nullptr) read_drawing({*parts.drawing, file + ": drawing"}, result);
   return result;
 }
 

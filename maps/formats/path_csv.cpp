@@ -1,9 +1,9 @@
-// Paths as CSV: x,y[,tool[,reverse]], a point a line.
+// Paths as CSV: x,y[,tool[,reverse[,width]]], a point a line.
 //
 // Decisions   1. A first line whose first cell is no number is a header: it names the columns, in any order, and those
 //                with other names are ignored.
-//             2. `tool` and `reverse` hold from their point to the next, so a change begins a leg at the point where it
-//                stands.
+//             2. `tool`, `reverse` and `width` hold from their point to the next, so a change begins a leg at the
+//                point where it stands.
 //             3. Empty lines and lines that begin with # are skipped; lines may end in \r\n, and the file may begin
 //                with a byte order mark.
 #include <algorithm>
@@ -67,17 +67,20 @@ class CsvReader {
                     columns_);
     const bool tool = tool_ == kNone || truth(tool_, "tool");
     const bool reverse = reverse_ != kNone && truth(reverse_, "reverse");
-    add({number(x_, "x"), number(y_, "y")}, tool, reverse ? Gear::reverse : Gear::forward);
+    const double width = width_ == kNone ? 0 : number(width_, "width");
+    if (width < 0) refuse(width_, "width", "metres from 0");
+    add({number(x_, "x"), number(y_, "y")}, tool, reverse ? Gear::reverse : Gear::forward, width);
   }
 
   /// Learns the columns from the first line; true if that is a header.
   bool begin() {
     columns_ = cells_.size();
     if (parse_all<double>(cells_[0])) {
-      if (columns_ < 2 || columns_ > 4)
-        throw_invalid("{}:{}: {} column{}, expected x,y or x,y,tool or x,y,tool,reverse", source_, line_, columns_,
+      if (columns_ < 2 || columns_ > 5)
+        throw_invalid("{}:{}: {} column{}, expected x,y[,tool[,reverse[,width]]]", source_, line_, columns_,
                       columns_ == 1 ? "" : "s");
       x_ = 0, y_ = 1, tool_ = columns_ > 2 ? 2 : kNone, reverse_ = columns_ > 3 ? 3 : kNone;
+      width_ = columns_ > 4 ? 4 : kNone;
       return false;
     }
     const auto column = [&](const char* name) {
@@ -85,18 +88,20 @@ class CsvReader {
       return found == cells_.end() ? kNone : static_cast<std::size_t>(found - cells_.begin());
     };
     x_ = column("x"), y_ = column("y"), tool_ = column("tool"), reverse_ = column("reverse");
+    width_ = column("width");
     if (x_ == kNone || y_ == kNone)
       throw_invalid(
-          "{}:{}: begins with '{}', expected numbers x,y[,tool[,reverse]] or a header with the columns x and y",
+          "{}:{}: begins with '{}', expected numbers x,y[,tool[,reverse[,width]]] or a header with the columns x and y",
           source_, line_, shown(cells_[0]));
     return true;
   }
 
-  /// A point of the path, and the tool and gear from there on.
-  void add(const Point& point, bool tool, Gear gear) {
+  /// A point of the path, and the tool, gear and width from there on.
+  void add(const Point& point, bool tool, Gear gear, double width) {
     if (points_ > 0) path_.legs.back().points.push_back(point);
-    if (points_ == 0 || path_.legs.back().tool != tool || path_.legs.back().gear != gear)
-      path_.legs.push_back({tool, {point}, gear});
+    if (points_ == 0 || path_.legs.back().tool != tool || path_.legs.back().gear != gear ||
+        path_.legs.back().width != width)
+      path_.legs.push_back({tool, {point}, gear, width});
     ++points_;
   }
 
@@ -122,7 +127,7 @@ class CsvReader {
   const std::string& source_;
   Path path_;
   std::vector<std::string_view> cells_;
-  std::size_t line_ = 0, points_ = 0, columns_ = 0, x_ = 0, y_ = 0, tool_ = 0, reverse_ = 0;
+  std::size_t line_ = 0, points_ = 0, columns_ = 0, x_ = 0, y_ = 0, tool_ = 0, reverse_ = 0, width_ = 0;
 };
 
 }  // namespace

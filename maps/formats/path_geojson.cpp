@@ -1,9 +1,11 @@
-// Paths as GeoJSON: a FeatureCollection of LineStrings with `tool`, and `reverse` where that is true, in driving order.
+// Paths as GeoJSON: a FeatureCollection of LineStrings with `tool`, and `reverse` where that is true and `width` where
+// a part of the tool is used, in driving order.
 //
 // Paths are not judged here: jumps, walls and wrong starts concern the score. A coordinate that JSON cannot represent
 // (NaN) is written as null, which the reader refuses, naming the point.
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "maps/formats/geojson.hpp"
 #include "maps/formats/robot_json.hpp"
 #include "maps/path_file.hpp"
@@ -32,9 +34,15 @@ Leg read_leg(const JsonAt& feature) {
     if (!reverse->is_boolean()) JsonAt{*reverse, feature.where + ", reverse"}.refuse("true or false");
     if (reverse->get<bool>()) gear = Gear::reverse;
   }
+  double width = 0;
+  if (const Json* part = properties.find("width")) {
+    const JsonAt at{*part, feature.where + ", width"};
+    width = at.number("metres from 0");
+    if (width < 0) at.refuse("metres from 0");
+  }
   const JsonAt points{member(geometry, "coordinates", "a list of points"), feature.where + ", coordinates"};
   if (!points.value.is_array() || points.value.size() < 2) points.refuse("a list of at least two points");
-  return {tool.value.get<bool>(), points.points(feature.where), gear};
+  return {tool.value.get<bool>(), points.points(feature.where), gear, width};
 }
 
 std::string problem_text(const PathProblem& problem) {
@@ -81,9 +89,9 @@ std::string to_geojson(const Path& path, const PathProblem* problem) {
   text += "\"type\": \"FeatureCollection\", \"features\": [";
   for (std::size_t i = 0; i < path.legs.size(); ++i) {
     const Leg& leg = path.legs[i];
-    text +=
-        fmt::format("{}\n{{\"type\": \"Feature\", \"properties\": {{\"tool\": {}{}}}, \"geometry\": ", i > 0 ? "," : "",
-                    leg.tool, leg.gear == Gear::reverse ? ", \"reverse\": true" : "");
+    text += fmt::format("{}\n{{\"type\": \"Feature\", \"properties\": {{\"tool\": {}{}{}}}, \"geometry\": ",
+                        i > 0 ? "," : "", leg.tool, leg.gear == Gear::reverse ? ", \"reverse\": true" : "",
+                        leg.width > 0 ? ", \"width\": " + to_decimal(leg.width) : "");
     text += "{\"type\": \"LineString\", \"coordinates\": " + json_points(leg.points) + "}}";
   }
   return text + "\n]}\n";

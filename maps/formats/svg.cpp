@@ -80,7 +80,7 @@ Path drawable(const Path& path) {
   for (const Leg& leg : path.legs) {
     const auto bad = std::ranges::find_if_not(
         leg.points, [](const Point& p) { return finite(p) && p.cwiseAbs().maxCoeff() < kMostCoordinate; });
-    if (bad - leg.points.begin() > 1) out.legs.push_back({leg.tool, {leg.points.begin(), bad}, leg.gear});
+    if (bad - leg.points.begin() > 1) out.legs.push_back({leg.tool, {leg.points.begin(), bad}, leg.gear, leg.width});
     if (bad != leg.points.end()) break;
   }
   return out;

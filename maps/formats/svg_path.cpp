@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "maps/formats/svg_parts.hpp"
 #include "maps/picture.hpp"
@@ -86,14 +87,23 @@ std::string line_data(const Canvas& canvas, const Polyline& line) {
   return data.take();
 }
 
+/// A part of the work, and the width that it uses, metres; 0: all of the tool.
+struct SwathPart {
+  std::string data;
+  double width = 0;
+};
+
 /// The work in parts that end at sharp turns, so that each part shades what another one has covered already. Very long
 /// paths are one part.
-std::vector<std::string> swath_parts(const Canvas& canvas, const Path& path) {
+std::vector<SwathPart> swath_parts(const Canvas& canvas, const Path& path) {
   std::size_t segments = 0;
   for (const Leg& leg : path.legs) segments += leg.points.size();
-  std::vector<std::string> parts;
+  std::vector<SwathPart> parts;
   if (segments > kMostShaded) {
-    parts.push_back(legs_data(canvas, path, works));
+    std::set<double> widths;
+    for (const Leg& leg : path.legs) widths.insert(leg.width);
+    for (const double width : widths)
+      parts.push_back({legs_data(canvas, path, [&](const Leg& leg) { return leg.tool && leg.width == width; }), width});
     return parts;
   }
   for (const Leg& leg : path.legs) {
@@ -101,12 +111,12 @@ std::vector<std::string> swath_parts(const Canvas& canvas, const Path& path) {
     Polyline part;
     for (const Point& p : leg.points) {
       if (part.size() > 1 && sharp_turn(part[part.size() - 2], part.back(), p)) {
-        parts.push_back(line_data(canvas, part));
+        parts.push_back({line_data(canvas, part), leg.width});
         part = {part.back()};
       }
       if (part.empty() || part.back() != p) part.push_back(p);
     }
-    parts.push_back(line_data(canvas, part));
+    parts.push_back({line_data(canvas, part), leg.width});
   }
   return parts;
 }
@@ -156,7 +166,10 @@ void append_swath(std::string& out, const Canvas& canvas, const Problem& problem
       "<g id=\"swath\" clip-path=\"url(#inside)\" fill=\"none\" stroke=\"#8fc3f2\" stroke-opacity=\"0.55\" "
       "stroke-width=\"{}\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
       region_data(canvas, problem.map().free), px(std::max(tool_px, 0.02)));
-  for (const std::string& part : swath_parts(canvas, path)) out += fmt::format("<path d=\"{}\"/>\n", part);
+  for (const SwathPart& part : swath_parts(canvas, path)) {
+    const std::string width = part.width > 0 ? fmt::format("stroke-width=\"{}\" ", px(part.width * canvas.scale)) : "";
+    out += fmt::format("<path {}d=\"{}\"/>\n", width, part.data);
+  }
   out += "</g>\n";
 }
 

@@ -38,6 +38,8 @@ TEST(Results, HeaderIsTheContract) {
       "turns,turn_rad,curvature_max_per_m,curvature_violations,cusps,clearance_m,mission_s,"
       "tether_limit_m,tether_max_m,tether_bends_max,tether_angle_min_rad,tether_angle_mean_rad,"
       "tether_sharp_fraction,tether_crossings,tether_entangled,"
+      "stroke_share,stroke_error_m,fill_share,fill_share_reachable,spill_m2,tool_up_m,over_finished_m,"
+      "work_over_finished_m,tangent_breaks,"
       "plan_wall_s,plan_cpu_s,peak_rss_bytes,score_s,load,path_sha256,path_file\n");
 }
 

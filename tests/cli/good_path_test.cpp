@@ -23,7 +23,7 @@ TEST(Program, HelpHasExamplesForEveryCommand) {
   EXPECT_EQ(oxturn("help plan").out, oxturn("plan --help").out);
   EXPECT_EQ(oxturn("help plam").code, 2);
   EXPECT_EQ(oxturn("--help").code, 0);
-  for (const std::string command : {"list", "map", "plan", "score", "run", "report", "rescore", "completion"}) {
+  for (const std::string command : {"list", "map", "plan", "draw", "score", "run", "report", "rescore", "completion"}) {
     const Said said = oxturn(command + " --help");
     EXPECT_EQ(said.code, 0) << command;
     EXPECT_THAT(said.out, HasSubstr("oxturn " + command + " ")) << command;

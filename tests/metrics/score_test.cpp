@@ -51,7 +51,16 @@ TEST(Score, ColumnsOfTheDesign) {
                                         "tether_angle_mean_rad",
                                         "tether_sharp_fraction",
                                         "tether_crossings",
-                                        "tether_entangled"};
+                                        "tether_entangled",
+                                        "stroke_share",
+                                        "stroke_error_m",
+                                        "fill_share",
+                                        "fill_share_reachable",
+                                        "spill_m2",
+                                        "tool_up_m",
+                                        "over_finished_m",
+                                        "work_over_finished_m",
+                                        "tangent_breaks"};
   EXPECT_EQ(names, design);
 }
 

@@ -1,0 +1,88 @@
+#include "metrics/drawn_lines.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace oxturn {
+namespace {
+
+std::vector<PathSegment> segments_of(const Path& path, double tool_width) {
+  std::vector<PathSegment> all;
+  for (std::size_t l = 0; l < path.legs.size(); ++l) {
+    const Leg& leg = path.legs[l];
+    if (!leg.tool) continue;
+    const double width = leg.width > 0 ? std::min(leg.width, tool_width) : tool_width;
+    for (std::size_t i = 1; i < leg.points.size(); ++i)
+      if (leg.points[i] != leg.points[i - 1]) all.push_back({leg.points[i - 1], leg.points[i], l, width});
+  }
+  return all;
+}
+
+/// The t for which low <= value + t * slope <= high, within `part`.
+bool clip(double value, double slope, double low, double high, Part& part) {
+  if (slope == 0) return value >= low && value <= high;
+  const double s = (low - value) / slope, t = (high - value) / slope;
+  part.from = std::max(part.from, std::min(s, t));
+  part.to = std::min(part.to, std::max(s, t));
+  return part.from <= part.to;
+}
+
+/// Of ab within `reach` of the point c.
+std::optional<Part> near_point(const Point& a, const Point& b, const Point& c, double reach) {
+  const Point d = b - a, e = a - c;
+  const double A = d.squaredNorm(), B = e.dot(d), C = e.squaredNorm() - reach * reach, D = B * B - A * C;
+  if (A <= 0 || D < 0) return std::nullopt;
+  const double root = std::sqrt(D);
+  const Part part{std::max(0.0, (-B - root) / A), std::min(1.0, (-B + root) / A)};
+  return part.from <= part.to ? std::optional<Part>(part) : std::nullopt;
+}
+
+}  // namespace
+
+PathSegments::PathSegments(const Path& path, double tool_width)
+    : all_(segments_of(path, tool_width)), grid_(all_.size(), [&](std::size_t i) {
+        return std::array{all_[i].a, all_[i].b};
+      }) {}
+
+std::optional<Part> within(const Point& a, const Point& b, const Point& c, const Point& d, double reach) {
+  std::optional<Part> all;
+  const auto join = [&](const std::optional<Part>& part) {
+    if (part) all = all ? Part{std::min(all->from, part->from), std::max(all->to, part->to)} : *part;
+  };
+  join(near_point(a, b, c, reach));
+  join(near_point(a, b, d, reach));
+  const double length = distance(c, d);
+  if (length <= 0) return all;
+  const Point along = (d - c) / length;
+  Part part{0, 1};
+  if (clip(along.dot(a - c), along.dot(b - a), 0, length, part) &&
+      clip(cross(along, a - c), cross(along, b - a), -reach, reach, part))
+    join(part);
+  return all;
+}
+
+std::vector<Part> Cover::united() {
+  std::ranges::sort(parts_, {}, &Part::from);
+  std::vector<Part> out;
+  for (const Part& part : parts_)
+    if (!out.empty() && part.from <= out.back().to)
+      out.back().to = std::max(out.back().to, part.to);
+    else
+      out.push_back(part);
+  return out;
+}
+
+double Cover::share() {
+  double sum = 0;
+  for (const Part& part : united()) sum += part.to - part.from;
+  return sum;
+}
+
+double Cover::share_without(Cover& other) {
+  // |A \ B| = |A or B| - |B|
+  Cover both = *this;
+  both.parts_.insert(both.parts_.end(), other.parts_.begin(), other.parts_.end());
+  return std::max(0.0, both.share() - other.share());
+}
+
+}  // namespace oxturn
