@@ -8,11 +8,15 @@
 #include "bench/run_picture.hpp"
 #include "cli/arguments.hpp"
 #include "metrics/tether_trace.hpp"
+#include "reports/viewer/viewer.hpp"
 
 namespace oxturn::cli {
 
 void add_output_options(CLI::App& app, OutputOptions& options) {
   app.add_option("--svg", options.svg, "write a picture of the path, FILE.svg; - is standard output")
+      ->type_name("FILE");
+  app.add_option("--viewer", options.viewer,
+                 "write a page to look at the path in a browser, played in time, FILE.html; - is standard output")
       ->type_name("FILE");
   app.add_option(
          "--tethers", options.tethers,
@@ -26,11 +30,18 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
 }
 
 void check_outputs(const OutputOptions& options, const std::string& path_output) {
-  require_one_stream({{"--output", path_output}, {"--svg", options.svg}, {"--tether-trace", options.tether_trace}},
+  require_one_stream({{"--output", path_output},
+                      {"--svg", options.svg},
+                      {"--viewer", options.viewer},
+                      {"--tether-trace", options.tether_trace}},
                      "standard output");
   if (!options.svg.empty()) {
     require_suffix(options.svg, {".svg"});
     require_writable(options.svg);
+  }
+  if (!options.viewer.empty()) {
+    require_suffix(options.viewer, {".html"});
+    require_writable(options.viewer);
   }
   if (!options.tether_trace.empty()) {
     require_suffix(options.tether_trace, {".csv"});
@@ -50,8 +61,15 @@ void write_outputs(const OutputOptions& options, const Problem& problem, const P
     PictureOptions picture;
     picture.tethers = options.tethers;
     picture.tolerance = tolerance;
-    write_file(options.svg, run_picture(problem, path, score, traces, picture));
+    write_file(options.svg, run_picture(problem, path, score, options.traces ? traces : std::vector<Trace>{}, picture));
   }
+  if (!options.viewer.empty())
+    write_file(options.viewer, viewer_page({.problem = problem,
+                                            .path = path,
+                                            .traces = traces,
+                                            .score = score,
+                                            .drawing_file = problem.map().family == "file" ? problem.map().source : "",
+                                            .edits = options.edits}));
   if (!options.tether_trace.empty() && path != nullptr)
     write_file(options.tether_trace, to_csv(tether_trace(problem, *path, problem.robot().tool_width, tolerance)));
 }

@@ -1,4 +1,4 @@
-/// What `plan` and `score` write beside their table: a picture, and the tether's trace.
+/// What `plan` and `score` write beside their table: a picture, a page to look at, and the tether's trace.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,10 +11,12 @@
 namespace oxturn::cli {
 
 struct OutputOptions {
-  std::string svg, tether_trace;
+  std::string svg, viewer, tether_trace;
+  std::string edits;    // JSON: of the drawing, for the viewer
+  bool traces = false;  // the picture shows the planner's traces; the viewer always does
   int tethers = PictureOptions{}.tethers;
 };
-/// --svg FILE, --tethers N, --tether-trace FILE.csv.
+/// --svg FILE, --viewer FILE, --tethers N, --tether-trace FILE.csv.
 void add_output_options(CLI::App& app, OutputOptions& options);
 /// Throws if a file's name is wrong or cannot be written, or if several are standard output. `path_output`: where the
 /// path is written, if anywhere.

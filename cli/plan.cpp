@@ -87,6 +87,7 @@ Report run_planner(const Options& options, const PlannerInfo& planner, const Set
   problem.map_edges();
   IsolationOptions isolation = options.isolation;
   isolation.progress = progress_line();
+  isolation.traces = options.outputs.traces || !options.outputs.viewer.empty();
   isolation.log_file = kLogToStandardError;
   const Planned planned = plan_isolated([&] { return planner.make(settings, registry.planners); }, problem, isolation);
   if (planned.wall_s > 0)
@@ -118,7 +119,8 @@ int plan(Options options, const Registry& built_in) {
   const MapSource source = map_source(options.problem, registry);
   const Problem problem = make_problem(options.problem, load_map(source, registry.generators, registry.formats));
   check_outputs(options.outputs, problem.robot());
-  std::FILE* const out = print_to({options.output, options.outputs.svg, options.outputs.tether_trace});
+  std::FILE* const out =
+      print_to({options.output, options.outputs.svg, options.outputs.viewer, options.outputs.tether_trace});
   if (const std::string missing = missing_capability(planner, problem); !missing.empty()) {
     Report report;
     report.about = {{"planner", variant_of(planner, settings, registry.planners)}};
@@ -151,7 +153,7 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
                  "memory limit of planning, megabytes; 4096 if not given")
       ->check(number_from(0, false, "megabytes"))
       ->type_name("MB");
-  app.add_flag("--traces", options->isolation.traces,
+  app.add_flag("--traces", options->outputs.traces,
                "with --svg: draw the planner's intermediate results too: cells, trees, partitions");
   app.add_flag("--json", options->json, "print JSON");
   return [options, &registry] { return plan(*options, registry); };

@@ -48,7 +48,7 @@ int score_path(const Options& options, const Registry& registry) {
   report.verdict = judge(*report.score, Suite{}.target_coverage);
   write_outputs(options.outputs, problem, &file.path, report.score, {}, options.tolerance);
   return print(report, problem, registry.metrics, options.json,
-               print_to({options.outputs.svg, options.outputs.tether_trace}));
+               print_to({options.outputs.svg, options.outputs.viewer, options.outputs.tether_trace}));
 }
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {

@@ -94,14 +94,16 @@ function fit() {
 }
 
 function onKey(event) {
-  if (byId("saved").open || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName) && event.target.type !== "range") return;
+  const typing = /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName) && event.target.type !== "range";
+  if (byId("saved").open || typing) return;
   if ((event.ctrlKey || event.metaKey) && event.key === "z") return app.edits.undo();
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const step = seconds => () => app.player.go(app.time + seconds);
   const keys = {
-    " ": () => app.player.toggle(), ArrowLeft: step(-totalTime / 200), ArrowRight: step(totalTime / 200), "+": () => zoomBy(1.3),
-    "=": () => zoomBy(1.3), "-": () => zoomBy(1 / 1.3), 0: fit, 1: () => app.look("outline"), 2: () => app.look("realistic"),
-    3: () => app.look("connections"), Escape: () => app.use("select"),
+    " ": () => app.player.toggle(), ArrowLeft: step(-totalTime / 200), ArrowRight: step(totalTime / 200),
+    "+": () => zoomBy(1.3), "=": () => zoomBy(1.3), "-": () => zoomBy(1 / 1.3), 0: fit,
+    1: () => app.look("outline"), 2: () => app.look("realistic"), 3: () => app.look("connections"),
+    Escape: () => app.use("select"),
   };
   const onButton = event.key === " " && event.target.tagName === "BUTTON";
   if (!keys[event.key] || onButton) return;

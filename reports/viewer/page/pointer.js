@@ -23,7 +23,8 @@ class Pointers {
   at(event) {
     const box = this.target.getBoundingClientRect(), px = event.clientX - box.left, py = event.clientY - box.top;
     const [x, y] = app.sight.toPlane(px, py);
-    const reach = (event.pointerType === "mouse" ? 10 : 22) / app.sight.scale;  // metres within which something is meant
+    // Metres within which something is meant: a finger is wider than a mouse.
+    const reach = (event.pointerType === "mouse" ? 10 : 22) / app.sight.scale;
     return {px, py, x, y, reach};
   }
 

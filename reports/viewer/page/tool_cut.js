@@ -15,8 +15,9 @@ class CutTool extends Tool {
     const crossed = shapes.filter(shape => shape.kind === "area" && this.crosses(line, shape));
     const whole = crossed.filter(shape => !line.some(([x, y]) => insideArea(shape, x, y)));
     const elements = [...new Set(whole.map(shape => shape.element))];
-    this.message = elements.length ? "" : crossed.length ? "Draw the line right across the area: both ends outside it." :
+    const message = crossed.length ? "Draw the line right across the area: both ends outside it." :
         "The line meets no filled area.";
+    this.message = elements.length ? "" : message;
     if (elements.length) app.edits.add(elements.map(element => ({kind: "cut", element, line})));
   }
   crosses([[ax, ay], [bx, by]], shape) {
@@ -29,6 +30,6 @@ class CutTool extends Tool {
   paint(context) { if (this.line) paintLine(context, this.line.flat(), colour.edit, 3, [8, 6]); }
   card() {
     return [title("Cut"), ...(this.message ? [create("p", {className: "message"}, this.message)] : []),
-            note("Drag a line right across a filled area to cut it in two. Two fingers or the wheel move the drawing.")];
+            note("Drag a line right across a filled area to cut it in two. Two fingers or the wheel move the view.")];
   }
 }

@@ -10,7 +10,8 @@ class View {
   }
   fit(box) {
     const margin = 24, w = Math.max(box.right - box.left, 1e-9), h = Math.max(box.top - box.bottom, 1e-9);
-    this.scale = this.fitScale = Math.max(1e-9, Math.min((this.width - 2 * margin) / w, (this.height - 2 * margin) / h));
+    this.fitScale = Math.max(1e-9, Math.min((this.width - 2 * margin) / w, (this.height - 2 * margin) / h));
+    this.scale = this.fitScale;
     this.x = this.width / 2 - this.scale * (box.left + box.right) / 2;
     this.y = this.height / 2 + this.scale * (box.bottom + box.top) / 2;
     this.fitted = true;
