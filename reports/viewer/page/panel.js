@@ -15,7 +15,7 @@ function fillSummary() {
   const sum = legs.reduce((total, leg) => total + leg.length, 0);
   const off = legs.reduce((total, leg) => total + (leg.tool ? 0 : leg.length), 0);
   const parts = legs.length ? [`path ${metres(sum)}, of which ${metres(off)} with the tool off`,
-                               `${minutes(totalTime)} ${totalTime < 3600 ? "min" : "h"}`] : ["no path"];
+                               `${minutes(totalTime)}\u00a0${totalTime < 3600 ? "min" : "h"}`] : ["no path"];
   if (editable) parts.push(`${shapes.length} elements`);
   byId("title").textContent = data.file;
   byId("summary").textContent = [...parts, size].join(" · ");
@@ -63,6 +63,12 @@ function showButtons() {
   for (const node of document.querySelectorAll("[data-view]")) node.ariaPressed = node.dataset.view === app.view;
   for (const node of document.querySelectorAll("[data-tool]"))
     node.ariaPressed = app.tools[node.dataset.tool] === app.tool;
+}
+
+/** On a small screen the panel covers the drawing. */
+function showDetails(shown) {
+  document.body.classList.toggle("details", shown);
+  byId("details").ariaExpanded = shown;
 }
 
 function showScale() {

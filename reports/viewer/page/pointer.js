@@ -29,7 +29,7 @@ class Pointers {
   }
 
   press(event) {
-    this.target.focus({preventScroll: true});
+    document.activeElement.blur();  // so that keys are the page's again
     this.target.setPointerCapture(event.pointerId);
     const at = this.at(event);
     this.down.set(event.pointerId, {...at, first: at, moved: false, slack: kTapSlack[event.pointerType] || 6});
