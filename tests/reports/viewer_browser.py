@@ -192,12 +192,16 @@ def edit_everything(page, shots):
     page.tap(1.5, 1.8)           # the begin of the wave
     expect_in("wave, begin", page.text("#card"))
     page.tap(4.5, 8)             # the end of the letter A
+    for x, y in ((12.1, 5.2), (2.1, 9.7), (12.1, 5.2), (2, 6.8)):  # the sun twice: in and out
+        page.tap(x, y)
     page.tool("select")
     page.tap(*middle(page, 3))
     expect_in("Connection 3 of", page.text("#card"))
     page.press("Delete")
     page.screenshot(shots, "deleted")
     page.tool("cut")
+    page.drag((8.5, 10.2), (8.5, 14))  # from the hole of the O: it stays in one part
+    expect_in("does not divide", page.text("#card"))
     page.drag((15, 7), (15, 14))
     page.tool("fill")
     page.tap(13, 9)
@@ -233,6 +237,8 @@ def check_saved(text):
     near(left["at"] + right["at"], [13, 9, 17, 8.5], 0.1)
     expect(edits["connections"], [
         {"action": "enforce", "from": {"element": "wave", "vertex": 0}, "to": {"element": "letter-a", "vertex": -1}},
+        {"action": "enforce", "from": {"element": "bar-of-a", "vertex": 0}, "to": {"element": "sun <&>", "vertex": 0}},
+        {"action": "enforce", "from": {"element": "sun <&>", "vertex": 0}, "to": {"element": "cross-2", "vertex": 0}},
         {"action": "delete", "from": {"element": "sun <&>", "vertex": 0}, "to": {"element": "cross-1", "vertex": 0}}])
     curve = edits["curves"][0]
     expect((curve["from"], curve["to"]), ({"element": "wave", "vertex": -1}, {"element": "sun <&>", "vertex": 0}))
@@ -302,7 +308,7 @@ def with_edits(sample, edits, folder, shots):
     html = os.path.join(folder, "again.html")
     subprocess.run([sample, html, edits], check=True)
     page = Page(html, folder, dark=True)
-    expect(len(page.edits()), 7)
+    expect(len(page.edits()), 9)
     expect(page.text("#edits-note"), "The path obeys these edits.")
     page.screenshot(shots, "dark")
     page.click("[data-view=connections]")

@@ -11,6 +11,23 @@ function editsFrom(file) {
           ...of("curves", "curve")];
 }
 
+/** A path leaves a node once and arrives there once, so enforced connections that meet in a node have one direction:
+ *  those that meet `edit` against its own are turned round, and with them what they meet. */
+function turned(list, edit) {
+  const out = [...list], todo = [edit], done = new Set();
+  const against = (a, b) => sameReference(a.from, b.from) || sameReference(a.to, b.to);
+  while (todo.length) {
+    const next = todo.pop();
+    out.forEach((other, i) => {
+      if (other.kind !== "connection" || other.action !== "enforce" || done.has(i) || !against(next, other)) return;
+      done.add(i);
+      out[i] = {...other, from: other.to, to: other.from};
+      todo.push(out[i]);
+    });
+  }
+  return out;
+}
+
 class Edits {
   constructor(file, changed) {
     this.list = editsFrom(file);
@@ -45,7 +62,8 @@ class Edits {
     const same = this.pair("connection", edit.from, edit.to);
     const replaced = same ? [same] : [];
     if (action === "enforce") for (const node of [from, to]) replaced.push(...this.inTheWayOf(node, same));
-    this.add([edit], replaced);
+    const kept = this.list.filter(e => !replaced.includes(e));
+    this.change([...(action === "enforce" ? turned(kept, edit) : kept), edit]);
   }
   /** Enforced connections that leave no room for one more at a node: an open stroke has one at each end; a closed one
    *  is entered and left in the same vertex, so it has two there and none elsewhere. */
