@@ -182,6 +182,10 @@ def look_and_play(page, shots):
     before = page.driver.execute_script("return app.sight.scale")
     page.drag((7, 7.5), (8, 7))
     expect(page.driver.execute_script("return app.sight.scale"), before)
+    wheel = ActionBuilder(page.driver)
+    wheel.wheel_action.scroll(*page.pixel(10, 7.5), 0, -200)
+    wheel.perform()
+    wait_for("the wheel zooms", lambda: page.driver.execute_script("return app.sight.scale") > before)
     page.keys("0")
 
 
@@ -274,6 +278,15 @@ def desktop(html, folder, shots):
     return download
 
 
+def pinch(page, begin, end):
+    """Two fingers left and right of the middle, first so far from it and then so far, pixels."""
+    x, y = page.pixel(10, 7.5)
+    for kind, reach in (("touchStart", begin), ("touchMove", (begin + end) // 2), ("touchMove", end)):
+        points = [{"x": x - reach, "y": y, "id": 0}, {"x": x + reach, "y": y, "id": 1}]
+        page.driver.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+    page.driver.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+
+
 def phone(html, folder, shots):
     page = Page(html, folder, phone=True)
     width = page.driver.execute_script("return document.documentElement.scrollWidth")
@@ -282,6 +295,10 @@ def phone(html, folder, shots):
         .filter(b => b.offsetParent && (b.offsetHeight < 44 || b.offsetWidth < 44)).map(b => b.textContent)""")
     expect(small, [])
     page.screenshot(shots, "phone")
+    before = page.driver.execute_script("return app.sight.scale")
+    pinch(page, 40, 120)
+    wait_for("two fingers zoom", lambda: page.driver.execute_script("return app.sight.scale") > 2 * before)
+    page.click("#zoom-fit")
     page.tap(15, 9)
     expect_in("crown", page.text("#card"))
     page.screenshot(shots, "phone-card")
@@ -318,6 +335,18 @@ def with_edits(sample, edits, folder, shots):
     page.finish()
 
 
+def without_drawing(sample, folder, shots):
+    """Any planner's path: to look at, without tools."""
+    html = os.path.join(folder, "plain.html")
+    subprocess.run([sample, html, "plain"], check=True)
+    page = Page(html, folder)
+    expect([page.find(part).is_displayed() for part in ("#tools", "#save", "#play")], [False, False, True])
+    page.tap(3, 9.7)
+    expect_in("Leg 11 of", page.text("#card"))
+    page.screenshot(shots, "plain")
+    page.finish()
+
+
 def main():
     sample, shots = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else None
     with tempfile.TemporaryDirectory() as folder:
@@ -326,6 +355,7 @@ def main():
         edits = desktop(html, folder, shots)
         phone(html, folder, shots)
         with_edits(sample, edits, folder, shots)
+        without_drawing(sample, folder, shots)
     print("the viewer works on a desktop and on a phone")
 
 

@@ -60,15 +60,15 @@ function fillCard() {
 }
 
 function showButtons() {
-  for (const node of document.querySelectorAll("[data-view]")) node.ariaPressed = node.dataset.view === app.view;
-  for (const node of document.querySelectorAll("[data-tool]"))
-    node.ariaPressed = app.tools[node.dataset.tool] === app.tool;
+  const press = (node, pressed) => node.setAttribute("aria-pressed", pressed);
+  for (const node of document.querySelectorAll("[data-view]")) press(node, node.dataset.view === app.view);
+  for (const node of document.querySelectorAll("[data-tool]")) press(node, app.tools[node.dataset.tool] === app.tool);
 }
 
 /** On a small screen the panel covers the drawing. */
 function showDetails(shown) {
   document.body.classList.toggle("details", shown);
-  byId("details").ariaExpanded = shown;
+  byId("details").setAttribute("aria-expanded", shown);
 }
 
 function showScale() {

@@ -89,8 +89,8 @@ class SelectTool extends Tool {
   card() {
     const shown = app.chosen || app.hovered;
     if (shown) return thingCard(shown);
-    return app.small ? [] : [title("Select"),
-                             note("Point at a line, an area or a connection to see what it is. " +
-                                  "Drag to move the drawing, turn the wheel or pinch to zoom.")];
+    const things = editable ? "a line, an area or a connection to see what it is" : "the path to see when it is driven";
+    return app.small ? [] : [title(editable ? "Select" : "Path"),
+                             note(`Point at ${things}. Drag to move the view, turn the wheel or pinch to zoom.`)];
   }
 }
