@@ -342,7 +342,7 @@ def without_drawing(sample, folder, shots):
     page = Page(html, folder)
     expect([page.find(part).is_displayed() for part in ("#tools", "#save", "#play")], [False, False, True])
     page.tap(3, 9.7)
-    expect_in("Leg 11 of", page.text("#card"))
+    expect_in("Leg 12 of 18", page.text("#card"))
     page.screenshot(shots, "plain")
     page.finish()
 
