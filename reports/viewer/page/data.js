@@ -2,6 +2,7 @@
 // Polylines are flat arrays x, y, x, y, ... in metres, y up.
 const data = JSON.parse(document.getElementById("data").textContent);
 const editable = data.drawing !== null;
+const fileName = data.file.split(/[\\/]/).pop();
 
 const byId = id => document.getElementById(id);
 

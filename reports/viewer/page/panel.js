@@ -17,7 +17,7 @@ function fillSummary() {
   const parts = legs.length ? [`path ${metres(sum)}, of which ${metres(off)} with the tool off`,
                                `${minutes(totalTime)}\u00a0${totalTime < 3600 ? "min" : "h"}`] : ["no path"];
   if (editable) parts.push(`${shapes.length} elements`);
-  byId("title").textContent = data.file;
+  byId("title").textContent = fileName;
   byId("summary").textContent = [...parts, size].join(" · ");
 }
 
