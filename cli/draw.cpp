@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "base/files.hpp"
 #include "base/text.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -32,11 +33,13 @@ int draw(Options options, const Registry& registry) {
   PlanOptions& plan = options.plan;
   if (!options.canvas.empty()) set_canvas(options.canvas, plan.problem.read);
   // The reader looks for the edits in the drawing's folder, so that path files stay valid where both are moved.
-  if (std::string& edits = plan.problem.read["edits"]; edits.empty())
+  if (std::string& edits = plan.problem.read["edits"]; edits.empty()) {
     plan.problem.read.erase("edits");
-  else
+  } else {
+    if (!plan.outputs.viewer.empty()) plan.outputs.edits = read_file(edits);
     edits =
         std::filesystem::proximate(edits, std::filesystem::absolute(plan.problem.map).parent_path()).generic_string();
+  }
   return cli::plan(plan, registry);
 }
 
@@ -57,7 +60,7 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
 
 Command draw_command() {
   return {"draw", "plan the path of a drawing robot",
-          "  oxturn draw whale.svg --canvas 20x15 --svg plan.svg --text plan.txt\n"
+          "  oxturn draw whale.svg --canvas 20x15 --viewer plan.html --text plan.txt\n"
           "  oxturn draw whale.svg --edits edits.json -o path.geojson\n"
           "\nExit code 0 for outcome ok or partial, 1 for any other.\n",
           attach};

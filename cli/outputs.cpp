@@ -8,11 +8,15 @@
 #include "bench/run_picture.hpp"
 #include "cli/arguments.hpp"
 #include "metrics/tether_trace.hpp"
+#include "reports/viewer/viewer.hpp"
 
 namespace oxturn::cli {
 
 void add_output_options(CLI::App& app, OutputOptions& options) {
   app.add_option("--svg", options.svg, "write a picture of the path, FILE.svg; - is standard output")
+      ->type_name("FILE");
+  app.add_option("--viewer", options.viewer,
+                 "write a page to look at the path in a browser, played in time, FILE.html; - is standard output")
       ->type_name("FILE");
   app.add_option("--text", options.text,
                  "write the path as a drawing robot's controller reads it, x y rake, FILE.txt; - is standard output")
@@ -45,6 +49,7 @@ DrawingOptions drawing_widths(const Settings& settings) {
 void check_outputs(const OutputOptions& options, const std::string& path_output) {
   require_one_stream({{"--output", path_output},
                       {"--svg", options.svg},
+                      {"--viewer", options.viewer},
                       {"--text", options.text},
                       {"--tether-trace", options.tether_trace}},
                      "standard output");
@@ -55,6 +60,10 @@ void check_outputs(const OutputOptions& options, const std::string& path_output)
   if (!options.svg.empty()) {
     require_suffix(options.svg, {".svg"});
     require_writable(options.svg);
+  }
+  if (!options.viewer.empty()) {
+    require_suffix(options.viewer, {".html"});
+    require_writable(options.viewer);
   }
   if (!options.tether_trace.empty()) {
     require_suffix(options.tether_trace, {".csv"});
@@ -74,8 +83,15 @@ void write_outputs(const OutputOptions& options, const Problem& problem, const P
     PictureOptions picture;
     picture.tethers = options.tethers;
     picture.tolerance = tolerance;
-    write_file(options.svg, run_picture(problem, path, score, traces, picture));
+    write_file(options.svg, run_picture(problem, path, score, options.traces ? traces : std::vector<Trace>{}, picture));
   }
+  if (!options.viewer.empty())
+    write_file(options.viewer, viewer_page({.problem = problem,
+                                            .path = path,
+                                            .traces = traces,
+                                            .score = score,
+                                            .drawing_file = problem.map().family == "file" ? problem.map().source : "",
+                                            .edits = options.edits}));
   if (!options.text.empty() && path != nullptr)
     write_file(options.text, drawing_text(*path, options.widths, options.rake));
   if (!options.tether_trace.empty() && path != nullptr)

@@ -1,4 +1,4 @@
-/// What `plan` and `score` write beside their table: a picture, and the tether's trace.
+/// What `plan` and `score` write beside their table: a picture, a page to look at, and the tether's trace.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -12,14 +12,16 @@
 namespace oxturn::cli {
 
 struct OutputOptions {
-  std::string svg, tether_trace, text;
+  std::string svg, viewer, tether_trace, text;
   RakeText rake = RakeText::mask;
   DrawingOptions widths;  // of the rake's pins
+  std::string edits;      // JSON: of the drawing, for the viewer
+  bool traces = false;    // the picture shows the planner's traces; the viewer always does
   int tethers = PictureOptions{}.tethers;
 };
 /// The widths among the settings of a drawing's reader.
 DrawingOptions drawing_widths(const Settings& settings);
-/// --svg FILE, --text FILE, --rake mask|pins, --tethers N, --tether-trace FILE.csv.
+/// --svg FILE, --viewer FILE, --text FILE, --rake mask|pins, --tethers N, --tether-trace FILE.csv.
 void add_output_options(CLI::App& app, OutputOptions& options);
 /// Throws if a file's name is wrong or cannot be written, or if several are standard output. `path_output`: where the
 /// path is written, if anywhere.

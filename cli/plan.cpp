@@ -62,8 +62,9 @@ std::function<void(double)> progress_line() {
 /// cannot be loaded again, so it is not named.
 void write_path(const std::string& file, const Path& path, const Problem& problem, MapSource source) {
   namespace fs = std::filesystem;
-  if (is_standard_stream(source.file)) return write_file(file, to_geojson(path));
-  if (!source.file.empty()) source.file = fs::proximate(source.file, fs::absolute(file).parent_path()).generic_string();
+  if (is_standard_stream(source.file) || is_standard_stream(source.target)) return write_file(file, to_geojson(path));
+  for (std::string* name : {&source.file, &source.target})
+    if (!name->empty()) *name = fs::proximate(*name, fs::absolute(file).parent_path()).generic_string();
   const PathProblem made_for = path_problem(problem, std::move(source));
   write_file(file, to_geojson(path, &made_for));
 }
@@ -77,6 +78,7 @@ Report run_planner(const PlanOptions& options, const PlannerInfo& planner, const
   problem.map_edges();
   IsolationOptions isolation = options.isolation;
   isolation.progress = progress_line();
+  isolation.traces = options.outputs.traces || !options.outputs.viewer.empty();
   isolation.log_file = kLogToStandardError;
   const Planned planned = plan_isolated([&] { return planner.make(settings, registry.planners); }, problem, isolation);
   if (planned.wall_s > 0)
@@ -110,8 +112,8 @@ int plan(PlanOptions options, const Registry& built_in) {
   const MapSource source = map_source(options.problem, registry);
   const Problem problem = make_problem(options.problem, load_map(source, registry.generators, registry.formats));
   check_outputs(options.outputs, problem.robot());
-  std::FILE* const out =
-      print_to({options.output, options.outputs.svg, options.outputs.tether_trace, options.outputs.text});
+  std::FILE* const out = print_to({options.output, options.outputs.svg, options.outputs.viewer,
+                                   options.outputs.tether_trace, options.outputs.text});
   if (const std::string missing = missing_capability(planner, problem); !missing.empty()) {
     Report report;
     report.about = {{"planner", variant_of(planner, settings, registry.planners)}};
@@ -141,7 +143,7 @@ void add_plan_options(CLI::App& app, const Registry& registry, PlanOptions& opti
                  "memory limit of planning, megabytes; 4096 if not given")
       ->check(number_from(0, false, "megabytes"))
       ->type_name("MB");
-  app.add_flag("--traces", options.isolation.traces,
+  app.add_flag("--traces", options.outputs.traces,
                "with --svg: draw the planner's intermediate results too: cells, trees, partitions");
   app.add_flag("--json", options.json, "print JSON");
 }

@@ -30,6 +30,8 @@ MapFile map_of(const Options& options, const PathFile& file, const Registry& reg
   if (!file.problem)
     throw std::invalid_argument(
         fmt::format("'{}' does not name the problem that it was made for; give MAP", options.path));
+  if (!options.problem.target.empty())
+    throw std::invalid_argument("--target applies to MAP; give MAP, or leave it out");
   if (!options.problem.read.empty())
     throw std::invalid_argument("options for map files apply to MAP; give MAP, or leave them out");
   return load_map(*file.problem, options.path, registry.generators, registry.formats);
@@ -47,8 +49,9 @@ int score_path(const Options& options, const Registry& registry) {
   report.score = score(problem, file.path, registry.metrics, {.tolerance = options.tolerance});
   report.verdict = judge(*report.score, Suite{}.target_coverage);
   write_outputs(options.outputs, problem, &file.path, report.score, {}, options.tolerance);
-  return print(report, problem, registry.metrics, options.json,
-               print_to({options.outputs.svg, options.outputs.tether_trace, options.outputs.text}));
+  return print(
+      report, problem, registry.metrics, options.json,
+      print_to({options.outputs.svg, options.outputs.viewer, options.outputs.tether_trace, options.outputs.text}));
 }
 
 std::function<int()> attach(CLI::App& app, const Registry& registry) {

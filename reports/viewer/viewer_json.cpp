@@ -60,6 +60,13 @@ Json drawing_of(const Drawing& drawing, const Rounding& rounded) {
   return {{"sha256", drawing.sha256}, {"strokes", strokes}, {"areas", areas}};
 }
 
+/// A faulty planner's path may be anything; it has no times.
+bool can_be_shown(const Path& path) {
+  return std::ranges::all_of(path.legs, [](const Leg& leg) {
+    return leg.points.size() >= 2 && std::ranges::all_of(leg.points, [](const Point& p) { return finite(p); });
+  });
+}
+
 /// Every vertex with the time at which the robot is there.
 Json legs_of(const Problem& problem, const Path& path, const Rounding& rounded) {
   const MissionClock clock(problem, path);
@@ -134,7 +141,7 @@ std::string viewer_json(const ViewerData& data) {
   out["start"] = rounded(problem.start());
   out["map"] = map_of(map, rounded);
   out["drawing"] = map.drawing ? drawing_of(*map.drawing, rounded) : Json();
-  out["legs"] = data.path ? legs_of(problem, *data.path, rounded) : Json::array();
+  out["legs"] = data.path && can_be_shown(*data.path) ? legs_of(problem, *data.path, rounded) : Json::array();
   out["traces"] = traces_of(data.traces, rounded);
   out["figures"] = figures_of(data.score);
   out["flaw"] = data.score ? data.score->flaw : "";

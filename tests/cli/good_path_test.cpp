@@ -226,6 +226,17 @@ TEST_F(Planned, PlanAndRunGiveTheSameFiguresAndPicture) {
   EXPECT_NE(results.rows.front().get("missed_pieces"), "0");
 }
 
+TEST_F(Planned, ThePageHasTheTracesThePictureOnlyIfAskedFor) {
+  const std::string files = " --viewer " + (out / "p.html") + " --svg " + (out / "p.svg");
+  ASSERT_EQ(oxturn("plan stc rectangle" + files).code, 0);
+  EXPECT_THAT(content(out / "p.html"), HasSubstr("\"traces\":[{\"name\":\"tree\""));
+  EXPECT_THAT(content(out / "p.svg"), testing::Not(HasSubstr("id=\"tree\"")));
+  ASSERT_EQ(oxturn("plan stc rectangle --traces" + files).code, 0);
+  EXPECT_THAT(content(out / "p.svg"), HasSubstr("id=\"tree\""));
+  EXPECT_THAT(oxturn("plan stc rectangle --viewer " + (out / "p.htm")).err, HasSubstr(".html"));
+  EXPECT_THAT(oxturn("plan stc rectangle --viewer -").out, StartsWith("<!doctype html>"));
+}
+
 TEST_F(Planned, ATetherIsScoredTracedAndDrawn) {
   const std::string map = out.write(
       "ring.geojson",

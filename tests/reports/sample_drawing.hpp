@@ -30,7 +30,10 @@ inline Polyline circle(const Point& centre, double radius, int steps = 64) {
 }
 
 inline DrawnStroke stroke(std::string element, Polyline points, double width = kPen) {
-  DrawnStroke made{.element = std::move(element), .points = std::move(points), .width = width};
+  DrawnStroke made;
+  made.element = std::move(element);
+  made.points = std::move(points);
+  made.width = width;
   for (std::size_t i = 0; i < made.points.size(); ++i)
     if (made.points.size() < 20 || i % 16 == 0 || i + 1 == made.points.size()) made.nodes.push_back(i);
   return made;

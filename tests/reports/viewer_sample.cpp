@@ -1,4 +1,5 @@
-// Writes the viewer's page of the sample drawing: viewer_sample PAGE.html [EDITS.json]
+// Writes the viewer's page of the sample drawing, with edits if given, or of its path on a map without a drawing:
+// viewer_sample PAGE.html [EDITS.json | plain]
 #include <exception>
 #include <iostream>
 
@@ -8,15 +9,19 @@
 
 int main(int argc, char** argv) try {
   using namespace oxturn;
-  if (argc < 2) throw std::invalid_argument("viewer_sample PAGE.html [EDITS.json]");
-  const Problem problem = sample::problem();
+  if (argc < 2) throw std::invalid_argument("viewer_sample PAGE.html [EDITS.json | plain]");
+  const std::string how = argc > 2 ? argv[2] : "";
+  const bool plain = how == "plain";
+  const Problem drawn = sample::problem();
+  const Problem problem =
+      plain ? Problem({"plain", drawn.map().free, "file", "plain"}, drawn.robot(), drawn.start()) : drawn;
   const Path path = sample::path(problem.start());
   write_file(argv[1], viewer_page({.problem = problem,
                                    .path = &path,
                                    .traces = sample::traces(),
                                    .score = score(problem, path),
-                                   .drawing_file = "sample.svg",
-                                   .edits = argc > 2 ? read_file(argv[2]) : ""}));
+                                   .drawing_file = plain ? "" : "sample.svg",
+                                   .edits = plain || how.empty() ? "" : read_file(how)}));
   return 0;
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

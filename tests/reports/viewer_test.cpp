@@ -80,6 +80,18 @@ TEST(Viewer, APageWithoutPathOrDrawing) {
   EXPECT_EQ(data["map"][0][0].size(), 8u);
 }
 
+// As a faulty planner may return them.
+TEST(Viewer, APathThatIsNoneIsLeftOut) {
+  const Problem problem = sample::problem();
+  for (const Polyline& points : {Polyline{{1, 0.6}, {NAN, 2}}, Polyline(1, Point(1, 0.6)), Polyline()}) {
+    Path path;
+    path.legs = {{true, points}};
+    const Json data = data_of(viewer_page({.problem = problem, .path = &path, .score = score(problem, path)}));
+    EXPECT_TRUE(data["legs"].empty());
+    EXPECT_NE(data["flaw"], "");
+  }
+}
+
 TEST(Viewer, EditsAreHandedThrough) {
   const Problem problem = sample::problem();
   const std::string edits = R"({"oxturn_edits": 1, "drawing_sha256": "5a3e", "start": [2, 0.1]})";

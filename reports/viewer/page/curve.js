@@ -5,8 +5,8 @@
 /** A Bezier curve of any degree at t, by de Casteljau. */
 function bezierAt(points, t) {
   let level = points;
-  while (level.length > 1)
-    level = level.slice(1).map((p, i) => [level[i][0] + (p[0] - level[i][0]) * t, level[i][1] + (p[1] - level[i][1]) * t]);
+  const between = (p, q) => [p[0] + (q[0] - p[0]) * t, p[1] + (q[1] - p[1]) * t];
+  while (level.length > 1) level = level.slice(1).map((p, i) => between(level[i], p));
   return level[0];
 }
 

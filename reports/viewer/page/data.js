@@ -2,6 +2,7 @@
 // Polylines are flat arrays x, y, x, y, ... in metres, y up.
 const data = JSON.parse(document.getElementById("data").textContent);
 const editable = data.drawing !== null;
+const fileName = data.file.split(/[\\/]/).pop();
 
 const byId = id => document.getElementById(id);
 
@@ -32,14 +33,13 @@ function pointAlong(flat, share) {
   forEachSegment(flat, (ax, ay, bx, by) => {
     const length = Math.hypot(bx - ax, by - ay);
     if (found || length === 0) return;
-    if (left <= length || ax === undefined) {
+    if (left <= length * (1 + 1e-9)) {
       found = {x: ax + (bx - ax) * left / length, y: ay + (by - ay) * left / length, dx: bx - ax, dy: by - ay};
     }
     left -= length;
   });
   if (found) return found;
-  const n = flat.length;
-  return {x: flat[n - 2], y: flat[n - 1], dx: n > 3 ? flat[n - 2] - flat[n - 4] : 1, dy: n > 3 ? flat[n - 1] - flat[n - 3] : 0};
+  return {x: flat[flat.length - 2], y: flat[flat.length - 1], dx: 1, dy: 0};  // without length
 }
 
 /** Distance of a point to a segment, and the nearest point. */
@@ -77,7 +77,8 @@ const metres = value => `${value < 10 ? value.toFixed(2) : value < 1000 ? value.
 function minutes(seconds) {
   const whole = Math.round(seconds), two = value => String(value).padStart(2, "0");
   const hours = Math.floor(whole / 3600);
-  return (hours > 0 ? `${hours}:${two(Math.floor(whole / 60) % 60)}` : `${Math.floor(whole / 60)}`) + `:${two(whole % 60)}`;
+  const before = hours > 0 ? `${hours}:${two(Math.floor(whole / 60) % 60)}` : Math.floor(whole / 60);
+  return `${before}:${two(whole % 60)}`;
 }
 /** To millimetres: finer than anybody can point. */
 const millimetres = value => Math.round(value * 1000) / 1000;

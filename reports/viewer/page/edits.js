@@ -4,9 +4,28 @@
 /** Of a file of edits (or null) the list, in the file's order. */
 function editsFrom(file) {
   if (!file) return [];
-  const of = (key, kind) => (file[key] || []).map(edit => ({kind, ...edit, ...(kind === "curve" ? {kind, shape: edit.kind} : {})}));
+  // A curve's own kind is its shape here.
+  const of = (key, kind) => (file[key] || []).map(edit => ({shape: edit.kind, ...edit, kind}));
   const start = file.start ? [{kind: "start", at: file.start}] : [];
-  return [...start, ...of("cuts", "cut"), ...of("fills", "fill"), ...of("connections", "connection"), ...of("curves", "curve")];
+  return [...start, ...of("cuts", "cut"), ...of("fills", "fill"), ...of("connections", "connection"),
+          ...of("curves", "curve")];
+}
+
+/** A path leaves a node once and arrives there once, so enforced connections that meet in a node have one direction:
+ *  those that meet `edit` against its own are turned round, and with them what they meet. */
+function turned(list, edit) {
+  const out = [...list], todo = [edit], done = new Set();
+  const against = (a, b) => sameReference(a.from, b.from) || sameReference(a.to, b.to);
+  while (todo.length) {
+    const next = todo.pop();
+    out.forEach((other, i) => {
+      if (other.kind !== "connection" || other.action !== "enforce" || done.has(i) || !against(next, other)) return;
+      done.add(i);
+      out[i] = {...other, from: other.to, to: other.from};
+      todo.push(out[i]);
+    });
+  }
+  return out;
 }
 
 class Edits {
@@ -43,10 +62,11 @@ class Edits {
     const same = this.pair("connection", edit.from, edit.to);
     const replaced = same ? [same] : [];
     if (action === "enforce") for (const node of [from, to]) replaced.push(...this.inTheWayOf(node, same));
-    this.add([edit], replaced);
+    const kept = this.list.filter(e => !replaced.includes(e));
+    this.change([...(action === "enforce" ? turned(kept, edit) : kept), edit]);
   }
-  /** Enforced connections that leave no room for one more at a node: an open stroke has one at each end; a closed one is
-   *  entered and left in the same vertex, so it has two there and none elsewhere. */
+  /** Enforced connections that leave no room for one more at a node: an open stroke has one at each end; a closed one
+   *  is entered and left in the same vertex, so it has two there and none elsewhere. */
   inTheWayOf(node, except) {
     const own = this.ofKind("connection").filter(e => e !== except && e.action === "enforce");
     const at = e => [e.from, e.to].find(end => end.element === node.shape.element);
@@ -80,6 +100,8 @@ class Edits {
 
 const kFillNames = {spiral: "spiral", zigzag: "zigzag", contour: "contour", none: "not filled"};
 
+const endsText = edit => `${nodeText(edit.from)} – ${nodeText(edit.to)}`;
+
 /** One line for the list. */
 function editText(edit) {
   switch (edit.kind) {
@@ -93,7 +115,7 @@ function editText(edit) {
       return `Fill ${edit.element}: ${parts.join(", ")}`;
     }
     case "connection":
-      return `${edit.action === "enforce" ? "Connect" : "Never connect"} ${nodeText(edit.from)} – ${nodeText(edit.to)}`;
-    default: return `Curve ${nodeText(edit.from)} – ${nodeText(edit.to)}`;
+      return `${edit.action === "enforce" ? "Connect" : "Never connect"} ${endsText(edit)}`;
+    default: return `Curve ${endsText(edit)}`;
   }
 }

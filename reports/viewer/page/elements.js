@@ -18,12 +18,16 @@ function cornersOf(ring) {
 function strokeShape(stroke, firstVertex) {
   const flat = stroke.points, n = flat.length / 2;
   const closed = n > 2 && flat[0] === flat[2 * n - 2] && flat[1] === flat[2 * n - 1];
-  const positions = stroke.nodes.length > 1 ? stroke.nodes : [0, n - 1];
-  const nodes = positions.map((at, i) => ({vertex: firstVertex + i, x: flat[2 * at], y: flat[2 * at + 1]}));
+  // A stroke without nodes: every point is one, as planners count them.
+  const positions = stroke.nodes.length ? stroke.nodes : Array.from({length: n}, (_, i) => i);
+  const nodes = positions.map((at, i) => {
+    const number = firstVertex + i;  // `vertex` is its name, which may be -1
+    return {vertex: number, number, x: flat[2 * at], y: flat[2 * at + 1]};
+  });
   return {
     kind: "stroke", element: stroke.element, flats: [flat], closed, width: stroke.width, tool: stroke.tool,
     length: lengthOf(flat), path: pathOf(flat), box: boxOf([flat]), allNodes: nodes,
-    // The path enters and leaves an open stroke at its ends only; a closed one at any node, of which the last is the first.
+    // The path enters and leaves an open stroke at its ends only; a closed one at any node, the last being the first.
     nodes: closed ? nodes.slice(0, -1) : [nodes[0], nodes[nodes.length - 1]],
   };
 }
@@ -57,6 +61,8 @@ function shapesOf(drawing) {
     strokes.push(shape);
   }
   nameLastVertices(strokes);
+  // A vertex of an element that has strokes is one of theirs, so an area of the same name has none.
+  for (const shape of areas) if (counts.has(shape.element)) shape.nodes = [];
   for (const shape of [...areas, ...strokes]) for (const node of shape.nodes) node.shape = shape;
   return [...areas, ...strokes];
 }
@@ -103,8 +109,8 @@ const sameReference = (a, b) => a.element === b.element && a.vertex === b.vertex
 function nodeOf(reference) {
   for (const shape of shapes)
     if (shape.element === reference.element)
-      for (const node of shape.allNodes || shape.nodes)
-        if (node.vertex === reference.vertex || sameReference(referenceOf({shape, ...node}), reference)) return {shape, ...node};
+      for (const node of [...shape.nodes, ...(shape.allNodes || [])])
+        if (node.vertex === reference.vertex || node.number === reference.vertex) return {shape, ...node};
   return null;
 }
 function nodeText(reference) {

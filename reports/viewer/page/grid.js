@@ -1,4 +1,4 @@
-/** Segments in square buckets, for the nearest one to a point. Adding is linear in the length, a query in the radius. */
+/** Segments in square buckets, for the nearest one to a point. Adding is linear in the length of what is added. */
 class SegmentGrid {
   constructor(box) {
     this.box = box;

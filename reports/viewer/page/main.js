@@ -37,6 +37,7 @@ const app = {
     if (name !== "curve") this.chosen = null;
     byId("overlay").classList.toggle("draw", name === "cut" || name === "start");
     showButtons();
+    showDetails(false);
     this.refresh();
     return this.tool;
   },
@@ -77,8 +78,9 @@ function resize() {
     canvas.width = Math.max(1, Math.round(stage.clientWidth * pixels));
     canvas.height = Math.max(1, Math.round(stage.clientHeight * pixels));
   }
-  app.sight.resize(stage.clientWidth, stage.clientHeight, pixels);
   app.small = matchMedia("(max-width: 800px)").matches;
+  app.sight.covered = app.small && stage.clientHeight > 400 ? {top: 44, bottom: 170} : {top: 0, bottom: 0};
+  app.sight.resize(stage.clientWidth, stage.clientHeight, pixels);
   fillCard();
   app.stale.base = true;
   paintAll();
@@ -94,14 +96,16 @@ function fit() {
 }
 
 function onKey(event) {
-  if (byId("saved").open || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName) && event.target.type !== "range") return;
+  const typing = /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName) && event.target.type !== "range";
+  if (byId("saved").open || typing) return;
   if ((event.ctrlKey || event.metaKey) && event.key === "z") return app.edits.undo();
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const step = seconds => () => app.player.go(app.time + seconds);
   const keys = {
-    " ": () => app.player.toggle(), ArrowLeft: step(-totalTime / 200), ArrowRight: step(totalTime / 200), "+": () => zoomBy(1.3),
-    "=": () => zoomBy(1.3), "-": () => zoomBy(1 / 1.3), 0: fit, 1: () => app.look("outline"), 2: () => app.look("realistic"),
-    3: () => app.look("connections"), Escape: () => app.use("select"),
+    " ": () => app.player.toggle(), ArrowLeft: step(-totalTime / 200), ArrowRight: step(totalTime / 200),
+    "+": () => zoomBy(1.3), "=": () => zoomBy(1.3), "-": () => zoomBy(1 / 1.3), 0: fit,
+    1: () => app.look("outline"), 2: () => app.look("realistic"), 3: () => app.look("connections"),
+    Escape: () => app.use("select"),
   };
   const onButton = event.key === " " && event.target.tagName === "BUTTON";
   if (!keys[event.key] || onButton) return;
@@ -122,7 +126,7 @@ function begin() {
   byId("zoom-out").onclick = () => zoomBy(1 / 1.4);
   byId("zoom-fit").onclick = fit;
   byId("undo").onclick = () => app.edits.undo();
-  byId("details").onclick = () => byId("details").ariaExpanded = document.body.classList.toggle("details");
+  byId("details").onclick = () => showDetails(!document.body.classList.contains("details"));
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
     readColours();
     app.redraw(true);

@@ -4,10 +4,16 @@ const legs = data.legs;
 for (const leg of legs) leg.length = lengthOf(leg.points);
 const totalTime = legs.length ? legs[legs.length - 1].times[legs[legs.length - 1].times.length - 1] : 0;
 
-/** A path stays with the stroke that it is on within half of its width, and takes up another within a quarter. */
-function shapeOfSegment(leg, x, y, current) {
-  const near = (radius, accept) =>
-      shapeGrid.nearest(x, y, radius, e => e.item.kind === "stroke" && e.item.tool === leg.tool && accept(e.item));
+const kParallel = Math.sin(Math.PI / 6);  // a stroke in another direction is crossed, not followed
+
+/** Of the segment from (ax, ay) to (bx, by). A path stays with the stroke that it is on within half of its width, and
+ *  takes up another within a quarter. */
+function shapeOfSegment(leg, ax, ay, bx, by, current) {
+  const x = (ax + bx) / 2, y = (ay + by) / 2, dx = bx - ax, dy = by - ay;
+  const parallel = e => Math.abs(dx * (e.by - e.ay) - dy * (e.bx - e.ax)) <=
+                        kParallel * Math.hypot(dx, dy) * Math.hypot(e.bx - e.ax, e.by - e.ay);
+  const near = (radius, accept) => shapeGrid.nearest(
+      x, y, radius, e => e.item.kind === "stroke" && e.item.tool === leg.tool && accept(e.item) && parallel(e));
   if (current && current.kind === "stroke" && near(leg.width / 2, shape => shape === current)) return current;
   const hit = near(leg.width / 4, () => true);
   if (hit) return hit.item;
@@ -20,7 +26,7 @@ function runsOf(allLegs) {
   for (const leg of allLegs) {
     let run = runs[runs.length - 1];
     forEachSegment(leg.points, (ax, ay, bx, by, i) => {
-      const shape = shapes.length ? shapeOfSegment(leg, (ax + bx) / 2, (ay + by) / 2, run ? run.shape : null) : null;
+      const shape = shapes.length ? shapeOfSegment(leg, ax, ay, bx, by, run ? run.shape : null) : null;
       if (!run || run.tool !== leg.tool || run.shape !== shape) {
         run = {shape, tool: leg.tool, width: leg.width, flat: [ax, ay], t0: leg.times[i], t1: 0};
         runs.push(run);
@@ -56,15 +62,17 @@ let elementsDriven = 0;
 function findOrder() {
   runs.forEach((run, i) => {
     if (run.shape) {
-      if (!run.shape.order) Object.assign(run.shape, {order: ++elementsDriven, t0: run.t0, driven: 0, entry: run.flat.slice(0, 2)});
+      if (!run.shape.order)
+        Object.assign(run.shape, {order: ++elementsDriven, t0: run.t0, driven: 0, entry: run.flat.slice(0, 2)});
       run.shape.t1 = run.t1;
       run.shape.driven += lengthOf(run.flat);
     } else if (!run.tool) {
       const before = runs[i - 1], after = runs[i + 1], n = run.flat.length;
-      const from = before && before.shape ? nearestNode(before.shape, run.flat[0], run.flat[1]) : null;
-      const to = after && after.shape ? nearestNode(after.shape, run.flat[n - 2], run.flat[n - 1]) : null;
-      connections.push({number: connections.length + 1, from, to, flat: run.flat, length: lengthOf(run.flat), t0: run.t0, t1: run.t1,
-                        path: pathOf(run.flat), inside: from !== null && to !== null && from.shape === to.shape});
+      const between = [before, after].map(run => run && run.shape || null);
+      const from = between[0] && nearestNode(between[0], run.flat[0], run.flat[1]);
+      const to = between[1] && nearestNode(between[1], run.flat[n - 2], run.flat[n - 1]);
+      connections.push({number: connections.length + 1, from, to, between, inside: between[0] === between[1],
+                        t0: run.t0, t1: run.t1, flat: run.flat, length: lengthOf(run.flat), path: pathOf(run.flat)});
     }
   });
 }

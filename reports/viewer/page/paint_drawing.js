@@ -35,9 +35,9 @@ function paintBase(context) {
   });
 }
 
-/** An arrowhead on a polyline's middle, in pixels. */
-function paintArrow(context, flat, fill) {
-  const at = pointAlong(flat, 0.5), [px, py] = app.sight.toScreen(at.x, at.y), angle = Math.atan2(-at.dy, at.dx);
+/** An arrowhead at a point of a path. */
+function paintArrow(context, at, fill) {
+  const [px, py] = app.sight.toScreen(at.x, at.y), angle = Math.atan2(-at.dy, at.dx);
   context.save();
   context.translate(px, py);
   context.rotate(angle);
@@ -72,7 +72,9 @@ function paintOrder(context) {
   app.sight.inPixels(context);
   for (const connection of connections) {
     if (connection.t1 > app.time || !app.layers.connections) continue;
-    if (connection.length * app.sight.scale > 24) paintArrow(context, connection.flat, colour.transit);
+    if (connection.length * app.sight.scale < 24) continue;
+    connection.middle = connection.middle || pointAlong(connection.flat, 0.5);
+    paintArrow(context, connection.middle, colour.transit);
   }
   const taken = [];
   for (const shape of shapes) {

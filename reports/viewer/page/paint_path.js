@@ -1,5 +1,5 @@
 // The path in pieces of some hundred vertices, so that a part of it is painted without the rest: what is done stays on
-// its canvas while the path is played, and only the piece under way is painted anew.
+// its canvas while the path is played, and only the present piece is painted anew.
 const kPieceVertices = 300;
 
 function piecesOf(allLegs) {
@@ -92,7 +92,7 @@ function paintWork(context, clear) {
   for (; painted.done < done; ++painted.done) paintPiece(context, pieces[painted.done].leg, pieces[painted.done].path);
 }
 
-/** The piece under way, and the robot. */
+/** The present piece, and the robot. */
 function paintPresent(context) {
   const robot = robotAt(app.time);
   if (!robot) return;
@@ -101,7 +101,8 @@ function paintPresent(context) {
     const part = robot.leg.points.slice(2 * robot.piece.first, 2 * robot.vertex + 2);
     paintPiece(context, robot.leg, pathOf([...part, robot.x, robot.y]));
   }
-  const size = Math.max(data.robot.radius, 6 / app.sight.scale), across = Math.max(robot.leg.width / 2, 4 / app.sight.scale);
+  const pixel = 1 / app.sight.scale;
+  const size = Math.max(data.robot.radius, 6 * pixel), across = Math.max(robot.leg.width / 2, 4 * pixel);
   context.save();
   context.translate(robot.x, robot.y);
   context.rotate(robot.heading);

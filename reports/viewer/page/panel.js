@@ -5,7 +5,7 @@ function figureText([name, value]) {
   const units = [["_per_m", " /m"], ["_m2", " m²"], ["_rad", " rad"], ["_m", " m"], ["_s", " s"]];
   const unit = units.find(([ending]) => name.endsWith(ending));
   const label = (unit ? name.slice(0, -unit[0].length) : name).replaceAll("_", " ");
-  const digits = Number.isInteger(value) ? String(value) : Math.abs(value) >= 100 ? value.toFixed(0) : value.toPrecision(4);
+  const digits = Number.isInteger(value) || Math.abs(value) >= 100 ? value.toFixed(0) : value.toPrecision(4);
   const text = unit && unit[0] === "_s" ? minutes(value) : Number(digits) + (unit ? unit[1] : "");
   return [label, text];
 }
@@ -14,11 +14,11 @@ function fillSummary() {
   const box = wholeBox, size = `${(box.right - box.left).toFixed(1)} × ${(box.top - box.bottom).toFixed(1)} m`;
   const sum = legs.reduce((total, leg) => total + leg.length, 0);
   const off = legs.reduce((total, leg) => total + (leg.tool ? 0 : leg.length), 0);
-  const parts = [size];
+  const parts = legs.length ? [`path ${metres(sum)}, of which ${metres(off)} with the tool off`,
+                               `${minutes(totalTime)}\u00a0${totalTime < 3600 ? "min" : "h"}`] : ["no path"];
   if (editable) parts.push(`${shapes.length} elements`);
-  parts.push(legs.length ? `path ${metres(sum)}, of which ${metres(off)} with the tool off` : "no path");
-  if (legs.length) parts.push(`${minutes(totalTime)} at up to real speed`);
-  byId("summary").textContent = parts.join(" · ").replace(" at up to real speed", totalTime < 3600 ? " min" : " h");
+  byId("title").textContent = fileName;
+  byId("summary").textContent = [...parts, size].join(" · ");
 }
 
 function fillLayers() {
@@ -60,8 +60,15 @@ function fillCard() {
 }
 
 function showButtons() {
-  for (const node of document.querySelectorAll("[data-view]")) node.ariaPressed = node.dataset.view === app.view;
-  for (const node of document.querySelectorAll("[data-tool]")) node.ariaPressed = app.tools[node.dataset.tool] === app.tool;
+  const press = (node, pressed) => node.setAttribute("aria-pressed", pressed);
+  for (const node of document.querySelectorAll("[data-view]")) press(node, node.dataset.view === app.view);
+  for (const node of document.querySelectorAll("[data-tool]")) press(node, app.tools[node.dataset.tool] === app.tool);
+}
+
+/** On a small screen the panel covers the drawing. */
+function showDetails(shown) {
+  document.body.classList.toggle("details", shown);
+  byId("details").setAttribute("aria-expanded", shown);
 }
 
 function showScale() {

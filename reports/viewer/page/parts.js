@@ -1,6 +1,7 @@
 /** The part of an area that holds a point, after the area's cuts. The area is painted on a small canvas, the cuts are
- *  erased, and the part is filled from the point: so the page needs no arithmetic on polygons. The planner cuts exactly. */
+ *  erased, and the part is filled from the point, so the page needs no arithmetic on polygons. */
 class Part {
+  static kHereAndBeside = [[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]];
   static kPixels = 512;  // of the longer side: 4 cm on an area of 20 m
 
   constructor(shape, x, y, cuts) {
@@ -19,7 +20,9 @@ class Part {
     this.canvas = null;
   }
 
-  pixel(x, y) { return [Math.floor((x - this.box.left) * this.scale) + 2, Math.floor((y - this.box.bottom) * this.scale) + 2]; }
+  pixel(x, y) {
+    return [x - this.box.left, y - this.box.bottom].map(metres => Math.floor(metres * this.scale) + 2);
+  }
 
   flood(image, x, y) {
     const {width, height} = image, mask = new Uint8Array(width * height), todo = [];
@@ -31,7 +34,7 @@ class Part {
       todo.push(c, r);
     };
     const [c0, r0] = this.pixel(x, y);
-    for (const [dc, dr] of [[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]]) if (!todo.length) visit(c0 + dc, r0 + dr);
+    for (const [dc, dr] of Part.kHereAndBeside) if (!todo.length) visit(c0 + dc, r0 + dr);
     while (todo.length) {
       const r = todo.pop(), c = todo.pop();
       visit(c + 1, r);
@@ -44,7 +47,7 @@ class Part {
 
   contains(x, y) {
     const [c, r] = this.pixel(x, y);
-    return [[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]].some(([dc, dr]) => this.mask[(r + dr) * this.width + c + dc] === 1);
+    return Part.kHereAndBeside.some(([dc, dr]) => this.mask[(r + dr) * this.width + c + dc] === 1);
   }
 
   /** Paints the part in a colour, in metres. */

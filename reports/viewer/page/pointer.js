@@ -23,12 +23,13 @@ class Pointers {
   at(event) {
     const box = this.target.getBoundingClientRect(), px = event.clientX - box.left, py = event.clientY - box.top;
     const [x, y] = app.sight.toPlane(px, py);
-    const reach = (event.pointerType === "mouse" ? 10 : 22) / app.sight.scale;  // metres within which something is meant
+    // Metres within which something is meant: a finger is wider than a mouse.
+    const reach = (event.pointerType === "mouse" ? 10 : 22) / app.sight.scale;
     return {px, py, x, y, reach};
   }
 
   press(event) {
-    this.target.focus({preventScroll: true});
+    document.activeElement.blur();  // so that keys are the page's again
     this.target.setPointerCapture(event.pointerId);
     const at = this.at(event);
     this.down.set(event.pointerId, {...at, first: at, moved: false, slack: kTapSlack[event.pointerType] || 6});

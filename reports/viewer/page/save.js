@@ -1,7 +1,6 @@
 // The edits leave the page as a download; where a browser refuses one, as text to copy.
 function editsFileName() {
-  const name = data.file.split(/[\\/]/).pop().replace(/\.[^.]*$/, "");
-  return `${name || "drawing"}.edits.json`;
+  return `${fileName.replace(/\.[^.]*$/, "") || "drawing"}.edits.json`;
 }
 
 function saveEdits() {

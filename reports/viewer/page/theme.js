@@ -1,6 +1,6 @@
 // The canvas takes its colours from the style sheet, so that light and dark are told in one file.
-const kColours = ["canvas", "outside", "ink", "area", "path", "transit", "enforced", "deleted", "edit", "robot", "label",
-                  "halo", "accent", "sand", "raked", "groove", "track", "sand-outside"];
+const kColours = ["canvas", "outside", "ink", "area", "path", "transit", "enforced", "deleted", "edit", "robot",
+                  "label", "halo", "accent", "sand", "raked", "groove", "track", "sand-outside"];
 const colour = {};
 
 function readColours() {

@@ -47,9 +47,11 @@ class ConnectTool extends Tool {
     if (app.chosen) return thingCard(app.chosen);
     const error = this.message ? [create("p", {className: "message"}, this.message)] : [];
     if (!this.first)
-      return [title("Connect"), ...error, note("Tap the end of an element, then the end of another: the path will go from one to " +
-                                               "the other. Tap a connection to keep or delete it.")];
-    return [title("Connect"), ...error, note(`From ${nodeText(referenceOf(this.first))}. Now tap the end of another element.`),
+      return [title("Connect"), ...error,
+              note("Tap the end of an element, then the end of another: the path will go from one to the other. " +
+                   "Tap a connection to keep or delete it.")];
+    return [title("Connect"), ...error,
+            note(`From ${nodeText(referenceOf(this.first))}. Now tap the end of another element.`),
             buttonsOf(button("Cancel", () => { this.leave(); app.refresh(); }))];
   }
 }

@@ -20,9 +20,10 @@ class CurveTool extends Tool {
   }
 
   saved() {
-    return this.connection && app.edits.pair("curve", referenceOf(this.connection.from), referenceOf(this.connection.to));
+    const {from, to} = this.connection || {};
+    return this.connection && app.edits.pair("curve", referenceOf(from), referenceOf(to));
   }
-  /** The edit that the handles show: under way, saved, or proposed from the connection's course. */
+  /** The edit that the handles show: being dragged, saved, or proposed from the connection's course. */
   edit() {
     const {from, to, flat} = this.connection;
     return this.draft || this.saved() || {kind: "curve", from: referenceOf(from), to: referenceOf(to), shape: "bezier",

@@ -1,5 +1,5 @@
-/** How an area is filled. A tap chooses the area, or the part of it that its cuts leave; a drag over it gives the lanes'
- *  direction. */
+/** How an area is filled. A tap chooses the area, or the part of it that its cuts leave; a drag over it gives the
+ *  direction of its lanes. */
 class FillTool extends Tool {
   enter() { this.leave(); }
   leave() {
@@ -50,21 +50,31 @@ class FillTool extends Tool {
     return create("label", {className: "field"}, label, select);
   }
   card() {
-    if (!this.shape) return [title("Fill"), note("Tap an area to choose how it is filled, or drag over it in the direction of its lanes.")];
+    if (!this.shape)
+      return [title("Fill"),
+              note("Tap an area to choose how it is filled, or drag over it in the direction of its lanes.")];
     const saved = this.saved() || {};
-    const fill = (text, value) => ({text, value, choose: () => this.set({fill: value, angle_deg: value === "zigzag" ? saved.angle_deg : undefined})});
+    const fill = (text, value) => {
+      const angle = value === "zigzag" ? saved.angle_deg : undefined;
+      return {text, value, choose: () => this.set({fill: value, angle_deg: angle})};
+    };
     const outline = (text, value) => ({text, value, choose: () => this.set({outline: value})});
     const lines = [
       title(`Fill of ${this.shape.element}`),
-      this.choiceOf("Fill", saved.fill, [fill("Planner's choice", undefined), fill("Spiral", "spiral"), fill("Zigzag", "zigzag"),
-                                         fill("Contour", "contour"), fill("None", "none")]),
-      this.choiceOf("Outline", saved.outline, [outline("Planner's choice", undefined), outline("Yes", true), outline("No", false)])];
+      this.choiceOf("Fill", saved.fill, [fill("Planner's choice", undefined), fill("Spiral", "spiral"),
+                                         fill("Zigzag", "zigzag"), fill("Contour", "contour"), fill("None", "none")]),
+      this.choiceOf("Outline", saved.outline, [outline("Planner's choice", undefined), outline("Yes", true),
+                                               outline("No", false)])];
     if (saved.fill === "zigzag") {
-      const angle = create("input", {type: "number", min: 0, max: 179, step: 1, value: saved.angle_deg ?? "", placeholder: "free",
-                                     onchange: event => this.set({angle_deg: this.degrees(event.target.value)})});
+      const angle = create("input", {
+        type: "number", min: 0, max: 179, step: 1, value: saved.angle_deg ?? "", placeholder: "free",
+        onchange: event => this.set({angle_deg: this.degrees(event.target.value)})});
       lines.push(create("label", {className: "field"}, "Direction, degrees", angle));
     }
     return lines;
   }
-  degrees(text) { return text.trim() === "" || !isFinite(Number(text)) ? undefined : ((Number(text) % 180) + 180) % 180; }
+  degrees(text) {
+    const number = text.trim() === "" ? NaN : Number(text);
+    return isFinite(number) ? ((number % 180) + 180) % 180 : undefined;
+  }
 }

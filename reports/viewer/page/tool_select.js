@@ -1,4 +1,4 @@
-/** What all tools have. A tool answers taps; drags, if press() takes them; paints over the drawing, and fills the card. */
+/** What all tools do: answer taps, and drags if press() takes them, paint over the drawing, fill the card. */
 class Tool {
   static cursor = "";
   enter() {}
@@ -27,7 +27,8 @@ const connectionNear = at => app.layers.connections
 
 /** The shape, connection or leg at a point; null if there is none. */
 function thingAt(at) {
-  const stroke = shapeGrid.nearest(at.x, at.y, at.reach, e => e.item.kind === "stroke"), connection = connectionNear(at);
+  const stroke = shapeGrid.nearest(at.x, at.y, at.reach, e => e.item.kind === "stroke");
+  const connection = connectionNear(at);
   if (connection && (!stroke || connection.distance < stroke.distance)) return connection.item;
   if (stroke) return stroke.item;
   const leg = legGrid.nearest(at.x, at.y, at.reach);
@@ -44,19 +45,22 @@ function shapeCard(shape) {
   const size = shape.kind === "area" ? `Filled area of ${shape.squareMetres.toFixed(2)} m²` :
       `${shape.closed ? "Closed line" : "Line"}, ${metres(shape.length)} long, ${metres(shape.width)} wide`;
   const when = shape.order ?
-      `Driven ${ordinal(shape.order)} of ${elementsDriven}: ${metres(shape.driven)} from ${minutes(shape.t0)} to ${minutes(shape.t1)}` :
+      `Driven ${ordinal(shape.order)} of ${elementsDriven}: ${metres(shape.driven)} ` +
+      `from ${minutes(shape.t0)} to ${minutes(shape.t1)}` :
       "The path does not drive it.";
   const lines = [title(shape.element || "Without id"), note(size), note(when)];
-  if (shape.kind === "area") lines.push(buttonsOf(button("Change fill", () => app.use("fill").choose(shape, ...shape.tapped))));
+  if (shape.kind === "area")
+    lines.push(buttonsOf(button("Change fill", () => app.use("fill").choose(shape, ...shape.tapped))));
   return lines;
 }
 
 function connectionCard(connection) {
-  const name = node => node ? nodeText(referenceOf(node)) : "the path's start";
-  const lines = [
+  const name = (node, shape, none) => node ? nodeText(referenceOf(node)) : shape ? shape.element : none;
+  const [before, after] = connection.between, lines = [
     title(`Connection ${connection.number} of ${connections.length}`),
-    note(connection.inside ? `Within ${connection.from.shape.element}` :
-         `From ${name(connection.from)} to ${connection.to ? name(connection.to) : "the path's end"}`),
+    note(connection.inside && before ? `Within ${before.element}` :
+         `From ${name(connection.from, before, "the path's start")} ` +
+         `to ${name(connection.to, after, "the path's end")}`),
     note(`${metres(connection.length)}, tool off, at ${minutes(connection.t0)}`)];
   if (!connection.from || !connection.to || connection.inside || !editable) return lines;
   const edit = app.edits.pair("connection", referenceOf(connection.from), referenceOf(connection.to));
@@ -68,7 +72,7 @@ function connectionCard(connection) {
 }
 
 const legCard = leg => [title(`Leg ${leg.number} of ${legs.length}`),
-                        note(`${metres(leg.length)}, tool ${leg.tool ? "on" : "off"}${leg.reverse ? ", in reverse" : ""}`),
+                        note(`${metres(leg.length)}, tool on${leg.reverse ? ", in reverse" : ""}`),
                         note(`From ${minutes(leg.times[0])} to ${minutes(leg.times[leg.times.length - 1])}`)];
 
 function thingCard(thing) {
@@ -85,7 +89,8 @@ class SelectTool extends Tool {
   card() {
     const shown = app.chosen || app.hovered;
     if (shown) return thingCard(shown);
-    return app.small ? [] : [title("Select"), note("Point at a line, an area or a connection to see what it is. Drag to move " +
-                             "the drawing, turn the wheel or pinch to zoom.")];
+    const things = editable ? "a line, an area or a connection to see what it is" : "the path to see when it is driven";
+    return app.small ? [] : [title(editable ? "Select" : "Path"),
+                             note(`Point at ${things}. Drag to move the view, turn the wheel or pinch to zoom.`)];
   }
 }

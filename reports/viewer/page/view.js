@@ -1,6 +1,9 @@
 /** Where the plane lies on the screen: pixels = (x + scale * metres, y - scale * metres). */
 class View {
-  constructor() { Object.assign(this, {scale: 1, x: 0, y: 0, width: 1, height: 1, pixels: 1, fitted: true}); }
+  constructor() {
+    Object.assign(this, {scale: 1, x: 0, y: 0, width: 1, height: 1, pixels: 1, fitted: true});
+    this.covered = {top: 0, bottom: 0};  // pixels behind buttons and card, which fit() leaves empty
+  }
 
   resize(width, height, pixels) {
     const dx = (width - this.width) / 2, dy = (height - this.height) / 2;
@@ -9,10 +12,12 @@ class View {
     else this.pan(dx, dy);
   }
   fit(box) {
-    const margin = 24, w = Math.max(box.right - box.left, 1e-9), h = Math.max(box.top - box.bottom, 1e-9);
-    this.scale = this.fitScale = Math.max(1e-9, Math.min((this.width - 2 * margin) / w, (this.height - 2 * margin) / h));
+    const margin = 24, height = this.height - this.covered.top - this.covered.bottom - 2 * margin;
+    const w = Math.max(box.right - box.left, 1e-9), h = Math.max(box.top - box.bottom, 1e-9);
+    this.fitScale = Math.max(1e-9, Math.min((this.width - 2 * margin) / w, height / h));
+    this.scale = this.fitScale;
     this.x = this.width / 2 - this.scale * (box.left + box.right) / 2;
-    this.y = this.height / 2 + this.scale * (box.bottom + box.top) / 2;
+    this.y = this.covered.top + margin + height / 2 + this.scale * (box.bottom + box.top) / 2;
     this.fitted = true;
   }
   pan(dx, dy) {
