@@ -1,6 +1,10 @@
 #include "algorithms/improve/improve.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <string>
+#include <thread>
 
 #include "algorithms/improve/annealing.hpp"
 #include "algorithms/lanes/repair.hpp"
@@ -11,15 +15,19 @@ namespace oxturn {
 namespace {
 
 // In tool widths.
-constexpr double kHot = 0.05, kWarm = 0.005, kCool = 0.002, kCold = 1e-4;
-constexpr double kCoarseCell = 1.0 / 20, kFineCell = 1.0 / 80;
-constexpr double kMargin = 0.002;         // by which the tool is narrower on the fine raster
-constexpr double kPrice = 4;              // of uncovered area to begin with: 1 / w
-constexpr double kStraight = 0.005;       // vertices nearer to their chord are dropped at the beginning
-constexpr double kChord = 1e-3;           // error of arcs where coverage is measured
+constexpr double kHot = 0.05, kWarm = 0.005, kCold = 1e-4;
+constexpr double kCoarseCell = 1.0 / 20, kFineCell = 1.0 / 60;
+constexpr double kMargin = 0.002;    // by which the tool is narrower on the fine raster
+constexpr double kStraight = 0.005;  // vertices nearer to their chord are dropped at the beginning
+constexpr double kChord = 1e-3;      // error of arcs where coverage is measured
+// The price of uncovered area is 1 / w times kPrice at an uncovered share of kPriceAt, and grows with a power of that.
+constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4;
+constexpr double kFineBelow = 1e-3;       // uncovered share below which the fine raster is needed
 constexpr double kLeastUncovered = 1e-4;  // share of the target that annealing leaves uncovered at least
-constexpr double kAtLength = 0.7;         // share of the moves of the first round
-constexpr int kRounds = 3;                // of closing
+// Shares of the moves: of each short run of several, and of closing, in rounds.
+constexpr double kBrief = 0.06, kClosing = 0.25;
+constexpr int kRounds = 3;
+constexpr double kShortDetours = 1.03;  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width, and in all at most, if the user names no number.
 constexpr double kMovesEach = 4000, kMostMoves = 2e6;
 
@@ -66,42 +74,115 @@ class Improver {
         connector_(problem),
         width_(problem.robot().tool_width),
         target_(reachable_target(problem)),
-        price_(kPrice / width_) {}
+        share_(std::max(1 - how.coverage, kLeastUncovered)) {}
 
-  Path run(const Path& path) {
-    offer(path);
-    Polyline points = straightened(vertices(path, problem_.start()), kStraight * width_, problem_.walls());
-    const double moves =
-        how_.moves > 0 ? how_.moves : std::min(kMostMoves, kMovesEach * area(target_) / (width_ * width_));
-    points = annealed(points, kCoarseCell, 0, {static_cast<long>(kAtLength * moves), kHot * width_, kWarm * width_});
-    for (int round = 0; round < kRounds && !context_.cancelled(); ++round) {
-      const long part = static_cast<long>((1 - kAtLength) / kRounds * moves);
-      points = annealed(points, kFineCell, kMargin, {part, kCool * width_, kCold * width_});
-      points = vertices(offer(driven(points)), problem_.start());
+  Path run(const std::vector<Path>& starts) {
+    std::vector<Polyline> lines;
+    for (const Path& path : starts) {
+      const Path whole = how_.return_home ? closed(path) : path;
+      if (lines.empty()) offer(whole);
+      lines.push_back(straightened(vertices(whole, problem_.start()), kStraight * width_, problem_.walls()));
     }
+    const Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
+    const double used = lines.size() > 1 ? kBrief * static_cast<double>(lines.size()) : 0;
+    const double at_length = 1 - used - kClosing;
+    Annealing::Options options = raster(kCoarseCell, 0);
+    Annealed now = annealed(best, options, {moves(at_length), kHot * width_, kWarm * width_}, context_.rng());
+    for (int round = 0; round < kRounds; ++round) {
+      const double missed = close(now);
+      if (context_.cancelled()) break;
+      const double allowed = options.uncovered;
+      if (share_ < kFineBelow) options = raster(kFineCell, kMargin);
+      options.price = now.price;
+      options.uncovered = std::max(allowed / 2, allowed - std::max(0.0, missed - now.uncovered));
+      now = annealed(now.points, options, {moves(kClosing / kRounds), kWarm * width_, kCold * width_}, context_.rng());
+    }
+    close(now);
     return std::move(best_);
   }
 
  private:
-  Polyline annealed(const Polyline& points, double cell, double margin, const Annealing::Schedule& schedule) {
-    Annealing annealing(problem_, target_, points,
-                        {.cell = cell * width_,
-                         .radius = (0.5 - margin) * width_,
-                         .uncovered = std::max(1 - how_.coverage, kLeastUncovered) * area(target_),
-                         .price = price_});
-    annealing.run(schedule, context_.rng(), context_);
-    price_ = annealing.price();
-    return annealing.points();
+  struct Annealed {
+    Polyline points;
+    double energy, price, uncovered;
+  };
+  long moves(double share) const {
+    const double all =
+        how_.moves > 0 ? how_.moves : std::min(kMostMoves, kMovesEach * area(target_) / (width_ * width_));
+    return static_cast<long>(share * all);
+  }
+  Annealing::Options raster(double cell, double margin) const {
+    return {.cell = cell * width_,
+            .radius = (0.5 - margin) * width_,
+            .uncovered = share_ * area(target_),
+            .price = kPrice / width_ * std::pow(share_ / kPriceAt, kPricePower),
+            .fixed_end = how_.return_home,
+            .timed = how_.objective == PathMeasure::time};
+  }
+  Annealed annealed(const Polyline& points, const Annealing::Options& options, const Annealing::Schedule& schedule,
+                    Rng& rng) const {
+    Annealing annealing(problem_, target_, points, options);
+    annealing.run(schedule, rng, context_);
+    if (getenv("DBG"))
+      fprintf(stderr,
+              "annealed cell %.4f moves %ld: length %.2f -> %.2f vertices %zu -> %zu uncovered %.5f (%.5f) price*w "
+              "%.2f  t %.2f\n",
+              options.cell / width_, schedule.moves, length(points), length(annealing.points()), points.size(),
+              annealing.points().size(), annealing.uncovered() / area(target_), options.uncovered / area(target_),
+              annealing.price() * width_, clock() * 1e-6);
+    const double excess = std::max(0.0, annealing.uncovered() - options.uncovered);
+    return {annealing.points(), cost(annealing.points()) + options.price * excess, annealing.price(),
+            annealing.uncovered()};
+  }
+
+  /// Offers the path. What it leaves uncovered, square metres; it goes on with its detours if these are short.
+  double close(Annealed& path) {
+    double missed = 0;
+    Polyline whole = vertices(offer(driven(path.points), &missed), problem_.start());
+    if (length(whole) < kShortDetours * length(path.points)) path.points = std::move(whole);
+    return missed;
+  }
+
+  double cost(const Polyline& points) const {
+    const bool timed = how_.objective == PathMeasure::time;
+    return length(points) + (timed ? TurnCost(problem_.robot()).total(points) : 0);
+  }
+
+  /// Each annealed briefly, by all threads.
+  Polyline best_of(const std::vector<Polyline>& lines) {
+    std::vector<Annealed> results(lines.size());
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+      for (std::size_t k = next++; k < lines.size(); k = next++) {
+        Rng rng(mix(context_.seed(), "start " + std::to_string(k)));
+        results[k] = annealed(lines[k], raster(kCoarseCell, 0), {moves(kBrief), kHot * width_, kWarm * width_}, rng);
+      }
+    };
+    problem_.walls();  // made before threads share it
+    std::vector<std::jthread> others;
+    for (int k = 1; k < how_.threads; ++k) others.emplace_back(work);
+    work();
+    others.clear();
+    return std::ranges::min_element(results, {}, &Annealed::energy)->points;
+  }
+
+  Path closed(const Path& path) const {
+    const Polyline points = vertices(path, problem_.start());
+    PathBuilder whole(problem_.start());
+    for (const Leg& leg : path.legs) whole.drive(leg.points, leg.tool);
+    whole.drive(connector_.path(points.back(), problem_.start()), false);
+    return whole.take();
   }
 
   /// With detours, such that it covers as much as is asked for; all but seams, if that is everything.
-  Path completed(const Path& path) {
+  Path completed(const Path& path, double* missed) {
     std::vector<Polyline> lines;
     for (const Leg& leg : path.legs)
       if (leg.tool) lines.push_back(leg.points);
     const bool all = how_.coverage >= 1;
     const double error = all ? covered_seam(problem_.robot()) : kChord * width_;
     Region left = subtract(target_, swath_parts(lines, width_ / 2, error, all ? Bound::outside : Bound::inside));
+    if (missed != nullptr) *missed = area(left);
     std::ranges::sort(left.polygons, {}, [](const Polygon& p) { return area(p); });
     double allowed = (1 - how_.coverage) * area(problem_.target());
     const auto needed = std::ranges::find_if(left.polygons, [&](const Polygon& p) {
@@ -113,10 +194,14 @@ class Improver {
   }
 
   /// Completed; it is kept if it is the shortest one so far.
-  Path offer(const Path& path) {
-    Path complete = completed(path);
+  Path offer(const Path& path, double* missed = nullptr) {
+    Path complete = completed(path, missed);
     const bool first = best_.legs.empty();
-    if (first || (!context_.cancelled() && complete.length() < best_.length())) {
+    if (getenv("DBG"))
+      fprintf(stderr, "completed %.2f -> %.2f t %.2f\n", path.length(), complete.length(), clock() * 1e-6);
+
+    if (first || (!context_.cancelled() &&
+                  cost(vertices(complete, problem_.start())) < cost(vertices(best_, problem_.start())))) {
       best_ = complete;
       context_.publish(best_);
     }
@@ -129,7 +214,7 @@ class Improver {
   const Connector connector_;
   double width_;
   const Region target_;
-  double price_;
+  double share_;  // of the target that annealing may leave uncovered
   Path best_;
 };
 
@@ -139,7 +224,10 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
   static const std::vector<Parameter<Improvement>> all{
       {"coverage", &Improvement::coverage, Range{0, 1}, "share of the target that is to be covered"},
       {"moves", &Improvement::moves, Range{0, 1e9},
-       "moves of annealing; 0: 4000 for each square of the tool's width in the target, at most 2e6"}};
+       "moves of annealing; 0: 4000 for each square of the tool's width in the target, at most 2e6"},
+      {"objective", &Improvement::objective, Choices{"length", "time"}, "what is made least; turns cost time"},
+      {"return_home", &Improvement::return_home, "end where the path starts"},
+      {"threads", &Improvement::threads, Range{1, 256}, "that work at a time; they do not change the path"}};
   return all;
 }
 
@@ -150,8 +238,8 @@ bool covers_all(const Settings& settings) {
   return share == nullptr || *share >= 1;  // else it is a whole number: 1
 }
 
-Path improved(const Problem& problem, const Path& path, const Improvement& how, Context& context) {
-  return Improver(problem, how, context).run(path);
+Path improved(const Problem& problem, const std::vector<Path>& starts, const Improvement& how, Context& context) {
+  return Improver(problem, how, context).run(starts);
 }
 
 }  // namespace oxturn

@@ -35,9 +35,9 @@ class Witnesses {
   /// Does not depend on the order of the ends. Writes to `out`, to spare the allocation.
   void capsule(const Point& a, const Point& b, Capsule& out) const;
   void add(const Capsule& capsule) { apply({}, capsule); }
-  /// Points that are uncovered now and lie in the new capsules, but not in the old ones of the same index: an upper
-  /// bound of what an exchange gains.
-  long gain(std::span<const Capsule> olds, std::span<const Capsule> news) const;
+  /// A lower bound of what exchange() returns, which changes nothing: points that only one capsule covers are lost if it
+  /// is an old one and no new one holds them, and at most all uncovered points in new ones are gained.
+  long least_change(std::span<const Capsule> olds, std::span<const Capsule> news) const;
   /// Takes the old capsules away and adds the new ones. The change of the number of uncovered points.
   long exchange(std::span<const Capsule> olds, std::span<const Capsule> news);
 
@@ -58,7 +58,7 @@ class Witnesses {
   Point origin_{0, 0};  // of the turned raster
   int columns_ = 0, rows_ = 0;
   long points_ = 0, uncovered_ = 0;
-  std::vector<std::uint8_t> counts_;
+  std::vector<std::uint8_t> counts_;  // and some bytes more: eight are read at once
 };
 
 }  // namespace oxturn

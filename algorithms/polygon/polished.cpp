@@ -24,7 +24,7 @@ class Polished final : public CoveragePlanner {
       Context inner(context.seed(), context.seconds_left(), context.without_promise());
       path = inner_->plan(problem, inner);
     } catch (const Infeasible&) {}  // Decision 1
-    return improved(problem, path, how_, context);
+    return improved(problem, {path}, how_, context);
   }
 
  private:

@@ -71,10 +71,10 @@ TEST(Witnesses, AnExchangeAndItsReverseCancel) {
         witnesses.capsule(a, a + Point(rng.between(-1, 1), rng.between(-1, 1)), capsule);
       }
     for (const auto& capsule : olds) witnesses.add(capsule);
-    const long before = witnesses.uncovered(), bound = witnesses.gain(olds, news);
+    const long before = witnesses.uncovered(), bound = witnesses.least_change(olds, news);
     const long change = witnesses.exchange(olds, news);
     EXPECT_EQ(witnesses.uncovered(), before + change);
-    EXPECT_LE(-change, bound);
+    EXPECT_GE(change, bound);
     EXPECT_EQ(witnesses.exchange(news, olds), -change);
     witnesses.exchange(olds, {});
   }
