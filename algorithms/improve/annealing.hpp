@@ -23,12 +23,13 @@ namespace oxturn {
 class Annealing {
  public:
   struct Options {
-    double cell = 0;         // distance of witnesses, metres
-    double radius = 0;       // of the tool, metres
-    double uncovered = 0;    // allowed, square metres
-    double price = 0;        // of uncovered area to begin with, 1 / metres
-    bool fixed_end = false;  // the path ends where it does now
-    bool timed = false;      // turns cost what the robot could drive meanwhile (turn_cost.hpp)
+    double cell = 0;                              // distance of witnesses, metres
+    double radius = 0;                            // of the tool, metres
+    double uncovered = 0;                         // allowed, square metres
+    double price = 0;                             // of uncovered area to begin with, 1 / metres
+    bool fixed_end = false;                       // the path ends where it does now
+    double least_shift = 0.01, most_shift = 0.3;  // of vertices, in tool widths
+    bool timed = false;                           // turns cost what the robot could drive meanwhile (turn_cost.hpp)
   };
   struct Schedule {
     long moves = 0;
@@ -37,6 +38,8 @@ class Annealing {
   /// `target`: what is to be covered.
   Annealing(const Problem& problem, const Region& target, const Polyline& points, const Options& options);
 
+  /// Points where moves are needed most (Moves::focus).
+  void focus(std::vector<Point> points) { moves_.focus(std::move(points)); }
   /// Ends early if cancelled.
   void run(const Schedule& schedule, Rng& rng, const Context& context);
   Polyline points() const { return path_.points(); }

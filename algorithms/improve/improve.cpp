@@ -13,21 +13,27 @@
 
 namespace oxturn {
 namespace {
+double env(const char* n, double d) {
+  const char* v = getenv(n);
+  return v ? atof(v) : d;
+}
 
 // In tool widths.
-constexpr double kHot = 0.05, kWarm = 0.005, kCold = 1e-4;
-constexpr double kCoarseCell = 1.0 / 20, kFineCell = 1.0 / 60;
-constexpr double kMargin = 0.002;    // by which the tool is narrower on the fine raster
-constexpr double kStraight = 0.005;  // vertices nearer to their chord are dropped at the beginning
-constexpr double kChord = 1e-3;      // error of arcs where coverage is measured
+const double kHot = env("kHot", 0.05), kWarm = env("kWarm", 0.005), kCold = 1e-4;
+const double kCoarseCell = env("kCoarseCell", 1.0 / 20), kFineCell = env("kFineCell", 1.0 / 60);
+const double kMargin = env("kMargin", 0.002);  // by which the tool is narrower on the fine raster
+constexpr double kStraight = 0.005;            // vertices nearer to their chord are dropped at the beginning
+constexpr double kChord = 1e-3;                // error of arcs where coverage is measured
 // The price of uncovered area is 1 / w times kPrice at an uncovered share of kPriceAt, and grows with a power of that.
-constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4;
+const double kPrice = env("kPrice", 5), kPriceAt = 0.01, kPricePower = -0.4;
 constexpr double kFineBelow = 1e-3;       // uncovered share below which the fine raster is needed
 constexpr double kLeastUncovered = 1e-4;  // share of the target that annealing leaves uncovered at least
 // Shares of the moves: of each short run of several, and of closing, in rounds.
-constexpr double kBrief = 0.06, kClosing = 0.25;
-constexpr int kRounds = 3;
-constexpr double kShortDetours = 1.03;  // times the path's length, of a path with detours that is worth going on with
+const double kBrief = env("kBrief", 0.06), kClosing = env("kClosing", 0.25);
+const double kLeastShift = env("kLeastShift", 0.001), kMostShift = env("kMostShift", 0.1);  // of vertices in closing
+const int kRounds = env("kRounds", 3);
+const double kShortDetours =
+    env("kShortDetours", 1.03);  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width, and in all at most, if the user names no number.
 constexpr double kMovesEach = 4000, kMostMoves = 2e6;
 
@@ -58,11 +64,13 @@ Polyline straightened(const Polyline& points, double tolerance, const EdgeIndex&
   return kept;
 }
 
-/// What can be covered from configuration space: where that was restricted, not all of the target.
-Region reachable_target(const Problem& problem) {
-  if (!problem.limited()) return problem.target();
+/// What a tool that is narrower by `margin` on each side can cover. If it does, one of the full width covers all of the
+/// target: no point of that is farther from here than the margin.
+Region witnessed(const Problem& problem, double margin) {
+  if (margin <= 0 && !problem.limited()) return problem.target();
   const double width = problem.robot().tool_width;
-  return intersect(problem.target(), dilate(problem.configuration_space(), width / 2, kChord * width, Bound::inside));
+  return intersect(problem.target(),
+                   dilate(problem.configuration_space(), width / 2 - margin, kChord * width / 10, Bound::inside));
 }
 
 class Improver {
@@ -73,8 +81,9 @@ class Improver {
         context_(context),
         connector_(problem),
         width_(problem.robot().tool_width),
-        target_(reachable_target(problem)),
-        share_(std::max(1 - how.coverage, kLeastUncovered)) {}
+        share_(std::max(1 - how.coverage, kLeastUncovered)),
+        target_(witnessed(problem, 0)),
+        narrow_(share_ < kFineBelow ? witnessed(problem, kMargin * width_) : Region{}) {}
 
   Path run(const std::vector<Path>& starts) {
     std::vector<Polyline> lines;
@@ -87,13 +96,16 @@ class Improver {
     const double used = lines.size() > 1 ? kBrief * static_cast<double>(lines.size()) : 0;
     const double at_length = 1 - used - kClosing;
     Annealing::Options options = raster(kCoarseCell, 0);
-    Annealed now = annealed(best, options, {moves(at_length), kHot * width_, kWarm * width_}, context_.rng());
+    const double allowed = options.uncovered;
+    Annealed now =
+        annealed(best, options, {moves(at_length), how_.temperature * width_, kWarm * width_}, context_.rng());
     for (int round = 0; round < kRounds; ++round) {
       const double missed = close(now);
       if (context_.cancelled()) break;
-      const double allowed = options.uncovered;
       if (share_ < kFineBelow) options = raster(kFineCell, kMargin);
       options.price = now.price;
+      options.least_shift = kLeastShift;
+      options.most_shift = kMostShift;
       options.uncovered = std::max(allowed / 2, allowed - std::max(0.0, missed - now.uncovered));
       now = annealed(now.points, options, {moves(kClosing / kRounds), kWarm * width_, kCold * width_}, context_.rng());
     }
@@ -121,7 +133,9 @@ class Improver {
   }
   Annealed annealed(const Polyline& points, const Annealing::Options& options, const Annealing::Schedule& schedule,
                     Rng& rng) const {
-    Annealing annealing(problem_, target_, points, options);
+    const bool fine = options.cell < kCoarseCell * width_;
+    Annealing annealing(problem_, fine ? narrow_ : target_, points, options);
+    if (fine) annealing.focus(focus_);
     annealing.run(schedule, rng, context_);
     if (getenv("DBG"))
       fprintf(stderr,
@@ -155,7 +169,8 @@ class Improver {
     const auto work = [&] {
       for (std::size_t k = next++; k < lines.size(); k = next++) {
         Rng rng(mix(context_.seed(), "start " + std::to_string(k)));
-        results[k] = annealed(lines[k], raster(kCoarseCell, 0), {moves(kBrief), kHot * width_, kWarm * width_}, rng);
+        results[k] =
+            annealed(lines[k], raster(kCoarseCell, 0), {moves(kBrief), how_.temperature * width_, kWarm * width_}, rng);
       }
     };
     problem_.walls();  // made before threads share it
@@ -183,6 +198,9 @@ class Improver {
     const double error = all ? covered_seam(problem_.robot()) : kChord * width_;
     Region left = subtract(target_, swath_parts(lines, width_ / 2, error, all ? Bound::outside : Bound::inside));
     if (missed != nullptr) *missed = area(left);
+    focus_.clear();
+    for (const Polygon& piece : left.polygons) focus_.push_back(bounding_box(piece.outer).centre());
+    if (getenv("DBG")) fprintf(stderr, "missed %.6f in %zu pieces\n", area(left) / area(target_), left.polygons.size());
     std::ranges::sort(left.polygons, {}, [](const Polygon& p) { return area(p); });
     double allowed = (1 - how_.coverage) * area(problem_.target());
     const auto needed = std::ranges::find_if(left.polygons, [&](const Polygon& p) {
@@ -190,7 +208,10 @@ class Improver {
       return allowed < 0;
     });
     left.polygons.erase(left.polygons.begin(), needed);
-    return left.empty() ? path : repaired(problem_, path, std::move(left), connector_, context_);
+    if (left.empty()) return path;
+    // Wider, because repaired() ignores seams; all of them may be ignored only where everything is asked for.
+    if (!all) left = intersect(target_, dilate(left, covered_seam(problem_.robot()), kChord * width_, Bound::outside));
+    return repaired(problem_, path, std::move(left), connector_, context_);
   }
 
   /// Completed; it is kept if it is the shortest one so far.
@@ -213,8 +234,10 @@ class Improver {
   Context& context_;
   const Connector connector_;
   double width_;
-  const Region target_;
-  double share_;  // of the target that annealing may leave uncovered
+  double share_;              // of the target that annealing may leave uncovered
+  const Region target_;       // what can be covered
+  const Region narrow_;       // by the narrower tool of the fine raster
+  std::vector<Point> focus_;  // what the last path that was completed left uncovered
   Path best_;
 };
 
@@ -227,6 +250,7 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
        "moves of annealing; 0: 4000 for each square of the tool's width in the target, at most 2e6"},
       {"objective", &Improvement::objective, Choices{"length", "time"}, "what is made least; turns cost time"},
       {"return_home", &Improvement::return_home, "end where the path starts"},
+      {"temperature", &Improvement::temperature, Range{1e-6, 10}, "of annealing, to begin with, in tool widths"},
       {"threads", &Improvement::threads, Range{1, 256}, "that work at a time; they do not change the path"}};
   return all;
 }

@@ -27,8 +27,9 @@ struct Improvement {
   double coverage = 1;  // share of the target
   int moves = 0;        // of annealing; 0: by the size of the target
   PathMeasure objective = PathMeasure::length;
-  bool return_home = false;  // the path ends where it starts
-  int threads = 1;           // which does not change the result
+  bool return_home = false;   // the path ends where it starts
+  double temperature = 0.05;  // to begin with, in tool widths
+  int threads = 1;            // which does not change the result
 };
 /// Their description, for planners that improve paths.
 const std::vector<Parameter<Improvement>>& improvement_parameters();

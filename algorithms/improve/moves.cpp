@@ -6,11 +6,10 @@
 namespace oxturn {
 namespace {
 
-// Shares of the moves, in per cent, and their sizes in tool widths.
+// Shares of the moves, in per cent; distances in tool widths.
 constexpr std::uint64_t kShiftVertex = 40, kShiftEdge = 15, kRemove = 10, kSplit = 10, kMerge = 5, kTwoOpt = 10;
-constexpr double kLeastSpread = 0.01, kMostSpread = 0.3;  // standard deviations, log-uniform
-constexpr double kPartner = 2.2;                          // distance of vertices for 2-opt and Or-opt
-constexpr std::uint64_t kMostMoved = 8;                   // vertices that Or-opt moves
+constexpr double kPartner = 2.2;         // distance of vertices for 2-opt and Or-opt
+constexpr std::uint64_t kMostMoved = 8;  // vertices that Or-opt moves
 
 }  // namespace
 
@@ -32,7 +31,7 @@ void Change::apply(VertexPath& path) const {
 }
 
 double Moves::spread(Rng& rng) const {
-  return width_ * kLeastSpread * std::exp(rng.unit() * std::log(kMostSpread / kLeastSpread));
+  return width_ * sizes_.least * std::exp(rng.unit() * std::log(sizes_.most / sizes_.least));
 }
 
 Point Moves::cloud(Rng& rng) const {
@@ -41,8 +40,17 @@ Point Moves::cloud(Rng& rng) const {
   return size * Point(x, y);
 }
 
+std::size_t Moves::vertex(const VertexPath& path, Rng& rng) const {
+  if (!focus_.empty() && rng.chance(0.5)) {
+    const Point& at = focus_[rng.below(focus_.size())];
+    const double x = rng.between(-width_, width_), y = rng.between(-width_, width_);
+    if (const auto near = path.near(at + Point(x, y), rng)) return *near;
+  }
+  return rng.below(path.size());
+}
+
 std::optional<Change> Moves::propose(const VertexPath& path, Rng& rng) const {
-  const std::size_t i = rng.below(path.size());
+  const std::size_t i = vertex(path, rng);
   std::uint64_t kind = rng.below(100);
   const auto drawn = [&kind](std::uint64_t share) {
     if (kind < share) return true;

@@ -1,6 +1,7 @@
 /// Small random changes of a path, for annealing.
 ///
-///   const Moves moves(MoveSizes{tool_width});
+///   Moves moves({.width = tool_width}, fixed_end);
+///   moves.focus(centres_of_uncovered_pieces);
 ///   if (const auto change = moves.propose(path, rng)) { ... change->apply(path); }
 ///
 /// Shifts of a vertex or an edge, vertices deleted, added and merged, 2-opt and Or-opt with a vertex near by. The first
@@ -10,6 +11,8 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "algorithms/improve/vertex_path.hpp"
 
@@ -49,8 +52,13 @@ struct Change {
 
 class Moves {
  public:
-  /// `width`: the tool's, metres.
-  Moves(double width, bool fixed_end) : width_(width), fixed_end_(fixed_end) {}
+  struct Sizes {
+    double width = 0;                 // of the tool, metres
+    double least = 0.01, most = 0.3;  // standard deviations of shifts, in tool widths; log-uniform in between
+  };
+  Moves(const Sizes& sizes, bool fixed_end) : sizes_(sizes), width_(sizes.width), fixed_end_(fixed_end) {}
+  /// Half of the moves are made within a tool's width of one of these points.
+  void focus(std::vector<Point> points) { focus_ = std::move(points); }
   /// nullopt: the move drawn does not exist here.
   std::optional<Change> propose(const VertexPath& path, Rng& rng) const;
 
@@ -70,8 +78,12 @@ class Moves {
   std::optional<Change> or_opt(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<std::size_t> partner(const VertexPath& path, std::size_t i, Rng& rng) const;
 
+  std::size_t vertex(const VertexPath& path, Rng& rng) const;
+
+  Sizes sizes_;
   double width_;
   bool fixed_end_;
+  std::vector<Point> focus_;
 };
 
 }  // namespace oxturn

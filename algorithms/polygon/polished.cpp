@@ -45,7 +45,8 @@ PlannerInfo polished() {
   info.promise = Promise::target;
   info.parameters = infos_of(improvement_parameters());
   info.promises_with = covers_all;
-  return wrapper(std::move(info), "boustrophedon", [](Wrapped inner, const Settings& own) {
+  return wrapper(std::move(info), "boustrophedon", [](Wrapped inner, Settings own) {
+    own.erase("planner");
     return std::make_unique<Polished>(std::move(inner.planner),
                                       with_settings<Improvement>("planner 'polished'", improvement_parameters(), own));
   });

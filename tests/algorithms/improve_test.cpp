@@ -89,7 +89,8 @@ TEST(Moves, ChangeThePathAsTheySay) {
     const bool fixed_end = rng.chance(0.5);
     const Polyline start = random_line(2 + rng.below(60), Box{{0, 0}, {3, 3}}, rng);
     VertexPath path(start, 0.4);
-    const Moves moves(0.4, fixed_end);
+    Moves moves({.width = 0.4}, fixed_end);
+    moves.focus({{1, 1}, {2, 2}});
     for (int k = 0; k < 300 && path.size() > 1; ++k) {
       const auto change = moves.propose(path, rng);
       if (!change) continue;
@@ -144,6 +145,91 @@ TEST(Polished, IsNeverLongerThanThePlannersPath) {
       expect_valid(sample.problem, path);
       EXPECT_LE(path.length(), start * (1 + 1e-9));
       EXPECT_GE(*score(sample.problem, path).value("coverage"), 0.998);
+    }
+}
+
+std::string bytes(const Path& path) {
+  std::string all;
+  for (const Leg& leg : path.legs)
+    for (const Point& p : leg.points) all += fmt::format("{} {} ", p.x(), p.y());
+  return all;
+}
+
+TEST(Shortest, IsTheSameForAnyNumberOfThreads) {
+  for (const Sample& sample : samples(1)) {
+    SCOPED_TRACE(sample.name);
+    const auto with = [&](int threads) {
+      return bytes(plan("shortest", sample.problem, {{"moves", 3000}, {"threads", threads}}));
+    };
+    const std::string one = with(1);
+    EXPECT_EQ(one, with(1));
+    EXPECT_EQ(one, with(3));
+  }
+}
+
+TEST(Shortest, ComesHomeIfAsked) {
+  for (const Sample& sample : samples(1)) {
+    SCOPED_TRACE(sample.name);
+    const Path path = plan("shortest", sample.problem, {{"moves", 3000}, {"return_home", true}});
+    expect_valid(sample.problem, path);
+    EXPECT_EQ(path.legs.back().points.back(), sample.problem.start());
+    EXPECT_GE(*score(sample.problem, path).value("coverage"), 0.998);
+  }
+}
+
+// Measured by the scorer's clock, which shares nothing with what the planner counts.
+TEST(Shortest, ForTimeTakesLessTime) {
+  double least_time = 0, least_length = 0;
+  for (const Sample& sample : samples(1)) {
+    for (const char* objective : {"time", "length"}) {
+      const Path path = plan("shortest", sample.problem,
+                             {{"moves", 40000}, {"coverage", 0.98}, {"objective", std::string(objective)}});
+      expect_valid(sample.problem, path);
+      (objective == std::string("time") ? least_time : least_length) += *score(sample.problem, path).value("mission_s");
+    }
+  }
+  EXPECT_LT(least_time, 0.97 * least_length);
+}
+
+TEST(Shortest, EndsSoonWhenCancelledWithWhatItHas) {
+  const Problem problem = samples(1).front().problem;
+  Context context(1);
+  context.cancel();
+  expect_valid(problem, built_in_planner("shortest", {{"moves", 100000000}})->plan(problem, context));
+  int published = 0;
+  Context::Sinks sinks;
+  Context* running = nullptr;
+  sinks.publish = [&](const Path& path) {
+    expect_valid(problem, path);
+    if (++published == 2) running->cancel();
+  };
+  Context later(1, 1e9, sinks);
+  running = &later;
+  expect_valid(problem, built_in_planner("shortest", {{"moves", 100000000}})->plan(problem, later));
+  EXPECT_EQ(published, 2);
+}
+
+TEST(Shortest, TheTetherIsKeptWithinLeashed) {
+  Robot robot = disc(0.2, 0.4);
+  robot.tether = Tether{0, 1.2};
+  for (const auto seed : seeds(3)) {
+    SCOPED_TRACE(seed);
+    const Problem problem(generate("clutter", {{"width", 6.0}, {"height", 5.0}}, seed), robot);
+    const Path path = plan("leashed", problem, {{"planner", std::string("shortest")}, {"moves", 5000}});
+    const Score s = score(problem, path);
+    EXPECT_EQ(s.flaw, "");
+    EXPECT_GE(*s.value("coverage"), 0.99);
+  }
+}
+
+TEST(Shortest, TightSpaces) {
+  for (const Region& room : {box_region({0, 0}, {0.41, 0.41}), box_region({0, 0}, {6, 0.402}),
+                             box_region({0, 0}, {0.5, 3}), box_region({100, 100}, {101, 101})})
+    for (const double coverage : {1.0, 0.9, 0.5}) {
+      const Problem problem({"room", room, "test", "test"}, disc(0.2, 0.4));
+      const Path path = plan("shortest", problem, {{"coverage", coverage}});
+      expect_valid(problem, path);
+      EXPECT_GE(*score(problem, path).value("coverage"), coverage - 2e-3);
     }
 }
 
