@@ -7,9 +7,7 @@
 #include <thread>
 
 #include "algorithms/improve/annealing.hpp"
-#include "algorithms/lanes/repair.hpp"
-#include "geometry/overlay/boolean.hpp"
-#include "geometry/overlay/swath.hpp"
+#include "algorithms/improve/completion.hpp"
 
 namespace oxturn {
 namespace {
@@ -23,7 +21,6 @@ const double kHot = env("kHot", 0.05), kWarm = env("kWarm", 0.005), kCold = 1e-4
 const double kCoarseCell = env("kCoarseCell", 1.0 / 20), kFineCell = env("kFineCell", 1.0 / 60);
 const double kMargin = env("kMargin", 0.002);  // by which the tool is narrower on the fine raster
 constexpr double kStraight = 0.005;            // vertices nearer to their chord are dropped at the beginning
-constexpr double kChord = 1e-3;                // error of arcs where coverage is measured
 // The price of uncovered area is 1 / w times kPrice at an uncovered share of kPriceAt, and grows with a power of that.
 const double kPrice = env("kPrice", 5), kPriceAt = 0.01, kPricePower = -0.4;
 constexpr double kFineBelow = 1e-3;       // uncovered share below which the fine raster is needed
@@ -36,18 +33,6 @@ const double kShortDetours =
     env("kShortDetours", 1.03);  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width, and in all at most, if the user names no number.
 constexpr double kMovesEach = 4000, kMostMoves = 2e6;
-
-Polyline vertices(const Path& path, const Point& start) {
-  Polyline points{start};
-  for (const Leg& leg : path.legs) points.insert(points.end(), leg.points.begin() + 1, leg.points.end());
-  return points;
-}
-
-Path driven(const Polyline& points) {
-  PathBuilder path(points.front());
-  path.drive(points, true);
-  return path.take();
-}
 
 /// Without vertices that lie on the chord of their neighbours, as those of finely sampled arcs.
 Polyline straightened(const Polyline& points, double tolerance, const EdgeIndex& walls) {
@@ -64,13 +49,18 @@ Polyline straightened(const Polyline& points, double tolerance, const EdgeIndex&
   return kept;
 }
 
-/// What a tool that is narrower by `margin` on each side can cover. If it does, one of the full width covers all of the
-/// target: no point of that is farther from here than the margin.
-Region witnessed(const Problem& problem, double margin) {
-  if (margin <= 0 && !problem.limited()) return problem.target();
-  const double width = problem.robot().tool_width;
-  return intersect(problem.target(),
-                   dilate(problem.configuration_space(), width / 2 - margin, kChord * width / 10, Bound::inside));
+/// Vertices near a wall moved to it where the edges stay inside: a hot path is slightly off the walls, and covers all
+/// but a seam along them.
+Polyline along_walls(Polyline points, bool fixed_end, double width, const EdgeIndex& walls) {
+  for (std::size_t i = 1; i + (fixed_end ? 1 : 0) < points.size(); ++i)
+    for (const bool vertex : {true, false}) {
+      const auto at = on_wall(points[i], walls, width, vertex);
+      if (!at || !walls.contains(points[i - 1], *at)) continue;
+      if (i + 1 < points.size() && !walls.contains(*at, points[i + 1])) continue;
+      points[i] = *at;
+      break;
+    }
+  return points;
 }
 
 class Improver {
@@ -79,18 +69,21 @@ class Improver {
       : problem_(problem),
         how_(how),
         context_(context),
-        connector_(problem),
+        completion_(problem, how.coverage),
         width_(problem.robot().tool_width),
-        share_(std::max(1 - how.coverage, kLeastUncovered)),
-        target_(witnessed(problem, 0)),
-        narrow_(share_ < kFineBelow ? witnessed(problem, kMargin * width_) : Region{}) {}
+        share_(std::max(completion_.allowed() / area(problem.target()), kLeastUncovered)),
+        narrow_(share_ < kFineBelow ? coverable(problem, kMargin * width_) : Region{}) {}
 
   Path run(const std::vector<Path>& starts) {
     std::vector<Polyline> lines;
     for (const Path& path : starts) {
-      const Path whole = how_.return_home ? closed(path) : path;
-      if (lines.empty()) offer(whole);
-      lines.push_back(straightened(vertices(whole, problem_.start()), kStraight * width_, problem_.walls()));
+      Polyline points = vertices_of(path, problem_.start());
+      if (how_.return_home) {
+        const Polyline home = Connector(problem_).path(points.back(), problem_.start());
+        points.insert(points.end(), home.begin() + 1, home.end());
+      }
+      offer(points);
+      lines.push_back(straightened(points, kStraight * width_, problem_.walls()));
     }
     const Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
     const double used = lines.size() > 1 ? kBrief * static_cast<double>(lines.size()) : 0;
@@ -107,10 +100,12 @@ class Improver {
       options.least_shift = kLeastShift;
       options.most_shift = kMostShift;
       options.uncovered = std::max(allowed / 2, allowed - std::max(0.0, missed - now.uncovered));
+      if (share_ < kFineBelow)
+        now.points = along_walls(std::move(now.points), how_.return_home, width_, problem_.walls());
       now = annealed(now.points, options, {moves(kClosing / kRounds), kWarm * width_, kCold * width_}, context_.rng());
     }
     close(now);
-    return std::move(best_);
+    return driven(best_);
   }
 
  private:
@@ -120,13 +115,13 @@ class Improver {
   };
   long moves(double share) const {
     const double all =
-        how_.moves > 0 ? how_.moves : std::min(kMostMoves, kMovesEach * area(target_) / (width_ * width_));
+        how_.moves > 0 ? how_.moves : std::min(kMostMoves, kMovesEach * area(completion_.target()) / (width_ * width_));
     return static_cast<long>(share * all);
   }
   Annealing::Options raster(double cell, double margin) const {
     return {.cell = cell * width_,
             .radius = (0.5 - margin) * width_,
-            .uncovered = share_ * area(target_),
+            .uncovered = share_ * area(completion_.target()),
             .price = kPrice / width_ * std::pow(share_ / kPriceAt, kPricePower),
             .fixed_end = how_.return_home,
             .timed = how_.objective == PathMeasure::time};
@@ -134,7 +129,7 @@ class Improver {
   Annealed annealed(const Polyline& points, const Annealing::Options& options, const Annealing::Schedule& schedule,
                     Rng& rng) const {
     const bool fine = options.cell < kCoarseCell * width_;
-    Annealing annealing(problem_, fine ? narrow_ : target_, points, options);
+    Annealing annealing(problem_, fine ? narrow_ : completion_.target(), points, options);
     if (fine) annealing.focus(focus_);
     annealing.run(schedule, rng, context_);
     if (getenv("DBG"))
@@ -142,8 +137,8 @@ class Improver {
               "annealed cell %.4f moves %ld: length %.2f -> %.2f vertices %zu -> %zu uncovered %.5f (%.5f) price*w "
               "%.2f  t %.2f\n",
               options.cell / width_, schedule.moves, length(points), length(annealing.points()), points.size(),
-              annealing.points().size(), annealing.uncovered() / area(target_), options.uncovered / area(target_),
-              annealing.price() * width_, clock() * 1e-6);
+              annealing.points().size(), annealing.uncovered() / area(completion_.target()),
+              options.uncovered / area(completion_.target()), annealing.price() * width_, clock() * 1e-6);
     const double excess = std::max(0.0, annealing.uncovered() - options.uncovered);
     return {annealing.points(), cost(annealing.points()) + options.price * excess, annealing.price(),
             annealing.uncovered()};
@@ -151,10 +146,12 @@ class Improver {
 
   /// Offers the path. What it leaves uncovered, square metres; it goes on with its detours if these are short.
   double close(Annealed& path) {
-    double missed = 0;
-    Polyline whole = vertices(offer(driven(path.points), &missed), problem_.start());
+    const Region uncovered = completion_.uncovered(path.points);
+    focus_.clear();
+    for (const Polygon& piece : uncovered.polygons) focus_.push_back(bounding_box(piece.outer).centre());
+    Polyline whole = offer(path.points);
     if (length(whole) < kShortDetours * length(path.points)) path.points = std::move(whole);
-    return missed;
+    return area(uncovered);
   }
 
   double cost(const Polyline& points) const {
@@ -181,64 +178,29 @@ class Improver {
     return std::ranges::min_element(results, {}, &Annealed::energy)->points;
   }
 
-  Path closed(const Path& path) const {
-    const Polyline points = vertices(path, problem_.start());
-    PathBuilder whole(problem_.start());
-    for (const Leg& leg : path.legs) whole.drive(leg.points, leg.tool);
-    whole.drive(connector_.path(points.back(), problem_.start()), false);
-    return whole.take();
-  }
-
-  /// With detours, such that it covers as much as is asked for; all but seams, if that is everything.
-  Path completed(const Path& path, double* missed) {
-    std::vector<Polyline> lines;
-    for (const Leg& leg : path.legs)
-      if (leg.tool) lines.push_back(leg.points);
-    const bool all = how_.coverage >= 1;
-    const double error = all ? covered_seam(problem_.robot()) : kChord * width_;
-    Region left = subtract(target_, swath_parts(lines, width_ / 2, error, all ? Bound::outside : Bound::inside));
-    if (missed != nullptr) *missed = area(left);
-    focus_.clear();
-    for (const Polygon& piece : left.polygons) focus_.push_back(bounding_box(piece.outer).centre());
-    if (getenv("DBG")) fprintf(stderr, "missed %.6f in %zu pieces\n", area(left) / area(target_), left.polygons.size());
-    std::ranges::sort(left.polygons, {}, [](const Polygon& p) { return area(p); });
-    double allowed = (1 - how_.coverage) * area(problem_.target());
-    const auto needed = std::ranges::find_if(left.polygons, [&](const Polygon& p) {
-      allowed -= area(p);
-      return allowed < 0;
-    });
-    left.polygons.erase(left.polygons.begin(), needed);
-    if (left.empty()) return path;
-    // Wider, because repaired() ignores seams; all of them may be ignored only where everything is asked for.
-    if (!all) left = intersect(target_, dilate(left, covered_seam(problem_.robot()), kChord * width_, Bound::outside));
-    return repaired(problem_, path, std::move(left), connector_, context_);
-  }
-
-  /// Completed; it is kept if it is the shortest one so far.
-  Path offer(const Path& path, double* missed = nullptr) {
-    Path complete = completed(path, missed);
-    const bool first = best_.legs.empty();
+  /// The path completed. It is kept if it is the best one so far.
+  Polyline offer(const Polyline& points) {
+    Polyline whole = completion_.completed(points, context_);
     if (getenv("DBG"))
-      fprintf(stderr, "completed %.2f -> %.2f t %.2f\n", path.length(), complete.length(), clock() * 1e-6);
-
-    if (first || (!context_.cancelled() &&
-                  cost(vertices(complete, problem_.start())) < cost(vertices(best_, problem_.start())))) {
-      best_ = complete;
-      context_.publish(best_);
+      fprintf(stderr, "missed %.6f completed %.2f -> %.2f t %.2f\n",
+              area(completion_.uncovered(points)) / area(completion_.target()), length(points), length(whole),
+              clock() * 1e-6);
+    if (best_.empty() || (!context_.cancelled() && cost(whole) < cost(best_))) {
+      best_ = whole;
+      context_.publish(driven(best_));
     }
-    return complete;
+    return whole;
   }
 
   const Problem& problem_;
   const Improvement& how_;
   Context& context_;
-  const Connector connector_;
+  const Completion completion_;
   double width_;
   double share_;              // of the target that annealing may leave uncovered
-  const Region target_;       // what can be covered
-  const Region narrow_;       // by the narrower tool of the fine raster
+  const Region narrow_;       // what the narrower tool of the fine raster can cover
   std::vector<Point> focus_;  // what the last path that was completed left uncovered
-  Path best_;
+  Polyline best_;
 };
 
 }  // namespace

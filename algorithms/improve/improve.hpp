@@ -5,7 +5,7 @@
 /// Of several paths, each is annealed briefly (annealing.hpp), and the best one at length: hot first, then cold and, for
 /// nearly full coverage, on a finer raster of witnesses. After each round what the path leaves uncovered is found
 /// exactly, and detours (lanes/repair.hpp) are added until the coverage is reached. The shortest of all these completed
-/// paths is the result, so the coverage never depends on convergence, and the result is never longer than the first path
+/// paths is the result, so the coverage never depends on convergence, and the result is never longer than any path
 /// given, completed in the same manner. The tool is on all along. For the objective `time`, turns count as well
 /// (turn_cost.hpp).
 ///
@@ -36,8 +36,7 @@ const std::vector<Parameter<Improvement>>& improvement_parameters();
 /// Whether with these settings of a planner the whole target is covered.
 bool covers_all(const Settings& settings);
 
-/// `starts`: at least one path, the first of which counts for the promise above. Publishes what it finds. Returns the
-/// best path so far if cancelled.
+/// `starts`: at least one path. Publishes what it finds. Returns the best path so far if cancelled.
 Path improved(const Problem& problem, const std::vector<Path>& starts, const Improvement& how, Context& context);
 
 }  // namespace oxturn

@@ -7,11 +7,22 @@ namespace oxturn {
 namespace {
 
 // Shares of the moves, in per cent; distances in tool widths.
-constexpr std::uint64_t kShiftVertex = 40, kShiftEdge = 15, kRemove = 10, kSplit = 10, kMerge = 5, kTwoOpt = 10;
-constexpr double kPartner = 2.2;         // distance of vertices for 2-opt and Or-opt
-constexpr std::uint64_t kMostMoved = 8;  // vertices that Or-opt moves
+constexpr std::uint64_t kShiftVertex = 34, kShiftEdge = 15, kSnap = 6, kRemove = 10, kSplit = 10, kMerge = 5,
+                        kTwoOpt = 10;
+constexpr double kPartner = 2.2;                  // distance of vertices for 2-opt and Or-opt
+constexpr double kSnapFrom = 0.1, kTouch = 1e-6;  // from a wall
+constexpr std::uint64_t kMostMoved = 8;           // vertices that Or-opt moves
 
 }  // namespace
+
+std::optional<Point> on_wall(const Point& p, const EdgeIndex& walls, double width, bool vertex) {
+  const auto wall = walls.nearest(p, kSnapFrom * width);
+  if (!wall || wall->distance <= kTouch * width) return std::nullopt;
+  const EdgeIndex::Edge& e = walls.edges()[wall->edge];
+  const Point& end = distance(p, e.a) < distance(p, e.b) ? e.a : e.b;
+  if (vertex && distance(p, end) < kSnapFrom * width) return end;
+  return lerp(wall->point, p, kTouch * width / wall->distance);
+}
 
 double Edges::length() const {
   double sum = 0;
@@ -59,6 +70,7 @@ std::optional<Change> Moves::propose(const VertexPath& path, Rng& rng) const {
   };
   if (drawn(kShiftVertex)) return shift_vertex(path, i, rng);
   if (drawn(kShiftEdge)) return shift_edge(path, i, rng);
+  if (drawn(kSnap)) return snap(path, i, rng);
   if (drawn(kRemove)) return remove(path, i);
   if (drawn(kSplit)) return split(path, i, rng);
   if (drawn(kMerge)) return merge(path, i, rng);
@@ -108,6 +120,18 @@ std::optional<Change> Moves::shift_edge(const VertexPath& path, std::size_t i, R
     if (size > 0) by = by.dot(side) / size * side;
   }
   return replaced(path, i, 2, std::array<Point, 2>{path[i] + by, path[i + 1] + by});
+}
+
+std::optional<Change> Moves::snap(const VertexPath& path, std::size_t i, Rng& rng) const {
+  if (!movable(path, i)) return std::nullopt;
+  const auto here = on_wall(path[i], walls_, width_, rng.chance(0.5));
+  if (rng.chance(0.5) && movable(path, i + 1)) {
+    const auto next = on_wall(path[i + 1], walls_, width_, rng.chance(0.5));
+    if (here || next)
+      return replaced(path, i, 2, std::array<Point, 2>{here.value_or(path[i]), next.value_or(path[i + 1])});
+  }
+  if (!here) return std::nullopt;
+  return replaced(path, i, 1, std::array{*here});
 }
 
 std::optional<Change> Moves::remove(const VertexPath& path, std::size_t i) const {

@@ -1,10 +1,10 @@
 /// Small random changes of a path, for annealing.
 ///
-///   Moves moves({.width = tool_width}, fixed_end);
+///   Moves moves({.width = tool_width}, fixed_end, problem.walls());
 ///   moves.focus(centres_of_uncovered_pieces);
 ///   if (const auto change = moves.propose(path, rng)) { ... change->apply(path); }
 ///
-/// Shifts of a vertex or an edge, vertices deleted, added and merged, 2-opt and Or-opt with a vertex near by. The first
+/// Shifts of a vertex or an edge, also to the wall beside it, vertices deleted, added and merged, 2-opt and Or-opt with a vertex near by. The first
 /// vertex stays where it is, and so does the last one if `fixed_end`. Each O(1), but for what apply() costs.
 #pragma once
 
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "algorithms/improve/vertex_path.hpp"
+#include "geometry/edge_index.hpp"
 
 namespace oxturn {
 
@@ -50,13 +51,19 @@ struct Change {
   void apply(VertexPath& path) const;
 };
 
+/// The point of the wall beside p, or with `vertex` the nearer end of its edge, if it is within a tenth of the tool's
+/// width; nullopt if p is there already. Inside by more than rounding, so that edges along the wall are inside, too.
+std::optional<Point> on_wall(const Point& p, const EdgeIndex& walls, double width, bool vertex);
+
 class Moves {
  public:
   struct Sizes {
     double width = 0;                 // of the tool, metres
     double least = 0.01, most = 0.3;  // standard deviations of shifts, in tool widths; log-uniform in between
   };
-  Moves(const Sizes& sizes, bool fixed_end) : sizes_(sizes), width_(sizes.width), fixed_end_(fixed_end) {}
+  /// `walls`: the edges of configuration space, to which vertices may snap; must outlive it.
+  Moves(const Sizes& sizes, bool fixed_end, const EdgeIndex& walls)
+      : sizes_(sizes), width_(sizes.width), fixed_end_(fixed_end), walls_(walls) {}
   /// Half of the moves are made within a tool's width of one of these points.
   void focus(std::vector<Point> points) { focus_ = std::move(points); }
   /// nullopt: the move drawn does not exist here.
@@ -71,6 +78,7 @@ class Moves {
   Change replaced(const VertexPath& path, std::size_t first, std::size_t count, std::span<const Point> points) const;
   std::optional<Change> shift_vertex(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<Change> shift_edge(const VertexPath& path, std::size_t i, Rng& rng) const;
+  std::optional<Change> snap(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<Change> remove(const VertexPath& path, std::size_t i) const;
   std::optional<Change> split(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<Change> merge(const VertexPath& path, std::size_t i, Rng& rng) const;
@@ -83,6 +91,7 @@ class Moves {
   Sizes sizes_;
   double width_;
   bool fixed_end_;
+  const EdgeIndex& walls_;
   std::vector<Point> focus_;
 };
 

@@ -5,7 +5,7 @@
 // Guarantee   covers the share `coverage` of the target, but for seams thinner than a 250th of the tool's width; never
 //             longer than its start, completed
 // Complexity  a few microseconds a move
-// Decisions   1. Starts: `boustrophedon` with and without outline, and `stc`. Each is
+// Decisions   1. Starts: `boustrophedon` in its own direction and along both axes, and `contour`. Each is
 //                annealed briefly, the best one at length.
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/improve/improve.hpp"
@@ -20,8 +20,9 @@ struct Start {
 /// The first one covers the whole target.
 std::vector<Start> starts() {
   return {{"boustrophedon", {}},
-          {"boustrophedon", {{"outline", false}}},
-          {"stc", {{"partial", true}}}};
+          {"contour", {}},
+          {"boustrophedon", {{"sweep", std::string("given")}, {"angle", 0.0}}},
+          {"boustrophedon", {{"sweep", std::string("given")}, {"angle", 90.0}}}};
 }
 
 class Shortest final : public CoveragePlanner {

@@ -89,7 +89,8 @@ TEST(Moves, ChangeThePathAsTheySay) {
     const bool fixed_end = rng.chance(0.5);
     const Polyline start = random_line(2 + rng.below(60), Box{{0, 0}, {3, 3}}, rng);
     VertexPath path(start, 0.4);
-    Moves moves({.width = 0.4}, fixed_end);
+    const EdgeIndex walls(box_region({0, 0}, {3, 3}));
+    Moves moves({.width = 0.4}, fixed_end, walls);
     moves.focus({{1, 1}, {2, 2}});
     for (int k = 0; k < 300 && path.size() > 1; ++k) {
       const auto change = moves.propose(path, rng);
