@@ -21,8 +21,8 @@ Annealing::Annealing(const Problem& problem, const Region& target, const Polylin
       moves_({problem.robot().tool_width, options.least_shift, options.most_shift}, options.fixed_end, problem.walls()),
       turns_(problem.robot()) {
   for (std::size_t i = 1; i < points.size(); ++i) {
-    witnesses_.capsule(points[i - 1], points[i], news_[0]);
-    witnesses_.add(news_[0]);
+    witnesses_.capsule(points[i - 1], points[i], added_[0]);
+    witnesses_.add(added_[0]);
   }
 }
 
@@ -34,18 +34,18 @@ bool Annealing::try_move(double temperature, Rng& rng) {
   const std::optional<Change> change = moves_.propose(path_, rng);
   if (!change) return false;
   const double most = -temperature * std::log(1 - rng.unit());  // that the energy may rise
-  double longer = change->news.length() - change->olds.length();
+  double longer = change->added.length() - change->removed.length();
   if (options_.timed) longer += turns_.change(path_, *change);
   const double each = price_ * witnesses_.area_each();
-  if (longer - each * static_cast<double>(witnesses_.uncovered()) > most || !legal(change->news)) return false;
+  if (longer - each * static_cast<double>(witnesses_.uncovered()) > most || !legal(change->added)) return false;
   const auto capsules = [&](const Edges& edges, std::array<Witnesses::Capsule, 4>& out) {
     for (std::size_t k = 0; k < edges.size(); ++k) witnesses_.capsule(edges[k].a, edges[k].b, out[k]);
     return std::span<const Witnesses::Capsule>(out.data(), edges.size());
   };
-  const auto olds = capsules(change->olds, olds_), news = capsules(change->news, news_);
-  if (longer + each * static_cast<double>(witnesses_.least_change(olds, news)) > most) return false;
-  if (longer + each * static_cast<double>(witnesses_.exchange(olds, news)) > most) {
-    witnesses_.exchange(news, olds);
+  const auto removed = capsules(change->removed, removed_), added = capsules(change->added, added_);
+  if (longer + each * static_cast<double>(witnesses_.least_change(removed, added)) > most) return false;
+  if (longer + each * static_cast<double>(witnesses_.exchange(removed, added)) > most) {
+    witnesses_.exchange(added, removed);
     return false;
   }
   change->apply(path_);

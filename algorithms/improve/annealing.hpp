@@ -1,11 +1,11 @@
 /// Makes a path shorter by simulated annealing of its vertices against a raster of witnesses.
 ///
-///   Annealing annealing(problem, problem.target(), points, {.cell = 0.05 * w, .uncovered = 0.01 * area(problem.target())});
-///   annealing.run({.moves = 1'000'000, .hot = 0.05 * w, .cold = 0.005 * w}, context);
+///   Annealing annealing(problem, target, points, {.cell = w / 20, .radius = w / 2, .uncovered = 0.01 * area(target)});
+///   annealing.run({.moves = 1'000'000, .hot = 0.05 * w, .cold = 0.005 * w}, rng, context);
 ///   const Polyline shorter = annealing.points();
 ///
-/// Energy: length, with what turns cost if asked for, + price * uncovered area. The price floats, so that the uncovered area stays at what is allowed. New
-/// edges lie in configuration space, exactly. The path covers wherever it runs.
+/// Energy: length, with what turns cost if asked for, + price * uncovered area. The price floats, so that the uncovered
+/// area stays at what is allowed. New edges lie in configuration space, exactly. The path covers wherever it runs.
 ///
 /// Source      Kirkpatrick, Gelatt and Vecchi, Science 220, 1983; moves: moves.hpp; the floating price is ours
 /// Complexity  a move costs a few exact edge tests and what its edges cost in the raster: 2 to 10 microseconds
@@ -57,7 +57,7 @@ class Annealing {
   Witnesses witnesses_;
   Moves moves_;
   TurnCost turns_;
-  std::array<Witnesses::Capsule, 4> olds_, news_;  // of the move that is tried
+  std::array<Witnesses::Capsule, 4> removed_, added_;  // of the move that is tried
 };
 
 }  // namespace oxturn

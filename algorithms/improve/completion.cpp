@@ -74,15 +74,6 @@ Polyline Completion::completed(Polyline points, Context& context) const {
     points = with_stops(points, left.polygons, kReach * width_, problem_.walls());
     left = needed(uncovered(points));
   }
-  if (getenv("DBG")) {
-    fprintf(stderr, "after stops %.2f left %zu:", length(points), left.polygons.size());
-    for (const Polygon& q : left.polygons) {
-      const Point z = bounding_box(q.outer).size() / width_;
-      fprintf(stderr, " %.4fx%.4f@(%.2f %.2f)%s", z.x(), z.y(), q.outer[0].x(), q.outer[0].y(),
-              problem_.walls().contains(bounding_box(q.outer).centre()) ? "" : "w");
-    }
-    fprintf(stderr, "\n");
-  }
   if (left.empty() || context.cancelled()) return points;
   // Wider, because repaired() ignores seams; they may be ignored only where everything is asked for.
   if (coverage_ < 1)

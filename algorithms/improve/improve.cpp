@@ -11,26 +11,21 @@
 
 namespace oxturn {
 namespace {
-double env(const char* n, double d) {
-  const char* v = getenv(n);
-  return v ? atof(v) : d;
-}
 
 // In tool widths.
-const double kHot = env("kHot", 0.05), kWarm = env("kWarm", 0.005), kCold = 1e-4;
-const double kCoarseCell = env("kCoarseCell", 1.0 / 20), kFineCell = env("kFineCell", 1.0 / 60);
-const double kMargin = env("kMargin", 0.002);  // by which the tool is narrower on the fine raster
-constexpr double kStraight = 0.005;            // vertices nearer to their chord are dropped at the beginning
+constexpr double kWarm = 0.005, kCold = 1e-4;  // temperatures after the first one
+constexpr double kCoarseCell = 1.0 / 20, kFineCell = 1.0 / 60;
+constexpr double kMargin = 0.002;    // by which the tool is narrower on the fine raster
+constexpr double kStraight = 0.005;  // vertices nearer to their chord are dropped at the beginning
 // The price of uncovered area is 1 / w times kPrice at an uncovered share of kPriceAt, and grows with a power of that.
-const double kPrice = env("kPrice", 5), kPriceAt = 0.01, kPricePower = -0.4;
+constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4;
 constexpr double kFineBelow = 1e-3;       // uncovered share below which the fine raster is needed
 constexpr double kLeastUncovered = 1e-4;  // share of the target that annealing leaves uncovered at least
 // Shares of the moves: of each short run of several, and of closing, in rounds.
-const double kBrief = env("kBrief", 0.06), kClosing = env("kClosing", 0.25);
-const double kLeastShift = env("kLeastShift", 0.001), kMostShift = env("kMostShift", 0.1);  // of vertices in closing
-const int kRounds = env("kRounds", 3);
-const double kShortDetours =
-    env("kShortDetours", 1.03);  // times the path's length, of a path with detours that is worth going on with
+constexpr double kBrief = 0.06, kClosing = 0.25;
+constexpr double kLeastShift = 0.001, kMostShift = 0.1;  // of vertices in closing
+constexpr int kRounds = 3;
+constexpr double kShortDetours = 1.03;  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width, and in all at most, if the user names no number.
 constexpr double kMovesEach = 4000, kMostMoves = 2e6;
 
@@ -132,13 +127,6 @@ class Improver {
     Annealing annealing(problem_, fine ? narrow_ : completion_.target(), points, options);
     if (fine) annealing.focus(focus_);
     annealing.run(schedule, rng, context_);
-    if (getenv("DBG"))
-      fprintf(stderr,
-              "annealed cell %.4f moves %ld: length %.2f -> %.2f vertices %zu -> %zu uncovered %.5f (%.5f) price*w "
-              "%.2f  t %.2f\n",
-              options.cell / width_, schedule.moves, length(points), length(annealing.points()), points.size(),
-              annealing.points().size(), annealing.uncovered() / area(completion_.target()),
-              options.uncovered / area(completion_.target()), annealing.price() * width_, clock() * 1e-6);
     const double excess = std::max(0.0, annealing.uncovered() - options.uncovered);
     return {annealing.points(), cost(annealing.points()) + options.price * excess, annealing.price(),
             annealing.uncovered()};
@@ -181,10 +169,6 @@ class Improver {
   /// The path completed. It is kept if it is the best one so far.
   Polyline offer(const Polyline& points) {
     Polyline whole = completion_.completed(points, context_);
-    if (getenv("DBG"))
-      fprintf(stderr, "missed %.6f completed %.2f -> %.2f t %.2f\n",
-              area(completion_.uncovered(points)) / area(completion_.target()), length(points), length(whole),
-              clock() * 1e-6);
     if (best_.empty() || (!context_.cancelled() && cost(whole) < cost(best_))) {
       best_ = whole;
       context_.publish(driven(best_));

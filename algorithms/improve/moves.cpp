@@ -87,13 +87,13 @@ Change Moves::replaced(const VertexPath& path, std::size_t first, std::size_t co
   change.point_count = points.size();
   std::copy(points.begin(), points.end(), change.points.begin());
   const bool goes_on = first + count < path.size();
-  for (std::size_t k = first; k < first + count + (goes_on ? 1 : 0); ++k) change.olds.add(path[k - 1], path[k]);
+  for (std::size_t k = first; k < first + count + (goes_on ? 1 : 0); ++k) change.removed.add(path[k - 1], path[k]);
   Point at = path[first - 1];
   for (const Point& p : points) {
-    change.news.add(at, p);
+    change.added.add(at, p);
     at = p;
   }
-  if (goes_on) change.news.add(at, path[first + count]);
+  if (goes_on) change.added.add(at, path[first + count]);
   return change;
 }
 
@@ -167,11 +167,11 @@ std::optional<Change> Moves::two_opt(const VertexPath& path, std::size_t i, Rng&
   change.kind = Change::Kind::reverse;
   change.first = before + 1;
   change.last = last;
-  change.olds.add(path[before], path[before + 1]);
-  change.news.add(path[before], path[last]);
+  change.removed.add(path[before], path[before + 1]);
+  change.added.add(path[before], path[last]);
   if (!end) {
-    change.olds.add(path[last], path[last + 1]);
-    change.news.add(path[before + 1], path[last + 1]);
+    change.removed.add(path[last], path[last + 1]);
+    change.added.add(path[before + 1], path[last + 1]);
   }
   return change;
 }
@@ -190,15 +190,15 @@ std::optional<Change> Moves::or_opt(const VertexPath& path, std::size_t i, Rng& 
   change.last = last;
   change.after = *after;
   change.turned = rng.chance(0.5);
-  change.olds.add(path[i - 1], path[i]);
+  change.removed.add(path[i - 1], path[i]);
   if (!tail) {
-    change.olds.add(path[last], path[last + 1]);
-    change.news.add(path[i - 1], path[last + 1]);
+    change.removed.add(path[last], path[last + 1]);
+    change.added.add(path[i - 1], path[last + 1]);
   }
-  change.news.add(path[*after], path[change.turned ? last : i]);
+  change.added.add(path[*after], path[change.turned ? last : i]);
   if (!to_end) {
-    change.olds.add(path[*after], path[*after + 1]);
-    change.news.add(path[change.turned ? i : last], path[*after + 1]);
+    change.removed.add(path[*after], path[*after + 1]);
+    change.added.add(path[change.turned ? i : last], path[*after + 1]);
   }
   return change;
 }

@@ -4,8 +4,9 @@
 ///   moves.focus(centres_of_uncovered_pieces);
 ///   if (const auto change = moves.propose(path, rng)) { ... change->apply(path); }
 ///
-/// Shifts of a vertex or an edge, also to the wall beside it, vertices deleted, added and merged, 2-opt and Or-opt with a vertex near by. The first
-/// vertex stays where it is, and so does the last one if `fixed_end`. Each O(1), but for what apply() costs.
+/// Shifts of a vertex or an edge, also to the wall beside it; vertices deleted, added and merged; 2-opt and Or-opt with
+/// a vertex near by. The first vertex stays where it is, and so does the last one if `fixed_end`. Each O(1), but for what
+/// apply() costs.
 #pragma once
 
 #include <array>
@@ -46,7 +47,7 @@ struct Change {
   bool turned = false;              // of relocate
   std::array<Point, 2> points{};    // of replace
   std::size_t point_count = 0;
-  Edges olds, news;
+  Edges removed, added;
 
   void apply(VertexPath& path) const;
 };

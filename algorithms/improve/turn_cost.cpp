@@ -88,17 +88,17 @@ double TurnCost::change(const VertexPath& path, const Change& change) const {
   const std::size_t first = change.first, last = change.last, after = change.after;
   if (change.kind == Change::Kind::replace) {
     const std::size_t n = change.point_count;  // positions beyond the vertices replaced are counted once
-    const Positions olds{first - 1, first, std::min(first + 1, last), last};
-    const Positions news{first - 1, first, std::min(first + 1, first + n), first + n};
-    return sum(changed, news) - sum(path, olds);
+    const Positions removed{first - 1, first, std::min(first + 1, last), last};
+    const Positions added{first - 1, first, std::min(first + 1, first + n), first + n};
+    return sum(changed, added) - sum(path, removed);
   }
-  const Positions olds{first - 1, first, last, last + 1};
-  if (change.kind == Change::Kind::reverse) return sum(changed, olds) - sum(path, olds);
+  const Positions removed{first - 1, first, last, last + 1};
+  if (change.kind == Change::Kind::reverse) return sum(changed, removed) - sum(path, removed);
   const std::size_t count = last - first + 1;
   const Positions all{first - 1, first, last, last + 1, after, after + 1};
-  const Positions news = after > last ? Positions{first - 1, first, after - count, after + 1 - count, after, after + 1}
-                                      : Positions{after, after + 1, after + count, after + count + 1, last, last + 1};
-  return sum(changed, news) - sum(path, all);
+  const Positions added = after > last ? Positions{first - 1, first, after - count, after + 1 - count, after, after + 1}
+                                       : Positions{after, after + 1, after + count, after + count + 1, last, last + 1};
+  return sum(changed, added) - sum(path, all);
 }
 
 }  // namespace oxturn

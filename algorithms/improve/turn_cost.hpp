@@ -4,8 +4,8 @@
 ///   turns(a, b, c);                              // at b, from a to c
 ///   turns.change(path, change);                  // by how much a move changes the sum
 ///
-/// At a corner the robot rounds within a tenth of the tool's width it drives no faster than turn_rate times the radius of
-/// the curve; it brakes and accelerates again. O(1).
+/// The robot rounds corners within a tenth of the tool's width, and drives no faster there than turn_rate times the
+/// radius of the curve: it brakes, and accelerates again. O(1).
 #pragma once
 
 #include "algorithms/improve/moves.hpp"

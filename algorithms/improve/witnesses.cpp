@@ -153,20 +153,20 @@ void Witnesses::apply(const Capsule& old, const Capsule& next) {
                       [&](int r, int low, int high) { uncovered_ += add_to(row(r) + low, high - low, 255); });
 }
 
-long Witnesses::least_change(std::span<const Capsule> olds, std::span<const Capsule> news) const {
+long Witnesses::least_change(std::span<const Capsule> removed, std::span<const Capsule> added) const {
   long change = 0;
-  for (std::size_t i = 0; i < news.size(); ++i)
-    for_each_difference(news[i], at(olds, i),
+  for (std::size_t i = 0; i < added.size(); ++i)
+    for_each_difference(added[i], at(removed, i),
                         [&](int r, int low, int high) { change -= count(row(r) + low, high - low, 0); });
-  for (std::size_t i = 0; i < olds.size(); ++i)
-    for_each_difference(olds[i], at(news, i),
-                        [&](int r, int low, int high) { change += lost(row(r), r, low, high, news); });
+  for (std::size_t i = 0; i < removed.size(); ++i)
+    for_each_difference(removed[i], at(added, i),
+                        [&](int r, int low, int high) { change += lost(row(r), r, low, high, added); });
   return change;
 }
 
-long Witnesses::exchange(std::span<const Capsule> olds, std::span<const Capsule> news) {
+long Witnesses::exchange(std::span<const Capsule> removed, std::span<const Capsule> added) {
   const long before = uncovered_;
-  for (std::size_t i = 0; i < std::max(olds.size(), news.size()); ++i) apply(at(olds, i), at(news, i));
+  for (std::size_t i = 0; i < std::max(removed.size(), added.size()); ++i) apply(at(removed, i), at(added, i));
   return uncovered_ - before;
 }
 

@@ -64,19 +64,19 @@ TEST(Witnesses, AnExchangeAndItsReverseCancel) {
   const Box box{{0, 0}, {6, 4}};
   Rng rng(1);
   for (int k = 0; k < 200; ++k) {
-    std::array<Witnesses::Capsule, 3> olds, news;
-    for (auto* set : {&olds, &news})
+    std::array<Witnesses::Capsule, 3> removed, added;
+    for (auto* set : {&removed, &added})
       for (auto& capsule : *set) {
         const Point a = random_point(box, rng);
         witnesses.capsule(a, a + Point(rng.between(-1, 1), rng.between(-1, 1)), capsule);
       }
-    for (const auto& capsule : olds) witnesses.add(capsule);
-    const long before = witnesses.uncovered(), bound = witnesses.least_change(olds, news);
-    const long change = witnesses.exchange(olds, news);
+    for (const auto& capsule : removed) witnesses.add(capsule);
+    const long before = witnesses.uncovered(), bound = witnesses.least_change(removed, added);
+    const long change = witnesses.exchange(removed, added);
     EXPECT_EQ(witnesses.uncovered(), before + change);
     EXPECT_GE(change, bound);
-    EXPECT_EQ(witnesses.exchange(news, olds), -change);
-    witnesses.exchange(olds, {});
+    EXPECT_EQ(witnesses.exchange(added, removed), -change);
+    witnesses.exchange(removed, {});
   }
   EXPECT_EQ(witnesses.uncovered(), witnesses.points());
 }
@@ -97,7 +97,7 @@ TEST(Moves, ChangeThePathAsTheySay) {
       if (!change) continue;
       const double before = length_of(path);
       change->apply(path);
-      ASSERT_NEAR(length_of(path), before + change->news.length() - change->olds.length(), 1e-9);
+      ASSERT_NEAR(length_of(path), before + change->added.length() - change->removed.length(), 1e-9);
       ASSERT_EQ(path[0], start[0]);
       if (fixed_end) { ASSERT_EQ(path[path.size() - 1], start.back()); }
       for (std::size_t i = 0; i < path.size(); i += 7) ASSERT_TRUE(path.near(path[i], rng).has_value());

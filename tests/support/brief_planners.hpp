@@ -7,14 +7,15 @@
 
 namespace oxturn {
 
+inline constexpr std::int64_t kBriefMoves = 3000;
+
 /// With few moves by default, if that is its budget.
 inline PlannerInfo brief(PlannerInfo planner) {
-  constexpr std::int64_t kMoves = 3000;
   for (ParameterInfo& parameter : planner.parameters) {
     if (parameter.name != "moves") continue;
-    parameter.fallback = kMoves;
+    parameter.fallback = kBriefMoves;
     planner.make = [make = planner.make](Settings settings, const Planners& planners) {
-      settings.insert({"moves", kMoves});
+      settings.emplace("moves", kBriefMoves);
       return make(settings, planners);
     };
   }
