@@ -5,8 +5,8 @@
 ///   if (const auto change = moves.propose(path, rng)) { ... change->apply(path); }
 ///
 /// Shifts of a vertex or an edge, also to the wall beside it; vertices deleted, added and merged; 2-opt and Or-opt with
-/// a vertex near by. The first vertex stays where it is, and so does the last one if `fixed_end`. Each O(1), but for what
-/// apply() costs.
+/// a vertex near by. The first vertex stays where it is, and so does the last one if `fixed_end`. Each O(1), but for
+/// what apply() costs.
 #pragma once
 
 #include <array>
