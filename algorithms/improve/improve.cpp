@@ -191,7 +191,7 @@ class Improver {
 
 const std::vector<Parameter<Improvement>>& improvement_parameters() {
   static const std::vector<Parameter<Improvement>> all{
-      {"coverage", &Improvement::coverage, Range{0, 1}, "share of the target that is to be covered"},
+      {"coverage", &Improvement::coverage, Range{0, 1, true}, "share of the target that is to be covered"},
       {"moves", &Improvement::moves, Range{0, 1e9},
        "moves of annealing; 0: 4000 for each square of the tool's width in the target, at most 2e6"},
       {"objective", &Improvement::objective, Choices{"length", "time"}, "what is made least; turns cost time"},

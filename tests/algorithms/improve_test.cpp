@@ -118,6 +118,7 @@ std::vector<Sample> samples(int each) {
       const double radius = rng.between(0.15, 0.25), width = 2 * radius * rng.between(0.5, 2.5);
       Settings size{{"width", rng.between(7.0, 9.0)}, {"height", rng.between(6.0, 8.0)}};
       if (kind == std::string("polygon")) size["corners"] = std::int64_t{14};
+      if (kind == std::string("comb")) size["aisles"] = std::int64_t{4};
       all.push_back(
           {Problem(generate(kind, size, seed), disc(radius, width)), fmt::format("{} {} tool {}", kind, seed, width)});
     }
