@@ -194,7 +194,6 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
       {"coverage", &Improvement::coverage, Range{0, 1, true}, "share of the target that is to be covered"},
       {"moves", &Improvement::moves, Range{0, 1e9},
        "moves of annealing; 0: 4000 for each square of the tool's width in the target, at most 2e6"},
-      {"objective", &Improvement::objective, Choices{"length", "time"}, "what is made least; turns cost time"},
       {"return_home", &Improvement::return_home, "end where the path starts"},
       {"temperature", &Improvement::temperature, Range{1e-6, 10}, "of annealing, to begin with, in tool widths"},
       {"threads", &Improvement::threads, Range{1, 256}, "that work at a time; they do not change the path"}};
