@@ -6,8 +6,9 @@
 namespace oxturn {
 namespace {
 
-constexpr long kPeriod = 1024;  // moves between two changes of price and temperature
-constexpr double kDearer = 1.01, kCheaper = 0.995;
+constexpr long kPeriods = 500, kLeastPeriod = 64, kMostPeriod = 1024;  // in moves: between changes of the price
+constexpr double kDearer = 0.03, kCheaper = -0.01;                     // logarithms of the price's changes at most
+constexpr double kPriceRange = 6;  // times and parts of the first price that it may reach
 
 }  // namespace
 
@@ -17,10 +18,11 @@ Annealing::Annealing(const Problem& problem, const Region& target, const Polylin
       price_(options.price),
       path_(points, problem.robot().tool_width),
       witnesses_(target, options.cell, options.radius),
-      moves_(problem.robot().tool_width, options.fixed_end) {
+      moves_({problem.robot().tool_width, options.least_shift, options.most_shift}, options.fixed_end, problem.walls()),
+      turns_(problem.robot()) {
   for (std::size_t i = 1; i < points.size(); ++i) {
-    witnesses_.capsule(points[i - 1], points[i], news_[0]);
-    witnesses_.add(news_[0]);
+    witnesses_.capsule(points[i - 1], points[i], added_[0]);
+    witnesses_.add(added_[0]);
   }
 }
 
@@ -32,17 +34,18 @@ bool Annealing::try_move(double temperature, Rng& rng) {
   const std::optional<Change> change = moves_.propose(path_, rng);
   if (!change) return false;
   const double most = -temperature * std::log(1 - rng.unit());  // that the energy may rise
-  const double longer = change->news.length() - change->olds.length();
+  double longer = change->added.length() - change->removed.length();
+  if (options_.timed) longer += turns_.change(path_, *change);
   const double each = price_ * witnesses_.area_each();
-  if (longer - each * static_cast<double>(witnesses_.uncovered()) > most || !legal(change->news)) return false;
+  if (longer - each * static_cast<double>(witnesses_.uncovered()) > most || !legal(change->added)) return false;
   const auto capsules = [&](const Edges& edges, std::array<Witnesses::Capsule, 4>& out) {
     for (std::size_t k = 0; k < edges.size(); ++k) witnesses_.capsule(edges[k].a, edges[k].b, out[k]);
     return std::span<const Witnesses::Capsule>(out.data(), edges.size());
   };
-  const auto olds = capsules(change->olds, olds_), news = capsules(change->news, news_);
-  if (longer > most && longer - each * static_cast<double>(witnesses_.gain(olds, news)) > most) return false;
-  if (longer + each * static_cast<double>(witnesses_.exchange(olds, news)) > most) {
-    witnesses_.exchange(news, olds);
+  const auto removed = capsules(change->removed, removed_), added = capsules(change->added, added_);
+  if (longer + each * static_cast<double>(witnesses_.least_change(removed, added)) > most) return false;
+  if (longer + each * static_cast<double>(witnesses_.exchange(removed, added)) > most) {
+    witnesses_.exchange(added, removed);
     return false;
   }
   change->apply(path_);
@@ -51,12 +54,15 @@ bool Annealing::try_move(double temperature, Rng& rng) {
 
 void Annealing::run(const Schedule& schedule, Rng& rng, const Context& context) {
   double temperature = schedule.hot;
+  const long period = std::clamp(schedule.moves / kPeriods, kLeastPeriod, kMostPeriod);
   for (long k = 0; k < schedule.moves && path_.size() > 1; ++k) {
-    if (k % kPeriod == 0) {
+    if (k % period == 0) {
       if (context.cancelled()) return;
       const double done = static_cast<double>(k) / static_cast<double>(schedule.moves);
       temperature = schedule.hot * std::pow(schedule.cold / schedule.hot, done);
-      price_ *= uncovered() > options_.uncovered ? kDearer : kCheaper;
+      const double excess = uncovered() / options_.uncovered - 1;
+      price_ = std::clamp(price_ * std::exp(std::clamp(kDearer * excess, kCheaper, kDearer)),
+                          options_.price / kPriceRange, options_.price * kPriceRange);
     }
     try_move(temperature, rng);
   }

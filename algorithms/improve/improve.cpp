@@ -1,39 +1,33 @@
 #include "algorithms/improve/improve.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <string>
+#include <thread>
 
 #include "algorithms/improve/annealing.hpp"
-#include "algorithms/lanes/repair.hpp"
-#include "geometry/overlay/boolean.hpp"
-#include "geometry/overlay/swath.hpp"
+#include "algorithms/improve/completion.hpp"
 
 namespace oxturn {
 namespace {
 
 // In tool widths.
-constexpr double kHot = 0.05, kWarm = 0.005, kCool = 0.002, kCold = 1e-4;
-constexpr double kCoarseCell = 1.0 / 20, kFineCell = 1.0 / 80;
-constexpr double kMargin = 0.002;         // by which the tool is narrower on the fine raster
-constexpr double kPrice = 4;              // of uncovered area to begin with: 1 / w
-constexpr double kStraight = 0.005;       // vertices nearer to their chord are dropped at the beginning
-constexpr double kChord = 1e-3;           // error of arcs where coverage is measured
+constexpr double kWarm = 0.005, kCold = 1e-4;  // temperatures after the first one
+constexpr double kCoarseCell = 1.0 / 20, kFineCell = 1.0 / 60;
+constexpr double kMargin = 0.002;    // by which the tool is narrower on the fine raster
+constexpr double kStraight = 0.005;  // vertices nearer to their chord are dropped at the beginning
+// The price of uncovered area is 1 / w times kPrice at an uncovered share of kPriceAt, and grows with a power of that.
+constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4;
+constexpr double kFineBelow = 1e-3;       // uncovered share below which the fine raster is needed
 constexpr double kLeastUncovered = 1e-4;  // share of the target that annealing leaves uncovered at least
-constexpr double kAtLength = 0.7;         // share of the moves of the first round
-constexpr int kRounds = 3;                // of closing
+// Shares of the moves: of each short run of several, and of closing, in rounds.
+constexpr double kBrief = 0.06, kClosing = 0.25;
+constexpr double kLeastShift = 0.001, kMostShift = 0.1;  // of vertices in closing
+constexpr int kRounds = 3;
+constexpr double kShortDetours = 1.03;  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width, and in all at most, if the user names no number.
 constexpr double kMovesEach = 4000, kMostMoves = 2e6;
-
-Polyline vertices(const Path& path, const Point& start) {
-  Polyline points{start};
-  for (const Leg& leg : path.legs) points.insert(points.end(), leg.points.begin() + 1, leg.points.end());
-  return points;
-}
-
-Path driven(const Polyline& points) {
-  PathBuilder path(points.front());
-  path.drive(points, true);
-  return path.take();
-}
 
 /// Without vertices that lie on the chord of their neighbours, as those of finely sampled arcs.
 Polyline straightened(const Polyline& points, double tolerance, const EdgeIndex& walls) {
@@ -50,11 +44,18 @@ Polyline straightened(const Polyline& points, double tolerance, const EdgeIndex&
   return kept;
 }
 
-/// What can be covered from configuration space: where that was restricted, not all of the target.
-Region reachable_target(const Problem& problem) {
-  if (!problem.limited()) return problem.target();
-  const double width = problem.robot().tool_width;
-  return intersect(problem.target(), dilate(problem.configuration_space(), width / 2, kChord * width, Bound::inside));
+/// Vertices near a wall moved to it where the edges stay inside: a hot path is slightly off the walls, and covers all
+/// but a seam along them.
+Polyline along_walls(Polyline points, bool fixed_end, double width, const EdgeIndex& walls) {
+  for (std::size_t i = 1; i + (fixed_end ? 1 : 0) < points.size(); ++i)
+    for (const bool vertex : {true, false}) {
+      const auto at = on_wall(points[i], walls, width, vertex);
+      if (!at || !walls.contains(points[i - 1], *at)) continue;
+      if (i + 1 < points.size() && !walls.contains(*at, points[i + 1])) continue;
+      points[i] = *at;
+      break;
+    }
+  return points;
 }
 
 class Improver {
@@ -63,83 +64,139 @@ class Improver {
       : problem_(problem),
         how_(how),
         context_(context),
-        connector_(problem),
+        completion_(problem, how.coverage),
         width_(problem.robot().tool_width),
-        target_(reachable_target(problem)),
-        price_(kPrice / width_) {}
+        share_(std::max(completion_.allowed() / area(problem.target()), kLeastUncovered)),
+        narrow_(share_ < kFineBelow ? coverable(problem, kMargin * width_) : Region{}) {}
 
-  Path run(const Path& path) {
-    offer(path);
-    Polyline points = straightened(vertices(path, problem_.start()), kStraight * width_, problem_.walls());
-    const double moves =
-        how_.moves > 0 ? how_.moves : std::min(kMostMoves, kMovesEach * area(target_) / (width_ * width_));
-    points = annealed(points, kCoarseCell, 0, {static_cast<long>(kAtLength * moves), kHot * width_, kWarm * width_});
-    for (int round = 0; round < kRounds && !context_.cancelled(); ++round) {
-      const long part = static_cast<long>((1 - kAtLength) / kRounds * moves);
-      points = annealed(points, kFineCell, kMargin, {part, kCool * width_, kCold * width_});
-      points = vertices(offer(driven(points)), problem_.start());
+  Path run(const std::vector<Path>& starts) {
+    std::vector<Polyline> lines;
+    for (const Path& path : starts) {
+      Polyline points = vertices_of(path, problem_.start());
+      if (how_.return_home) {
+        const Polyline home = Connector(problem_).path(points.back(), problem_.start());
+        points.insert(points.end(), home.begin() + 1, home.end());
+      }
+      offer(points);
+      lines.push_back(straightened(points, kStraight * width_, problem_.walls()));
     }
-    return std::move(best_);
+    const Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
+    const double used = lines.size() > 1 ? kBrief * static_cast<double>(lines.size()) : 0;
+    const double at_length = 1 - used - kClosing;
+    Annealing::Options options = raster(kCoarseCell, 0);
+    const double allowed = options.uncovered;
+    Annealed now =
+        annealed(best, options, {moves(at_length), how_.temperature * width_, kWarm * width_}, context_.rng());
+    for (int round = 0; round < kRounds; ++round) {
+      const double missed = close(now);
+      if (context_.cancelled()) break;
+      if (share_ < kFineBelow) options = raster(kFineCell, kMargin);
+      options.price = now.price;
+      options.least_shift = kLeastShift;
+      options.most_shift = kMostShift;
+      options.uncovered = std::max(allowed / 2, allowed - std::max(0.0, missed - now.uncovered));
+      if (share_ < kFineBelow)
+        now.points = along_walls(std::move(now.points), how_.return_home, width_, problem_.walls());
+      now = annealed(now.points, options, {moves(kClosing / kRounds), kWarm * width_, kCold * width_}, context_.rng());
+    }
+    close(now);
+    return driven(best_);
   }
 
  private:
-  Polyline annealed(const Polyline& points, double cell, double margin, const Annealing::Schedule& schedule) {
-    Annealing annealing(problem_, target_, points,
-                        {.cell = cell * width_,
-                         .radius = (0.5 - margin) * width_,
-                         .uncovered = std::max(1 - how_.coverage, kLeastUncovered) * area(target_),
-                         .price = price_});
-    annealing.run(schedule, context_.rng(), context_);
-    price_ = annealing.price();
-    return annealing.points();
+  struct Annealed {
+    Polyline points;
+    double energy, price, uncovered;
+  };
+  long moves(double share) const {
+    const double all =
+        how_.moves > 0 ? how_.moves : std::min(kMostMoves, kMovesEach * area(completion_.target()) / (width_ * width_));
+    return static_cast<long>(share * all);
+  }
+  Annealing::Options raster(double cell, double margin) const {
+    return {.cell = cell * width_,
+            .radius = (0.5 - margin) * width_,
+            .uncovered = share_ * area(completion_.target()),
+            .price = kPrice / width_ * std::pow(share_ / kPriceAt, kPricePower),
+            .fixed_end = how_.return_home,
+            .timed = how_.objective == PathMeasure::time};
+  }
+  Annealed annealed(const Polyline& points, const Annealing::Options& options, const Annealing::Schedule& schedule,
+                    Rng& rng) const {
+    const bool fine = options.cell < kCoarseCell * width_;
+    Annealing annealing(problem_, fine ? narrow_ : completion_.target(), points, options);
+    if (fine) annealing.focus(focus_);
+    annealing.run(schedule, rng, context_);
+    const double excess = std::max(0.0, annealing.uncovered() - options.uncovered);
+    return {annealing.points(), cost(annealing.points()) + options.price * excess, annealing.price(),
+            annealing.uncovered()};
   }
 
-  /// With detours, such that it covers as much as is asked for; all but seams, if that is everything.
-  Path completed(const Path& path) {
-    std::vector<Polyline> lines;
-    for (const Leg& leg : path.legs)
-      if (leg.tool) lines.push_back(leg.points);
-    const bool all = how_.coverage >= 1;
-    const double error = all ? covered_seam(problem_.robot()) : kChord * width_;
-    Region left = subtract(target_, swath_parts(lines, width_ / 2, error, all ? Bound::outside : Bound::inside));
-    std::ranges::sort(left.polygons, {}, [](const Polygon& p) { return area(p); });
-    double allowed = (1 - how_.coverage) * area(problem_.target());
-    const auto needed = std::ranges::find_if(left.polygons, [&](const Polygon& p) {
-      allowed -= area(p);
-      return allowed < 0;
-    });
-    left.polygons.erase(left.polygons.begin(), needed);
-    return left.empty() ? path : repaired(problem_, path, std::move(left), connector_, context_);
+  /// Offers the path. What it leaves uncovered, square metres; it goes on with its detours if these are short.
+  double close(Annealed& path) {
+    const Region uncovered = completion_.uncovered(path.points);
+    focus_.clear();
+    for (const Polygon& piece : uncovered.polygons) focus_.push_back(bounding_box(piece.outer).centre());
+    Polyline whole = offer(path.points);
+    if (length(whole) < kShortDetours * length(path.points)) path.points = std::move(whole);
+    return area(uncovered);
   }
 
-  /// Completed; it is kept if it is the shortest one so far.
-  Path offer(const Path& path) {
-    Path complete = completed(path);
-    const bool first = best_.legs.empty();
-    if (first || (!context_.cancelled() && complete.length() < best_.length())) {
-      best_ = complete;
-      context_.publish(best_);
+  double cost(const Polyline& points) const {
+    const bool timed = how_.objective == PathMeasure::time;
+    return length(points) + (timed ? TurnCost(problem_.robot()).total(points) : 0);
+  }
+
+  /// Each annealed briefly, by all threads.
+  Polyline best_of(const std::vector<Polyline>& lines) {
+    std::vector<Annealed> results(lines.size());
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+      for (std::size_t k = next++; k < lines.size(); k = next++) {
+        Rng rng(mix(context_.seed(), "start " + std::to_string(k)));
+        results[k] =
+            annealed(lines[k], raster(kCoarseCell, 0), {moves(kBrief), how_.temperature * width_, kWarm * width_}, rng);
+      }
+    };
+    problem_.walls();  // made before threads share it
+    std::vector<std::jthread> others;
+    for (int k = 1; k < how_.threads; ++k) others.emplace_back(work);
+    work();
+    others.clear();
+    return std::ranges::min_element(results, {}, &Annealed::energy)->points;
+  }
+
+  /// The path completed. It is kept if it is the best one so far.
+  Polyline offer(const Polyline& points) {
+    Polyline whole = completion_.completed(points, context_);
+    if (best_.empty() || (!context_.cancelled() && cost(whole) < cost(best_))) {
+      best_ = whole;
+      context_.publish(driven(best_));
     }
-    return complete;
+    return whole;
   }
 
   const Problem& problem_;
   const Improvement& how_;
   Context& context_;
-  const Connector connector_;
+  const Completion completion_;
   double width_;
-  const Region target_;
-  double price_;
-  Path best_;
+  double share_;              // of the target that annealing may leave uncovered
+  const Region narrow_;       // what the narrower tool of the fine raster can cover
+  std::vector<Point> focus_;  // what the last path that was completed left uncovered
+  Polyline best_;
 };
 
 }  // namespace
 
 const std::vector<Parameter<Improvement>>& improvement_parameters() {
   static const std::vector<Parameter<Improvement>> all{
-      {"coverage", &Improvement::coverage, Range{0, 1}, "share of the target that is to be covered"},
+      {"coverage", &Improvement::coverage, Range{0, 1, true}, "share of the target that is to be covered"},
       {"moves", &Improvement::moves, Range{0, 1e9},
-       "moves of annealing; 0: 4000 for each square of the tool's width in the target, at most 2e6"}};
+       "moves of annealing; 0: 4000 for each square of the tool's width in the target, at most 2e6"},
+      {"return_home", &Improvement::return_home, "end where the path starts"},
+      {"temperature", &Improvement::temperature, Range{1e-6, 10}, "of annealing, to begin with, in tool widths"},
+      {"threads", &Improvement::threads, Range{1, 256}, "that work at a time; they do not change the path"}};
   return all;
 }
 
@@ -150,8 +207,8 @@ bool covers_all(const Settings& settings) {
   return share == nullptr || *share >= 1;  // else it is a whole number: 1
 }
 
-Path improved(const Problem& problem, const Path& path, const Improvement& how, Context& context) {
-  return Improver(problem, how, context).run(path);
+Path improved(const Problem& problem, const std::vector<Path>& starts, const Improvement& how, Context& context) {
+  return Improver(problem, how, context).run(starts);
 }
 
 }  // namespace oxturn

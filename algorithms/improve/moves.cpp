@@ -6,13 +6,23 @@
 namespace oxturn {
 namespace {
 
-// Shares of the moves, in per cent, and their sizes in tool widths.
-constexpr std::uint64_t kShiftVertex = 40, kShiftEdge = 15, kRemove = 10, kSplit = 10, kMerge = 5, kTwoOpt = 10;
-constexpr double kLeastSpread = 0.01, kMostSpread = 0.3;  // standard deviations, log-uniform
-constexpr double kPartner = 2.2;                          // distance of vertices for 2-opt and Or-opt
-constexpr std::uint64_t kMostMoved = 8;                   // vertices that Or-opt moves
+// Shares of the moves, in per cent; distances in tool widths.
+constexpr std::uint64_t kShiftVertex = 34, kShiftEdge = 15, kSnap = 6, kRemove = 10, kSplit = 10, kMerge = 5,
+                        kTwoOpt = 10;
+constexpr double kPartner = 2.2;                  // distance of vertices for 2-opt and Or-opt
+constexpr double kSnapFrom = 0.1, kTouch = 1e-6;  // from a wall
+constexpr std::uint64_t kMostMoved = 8;           // vertices that Or-opt moves
 
 }  // namespace
+
+std::optional<Point> on_wall(const Point& p, const EdgeIndex& walls, double width, bool vertex) {
+  const auto wall = walls.nearest(p, kSnapFrom * width);
+  if (!wall || wall->distance <= kTouch * width) return std::nullopt;
+  const EdgeIndex::Edge& e = walls.edges()[wall->edge];
+  const Point& end = distance(p, e.a) < distance(p, e.b) ? e.a : e.b;
+  if (vertex && distance(p, end) < kSnapFrom * width) return end;
+  return lerp(wall->point, p, kTouch * width / wall->distance);
+}
 
 double Edges::length() const {
   double sum = 0;
@@ -32,7 +42,7 @@ void Change::apply(VertexPath& path) const {
 }
 
 double Moves::spread(Rng& rng) const {
-  return width_ * kLeastSpread * std::exp(rng.unit() * std::log(kMostSpread / kLeastSpread));
+  return width_ * sizes_.least * std::exp(rng.unit() * std::log(sizes_.most / sizes_.least));
 }
 
 Point Moves::cloud(Rng& rng) const {
@@ -41,8 +51,17 @@ Point Moves::cloud(Rng& rng) const {
   return size * Point(x, y);
 }
 
+std::size_t Moves::vertex(const VertexPath& path, Rng& rng) const {
+  if (!focus_.empty() && rng.chance(0.5)) {
+    const Point& at = focus_[rng.below(focus_.size())];
+    const double x = rng.between(-width_, width_), y = rng.between(-width_, width_);
+    if (const auto near = path.near(at + Point(x, y), rng)) return *near;
+  }
+  return rng.below(path.size());
+}
+
 std::optional<Change> Moves::propose(const VertexPath& path, Rng& rng) const {
-  const std::size_t i = rng.below(path.size());
+  const std::size_t i = vertex(path, rng);
   std::uint64_t kind = rng.below(100);
   const auto drawn = [&kind](std::uint64_t share) {
     if (kind < share) return true;
@@ -51,6 +70,7 @@ std::optional<Change> Moves::propose(const VertexPath& path, Rng& rng) const {
   };
   if (drawn(kShiftVertex)) return shift_vertex(path, i, rng);
   if (drawn(kShiftEdge)) return shift_edge(path, i, rng);
+  if (drawn(kSnap)) return snap(path, i, rng);
   if (drawn(kRemove)) return remove(path, i);
   if (drawn(kSplit)) return split(path, i, rng);
   if (drawn(kMerge)) return merge(path, i, rng);
@@ -67,13 +87,13 @@ Change Moves::replaced(const VertexPath& path, std::size_t first, std::size_t co
   change.point_count = points.size();
   std::copy(points.begin(), points.end(), change.points.begin());
   const bool goes_on = first + count < path.size();
-  for (std::size_t k = first; k < first + count + (goes_on ? 1 : 0); ++k) change.olds.add(path[k - 1], path[k]);
+  for (std::size_t k = first; k < first + count + (goes_on ? 1 : 0); ++k) change.removed.add(path[k - 1], path[k]);
   Point at = path[first - 1];
   for (const Point& p : points) {
-    change.news.add(at, p);
+    change.added.add(at, p);
     at = p;
   }
-  if (goes_on) change.news.add(at, path[first + count]);
+  if (goes_on) change.added.add(at, path[first + count]);
   return change;
 }
 
@@ -100,6 +120,18 @@ std::optional<Change> Moves::shift_edge(const VertexPath& path, std::size_t i, R
     if (size > 0) by = by.dot(side) / size * side;
   }
   return replaced(path, i, 2, std::array<Point, 2>{path[i] + by, path[i + 1] + by});
+}
+
+std::optional<Change> Moves::snap(const VertexPath& path, std::size_t i, Rng& rng) const {
+  if (!movable(path, i)) return std::nullopt;
+  const auto here = on_wall(path[i], walls_, width_, rng.chance(0.5));
+  if (rng.chance(0.5) && movable(path, i + 1)) {
+    const auto next = on_wall(path[i + 1], walls_, width_, rng.chance(0.5));
+    if (here || next)
+      return replaced(path, i, 2, std::array<Point, 2>{here.value_or(path[i]), next.value_or(path[i + 1])});
+  }
+  if (!here) return std::nullopt;
+  return replaced(path, i, 1, std::array{*here});
 }
 
 std::optional<Change> Moves::remove(const VertexPath& path, std::size_t i) const {
@@ -135,11 +167,11 @@ std::optional<Change> Moves::two_opt(const VertexPath& path, std::size_t i, Rng&
   change.kind = Change::Kind::reverse;
   change.first = before + 1;
   change.last = last;
-  change.olds.add(path[before], path[before + 1]);
-  change.news.add(path[before], path[last]);
+  change.removed.add(path[before], path[before + 1]);
+  change.added.add(path[before], path[last]);
   if (!end) {
-    change.olds.add(path[last], path[last + 1]);
-    change.news.add(path[before + 1], path[last + 1]);
+    change.removed.add(path[last], path[last + 1]);
+    change.added.add(path[before + 1], path[last + 1]);
   }
   return change;
 }
@@ -158,15 +190,15 @@ std::optional<Change> Moves::or_opt(const VertexPath& path, std::size_t i, Rng& 
   change.last = last;
   change.after = *after;
   change.turned = rng.chance(0.5);
-  change.olds.add(path[i - 1], path[i]);
+  change.removed.add(path[i - 1], path[i]);
   if (!tail) {
-    change.olds.add(path[last], path[last + 1]);
-    change.news.add(path[i - 1], path[last + 1]);
+    change.removed.add(path[last], path[last + 1]);
+    change.added.add(path[i - 1], path[last + 1]);
   }
-  change.news.add(path[*after], path[change.turned ? last : i]);
+  change.added.add(path[*after], path[change.turned ? last : i]);
   if (!to_end) {
-    change.olds.add(path[*after], path[*after + 1]);
-    change.news.add(path[change.turned ? i : last], path[*after + 1]);
+    change.removed.add(path[*after], path[*after + 1]);
+    change.added.add(path[change.turned ? i : last], path[*after + 1]);
   }
   return change;
 }

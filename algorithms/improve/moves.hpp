@@ -1,17 +1,22 @@
 /// Small random changes of a path, for annealing.
 ///
-///   const Moves moves(MoveSizes{tool_width});
+///   Moves moves({.width = tool_width}, fixed_end, problem.walls());
+///   moves.focus(centres_of_uncovered_pieces);
 ///   if (const auto change = moves.propose(path, rng)) { ... change->apply(path); }
 ///
-/// Shifts of a vertex or an edge, vertices deleted, added and merged, 2-opt and Or-opt with a vertex near by. The first
-/// vertex stays where it is, and so does the last one if `fixed_end`. Each O(1), but for what apply() costs.
+/// Shifts of a vertex or an edge, also to the wall beside it; vertices deleted, added and merged; 2-opt and Or-opt with
+/// a vertex near by. The first vertex stays where it is, and so does the last one if `fixed_end`. Each O(1), but for
+/// what apply() costs.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "algorithms/improve/vertex_path.hpp"
+#include "geometry/edge_index.hpp"
 
 namespace oxturn {
 
@@ -42,15 +47,26 @@ struct Change {
   bool turned = false;              // of relocate
   std::array<Point, 2> points{};    // of replace
   std::size_t point_count = 0;
-  Edges olds, news;
+  Edges removed, added;
 
   void apply(VertexPath& path) const;
 };
 
+/// The point of the wall beside p, or with `vertex` the nearer end of its edge, if it is within a tenth of the tool's
+/// width; nullopt if p is there already. Inside by more than rounding, so that edges along the wall are inside, too.
+std::optional<Point> on_wall(const Point& p, const EdgeIndex& walls, double width, bool vertex);
+
 class Moves {
  public:
-  /// `width`: the tool's, metres.
-  Moves(double width, bool fixed_end) : width_(width), fixed_end_(fixed_end) {}
+  struct Sizes {
+    double width = 0;                 // of the tool, metres
+    double least = 0.01, most = 0.3;  // standard deviations of shifts, in tool widths; log-uniform in between
+  };
+  /// `walls`: the edges of configuration space, to which vertices may snap; must outlive it.
+  Moves(const Sizes& sizes, bool fixed_end, const EdgeIndex& walls)
+      : sizes_(sizes), width_(sizes.width), fixed_end_(fixed_end), walls_(walls) {}
+  /// Half of the moves are made within a tool's width of one of these points.
+  void focus(std::vector<Point> points) { focus_ = std::move(points); }
   /// nullopt: the move drawn does not exist here.
   std::optional<Change> propose(const VertexPath& path, Rng& rng) const;
 
@@ -63,6 +79,7 @@ class Moves {
   Change replaced(const VertexPath& path, std::size_t first, std::size_t count, std::span<const Point> points) const;
   std::optional<Change> shift_vertex(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<Change> shift_edge(const VertexPath& path, std::size_t i, Rng& rng) const;
+  std::optional<Change> snap(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<Change> remove(const VertexPath& path, std::size_t i) const;
   std::optional<Change> split(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<Change> merge(const VertexPath& path, std::size_t i, Rng& rng) const;
@@ -70,8 +87,13 @@ class Moves {
   std::optional<Change> or_opt(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<std::size_t> partner(const VertexPath& path, std::size_t i, Rng& rng) const;
 
+  std::size_t vertex(const VertexPath& path, Rng& rng) const;
+
+  Sizes sizes_;
   double width_;
   bool fixed_end_;
+  const EdgeIndex& walls_;
+  std::vector<Point> focus_;
 };
 
 }  // namespace oxturn

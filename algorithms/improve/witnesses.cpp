@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "geometry/raster.hpp"
@@ -28,6 +29,57 @@ void for_each_difference(const Witnesses::Capsule& x, const Witnesses::Capsule& 
   }
 }
 
+// Eight counters in one word; each operation works on all of them, without carries from one to the next.
+constexpr std::uint64_t kOnes = 0x0101010101010101, kHigh = 0x8080808080808080, kLow = 0x7f7f7f7f7f7f7f7f;
+
+std::uint64_t load(const std::uint8_t* at) {
+  std::uint64_t word = 0;
+  std::memcpy(&word, at, sizeof word);
+  return word;
+}
+/// The lowest n of eight counters, 0 < n.
+std::uint64_t first_of(int n) { return n >= 8 ? ~std::uint64_t{0} : (std::uint64_t{1} << (8 * n)) - 1; }
+std::uint64_t plus(std::uint64_t x, std::uint64_t y) { return ((x & kLow) + (y & kLow)) ^ ((x ^ y) & kHigh); }
+/// How many of the counters under the mask are 0.
+int zeros(std::uint64_t x, std::uint64_t mask) {
+  const std::uint64_t high = ~(((x & kLow) + kLow) | x) & kHigh & mask;
+  return static_cast<int>(((high >> 7) * kOnes) >> 56);
+}
+
+/// How many counters are 0; of those equal to 1, for value = 1.
+int count(const std::uint8_t* from, int n, std::uint64_t value) {
+  int found = 0;
+  for (; n > 0; n -= 8, from += 8) found += zeros(load(from) ^ (value * kOnes), first_of(n));
+  return found;
+}
+/// Adds `by`, 1 or 255, which is -1. How many were or are 0: those that became covered or uncovered.
+int add_to(std::uint8_t* from, int n, std::uint64_t by) {
+  int found = 0;
+  for (; n > 0; n -= 8, from += 8) {
+    const std::uint64_t mask = first_of(n), before = load(from), after = plus(before, by * kOnes & mask);
+    std::memcpy(from, &after, sizeof after);
+    found += zeros(by == 1 ? before : after, mask);
+  }
+  return found;
+}
+
+/// How many of the counters low to high - 1 of row r are 1 and lie in no capsule.
+int lost(const std::uint8_t* row, int r, int low, int high, std::span<const Witnesses::Capsule> capsules) {
+  for (std::size_t i = 0; i < capsules.size() && low < high; ++i) {
+    const Witnesses::Capsule& c = capsules[i];
+    if (r < c.first || r >= c.first + c.rows) continue;
+    const int from = c.low[static_cast<std::size_t>(r - c.first)], to = c.high[static_cast<std::size_t>(r - c.first)];
+    if (from >= to || to <= low || from >= high) continue;
+    if (from <= low)
+      low = to;
+    else if (to >= high)
+      high = from;
+    else
+      return lost(row, r, low, from, capsules.subspan(i + 1)) + lost(row, r, to, high, capsules.subspan(i + 1));
+  }
+  return low < high ? count(row + low, high - low, 1) : 0;
+}
+
 const Witnesses::Capsule& at(std::span<const Witnesses::Capsule> capsules, std::size_t i) {
   static const Witnesses::Capsule none;
   return i < capsules.size() ? capsules[i] : none;
@@ -46,6 +98,7 @@ Witnesses::Witnesses(const Region& target, double cell, double radius) : cell_(c
   points_ = uncovered_ = static_cast<long>(grid.count());
   counts_ = std::move(grid.bits);
   for (std::uint8_t& c : counts_) c = c != 0 ? 0 : kOutside;
+  counts_.resize(counts_.size() + sizeof(std::uint64_t), kOutside);
 }
 
 /// In units of cells, such that the point of column i and row j has the coordinates (i, j).
@@ -95,41 +148,25 @@ void Witnesses::capsule(const Point& a, const Point& b, Capsule& out) const {
 }
 
 void Witnesses::apply(const Capsule& old, const Capsule& next) {
-  for_each_difference(next, old, [&](int r, int low, int high) {
-    std::uint8_t* c = row(r);
-    int found = 0;
-    for (int i = low; i < high; ++i) {
-      found += c[i] == 0;
-      c[i] = static_cast<std::uint8_t>(c[i] + 1);
-    }
-    uncovered_ -= found;
-  });
-  for_each_difference(old, next, [&](int r, int low, int high) {
-    std::uint8_t* c = row(r);
-    int lost = 0;
-    for (int i = low; i < high; ++i) {
-      c[i] = static_cast<std::uint8_t>(c[i] - 1);
-      lost += c[i] == 0;
-    }
-    uncovered_ += lost;
-  });
+  for_each_difference(next, old, [&](int r, int low, int high) { uncovered_ -= add_to(row(r) + low, high - low, 1); });
+  for_each_difference(old, next,
+                      [&](int r, int low, int high) { uncovered_ += add_to(row(r) + low, high - low, 255); });
 }
 
-long Witnesses::gain(std::span<const Capsule> olds, std::span<const Capsule> news) const {
-  long sum = 0;
-  for (std::size_t i = 0; i < news.size(); ++i)
-    for_each_difference(news[i], at(olds, i), [&](int r, int low, int high) {
-      const std::uint8_t* c = row(r);
-      int found = 0;
-      for (int k = low; k < high; ++k) found += c[k] == 0;
-      sum += found;
-    });
-  return sum;
+long Witnesses::least_change(std::span<const Capsule> removed, std::span<const Capsule> added) const {
+  long change = 0;
+  for (std::size_t i = 0; i < added.size(); ++i)
+    for_each_difference(added[i], at(removed, i),
+                        [&](int r, int low, int high) { change -= count(row(r) + low, high - low, 0); });
+  for (std::size_t i = 0; i < removed.size(); ++i)
+    for_each_difference(removed[i], at(added, i),
+                        [&](int r, int low, int high) { change += lost(row(r), r, low, high, added); });
+  return change;
 }
 
-long Witnesses::exchange(std::span<const Capsule> olds, std::span<const Capsule> news) {
+long Witnesses::exchange(std::span<const Capsule> removed, std::span<const Capsule> added) {
   const long before = uncovered_;
-  for (std::size_t i = 0; i < std::max(olds.size(), news.size()); ++i) apply(at(olds, i), at(news, i));
+  for (std::size_t i = 0; i < std::max(removed.size(), added.size()); ++i) apply(at(removed, i), at(added, i));
   return uncovered_ - before;
 }
 

@@ -9,8 +9,8 @@
 /// the two. Counters run modulo 256, and points outside the target start at 128: a path that lies 128 times on itself
 /// would be misjudged, until it does so no more.
 ///
-/// Complexity  O(A / cell^2) bytes and time to build for a box of area A; a capsule costs a few operations for each row,
-///             an exchange in addition one for each point in the difference
+/// Complexity  O(A / cell^2) bytes and time to build for a box of area A; a capsule costs a few operations for each
+///             row, an exchange in addition one for each point in the difference
 #pragma once
 
 #include <cstdint>
@@ -35,11 +35,11 @@ class Witnesses {
   /// Does not depend on the order of the ends. Writes to `out`, to spare the allocation.
   void capsule(const Point& a, const Point& b, Capsule& out) const;
   void add(const Capsule& capsule) { apply({}, capsule); }
-  /// Points that are uncovered now and lie in the new capsules, but not in the old ones of the same index: an upper
-  /// bound of what an exchange gains.
-  long gain(std::span<const Capsule> olds, std::span<const Capsule> news) const;
+  /// A lower bound of what exchange() returns. Changes nothing. Points that only one capsule covers are lost if it is
+  /// an old one and no new one holds them, and at most all uncovered points in new ones are gained.
+  long least_change(std::span<const Capsule> removed, std::span<const Capsule> added) const;
   /// Takes the old capsules away and adds the new ones. The change of the number of uncovered points.
-  long exchange(std::span<const Capsule> olds, std::span<const Capsule> news);
+  long exchange(std::span<const Capsule> removed, std::span<const Capsule> added);
 
   long points() const { return points_; }        // of the target
   long uncovered() const { return uncovered_; }  // of these
@@ -58,7 +58,7 @@ class Witnesses {
   Point origin_{0, 0};  // of the turned raster
   int columns_ = 0, rows_ = 0;
   long points_ = 0, uncovered_ = 0;
-  std::vector<std::uint8_t> counts_;
+  std::vector<std::uint8_t> counts_;  // and some bytes more: eight are read at once
 };
 
 }  // namespace oxturn

@@ -24,7 +24,7 @@ class Polished final : public CoveragePlanner {
       Context inner(context.seed(), context.seconds_left(), context.without_promise());
       path = inner_->plan(problem, inner);
     } catch (const Infeasible&) {}  // Decision 1
-    return improved(problem, path, how_, context);
+    return improved(problem, {path}, how_, context);
   }
 
  private:
@@ -45,7 +45,8 @@ PlannerInfo polished() {
   info.promise = Promise::target;
   info.parameters = infos_of(improvement_parameters());
   info.promises_with = covers_all;
-  return wrapper(std::move(info), "boustrophedon", [](Wrapped inner, const Settings& own) {
+  return wrapper(std::move(info), "boustrophedon", [](Wrapped inner, Settings own) {
+    own.erase("planner");
     return std::make_unique<Polished>(std::move(inner.planner),
                                       with_settings<Improvement>("planner 'polished'", improvement_parameters(), own));
   });

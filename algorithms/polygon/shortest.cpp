@@ -5,25 +5,50 @@
 // Guarantee   covers the share `coverage` of the target, but for seams thinner than a 250th of the tool's width; never
 //             longer than its start, completed
 // Complexity  a few microseconds a move
-// Decisions   1. The start is `boustrophedon` without outline.
+// Decisions   1. Starts: `boustrophedon` in its own direction and along both axes, and `contour`. Each is
+//                annealed briefly, the best one at length.
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/improve/improve.hpp"
 
 namespace oxturn {
 namespace {
 
+struct Start {
+  const char* planner;
+  Settings settings;
+};
+/// The first one covers the whole target.
+std::vector<Start> starts() {
+  return {{"boustrophedon", {}},
+          {"contour", {}},
+          {"boustrophedon", {{"sweep", std::string("given")}, {"angle", 0.0}}},
+          {"boustrophedon", {{"sweep", std::string("given")}, {"angle", 90.0}}}};
+}
+
 class Shortest final : public CoveragePlanner {
  public:
-  Shortest(const Improvement& how, const Planners& planners)
-      : how_(how), start_(planners.find("boustrophedon").make({{"outline", false}}, planners)) {}
+  Shortest(const Improvement& how, const Planners& planners) : how_(how) {
+    for (const Start& start : starts())
+      planners_.push_back(planners.find(start.planner).make(start.settings, planners));
+  }
 
   Path plan(const Problem& problem, Context& context) const override {
-    return improved(problem, start_->plan(problem, context), how_, context);
+    std::vector<Path> paths;
+    for (const auto& planner : planners_) {
+      Context inner(context.seed(), context.seconds_left());
+      try {
+        paths.push_back(planner->plan(problem, inner));
+      } catch (const Infeasible&) { continue; }
+      if (paths.size() == 1) context.publish(paths.front());
+      if (context.cancelled()) break;
+    }
+    if (paths.empty()) paths.emplace_back();  // all of the path is detours
+    return improved(problem, paths, how_, context);
   }
 
  private:
   Improvement how_;
-  std::unique_ptr<CoveragePlanner> start_;
+  std::vector<std::unique_ptr<CoveragePlanner>> planners_;
 };
 
 }  // namespace

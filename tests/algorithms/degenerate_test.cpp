@@ -6,7 +6,7 @@
 #include "algorithms/coverage_planner.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "metrics/score.hpp"
-#include "tests/support/planners.hpp"
+#include "tests/support/brief_planners.hpp"
 
 namespace oxturn {
 namespace {
@@ -102,7 +102,7 @@ class Degenerate : public testing::TestWithParam<std::size_t> {};
 TEST_P(Degenerate, ValidPathOrClearRefusal) {
   const Case c = cases()[GetParam()];
   const Problem problem({c.name, c.free, "test", "test"}, c.robot, c.start);
-  for (const PlannerInfo& planner : built_in()) {
+  for (const PlannerInfo& planner : brief_built_in()) {
     if (planner.has(Capability::tether)) continue;
     for (const Settings& settings :
          {Settings{}, planner.name == "boustrophedon" ? Settings{{"cells", std::string("exact")}} : Settings{}}) {
@@ -111,7 +111,7 @@ TEST_P(Degenerate, ValidPathOrClearRefusal) {
       Context context(1);
       Path path;
       try {
-        path = planner.make(settings, built_in())->plan(problem, context);
+        path = planner.make(settings, brief_built_in())->plan(problem, context);
       } catch (const Infeasible& refusal) {
         EXPECT_FALSE(guarantees_all) << refusal.what();
         continue;
@@ -130,14 +130,14 @@ TEST_P(Degenerate, WithATetherAsWell) {
     Robot robot = c.robot;
     robot.tether = Tether{0, reach};
     const Problem problem({c.name, c.free, "test", "test"}, robot, c.start);
-    for (const PlannerInfo& planner : built_in()) {
+    for (const PlannerInfo& planner : brief_built_in()) {
       if (!planner.has(Capability::tether)) continue;
       SCOPED_TRACE(fmt::format("{} on '{}', reach {}", planner.name, c.name, reach));
       const bool guarantees_all = planner.name == "leashed" || planner.name == "berg-complete";
       Context context(1);
       Path path;
       try {
-        path = planner.make({}, built_in())->plan(problem, context);
+        path = planner.make({}, brief_built_in())->plan(problem, context);
       } catch (const Infeasible& refusal) {
         EXPECT_FALSE(guarantees_all) << refusal.what();
         continue;

@@ -11,7 +11,7 @@
 #include "algorithms/smoothing/rounding.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "metrics/score.hpp"
-#include "tests/support/planners.hpp"
+#include "tests/support/brief_planners.hpp"
 
 namespace oxturn {
 namespace {
@@ -34,7 +34,7 @@ Problem meadow(double width, double height, const Robot& robot) {
 
 Path plan_on(const std::string& planner, const Settings& settings, const Problem& problem) {
   Context context;
-  return built_in().find(planner).make(settings, built_in())->plan(problem, context);
+  return brief_built_in().find(planner).make(settings, brief_built_in())->plan(problem, context);
 }
 
 TEST(Drivable, LanesKeepTheirCourseAndNothingIsTooSharp) {
@@ -63,7 +63,7 @@ TEST(Drivable, OthersAreLeftAlone) {
 
 TEST(Drivable, EveryOfflinePlannerOfTheZoo) {
   const Problem problem = meadow(45, 35, tractor(2.5, true));
-  for (const PlannerInfo& planner : built_in()) {
+  for (const PlannerInfo& planner : brief_built_in()) {
     if (planner.has(Capability::online) || planner.has(Capability::tether)) continue;
     SCOPED_TRACE(planner.name);
     EXPECT_EQ(missing_capability(planner, problem), "");

@@ -12,10 +12,10 @@
 #include "algorithms/transit/tlppa.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
+#include "tests/support/brief_planners.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/maps.hpp"
-#include "tests/support/planners.hpp"
 #include "tests/support/seeds.hpp"
 
 namespace oxturn {
@@ -407,7 +407,7 @@ TEST(Hyun, NoTrackingPointIsOneSentence) {
 
 // Planners with the capability `footprint` keep polygonal robots in configuration space.
 TEST(Footprints, EveryPlannerWithTheCapabilityIsValid) {
-  for (const PlannerInfo& planner : built_in()) {
+  for (const PlannerInfo& planner : brief_built_in()) {
     if (!planner.has(Capability::footprint) || planner.has(Capability::tether)) continue;
     for (const char* generator : {"hyun", "polygon", "clutter", "rooms", "cave", "comb", "field"}) {
       SCOPED_TRACE(fmt::format("{} on {}", planner.name, generator));
@@ -419,7 +419,7 @@ TEST(Footprints, EveryPlannerWithTheCapabilityIsValid) {
       const Problem problem(generate(generator, size, 2), robot);
       EXPECT_EQ(missing_capability(planner, problem), "");
       Context context(1);
-      const Score s = score(problem, planner.make({}, built_in())->plan(problem, context));
+      const Score s = score(problem, planner.make({}, brief_built_in())->plan(problem, context));
       EXPECT_EQ(s.flaw, "");
       EXPECT_GT(*s.value("coverage"), 0.5);
     }

@@ -5,8 +5,8 @@
 #include "base/random.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
+#include "tests/support/brief_planners.hpp"
 #include "tests/support/maps.hpp"
-#include "tests/support/planners.hpp"
 #include "tests/support/seeds.hpp"
 
 namespace oxturn {
@@ -33,7 +33,7 @@ std::optional<PromisedPlan> plan_promised(const std::string& planner, const Sett
   sinks.promise = [&](std::function<Region()> region) { promised = std::move(region); };
   Context context(seed, 1e9, sinks);
   try {
-    Path path = built_in_planner(planner, settings)->plan(problem, context);
+    Path path = brief_built_in().find(planner).make(settings, brief_built_in())->plan(problem, context);
     return PromisedPlan{std::move(path), promised ? std::optional(promised()) : std::nullopt};
   } catch (const Infeasible&) { return std::nullopt; }
 }
@@ -52,7 +52,7 @@ TEST(Promise, IsKept) {
   for (const auto seed : seeds(6)) {
     Rng rng(seed);
     const Problem problem = random_problem(rng);
-    for (const PlannerInfo& planner : built_in()) {
+    for (const PlannerInfo& planner : brief_built_in()) {
       if (planner.promise == Promise::nothing || planner.has(Capability::tether)) continue;
       SCOPED_TRACE(planner.name + " with seed " + std::to_string(seed));
       const auto plan = plan_promised(planner.name, {}, problem, seed);
@@ -135,7 +135,7 @@ TEST(Promise, NothingIsPromisedByLidar) {
   Robot robot;
   robot.lidar = Lidar{.range = 10, .rays = 90};
   const Problem room({"room", box_region({0, 0}, {6, 4}), "test", ""}, robot, Point(1, 1));
-  for (const PlannerInfo& planner : built_in()) {
+  for (const PlannerInfo& planner : brief_built_in()) {
     if (planner.family != "grid" || !planner.has(Capability::online)) continue;
     SCOPED_TRACE(planner.name);
     const auto plan = plan_promised(planner.name, {{"sensing", std::string("lidar")}}, room);

@@ -1,0 +1,50 @@
+/// What a path leaves uncovered, exactly, and the path with detours that reach the coverage asked for.
+///
+///   const Completion completion(problem, 0.999);
+///   completion.uncovered(points);                     // a superset, as a region
+///   points = completion.completed(points, context);
+///
+/// Of the uncovered pieces the smallest stay, as far as the coverage allows. Pieces that one position covers get the
+/// shortest detours there are (stops.hpp), others those of lanes/repair.hpp.
+///
+/// Guarantee   the path covers the share asked for, less seams thinner than covered_seam() where only lanes could
+///             reach them
+/// Complexity  O(m log m) for a path of m segments
+#pragma once
+
+#include "algorithms/context.hpp"
+#include "algorithms/transit/connector.hpp"
+#include "maps/problem.hpp"
+
+namespace oxturn {
+
+class Completion {
+ public:
+  /// `problem` must outlive it.
+  Completion(const Problem& problem, double coverage);
+  /// What can be covered: all of the target, but where configuration space was restricted.
+  const Region& target() const { return target_; }
+  /// Square metres that may stay uncovered: slightly less than asked for, because who judges the path measures with an
+  /// error.
+  double allowed() const;
+  Region uncovered(const Polyline& points) const;
+  Polyline completed(Polyline points, Context& context) const;
+
+ private:
+  Region needed(Region uncovered) const;
+
+  const Problem& problem_;
+  const Connector connector_;
+  double width_, coverage_;
+  Region target_;
+};
+
+/// What a tool that is narrower by `margin` metres on each side can cover of the target. If it does, one of the full
+/// width covers all of the target that it can: no point of that is farther from here than the margin.
+Region coverable(const Problem& problem, double margin);
+/// The path's vertices, legs joined.
+Polyline vertices_of(const Path& path, const Point& start);
+/// The path along these points, tool on.
+Path driven(const Polyline& points);
+
+}  // namespace oxturn

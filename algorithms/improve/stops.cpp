@@ -1,0 +1,63 @@
+#include "algorithms/improve/stops.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace oxturn {
+namespace {
+
+constexpr std::size_t kMostTried = 12;  // segments of the path from which a detour is tried
+constexpr int kHalvings = 30;
+
+struct Stop {
+  std::size_t segment;
+  double along;  // metres
+  Point from, at;
+};
+
+bool covers(const Point& at, const Polygon& piece, double reach) {
+  return std::ranges::all_of(piece.outer, [&](const Point& p) { return distance(p, at) <= reach; });
+}
+
+std::optional<Stop> shortest_stop(const Polyline& path, const Polygon& piece, double reach, const EdgeIndex& walls) {
+  const Point centre = bounding_box(piece.outer).centre();
+  if (!covers(centre, piece, reach)) return std::nullopt;
+  const auto nearest = [&](std::size_t k) { return nearest_on_segment(centre, path[k], path[k + 1]); };
+  std::vector<std::pair<double, std::size_t>> segments;
+  for (std::size_t k = 0; k + 1 < path.size(); ++k)
+    if (const double far = distance(nearest(k), centre); far < 2 * reach) segments.emplace_back(far, k);
+  std::ranges::sort(segments);
+  segments.resize(std::min(segments.size(), kMostTried));
+  for (const auto& [far, k] : segments) {
+    const Point from = nearest(k);
+    double outside = 0, inside = 1;  // the positions that cover the piece are an interval of the line to its centre
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = (outside + inside) / 2;
+      (covers(lerp(from, centre, middle), piece, reach) ? inside : outside) = middle;
+    }
+    const Point at = lerp(from, centre, inside);
+    if (walls.contains(from) && walls.contains(from, at)) return Stop{k, distance(path[k], from), from, at};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Polyline with_stops(const Polyline& path, const std::vector<Polygon>& pieces, double reach, const EdgeIndex& walls) {
+  std::vector<Stop> stops;
+  for (const Polygon& piece : pieces)
+    if (const auto stop = shortest_stop(path, piece, reach, walls)) stops.push_back(*stop);
+  std::ranges::stable_sort(stops, {}, [](const Stop& s) { return std::tuple(s.segment, s.along); });
+  Polyline whole{path.front()};
+  auto next = stops.begin();
+  for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+    for (; next != stops.end() && next->segment == k; ++next)
+      whole.insert(whole.end(), {next->from, next->at, next->from});
+    whole.push_back(path[k + 1]);
+  }
+  return whole;
+}
+
+}  // namespace oxturn
