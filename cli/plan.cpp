@@ -72,8 +72,9 @@ std::function<void(double)> progress_line() {
 /// cannot be loaded again, so it is not named.
 void write_path(const std::string& file, const Path& path, const Problem& problem, MapSource source) {
   namespace fs = std::filesystem;
-  if (is_standard_stream(source.file)) return write_file(file, to_geojson(path));
-  if (!source.file.empty()) source.file = fs::proximate(source.file, fs::absolute(file).parent_path()).generic_string();
+  if (is_standard_stream(source.file) || is_standard_stream(source.target)) return write_file(file, to_geojson(path));
+  for (std::string* name : {&source.file, &source.target})
+    if (!name->empty()) *name = fs::proximate(*name, fs::absolute(file).parent_path()).generic_string();
   const PathProblem made_for = path_problem(problem, std::move(source));
   write_file(file, to_geojson(path, &made_for));
 }

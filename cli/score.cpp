@@ -30,6 +30,8 @@ MapFile map_of(const Options& options, const PathFile& file, const Registry& reg
   if (!file.problem)
     throw std::invalid_argument(
         fmt::format("'{}' does not name the problem that it was made for; give MAP", options.path));
+  if (!options.problem.target.empty())
+    throw std::invalid_argument("--target applies to MAP; give MAP, or leave it out");
   if (!options.problem.read.empty())
     throw std::invalid_argument("options for ROS maps and images apply to MAP; give MAP, or leave them out");
   return load_map(*file.problem, options.path, registry.generators, registry.formats);

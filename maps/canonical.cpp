@@ -57,6 +57,12 @@ std::string canonical_bytes(const Region& region) {
   return sorted_list(std::move(polygons));
 }
 
-std::string content_hash(const Map& map) { return sha256(canonical_bytes(map.free)); }
+std::string canonical_bytes(const Map& map) {
+  std::string bytes = canonical_bytes(map.free);
+  if (map.target_area) bytes += "target" + canonical_bytes(*map.target_area);
+  return bytes;
+}
+
+std::string content_hash(const Map& map) { return sha256(canonical_bytes(map)); }
 
 }  // namespace oxturn
