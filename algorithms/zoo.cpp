@@ -45,7 +45,7 @@ PlannerInfo beachbot();
 
 namespace {
 
-/// Planners cover target areas, if they do not themselves, and the offline ones drive robots with a least turning radius.
+/// Planners cover target areas, and the offline ones drive robots with a least turning radius, if not by themselves.
 Planners with_areas_and_curves(const Planners& planners) {
   Planners all("planner", {});
   for (const PlannerInfo& planner : planners) {
@@ -61,44 +61,44 @@ Planners with_areas_and_curves(const Planners& planners) {
 
 Planners built_in_planners() {
   return with_areas_and_curves(Planners("planner", {
-                                             boustrophedon(),
-                                             zigzag(),
-                                             contour(),
-                                             connected_fermat(),
-                                             field(),
-                                             field_predictive(),
-                                             oarp(),
-                                             smooth_spiral(),
-                                             skeleton_spiral(),
-                                             completed(),
-                                             shortest(),
-                                             polished(),
-                                             trapezoid(),
-                                             stc(),
-                                             stc_spiral(),
-                                             stc_scan(),
-                                             stc_loops(),
-                                             rectangles(),
-                                             wavefront(),
-                                             bsa(),
-                                             linked_spiral(),
-                                             ba_star(),
-                                             smart_dfs(),
-                                             cell_explore(),
-                                             hyun(),
-                                             leashed(),
-                                             berg(),
-                                             berg_complete(),
-                                             shnaps_rimon(),
-                                             shnaps_rimon_banded(),
-                                             tether_tree(),
-                                             tethered_stc(),
-                                             random_walk(),
-                                             spiral_out(),
-                                             wall_follow(),
-                                             vacuum_mix(),
-                                             beachbot(),
-                                         }));
+                                                       boustrophedon(),
+                                                       zigzag(),
+                                                       contour(),
+                                                       connected_fermat(),
+                                                       field(),
+                                                       field_predictive(),
+                                                       oarp(),
+                                                       smooth_spiral(),
+                                                       skeleton_spiral(),
+                                                       completed(),
+                                                       shortest(),
+                                                       polished(),
+                                                       trapezoid(),
+                                                       stc(),
+                                                       stc_spiral(),
+                                                       stc_scan(),
+                                                       stc_loops(),
+                                                       rectangles(),
+                                                       wavefront(),
+                                                       bsa(),
+                                                       linked_spiral(),
+                                                       ba_star(),
+                                                       smart_dfs(),
+                                                       cell_explore(),
+                                                       hyun(),
+                                                       leashed(),
+                                                       berg(),
+                                                       berg_complete(),
+                                                       shnaps_rimon(),
+                                                       shnaps_rimon_banded(),
+                                                       tether_tree(),
+                                                       tethered_stc(),
+                                                       random_walk(),
+                                                       spiral_out(),
+                                                       wall_follow(),
+                                                       vacuum_mix(),
+                                                       beachbot(),
+                                                   }));
 }
 
 }  // namespace oxturn

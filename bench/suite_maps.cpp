@@ -84,8 +84,7 @@ std::vector<Placements::Target> read_targets(const std::string& file, TomlTable&
   std::vector<Placements::Target> targets;
   for (const toml::node* item : alternatives(file, *node, "target")) {
     const auto* name = item->as_string();
-    if (name == nullptr || name->get().empty())
-      refuse(file, *item, "target is not the name of a map file in quotes");
+    if (name == nullptr || name->get().empty()) refuse(file, *item, "target is not the name of a map file in quotes");
     const std::string path = (std::filesystem::path(file).parent_path() / name->get()).string();
     std::shared_ptr<const MapFile> content;
     at_position(file, *item, [&] { content = read_under_limits(MapSpec{.file = path}, formats, limits); });
@@ -95,8 +94,7 @@ std::vector<Placements::Target> read_targets(const std::string& file, TomlTable&
   return targets;
 }
 
-Placements read_placements(const std::string& file, TomlTable& table, const MapFormats& formats,
-                           const Limits& limits) {
+Placements read_placements(const std::string& file, TomlTable& table, const MapFormats& formats, const Limits& limits) {
   return {read_locations(file, table, "start", LocationKind::start),
           read_locations(file, table, "anchor", LocationKind::anchor), read_targets(file, table, formats, limits)};
 }

@@ -27,7 +27,7 @@ inline constexpr const char* kMapHelp =
 void add_target_option(CLI::App& app, std::string& file);
 
 struct ProblemOptions {
-  std::string map;  // a file, or GENERATOR[:SEED]; empty: not given
+  std::string map;     // a file, or GENERATOR[:SEED]; empty: not given
   std::string target;  // a map file whose free space is the target area; empty: as the map says
   ReaderOptions read;
   std::string robot;  // "radius=0.2,speed=1"

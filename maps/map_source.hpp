@@ -15,8 +15,8 @@ namespace oxturn {
 struct MapSource {
   std::string file = {};  // empty: a generator
   std::string generator = {};
-  Settings settings = {};  // of the file's reader, or of the generator
-  std::uint64_t seed = 1;  // of the generator
+  Settings settings = {};   // of the file's reader, or of the generator
+  std::uint64_t seed = 1;   // of the generator
   std::string target = {};  // a map file whose free space is the target area; empty: the map's own target area, if any
 };
 

@@ -147,7 +147,7 @@ struct Problem::Impl {
   Point start;
   Robot robot;
   mutable std::once_flag transit_once, walls_once, work_once;
-  mutable Region work;  // with a target area
+  mutable Region work;               // with a target area
   mutable std::optional<Mesh> mesh;  // of the space, if the search for a start made it; shortest paths take it
   mutable std::unique_ptr<const ShortestPaths> transit;
   mutable std::unique_ptr<const EdgeIndex> walls;

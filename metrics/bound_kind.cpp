@@ -6,10 +6,10 @@ namespace oxturn {
 extern const Metric kBoundKind;
 
 const Metric kBoundKind{"bound_kind", "1", Better::neither,
-    "which bound is the best: 0 area, 1 area and what is spilled at corners and narrow places",
-    [](const Scored& s) -> std::optional<double> {
-      if (!s.bound) return std::nullopt;
-      return static_cast<double>(s.bound->kind);
-    }};
+                        "which bound is the best: 0 area, 1 area and what is spilled at corners and in narrow parts",
+                        [](const Scored& s) -> std::optional<double> {
+                          if (!s.bound) return std::nullopt;
+                          return static_cast<double>(s.bound->kind);
+                        }};
 
 }  // namespace oxturn

@@ -5,7 +5,8 @@ namespace oxturn {
 
 extern const Metric kBoundM;
 
-const Metric kBoundM{"bound_m", "m", Better::neither,
+const Metric kBoundM{
+    "bound_m", "m", Better::neither,
     "no path that covers as much is shorter; empty: no more than one tool disc covered, or legs do not join",
     [](const Scored& s) -> std::optional<double> {
       if (!s.bound) return std::nullopt;

@@ -12,12 +12,12 @@ namespace {
 
 // All in tool widths, or their squares: the target is scaled.
 constexpr double kRadius = 0.5;
-constexpr double kSpacing = 0.25;      // of candidates on the boundary
-constexpr double kLeastSpill = 2e-3;   // of a witness
-constexpr double kTolerance = 1e-3;    // of the least spill
-constexpr int kMostSquares = 1500;     // that one search divides
+constexpr double kSpacing = 0.25;     // of candidates on the boundary
+constexpr double kLeastSpill = 2e-3;  // of a witness
+constexpr double kTolerance = 1e-3;   // of the least spill
+constexpr int kMostSquares = 1500;    // that one search divides
 constexpr std::size_t kMostCandidates = 4000;
-constexpr double kCell = 1.5;          // half the side of a cell at most
+constexpr double kCell = 1.5;  // half the side of a cell at most
 constexpr double kRounding = 1e-9;
 constexpr std::array kApart{0.55, 0.7, 0.85, 1.0};  // least distances of witnesses that are tried
 constexpr std::array kDistances{0.004, 0.01, 0.02, 0.035, 0.055, 0.08, 0.11, 0.15, 0.2, 0.26, 0.33, 0.4, 0.5};
@@ -109,7 +109,7 @@ struct Candidate {
   double spill;
 };
 
-/// Points of the boundary at which something must be spilled if the rest of the plane were theirs, greatest spill first.
+/// Points of the boundary at which something must be spilled, were the rest of the plane theirs; greatest spill first.
 std::vector<Candidate> candidates(const std::vector<Ring>& target) {
   Polyline points;
   for (const Ring& ring : target)
@@ -166,9 +166,9 @@ double spill_with(const std::vector<Ring>& target, const std::vector<Point>& wit
     std::vector<Saving> options;
     double cost = 0;
     for (std::size_t j = 0; j <= kDistances.size() && cost <= uncovered; ++j) {
-      const double least = j == kDistances.size() ? 0
-                                                  : least_disc_area(edges.outside, witnesses[k],
-                                                                    kRadius + kDistances[j], kTolerance);
+      const double least = j == kDistances.size()
+                               ? 0
+                               : least_disc_area(edges.outside, witnesses[k], kRadius + kDistances[j], kTolerance);
       options.push_back({cost, options.empty() ? least : std::min(least, options.back().saved)});
       if (!(least > 0)) break;
       cost = disc_area(edges.inside, witnesses[k], kDistances[j]) * (1 - kRounding);
@@ -176,7 +176,8 @@ double spill_with(const std::vector<Ring>& target, const std::vector<Point>& wit
     spill += options.front().saved;
     add_savings(options, savings);
   }
-  std::ranges::stable_sort(savings, [](const Saving& a, const Saving& b) { return a.saved * b.cost > b.saved * a.cost; });
+  std::ranges::stable_sort(savings,
+                           [](const Saving& a, const Saving& b) { return a.saved * b.cost > b.saved * a.cost; });
   for (const Saving& s : savings) {
     const double share = s.cost > uncovered ? uncovered / s.cost : 1;
     spill -= share * s.saved;

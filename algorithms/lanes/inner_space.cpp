@@ -17,8 +17,7 @@ constexpr double kSmallest = 0.25;  // w^2: components of less area are left for
 Region reachable_target(const Problem& problem) {
   if (!problem.limited()) return problem.target();
   const double w = problem.robot().tool_width;
-  return intersect(problem.target(),
-                   dilate(problem.configuration_space(), w / 2, w / kChordsPerWidth, Bound::inside));
+  return intersect(problem.target(), dilate(problem.configuration_space(), w / 2, w / kChordsPerWidth, Bound::inside));
 }
 
 Region inner_space(const Problem& problem) {

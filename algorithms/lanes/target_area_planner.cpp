@@ -189,12 +189,13 @@ class TargetAreaPlanner final : public CoveragePlanner {
 constexpr const char* kLaps = "laps";
 
 ParameterInfo laps_parameter() {
-  return {kLaps,
-          std::string("wall"),
-          {},
-          {"wall", "inner"},
-          "of a tool wider than the robot: as near to walls as the robot can drive, or half the tool's width from them, "
-          "with detours into corners"};
+  return {
+      kLaps,
+      std::string("wall"),
+      {},
+      {"wall", "inner"},
+      "of a tool wider than the robot: as near to walls as the robot can drive, or half the tool's width from them, "
+      "with detours into corners"};
 }
 
 /// The settings of the planner itself.
@@ -223,9 +224,9 @@ PlannerInfo target_area_planner(PlannerInfo info) {
     std::unique_ptr<CoveragePlanner> inner = original.make(own, planners);
     if (sees_by_lidar(original, own)) return inner;
     const auto laps = settings.find(kLaps);
-    const bool inner_laps = has_laps && laps != settings.end() &&
-                            checked("planner '" + original.name + "'", laps_parameter(), laps->second) ==
-                                Value(std::string("inner"));
+    const bool inner_laps =
+        has_laps && laps != settings.end() &&
+        checked("planner '" + original.name + "'", laps_parameter(), laps->second) == Value(std::string("inner"));
     return std::make_unique<TargetAreaPlanner>(std::move(inner), original.promised(own), inner_laps);
   };
   if (original.promises_with)

@@ -67,8 +67,7 @@ PathProblem read_problem(const JsonAt& at, const std::string& source) {
   }
   if (const Json* settings = at.find("settings"))
     problem.source.settings = read_settings({*settings, at.where + ".settings"});
-  if (const Json* target = at.find("target"))
-    problem.source.target = JsonAt{*target, at.where + ".target"}.text();
+  if (const Json* target = at.find("target")) problem.source.target = JsonAt{*target, at.where + ".target"}.text();
   problem.map_sha256 = needed("map_sha256", "the hash of the map").text();
   problem.start = needed("start", "a point").point();
   problem.anchor = needed("anchor", "a point").point();

@@ -32,8 +32,9 @@ GeneratorInfo polyomino();
 
 Generators built_in_generators() {
   using namespace generator;
-  return Generators("generator", {rectangle(), polygon(), clutter(), rooms(), maze(), cave(), comb(), spiral(), field(),
-                                  berg_rectangle(), berg_rooms(), divided_corridor(), pillars(), speckle(), hyun(), polyomino()});
+  return Generators("generator",
+                    {rectangle(), polygon(), clutter(), rooms(), maze(), cave(), comb(), spiral(), field(),
+                     berg_rectangle(), berg_rooms(), divided_corridor(), pillars(), speckle(), hyun(), polyomino()});
 }
 
 Map generate(const std::string& generator, const Settings& settings, std::uint64_t seed, const Generators& generators) {

@@ -1,15 +1,15 @@
 // A random polyomino, orthogonal or octagonal polygon to be mown: the target area, within a larger free space.
 //
-// Source      The kinds of instances of Fekete, Krupke, Perk, Rieck, Scheffer, "The Lawn Mowing Problem: From Algebra to
-//             Algorithms", ESA 2023
+// Source      the kinds of instances of Fekete, Krupke, Perk, Rieck, Scheffer, "The Lawn Mowing Problem: From Algebra
+//             to Algorithms", ESA 2023
 // Method      A polyomino grows cell by cell, each taken at random among those beside it. An orthogonal polygon is one
 //             on unequal grid lines; an octagonal one has some of its corners cut at 45 degrees. Scaled to the area.
-// Guarantee   The target area is a simple polygon: a cell is added only if the set cells around it are one run, so the
-//             polygon neither encloses a hole nor touches itself. Free space is its bounding box grown by `margin`, one
-//             rectangle; with margin 0 it is the polygon itself, and all of it is to be covered (milling).
+// Guarantee   The target area is a simple polygon: a cell is added only if the set cells around it are one run, so
+//             the polygon neither encloses a hole nor touches itself. Free space is its bounding box grown by
+//             `margin`; with margin 0 it is the polygon itself, and all of it is to be covered (milling).
 // Complexity  O(squares)
 // Decisions   1. Cuts are at most 0.45 of the narrowest distance of grid lines, so that no two of them meet.
-//             2. Orthogonal and octagonal polygons have a cell for every three tool squares: arms of one to three tools.
+//             2. Orthogonal and octagonal polygons have a cell for every three tool squares: arms of one to three.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,7 +34,8 @@ constexpr double kCutCorners = 0.6, kMostCut = 0.45;
 constexpr double kGrid = 1.0 / 65536;  // metres
 
 /// Beside a cell, counter-clockwise; those with even numbers share an edge with it.
-constexpr std::array<std::array<int, 2>, 8> kAround{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+constexpr std::array<std::array<int, 2>, 8> kAround{
+    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
 /// Are the set cells around the cell one run that shares an edge with it?
 bool keeps_simple(const BitGrid& grid, int i, int j) {
@@ -82,7 +83,8 @@ std::vector<double> grid_lines(int cells, bool equal, Rng& rng) {
 Ring with_cut_corners(const Ring& ring, Rng& rng) {
   Ring cut;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point &before = ring[(i + ring.size() - 1) % ring.size()], &at = ring[i], &after = ring[(i + 1) % ring.size()];
+    const Point &before = ring[(i + ring.size() - 1) % ring.size()], &at = ring[i],
+                &after = ring[(i + 1) % ring.size()];
     if (!rng.chance(kCutCorners)) {
       cut.push_back(at);
       continue;

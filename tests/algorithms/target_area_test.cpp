@@ -23,9 +23,7 @@ Map with_target(Map map, Region target) {
 /// A box in the map, by shares of the map's width and height.
 Region part(const Map& map, double left, double low, double right, double high) {
   const Box box = bounding_box(map.free);
-  const auto at = [&](double x, double y) -> Point {
-    return box.low + Point(x * box.size().x(), y * box.size().y());
-  };
+  const auto at = [&](double x, double y) -> Point { return box.low + Point(x * box.size().x(), y * box.size().y()); };
   return box_region(at(left, low), at(right, high));
 }
 
@@ -36,9 +34,8 @@ std::vector<Lawn> lawns(std::uint64_t seed) {
   const double x = rng.between(0.05, 0.5), y = rng.between(0.05, 0.5);
   return {{"a room of a flat", with_target(flat, part(flat, x, y, x + 0.35, y + 0.4))},
           {"a block of a field", with_target(field, part(field, 0.3, 0.2, 0.7, 0.6))},
-          {"several blocks",
-           with_target(field, unite({part(field, 0.2, 0.2, 0.4, 0.4), part(field, 0.6, 0.3, 0.7, 0.8),
-                                     part(field, 0.3, 0.7, 0.5, 0.75)}))},
+          {"several blocks", with_target(field, unite({part(field, 0.2, 0.2, 0.4, 0.4), part(field, 0.6, 0.3, 0.7, 0.8),
+                                                       part(field, 0.3, 0.7, 0.5, 0.75)}))},
           {"less than the tool", with_target(flat, part(flat, x, y, x + 0.04, y + 0.03))},
           {"the corner of a wall", with_target(flat, part(flat, -0.01, -0.01, 0.05, 0.06))},
           {"a polyomino", generate("polyomino", {{"squares", std::int64_t{30}}}, seed)},

@@ -1,4 +1,6 @@
 // Lower bounds of length: never above the truth, and as strong as they should be where the truth is known.
+#include "metrics/spill.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +10,6 @@
 #include "geometry/overlay/swath.hpp"
 #include "metrics/disc_area.hpp"
 #include "metrics/length_bound.hpp"
-#include "metrics/spill.hpp"
 #include "tests/support/seeds.hpp"
 
 namespace oxturn {
