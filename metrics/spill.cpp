@@ -19,7 +19,7 @@ constexpr int kMostSquares = 1500;    // that one search divides
 constexpr std::size_t kMostCandidates = 4000;
 constexpr double kCell = 1.5;  // half the side of a cell at most
 constexpr double kRounding = 1e-9;
-constexpr std::array kApart{0.55, 0.7, 0.85, 1.0};  // least distances of witnesses that are tried
+constexpr std::array kApart{0.4, 0.55, 0.7, 0.85, 1.0};  // least distances of witnesses that are tried
 constexpr std::array kDistances{0.004, 0.01, 0.02, 0.035, 0.055, 0.08, 0.11, 0.15, 0.2, 0.26, 0.33, 0.4, 0.5};
 
 using Edges = std::vector<std::pair<Point, Point>>;
@@ -197,8 +197,8 @@ double least_spill(const Region& target, double width, double uncovered_m2) {
   });
   const std::vector<Candidate> all = candidates(rings);
   double most = 0;
-  for (const double apart : kApart)
-    most = std::max(most, spill_with(rings, witnesses_of(all, apart), std::max(0.0, uncovered_m2) / (width * width)));
+  const double uncovered = std::max(0.0, uncovered_m2) / (width * width);
+  for (const double apart : kApart) most = std::max(most, spill_with(rings, witnesses_of(all, apart), uncovered));
   return most * width * width * (1 - kRounding);
 }
 

