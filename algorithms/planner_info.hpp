@@ -51,6 +51,7 @@ struct PlannerInfo {
   std::string origin = {}, identity = {};
   bool is_program = false;                // an external planner: each plan is a program of its own
   std::vector<Symmetry> symmetries = {};  // with the default settings
+  bool covers_target_areas = false;       // by itself: target_area_planner() leaves it as it is
 
   /// What it promises to cover with these settings. Nothing if the robot has a least turning radius: corners stay
   /// uncovered. Throws as `make` does.

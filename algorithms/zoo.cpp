@@ -1,6 +1,7 @@
 // The list of built-in planners. A new one is a file of its own, a declaration and an entry here.
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/drivable_planner.hpp"
+#include "algorithms/target_area_planner.hpp"
 
 namespace oxturn {
 
@@ -44,13 +45,14 @@ PlannerInfo beachbot();
 
 namespace {
 
-/// Offline planners drive robots with a least turning radius too, if they do not themselves.
-Planners with_curves(const Planners& planners) {
+/// Planners cover target areas, and the offline ones drive robots with a least turning radius, if not by themselves.
+Planners with_areas_and_curves(const Planners& planners) {
   Planners all("planner", {});
   for (const PlannerInfo& planner : planners) {
     const bool offline = !planner.has(Capability::online) && !planner.has(Capability::tether);
     const bool wrapped = offline && !planner.has(Capability::curvature);
-    all.add(wrapped ? drivable_planner(planner) : planner);
+    const PlannerInfo able = target_area_planner(planner);
+    all.add(wrapped ? drivable_planner(able) : able);
   }
   return all;
 }
@@ -58,45 +60,45 @@ Planners with_curves(const Planners& planners) {
 }  // namespace
 
 Planners built_in_planners() {
-  return with_curves(Planners("planner", {
-                                             boustrophedon(),
-                                             zigzag(),
-                                             contour(),
-                                             connected_fermat(),
-                                             field(),
-                                             field_predictive(),
-                                             oarp(),
-                                             smooth_spiral(),
-                                             skeleton_spiral(),
-                                             completed(),
-                                             shortest(),
-                                             polished(),
-                                             trapezoid(),
-                                             stc(),
-                                             stc_spiral(),
-                                             stc_scan(),
-                                             stc_loops(),
-                                             rectangles(),
-                                             wavefront(),
-                                             bsa(),
-                                             linked_spiral(),
-                                             ba_star(),
-                                             smart_dfs(),
-                                             cell_explore(),
-                                             hyun(),
-                                             leashed(),
-                                             berg(),
-                                             berg_complete(),
-                                             shnaps_rimon(),
-                                             shnaps_rimon_banded(),
-                                             tether_tree(),
-                                             tethered_stc(),
-                                             random_walk(),
-                                             spiral_out(),
-                                             wall_follow(),
-                                             vacuum_mix(),
-                                             beachbot(),
-                                         }));
+  return with_areas_and_curves(Planners("planner", {
+                                                       boustrophedon(),
+                                                       zigzag(),
+                                                       contour(),
+                                                       connected_fermat(),
+                                                       field(),
+                                                       field_predictive(),
+                                                       oarp(),
+                                                       smooth_spiral(),
+                                                       skeleton_spiral(),
+                                                       completed(),
+                                                       shortest(),
+                                                       polished(),
+                                                       trapezoid(),
+                                                       stc(),
+                                                       stc_spiral(),
+                                                       stc_scan(),
+                                                       stc_loops(),
+                                                       rectangles(),
+                                                       wavefront(),
+                                                       bsa(),
+                                                       linked_spiral(),
+                                                       ba_star(),
+                                                       smart_dfs(),
+                                                       cell_explore(),
+                                                       hyun(),
+                                                       leashed(),
+                                                       berg(),
+                                                       berg_complete(),
+                                                       shnaps_rimon(),
+                                                       shnaps_rimon_banded(),
+                                                       tether_tree(),
+                                                       tethered_stc(),
+                                                       random_walk(),
+                                                       spiral_out(),
+                                                       wall_follow(),
+                                                       vacuum_mix(),
+                                                       beachbot(),
+                                                   }));
 }
 
 }  // namespace oxturn

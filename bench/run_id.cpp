@@ -39,9 +39,10 @@ std::string suite_identity(const Suite& suite, const Planners& planners) {
                   suite.repeats, suite.warm_ups, suite.target_coverage, limits.wall_s, limits.cpu_s, limits.memory_mb);
   for (const Robot& robot : suite.robots) text += fmt::format("robot {} {}\n", robot.name, canonical_text(robot));
   for (const MapSpec& map : suite.maps)
-    text += fmt::format("map {} {} {} {} {} {} {} {}\n", map.name, map.generator, to_text(map.settings), map.seed,
+    text += fmt::format("map {} {} {} {} {} {} {} {}{}\n", map.name, map.generator, to_text(map.settings), map.seed,
                         to_text(map.read), located(map.start), located(map.anchor),
-                        map.content ? content_hash(map.content->map) : "-");
+                        map.content ? content_hash(map.content->map) : "-",
+                        map.target_area ? " " + sha256(canonical_bytes(*map.target_area)) : "");
   for (const PlannerSpec& spec : suite.planners)
     text +=
         fmt::format("planner {} {}\n", identified(planners.find(spec.name), spec.settings, planners), spec.variant());

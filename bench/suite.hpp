@@ -28,6 +28,8 @@ struct MapSpec {
   std::uint64_t seed = 1;
   std::string file;
   Settings read;                           // of the file's reader
+  std::string target;                      // file of the target area; empty: the map's own
+  std::optional<Region> target_area;       // what that file describes
   std::optional<Location> start, anchor;   // empty: the file's, or the problem's default
   std::shared_ptr<const MapFile> content;  // of `file`; nullptr: reading it broke a limit, and will again
 };

@@ -1,4 +1,4 @@
-// [[maps]]: generators with their parameters and seeds, or files, each with its starts and anchors.
+// [[maps]]: generators with their parameters and seeds, or files, each with its starts, anchors and target areas.
 //
 // Map files are read here, in processes of their own, so that a bad one stops the suite at the start.
 #include <fmt/format.h>
@@ -58,22 +58,65 @@ std::vector<std::optional<Location>> read_locations(const std::string& file, Tom
   return all;
 }
 
-/// `spec` once for each start and anchor.
-void add_placed(MapSpec spec, const std::vector<std::optional<Location>>& starts,
-                const std::vector<std::optional<Location>>& anchors, std::vector<MapSpec>& maps) {
-  for (const auto& start : starts) {
-    spec.start = start;
-    for (const auto& anchor : anchors) {
-      spec.anchor = anchor;
-      maps.push_back(spec);
+/// Under the suite's limits: bad content is refused at once, a file that breaks a limit becomes rows.
+std::shared_ptr<const MapFile> read_under_limits(const MapSpec& spec, const MapFormats& formats, const Limits& limits) {
+  ReadResult result = read_map_isolated(spec.file, spec.read, formats, limits);
+  if (result.file) return std::make_shared<const MapFile>(std::move(*result.file));
+  const Outcome outcome = result.report.outcome;
+  if (outcome == Outcome::timeout || outcome == Outcome::out_of_memory) return nullptr;
+  throw std::invalid_argument(result.report.reason);
+}
+
+/// What varies a map: its starts, anchors and target areas.
+struct Placements {
+  std::vector<std::optional<Location>> starts, anchors;
+  struct Target {
+    std::string file;  // empty: the map's own
+    std::optional<Region> area;
+  };
+  std::vector<Target> targets;
+};
+
+std::vector<Placements::Target> read_targets(const std::string& file, TomlTable& table, const MapFormats& formats,
+                                             const Limits& limits) {
+  const toml::node* node = table.find("target");
+  if (node == nullptr) return {{}};
+  std::vector<Placements::Target> targets;
+  for (const toml::node* item : alternatives(file, *node, "target")) {
+    const auto* name = item->as_string();
+    if (name == nullptr || name->get().empty()) refuse(file, *item, "target is not the name of a map file in quotes");
+    const std::string path = (std::filesystem::path(file).parent_path() / name->get()).string();
+    std::shared_ptr<const MapFile> content;
+    at_position(file, *item, [&] { content = read_under_limits(MapSpec{.file = path}, formats, limits); });
+    if (!content) refuse(file, *item, fmt::format("reading the target area '{}' breaks the suite's limits", path));
+    targets.push_back({path, content->map.free});
+  }
+  return targets;
+}
+
+Placements read_placements(const std::string& file, TomlTable& table, const MapFormats& formats, const Limits& limits) {
+  return {read_locations(file, table, "start", LocationKind::start),
+          read_locations(file, table, "anchor", LocationKind::anchor), read_targets(file, table, formats, limits)};
+}
+
+/// `spec` once for each target area, start and anchor.
+void add_placed(MapSpec spec, const Placements& placements, std::vector<MapSpec>& maps) {
+  for (const auto& target : placements.targets) {
+    spec.target = target.file;
+    spec.target_area = target.area;
+    for (const auto& start : placements.starts) {
+      spec.start = start;
+      for (const auto& anchor : placements.anchors) {
+        spec.anchor = anchor;
+        maps.push_back(spec);
+      }
     }
   }
 }
 
-void read_generated(const std::string& file, TomlTable& table, const Generators& generators,
+void read_generated(const std::string& file, TomlTable& table, const Registry& registry, const Limits& limits,
                     std::vector<MapSpec>& maps) {
-  const auto starts = read_locations(file, table, "start", LocationKind::start);
-  const auto anchors = read_locations(file, table, "anchor", LocationKind::anchor);
+  const Placements placements = read_placements(file, table, registry.formats, limits);
   std::vector<std::uint64_t> seeds{1};
   if (const toml::node* node = table.find("seeds")) {
     seeds.clear();
@@ -89,7 +132,7 @@ void read_generated(const std::string& file, TomlTable& table, const Generators&
     const auto* name = name_node->as_string();
     if (name == nullptr) refuse(file, *name_node, "generator is not a text in quotes");
     const GeneratorInfo* generator = nullptr;
-    at_position(file, *name_node, [&] { generator = &generators.find(name->get()); });
+    at_position(file, *name_node, [&] { generator = &registry.generators.find(name->get()); });
     for (const auto& chosen : product(file, table.rest())) {
       MapSpec spec;
       spec.generator = generator->name;
@@ -97,25 +140,15 @@ void read_generated(const std::string& file, TomlTable& table, const Generators&
                                   Defaults::keep);
       for (const std::uint64_t seed : seeds) {
         spec.seed = seed;
-        add_placed(spec, starts, anchors, maps);
+        add_placed(spec, placements, maps);
       }
     }
   }
 }
 
-/// Under the suite's limits: bad content is refused at once, a file that breaks a limit becomes rows.
-std::shared_ptr<const MapFile> read_under_limits(const MapSpec& spec, const MapFormats& formats, const Limits& limits) {
-  ReadResult result = read_map_isolated(spec.file, spec.read, formats, limits);
-  if (result.file) return std::make_shared<const MapFile>(std::move(*result.file));
-  const Outcome outcome = result.report.outcome;
-  if (outcome == Outcome::timeout || outcome == Outcome::out_of_memory) return nullptr;
-  throw std::invalid_argument(result.report.reason);
-}
-
 void read_files(const std::string& file, TomlTable& table, const MapFormats& formats, const Limits& limits,
                 std::vector<MapSpec>& maps) {
-  const auto starts = read_locations(file, table, "start", LocationKind::start);
-  const auto anchors = read_locations(file, table, "anchor", LocationKind::anchor);
+  const Placements placements = read_placements(file, table, formats, limits);
   const toml::node& patterns = table.need("file");
   const std::vector<ParameterInfo> parameters = reader_parameters(formats);
   const auto combinations = product(file, table.rest());
@@ -135,7 +168,7 @@ void read_files(const std::string& file, TomlTable& table, const MapFormats& for
       for (const std::string& found : files) {
         spec.file = found;
         at_position(file, *node, [&] { spec.content = read_under_limits(spec, formats, limits); });
-        add_placed(spec, starts, anchors, maps);
+        add_placed(spec, placements, maps);
       }
     }
   }
@@ -155,7 +188,7 @@ std::vector<MapSpec> read_maps(const std::string& file, const toml::node* node, 
     const bool generated = item.as_table()->contains("generator"), read = item.as_table()->contains("file");
     if (generated == read) refuse(file, item, "[[maps]] needs either 'generator' or 'file'");
     if (generated)
-      read_generated(file, table, registry.generators, maps);
+      read_generated(file, table, registry, limits, maps);
     else
       read_files(file, table, registry.formats, limits, maps);
   }
@@ -177,6 +210,7 @@ Settings differences(const MapSpec& spec) {
     all = spec.read;
     all["file"] = spec.file;
   }
+  if (!spec.target.empty()) all["target"] = spec.target;
   if (spec.start) all["start"] = to_text(*spec.start);
   if (spec.anchor) all["anchor"] = to_text(*spec.anchor);
   return all;

@@ -179,6 +179,7 @@ std::string pack(const MapFile& file) {
   std::string out;
   for (const std::string& text : {file.map.name, file.map.family, file.map.source}) put_text(out, text);
   put_region(out, file.map.free);
+  put_region(out, file.map.target_area.value_or(Region{}));
   put_point(out, file.start);
   put_point(out, file.anchor);
   put_text(out, file.map.drawing ? to_geojson(*file.map.drawing) : "");
@@ -190,6 +191,7 @@ MapFile map_file_from(std::string_view in) {
   MapFile file;
   for (std::string* text : {&file.map.name, &file.map.family, &file.map.source}) *text = take_text(in);
   file.map.free = take_region(in);
+  if (Region target = take_region(in); !target.empty()) file.map.target_area = std::move(target);
   file.start = take_point(in);
   file.anchor = take_point(in);
   if (const std::string drawing = take_text(in); !drawing.empty())

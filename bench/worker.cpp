@@ -80,6 +80,7 @@ Setting set_up(const Work& work, const SuiteCell& cell) {
     std::optional<Location> start = spec.start, anchor = spec.anchor;
     MapFile content = spec.content ? *spec.content : load_map(source_of(spec), registry.generators, registry.formats);
     s.map = std::move(content.map);
+    if (spec.target_area) s.map->target_area = spec.target_area;
     if (!start && content.start) start = Location{"", *content.start};
     if (!anchor && content.anchor) anchor = Location{"", *content.anchor};
     s.map->name = spec.name;

@@ -17,6 +17,7 @@ struct Options {
   std::string from, to;  // names of formats; empty: by the suffixes
   std::vector<std::string> settings;
   std::optional<std::uint64_t> seed;
+  std::string target;
   ReaderOptions read;
 };
 
@@ -49,7 +50,8 @@ MapFile make(const Options& options, const Registry& registry) {
 int map(const Options& options, const Registry& registry) {
   format_to_write(options.output, registry.formats, options.to);
   require_writable(options.output);
-  const MapFile file = make(options, registry);
+  MapFile file = make(options, registry);
+  if (!options.target.empty()) file.map.target_area = load_target_area(options.target, registry.formats);
   say_remarks(file);
   write_map(options.output, file, registry.formats, options.to);
   fmt::print(print_to({options.output}), "{}: '{}', {:.6g} m2 free, {} vertices, {} holes\n", options.output,
@@ -73,6 +75,7 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
       ->type_name("FORMAT");
   app.add_option("--to", options->to, "format to write; as the suffix says, geojson for standard output, if not given")
       ->type_name("FORMAT");
+  add_target_option(app, options->target);
   add_reader_options(app, registry.formats, options->read);
   return [options, &registry] { return map(*options, registry); };
 }

@@ -85,6 +85,13 @@ void say_remarks(const MapFile& file) {
   for (const std::string& remark : file.remarks) say(remark);
 }
 
+void add_target_option(CLI::App& app, std::string& file) {
+  app.add_option("--target", file,
+                 "cover only this area: a map file (`oxturn list formats`) whose free space it is; the robot may drive "
+                 "anywhere. As the map says, or all of it, if not given")
+      ->type_name("FILE");
+}
+
 void add_problem_options(CLI::App& app, const Registry& registry, ProblemOptions& options) {
   app.add_option("--robot", options.robot, robot_help())->type_name("K=V,...");
   app.add_option("--radius", options.radius, "radius of the robot, metres")
@@ -101,6 +108,7 @@ void add_problem_options(CLI::App& app, const Registry& registry, ProblemOptions
                  "where the tether is fastened: X,Y, start, wall (the nearest point of one) or corner (the nearest in "
                  "sight of the start); as the map file says, or start, if not given")
       ->type_name("POINT");
+  add_target_option(app, options.target);
   add_reader_options(app, registry.formats, options.read);
 }
 
@@ -111,8 +119,8 @@ MapSource map_source(const ProblemOptions& options, const Registry& registry) {
   const bool known = registry.generators.get(generator) != nullptr;
   // A name that looks like a file is taken for one, so that a mistyped file is reported as missing.
   if (is_standard_stream(name) || file_exists(name) || (!known && name.find_first_of("./\\") != std::string::npos))
-    return {.file = name, .settings = reader_settings(options.read, registry.formats)};
-  MapSource source{.generator = generator};
+    return {.file = name, .settings = reader_settings(options.read, registry.formats), .target = options.target};
+  MapSource source{.generator = generator, .target = options.target};
   if (colon != std::string::npos) {
     const auto seed = parse_whole(name.substr(colon + 1));
     if (!seed)

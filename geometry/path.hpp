@@ -41,6 +41,7 @@ class PathBuilder {
   /// Moves the points where they become a leg of their own.
   void drive(Polyline&& points, bool tool, Gear gear = Gear::forward, double width = 0);
   void drive(const Point& to, bool tool, Gear gear = Gear::forward) { drive(Polyline{to}, tool, gear); }
+  const Path& path() const { return path_; }
   Path take() { return std::move(path_); }
 
  private:

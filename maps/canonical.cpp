@@ -58,10 +58,13 @@ std::string canonical_bytes(const Region& region) {
   return sorted_list(std::move(polygons));
 }
 
-std::string content_hash(const Map& map) {
+std::string canonical_bytes(const Map& map) {
   std::string bytes = canonical_bytes(map.free);
+  if (map.target_area) bytes += "target" + canonical_bytes(*map.target_area);
   if (map.drawing) bytes += "drawing" + canonical_bytes(*map.drawing);
-  return sha256(bytes);
+  return bytes;
 }
+
+std::string content_hash(const Map& map) { return sha256(canonical_bytes(map)); }
 
 }  // namespace oxturn

@@ -28,7 +28,9 @@ struct Map {
 /// Canonical bytes of a region: rings rotated to their smallest vertex, polygons and holes sorted, doubles as
 /// big-endian bits (-0 as 0). Equal rings give equal bytes however they were written down.
 std::string canonical_bytes(const Region& region);
-/// Content address of a map: SHA-256 of the canonical bytes of its free space (name and source do not count).
+/// Of the map's free space, and of its target area if it has one: name and source do not count.
+std::string canonical_bytes(const Map& map);
+/// Content address of a map: SHA-256 of its canonical bytes.
 std::string content_hash(const Map& map);
 
 }  // namespace oxturn

@@ -37,7 +37,8 @@ PathProblem path_problem(const Problem& problem, MapSource source) {
 MapFile load_map(const PathProblem& problem, const std::string& path_file, const Generators& generators,
                  const MapFormats& formats) {
   MapSource source = problem.source;
-  if (!source.file.empty()) source.file = (fs::path(path_file).parent_path() / source.file).lexically_normal().string();
+  for (std::string* name : {&source.file, &source.target})
+    if (!name->empty()) *name = (fs::path(path_file).parent_path() / *name).lexically_normal().string();
   const std::string name = source.file.empty() ? source.generator : source.file;
   MapFile file;
   try {

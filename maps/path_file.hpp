@@ -15,7 +15,7 @@ namespace oxturn {
 
 /// The problem that a path was made for, so that it can be scored by its file alone.
 struct PathProblem {
-  MapSource source;  // a file's name is relative to the folder of the path's file
+  MapSource source;  // names of files are relative to the folder of the path's file
   std::string map_sha256;
   Robot robot;
   Point start{0, 0}, anchor{0, 0};

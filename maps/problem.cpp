@@ -50,6 +50,19 @@ Region repaired_or_named(const Map& map) {
   return free;
 }
 
+/// The target area in canonical form. That it reaches beyond free space is no fault, that it lies outside of it is.
+Region repaired_target_area(const Map& map) {
+  Region target;
+  try {
+    target = repaired(*map.target_area);
+  } catch (const std::invalid_argument& flaw) { throw_invalid("target area of map '{}': {}", map.name, flaw.what()); }
+  if (target.empty()) throw_invalid("target area of map '{}' has no area", map.name);
+  if (intersect(target, map.free).empty())
+    throw_invalid("target area of map '{}' lies outside its free space, near {}; expected an area that overlaps it",
+                  map.name, to_text(bounding_box(target).centre()));
+  return target;
+}
+
 /// Sum of the angles by which the boundary turns left: each such radian becomes an arc when dilated.
 double convex_turning(const Region& region) {
   double sum = 0;
@@ -106,13 +119,15 @@ struct ProblemBasis {
     std::call_once(target_once, [this] {
       target_region = dilate(*space, robot.tool_width / 2, target_chord(), Bound::inside);
       if (robot.tool_width / 2 > robot.radius) target_region = intersect(target_region, map.free);
+      if (map.target_area) target_region = intersect(target_region, *map.target_area);
     });
     return target_region;
   }
 
   double target_excess() const {
     std::call_once(excess_once, [this] {
-      const Region outer = intersect(dilate(*space, robot.tool_width / 2, target_chord(), Bound::outside), map.free);
+      Region outer = intersect(dilate(*space, robot.tool_width / 2, target_chord(), Bound::outside), map.free);
+      if (map.target_area) outer = intersect(outer, *map.target_area);
       // A boolean snaps its operands to 2^-30 of their extent, so as much may be lost along the boundary.
       const Box box = bounding_box(map.free);
       const double snapping = perimeter(outer) * box.size().maxCoeff() * std::ldexp(1.0, -29);
@@ -132,7 +147,8 @@ struct Problem::Impl {
   std::shared_ptr<const Region> space;
   Point start;
   Robot robot;
-  mutable std::once_flag transit_once, walls_once;
+  mutable std::once_flag transit_once, walls_once, work_once;
+  mutable Region work;               // with a target area
   mutable std::optional<Mesh> mesh;  // of the space, if the search for a start made it; shortest paths take it
   mutable std::unique_ptr<const ShortestPaths> transit;
   mutable std::unique_ptr<const EdgeIndex> walls;
@@ -178,6 +194,7 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
   check(robot);
   if (!robot.footprint.empty()) robot.radius = in_radius(robot.footprint);
   map.free = repaired_or_named(map);
+  if (map.target_area) map.target_area = repaired_target_area(map);
   require_finite("start", start);
   require_finite("anchor", anchor);
 
@@ -202,6 +219,9 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
   const bool meshed = found && found->component == component && !limited_by_tether(*basis);
   impl_ = std::make_shared<const Impl>(basis, basis->space, basis->start, basis->robot);
   if (meshed) impl_->mesh = std::move(found->mesh);
+  if (this->map().target_area && target().empty())
+    throw_invalid("target area of map '{}' is out of reach: robot '{}' ({}) covers none of it from the start {}",
+                  this->map().name, this->robot().name, size_text(this->robot()), to_text(this->start()));
 }
 
 Problem::Problem(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
@@ -214,6 +234,14 @@ const Region& Problem::configuration_space() const { return *impl_->space; }
 bool Problem::limited() const { return impl_->space != impl_->basis->space || limited_by_tether(*impl_->basis); }
 const TetherModel* Problem::tether() const { return impl_->basis->tether.get(); }
 const Region& Problem::target() const { return impl_->basis->target(); }
+const Region& Problem::work_space() const {
+  if (!map().target_area) return configuration_space();
+  std::call_once(impl_->work_once, [this] {
+    const double w = robot().tool_width;
+    impl_->work = intersect(dilate(target(), w / 2, w / 1000, Bound::outside), configuration_space());
+  });
+  return impl_->work;
+}
 double Problem::target_excess() const { return impl_->basis->target_excess(); }
 double Problem::tolerance() const { return impl_->basis->tolerance; }
 const EdgeIndex& Problem::map_edges() const { return impl_->basis->map_edges(); }
@@ -250,8 +278,7 @@ Problem Problem::turning_on_the_spot() const {
 }
 
 std::string Problem::content_hash() const {
-  std::string bytes = canonical_bytes(map().free) + canonical_text(robot());
-  if (map().drawing) bytes += "drawing" + canonical_bytes(*map().drawing);
+  std::string bytes = canonical_bytes(map()) + canonical_text(robot());
   for (const double value : {start().x(), start().y(), anchor().x(), anchor().y()}) append_canonical(bytes, value);
   return sha256(bytes);
 }

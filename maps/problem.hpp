@@ -21,8 +21,9 @@ class Problem {
   /// component that contains the start. A passage must be wider than 2 radius + tool_width / 500 to count as open; for
   /// a polygonal footprint, wider than the robot across the passage plus about 2^-25 of the map's extent.
   /// No start: `default_start`. Throws std::invalid_argument in one sentence: a bad robot, an invalid or empty
-  /// map, a robot that fits nowhere, "start (2, 3) is inside a wall of 'rooms-7'; nearest point where the robot fits:
-  /// (2.14, 3.31)", a start that is not finite, an anchor outside free space.
+  /// map, a robot that fits nowhere, a target area of which nothing can be covered, "start (2, 3) is inside a wall of
+  /// 'rooms-7'; nearest point where the robot fits: (2.14, 3.31)", a start that is not finite, an anchor outside free
+  /// space.
   Problem(Map map, Robot robot, std::optional<Point> start = {}, std::optional<Point> anchor = {});
 
   const Map& map() const;
@@ -33,10 +34,15 @@ class Problem {
   /// Where the robot's centre may be: one polygon with holes. Closed. With a tether: that part of
   /// tether()->robot_space() which the tether reaches (geodesics().distance <= length) and which holds the start.
   const Region& configuration_space() const;
-  /// What can be covered: configuration space (+) disc(tool_width / 2), within free space; `target` errs
-  /// inside, and `target_excess` bounds from above the area by which the true target is larger (m^2).
+  /// What can be covered: configuration space (+) disc(tool_width / 2), within free space and the map's target area,
+  /// if it has one; `target` errs inside, and `target_excess` bounds from above the area by which the true target is
+  /// larger (m^2).
   const Region& target() const;
   double target_excess() const;
+  /// Where the robot works: the part of configuration space within tool_width / 2 of the target. All of it without a
+  /// target area; with one, planners work there and drive anywhere in configuration space. It may have several
+  /// components. Built at the first call (thread-safe).
+  const Region& work_space() const;
 
   /// Geodesic distances from the anchor and all else that a tether brings along; nullptr for robots without one.
   const TetherModel* tether() const;

@@ -2,6 +2,7 @@
 //   path_m / ((covered - pi w^2 / 4) / w),   w = tool width, covered = certified lower bound of the covered area
 // A curve of length L sweeps at most L w + pi w^2 / 4, so the ratio is never below 1 for a path whose legs join. Empty
 // if at most one tool disc is covered, and if legs do not join: no bound is valid then.
+#include "metrics/legs_join.hpp"
 #include "metrics/score.hpp"
 
 namespace oxturn {
@@ -11,16 +12,6 @@ extern const Metric kLengthRatio;
 namespace {
 
 constexpr double kRounding = 1e-9;  // tool widths squared
-
-bool legs_join(const Path& path, double tolerance) {
-  const Point* last = nullptr;
-  for (const Leg& leg : path.legs) {
-    if (leg.points.empty()) continue;
-    if (last != nullptr && distance(*last, leg.points.front()) > tolerance) return false;
-    last = &leg.points.back();
-  }
-  return true;
-}
 
 }  // namespace
 

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "metrics/legs_join.hpp"
 #include "metrics/walls.hpp"
 
 namespace oxturn {
 
 // One metric a file, named as its column.
 extern const Metric kCoverage, kCoverageLower, kCoverageUpper, kCoverageOfFree, kTargetM2;
-extern const Metric kPathM, kWorkM, kTransitM, kLengthRatio, kOverlap, kRevisits;
+extern const Metric kPathM, kWorkM, kTransitM, kLengthRatio, kBoundM, kBoundKind, kGap, kOverlap, kRevisits;
 extern const Metric kPromiseCoverage, kPath90M, kPath95M, kPath99M, kMission90S, kMission95S, kMission99S;
 extern const Metric kMissedPieces, kMissedLargestM2;
 extern const Metric kTurns, kTurnRad, kCurvatureMaxPerM, kCurvatureViolations, kCusps, kClearanceM, kMissionS;
@@ -29,6 +30,9 @@ Metrics built_in_metrics() {
                             kWorkM,
                             kTransitM,
                             kLengthRatio,
+                            kBoundM,
+                            kBoundKind,
+                            kGap,
                             kOverlap,
                             kRevisits,
                             kPromiseCoverage,
@@ -162,6 +166,7 @@ Score score(const Problem& problem, const Path& path, const Metrics& metrics, co
                       tether ? &*tether : nullptr,
                       &clock,
                       tolerance,
+                      legs_join(path, tolerance) ? length_bound(problem, swept) : std::nullopt,
                       kept_promise(problem, path, swept, options)};
   std::size_t i = 0;
   for (const Metric& metric : metrics) result.values[i++].value = metric.compute(scored);

@@ -14,6 +14,7 @@
 #include "geometry/path.hpp"
 #include "maps/problem.hpp"
 #include "maps/promise.hpp"
+#include "metrics/length_bound.hpp"
 #include "metrics/mission.hpp"
 #include "metrics/swept_area.hpp"
 #include "metrics/tether.hpp"
@@ -29,6 +30,7 @@ struct Scored {
   const TetherRun* tether = nullptr;  // nullptr: no tether, or none can follow the path
   const MissionClock* clock = nullptr;
   double tolerance = 0;                // metres within which legs must join
+  std::optional<LengthBound> bound;    // of paths that cover as much; nullopt also if legs do not join
   std::optional<double> kept_promise;  // certified lower bound of the covered share of what the planner promises
 };
 

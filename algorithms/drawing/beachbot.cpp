@@ -171,6 +171,7 @@ const std::vector<Parameter<Params>>& parameters() {
 
 PlannerInfo beachbot() {
   PlannerInfo info;
+  info.covers_target_areas = true;
   info.name = "beachbot";
   info.family = "drawing";
   info.title = "strokes and filled areas of a drawing";

@@ -64,6 +64,7 @@ PlannerInfo shortest() {
   info.promise = Promise::target;
   info.parameters = infos_of(improvement_parameters());
   info.promises_with = covers_all;
+  info.covers_target_areas = true;
   info.make = [](const Settings& settings, const Planners& planners) {
     return std::make_unique<Shortest>(
         with_settings<Improvement>("planner 'shortest'", improvement_parameters(), settings), planners);

@@ -24,6 +24,7 @@
 #include "algorithms/transit/short_segments.hpp"
 #include "algorithms/transit/tether_space.hpp"
 #include "algorithms/wrapper.hpp"
+#include "geometry/overlay/boolean.hpp"
 
 namespace oxturn {
 namespace {
@@ -47,6 +48,7 @@ class Leashed final : public CoveragePlanner {
     if (inner_.promise != Promise::target)
       return without_short_segments(inner_.planner->plan(component, context), component);
     PassSpace passes = cut.beside(component);
+    if (component.map().target_area) passes.pockets = intersect(passes.pockets, component.target());
     const Path path = inner_.planner->plan(component.restricted(std::move(passes.space)), context);
     return repaired(component, without_short_segments(path, component), std::move(passes.pockets), Connector(component),
                     context);

@@ -124,6 +124,7 @@ std::string feature_text(const Map& map, const Point* start, const Point* anchor
   if (anchor) text += ", \"anchor\": " + json_point(*anchor);
   if (robot) text += ", \"robot\": " + robot_text(*robot);
   if (!map.source.empty()) text += ", \"source\": " + json_text(map.source);
+  if (map.target_area) text += ", \"target\": " + geometry_text(*map.target_area);
   text += "},\n\"geometry\": " + geometry_text(map.free);
   if (map.drawing) text += ",\n\"drawing\": " + to_geojson(*map.drawing);
   return text + "}\n";
@@ -163,6 +164,7 @@ void read_properties(const JsonAt& properties, const std::string& file, MapFile&
   if (const auto start = named("start")) result.start = start->point();
   if (const auto anchor = named("anchor")) result.anchor = anchor->point();
   if (const auto robot = named("robot")) result.robot = read_robot(*robot, file);
+  if (const auto target = named("target")) result.map.target_area = region_from(*target);
 }
 
 /// The region in canonical form; what changed becomes a remark.

@@ -53,6 +53,7 @@ std::string problem_text(const PathProblem& problem) {
   else
     text += "\"file\": " + json_text(source.file);
   if (!source.settings.empty()) text += ", \"settings\": " + settings_text(source.settings);
+  if (!source.target.empty()) text += ", \"target\": " + json_text(source.target);
   return text + fmt::format(",\n\"map_sha256\": {},\n\"start\": {}, \"anchor\": {},\n\"robot\": {}}}",
                             json_text(problem.map_sha256), json_point(problem.start), json_point(problem.anchor),
                             robot_text(problem.robot));
@@ -74,6 +75,7 @@ PathProblem read_problem(const JsonAt& at, const std::string& source) {
   }
   if (const Json* settings = at.find("settings"))
     problem.source.settings = read_settings({*settings, at.where + ".settings"});
+  if (const Json* target = at.find("target")) problem.source.target = JsonAt{*target, at.where + ".target"}.text();
   problem.map_sha256 = needed("map_sha256", "the hash of the map").text();
   problem.start = needed("start", "a point").point();
   problem.anchor = needed("anchor", "a point").point();

@@ -27,12 +27,14 @@ GeneratorInfo divided_corridor();
 GeneratorInfo pillars();
 GeneratorInfo speckle();
 GeneratorInfo hyun();
+GeneratorInfo polyomino();
 }  // namespace generator
 
 Generators built_in_generators() {
   using namespace generator;
-  return Generators("generator", {rectangle(), polygon(), clutter(), rooms(), maze(), cave(), comb(), spiral(), field(),
-                                  berg_rectangle(), berg_rooms(), divided_corridor(), pillars(), speckle(), hyun()});
+  return Generators("generator",
+                    {rectangle(), polygon(), clutter(), rooms(), maze(), cave(), comb(), spiral(), field(),
+                     berg_rectangle(), berg_rooms(), divided_corridor(), pillars(), speckle(), hyun(), polyomino()});
 }
 
 Map generate(const std::string& generator, const Settings& settings, std::uint64_t seed, const Generators& generators) {
@@ -47,7 +49,9 @@ Map generate(const GeneratorInfo& info, const Settings& settings, std::uint64_t 
   map.family = info.name;
   map.source = fmt::format("{} --seed {}", info.name, seed);
   for (const auto& [name, value] : settings) map.source += fmt::format(" --set {}={}", name, to_text(value));
-  map.free = info.make(settings, rng);
+  Site site = info.make(settings, rng);
+  map.free = std::move(site.free);
+  map.target_area = std::move(site.target_area);
   // Every generator guarantees this: a violation is our fault, and must not reach a results table.
   if (const auto flaw = find_flaw(map.free))
     throw std::logic_error(fmt::format("fault of generator '{}' ({}): {} at ({}, {})", info.name, map.source,

@@ -33,7 +33,7 @@ TEST(Results, HeaderIsTheContract) {
       "planner,planner_family,variant,params,promise,robot,robot_radius_m,tool_width_m,problem_sha256,seed,repeat,"
       "outcome,reason,exit_code,signal,"
       "coverage,coverage_lower,coverage_upper,coverage_of_free,target_m2,"
-      "path_m,work_m,transit_m,length_ratio,overlap,revisits,promise_coverage,"
+      "path_m,work_m,transit_m,length_ratio,bound_m,bound_kind,gap,overlap,revisits,promise_coverage,"
       "path_90_m,path_95_m,path_99_m,mission_90_s,mission_95_s,mission_99_s,missed_pieces,missed_largest_m2,"
       "turns,turn_rad,curvature_max_per_m,curvature_violations,cusps,clearance_m,mission_s,"
       "tether_limit_m,tether_max_m,tether_bends_max,tether_angle_min_rad,tether_angle_mean_rad,"

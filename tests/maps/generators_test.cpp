@@ -169,8 +169,16 @@ TEST(Generators, GiveTheSameBytesOnEveryMachine) {
   EXPECT_EQ(sha256(all), "a013ba3fa4b9c23b501adfdb09cbf32731e58ba40d3d98fb5259041f2382cf41");
 }
 
+/// Those made for a site of a given size. The size of others follows from what is to be covered.
+std::vector<GeneratorInfo> site_generators() {
+  std::vector<GeneratorInfo> all;
+  for (const GeneratorInfo& g : built_in_maps())
+    if (std::ranges::any_of(g.parameters, [](const ParameterInfo& p) { return p.name == "width"; })) all.push_back(g);
+  return all;
+}
+
 TEST(Generators, RotationChangesNothingElse) {
-  for (const GeneratorInfo& g : built_in_maps()) {
+  for (const GeneratorInfo& g : site_generators()) {
     SCOPED_TRACE(g.name);
     const Region straight = oxturn::generate(g.name, {}, 5).free,
                  turned = oxturn::generate(g.name, {{"rotation", 29.0}}, 5).free;
@@ -286,7 +294,7 @@ TEST(Field, HasTheHolesOfThePublishedExample) {
 // 400 m x 400 m, 10^6 cells of a tool of 0.4 m. The limit is generous because of sanitizers; bench/micro/maps_bench.cpp
 // measures the times.
 TEST(Generators, MakeAMillionCellsInSeconds) {
-  for (const GeneratorInfo& g : built_in_maps()) {
+  for (const GeneratorInfo& g : site_generators()) {
     SCOPED_TRACE(g.name);
     Settings settings{{"width", 400.0}, {"height", 400.0}};
     if (g.name == "rooms") settings["rooms"] = std::int64_t{3000};
@@ -299,6 +307,34 @@ TEST(Generators, MakeAMillionCellsInSeconds) {
     EXPECT_GT(area(map.free), 10000);
     EXPECT_LT(took.count(), 60);
   }
+}
+
+TEST(Polyomino, IsASimplePolygonOfTheArea) {
+  for (const std::string kind : {"polyomino", "orthogonal", "octagonal"})
+    for (const std::int64_t squares : {10, 50, 400}) {
+      std::set<std::string> hashes;
+      for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+        SCOPED_TRACE(fmt::format("{} {} {}", kind, squares, seed));
+        const Settings settings{{"kind", kind}, {"squares", squares}, {"tool", 0.5}, {"margin", 2.0}};
+        const Map map = oxturn::generate("polyomino", settings, seed);
+        ASSERT_TRUE(map.target_area);
+        EXPECT_FALSE(find_flaw(*map.target_area));
+        ASSERT_EQ(map.target_area->polygons.size(), 1u);
+        EXPECT_EQ(hole_count(*map.target_area), 0u);
+        EXPECT_NEAR(area(*map.target_area), 0.25 * static_cast<double>(squares), 1e-3 * static_cast<double>(squares));
+        const Box target = bounding_box(*map.target_area), free = bounding_box(map.free);
+        EXPECT_EQ(target.low, Point(1, 1));
+        EXPECT_EQ(free.high - target.high, Point(1, 1));
+        hashes.insert(content_hash(map));
+      }
+      EXPECT_GE(hashes.size(), kSeeds - 1);  // small ones may be alike
+    }
+}
+
+TEST(Polyomino, IsTheWholeMapWithoutAMargin) {
+  const Map lawn = oxturn::generate("polyomino", {}, 3), mill = oxturn::generate("polyomino", {{"margin", 0.0}}, 3);
+  EXPECT_FALSE(mill.target_area);
+  EXPECT_NEAR(area(mill.free), area(*lawn.target_area), 1e-9);
 }
 
 TEST(HyunMap, HasFiveObstaclesThatTheRobotPasses) {
@@ -444,7 +480,7 @@ TEST(Generators, RefuseInOneSentence) {
 TEST(Generators, AnySettingIsAMapOrASentence) {
   Rng rng(99);
   int maps = 0, sentences = 0;
-  for (const GeneratorInfo& g : built_in_maps())
+  for (const GeneratorInfo& g : site_generators())
     for (int k = 0; k < 60; ++k) {
       Settings settings;
       for (const ParameterInfo& p : g.parameters) {

@@ -52,6 +52,49 @@ void expect_target(const Problem& p, double truth) {
   EXPECT_GE(p.target_excess(), 0);
 }
 
+Map with_target(Map map, Region target) {
+  map.target_area = std::move(target);
+  return map;
+}
+
+TEST(TargetArea, IsWhatTheTargetLiesIn) {
+  const Map map = with_target(square(10), box_region({-1, 4}, {2, 7}));  // a part of it lies outside of the map
+  const Problem p(map, disc(0.5, 1), Point(8, 8));
+  EXPECT_NEAR(area(p.target()), 2 * 3, 1e-9);
+  EXPECT_NEAR(area(p.configuration_space()), 81, 1e-4);
+  EXPECT_NEAR(area(p.work_space()), 1.5 * 3 + 2 * 1.5 * 0.5 + 0.5 * 3 + 0.5 * kPi * 0.25, 2e-3);
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    Rng rng(i);
+    const Point q(rng.between(0.6, 3.0), rng.between(3.0, 8.0));
+    const double away = distance(q, Point(std::min(q.x(), 2.0), std::clamp(q.y(), 4.0, 7.0)));
+    if (std::abs(away - 0.5) > 2e-3) { EXPECT_EQ(contains(p.work_space(), q), away < 0.5) << q.transpose(); }
+  }
+}
+
+TEST(TargetArea, EntersTheHash) {
+  const Map whole = square(10), block = with_target(whole, box_region({1, 1}, {2, 2}));
+  EXPECT_NE(content_hash(whole), content_hash(block));
+  EXPECT_NE(content_hash(with_target(whole, box_region({1, 1}, {2, 3}))), content_hash(block));
+  EXPECT_NE(Problem(whole, disc(0.5, 1), Point(5, 5)).content_hash(),
+            Problem(block, disc(0.5, 1), Point(5, 5)).content_hash());
+}
+
+TEST(TargetArea, OutOfReachIsASentence) {
+  const auto refusal = [](Map map, const Robot& robot) -> std::string {
+    try {
+      Problem(std::move(map), robot, Point(1, 1));
+    } catch (const std::invalid_argument& e) { return e.what(); }
+    return "";
+  };
+  EXPECT_THAT(refusal(with_target(square(4), box_region({5, 5}, {6, 6})), disc(0.5, 1)),
+              HasSubstr("target area of map 'square' lies outside its free space, near (5.5, 5.5)"));
+  EXPECT_THAT(refusal(with_target(square(4), Region{}), disc(0.5, 1)), HasSubstr("has no area"));
+  Map two = square(4);  // a second room without a door
+  two.free.polygons.push_back(square(4, {6, 0}).free.polygons.front());
+  EXPECT_THAT(refusal(with_target(two, box_region({7, 1}, {8, 2})), disc(0.5, 1)),
+              HasSubstr("target area of map 'square' is out of reach: robot"));
+}
+
 TEST(Problem, SquareByHand) {
   const Problem p(square(10), disc(0.5, 1), Point(5, 5));
   EXPECT_NEAR(area(p.configuration_space()), 81, 1e-4);

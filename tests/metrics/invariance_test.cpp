@@ -88,6 +88,9 @@ const std::map<std::string, Rule> kRules{
     {"work_m", {1, 1e-9, 1e-9}},
     {"transit_m", {1, 1e-9, 1e-9}},
     {"length_ratio", {0, 1e-3, 5e-3}},
+    {"bound_m", {1, 1e-3, 5e-3}},
+    {"bound_kind", {0, 1, 1}},  // where there is little to spill, either may be best
+    {"gap", {0, 2e-3, 1e-2}},
     {"overlap", {0, 1e-3, 2e-3}},
     {"revisits", {0, 2e-3, 6e-3}},
     {"promise_coverage", {0, 1e-3, 3e-3}},

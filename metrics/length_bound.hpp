@@ -1,0 +1,26 @@
+/// How short a path could be that covers as much of the target as a given one: the best of several lower bounds.
+///
+///   const std::optional<LengthBound> bound = length_bound(problem, swept_area(...));
+///   path.length() >= bound->metres;                 // for every path whose legs join
+///
+/// area    (covered - pi w^2 / 4) / w: a curve of length L sweeps at most L w + pi w^2 / 4
+/// spill   the same with what the tool must sweep outside of the target added to what is covered (spill.hpp). A tool no
+///         wider than the robot spills nothing where all of the map is the target, so it is not looked for there
+#pragma once
+
+#include <optional>
+
+#include "maps/problem.hpp"
+#include "metrics/swept_area.hpp"
+
+namespace oxturn {
+
+struct LengthBound {
+  enum class Kind { area, spill } kind;
+  double metres;
+};
+
+/// nullopt if no more than about one tool disc is covered. `swept`: of a path whose legs join.
+std::optional<LengthBound> length_bound(const Problem& problem, const SweptArea& swept);
+
+}  // namespace oxturn

@@ -1,0 +1,162 @@
+// Lower bounds of length: never above the truth, and as strong as they should be where the truth is known.
+#include "metrics/spill.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/random.hpp"
+#include "geometry/overlay/boolean.hpp"
+#include "geometry/overlay/swath.hpp"
+#include "metrics/disc_area.hpp"
+#include "metrics/length_bound.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr double kRadius = 0.5;
+
+Path driven(Polyline line) {
+  Path path;
+  path.legs.push_back({true, std::move(line)});
+  return path;
+}
+
+/// A target in a wide free space, for a tool of width 1.
+Problem lawn(Region target, const Point& start) {
+  Box box = bounding_box(target);
+  box.grow(4);
+  Robot robot;
+  robot.radius = 0.5;
+  robot.tool_width = 1;
+  Map map{"lawn", box_region(box.low, box.high), "test", ""};
+  map.target_area = std::move(target);
+  return Problem(std::move(map), robot, start);
+}
+
+std::optional<LengthBound> bound_of(const Problem& problem, const Path& path) {
+  return length_bound(problem, swept_area(problem.target(), problem.target_excess(), 1, path));
+}
+
+double disc_in(const Region& region, const Point& centre, double radius) {
+  double sum = 0;
+  for_each_ring(region, [&](const Ring& ring) {
+    for_each_edge(ring, [&](const Point& a, const Point& b) { sum += disc_area_of_edge(centre, radius, a, b); });
+  });
+  return sum;
+}
+
+TEST(DiscArea, AgreesWithTheOverlay) {
+  Rng rng(5);
+  for (int k = 0; k < 200; ++k) {
+    Ring ring;
+    for (int i = 0; i < 5; ++i) ring.emplace_back(rng.between(-2.0, 2.0), rng.between(-2.0, 2.0));
+    const Point centre(rng.between(-2.0, 2.0), rng.between(-2.0, 2.0));
+    const double radius = rng.between(0.2, 2.0);
+    double sum = 0;  // the boundary winds, so the oracle is a sum over the triangles of a fan
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+      Ring triangle{ring[0], ring[i], ring[i + 1]};
+      const double sign = signed_area(triangle) > 0 ? 1 : -1;
+      if (sign < 0) std::reverse(triangle.begin(), triangle.end());
+      const Region disc = swath({{centre}}, radius, 1e-5, Bound::inside);
+      sum += sign * area(intersect(disc, Region{{{triangle, {}}}}));
+    }
+    double exact = 0;
+    for_each_edge(ring, [&](const Point& a, const Point& b) { exact += disc_area_of_edge(centre, radius, a, b); });
+    EXPECT_NEAR(exact, sum, 2e-3);
+  }
+}
+
+// The least that any disc about a point within reach of a square's corner has outside, by a fine grid of centres.
+TEST(Spill, FourCornersOfASquare) {
+  const Region square = box_region({0, 0}, {10, 10});
+  double least = 1;
+  for (double x = -0.5; x <= 0.5; x += 0.005)
+    for (double y = -0.5; y <= 0.5; y += 0.005)
+      if (x * x + y * y <= kRadius * kRadius)
+        least = std::min(least, kPi * kRadius * kRadius - disc_in(square, {x, y}, kRadius));
+  EXPECT_LE(least_spill(square, 1, 0), 4 * least);
+  EXPECT_GE(least_spill(square, 1, 0), 0.93 * 4 * least);
+  const Region scaled = box_region({0, 0}, {25, 25});
+  EXPECT_NEAR(least_spill(scaled, 2.5, 0), 6.25 * least_spill(square, 1, 0), 1e-9);
+}
+
+TEST(Spill, UncoveredAreaSavesIt) {
+  const Region square = box_region({0, 0}, {10, 10});
+  double last = least_spill(square, 1, 0);
+  EXPECT_LT(least_spill(square, 1, 1e-3), 0.99 * last);
+  for (const double uncovered : {1e-4, 1e-3, 1e-2, 0.1, 0.3}) {
+    const double spill = least_spill(square, 1, uncovered);
+    EXPECT_LE(spill, last);
+    last = spill;
+  }
+  EXPECT_NEAR(last, 0, 1e-12);
+}
+
+// What a straight path sweeps, and bites out of it: the path spills exactly the bites, and is the shortest.
+TEST(LengthBound, IsNeverAboveAStraightPath) {
+  for (const auto seed : seeds(4)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Point a(0, 0), b = rotated({rng.between(2.0, 9.0), 0}, rng.between(0.0, 6.0));
+    Region target = swath({{a, b}}, kRadius, 2e-3, Bound::inside);
+    for (int k = 0; k < 3; ++k) {
+      const Point at = lerp(a, b, rng.unit()) + Point(rng.between(-0.6, 0.6), rng.between(-0.6, 0.6));
+      const double side = rng.between(0.1, 0.5);
+      target = subtract(target, box_region(at - Point(side, side) / 2, at + Point(side, side) / 2));
+    }
+    const Problem problem = lawn(target, a);
+    const auto bound = bound_of(problem, driven({a, b}));
+    ASSERT_TRUE(bound);
+    EXPECT_LE(bound->metres, distance(a, b));
+    EXPECT_GE(bound->metres, 0.75 * distance(a, b));
+  }
+}
+
+// Strips narrower than the tool: from where the disc holds two corners to where it holds the other two.
+TEST(LengthBound, IsNeverAboveTheOptimumOfAStrip) {
+  for (const double wide : {0.1, 0.3, 0.6, 0.9, 0.99})
+    for (const double along : {1.0, 2.5, 7.0}) {
+      SCOPED_TRACE(testing::Message() << wide << " x " << along);
+      const double end = std::sqrt(kRadius * kRadius - wide * wide / 4);
+      if (along <= 2 * end) continue;
+      const Point from(end, wide / 2), to(along - end, wide / 2);
+      const Problem problem = lawn(box_region({0, 0}, {along, wide}), from);
+      const Path path = driven({from, to});
+      EXPECT_GT(swept_area(problem.target(), 0, 1, path).coverage.upper, 0.9999);
+      const auto bound = bound_of(problem, path);
+      if (bound) { EXPECT_LE(bound->metres, distance(from, to)); }
+      if (bound && along > 5 && wide > 0.5) { EXPECT_EQ(bound->kind, LengthBound::Kind::spill); }
+    }
+}
+
+// One position covers it: there is no bound.
+TEST(LengthBound, OfASmallSquareIsNothing) {
+  for (const double side : {0.1, 0.4, 0.7}) {
+    const Point middle(side / 2, side / 2);
+    const Problem problem = lawn(box_region({0, 0}, {side, side}), middle);
+    EXPECT_FALSE(bound_of(problem, driven({middle, middle + Point(1e-6, 0)})));
+  }
+}
+
+// Random paths that cover anything from little to nearly all of random targets.
+TEST(LengthBound, IsNeverAboveRandomPaths) {
+  for (const auto seed : seeds(30)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    std::vector<Region> boxes;
+    for (int k = 0; k < 4; ++k) {
+      const Point low(rng.between(0.0, 2.0), rng.between(0.0, 2.0));
+      boxes.push_back(box_region(low, low + Point(rng.between(0.2, 2.0), rng.between(0.2, 2.0))));
+    }
+    Polyline line{{0, 0}};
+    const int vertices = rng.between(2, 14);
+    for (int k = 0; k < vertices; ++k) line.emplace_back(rng.between(-0.2, 3.5), rng.between(-0.2, 3.5));
+    const Problem problem = lawn(unite(boxes), line.front());
+    if (const auto bound = bound_of(problem, driven(line))) { EXPECT_LE(bound->metres, length(line)); }
+  }
+}
+
+}  // namespace
+}  // namespace oxturn
