@@ -29,8 +29,8 @@ TEST(Man, NamesEveryCommandAndOption) {
   for (const std::string mark : {"\\fB", "\\fI", "\\fR", "\\&", "\\"})
     for (std::size_t at = 0; (at = page.find(mark, at)) != std::string::npos;) page.erase(at, mark.size());
   const std::set<std::string> there = options_in(page);
-  for (const std::string command :
-       {"list", "map", "plan", "draw", "score", "run", "check", "report", "rescore", "merge", "missing", "completion", "man"}) {
+  for (const std::string command : {"list", "map", "plan", "draw", "score", "run", "check", "report", "rescore",
+                                    "merge", "missing", "completion", "man"}) {
     EXPECT_THAT(page, HasSubstr(".SS oxturn " + command));
     for (const std::string& option : options_in(oxturn(command + " --help").out))
       EXPECT_TRUE(there.contains(option)) << command << " " << option;

@@ -87,9 +87,10 @@ TEST(PathCsv, BadLinesAreNamedByLineAndColumn) {
   EXPECT_EQ(why_not("1,2\n1,\n"), "p.csv:2: column 2 (y) is '', expected a finite number in metres");
   EXPECT_EQ(why_not("1,2,3\n1,2,1\n"), "p.csv:1: column 3 (tool) is '3', expected 1 or 0, on or off, true or false");
   EXPECT_EQ(why_not("1,2\n1,2,1\n"), "p.csv:2: 3 columns, expected 2");
-  EXPECT_EQ(why_not("1\n2\n"), "p.csv:1: 1 column, expected x,y or x,y,tool or x,y,tool,reverse");
-  EXPECT_EQ(why_not("1;2\n3;4\n"),
-            "p.csv:1: begins with '1;2', expected numbers x,y[,tool[,reverse]] or a header with the columns x and y");
+  EXPECT_EQ(why_not("1\n2\n"), "p.csv:1: 1 column, expected x,y[,tool[,reverse[,width]]]");
+  EXPECT_EQ(
+      why_not("1;2\n3;4\n"),
+      "p.csv:1: begins with '1;2', expected numbers x,y[,tool[,reverse[,width]]] or a header with the columns x and y");
   EXPECT_THAT(why_not("lat,lon\n1,2\n"), HasSubstr("begins with 'lat'"));
   EXPECT_THAT(why_not(std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)),
               StartsWith("p.csv:1: begins with '\xEF\xBF\xBDPNG'"));
