@@ -86,8 +86,10 @@ std::vector<Placements::Target> read_targets(const std::string& file, TomlTable&
     const auto* name = item->as_string();
     if (name == nullptr || name->get().empty()) refuse(file, *item, "target is not the name of a map file in quotes");
     const std::string path = (std::filesystem::path(file).parent_path() / name->get()).string();
+    MapSpec map;
+    map.file = path;
     std::shared_ptr<const MapFile> content;
-    at_position(file, *item, [&] { content = read_under_limits(MapSpec{.file = path}, formats, limits); });
+    at_position(file, *item, [&] { content = read_under_limits(map, formats, limits); });
     if (!content) refuse(file, *item, fmt::format("reading the target area '{}' breaks the suite's limits", path));
     targets.push_back({path, content->map.free});
   }

@@ -22,7 +22,7 @@ struct DrawnStroke {
   std::string element;               // id of the element that it comes from
   Polyline points;                   // flattened; at least two
   double width = 0;                  // metres, > 0: as wide as the tool draws
-  bool tool = true;                  // false: it is driven here with the tool off (a way that the drawing prescribes)
+  bool tool = true;                  // false: it is driven here with the tool off (as the drawing prescribes)
   std::vector<std::size_t> nodes;    // positions in `points` of the source's own nodes, in order
   std::vector<std::size_t> corners;  // positions in `points` at which the tangents differ by more than a degree
 };
@@ -61,9 +61,9 @@ struct DrawnCurve {
 };
 
 struct Drawing {
-  std::vector<DrawnStroke> strokes;    // in document order
-  std::vector<FilledArea> areas;  // in document order, interiors disjoint
-  std::optional<Point> start;     // where the path begins
+  std::vector<DrawnStroke> strokes;  // in document order
+  std::vector<FilledArea> areas;     // in document order, interiors disjoint
+  std::optional<Point> start;        // where the path begins
   std::vector<DrawnConnection> connections;
   std::vector<DrawnCurve> curves;
   std::string sha256;  // of the file that it was read from

@@ -12,12 +12,13 @@ constexpr double kLeastShare = 1e-6;  // of the covered area: less spill is none
 
 }  // namespace
 
-std::optional<LengthBound> length_bound(const Problem& problem, const SweptArea& swept) {
+std::optional<LengthBound> length_bound(const Problem& problem, const Path& path, const SweptArea& swept) {
   const Robot& robot = problem.robot();
   const double w = robot.tool_width;
   const auto metres = [&](double area) -> double { return (area - kPi * w * w / 4) / w; };
   LengthBound best{LengthBound::Kind::area, metres(swept.covered_m2)};
-  if (problem.map().target_area || w / 2 > robot.radius) {
+  const bool whole_tool = std::ranges::all_of(path.legs, [](const Leg& leg) { return leg.width == 0; });
+  if (whole_tool && (problem.map().target_area || w / 2 > robot.radius)) {
     const double uncovered = std::max(0.0, area(problem.target()) - swept.covered_m2);
     const double spill = least_spill(problem.target(), w, uncovered);
     if (spill > kLeastShare * swept.covered_m2) best = {LengthBound::Kind::spill, metres(swept.covered_m2 + spill)};

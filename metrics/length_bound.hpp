@@ -5,7 +5,8 @@
 ///
 /// area    (covered - pi w^2 / 4) / w: a curve of length L sweeps at most L w + pi w^2 / 4
 /// spill   the same with what the tool must sweep outside of the target added to what is covered (spill.hpp). A tool no
-///         wider than the robot spills nothing where all of the map is the target, so it is not looked for there
+///         wider than the robot spills nothing where all of the map is the target, so it is not looked for there; nor
+///         where legs use a part of the tool, since a narrower one spills less
 #pragma once
 
 #include <optional>
@@ -20,7 +21,7 @@ struct LengthBound {
   double metres;
 };
 
-/// nullopt if no more than about one tool disc is covered. `swept`: of a path whose legs join.
-std::optional<LengthBound> length_bound(const Problem& problem, const SweptArea& swept);
+/// nullopt if no more than about one tool disc is covered. `swept`: of this path, whose legs join.
+std::optional<LengthBound> length_bound(const Problem& problem, const Path& path, const SweptArea& swept);
 
 }  // namespace oxturn

@@ -166,7 +166,7 @@ Score score(const Problem& problem, const Path& path, const Metrics& metrics, co
                       tether ? &*tether : nullptr,
                       &clock,
                       tolerance,
-                      legs_join(path, tolerance) ? length_bound(problem, swept) : std::nullopt,
+                      legs_join(path, tolerance) ? length_bound(problem, path, swept) : std::nullopt,
                       kept_promise(problem, path, swept, options)};
   std::size_t i = 0;
   for (const Metric& metric : metrics) result.values[i++].value = metric.compute(scored);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <queue>
 
 #include "metrics/disc_area.hpp"
@@ -16,13 +17,24 @@ constexpr double kSpacing = 0.25;     // of candidates on the boundary
 constexpr double kLeastSpill = 2e-3;  // of a witness
 constexpr double kTolerance = 1e-3;   // of the least spill
 constexpr int kMostSquares = 1500;    // that one search divides
-constexpr std::size_t kMostCandidates = 4000;
-constexpr double kCell = 1.5;  // half the side of a cell at most
+constexpr double kMostWork = 2e7;     // edges that are looked at: about a second of processor time
+constexpr double kCell = 1.5;         // half the side of a cell at most
 constexpr double kRounding = 1e-9;
 constexpr std::array kApart{0.4, 0.55, 0.7, 0.85, 1.0};  // least distances of witnesses that are tried
 constexpr std::array kDistances{0.004, 0.01, 0.02, 0.035, 0.055, 0.08, 0.11, 0.15, 0.2, 0.26, 0.33, 0.4, 0.5};
 
 using Edges = std::vector<std::pair<Point, Point>>;
+
+/// Counts the edges that are looked at. Searches that end early, for want of work, give a smaller bound.
+class Work {
+ public:
+  explicit Work(double most) : left_(most) {}
+  void spend(std::size_t edges) { left_ -= static_cast<double>(edges); }
+  bool is_done() const { return left_ <= 0; }
+
+ private:
+  double left_;
+};
 
 double disc_area(const Edges& edges, const Point& centre, double radius) {
   double sum = 0;
@@ -52,7 +64,7 @@ struct CellEdges {
 };
 
 /// A certified lower bound of the least disc_area(outside, c, kRadius) over all c within `reach` of the witness.
-double least_disc_area(const Edges& outside, const Point& witness, double reach, double tolerance) {
+double least_disc_area(const Edges& outside, const Point& witness, double reach, double tolerance, Work& work) {
   struct Square {
     double bound;
     Point middle;
@@ -61,6 +73,7 @@ double least_disc_area(const Edges& outside, const Point& witness, double reach,
   };
   double best = disc_area(outside, witness, kRadius);
   const auto square = [&](const Point& middle, double half) -> Square {
+    work.spend(2 * outside.size());
     const double away = half * std::sqrt(2.0), from = distance(middle, witness);
     const Point centre = from <= reach ? middle : Point(witness + reach / from * (middle - witness));
     const double swept = disc_area(outside, centre, kRadius);
@@ -71,7 +84,7 @@ double least_disc_area(const Edges& outside, const Point& witness, double reach,
   };
   std::priority_queue<Square, std::vector<Square>, std::greater<>> open;
   open.push(square(witness, reach));
-  for (int divided = 0; divided < kMostSquares; ++divided) {
+  for (int divided = 0; divided < kMostSquares && !work.is_done(); ++divided) {
     const Square top = open.top();
     if (top.bound >= best - tolerance) break;
     open.pop();
@@ -109,8 +122,9 @@ struct Candidate {
   double spill;
 };
 
-/// Points of the boundary at which something must be spilled, were the rest of the plane theirs; greatest spill first.
-std::vector<Candidate> candidates(const std::vector<Ring>& target) {
+/// Vertices, and points between them, in an order in which neighbours are far from each other: where work ends early,
+/// what was looked at lies everywhere along the boundary.
+Polyline boundary_points(const std::vector<Ring>& target) {
   Polyline points;
   for (const Ring& ring : target)
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -118,12 +132,25 @@ std::vector<Candidate> candidates(const std::vector<Ring>& target) {
       const double steps = std::ceil(distance(a, b) / kSpacing);
       for (double k = 0; k < steps; ++k) points.push_back(lerp(a, b, k / steps));
     }
-  const std::size_t stride = points.size() / kMostCandidates + 1;
+  const std::size_t n = points.size();
+  std::size_t stride = std::max<std::size_t>(1, n * 5 / 13);  // about the golden section
+  while (std::gcd(stride, n) != 1) ++stride;
+  Polyline spread;
+  for (std::size_t k = 0; k < n; ++k) spread.push_back(points[k * stride % n]);
+  return spread;
+}
+
+/// Points of the boundary at which something must be spilled, were the rest of the plane theirs; greatest spill first.
+std::vector<Candidate> candidates(const std::vector<Ring>& target, Work work) {
+  std::size_t vertices = 0;
+  for (const Ring& ring : target) vertices += ring.size();
   std::vector<Candidate> found;
-  for (std::size_t i = 0; i < points.size(); i += stride) {
-    const CellEdges edges(target, box_about(points[i], kCell));
-    const double spill = least_disc_area(edges.outside, points[i], kRadius, kTolerance);
-    if (spill > kLeastSpill) found.push_back({points[i], spill});
+  for (const Point& p : boundary_points(target)) {
+    if (work.is_done()) break;
+    work.spend(vertices);
+    const CellEdges edges(target, box_about(p, kCell));
+    const double spill = least_disc_area(edges.outside, p, kRadius, kTolerance, work);
+    if (spill > kLeastSpill) found.push_back({p, spill});
   }
   std::ranges::stable_sort(found, std::greater<>(), &Candidate::spill);
   return found;
@@ -158,17 +185,20 @@ void add_savings(const std::vector<Saving>& options, std::vector<Saving>& saving
 }
 
 /// What is spilled if `uncovered` may be given up, best use first.
-double spill_with(const std::vector<Ring>& target, const std::vector<Point>& witnesses, double uncovered) {
+double spill_with(const std::vector<Ring>& target, const std::vector<Point>& witnesses, double uncovered, Work work) {
   double spill = 0;
+  std::size_t vertices = 0;
+  for (const Ring& ring : target) vertices += ring.size();
   std::vector<Saving> savings;
-  for (std::size_t k = 0; k < witnesses.size(); ++k) {
+  for (std::size_t k = 0; k < witnesses.size() && !work.is_done(); ++k) {
+    work.spend(vertices + witnesses.size());
     const CellEdges edges(target, voronoi_cell(witnesses, k));
     std::vector<Saving> options;
     double cost = 0;
     for (std::size_t j = 0; j <= kDistances.size() && cost <= uncovered; ++j) {
-      const double least = j == kDistances.size()
-                               ? 0
-                               : least_disc_area(edges.outside, witnesses[k], kRadius + kDistances[j], kTolerance);
+      const double least = j == kDistances.size() ? 0
+                                                  : least_disc_area(edges.outside, witnesses[k],
+                                                                    kRadius + kDistances[j], kTolerance, work);
       options.push_back({cost, options.empty() ? least : std::min(least, options.back().saved)});
       if (!(least > 0)) break;
       cost = disc_area(edges.inside, witnesses[k], kDistances[j]) * (1 - kRounding);
@@ -195,7 +225,7 @@ double least_spill(const Region& target, double width, double uncovered_m2) {
     rings.push_back(ring);
     for (Point& p : rings.back()) p /= width;
   });
-  const std::vector<Candidate> all = candidates(rings);
+  const std::vector<Candidate> all = candidates(rings, Work(kMostWork / 2));
   double most = 0;
   const double uncovered = std::max(0.0, uncovered_m2) / (width * width);
   for (const double apart : kApart) most = std::max(most, spill_with(rings, witnesses_of(all, apart), uncovered));

@@ -1,10 +1,10 @@
 // libFuzzer target: bytes to a drawing. Build with the preset `fuzz` (clang), then
 //   build/fuzz/tests/fuzz/fuzz_svg_drawing -max_len=4096 -timeout=20 -rss_limit_mb=4096 corpus/
+#include "maps/svg_drawing.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
-
-#include "maps/svg_drawing.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

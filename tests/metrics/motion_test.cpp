@@ -19,7 +19,7 @@ double value(const std::string& metric, const Path& path, const Problem& p) {
     if (m.name != metric) continue;
     const SweptArea none;
     const MissionClock clock(p, path);
-    return m.compute(Scored{p, path, none, 0, nullptr, &clock, p.tolerance(), {}}).value();
+    return m.compute(Scored{p, path, none, 0, nullptr, &clock, p.tolerance(), {}, {}}).value();
   }
   throw std::logic_error("no metric " + metric);
 }
