@@ -19,7 +19,7 @@ std::vector<PathSegment> segments_of(const Path& path, double tool_width) {
 }
 
 /// The t for which low <= value + t * slope <= high, within `part`.
-bool clip(double value, double slope, double low, double high, Part& part) {
+bool clip(double value, double slope, double low, double high, LinePart& part) {
   if (slope == 0) return value >= low && value <= high;
   const double s = (low - value) / slope, t = (high - value) / slope;
   part.from = std::max(part.from, std::min(s, t));
@@ -28,13 +28,13 @@ bool clip(double value, double slope, double low, double high, Part& part) {
 }
 
 /// Of ab within `reach` of the point c.
-std::optional<Part> near_point(const Point& a, const Point& b, const Point& c, double reach) {
+std::optional<LinePart> near_point(const Point& a, const Point& b, const Point& c, double reach) {
   const Point d = b - a, e = a - c;
   const double A = d.squaredNorm(), B = e.dot(d), C = e.squaredNorm() - reach * reach, D = B * B - A * C;
   if (A <= 0 || D < 0) return std::nullopt;
   const double root = std::sqrt(D);
-  const Part part{std::max(0.0, (-B - root) / A), std::min(1.0, (-B + root) / A)};
-  return part.from <= part.to ? std::optional<Part>(part) : std::nullopt;
+  const LinePart part{std::max(0.0, (-B - root) / A), std::min(1.0, (-B + root) / A)};
+  return part.from <= part.to ? std::optional<LinePart>(part) : std::nullopt;
 }
 
 }  // namespace
@@ -44,27 +44,27 @@ PathSegments::PathSegments(const Path& path, double tool_width)
         return std::array{all_[i].a, all_[i].b};
       }) {}
 
-std::optional<Part> within(const Point& a, const Point& b, const Point& c, const Point& d, double reach) {
-  std::optional<Part> all;
-  const auto join = [&](const std::optional<Part>& part) {
-    if (part) all = all ? Part{std::min(all->from, part->from), std::max(all->to, part->to)} : *part;
+std::optional<LinePart> within(const Point& a, const Point& b, const Point& c, const Point& d, double reach) {
+  std::optional<LinePart> all;
+  const auto join = [&](const std::optional<LinePart>& part) {
+    if (part) all = all ? LinePart{std::min(all->from, part->from), std::max(all->to, part->to)} : *part;
   };
   join(near_point(a, b, c, reach));
   join(near_point(a, b, d, reach));
   const double length = distance(c, d);
   if (length <= 0) return all;
   const Point along = (d - c) / length;
-  Part part{0, 1};
+  LinePart part{0, 1};
   if (clip(along.dot(a - c), along.dot(b - a), 0, length, part) &&
       clip(cross(along, a - c), cross(along, b - a), -reach, reach, part))
     join(part);
   return all;
 }
 
-std::vector<Part> Cover::united() {
-  std::ranges::sort(parts_, {}, &Part::from);
-  std::vector<Part> out;
-  for (const Part& part : parts_)
+std::vector<LinePart> Cover::united() {
+  std::ranges::sort(parts_, {}, &LinePart::from);
+  std::vector<LinePart> out;
+  for (const LinePart& part : parts_)
     if (!out.empty() && part.from <= out.back().to)
       out.back().to = std::max(out.back().to, part.to);
     else
@@ -74,7 +74,7 @@ std::vector<Part> Cover::united() {
 
 double Cover::share() {
   double sum = 0;
-  for (const Part& part : united()) sum += part.to - part.from;
+  for (const LinePart& part : united()) sum += part.to - part.from;
   return sum;
 }
 

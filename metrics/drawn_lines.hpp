@@ -44,16 +44,16 @@ class PathSegments {
 };
 
 /// A part of a segment, as fractions of its length.
-struct Part {
+struct LinePart {
   double from, to;
 };
 /// The part of ab within `reach` of the segment cd: a capsule is convex, so it is one part.
-std::optional<Part> within(const Point& a, const Point& b, const Point& c, const Point& d, double reach);
+std::optional<LinePart> within(const Point& a, const Point& b, const Point& c, const Point& d, double reach);
 
 /// A union of parts of one segment.
 class Cover {
  public:
-  void add(const std::optional<Part>& part) {
+  void add(const std::optional<LinePart>& part) {
     if (part) parts_.push_back(*part);
   }
   /// Covered share of the segment; sorts.
@@ -62,8 +62,8 @@ class Cover {
   double share_without(Cover& other);
 
  private:
-  std::vector<Part> united();
-  std::vector<Part> parts_;
+  std::vector<LinePart> united();
+  std::vector<LinePart> parts_;
 };
 
 }  // namespace oxturn

@@ -33,7 +33,7 @@ struct Params {
   double inset = 0;
   bool outline = true;
   Containment containment = Containment::strict;
-  Finished finished = Finished::around;
+  FinishedRule finished = FinishedRule::around;
   double keep_off = -1;
   CornerRule corner = CornerRule::automatic;
   double round_radius = 0;
@@ -119,8 +119,8 @@ class Beachbot final : public CoveragePlanner {
     return {.radius = radius,
             .keep_off = keep_off,
             .first = p_.connection,
-            .avoid = p_.finished == Finished::around,
-            .literal = p_.finished == Finished::ignore && p_.connection == ConnectionKind::spiro};
+            .avoid = p_.finished == FinishedRule::around,
+            .literal = p_.finished == FinishedRule::ignore && p_.connection == ConnectionKind::spiro};
   }
 
   static void report(const DrivenOrder& order, const OrderDriver& driver, const PortCurves& curves, Context& context) {

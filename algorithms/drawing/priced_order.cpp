@@ -31,7 +31,7 @@ ElementPieces pieces_of(const std::vector<DrawingElement>& elements) {
   return all;
 }
 
-PricedOrder::PricedOrder(const std::vector<DrawingElement>& elements, const Point& start, Finished rule,
+PricedOrder::PricedOrder(const std::vector<DrawingElement>& elements, const Point& start, FinishedRule rule,
                          TransitRouter& router, FinishedWork& work)
     : elements_(elements),
       start_(start),
@@ -41,13 +41,13 @@ PricedOrder::PricedOrder(const std::vector<DrawingElement>& elements, const Poin
       first_piece_(pieces_of(elements).first) {}
 
 Transit PricedOrder::transit(const Pose& from, const Pose& to) {
-  return rule_ == Finished::around ? router_.route(from, to) : router_.direct(from, to);
+  return rule_ == FinishedRule::around ? router_.route(from, to) : router_.direct(from, to);
 }
 
 Transit PricedOrder::transit_to(const std::vector<ElementVisit>& order, std::size_t k) {
   const Pose entry = entry_pose(elements_[order[k].element], order[k]);
   if (k > 0) return transit(exit_pose(elements_[order[k - 1].element], order[k - 1]), entry);
-  return rule_ == Finished::around ? router_.route(start_, entry) : router_.direct(start_, entry);
+  return rule_ == FinishedRule::around ? router_.route(start_, entry) : router_.direct(start_, entry);
 }
 
 /// Finishes the element's pieces in driving order. Transits inside a fill.
@@ -82,8 +82,9 @@ void PricedOrder::raise(const DrivenOrder& order, DrawingTour& tour) {
   for (std::size_t k = 0; k < order.order.size(); ++k) {
     const Transit& t = order.transits[k];
     const bool crosses = t.crossing_m > 0;
-    const double price = rule_ == Finished::weight ? t.length_m + (crosses ? kConstantWeight : 0) : t.price();
-    if (rule_ == Finished::weight ? !crosses : price <= distance(t.path.front(), t.path.back()) * (1 + kNoDifference))
+    const double price = rule_ == FinishedRule::weight ? t.length_m + (crosses ? kConstantWeight : 0) : t.price();
+    if (rule_ == FinishedRule::weight ? !crosses
+                                      : price <= distance(t.path.front(), t.path.back()) * (1 + kNoDifference))
       continue;
     tour.raise(k == 0 ? nullptr : &order.order[k - 1], order.order[k], price);
   }
@@ -91,14 +92,14 @@ void PricedOrder::raise(const DrivenOrder& order, DrawingTour& tour) {
 
 DrivenOrder PricedOrder::search(DrawingTour& tour, Context& context) {
   DrivenOrder at = driven(tour.solve(context)), best = at;
-  for (int round = 0; round < kMostRounds && rule_ != Finished::ignore && !context.cancelled(); ++round) {
+  for (int round = 0; round < kMostRounds && rule_ != FinishedRule::ignore && !context.cancelled(); ++round) {
     raise(at, tour);
     std::vector<ElementVisit> order = tour.improve(at.order, context);
     if (order == at.order) break;
     at = driven(order);
     if (better(at, best)) best = at;
   }
-  if (rule_ != Finished::around || context.cancelled()) return best;
+  if (rule_ != FinishedRule::around || context.cancelled()) return best;
   OrderMoves moves(elements_, start_, tour, router_.radius(), router_, work_, first_piece_);
   at = driven(moves.improved(best, context));
   return better(at, best) ? at : best;

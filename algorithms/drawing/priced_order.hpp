@@ -20,7 +20,7 @@ namespace oxturn {
 
 /// How transits treat finished work. around: they go round it. weight: they do not, but connections that cross it are
 /// given a constant weight and the tour is solved again. ignore: they do not, and cost their length.
-enum class Finished { around, weight, ignore };
+enum class FinishedRule { around, weight, ignore };
 
 struct DrivenOrder {
   std::vector<ElementVisit> order;
@@ -41,7 +41,7 @@ ElementPieces pieces_of(const std::vector<DrawingElement>& elements);
 class PricedOrder {
  public:
   /// `work` holds pieces_of(elements). References must outlive it.
-  PricedOrder(const std::vector<DrawingElement>& elements, const Point& start, Finished rule, TransitRouter& router,
+  PricedOrder(const std::vector<DrawingElement>& elements, const Point& start, FinishedRule rule, TransitRouter& router,
               FinishedWork& work);
 
   DrivenOrder search(DrawingTour& tour, Context& context);
@@ -56,7 +56,7 @@ class PricedOrder {
 
   const std::vector<DrawingElement>& elements_;
   Point start_;
-  Finished rule_;
+  FinishedRule rule_;
   TransitRouter& router_;
   FinishedWork& work_;
   std::vector<std::size_t> first_piece_;

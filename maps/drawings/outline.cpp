@@ -18,29 +18,29 @@ void add_roots(std::vector<double>& roots, double a, double b, double c) {
 }
 
 /// Where one coordinate of a segment may be extreme, as s in [0, 1], ends included.
-std::vector<double> extremes(const Segment& g, Eigen::Index k) {
+std::vector<double> extremes(const CurveSegment& g, Eigen::Index k) {
   std::vector<double> at{0, 1};
   const double p0 = g.p[0][k], p1 = g.p[1][k], p2 = g.p[2][k], p3 = g.p[3][k];
-  if (g.kind == Segment::Kind::quadratic) add_roots(at, 0, p0 - 2 * p1 + p2, p1 - p0);
-  if (g.kind == Segment::Kind::cubic) add_roots(at, p3 - p0 + 3 * (p1 - p2), 2 * (p0 - 2 * p1 + p2), p1 - p0);
-  if (g.kind == Segment::Kind::arc && g.sweep != 0)
+  if (g.kind == CurveSegment::Kind::quadratic) add_roots(at, 0, p0 - 2 * p1 + p2, p1 - p0);
+  if (g.kind == CurveSegment::Kind::cubic) add_roots(at, p3 - p0 + 3 * (p1 - p2), 2 * (p0 - 2 * p1 + p2), p1 - p0);
+  if (g.kind == CurveSegment::Kind::arc && g.sweep != 0)
     for (int turn = -9; turn <= 9; ++turn) at.push_back((std::atan2(p2, p1) + turn * kPi - g.from) / g.sweep);
   std::erase_if(at, [](double s) { return !(s >= 0 && s <= 1); });
   return at;
 }
 
 /// How many equal steps of the parameter keep chords within the tolerance.
-double steps_of(const Segment& g, double tolerance) {
+double steps_of(const CurveSegment& g, double tolerance) {
   const auto second = [&](std::size_t i) { return (g.p[i] - 2 * g.p[i + 1] + g.p[i + 2]).norm(); };
   switch (g.kind) {
-    case Segment::Kind::line:
+    case CurveSegment::Kind::line:
       return 1;
     // The chord error of a curve is at most |second derivative| / 8 per squared step.
-    case Segment::Kind::quadratic:
+    case CurveSegment::Kind::quadratic:
       return std::ceil(std::sqrt(second(0) / (4 * tolerance)));
-    case Segment::Kind::cubic:
+    case CurveSegment::Kind::cubic:
       return std::ceil(std::sqrt(0.75 * std::max(second(0), second(1)) / tolerance));
-    case Segment::Kind::arc:
+    case CurveSegment::Kind::arc:
       break;
   }
   const double radius = std::sqrt(g.p[1].squaredNorm() + g.p[2].squaredNorm());  // at least the larger half-axis
@@ -49,12 +49,12 @@ double steps_of(const Segment& g, double tolerance) {
 }
 
 /// The direction in which a segment leaves its start (or, reversed, arrives at its end); zero if it has no length.
-Point tangent(const Segment& g, bool at_end) {
-  if (g.kind == Segment::Kind::arc) {
+Point tangent(const CurveSegment& g, bool at_end) {
+  if (g.kind == CurveSegment::Kind::arc) {
     const double t = g.from + (at_end ? g.sweep : 0);
     return std::copysign(1.0, g.sweep) * (g.p[2] * std::cos(t) - g.p[1] * std::sin(t));
   }
-  const std::size_t last = g.kind == Segment::Kind::line ? 1 : g.kind == Segment::Kind::quadratic ? 2 : 3;
+  const std::size_t last = g.kind == CurveSegment::Kind::line ? 1 : g.kind == CurveSegment::Kind::quadratic ? 2 : 3;
   for (std::size_t i = 1; i <= last; ++i) {
     const Point d = at_end ? Point(g.p[last] - g.p[last - i]) : Point(g.p[i] - g.p[0]);
     if (d.squaredNorm() > 0) return d;
@@ -62,7 +62,7 @@ Point tangent(const Segment& g, bool at_end) {
   return {0, 0};
 }
 
-bool is_corner(const Segment& before, const Segment& after) {
+bool is_corner(const CurveSegment& before, const CurveSegment& after) {
   const Point a = tangent(before, true), b = tangent(after, false);
   return std::abs(std::atan2(cross(a, b), a.dot(b))) > kCorner;
 }
@@ -74,7 +74,7 @@ Affine Affine::operator*(const Affine& inner) const {
   return {x.x(), x.y(), y.x(), y.y(), o.x(), o.y()};
 }
 
-Point Segment::at(double s) const {
+Point CurveSegment::at(double s) const {
   const double r = 1 - s;
   switch (kind) {
     case Kind::line:
@@ -90,18 +90,18 @@ Point Segment::at(double s) const {
   return p[0] + std::cos(t) * p[1] + std::sin(t) * p[2];
 }
 
-Segment line(const Point& a, const Point& b) { return {Segment::Kind::line, {a, b, b, b}, 0, 0}; }
-Segment quadratic(const Point& a, const Point& control, const Point& b) {
-  return {Segment::Kind::quadratic, {a, control, b, b}, 0, 0};
+CurveSegment line(const Point& a, const Point& b) { return {CurveSegment::Kind::line, {a, b, b, b}, 0, 0}; }
+CurveSegment quadratic(const Point& a, const Point& control, const Point& b) {
+  return {CurveSegment::Kind::quadratic, {a, control, b, b}, 0, 0};
 }
-Segment cubic(const Point& a, const Point& control1, const Point& control2, const Point& b) {
-  return {Segment::Kind::cubic, {a, control1, control2, b}, 0, 0};
+CurveSegment cubic(const Point& a, const Point& control1, const Point& control2, const Point& b) {
+  return {CurveSegment::Kind::cubic, {a, control1, control2, b}, 0, 0};
 }
-Segment arc(const Point& centre, const Point& u, const Point& v, double from, double sweep) {
-  return {Segment::Kind::arc, {centre, u, v, Point(0, 0)}, from, sweep};
+CurveSegment arc(const Point& centre, const Point& u, const Point& v, double from, double sweep) {
+  return {CurveSegment::Kind::arc, {centre, u, v, Point(0, 0)}, from, sweep};
 }
 
-Segment arc_between(const Point& a, const Point& b, Point radii, double rotation, bool large, bool positive) {
+CurveSegment arc_between(const Point& a, const Point& b, Point radii, double rotation, bool large, bool positive) {
   radii = radii.cwiseAbs();
   if (!(radii.minCoeff() > 0) || a == b) return line(a, b);
   const double cosine = std::cos(rotation), sine = std::sin(rotation);
@@ -129,16 +129,16 @@ Segment arc_between(const Point& a, const Point& b, Point radii, double rotation
 
 Outline transformed(Outline outline, const Affine& by) {
   for (Subpath& subpath : outline)
-    for (Segment& g : subpath.segments)
+    for (CurveSegment& g : subpath.segments)
       for (std::size_t i = 0; i < g.p.size(); ++i)
-        g.p[i] = g.kind == Segment::Kind::arc && i > 0 ? by.direction(g.p[i]) : by(g.p[i]);
+        g.p[i] = g.kind == CurveSegment::Kind::arc && i > 0 ? by.direction(g.p[i]) : by(g.p[i]);
   return outline;
 }
 
 Box bounding_box(const Outline& outline) {
   Box box;
   for (const Subpath& subpath : outline)
-    for (const Segment& g : subpath.segments)
+    for (const CurveSegment& g : subpath.segments)
       for (const Eigen::Index k : {0, 1})
         for (const double s : extremes(g, k)) box.add(g.at(s));
   return box;
@@ -147,7 +147,7 @@ Box bounding_box(const Outline& outline) {
 double largest_coordinate(const Outline& outline) {
   double most = 0;
   for (const Subpath& subpath : outline)
-    for (const Segment& g : subpath.segments)
+    for (const CurveSegment& g : subpath.segments)
       for (const Point& p : g.p) {
         if (!finite(p)) return std::numeric_limits<double>::infinity();
         most = std::max(most, p.cwiseAbs().maxCoeff());

@@ -25,7 +25,7 @@ struct Affine {
   double scale() const { return std::sqrt(std::abs(a * d - b * c)); }
 };
 
-struct Segment {
+struct CurveSegment {
   enum class Kind { line, quadratic, cubic, arc } kind = Kind::line;
   /// Of a line and of Bézier curves: the control points. Of an arc: centre, and two conjugate half-axes u and v; its
   /// points are centre + u cos t + v sin t.
@@ -36,17 +36,17 @@ struct Segment {
   Point start() const { return at(0); }
   Point end() const { return at(1); }
 };
-Segment line(const Point& a, const Point& b);
-Segment quadratic(const Point& a, const Point& control, const Point& b);
-Segment cubic(const Point& a, const Point& control1, const Point& control2, const Point& b);
-Segment arc(const Point& centre, const Point& u, const Point& v, double from, double sweep);
+CurveSegment line(const Point& a, const Point& b);
+CurveSegment quadratic(const Point& a, const Point& control, const Point& b);
+CurveSegment cubic(const Point& a, const Point& control1, const Point& control2, const Point& b);
+CurveSegment arc(const Point& centre, const Point& u, const Point& v, double from, double sweep);
 /// From a to b on an ellipse with these radii, turned by `rotation` radians; SVG 1.1, F.6: radii that are too small are
 /// enlarged, a radius of 0 gives a line.
-Segment arc_between(const Point& a, const Point& b, Point radii, double rotation, bool large, bool positive);
+CurveSegment arc_between(const Point& a, const Point& b, Point radii, double rotation, bool large, bool positive);
 
 /// One connected curve. Closed: its last segment ends where the first begins.
 struct Subpath {
-  std::vector<Segment> segments;
+  std::vector<CurveSegment> segments;
   bool closed = false;
 };
 using Outline = std::vector<Subpath>;

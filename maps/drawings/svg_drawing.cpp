@@ -147,7 +147,7 @@ class Painter {
 Box node_box(const svg::Outline& outline) {
   Box box;
   for (const svg::Subpath& subpath : outline)
-    for (const svg::Segment& segment : subpath.segments) {
+    for (const svg::CurveSegment& segment : subpath.segments) {
       box.add(segment.start());
       box.add(segment.end());
     }

@@ -119,14 +119,14 @@ class PathParser {
 
   /// The control point of a smooth curve: the last one reflected, if the last command was of the same family.
   Point reflected(char family) const { return family_ == family ? Point(2 * at_ - control_) : at_; }
-  bool add(const Segment& segment, const Point& control) {
+  bool add(const CurveSegment& segment, const Point& control) {
     return add(segment, control, segment.kind == kCubic ? 'C' : 0);
   }
-  bool add(const Segment& segment, const Point& control, char family) {
+  bool add(const CurveSegment& segment, const Point& control, char family) {
     path_.segments.push_back(segment);
     control_ = control;
     family_ = family;
-    at_ = segment.kind == Segment::Kind::arc ? p_[0] : segment.end();
+    at_ = segment.kind == CurveSegment::Kind::arc ? p_[0] : segment.end();
     return true;
   }
   void finish() {
@@ -136,7 +136,7 @@ class PathParser {
     path_ = {};
   }
 
-  static constexpr auto kCubic = Segment::Kind::cubic;
+  static constexpr auto kCubic = CurveSegment::Kind::cubic;
   Scanner scan_;
   std::size_t most_;
   ParsedPath data_;

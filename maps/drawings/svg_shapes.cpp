@@ -19,7 +19,7 @@ struct Source {
 };
 
 /// The whole ellipse, or one of its quarters for a rectangle's corner.
-Segment quarter(const Point& centre, double rx, double ry, int from) {
+CurveSegment quarter(const Point& centre, double rx, double ry, int from) {
   return arc(centre, {rx, 0}, {0, ry}, from * kPi / 2, kPi / 2);
 }
 

@@ -205,7 +205,7 @@ TEST(Beachbot, FindsTheBestOrderOfFewElements) {
     const std::vector<DrawingElement> elements = stroke_elements(drawing);
     FinishedWork work(pieces_of(elements).pieces, 0.52 * 0.42);
     TransitRouter router(problem, work, 0.3, nullptr);
-    PricedOrder priced(elements, problem.start(), Finished::around, router, work);
+    PricedOrder priced(elements, problem.start(), FinishedRule::around, router, work);
     DrawingTour tour(elements, {}, problem.start(), 0);
     Context context;
     const auto price = [](const DrivenOrder& o) { return o.length_m + Transit::kCrossingWeight * o.crossing_m; };

@@ -335,10 +335,12 @@ TEST(Suite, QuickIsWellFormed) {
   std::set<std::string> families;
   for (const MapSpec& m : quick.maps) families.insert(m.generator);
   EXPECT_EQ(families.size(), 9u);
-  // Every planner except those for tethered robots, which are in `tether`, and vacuum habits, which are in `grid`.
+  // Every planner except those for tethered robots, which are in `tether`, vacuum habits, which are in `grid`, the one
+  // for drawings, and those that improve a path for seconds, which are in `lawn`.
   std::set<std::string> wanted, listed;
   for (const PlannerInfo& p : built_in())
-    if (!p.has(Capability::tether) && p.family != "baseline") wanted.insert(p.name);
+    if (!p.has(Capability::tether) && p.family != "baseline" && p.family != "drawing") wanted.insert(p.name);
+  for (const char* slow : {"shortest", "polished"}) EXPECT_EQ(wanted.erase(slow), 1u);
   for (const PlannerSpec& p : quick.planners) listed.insert(p.name);
   EXPECT_EQ(listed, wanted);
 }

@@ -60,7 +60,7 @@ Map with_target(Map map, Region target) {
 TEST(TargetArea, IsWhatTheTargetLiesIn) {
   const Map map = with_target(square(10), box_region({-1, 4}, {2, 7}));  // a part of it lies outside of the map
   const Problem p(map, disc(0.5, 1), Point(8, 8));
-  EXPECT_NEAR(area(p.target()), 2 * 3, 1e-9);
+  EXPECT_NEAR(area(p.target()), 2 * 3, 1e-5);
   EXPECT_NEAR(area(p.configuration_space()), 81, 1e-4);
   EXPECT_NEAR(area(p.work_space()), 1.5 * 3 + 2 * 1.5 * 0.5 + 0.5 * 3 + 0.5 * kPi * 0.25, 2e-3);
   for (std::uint64_t i = 0; i < 500; ++i) {
