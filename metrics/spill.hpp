@@ -21,8 +21,8 @@
 ///
 /// Witnesses are the vertices of the target and points a quarter of the width apart on its boundary, those with the
 /// greatest spill first, none nearer to another than a given distance; cells are those of their Voronoi diagram.
-/// Some milliseconds for each witness. The work is bounded to about a second: of targets with long and winding boundaries
-/// not all that is spilled is found.
+/// Some milliseconds for each witness. The work is bounded to about a second: of targets with long and winding
+/// boundaries not all that is spilled is found.
 /// Source: ours. The bound by area alone is folklore.
 #pragma once
 
