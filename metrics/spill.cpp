@@ -228,8 +228,10 @@ double least_spill(const Region& target, double width, double uncovered_m2) {
   const std::vector<Candidate> all = candidates(rings, Work(kMostWork / 2));
   double most = 0;
   const double uncovered = std::max(0.0, uncovered_m2) / (width * width);
-  for (const double apart : kApart) most = std::max(most, 
-                    spill_with(rings, witnesses_of(all, apart), uncovered, Work(kMostWork / 2 / kApart.size())));
+  for (const double apart : kApart) {
+    const Work work(kMostWork / 2 / kApart.size());
+    most = std::max(most, spill_with(rings, witnesses_of(all, apart), uncovered, work));
+  }
   return most * width * width * (1 - kRounding);
 }
 
