@@ -228,7 +228,8 @@ double least_spill(const Region& target, double width, double uncovered_m2) {
   const std::vector<Candidate> all = candidates(rings, Work(kMostWork / 2));
   double most = 0;
   const double uncovered = std::max(0.0, uncovered_m2) / (width * width);
-  for (const double apart : kApart) most = std::max(most, spill_with(rings, witnesses_of(all, apart), uncovered));
+  for (const double apart : kApart)
+    most = std::max(most, spill_with(rings, witnesses_of(all, apart), uncovered, Work(kMostWork / 2 / kApart.size())));
   return most * width * width * (1 - kRounding);
 }
 
