@@ -18,8 +18,7 @@ Annealing::Annealing(const Problem& problem, const Region& target, const Polylin
       price_(options.price),
       path_(points, problem.robot().tool_width),
       witnesses_(target, options.cell, options.radius),
-      moves_({problem.robot().tool_width, options.least_shift, options.most_shift}, options.fixed_end, problem.walls()),
-      turns_(problem.robot()) {
+      moves_({problem.robot().tool_width, options.least_shift, options.most_shift}, options.fixed_end, problem.walls()) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     witnesses_.capsule(points[i - 1], points[i], added_[0]);
     witnesses_.add(added_[0]);
@@ -34,8 +33,7 @@ bool Annealing::try_move(double temperature, Rng& rng) {
   const std::optional<Change> change = moves_.propose(path_, rng);
   if (!change) return false;
   const double most = -temperature * std::log(1 - rng.unit());  // that the energy may rise
-  double longer = change->added.length() - change->removed.length();
-  if (options_.timed) longer += turns_.change(path_, *change);
+  const double longer = change->added.length() - change->removed.length();
   const double each = price_ * witnesses_.area_each();
   if (longer - each * static_cast<double>(witnesses_.uncovered()) > most || !legal(change->added)) return false;
   const auto capsules = [&](const Edges& edges, std::array<Witnesses::Capsule, 4>& out) {

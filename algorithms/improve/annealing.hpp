@@ -4,7 +4,7 @@
 ///   annealing.run({.moves = 1'000'000, .hot = 0.05 * w, .cold = 0.005 * w}, rng, context);
 ///   const Polyline shorter = annealing.points();
 ///
-/// Energy: length, with what turns cost if asked for, + price * uncovered area. The price floats, so that the uncovered
+/// Energy: length + price * uncovered area. The price floats, so that the uncovered
 /// area stays at what is allowed. New edges lie in configuration space, exactly. The path covers wherever it runs.
 ///
 /// Source      Kirkpatrick, Gelatt and Vecchi, Science 220, 1983; moves: moves.hpp; the floating price is ours
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "algorithms/context.hpp"
-#include "algorithms/improve/turn_cost.hpp"
+#include "algorithms/improve/moves.hpp"
 #include "algorithms/improve/witnesses.hpp"
 #include "maps/problem.hpp"
 
@@ -29,7 +29,6 @@ class Annealing {
     double price = 0;                             // of uncovered area to begin with, 1 / metres
     bool fixed_end = false;                       // the path ends where it does now
     double least_shift = 0.01, most_shift = 0.3;  // of vertices, in tool widths
-    bool timed = false;                           // turns cost what the robot could drive meanwhile (turn_cost.hpp)
   };
   struct Schedule {
     long moves = 0;
@@ -56,7 +55,6 @@ class Annealing {
   VertexPath path_;
   Witnesses witnesses_;
   Moves moves_;
-  TurnCost turns_;
   std::array<Witnesses::Capsule, 4> removed_, added_;  // of the move that is tried
 };
 

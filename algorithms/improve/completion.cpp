@@ -17,6 +17,7 @@ constexpr double kReach = 0.5 - 1e-3;              // from which a stop covers, 
 constexpr double kNegligible = 1e-6;               // pieces of less area
 constexpr double kMostSlack = 2e-5, kSlack = 0.2;  // shares of the target, and of what may stay uncovered
 constexpr int kPasses = 2;                         // of stops
+constexpr int kRepairs = 4;                        // until the share is reached, at most
 
 }  // namespace
 
@@ -74,11 +75,20 @@ Polyline Completion::completed(Polyline points, Context& context) const {
     points = with_stops(points, left.polygons, kReach * width_, problem_.walls());
     left = needed(uncovered(points));
   }
-  if (left.empty() || context.cancelled()) return points;
-  // Wider, because repaired() ignores seams; they may be ignored only where everything is asked for.
-  if (coverage_ < 1)
-    left = intersect(target_, dilate(left, covered_seam(problem_.robot()), kChord * width_, Bound::outside));
-  return vertices_of(repaired(problem_, driven(points), std::move(left), connector_, context), problem_.start());
+  const auto repair = [&](Region pieces) {
+    points = vertices_of(repaired(problem_, driven(points), std::move(pieces), connector_, context), problem_.start());
+  };
+  if (coverage_ >= 1) {
+    if (!left.empty() && !context.cancelled()) repair(std::move(left));
+    return points;
+  }
+  // Wider and wider, because repaired() ignores seams: they may be ignored only where everything is asked for.
+  double margin = covered_seam(problem_.robot());
+  for (int round = 0; round < kRepairs && !left.empty() && !context.cancelled(); ++round, margin *= 2) {
+    repair(intersect(target_, dilate(left, margin, kChord * width_, Bound::outside)));
+    left = needed(uncovered(points));
+  }
+  return points;
 }
 
 }  // namespace oxturn

@@ -7,8 +7,8 @@
 /// Of the uncovered pieces the smallest stay, as far as the coverage allows. Pieces that one position covers get the
 /// shortest detours there are (stops.hpp), others those of lanes/repair.hpp.
 ///
-/// Guarantee   the path covers the share asked for, less seams thinner than covered_seam() where only lanes could
-///             reach them
+/// Guarantee   the path covers the share asked for; if that is 1, less seams thinner than covered_seam() where only
+///             lanes could reach them
 /// Complexity  O(m log m) for a path of m segments
 #pragma once
 

@@ -72,6 +72,7 @@ class Improver {
   Path run(const std::vector<Path>& starts) {
     std::vector<Polyline> lines;
     for (const Path& path : starts) {
+      if (context_.cancelled() && !best_.empty()) break;
       Polyline points = vertices_of(path, problem_.start());
       if (how_.return_home) {
         const Polyline home = Connector(problem_).path(points.back(), problem_.start());
@@ -80,6 +81,7 @@ class Improver {
       offer(points);
       lines.push_back(straightened(points, kStraight * width_, problem_.walls()));
     }
+    if (context_.cancelled()) return driven(best_);
     const Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
     const double used = lines.size() > 1 ? kBrief * static_cast<double>(lines.size()) : 0;
     const double at_length = 1 - used - kClosing;
@@ -88,8 +90,8 @@ class Improver {
     Annealed now =
         annealed(best, options, {moves(at_length), how_.temperature * width_, kWarm * width_}, context_.rng());
     for (int round = 0; round < kRounds; ++round) {
-      const double missed = close(now);
       if (context_.cancelled()) break;
+      const double missed = close(now);
       if (share_ < kFineBelow) options = raster(kFineCell, kMargin);
       options.price = now.price;
       options.least_shift = kLeastShift;
@@ -99,7 +101,7 @@ class Improver {
         now.points = along_walls(std::move(now.points), how_.return_home, width_, problem_.walls());
       now = annealed(now.points, options, {moves(kClosing / kRounds), kWarm * width_, kCold * width_}, context_.rng());
     }
-    close(now);
+    if (!context_.cancelled()) close(now);
     return driven(best_);
   }
 
@@ -118,8 +120,7 @@ class Improver {
             .radius = (0.5 - margin) * width_,
             .uncovered = share_ * area(completion_.target()),
             .price = kPrice / width_ * std::pow(share_ / kPriceAt, kPricePower),
-            .fixed_end = how_.return_home,
-            .timed = how_.objective == PathMeasure::time};
+            .fixed_end = how_.return_home};
   }
   Annealed annealed(const Polyline& points, const Annealing::Options& options, const Annealing::Schedule& schedule,
                     Rng& rng) const {
@@ -128,7 +129,7 @@ class Improver {
     if (fine) annealing.focus(focus_);
     annealing.run(schedule, rng, context_);
     const double excess = std::max(0.0, annealing.uncovered() - options.uncovered);
-    return {annealing.points(), cost(annealing.points()) + options.price * excess, annealing.price(),
+    return {annealing.points(), length(annealing.points()) + options.price * excess, annealing.price(),
             annealing.uncovered()};
   }
 
@@ -140,11 +141,6 @@ class Improver {
     Polyline whole = offer(path.points);
     if (length(whole) < kShortDetours * length(path.points)) path.points = std::move(whole);
     return area(uncovered);
-  }
-
-  double cost(const Polyline& points) const {
-    const bool timed = how_.objective == PathMeasure::time;
-    return length(points) + (timed ? TurnCost(problem_.robot()).total(points) : 0);
   }
 
   /// Each annealed briefly, by all threads.
@@ -166,10 +162,10 @@ class Improver {
     return std::ranges::min_element(results, {}, &Annealed::energy)->points;
   }
 
-  /// The path completed. It is kept if it is the best one so far.
+  /// The path completed, or as it is if cancelled. It is kept if it is the best one so far.
   Polyline offer(const Polyline& points) {
-    Polyline whole = completion_.completed(points, context_);
-    if (best_.empty() || (!context_.cancelled() && cost(whole) < cost(best_))) {
+    Polyline whole = context_.cancelled() ? points : completion_.completed(points, context_);
+    if (best_.empty() || (!context_.cancelled() && length(whole) < length(best_))) {
       best_ = whole;
       context_.publish(driven(best_));
     }

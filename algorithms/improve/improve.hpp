@@ -6,8 +6,7 @@
 /// for nearly full coverage, on a finer raster of witnesses. After each round what the path leaves uncovered is found
 /// exactly, and detours (lanes/repair.hpp) are added until the coverage is reached. The shortest of all these completed
 /// paths is the result, so the coverage never depends on convergence, and the result is never longer than any path
-/// given, completed in the same manner. The tool is on all along. For the objective `time`, turns count as well
-/// (turn_cost.hpp).
+/// given, completed in the same manner. The tool is on all along.
 ///
 /// Source      ours
 /// Complexity  a few microseconds a move, and O(m log m) for a path of m segments in each round
@@ -21,12 +20,9 @@
 
 namespace oxturn {
 
-enum class PathMeasure { length, time };
-
 struct Improvement {
   double coverage = 1;  // share of the target
   int moves = 0;        // of annealing; 0: by the size of the target
-  PathMeasure objective = PathMeasure::length;
   bool return_home = false;   // the path ends where it starts
   double temperature = 0.05;  // to begin with, in tool widths
   int threads = 1;            // which does not change the result

@@ -22,6 +22,7 @@ class Polished final : public CoveragePlanner {
     Path path;
     try {
       Context inner(context.seed(), context.seconds_left(), context.without_promise());
+      if (context.cancelled()) inner.cancel();
       path = inner_->plan(problem, inner);
     } catch (const Infeasible&) {}  // Decision 1
     return improved(problem, {path}, how_, context);

@@ -36,6 +36,7 @@ class Shortest final : public CoveragePlanner {
     std::vector<Path> paths;
     for (const auto& planner : planners_) {
       Context inner(context.seed(), context.seconds_left());
+      if (context.cancelled()) inner.cancel();
       try {
         paths.push_back(planner->plan(problem, inner));
       } catch (const Infeasible&) { continue; }

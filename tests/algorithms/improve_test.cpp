@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "algorithms/improve/completion.hpp"
 #include "algorithms/improve/moves.hpp"
 #include "algorithms/improve/witnesses.hpp"
 #include "coverage_oracle.hpp"
@@ -192,6 +193,35 @@ TEST(Shortest, EndsSoonWhenCancelledWithWhatItHas) {
   running = &later;
   expect_valid(problem, built_in_planner("shortest", {{"moves", 100000000}})->plan(problem, later));
   EXPECT_EQ(published, 2);
+}
+
+// Cancelled before the beginning, or given no time at all: the first start, which is quickly found, as it is.
+TEST(Improved, GivesAPathWhereThereIsNoTime) {
+  for (const Sample& sample : samples(1))
+    for (const char* planner : {"shortest", "polished"}) {
+      SCOPED_TRACE(sample.name + " " + planner);
+      Context cancelled, late(1, 0);
+      cancelled.cancel();
+      for (Context* context : {&cancelled, &late}) {
+        const Path path = built_in_planner(planner, {{"moves", 100000000}})->plan(sample.problem, *context);
+        expect_valid(sample.problem, path);
+        EXPECT_GE(*score(sample.problem, path).value("coverage"), 0.5);
+      }
+    }
+}
+
+// What is asked for is covered, by the completion's own exact measure and by the metric, however little is annealed.
+TEST(Shortest, ReachesTheShareAskedFor) {
+  for (const Sample& sample : samples(3))
+    for (const double coverage : {0.9, 0.99, 0.999}) {
+      SCOPED_TRACE(fmt::format("{} coverage {}", sample.name, coverage));
+      const Path path = plan("shortest", sample.problem, {{"coverage", coverage}, {"moves", 2000}});
+      expect_valid(sample.problem, path);
+      const Completion completion(sample.problem, coverage);
+      const double left = area(completion.uncovered(vertices_of(path, sample.problem.start())));
+      EXPECT_LE(left, (1 - coverage) * area(sample.problem.target()));
+      EXPECT_GE(*score(sample.problem, path).value("coverage"), coverage);
+    }
 }
 
 TEST(Shortest, TheTetherIsKeptWithinLeashed) {
