@@ -18,7 +18,8 @@ Annealing::Annealing(const Problem& problem, const Region& target, const Polylin
       price_(options.price),
       path_(points, problem.robot().tool_width),
       witnesses_(target, options.cell, options.radius),
-      moves_({problem.robot().tool_width, options.least_shift, options.most_shift}, options.fixed_end, problem.walls()) {
+      moves_({problem.robot().tool_width, options.least_shift, options.most_shift}, options.fixed_end,
+             problem.walls()) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     witnesses_.capsule(points[i - 1], points[i], added_[0]);
     witnesses_.add(added_[0]);

@@ -21,8 +21,8 @@
 namespace oxturn {
 
 struct Improvement {
-  double coverage = 1;  // share of the target
-  int moves = 0;        // of annealing; 0: by the size of the target
+  double coverage = 1;        // share of the target
+  int moves = 0;              // of annealing; 0: by the size of the target
   bool return_home = false;   // the path ends where it starts
   double temperature = 0.05;  // to begin with, in tool widths
   int threads = 1;            // which does not change the result

@@ -13,6 +13,8 @@
 namespace oxturn {
 namespace {
 
+constexpr double kNoLimit = 1e9;  // seconds
+
 struct Start {
   const char* planner;
   Settings settings;
@@ -35,8 +37,8 @@ class Shortest final : public CoveragePlanner {
   Path plan(const Problem& problem, Context& context) const override {
     std::vector<Path> paths;
     for (const auto& planner : planners_) {
-      Context inner(context.seed(), context.seconds_left());
-      if (context.cancelled()) inner.cancel();
+      // Where there is no time from the beginning, the first one, which is quick, is driven all the same.
+      Context inner(context.seed(), context.cancelled() ? kNoLimit : context.seconds_left());
       try {
         paths.push_back(planner->plan(problem, inner));
       } catch (const Infeasible&) { continue; }

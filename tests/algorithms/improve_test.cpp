@@ -196,23 +196,38 @@ TEST(Shortest, EndsSoonWhenCancelledWithWhatItHas) {
 }
 
 // Cancelled before the beginning, or given no time at all: the first start, which is quickly found, as it is.
-TEST(Improved, GivesAPathWhereThereIsNoTime) {
-  for (const Sample& sample : samples(1))
-    for (const char* planner : {"shortest", "polished"}) {
-      SCOPED_TRACE(sample.name + " " + planner);
-      Context cancelled, late(1, 0);
-      cancelled.cancel();
-      for (Context* context : {&cancelled, &late}) {
-        const Path path = built_in_planner(planner, {{"moves", 100000000}})->plan(sample.problem, *context);
-        expect_valid(sample.problem, path);
-        EXPECT_GE(*score(sample.problem, path).value("coverage"), 0.5);
-      }
+TEST(Shortest, IsItsFirstStartWhereThereIsNoTime) {
+  for (const Sample& sample : samples(1)) {
+    SCOPED_TRACE(sample.name);
+    Context cancelled, late(1, 0);
+    cancelled.cancel();
+    for (Context* context : {&cancelled, &late}) {
+      const Path path = built_in_planner("shortest", {{"moves", 100000000}})->plan(sample.problem, *context);
+      expect_valid(sample.problem, path);
+      EXPECT_NEAR(path.length(), plan("boustrophedon", sample.problem).length(), 1e-9);
     }
+  }
+}
+
+// Of a planner that has nothing so far it returns nothing, and no more is begun.
+TEST(Polished, IsThePlannersPathWhereThereIsNoTime) {
+  for (const Sample& sample : samples(1)) {
+    SCOPED_TRACE(sample.name);
+    for (const char* inner : {"stc", "boustrophedon"}) {
+      Context own, context;
+      own.cancel();
+      context.cancel();
+      const Path path = built_in_planner("polished", {{"planner", std::string(inner)}, {"moves", 100000000}})
+                            ->plan(sample.problem, context);
+      EXPECT_EQ(path.length(), built_in_planner(inner)->plan(sample.problem, own).length());
+      if (!path.legs.empty()) expect_valid(sample.problem, path);
+    }
+  }
 }
 
 // What is asked for is covered, by the completion's own exact measure and by the metric, however little is annealed.
 TEST(Shortest, ReachesTheShareAskedFor) {
-  for (const Sample& sample : samples(3))
+  for (const Sample& sample : samples(2))
     for (const double coverage : {0.9, 0.99, 0.999}) {
       SCOPED_TRACE(fmt::format("{} coverage {}", sample.name, coverage));
       const Path path = plan("shortest", sample.problem, {{"coverage", coverage}, {"moves", 2000}});
