@@ -204,7 +204,9 @@ bool covers_all(const Settings& settings) {
 }
 
 Path improved(const Problem& problem, const std::vector<Path>& starts, const Improvement& how, Context& context) {
-  return Improver(problem, how, context).run(starts);
+  Path path = Improver(problem, how, context).run(starts);
+  if (path.legs.empty() && !context.cancelled()) throw Infeasible("from its start the robot reaches nothing to cover");
+  return path;
 }
 
 }  // namespace oxturn

@@ -33,6 +33,7 @@ const std::vector<Parameter<Improvement>>& improvement_parameters();
 bool covers_all(const Settings& settings);
 
 /// `starts`: at least one path. Publishes what it finds. Returns the best path so far if cancelled.
+/// Throws Infeasible if there is nothing to drive.
 Path improved(const Problem& problem, const std::vector<Path>& starts, const Improvement& how, Context& context);
 
 }  // namespace oxturn
