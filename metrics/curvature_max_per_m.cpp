@@ -1,7 +1,8 @@
-// Greatest curvature of the path, 1/m; see curvature.hpp. Its inverse is the least turning radius.
+// Greatest curvature of the path, 1/m; see geometry/bends.hpp. Its inverse is the least turning radius.
 #include <algorithm>
 
-#include "metrics/curvature.hpp"
+#include "geometry/bends.hpp"
+#include "metrics/score.hpp"
 
 namespace oxturn {
 

@@ -1,6 +1,7 @@
 // Number of maximal runs of consecutive bends that are sharper than 1 / min_turn_radius by more than 1 %; see
-// curvature.hpp. Empty for a robot that turns on the spot.
-#include "metrics/curvature.hpp"
+// geometry/bends.hpp. Empty for a robot that turns on the spot.
+#include "geometry/bends.hpp"
+#include "metrics/score.hpp"
 
 namespace oxturn {
 
@@ -14,7 +15,7 @@ const Metric kCurvatureViolations{"curvature_violations", "count", Better::lower
                                     double count = 0;
                                     bool inside = false;
                                     for (const Bend& bend : bends(s.path, s.tolerance, robot.tool_width)) {
-                                      const bool sharp = too_sharp(bend, robot);
+                                      const bool sharp = too_sharp(bend, robot.min_turn_radius);
                                       count += sharp && !inside;
                                       inside = sharp;
                                     }

@@ -88,7 +88,7 @@ Score score(const Problem& problem, const Path& path, const Metrics& metrics, co
 Score score(const Problem& problem, const Path& path, const ScoreOptions& options = {});
 
 /// Only validity: the path is finite, starts at the start, its legs join, it stays in configuration space, keeps
-/// min_turn_radius (curvature.hpp), the gears that the robot has and the tether length limit. "" if valid. Exact
+/// min_turn_radius (geometry/bends.hpp), the gears that the robot has and the tether length limit. "" if valid. Exact
 /// against the map itself (distance to the walls); shares nothing with the erosion from which planners get
 /// configuration space.
 std::string find_flaw(const Problem& problem, const Path& path, const ScoreOptions& options = {});

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/bends.hpp"
 #include "geometry/point_outside.hpp"
-#include "metrics/curvature.hpp"
 #include "metrics/footprint.hpp"
 #include "metrics/score.hpp"
 #include "metrics/walls.hpp"
@@ -69,7 +69,7 @@ std::string find_turn_flaw(const Problem& problem, const Path& path, double tole
       return fmt::format("drives backwards at {}, robot '{}' only forwards (reverse = false)", text(leg.points.front()),
                          robot.name);
   for (const Bend& bend : bends(path, tolerance, robot.tool_width))
-    if (too_sharp(bend, robot))
+    if (too_sharp(bend, robot.min_turn_radius))
       return fmt::format("turns too sharply at {}: radius {:.3g} m, min_turn_radius {:.6g} m", text(bend.at),
                          1 / bend.curvature, robot.min_turn_radius);
   return "";

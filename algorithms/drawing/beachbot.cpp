@@ -7,14 +7,23 @@
 // Complexity  that of the fills, and of a tour over n elements (tour/solve_tour.hpp)
 // Decisions   1. A map without a drawing is one filled area: what is to be covered of it.
 //             2. A path begins where the robot is. It goes from there to the drawing's start, if it has one.
+//             3. For a robot with a least turning radius fills become strokes that it can follow
+//                (smoothing/strokes.hpp); without a drawing they are also ordered as for any planner (drivable.hpp).
+//             4. Strokes are drawn as they are. Each place where the path turns more sharply than the radius is listed.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "algorithms/drawing/area_fill.hpp"
 #include "algorithms/drawing/containment.hpp"
 #include "algorithms/drawing/order_driver.hpp"
+#include "algorithms/smoothing/drivable.hpp"
 #include "algorithms/transit/connector.hpp"
+#include "geometry/bends.hpp"
+#include "geometry/point_outside.hpp"
 
 namespace oxturn {
 namespace {
@@ -69,6 +78,13 @@ class Beachbot final : public CoveragePlanner {
         fills_("planner", {planners.find("skeleton-spiral"), planners.find("zigzag"), planners.find("contour")}) {}
 
   Path plan(const Problem& problem, Context& context) const override {
+    if (problem.map().drawing || !(problem.robot().min_turn_radius > 0)) return drawn(problem, context);
+    Context inner(context.seed(), context.seconds_left());
+    return drivable(problem, drawn(problem.turning_on_the_spot(), inner), context);
+  }
+
+ private:
+  Path drawn(const Problem& problem, Context& context) const {
     const Drawing drawing = drawing_of(problem.map());
     std::vector<DrawingElement> elements = elements_of(problem, drawing, context);
     if (elements.empty()) throw Infeasible("the drawing has nothing that the robot can draw");
@@ -93,18 +109,39 @@ class Beachbot final : public CoveragePlanner {
                        {p_.corner, radius, kDeviation * problem.robot().tool_width});
     driver.drive(order, curves, path);
     report(order, driver, curves, context);
-    return path.take();
+    Path result = path.take();
+    report_bends(result, problem, radius, context);
+    return result;
   }
 
- private:
   std::vector<DrawingElement> elements_of(const Problem& problem, const Drawing& drawing, Context& context) const {
     std::vector<DrawingElement> elements = stroke_elements(drawing);
+    check_inside(problem, drawing);
     context.trace("strokes", lines_of(elements, false));
     const AreaFiller filler(problem, fills_, fill_options(p_));
-    for (const FilledArea& area : drawing.areas)
-      for (DrawingElement& fill : filler.elements(area, context)) elements.push_back(std::move(fill));
+    std::vector<Polyline> narrow;
+    for (const FilledArea& area : drawing.areas) {
+      std::vector<DrawingElement> fills = filler.elements(area, context);
+      if (fills.empty() && area.choice.fill != "none") narrow.push_back(area.area.outer);
+      std::move(fills.begin(), fills.end(), std::back_inserter(elements));
+    }
     context.trace("fills", lines_of(elements, true));
+    if (!narrow.empty()) context.record("areas_too_narrow", static_cast<double>(narrow.size()));
+    context.trace("areas too narrow", std::move(narrow));
     return elements;
+  }
+
+  /// Strokes and the start must be where the robot can drive.
+  static void check_inside(const Problem& problem, const Drawing& drawing) {
+    if (drawing.start && !nearly_contains(problem.walls(), *drawing.start, problem.tolerance()))
+      throw Infeasible(fmt::format("the drawing's start {} is outside configuration space", to_text(*drawing.start)));
+    for (const DrawnStroke& stroke : drawing.strokes)
+      for (std::size_t k = 1; k < stroke.points.size(); ++k)
+        if (const auto p = point_outside(problem.walls(), stroke.points[k - 1], stroke.points[k], problem.tolerance()))
+          throw Infeasible(
+              fmt::format("stroke '{}' leaves configuration space at {}: less than the robot's radius of "
+                          "{} m from the boundary; expected a larger margin",
+                          stroke.element, to_text(*p), problem.robot().radius));
   }
 
   static void trace_containment(const std::vector<DrawingElement>& elements, const TourDemands& demands,
@@ -132,13 +169,19 @@ class Beachbot final : public CoveragePlanner {
     for (const auto& inner : order.inner) std::for_each(inner.begin(), inner.end(), add);
     context.record("over_finished_m", order.crossing_m);
     context.record("transits_over_finished", static_cast<double>(over.size()));
-    context.record("sharp_bends", static_cast<double>(driver.bends().size()));
     if (!curves.empty()) context.record("curves_obeyed", static_cast<double>(driver.curves_used()));
     context.trace("transits", driver.transits());
     context.trace("over finished work", std::move(over));
-    std::vector<Polyline> bends;
-    for (const Point& p : driver.bends()) bends.push_back({p, p});
-    context.trace("sharp bends", std::move(bends));
+  }
+
+  /// Where the path turns more sharply than the radius: corners of strokes, curves of a person, narrow places.
+  static void report_bends(const Path& path, const Problem& problem, double radius, Context& context) {
+    std::vector<Polyline> sharp;
+    if (radius > 0)
+      for (const Bend& bend : bends(path, problem.tolerance(), problem.robot().tool_width))
+        if (too_sharp(bend, radius)) sharp.push_back({bend.at, bend.at});
+    context.record("sharp_bends", static_cast<double>(sharp.size()));
+    context.trace("sharp bends", std::move(sharp));
   }
 
   Params p_;

@@ -88,6 +88,14 @@ TourDemands demands_of(const Drawing& drawing, std::vector<DrawingElement>& elem
       throw_invalid("a connection leads from element '{}' to itself; expected two elements", c.from.element);
     (c.enforced ? demands.joined : demands.deleted).push_back({from, to});
   }
+  for (const DrawnCurve& c : drawing.curves) {
+    const auto joint = std::pair(port_of(elements, c.from), port_of(elements, c.to));
+    const auto same = [&](const auto& known) {
+      return known == joint || known == std::pair(joint.second, joint.first);
+    };
+    if (joint.first.element != joint.second.element && std::ranges::none_of(demands.joined, same))
+      demands.joined.push_back(joint);
+  }
   for (const auto& joint : demands.joined)
     for (const auto& [a, b] : demands.deleted)
       if (joint == std::pair(a, b) || joint == std::pair(b, a))

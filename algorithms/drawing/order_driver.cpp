@@ -2,13 +2,16 @@
 
 #include <algorithm>
 
+#include "base/throw_invalid.hpp"
+#include "geometry/point_outside.hpp"
+
 namespace oxturn {
 namespace {
 
 constexpr double kChord = 1e-3;           // tool widths
 constexpr double kFillCorner = kPi / 18;  // radians: vertices of fills that turn by less belong to curves
-
-constexpr double kMostCurvature = 1.01;  // of the greatest, as for curves that are sampled
+constexpr double kMostAway = 10;          // map sizes: control points of curves from their beginning
+constexpr double kMostCurvature = 1.01;   // of the greatest, as for curves that are sampled
 
 /// The corners of a closed stroke after it was turned to begin at `entry`.
 std::size_t from_entry(std::size_t corner, std::size_t entry, std::size_t n) { return (corner + n - entry % n) % n; }
@@ -38,24 +41,35 @@ OrderDriver::OrderDriver(const std::vector<DrawingElement>& elements, TransitRou
 
 void OrderDriver::transit(const Transit& t, PathBuilder& path) {
   transits_.push_back(t.path);
-  if (!t.keeps_radius) bends_.insert(bends_.end(), t.path.begin(), t.path.end());
   path.drive(t.path, false);
 }
 
-Transit OrderDriver::by_hand(const ElementVisit& from, const ElementVisit& to, const PortCurve& curve,
-                             const Transit& otherwise) {
+Transit OrderDriver::by_hand(const ElementVisit& from, const ElementVisit& to, const PortCurve& curve) {
+  const Problem& problem = router_.problem();
+  const std::string name =
+      fmt::format("the curve between elements '{}' and '{}'", elements_[from.element].name, elements_[to.element].name);
   const Pose exit = exit_pose(elements_[from.element], from), entry = entry_pose(elements_[to.element], to);
-  const double radius = smooth_ != nullptr ? smooth_->radius() : router_.problem().robot().tool_width;
+  const double radius = smooth_ != nullptr ? smooth_->radius() : problem.robot().tool_width;
+  const double most = kMostAway * bounding_box(problem.configuration_space()).diagonal();
+  for (const Point& p : curve.points)
+    if (!(distance(p, exit.at) <= most))
+      throw_invalid("{} has the point {}, which is far off the map; move it", name, to_text(p));
   const auto c = edited_connection(exit, entry, curve.kind, curve.points, radius);
-  if (!c) return otherwise;
+  if (!c)
+    throw_invalid("there is no smooth curve through the {} points of {}, the first at {}; move or remove them",
+                  curve.points.size(), name, curve.points.empty() ? to_text(exit.at) : to_text(curve.points.front()));
   ++curves_used_;
-  Polyline path = sampled(c->curve, kChord * router_.problem().robot().tool_width);
+  Polyline path = sampled(c->curve, kChord * problem.robot().tool_width);
+  for (std::size_t k = 1; k < path.size(); ++k)
+    if (const auto p = point_outside(problem.walls(), path[k - 1], path[k], problem.tolerance()))
+      throw_invalid("{} leaves configuration space at {}; move its points", name, to_text(*p));
   const double metres = length(path), crossing = work_.crossing_m(path);
   return {std::move(path), metres, crossing, smooth_ == nullptr || c->curvature * radius <= kMostCurvature};
 }
 
 std::vector<std::size_t> OrderDriver::corners(const DrawingElement& element, const ElementVisit& visit,
                                               const Polyline& line) const {
+  if (element.is_fill() && router_.problem().robot().min_turn_radius > 0) return {};  // has been rounded (AreaFiller)
   if (element.is_fill()) return corners_of(line, kFillCorner);
   const std::size_t last = line.size() - 1;
   std::vector<std::size_t> found;
@@ -115,7 +129,7 @@ void OrderDriver::drive(const DrivenOrder& order, const PortCurves& curves, Path
     if (k > 0 && !curves.empty()) {
       const ElementVisit& from = order.order[k - 1];
       const auto curve = curves.find({exit_port(elements_[from.element], from), entry_port(element, to)});
-      if (curve != curves.end()) t = by_hand(from, to, curve->second, t);
+      if (curve != curves.end()) t = by_hand(from, to, curve->second);
     }
     transit(t, path);
     drive(element, to, order.inner[k], path);

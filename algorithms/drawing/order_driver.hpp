@@ -2,7 +2,6 @@
 ///
 ///   OrderDriver driver(elements, router, work, {.corner = CornerRule::automatic, .radius = 0.5});
 ///   driver.drive(order, path);
-///   driver.bends();                              // where the robot turns more sharply than its radius
 ///
 /// For a robot without radius every corner is a stop. Else corners are rounded (smoothing/corners.hpp); where that does
 /// not fit, the robot leaves the stroke with the tool off and comes back in the new direction.
@@ -40,8 +39,6 @@ class OrderDriver {
               const SmoothTransits* smooth, const CornerChoice& corners);
 
   void drive(const DrivenOrder& order, const PortCurves& curves, PathBuilder& path);
-  /// Positions at which the path turns on the spot or with less than the radius.
-  const std::vector<Point>& bends() const { return bends_; }
   const std::vector<Polyline>& transits() const { return transits_; }
   /// Of a person's curves.
   std::size_t curves_used() const { return curves_used_; }
@@ -51,8 +48,9 @@ class OrderDriver {
              PathBuilder& path);
   void stroke(const DrawingElement& element, const Leg& leg, const ElementVisit& visit, PathBuilder& path);
   void transit(const Transit& t, PathBuilder& path);
-  /// The person's curve, or `otherwise` if there is none through its points.
-  Transit by_hand(const ElementVisit& from, const ElementVisit& to, const PortCurve& curve, const Transit& otherwise);
+  /// The person's curve. Throws std::invalid_argument, naming the elements, if there is none through its points or it
+  /// leaves configuration space.
+  Transit by_hand(const ElementVisit& from, const ElementVisit& to, const PortCurve& curve);
   std::vector<std::size_t> corners(const DrawingElement& element, const ElementVisit& visit,
                                    const Polyline& line) const;
 
@@ -62,7 +60,6 @@ class OrderDriver {
   const SmoothTransits* smooth_;
   CornerChoice corners_;
   std::vector<std::size_t> first_piece_;
-  std::vector<Point> bends_;
   std::vector<Polyline> transits_;
   std::size_t curves_used_ = 0;
 };

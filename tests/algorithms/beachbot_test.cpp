@@ -7,6 +7,7 @@
 #include "algorithms/drawing/containment.hpp"
 #include "algorithms/drawing/priced_order.hpp"
 #include "coverage_oracle.hpp"
+#include "geometry/bends.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/swath.hpp"
 #include "tests/support/drawings.hpp"
@@ -266,6 +267,41 @@ TEST(Beachbot, KeepsTheLeastTurningRadius) {
   }
 }
 
+/// Sharper than the robot can drive.
+double sharp_bends(const Problem& problem, const Path& path) {
+  double count = 0;
+  for (const Bend& bend : bends(path, problem.tolerance(), problem.robot().tool_width))
+    count += too_sharp(bend, problem.robot().min_turn_radius);
+  return count;
+}
+
+// Wherever it is: between strokes, inside one, inside a fill.
+TEST(Beachbot, EachBendThatIsTooSharpIsNamed) {
+  for (const auto seed : seeds(3)) {
+    SCOPED_TRACE(seed);
+    DrawingKind kind{.polylines = 2, .closed = 1, .nested = 2, .letters = 1, .areas = 2};
+    const Problem problem = canvas(DrawingGenerator(seed, kind).drawing(), beach_robot(0.4), kind);
+    const RecordedPlan planned = plan_recorded("beachbot", problem);
+    EXPECT_EQ(planned.figures.at("sharp_bends"), sharp_bends(problem, planned.path));
+    EXPECT_EQ(planned.traces.count("sharp bends"), 1u);
+  }
+}
+
+TEST(Beachbot, FillsKeepTheLeastTurningRadius) {
+  for (const auto seed : seeds(3))
+    for (const double radius : {0.1, 0.5}) {
+      SCOPED_TRACE(fmt::format("seed {}, radius {}", seed, radius));
+      DrawingKind kind{.polylines = 0, .closed = 0, .nested = 0, .letters = 0, .areas = 2};
+      const Drawing drawing = DrawingGenerator(seed, kind).drawing();
+      const Problem problem = canvas(drawing, beach_robot(radius), kind);
+      const RecordedPlan planned = plan_recorded("beachbot", problem);
+      expect_no_jump(problem, planned.path);
+      EXPECT_EQ(sharp_bends(problem, planned.path), 0);
+      for (const FilledArea& area : drawing.areas)
+        EXPECT_GE(covered_share(area, planned.path, problem.robot()), radius < 0.2 ? 0.95 : 0.8);
+    }
+}
+
 TEST(Beachbot, AMapWithoutADrawingIsFilled) {
   const Problem hall(Map{"hall", box_region({0, 0}, {6, 4}), "", ""}, Robot{}, Point(1, 1));
   const Path path = plan("beachbot", hall);
@@ -278,6 +314,53 @@ TEST(Beachbot, AStrokeWithoutLengthIsOneSentence) {
   drawing.strokes = {line("dot", {{1, 1}, {1, 1}})};
   EXPECT_THAT([&] { plan("beachbot", canvas(drawing, beach_robot())); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("stroke 0 ('dot') has no length")));
+}
+
+// Nothing that a person asks for is left out in silence.
+TEST(Beachbot, WhatCannotBeDrawnIsNamed) {
+  Drawing drawing;
+  drawing.strokes = {line("eye", {{1, 1}, {3, 1}}), line("ear", {{8, 6}, {10, 6}})};
+  const auto draw = [&] { plan("beachbot", canvas(drawing, beach_robot())); };
+  drawing.curves = {{.from = {"eye", -1}, .to = {"ear", 0}, .kind = DrawnCurve::Kind::bezier, .points = {{-30, 4}}}};
+  EXPECT_THAT(draw, ThrowsMessage<std::invalid_argument>(::testing::AllOf(
+                        HasSubstr("the curve between elements '"), HasSubstr("leaves configuration space at ("))));
+  drawing.curves[0].points = {{1e300, 4}};
+  EXPECT_THROW(draw(), std::invalid_argument);
+  drawing.curves.clear();
+  drawing.strokes.push_back(line("tail", {{5, 5}, {5, 0.1}}));
+  EXPECT_THAT(draw, ThrowsMessage<Infeasible>(HasSubstr("stroke 'tail' leaves configuration space at (5, ")));
+  drawing.strokes.pop_back();
+  drawing.start = Point(40, 1);
+  EXPECT_THAT(draw, ThrowsMessage<Infeasible>(HasSubstr("start (40, 1) is outside")));
+}
+
+// A curve is a demand for its connection.
+TEST(Beachbot, CurvesAreDriven) {
+  Drawing drawing;
+  drawing.strokes = {line("a", {{1, 1}, {3, 1}}), line("b", {{8, 6}, {10, 6}}), line("c", {{3.5, 1}, {5, 1}})};
+  drawing.curves = {{.from = {"a", -1}, .to = {"b", 0}, .kind = DrawnCurve::Kind::spiro, .points = {{4, 5}}}};
+  const RecordedPlan planned = plan_recorded("beachbot", canvas(drawing, beach_robot()));
+  EXPECT_EQ(planned.figures.at("curves_obeyed"), 1);
+  double nearest = 1;
+  for (const Leg& leg : planned.path.legs)
+    for (std::size_t k = 1; k < leg.points.size() && !leg.tool; ++k)
+      nearest = std::min(nearest, distance_to_segment({4, 5}, leg.points[k - 1], leg.points[k]));
+  EXPECT_LT(nearest, 1e-3);
+}
+
+TEST(Beachbot, NarrowAreasAreFilledWithAPartOfTheTool) {
+  for (const auto& [wide, width] : {std::pair(0.4, 0.32), std::pair(0.2, 0.16), std::pair(0.08, 0.04)}) {
+    Drawing drawing;
+    drawing.areas = {{.element = "bar", .area = box_region({2, 2}, {6, 2 + wide}).polygons[0], .choice = {}}};
+    const RecordedPlan planned = plan_recorded("beachbot", canvas(drawing, beach_robot()));
+    EXPECT_EQ(planned.figures.count("areas_too_narrow"), 0u);
+    EXPECT_GT(drawn_m(planned.path, planned.path.legs.back().width), 3.5);
+    EXPECT_NEAR(planned.path.legs.back().width, width, 1e-12);
+  }
+  Drawing drawing;
+  drawing.strokes = {line("eye", {{1, 1}, {3, 1}})};
+  drawing.areas = {{.element = "hair", .area = box_region({2, 2}, {6, 2.03}).polygons[0], .choice = {}}};
+  EXPECT_EQ(plan_recorded("beachbot", canvas(drawing, beach_robot())).figures.at("areas_too_narrow"), 1);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "metrics/curvature.hpp"
+#include "geometry/bends.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,8 +52,6 @@ std::vector<Bend> bends(const Path& path, double tolerance, double tool_width) {
   return result;
 }
 
-bool too_sharp(const Bend& bend, const Robot& robot) {
-  return robot.min_turn_radius > 0 && bend.curvature > kAllowed / robot.min_turn_radius + bend.error;
-}
+bool too_sharp(const Bend& bend, double least_radius) { return bend.curvature > kAllowed / least_radius + bend.error; }
 
 }  // namespace oxturn

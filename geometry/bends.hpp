@@ -1,4 +1,4 @@
-/// The curvature of a path at its vertices. Private to metrics/.
+/// The curvature of a path at its vertices.
 ///
 ///   for (const Bend& bend : bends(path, tolerance, robot.tool_width)) worst = std::max(worst, bend.curvature);
 ///
@@ -14,7 +14,7 @@
 
 #include <vector>
 
-#include "metrics/score.hpp"
+#include "geometry/path.hpp"
 
 namespace oxturn {
 
@@ -27,7 +27,7 @@ struct Bend {
 /// At all vertices where the heading changes. Points nearer together than `tolerance` metres count as one. O(n).
 std::vector<Bend> bends(const Path& path, double tolerance, double tool_width);
 
-/// The bend is sharper than the robot can drive: above 1 / min_turn_radius by more than 1 % and the bend's error.
-bool too_sharp(const Bend& bend, const Robot& robot);
+/// The bend is sharper than a circle of that radius (metres, > 0) by more than 1 % and the bend's error.
+bool too_sharp(const Bend& bend, double least_radius);
 
 }  // namespace oxturn
