@@ -50,7 +50,8 @@ Transit OrderDriver::by_hand(const ElementVisit& from, const ElementVisit& to, c
       fmt::format("the curve between elements '{}' and '{}'", elements_[from.element].name, elements_[to.element].name);
   const Pose exit = exit_pose(elements_[from.element], from), entry = entry_pose(elements_[to.element], to);
   const double radius = smooth_ != nullptr ? smooth_->radius() : problem.robot().tool_width;
-  const double most = kMostAway * bounding_box(problem.configuration_space()).diagonal();
+  const Box space = bounding_box(problem.configuration_space());
+  const double most = kMostAway * distance(space.low, space.high);
   for (const Point& p : curve.points)
     if (!(distance(p, exit.at) <= most))
       throw_invalid("{} has the point {}, which is far off the map; move it", name, to_text(p));
