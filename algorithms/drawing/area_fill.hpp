@@ -4,10 +4,9 @@
 ///   for (DrawingElement& fill : filler.elements(area, context)) ...
 ///
 /// Each part of the area in which the tool fits is a problem of its own: to be covered by a robot whose centre keeps
-/// half the tool's width (`inset`) from the area's boundary, so that nothing beyond it is drawn. An area in which it fits
-/// nowhere is filled with a part of it: 5, 3 or 1 of 7 pins, as wide as those of the source. Spirals and laps are
-/// driven from the inside to the outside only, as the source demands. For a robot with a least turning radius the fill is
-/// cut into strokes that it can follow (smoothing/strokes.hpp).
+/// half the tool's width (`inset`) from the area's boundary, so that nothing beyond it is drawn. An area in which it
+/// fits nowhere is filled with a part of it: 5, 3 or 1 of 7 pins, as wide as those of the source. For a robot with a
+/// least turning radius the fill is cut into strokes that it can follow (smoothing/strokes.hpp).
 /// Source: Vollprecht 2014, section 2.2. Cost: that of the planner.
 #pragma once
 
@@ -29,8 +28,8 @@ class AreaFiller {
   AreaFiller(const Problem& problem, const Planners& planners, FillOptions options)
       : problem_(problem), planners_(planners), options_(std::move(options)) {}
 
-  /// One for each part of the area in which the tool fits; none if the area is narrower than a pin, or not to be filled.
-  /// Throws std::invalid_argument for an unknown fill.
+  /// One for each part of the area in which the tool fits; none if the area is narrower than a pin, or not to be
+  /// filled. Throws std::invalid_argument for an unknown fill.
   std::vector<DrawingElement> elements(const FilledArea& area, const Context& context) const;
 
  private:

@@ -9,7 +9,7 @@
 //             2. A path begins where the robot is. It goes from there to the drawing's start, if it has one.
 //             3. For a robot with a least turning radius fills become strokes that it can follow
 //                (smoothing/strokes.hpp); without a drawing they are also ordered as for any planner (drivable.hpp).
-//             4. Strokes are drawn as they are. Each place where the path turns more sharply than the radius is listed.
+//             4. Strokes are drawn as they are. Each point where the path turns more sharply than the radius is listed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -174,7 +174,7 @@ class Beachbot final : public CoveragePlanner {
     context.trace("over finished work", std::move(over));
   }
 
-  /// Where the path turns more sharply than the radius: corners of strokes, curves of a person, narrow places.
+  /// Where the path turns more sharply than the radius: corners of strokes, curves of a person, narrow parts.
   static void report_bends(const Path& path, const Problem& problem, double radius, Context& context) {
     std::vector<Polyline> sharp;
     if (radius > 0)

@@ -359,7 +359,7 @@ TEST(Beachbot, NarrowAreasAreFilledWithAPartOfTheTool) {
   }
   Drawing drawing;
   drawing.strokes = {line("eye", {{1, 1}, {3, 1}})};
-  drawing.areas = {{.element = "hair", .area = box_region({2, 2}, {6, 2.03}).polygons[0], .choice = {}}};
+  drawing.areas = {{.element = "sliver", .area = box_region({2, 2}, {6, 2.03}).polygons[0], .choice = {}}};
   EXPECT_EQ(plan_recorded("beachbot", canvas(drawing, beach_robot())).figures.at("areas_too_narrow"), 1);
 }
 
