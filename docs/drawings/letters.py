@@ -1,5 +1,6 @@
 """letters.py FOLDER: writes script.svg and sans.svg, lines of letters from the Hershey fonts of Debian's
-hershey-fonts-data, which are single lines as a drawing robot needs them. The SVG files keep the fonts' acknowledgement."""
+hershey-fonts-data, which are single lines as a drawing robot needs them. The SVG files keep the fonts'
+acknowledgement."""
 import os
 import sys
 
@@ -11,7 +12,7 @@ Cognition, Inc., 900 Technology Park Drive, Billerica, MA 01821 (mit-eddie!ci-da
 
 
 def glyphs(name):
-    """{character: (left, right, lines)}: a glyph is five columns for its number, three for its count of pairs, pairs."""
+    """{character: (left, right, lines)}: a glyph is five columns for its number, three for the count of pairs, pairs."""
     with open(os.path.join(FONTS, name + ".jhf")) as file:
         text = file.read()
     result, at = {}, 0
