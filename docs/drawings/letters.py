@@ -12,7 +12,7 @@ Cognition, Inc., 900 Technology Park Drive, Billerica, MA 01821 (mit-eddie!ci-da
 
 
 def glyphs(name):
-    """{character: (left, right, lines)}: a glyph is five columns for its number, three for the count of pairs, pairs."""
+    """{character: (left, right, lines)}: a glyph is its number in five columns, the count of pairs in three, pairs."""
     with open(os.path.join(FONTS, name + ".jhf")) as file:
         text = file.read()
     result, at = {}, 0
