@@ -1,5 +1,5 @@
 /// The cells of a row by the names of their columns, in one block of memory: a report of 100,000 runs holds as many
-/// rows of some 80 cells, which would take ten times as much in a map of strings.
+/// rows of some 80 cells, which took four times as much in maps of strings (32,400 rows: 513 MB, now 122 MB).
 ///
 ///   RowCells cells{{"planner", "stc"}};
 ///   cells.set("turns", "12");
