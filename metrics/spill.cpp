@@ -129,8 +129,9 @@ Polyline boundary_points(const std::vector<Ring>& target) {
   for (const Ring& ring : target)
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-      const double steps = std::ceil(distance(a, b) / kSpacing);
-      for (double k = 0; k < steps; ++k) points.push_back(lerp(a, b, k / steps));
+      const auto steps = static_cast<std::size_t>(std::ceil(distance(a, b) / kSpacing));
+      for (std::size_t k = 0; k < steps; ++k)
+        points.push_back(lerp(a, b, static_cast<double>(k) / static_cast<double>(steps)));
     }
   const std::size_t n = points.size();
   std::size_t stride = std::max<std::size_t>(1, n * 5 / 13);  // about the golden section

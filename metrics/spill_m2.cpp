@@ -22,6 +22,7 @@ Region worked(const Path& path, double tool_width) {
   for (const Leg& leg : path.legs)
     if (leg.tool) lines[leg.width > 0 ? std::min(leg.width, tool_width) : tool_width].push_back(leg.points);
   std::vector<Region> parts;
+  parts.reserve(lines.size());
   for (const auto& [width, all] : lines) parts.push_back(swath(all, width / 2, kChordError * width, Bound::inside));
   return unite(parts);
 }

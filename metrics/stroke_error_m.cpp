@@ -33,9 +33,11 @@ std::optional<double> compute(const Scored& s) {
     if (!stroke.tool) continue;
     for (std::size_t i = 1; i < stroke.points.size(); ++i) {
       const Point &a = stroke.points[i - 1], &b = stroke.points[i];
-      const double steps = std::ceil(distance(a, b) / kStep);
-      for (double k = i == 1 ? 0 : 1; k <= steps; ++k)
-        most = std::max(most, near = distance_to(work, lerp(a, b, k / std::max(1.0, steps)), near));
+      const auto steps = static_cast<std::size_t>(std::ceil(distance(a, b) / kStep));
+      for (std::size_t k = i == 1 ? 0 : 1; k <= steps; ++k) {
+        const double share = static_cast<double>(k) / static_cast<double>(std::max<std::size_t>(1, steps));
+        most = std::max(most, near = distance_to(work, lerp(a, b, share), near));
+      }
     }
   }
   if (most < 0) return std::nullopt;
