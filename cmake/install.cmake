@@ -1,15 +1,15 @@
-# The shared library `oxturn` of all rooms: the program and plug-ins use the same one, so they share types and
+# The shared library `oxturn` of all folders: the program and plug-ins use the same one, so they share types and
 # exceptions. `cmake --install` gives the library, its headers, the program, and a CMake package `oxturn`.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-get_property(rooms GLOBAL PROPERTY OXTURN_ROOMS)
+get_property(folders GLOBAL PROPERTY OXTURN_FOLDERS)
 get_property(headers GLOBAL PROPERTY OXTURN_HEADERS)
 get_property(libraries GLOBAL PROPERTY OXTURN_LIBRARIES)
 
 add_library(oxturn_shared SHARED)
-foreach(room ${rooms})
-  target_sources(oxturn_shared PRIVATE $<TARGET_OBJECTS:${room}>)
+foreach(folder ${folders})
+  target_sources(oxturn_shared PRIVATE $<TARGET_OBJECTS:${folder}>)
 endforeach()
 add_library(oxturn::oxturn ALIAS oxturn_shared)
 set_target_properties(oxturn_shared PROPERTIES OUTPUT_NAME oxturn EXPORT_NAME oxturn LINKER_LANGUAGE CXX
