@@ -1,5 +1,5 @@
-# oxturn_folder(NAME HEADERS ... USES ... PRIVATE ...): one folder, one static library oxturn::NAME of every source in it
-# (except bench/micro, a program of its own), with our compile options. The headers named are installed;
+# oxturn_folder(NAME HEADERS ... USES ... PRIVATE ...): one folder, one static library oxturn::NAME of every source in
+# it (except bench/micro, a program of its own), with our compile options. The headers named are installed;
 # cmake/install.cmake makes one shared library of all folders.
 
 # GCC 12 at -O2 warns of uninitialised, overlapping and overrun objects inside std::variant and std::string: its own
