@@ -3,7 +3,7 @@
 ///   planners.add(target_area_planner(my_planner()));
 ///
 /// On a problem without a target area the planner runs as always. With one it is run in each connected component of
-/// where it should work (target_area_work_space), as if that were configuration space; between the components, and
+/// where it should work (Problem::work_space), as if that were configuration space; between the components, and
 /// wherever a path has the tool off, the robot takes the shortest path through all of configuration space. What then
 /// remains uncovered of the target is added as detours if the planner promises the whole target (lanes/repair.hpp).
 ///

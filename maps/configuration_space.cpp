@@ -83,15 +83,8 @@ Point nearest_point_inside(const Region& all, const Point& p, double tool_width)
 DefaultStart find_default_start(const Region& all) {
   const Polygon& largest = *std::ranges::max_element(all.polygons, {}, [](const Polygon& p) { return area(p); });
   Mesh mesh(Region{{largest}});
-  Point middle = largest.outer.front();  // of a component thinner than any triangle, which is all boundary
-  double widest = -1;
-  for (std::int32_t t = 0; t < static_cast<std::int32_t>(mesh.triangles().size()); ++t) {
-    const Point &a = mesh.vertex(t, 0), &b = mesh.vertex(t, 1), &c = mesh.vertex(t, 2);
-    if (const double twice_area = cross(b - a, c - a); twice_area > widest) {
-      widest = twice_area;
-      middle = (a + b + c) / 3;
-    }
-  }
+  // A component thinner than any triangle is all boundary.
+  const Point middle = mesh.middle_of_largest_triangle().value_or(largest.outer.front());
   return {middle, &largest, std::move(mesh)};
 }
 

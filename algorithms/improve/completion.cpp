@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "algorithms/improve/stops.hpp"
+#include "algorithms/lanes/inner_space.hpp"
 #include "algorithms/lanes/repair.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/swath.hpp"
@@ -12,7 +13,6 @@ namespace oxturn {
 namespace {
 
 // In tool widths, or squares of it.
-constexpr double kChord = 2e-4;                    // error of arcs where coverage is measured
 constexpr double kReach = 0.5 - 1e-3;              // from which a stop covers, with that error
 constexpr double kNegligible = 1e-6;               // pieces of less area
 constexpr double kMostSlack = 2e-5, kSlack = 0.2;  // shares of the target, and of what may stay uncovered
@@ -20,13 +20,6 @@ constexpr int kPasses = 2;                         // of stops
 constexpr int kRepairs = 4;                        // until the share is reached, at most
 
 }  // namespace
-
-Region coverable(const Problem& problem, double margin) {
-  if (margin <= 0 && !problem.limited()) return problem.target();
-  const double width = problem.robot().tool_width;
-  return intersect(problem.target(),
-                   dilate(problem.configuration_space(), width / 2 - margin, kChord * width, Bound::inside));
-}
 
 Polyline vertices_of(const Path& path, const Point& start) {
   Polyline points{start};
@@ -45,7 +38,7 @@ Completion::Completion(const Problem& problem, double coverage)
       connector_(problem),
       width_(problem.robot().tool_width),
       coverage_(coverage),
-      target_(coverable(problem, 0)) {}
+      target_(reachable_target(problem, 0, kChord)) {}
 
 double Completion::allowed() const {
   const double share = 1 - coverage_;

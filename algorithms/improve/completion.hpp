@@ -20,6 +20,7 @@ namespace oxturn {
 
 class Completion {
  public:
+  static constexpr double kChord = 2e-4;  // tool widths: error of arcs where coverage is measured
   /// `problem` must outlive it.
   Completion(const Problem& problem, double coverage);
   /// What can be covered: all of the target, but where configuration space was restricted.
@@ -39,9 +40,6 @@ class Completion {
   Region target_;
 };
 
-/// What a tool that is narrower by `margin` metres on each side can cover of the target. If it does, one of the full
-/// width covers all of the target that it can: no point of that is farther from here than the margin.
-Region coverable(const Problem& problem, double margin);
 /// The path's vertices, legs joined.
 Polyline vertices_of(const Path& path, const Point& start);
 /// The path along these points, tool on.

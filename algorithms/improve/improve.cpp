@@ -8,6 +8,7 @@
 
 #include "algorithms/improve/annealing.hpp"
 #include "algorithms/improve/completion.hpp"
+#include "algorithms/lanes/inner_space.hpp"
 
 namespace oxturn {
 namespace {
@@ -67,7 +68,7 @@ class Improver {
         completion_(problem, how.coverage),
         width_(problem.robot().tool_width),
         share_(std::max(completion_.allowed() / area(problem.target()), kLeastUncovered)),
-        narrow_(share_ < kFineBelow ? coverable(problem, kMargin * width_) : Region{}) {}
+        narrow_(share_ < kFineBelow ? reachable_target(problem, kMargin * width_, Completion::kChord) : Region{}) {}
 
   Path run(const std::vector<Path>& starts) {
     std::vector<Polyline> lines;

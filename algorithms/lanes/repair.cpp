@@ -274,18 +274,19 @@ class Repair {
 
 }  // namespace
 
-Path repaired(const Problem& problem, const Path& path, const Connector& connector, Context& context) {
-  const Robot& robot = problem.robot();
+Region uncovered(const Region& target, const Path& path, const Robot& robot) {
   std::vector<Polyline> lines;
   for (const Leg& leg : path.legs)
     if (leg.tool) lines.push_back(leg.points);
-  const auto covered = swath_parts(lines, robot.tool_width / 2, covered_seam(robot), Bound::outside);
-  return repaired(problem, path, subtract(problem.target(), covered), connector, context);
+  return subtract(target, swath_parts(lines, robot.tool_width / 2, covered_seam(robot), Bound::outside));
 }
 
-Path repaired(const Problem& problem, const Path& path, Region uncovered, const Connector& connector,
-              Context& context) {
-  const std::vector<Ring> pieces = Repair(problem, std::move(uncovered)).find(context);
+Path repaired(const Problem& problem, const Path& path, const Connector& connector, Context& context) {
+  return repaired(problem, path, uncovered(problem.target(), path, problem.robot()), connector, context);
+}
+
+Path repaired(const Problem& problem, const Path& path, Region missed, const Connector& connector, Context& context) {
+  const std::vector<Ring> pieces = Repair(problem, std::move(missed)).find(context);
   if (pieces.empty()) return path;
   if (context.wants_traces()) context.trace("repair", pieces);
   return with_detours(problem, pieces, path, problem.robot().tool_width, connector, context);

@@ -21,26 +21,11 @@
 #include "algorithms/transit/nearest_component.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
-#include "geometry/overlay/swath.hpp"
 
 namespace oxturn {
 namespace {
 
 constexpr double kNegligible = 1e-4;  // w^2: what a component must cover that larger ones do not
-
-Point middle_of(const Polygon& part) {
-  const Mesh mesh(Region{{part}});
-  Point middle = part.outer.front();
-  double widest = 0;
-  for (std::int32_t t = 0; t < static_cast<std::int32_t>(mesh.triangles().size()); ++t) {
-    const Point &a = mesh.vertex(t, 0), &b = mesh.vertex(t, 1), &c = mesh.vertex(t, 2);
-    if (const double twice_area = cross(b - a, c - a); twice_area > widest) {
-      widest = twice_area;
-      middle = (a + b + c) / 3;
-    }
-  }
-  return middle;
-}
 
 /// The components of the work space, largest first, without those that larger ones make superfluous.
 std::vector<Polygon> needed_components(const Problem& problem) {
@@ -83,7 +68,8 @@ class TargetAreaRun {
     Path path = builder_.take();
     promise_cells();
     if (promise_ != Promise::target || context_.cancelled()) return path;
-    return repaired(problem_, path, uncovered(path), connector_, context_);
+    return repaired(problem_, path, uncovered(reachable_target(problem_), path, problem_.robot()), connector_,
+                    context_);
   }
 
  private:
@@ -96,7 +82,7 @@ class TargetAreaRun {
     if (const EdgeIndex part(Region{{parts_[k]}}); part.contains(problem_.start()))
       add(problem_.start());
     else if (promise_ == Promise::cells)
-      add(middle_of(parts_[k]));
+      add(Mesh(Region{{parts_[k]}}).middle_of_largest_triangle().value_or(parts_[k].outer.front()));
     else
       std::ranges::for_each(parts_[k].outer, add);
   }
@@ -139,15 +125,6 @@ class TargetAreaRun {
       for (const auto& region : promises) regions.push_back(region());
       return unite(regions);
     });
-  }
-
-  Region uncovered(const Path& path) const {
-    std::vector<Polyline> lines;
-    for (const Leg& leg : path.legs)
-      if (leg.tool) lines.push_back(leg.points);
-    const Robot& robot = problem_.robot();
-    return subtract(reachable_target(problem_),
-                    swath_parts(lines, robot.tool_width / 2, covered_seam(robot), Bound::outside));
   }
 
   struct Entry {

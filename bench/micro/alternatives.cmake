@@ -1,5 +1,4 @@
-# Optional: our overlay and predicates against other libraries. Debian: libgeos-dev libpolyclipping-dev (Boost and CGAL
-# are there already). cmake -DOXTURN_ALTERNATIVES=ON; then build the target oxturn_alternatives.
+# Optional (OXTURN_ALTERNATIVES): our overlay and predicates against other libraries.
 find_library(GEOS_C geos_c REQUIRED)
 find_library(CLIPPER polyclipping REQUIRED)
 add_executable(oxturn_alternatives ${CMAKE_CURRENT_LIST_DIR}/alternatives_bench.cpp)

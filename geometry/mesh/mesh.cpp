@@ -57,6 +57,19 @@ void Mesh::locate_all(const Point& p, std::vector<std::int32_t>& found) const {
   }
 }
 
+std::optional<Point> Mesh::middle_of_largest_triangle() const {
+  std::optional<Point> middle;
+  double widest = -1;
+  for (std::int32_t t = 0; t < static_cast<std::int32_t>(triangles_.size()); ++t) {
+    const Point &a = vertex(t, 0), &b = vertex(t, 1), &c = vertex(t, 2);
+    if (const double twice_area = cross(b - a, c - a); twice_area > widest) {
+      widest = twice_area;
+      middle = (a + b + c) / 3;
+    }
+  }
+  return middle;
+}
+
 Point Mesh::nearest_in(std::int32_t t, const Point& p) const {
   Point best = p;
   double least = -1;

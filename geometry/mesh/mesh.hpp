@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "geometry/region.hpp"
 #include "geometry/uniform_grid.hpp"
@@ -68,6 +69,8 @@ class Mesh {
   /// Moves p into the mesh, by at most `tolerance`, and lists the triangles that contain it up to rounding, in
   /// ascending order. False if p is farther outside.
   bool move_inside(Point& p, double tolerance, std::vector<std::int32_t>& found) const;
+  /// The centroid of the largest triangle, the first of those of equal area; none without triangles.
+  std::optional<Point> middle_of_largest_triangle() const;
   /// The point of the triangle nearest to p.
   Point nearest_in(std::int32_t triangle, const Point& p) const;
 
