@@ -9,6 +9,7 @@
 #include <queue>
 #include <tuple>
 
+#include "algorithms/transit/component_links.hpp"
 #include "algorithms/transit/short_segments.hpp"
 #include "geometry/coarse_arcs.hpp"
 #include "geometry/raster.hpp"
@@ -133,16 +134,21 @@ struct Attachment {
 /// Every ring attached to the path or to another ring, the nearest pair first (Prim).
 class RingTree {
  public:
-  /// `connector`: walls may lie between path and rings; nullptr: never where one is nearest to the other.
-  RingTree(Rings rings, const Polyline& path, double width, const Connector* connector, Context& context)
+  /// `around`: walls may lie between path and rings; nullptr: never where one is nearest to the other.
+  RingTree(Rings rings, const Polyline& path, double width, const Problem* around, Context& context)
       : rings_(std::move(rings)),
-        connector_(connector),
+        around_(around),
         attached_(rings_.size(), false),
         how_(rings_.size()),
         children_(rings_.size()) {
     for (std::size_t i = 0; i + 1 < path.size(); ++i) sources_.push_back({std::nullopt, i, path[i], path[i + 1]});
-    // The reach doubles, so a start far from every ring does not mean many passes.
     remaining_ = rings_.size();
+    if (around_) {
+      attach_within(width);
+      if (remaining_ > 0) attach_around(width / 2);
+      return;
+    }
+    // The reach doubles, so a start far from every ring does not mean many passes.
     for (double reach = width; remaining_ > 0 && !context.cancelled(); reach *= 2) attach_within(reach);
   }
   const Ring& ring(std::size_t ring) const { return *rings_[ring]; }
@@ -176,16 +182,14 @@ class RingTree {
       if (attached_[offer.ring] || offer.how.distance > least) continue;
       if (offer.blocked) {
         // Only now, because most rings have been attached to something in sight before.
-        const double driven = connector_->length(offer.how.from, offer.how.on, std::min(reach, least));
+        const double driven = driven_length(offer.how.from, offer.how.on, std::min(reach, least));
         if (driven <= reach && driven < least) accept(offer, driven);
         continue;
       }
       attach(offer.ring, offer.how);
-      const Ring& r = *rings_[offer.ring];
-      for (std::size_t e = 0; e < r.size(); ++e) {
-        sources_.push_back({offer.ring, e, r[e], r[(e + 1) % r.size()]});
-        search(sources_.back(), grid, reach);
-      }
+      const std::size_t before = sources_.size();
+      add_sources(offer.ring);
+      for (std::size_t s = before; s < sources_.size(); ++s) search(sources_[s], grid, reach);
     }
   }
 
@@ -194,12 +198,60 @@ class RingTree {
     offer.blocked = false;
     offers_.push(offer);
   }
+  bool in_sight(const Point& p, const Point& q) const { return around_->walls().contains(p, q); }
+  /// Among the walls; infinity if above `longest`.
+  double driven_length(const Point& p, const Point& q, double longest) const {
+    const auto path = around_->transit().path(p, q, longest);
+    return path ? length(*path) : kInfinity;
+  }
+
+  void add_sources(std::size_t ring) {
+    const Ring& r = *rings_[ring];
+    for (std::size_t e = 0; e < r.size(); ++e) sources_.push_back({ring, e, r[e], r[(e + 1) % r.size()]});
+  }
 
   void attach(std::size_t ring, const Attachment& how) {
     attached_[ring] = true;
     --remaining_;
     how_[ring] = how;
     (how.parent ? children_[*how.parent] : on_path_).push_back(ring);
+  }
+
+  /// The other rings, along shortest paths among the walls between points at most `step` apart. Rings that cannot be
+  /// reached are left out.
+  void attach_around(double step) {
+    const auto component = [&](const Source& s) {
+      return s.ring && !attached_[*s.ring] ? static_cast<int>(*s.ring) + 1 : 0;
+    };
+    for (std::size_t r = 0; r < rings_.size(); ++r)
+      if (!attached_[r]) add_sources(r);
+    ComponentLinks links(*around_);
+    std::vector<std::size_t> source_of;  // by entry point
+    for (std::size_t s = 0; s < sources_.size(); ++s) {
+      const Source& source = sources_[s];
+      const double pieces = std::clamp(std::ceil(distance(source.a, source.b) / step), 1.0, kMostPieces);
+      for (double k = 0; k < pieces; ++k, source_of.push_back(s))
+        links.add(lerp(source.a, source.b, k / pieces), component(source), source_of.size());
+    }
+    for (const ComponentLinks::Link& link : links.tree(0)) {
+      const Source& to = sources_[source_of[link.to]];
+      attach(*to.ring, attachment(sources_[source_of[link.from]], to, link.path));
+    }
+  }
+
+  /// Ends of the link are moved along their segments to where it is shorter, as far as that is in sight.
+  Attachment attachment(const Source& parent, const Source& ring, const Polyline& link) const {
+    Approach ends{0, link.front(), link.back()};
+    if (link.size() > 2) {
+      const Point first = nearest_on_segment(link[1], parent.a, parent.b);
+      const Point second = nearest_on_segment(link[link.size() - 2], ring.a, ring.b);
+      if (in_sight(first, link[1])) ends.first = first;
+      if (in_sight(link[link.size() - 2], second)) ends.second = second;
+    } else if (const Approach m = nearest_approach(parent.a, parent.b, ring.a, ring.b); in_sight(m.first, m.second)) {
+      ends = m;
+    }
+    return {length(link), parent.ring, parent.segment, distance(parent.a, ends.first),
+            ends.first,   ends.second, ring.segment};
   }
 
   /// Offers the source to all rings within reach that are not attached yet.
@@ -219,14 +271,14 @@ class RingTree {
         const Offer offer{
             item.ring,
             {m.distance, source.ring, source.segment, distance(source.a, m.first), m.first, m.second, item.edge},
-            connector_ != nullptr && !connector_->straight(m.first, m.second)};
+            around_ != nullptr && !in_sight(m.first, m.second)};
         offer.blocked ? offers_.push(offer) : accept(offer, m.distance);
       });
     }
   }
 
   Rings rings_;
-  const Connector* connector_;
+  const Problem* around_;
   std::vector<bool> attached_;
   std::vector<Attachment> how_;
   std::vector<std::vector<std::size_t>> children_;  // rings attached to a ring
@@ -390,7 +442,7 @@ namespace {
 
 /// `around`: links may have to lead around walls (RingTree); nullptr: no.
 Path driven_with(const Problem& problem, const std::vector<Ring>& rings, const Path& path, double width,
-                 const Connector& connector, const Connector* around, Context& context) {
+                 const Connector& connector, const Problem* around, Context& context) {
   Rings all;
   for (const Ring& ring : rings) all.push_back(&ring);
   const FlatPath flat = flattened(path, problem.start());
@@ -407,7 +459,7 @@ Path with_rings(const Problem& problem, const std::vector<Ring>& rings, const Pa
 
 Path with_detours(const Problem& problem, const std::vector<Ring>& detours, const Path& path, double width,
                   const Connector& connector, Context& context) {
-  return driven_with(problem, detours, path, width, connector, &connector, context);
+  return driven_with(problem, detours, path, width, connector, &problem, context);
 }
 
 Path with_rings(const Problem& problem, const Region& region, const Path& path, double width,

@@ -176,18 +176,17 @@ class Repair {
     const Box box = bounding_box(turned);
     const Slabs slabs = slabs_over(box.low.x(), box.high.x(), kLane * width_);
     const Projection projection = project(edges_of(turned), slabs);
-    // A lane along a piece that reaches out of configuration space would leave what is outside to arcs of the boundary.
-    const bool inside = all_around(piece, [&](const Point& p) { return walls_.contains(p); });
-    const double highest_corridor = inside ? kLane * width_ : 0;
     const auto add = [&](double x0, double y0, double x1, double y1) {
       add_lane(frame.to_world({x0, y0}), frame.to_world({x1, y1}));
     };
     for (const std::vector<std::size_t>& chain : chains(projection.intervals.size(), projection.links)) {
       std::vector<LaneInterval> lanes;
       for (const std::size_t i : chain) lanes.push_back(projection.intervals[i]);
-      for (const ChainPart& part : corridors_in(lanes, highest_corridor)) {
+      for (const ChainPart& part : corridors_in(lanes, kLane * width_)) {
         const std::size_t end = part.from + part.count, left = lanes[part.from].slab;
-        if (part.corridor) {
+        // But for its ends, a lane that leaves configuration space would leave the rest to arcs of the boundary.
+        const auto at = [&](std::size_t line) { return frame.to_world({slabs.line(line), part.middle}); };
+        if (part.corridor && walls_.contains(at(left + 1), at(left + part.count - 1))) {
           add(slabs.line(left), part.middle, slabs.line(left + part.count), part.middle);
           continue;
         }

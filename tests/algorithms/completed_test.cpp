@@ -55,6 +55,17 @@ TEST(Completed, DetoursDoNotLeadAllTheWayRound) {
   }
 }
 
+// A tool much wider than the corridors: each piece has hundreds of others behind walls next to it. To remember a
+// connection for each pair would take gigabytes, and a shortest path each would take minutes.
+TEST(Completed, PiecesBehindManyWallsDoNotTakeAllMemory) {
+  const Map spiral = generate("spiral", {{"width", 80.0}, {"height", 40.0}, {"robot", 0.075}}, 3);
+  const Problem p(spiral, disc(0.075, 1.709), Point(0.5, 0.15));
+  const Path path = plan("completed", p, {{"planner", std::string("stc")}});
+  expect_valid(p, path);
+  EXPECT_LE(uncovered_share(p, path, 500), 2e-3);
+  EXPECT_LE(path.length(), 2 * plan("boustrophedon", p).length());
+}
+
 // A band along the walls of a room is covered by one lap, not by lanes across it.
 TEST(Completed, BandsAlongWallsAreDrivenAlong) {
   for (const auto seed : seeds(4)) {

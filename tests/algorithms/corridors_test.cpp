@@ -61,10 +61,12 @@ TEST(Corridors, TakeOneLane) {
   const Region free =
       unite({box_region({0, 0}, {4, 8}), box_region({4, 3.5}, {24, 4.5}), box_region({24, 0}, {28, 8})});
   const Problem p(Map{"rooms", free, "", ""}, disc(0.2, 0.4), Point(2, 2));
-  const Path path = plan("boustrophedon", p, {{"sweep", std::string("given")}, {"angle", 90.0}});
-  expect_valid(p, path);
-  EXPECT_EQ(uncovered_share(p, path, 1500), 0);
-  EXPECT_LT(score(p, path).value("turns").value_or(1e9), 120);  // 50 for each room
+  for (const char* name : {"boustrophedon", "zigzag"}) {
+    const Path path = plan(name, p, {{"sweep", std::string("given")}, {"angle", 90.0}});
+    expect_valid(p, path);
+    EXPECT_EQ(uncovered_share(p, path, 1500), 0);
+    EXPECT_LT(score(p, path).value("turns").value_or(1e9), 120) << name;  // 50 for each room
+  }
 }
 
 // What laps leave in the middle of a spiral of corridors is one piece, in which any lanes in one direction would be
@@ -77,6 +79,15 @@ TEST(Corridors, RepairDrivesAlongThem) {
     EXPECT_GE(score(p, path).value("coverage_lower").value_or(0), 0.9999);
     EXPECT_LT(score(p, path).value("turns").value_or(1e9), 400) << name;
   }
+}
+
+// The same with a tool wider than the robot's corridors: pieces reach out of configuration space.
+TEST(Corridors, RepairDrivesAlongThemWithAWideTool) {
+  const Problem p(generate("spiral", {{"width", 20.0}, {"height", 16.0}}, 1), disc(0.2, 1.5));
+  const Path path = plan("completed", p, {{"planner", std::string("stc")}});
+  expect_valid(p, path);
+  EXPECT_LE(uncovered_share(p, path, 500), 2e-3);
+  EXPECT_LT(score(p, path).value("turns").value_or(1e9), 250);
 }
 
 }  // namespace
