@@ -62,13 +62,18 @@ Path drive_with_headland(const Problem& problem, const Headland& headland,
                          const std::function<std::vector<Strip>(double depth)>& strips_deeper_than, StripOrder order,
                          Context& context) {
   Laps laps = laps_of(problem, problem.robot().tool_width, context, headland.headland);
-  const std::vector<Strip> strips = strips_deeper_than(laps.depth_m);
+  std::vector<Strip> strips = strips_deeper_than(laps.depth_m);
+  for (Strip& strip : strips) strip.work_links = headland.headland_tool == HeadlandTool::on;
   const Connector connector(problem);
   PathBuilder path(problem.start());
   const auto drive_lanes = [&] {
     Path lanes = drive_strips(problem, path.at(), strips, order, connector, context);
     for (Leg& leg : lanes.legs) path.drive(std::move(leg.points), leg.tool);
   };
+  if (headland.headland_tool == HeadlandTool::off) {
+    drive_lanes();
+    return without_short_segments(path.take(), problem);
+  }
   const bool last = headland.headland_order == HeadlandOrder::last;
   if (last) drive_lanes();
   HeadlandDrive(problem, connector, path).drive(laps, last, context);

@@ -59,7 +59,7 @@ std::vector<StripLeg> legs_of(const Strip& strip, const StripPattern& pattern, c
   for (std::size_t i = 0; i < strip.lanes.size(); ++i) {
     if (i > 0) {
       Polyline link = link_before(strip, i, up, links);
-      const bool tool = length(link) <= kLongestWorkLink * links.tool_width();
+      const bool tool = strip.work_links && length(link) <= kLongestWorkLink * links.tool_width();
       all.push_back({tool, std::move(link)});
     }
     Polyline line = line_of(strip.lanes[i]);

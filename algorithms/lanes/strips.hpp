@@ -30,6 +30,7 @@ struct Strip {
   /// then alternate strictly. Empty: links are straight or shortest paths.
   std::vector<Polyline> low_links = {}, high_links = {};
   std::vector<std::size_t> neighbours = {};  // adjacent strips, for the depth-first order
+  bool work_links = true;                    // short links between lanes are driven with the tool on
 
   /// For each lane whether it is driven up, if the first one is driven up or not.
   std::vector<bool> directions(bool first_up) const;

@@ -74,11 +74,10 @@ std::vector<Strip> without_empty(std::vector<Strip> of_cell, const Cells& cells)
   return strips;
 }
 
-Polyline outline_of(const BoustrophedonCell& cell, const LaneFrame& frame) {
-  Polyline line = cell.lower;
-  line.insert(line.end(), cell.upper.rbegin(), cell.upper.rend());
-  line.push_back(line.front());
-  for (Point& p : line) p = frame.to_world(p);
+/// For pictures.
+Polyline closed_outline(const BoustrophedonCell& cell, const LaneFrame& frame) {
+  Polyline line = outline(cell, frame);
+  if (!line.empty()) line.push_back(line.front());
   return line;
 }
 
@@ -90,7 +89,7 @@ std::vector<Strip> directed_strips(const Region& region, const Params& p, const 
   const std::vector<DirectedCell> cells = directed_cells(problem, region, options, context);
   if (context.wants_traces()) {
     std::vector<Polyline> outlines;
-    for (const DirectedCell& c : cells) outlines.push_back(outline_of(c.cell, LaneFrame(c.degrees)));
+    for (const DirectedCell& c : cells) outlines.push_back(closed_outline(c.cell, LaneFrame(c.degrees)));
     context.trace("cells", std::move(outlines));
   }
   return strips_of(problem, cells, options, context);
@@ -114,7 +113,7 @@ std::vector<Strip> strips_in(const Region& region, const Params& p, const Proble
   std::vector<Strip> strips = cell_strips(field, cells, fit, context);
   if (context.wants_traces()) {
     std::vector<Polyline> outlines;
-    for (const BoustrophedonCell& cell : cells) outlines.push_back(outline_of(cell, field.frame));
+    for (const BoustrophedonCell& cell : cells) outlines.push_back(closed_outline(cell, field.frame));
     context.trace("cells", std::move(outlines));
   }
   return without_empty(std::move(strips), cells);
@@ -193,7 +192,7 @@ PlannerInfo boustrophedon() {
                      {"outline", false},
                      {"cells", std::string("exact")},
                      {"order", std::string("dfs")}},
-       .promises_with = [](const Params& p) { return p.outline || p.headland > 0; }});
+       .promises_with = [](const Params& p) { return p.works_walls(p.outline); }});
 }
 
 PlannerInfo trapezoid() {
@@ -211,7 +210,7 @@ PlannerInfo trapezoid() {
                                             "of cells; dfs: depth-first on their graph"}),
        .published =
            {{"sweep", std::string("given")}, {"angle", 90.0}, {"outline", false}, {"order", std::string("dfs")}},
-       .promises_with = [](const TrapezoidParams& p) { return p.outline || p.headland > 0; }});
+       .promises_with = [](const TrapezoidParams& p) { return p.works_walls(p.outline); }});
 }
 
 }  // namespace oxturn

@@ -22,16 +22,6 @@ constexpr double kTurnCost = 2;             // spacings, for each lane
 constexpr double kBreakCost = 4;            // spacings, for each cell
 constexpr double kClearlyLess = 1 - 1e-9;
 
-/// The ring of a cell, counter-clockwise, in the plane.
-Ring ring_of(const BoustrophedonCell& cell, const LaneFrame& frame) {
-  Ring ring(cell.lower.begin(), cell.lower.end());
-  ring.insert(ring.end(), cell.upper.rbegin(), cell.upper.rend());
-  for (Point& p : ring) p = frame.to_world(p);
-  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
-  if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-  return ring;
-}
-
 /// The vertices of a ring on one side of its box: they must follow one another.
 struct Side {
   std::size_t first, last;
@@ -71,16 +61,24 @@ std::optional<BoustrophedonCell> chains_of(const Ring& ring) {
   return cell;
 }
 
+/// Directions of the edges of a ring or region in degrees, the longest edge's first.
+template <class Shape>
+std::vector<double> directions_by_length(const Shape& shape) {
+  std::vector<std::pair<double, double>> edges;  // length, degrees
+  for_each_edge(shape, [&](const Point& a, const Point& b) {
+    if (const double l = distance(a, b); l > 0) edges.push_back({l, direction_of(b - a)});
+  });
+  std::stable_sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<double> directions;
+  for (const auto& [l, degrees] : edges) directions.push_back(degrees);
+  return directions;
+}
+
 /// The directions of a region's edges, so few that each needs a frame only once.
 class EdgeDirections {
  public:
   explicit EdgeDirections(const Region& region) {
-    std::vector<std::pair<double, double>> edges;  // length, degrees
-    for_each_edge(region, [&](const Point& a, const Point& b) {
-      if (const double l = distance(a, b); l > 0) edges.push_back({l, direction_of(b - a)});
-    });
-    std::stable_sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    for (const auto& [l, degrees] : edges)
+    for (const double degrees : directions_by_length(region))
       if (!nearest(degrees)) all_.push_back(degrees);
   }
   /// The one within a degree.
@@ -98,11 +96,7 @@ class EdgeDirections {
 std::vector<DirectedCell> candidates_of(const BoustrophedonCell& cell, double cut, const EdgeDirections& directions) {
   const LaneFrame frame(cut);
   std::vector<DirectedCell> candidates{{cut, {cell.lower, cell.upper, {}}}};
-  Ring ring = ring_of(cell, frame);
-  std::vector<std::pair<double, double>> edges;  // length, degrees
-  for_each_edge(ring, [&](const Point& a, const Point& b) { edges.push_back({distance(a, b), direction_of(b - a)}); });
-  std::stable_sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  for (const auto& [l, degrees] : edges) {
+  for (const double degrees : directions_by_length(outline(cell, frame))) {
     if (candidates.size() > kMostDirections) break;
     const std::optional<double> d = directions.nearest(degrees);
     if (!d || std::ranges::any_of(candidates, [&](const DirectedCell& w) { return w.degrees == *d; })) continue;
@@ -126,7 +120,7 @@ Cut cut_along(const Region& region, double degrees) {
 double lanes_cost(const BoustrophedonCell& cell, double spacing) {
   const double width = right_of(cell) - left_of(cell);
   const double lanes = static_cast<double>(slabs_over(0, width, spacing).count);
-  return lanes * (std::abs(signed_area(ring_of(cell, LaneFrame(90)))) / width + kTurnCost * spacing);
+  return lanes * (std::abs(signed_area(outline(cell, LaneFrame(90)))) / width + kTurnCost * spacing);
 }
 
 /// The decomposition whose cells take the least to drive. The source compares sums of widths; that cuts many cells
@@ -151,10 +145,10 @@ Cut best_cut(const Region& region, const EdgeDirections& directions, double spac
   return best;
 }
 
-/// What driving to the next lane costs beside the drive there, in metres: twice a right angle, and stops.
+/// What driving to the next lane costs beside the drive there, in metres.
 double turn_cost(const Robot& robot, TourMeasure objective) {
   if (objective == TourMeasure::length) return 0;
-  return robot.speed * (kPi / robot.turn_rate + 2 * robot.speed / robot.acceleration);
+  return robot.speed * turn_seconds(robot);
 }
 
 /// Fields by direction, made when they are first needed.
@@ -215,7 +209,7 @@ Choice choice_of(std::vector<DirectedCell> candidates, LaneFields& fields, LaneF
 }  // namespace
 
 std::optional<BoustrophedonCell> turned(const BoustrophedonCell& cell, const LaneFrame& from, const LaneFrame& to) {
-  Ring ring = ring_of(cell, from);
+  Ring ring = outline(cell, from);
   for (Point& p : ring) p = to.to_frame(p);
   return chains_of(ring);
 }

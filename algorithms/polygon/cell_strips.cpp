@@ -7,6 +7,21 @@
 
 namespace oxturn {
 
+Strip to_world(const std::vector<LaneEnds>& lanes, const LaneFrame& frame) {
+  Strip strip;
+  for (const LaneEnds& l : lanes) strip.lanes.push_back({frame.to_world(l.low), frame.to_world(l.high)});
+  return strip;
+}
+
+Ring outline(const BoustrophedonCell& cell, const LaneFrame& frame) {
+  Ring ring(cell.lower.begin(), cell.lower.end());
+  ring.insert(ring.end(), cell.upper.rbegin(), cell.upper.rend());
+  for (Point& p : ring) p = frame.to_world(p);
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+  return ring;
+}
+
 double height_on(const Polyline& chain, double x) {
   for (std::size_t i = 1; i < chain.size(); ++i) {
     const Point& a = chain[i - 1];
@@ -22,14 +37,6 @@ namespace {
 constexpr double kMostBuckets = 1e7;
 
 using Cells = std::vector<BoustrophedonCell>;
-
-Strip to_world(const std::vector<LaneEnds>& lanes, const LaneFrame& frame) {
-  Strip strip;
-  for (const LaneEnds& l : lanes) strip.lanes.push_back({frame.to_world(l.low), frame.to_world(l.high)});
-  return strip;
-}
-
-LaneEnds upright(double x, double low, double high) { return {{x, low}, {x, high}}; }
 
 /// Least and greatest y of a chain between two x.
 std::pair<double, double> range_on(const Polyline& chain, double x0, double x1) {

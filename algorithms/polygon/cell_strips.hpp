@@ -45,6 +45,17 @@ enum class LaneFit { fitted, spaced };
 std::vector<Strip> cell_strips(const LaneField& field, const std::vector<BoustrophedonCell>& cells, LaneFit fit,
                                Context& context);
 
+/// A lane of a frame.
+inline LaneEnds upright(double x, double low, double high) { return {{x, low}, {x, high}}; }
+/// The strip of straight lanes that are given in a frame.
+Strip to_world(const std::vector<LaneEnds>& lanes, const LaneFrame& frame);
+/// The boundary of a cell that is given in a frame, counter-clockwise, in the plane.
+Ring outline(const BoustrophedonCell& cell, const LaneFrame& frame);
+
+/// Seconds to drive from one lane to the opposite direction of the next, beside the drive there: twice a right angle,
+/// and stops.
+inline double turn_seconds(const Robot& robot) { return kPi / robot.turn_rate + 2 * robot.speed / robot.acceleration; }
+
 /// y of a chain that runs from left to right, at x.
 double height_on(const Polyline& chain, double x);
 

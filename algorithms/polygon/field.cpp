@@ -14,7 +14,7 @@
 //             2. The rate of a block is its area over the time for lanes, turns and the straight drive there. The best
 //                block has the greatest rate times area: by the rate alone (value = rate, the source) a rectangle falls
 //                into a strip along its diagonal and two triangles.
-//             3. Blocks found for one heading are used until the component that they lie in has lost a twentieth of its
+//             3. Blocks found for one heading are used until the component that they lie in has lost a tenth of its
 //                area; the source divides again after each block. What is too small for blocks takes slabs in the
 //                direction that is cheapest for it.
 //             4. order = improved: the blocks in the order of a tour. greedy, as in the source: in the order in which
@@ -71,14 +71,14 @@ PlannerInfo field() {
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (along traced walls but for 0.0003 of it)",
        .promise = Promise::target,
-       .parameters = {{"headland", &Params::headland, Range{1, 1000}, "laps around the field"},
-                      {"headland_order", &Params::headland_order, Choices{"last", "first"},
-                       "last: lanes, then laps from the inside out; first: laps from the outside in, then lanes"},
-                      {"order", &Params::order, Choices{"improved", "greedy"},
-                       "of the blocks; improved: a tour; greedy: as they were chosen, as in the source"},
-                      {"value", &Params::value, Choices{"area-rate", "rate"},
-                       "of a block; rate: area a second, as in the source; area-rate: that times the area"}},
-       .published = {{"order", std::string("greedy")}, {"value", std::string("rate")}}});
+       .parameters = with_headland<Params>(
+           {{"order", &Params::order, Choices{"improved", "greedy"},
+             "of the blocks; improved: a tour; greedy: as they were chosen, as in the source"},
+            {"value", &Params::value, Choices{"area-rate", "rate"},
+             "of a block; rate: area a second, as in the source; area-rate: that times the area"}},
+           1),
+       .published = {{"order", std::string("greedy")}, {"value", std::string("rate")}},
+       .promises_with = [](const Params& p) { return p.works_walls(true); }});
 }
 
 }  // namespace oxturn

@@ -14,13 +14,13 @@ namespace oxturn {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-constexpr double kSame = 0.01;         // tool widths: sides that differ by less are equal
-constexpr double kStraight = 20;       // degrees: ends that bend by less run on
-constexpr double kFirstStep = 30;      // degrees between headings
-constexpr double kLastStep = 1;        // degrees: the heading is refined to this
-constexpr double kLeastBlock = 4;      // squares of the tool width: smaller blocks are not worth a heading of their own
-constexpr double kDropped = 1e-6;      // squares of the tool width
-constexpr double kDivideAgain = 0.95;  // divided again when this share of a component and what it lost since is left
+constexpr double kSame = 0.01;        // tool widths: sides that differ by less are equal
+constexpr double kStraight = 20;      // degrees: ends that bend by less run on
+constexpr double kFirstStep = 30;     // degrees between headings
+constexpr double kLastStep = 1;       // degrees: the heading is refined to this
+constexpr double kLeastBlock = 4;     // squares of the tool width: smaller blocks are not worth a heading of their own
+constexpr double kDropped = 1e-6;     // squares of the tool width
+constexpr double kDivideAgain = 0.9;  // divided again when this share of a component and what it lost since is left
 constexpr double kClearlyMore = 1 + 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -33,10 +33,8 @@ struct Candidate {
   double area = 0, seconds = 0;  // of driving it, turns included
 };
 
-/// Seconds between two lanes: two right angles, the step between lanes, stops.
-double turn_time(const Robot& robot) {
-  return kPi / robot.turn_rate + robot.tool_width / robot.speed + 2 * robot.speed / robot.acceleration;
-}
+/// Seconds between two lanes.
+double turn_time(const Robot& robot) { return turn_seconds(robot) + robot.tool_width / robot.speed; }
 
 double bend(const Point& before, const Point& at, const Point& after) {
   const Point a = at - before, b = after - at;
@@ -57,16 +55,18 @@ bool may_merge(const BoustrophedonCell& a, const BoustrophedonCell& b, double to
   return runs_on(a.lower, b.lower) && runs_on(a.upper, b.upper);
 }
 
-Region as_region(const BoustrophedonCell& cell, const LaneFrame& frame) {
-  Ring ring(cell.lower.begin(), cell.lower.end());
-  ring.insert(ring.end(), cell.upper.rbegin(), cell.upper.rend());
-  for (Point& p : ring) p = frame.to_world(p);
-  return {{{std::move(ring), {}}}};
+/// Between the chains of a cell.
+double area_of(const BoustrophedonCell& cell) {
+  double twice = 0;
+  for (std::size_t i = 1; i < cell.lower.size(); ++i) twice += cross(cell.lower[i - 1], cell.lower[i]);
+  for (std::size_t i = 1; i < cell.upper.size(); ++i) twice -= cross(cell.upper[i - 1], cell.upper[i]);
+  twice += cross(cell.lower.back(), cell.upper.back()) - cross(cell.lower.front(), cell.upper.front());
+  return std::abs(twice) / 2;
 }
 
 Candidate candidate_of(BoustrophedonCell cell, double degrees, const Robot& robot) {
   Candidate c{degrees, std::move(cell), {}, {}, 0, 0};
-  c.region = as_region(c.cell, LaneFrame(degrees));
+  c.region = {{{outline(c.cell, LaneFrame(degrees)), {}}}};
   c.box = bounding_box(c.region);
   c.area = std::abs(signed_area(c.region.polygons[0].outer));
   const double width = right_of(c.cell) - left_of(c.cell);
@@ -104,13 +104,17 @@ class FieldDivision {
   }
 
  private:
-  void add_components(const Region& region, const std::vector<Candidate>& candidates) {
+  void add_components(const Region& region, std::vector<Candidate> candidates) {
     for (const Polygon& polygon : region.polygons) {
       Component c{{{polygon}}, area(polygon)};
       if (c.area < kDropped * width_ * width_) continue;
-      const Box box = bounding_box(c.region);
-      for (const Candidate& k : candidates)
-        if (box.overlaps(k.box) && contains(c.region, inner_point(k))) c.candidates.push_back(k);
+      if (region.polygons.size() == 1) {
+        c.candidates = std::move(candidates);
+      } else if (!candidates.empty()) {
+        const EdgeIndex inside(c.region);
+        for (const Candidate& k : candidates)
+          if (inside.contains(inner_point(k))) c.candidates.push_back(k);
+      }
       components_.push_back(std::move(c));
     }
   }
@@ -118,6 +122,26 @@ class FieldDivision {
   static Point inner_point(const Candidate& k) {
     const double x = (left_of(k.cell) + right_of(k.cell)) / 2;
     return LaneFrame(k.degrees).to_world({x, (height_on(k.cell.lower, x) + height_on(k.cell.upper, x)) / 2});
+  }
+
+  /// Whether both cover more than is dropped. Boxes about both, each in the other's frame, tell most apart.
+  bool overlap(const Candidate& a, const Candidate& b) const {
+    if (a.region.empty() || b.region.empty() || !a.box.overlaps(b.box)) return false;
+    if (!box_of(a, a.degrees).overlaps(box_of(b, a.degrees)) || !box_of(a, b.degrees).overlaps(box_of(b, b.degrees)))
+      return false;
+    return holds(a, inner_point(b)) || holds(b, inner_point(a)) ||
+           area(intersect(a.region, b.region)) > kDropped * width_ * width_;
+  }
+  static Box box_of(const Candidate& k, double degrees) {
+    const LaneFrame frame(degrees);
+    Box box;
+    for (const Point& p : k.region.polygons[0].outer) box.add(frame.to_frame(p));
+    return box;
+  }
+  static bool holds(const Candidate& k, const Point& p) {
+    const Point q = LaneFrame(k.degrees).to_frame(p);
+    return q.x() > left_of(k.cell) && q.x() < right_of(k.cell) && q.y() > height_on(k.cell.lower, q.x()) &&
+           q.y() < height_on(k.cell.upper, q.x());
   }
 
   double value(const Candidate& c, double seconds_there) const {
@@ -136,10 +160,8 @@ class FieldDivision {
   std::vector<Candidate> along(const Region& region, double degrees) const {
     std::vector<Candidate> all;
     const Region turned = unite({LaneFrame(degrees).to_frame(region)});
-    for (BoustrophedonCell& cell : merged_trapezoids(turned, width_)) {
-      Candidate c = candidate_of(std::move(cell), degrees, robot_);
-      if (c.area >= kLeastBlock * width_ * width_) all.push_back(std::move(c));
-    }
+    for (BoustrophedonCell& cell : merged_trapezoids(turned, width_))
+      if (area_of(cell) >= kLeastBlock * width_ * width_) all.push_back(candidate_of(std::move(cell), degrees, robot_));
     return all;
   }
   void divide(Component& c, const Context& context) const {
@@ -190,12 +212,9 @@ class FieldDivision {
   FieldBlock take(std::size_t component, std::size_t candidate, Context& context) {
     Component c = remove(component);
     const Candidate chosen = std::move(c.candidates[candidate]);
-    std::erase_if(c.candidates, [&](const Candidate& k) {
-      return k.region.empty() ||
-             (k.box.overlaps(chosen.box) && area(intersect(k.region, chosen.region)) > kDropped * width_ * width_);
-    });
+    std::erase_if(c.candidates, [&](const Candidate& k) { return k.region.empty() || overlap(k, chosen); });
     const std::size_t first = components_.size();
-    add_components(subtract(c.region, chosen.region), c.candidates);
+    add_components(subtract(c.region, chosen.region), std::move(c.candidates));
     for (std::size_t i = first; i < components_.size(); ++i)
       components_[i].divided = components_[i].area + chosen.area + c.divided - c.area;
     const LaneField field(problem_, chosen.degrees, width_);

@@ -10,7 +10,7 @@
 ///
 /// Source      after Oksanen and Visala, "Coverage path planning algorithms for agricultural field machines", Journal
 ///             of Field Robotics 26(8), 2009: their first algorithm. The numbers are ours.
-/// Complexity  a division takes O(n log n) for n vertices; about 30 for each 5 % of the area
+/// Complexity  a division takes O(n log n) for n vertices; about 30 for each 10 % of the area
 #pragma once
 
 #include <vector>

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <utility>
 
+#include "algorithms/lanes/headland.hpp"
 #include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
@@ -32,7 +33,7 @@ namespace {
 
 constexpr double kMostCells = 2e7;
 
-struct Params {
+struct Params : Headland {
   LaneDirection align = LaneDirection::best;
   double angle = 0;
   bool outline = true;
@@ -149,9 +150,10 @@ std::vector<Strip> strips_of(const std::vector<CellRun>& runs, const std::vector
 
 std::vector<Strip> strips_in(const Region& region, const Params& p, const Problem& problem, Context& context) {
   if (region.empty()) return {};
+  const bool laps = p.outline || p.headland > 0;  // cover what cells beside walls do not
   const double w = problem.robot().tool_width;
   const double degrees = p.align == LaneDirection::given ? p.angle : best_lane_direction(region, w);
-  const CellRule rule = p.outline ? CellRule::touches : CellRule::centre;
+  const CellRule rule = laps ? CellRule::touches : CellRule::centre;
   const LaneFrame frame(degrees);
   const RunCover cover = fewest_runs_of(frame.to_frame(region), w, rule, p, context);
   if (cover.runs.empty()) return {};
@@ -164,14 +166,18 @@ std::vector<Strip> strips_in(const Region& region, const Params& p, const Proble
   for (const CellRun& r : cover.runs) {
     const auto line = static_cast<std::size_t>(r.line);
     const double a = r.first * w, b = (r.last + 1) * w;
-    lanes.push_back(r.horizontal ? horizontal.lanes(line, -low.x() - b, -low.x() - a, !p.outline)
-                                 : vertical.lanes(line, low.y() + a, low.y() + b, !p.outline));
+    lanes.push_back(r.horizontal ? horizontal.lanes(line, -low.x() - b, -low.x() - a, !laps)
+                                 : vertical.lanes(line, low.y() + a, low.y() + b, !laps));
   }
   return strips_of(cover.runs, lanes, p.group);
 }
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const double w = problem.robot().tool_width;
+  const auto strips_deeper_than = [&](double depth) {
+    return strips_in(lane_region(problem, depth, w / 50), p, problem, context);
+  };
+  if (p.headland > 0) return drive_with_headland(problem, p, strips_deeper_than, StripOrder::improved, context);
   const Region region = p.outline ? lane_region(problem, w / 2, w / 50) : problem.configuration_space();
   return drive_strips_and_walls(problem, strips_in(region, p, problem, context), StripOrder::improved, p.outline,
                                 context);
@@ -188,17 +194,16 @@ PlannerInfo oarp() {
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (with outline; along traced walls but for 0.0003 of it)",
        .promise = Promise::target,
-       .parameters = {{"align", &Params::align, Choices{"best", "given"},
-                       "direction of the grid: the cheapest for parallel lanes, or `angle`"},
-                      {"angle", &Params::angle, Range{-360, 360}, "degrees; direction of the grid if align is given"},
-                      {"outline", &Params::outline, "drive every wall once; off: lanes only, as in the paper"},
-                      {"compact", &Params::compact,
-                       "of equally few lanes those with fewest neighbours at right angles"},
-                      {"group", &Params::group,
-                       "lanes side by side follow each other; off: each on its own in the tour"},
-                      {"shifts", &Params::shifts, Range{1, 16}, "origins of the grid tried along each axis"}},
+       .parameters = with_headland<Params>(
+           {{"align", &Params::align, Choices{"best", "given"},
+             "direction of the grid: the cheapest for parallel lanes, or `angle`"},
+            {"angle", &Params::angle, Range{-360, 360}, "degrees; direction of the grid if align is given"},
+            {"outline", &Params::outline, "drive every wall once; off: lanes only, as in the paper"},
+            {"compact", &Params::compact, "of equally few lanes those with fewest neighbours at right angles"},
+            {"group", &Params::group, "lanes side by side follow each other; off: each on its own in the tour"},
+            {"shifts", &Params::shifts, Range{1, 16}, "origins of the grid tried along each axis"}}),
        .published = {{"outline", false}, {"compact", false}, {"group", false}},
-       .promises_with = [](const Params& p) { return p.outline; }});
+       .promises_with = [](const Params& p) { return p.works_walls(p.outline); }});
 }
 
 }  // namespace oxturn

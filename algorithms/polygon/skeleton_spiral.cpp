@@ -22,6 +22,8 @@
 //             4. The ridge that the last lap of a part leaves is covered by repair.
 //             5. Islands are connected with the boundary by their shortest bridges, cuts w / 1000 wide; each side of a
 //                bridge is driven.
+#include "algorithms/polygon/skeleton_spiral.hpp"
+
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -47,12 +49,10 @@ constexpr double kBridge = 1e-3;         // width of the cuts along bridges
 constexpr int kBisections = 8;           // to find the time of a split
 constexpr double kLeastStep = 1.0 / 64;  // spacings from one split to the next
 
-// In the order of their names in skeleton_spiral().
-enum class Growth { length, vertex };
-enum class Order { tour, recursion };
+enum class Order { tour, recursion };  // in the order of their names in skeleton_spiral()
 
 struct Params {
-  Growth growth = Growth::length;
+  SpiralGrowth growth = SpiralGrowth::length;
   Order order = Order::tour;
   double spacing = 0;
   bool repair = true;
@@ -68,7 +68,7 @@ struct Part {
 class SkeletonSpirals {
  public:
   /// Begins at the vertex nearest to `from`.
-  SkeletonSpirals(const MovingRings& rings, double spacing, Growth growth, const Connector& connector,
+  SkeletonSpirals(const MovingRings& rings, double spacing, SpiralGrowth growth, const Connector& connector,
                   const Point& from)
       : rings_(rings), spacing_(spacing), growth_(growth), connector_(connector), at_(from) {}
 
@@ -138,7 +138,7 @@ class SkeletonSpirals {
   /// Of the offset, during one lap. The next lap's vertices lie elsewhere along their edges, so at the same position it
   /// has another share of its growth than this one. Where that share is larger, laps are farther apart than they grow.
   double growth_of(const Lap& lap, double time) const {
-    if (growth_ == Growth::vertex) return spacing_;
+    if (growth_ == SpiralGrowth::vertex) return spacing_;
     const std::size_t n = lap.ring.arcs.size();
     double widest = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -166,7 +166,7 @@ class SkeletonSpirals {
     const double whole = length(line), count = static_cast<double>(lap.ring.arcs.size());
     double driven = 0;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      lap.share.push_back(growth_ == Growth::vertex ? static_cast<double>(i) / count : driven / whole);
+      lap.share.push_back(growth_ == SpiralGrowth::vertex ? static_cast<double>(i) / count : driven / whole);
       driven += distance(line[i], line[i + 1]);
     }
     return lap;
@@ -188,7 +188,7 @@ class SkeletonSpirals {
       if (const auto now = rings_.follow(lap.ring.arcs[i], time)) share.try_emplace(*now, lap.share[i]);
     const auto first = rings_.follow(lap.ring.arcs.front(), time);
     const auto found = first ? std::ranges::find(ring.arcs, *first) : ring.arcs.end();
-    if (growth_ == Growth::vertex || found == ring.arcs.end() || share.size() != ring.arcs.size()) {
+    if (growth_ == SpiralGrowth::vertex || found == ring.arcs.end() || share.size() != ring.arcs.size()) {
       if (found != ring.arcs.end()) std::ranges::rotate(ring.arcs, found);
       return measured(std::move(ring), time);
     }
@@ -223,7 +223,7 @@ class SkeletonSpirals {
 
   const MovingRings& rings_;
   double spacing_;
-  Growth growth_;
+  SpiralGrowth growth_;
   const Connector& connector_;
   Point at_;
   Polyline line_;  // of the next strip
@@ -235,19 +235,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   const double simplify = kSimplify * w;
   const Region inset = simplify_inward(lane_region(problem, spacing - simplify, kChord * w), simplify);
   const Connector connector(problem);
-  std::vector<Strip> strips;
-  std::vector<Polyline> traced;
-  for (const Polygon& part : cut_along(inset, shortest_bridges(inset), kBridge * w).polygons) {
-    if (context.cancelled()) break;
-    const StraightSkeleton skeleton = straight_skeleton(part);
-    for (const StraightSkeleton::Arc& a : skeleton.arcs)
-      if (context.wants_traces()) traced.push_back({skeleton.nodes[a.low].at, skeleton.nodes[a.high].at});
-    const MovingRings rings(skeleton);
-    const Point from = strips.empty() ? problem.start() : strips.back().lanes[0].high;
-    for (Strip& strip : SkeletonSpirals(rings, spacing, p.growth, connector, from).find(context))
-      strips.push_back(std::move(strip));
-  }
-  if (context.wants_traces()) context.trace("skeleton", std::move(traced));
+  const std::vector<Strip> strips = spiral_strips(inset, {spacing, kBridge * w, p.growth}, problem, connector, context);
   const StripOrder order = p.order == Order::tour ? StripOrder::improved : StripOrder::given;
   Path path = with_outline(problem, drive_strips(problem, strips, order, connector, context), kLongestLinkOn * w,
                            connector, context);
@@ -256,6 +244,24 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
 }
 
 }  // namespace
+
+std::vector<Strip> spiral_strips(const Region& region, const SpiralOptions& options, const Problem& problem,
+                                 const Connector& connector, Context& context) {
+  std::vector<Strip> strips;
+  std::vector<Polyline> traced;
+  for (const Polygon& part : cut_along(region, shortest_bridges(region), options.bridge).polygons) {
+    if (context.cancelled()) break;
+    const StraightSkeleton skeleton = straight_skeleton(part);
+    for (const StraightSkeleton::Arc& a : skeleton.arcs)
+      if (context.wants_traces()) traced.push_back({skeleton.nodes[a.low].at, skeleton.nodes[a.high].at});
+    const MovingRings rings(skeleton);
+    const Point from = strips.empty() ? problem.start() : strips.back().lanes[0].high;
+    for (Strip& strip : SkeletonSpirals(rings, options.spacing, options.growth, connector, from).find(context))
+      strips.push_back(std::move(strip));
+  }
+  if (context.wants_traces()) context.trace("skeleton", std::move(traced));
+  return strips;
+}
 
 PlannerInfo skeleton_spiral() {
   return describe<Params, plan>(

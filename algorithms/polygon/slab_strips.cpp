@@ -12,14 +12,6 @@ namespace {
 
 using Links = std::vector<std::pair<std::size_t, std::size_t>>;
 
-Strip to_world(const std::vector<LaneEnds>& lanes, const LaneFrame& frame) {
-  Strip strip;
-  for (const LaneEnds& l : lanes) strip.lanes.push_back({frame.to_world(l.low), frame.to_world(l.high)});
-  return strip;
-}
-
-LaneEnds upright(double x, double low, double high) { return {{x, low}, {x, high}}; }
-
 /// Pairs of clipped lanes whose slabs the region connects. Sorted, unique.
 Links links_of(const Projection& projection, const ClippedLanes& lanes) {
   Links links;

@@ -10,9 +10,10 @@
 //             is smoothed; smoothing moves it by at most 0.025 w. The rest is within w/2 of the last lap, the boundary.
 // Complexity  O(n log n) for the medial axis, and its output: l m points of l feet on the boundary and m laps
 // Decisions   1. The wave over the medial axis and its laps: polygon/wave_tree.hpp.
-//             2. Islands are connected with the boundary by their shortest bridges, a minimum spanning tree (2014: by
-//                local minima of clearance, which these are). A bridge is a cut w / 1000 wide; each of its sides is
-//                driven.
+//             2. islands = bridge: they are connected with the boundary by their shortest bridges, a minimum spanning
+//                tree (2014: by local minima of clearance, which these are). A bridge is a cut w / 1000 wide; each of
+//                its sides is driven. One curve. islands = decompose (2014): further cuts divide the rest, so that laps
+//                lie more evenly (island_cuts.hpp); a spiral for each part, always the nearest one next.
 //             3. start = spine: the wave leaves all points higher above the boundary than 1.5 times the greatest
 //                clearance at time 0, and the robot drives these first. Otherwise laps of long shapes lie many times
 //                closer than the tool is wide, because all parts have as many laps as the longest branch.
@@ -24,10 +25,10 @@
 
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
+#include "algorithms/polygon/island_cuts.hpp"
 #include "algorithms/polygon/smooth_curve.hpp"
 #include "algorithms/polygon/wave_tree.hpp"
 #include "algorithms/transit/short_segments.hpp"
-#include "geometry/overlay/cut_along.hpp"
 
 namespace oxturn {
 namespace {
@@ -43,16 +44,20 @@ constexpr double kSpineHeight = 1.5;  // greatest clearances
 
 enum class Start { spine, centre, start };
 enum class Direction { out, in };
+enum class Islands { bridge, decompose };
 
 struct Params {
   Start start = Start::spine;
+  Islands islands = Islands::bridge;
   Direction direction = Direction::out;
   bool repair = true;
 };
 
-Region without_holes(const Region& space, double width) {
+Region without_holes(const Region& space, const Params& p, double width, const Context& context) {
   const double cut = std::max(kBridge * width, kLeastCut * bounding_box(space).size().maxCoeff());
-  return cut_along(space, shortest_bridges(space), cut);
+  if (p.islands == Islands::bridge) return bridged(space, cut);
+  const double height = p.start == Start::spine ? kSpineHeight : std::numeric_limits<double>::infinity();
+  return decomposed(space, {cut, kChord * width, height}, context);
 }
 
 /// A tree's spiral as it is driven outwards.
@@ -71,21 +76,35 @@ Polyline spiral_of(WaveTree tree, const Params& p, const Problem& problem, const
   return curve;
 }
 
+/// The curve whose beginning is nearest.
+std::size_t nearest_curve(const std::vector<Polyline>& curves, const Point& from, const Connector& connector) {
+  std::vector<std::pair<double, std::size_t>> candidates;
+  for (std::size_t k = 0; k < curves.size(); ++k) candidates.push_back({distance(from, curves[k].front()), k});
+  const auto length = [&](std::size_t k, double longest) { return connector.length(from, curves[k].front(), longest); };
+  return nearest_by_path(std::move(candidates), length).value_or(0);
+}
+
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const double w = problem.robot().tool_width;
-  const MedialAxis axis = medial_axis(without_holes(straightened_space(problem), w), kChord * w);
+  const MedialAxis axis = medial_axis(without_holes(straightened_space(problem), p, w, context), kChord * w);
   if (context.wants_traces()) {
     std::vector<Polyline> lines;
     for (const MedialAxis::Edge& e : axis.edges) lines.push_back({axis.nodes[e.a].at, axis.nodes[e.b].at});
     context.trace("axis", std::move(lines));
   }
   const Connector connector(problem);
-  PathBuilder path(problem.start());
+  std::vector<Polyline> curves;
   for (WaveTree& tree : wave_trees(axis)) {
     if (context.cancelled()) break;
-    const Polyline curve = spiral_of(std::move(tree), p, problem, connector);
-    path.drive(connector.path(path.at(), curve.front()), false);
-    path.drive(curve, true);
+    curves.push_back(spiral_of(std::move(tree), p, problem, connector));
+  }
+  context.record("spirals", static_cast<double>(curves.size()));
+  PathBuilder path(problem.start());
+  while (!curves.empty()) {
+    const auto next = curves.begin() + static_cast<std::ptrdiff_t>(nearest_curve(curves, path.at(), connector));
+    path.drive(connector.path(path.at(), next->front()), false);
+    path.drive(*next, true);
+    curves.erase(next);
   }
   Path whole = without_short_segments(path.take(), problem);
   context.publish(whole);
@@ -105,6 +124,8 @@ PlannerInfo smooth_spiral() {
        .promise = Promise::target,
        .parameters = {{"start", &Params::start, Choices{"spine", "centre", "start"},
                        "from where the spiral grows: the axis' middle part, its centre, or the robot's start"},
+                      {"islands", &Params::islands, Choices{"bridge", "decompose"},
+                       "bridge: connected with the boundary, one spiral; decompose: cut into parts with even laps"},
                       {"direction", &Params::direction, Choices{"out", "in"}, "driven outwards or inwards"},
                       {"repair", &Params::repair, "cover what rounding leaves at bridges"}},
        .published = {{"start", std::string("centre")}, {"repair", false}}});

@@ -7,6 +7,11 @@
 #include "base/disjoint_sets.hpp"
 
 namespace oxturn {
+namespace {
+
+constexpr double kLeastBranch = 1e-6;  // heights of the tree: shorter ones are rounding
+
+}  // namespace
 
 WaveTree::WaveTree(std::vector<Node> nodes, const std::vector<std::pair<std::size_t, std::size_t>>& links,
                    std::vector<std::size_t> leaves)
@@ -129,6 +134,18 @@ std::vector<double> WaveTree::arrivals(double start_height) {
   std::vector<double> times;
   for (const std::size_t leaf : leaves_) times.push_back(time_[leaf]);
   return times;
+}
+
+double WaveTree::step_variation(double start_height) {
+  arrivals(start_height);
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const std::size_t q : order_) {
+    const double size = distance(nodes_[parent_[q]].at, nodes_[q].at), far = size + height_[q];
+    if (time_[q] <= 0 || far < kLeastBranch * height()) continue;
+    const double speed = far / (1 - time_[parent_[q]]);
+    least = std::min(least, speed), most = std::max(most, speed);
+  }
+  return most > 0 ? most / least : 1;
 }
 
 std::size_t WaveTree::start_of(std::size_t node) const {

@@ -50,6 +50,8 @@ class WaveTree {
   double greatest_clearance() const;
   /// When the wave reaches a leaf, if it leaves all that is higher above the boundary than `start_height` at time 0.
   std::vector<double> arrivals(double start_height);
+  /// The greatest distance between laps over the least one, of the same wave. At least 1.
+  double step_variation(double start_height);
   /// Laps at most `step` apart. The spine is what is higher than `start_height`; infinity: the root alone. Of the
   /// possible beginnings the one nearest to `near`.
   WaveSpiral spiral(double step, double start_height, const Point& near);

@@ -41,7 +41,11 @@
 #include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
-#include "algorithms/polygon/parts.hpp"
+#include "algorithms/lanes/repair.hpp"
+#include "algorithms/polygon/segment_fill.hpp"
+#include "algorithms/polygon/skeleton_spiral.hpp"
+#include "geometry/overlay/boolean.hpp"
+#include "geometry/overlay/offset.hpp"
 #include "geometry/raster.hpp"
 
 namespace oxturn {
@@ -50,9 +54,13 @@ namespace {
 constexpr double kSimplify = 0.04;  // of the margin: how much the region to fill may shrink, for fewer vertices
 constexpr double kChord = 0.1;      // of the tool width: chord error of its round vertices
 constexpr double kClearlyLess = 1 - 1e-9;
+constexpr double kSpiralChord = 0.02;  // of the tool width: error of round vertices in a part with a spiral
+constexpr double kBridge = 1e-3;       // of the tool width: cuts to the holes of such a part
+constexpr const char* kOwner = "planner 'zigzag'";
 
 enum class Fit { cover, literal };
 enum class SmallParts { merge, drop };
+enum class Directions { common, own };
 
 struct Params : Headland {
   Partition partition = Partition::trapezoid;
@@ -63,6 +71,14 @@ struct Params : Headland {
   Fit fit = Fit::cover;
   SmallParts small_parts = SmallParts::merge;
   StripOrder order = StripOrder::improved;
+  Directions directions = Directions::common;
+  SegmentFill::Kind fill = SegmentFill::Kind::lanes;
+  std::string segments;
+
+  bool has_spirals() const { return fill == SegmentFill::Kind::spiral || segments.find("spiral") != std::string::npos; }
+  bool by_segment() const {
+    return directions == Directions::own || fill == SegmentFill::Kind::spiral || !segments.empty();
+  }
 };
 
 /// Bounding box in the frame.
@@ -102,6 +118,7 @@ struct Field {
   const EdgeIndex& space;  // configuration space, in the frame
   double width;            // of the tool
   double margin;           // how far lane ends keep off walls
+  bool whole;              // one part, the whole region with its holes
 };
 
 struct NumberedLane {
@@ -175,7 +192,7 @@ class SharedSlabs {
 /// The part's intervals of slabs. Ring by ring: merged parts may overlap by rounding, which the even-odd rule over all
 /// edges together would turn inside out. A single part is the whole region, with its holes.
 std::vector<LaneInterval> intervals_of(const Field& f, const Part& part, const Slabs& slabs) {
-  if (f.parts.size() == 1) return project(edges_in(f.frame, part.rings), slabs).intervals;
+  if (f.whole) return project(edges_in(f.frame, part.rings), slabs).intervals;
   std::vector<LaneInterval> all;
   for (const Ring& r : part.rings) {
     const std::vector<LaneInterval> of_ring = project(edges_in(f.frame, {r}), slabs).intervals;
@@ -342,6 +359,70 @@ double direction(const Region& filled, const std::vector<Part>& parts, const Par
   return p.partition == Partition::none ? best_lane_direction(filled, width) : least_sum_of_widths(filled, parts);
 }
 
+void add_lanes(std::vector<Strip>& strips, const Field& field, const Params& p) {
+  const bool cover = p.fit == Fit::cover;
+  const double highest_corridor = cover ? field.width - 2 * field.margin : -1;
+  for (const std::vector<NumberedLane>& of_part : cover ? covering_lanes(field) : literal_lanes(field)) {
+    if (p.partition == Partition::none) {
+      for (const NumberedLane& lane : of_part) add_across(strips, {&lane, 1}, field.frame);  // every lane by itself
+      continue;
+    }
+    for (const Run& run : runs_of(of_part)) add_strips(strips, run, highest_corridor, field);
+  }
+}
+
+/// Parts that are filled one by one.
+class Segments {
+ public:
+  /// All references must outlive it.
+  Segments(const Region& filled, const Params& p, const Problem& problem, Context& context)
+      : filled_(filled), p_(p), problem_(problem), context_(context), connector_(problem) {}
+
+  std::vector<Strip> strips(const std::vector<Part>& parts, double angle) {
+    SegmentOptions options{p_.fill, {}, read_segment_choices(kOwner, p_.segments), problem_.robot().tool_width};
+    if (p_.directions == Directions::common) options.degrees = angle;
+    const std::vector<SegmentFill> fills = segment_fills(kOwner, parts, options);
+    for (std::size_t i = 0; i < parts.size() && !context_.cancelled(); ++i) {
+      const bool spiral = fills[i].kind == SegmentFill::Kind::spiral && add_spirals(parts[i]);
+      if (!spiral) add_lanes_of(parts[i], fills[i].degrees);
+    }
+    return std::move(strips_);
+  }
+
+ private:
+  /// False if the part is narrower than the tool.
+  bool add_spirals(const Part& part) {
+    const double w = problem_.robot().tool_width;
+    const Region region = p_.partition == Partition::none ? filled_ : unite({as_region({part})});
+    const Region inner = erode(region, w / 2, kSpiralChord * w, Bound::inside);
+    for (Strip& s : spiral_strips(inner, {w, kBridge * w, SpiralGrowth::length}, problem_, connector_, context_))
+      strips_.push_back(std::move(s));
+    return !inner.empty();
+  }
+
+  void add_lanes_of(const Part& part, double degrees) {
+    auto found = frames_.find(degrees);
+    if (found == frames_.end()) {
+      const LaneFrame frame(degrees);
+      found =
+          frames_.emplace(degrees, std::pair(frame, EdgeIndex(frame.to_frame(problem_.configuration_space())))).first;
+    }
+    const auto& [frame, space] = found->second;
+    const std::vector<Part> alone{part};
+    const bool whole = p_.partition == Partition::none;
+    add_lanes(strips_, {alone, frame, degrees, space, problem_.robot().tool_width, 2 * problem_.tolerance(), whole},
+              p_);
+  }
+
+  const Region& filled_;
+  const Params& p_;
+  const Problem& problem_;
+  Context& context_;
+  Connector connector_;
+  std::map<double, std::pair<LaneFrame, EdgeIndex>> frames_;
+  std::vector<Strip> strips_;
+};
+
 std::vector<Strip> strips_in(const Region& filled, const Params& p, const Problem& problem, Context& context) {
   if (filled.empty()) return {};
   const double w = problem.robot().tool_width;
@@ -349,19 +430,11 @@ std::vector<Strip> strips_in(const Region& filled, const Params& p, const Proble
   if (context.wants_traces()) context.trace("parts", as_region(parts));
   if (parts.empty()) return {};
   const double angle = direction(filled, parts, p, w);
+  if (p.by_segment()) return Segments(filled, p, problem, context).strips(parts, angle);
   const LaneFrame frame(angle);
   const EdgeIndex space(frame.to_frame(problem.configuration_space()));
-  const Field field{parts, frame, angle, space, w, 2 * problem.tolerance()};
-  const bool cover = p.fit == Fit::cover;
-  const double highest_corridor = cover ? w - 2 * field.margin : -1;
   std::vector<Strip> strips;
-  for (const std::vector<NumberedLane>& of_part : cover ? covering_lanes(field) : literal_lanes(field)) {
-    if (p.partition == Partition::none) {
-      for (const NumberedLane& lane : of_part) add_across(strips, {&lane, 1}, frame);  // every lane by itself
-      continue;
-    }
-    for (const Run& run : runs_of(of_part)) add_strips(strips, run, highest_corridor, field);
-  }
+  add_lanes(strips, {parts, frame, angle, space, w, 2 * problem.tolerance(), parts.size() == 1}, p);
   return strips;
 }
 
@@ -374,8 +447,10 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
         simplify_inward(lane_region(problem, depth - kSimplify * inset, kChord * w), kSimplify * inset);
     return strips_in(filled, p, problem, context);
   };
-  if (p.headland > 0) return drive_with_headland(problem, p, strips_deeper_than, p.order, context);
-  return drive_strips_and_walls(problem, strips_deeper_than(inset), p.order, p.outline, context);
+  Path path = p.headland > 0 ? drive_with_headland(problem, p, strips_deeper_than, p.order, context)
+                             : drive_strips_and_walls(problem, strips_deeper_than(inset), p.order, p.outline, context);
+  if (!p.works_walls(p.outline) || !p.has_spirals() || context.cancelled()) return path;
+  return repaired(problem, path, Connector(problem), context);
 }
 
 }  // namespace
@@ -402,15 +477,19 @@ PlannerInfo zigzag() {
             {"fit", &Params::fit, Choices{"cover", "literal"},
              "cover: no gaps; literal: lanes a tool width apart, as in the source"},
             {"small_parts", &Params::small_parts, Choices{"merge", "drop"}, "what becomes of slivers"},
-            {"order", &Params::order, Choices{"improved", "nearest"}, "of the parts' runs of lanes"}}),
+            {"order", &Params::order, Choices{"improved", "nearest"}, "of the parts' runs of lanes"},
+            {"directions", &Params::directions, Choices{"common", "own"},
+             "of lanes; own: each part along the direction across which it is narrowest"},
+            {"fill", &Params::fill, Choices{"lanes", "spiral"}, "of all parts"},
+            {"segments", &Params::segments, Choices{},
+             "directions in degrees and fills of single parts: 'x y degrees; x y spiral' for those at (x, y)"}}),
        // The source: a direction that the user chooses, gaps where lines a tool width apart leave them.
        .published = {{"partition", std::string("auto")},
                      {"fit", std::string("literal")},
                      {"small_parts", std::string("drop")},
                      {"sweep", std::string("given")}},
        .promises_with = [](const Params& p) {
-         return (p.outline || p.headland > 0) && p.margin == 0 && p.fit == Fit::cover &&
-                p.small_parts == SmallParts::merge;
+         return p.works_walls(p.outline) && p.margin == 0 && p.fit == Fit::cover && p.small_parts == SmallParts::merge;
        }});
 }
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/smoothing/lattice_search.hpp"
-#include "algorithms/smoothing/ompl_search.hpp"
+#include "algorithms/smoothing/detour_search.hpp"
 #include "geometry/point_outside.hpp"
 
 namespace oxturn {

@@ -8,7 +8,7 @@
 /// A link is the first of these that is free:
 ///   1. Dubins words, shortest first; in reverse: the shortest Reeds-Shepp curve
 ///   2. the same between poses further ahead on the lane's line (or, in reverse, also further back), shortest first
-///   3. a detour: hybrid A* over position and heading (lattice_search.hpp), or OMPL's random trees (ompl_search.hpp)
+///   3. a detour: hybrid A* over position and heading, or random trees by OMPL (detour_search.hpp)
 /// Complexity  some dozens of curves of a few microseconds and O(length) segment tests; a detour up to a second
 #pragma once
 

@@ -1,5 +1,3 @@
-#include "algorithms/smoothing/lattice_search.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "algorithms/smoothing/car_space.hpp"
+#include "algorithms/smoothing/detour_search.hpp"
 
 namespace oxturn {
 namespace {

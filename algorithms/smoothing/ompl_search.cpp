@@ -1,5 +1,3 @@
-#include "algorithms/smoothing/ompl_search.hpp"
-
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/ScopedState.h>
@@ -16,6 +14,7 @@
 #include <memory>
 
 #include "algorithms/smoothing/car_space.hpp"
+#include "algorithms/smoothing/detour_search.hpp"
 
 namespace oxturn {
 namespace {

@@ -222,6 +222,26 @@ Polyline shortest_between(const Voronoi& voronoi, const Site& s, const Site& t) 
   return best;
 }
 
+struct Bridge {
+  double length;
+  std::size_t a, b;  // rings
+  Polyline line;
+};
+
+/// The shortest lines between neighbouring sites of different rings, those outside of the region too; the shortest
+/// first.
+std::vector<Bridge> bridges_of(const Voronoi& voronoi) {
+  std::vector<Bridge> bridges;
+  for (const Diagram::edge_type& e : voronoi.diagram().edges()) {
+    const Site s = voronoi.site(*e.cell()), t = voronoi.site(*e.twin()->cell());
+    if (voronoi.ring(s) >= voronoi.ring(t)) continue;
+    Polyline line = shortest_between(voronoi, s, t);
+    bridges.push_back({length(line), voronoi.ring(s), voronoi.ring(t), std::move(line)});
+  }
+  std::ranges::stable_sort(bridges, {}, &Bridge::length);
+  return bridges;
+}
+
 }  // namespace
 
 MedialAxis medial_axis(const Region& region, double chord_error) {
@@ -234,24 +254,25 @@ std::vector<Polyline> shortest_bridges(const Region& region) {
   if (region.empty()) return {};
   const Voronoi voronoi(region);
   const EdgeIndex inside(region);
-  struct Bridge {
-    double length;
-    std::size_t a, b;  // rings
-    Polyline line;
-  };
-  std::vector<Bridge> bridges;
-  for (const Diagram::edge_type& e : voronoi.diagram().edges()) {
-    const Site s = voronoi.site(*e.cell()), t = voronoi.site(*e.twin()->cell());
-    if (voronoi.ring(s) >= voronoi.ring(t)) continue;
-    Polyline line = shortest_between(voronoi, s, t);
-    bridges.push_back({length(line), voronoi.ring(s), voronoi.ring(t), std::move(line)});
-  }
-  std::stable_sort(bridges.begin(), bridges.end(),
-                   [](const Bridge& a, const Bridge& b) { return a.length < b.length; });
   DisjointSets rings(voronoi.rings());
   std::vector<Polyline> lines;
-  for (Bridge& b : bridges)
+  for (Bridge& b : bridges_of(voronoi))
     if (inside.contains((b.line[0] + b.line[1]) / 2) && rings.unite(b.a, b.b)) lines.push_back(std::move(b.line));
+  return lines;
+}
+
+std::vector<Polyline> bridges_between_rings(const Region& region) {
+  if (region.empty()) return {};
+  const Voronoi voronoi(region);
+  const EdgeIndex walls(region);
+  std::vector<Polyline> lines;
+  for (Bridge& b : bridges_of(voronoi)) {
+    const Point middle = (b.line[0] + b.line[1]) / 2;
+    if (!walls.contains(middle) || (!lines.empty() && lines.back() == b.line)) continue;
+    const auto wall = walls.nearest(middle);  // nothing else is as near to its middle as its ends
+    if (wall && distance(wall->point, middle) >= b.length / 2 - 4 * voronoi.quantum())
+      lines.push_back(std::move(b.line));
+  }
   return lines;
 }
 

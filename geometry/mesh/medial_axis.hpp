@@ -41,4 +41,8 @@ MedialAxis medial_axis(const Region& region, double chord_error);
 /// Straight lines inside the region that connect all rings of each polygon: their minimum spanning tree by distance.
 std::vector<Polyline> shortest_bridges(const Region& region);
 
+/// The straight lines between different rings that are shorter than all others near them: where the axis between two
+/// rings is nearest to both. The shortest bridges are among them. No two cross. The shortest first.
+std::vector<Polyline> bridges_between_rings(const Region& region);
+
 }  // namespace oxturn

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "algorithms/smoothing/car_space.hpp"
-#include "algorithms/smoothing/ompl_search.hpp"
 #include "algorithms/smoothing/rounding.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "metrics/score.hpp"

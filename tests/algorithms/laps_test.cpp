@@ -40,6 +40,31 @@ TEST(Repair, CoversTheTargetAfterAnyPath) {
     }
 }
 
+// The lemma on which repair rests, by brute force: a point of the target is within half a tool width of its foot on a
+// lane's line; if the robot cannot be there, the boundary of configuration space is as near.
+TEST(Repair, FeetOnLanesOrTheBoundaryCoverEveryPoint) {
+  Rng rng(9);
+  for (const auto seed : seeds(2))
+    for (const Problem& p : sample_problems(seed)) {
+      SCOPED_TRACE(p.map().source);
+      const double w = p.robot().tool_width, angle = rng.between(0.0, kPi), first = rng.between(0.0, w);
+      const Box box = bounding_box(p.target());
+      for (int n = 0; n < 300;) {
+        const Point q(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
+        if (!contains(p.target(), q)) continue;
+        ++n;
+        const Point across = rotated({1, 0}, angle);
+        const double off = std::remainder(q.dot(across) - first, w);
+        ASSERT_LE(std::abs(off), w / 2);
+        if (contains(p.configuration_space(), q - off * across)) continue;
+        double wall = 1e300;
+        for_each_edge(p.configuration_space(),
+                      [&](const Point& a, const Point& b) { wall = std::min(wall, distance_to_segment(q, a, b)); });
+        ASSERT_LE(wall, w / 2 + p.tolerance()) << to_text(q);
+      }
+    }
+}
+
 TEST(Repair, ACompletePathStaysAsItIs) {
   const Problem p(generate("clutter", {{"width", 8.0}, {"height", 6.0}}, 3), Robot{});
   const Path path = plan("boustrophedon", p);
@@ -114,8 +139,8 @@ TEST(Contour, TurnsWithTheMap) {
 // Laps around the field, lanes inside: as much is covered as with the outline.
 TEST(Headland, CoversEveryFamilyWhole) {
   for (const Problem& p : sample_problems(3))
-    for (const char* planner : {"boustrophedon", "zigzag"})
-      for (const std::int64_t laps : {1, 2, 5, 40})
+    for (const char* planner : {"boustrophedon", "zigzag", "oarp"})
+      for (const std::int64_t laps : {1, 2, 40})
         for (const char* order : {"first", "last"}) {
           SCOPED_TRACE(fmt::format("{} {} {} {}", p.map().source, planner, laps, order));
           const Path path = plan(planner, p, {{"headland", laps}, {"headland_order", text(order)}});
@@ -149,6 +174,31 @@ TEST(Headland, LapsComeFirstOrLast) {
       EXPECT_GT(boundary_share(all, last), 0.95) << planner << last;
       EXPECT_LT(boundary_share(all, !last), 0.5) << planner << last;
     }
+}
+
+// laps: covers as with the tool on, but lifts it between lanes. off: the headland stays unworked.
+TEST(Headland, TheToolIsOnOrOffAsAsked) {
+  const Problem p(Map{"square", box_region({0, 0}, {10.4, 10.4}), "", ""}, disc(0.2, 0.4), Point(0.2, 0.2));
+  for (const char* planner : {"boustrophedon", "trapezoid", "zigzag", "field", "oarp"}) {
+    SCOPED_TRACE(planner);
+    const auto with = [&](const char* tool) {
+      return plan(planner, p, {{"headland", std::int64_t{3}}, {"headland_tool", text(tool)}});
+    };
+    const auto work_legs = [](const Path& path) {
+      return std::ranges::count_if(path.legs, [](const Leg& leg) { return leg.tool; });
+    };
+    const Path on = with("on"), laps = with("laps"), off = with("off");
+    for (const Path* path : {&on, &laps, &off}) expect_valid(p, *path);
+    EXPECT_EQ(uncovered_share(p, on, kSamples), 0);
+    EXPECT_EQ(uncovered_share(p, laps, kSamples), 0);
+    EXPECT_GT(work_legs(laps), work_legs(on) + 15) << "each of some 20 lanes by itself";
+    EXPECT_GT(work_legs(off), 15);
+    for (const Leg& leg : off.legs)
+      for (const Point& q : leg.points) {
+        if (!leg.tool) continue;
+        EXPECT_GT(std::min({q.x(), q.y(), 10.4 - q.x(), 10.4 - q.y()}), 0.2 + 2 * 0.4);
+      }
+  }
 }
 
 // Laps that fill the field are `contour`'s, and no lane is left.

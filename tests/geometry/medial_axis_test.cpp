@@ -104,5 +104,28 @@ TEST(ShortestBridges, AreAMinimumSpanningTree) {
   }
 }
 
+// They stay inside, nothing is nearer to their middle than their ends, no two cross, and the shortest bridges are among
+// them.
+TEST(BridgesBetweenRings, AreFreeAndDoNotCross) {
+  for (const auto seed : seeds(5)) {
+    SCOPED_TRACE(seed);
+    const Region region = generate("clutter", {{"width", 9.0}, {"height", 8.0}}, seed).free;
+    const std::vector<Polyline> lines = bridges_between_rings(region);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const Point middle = (lines[i][0] + lines[i][1]) / 2;
+      ASSERT_TRUE(contains(region, middle));
+      for_each_edge(region, [&](const Point& a, const Point& b) {
+        ASSERT_GE(distance_to_segment(middle, a, b), length(lines[i]) / 2 - 1e-6);
+      });
+      for (std::size_t j = 0; j < i; ++j) {
+        const Point a = lines[i][0], b = lines[i][1], c = lines[j][0], d = lines[j][1];
+        ASSERT_FALSE(cross(b - a, c - a) * cross(b - a, d - a) < -1e-9 &&
+                     cross(d - c, a - c) * cross(d - c, b - c) < -1e-9);
+      }
+    }
+    for (const Polyline& bridge : shortest_bridges(region)) EXPECT_NE(std::ranges::find(lines, bridge), lines.end());
+  }
+}
+
 }  // namespace
 }  // namespace oxturn
