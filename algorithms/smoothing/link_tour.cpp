@@ -10,7 +10,7 @@ constexpr double kBlocked = 1e6;  // metres; dearer than any detour, so that a t
 constexpr int kRounds = 12;
 constexpr double kEntrySpacing = 2;  // radii, between points where a closed stroke may be entered
 constexpr double kMostEntries = 12;
-constexpr double kLeastCut = 0.4;             // radii
+constexpr double kLeastCut = 1.6;             // radii
 constexpr std::size_t kMostTabulated = 2000;  // patterns
 constexpr std::size_t kStartHeadings = 24;
 

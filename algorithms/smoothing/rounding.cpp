@@ -26,6 +26,7 @@ double turn_between(const Edge& a, const Edge& b) { return std::atan2(cross(a.al
 struct Joint {
   double leave = 0, enter = 0;      // positions on the two edges
   std::optional<CurvePiece> arc{};  // none: the edges meet in a vertex that is kept
+  double before = 0, turn = 0;      // of a vertex that is kept: metres from the point before it, change of heading
 };
 
 /// An edge of the run that grows, and how it is reached.
@@ -90,7 +91,8 @@ class Rounding {
     const double tangent = kAlmost * radius_ * std::tan(std::abs(turn) / 2);
     if (top.edge + 1 == k && smooth(turn)) {
       if (a.length - tangent < top.joint.enter || tangent > b.length) return std::nullopt;
-      return Joint{a.length, tangent, {}};
+      const double before = a.length - (top.joint.arc ? top.joint.enter : 0);
+      if (keeps_radius(before, b.length, turn)) return Joint{a.length, tangent, {}, before, turn};
     }
     if (std::abs(turn) > kMostTurn || std::abs(turn) < kParallel) return std::nullopt;
     // The lines meet at a.at(s) = b.at(t).
@@ -100,8 +102,8 @@ class Rounding {
     const double touch = tangent / kAlmost;
     const Joint joint{s - touch, t + touch,
                       CurvePiece{turn > 0 ? Steering::left : Steering::right, radius_ * std::abs(turn)}};
-    const bool fits =
-        joint.leave > top.joint.enter && joint.enter < b.length && s < a.length + 2 * radius_ && t > -2 * radius_;
+    const bool fits = joint.leave > top.joint.enter && keeps_radius(top.joint.before, joint.leave, top.joint.turn) &&
+                      joint.enter < b.length && s < a.length + 2 * radius_ && t > -2 * radius_;
     return fits && free(a, b, joint) ? std::optional(joint) : std::nullopt;
   }
 
@@ -110,6 +112,12 @@ class Rounding {
     return space_.free(pose(a, joint.leave), *joint.arc) &&
            (joint.leave <= a.length || space_.free(Polyline{a.at(a.length), a.at(joint.leave)})) &&
            (joint.enter >= 0 || space_.free(Polyline{b.at(joint.enter), b.a}));
+  }
+
+  /// The circle through a vertex and the points `before` and `after` metres beside it is not smaller.
+  bool keeps_radius(double before, double after, double turn) const {
+    const double chord = std::sqrt(before * before + after * after + 2 * before * after * std::cos(turn));
+    return 2 * std::sin(std::abs(turn)) * kAlmost * radius_ <= chord;
   }
 
   /// A curve of the least radius, sampled as paths must be, may turn that much at a vertex.

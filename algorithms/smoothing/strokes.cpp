@@ -18,7 +18,7 @@ constexpr double kSameEnd = 1e-4;                              // tool widths
 constexpr double kSameHeading = 1e-3;                          // radians
 constexpr double kSampleStep = 0.25;                           // tool widths, along strokes
 constexpr double kAcross[] = {-0.45, -0.225, 0, 0.225, 0.45};  // tool widths
-constexpr double kLeastPart = 0.1;                             // radii, of an edge that is cut
+constexpr double kLeastPart = 0.4;                             // radii, of an edge that is cut
 constexpr double kUncovered = 0.05;                            // share of a stroke's swath that may be lost with it
 
 double heading(const Point& from, const Point& to) { return std::atan2(to.y() - from.y(), to.x() - from.x()); }

@@ -8,6 +8,8 @@
 
 #include "algorithms/smoothing/car_space.hpp"
 #include "algorithms/smoothing/rounding.hpp"
+#include "base/random.hpp"
+#include "geometry/bends.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/brief_planners.hpp"
@@ -123,6 +125,27 @@ TEST(Rounding, ArcsTooTightBecomeWider) {
   }
   line.push_back({51, 60});
   EXPECT_EQ(rounded_runs(line, space).size(), 1u);
+}
+
+// Gentle bends between edges of any length: what is kept of them is not sharper than the radius, arcs beside it or not.
+TEST(Rounding, GentleBendsKeepTheRadius) {
+  const Robot robot = tractor(4, false);
+  const Problem problem = meadow(400, 400, robot);
+  const CarSpace space(problem);
+  Rng rng(2);
+  for (int i = 0; i < 3000; ++i) {
+    Polyline line{{200, 200}};
+    double heading = rng.between(-kPi, kPi);
+    for (int k = 0; k < 30; ++k) {
+      line.push_back(ahead({line.back(), heading}, std::exp(rng.between(-3.0, 1.5))).at);
+      heading += rng.chance(0.1) ? rng.between(-1.5, 1.5) : rng.between(-0.07, 0.07);
+    }
+    for (const Polyline& run : rounded_runs(line, space)) {
+      const Path path{{{true, run}}};
+      for (const Bend& bend : bends(path, problem.tolerance(), robot.tool_width))
+        ASSERT_FALSE(too_sharp(bend, 4)) << i << ": " << to_text(bend.at) << " radius " << 1 / bend.curvature;
+    }
+  }
 }
 
 // A wall with a gap at one end stands between the poses, so no simple link is free.
