@@ -17,6 +17,7 @@
 #include "cli/programs.hpp"
 #include "cli/report_printer.hpp"
 #include "maps/path_file.hpp"
+#include "metrics/unfilled_areas.hpp"
 
 namespace oxturn::cli {
 namespace {
@@ -89,6 +90,7 @@ Report run_planner(const PlanOptions& options, const PlannerInfo& planner, const
     const ScoreOptions scoring = score_options(planned, planner.promised(settings, problem.robot()));
     report.about.emplace_back("promise", to_text(scoring.promise));
     report.score = score(problem, *planned.path, registry.metrics, scoring);
+    for (const std::string& sentence : remarks_on(unfilled_areas(problem, *planned.path))) say(sentence);
     if (!options.output.empty()) write_path(options.output, *planned.path, problem, source);
   }
   report.verdict = judge(planned, report.score, Suite{}.target_coverage);

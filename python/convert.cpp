@@ -1,5 +1,8 @@
 #include "python/convert.hpp"
 
+#include <cmath>
+#include <string>
+
 namespace oxturn::python {
 namespace {
 
@@ -76,7 +79,7 @@ py::list to_list(const Region& region) {
 py::list to_list(const Path& path) {
   py::list all;
   for (const Leg& leg : path.legs)
-    all.append(py::make_tuple(to_array(leg.points), leg.tool, leg.gear == Gear::reverse));
+    all.append(py::make_tuple(to_array(leg.points), leg.tool, leg.gear == Gear::reverse, leg.width));
   return all;
 }
 
@@ -84,11 +87,14 @@ Path path_from(const py::handle& legs) {
   Path path;
   for (const py::handle leg : legs) {
     const auto parts = py::reinterpret_borrow<py::object>(leg).cast<py::sequence>();
-    if (parts.size() < 2 || parts.size() > 3)
-      throw py::value_error("a leg is (points, tool) or (points, tool, reverse)");
-    const bool reverse = parts.size() == 3 && parts[2].cast<bool>();
-    path.legs.push_back(
-        {parts[1].cast<bool>(), points_from(parts[0], "the points of a leg"), reverse ? Gear::reverse : Gear::forward});
+    if (parts.size() < 2 || parts.size() > 4)
+      throw py::value_error("a leg is (points, tool), (points, tool, reverse) or (points, tool, reverse, width)");
+    const bool reverse = parts.size() > 2 && parts[2].cast<bool>();
+    const double width = parts.size() > 3 ? parts[3].cast<double>() : 0;
+    if (!(width >= 0) || !std::isfinite(width))
+      throw py::value_error("a leg's width is " + std::to_string(width) + ", expected metres, or 0 for the whole tool");
+    path.legs.push_back({parts[1].cast<bool>(), points_from(parts[0], "the points of a leg"),
+                         reverse ? Gear::reverse : Gear::forward, width});
   }
   return path;
 }

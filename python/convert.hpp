@@ -24,9 +24,9 @@ Point point_from(const py::handle& given, const char* what);
 
 /// A list of polygons, each (outer, [hole, ...]).
 py::list to_list(const Region& region);
-/// A list of legs, each (points, tool, reverse).
+/// A list of legs, each (points, tool, reverse, width).
 py::list to_list(const Path& path);
-/// From a list of legs: (points, tool) or (points, tool, reverse).
+/// From a list of legs: (points, tool), (points, tool, reverse) or (points, tool, reverse, width).
 Path path_from(const py::handle& legs);
 
 }  // namespace oxturn::python

@@ -175,7 +175,9 @@ void bind_plans(py::module_& m) {
       .def(py::init([](const Problem& problem, const py::object& legs) {
              return Plan{problem, path_from(legs)};
            }),
-           py::arg("problem"), py::arg("legs"), "From legs (points, tool) or (points, tool, reverse).")
+           py::arg("problem"), py::arg("legs"),
+           "From legs (points, tool), (points, tool, reverse) or "
+           "(points, tool, reverse, width).")
       .def_static(
           "read",
           [](const std::string& file, const Problem& problem) {
@@ -185,7 +187,8 @@ void bind_plans(py::module_& m) {
       .def_readonly("problem", &Plan::problem)
       .def_property_readonly(
           "legs", [](const Plan& p) { return to_list(p.path); },
-          "In driving order: (points, tool, reverse), points an array (n, 2) in metres.")
+          "In driving order: (points, tool, reverse, width), points an array (n, 2) in metres, width 0: the whole "
+          "tool.")
       .def_property_readonly(
           "length", [](const Plan& p) { return p.path.length(); }, "Metres.")
       .def("score", &score_of, "Every metric by name, None where it does not apply; `flaw` says why a path is invalid.")

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "algorithms/drawing/followed_line.hpp"
+#include "algorithms/drawing/uncovered_parts.hpp"
 #include "algorithms/smoothing/strokes.hpp"
 #include "base/throw_invalid.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -13,7 +15,12 @@ namespace {
 constexpr double kChord = 1e-3;  // tool widths: error of the inset's arcs
 // Parts of the tool for narrow areas: 5, 3 and 1 of 7 pins are 0.32, 0.16 and 0.04 m of 0.42 m wide.
 constexpr double kWidths[] = {1, 0.32 / 0.42, 0.16 / 0.42, 0.04 / 0.42};
-constexpr double kLeastPart = 1e-4;  // square tool widths: smaller parts of the inset are rounding
+constexpr double kLeastPart = 1e-4;      // square tool widths: smaller parts of the inset are rounding
+constexpr double kFilled = 0.985;        // of an area: less is filled up by narrower parts of the tool
+constexpr double kLeastGain = 1e-4;      // of an area: parts that fill up less are left out
+constexpr double kRoughChord = 1e-2;     // tool widths
+constexpr double kFillDeviation = 0.05;  // tool widths that a stroke may leave its lane where it bends too sharply
+constexpr double kFillTurn = 0.5;        // radians, the same
 
 double degrees(double radians) { return radians * 180 / kPi; }
 
@@ -25,14 +32,53 @@ std::vector<Leg> from_first_stroke(std::vector<Leg> legs) {
   return legs;
 }
 
-/// What the robot can follow of the path, in its order, with straight connections.
+std::vector<Polyline> work_lines(const std::vector<Leg>& legs) {
+  std::vector<Polyline> lines;
+  for (const Leg& leg : legs)
+    if (leg.tool) lines.push_back(leg.points);
+  return lines;
+}
+
+/// All but the smallest polygons, which have so many square metres in all.
+Region largest_parts(Region region, double most_left) {
+  std::ranges::stable_sort(region.polygons, {}, [](const Polygon& p) { return area(p); });
+  std::size_t kept = 0;
+  for (double left = 0; kept < region.polygons.size() && left <= most_left; ++kept) left += area(region.polygons[kept]);
+  const auto first = region.polygons.begin();
+  if (kept > 0) region.polygons.erase(first, first + static_cast<std::ptrdiff_t>(kept) - 1);
+  return region;
+}
+
+/// What the robot can follow of the path, in its order, with straight connections. Corners are rounded or cut off; what
+/// that leaves uncovered comes first, so that nothing is finished about it yet.
 std::vector<Leg> drivable_legs(const Path& path, const Problem& problem) {
+  const CarSpace space(problem);
+  const double width = problem.robot().tool_width;
+  const FollowOptions follow{.radius = space.radius(),
+                             .deviation = kFillDeviation * width,
+                             .turn = kFillTurn,
+                             .tool_width = width,
+                             .tolerance = problem.tolerance(),
+                             .chord_error = space.chord_error(),
+                             .free = [&](const Polyline& line) { return space.free(line); }};
+  std::vector<Leg> strokes;
+  for (Stroke& stroke : strokes_of(path, problem, space)) strokes.push_back({true, std::move(stroke.points)});
+  const Region& all = problem.map().free;
+  const Region rest = largest_parts(worthwhile(uncovered(all, strokes, width), width), (1 - kFilled) * area(all));
   std::vector<Leg> legs;
-  for (Stroke& stroke : strokes_of(path, problem, CarSpace(problem))) {
-    if (!legs.empty()) legs.push_back({false, {legs.back().points.back(), stroke.points.front()}});
-    legs.push_back({true, std::move(stroke.points)});
-  }
+  const auto add = [&](Polyline&& line) {
+    if (!legs.empty()) legs.push_back({false, {legs.back().points.back(), line.front()}});
+    legs.push_back({true, std::move(line)});
+  };
+  for (const Polyline& part : parts_near(work_lines(path.legs), rest, width))
+    for (Polyline& piece : followed_line(part, follow)) add(std::move(piece));
+  for (Leg& stroke : strokes) add(std::move(stroke.points));
   return legs;
+}
+
+/// Square metres of the rest that a tool covers whose centre runs over the part.
+double gain(const Polygon& part, const Region& rest, double width) {
+  return area(intersect(dilate({{part}}, width / 2, kRoughChord * width, Bound::inside), rest));
 }
 
 }  // namespace
@@ -61,18 +107,19 @@ std::unique_ptr<CoveragePlanner> AreaFiller::planner(const FillChoice& choice) c
   return planners_.find("zigzag").make(settings, planners_);
 }
 
-DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, double width,
+DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, double width, bool near_rest,
                                 const Context& context) const {
   Robot robot = filling_robot(width);
   robot.radius = 0;
   const Point inside = default_start(Map{area.element, {{part}}, "", ""}, robot);
   Problem problem(Map{area.element, {{area.area}}, "drawing", ""}, filling_robot(width), inside);
-  if (!subtract(problem.configuration_space(), problem_.configuration_space()).empty())
+  if (near_rest || !subtract(problem.configuration_space(), problem_.configuration_space()).empty())
     problem = problem.restricted({{part}});
   Context inner(context.seed(), context.seconds_left());
   DrawingElement element{.name = area.element, .legs = {}, .area = area.area.outer};
   Path path = planner(area.choice)->plan(problem.turning_on_the_spot(), inner);
   const bool turns_on_the_spot = !(problem_.robot().min_turn_radius > 0);
+  element.followed = !turns_on_the_spot;
   element.legs = turns_on_the_spot ? from_first_stroke(std::move(path.legs)) : drivable_legs(path, problem);
   for (Leg& leg : element.legs)
     if (leg.tool) leg.width = width;
@@ -81,22 +128,34 @@ DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, dou
 
 std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, const Context& context) const {
   if (area.choice.fill == "none") return {};
-  for (const double share : kWidths)
-    if (auto fills = elements(area, share * problem_.robot().tool_width, context); !fills.empty()) return fills;
-  return {};
-}
-
-std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, double width, const Context& context) const {
-  const double w = filling_robot(width).tool_width;
-  const Region space =
-      intersect(erode({{area.area}}, inset(width), kChord * w, Bound::inside), problem_.configuration_space());
+  const double all = oxturn::area(Region{{area.area}}), tool_width = problem_.robot().tool_width;
   std::vector<DrawingElement> elements;
-  for (const Polygon& part : space.polygons) {
-    if (oxturn::area(part) < kLeastPart * w * w) continue;
-    DrawingElement element = fill(area, part, width, context);
-    if (!element.legs.empty()) elements.push_back(std::move(element));
+  Region rest{{area.area}};
+  for (const double share : kWidths) {
+    const double width = share * tool_width;
+    const bool near_rest = !elements.empty();
+    std::vector<Leg> legs;
+    for (const Polygon& part : parts(area, width, near_rest ? worthwhile(rest, width) : Region{})) {
+      if (near_rest && gain(part, rest, width) < kLeastGain * all) continue;
+      DrawingElement element = fill(area, part, width, near_rest, context);
+      if (element.legs.empty()) continue;
+      legs.insert(legs.end(), element.legs.begin(), element.legs.end());
+      elements.push_back(std::move(element));
+    }
+    if (!legs.empty()) rest = uncovered(rest, legs, tool_width);
+    if (oxturn::area(rest) <= (1 - kFilled) * all) break;
   }
   return elements;
+}
+
+/// Where the tool's centre may be, near the rest if there is one.
+std::vector<Polygon> AreaFiller::parts(const FilledArea& area, double width, const Region& rest) const {
+  const double w = filling_robot(width).tool_width;
+  Region space =
+      intersect(erode({{area.area}}, inset(width), kChord * w, Bound::inside), problem_.configuration_space());
+  if (!rest.empty()) space = intersect(space, dilate(rest, width / 2, kRoughChord * width, Bound::inside));
+  std::erase_if(space.polygons, [&](const Polygon& part) { return oxturn::area(part) < kLeastPart * w * w; });
+  return space.polygons;
 }
 
 }  // namespace oxturn

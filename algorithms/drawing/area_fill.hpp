@@ -4,9 +4,11 @@
 ///   for (DrawingElement& fill : filler.elements(area, context)) ...
 ///
 /// Each part of the area in which the tool fits is a problem of its own: to be covered by a robot whose centre keeps
-/// half the tool's width (`inset`) from the area's boundary, so that nothing beyond it is drawn. An area in which it
-/// fits nowhere is filled with a part of it: 5, 3 or 1 of 7 pins, as wide as those of the source. For a robot with a
-/// least turning radius the fill is cut into strokes that it can follow (smoothing/strokes.hpp).
+/// half the tool's width (`inset`) from the area's boundary, so that nothing beyond it is drawn. Where that leaves more
+/// than 1.5 % of the area uncovered (corners, narrow parts, or all of it), parts of the tool fill it up: 5, 3 and then
+/// 1 of 7 pins, as wide as those of the source. For a robot with a
+/// least turning radius the fill is cut into strokes that it can follow (smoothing/strokes.hpp), and what they leave is
+/// driven piece by piece (followed_line.hpp).
 /// Source: Vollprecht 2014, section 2.2. Cost: that of the planner.
 #pragma once
 
@@ -28,13 +30,16 @@ class AreaFiller {
   AreaFiller(const Problem& problem, const Planners& planners, FillOptions options)
       : problem_(problem), planners_(planners), options_(std::move(options)) {}
 
-  /// One for each part of the area in which the tool fits; none if the area is narrower than a pin, or not to be
-  /// filled. Throws std::invalid_argument for an unknown fill.
+  /// One for each part of the area in which the tool, or a part of it, fits; none if it is narrower than a pin, or not
+  /// to be filled. Throws std::invalid_argument for an unknown fill.
   std::vector<DrawingElement> elements(const FilledArea& area, const Context& context) const;
 
  private:
-  std::vector<DrawingElement> elements(const FilledArea& area, double width, const Context& context) const;
-  DrawingElement fill(const FilledArea& area, const Polygon& part, double width, const Context& context) const;
+  /// Where the tool's centre may be, near the rest if there is one.
+  std::vector<Polygon> parts(const FilledArea& area, double width, const Region& rest) const;
+  /// `near_rest`: the planner sees nothing but the part.
+  DrawingElement fill(const FilledArea& area, const Polygon& part, double width, bool near_rest,
+                      const Context& context) const;
   std::unique_ptr<CoveragePlanner> planner(const FillChoice& choice) const;
   /// `width`: metres of the tool that are used.
   double inset(double width) const;

@@ -19,6 +19,7 @@
 
 #include "algorithms/drawing/area_fill.hpp"
 #include "algorithms/drawing/containment.hpp"
+#include "algorithms/drawing/followed_strokes.hpp"
 #include "algorithms/drawing/order_driver.hpp"
 #include "algorithms/smoothing/drivable.hpp"
 #include "algorithms/transit/connector.hpp"
@@ -31,7 +32,9 @@ namespace {
 // Tool widths about the ends of a transit in which nothing counts as driving over finished work: half a width, and a
 // little more, so that the round end of a stroke as wide as the tool leaves no ring about the robot.
 constexpr double kExempt = 0.52;
-constexpr double kDeviation = 0.1;  // tool widths that a rounded corner may leave its vertex
+constexpr double kDeviation = 0.02;  // tool widths that a stroke may be left where it bends too sharply
+// Tool widths: error of sampled curves, of the thousandth that paths may have.
+constexpr double kChord = 0.8e-3;
 
 enum class Fill { spiral, zigzag, contour };
 const Choices kFills{"spiral", "zigzag", "contour"};
@@ -89,7 +92,7 @@ class Beachbot final : public CoveragePlanner {
     std::vector<DrawingElement> elements = elements_of(problem, drawing, context);
     if (elements.empty()) throw Infeasible("the drawing has nothing that the robot can draw");
     TourDemands demands = demands_of(drawing, elements);
-    const PortCurves curves = curves_of(drawing, elements);
+    PortCurves curves = curves_of(drawing, elements);
     const bool literal = p_.containment == Containment::literal;
     demands.contained = contained_elements(elements, literal ? ContainmentTest::hull : ContainmentTest::overlay);
     demands.containment = p_.containment;
@@ -98,6 +101,8 @@ class Beachbot final : public CoveragePlanner {
     PathBuilder path(problem.start());
     if (drawing.start) path.drive(Connector(problem).path(path.at(), *drawing.start), false);
     const double radius = p_.round_radius > 0 ? p_.round_radius : problem.robot().min_turn_radius;
+    if (radius > 0 && p_.corner == CornerRule::automatic)
+      follow_strokes(elements, demands, curves, follow_options(problem, radius));
     const double keep_off = p_.keep_off < 0 ? problem.robot().radius : p_.keep_off;
     FinishedWork work(pieces_of(elements).pieces, kExempt * problem.robot().tool_width);
     std::optional<SmoothTransits> smooth;
@@ -158,6 +163,21 @@ class Beachbot final : public CoveragePlanner {
             .first = p_.connection,
             .avoid = p_.finished == FinishedRule::around,
             .literal = p_.finished == FinishedRule::ignore && p_.connection == ConnectionKind::spiro};
+  }
+
+  static FollowOptions follow_options(const Problem& problem, double radius) {
+    const double width = problem.robot().tool_width;
+    const auto free = [&problem](const Polyline& piece) {
+      for (std::size_t k = 1; k < piece.size(); ++k)
+        if (!problem.walls().contains(piece[k - 1], piece[k])) return false;
+      return true;
+    };
+    return {.radius = radius,
+            .deviation = kDeviation * width,
+            .tool_width = width,
+            .tolerance = problem.tolerance(),
+            .chord_error = kChord * width,
+            .free = free};
   }
 
   static void report(const DrivenOrder& order, const OrderDriver& driver, const PortCurves& curves, Context& context) {

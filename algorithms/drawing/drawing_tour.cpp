@@ -38,15 +38,15 @@ class DrawingCost final : public ConnectionCost {
     if (has_raised_[from])
       if (const auto known = raised_.find(key(from, to)); known != raised_.end()) return known->second;
     if (is_forbidden(from, to)) return kForbidden;
-    const Pose &a = exits_[from], &b = entries_[to];
-    if (!(radius_ > 0) || from < starts_ || to < starts_) return distance(a.at, b.at);
-    if (known_.empty()) return dubins_curve(a, b, radius_).length();
+    if (!(radius_ > 0) || from < starts_ || to < starts_) return distance(exits_[from].at, entries_[to].at);
+    if (known_.empty()) return curve_length(from, to);
     float& known = known_[from * ends_.size() + to];
-    if (known < 0) known = static_cast<float>(dubins_curve(a, b, radius_).length());
+    if (known < 0) known = static_cast<float>(curve_length(from, to));
     return known;
   }
   /// All patterns are there. Lengths of curves are remembered, unless there are too many.
-  void finish() {
+  void finish(const std::vector<PatternId>& reverse) {
+    if (symmetric(reverse)) reverse_ = reverse;
     if (radius_ > 0 && ends_.size() <= kMostRemembered) known_.assign(ends_.size() * ends_.size(), -1);
   }
 
@@ -76,6 +76,16 @@ class DrawingCost final : public ConnectionCost {
 
  private:
   static std::uint64_t key(PatternId from, PatternId to) { return std::uint64_t{from} << 32 | to; }
+  /// Where headings are aligned, rounding decides whether a curve has a full turn; driven backwards it may decide
+  /// otherwise. A local search that relies on symmetric costs would never end, so both are asked in the same order.
+  double curve_length(PatternId from, PatternId to) const {
+    const auto length = [&](PatternId p, PatternId q) {
+      return dubins_curve(exits_[p], entries_[q], radius_).length();
+    };
+    if (reverse_.empty()) return length(from, to);
+    const PatternId p = reverse_[to], q = reverse_[from];
+    return std::min(length(from, to), length(p, q));
+  }
   bool is_forbidden(PatternId from, PatternId to) const {
     if (from < starts_ || to < starts_) return false;
     return (!ports_.empty() && ports_.count({out_[from], in_[to]}) > 0) ||
@@ -84,6 +94,7 @@ class DrawingCost final : public ConnectionCost {
 
   double radius_;
   bool reversible_ = true;
+  std::vector<PatternId> reverse_;  // by pattern; empty: costs depend on the direction
   std::size_t starts_ = 0;
   std::vector<Ends> ends_;
   std::vector<Pose> entries_, exits_;
@@ -107,7 +118,7 @@ struct DrawingTour::Impl {
       for (const auto& [outer, inner] : demands.contained)
         if (element_of[outer] != element_of[inner]) cost.forbid(outer, inner);
     add_patterns(start);
-    cost.finish();
+    cost.finish(reverse);
     problem.emplace(cost, counts, reverse);
     if (demands.containment == Containment::strict)
       for (const auto& [outer, inner] : demands.contained)

@@ -63,6 +63,10 @@ std::vector<Leg> driven(const DrawingElement& element, const ElementVisit& visit
   return legs;
 }
 
+bool is_transit(const std::vector<Leg>& legs, std::size_t k) {
+  return !legs[k].tool && (legs.front().tool || k % 2 == 1);
+}
+
 Point entry_of(const DrawingElement& element, const ElementVisit& visit) {
   if (element.closed) return element.legs[0].points[visit.entry];
   return visit.backwards ? element.last() : element.first();

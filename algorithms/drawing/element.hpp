@@ -26,6 +26,7 @@ struct DrawingElement {
   std::vector<std::size_t> entries = {};  // of a closed one: positions in its points, ascending
   std::vector<std::size_t> nodes = {};    // of a stroke: positions in its points of the source's nodes
   std::vector<std::size_t> corners = {};  // of a stroke: positions in its points at which it is not smooth
+  bool followed = false;                  // the robot can drive each leg as it is (followed_strokes.hpp)
 
   bool is_fill() const { return !area.empty(); }
   const Point& first() const { return legs.front().points.front(); }
@@ -48,6 +49,9 @@ inline constexpr std::size_t kMostEntries = 32;
 
 /// The legs in driving order.
 std::vector<Leg> driven(const DrawingElement& element, const ElementVisit& visit);
+/// Whether leg k of these, which drive an element, only stands for the transit between its neighbours. (Strokes may
+/// have the tool off because the drawing says so; their transits are the odd ones.)
+bool is_transit(const std::vector<Leg>& legs, std::size_t k);
 /// Where the element is entered and left.
 Point entry_of(const DrawingElement& element, const ElementVisit& visit);
 Point exit_of(const DrawingElement& element, const ElementVisit& visit);

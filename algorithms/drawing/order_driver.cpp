@@ -70,7 +70,6 @@ Transit OrderDriver::by_hand(const ElementVisit& from, const ElementVisit& to, c
 
 std::vector<std::size_t> OrderDriver::corners(const DrawingElement& element, const ElementVisit& visit,
                                               const Polyline& line) const {
-  if (element.is_fill() && router_.problem().robot().min_turn_radius > 0) return {};  // has been rounded (AreaFiller)
   if (element.is_fill()) return corners_of(line, kFillCorner);
   const std::size_t last = line.size() - 1;
   std::vector<std::size_t> found;
@@ -86,7 +85,7 @@ std::vector<std::size_t> OrderDriver::corners(const DrawingElement& element, con
 
 /// One leg with the tool on; what it is left for at corners that cannot be rounded is driven with the tool off.
 void OrderDriver::stroke(const DrawingElement& element, const Leg& leg, const ElementVisit& visit, PathBuilder& path) {
-  if (!(corners_.radius > 0)) return path.drive(leg.points, leg.tool, leg.gear, leg.width);
+  if (!(corners_.radius > 0) || element.followed) return path.drive(leg.points, leg.tool, leg.gear, leg.width);
   CornerOptions options{
       .rule = corners_.rule, .radius = corners_.radius, .largest_deviation = corners_.largest_deviation};
   options.chord_error = kChord * router_.problem().robot().tool_width;
@@ -112,7 +111,7 @@ void OrderDriver::drive(const DrawingElement& element, const ElementVisit& visit
   auto next = inner.begin();
   const std::vector<Leg> legs = driven(element, visit);
   for (std::size_t k = 0; k < legs.size(); ++k) {
-    if (!legs[k].tool && element.is_fill()) {
+    if (is_transit(legs, k)) {
       transit(*next++, path);
       continue;
     }

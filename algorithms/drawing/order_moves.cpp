@@ -75,7 +75,7 @@ double OrderMoves::price(const Order& order, std::size_t low, std::size_t high, 
     const double least = bound(order, k);
     prices.push_back(price_of(order, k));
     sum += prices.back() - least;
-    budget_ -= budget_ > 0;
+    budget_ = router_.exhausted() ? 0 : budget_ - (budget_ > 0);
     set_finished(order[k], true);
   }
   for (std::size_t done = low; done < k; ++done) set_finished(order[done], false);

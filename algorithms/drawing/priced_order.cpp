@@ -59,7 +59,7 @@ std::vector<Transit> PricedOrder::draw(const ElementVisit& visit) {
   for (std::size_t k = 0; k < legs.size(); ++k) {
     if (legs[k].tool)
       work_.finish(visit.backwards ? --piece : piece++);
-    else if (element.is_fill())
+    else if (is_transit(legs, k))
       inner.push_back(transit(last_heading(legs[k - 1].points), first_heading(legs[k + 1].points)));
   }
   return inner;
@@ -92,7 +92,8 @@ void PricedOrder::raise(const DrivenOrder& order, DrawingTour& tour) {
 
 DrivenOrder PricedOrder::search(DrawingTour& tour, Context& context) {
   DrivenOrder at = driven(tour.solve(context)), best = at;
-  for (int round = 0; round < kMostRounds && rule_ != FinishedRule::ignore && !context.cancelled(); ++round) {
+  for (int round = 0;
+       round < kMostRounds && rule_ != FinishedRule::ignore && !context.cancelled() && !router_.exhausted(); ++round) {
     raise(at, tour);
     std::vector<ElementVisit> order = tour.improve(at.order, context);
     if (order == at.order) break;

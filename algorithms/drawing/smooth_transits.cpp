@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithms/smoothing/car_space.hpp"
+#include "geometry/bends.hpp"
 
 namespace oxturn {
 namespace {
@@ -37,9 +38,16 @@ bool SmoothTransits::allowed(const SmoothCurve& curve, Clear clear) const {
          stays_inside(sampled(curve, chord_error_));
 }
 
+/// Where the curves that it is made of meet, or nearly turn round.
+bool SmoothTransits::bends_too_sharply(const Polyline& path) const {
+  const std::vector<Bend> all = bends({{{false, path}}}, problem_.tolerance(), problem_.robot().tool_width);
+  return std::ranges::any_of(all, [&](const Bend& bend) { return too_sharp(bend, options_.radius); });
+}
+
 std::optional<Polyline> SmoothTransits::one(const Pose& from, const Pose& to, Clear clear) const {
   if (from.at == to.at && std::remainder(from.heading - to.heading, 2 * kPi) == 0) return Polyline{from.at, to.at};
   ConnectionOptions options{.radius = options_.radius, .first = options_.first};
+  if (from.at == to.at) options.first = ConnectionKind::dubins;  // the shortest loop
   options.allowed = [&](const SmoothCurve& curve) { return allowed(curve, clear); };
   const Connection c = smooth_connection(from, to, options);
   if (!c.allowed) return std::nullopt;
@@ -58,7 +66,7 @@ std::optional<Polyline> SmoothTransits::along(const Pose& from, const Pose& to, 
     if (!piece.empty()) path.insert(path.end(), piece.begin() + 1, piece.end());
     at = next;
   }
-  if (!stays_inside(path) || !work_.clear(path, 0)) return std::nullopt;
+  if (!stays_inside(path) || !work_.clear(path, 0) || bends_too_sharply(path)) return std::nullopt;
   return path;
 }
 

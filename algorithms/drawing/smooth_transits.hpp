@@ -47,6 +47,7 @@ class SmoothTransits {
   enum class Clear { near_work, work, walls };
   bool allowed(const SmoothCurve& curve, Clear clear) const;
   bool stays_inside(const Polyline& path) const;
+  bool bends_too_sharply(const Polyline& path) const;
   std::optional<Polyline> one(const Pose& from, const Pose& to, Clear clear) const;
   std::optional<Polyline> along(const Pose& from, const Pose& to, const Polyline& round) const;
   std::optional<Polyline> by_lattice(const Pose& from, const Pose& to) const;

@@ -55,6 +55,7 @@ Region TransitRouter::free_region(const std::vector<std::size_t>& pieces, const 
                                     swath({{to}}, exempt, chord, Bound::inside)};
     for (const std::size_t piece : pieces) {
       const Region& swept = sweep(piece, grown);
+      effort_ += vertex_count(swept);
       const Box box = bounding_box(swept);
       const bool near = box.overlaps(bounding_box(discs[0])) || box.overlaps(bounding_box(discs[1]));
       obstacles.push_back(near ? subtract(swept, discs) : swept);
@@ -77,6 +78,7 @@ std::optional<TransitRouter::Known> TransitRouter::lazy(const Point& from, const
       known.transit = measured(std::move(known.transit.path));
       return known;
     }
+    if (exhausted()) return std::nullopt;
     const ShortestPaths paths(free_region(known.round, from, to, keep_off), problem_.tolerance());
     std::optional<Polyline> path = paths.path(from, to);
     if (!path) return std::nullopt;
@@ -106,8 +108,10 @@ TransitRouter::Known TransitRouter::with_bends(const Point& from, const Point& t
     }
   Known best{.round = {}, .transit = measured(connector_.path(from, to)), .for_this_work = true};
   if (!weighted_) weighted_.emplace(problem_, work_, Transit::kCrossingWeight);
-  if (auto path = weighted_->path(from, to))
-    if (Transit t = measured(std::move(*path)); t.price() < best.transit.price()) best.transit = std::move(t);
+  const auto path = weighted_->path(from, to);
+  effort_ += weighted_->cells_reached() / kCellsToVertex;
+  if (path)
+    if (Transit t = measured(*path); t.price() < best.transit.price()) best.transit = std::move(t);
   return best;
 }
 

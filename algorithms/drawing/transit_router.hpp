@@ -9,6 +9,8 @@
 /// lines themselves; where there is still none, the path with the least driving over them (weighted_search.hpp). With
 /// smooth transits the path is replaced by a curve (smooth_transits.hpp). Paths are remembered as long as they are
 /// valid.
+/// Shortest paths are found only as long as an effort lasts, enough for some thousand of them in drawings of usual
+/// density; then the last resort is the only one.
 /// Source: the outlook of Vollprecht 2014 (figure 5.1). Cost: a triangulation of the obstacles that are in the way.
 #pragma once
 
@@ -44,6 +46,9 @@ class TransitRouter {
   Transit direct(const Pose& from, const Pose& to) const;
   Transit direct(const Point& from, const Pose& to) const;
 
+  /// No more shortest paths are found: time to end a search.
+  bool exhausted() const { return effort_ >= kMostEffort; }
+
   const FinishedWork& work() const { return work_; }
   const Problem& problem() const { return problem_; }
   /// Of smooth transits; 0: they may have bends.
@@ -59,6 +64,8 @@ class TransitRouter {
     std::uint64_t fingerprint = 0;  // of that
   };
   static constexpr double kAnyHeading = 1e9;
+  /// Vertices of obstacles; each costs some ten microseconds. Cells of a search count as a quarter.
+  static constexpr std::size_t kMostEffort = 700'000, kCellsToVertex = 4;
   Transit route(const Pose& from, bool any_heading, const Pose& to);
   Known with_bends(const Point& from, const Point& to);
   void smoothen(Known& known, const Pose& from, bool any_heading, const Pose& to) const;
@@ -77,6 +84,7 @@ class TransitRouter {
   std::map<Key, Known> known_;
   std::map<std::pair<std::size_t, bool>, Region> sweeps_;
   std::optional<WeightedSearch> weighted_;  // made when it is needed
+  std::size_t effort_ = 0;
 };
 
 }  // namespace oxturn

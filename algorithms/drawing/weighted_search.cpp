@@ -108,13 +108,14 @@ Polyline WeightedSearch::straightened(const Polyline& path) const {
 
 std::optional<Polyline> WeightedSearch::path(const Point& from, const Point& to) {
   mark_finished();
+  reached_ = 0;
   const auto begin = cells_at(from), end = cells_at(to);
   const auto is_end = [&](std::size_t cell) {
     return std::any_of(end.begin(), end.end(), [&](const auto& e) { return e.first == cell; });
   };
   const auto reached = a_star(
       tree_, free_.bits.size(), SearchSources<double>(begin),
-      [&](std::size_t cell, auto reach) { for_each_neighbour(cell, from, to, reach); }, is_end,
+      [&](std::size_t cell, auto reach) { ++reached_, for_each_neighbour(cell, from, to, reach); }, is_end,
       [&](std::size_t cell) { return std::max(0.0, distance(centre(cell), to) - 2 * free_.cell); });
   if (!reached) return std::nullopt;
   Polyline path{from};

@@ -23,6 +23,8 @@ class WeightedSearch {
   WeightedSearch(const Problem& problem, const FinishedWork& work, double weight);
   /// nullopt: configuration space is too narrow there for the cells.
   std::optional<Polyline> path(const Point& from, const Point& to);
+  /// By the last search.
+  std::size_t cells_reached() const { return reached_; }
 
  private:
   void mark_finished();
@@ -43,6 +45,7 @@ class WeightedSearch {
   std::vector<std::uint8_t> covered_;              // cells of finished pieces
   std::optional<std::uint64_t> marked_;            // the fingerprint of what is covered
   SearchTree<double> tree_;
+  std::size_t reached_ = 0;
 };
 
 }  // namespace oxturn

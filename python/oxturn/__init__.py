@@ -23,7 +23,8 @@ def planner(cls):
 
     The class has `name`, and if it wants `title`, `citation`, `guarantee`, `capabilities` (a list of "holes", "tether",
     "online", "curvature", "footprint") and `parameters` (a dictionary of defaults, which become keyword arguments of
-    the constructor). `plan(self, problem, context)` returns legs: (points, tool) or (points, tool, reverse).
+    the constructor). `plan(self, problem, context)` returns legs: (points, tool), (points, tool, reverse) or
+    (points, tool, reverse, width).
     """
     try:
         source, origin = inspect.getsource(cls), inspect.getsourcefile(cls) or "<python>"

@@ -3,7 +3,7 @@ import numpy as np
 
 Array = np.ndarray
 Polygons = List[Tuple[Array, List[Array]]]
-Leg = Union[Tuple[Any, bool], Tuple[Any, bool, bool]]
+Leg = Union[Tuple[Any, bool], Tuple[Any, bool, bool], Tuple[Any, bool, bool, float]]
 Setting = Union[bool, int, float, str]
 Place = Sequence[float]
 C = TypeVar("C", bound=type)
@@ -37,7 +37,7 @@ class Problem:
 
 class Plan:
     problem: Problem
-    legs: List[Tuple[Array, bool, bool]]
+    legs: List[Tuple[Array, bool, bool, float]]
     length: float
     def __init__(self, problem: Problem, legs: Sequence[Leg]) -> None: ...
     @staticmethod

@@ -37,6 +37,13 @@ def legs_of(path):
         yield bool(feature["properties"]["tool"]), [tuple(map(float, p[:2])) for p in points]
 
 
+def work_of(path, tool):
+    """Points and width of each leg with the tool on; without a width it is all of the tool."""
+    for feature, (on, points) in zip(path["features"], legs_of(path)):
+        if on:
+            yield points, float(feature["properties"].get("width") or tool)
+
+
 def segments(points):
     """Each as a LineString, a point for legs that stand still."""
     kept = [p for i, p in enumerate(points) if i == 0 or p != points[i - 1]]
@@ -70,7 +77,7 @@ class Task:
     def covered(self, path):
         # Segment by segment: GEOS simplifies longer lines by a hundredth of the distance before it buffers them, which
         # costs paths of many gentle bends up to a thousandth of their coverage.
-        swath = [g.buffer(self.tool / 2, resolution=QUARTER) for on, points in legs_of(path) if on
+        swath = [g.buffer(width / 2, resolution=QUARTER) for points, width in work_of(path, self.tool)
                  for g in segments(points)]
         # United cell by cell: one union of everything is far dearer, and areas add up.
         low_x, low_y, high_x, high_y = self.target.bounds

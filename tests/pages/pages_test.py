@@ -113,13 +113,45 @@ def cell_order_rows():
                 coverage="1", plan_cpu_s=seconds) for m, params, outcome, metres, seconds in data]
 
 
-ALL = {"berg-table-4-1": berg_rows, "cell-order": cell_order_rows, "drivable": drivable_rows, "growth": growth_rows,
+def beachbot_rows():
+    """A horse with and without enforced connections, a crown; the published planner's path of it is not valid."""
+    def run(map_name, robot, params, outcome, up, over, **more):
+        return row("beachbot", map_name, "beachbot", params, outcome, robot=robot, tool_up_m=up, path_m="100",
+                   over_finished_m=over, curvature_violations="2" if params else "0", **more)
+
+    return [run("horse", "spot", "", "ok", "10", "0", stroke_share="1"),
+            run("horse[edits=x.json;margin=1.7]", "spot", "", "ok", "14", "1", stroke_share="0.9999"),
+            run("crown", "spot", "", "ok", "6", "2", fill_share="0.99", overlap="0.5"),
+            run("crown", "spot", "fill=zigzag", "ok", "9", "0", fill_share="0.98", overlap="0.25"),
+            run("crown", "spot", "containment=literal", "ok", "7", "3", fill_share="0.99"),
+            run("crown", "spot", "variant=published", "invalid", "70", "30", fill_share="0.85"),
+            run("crown", "curves", "", "partial", "20", "4", fill_share="0.97", reason="coverage 0.97 is below 0.99"),
+            run("crown", "curves", "variant=published", "invalid", "80", "40", fill_share="0.85")]
+
+
+ALL = {"beachbot": beachbot_rows, "berg-table-4-1": berg_rows,
+       "cell-order": cell_order_rows, "drivable": drivable_rows, "growth": growth_rows,
        "leashed": leashed_rows,
        "stc-loops": stc_rows,
        "tether-online": online_rows}
 
 
 class Figures(unittest.TestCase):
+    def test_beachbot(self):
+        text = page("beachbot", beachbot_rows())
+        claim = lambda start: next(cells[1] for cells in (
+            [cell.strip() for cell in one.split("|")[1:-1]] for one in text.split("\n")) if cells[:1] and
+            cells[0].startswith(start))
+        self.assertIn("6.0 m with the tool up and 2.0 m over finished work; only no direct connection inwards: 7.0 m "
+                      "and 3.0 m (1 drawings)", claim("elements inside"))
+        self.assertIn("10.0 m with the tool up without, 14.0 m with; strokes drawn 0.9999", claim("a person"))
+        self.assertIn("as published: 0 of 1 paths can be driven, 2 bends too sharp, 80.0 m", claim("moving control"))
+        self.assertIn("1 of 1, 0 bends, 20.0 m", claim("moving control"))
+        self.assertIn("spiral: crown 100 m (overlap 0.50); zigzag: crown 100 m (overlap 0.25)", claim("the spiral"))
+        self.assertIn("published 0.8500, all widths of the tool 0.9900", claim("cutting areas"))
+        self.assertIn("round it: 3.0 m over it, 30.0 m", claim("outlook"))
+        self.assertEqual(line(text, "curves"), ["curves", "crown", "`beachbot`", "coverage 0.97 is below 0.99"])
+
     def test_berg_table(self):
         text = page("berg-table-4-1", berg_rows())
         self.assertIn("4743.68", text)

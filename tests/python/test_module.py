@@ -73,9 +73,19 @@ class Plans(unittest.TestCase):
         again = oxturn.Plan(result.problem, result.legs)
         self.assertEqual(again.length, result.length)
         self.assertEqual(again.score()["coverage"], result.score()["coverage"])
-        points, tool, reverse = result.legs[0]
+        points, tool, reverse, width = result.legs[0]
         self.assertEqual(points.shape[1], 2)
         self.assertFalse(reverse)
+
+    def test_legs_keep_the_width_of_the_tool(self):
+        problem = hall()
+        legs = [([problem.start, (problem.start[0] + 1, problem.start[1])], True, False, 0.1)]
+        result = oxturn.Plan(problem, legs)
+        self.assertEqual(result.legs[0][3], 0.1)
+        whole = oxturn.Plan(problem, [legs[0][:3]])
+        self.assertLess(result.score()["coverage"], 0.8 * whole.score()["coverage"])
+        with self.assertRaisesRegex(ValueError, "width is -1"):
+            oxturn.Plan(problem, [legs[0][:3] + (-1,)])
 
     def test_infeasible_and_unsupported_have_types(self):
         with self.assertRaises(oxturn.Infeasible):

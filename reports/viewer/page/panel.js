@@ -39,6 +39,7 @@ function fillLayers() {
 
 function fillFigures() {
   byId("flaw").textContent = data.flaw ? `Not a valid path: ${data.flaw}` : "";
+  byId("remarks").replaceChildren(...data.remarks.map(sentence => create("li", {}, sentence)));
   byId("figures").replaceChildren(...data.figures.map(figureText).map(
       ([label, value]) => create("tr", {}, create("td", {}, label), create("td", {}, value))));
 }

@@ -1,0 +1,59 @@
+#include "metrics/unfilled_areas.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "maps/drawing.hpp"
+#include "metrics/swept_area.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr std::size_t kMostRemarks = 10;
+
+Box box_of(const Polyline& points) {
+  Box box;
+  for (const Point& p : points) box.add(p);
+  return box;
+}
+
+}  // namespace
+
+std::vector<UnfilledArea> unfilled_areas(const Problem& problem, const Path& path, double least) {
+  std::vector<UnfilledArea> found;
+  const Drawing* drawing = problem.map().drawing.get();
+  if (drawing == nullptr) return found;
+  const double width = problem.robot().tool_width;
+  std::vector<std::pair<Box, const Leg*>> work;
+  for (const Leg& leg : path.legs)
+    if (leg.tool) work.push_back({box_of(leg.points), &leg});
+  for (std::size_t k = 0; k < drawing->areas.size(); ++k) {
+    const FilledArea& filled = drawing->areas[k];
+    if (filled.choice.fill == "none") continue;
+    Box box = box_of(filled.area.outer);
+    box.grow(width);
+    Path near;
+    for (const auto& [leg_box, leg] : work)
+      if (leg_box.overlaps(box)) near.legs.push_back(*leg);
+    const double share = near.legs.empty() ? 0 : coverage_of({{filled.area}}, 0, width, near).lower;
+    if (share < least) found.push_back({filled.element, k, share});
+  }
+  return found;
+}
+
+std::vector<std::string> remarks_on(const std::vector<UnfilledArea>& areas) {
+  std::vector<std::string> sentences;
+  for (std::size_t k = 0; k < std::min(areas.size(), kMostRemarks); ++k)
+    sentences.push_back(
+        areas[k].share > 0
+            ? fmt::format("area '{}' is filled to {:.1f} %: the rest is too narrow for the tool, or for its bends",
+                          areas[k].element, std::floor(1000 * areas[k].share) / 10)
+            : fmt::format("area '{}' is not filled: it is too narrow for the tool", areas[k].element));
+  if (areas.size() > kMostRemarks)
+    sentences.push_back(fmt::format("{} more areas are not filled completely", areas.size() - kMostRemarks));
+  return sentences;
+}
+
+}  // namespace oxturn
