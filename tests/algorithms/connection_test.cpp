@@ -24,9 +24,9 @@ int connections() {
 void check(const Connection& c, const RandomConnection& p, bool samples) {
   const JointErrors errors = joint_errors(c.curve);
   ASSERT_TRUE(finite(c.curve));
-  const double exact = c.kind == ConnectionKind::dubins ? 3e-6 : 1e-6;  // see the limits of curve_test.cpp
-  ASSERT_LT(errors.position, exact * p.radius) << static_cast<int>(c.kind);
-  ASSERT_LT(errors.heading, exact) << static_cast<int>(c.kind);
+  constexpr double kExact = 1e-6;
+  ASSERT_LT(errors.position, kExact * p.radius) << static_cast<int>(c.kind);
+  ASSERT_LT(errors.heading, kExact) << static_cast<int>(c.kind);
   ASSERT_LE(c.curvature * p.radius, 1.01);
   if (!samples || distance(p.from.at, p.to.at) < 1e-3 * p.radius) return;
   const Polyline line = sampled(c.curve, 2e-4 * p.radius);

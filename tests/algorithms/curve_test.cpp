@@ -42,7 +42,7 @@ TEST(Curve, MillionDubinsCurvesEndInTheirPoseAndAreAsLongAsTheClosedForm) {
   for (int i = 0; i < 1000000; ++i) {
     const RandomPoses p(rng);
     const Curve curve = dubins_curve(p.from, p.to, p.radius);
-    ASSERT_LT(end_error(curve), 3e-6) << i;
+    ASSERT_LT(end_error(curve), 1e-6) << i;
     if (distance(p.from.at, p.to.at) < 1e-5 * p.radius) continue;  // words swap within rounding
     const double oracle = dubins_length({p.from.at, p.from.heading}, {p.to.at, p.to.heading}, p.radius);
     ASSERT_NEAR(curve.length() / p.radius, oracle / p.radius, 1e-5) << i;
@@ -99,7 +99,7 @@ TEST(Curve, ReedsSheppEndsInItsPoseAndIsNoLongerThanAnyCurveTried) {
   for (int i = 0; i < 100000; ++i) {
     const RandomPoses p(rng);
     const Curve curve = reeds_shepp_curve(p.from, p.to, p.radius);
-    ASSERT_LT(end_error(curve), 3e-6) << i;
+    ASSERT_LT(end_error(curve), 1e-6) << i;
     if (distance(p.from.at, p.to.at) < 1e-2 * p.radius) continue;  // OMPL drops words whose parts are tiny
     ASSERT_LE(curve.length(), dubins_curve(p.from, p.to, p.radius).length() + 1e-5 * p.radius) << i;
     if (i % 1000 != 0) continue;
