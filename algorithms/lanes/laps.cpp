@@ -7,7 +7,6 @@
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
 #include "geometry/coarse_arcs.hpp"
-#include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
 #include "geometry/raster.hpp"
 
@@ -38,9 +37,7 @@ class Level {
 /// Adds what the tool leaves uncovered on its laps around two levels, one inside the other.
 void add_uncovered(Region& between, const Region& outer, const Region& inner, const Robot& robot) {
   const double half = robot.tool_width / 2, seam = covered_seam(robot);
-  const Region inside = erode(outer, half, seam, Bound::inside);
-  Region uncovered = inner.empty() ? inside : subtract(inside, dilate(inner, half, seam, Bound::outside));
-  for (Polygon& p : uncovered.polygons) between.polygons.push_back(std::move(p));
+  for (Polygon& p : between_offsets(outer, inner, half, seam).polygons) between.polygons.push_back(std::move(p));
 }
 
 }  // namespace

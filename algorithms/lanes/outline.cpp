@@ -95,6 +95,12 @@ class RingGrid {
   std::vector<std::vector<Item>> cells_;
 };
 
+/// A lower bound of the distance of two segments, from their bounding boxes; less than that by more than rounding.
+double box_gap(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const Point gap = (c.cwiseMin(d) - a.cwiseMax(b)).cwiseMax(a.cwiseMin(b) - c.cwiseMax(d));
+  return gap.maxCoeff() * (1 - 1e-9);
+}
+
 /// Nearest points of two segments.
 struct Approach {
   double distance;
@@ -266,7 +272,9 @@ class RingTree {
       grid.near(Box{a.cwiseMin(b), a.cwiseMax(b)}, reach, [&](const RingGrid::Item& item) {
         if (attached_[item.ring]) return;
         const Ring& ring = *rings_[item.ring];
-        const Approach m = nearest_approach(a, b, ring[item.edge], ring[(item.edge + 1) % ring.size()]);
+        const Point &c = ring[item.edge], &d = ring[item.edge + 1 == ring.size() ? 0 : item.edge + 1];
+        if (box_gap(a, b, c, d) > std::min(reach, least_[item.ring])) return;
+        const Approach m = nearest_approach(a, b, c, d);
         if (m.distance > reach || m.distance >= least_[item.ring]) return;
         const Offer offer{
             item.ring,

@@ -1,6 +1,7 @@
 #include "geometry/overlay/boolean.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/overlay/arrangement.hpp"
 
@@ -58,19 +59,29 @@ Boundaries united_groups(std::size_t n, Add add_item) {
   return unions;
 }
 
-/// The parts as at most kGroup unions. Groups of neighbours are united first, then groups of groups: parts that overlap
-/// many deep cost their sum, not its square.
+std::size_t edge_count(const Boundaries& boundaries) {
+  std::size_t n = 0;
+  for (const std::vector<BoundaryEdge>& b : boundaries) n += b.size();
+  return n;
+}
+
+/// The parts as unions of some of them. Groups of neighbours are united first, then groups of groups, as long as that
+/// halves their edges: parts that overlap many deep cost their sum, not its square.
 Boundaries few_unions(const std::vector<Region>& parts, const std::vector<Box>& boxes, const Lattice& lattice) {
   Box whole;
   for (const Box& box : boxes) whole.add(box);
   const std::vector<std::size_t> order = spatial_order(boxes, whole);
+  std::size_t before = 0;
+  for (const std::size_t k : order) before += vertex_count(parts[k]);
   Boundaries unions = united_groups(order.size(), [&](std::vector<OverlayEdge>& edges, std::size_t k) {
     add_region(edges, parts[order[k]], lattice, {1, 0});
   });
-  while (unions.size() > kGroup)
-    unions = united_groups(unions.size(), [&](std::vector<OverlayEdge>& edges, std::size_t k) {
-      add_boundary(edges, unions[k], {1, 0});
+  for (std::size_t edges = edge_count(unions); unions.size() > kGroup && 2 * edges < before;) {
+    unions = united_groups(unions.size(), [&](std::vector<OverlayEdge>& sum, std::size_t k) {
+      add_boundary(sum, unions[k], {1, 0});
     });
+    before = std::exchange(edges, edge_count(unions));
+  }
   return unions;
 }
 

@@ -37,12 +37,14 @@ enum class Arcs {
 /// Offset curves of rings. Lengths are in quanta.
 class OffsetCurve {
  public:
-  OffsetCurve(double reach, double half_step, Direction direction, Arcs arcs)
+  /// `unit`: the operand of the overlay.
+  OffsetCurve(double reach, double half_step, Direction direction, Arcs arcs, Windings unit)
       : reach_(reach),
         half_step_(half_step),
         side_(direction == Direction::outwards ? -1 : 1),
         direction_(direction),
-        arcs_(arcs) {}
+        arcs_(arcs),
+        unit_(unit) {}
 
   /// Adds the curve of a ring to an overlay.
   void add(const std::vector<LatticePoint>& ring, std::vector<OverlayEdge>& edges) const {
@@ -50,7 +52,7 @@ class OffsetCurve {
     if (ring.size() == 1) {
       add_arc(curve, ring[0], {1, 0}, kPi);
       add_arc(curve, ring[0], {-1, 0}, kPi);
-      return add_ring(edges, curve, {1, 0});
+      return add_ring(edges, curve, unit_);
     }
     const Walk walk(ring, side_);
     const std::vector<Detour> detours = detours_of(walk, edges);
@@ -60,11 +62,17 @@ class OffsetCurve {
       const bool before_detour = detour != detours.end() && detour->begin == i;
       const std::size_t last = walk.before(i);
       const double bend = walk.bend[i], ahead = walk.along[last].dot(walk.along[i]);
+      const bool detour_here = after_detour || before_detour;
+      const double turn = detour_here || bend > 0 ? 0 : bend < 0 ? std::atan2(-bend, ahead) : ahead < 0 ? kPi : 0;
+      if (turn > 0 && is_mitre(turn)) {
+        add_arc(curve, ring[i++], walk.normal(last), turn);
+        continue;
+      }
       if (!after_detour) curve.push_back(moved(ring[i], reach_ * walk.normal(last)));
-      if (after_detour || before_detour || bend > 0)
+      if (detour_here || bend > 0)
         curve.push_back(ring[i]);
-      else if (bend < 0 || ahead < 0)
-        add_arc(curve, ring[i], walk.normal(last), bend < 0 ? std::atan2(-bend, ahead) : kPi);
+      else if (turn > 0)
+        add_arc(curve, ring[i], walk.normal(last), turn);
       after_detour = before_detour;
       if (before_detour) {
         curve.insert(curve.end(), detour->between.begin(), detour->between.end());
@@ -74,7 +82,7 @@ class OffsetCurve {
         ++i;
       }
     }
-    add_ring(edges, curve, {1, 0});
+    add_ring(edges, curve, unit_);
   }
 
  private:
@@ -85,9 +93,12 @@ class OffsetCurve {
   };
 
   static LatticePoint moved(const LatticePoint& p, const Point& by) { return rounded(p.x + by.x(), p.y + by.y()); }
+  int steps_of(double angle) const { return std::max(1, static_cast<int>(std::ceil(angle / (2 * half_step_) - 1e-9))); }
+  /// Does one tangent make the arc? Its ends lie on the shifted edges then, which meet in the tangents' vertex.
+  bool is_mitre(double angle) const { return arcs_ == Arcs::tangents && steps_of(angle) == 1; }
   /// The points of an arc between its two ends; `from` is the direction of its first end.
   void add_arc(std::vector<LatticePoint>& out, const LatticePoint& centre, const Point& from, double angle) const {
-    const int steps = std::max(1, static_cast<int>(std::ceil(angle / (2 * half_step_) - 1e-9)));
+    const int steps = steps_of(angle);
     const double half = angle / steps / 2;
     if (arcs_ == Arcs::tangents) {
       const double radius = reach_ / std::cos(half);
@@ -129,7 +140,8 @@ class OffsetCurve {
     if (cluster.size() >= kLeastCluster) {
       std::vector<std::vector<LatticePoint>> polygons;
       for (const Detour& d : cluster) polygons.push_back(closed(walk.ring, d));
-      add_boundary(edges, united(polygons, 0, polygons.size()), {direction_ == Direction::outwards ? 1 : -1, 0});
+      const Windings weight = direction_ == Direction::outwards ? unit_ : Windings{} - unit_;
+      add_boundary(edges, united(polygons, 0, polygons.size()), weight);
       const std::size_t first = cluster.front().begin, last = cluster.back().end;
       cluster.assign(1, {first, last, std::vector<LatticePoint>(&walk.ring[first + 1], &walk.ring[last])});
     }
@@ -176,28 +188,41 @@ class OffsetCurve {
   double reach_, half_step_, side_;  // side: +1 left of the ring, -1 right
   Direction direction_;
   Arcs arcs_;
+  Windings unit_;
 };
 
-Region offset(const Region& region, double radius, double chord_error, Direction direction, Arcs arcs) {
+/// Adds the offset curves of a region to an overlay, as one operand. False if the lattice does not resolve the radius.
+bool add_offset(std::vector<OverlayEdge>& edges, const Region& region, const Lattice& lattice, double radius,
+                double chord_error, Direction direction, Arcs arcs, Windings unit) {
+  const double reach = radius / lattice.quantum() + (arcs == Arcs::tangents ? kOffsetSlack : -kOffsetSlack);
+  if (reach <= 0) return false;  // chords
+  const double error = std::max(chord_error / lattice.quantum(), 1.0);
+  const double half_step = std::min(std::acos(reach / (reach + error)), kPi / 4);
+  const OffsetCurve curve(reach, half_step, direction, arcs, unit);
+  for_each_snapped_ring(region, lattice, [&](const std::vector<LatticePoint>& ring, RingKind) {
+    curve.add(direction == Direction::outwards ? straightened_ring(ring) : ring, edges);
+  });
+  return true;
+}
+
+void check_offset(double radius, double chord_error) {
   if (!(radius >= 0) || !std::isfinite(radius))
     throw_invalid("offset radius is {}, expected a length of 0 or more", radius);
   if (!(chord_error > 0)) throw_invalid("chord error is {}, expected a length above 0", chord_error);
+}
+
+Region offset(const Region& region, double radius, double chord_error, Direction direction, Arcs arcs) {
+  check_offset(radius, chord_error);
   Box box = finite_box(region);
   if (radius == 0 || box.empty()) return region;
   box.grow(radius * 1.5);
   const Lattice lattice(box);
-  const double reach = radius / lattice.quantum() + (arcs == Arcs::tangents ? kOffsetSlack : -kOffsetSlack);
-  if (reach <= 0) return region;  // chords, and a radius smaller than the lattice resolves
-  const double error = std::max(chord_error / lattice.quantum(), 1.0);
-  const double half_step = std::min(std::acos(reach / (reach + error)), kPi / 4);
-  const OffsetCurve curve(reach, half_step, direction, arcs);
-
   std::vector<OverlayEdge> edges;
-  for_each_snapped_ring(region, lattice, [&](const std::vector<LatticePoint>& ring, RingKind) {
-    curve.add(direction == Direction::outwards ? straightened_ring(ring) : ring, edges);
-  });
+  if (!add_offset(edges, region, lattice, radius, chord_error, direction, arcs, {1, 0})) return region;
   return to_region(boundary_of(std::move(edges), inside_first), lattice);
 }
+
+bool in_first_only(Windings w) { return w.first > 0 && w.second <= 0; }
 
 }  // namespace
 
@@ -209,6 +234,20 @@ Region dilate(const Region& region, double radius, double chord_error, Bound bou
 Region erode(const Region& region, double radius, double chord_error, Bound bound) {
   return offset(region, radius, chord_error, Direction::inwards,
                 bound == Bound::inside ? Arcs::tangents : Arcs::chords);
+}
+
+Region between_offsets(const Region& outer, const Region& inner, double radius, double chord_error) {
+  if (!(radius > 0)) throw_invalid("offset radius is {}, expected a length above 0", radius);
+  check_offset(radius, chord_error);
+  Box box = finite_box(outer);
+  box.add(finite_box(inner));
+  if (box.empty()) return {};
+  box.grow(radius * 1.5);
+  const Lattice lattice(box);
+  std::vector<OverlayEdge> edges;
+  add_offset(edges, outer, lattice, radius, chord_error, Direction::inwards, Arcs::tangents, {1, 0});
+  add_offset(edges, inner, lattice, radius, chord_error, Direction::outwards, Arcs::tangents, {0, 1});
+  return to_region(boundary_of(std::move(edges), in_first_only), lattice);
 }
 
 }  // namespace oxturn

@@ -27,4 +27,8 @@ Region dilate(const Region& region, double radius, double chord_error, Bound bou
 /// 000 vertices with 800 holes take well under a second.
 Region erode(const Region& region, double radius, double chord_error, Bound bound);
 
+/// What lies in `outer` farther than `radius` from its complement, and farther than `radius` from `inner`: `outer`
+/// eroded (inside) less `inner` dilated (outside), in one overlay. Throws as they do, and for a radius of 0.
+Region between_offsets(const Region& outer, const Region& inner, double radius, double chord_error);
+
 }  // namespace oxturn

@@ -5,6 +5,7 @@
 
 #include "base/throw_invalid.hpp"
 #include "geometry/overlay/boolean.hpp"
+#include "geometry/predicates.hpp"
 
 namespace oxturn {
 namespace {
@@ -20,15 +21,15 @@ class Arc {
     const double cosine = inside_ ? std::max(0.0, 1 - error) : 1 / (1 + error);
     step_ = kPi / std::clamp(std::ceil(kPi / (2 * std::acos(cosine))), 2.0, kMostChords);
   }
-  /// Appends the arc about `centre` from `from` (a unit vector), counter-clockwise by `angle`, in equal parts.
+  /// Appends the arc about `centre` from `from` (a unit vector), counter-clockwise by `angle`, in equal parts. Without
+  /// the ends of tangents: they lie on the sides before and after the arc.
   void append(Ring& ring, const Point& centre, const Point& from, double angle) const {
     const int parts = static_cast<int>(std::ceil(angle / step_));
     const double part = parts > 0 ? angle / parts : 0;
     const double reach = radius_ / std::cos(part / 2);
     const auto add = [&](double far, double turn) { ring.push_back(centre + far * rotated(from, turn)); };
-    add(radius_, 0);
+    if (inside_ || parts == 0) add(radius_, 0);
     for (int k = 0; k < parts; ++k) inside_ ? add(radius_, (k + 1) * part) : add(reach, (k + 0.5) * part);
-    if (!inside_ && parts > 0) add(radius_, angle);
   }
 
   double radius() const { return radius_; }
@@ -90,9 +91,11 @@ class LineSwath {
     for (std::size_t v = first + 1; v < last; ++v) append_bend(ring, v, -left_[v - 1], -left_[v], turn_[v]);
     if (last == segments_) {
       arc_.append(ring, end, -left_[last - 1], kPi);
-    } else {  // with the arc of the bend to the next part
+    } else {  // with the arc of the bend to the next part, from or to where that begins
+      const bool left_turn = turn_[last] > 0;
       arc_.append(ring, end, -left_[last - 1], std::max(turn_[last], 0.0));
-      arc_.append(ring, end, turn_[last] > 0 ? left_[last - 1] : left_[last], std::max(-turn_[last], 0.0));
+      arc_.append(ring, end, left_turn ? Point(-left_[last]) : left_[last], 0);
+      arc_.append(ring, end, left_turn ? left_[last - 1] : left_[last], std::max(-turn_[last], 0.0));
     }
     for (std::size_t v = last; --v > first;) append_bend(ring, v, left_[v], left_[v - 1], -turn_[v]);
     return ring;
@@ -119,10 +122,18 @@ class LineSwath {
   std::vector<double> mitre_;  // of each vertex: metres to where the sides meet; 0: they do not
 };
 
+/// Does the robot drive straight on at b? Exact.
+bool straight_on(const Point& a, const Point& b, const Point& c) {
+  return (b - a).dot(c - b) > 0 && orientation(a, b, c) == 0;
+}
+
 void add_line(const Polyline& points, const Arc& arc, std::vector<Region>& parts) {
   Polyline line;
-  for (const Point& p : points)
-    if (line.empty() || p != line.back()) line.push_back(p);
+  for (const Point& p : points) {
+    if (!line.empty() && p == line.back()) continue;
+    if (line.size() > 1 && straight_on(line[line.size() - 2], line.back(), p)) line.pop_back();
+    line.push_back(p);
+  }
   if (line.size() == 1) parts.push_back(disc(line.front(), arc));
   if (line.size() > 1) LineSwath(line, arc).append(parts);
 }

@@ -208,5 +208,24 @@ TEST(Offset, DoesNotDependOnPositionOrDirection) {
   EXPECT_EQ(area(erode(turned, 0.1, 1e-4, Bound::inside)), a);
 }
 
+TEST(Offset, BetweenOffsetsIsErosionLessDilation) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Region outer = samples::holed_star(rng, {0, 0}, 4);
+    const double step = rng.between(0.1, 0.6), radius = rng.between(0.5, 0.9) * step, error = radius / 100;
+    const Region inner = erode(outer, step, error, Bound::inside);
+    const Region expected =
+        subtract(erode(outer, radius, error, Bound::inside), dilate(inner, radius, error, Bound::outside));
+    const Region found = between_offsets(outer, inner, radius, error);
+    EXPECT_FALSE(find_flaw(found));
+    EXPECT_LT(area(subtract(found, expected)) + area(subtract(expected, found)), 1e-6);
+  }
+  const Region box = box_region({0, 0}, {4, 3});
+  EXPECT_NEAR(area(between_offsets(box, {}, 0.5, 1e-3)), 6, kSnap);  // nothing inside
+  EXPECT_TRUE(between_offsets({}, box, 0.5, 1e-3).empty());
+  EXPECT_THROW(between_offsets(box, box, 0, 1e-3), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace oxturn
