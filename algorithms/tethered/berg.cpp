@@ -4,8 +4,10 @@
 // Model       polygons with holes, offline, disc footprint, tether from an anchor; tether lengths are those of a thin
 //             tether in free space, its nodes the obstacles' own corners
 // Guarantee   stays in configuration space; nothing about the tether or coverage
-// Complexity  n corners, k nodes (at most n), s samples, p pieces, d dividers: O((k n + s) times a test of sight)
-//             + O(p d) + about p^2 shortest paths where many pieces wait for their turn
+// Complexity  n corners, s samples, p pieces: O((n + s) log n) on real maps for the boundaries and their tree, then a
+//             shortest path from piece to piece. With order = bfs-per-divider (as in Berg 2021) the next area may be
+//             anywhere at the same distance from the anchor: among scattered obstacles the path grows as the area times
+//             its diameter, n^1.5, and the time with it. order = dfs stays in the neighbourhood.
 // Known flaws (of Berg 2021, kept)
 //             1. Laps lie at multiples of the step: walls and corners in between are passed at up to a step more than
 //                the radius and stay partly uncovered (4.2).

@@ -6,7 +6,10 @@
 #include <limits>
 #include <queue>
 #include <tuple>
+#include <utility>
 
+#include "algorithms/tethered/berg_sweep.hpp"
+#include "base/sorting.hpp"
 #include "geometry/paths/visibility.hpp"
 #include "geometry/predicates.hpp"
 
@@ -55,8 +58,12 @@ HiddenSide hidden_side(const Point& eye, const BergSight::Corner& c) {
 /// Dijkstra's search over corners: each corner is looked at by the node that reaches it with the least tether.
 class BergBoundary::NodeSearch {
  public:
-  NodeSearch(BergBoundary& boundary, double longest)
-      : b_(boundary), longest_(longest), looks_(b_.sight_.corners().size()) {}
+  NodeSearch(BergBoundary& boundary, Mesh mesh, double longest)
+      : b_(boundary),
+        longest_(longest),
+        visibility_(std::move(mesh)),
+        corners_at_(b_.sight_.corners_at_points(visibility_.mesh())),
+        looks_(b_.sight_.corners().size()) {}
 
   void run() {
     look_round(0);
@@ -82,10 +89,17 @@ class BergBoundary::NodeSearch {
   };
   using Candidate = std::pair<double, std::size_t>;  // length, corner
 
-  /// Looks at all corners in the node's sector.
+  /// Looks at all corners in sight and in the node's sector.
   void look_round(std::size_t index) {
-    const BergNode& node = b_.nodes_[index];
-    for (std::size_t k = 0; k < looks_.size(); ++k) {
+    BergNode& node = b_.nodes_[index];
+    b_.find_reach(node, visibility_.from(node.at, b_.tolerance_, &near_));
+    candidates_ = corners_at_.back();
+    for (const std::int32_t point : near_) {
+      const auto& here = corners_at_[static_cast<std::size_t>(point)];
+      candidates_.insert(candidates_.end(), here.begin(), here.end());
+    }
+    sort_unique(candidates_);
+    for (const std::uint32_t k : candidates_) {
       const BergSight::Corner& corner = b_.sight_.corners()[k];
       if (looks_[k].done || !BergSight::open_towards(corner, node.at)) continue;
       const double length = node.before + distance(node.at, corner.at);
@@ -95,11 +109,16 @@ class BergBoundary::NodeSearch {
       looks_[k] = {length, index};
       open_.push({length, k});
     }
+    b_.add_dividers(index, candidates_, longest_);
   }
 
   BergBoundary& b_;
   double longest_;
-  std::vector<Look> looks_;  // by corner
+  Visibility visibility_;
+  std::vector<std::vector<std::uint32_t>> corners_at_;  // by point of the mesh
+  std::vector<std::int32_t> near_;                      // points of the mesh, of one look round
+  std::vector<std::uint32_t> candidates_;               // corners, likewise
+  std::vector<Look> looks_;                             // by corner
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open_;
 };
 
@@ -107,11 +126,8 @@ BergBoundary::BergBoundary(const Region& free, const EdgeIndex& walls, const std
                            const Point& anchor, double longest, double tolerance)
     : tolerance_(tolerance), sight_(free, walls, barriers, tolerance) {
   nodes_.emplace_back().at = off_the_wall(anchor, walls, tolerance);
-  NodeSearch(*this, longest).run();
-  find_reach(free);
-  events_.resize(nodes_.size());
+  NodeSearch(*this, Mesh(free, barriers), longest).run();
   add_children_events();
-  for (std::size_t v = 0; v < nodes_.size(); ++v) add_dividers(v, longest);
   sort_events();
   number_dividers();
   drop_repeated_dividers();
@@ -149,23 +165,19 @@ void BergBoundary::add_node(const BergSight::Corner& corner, HiddenSide side, st
   nodes_.push_back(node);
 }
 
-void BergBoundary::find_reach(const Region& free) {
-  const Visibility visibility(free);
-  for (BergNode& node : nodes_) {
-    const Ring seen = visibility.from(node.at, tolerance_);
-    // A point on each side of the sector.
-    const Point along = node.parent ? Point(2 * node.at - nodes_[*node.parent].at) : node.at;
-    const bool on_left = node.side == HiddenSide::left;
-    const Point &right = on_left ? along : node.hidden, &left = on_left ? node.hidden : along;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      const Point &a = seen[i], &b = seen[(i + 1) % seen.size()];
-      if (node.parent) {
-        const bool spans = cross(a - node.at, right - node.at) >= 0 && cross(left - node.at, b - node.at) >= 0 &&
-                           cross(a - node.at, b - node.at) > 0;
-        if (!nearly_in_sector(node, a) && !nearly_in_sector(node, b) && !spans) continue;
-      }
-      node.reach = std::max({node.reach, distance(node.at, a), distance(node.at, b)});
+void BergBoundary::find_reach(BergNode& node, const Ring& seen) const {
+  // A point on each side of the sector.
+  const Point along = node.parent ? Point(2 * node.at - nodes_[*node.parent].at) : node.at;
+  const bool on_left = node.side == HiddenSide::left;
+  const Point &right = on_left ? along : node.hidden, &left = on_left ? node.hidden : along;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const Point &a = seen[i], &b = seen[(i + 1) % seen.size()];
+    if (node.parent) {
+      const bool spans = cross(a - node.at, right - node.at) >= 0 && cross(left - node.at, b - node.at) >= 0 &&
+                         cross(a - node.at, b - node.at) > 0;
+      if (!nearly_in_sector(node, a) && !nearly_in_sector(node, b) && !spans) continue;
     }
+    node.reach = std::max({node.reach, distance(node.at, a), distance(node.at, b)});
   }
 }
 
@@ -174,10 +186,13 @@ void BergBoundary::add_children_events() {
     const BergNode& node = nodes_[v];
     events_[*node.parent].push_back({node.at, false, v, node.side, distance(nodes_[*node.parent].at, node.at)});
   }
+  for (std::size_t v = 0; v < nodes_.size(); ++v)  // also what is seen along a single line
+    for (const Event& e : events_[v]) nodes_[v].reach = std::max(nodes_[v].reach, e.distance);
 }
 
-void BergBoundary::add_dividers(std::size_t v, double longest) {
+void BergBoundary::add_dividers(std::size_t v, const std::vector<std::uint32_t>& corners, double longest) {
   const BergNode& node = nodes_[v];
+  events_.resize(std::max(events_.size(), v + 1));
   /// `visible`: the point that must be seen for `at` to count.
   const auto offer = [&](const Point& at, const Point& visible, HiddenSide side) {
     const double rho = distance(node.at, at);
@@ -191,7 +206,8 @@ void BergBoundary::add_dividers(std::size_t v, double longest) {
     if (rho > 0 && nearly_in_sector(node, foot))
       offer(foot, lerp(foot, node.at, std::min(1.0, tolerance_ / rho)), HiddenSide::none);
   };
-  for (const BergSight::Corner& c : sight_.corners()) {
+  for (const std::uint32_t k : corners) {
+    const BergSight::Corner& c = sight_.corners()[k];
     // Does the wall come nearer to the node from the corner towards its neighbour?
     const bool nearer_at_next = (c.next - c.at).dot(node.at - c.at) > 0;
     const bool nearer_at_previous = (c.previous - c.at).dot(node.at - c.at) > 0;
@@ -295,79 +311,8 @@ double BergBoundary::farthest() const {
   return most;
 }
 
-/// Samples one boundary, counter-clockwise.
-class BergBoundary::Walk {
- public:
-  Walk(const BergBoundary& boundary, double length, double spacing)
-      : b_(boundary), length_(length), spacing_(spacing), pieces_(1) {}
-
-  std::vector<Piece> run() {
-    struct Visit {  // of a node's sector
-      std::size_t node, next_event = 0;
-      double angle = 0;    // up to where the sector has been walked
-      bool closed = true;  // the next arc may begin at `angle` itself
-    };
-    std::vector<Visit> stack{{0}};
-    while (!stack.empty()) {
-      Visit& visit = stack.back();
-      const BergNode& node = b_.nodes_[visit.node];
-      const std::vector<Event>& events = b_.events_[visit.node];
-      if (visit.next_event == events.size()) {
-        sample_arc(node, visit.angle, node.width, visit.closed, true);
-        stack.pop_back();
-        continue;
-      }
-      const Event& e = events[visit.next_event++];
-      if ((e.is_divider ? b_.dividers_[e.index].length : b_.nodes_[e.index].before) >= length_) continue;
-      // The point straight behind a corner belongs to the side on which the line of sight passes the corner.
-      sample_arc(node, visit.angle, e.angle, visit.closed, e.side != HiddenSide::right);
-      visit.angle = e.angle;
-      visit.closed = e.side != HiddenSide::left;
-      if (e.is_divider)
-        pieces_.push_back({e.index, {}});
-      else
-        stack.push_back({e.index});  // invalidates `visit`
-    }
-    close_round();
-    return std::move(pieces_);
-  }
-
- private:
-  /// The walk begins east of the anchor, not at a divider: what comes before the first divider belongs to the last
-  /// piece.
-  void close_round() {
-    if (pieces_.size() > 1) {
-      for (const Point& p : pieces_.front().points) add(p);
-      pieces_.erase(pieces_.begin());
-    } else if (Polyline& round = pieces_.front().points;
-               round.size() > 1 && distance(round.front(), round.back()) <= b_.tolerance_) {
-      round.pop_back();
-    }
-  }
-  void sample_arc(const BergNode& node, double from, double to, bool with_from, bool with_to) {
-    const double radius = length_ - node.before;
-    if (radius > node.reach + b_.tolerance_) return;
-    const bool one_point = radius * (to - from) <= b_.tolerance_;
-    if (one_point && !(with_from && with_to)) return;
-    const double steps = std::max(1.0, std::ceil(radius * (to - from) / spacing_));
-    for (double k = with_from ? 0 : 1; k <= (with_to ? steps : steps - 1); ++k) {
-      const double angle = node.begin + from + (to - from) * (k / steps);
-      const Point p = node.at + radius * Point(std::cos(angle), std::sin(angle));
-      if (b_.sight_.sees(node.at, p)) add(p);
-    }
-  }
-  void add(const Point& p) {
-    Polyline& points = pieces_.back().points;
-    if (points.empty() || distance(points.back(), p) > b_.tolerance_) points.push_back(p);
-  }
-
-  const BergBoundary& b_;
-  double length_, spacing_;
-  std::vector<Piece> pieces_;
-};
-
 std::vector<BergBoundary::Piece> BergBoundary::at(double length, double spacing) const {
-  return Walk(*this, length, spacing).run();
+  return BergSweep(*this, spacing).at(length);
 }
 
 }  // namespace oxturn

@@ -11,9 +11,9 @@
 ///        ########| *
 ///
 /// Source      Berg, "A Geometric Algorithm for Online Tethered Navigation", LTH 2021, section 3.1
-/// Complexity  n corners, k nodes: O(k n) tests of sight for nodes and as many for dividers (berg_sight.hpp): in the
-///             words of Berg 2021, it "scales poorly for large distances in environments with many corners". A
-///             boundary: one test of sight per sample.
+/// Complexity  n corners: O(n log n), and for each node the triangles that it sees, with two tests of sight for each of
+///             their corners; on real maps O(n log n). (Berg 2021 "scales poorly for large distances in environments
+///             with many corners".) A boundary: one test of sight per sample.
 /// Decisions   1. A corner is looked at once, by the node that reaches it with the least tether ("when a corner is
 ///                passed but not included it is never considered for the algorithm again"). Without this rule the
 ///                tether would wind round obstacles as its length allows, in exponentially many classes. With the rule
@@ -81,8 +81,9 @@ class BergBoundary {
     std::optional<std::size_t> divider;  // where it begins; nullopt: no divider acts, the piece goes all the way round
     Polyline points;
   };
-  /// In the order of their dividers; at least one piece, and pieces may be empty. Ends of arcs are samples; samples of
-  /// an arc are at most `spacing` metres apart.
+  /// In the order of their dividers; at least one piece, and pieces may be empty. Pieces are left out that are empty at
+  /// all greater lengths, too. Ends of arcs are samples; samples of an arc are at most `spacing` metres apart.
+  /// O(nodes + dividers); boundaries one after the other cost less by berg_sweep.hpp.
   std::vector<Piece> at(double length, double spacing) const;
 
  private:
@@ -96,14 +97,14 @@ class BergBoundary {
     double angle = 0;     // from the sector's right side
   };
   class NodeSearch;
-  class Walk;
+  friend class BergSweep;
 
   bool in_sector(const BergNode& node, const Point& p) const;
   bool nearly_in_sector(const BergNode& node, const Point& p) const;
   void add_node(const BergSight::Corner& corner, HiddenSide side, std::size_t parent, double before);
-  void find_reach(const Region& free);
+  void find_reach(BergNode& node, const Ring& seen) const;
   void add_children_events();
-  void add_dividers(std::size_t node, double longest);
+  void add_dividers(std::size_t node, const std::vector<std::uint32_t>& corners, double longest);
   static bool earlier_in_line(const Event& a, const Event& b);
   void sort_events();
   void number_dividers();

@@ -1,5 +1,8 @@
 #include "algorithms/tethered/berg_sight.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
@@ -9,7 +12,7 @@ BergSight::BergSight(const Region& free, const EdgeIndex& walls, const std::vect
     : walls_(walls), tolerance_(tolerance) {
   for_each_ring(free, [&](const Ring& ring) {
     const std::size_t n = ring.size();
-    for (std::size_t i = 0; i < n; ++i) corners_.push_back({ring[i], ring[(i + n - 1) % n], ring[(i + 1) % n]});
+    for (std::size_t i = 0; i < n; ++i) add_corner({ring[i], ring[(i + n - 1) % n], ring[(i + 1) % n]});
   });
   for (const Polyline& barrier : barriers) {
     Polyline line = barrier;
@@ -17,6 +20,37 @@ BergSight::BergSight(const Region& free, const EdgeIndex& walls, const std::vect
     line.back() = add_barrier_end(barrier.back(), barrier[barrier.size() - 2]);
     for (std::size_t i = 1; i < line.size(); ++i) barriers_.push_back({line[i - 1], line[i]});
   }
+  barrier_grid_ = UniformGrid(barriers_.size(), [&](std::size_t i) {
+    return std::array{barriers_[i].from, barriers_[i].to};
+  });
+  end_grid_ = UniformGrid(barrier_ends_.size(), [&](std::size_t i) { return std::array{barrier_ends_[i].at}; });
+}
+
+void BergSight::add_corner(const Corner& corner) {
+  corners_at_[corner.at].push_back(static_cast<std::uint32_t>(corners_.size()));
+  corners_.push_back(corner);
+}
+
+std::vector<std::vector<std::uint32_t>> BergSight::corners_at_points(const Mesh& mesh) const {
+  const std::size_t points = mesh.points().size();
+  std::vector<std::vector<std::uint32_t>> lists(points + 1);
+  std::vector<bool> listed(corners_.size(), false);
+  std::map<Point, std::size_t, decltype(&before)> number(&before);
+  for (std::size_t i = 0; i < points; ++i) {
+    number[mesh.points()[i]] = i;
+    const auto here = corners_at_.find(mesh.points()[i]);
+    if (here == corners_at_.end()) continue;
+    lists[i] = here->second;
+    for (const std::uint32_t k : here->second) listed[k] = true;
+  }
+  for (const auto& [end, begin] : ends_in_walls_) {
+    const auto i = number.find(end);
+    const auto& more = corners_at_.at(begin);
+    if (i != number.end()) lists[i->second].insert(lists[i->second].end(), more.begin(), more.end());
+  }
+  for (std::uint32_t k = 0; k < corners_.size(); ++k)
+    if (!listed[k]) lists.back().push_back(k);
+  return lists;
 }
 
 /// Two corners, one on each side of the barrier from here to `other`.
@@ -24,22 +58,24 @@ void BergSight::split_corner(std::size_t k, const Point& other) {
   Corner second = corners_[k];
   corners_[k].next = second.previous = other;
   corners_[k].at_barrier = second.at_barrier = true;
-  corners_.push_back(second);
+  add_corner(second);
 }
 
 /// Splits the corner where the barrier ends, or makes two corners on the wall there. Returns the barrier's end for
 /// tests of sight.
 Point BergSight::add_barrier_end(const Point& at, const Point& other) {
-  for (std::size_t k = 0; k < corners_.size(); ++k)
-    if (corners_[k].at == at && in_wedge(corners_[k], other)) {
-      barrier_ends_.push_back({at, other, corners_[k].previous, corners_[k].next});
-      split_corner(k, other);
-      return at;
-    }
+  if (const auto here = corners_at_.find(at); here != corners_at_.end())
+    for (const std::uint32_t k : here->second)
+      if (in_wedge(corners_[k], other)) {
+        barrier_ends_.push_back({at, other, corners_[k].previous, corners_[k].next});
+        split_corner(k, other);
+        return at;
+      }
   const auto wall = walls_.nearest(at);
   if (!wall) return at;
   const EdgeIndex::Edge& edge = walls_.edges()[wall->edge];
-  corners_.push_back({at, edge.a, edge.b, false});
+  ends_in_walls_.push_back({at, edge.a});
+  add_corner({at, edge.a, edge.b, false});
   split_corner(corners_.size() - 1, other);
   return at + 2 * tolerance_ * (at - other).normalized();
 }
@@ -56,16 +92,26 @@ bool BergSight::in_wedge(const Corner& c, const Point& p) {
 
 bool BergSight::sees(const Point& eye, const Point& p) const {
   if (!walls_.contains(eye, p)) return false;
-  for (const Barrier& b : barriers_)
-    if (crossing(eye, p, b.from, b.to) == Crossing::proper) return false;
-  for (const BarrierEnd& end : barrier_ends_) {
-    if (end.at == eye || end.at == p || !on_segment(end.at, eye, p)) continue;
-    // The line of sight touches this corner: its wall and the barrier must lie on the same side of the line.
-    const int previous = orientation(eye, p, end.previous), next = orientation(eye, p, end.next);
-    const int wall = previous != 0 ? previous : next != 0 ? next : (end.next - end.at).dot(p - eye) > 0 ? -1 : 1;
-    if (orientation(eye, p, end.other) * wall < 0) return false;
-  }
-  return true;
+  const std::array line{eye, p};
+  const bool crossed = barrier_grid_.visit(line, 0, [&](std::size_t cell) {
+    const auto items = barrier_grid_.items(cell);
+    return std::ranges::any_of(items, [&](std::uint32_t i) {
+      return crossing(eye, p, barriers_[i].from, barriers_[i].to) == Crossing::proper;
+    });
+  });
+  if (crossed) return false;
+  return !end_grid_.visit(line, 0, [&](std::size_t cell) {
+    const auto items = end_grid_.items(cell);
+    return std::ranges::any_of(items, [&](std::uint32_t i) { return blocked_at(barrier_ends_[i], eye, p); });
+  });
+}
+
+/// Does the line of sight touch this corner, its wall and the barrier on different sides of the line?
+bool BergSight::blocked_at(const BarrierEnd& end, const Point& eye, const Point& p) {
+  if (end.at == eye || end.at == p || !on_segment(end.at, eye, p)) return false;
+  const int previous = orientation(eye, p, end.previous), next = orientation(eye, p, end.next);
+  const int wall = previous != 0 ? previous : next != 0 ? next : (end.next - end.at).dot(p - eye) > 0 ? -1 : 1;
+  return orientation(eye, p, end.other) * wall < 0;
 }
 
 }  // namespace oxturn

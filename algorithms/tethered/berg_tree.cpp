@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "algorithms/tethered/berg_sweep.hpp"
+
 namespace oxturn {
 
 BergTree::BergTree(const BergBoundary& boundary, const Laps& laps,
@@ -13,25 +15,30 @@ BergTree::BergTree(const BergBoundary& boundary, const Laps& laps,
   for (std::size_t i = 0; i < pieces_.size(); ++i)
     if (useful[i] && pieces_[i].parent) pieces_[*pieces_[i].parent].children.push_back(i);
   add_regions(useful);
+  number_pieces();
+  find_lower_dividers();
 }
 
 void BergTree::add_laps(const Laps& laps, const std::function<bool(const Point&, double)>& keep,
                         const std::function<bool()>& stop) {
   const double last = std::min(laps.longest * (1 + 1e-12), boundary_.farthest());
+  BergSweep sweep(boundary_, laps.spacing);
   std::size_t previous = 0;  // index of the first piece of the lap before
   for (std::size_t lap = 1; static_cast<double>(lap) * laps.step <= last && !stop(); ++lap) {
     const double length = static_cast<double>(lap) * laps.step;
     const std::size_t begin = pieces_.size();
-    for (BergBoundary::Piece& found : boundary_.at(length, laps.spacing)) {
+    for (BergBoundary::Piece& found : sweep.at(length)) {
       Piece piece{lap, length, found.divider, std::nullopt, {}, {}};
       std::erase_if(found.points, [&](const Point& p) { return !keep(p, length); });
       piece.points = std::move(found.points);
       if (lap > 1) {
         // The parent contains the point just left of our divider: the last piece of the lap before that begins no
         // later, or, round the circle, its last piece.
-        std::size_t after = begin;
-        while (after > previous && pieces_[after - 1].divider > piece.divider) --after;
-        piece.parent = (after > previous ? after : begin) - 1;
+        const auto first = pieces_.begin() + static_cast<std::ptrdiff_t>(previous),
+                   end = pieces_.begin() + static_cast<std::ptrdiff_t>(begin);
+        const auto after = std::upper_bound(first, end, piece.divider,
+                                            [](const auto& divider, const Piece& p) { return divider < p.divider; });
+        piece.parent = static_cast<std::size_t>((after > first ? after : end) - pieces_.begin()) - 1;
       }
       pieces_.push_back(std::move(piece));
     }
@@ -70,46 +77,82 @@ void BergTree::add_regions(const std::vector<bool>& useful) {
   }
 }
 
-bool BergTree::grew_from(std::size_t piece, std::size_t ancestor) const {
-  while (pieces_[piece].lap > pieces_[ancestor].lap && pieces_[piece].parent) piece = *pieces_[piece].parent;
-  return piece == ancestor;
+/// In the order of a walk round the tree.
+void BergTree::number_pieces() {
+  span_.assign(pieces_.size(), {0, 0});
+  std::size_t count = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> stack;  // piece, children done
+  for (std::size_t root = 0; root < pieces_.size() && pieces_[root].lap == 1; ++root) {
+    stack.assign(1, {root, 0});
+    span_[root].first = ++count;
+    while (!stack.empty()) {
+      auto& [piece, done] = stack.back();
+      const std::vector<std::size_t>& children = pieces_[piece].children;
+      if (done == children.size()) {
+        span_[piece].second = count;
+        stack.pop_back();
+        continue;
+      }
+      const std::size_t child = children[done++];
+      span_[child].first = ++count;
+      stack.push_back({child, 0});
+    }
+  }
 }
 
-/// Dividers from one piece to another, turning to the left or to the right. A piece lies just left of its divider.
-std::vector<std::size_t> BergTree::dividers_on(Turn turn, std::size_t from, std::size_t to) const {
+bool BergTree::grew_from(std::size_t piece, std::size_t ancestor) const {
+  return span_[ancestor].first <= span_[piece].first && span_[piece].first <= span_[ancestor].second;
+}
+
+/// Twice round, so that the second time all that comes after is known.
+void BergTree::find_lower_dividers() {
   const std::size_t n = boundary_.dividers().size();
+  for (const Turn turn : {Turn::left, Turn::right}) {
+    std::vector<std::size_t>& lower = turn == Turn::left ? lower_left_ : lower_right_;
+    lower.resize(n);
+    std::vector<std::size_t> chain;  // of those that come after, the lowest first
+    for (std::size_t k = 2 * n; k-- > 0;) {
+      const std::size_t d = turn == Turn::left ? k % n : n - 1 - k % n;
+      while (!chain.empty() && length_at(chain.back()) >= length_at(d)) chain.pop_back();
+      lower[d] = chain.empty() ? d : chain.back();
+      chain.push_back(d);
+    }
+  }
+}
+
+/// A piece lies just left of its divider.
+BergTree::Passage BergTree::passage(Turn turn, std::size_t from, std::size_t to) const {
+  const std::size_t n = boundary_.dividers().size();
+  const bool left = turn == Turn::left;
   const std::size_t a = *pieces_[from].divider, b = *pieces_[to].divider;
-  const std::size_t first = turn == Turn::left ? (a + 1) % n : a, last = turn == Turn::left ? b : (b + 1) % n;
-  std::vector<std::size_t> dividers{first};
-  while (dividers.back() != last) dividers.push_back((dividers.back() + (turn == Turn::left ? 1 : n - 1)) % n);
-  return dividers;
+  const std::size_t first = left ? (a + 1) % n : a, last = left ? b : (b + 1) % n;
+  const auto steps = [&](std::size_t d) { return left ? (d + n - first) % n : (first + n - d) % n; };  // from the first
+  const std::vector<std::size_t>&ahead = left ? lower_left_ : lower_right_, &back = left ? lower_right_ : lower_left_;
+  Passage found;
+  // Appends the divider if it is lower than `limit`.
+  const auto offer = [&](std::size_t d, double limit, std::vector<std::size_t>& out) {
+    if (length_at(d) < limit) out.push_back(d);
+  };
+  std::size_t lowest = first;
+  offer(first, pieces_[from].length, found.gates);
+  for (std::size_t d = ahead[first]; steps(d) > steps(lowest) && steps(d) <= steps(last); d = ahead[d]) {
+    offer(d, pieces_[from].length, found.gates);
+    lowest = d;
+  }
+  found.lowest = length_at(lowest);
+  std::vector<std::size_t> ascent;
+  for (std::size_t d = last, before = n; steps(d) > steps(lowest) && steps(d) < before; d = back[d]) {
+    offer(d, pieces_[to].length, ascent);
+    before = steps(d);
+  }
+  found.gates.insert(found.gates.end(), ascent.rbegin(), ascent.rend());
+  return found;
 }
 
 std::vector<std::size_t> BergTree::between(std::size_t from, std::size_t to) const {
   if (grew_from(to, from) || grew_from(from, to)) return {};
-  std::vector<std::size_t> best;
-  double farthest = -1;  // lowest divider in the best direction
-  for (const Turn turn : {Turn::left, Turn::right}) {
-    const std::vector<std::size_t> all = dividers_on(turn, from, to);
-    const auto lowest = std::min_element(all.begin(), all.end(),
-                                         [&](std::size_t a, std::size_t b) { return length_at(a) < length_at(b); });
-    if (length_at(*lowest) <= farthest) continue;
-    farthest = length_at(*lowest);
-    // Appends the dividers that are lower than all before them and than `limit`.
-    const auto descend = [&](auto begin, auto end, double limit, std::vector<std::size_t>& out) {
-      for (auto d = begin; d != end; ++d)
-        if (length_at(*d) < limit) {
-          out.push_back(*d);
-          limit = length_at(*d);
-        }
-    };
-    best.clear();
-    descend(all.begin(), lowest + 1, pieces_[from].length, best);
-    std::vector<std::size_t> ascent;
-    descend(all.rbegin(), std::make_reverse_iterator(lowest + 1), pieces_[to].length, ascent);
-    best.insert(best.end(), ascent.rbegin(), ascent.rend());
-  }
-  return best;
+  Passage left = passage(Turn::left, from, to), right = passage(Turn::right, from, to);
+  return right.lowest > left.lowest ? std::move(right.gates) : std::move(left.gates);
 }
 
 }  // namespace oxturn

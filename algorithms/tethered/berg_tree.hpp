@@ -6,7 +6,8 @@
 /// Source      Berg 2021, section 3.1
 /// Model       a lap is the boundary at k steps of tether, k = 1, 2, ...; a piece lies between two dividers of a lap; a
 ///             region is a chain of pieces up to the next divider (the "area" of Berg 2021)
-/// Complexity  p pieces, d dividers: O(p times pieces of a lap) for the tree, O(d) for the gates of one path
+/// Complexity  p pieces, d dividers, m samples: O(m + p log p + d) for the tree; the gates of one path O(dividers lower
+///             than all before them, seen from either end)
 /// Decisions   1. Berg 2021 lets the robot "come closer" to pass a divider (figures 3.4, 3.5), without saying where.
 ///                Here it passes the divider's gate: the point next to the divider, on the node's side, where the robot
 ///                fits.
@@ -17,6 +18,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "algorithms/tethered/berg_boundary.hpp"
@@ -61,13 +63,23 @@ class BergTree {
   void add_regions(const std::vector<bool>& useful);
   bool grew_from(std::size_t piece, std::size_t ancestor) const;
   enum class Turn { left, right };
-  std::vector<std::size_t> dividers_on(Turn turn, std::size_t from, std::size_t to) const;
+  /// Where a path passes dividers, from one to another.
+  struct Passage {
+    std::vector<std::size_t> gates;  // dividers
+    double lowest;                   // length at the lowest divider in between
+  };
+  Passage passage(Turn turn, std::size_t from, std::size_t to) const;
+  void find_lower_dividers();
+  void number_pieces();
   double length_at(std::size_t divider) const { return boundary_.dividers()[divider].length; }
 
   const BergBoundary& boundary_;
   std::vector<Piece> pieces_;
   std::vector<Region> regions_;
   std::vector<std::size_t> roots_;
+  // By divider: the next one that is lower, to the left and to the right round the boundary; itself for the lowest.
+  std::vector<std::size_t> lower_left_, lower_right_;
+  std::vector<std::pair<std::size_t, std::size_t>> span_;  // by piece: a child's span is within its parent's
 };
 
 }  // namespace oxturn

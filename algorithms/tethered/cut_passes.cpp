@@ -1,12 +1,14 @@
 #include "algorithms/tethered/cut_passes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "base/sorting.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
 #include "geometry/raster.hpp"
@@ -153,30 +155,36 @@ Region strip_of(const std::vector<StripPiece>& pieces, double w) {
   return simplify_inward(unite(parts), kStraightening * w);
 }
 
-/// The region as it is in a box: without polygons and holes that lie elsewhere.
-Region near_box(const Region& region, const Box& box) {
-  Region near;
-  const auto overlaps = [&](const Ring& ring) { return bounding_box(ring).overlaps(box); };
-  for (const Polygon& polygon : region.polygons) {
-    if (!overlaps(polygon.outer)) continue;
-    near.polygons.push_back({polygon.outer, {}});
-    std::ranges::copy_if(polygon.holes, std::back_inserter(near.polygons.back().holes), overlaps);
-  }
-  return near;
+/// Counter-clockwise.
+std::array<Point, 4> corners_of(const Box& box) {
+  return {box.low, Point(box.high.x(), box.low.y()), box.high, Point(box.low.x(), box.high.y())};
+}
+
+/// Calls f(i), in ascending order, for the boxes that overlap `box`.
+template <class BoxOf, class F>
+void for_each_overlapping(const UniformGrid& grid, const Box& box, BoxOf box_of, F f) {
+  std::vector<std::uint32_t> found;
+  grid.visit(corners_of(box), 0, [&](std::size_t cell) {
+    const auto items = grid.items(cell);
+    found.insert(found.end(), items.begin(), items.end());
+    return false;
+  });
+  sort_unique(found);
+  for (const std::uint32_t i : found)
+    if (box_of(i).overlaps(box)) f(i);
 }
 
 /// What the tool would reach from `whole` near the strip, and does not from `driven`: in `whole`, and beside walls.
 /// What lies across the cut is for the passes there.
-Region unreached(const Problem& problem, const std::vector<StripPiece>& pieces, const Region& whole,
-                 const Region& driven) {
-  const double w = problem.robot().tool_width, chord = w / kChordsPerWidth;
+Region unreached(const RingBoxes& target, const RingBoxes& space, const std::vector<StripPiece>& pieces,
+                 const Region& whole, const Region& driven, double w) {
+  const double chord = w / kChordsPerWidth;
   std::vector<Polyline> lines;
   for (const StripPiece& piece : pieces) lines.push_back({piece.from.at, piece.to.at});
   const Region around = squares_around(lines, kDrivenWithin * w, kSquare * w);
   const Region near = intersect(whole, around), swept = dilate(near, w / 2, chord, Bound::inside);
   const Box box = bounding_box(swept);
-  const Region beside =
-      subtract(intersect(near_box(problem.target(), box), swept), near_box(problem.configuration_space(), box));
+  const Region beside = subtract(intersect(target.near(box), swept), space.near(box));
   const Region missed = subtract(unite({near, beside}), dilate(intersect(driven, around), w / 2, chord, Bound::inside));
   return intersect(missed, squares_around(lines, kMissedWithin * w, kSquare * w));
 }
@@ -203,10 +211,40 @@ Region squares_around(const std::vector<Polyline>& segments, double reach, doubl
   return trace(grid);
 }
 
-CutPasses::CutPasses(const Problem& problem, const std::vector<Polyline>& cut) : problem_(problem) {
+RingBoxes::RingBoxes(const Region& region) : region_(region) {
+  for (std::size_t i = 0; i < region.polygons.size(); ++i) {
+    rings_.push_back({i, 0, bounding_box(region.polygons[i].outer)});
+    for (std::size_t k = 0; k < region.polygons[i].holes.size(); ++k)
+      rings_.push_back({i, k + 1, bounding_box(region.polygons[i].holes[k])});
+  }
+  grid_ = UniformGrid(rings_.size(), [&](std::size_t i) { return corners_of(rings_[i].box); });
+}
+
+Region RingBoxes::near(const Box& box) const {
+  Region found;
+  std::optional<std::size_t> last;  // polygon
+  for_each_overlapping(
+      grid_, box, [&](std::size_t i) { return rings_[i].box; },
+      [&](std::size_t i) {
+        const Where& ring = rings_[i];
+        const Polygon& polygon = region_.polygons[ring.polygon];
+        if (ring.hole == 0) {
+          found.polygons.push_back({polygon.outer, {}});
+          last = ring.polygon;
+        } else if (last == ring.polygon) {
+          found.polygons.back().holes.push_back(polygon.holes[ring.hole - 1]);
+        }
+      });
+  return found;
+}
+
+CutPasses::CutPasses(const Problem& problem, const std::vector<Polyline>& cut)
+    : problem_(problem), target_(problem.target()), space_(problem.configuration_space()) {
   CutLines all = joined(cut);
   lines_ = std::move(all.lines);
   junctions_ = std::move(all.junctions);
+  for (const Polyline& line : lines_) boxes_.push_back(bounding_box(line));
+  grid_ = UniformGrid(boxes_.size(), [&](std::size_t i) { return corners_of(boxes_[i]); });
 }
 
 PassSpace CutPasses::beside(const Problem& component) const {
@@ -215,9 +253,11 @@ PassSpace CutPasses::beside(const Problem& component) const {
   Box box = bounding_box(whole);
   box.grow(w);
   std::vector<StripPiece> pieces;
-  for (const Polyline& line : lines_)
-    if (bounding_box(line).overlaps(box))
-      append_wide(with_half_widths(line, junctions_, component.start(), problem_), kLeastDistance * w, pieces);
+  for_each_overlapping(
+      grid_, box, [&](std::size_t i) { return boxes_[i]; },
+      [&](std::size_t i) {
+        append_wide(with_half_widths(lines_[i], junctions_, component.start(), problem_), kLeastDistance * w, pieces);
+      });
   std::erase_if(pieces, [&](const StripPiece& piece) {  // others do not touch it
     return !component.walls().contains(piece.from.at) &&
            !component.walls().nearest(piece.from.at, piece.to.at, w / 2).has_value();
@@ -233,7 +273,7 @@ PassSpace CutPasses::beside(const Problem& component) const {
         lost.polygons.push_back(std::move(part));
     }
     if (lost.empty()) {
-      Region pockets = unreached(problem_, pieces, whole, space);
+      Region pockets = unreached(target_, space_, pieces, whole, space, w);
       return {std::move(space), std::move(pockets)};
     }
     const EdgeIndex around(lost);

@@ -7,7 +7,10 @@
 //             cells and a tether of L metres; keeps the tether length limit. With cells = partial the vertices of the
 //             walls count as cells in this bound, and nothing that the tether reaches is left uncovered: of any point
 //             of a cell, the segment to the cell's centre is free, or meets a wall that is driven, within w/2.
-// Complexity  n cells: O(n log n) for their order, then n tethered shortest paths
+// Complexity  n cells: O(n log n) for their order, then n tethered shortest paths. With order = distance, as published,
+//             cells that follow one another lie anywhere at the same distance from the anchor, so each path is about as
+//             long as the map is wide: all of it grows as n^1.5 (the bound above, 2 L n, has the same order), and no
+//             search can take less than its bends. A search looks at the area that its path spans.
 // Decisions   1. Round k of the paper visits the new cells within k D, nearest first. Over all rounds that is one order
 //                by (distance, row, column). Distances that differ by rounding alone count as equal.
 //             2. `order = distance` is literal. As Berg 2021 shows, the path looks almost random.

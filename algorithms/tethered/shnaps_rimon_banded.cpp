@@ -3,7 +3,8 @@
 // Source      Berg 2021, chapter 4.1: an improvement of Shnaps and Rimon 2014
 // Model       grid, offline, disc footprint of one cell
 // Guarantee   as shnaps-rimon: visits every cell in which the robot fits (`cells`); keeps the tether length limit
-// Complexity  n cells: O(n log n) for their order, then n tethered shortest paths
+// Complexity  n cells: O(n log n) for their order, then n tethered shortest paths. With group = none, as published, the
+//             cells about different bends of one band are mixed: the path grows as n^1.5, as that of shnaps-rimon
 // Decisions   1. The angle is that of the cell seen from the last corner of its geodesic, counter-clockwise from the x
 //                axis; Berg 2021 says no more. So cells about different bends are mixed, which is a weakness.
 //             2. `group = bend` (ours) keeps the cells about one bend together, bends by their distance.

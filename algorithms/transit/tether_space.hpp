@@ -24,6 +24,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,12 +55,13 @@ class TetherSpace {
     std::size_t index;    // among components()
   };
   /// The start's component first, then those that the robot can enter, by their entries' distance from the anchor.
-  const std::vector<Component>& components() const { return components_; }
+  /// Found at the first call; not safe from several threads.
+  const std::vector<Component>& components() const;
   /// Of the start's component: its space, and the problem for any planner.
-  const Region& cut_space() const { return cut_problem().configuration_space(); }
-  const Problem& cut_problem() const { return components_.front().problem; }
-  /// Components that the tether does not let the robot enter, or that are too small.
-  const Region& unreached() const { return unreached_; }
+  const Region& cut_space() const { return home_->problem.configuration_space(); }
+  const Problem& cut_problem() const { return home_->problem; }
+  /// Components that the tether does not let the robot enter, or that are too small. As components().
+  const Region& unreached() const;
 
   /// From a point of one component to a point of another (or the same). At both ends the tether is the geodesic, and it
   /// is within its length on the way.
@@ -75,20 +77,23 @@ class TetherSpace {
     Polyline path;
   };
   void cut_open();
-  void add_components(std::vector<Polygon> others);
+  void find_components() const;
   std::optional<EntryPath> path_into(const Polygon& component) const;
   bool within_tether(const Point& from, const Polyline& path) const;
 
   const Problem& problem_;
   double width_;
   std::vector<Polyline> cut_;
-  std::vector<Component> components_;
-  Region unreached_;
+  std::optional<Component> home_;  // the start's
+  std::vector<Polygon> others_;    // as the cut leaves them
+  mutable std::vector<Component> components_;
+  mutable Region unreached_;
   mutable std::unique_ptr<const TetheredWorld> world_;
 };
 
 /// Covers every component by `cover` (whose path begins at the component's start) and joins the paths: the start's
-/// component first, then always the one whose entry is nearest by path; paths in between are transit. Components for
+/// component first, then always the one whose entry is nearest by path, or, where there are many, depth-first over the
+/// tree of their entry paths (tether_space.cpp, 5). Paths in between are transit. Components for
 /// which `cover` throws Infeasible are left out; if all are, this throws the first of these exceptions.
 Path cover_components(const TetherSpace& tether,
                       const std::function<Path(const TetherSpace::Component&, Context&)>& cover, bool return_home,

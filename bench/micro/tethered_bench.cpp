@@ -65,7 +65,21 @@ void plan_speckle(benchmark::State& state, const std::string& name) {
       ->Unit(benchmark::kMillisecond)
 OXTURN_SPECKLE(berg_complete, "berg-complete");
 OXTURN_SPECKLE(leashed, "leashed");
+OXTURN_SPECKLE(berg, "berg");
+OXTURN_SPECKLE(tether_tree, "tether-tree");
+OXTURN_SPECKLE(tethered_stc, "tethered-stc");
 #undef OXTURN_SPECKLE
+// One shortest path a cell, across the map: the path itself grows as n^1.5.
+BENCHMARK_CAPTURE(plan_speckle, shnaps_rimon, "shnaps-rimon")
+    ->RangeMultiplier(4)
+    ->Range(1 << 10, 1 << 14)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(plan_speckle, shnaps_rimon_banded, "shnaps-rimon-banded")
+    ->RangeMultiplier(4)
+    ->Range(1 << 10, 1 << 14)
+    ->Complexity()
+    ->Unit(benchmark::kMillisecond);
 
 void BM_TetheredProblem(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(hall_with(state.range(0)).tether()->geodesics().farthest());

@@ -18,6 +18,11 @@ distance of the farthest point. A size is the number of squares of side tool wid
 slope of log seconds over log cells; n log n has 1.09. MB: the greatest of the sizes, beyond what the problem takes. A
 run without a path shows its outcome: `timeout` is more than 20 s of processor time; an empty field was not run. The
 figures are those of one machine: orders carry over, seconds do not.
+
+Three planners must grow faster than n log n among scattered obstacles, because the paths that their sources describe
+do: `shnaps-rimon` visits the cells by their distance from the anchor, `shnaps-rimon-banded` by distance and by the
+direction from the last bend, and `berg` goes from area to area by distance. What follows one another lies anywhere at
+the same distance, so each path there is about as long as the map is wide, and the whole path grows as n^1.5.
 """
 
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/sorting.hpp"
 #include "base/throw_invalid.hpp"
 #include "geometry/predicates.hpp"
 
@@ -43,7 +44,9 @@ Point far_end(const Point& eye, const Point& on, const Point& a, const Point& b)
 
 class Expansion {
  public:
-  Expansion(const Mesh& mesh, const Point& eye, Ring& seen) : mesh_(mesh), eye_(eye), seen_(seen) {}
+  /// `near`, if not null, gets the vertices of the triangles that are entered.
+  Expansion(const Mesh& mesh, const Point& eye, Ring& seen, std::vector<std::int32_t>* near)
+      : mesh_(mesh), eye_(eye), seen_(seen), near_(near) {}
 
   /// Appends what the eye sees through the window.
   void run(const Window& first) {
@@ -67,6 +70,7 @@ class Expansion {
     std::size_t apex = 0;  // two triangles may share two edges
     while (mesh_.triangle(next).neighbour[apex] != w.triangle || mesh_.vertex(next, apex + 1) != b) ++apex;
     const Point& v = mesh_.vertex(next, apex);  // the triangle is v, b, a
+    if (near_) near_->push_back(mesh_.triangle(next).vertex[apex]);
     const Window on_right{next, (apex + 1) % 3, w.right, w.left}, on_left{next, (apex + 2) % 3, w.right, w.left};
     if (orientation(eye_, w.right, v) <= 0) {
       stack_.push_back(on_left);
@@ -85,6 +89,7 @@ class Expansion {
   const Mesh& mesh_;
   const Point eye_;
   Ring& seen_;
+  std::vector<std::int32_t>* near_;
   std::vector<Window> stack_;
 };
 
@@ -122,18 +127,24 @@ std::vector<std::int32_t> Visibility::home_of(Point& eye, double tolerance) cons
   return home;
 }
 
-Ring Visibility::from(const Point& given, double tolerance) const {
+Ring Visibility::from(const Point& given, double tolerance, std::vector<std::int32_t>* near) const {
   Point eye = given;
   const std::vector<std::int32_t> home = home_of(eye, tolerance);
   const std::vector<Window> around = windows_around(mesh_, eye, home);
   Ring seen;
-  Expansion expansion(mesh_, eye, seen);
+  if (near) near->clear();
+  Expansion expansion(mesh_, eye, seen, near);
   for (std::size_t i = 0; i < around.size(); ++i) {
     const Window& previous = around[(i + around.size() - 1) % around.size()];
     if (previous.left != around[i].right) seen.push_back(eye);
     expansion.run(around[i]);
   }
   while (seen.size() > 1 && seen.back() == seen.front()) seen.pop_back();
+  if (near) {
+    for (const std::int32_t t : home)
+      near->insert(near->end(), mesh_.triangle(t).vertex.begin(), mesh_.triangle(t).vertex.end());
+    sort_unique(*near);
+  }
   return seen;
 }
 

@@ -4,6 +4,9 @@
 ///   const Ring seen = visibility.from(eye);
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "geometry/mesh/mesh.hpp"
 
 namespace oxturn {
@@ -13,12 +16,16 @@ namespace oxturn {
 class Visibility {
  public:
   explicit Visibility(const Region& region) : mesh_(region) {}
+  /// The same for a region that is meshed already; barriers of the mesh block sight as walls do.
+  explicit Visibility(Mesh mesh) : mesh_(std::move(mesh)) {}
+  const Mesh& mesh() const { return mesh_; }
 
   /// The star-shaped polygon that `eye` sees, counter-clockwise. Its vertices are vertices of the region and, rounded,
   /// the points where rays past a vertex end. Exact predicates decide which vertices are seen. O(triangles seen),
   /// usually. An eye outside the region by at most `tolerance` is moved into it; throws std::invalid_argument if it is
   /// farther outside.
-  Ring from(const Point& eye, double tolerance = 0) const;
+  /// `near`, if given, gets points of the mesh, ascending: the vertices of all triangles of which something is seen.
+  Ring from(const Point& eye, double tolerance = 0, std::vector<std::int32_t>* near = nullptr) const;
 
  private:
   std::vector<std::int32_t> home_of(Point& eye, double tolerance) const;

@@ -3,7 +3,8 @@
 //             bend to that side and bends that it releases to the other, so first come releases, then gains.
 // Complexity  A release costs the grid cells of the triangle that it opens. The first bend gained costs the cells of
 //             the rest, and each further one looks again at the corners left in the shrinking triangle: k bends gained
-//             in one piece among c corners take O(k c) at worst.
+//             in one piece among c corners take O(k c) at worst. A piece that begins at a corner which stops the tether
+//             there, as all pieces of a taut path do, costs O(1).
 // Decisions   1. A sweep is bounded by rays through given points: the path's points, corners and the anchor. The points
 //                in which the turning tether meets the segment driven are computed only for reports and for the index.
 //             2. A drive that comes within kNear of a corner goes through that corner. On a valid path that does not
@@ -98,11 +99,16 @@ class TautTether::Motion {
           !tether_.bends_.empty() && tether_.bends_.back().side == -turn_ && turn_ * orientation(previous, b, q_) >= 0;
       const double end = releases ? meeting(previous, b) : 1;
       const Corner* first = nullptr;
-      const std::array triangle{b, lerp(p_, q_, t_), lerp(p_, q_, end)};
-      corners_.for_each_near(triangle, kNear, [&](const Corner& c) {
+      const auto offer = [&](const Corner& c) {
         if (!swept(c) || (releases ? turn_ * orientation(previous, b, c.at) >= 0 : !before_end(c))) return;
         if (stops(c) && (first == nullptr || sooner(c, *first))) first = &c;
-      });
+      };
+      // A corner that stops the tether where the piece begins comes before all others: along a taut path that is all.
+      if (t_ == 0)
+        corners_.for_each_near(std::array{p_}, 0, [&](const Corner& c) {
+          if (c.at == p_) offer(c);
+        });
+      if (first == nullptr) corners_.for_each_near(std::array{b, lerp(p_, q_, t_), lerp(p_, q_, end)}, kNear, offer);
       if (first != nullptr) return gain_from(*first);
       if (!releases) return;
       swing_until(end);

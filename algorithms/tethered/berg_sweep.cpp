@@ -1,0 +1,121 @@
+#include "algorithms/tethered/berg_sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace oxturn {
+
+BergSweep::BergSweep(const BergBoundary& boundary, double spacing)
+    : b_(boundary), spacing_(spacing), items_{{kNone, kNone, kNone}}, first_arc_(boundary.nodes_.size(), kNone) {
+  for (std::size_t v = 0; v < b_.events_.size(); ++v)
+    for (std::size_t i = 0; i < b_.events_[v].size(); ++i) {
+      const BergBoundary::Event& e = b_.events_[v][i];
+      activations_.push_back({e.is_divider ? b_.dividers_[e.index].length : b_.nodes_[e.index].before,
+                              static_cast<std::int32_t>(v), static_cast<std::int32_t>(i)});
+    }
+  std::sort(activations_.begin(), activations_.end(), [](const Activation& a, const Activation& b) {
+    return std::tuple(a.length, a.node, a.event) < std::tuple(b.length, b.node, b.event);
+  });
+  items_.front().next = add_arcs_of(0);
+}
+
+/// The node's whole sector.
+std::int32_t BergSweep::add_arcs_of(std::int32_t node) {
+  const auto v = static_cast<std::size_t>(node);
+  const auto arc = static_cast<std::int32_t>(items_.size());
+  items_.push_back({node, kNone, static_cast<std::int32_t>(b_.events_[v].size())});
+  return first_arc_[v] = arc;
+}
+
+/// Splits the node's arc at the event, and puts what is new in between.
+void BergSweep::activate(const Activation& a) {
+  std::int32_t arc = first_arc_[static_cast<std::size_t>(a.node)];
+  while (item(arc).end < a.event) arc = item(arc).sibling;
+  const BergBoundary::Event& e = b_.events_[static_cast<std::size_t>(a.node)][static_cast<std::size_t>(a.event)];
+  const auto rest = static_cast<std::int32_t>(items_.size());
+  items_.push_back({a.node, a.event, item(arc).end, item(arc).next, item(arc).sibling});
+  std::int32_t between = rest + 1;
+  if (e.is_divider)
+    items_.push_back({kNone, static_cast<std::int32_t>(e.index), kNone});
+  else
+    between = add_arcs_of(static_cast<std::int32_t>(e.index));
+  item(between).next = rest;
+  item(arc).end = a.event;
+  item(arc).sibling = rest;
+  item(arc).next = between;
+}
+
+bool BergSweep::has_ended(const Item& arc) const {
+  if (arc.node == kNone) return false;
+  const BergNode& node = b_.nodes_[static_cast<std::size_t>(arc.node)];
+  return length_ - node.before > node.reach + b_.tolerance_;
+}
+
+void BergSweep::drop_ended_after(std::int32_t i) {
+  while (item(i).next != kNone && has_ended(item(item(i).next))) item(i).next = item(item(i).next).next;
+}
+
+std::vector<BergBoundary::Piece> BergSweep::at(double length) {
+  length_ = length;
+  for (; active_ < activations_.size() && activations_[active_].length < length; ++active_)
+    activate(activations_[active_]);
+  std::vector<BergBoundary::Piece> pieces(1);
+  drop_ended_after(0);
+  for (std::int32_t before = 0; item(before).next != kNone;) {
+    const std::int32_t i = item(before).next;
+    drop_ended_after(i);
+    const Item here = item(i);
+    if (here.node == kNone) {
+      if (here.next != kNone && item(here.next).node == kNone) {  // nothing is between two dividers, nor will be
+        item(before).next = here.next;
+        continue;
+      }
+      pieces.push_back({static_cast<std::size_t>(here.begin), {}});
+    } else {
+      sample(here, pieces.back());
+    }
+    before = i;
+  }
+  close_round(pieces);
+  return pieces;
+}
+
+/// The walk begins east of the anchor, not at a divider: what comes before the first divider belongs to the last piece.
+void BergSweep::close_round(std::vector<BergBoundary::Piece>& pieces) const {
+  if (pieces.size() > 1) {
+    for (const Point& p : pieces.front().points) add(p, pieces.back().points);
+    pieces.erase(pieces.begin());
+  } else if (Polyline& round = pieces.front().points;
+             round.size() > 1 && distance(round.front(), round.back()) <= b_.tolerance_) {
+    round.pop_back();
+  }
+}
+
+void BergSweep::sample(const Item& arc, BergBoundary::Piece& piece) const {
+  const auto v = static_cast<std::size_t>(arc.node);
+  const BergNode& node = b_.nodes_[v];
+  const std::vector<BergBoundary::Event>& events = b_.events_[v];
+  const bool begins = arc.begin == kNone, ends = static_cast<std::size_t>(arc.end) == events.size();
+  const auto event = [&](std::int32_t i) -> const BergBoundary::Event& { return events[static_cast<std::size_t>(i)]; };
+  const double from = begins ? 0 : event(arc.begin).angle, to = ends ? node.width : event(arc.end).angle;
+  // The point straight behind a corner belongs to the side on which the line of sight passes the corner.
+  const bool with_from = begins || event(arc.begin).side != HiddenSide::left;
+  const bool with_to = ends || event(arc.end).side != HiddenSide::right;
+  const double radius = length_ - node.before;
+  const bool one_point = radius * (to - from) <= b_.tolerance_;
+  if (one_point && !(with_from && with_to)) return;
+  const double steps = std::max(1.0, std::ceil(radius * (to - from) / spacing_));
+  for (double k = with_from ? 0 : 1; k <= (with_to ? steps : steps - 1); ++k) {
+    const double angle = node.begin + from + (to - from) * (k / steps);
+    const Point p = node.at + radius * Point(std::cos(angle), std::sin(angle));
+    if (b_.sight_.sees(node.at, p)) add(p, piece.points);
+  }
+}
+
+void BergSweep::add(const Point& p, Polyline& points) const {
+  if (points.empty() || distance(points.back(), p) > b_.tolerance_) points.push_back(p);
+}
+
+}  // namespace oxturn
