@@ -142,6 +142,7 @@ std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, const C
       legs.insert(legs.end(), element.legs.begin(), element.legs.end());
       elements.push_back(std::move(element));
     }
+    if (!options_.complete && !elements.empty()) break;
     if (!legs.empty()) rest = uncovered(rest, legs, tool_width);
     if (oxturn::area(rest) <= (1 - kFilled) * all) break;
   }

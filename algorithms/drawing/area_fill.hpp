@@ -21,6 +21,7 @@ struct FillOptions {
   double line_distance = 0;     // metres between lanes; 0: the tool's width
   double inset = 0;             // metres; 0: half the tool's width
   bool outline = true;          // of zigzag fills: a lap along the boundary
+  bool complete = true;         // parts of the tool fill what it leaves; false: only areas in which it fits nowhere
 };
 
 class AreaFiller {

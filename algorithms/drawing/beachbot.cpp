@@ -44,6 +44,7 @@ struct Params {
   double line_distance = 0;
   double inset = 0;
   bool outline = true;
+  bool complete = true;
   Containment containment = Containment::strict;
   FinishedRule finished = FinishedRule::around;
   double keep_off = -1;
@@ -54,7 +55,7 @@ struct Params {
 
 FillOptions fill_options(const Params& p) {
   static constexpr const char* kNames[] = {"spiral", "zigzag", "contour"};
-  return {kNames[static_cast<int>(p.fill)], p.line_distance, p.inset, p.outline};
+  return {kNames[static_cast<int>(p.fill)], p.line_distance, p.inset, p.outline, p.complete};
 }
 
 /// Decision 1.
@@ -123,7 +124,9 @@ class Beachbot final : public CoveragePlanner {
     std::vector<DrawingElement> elements = stroke_elements(drawing);
     check_inside(problem, drawing);
     context.trace("strokes", lines_of(elements, false));
-    const AreaFiller filler(problem, fills_, fill_options(p_));
+    FillOptions options = fill_options(p_);
+    options.complete = p_.complete && problem.map().drawing;  // elsewhere a path has the whole tool
+    const AreaFiller filler(problem, fills_, options);
     std::vector<Polyline> narrow;
     for (const FilledArea& area : drawing.areas) {
       std::vector<DrawingElement> fills = filler.elements(area, context);
@@ -215,6 +218,8 @@ const std::vector<Parameter<Params>>& parameters() {
       {"inset", &Params::inset, Range{0, 1000},
        "metres that fills keep from an area's boundary; 0: half the tool width"},
       {"outline", &Params::outline, "zigzag fills end with a lap along the boundary"},
+      {"complete", &Params::complete,
+       "5, 3 and 1 of the 7 pins fill what the whole tool leaves of an area; false: only areas too narrow for it"},
       {"containment", &Params::containment, Choices{"strict", "literal"},
        "strict: elements inside another one are drawn before it; literal: only no direct connection leads inwards"},
       {"finished", &Params::finished, Choices{"around", "weight", "ignore"},
@@ -245,6 +250,7 @@ PlannerInfo beachbot() {
   info.published = {{"containment", std::string("literal")},
                     {"finished", std::string("ignore")},
                     {"corner", std::string("literal")},
+                    {"complete", false},
                     {"line_distance", 0.25},
                     {"inset", 0.3},
                     {"round_radius", 0.5}};
