@@ -37,6 +37,7 @@ constexpr double kDeviation = 0.02;  // tool widths that a stroke may be left wh
 constexpr double kChord = 0.8e-3;
 
 enum class Fill { spiral, zigzag, contour };
+enum class Complete { automatic, on, off };
 const Choices kFills{"spiral", "zigzag", "contour"};
 
 struct Params {
@@ -44,7 +45,7 @@ struct Params {
   double line_distance = 0;
   double inset = 0;
   bool outline = true;
-  bool complete = true;
+  Complete complete = Complete::automatic;
   Containment containment = Containment::strict;
   FinishedRule finished = FinishedRule::around;
   double keep_off = -1;
@@ -55,7 +56,7 @@ struct Params {
 
 FillOptions fill_options(const Params& p) {
   static constexpr const char* kNames[] = {"spiral", "zigzag", "contour"};
-  return {kNames[static_cast<int>(p.fill)], p.line_distance, p.inset, p.outline, p.complete};
+  return {kNames[static_cast<int>(p.fill)], p.line_distance, p.inset, p.outline};
 }
 
 /// Decision 1.
@@ -125,7 +126,8 @@ class Beachbot final : public CoveragePlanner {
     check_inside(problem, drawing);
     context.trace("strokes", lines_of(elements, false));
     FillOptions options = fill_options(p_);
-    options.complete = p_.complete && problem.map().drawing;  // elsewhere a path has the whole tool
+    // Of other maps all is covered with the whole tool.
+    options.complete = problem.map().drawing && completes(problem.robot());
     const AreaFiller filler(problem, fills_, options);
     std::vector<Polyline> narrow;
     for (const FilledArea& area : drawing.areas) {
@@ -166,6 +168,10 @@ class Beachbot final : public CoveragePlanner {
             .first = p_.connection,
             .avoid = p_.finished == FinishedRule::around,
             .literal = p_.finished == FinishedRule::ignore && p_.connection == ConnectionKind::spiro};
+  }
+
+  bool completes(const Robot& robot) const {
+    return p_.complete == Complete::automatic ? !(robot.min_turn_radius > 0) : p_.complete == Complete::on;
   }
 
   static FollowOptions follow_options(const Problem& problem, double radius) {
@@ -218,8 +224,9 @@ const std::vector<Parameter<Params>>& parameters() {
       {"inset", &Params::inset, Range{0, 1000},
        "metres that fills keep from an area's boundary; 0: half the tool width"},
       {"outline", &Params::outline, "zigzag fills end with a lap along the boundary"},
-      {"complete", &Params::complete,
-       "5, 3 and 1 of the 7 pins fill what the whole tool leaves of an area; false: only areas too narrow for it"},
+      {"complete", &Params::complete, Choices{"automatic", "on", "off"},
+       "on: 5, 3 and 1 of the 7 pins fill what the whole tool leaves of an area; off: only areas too narrow for it; "
+       "automatic: on for robots that turn on the spot, as others need a loop for each of the many short lanes"},
       {"containment", &Params::containment, Choices{"strict", "literal"},
        "strict: elements inside another one are drawn before it; literal: only no direct connection leads inwards"},
       {"finished", &Params::finished, Choices{"around", "weight", "ignore"},
@@ -250,7 +257,7 @@ PlannerInfo beachbot() {
   info.published = {{"containment", std::string("literal")},
                     {"finished", std::string("ignore")},
                     {"corner", std::string("literal")},
-                    {"complete", false},
+                    {"complete", std::string("off")},
                     {"line_distance", 0.25},
                     {"inset", 0.3},
                     {"round_radius", 0.5}};
