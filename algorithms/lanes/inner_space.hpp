@@ -20,8 +20,8 @@ namespace oxturn {
 Region inner_space(const Problem& problem);
 /// The part of the target that a tool narrower by `margin` metres on each side can cover from the problem's
 /// configuration space, with arcs cut off by at most `chord` tool widths. Without a margin that is all of the target,
-/// unless the problem is limited, since `Problem::restricted` keeps the target. If the narrower tool covers what it can,
-/// one of the full width covers all that it can: no point of that is farther from here than the margin.
+/// unless the problem is limited, since `Problem::restricted` keeps the target. If the narrower tool covers what it
+/// can, one of the full width covers all that it can: no point of that is farther from here than the margin.
 Region reachable_target(const Problem& problem, double margin = 0, double chord = 1e-3);
 
 }  // namespace oxturn
