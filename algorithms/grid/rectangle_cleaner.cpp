@@ -2,12 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <unordered_map>
 
 #include "algorithms/lattice/promised_cells.hpp"
 
 namespace oxturn {
 namespace {
+
+constexpr auto kNoJob = std::numeric_limits<std::uint32_t>::max();
+// Searched for the nearest rectangle; if there is none so near, the first one is next. Else the robot would look over
+// the whole map again and again for the few that it left behind.
+constexpr std::size_t kMostNodes = 20'000;
 
 /// One run.
 class RectangleCleaner {
@@ -185,13 +192,22 @@ class RectangleCleaner {
     return true;
   }
 
+  /// The nearest over the lattice of the jobs that start at some node, unless more than kMostNodes are nearer.
+  std::optional<std::size_t> nearest_job(const std::vector<std::uint32_t>& starts) {
+    std::size_t nearer = 0;
+    const auto ends = [&](std::size_t node) { return starts[node] != kNoJob || ++nearer > kMostNodes; };
+    const auto found = paths_.nearest(at_, ends);
+    if (!found || starts[found->node] == kNoJob) return std::nullopt;
+    return starts[found->node];
+  }
+
   /// In order, or nearest over the lattice first; where the lattice leads to none, the first that is left.
   void clean_jobs(const std::vector<Job>& jobs) {
     std::vector<bool> cleaned(jobs.size(), false);
-    std::unordered_map<std::size_t, std::size_t> starts;  // node -> job; looked up, never listed
-    std::unordered_map<int, std::size_t> left_in;         // starts left, by components of the lattice
+    std::vector<std::uint32_t> starts(graph_.size(), kNoJob);  // node -> job
+    std::unordered_map<int, std::size_t> left_in;              // starts left, by components of the lattice
     for (std::size_t k = 0; k < jobs.size(); ++k) {
-      starts[start_node(jobs[k])] = k;
+      starts[start_node(jobs[k])] = static_cast<std::uint32_t>(k);
       ++left_in[paths_.component(start_node(jobs[k]))];
     }
     std::size_t first = 0;
@@ -199,10 +215,9 @@ class RectangleCleaner {
       while (cleaned[first]) ++first;
       std::size_t k = first;
       if (p_.choose == NextRectangle::nearest && left_in[paths_.component(at_)] > 0)
-        if (const auto found = paths_.nearest(at_, [&](std::size_t node) { return starts.count(node) > 0; }))
-          k = starts.at(found->node);
+        k = nearest_job(starts).value_or(first);
       --left_in[paths_.component(start_node(jobs[k]))];
-      starts.erase(start_node(jobs[k]));
+      starts[start_node(jobs[k])] = kNoJob;
       cleaned[k] = true;
       clean_rectangle(jobs[k]);
       ++result_.rectangles;

@@ -23,12 +23,12 @@ enum class CellsAs { wider, robot };
 
 /// Parameters of `rectangles`; what they mean is in its description.
 struct RectangleOptions : CellOptions {
-  NextRectangle choose = NextRectangle::first;
+  NextRectangle choose = NextRectangle::nearest;
   CellsAs cells = CellsAs::wider;
   ColumnStep columns = ColumnStep::tool;
   ScanOrder scan = ScanOrder::columns;
   Lanes lanes = Lanes::straight;
-  int smallest = 0;
+  int smallest = 1;
   int gap = 1;
   int small_obstacle = 4;
   int shift = 4;

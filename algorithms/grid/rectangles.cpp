@@ -1,11 +1,11 @@
 // Partitions the world into rectangles of cells and cleans them one by one, column by column.
 //
 // Source      MyCarbot (TH Nuernberg), "Rechteck-Partitionierungs-Strategie", sections 2 and 5. The defaults are the
-//             source, but for `cells`, `columns` and `smallest`
+//             source, but for `cells`, `choose`, `columns` and `smallest`
 // Model       grid, offline, or online by lidar (`sensing = lidar`), disc footprint
-// Guarantee   every cell of a driven column of a drivable rectangle of at least 2 x 2 cells is cleaned, except those
-//             below a shifted start; with `columns = each` columns are skipped only where the robot does not fit; with
-//             `revisit_skipped` every lattice node that the robot can reach is driven
+// Guarantee   every cell of a driven column of a drivable rectangle of at least `smallest` cells a side is cleaned,
+//             except those below a shifted start; with `columns = each` columns are skipped only where the robot does
+//             not fit; with `revisit_skipped` every lattice node that the robot can reach is driven
 // Complexity  n cells: world and partition O(n), a path between rectangles O(cells nearer than its end); some 60 bytes
 //             a cell. `choose = first` returns to the lower end after each column of rectangles: O(n^1.5) driven at
 //             worst
@@ -13,8 +13,8 @@
 //                to half the tool's, whichever is more: narrow lanes under a wide tool are driven many times over,
 //                and a tool covers cells up to 0.7 of its width. A cell is wall unless it lies entirely in free space,
 //                or is larger than the robot and its centre can be driven: what else lies in it is under the tool.
-//                Rectangles one cell wide are left, as in the source, unless cells are as wide as the robot
-//                (`smallest`); then they are driven from their nearer end.
+//                Rectangles one cell wide are driven from their nearer end. The source leaves them (`smallest = 2`):
+//                between obstacles that are not aligned with the grid these are most of the area.
 //             2. "First from the lower left" may run row by row or column by column (`scan`); the source does not say.
 //                Columns is the default: it covered more on six of seven maps tried.
 //             3. The source closes gaps and partitions anew after each rectangle and each skipped column, with cleaned
@@ -29,11 +29,10 @@
 //             5. The centre is visited on the way (section 2.3) if the robot fits there.
 //             6. `columns = tool` (ours, the default) steps as many columns as the tool covers, instead of one.
 //             7. The outlooks of section 5: `choose = nearest` takes the start with the fewest planned steps, so a
-//                divided corridor is cleaned one side after the other. `lanes = diagonal` makes no rectangles but lanes
-//                at 45 degrees ("Schraegen ueber das Grid"), each as long as possible, on to the nearest end of one,
-//                for pillars in staggered rows (rectangles on a turned grid were tried: worse than straight ones).
-//                Beside slanted walls rectangles are strips one cell wide, which the source does not drive; `smallest =
-//                1` (ours) does.
+//                divided corridor is cleaned one side after the other; it is the default. `lanes = diagonal` makes no
+//                rectangles but lanes at 45 degrees ("Schraegen ueber das Grid"), each as long as possible, on to the
+//                nearest end of one, for pillars in staggered rows (rectangles on a turned grid were tried: worse than
+//                straight ones).
 //             8. Online: a scan of the world (world_scan.hpp), then the same on what is believed, on a lattice with a
 //                node at the start. Driven nodes are done. The world is partitioned anew where an obstacle stops the
 //                robot, and after a rectangle if more than the area of four cells has been seen since. Ends when
@@ -177,8 +176,7 @@ PlannerInfo rectangles() {
        .title = "rectangle partition, column by column",
        .citation = "MyCarbot (TH Nuernberg)",
        .capabilities = {Capability::online, Capability::holes, Capability::footprint},
-       .guarantee =
-           "every cell of the driven columns of rectangles of at least 2 x 2 cells (1 x 1 if as wide as the robot)",
+       .guarantee = "every cell of the driven columns of rectangles of at least `smallest` cells a side",
        .promise = Promise::cells,
        .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters =
@@ -186,15 +184,16 @@ PlannerInfo rectangles() {
             {"cells", &P::cells, Choices{"wider", "robot"},
              "cell_size = 0: cells are half as wide as the robot (as published), or as the wider of robot and tool"},
             {"choose", &P::choose, Choices{"first", "nearest"},
-             "next rectangle: first from the lower left, or the one with the shortest planned path to its start"},
+             "next rectangle: first from the lower left, or the one near by with the shortest planned path to its "
+             "start"},
             {"columns", &P::columns, Choices{"each", "tool"}, "drive each column, or step as far as the tool covers"},
             {"scan", &P::scan, Choices{"columns", "rows"},
              "in which order the first cell from the lower left is searched"},
             {"lanes", &P::lanes, Choices{"straight", "diagonal"},
              "diagonal: no rectangles but lanes at 45 degrees, for staggered pillars"},
             {"smallest", &P::smallest, Range{0, 1000},
-             "rectangles with fewer cells a side are not driven; 0: 2, or 1 if cells are as wide as the robot; 1: "
-             "strips beside slanted walls are driven, too"},
+             "rectangles with fewer cells a side are not driven; 0: 2, or 1 if cells are as wide as the robot; 2: "
+             "as published, strips beside slanted walls are left"},
             {"gap", &P::gap, Range{0, 100}, "gaps in walls of up to so many cells are closed"},
             {"small_obstacle", &P::small_obstacle, Range{0, 100},
              "obstacles of up to so many cells a side get their missing corners"},
@@ -203,7 +202,10 @@ PlannerInfo rectangles() {
             {"revisit_skipped", &P::revisit_skipped, "at the end, drive what was skipped"},
             align_line<P>(),
             sensing_line<P>("map: known beforehand; lidar: seen by the robot's lidar, its outer wall scanned first")},
-       .published = {{"cells", std::string("robot")}, {"columns", std::string("each")}, {"smallest", 2}}});
+       .published = {{"cells", std::string("robot")},
+                     {"choose", std::string("first")},
+                     {"columns", std::string("each")},
+                     {"smallest", 2}}});
 }
 
 }  // namespace oxturn
