@@ -277,7 +277,7 @@ double sharp_bends(const Problem& problem, const Path& path) {
 
 // Wherever it is: between strokes, inside one, inside a fill.
 TEST(Beachbot, EachBendThatIsTooSharpIsNamed) {
-  for (const auto seed : seeds(3)) {
+  for (const auto seed : seeds(2)) {
     SCOPED_TRACE(seed);
     DrawingKind kind{.polylines = 2, .closed = 1, .nested = 2, .letters = 1, .areas = 2};
     const Problem problem = canvas(DrawingGenerator(seed, kind).drawing(), beach_robot(0.4), kind);
@@ -288,7 +288,7 @@ TEST(Beachbot, EachBendThatIsTooSharpIsNamed) {
 }
 
 TEST(Beachbot, FillsKeepTheLeastTurningRadius) {
-  for (const auto seed : seeds(3))
+  for (const auto seed : seeds(2))
     for (const double radius : {0.1, 0.5}) {
       SCOPED_TRACE(fmt::format("seed {}, radius {}", seed, radius));
       DrawingKind kind{.polylines = 0, .closed = 0, .nested = 0, .letters = 0, .areas = 2};
