@@ -50,7 +50,7 @@ void expect_followed(const Polyline& line, const FollowOptions& o) {
   EXPECT_EQ(pieces.back().back(), line.back());
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     ASSERT_GE(pieces[k].size(), 2u);
-    if (k > 0) EXPECT_EQ(pieces[k].front(), pieces[k - 1].back());
+    if (k > 0) { EXPECT_EQ(pieces[k].front(), pieces[k - 1].back()); }
     for (const Bend& bend : bends({{{true, pieces[k]}}}, o.tolerance, o.tool_width))
       EXPECT_FALSE(too_sharp(bend, o.radius)) << to_text(bend.at);
     EXPECT_LE(farthest(pieces[k], {line}), o.deviation + 1e-6);
