@@ -17,8 +17,10 @@ std::vector<const PlannerInfo*> from_outside(const PlannerInfo& planner, const S
                                              const Planners& planners) {
   std::vector<const PlannerInfo*> all;
   if (!planner.identity.empty()) all.push_back(&planner);
-  for (const auto& [name, value] : settings) {
-    const std::string* text = std::get_if<std::string>(&value);
+  for (const ParameterInfo& parameter : parameters_of(planner, settings, planners)) {
+    const auto setting = settings.find(parameter.name);
+    if (setting == settings.end() || !parameter.choices.empty()) continue;  // a choice is no name of a planner
+    const std::string* text = std::get_if<std::string>(&setting->second);
     const PlannerInfo* named = text != nullptr ? planners.get(*text) : nullptr;
     if (named != nullptr && !named->identity.empty()) all.push_back(named);
   }
