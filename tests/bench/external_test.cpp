@@ -169,7 +169,7 @@ TEST(External, ThoseThatNeverEndTimeOut) {
   const Planned silent =
       zoo_until("silent", [&](const Planned& p) { return p.reason.find(sentence) != std::string::npos; });
   EXPECT_EQ(silent.outcome, Outcome::timeout);
-  EXPECT_THAT(silent.reason, ContainsRegex(sentence + "[0-9.]+ s of its start"));
+  EXPECT_THAT(silent.reason, HasSubstr(sentence));
 }
 
 // Without a shell that holds the output open.
