@@ -245,7 +245,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
 
 }  // namespace
 
-std::vector<Strip> spiral_strips(const Region& region, const SpiralOptions& options, const Problem& problem,
+std::vector<Strip> spiral_strips(const Region& region, const SkeletonSpiralOptions& options, const Problem& problem,
                                  const Connector& connector, Context& context) {
   std::vector<Strip> strips;
   std::vector<Polyline> traced;

@@ -1,6 +1,6 @@
 /// Spirals through the insets of a straight skeleton, as strips that a tour can order.
 ///
-///   const SpiralOptions options{.spacing = w, .bridge = w / 1000};
+///   const SkeletonSpiralOptions options{.spacing = w, .bridge = w / 1000};
 ///   std::vector<Strip> strips = spiral_strips(region, options, problem, connector, context);
 ///
 /// Each connected component of the region begins with a lap along its boundary. What laps leave uncovered at sharp
@@ -17,14 +17,14 @@ namespace oxturn {
 /// How the offset grows: with the length driven, or with each vertex.
 enum class SpiralGrowth { length, vertex };
 
-struct SpiralOptions {
+struct SkeletonSpiralOptions {
   double spacing = 1;  // metres between laps
   double bridge = 1;   // metres: width of the cuts that connect holes with the boundary
   SpiralGrowth growth = SpiralGrowth::length;
 };
 
 /// The region lies in configuration space. Traces "skeleton". Ends early if cancelled.
-std::vector<Strip> spiral_strips(const Region& region, const SpiralOptions& options, const Problem& problem,
+std::vector<Strip> spiral_strips(const Region& region, const SkeletonSpiralOptions& options, const Problem& problem,
                                  const Connector& connector, Context& context);
 
 }  // namespace oxturn

@@ -68,7 +68,7 @@ class BuiltInCheck : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(BuiltInCheck, HasNoFailure) {
   const Registry registry = built_in_registry();
-  PlannerChecker checker(registry);
+  PlannerChecker checker(registry, {.wall_s = 60, .only = {}});  // of a machine that does other work, too
   for (std::size_t i = GetParam(); i < registry.planners.size(); i += kGroups) {
     SCOPED_TRACE(registry.planners[i].name);
     for (const CheckResult& result : checker.check(brief(registry.planners[i])))
