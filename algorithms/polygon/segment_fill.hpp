@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "algorithms/polygon/parts.hpp"
+#include "base/parameters.hpp"
 
 namespace oxturn {
 
@@ -35,6 +36,21 @@ struct SegmentChoice {
 /// "x y degrees" or "x y spiral", separated by semicolons; metres. Throws std::invalid_argument that names `owner` and
 /// the entry.
 std::vector<SegmentChoice> read_segment_choices(const std::string& owner, const std::string& text);
+
+/// The parameter `segments` with such a text, read when it is set, so that a mistake is told before anything is planned.
+template <class P>
+Parameter<P> segments_parameter(const std::string& owner) {
+  return {{"segments",
+           std::string(),
+           {},
+           {},
+           "directions in degrees and fills of single parts: 'x y degrees; x y spiral' for those at (x, y)"},
+          [](const P& p) -> Value { return p.segments; },
+          [owner](P& p, const Value& value) {
+            p.segments = std::get<std::string>(value);
+            read_segment_choices(owner, p.segments);
+          }};
+}
 
 struct SegmentOptions {
   SegmentFill::Kind fill = SegmentFill::Kind::lanes;  // of parts that nobody chose one for

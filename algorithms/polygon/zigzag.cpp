@@ -481,8 +481,7 @@ PlannerInfo zigzag() {
             {"directions", &Params::directions, Choices{"common", "own"},
              "of lanes; own: each part along the direction across which it is narrowest"},
             {"fill", &Params::fill, Choices{"lanes", "spiral"}, "of all parts"},
-            {"segments", &Params::segments, Choices{},
-             "directions in degrees and fills of single parts: 'x y degrees; x y spiral' for those at (x, y)"}}),
+            segments_parameter<Params>(kOwner)}),
        // The source: a direction that the user chooses, gaps where lines a tool width apart leave them.
        .published = {{"partition", std::string("auto")},
                      {"fit", std::string("literal")},
