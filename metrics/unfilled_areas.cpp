@@ -13,12 +13,6 @@ namespace {
 
 constexpr std::size_t kMostRemarks = 10;
 
-Box box_of(const Polyline& points) {
-  Box box;
-  for (const Point& p : points) box.add(p);
-  return box;
-}
-
 }  // namespace
 
 std::vector<UnfilledArea> unfilled_areas(const Problem& problem, const Path& path, double least) {
@@ -28,11 +22,11 @@ std::vector<UnfilledArea> unfilled_areas(const Problem& problem, const Path& pat
   const double width = problem.robot().tool_width;
   std::vector<std::pair<Box, const Leg*>> work;
   for (const Leg& leg : path.legs)
-    if (leg.tool) work.push_back({box_of(leg.points), &leg});
+    if (leg.tool) work.push_back({bounding_box(leg.points), &leg});
   for (std::size_t k = 0; k < drawing->areas.size(); ++k) {
     const FilledArea& filled = drawing->areas[k];
     if (filled.choice.fill == "none") continue;
-    Box box = box_of(filled.area.outer);
+    Box box = bounding_box(filled.area.outer);
     box.grow(width);
     Path near;
     for (const auto& [leg_box, leg] : work)

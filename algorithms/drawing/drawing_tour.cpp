@@ -77,7 +77,7 @@ class DrawingCost final : public ConnectionCost {
  private:
   static std::uint64_t key(PatternId from, PatternId to) { return std::uint64_t{from} << 32 | to; }
   /// Where headings are aligned, rounding decides whether a curve has a full turn; driven backwards it may decide
-  /// otherwise. A local search that relies on symmetric costs would never end, so both are asked in the same order.
+  /// otherwise. A local search that relies on symmetric costs would never end, so the shorter of both counts.
   double curve_length(PatternId from, PatternId to) const {
     const auto length = [&](PatternId p, PatternId q) {
       return dubins_curve(exits_[p], entries_[q], radius_).length();

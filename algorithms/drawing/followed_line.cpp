@@ -17,7 +17,6 @@ constexpr double kSharpest = 2.6;      // radians: no arc rounds such a corner
 constexpr double kStraight = 1e-9;     // 1 / radii
 constexpr double kSameHeading = 1e-6;  // radians
 
-double heading(const Point& from, const Point& to) { return std::atan2(to.y() - from.y(), to.x() - from.x()); }
 double turn(double from, double to) { return std::remainder(to - from, 2 * kPi); }
 
 std::vector<double> arc_lengths(const Polyline& line) {

@@ -13,8 +13,6 @@ constexpr double kCoarse = 8;    // of that: for tests against finished work
 constexpr int kHeadings = 8;     // tried at a start
 constexpr double kMostCurvature = 1.01;
 
-double heading(const Point& from, const Point& to) { return std::atan2(to.y() - from.y(), to.x() - from.x()); }
-
 /// The direction of a path's bend at k: half way between those of its two segments.
 double heading_at(const Polyline& path, std::size_t k) {
   const double before = heading(path[k - 1], path[k]), after = heading(path[k], path[k + 1]);

@@ -9,6 +9,7 @@
 /// Complexity  a curve costs a few microseconds
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "geometry/path.hpp"
@@ -20,6 +21,8 @@ struct Pose {
   Point at{0, 0};
   double heading = 0;  // radians
 };
+/// Of the straight drive to another point, radians.
+inline double heading(const Point& from, const Point& to) { return std::atan2(to.y() - from.y(), to.x() - from.x()); }
 inline Point direction(const Pose& pose) { return {std::cos(pose.heading), std::sin(pose.heading)}; }
 /// The pose `metres` ahead along the heading.
 inline Pose ahead(const Pose& pose, double metres) { return {pose.at + metres * direction(pose), pose.heading}; }

@@ -21,8 +21,6 @@ constexpr double kAcross[] = {-0.45, -0.225, 0, 0.225, 0.45};  // tool widths
 constexpr double kLeastPart = 0.4;                             // radii, of an edge that is cut
 constexpr double kUncovered = 0.05;                            // share of a stroke's swath that may be lost with it
 
-double heading(const Point& from, const Point& to) { return std::atan2(to.y() - from.y(), to.x() - from.x()); }
-
 /// Maximal stretches with the tool on.
 std::vector<Polyline> work_lines(const Path& path) {
   std::vector<Polyline> lines;

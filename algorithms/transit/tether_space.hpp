@@ -92,9 +92,9 @@ class TetherSpace {
 };
 
 /// Covers every component by `cover` (whose path begins at the component's start) and joins the paths: the start's
-/// component first, then always the one whose entry is nearest by path, or, where there are many, depth-first over the
-/// tree of their entry paths (tether_space.cpp, 5). Paths in between are transit. Components for
-/// which `cover` throws Infeasible are left out; if all are, this throws the first of these exceptions.
+/// component first, then always the one whose entry is nearest by path, or, where there are more than 64, depth-first
+/// over the tree of their entry paths. Paths in between are transit. Components for which `cover` throws Infeasible are
+/// left out; if all are, this throws the first of these exceptions.
 Path cover_components(const TetherSpace& tether,
                       const std::function<Path(const TetherSpace::Component&, Context&)>& cover, bool return_home,
                       Context& context);
