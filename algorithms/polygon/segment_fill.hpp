@@ -37,7 +37,7 @@ struct SegmentChoice {
 /// the entry.
 std::vector<SegmentChoice> read_segment_choices(const std::string& owner, const std::string& text);
 
-/// The parameter `segments` with such a text, read when it is set, so that a mistake is told before anything is planned.
+/// The parameter `segments` with such a text, read when it is set: a mistake is told before anything is planned.
 template <class P>
 Parameter<P> segments_parameter(const std::string& owner) {
   return {{"segments",
