@@ -91,7 +91,8 @@ void write_outputs(const OutputOptions& options, const Problem& problem, const P
                                             .traces = traces,
                                             .score = score,
                                             .drawing_file = problem.map().family == "file" ? problem.map().source : "",
-                                            .edits = options.edits}));
+                                            .edits = options.edits,
+                                            .remarks = options.remarks}));
   if (!options.text.empty() && path != nullptr)
     write_file(options.text, drawing_text(*path, options.widths, options.rake));
   if (!options.tether_trace.empty() && path != nullptr)

@@ -14,9 +14,10 @@ namespace oxturn::cli {
 struct OutputOptions {
   std::string svg, viewer, tether_trace, text;
   RakeText rake = RakeText::mask;
-  DrawingOptions widths;  // of the rake's pins
-  std::string edits;      // JSON: of the drawing, for the viewer
-  bool traces = false;    // the picture shows the planner's traces; the viewer always does
+  DrawingOptions widths;             // of the rake's pins
+  std::string edits;                 // JSON: of the drawing, for the viewer
+  std::vector<std::string> remarks;  // on the path, for the viewer
+  bool traces = false;               // the picture shows the planner's traces; the viewer always does
   int tethers = PictureOptions{}.tethers;
 };
 /// The widths among the settings of a drawing's reader.

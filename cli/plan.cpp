@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -17,6 +19,7 @@
 #include "cli/programs.hpp"
 #include "cli/report_printer.hpp"
 #include "maps/path_file.hpp"
+#include "metrics/over_finished.hpp"
 #include "metrics/unfilled_areas.hpp"
 
 namespace oxturn::cli {
@@ -86,15 +89,18 @@ Report run_planner(const PlanOptions& options, const PlannerInfo& planner, const
     report.costs = {
         {"plan_wall_s", planned.wall_s}, {"plan_cpu_s", planned.cpu_s}, {"peak_rss_bytes", planned.peak_rss_bytes}};
   report.records = planned.records;
+  OutputOptions outputs = options.outputs;
   if (is_scored(planned)) {
     const ScoreOptions scoring = score_options(planned, planner.promised(settings, problem.robot()));
     report.about.emplace_back("promise", to_text(scoring.promise));
     report.score = score(problem, *planned.path, registry.metrics, scoring);
-    for (const std::string& sentence : remarks_on(unfilled_areas(problem, *planned.path))) say(sentence);
+    outputs.remarks = remarks_on(unfilled_areas(problem, *planned.path));
+    std::ranges::move(remarks_on(transits_over_finished(problem, *planned.path)), std::back_inserter(outputs.remarks));
+    for (const std::string& sentence : outputs.remarks) say(sentence);
     if (!options.output.empty()) write_path(options.output, *planned.path, problem, source);
   }
   report.verdict = judge(planned, report.score, Suite{}.target_coverage);
-  write_outputs(options.outputs, problem, planned.path ? &*planned.path : nullptr, report.score, planned.traces);
+  write_outputs(outputs, problem, planned.path ? &*planned.path : nullptr, report.score, planned.traces);
   return report;
 }
 

@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/thinned.hpp"
+
 namespace oxturn {
 namespace {
+
+constexpr double kDense = 1e-3;     // metres
+constexpr double kThinning = 1e-5;  // metres
 
 std::vector<PathSegment> segments_of(const Path& path, double tool_width) {
   std::vector<PathSegment> all;
@@ -12,8 +17,9 @@ std::vector<PathSegment> segments_of(const Path& path, double tool_width) {
     const Leg& leg = path.legs[l];
     if (!leg.tool) continue;
     const double width = leg.width > 0 ? std::min(leg.width, tool_width) : tool_width;
-    for (std::size_t i = 1; i < leg.points.size(); ++i)
-      if (leg.points[i] != leg.points[i - 1]) all.push_back({leg.points[i - 1], leg.points[i], l, width});
+    const Polyline line = line_of(leg);
+    for (std::size_t i = 1; i < line.size(); ++i)
+      if (line[i] != line[i - 1]) all.push_back({line[i - 1], line[i], l, width});
   }
   return all;
 }
@@ -38,6 +44,8 @@ std::optional<LinePart> near_point(const Point& a, const Point& b, const Point& 
 }
 
 }  // namespace
+
+Polyline line_of(const Leg& leg) { return is_dense(leg.points, kDense) ? thinned(leg.points, kThinning) : leg.points; }
 
 PathSegments::PathSegments(const Path& path, double tool_width)
     : all_(segments_of(path, tool_width)), grid_(all_.size(), [&](std::size_t i) {

@@ -23,7 +23,10 @@ struct PathSegment {
   double width = 0;  // metres of the tool that are used
 };
 
-/// The segments of all legs with the tool on, in driving order. O(n).
+/// A leg's line. If vertices are less than a millimetre apart on average it is thinned (thinned.hpp), within 0.01 mm.
+Polyline line_of(const Leg& leg);
+
+/// The segments of all legs' lines with the tool on, in driving order. O(n).
 class PathSegments {
  public:
   PathSegments(const Path& path, double tool_width);

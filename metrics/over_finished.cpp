@@ -1,5 +1,12 @@
 // Length driven over what earlier legs drew, metres, with the tool up and (apart) with the tool on. Within half a tool
 // width and 1 cm of a leg's two ends it does not count: a connection must leave and reach the drawing.
+#include "metrics/over_finished.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
 #include "maps/drawing.hpp"
 #include "metrics/drawn_lines.hpp"
 #include "metrics/score.hpp"
@@ -11,17 +18,20 @@ extern const Metric kOverFinishedM, kWorkOverFinishedM;
 namespace {
 
 constexpr double kNear = 0.01;  // metres
+constexpr std::size_t kMostRemarks = 10;
 
 double length_over(const Leg& leg, std::size_t index, const PathSegments& work, double tool_width) {
+  if (work.all().empty() || work.all().front().leg >= index) return 0;  // nothing is drawn yet
   const double at_ends = tool_width / 2 + kNear;
+  const Polyline line = line_of(leg);
   double sum = 0;
-  for (std::size_t i = 1; i < leg.points.size(); ++i) {
-    const Point &a = leg.points[i - 1], &b = leg.points[i];
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point &a = line[i - 1], &b = line[i];
     Cover over, ends;
     work.for_each_near(a, b, tool_width / 2, [&](const PathSegment& s) {
       if (s.leg < index) over.add(within(a, b, s.a, s.b, s.width / 2));
     });
-    for (const Point& end : {leg.points.front(), leg.points.back()}) ends.add(within(a, b, end, end, at_ends));
+    for (const Point& end : {line.front(), line.back()}) ends.add(within(a, b, end, end, at_ends));
     sum += over.share_without(ends) * distance(a, b);
   }
   return sum;
@@ -38,6 +48,34 @@ std::optional<double> compute(const Scored& s, bool tool) {
 }
 
 }  // namespace
+
+std::vector<TransitOver> transits_over_finished(const Problem& problem, const Path& path, double least) {
+  std::vector<TransitOver> found;
+  if (!problem.map().drawing) return found;
+  const double tool_width = problem.robot().tool_width;
+  const PathSegments work(path, tool_width);
+  for (std::size_t l = 0; l < path.legs.size(); ++l) {
+    const Leg& leg = path.legs[l];
+    if (leg.tool) continue;
+    const double over = length_over(leg, l, work, tool_width);
+    if (over >= least) found.push_back({l, leg.points.front(), leg.points.back(), over});
+  }
+  std::ranges::stable_sort(found, std::greater<>(), &TransitOver::over_m);
+  return found;
+}
+
+std::vector<std::string> remarks_on(const std::vector<TransitOver>& transits) {
+  std::vector<std::string> sentences;
+  for (std::size_t k = 0; k < std::min(transits.size(), kMostRemarks); ++k) {
+    const TransitOver& t = transits[k];
+    sentences.push_back(
+        fmt::format("the transit from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}) drives {:.2f} m over finished work",
+                    t.from.x(), t.from.y(), t.to.x(), t.to.y(), t.over_m));
+  }
+  if (transits.size() > kMostRemarks)
+    sentences.push_back(fmt::format("{} more transits drive over finished work", transits.size() - kMostRemarks));
+  return sentences;
+}
 
 const Metric kOverFinishedM{"over_finished_m", "m", Better::lower,
                             "length driven with the tool up over what was drawn before; empty: no drawing",

@@ -1,5 +1,5 @@
 // Largest distance from a drawing's strokes to where the path drives with the tool on, metres. Strokes are sampled
-// every 5 mm, so the result is at most 2.5 mm too small.
+// every 5 mm and at their vertices (but not twice within 0.5 mm), so the result is at most 2.75 mm too small.
 #include <limits>
 
 #include "maps/drawing.hpp"
@@ -12,7 +12,8 @@ extern const Metric kStrokeErrorM;
 
 namespace {
 
-constexpr double kStep = 0.005;  // metres
+constexpr double kStep = 0.005;        // metres
+constexpr double kLeastStep = 0.0005;  // metres
 
 /// By reaches that double until a segment is found.
 double distance_to(const PathSegments& work, const Point& p, double from) {
@@ -28,7 +29,7 @@ std::optional<double> compute(const Scored& s) {
   if (!s.problem.map().drawing) return std::nullopt;
   const PathSegments work(s.path, s.problem.robot().tool_width);
   if (work.all().empty()) return std::nullopt;
-  double most = -1, near = kStep;
+  double most = -1, near = kStep, since = 0;  // metres since the last sample
   for (const DrawnStroke& stroke : s.problem.map().drawing->strokes) {
     if (!stroke.tool) continue;
     for (std::size_t i = 1; i < stroke.points.size(); ++i) {
@@ -36,6 +37,9 @@ std::optional<double> compute(const Scored& s) {
       const auto steps = static_cast<std::size_t>(std::ceil(distance(a, b) / kStep));
       for (std::size_t k = i == 1 ? 0 : 1; k <= steps; ++k) {
         const double share = static_cast<double>(k) / static_cast<double>(std::max<std::size_t>(1, steps));
+        if (k > 0) since += distance(a, b) / static_cast<double>(steps);
+        if (k > 0 && since < kLeastStep && i + 1 < stroke.points.size()) continue;
+        since = 0;
         most = std::max(most, near = distance_to(work, lerp(a, b, share), near));
       }
     }

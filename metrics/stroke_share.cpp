@@ -1,5 +1,5 @@
 // Share of the drawing's strokes that the path draws: within 1 cm of a leg with the tool on, as wide as the stroke, and
-// in its direction within 20 degrees (either sense). By length, exact.
+// in its direction within 20 degrees (either sense). By length, exact for the path's lines as drawn_lines.hpp has them.
 #include "maps/drawing.hpp"
 #include "metrics/drawn_lines.hpp"
 #include "metrics/score.hpp"

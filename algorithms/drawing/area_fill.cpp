@@ -18,6 +18,8 @@ constexpr double kWidths[] = {1, 0.32 / 0.42, 0.16 / 0.42, 0.04 / 0.42};
 constexpr double kLeastPart = 1e-4;      // square tool widths: smaller parts of the inset are rounding
 constexpr double kFilled = 0.985;        // of an area: less is filled up by narrower parts of the tool
 constexpr double kLeastGain = 1e-4;      // of an area: parts that fill up less are left out
+constexpr double kShortLap = 4;          // tool widths: longer thin parts are driven as planners do
+constexpr double kAbout = 2;             // tool widths that matter about a part of an area
 constexpr double kRoughChord = 1e-2;     // tool widths
 constexpr double kFillDeviation = 0.05;  // tool widths that a stroke may leave its lane where it bends too sharply
 constexpr double kFillTurn = 0.5;        // radians, the same
@@ -76,9 +78,42 @@ std::vector<Leg> drivable_legs(const Path& path, const Problem& problem) {
   return legs;
 }
 
-/// Square metres of the rest that a tool covers whose centre runs over the part.
-double gain(const Polygon& part, const Region& rest, double width) {
-  return area(intersect(dilate({{part}}, width / 2, kRoughChord * width, Bound::inside), rest));
+/// Whether a lap along the part's boundary covers all that the tool reaches from inside it: no disc of half the tool's
+/// width fits.
+bool is_small(const Polygon& part, double width) {
+  return part.holes.empty() && area(part) < kPi / 4 * width * width && perimeter(Region{{part}}) < kShortLap * width;
+}
+
+DrawingElement lap(const FilledArea& area, const Polygon& part, double width) {
+  Leg leg{.tool = true, .points = part.outer, .width = width};
+  leg.points.push_back(leg.points.front());
+  return {.name = area.element, .legs = {std::move(leg)}, .area = area.area.outer};
+}
+
+/// What of the region may lie in the box, with as few rings as possible: intersecting all of an area with each of its
+/// many small parts would take minutes.
+Region near_box(const Region& region, const Box& box) {
+  Region near;
+  for (const Polygon& polygon : region.polygons) {
+    if (!bounding_box(polygon.outer).overlaps(box)) continue;
+    near.polygons.push_back({polygon.outer, {}});
+    for (const Ring& hole : polygon.holes)
+      if (bounding_box(hole).overlaps(box)) near.polygons.back().holes.push_back(hole);
+  }
+  return near;
+}
+
+/// What of the area lies within that distance of the part.
+Region about(const FilledArea& area, const Polygon& part, double distance) {
+  Box box = bounding_box(part.outer);
+  box.grow(distance);
+  return intersect(near_box({{area.area}}, box), box_region(box.low, box.high));
+}
+
+/// Whether a tool whose centre runs over the part covers so many square metres of the rest.
+bool gains(const Polygon& part, const Region& rest, double width, double least) {
+  const Region reached = dilate({{part}}, width / 2, kRoughChord * width, Bound::inside);
+  return area(reached) >= least && area(intersect(reached, near_box(rest, bounding_box(reached)))) >= least;
 }
 
 }  // namespace
@@ -109,10 +144,12 @@ std::unique_ptr<CoveragePlanner> AreaFiller::planner(const FillChoice& choice) c
 
 DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, double width, bool near_rest,
                                 const Context& context) const {
+  if (is_small(part, width) && !(problem_.robot().min_turn_radius > 0)) return lap(area, part, width);
   Robot robot = filling_robot(width);
   robot.radius = 0;
   const Point inside = default_start(Map{area.element, {{part}}, "", ""}, robot);
-  Problem problem(Map{area.element, {{area.area}}, "drawing", ""}, filling_robot(width), inside);
+  const Region map = near_rest ? about(area, part, kAbout * width) : Region{{area.area}};
+  Problem problem(Map{area.element, map, "drawing", ""}, filling_robot(width), inside);
   if (near_rest || !subtract(problem.configuration_space(), problem_.configuration_space()).empty())
     problem = problem.restricted({{part}});
   Context inner(context.seed(), context.seconds_left());
@@ -136,7 +173,7 @@ std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, const C
     const bool near_rest = !elements.empty();
     std::vector<Leg> legs;
     for (const Polygon& part : parts(area, width, near_rest ? worthwhile(rest, width) : Region{})) {
-      if (near_rest && gain(part, rest, width) < kLeastGain * all) continue;
+      if (near_rest && !gains(part, rest, width, kLeastGain * all)) continue;
       DrawingElement element = fill(area, part, width, near_rest, context);
       if (element.legs.empty()) continue;
       legs.insert(legs.end(), element.legs.begin(), element.legs.end());

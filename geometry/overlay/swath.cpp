@@ -6,11 +6,13 @@
 #include "base/throw_invalid.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/predicates.hpp"
+#include "geometry/thinned.hpp"
 
 namespace oxturn {
 namespace {
 
 constexpr double kMostChords = 1000;  // of half a disc
+constexpr double kThinning = 0.25;    // of the chord error
 
 /// A disc's boundary as a polygon of chords or of tangents.
 class Arc {
@@ -143,8 +145,15 @@ void add_line(const Polyline& points, const Arc& arc, std::vector<Region>& parts
 std::vector<Region> swath_parts(const std::vector<Polyline>& lines, double radius, double chord_error, Bound bound) {
   if (!(radius > 0) || !(chord_error > 0)) throw_invalid("a swath's radius and chord error must be above 0");
   const Arc arc(radius, chord_error, bound);
+  // A line that is thinned may come nearer to a point by that much.
+  const double thinning = std::min(kThinning * chord_error, radius / 2);
+  const Arc thin_arc(radius + (bound == Bound::inside ? -thinning : thinning), chord_error - 2 * thinning, bound);
   std::vector<Region> parts;
-  for (const Polyline& line : lines) add_line(line, arc, parts);
+  for (const Polyline& line : lines)
+    if (is_dense(line, chord_error))
+      add_line(thinned(line, thinning), thin_arc, parts);
+    else
+      add_line(line, arc, parts);
   return parts;
 }
 

@@ -24,12 +24,13 @@ namespace oxturn {
 
 /// What the page shows. It is only used during the call.
 struct ViewerData {
-  const Problem& problem;           // map, drawing, robot and start
-  const Path* path = nullptr;       // nullptr: none was found
-  std::vector<Trace> traces = {};   // of the planner's stages, in their order
-  std::optional<Score> score = {};  // figures of the path
-  std::string drawing_file = {};    // name of the drawing's file, for title and commands; empty: the map's name
-  std::string edits = {};           // the edits that the drawing was planned with, as JSON; empty: none
+  const Problem& problem;                 // map, drawing, robot and start
+  const Path* path = nullptr;             // nullptr: none was found
+  std::vector<Trace> traces = {};         // of the planner's stages, in their order
+  std::optional<Score> score = {};        // figures of the path
+  std::string drawing_file = {};          // name of the drawing's file, for title and commands; empty: the map's name
+  std::string edits = {};                 // the edits that the drawing was planned with, as JSON; empty: none
+  std::vector<std::string> remarks = {};  // sentences on the path, such as areas that are not filled
 };
 
 /// The page. Throws std::invalid_argument if `edits` is no JSON object. Linear in the number of vertices.

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "metrics/mission.hpp"
-#include "metrics/unfilled_areas.hpp"
 
 namespace oxturn {
 namespace {
@@ -145,8 +144,7 @@ std::string viewer_json(const ViewerData& data) {
   out["legs"] = data.path && can_be_shown(*data.path) ? legs_of(problem, *data.path, rounded) : Json::array();
   out["traces"] = traces_of(data.traces, rounded);
   out["figures"] = figures_of(data.score);
-  out["remarks"] = data.path && can_be_shown(*data.path) ? remarks_on(unfilled_areas(problem, *data.path))
-                                                         : std::vector<std::string>{};
+  out["remarks"] = data.remarks;
   out["flaw"] = data.score ? data.score->flaw : "";
   out["edits"] = edits_of(data.edits);
   return without_angle_brackets(out.dump(-1, ' ', false, Json::error_handler_t::replace));

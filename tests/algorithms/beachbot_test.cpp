@@ -363,5 +363,22 @@ TEST(Beachbot, NarrowAreasAreFilledWithAPartOfTheTool) {
   EXPECT_EQ(plan_recorded("beachbot", canvas(drawing, beach_robot())).figures.at("areas_too_narrow"), 1);
 }
 
+// Round areas in which hardly more than a point is left for the centre of what fits of the tool.
+TEST(Beachbot, DotsAreFilledByALap) {
+  for (const double radius : {0.13, 0.2, 0.28}) {
+    Ring dot;
+    for (int k = 0; k < 48; ++k) dot.push_back(Point(3, 3) + rotated({radius, 0}, 2 * kPi * k / 48));
+    Drawing drawing;
+    drawing.areas = {{.element = "dot", .area = {dot, {}}, .choice = {}}};
+    const Path path = plan("beachbot", canvas(drawing, beach_robot()));
+    std::vector<Region> drawn;
+    for (const Leg& leg : path.legs)
+      if (leg.tool) drawn.push_back(swath({leg.points}, leg.width / 2, 1e-4, Bound::inside));
+    EXPECT_GT(oxturn::area(intersect(unite(drawn), {{{dot, {}}}})), 0.98 * oxturn::area(Region{{{dot, {}}}})) << radius;
+    EXPECT_LT(oxturn::area(subtract(unite(drawn), Region{{{dot, {}}}})), 1e-6) << radius;
+    EXPECT_LT(length(path.legs.back().points), 2 * kPi * radius) << radius;
+  }
+}
+
 }  // namespace
 }  // namespace oxturn

@@ -103,5 +103,20 @@ TEST(Swath, ItsPartsTakeAwayWhatTheWholeDoes) {
   }
 }
 
+// A wave of 20,000 vertices 0.1 mm apart: the bounds hold, with a small share of the vertices.
+TEST(Swath, OfDenseLinesIsBoundedToo) {
+  Polyline dense, coarse;
+  for (int k = 0; k <= 20000; ++k) dense.push_back({1e-4 * k, 0.1 * std::sin(5e-4 * k)});
+  for (int k = 0; k <= 20000; k += 40) coarse.push_back(dense[static_cast<std::size_t>(k)]);
+  const double radius = 0.2, error = 1e-3;
+  const Region inside = swath({dense}, radius, error, Bound::inside),
+               outside = swath({dense}, radius, error, Bound::outside);
+  // The coarse line has chords of 4 mm, less than 0.1 micrometres off the wave.
+  EXPECT_LT(area(subtract(inside, swath({coarse}, radius, 1e-5, Bound::outside))), 1e-6);
+  EXPECT_LT(area(subtract(swath({coarse}, radius, 1e-5, Bound::inside), outside)), 1e-6);
+  EXPECT_LT(area(subtract(outside, inside)), 2 * error * 5.5);
+  EXPECT_LT(vertex_count(outside), 500u);
+}
+
 }  // namespace
 }  // namespace oxturn

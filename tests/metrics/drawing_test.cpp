@@ -1,6 +1,7 @@
 // Metrics of drawings: a square, a circle, crossing strokes and a filled box by hand; legs that use a part of the tool.
 #include <gmock/gmock.h>
 
+#include "metrics/over_finished.hpp"
 #include "metrics/score.hpp"
 #include "shapes.hpp"
 
@@ -51,6 +52,33 @@ TEST(DrawingMetrics, StrokesCountWhereNearParallelAndOfTheirWidth) {
   EXPECT_NEAR(*value("stroke_error_m", p, {{down({{2, 2}, {6, 2}}, 0.16)}}), 4, 1e-12);
   EXPECT_NEAR(*value("stroke_share", p, {{down({{2, 2.009}, {6, 2.009}}, 0.16)}}), 0.25, 1e-12);
   EXPECT_NEAR(*value("stroke_share", p, {{down({{2, 2.011}, {6, 2.011}}, 0.16)}}), 0, 1e-12);
+}
+
+TEST(TransitsOverFinished, AreNamedLongestFirst) {
+  const Problem p = canvas(drawing_of({stroke(kSquare, 0.16)}));
+  // Out of the square and in again: across its right side, and along its upper one.
+  const Path path{
+      {down(kSquare, 0.16), up({{2, 2}, {4, 4}, {8, 4}}), down({{8, 4}, {9, 4}}), up({{9, 4}, {9, 6}, {1, 6}})}};
+  const auto over = transits_over_finished(p, path);
+  ASSERT_EQ(over.size(), 2u);
+  EXPECT_EQ(over[0].leg, 3u);
+  EXPECT_NEAR(over[0].over_m, 4.16, 1e-9);
+  EXPECT_NEAR(over[1].over_m, 0.16, 1e-9);
+  EXPECT_NEAR(over[0].over_m + over[1].over_m, *value("over_finished_m", p, path), 1e-9);
+  EXPECT_EQ(remarks_on(over)[1], "the transit from (2.00, 2.00) to (8.00, 4.00) drives 0.16 m over finished work");
+  EXPECT_EQ(remarks_on(std::vector<TransitOver>(13)).back(), "3 more transits drive over finished work");
+  EXPECT_TRUE(transits_over_finished(p, {{down(kSquare, 0.16)}}).empty());
+}
+
+// Vertices ten micrometres apart: thousands of them within the tolerance of each other.
+TEST(DrawingMetrics, DenseStrokesAreScoredAsCoarseOnes) {
+  Polyline dense, coarse{{3, 3}, {3.2, 3.1}}, other{{3.1, 3.2}, {3.1, 2.9}};
+  for (int k = 0; k <= 20000; ++k) dense.push_back({3 + 1e-5 * k, 3 + 5e-6 * k});
+  const Problem p = canvas(drawing_of({stroke(dense, 0.06)})), q = canvas(drawing_of({stroke(coarse, 0.06)}));
+  const Path fine{{down(other, 0.06), up({other.back(), dense.front()}), down(dense, 0.06)}};
+  const Path rough{{down(other, 0.06), up({other.back(), coarse.front()}), down(coarse, 0.06)}};
+  for (const char* name : {"stroke_share", "stroke_error_m", "spill_m2", "over_finished_m", "work_over_finished_m"})
+    EXPECT_NEAR(*value(name, p, fine), *value(name, q, rough), 1e-4) << name;
 }
 
 TEST(DrawingMetrics, FillsAndSpill) {
