@@ -7,8 +7,8 @@
 /// half the tool's width (`inset`) from the area's boundary, so that nothing beyond it is drawn. Where that leaves more
 /// than 1.5 % of the area uncovered (corners, narrow parts, or all of it), parts of the tool fill it up: 5, 3 and then
 /// 1 of 7 pins, as wide as those of the source. Of a small part without room for a disc of half the tool's width the
-/// boundary is driven once. For a robot with a least turning radius the fill is cut into strokes
-/// that it can follow (smoothing/strokes.hpp), and what they leave is driven piece by piece (followed_line.hpp).
+/// boundary is driven once. For a robot with a least turning radius the fill is cut into strokes that it can follow
+/// (smoothing/strokes.hpp), and what they leave is driven piece by piece (followed_line.hpp).
 /// Source: Vollprecht 2014, section 2.2. Cost: that of the planner.
 #pragma once
 
