@@ -22,10 +22,10 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-constexpr double kRange = 8;            // radii: the longest motion; long enough for a loop
-constexpr double kShortenStep = 1;      // radii, between poses of a path to be shortened
-constexpr std::size_t kMostPoses = 40;  // of these; more are further apart
-constexpr unsigned kMostChecks = 5000;  // of the condition that ends the search: one for each pose drawn
+constexpr double kRange = 8;               // radii: the longest motion; long enough for a loop
+constexpr double kShortenStep = 1;         // radii, between poses of a path to be shortened
+constexpr std::size_t kMostPoses = 40;     // of these; more are further apart
+constexpr std::size_t kCurvesToPose = 10;  // curves that take the time of one pose of lattice_search
 
 Pose pose_of(const ob::State* state) {
   const auto* s = state->as<ob::SE2StateSpace::StateType>();
@@ -57,8 +57,11 @@ class CarStateSpace : public ob::SE2StateSpace {
  public:
   explicit CarStateSpace(const CarSpace& space) : space_(space) {}
   double distance(const ob::State* a, const ob::State* b) const override {
+    ++curves_;
     return space_.shortest(pose_of(a), pose_of(b)).length();
   }
+  /// How many there were: nearly all the time goes into them.
+  std::size_t curves() const { return curves_; }
   void interpolate(const ob::State* from, const ob::State* to, double t, ob::State* state) const override {
     const Curve curve = space_.shortest(pose_of(from), pose_of(to));
     assign(state, t < 1 ? pose_along(curve, t * curve.length()) : pose_of(to));
@@ -70,6 +73,7 @@ class CarStateSpace : public ob::SE2StateSpace {
 
  private:
   const CarSpace& space_;
+  mutable std::size_t curves_ = 0;
 };
 
 /// Draws poses by our generator: OMPL's have one seed for the process.
@@ -150,7 +154,8 @@ std::shared_ptr<ob::Planner> make_planner(const ob::SpaceInformationPtr& si, con
   return trees;
 }
 
-std::vector<Pose> solve(const CarSpace& space, const std::vector<Pose>& from, const Pose& to, const Context& context) {
+std::vector<Pose> solve(const CarSpace& space, const std::vector<Pose>& from, const Pose& to, DetourEffort& effort,
+                        const Context& context) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   const std::uint64_t seed = mix(context.seed(), "detour");
   auto states = std::make_shared<CarStateSpace>(space);
@@ -175,9 +180,11 @@ std::vector<Pose> solve(const CarSpace& space, const std::vector<Pose>& from, co
   const auto planner = make_planner(si, space, seed);
   planner->setProblemDefinition(definition);
   planner->setup();
-  unsigned checks = 0;
-  const ob::PlannerTerminationCondition done([&] { return ++checks > kMostChecks || context.cancelled(); });
-  if (planner->solve(done) != ob::PlannerStatus::EXACT_SOLUTION) return {};
+  const std::size_t most = effort.most() * kCurvesToPose;
+  const ob::PlannerTerminationCondition done([&] { return states->curves() >= most || context.cancelled(); });
+  const bool solved = planner->solve(done) == ob::PlannerStatus::EXACT_SOLUTION;
+  effort.spend(states->curves() / kCurvesToPose);
+  if (!solved) return {};
   const auto& path = *definition->getSolutionPath()->as<og::PathGeometric>();
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < path.getStateCount(); ++i)
@@ -226,8 +233,8 @@ std::vector<Pose> shortened(const std::vector<Pose>& poses, const CarSpace& spac
 }  // namespace
 
 std::optional<Curve> ompl_search(const CarSpace& space, const std::vector<Pose>& from, const Pose& to,
-                                 const Context& context) {
-  const std::vector<Pose> path = solve(space, from, to, context);
+                                 DetourEffort& effort, const Context& context) {
+  const std::vector<Pose> path = solve(space, from, to, effort, context);
   if (path.empty()) return std::nullopt;
   Curve detour = joined(shortened(poses_along(path, space), space), space);
   detour.to = to;

@@ -162,7 +162,8 @@ TEST(OmplSearch, FindsAFreeDetourAndTheSameOneAgain) {
     std::optional<double> length;
     for (int again = 0; again < 3; ++again) {
       Context context(5);
-      const auto detour = space.detour({kBeforeWall}, kBehindWall, context);
+      DetourEffort effort;
+      const auto detour = space.detour({kBeforeWall}, kBehindWall, effort, context);
       ASSERT_TRUE(detour) << reverse;
       EXPECT_TRUE(space.free(*detour));
       EXPECT_EQ(length.value_or(detour->length()), detour->length()) << "same seed, same path";
@@ -183,7 +184,8 @@ TEST(OmplSearch, GivesUpWhereThereIsNoPath) {
   const Problem problem = on(subtract(box_region({0, 0}, {40, 20}), box_region({19, 0}, {21, 20})), tractor(3, false));
   const CarSpace space(problem, DetourSearch::ompl);
   Context context;
-  EXPECT_FALSE(space.detour({{{10, 10}, 0}}, {{30, 10}, 0}, context));
+  DetourEffort effort;
+  EXPECT_FALSE(space.detour({{{10, 10}, 0}}, {{30, 10}, 0}, effort, context));
 }
 
 TEST(Drivable, DetoursByOmpl) {
