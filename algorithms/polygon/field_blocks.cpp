@@ -95,7 +95,7 @@ class FieldDivision {
     std::vector<FieldBlock> blocks;
     while (!components_.empty() && !context.cancelled()) {
       for (Component& c : components_)
-        if (c.candidates.empty() || c.area < kDivideAgain * c.divided) divide(c, context);
+        if ((c.candidates.empty() && c.area != c.divided) || c.area < kDivideAgain * c.divided) divide(c, context);
       const auto [component, candidate] = best();
       blocks.push_back(candidate == kNone ? take_all(component) : take(component, candidate, context));
       if (!blocks.back().strips.empty()) at_ = blocks.back().strips.back().lanes.back().high;
