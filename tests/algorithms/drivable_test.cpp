@@ -188,6 +188,43 @@ TEST(OmplSearch, GivesUpWhereThereIsNoPath) {
   EXPECT_FALSE(space.detour({{{10, 10}, 0}}, {{30, 10}, 0}, effort, context));
 }
 
+// So that a map full of links that do not exist takes seconds.
+TEST(DetourEffort, IsSharedAndEachSearchStillHasAFew) {
+  DetourEffort effort;
+  EXPECT_EQ(effort.most(), DetourEffort::kMost);
+  effort.spend(DetourEffort::kAll - 5000);
+  EXPECT_EQ(effort.most(), 5000u);
+  effort.spend(10000);
+  EXPECT_EQ(effort.most(), DetourEffort::kLeast);
+  const Problem problem = walled(false);
+  for (const DetourSearch search : {DetourSearch::lattice, DetourSearch::ompl}) {
+    const CarSpace space(problem, search);
+    Context context(5);
+    DetourEffort fresh;
+    space.detour({kBeforeWall}, {{30, 10}, 0}, fresh, context);  // a pose in the wall: all that it may
+    fresh.spend(DetourEffort::kAll - DetourEffort::kMost);
+    EXPECT_EQ(fresh.most(), DetourEffort::kLeast) << "the search has spent its share";
+  }
+}
+
+TEST(Drivable, PublishesWhatCanBeDrivenSoFar) {
+  const Problem problem = meadow(45, 30, tractor(2.5, false));
+  std::vector<Path> published;
+  Context::Sinks sinks;
+  sinks.publish = [&](const Path& path) { published.push_back(path); };
+  Context context(1, 1e9, std::move(sinks));
+  const auto planner = brief_built_in().find("boustrophedon").make({{"headland", std::int64_t{1}}}, brief_built_in());
+  const Path path = planner->plan(problem, context);
+  ASSERT_GT(published.size(), 1u);
+  double work = 0;
+  for (const Path& p : published) {
+    EXPECT_EQ(score(problem, p).flaw, "");
+    EXPECT_GT(p.length(true), work);
+    work = p.length(true);
+  }
+  EXPECT_GE(path.length(true), 0.9 * work);
+}
+
 TEST(Drivable, DetoursByOmpl) {
   const Problem problem = walled(false);
   const Settings settings{{"headland", std::int64_t{2}}, {"detour", std::string("ompl")}};
