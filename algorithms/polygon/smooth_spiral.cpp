@@ -43,6 +43,7 @@ constexpr double kChord = 0.01;        // error of the axis' parabolas
 constexpr double kBridge = 1e-3;       // width of the cuts along bridges
 constexpr double kLeastCut = 1e-6;     // the same at least, of the map's extent
 constexpr double kSpineHeight = 1.5;   // greatest clearances
+constexpr double kLongShape = 3;       // greatest clearances
 constexpr double kLowestSpine = 1;     // greatest clearances; below, the spine would have branches of spokes
 constexpr double kMostClosed = 5;      // laps: with more, one fewer matters little
 constexpr double kMostOverlap = 0.9;   // of a spiral
@@ -78,9 +79,11 @@ WaveSpiral spiral_from_spine(const WaveTree& tree, double width, const Point& ne
   const double step = kStep * width;
   WaveSpiral best;
   double shortest = std::numeric_limits<double>::infinity();
+  const double clearance = tree.greatest_clearance(), height = tree.height();
   for (const double clearances : {kRootAlone, kSpineHeight, kLowestSpine}) {
+    if (clearances == kRootAlone && height > kLongShape * clearance) continue;  // as many times as many laps
     WaveTree own = tree;
-    const double high = std::min(clearances * tree.greatest_clearance(), tree.height()), laps = high / step;
+    const double high = std::min(clearances * clearance, height), laps = high / step;
     WaveSpiral spiral;
     if (laps > 1) spiral = own.spiral(laps, high, near);
     if (laps <= 1 || (laps <= kMostClosed && bunched(spiral, width))) spiral = own.closed_laps(laps, high, near);
