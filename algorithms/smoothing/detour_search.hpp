@@ -40,12 +40,13 @@ namespace oxturn {
 
 class CarSpace;
 
-/// What the searches of one plan may still cost, in poses of lattice_search. Deterministic.
+/// What the searches of one plan may still cost, in poses of lattice_search forwards. Deterministic.
 class DetourEffort {
  public:
   static constexpr std::size_t kAll = 1'000'000, kMost = 20'000, kLeast = 1000;
   /// Of the next search.
   std::size_t most() const { return std::clamp(left_, kLeast, kMost); }
+  bool exhausted() const { return left_ < kMost; }
   void spend(std::size_t poses) { left_ -= std::min(poses, left_); }
 
  private:

@@ -24,11 +24,13 @@ double total_length(const std::vector<Stroke>& strokes) {
 class LeftOut {
  public:
   explicit LeftOut(double all) : all_(all) {}
-  void add(double metres, const Point& where) {
+  /// `exhausted`: searches ended early.
+  void add(double metres, const Point& where, bool exhausted) {
     if (metres_ == 0) first_ = where;
     metres_ += metres;
     if (metres_ > kMostLeftOut * all_)
-      throw Infeasible(fmt::format("no drivable connection with a lane at ({:.6g}, {:.6g})", first_.x(), first_.y()));
+      throw Infeasible(fmt::format("no drivable connection with a lane at ({:.6g}, {:.6g}){}", first_.x(), first_.y(),
+                                   exhausted ? " found within the effort for detours" : ""));
   }
   double metres() const { return metres_; }
 
@@ -93,7 +95,7 @@ Path drivable(const Problem& problem, const Path& path, Context& context, Detour
   const std::vector<Stroke> whole = strokes;
   shorten_dead_ends(strokes, problem, space);
   for (std::size_t s = 0; s < strokes.size(); ++s)
-    if (strokes[s].points.empty()) left_out.add(length(whole[s].points), whole[s].points.front());
+    if (strokes[s].points.empty()) left_out.add(length(whole[s].points), whole[s].points.front(), false);
   std::erase_if(strokes, [](const Stroke& stroke) { return stroke.points.empty(); });
   if (context.wants_traces()) {
     std::vector<Polyline> lines;
@@ -108,7 +110,7 @@ Path drivable(const Problem& problem, const Path& path, Context& context, Detour
     return context.cancelled() ? tour.known_link(last, stroke) : tour.link(last, stroke);
   };
   Path result = assembled(order, problem.start(), space.chord_error(), link, [&](const DrivenStroke& stroke) {
-    if (!context.cancelled()) left_out.add(length(stroke.points), stroke.points.front());
+    if (!context.cancelled()) left_out.add(length(stroke.points), stroke.points.front(), tour.exhausted());
   });
   if (left_out.metres() > 0) context.record("lanes_left_out_m", left_out.metres());
   if (result.legs.empty() && !context.cancelled())

@@ -18,6 +18,7 @@ constexpr double kStep = 1.5;     // cells
 constexpr double kGreed = 1.2;    // weight of the heuristic
 constexpr double kNearGoal = 6;   // radii; nearer than that the rest is tried at every node, else at every fourth
 constexpr double kReverse = 1.5;  // a metre backwards costs that much
+constexpr std::size_t kReverseEffort = 3;  // a Reeds-Shepp curve takes several times as long as a Dubins curve
 
 class LatticeSearch {
  public:
@@ -115,7 +116,7 @@ std::optional<Curve> lattice_search(const CarSpace& space, const std::vector<Pos
                                     DetourEffort& effort, const Context& context) {
   LatticeSearch search(space, to);
   std::optional<Curve> detour = search.run(from, effort.most(), context);
-  effort.spend(search.poses());
+  effort.spend((space.reverse() ? kReverseEffort : 1) * search.poses());
   return detour;
 }
 

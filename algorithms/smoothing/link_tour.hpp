@@ -39,6 +39,9 @@ class LinkTour {
   /// The same without a search: nullopt, too, if there was none for that link.
   std::optional<Curve> known_link(const DrivenStroke* from, const DrivenStroke& to) const;
 
+  /// Searches for detours ended early, so there may be links that were not found.
+  bool exhausted() const { return effort_.exhausted(); }
+
  private:
   /// One pattern of a stroke.
   struct Pass {

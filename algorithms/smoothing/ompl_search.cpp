@@ -22,10 +22,11 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-constexpr double kRange = 8;               // radii: the longest motion; long enough for a loop
-constexpr double kShortenStep = 1;         // radii, between poses of a path to be shortened
-constexpr std::size_t kMostPoses = 40;     // of these; more are further apart
-constexpr std::size_t kCurvesToPose = 10;  // curves that take the time of one pose of lattice_search
+constexpr double kRange = 8;            // radii: the longest motion; long enough for a loop
+constexpr double kShortenStep = 1;      // radii, between poses of a path to be shortened
+constexpr std::size_t kMostPoses = 40;  // of these; more are further apart
+// Curves that take the time of one pose of lattice_search, forward and with Reeds-Shepp curves.
+constexpr std::size_t kCurvesToPose = 10, kReverseCurvesToPose = 3;
 
 Pose pose_of(const ob::State* state) {
   const auto* s = state->as<ob::SE2StateSpace::StateType>();
@@ -180,10 +181,10 @@ std::vector<Pose> solve(const CarSpace& space, const std::vector<Pose>& from, co
   const auto planner = make_planner(si, space, seed);
   planner->setProblemDefinition(definition);
   planner->setup();
-  const std::size_t most = effort.most() * kCurvesToPose;
+  const std::size_t each = space.reverse() ? kReverseCurvesToPose : kCurvesToPose, most = effort.most() * each;
   const ob::PlannerTerminationCondition done([&] { return states->curves() >= most || context.cancelled(); });
   const bool solved = planner->solve(done) == ob::PlannerStatus::EXACT_SOLUTION;
-  effort.spend(states->curves() / kCurvesToPose);
+  effort.spend(states->curves() / each);
   if (!solved) return {};
   const auto& path = *definition->getSolutionPath()->as<og::PathGeometric>();
   std::vector<Pose> poses;
