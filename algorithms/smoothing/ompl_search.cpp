@@ -157,12 +157,16 @@ std::shared_ptr<ob::Planner> make_planner(const ob::SpaceInformationPtr& si, con
 
 std::vector<Pose> solve(const CarSpace& space, const std::vector<Pose>& from, const Pose& to, DetourEffort& effort,
                         const Context& context) {
+  if (!space.free(Polyline{to.at, to.at})) return {};  // OMPL would sleep until the search is ended from outside
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   const std::uint64_t seed = mix(context.seed(), "detour");
   auto states = std::make_shared<CarStateSpace>(space);
   ob::RealVectorBounds bounds(2);
   const Box& box = space.bounds();
-  for (unsigned axis = 0; axis < 2; ++axis) bounds.setLow(axis, box.low[axis]), bounds.setHigh(axis, box.high[axis]);
+  for (unsigned axis = 0; axis < 2; ++axis) {  // lanes may end on the boundary, but for rounding
+    bounds.setLow(axis, box.low[axis] - space.radius());
+    bounds.setHigh(axis, box.high[axis] + space.radius());
+  }
   states->setBounds(bounds);
   states->setStateSamplerAllocator(
       [&](const ob::StateSpace* s) { return std::make_shared<PoseSampler>(s, box, seed); });

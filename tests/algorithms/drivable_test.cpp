@@ -153,6 +153,7 @@ Problem walled(bool reverse) {
   return on(subtract(box_region({0, 0}, {60, 40}), box_region({29, 0}, {31, 30})), tractor(3, reverse));
 }
 const Pose kBeforeWall{{20, 5}, 0}, kBehindWall{{40, 5}, 0};
+const Pose kOutOfTheWall{{28, 10}, kPi};  // forwards it cannot be reached
 
 TEST(OmplSearch, FindsAFreeDetourAndTheSameOneAgain) {
   for (const bool reverse : {false, true}) {
@@ -180,12 +181,25 @@ TEST(OmplSearch, FindsAFreeDetourAndTheSameOneAgain) {
   }
 }
 
+// OMPL waits for another goal where it takes the only one for invalid: on the boundary but for rounding, or in a wall.
+TEST(OmplSearch, DoesNotWaitForAnotherGoal) {
+  for (const bool reverse : {false, true}) {
+    const Problem problem = walled(reverse);
+    const CarSpace space(problem, DetourSearch::ompl);
+    Context context(5);
+    DetourEffort effort;
+    EXPECT_FALSE(space.detour({kBeforeWall}, {{30, 10}, 0}, effort, context));
+    EXPECT_EQ(effort.most(), DetourEffort::kMost);
+    EXPECT_TRUE(space.detour({kBeforeWall}, {{59 + 1e-12, 20}, kPi / 2}, effort, context));
+  }
+}
+
 TEST(OmplSearch, GivesUpWhereThereIsNoPath) {
-  const Problem problem = on(subtract(box_region({0, 0}, {40, 20}), box_region({19, 0}, {21, 20})), tractor(3, false));
+  const Problem problem = walled(false);
   const CarSpace space(problem, DetourSearch::ompl);
   Context context;
   DetourEffort effort;
-  EXPECT_FALSE(space.detour({{{10, 10}, 0}}, {{30, 10}, 0}, effort, context));
+  EXPECT_FALSE(space.detour({kBeforeWall}, kOutOfTheWall, effort, context));
 }
 
 // So that a map full of links that do not exist takes seconds.
@@ -201,7 +215,7 @@ TEST(DetourEffort, IsSharedAndEachSearchStillHasAFew) {
     const CarSpace space(problem, search);
     Context context(5);
     DetourEffort fresh;
-    space.detour({kBeforeWall}, {{30, 10}, 0}, fresh, context);  // a pose in the wall: all that it may
+    space.detour({kBeforeWall}, kOutOfTheWall, fresh, context);
     fresh.spend(DetourEffort::kAll - DetourEffort::kMost);
     EXPECT_EQ(fresh.most(), DetourEffort::kLeast) << "the search has spent its share";
   }
