@@ -25,6 +25,7 @@ namespace og = ompl::geometric;
 constexpr double kRange = 8;            // radii: the longest motion; long enough for a loop
 constexpr double kShortenStep = 1;      // radii, between poses of a path to be shortened
 constexpr std::size_t kMostPoses = 40;  // of these; more are further apart
+constexpr std::size_t kMostIdle = 10;   // checks of the end of the search without a new curve
 // Curves that take the time of one pose of lattice_search, forward and with Reeds-Shepp curves.
 constexpr std::size_t kCurvesToPose = 10, kReverseCurvesToPose = 3;
 
@@ -186,7 +187,13 @@ std::vector<Pose> solve(const CarSpace& space, const std::vector<Pose>& from, co
   planner->setProblemDefinition(definition);
   planner->setup();
   const std::size_t each = space.reverse() ? kReverseCurvesToPose : kCurvesToPose, most = effort.most() * each;
-  const ob::PlannerTerminationCondition done([&] { return states->curves() >= most || context.cancelled(); });
+  // Where OMPL takes the goal for invalid it sleeps until the condition holds, and computes nothing.
+  std::size_t before = 0, idle = 0;
+  const ob::PlannerTerminationCondition done([&] {
+    idle = states->curves() == before ? idle + 1 : 0;
+    before = states->curves();
+    return before >= most || idle > kMostIdle || context.cancelled();
+  });
   const bool solved = planner->solve(done) == ob::PlannerStatus::EXACT_SOLUTION;
   effort.spend(states->curves() / each);
   if (!solved) return {};
