@@ -70,7 +70,8 @@ std::optional<Polyline> SmoothTransits::along(const Pose& from, const Pose& to, 
 
 std::optional<Polyline> SmoothTransits::by_lattice(const Pose& from, const Pose& to) const {
   if (!(problem_.robot().min_turn_radius > 0)) return std::nullopt;
-  const std::optional<Curve> curve = CarSpace(problem_).detour({from}, to, Context());
+  DetourEffort effort;
+  const std::optional<Curve> curve = CarSpace(problem_).detour({from}, to, effort, Context());
   if (!curve || curve->cusps() > 0) return std::nullopt;
   Polyline path{from.at};
   for (const Leg& leg : sampled(*curve, chord_error_, false))

@@ -55,6 +55,8 @@ Ring outline(const BoustrophedonCell& cell, const LaneFrame& frame);
 /// Seconds to drive from one lane to the opposite direction of the next, beside the drive there: twice a right angle,
 /// and stops.
 inline double turn_seconds(const Robot& robot) { return kPi / robot.turn_rate + 2 * robot.speed / robot.acceleration; }
+/// Seconds from the end of a lane to the one beside it.
+inline double seconds_to_next_lane(const Robot& robot) { return turn_seconds(robot) + robot.tool_width / robot.speed; }
 
 /// y of a chain that runs from left to right, at x.
 double height_on(const Polyline& chain, double x);

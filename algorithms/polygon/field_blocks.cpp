@@ -33,9 +33,6 @@ struct Candidate {
   double area = 0, seconds = 0;  // of driving it, turns included
 };
 
-/// Seconds between two lanes.
-double turn_time(const Robot& robot) { return turn_seconds(robot) + robot.tool_width / robot.speed; }
-
 double bend(const Point& before, const Point& at, const Point& after) {
   const Point a = at - before, b = after - at;
   return std::abs(std::atan2(cross(a, b), a.dot(b))) * 180 / kPi;
@@ -72,7 +69,7 @@ Candidate candidate_of(BoustrophedonCell cell, double degrees, const Robot& robo
   const double width = right_of(c.cell) - left_of(c.cell);
   const double lanes = static_cast<double>(slabs_over(0, width, robot.tool_width).count);
   const double metres = width > 0 ? lanes * c.area / width : 0;
-  c.seconds = metres / robot.speed + (lanes - 1) * turn_time(robot);
+  c.seconds = metres / robot.speed + (lanes - 1) * seconds_to_next_lane(robot);
   return c;
 }
 
@@ -95,7 +92,7 @@ class FieldDivision {
     std::vector<FieldBlock> blocks;
     while (!components_.empty() && !context.cancelled()) {
       for (Component& c : components_)
-        if (c.candidates.empty() || c.area < kDivideAgain * c.divided) divide(c, context);
+        if ((c.candidates.empty() && c.area != c.divided) || c.area < kDivideAgain * c.divided) divide(c, context);
       const auto [component, candidate] = best();
       blocks.push_back(candidate == kNone ? take_all(component) : take(component, candidate, context));
       if (!blocks.back().strips.empty()) at_ = blocks.back().strips.back().lanes.back().high;
@@ -174,7 +171,7 @@ class FieldDivision {
     const auto try_heading = [&](double degrees) {
       bool better = false;
       for (Candidate& k : along(c.region, degrees)) {
-        if (const double v = value(k, turn_time(robot_)); v > best * kClearlyMore) {
+        if (const double v = value(k, seconds_to_next_lane(robot_)); v > best * kClearlyMore) {
           best = v;
           heading = degrees;
           better = true;

@@ -10,7 +10,9 @@
 ///
 /// Source      after Oksanen and Visala, "Coverage path planning algorithms for agricultural field machines", Journal
 ///             of Field Robotics 26(8), 2009: their first algorithm. The numbers are ours.
-/// Complexity  a division takes O(n log n) for n vertices; about 30 for each 10 % of the area
+/// Complexity  a division takes O(n log n) for n vertices; about 30 for each 10 % of the area of a component, while
+///             what is left has more and more vertices. Random polygons with a hole for each 40 vertices: 0.9, 2.5 and
+///             6.4 s for 1,000, 2,000 and 4,000 vertices, as n^1.4
 #pragma once
 
 #include <vector>

@@ -25,6 +25,7 @@
 #include "algorithms/lanes/laps.hpp"
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
+#include "algorithms/polygon/cell_strips.hpp"
 #include "algorithms/transit/short_segments.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -144,8 +145,8 @@ class PredictiveDrive {
     return width_ * s.round_metres / (there + s.round_metres / robot_.speed + turning);
   }
   double swath_value(const Stretch& s, double there) const {
-    const double turning = kPi / robot_.turn_rate + width_ / robot_.speed;
-    return width_ * s.metres * (1 + s.back_share) / (there + 2 * s.metres / robot_.speed + turning);
+    const double seconds = there + 2 * s.metres / robot_.speed + seconds_to_next_lane(robot_);
+    return width_ * s.metres * (1 + s.back_share) / seconds;
   }
 
   /// The ring, cut at its sharp turns; a ring without any is cut at its vertex nearest to where the robot is.

@@ -1,10 +1,13 @@
 #include "algorithms/polygon/segment_fill.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
 
+#include "algorithms/context.hpp"
 #include "algorithms/lanes/lane_direction.hpp"
 #include "base/text.hpp"
 #include "base/throw_invalid.hpp"
@@ -78,7 +81,7 @@ std::vector<SegmentFill> segment_fills(const std::string& owner, const std::vect
     for (const Part& part : parts) far.push_back(distance_to(part, choice.at));
     const auto nearest = std::ranges::min_element(far);
     if (nearest == far.end() || *nearest > options.reach)
-      throw_invalid("segments of {}: no part holds {}", owner, to_text(choice.at));
+      throw Infeasible(fmt::format("segments of {}: no part holds {}", owner, to_text(choice.at)));
     fills[static_cast<std::size_t>(nearest - far.begin())] = choice.fill;
   }
   return fills;

@@ -60,7 +60,7 @@ struct SegmentOptions {
 };
 
 /// One for each part. Directions along parts are whole degrees, so that few frames are needed. Throws
-/// std::invalid_argument that names `owner` and the position if no part is in reach of one.
+/// Infeasible with `owner` and the position if no part is in reach of one.
 std::vector<SegmentFill> segment_fills(const std::string& owner, const std::vector<Part>& parts,
                                        const SegmentOptions& options);
 

@@ -14,9 +14,11 @@
 //                tree (2014: by local minima of clearance, which these are). A bridge is a cut w / 1000 wide; each of
 //                its sides is driven. One curve. islands = decompose (2014): further cuts divide the rest, so that laps
 //                lie more evenly (island_cuts.hpp); a spiral for each part, always the nearest one next.
-//             3. start = spine: the wave leaves all points higher above the boundary than 1.5 times the greatest
-//                clearance at time 0, and the robot drives these first. Otherwise laps of long shapes lie many times
-//                closer than the tool is wide, because all parts have as many laps as the longest branch.
+//             3. start = spine: the wave leaves all points higher above the boundary than 1 or 1.5 times the greatest
+//                clearance at time 0, or the root alone, whatever gives the shortest curve, and the robot drives these
+//                first. Otherwise laps of long shapes lie many times closer than the tool is wide, because all parts
+//                have as many laps as the longest branch. Where more than 0.9 of the work would still be done twice
+//                (few laps in narrow shapes), laps are closed and linked: a spiral has one more.
 //             4. Smoothing: vertices that matter less than 0.005 w are left out; corners become tangent arcs within
 //                0.02 w, but for those of the last lap, which is the boundary.
 #include <algorithm>
@@ -34,13 +36,18 @@ namespace oxturn {
 namespace {
 
 // Tool widths.
-constexpr double kStep = 0.95;        // between laps
-constexpr double kSkip = 0.005;       // by which vertices may be left out
-constexpr double kRound = 0.02;       // by which arcs may cut corners
-constexpr double kChord = 0.01;       // error of the axis' parabolas
-constexpr double kBridge = 1e-3;      // width of the cuts along bridges
-constexpr double kLeastCut = 1e-6;    // the same at least, of the map's extent
-constexpr double kSpineHeight = 1.5;  // greatest clearances
+constexpr double kStep = 0.95;         // between laps
+constexpr double kSkip = 0.005;        // by which vertices may be left out
+constexpr double kRound = 0.02;        // by which arcs may cut corners
+constexpr double kChord = 0.01;        // error of the axis' parabolas
+constexpr double kBridge = 1e-3;       // width of the cuts along bridges
+constexpr double kLeastCut = 1e-6;     // the same at least, of the map's extent
+constexpr double kSpineHeight = 1.5;   // greatest clearances
+constexpr double kLongShape = 3;       // greatest clearances
+constexpr double kLowestSpine = 1;     // greatest clearances; below, the spine would have branches of spokes
+constexpr double kMostClosed = 5;      // laps: with more, one fewer matters little
+constexpr double kMostOverlap = 0.9;   // of a spiral
+constexpr double kClearlyLess = 0.97;  // of the length; a lower spine has more branches, driven there and back
 
 enum class Start { spine, centre, start };
 enum class Direction { out, in };
@@ -56,17 +63,44 @@ struct Params {
 Region without_holes(const Region& space, const Params& p, double width, const Context& context) {
   const double cut = std::max(kBridge * width, kLeastCut * bounding_box(space).size().maxCoeff());
   if (p.islands == Islands::bridge) return bridged(space, cut);
-  const double height = p.start == Start::spine ? kSpineHeight : std::numeric_limits<double>::infinity();
+  const double height = p.start == Start::spine ? kSpineHeight : kRootAlone;
   return decomposed(space, {cut, kChord * width, height}, context);
+}
+
+/// Laps too close to each other: the length times the width over the area of the shape and of a band about it.
+bool bunched(const WaveSpiral& spiral, double width) {
+  const double outer = length(spiral.boundary);
+  const double swept = std::abs(signed_area({spiral.boundary.begin(), spiral.boundary.end() - 1})) + outer * width / 2;
+  return (length(spiral.spine) + length(spiral.laps) + outer) * width > (1 + kMostOverlap) * swept;
+}
+
+/// The shortest over some heights of the spine.
+WaveSpiral spiral_from_spine(const WaveTree& tree, double width, const Point& near) {
+  const double step = kStep * width;
+  WaveSpiral best;
+  double shortest = std::numeric_limits<double>::infinity();
+  const double clearance = tree.greatest_clearance(), height = tree.height();
+  for (const double clearances : {kRootAlone, kSpineHeight, kLowestSpine}) {
+    if (clearances == kRootAlone && height > kLongShape * clearance) continue;  // as many times as many laps
+    WaveTree own = tree;
+    const double high = std::min(clearances * clearance, height), laps = high / step;
+    WaveSpiral spiral;
+    if (laps > 1) spiral = own.spiral(laps, high, near);
+    if (laps <= 1 || (laps <= kMostClosed && bunched(spiral, width))) spiral = own.closed_laps(laps, high, near);
+    const double metres = length(spiral.spine) + length(spiral.laps);
+    if (metres < kClearlyLess * shortest) shortest = metres, best = std::move(spiral);
+  }
+  return best;
 }
 
 /// A tree's spiral as it is driven outwards.
 Polyline spiral_of(WaveTree tree, const Params& p, const Problem& problem, const Connector& connector) {
   const double w = problem.robot().tool_width;
   p.start == Start::start ? tree.root_near(problem.start()) : tree.root_at_centre();
-  const double high =
-      p.start == Start::spine ? kSpineHeight * tree.greatest_clearance() : std::numeric_limits<double>::infinity();
-  WaveSpiral spiral = tree.spiral(kStep * w, high, problem.start());
+  WaveSpiral spiral =
+      p.start == Start::spine
+          ? spiral_from_spine(tree, w, problem.start())
+          : tree.spiral(std::max(1.0, std::ceil(tree.height() / (kStep * w) - 1e-9)), kRootAlone, problem.start());
   Polyline curve = std::move(spiral.spine);
   curve.insert(curve.end(), spiral.laps.begin(), spiral.laps.end());
   curve = rounded_corners(with_fewer_vertices(curve, kSkip * w, connector), kRound * w, connector);

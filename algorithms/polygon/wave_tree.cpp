@@ -215,9 +215,15 @@ std::vector<WaveTree::Crossing> WaveTree::path_to(std::size_t leaf) const {
   return path;
 }
 
-WaveSpiral WaveTree::spiral(double step, double start_height, const Point& near) {
+Point WaveTree::wave_at(const std::vector<Crossing>& path, double time) const {
+  std::size_t k = 0;
+  while (k + 1 < path.size() && path[k + 1].time <= time) ++k;
+  if (k + 1 == path.size()) return path[k].at;
+  return lerp(path[k].at, path[k + 1].at, (time - path[k].time) / (path[k + 1].time - path[k].time));
+}
+
+std::size_t WaveTree::begin_spiral(WaveSpiral& spiral, double start_height, const Point& near) {
   arrivals(start_height);
-  WaveSpiral spiral;
   const std::size_t end = spine_end(root_), begin = spine_end(end), n = leaves_.size();
   std::size_t first = n;
   for (std::size_t j = 0; j < n; ++j) {
@@ -226,25 +232,49 @@ WaveSpiral WaveTree::spiral(double step, double start_height, const Point& near)
   }
   if (first == n) first = 0;
   spiral.spine = walk_spine(begin, start_of(leaves_[first]));
-  const double highest = std::min(start_height, height());
-  spiral.count = static_cast<std::size_t>(std::max(1.0, std::ceil(highest / step - 1e-9)));
-  const double m = static_cast<double>(spiral.count);
-  std::vector<Polyline> laps(spiral.count, Polyline(n));
-  for (std::size_t j = 0; j < n; ++j) {
-    const std::size_t leaf = leaves_[(first + j) % n];
-    const std::vector<Crossing> path = path_to(leaf);
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < spiral.count; ++i) {
-      const double t = (static_cast<double>(i) + static_cast<double>(j) / static_cast<double>(n)) / m;
-      while (k + 1 < path.size() && path[k + 1].time <= t) ++k;
-      const bool last = k + 1 == path.size();
-      laps[i][j] =
-          last ? path[k].at : lerp(path[k].at, path[k + 1].at, (t - path[k].time) / (path[k + 1].time - path[k].time));
-    }
-    spiral.boundary.push_back(nodes_[leaf].at);
+  return first;
+}
+
+Polyline WaveTree::boundary_from(std::size_t leaf) const {
+  Polyline boundary;
+  for (std::size_t j = 0; j <= leaves_.size(); ++j) boundary.push_back(nodes_[leaves_[(leaf + j) % leaves_.size()]].at);
+  return boundary;
+}
+
+WaveSpiral WaveTree::spiral(double laps, double start_height, const Point& near) {
+  WaveSpiral spiral;
+  const std::size_t first = begin_spiral(spiral, start_height, near), n = leaves_.size();
+  const double each = laps * static_cast<double>(n);
+  const auto count = static_cast<std::size_t>(std::ceil(each - 1e-9));
+  spiral.laps.resize(count);
+  for (std::size_t j = 0; j < std::min(n, count); ++j) {
+    const std::vector<Crossing> path = path_to(leaves_[(first + j) % n]);
+    for (std::size_t i = j; i < count; i += n) spiral.laps[i] = wave_at(path, static_cast<double>(i) / each);
   }
-  spiral.boundary.push_back(spiral.boundary.front());
-  for (const Polyline& lap : laps) spiral.laps.insert(spiral.laps.end(), lap.begin(), lap.end());
+  spiral.boundary = boundary_from((first + count) % n);
+  return spiral;
+}
+
+WaveSpiral WaveTree::closed_laps(double laps, double start_height, const Point& near) {
+  WaveSpiral spiral;
+  const std::size_t first = begin_spiral(spiral, start_height, near), n = leaves_.size();
+  const std::vector<Crossing> link = path_to(leaves_[first]);
+  const double rings = std::max(0.0, std::ceil(laps - 1e-9) - 1);
+  double last = 0;
+  const auto link_to = [&](double time) {
+    for (const Crossing& c : link)
+      if (c.time > last && c.time < time) spiral.laps.push_back(c.at);
+    last = time;
+  };
+  const bool no_spine = laps - rings <= 0.5;
+  if (no_spine) spiral.spine.clear(), last = 1;
+  for (double ring = rings; ring > 0; --ring) {
+    const double time = 1 - ring / laps;
+    link_to(time);
+    for (std::size_t j = 0; j <= n; ++j) spiral.laps.push_back(wave_at(path_to(leaves_[(first + j) % n]), time));
+  }
+  link_to(1);
+  spiral.boundary = boundary_from(first);
   return spiral;
 }
 

@@ -3,7 +3,7 @@
 ///   const MedialAxis axis = medial_axis(region, tool_width / 100);       // a region without holes
 ///   for (WaveTree& tree : wave_trees(axis)) {
 ///     tree.root_at_centre();
-///     const WaveSpiral spiral = tree.spiral(0.95 * tool_width, greatest_branch);
+///     const WaveSpiral spiral = tree.spiral(std::ceil(tree.height() / tool_width), kRootAlone, start);
 ///     drive(spiral.spine), drive(spiral.laps);
 ///   }
 ///
@@ -11,11 +11,13 @@
 /// constant speed at which it reaches the end of the longest path beyond at time 1. So it arrives at all leaves, the
 /// feet of spokes on the boundary, at time 1, and no branch is faster than the longest one. Lap i of n leaves has, for
 /// each leaf j, the position of the wave on the path to it at time (i + j / n) / m: one continuous curve, which moves
-/// outwards by at most a lap's distance, the height of the tree over m, in each turn. The last lap is the boundary.
+/// outwards by at most a lap's distance, the height of the tree over m, in each turn. It ends at the leaf where time is
+/// 1, and the last lap is the boundary from there. m need not be whole.
 ///
 /// After Held and Spielberger 2009. O(l (d + m)) for l leaves at depth d and m laps.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "geometry/mesh/medial_axis.hpp"
@@ -26,8 +28,9 @@ struct WaveSpiral {
   Polyline spine = {};     // a walk over the part where time is 0, to the spiral's beginning; one point: the root
   Polyline laps = {};      // from the end of the spine to the last lap, exclusive
   Polyline boundary = {};  // the last lap, closed
-  std::size_t count = 0;   // of laps, the last one not counted
 };
+
+constexpr double kRootAlone = std::numeric_limits<double>::infinity();  // a start height: no spine
 
 class WaveTree {
  public:
@@ -52,9 +55,12 @@ class WaveTree {
   std::vector<double> arrivals(double start_height);
   /// The greatest distance between laps over the least one, of the same wave. At least 1.
   double step_variation(double start_height);
-  /// Laps at most `step` apart. The spine is what is higher than `start_height`; infinity: the root alone. Of the
+  /// With so many laps (at least one) and the boundary. The spine is what is higher than `start_height`. Of the
   /// possible beginnings the one nearest to `near`.
-  WaveSpiral spiral(double step, double start_height, const Point& near);
+  WaveSpiral spiral(double laps, double start_height, const Point& near);
+  /// Closed laps in place of the spiral, each linked to the next: one fewer. The boundary is the last of
+  /// `laps`, which need not be whole. No spine where it is within half a lap's distance of the first one.
+  WaveSpiral closed_laps(double laps, double start_height, const Point& near);
 
  private:
   struct Crossing {
@@ -70,6 +76,10 @@ class WaveTree {
   Polyline walk_spine(std::size_t from, std::size_t to) const;
   std::size_t start_of(std::size_t node) const;  // its last ancestor, or itself, at time 0
   std::vector<Crossing> path_to(std::size_t leaf) const;
+  Point wave_at(const std::vector<Crossing>& path, double time) const;
+  /// Arrivals; the spine to the first leaf, whose index is returned.
+  std::size_t begin_spiral(WaveSpiral& spiral, double start_height, const Point& near);
+  Polyline boundary_from(std::size_t leaf) const;
 
   std::vector<Node> nodes_;
   std::vector<std::vector<std::size_t>> links_;

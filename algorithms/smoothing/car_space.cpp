@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/smoothing/detour_search.hpp"
 #include "geometry/point_outside.hpp"
 
 namespace oxturn {
@@ -89,9 +88,10 @@ std::optional<Curve> CarSpace::simple_link(const Pose& from, const Pose& to) con
   return std::nullopt;
 }
 
-std::optional<Curve> CarSpace::detour(const std::vector<Pose>& from, const Pose& to, const Context& context) const {
-  return search_ == DetourSearch::ompl ? ompl_search(*this, from, to, context)
-                                       : lattice_search(*this, from, to, context);
+std::optional<Curve> CarSpace::detour(const std::vector<Pose>& from, const Pose& to, DetourEffort& effort,
+                                      const Context& context) const {
+  return search_ == DetourSearch::ompl ? ompl_search(*this, from, to, effort, context)
+                                       : lattice_search(*this, from, to, effort, context);
 }
 
 bool CarSpace::can_go_on(const Pose& from, double metres) const {

@@ -9,7 +9,7 @@
 ///   1. Dubins words, shortest first; in reverse: the shortest Reeds-Shepp curve
 ///   2. the same between poses further ahead on the lane's line (or, in reverse, also further back), shortest first
 ///   3. a detour: hybrid A* over position and heading, or random trees by OMPL (detour_search.hpp)
-/// Complexity  some dozens of curves of a few microseconds and O(length) segment tests; a detour up to a second
+/// Complexity  some dozens of curves of a few microseconds and O(length) segment tests; a detour up to 0.2 s
 #pragma once
 
 #include <optional>
@@ -17,6 +17,7 @@
 
 #include "algorithms/context.hpp"
 #include "algorithms/smoothing/curve.hpp"
+#include "algorithms/smoothing/detour_search.hpp"
 #include "maps/problem.hpp"
 
 namespace oxturn {
@@ -45,7 +46,8 @@ class CarSpace {
   /// Steps 1 and 2. nullopt: none of them is free.
   std::optional<Curve> simple_link(const Pose& from, const Pose& to) const;
   /// Step 3: from the pose from which it is cheapest.
-  std::optional<Curve> detour(const std::vector<Pose>& from, const Pose& to, const Context& context) const;
+  std::optional<Curve> detour(const std::vector<Pose>& from, const Pose& to, DetourEffort& effort,
+                              const Context& context) const;
   /// The robot can go on from there for so many metres: by quarter circles and straight lines as long, or backwards.
   bool can_go_on(const Pose& from, double metres) const;
 

@@ -1,6 +1,7 @@
 /// A drivable path around obstacles, from any of some poses to another one: two searches.
 ///
-///   const std::optional<Curve> detour = lattice_search(space, {from}, to, context);   // nullopt: none was found
+///   DetourEffort effort;                                                  // one for all searches of a plan
+///   const auto detour = lattice_search(space, {from}, to, effort, context);   // nullopt: none was found
 ///
 /// lattice_search: hybrid A* over position and heading
 ///   Source      Dolgov, Thrun, Montemerlo and Diebel, Path Planning for Autonomous Vehicles in Unknown Semi-structured
@@ -8,7 +9,7 @@
 ///   Method      Steps of 1.5 cells, steering left, straight or right (in both gears if the robot has them), from exact
 ///               poses; of those in one cell of a quarter radius and five degrees the cheapest is kept. Heuristic: the
 ///               shortest curve without obstacles, which is also tried as the rest of the path.
-///   Complexity  at most 20000 poses, each with a few curves: up to a second
+///   Complexity  at most 20000 poses, each with a few curves: up to 0.2 s
 ///
 /// ompl_search: trees of random poses, by OMPL
 ///   Source      LaValle, Rapidly-exploring random trees, 1998 (forward only); Kuffner and LaValle, RRT-Connect, ICRA
@@ -17,11 +18,18 @@
 ///               The path found is shortened: of the poses along it, one radius apart, those of the shortest sequence
 ///               of free curves are kept.
 ///   Guarantee   The same problem, seed and poses give the same path: poses are drawn by a generator of ours, and the
-///               search ends after a number of them, not of seconds.
-///   Complexity  at most 5000 poses: some tenths of a second. Longer than paths of lattice_search in open space, but
-///               not limited to steps of a lattice
+///               search ends after a number of curves, not of seconds.
+///   Complexity  n poses take n^2 curves, because each is compared with all before; the search ends after as many
+///               curves as take the time of 20000 poses of lattice_search. Longer than paths of lattice_search in open
+///               space, but not limited to steps of a lattice
+///
+/// Where no path exists, or none is found, a search takes all that it may. So that a map with many such links does not
+/// take minutes, searches share an effort: each takes as much as it needs, up to the figures above, until
+/// DetourEffort::kAll is spent (some 5 s), and then a twentieth of them at most.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -32,9 +40,22 @@ namespace oxturn {
 
 class CarSpace;
 
+/// What the searches of one plan may still cost, in poses of lattice_search forwards. Deterministic.
+class DetourEffort {
+ public:
+  static constexpr std::size_t kAll = 1'000'000, kMost = 20'000, kLeast = 1000;
+  /// Of the next search.
+  std::size_t most() const { return std::clamp(left_, kLeast, kMost); }
+  bool exhausted() const { return left_ < kMost; }
+  void spend(std::size_t poses) { left_ -= std::min(poses, left_); }
+
+ private:
+  std::size_t left_ = kAll;
+};
+
 std::optional<Curve> lattice_search(const CarSpace& space, const std::vector<Pose>& from, const Pose& to,
-                                    const Context& context);
+                                    DetourEffort& effort, const Context& context);
 std::optional<Curve> ompl_search(const CarSpace& space, const std::vector<Pose>& from, const Pose& to,
-                                 const Context& context);
+                                 DetourEffort& effort, const Context& context);
 
 }  // namespace oxturn

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "algorithms/drivable_planner.hpp"
@@ -23,11 +24,13 @@ double total_length(const std::vector<Stroke>& strokes) {
 class LeftOut {
  public:
   explicit LeftOut(double all) : all_(all) {}
-  void add(double metres, const Point& where) {
+  /// `exhausted`: searches ended early.
+  void add(double metres, const Point& where, bool exhausted) {
     if (metres_ == 0) first_ = where;
     metres_ += metres;
     if (metres_ > kMostLeftOut * all_)
-      throw Infeasible(fmt::format("no drivable connection with a lane at ({:.6g}, {:.6g})", first_.x(), first_.y()));
+      throw Infeasible(fmt::format("no drivable connection with a lane at ({:.6g}, {:.6g}){}", first_.x(), first_.y(),
+                                   exhausted ? " found within the effort for detours" : ""));
   }
   double metres() const { return metres_; }
 
@@ -36,8 +39,34 @@ class LeftOut {
   Point first_{0, 0};
 };
 
-void drive(PathBuilder& path, const std::vector<Leg>& legs) {
-  for (const Leg& leg : legs) path.drive(leg.points, leg.tool, leg.gear);
+/// The strokes of which `link_to(the one before, this one)` is known, and these links; the others go to `left_out`.
+template <class LinkTo, class LeftOut>
+Path assembled(const std::vector<DrivenStroke>& order, const Point& start, double chord_error, LinkTo link_to,
+               LeftOut left_out) {
+  PathBuilder builder(start);
+  const DrivenStroke* last = nullptr;
+  for (const DrivenStroke& stroke : order) {
+    const std::optional<Curve> link = link_to(last, stroke);
+    if (!link) {
+      left_out(stroke);
+      continue;
+    }
+    for (const Leg& leg : sampled(*link, chord_error, false)) builder.drive(leg.points, leg.tool, leg.gear);
+    builder.drive(stroke.points, true);
+    last = &stroke;
+  }
+  return builder.take();
+}
+
+/// Publishes what can be driven so far, if more of the strokes than before.
+void publish_progress(LinkTour& tour, const Problem& problem, const CarSpace& space, Context& context) {
+  tour.on_progress([&tour, &problem, &space, &context, most = 0.0](const std::vector<DrivenStroke>& order) mutable {
+    const auto known = [&](const DrivenStroke* last, const DrivenStroke& s) { return tour.known_link(last, s); };
+    const Path path = assembled(order, problem.start(), space.chord_error(), known, [](const DrivenStroke&) {});
+    const double work = path.length(true);
+    if (work > most) context.publish(path);
+    most = std::max(most, work);
+  });
 }
 
 class Drivable final : public CoveragePlanner {
@@ -66,7 +95,7 @@ Path drivable(const Problem& problem, const Path& path, Context& context, Detour
   const std::vector<Stroke> whole = strokes;
   shorten_dead_ends(strokes, problem, space);
   for (std::size_t s = 0; s < strokes.size(); ++s)
-    if (strokes[s].points.empty()) left_out.add(length(whole[s].points), whole[s].points.front());
+    if (strokes[s].points.empty()) left_out.add(length(whole[s].points), whole[s].points.front(), false);
   std::erase_if(strokes, [](const Stroke& stroke) { return stroke.points.empty(); });
   if (context.wants_traces()) {
     std::vector<Polyline> lines;
@@ -75,22 +104,15 @@ Path drivable(const Problem& problem, const Path& path, Context& context, Detour
   }
 
   LinkTour tour(strokes, space, problem.start(), context);
-  PathBuilder builder(problem.start());
+  publish_progress(tour, problem, space, context);
   const std::vector<DrivenStroke> order = tour.order();
-  const DrivenStroke* last = nullptr;
-  for (const DrivenStroke& stroke : order) {
-    if (context.cancelled()) break;
-    const auto& link = tour.link(last, stroke);
-    if (!link) {
-      left_out.add(length(stroke.points), stroke.points.front());
-      continue;
-    }
-    drive(builder, sampled(*link, space.chord_error(), false));
-    builder.drive(stroke.points, true);
-    last = &stroke;
-  }
+  const auto link = [&](const DrivenStroke* last, const DrivenStroke& stroke) {
+    return context.cancelled() ? tour.known_link(last, stroke) : tour.link(last, stroke);
+  };
+  Path result = assembled(order, problem.start(), space.chord_error(), link, [&](const DrivenStroke& stroke) {
+    if (!context.cancelled()) left_out.add(length(stroke.points), stroke.points.front(), tour.exhausted());
+  });
   if (left_out.metres() > 0) context.record("lanes_left_out_m", left_out.metres());
-  Path result = builder.take();
   if (result.legs.empty() && !context.cancelled())
     throw Infeasible(fmt::format("no lane that the robot can drive from the start ({:.6g}, {:.6g})",
                                  problem.start().x(), problem.start().y()));

@@ -25,8 +25,8 @@
 namespace oxturn {
 
 /// Throws Infeasible with the position if the robot cannot get to, or not out of, more than a tenth of the strokes by
-/// length. Records "lanes_left_out_m" if it is less. Traces "strokes". Ends early if cancelled. `search`: who looks for
-/// detours where links are blocked.
+/// length. Records "lanes_left_out_m" if it is less. Traces "strokes". Publishes what can be driven so far. Ends early
+/// if cancelled. `search`: who looks for detours where links are blocked.
 Path drivable(const Problem& problem, const Path& path, Context& context, DetourSearch search = DetourSearch::lattice);
 
 }  // namespace oxturn

@@ -14,19 +14,20 @@ namespace {
 
 constexpr double kCell = 0.25;  // radii
 constexpr int kHeadings = 72;
-constexpr double kStep = 1.5;  // cells
-constexpr std::size_t kMostNodes = 20000;
+constexpr double kStep = 1.5;     // cells
 constexpr double kGreed = 1.2;    // weight of the heuristic
 constexpr double kNearGoal = 6;   // radii; nearer than that the rest is tried at every node, else at every fourth
 constexpr double kReverse = 1.5;  // a metre backwards costs that much
+constexpr std::size_t kReverseEffort = 3;  // a Reeds-Shepp curve takes several times as long as a Dubins curve
 
 class LatticeSearch {
  public:
   LatticeSearch(const CarSpace& space, const Pose& to) : space_(space), to_(to), radius_(space.radius()) {}
 
-  std::optional<Curve> run(const std::vector<Pose>& from, const Context& context) {
+  /// Looks at `most` poses.
+  std::optional<Curve> run(const std::vector<Pose>& from, std::size_t most, const Context& context) {
     for (const Pose& pose : from) add({pose, kNone, {}, 0});
-    while (!open_.empty() && nodes_.size() < kMostNodes && !context.cancelled()) {
+    while (!open_.empty() && nodes_.size() < most && !context.cancelled()) {
       const std::size_t at = open_.top().second;
       open_.pop();
       if (closed_[at]) continue;
@@ -36,6 +37,7 @@ class LatticeSearch {
     }
     return std::nullopt;
   }
+  std::size_t poses() const { return nodes_.size(); }
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -111,8 +113,11 @@ class LatticeSearch {
 }  // namespace
 
 std::optional<Curve> lattice_search(const CarSpace& space, const std::vector<Pose>& from, const Pose& to,
-                                    const Context& context) {
-  return LatticeSearch(space, to).run(from, context);
+                                    DetourEffort& effort, const Context& context) {
+  LatticeSearch search(space, to);
+  std::optional<Curve> detour = search.run(from, effort.most(), context);
+  effort.spend((space.reverse() ? kReverseEffort : 1) * search.poses());
+  return detour;
 }
 
 }  // namespace oxturn

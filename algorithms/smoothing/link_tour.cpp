@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kBlocked = 1e6;  // metres; dearer than any detour, so that a tour with few blocked links is preferred
 constexpr int kRounds = 12;
+constexpr std::size_t kReports = 8;  // in the first round
 constexpr double kEntrySpacing = 2;  // radii, between points where a closed stroke may be entered
 constexpr double kMostEntries = 12;
 constexpr double kLeastCut = 1.6;             // radii
@@ -36,9 +37,9 @@ LinkTour::LinkTour(const std::vector<Stroke>& strokes, const CarSpace& space, co
   for (std::size_t s = 0; s < strokes.size(); ++s) add_passes(s);
   const std::size_t n = passes_.size() + 2;
   if (n > kMostTabulated) return;
-  bounds_.resize(n * n);
+  table_.resize(n * n);
   for (PatternId p = 0; p < n; ++p)
-    for (PatternId q = 0; q < n; ++q) bounds_[p * n + q] = bound(p, q);
+    for (PatternId q = 0; q < n; ++q) table_[p * n + q] = bound(p, q);
 }
 
 void LinkTour::add_passes(std::size_t stroke) {
@@ -75,20 +76,31 @@ double LinkTour::bound(PatternId from, PatternId to) const {
 }
 
 double LinkTour::cost(PatternId from, PatternId to) const {
+  if (!table_.empty()) return table_[from * (passes_.size() + 2) + to];
   const auto known = learnt_.find({from, to});
-  if (known != learnt_.end()) return known->second;
-  return bounds_.empty() ? bound(from, to) : bounds_[from * (passes_.size() + 2) + to];
+  return known != learnt_.end() ? known->second : bound(from, to);
+}
+
+void LinkTour::set_cost(PatternId from, PatternId to, double metres) {
+  learnt_[{from, to}] = metres;
+  if (!table_.empty()) table_[from * (passes_.size() + 2) + to] = metres;
 }
 
 bool LinkTour::learn(const TourProblem& problem, const Tour& tour) {
   bool new_one = false;
+  const bool first = learnt_.empty();
+  const std::size_t each = tour.size() / kReports + 1;
   for (std::size_t i = 0; i + 1 < tour.size() && !context_.cancelled(); ++i) {
+    if (report_ && first && i > 0 && i % each == 0) report_(driven(problem, tour));
     const PatternId from = problem.pattern_of(tour[i]), to = problem.pattern_of(tour[i + 1]);
     if (learnt_.contains({from, to})) continue;
     const std::optional<Curve>& found = find(from, to);
-    learnt_[{from, to}] = learnt_[{reverse_[to], reverse_[from]}] = found ? space_.cost(*found) : kBlocked;
+    const double metres = found ? space_.cost(*found) : kBlocked;
+    set_cost(from, to, metres);
+    set_cost(reverse_[to], reverse_[from], metres);
     new_one = true;
   }
+  if (report_ && new_one) report_(driven(problem, tour));
   return new_one;
 }
 
@@ -99,6 +111,10 @@ std::vector<DrivenStroke> LinkTour::order() {
   Tour tour = from_start(problem, solve_tour(problem, context_));
   for (int round = 0; round < kRounds && learn(problem, tour); ++round)
     tour = from_start(problem, improved_tour(problem, tour, context_, {.kicks = 20 * strokes_.size()}));
+  return driven(problem, tour);
+}
+
+std::vector<DrivenStroke> LinkTour::driven(const TourProblem& problem, const Tour& tour) const {
   std::vector<DrivenStroke> result;
   for (std::size_t i = 1; i < tour.size(); ++i) {
     const PatternId pattern = problem.pattern_of(tour[i]);
@@ -120,6 +136,11 @@ const std::optional<Curve>& LinkTour::link(const DrivenStroke* from, const Drive
   return find(from == nullptr ? 0 : from->pattern, to.pattern);
 }
 
+std::optional<Curve> LinkTour::known_link(const DrivenStroke* from, const DrivenStroke& to) const {
+  const auto known = links_.find({from == nullptr ? 0 : from->pattern, to.pattern});
+  return known == links_.end() ? std::nullopt : known->second;
+}
+
 const std::optional<Curve>& LinkTour::find(PatternId from, PatternId to) {
   const auto [known, fresh] = links_.try_emplace({from, to});
   const Pose& entry = passes_[to - 2].entry;
@@ -127,12 +148,12 @@ const std::optional<Curve>& LinkTour::find(PatternId from, PatternId to) {
   return known->second;
 }
 
-std::optional<Curve> LinkTour::link_between(const Pose& from, const Pose& to) const {
+std::optional<Curve> LinkTour::link_between(const Pose& from, const Pose& to) {
   if (auto simple = space_.simple_link(from, to)) return simple;
-  return space_.detour({from}, to, context_);
+  return space_.detour({from}, to, effort_, context_);
 }
 
-std::optional<Curve> LinkTour::link_from_start(const Pose& to) const {
+std::optional<Curve> LinkTour::link_from_start(const Pose& to) {
   std::vector<Pose> poses;
   for (std::size_t k = 0; k < kStartHeadings; ++k)
     poses.push_back({start_, 2 * kPi * static_cast<double>(k) / static_cast<double>(kStartHeadings)});
@@ -141,7 +162,7 @@ std::optional<Curve> LinkTour::link_from_start(const Pose& to) const {
     if (const Curve curve = dubins_curve(pose, to, space_.radius());
         (!best || curve.length() < best->length()) && space_.free(curve))
       best = curve;
-  return best ? best : space_.detour(poses, to, context_);
+  return best ? best : space_.detour(poses, to, effort_, context_);
 }
 
 }  // namespace oxturn

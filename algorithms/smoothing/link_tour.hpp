@@ -2,12 +2,14 @@
 ///
 ///   LinkTour tour(strokes, space, start, context);
 ///   for (const DrivenStroke& s : tour.order()) ...
+///   tour.on_progress([&](const std::vector<DrivenStroke>& so_far) { ... });   // before order(): may be called often
 ///
 /// A tour (tour/solve_tour.hpp) over all strokes: open ones from either end, closed ones from some points in both
 /// directions. Connections first cost what a curve without obstacles costs. Those of the tour are then tested and cost
 /// what the curve found does, and the tour is improved, until all its connections are known.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -28,9 +30,17 @@ class LinkTour {
  public:
   /// All references must outlive it.
   LinkTour(const std::vector<Stroke>& strokes, const CarSpace& space, const Point& start, Context& context);
+  /// Ends early if cancelled.
   std::vector<DrivenStroke> order();
+  /// `report` is given the order so far whenever more links of it are known.
+  void on_progress(std::function<void(const std::vector<DrivenStroke>&)> report) { report_ = std::move(report); }
   /// The free link between two strokes driven one after the other, or from the start; nullopt if none was found.
   const std::optional<Curve>& link(const DrivenStroke* from, const DrivenStroke& to);
+  /// The same without a search: nullopt, too, if there was none for that link.
+  std::optional<Curve> known_link(const DrivenStroke* from, const DrivenStroke& to) const;
+
+  /// Searches for detours ended early, so there may be links that were not found.
+  bool exhausted() const { return effort_.exhausted(); }
 
  private:
   /// One pattern of a stroke.
@@ -46,22 +56,26 @@ class LinkTour {
   Polyline points(const Pass& pass) const;
   double bound(PatternId from, PatternId to) const;
   double cost(PatternId from, PatternId to) const;
+  void set_cost(PatternId from, PatternId to, double metres);
   /// Tests the connections of the tour; false if all were known.
   bool learn(const TourProblem& problem, const Tour& tour);
+  std::vector<DrivenStroke> driven(const TourProblem& problem, const Tour& tour) const;
   Tour from_start(const TourProblem& problem, Tour tour) const;
   /// Searches each link once.
   const std::optional<Curve>& find(PatternId from, PatternId to);
-  std::optional<Curve> link_from_start(const Pose& to) const;
-  std::optional<Curve> link_between(const Pose& from, const Pose& to) const;
+  std::optional<Curve> link_from_start(const Pose& to);
+  std::optional<Curve> link_between(const Pose& from, const Pose& to);
 
   const std::vector<Stroke>& strokes_;
   const CarSpace& space_;
   Point start_;
   Context& context_;
+  DetourEffort effort_;
+  std::function<void(const std::vector<DrivenStroke>&)> report_;
   std::vector<Pass> passes_;  // pattern p is passes_[p - 2]; patterns 0 and 1 are the start
   std::vector<std::size_t> counts_{2};
   std::vector<PatternId> reverse_{1, 0};
-  std::vector<double> bounds_;    // by pattern pairs, if there are not too many
+  std::vector<double> table_;     // costs by pattern pairs, if there are not too many
   std::map<Key, double> learnt_;  // costs, in either direction; kBlocked: none was found
   std::map<Key, std::optional<Curve>> links_;
 };

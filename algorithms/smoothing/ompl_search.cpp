@@ -25,7 +25,9 @@ namespace og = ompl::geometric;
 constexpr double kRange = 8;            // radii: the longest motion; long enough for a loop
 constexpr double kShortenStep = 1;      // radii, between poses of a path to be shortened
 constexpr std::size_t kMostPoses = 40;  // of these; more are further apart
-constexpr unsigned kMostChecks = 5000;  // of the condition that ends the search: one for each pose drawn
+constexpr std::size_t kMostIdle = 10;   // checks of the end of the search without a new curve
+// Curves that take the time of one pose of lattice_search, forward and with Reeds-Shepp curves.
+constexpr std::size_t kCurvesToPose = 10, kReverseCurvesToPose = 3;
 
 Pose pose_of(const ob::State* state) {
   const auto* s = state->as<ob::SE2StateSpace::StateType>();
@@ -57,8 +59,11 @@ class CarStateSpace : public ob::SE2StateSpace {
  public:
   explicit CarStateSpace(const CarSpace& space) : space_(space) {}
   double distance(const ob::State* a, const ob::State* b) const override {
+    ++curves_;
     return space_.shortest(pose_of(a), pose_of(b)).length();
   }
+  /// How many there were: nearly all the time goes into them.
+  std::size_t curves() const { return curves_; }
   void interpolate(const ob::State* from, const ob::State* to, double t, ob::State* state) const override {
     const Curve curve = space_.shortest(pose_of(from), pose_of(to));
     assign(state, t < 1 ? pose_along(curve, t * curve.length()) : pose_of(to));
@@ -70,6 +75,7 @@ class CarStateSpace : public ob::SE2StateSpace {
 
  private:
   const CarSpace& space_;
+  mutable std::size_t curves_ = 0;
 };
 
 /// Draws poses by our generator: OMPL's have one seed for the process.
@@ -150,13 +156,18 @@ std::shared_ptr<ob::Planner> make_planner(const ob::SpaceInformationPtr& si, con
   return trees;
 }
 
-std::vector<Pose> solve(const CarSpace& space, const std::vector<Pose>& from, const Pose& to, const Context& context) {
+std::vector<Pose> solve(const CarSpace& space, const std::vector<Pose>& from, const Pose& to, DetourEffort& effort,
+                        const Context& context) {
+  if (!space.free(Polyline{to.at, to.at})) return {};  // OMPL would sleep until the search is ended from outside
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   const std::uint64_t seed = mix(context.seed(), "detour");
   auto states = std::make_shared<CarStateSpace>(space);
   ob::RealVectorBounds bounds(2);
   const Box& box = space.bounds();
-  for (unsigned axis = 0; axis < 2; ++axis) bounds.setLow(axis, box.low[axis]), bounds.setHigh(axis, box.high[axis]);
+  for (unsigned axis = 0; axis < 2; ++axis) {  // lanes may end on the boundary, but for rounding
+    bounds.setLow(axis, box.low[axis] - space.radius());
+    bounds.setHigh(axis, box.high[axis] + space.radius());
+  }
   states->setBounds(bounds);
   states->setStateSamplerAllocator(
       [&](const ob::StateSpace* s) { return std::make_shared<PoseSampler>(s, box, seed); });
@@ -175,9 +186,17 @@ std::vector<Pose> solve(const CarSpace& space, const std::vector<Pose>& from, co
   const auto planner = make_planner(si, space, seed);
   planner->setProblemDefinition(definition);
   planner->setup();
-  unsigned checks = 0;
-  const ob::PlannerTerminationCondition done([&] { return ++checks > kMostChecks || context.cancelled(); });
-  if (planner->solve(done) != ob::PlannerStatus::EXACT_SOLUTION) return {};
+  const std::size_t each = space.reverse() ? kReverseCurvesToPose : kCurvesToPose, most = effort.most() * each;
+  // Where OMPL takes the goal for invalid it sleeps until the condition holds, and computes nothing.
+  std::size_t before = 0, idle = 0;
+  const ob::PlannerTerminationCondition done([&] {
+    idle = states->curves() == before ? idle + 1 : 0;
+    before = states->curves();
+    return before >= most || idle > kMostIdle || context.cancelled();
+  });
+  const bool solved = planner->solve(done) == ob::PlannerStatus::EXACT_SOLUTION;
+  effort.spend(states->curves() / each);
+  if (!solved) return {};
   const auto& path = *definition->getSolutionPath()->as<og::PathGeometric>();
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < path.getStateCount(); ++i)
@@ -226,8 +245,8 @@ std::vector<Pose> shortened(const std::vector<Pose>& poses, const CarSpace& spac
 }  // namespace
 
 std::optional<Curve> ompl_search(const CarSpace& space, const std::vector<Pose>& from, const Pose& to,
-                                 const Context& context) {
-  const std::vector<Pose> path = solve(space, from, to, context);
+                                 DetourEffort& effort, const Context& context) {
+  const std::vector<Pose> path = solve(space, from, to, effort, context);
   if (path.empty()) return std::nullopt;
   Curve detour = joined(shortened(poses_along(path, space), space), space);
   detour.to = to;

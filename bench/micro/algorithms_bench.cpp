@@ -44,6 +44,16 @@ void BM_Zigzag(benchmark::State& state) { plan_field(state, "zigzag", {}); }
 BENCHMARK(BM_Boustrophedon)->RangeMultiplier(4)->Range(4, 1024)->Unit(benchmark::kMillisecond)->Complexity();
 BENCHMARK(BM_BoustrophedonExact)->RangeMultiplier(4)->Range(4, 1024)->Unit(benchmark::kMillisecond)->Complexity();
 BENCHMARK(BM_Zigzag)->RangeMultiplier(4)->Range(4, 1024)->Unit(benchmark::kMillisecond)->Complexity();
+BENCHMARK_CAPTURE(plan_field, field, "field", {})
+    ->RangeMultiplier(4)
+    ->Range(4, 256)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity();
+BENCHMARK_CAPTURE(plan_field, field_predictive, "field-predictive", {})
+    ->RangeMultiplier(4)
+    ->Range(4, 256)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity();
 
 // Online: rooms of 10 m x 8 m, by rays.
 Problem rooms_with_lidar(std::int64_t rays) {

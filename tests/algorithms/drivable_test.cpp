@@ -153,6 +153,7 @@ Problem walled(bool reverse) {
   return on(subtract(box_region({0, 0}, {60, 40}), box_region({29, 0}, {31, 30})), tractor(3, reverse));
 }
 const Pose kBeforeWall{{20, 5}, 0}, kBehindWall{{40, 5}, 0};
+const Pose kOutOfTheWall{{28, 10}, kPi};  // forwards it cannot be reached
 
 TEST(OmplSearch, FindsAFreeDetourAndTheSameOneAgain) {
   for (const bool reverse : {false, true}) {
@@ -162,7 +163,8 @@ TEST(OmplSearch, FindsAFreeDetourAndTheSameOneAgain) {
     std::optional<double> length;
     for (int again = 0; again < 3; ++again) {
       Context context(5);
-      const auto detour = space.detour({kBeforeWall}, kBehindWall, context);
+      DetourEffort effort;
+      const auto detour = space.detour({kBeforeWall}, kBehindWall, effort, context);
       ASSERT_TRUE(detour) << reverse;
       EXPECT_TRUE(space.free(*detour));
       EXPECT_EQ(length.value_or(detour->length()), detour->length()) << "same seed, same path";
@@ -179,11 +181,62 @@ TEST(OmplSearch, FindsAFreeDetourAndTheSameOneAgain) {
   }
 }
 
+// OMPL waits for another goal where it takes the only one for invalid: on the boundary but for rounding, or in a wall.
+TEST(OmplSearch, DoesNotWaitForAnotherGoal) {
+  for (const bool reverse : {false, true}) {
+    const Problem problem = walled(reverse);
+    const CarSpace space(problem, DetourSearch::ompl);
+    Context context(5);
+    DetourEffort effort;
+    EXPECT_FALSE(space.detour({kBeforeWall}, {{30, 10}, 0}, effort, context));
+    EXPECT_EQ(effort.most(), DetourEffort::kMost);
+    EXPECT_TRUE(space.detour({kBeforeWall}, {{59 + 1e-12, 20}, kPi / 2}, effort, context));
+  }
+}
+
 TEST(OmplSearch, GivesUpWhereThereIsNoPath) {
-  const Problem problem = on(subtract(box_region({0, 0}, {40, 20}), box_region({19, 0}, {21, 20})), tractor(3, false));
+  const Problem problem = walled(false);
   const CarSpace space(problem, DetourSearch::ompl);
   Context context;
-  EXPECT_FALSE(space.detour({{{10, 10}, 0}}, {{30, 10}, 0}, context));
+  DetourEffort effort;
+  EXPECT_FALSE(space.detour({kBeforeWall}, kOutOfTheWall, effort, context));
+}
+
+// So that a map full of links that do not exist takes seconds.
+TEST(DetourEffort, IsSharedAndEachSearchStillHasAFew) {
+  DetourEffort effort;
+  EXPECT_EQ(effort.most(), DetourEffort::kMost);
+  effort.spend(DetourEffort::kAll - 5000);
+  EXPECT_EQ(effort.most(), 5000u);
+  effort.spend(10000);
+  EXPECT_EQ(effort.most(), DetourEffort::kLeast);
+  const Problem problem = walled(false);
+  for (const DetourSearch search : {DetourSearch::lattice, DetourSearch::ompl}) {
+    const CarSpace space(problem, search);
+    Context context(5);
+    DetourEffort fresh;
+    space.detour({kBeforeWall}, kOutOfTheWall, fresh, context);
+    fresh.spend(DetourEffort::kAll - DetourEffort::kMost);
+    EXPECT_EQ(fresh.most(), DetourEffort::kLeast) << "the search has spent its share";
+  }
+}
+
+TEST(Drivable, PublishesWhatCanBeDrivenSoFar) {
+  const Problem problem = meadow(45, 30, tractor(2.5, false));
+  std::vector<Path> published;
+  Context::Sinks sinks;
+  sinks.publish = [&](const Path& path) { published.push_back(path); };
+  Context context(1, 1e9, std::move(sinks));
+  const auto planner = brief_built_in().find("boustrophedon").make({{"headland", std::int64_t{1}}}, brief_built_in());
+  const Path path = planner->plan(problem, context);
+  ASSERT_GT(published.size(), 1u);
+  double work = 0;
+  for (const Path& p : published) {
+    EXPECT_EQ(score(problem, p).flaw, "");
+    EXPECT_GT(p.length(true), work);
+    work = p.length(true);
+  }
+  EXPECT_GE(path.length(true), 0.9 * work);
 }
 
 TEST(Drivable, DetoursByOmpl) {

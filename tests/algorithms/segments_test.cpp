@@ -91,7 +91,7 @@ TEST(ZigzagSegments, WhatCannotBeReadIsOneSentence) {
   EXPECT_THAT(with("8 2 400"), ThrowsMessage<std::invalid_argument>(HasSubstr("-360 to 360")));
   EXPECT_THAT(with("8 2"), ThrowsMessage<std::invalid_argument>(HasSubstr("'x y degrees'")));
   EXPECT_THAT(with("8 nan 20"), ThrowsMessage<std::invalid_argument>(HasSubstr("'x y degrees'")));
-  EXPECT_THAT(with("9 9 spiral"), ThrowsMessage<std::invalid_argument>(HasSubstr("no part holds (9, 9)")));
+  EXPECT_THAT(with("9 9 spiral"), ThrowsMessage<Infeasible>(HasSubstr("no part holds (9, 9)")));
 }
 
 // By hand: in a square the wave travels a to the sides while it travels a sqrt 2 to the vertices.

@@ -1,7 +1,9 @@
 #include "algorithms/polygon/link_crossings.hpp"
 #include "algorithms/polygon/smooth_curve.hpp"
 #include "algorithms/polygon/wave_tree.hpp"
+#include "base/random.hpp"
 #include "coverage_oracle.hpp"
+#include "metrics/score.hpp"
 #include "tests/support/seeds.hpp"
 
 namespace oxturn {
@@ -20,13 +22,26 @@ WaveTree tree_of(const Region& region) {
 TEST(WaveTree, HeightsAndLapsOfRectangles) {
   WaveTree tree = tree_of(box_region({0, 0}, {10, 4}));
   EXPECT_NEAR(tree.height(), 3 + 4 / std::sqrt(2), 1e-6);
-  EXPECT_EQ(tree.spiral(0.5, 1e300, {0, 0}).count, 12u);
-  WaveTree longer = tree_of(box_region({0, 0}, {20, 3}));
-  EXPECT_EQ(longer.spiral(0.95 * 0.7, 1e300, {0, 0}).count, 16u);
-  const WaveSpiral spiral = tree_of(box_region({0, 0}, {20, 3})).spiral(0.95 * 0.7, 1.5 * 1.5, {0, 0});
-  EXPECT_EQ(spiral.count, 4u);
+  const std::size_t leaves = tree.arrivals(kRootAlone).size();
+  EXPECT_EQ(tree.spiral(12, kRootAlone, {0, 0}).laps.size(), 12 * leaves);
+  const WaveSpiral spiral = tree_of(box_region({0, 0}, {20, 3})).spiral(4, 1.5 * 1.5, {0, 0});
   EXPECT_NEAR(length(spiral.spine), 17 - 2 * (2.25 - 3 / std::sqrt(2)), 1e-6);  // the ridge but for its lower ends
   EXPECT_NEAR(length(spiral.boundary), 46, 1e-5);
+}
+
+// The same leaf is passed every lap, a lap's distance apart; the boundary goes on where the laps end.
+TEST(WaveTree, LapsNeedNotBeWhole) {
+  WaveTree tree = tree_of(box_region({0, 0}, {10, 10}));
+  const std::size_t n = tree.arrivals(kRootAlone).size();
+  const double laps = 2.5, each = tree.height() / laps;
+  const WaveSpiral spiral = tree.spiral(laps, kRootAlone, {0, 0});
+  ASSERT_EQ(spiral.laps.size(), static_cast<std::size_t>(std::ceil(laps * static_cast<double>(n))));
+  for (std::size_t i = n; i < spiral.laps.size(); ++i)
+    EXPECT_LE(distance(spiral.laps[i], spiral.laps[i - n]), each * (1 + 1e-9));
+  EXPECT_EQ(spiral.boundary.front(), spiral.boundary.back());
+  EXPECT_LE(distance(spiral.laps[spiral.laps.size() - n], spiral.boundary.front()), each * (1 + 1e-9));
+  // Halfway to the boundary: a square half as large.
+  EXPECT_NEAR(length(tree.closed_laps(2, kRootAlone, {0, 0}).laps), 20, 1e-6);
 }
 
 TEST(WaveTree, ReachesAllLeavesAtTimeOne) {
@@ -95,6 +110,21 @@ TEST(SmoothSpiral, CoversEveryFamilyWhole) {
         expect_valid(p, path);
         EXPECT_LE(uncovered_share(p, path, kSamples), 2e-3);
       }
+}
+
+// Needles, where one branch of the axis is many times as long as the others, and other convex shapes of few laps.
+TEST(SmoothSpiral, LapsDoNotBunchOnConvexShapes) {
+  Rng rng(4);
+  for (int i = 0; i < 20; ++i) {
+    const double a = rng.between(3.0, 12.0), b = a / rng.between(1.0, 6.0) + 1;
+    const Region shape{{{{{0, 0}, {a, rng.between(0.0, 0.2)}, {rng.between(0.0, a), b}}, {}}}};
+    SCOPED_TRACE(to_text(shape.polygons[0].outer[2]));
+    const Problem p(Map{"needle", shape, "", ""}, Robot{});
+    const Score s = score(p, plan("smooth-spiral", p));
+    EXPECT_EQ(s.flaw, "");
+    EXPECT_LT(*s.value("overlap"), 1.25);
+    EXPECT_GT(*s.value("coverage"), 0.999);
+  }
 }
 
 // From the middle to the boundary, so the last lap is driven at the end, or at the beginning.
