@@ -7,13 +7,14 @@
 #include <unordered_map>
 
 #include "algorithms/lattice/promised_cells.hpp"
+#include "algorithms/transit/nearest_component.hpp"
 
 namespace oxturn {
 namespace {
 
 constexpr auto kNoJob = std::numeric_limits<std::uint32_t>::max();
-// Searched for the nearest rectangle; if there is none so near, the first one is next. Else the robot would look over
-// the whole map again and again for the few that it left behind.
+// Searched for the nearest rectangle; if there is none so near, the triangles of free space are searched: they are
+// fewer.
 constexpr std::size_t kMostNodes = 20'000;
 
 /// One run.
@@ -201,7 +202,18 @@ class RectangleCleaner {
     return starts[found->node];
   }
 
-  /// In order, or nearest over the lattice first; where the lattice leads to none, the first that is left.
+  /// The nearest by shortest path of the jobs that are left, wherever the lattice leads.
+  std::optional<std::size_t> nearest_among_walls(const std::vector<Job>& jobs, const std::vector<bool>& cleaned) {
+    if (!among_walls_) {
+      among_walls_.emplace(problem_);
+      for (std::size_t k = 0; k < jobs.size(); ++k)
+        if (!cleaned[k]) among_walls_->add(paths_.centre(start_node(jobs[k])), static_cast<int>(k), k);
+    }
+    const auto found = among_walls_->from(path_.at());
+    return found ? std::optional(found->id) : std::nullopt;
+  }
+
+  /// In order, or the nearest first: over the lattice, or by a shortest path where that leads to none near by.
   void clean_jobs(const std::vector<Job>& jobs) {
     std::vector<bool> cleaned(jobs.size(), false);
     std::vector<std::uint32_t> starts(graph_.size(), kNoJob);  // node -> job
@@ -214,11 +226,16 @@ class RectangleCleaner {
     for (std::size_t n = 0; n < jobs.size() && !context_.cancelled(); ++n) {
       while (cleaned[first]) ++first;
       std::size_t k = first;
-      if (p_.choose == NextRectangle::nearest && left_in[paths_.component(at_)] > 0)
-        k = nearest_job(starts).value_or(first);
+      if (p_.choose == NextRectangle::nearest) {
+        std::optional<std::size_t> nearest;
+        if (left_in[paths_.component(at_)] > 0) nearest = nearest_job(starts);
+        if (!nearest) nearest = nearest_among_walls(jobs, cleaned);
+        k = nearest.value_or(first);
+      }
       --left_in[paths_.component(start_node(jobs[k]))];
       starts[start_node(jobs[k])] = kNoJob;
       cleaned[k] = true;
+      if (among_walls_) among_walls_->remove(static_cast<int>(k));
       clean_rectangle(jobs[k]);
       ++result_.rectangles;
       context_.progress(static_cast<double>(n + 1) / static_cast<double>(jobs.size()));
@@ -367,6 +384,7 @@ class RectangleCleaner {
   const GridGraph& graph_;
   Context& context_;
   LatticePaths paths_;
+  std::optional<NearestComponent> among_walls_;  // made when first needed
   double side_;
   int smallest_;  // cells on each side of a rectangle
   std::vector<bool> done_;

@@ -273,13 +273,6 @@ class Repair {
 
 }  // namespace
 
-Region uncovered(const Region& target, const Path& path, const Robot& robot) {
-  std::vector<Polyline> lines;
-  for (const Leg& leg : path.legs)
-    if (leg.tool) lines.push_back(leg.points);
-  return subtract(target, swath_parts(lines, robot.tool_width / 2, covered_seam(robot), Bound::outside));
-}
-
 Path repaired(const Problem& problem, const Path& path, const Connector& connector, Context& context) {
   return repaired(problem, path, uncovered(problem.target(), path, problem.robot()), connector, context);
 }

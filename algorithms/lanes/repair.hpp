@@ -19,15 +19,11 @@
 #pragma once
 
 #include "algorithms/coverage_planner.hpp"
+#include "algorithms/lanes/uncovered.hpp"
 #include "algorithms/transit/connector.hpp"
 
 namespace oxturn {
 
-/// Seams thinner than this count as covered, metres.
-inline double covered_seam(const Robot& robot) { return robot.tool_width / 250; }
-
-/// What of the target the path leaves uncovered, or a superset of it.
-Region uncovered(const Region& target, const Path& path, const Robot& robot);
 /// The path with detours; the path itself, if nothing is missing. Traces "repair": the pieces. Ends early if cancelled.
 Path repaired(const Problem& problem, const Path& path, const Connector& connector, Context& context);
 /// The same if the caller knows what of the target is uncovered.

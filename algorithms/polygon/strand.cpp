@@ -20,13 +20,27 @@ void Strand::reverse() {
   lap.push_back(kLink);
 }
 
+namespace {
+
+double distance_to_box(const Point& p, const Box& box) { return distance(p, p.cwiseMax(box.low).cwiseMin(box.high)); }
+
+}  // namespace
+
+void SplicedPath::Lap::add(std::size_t node, const Point& from, const Point& to) {
+  if (nodes.size() % kBlock == 0) boxes.emplace_back();
+  nodes.push_back(node);
+  boxes.back().add(from);
+  boxes.back().add(to);
+}
+
 SplicedPath::SplicedPath(const Strand& first, std::size_t laps) : on_lap_(laps) { append(first); }
 
 std::size_t SplicedPath::append(const Strand& strand) {
   const std::size_t begin = nodes_.size();
   for (std::size_t i = 0; i < strand.points.size(); ++i) {
     const bool last = i + 1 == strand.points.size();
-    if (!last && strand.lap[i] != Strand::kLink) on_lap_[strand.lap[i]].push_back(nodes_.size());
+    if (!last && strand.lap[i] != Strand::kLink)
+      on_lap_[strand.lap[i]].add(nodes_.size(), strand.points[i], strand.points[i + 1]);
     nodes_.push_back({strand.points[i], strand.lap[i], last ? kEnd : nodes_.size() + 1});
   }
   return begin;
@@ -34,12 +48,18 @@ std::size_t SplicedPath::append(const Strand& strand) {
 
 std::optional<SplicedPath::Position> SplicedPath::nearest(std::size_t lap, const Point& p, double reach) const {
   std::optional<Position> best;
-  for (const std::size_t n : on_lap_[lap]) {
-    const Node& node = nodes_[n];
+  const Lap& on = on_lap_[lap];
+  for (std::size_t k = 0; k < on.nodes.size(); ++k) {
+    const double within = best ? best->distance : reach;
+    if (k % kBlock == 0 && distance_to_box(p, on.boxes[k / kBlock]) > within * (1 + 1e-9)) {
+      k += kBlock - 1;
+      continue;
+    }
+    const Node& node = nodes_[on.nodes[k]];
     if (node.lap != lap) continue;
     const Point q = nearest_on_segment(p, node.at, nodes_[node.next].at);
     const double far = distance(p, q);
-    if (far <= reach && (!best || far < best->distance)) best = Position{n, q, distance(node.at, q), far};
+    if (far <= reach && (!best || far < best->distance)) best = Position{on.nodes[k], q, distance(node.at, q), far};
   }
   return best;
 }
@@ -80,7 +100,7 @@ void SplicedPath::splice(const Cut& cut, Strand strand) {
   whole.add({cut.last.at}, Strand::kLink);
   whole.lap.back() = lap;
   const std::size_t begin = append(whole), last = nodes_.size() - 1;
-  on_lap_[lap].push_back(last);
+  on_lap_[lap].add(last, nodes_[last].at, nodes_[after].at);
   nodes_[cut.first.node].next = begin;
   nodes_[last].next = after;
 }

@@ -11,7 +11,8 @@
 ///                   |        |
 ///     child         '--....--'
 ///
-/// A cut costs the path's segments on one lap, a splice the points spliced in.
+/// A cut costs the path's segments on one lap near its ends, and a 64th of all on that lap; a splice the points spliced
+/// in.
 #pragma once
 
 #include <optional>
@@ -59,6 +60,14 @@ class SplicedPath {
     std::size_t next;  // kEnd: the last
   };
   static constexpr std::size_t kDropped = static_cast<std::size_t>(-2);
+  static constexpr std::size_t kBlock = 64;
+  /// The nodes on a lap, dropped ones too, with a box about the segments of each block of them. Splices shorten
+  /// segments and add some, but move none.
+  struct Lap {
+    std::vector<std::size_t> nodes;
+    std::vector<Box> boxes;
+    void add(std::size_t node, const Point& from, const Point& to);
+  };
 
   std::size_t append(const Strand& strand);
   std::optional<Position> nearest(std::size_t lap, const Point& p, double reach) const;
@@ -66,7 +75,7 @@ class SplicedPath {
   bool follows(const Position& a, const Position& b, double longest) const;
 
   std::vector<Node> nodes_;
-  std::vector<std::vector<std::size_t>> on_lap_;  // nodes, by lap
+  std::vector<Lap> on_lap_;
 };
 
 }  // namespace oxturn

@@ -273,6 +273,26 @@ TEST(Rectangles, InADividedCorridorTheNearestChoiceDoesNotShuttle) {
   }
 }
 
+// Three rooms with slanted doors that the lattice does not pass. The robot starts in the middle one, ends at its right
+// and goes on to the right, not to the first room in order.
+TEST(Rectangles, TheNearestRoomIsNextWhereTheLatticeLeadsToNone) {
+  const Region space{
+      {{{{0, 0},  {4, 0},  {4, 1},     {6, 1.37},  {6, 0},  {10, 0}, {10, 1},   {12, 1.37}, {12, 0}, {16, 0},
+         {16, 4}, {12, 4}, {12, 1.82}, {10, 1.45}, {10, 4}, {6, 4},  {6, 1.82}, {4, 1.45},  {4, 4},  {0, 4}},
+        {}}}};
+  const Problem problem(Map{"rooms", space}, Robot{}, Point(6.3, 0.3));
+  for (const char* choose : {"first", "nearest"}) {
+    const Path path = plan_rectangles(problem, {{"choose", std::string(choose)}});
+    std::string rooms;
+    for (const Leg& leg : path.legs)
+      for (const Point& p : leg.points) {
+        const char room = p.x() < 4 ? 'a' : p.x() > 12 ? 'c' : p.x() > 6 && p.x() < 10 ? 'b' : '-';
+        if (leg.tool && room != '-' && (rooms.empty() || rooms.back() != room)) rooms += room;
+      }
+    EXPECT_EQ(rooms, choose == std::string("first") ? "abc" : "bca");
+  }
+}
+
 // Cells half as wide as the tool are wider than the robot: strips of one cell, and cells that an obstacle enters, can
 // be driven all the same.
 TEST(Rectangles, AWideToolCoversFieldsWithCurvedEdges) {

@@ -1,0 +1,94 @@
+#include "algorithms/lanes/uncovered.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <vector>
+
+#include "geometry/edge_index.hpp"
+#include "geometry/overlay/boolean.hpp"
+#include "geometry/overlay/swath.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr std::array kOff{0.02, 0.005};  // tool widths by which chords may be off their curve, roughly and finely
+constexpr std::size_t kMostUnder = 32;   // segments under a chord: choosing it costs their square
+constexpr double kWorthwhile = 4;        // times fewer segments
+
+/// Lines as chords: those that are segments of the line itself, and those that are off it by up to `off`.
+struct Chords {
+  std::vector<Polyline> exact, off;
+  std::size_t count = 0;
+};
+
+/// Are the points between the two ends within `off` of the straight line from one to the other?
+bool under_chord(const Polyline& line, std::size_t from, std::size_t to, double off) {
+  for (std::size_t k = from + 1; k < to; ++k)
+    if (distance_to_segment(line[k], line[from], line[to]) > off) return false;
+  return true;
+}
+
+void add_chords(const Polyline& line, double off, Chords& chords) {
+  if (line.size() == 1) chords.exact.push_back(line);
+  std::vector<Polyline>* last = nullptr;
+  for (std::size_t from = 0; from + 1 < line.size();) {
+    std::size_t to = from + 1;
+    while (to + 1 < line.size() && to < from + kMostUnder && under_chord(line, from, to + 1, off)) ++to;
+    std::vector<Polyline>* kind = to == from + 1 ? &chords.exact : &chords.off;
+    if (kind != last) kind->push_back({line[from]});
+    kind->back().push_back(line[to]);
+    last = kind;
+    ++chords.count;
+    from = to;
+  }
+}
+
+/// The runs of segments that may reach what is left. None lies in it, because something of each is covered.
+std::vector<Polyline> near(const Region& left, const std::vector<Polyline>& lines, double reach) {
+  const EdgeIndex edges(left);
+  std::vector<Polyline> runs;
+  for (const Polyline& line : lines) {
+    bool before = false;
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const bool is_near = edges.nearest(line[k], line[k + 1], reach).has_value();
+      if (is_near && !before) runs.push_back({line[k]});
+      if (is_near) runs.back().push_back(line[k + 1]);
+      before = is_near;
+    }
+  }
+  return runs;
+}
+
+}  // namespace
+
+Region uncovered(const Region& target, const Path& path, const Robot& robot) {
+  const double w = robot.tool_width, seam = covered_seam(robot);
+  const auto swept = [&](const std::vector<Polyline>& lines, double off) {
+    return swath_parts(lines, w / 2 - off, seam, Bound::outside);
+  };
+  std::vector<Polyline> lines;
+  std::size_t segments = 0;
+  for (const Leg& leg : path.legs) {
+    if (!leg.tool) continue;
+    lines.push_back(leg.points);
+    segments += leg.points.size();
+  }
+  Region left = target;
+  for (const double share : kOff) {
+    const double off = share * w;
+    Chords chords;
+    for (const Polyline& line : lines) add_chords(line, off, chords);
+    if (static_cast<double>(segments) < kWorthwhile * static_cast<double>(chords.count)) break;
+    std::vector<Region> parts = swept(chords.off, off);
+    std::ranges::move(swept(chords.exact, 0), std::back_inserter(parts));
+    left = subtract(left, parts);
+    if (left.empty()) return left;
+    lines = near(left, lines, w / 2 + 2 * seam);
+    segments = 0;
+    for (const Polyline& line : lines) segments += line.size();
+  }
+  return subtract(left, swept(lines, 0));
+}
+
+}  // namespace oxturn

@@ -1,0 +1,23 @@
+/// What a path leaves uncovered of the target.
+///
+///   const Region left = uncovered(problem.target(), path, problem.robot());
+///
+/// The target less the path's swath, which errs outside by covered_seam() at most. A curve of many short segments is
+/// subtracted first as few long chords, under a tool that is narrower by what they are off, and exactly only near what
+/// these leave.
+/// Complexity  O(m log m) for a path of m segments
+#pragma once
+
+#include "geometry/path.hpp"
+#include "geometry/region.hpp"
+#include "maps/robot.hpp"
+
+namespace oxturn {
+
+/// Seams thinner than this count as covered, metres.
+inline double covered_seam(const Robot& robot) { return robot.tool_width / 250; }
+
+/// What of the target the path leaves uncovered.
+Region uncovered(const Region& target, const Path& path, const Robot& robot);
+
+}  // namespace oxturn
