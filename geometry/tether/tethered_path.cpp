@@ -1,5 +1,6 @@
-// Complexity  A path that the plain shortest path gives: that path, and a simulation of the tether along it. Otherwise
-//             up to `budget` expansions of the search for other classes, and a simulation for each bend that it tries.
+// Complexity  A path that the plain shortest path gives: that path, and a simulation of the tether along it unless both
+//             together are within the limit. Otherwise up to `budget` expansions of the search for other classes, and a
+//             simulation for each bend that it tries.
 // Decisions   1. The tether is checked at the ends of a path's segments: on a straight segment its length is convex
 //                (the universal cover of free space has no positive curvature), so it is longest at an end.
 //             2. If the tether is too short at a bend of a path, it is for every path with that prefix. The search
@@ -48,7 +49,9 @@ Polyline pulled_taut(const TetheredWorld& world, const Polyline& line) {
 namespace {
 
 /// Does the tether keep its length limit along `points`, which begin where its robot is?
-bool admissible(const TetheredWorld& world, TautTether tether, const Polyline& points) {
+bool admissible(const TetheredWorld& world, const TautTether& from, const Polyline& points) {
+  if (from.length() + length(points) <= world.longest) return true;  // it grows by what is driven, at most
+  TautTether tether = from;
   for (std::size_t k = 1; k < points.size(); ++k) {
     tether.drive(points[k]);
     if (world.too_long(tether)) return false;
