@@ -21,7 +21,8 @@
 //             2. "The entire area on one side of an obstacle before ... the other side" (3.1) and "a breadth first
 //                traversal of the area graph" (5.3) are combined in `bfs-per-divider`: areas are what lies between
 //                dividers; one is finished lap by lap up to the next divider before another is begun, nearer the anchor
-//                first. `bfs` goes lap by lap through all areas; `dfs` to the end of a branch before the next branch.
+//                first. `bfs` goes lap by lap through all areas; `dfs`, the default, to the end of a branch before the
+//                next branch: paths of maps with 10^4 cells are a quarter shorter, and the same is driven.
 //             3. Of the pieces that may come next the nearest, begun at its nearer end. (Berg 2021 does not say.)
 //             4. Samples outside configuration space are dropped as hidden ones are.
 //             5. Gates: berg_tree.hpp. A divider in front of which the robot fits nowhere has none.
@@ -59,7 +60,7 @@ enum class Trim { none, geodesic };
 enum class Joins { tethered, shortest };
 
 struct Params {
-  Order order = Order::bfs_per_divider;
+  Order order = Order::dfs;
   Trim trim = Trim::none;
   Joins joins = Joins::tethered;
   double step = 0;
@@ -331,7 +332,7 @@ PlannerInfo berg() {
              "to the next point: within the tether length limit, or by the shortest path, whatever the tether does"},
             {"step", &Params::step, Range{0, 100}, "metres of tether between laps; 0: the robot's radius"},
             {"sampling", &Params::sampling, Range{0, 100}, "metres between samples of a lap; 0: a quarter step"}},
-       .published = {{"joins", std::string("shortest")}}}));
+       .published = {{"order", std::string("bfs-per-divider")}, {"joins", std::string("shortest")}}}));
 }
 
 }  // namespace oxturn
