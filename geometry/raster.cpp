@@ -99,4 +99,24 @@ BitGrid rasterise(const Region& region, const Point& origin, double cell, int co
   return grid;
 }
 
+Region squares_around(const std::vector<Polyline>& segments, double reach, double cell) {
+  Box box;
+  for (const Polyline& segment : segments)
+    for (const Point& p : segment) box.add(p);
+  box.grow(reach + cell);
+  const Point size = box.size() / cell;
+  BitGrid grid(box.low, cell, static_cast<int>(std::ceil(size.x())), static_cast<int>(std::ceil(size.y())));
+  const int around = static_cast<int>(std::ceil(reach / cell + 0.5));  // samples are up to a cell apart
+  for (const Polyline& segment : segments) {
+    const double n = std::max(1.0, std::ceil(distance(segment[0], segment[1]) / cell));
+    for (double k = 0; k <= n; ++k) {
+      const Point at = (lerp(segment[0], segment[1], k / n) - grid.origin) / cell;
+      const int i = static_cast<int>(at.x()), j = static_cast<int>(at.y());
+      for (int y = std::max(0, j - around); y <= std::min(grid.rows - 1, j + around); ++y)
+        for (int x = std::max(0, i - around); x <= std::min(grid.columns - 1, i + around); ++x) grid.set(x, y, true);
+    }
+  }
+  return trace(grid);
+}
+
 }  // namespace oxturn

@@ -52,6 +52,10 @@ BitGrid rasterise(const Region& region, const Point& origin, double cell, int co
 /// corner are not connected (free space is 4-connected, walls 8-connected), and no ring touches itself. O(cells).
 Region trace(const BitGrid& grid);
 
+/// A union of squares of side `cell` that contains all points within `reach` of the segments (of two points each).
+/// O(cells of their bounding box, and cells within `reach` of each sample of a segment).
+Region squares_around(const std::vector<Polyline>& segments, double reach, double cell);
+
 /// Removes vertices where that removes free space and never adds any: convex vertices, as long as they stay within
 /// `tolerance` of the new boundary, and exactly collinear ones. Rings never cross. O(n log n) for usual data, and at
 /// worst the number of removed vertices for each new edge.

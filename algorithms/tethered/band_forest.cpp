@@ -14,10 +14,10 @@ constexpr double kSameDistance = 1e-6;  // cell sides
 
 class BandForest {
  public:
-  explicit BandForest(const TetherCells& cells)
+  BandForest(const TetherCells& cells, double depth)
       : cells_(cells), piece_(cells.size(), kNone), owner_(cells.size(), kNone) {
     for (std::size_t c = 0; c < cells.size(); ++c)
-      band_.push_back(static_cast<std::size_t>(cells[c].distance / cells.side() + kSameDistance));
+      band_.push_back(static_cast<std::size_t>(cells[c].distance / depth + kSameDistance));
     const ConnectedComponents parts =
         connected_components(cells.size(), [this](std::size_t c, const auto& reach) { for_each_adjacent(c, reach); });
     std::vector<CellList> components(static_cast<std::size_t>(parts.count));  // each ascending
@@ -27,7 +27,7 @@ class BandForest {
     for (CellList& component : components) divide(std::move(component));
   }
 
-  CellList order() const {
+  CellList order(const std::function<void(CellList&)>& sort) const {
     std::vector<PieceList> children(pieces_.size());
     PieceList roots;
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
@@ -39,7 +39,7 @@ class BandForest {
     CellList order;
     while (true) {
       std::erase(roots, next);
-      append_tree(next, children, order);
+      append_tree(next, children, sort, order);
       if (roots.empty()) return order;
       next = nearest_first(roots, cells_[order.back()].at).front();
     }
@@ -76,13 +76,14 @@ class BandForest {
   }
 
   /// Depth-first, the child nearest to the cell visited last first.
-  void append_tree(std::size_t root, const std::vector<PieceList>& children, CellList& order) const {
+  void append_tree(std::size_t root, const std::vector<PieceList>& children, const std::function<void(CellList&)>& sort,
+                   CellList& order) const {
     PieceList stack{root};
     while (!stack.empty()) {
       const std::size_t p = stack.back();
       stack.pop_back();
       CellList own = pieces_[p].cells;
-      sort_by_distance(own, cells_);
+      sort(own);
       order.insert(order.end(), own.begin(), own.end());
       const PieceList near = nearest_first(children[p], cells_[own.back()].at);
       stack.insert(stack.end(), near.rbegin(), near.rend());
@@ -163,9 +164,9 @@ void sort_by_distance(CellList& list, const TetherCells& cells) {
   });
 }
 
-ForestOrder forest_order(const TetherCells& cells) {
-  const BandForest forest(cells);
-  return {forest.order(), forest.edges()};
+ForestOrder forest_order(const TetherCells& cells, double depth, const std::function<void(CellList&)>& sort) {
+  const BandForest forest(cells, depth);
+  return {forest.order(sort), forest.edges()};
 }
 
 }  // namespace oxturn

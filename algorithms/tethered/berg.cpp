@@ -3,7 +3,7 @@
 // Source      Berg, "A Geometric Algorithm for Online Tethered Navigation", LTH 2021, sections 3.1 and 3.3
 // Model       polygons with holes, offline, disc footprint, tether from an anchor; tether lengths are those of a thin
 //             tether in free space, its nodes the obstacles' own corners
-// Guarantee   stays in configuration space; nothing about the tether or coverage
+// Guarantee   the tether keeps its length limit (not with joins = shortest); nothing about coverage
 // Complexity  n corners, s samples, p pieces: O((n + s) log n) on real maps for the boundaries and their tree, then a
 //             shortest path from piece to piece. With order = bfs-per-divider (as in Berg 2021) the next area may be
 //             anywhere at the same distance from the anchor: among scattered obstacles the path grows as the area times
@@ -11,8 +11,8 @@
 // Known flaws (of Berg 2021, kept)
 //             1. Laps lie at multiples of the step: walls and corners in between are passed at up to a step more than
 //                the radius and stay partly uncovered (4.2).
-//             2. Connections are plain shortest paths: they ignore the tether, which may become too long or wind (3.3).
-//                Such a path is invalid, and its row says where. berg-complete is the planner without this flaw.
+//             2. Connections ignore the tether, which may become too long or wind (3.3): joins = shortest. Such a path
+//                is invalid, and its row says where. Decision 8 mends the length; berg-complete never winds.
 //             3. A corner is looked at once (berg_boundary.hpp, 1). With a known map all are seen; online some are
 //                missed (5.1).
 //             4. Boundaries overlap behind an obstacle that the tether passes on both sides; trim = geodesic avoids it.
@@ -21,12 +21,15 @@
 //             2. "The entire area on one side of an obstacle before ... the other side" (3.1) and "a breadth first
 //                traversal of the area graph" (5.3) are combined in `bfs-per-divider`: areas are what lies between
 //                dividers; one is finished lap by lap up to the next divider before another is begun, nearer the anchor
-//                first. `bfs` goes lap by lap through all areas; `dfs` to the end of a branch before the next branch.
+//                first. `bfs` goes lap by lap through all areas; `dfs`, the default, to the end of a branch before the
+//                next branch: paths of maps with 10^4 cells are a quarter shorter, and the same is driven.
 //             3. Of the pieces that may come next the nearest, begun at its nearer end. (Berg 2021 does not say.)
 //             4. Samples outside configuration space are dropped as hidden ones are.
 //             5. Gates: berg_tree.hpp. A divider in front of which the robot fits nowhere has none.
 //             6. The tool is always on: Berg 2021 counts all that the robot passes.
 //             7. trim = geodesic (ours) keeps the samples whose shortest tether has the lap's length.
+//             8. joins = tethered (ours, the default): from point to point by the shortest path that keeps the tether
+//                length limit. It is the same as with joins = shortest as long as that keeps it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,10 +38,12 @@
 #include <limits>
 
 #include "algorithms/coverage_planner.hpp"
+#include "algorithms/grown_path.hpp"
 #include "algorithms/lattice/grid_graph.hpp"
 #include "algorithms/online/survey_then_plan.hpp"
 #include "algorithms/tethered/berg_tree.hpp"
 #include "algorithms/transit/connector.hpp"
+#include "algorithms/transit/tethered_drive.hpp"
 
 namespace oxturn {
 namespace {
@@ -52,32 +57,67 @@ constexpr double kOpen = 500;           // tool widths over the clearance of the
 
 enum class Order { bfs_per_divider, bfs, dfs };
 enum class Trim { none, geodesic };
+enum class Joins { tethered, shortest };
 
 struct Params {
-  Order order = Order::bfs_per_divider;
+  Order order = Order::dfs;
   Trim trim = Trim::none;
+  Joins joins = Joins::tethered;
   double step = 0;
   double sampling = 0;
 };
 
 using Indices = std::vector<std::size_t>;
 
+/// The path so far, and how the robot gets to the next point.
+class BergDrive {
+ public:
+  BergDrive(const Problem& problem, Joins joins) : connector_(problem), shortest_(problem.start()) {
+    if (joins == Joins::shortest) return;
+    space_.emplace(problem, "berg");
+    tethered_.emplace(*space_, TetheredDrive::Settings{});
+  }
+
+  const Point& at() const { return tethered_ ? tethered_->at() : shortest_.at(); }
+  const Path& path() const { return tethered_ ? tethered_->path() : shortest_.path(); }
+  std::size_t missed() const { return missed_; }  // points that the tether does not let the robot reach
+
+  void go(const Point& to) {
+    if (!tethered_)
+      shortest_.drive(connector_.path(at(), to), true);
+    else if (!tethered_->go(to))
+      ++missed_;
+  }
+  /// Of the shortest path; infinity if it is longer than `longest`.
+  double length(const Point& to, double longest = std::numeric_limits<double>::infinity()) const {
+    return connector_.length(at(), to, longest);
+  }
+
+ private:
+  Connector connector_;
+  PathBuilder shortest_;
+  std::optional<TetherSpace> space_;
+  std::optional<TetheredDrive> tethered_;
+  std::size_t missed_ = 0;
+};
+
 /// Drives pieces one after the other.
 class PieceDrive {
  public:
-  PieceDrive(const Problem& problem, const BergBoundary& boundary, const BergTree& tree, double spacing,
+  PieceDrive(const Problem& problem, const BergBoundary& boundary, const BergTree& tree, double spacing, Joins joins,
              Context& context)
       : problem_(problem),
         boundary_(boundary),
         tree_(tree),
         spacing_(spacing),
         context_(context),
-        connector_(problem),
-        builder_(problem.start()) {}
+        drive_(problem, joins),
+        grown_(context) {}
 
   Path run(Order order) {
     order == Order::bfs ? drive_laps() : drive_regions(order);
-    return builder_.take();
+    context_.record("samples_missed", static_cast<double>(drive_.missed()));
+    return drive_.path();
   }
 
  private:
@@ -134,30 +174,27 @@ class PieceDrive {
     std::vector<std::pair<double, std::pair<std::size_t, const Point*>>> ends;  // of pieces, by index in `waiting`
     for (std::size_t i = 0; i < waiting.size() && waiting.size() > 1; ++i)
       for (const Point* p : {&points(piece_of(waiting[i])).front(), &points(piece_of(waiting[i])).back()})
-        ends.push_back({distance(builder_.at(), *p), {i, p}});
-    const auto found = nearest_by_path(std::move(ends), [this](const auto& end, double longest) {
-      return connector_.length(builder_.at(), *end.second, longest);
-    });
+        ends.push_back({distance(drive_.at(), *p), {i, p}});
+    const auto found = nearest_by_path(
+        std::move(ends), [this](const auto& end, double longest) { return drive_.length(*end.second, longest); });
     const std::size_t best = found ? found->first : 0;
     const std::size_t item = waiting[best];
     waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(best));
     return item;
   }
 
-  void go(const Point& to) { builder_.drive(connector_.path(builder_.at(), to), true); }
-
   /// Through the gates on the way, then along the piece from its nearer end.
   void drive_piece(std::size_t piece) {
     if (last_piece_)
       for (const std::size_t divider : tree_.between(*last_piece_, piece))
-        if (const auto p = gate(divider)) go(*p);
+        if (const auto p = gate(divider)) drive_.go(*p);
     last_piece_ = piece;
     Polyline line = points(piece);
     if (!tree_.pieces()[piece].divider) line = opened(line);
-    if (line.size() > 1 &&
-        connector_.length(builder_.at(), line.back()) < connector_.length(builder_.at(), line.front()))
+    if (line.size() > 1 && drive_.length(line.back()) < drive_.length(line.front()))
       std::reverse(line.begin(), line.end());
-    for (const Point& p : line) go(p);
+    for (const Point& p : line) drive_.go(p);
+    grown_.offer(drive_.path());
   }
 
   /// A piece that goes all the way round, opened at the break nearest to the robot; if there is no break, at the
@@ -171,8 +208,8 @@ class PieceDrive {
       const Point& previous = round[(i + n - 1) % n];
       const bool at_break = distance(previous, round[i]) > kBreak * spacing_;
       if (broken && !at_break) continue;
-      double d = distance(builder_.at(), round[i]);
-      if (at_break) d = std::min(d, distance(builder_.at(), previous));
+      double d = distance(drive_.at(), round[i]);
+      if (at_break) d = std::min(d, distance(drive_.at(), previous));
       if (d < least || (at_break && !broken)) {
         least = d;
         begin = i;
@@ -203,8 +240,8 @@ class PieceDrive {
   const BergTree& tree_;
   double spacing_;
   Context& context_;
-  Connector connector_;
-  PathBuilder builder_;
+  BergDrive drive_;
+  GrownPath grown_;
   std::optional<std::size_t> last_piece_;
   std::size_t regions_done_ = 0;
 };
@@ -271,7 +308,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
                     "may find one",
                     laps.step, robot.name, problem.map().name));
   }
-  Path path = PieceDrive(problem, boundary, tree, laps.spacing, context).run(p.order);
+  Path path = PieceDrive(problem, boundary, tree, laps.spacing, p.joins, context).run(p.order);
   context.publish(path);
   return path;
 }
@@ -285,15 +322,17 @@ PlannerInfo berg() {
        .title = "Berg's laps of equal tether length",
        .citation = "Berg, A Geometric Algorithm for Online Tethered Navigation, LTH 2021, sections 3.1, 3.3",
        .capabilities = {Capability::tether, Capability::holes},
-       .guarantee = "stays in configuration space; as published, checks neither coverage nor the tether while joining "
-                    "pieces, which may pull it over its limit; berg-complete does both",
+       .guarantee = "within the tether length limit (joins = shortest, as published, does not check that); no coverage",
        .symmetries = {Symmetry::shift, Symmetry::scale},
-       .parameters = {
-           {"order", &Params::order, Choices{"bfs-per-divider", "bfs", "dfs"},
-            "area by area between dividers, lap by lap, or to the end of each branch first"},
-           {"trim", &Params::trim, Choices{"none", "geodesic"}, "geodesic: without what a shorter tether reaches"},
-           {"step", &Params::step, Range{0, 100}, "metres of tether between laps; 0: the robot's radius"},
-           {"sampling", &Params::sampling, Range{0, 100}, "metres between samples of a lap; 0: a quarter step"}}}));
+       .parameters =
+           {{"order", &Params::order, Choices{"bfs-per-divider", "bfs", "dfs"},
+             "area by area between dividers, lap by lap, or to the end of each branch first"},
+            {"trim", &Params::trim, Choices{"none", "geodesic"}, "geodesic: without what a shorter tether reaches"},
+            {"joins", &Params::joins, Choices{"tethered", "shortest"},
+             "to the next point: within the tether length limit, or by the shortest path, whatever the tether does"},
+            {"step", &Params::step, Range{0, 100}, "metres of tether between laps; 0: the robot's radius"},
+            {"sampling", &Params::sampling, Range{0, 100}, "metres between samples of a lap; 0: a quarter step"}},
+       .published = {{"order", std::string("bfs-per-divider")}, {"joins", std::string("shortest")}}}));
 }
 
 }  // namespace oxturn

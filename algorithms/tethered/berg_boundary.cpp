@@ -92,7 +92,9 @@ class BergBoundary::NodeSearch {
   /// Looks at all corners in sight and in the node's sector.
   void look_round(std::size_t index) {
     BergNode& node = b_.nodes_[index];
-    b_.find_reach(node, visibility_.from(node.at, b_.tolerance_, &near_));
+    const Ring seen = visibility_.from(node.at, b_.tolerance_, &near_);
+    b_.find_reach(node, seen);
+    node.range = SightRange(node.at, node.begin, node.width, seen, b_.tolerance_);
     candidates_ = corners_at_.back();
     for (const std::int32_t point : near_) {
       const auto& here = corners_at_[static_cast<std::size_t>(point)];
@@ -258,6 +260,7 @@ void BergBoundary::sort_events() {
       double angle = angle_between(right, e.at - node.at);
       if (!node.parent && angle < 0) angle += 2 * kPi;
       last = e.angle = std::clamp(angle, last, std::max(last, node.width));
+      nodes_[v].range.add(e.angle, e.distance);  // also what is seen along a single line
     }
   }
 }

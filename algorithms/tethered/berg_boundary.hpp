@@ -13,7 +13,8 @@
 /// Source      Berg, "A Geometric Algorithm for Online Tethered Navigation", LTH 2021, section 3.1
 /// Complexity  n corners: O(n log n), and for each node the triangles that it sees, with two tests of sight for each of
 ///             their corners; on real maps O(n log n). (Berg 2021 "scales poorly for large distances in environments
-///             with many corners".) A boundary: one test of sight per sample.
+///             with many corners".) A boundary: one test of sight per sample, without those
+///             in directions in which nothing so far away is seen (sight_range.hpp).
 /// Decisions   1. A corner is looked at once, by the node that reaches it with the least tether ("when a corner is
 ///                passed but not included it is never considered for the algorithm again"). Without this rule the
 ///                tether would wind round obstacles as its length allows, in exponentially many classes. With the rule
@@ -30,13 +31,16 @@
 ///                sector contains the sectors of its children between the arcs on both sides of them.
 ///             6. Gaps that the robot cannot pass are closed by barriers, which act as walls: the tether's path is the
 ///                robot's path pulled taut. (Berg 2021 assumes robots smaller than all gaps.)
-///             7. An anchor on a wall is moved off it by the tolerance; the wall is its first divider.
+///             7. Of what is seen along a single line only, between walls that touch it on both sides, corners and
+///                dividers count, but no samples.
+///             8. An anchor on a wall is moved off it by the tolerance; the wall is its first divider.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "algorithms/tethered/berg_sight.hpp"
+#include "algorithms/tethered/sight_range.hpp"
 
 namespace oxturn {
 
@@ -53,6 +57,7 @@ struct BergNode {
   double begin = 0;                    // direction of the sector's right side, radians
   double width = 2 * kPi;              // of the sector, radians
   double reach = 0;                    // metres: no point of the sector that the node sees is farther away
+  SightRange range;                    // the same by direction; angles count from `begin`
 };
 
 struct BergDivider {

@@ -1,14 +1,12 @@
 #include "algorithms/tethered/cut_passes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
 
-#include "base/sorting.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
 #include "geometry/raster.hpp"
@@ -155,25 +153,6 @@ Region strip_of(const std::vector<StripPiece>& pieces, double w) {
   return simplify_inward(unite(parts), kStraightening * w);
 }
 
-/// Counter-clockwise.
-std::array<Point, 4> corners_of(const Box& box) {
-  return {box.low, Point(box.high.x(), box.low.y()), box.high, Point(box.low.x(), box.high.y())};
-}
-
-/// Calls f(i), in ascending order, for the boxes that overlap `box`.
-template <class BoxOf, class F>
-void for_each_overlapping(const UniformGrid& grid, const Box& box, BoxOf box_of, F f) {
-  std::vector<std::uint32_t> found;
-  grid.visit(corners_of(box), 0, [&](std::size_t cell) {
-    const auto items = grid.items(cell);
-    found.insert(found.end(), items.begin(), items.end());
-    return false;
-  });
-  sort_unique(found);
-  for (const std::uint32_t i : found)
-    if (box_of(i).overlaps(box)) f(i);
-}
-
 /// What the tool would reach from `whole` near the strip, and does not from `driven`: in `whole`, and beside walls.
 /// What lies across the cut is for the passes there.
 Region unreached(const RingBoxes& target, const RingBoxes& space, const std::vector<StripPiece>& pieces,
@@ -191,60 +170,14 @@ Region unreached(const RingBoxes& target, const RingBoxes& space, const std::vec
 
 }  // namespace
 
-Region squares_around(const std::vector<Polyline>& segments, double reach, double cell) {
-  Box box;
-  for (const Polyline& segment : segments)
-    for (const Point& p : segment) box.add(p);
-  box.grow(reach + cell);
-  const Point size = box.size() / cell;
-  BitGrid grid(box.low, cell, static_cast<int>(std::ceil(size.x())), static_cast<int>(std::ceil(size.y())));
-  const int around = static_cast<int>(std::ceil(reach / cell + 0.5));  // samples are up to a cell apart
-  for (const Polyline& segment : segments) {
-    const double n = std::max(1.0, std::ceil(distance(segment[0], segment[1]) / cell));
-    for (double k = 0; k <= n; ++k) {
-      const Point at = (lerp(segment[0], segment[1], k / n) - grid.origin) / cell;
-      const int i = static_cast<int>(at.x()), j = static_cast<int>(at.y());
-      for (int y = std::max(0, j - around); y <= std::min(grid.rows - 1, j + around); ++y)
-        for (int x = std::max(0, i - around); x <= std::min(grid.columns - 1, i + around); ++x) grid.set(x, y, true);
-    }
-  }
-  return trace(grid);
-}
-
-RingBoxes::RingBoxes(const Region& region) : region_(region) {
-  for (std::size_t i = 0; i < region.polygons.size(); ++i) {
-    rings_.push_back({i, 0, bounding_box(region.polygons[i].outer)});
-    for (std::size_t k = 0; k < region.polygons[i].holes.size(); ++k)
-      rings_.push_back({i, k + 1, bounding_box(region.polygons[i].holes[k])});
-  }
-  grid_ = UniformGrid(rings_.size(), [&](std::size_t i) { return corners_of(rings_[i].box); });
-}
-
-Region RingBoxes::near(const Box& box) const {
-  Region found;
-  std::optional<std::size_t> last;  // polygon
-  for_each_overlapping(
-      grid_, box, [&](std::size_t i) { return rings_[i].box; },
-      [&](std::size_t i) {
-        const Where& ring = rings_[i];
-        const Polygon& polygon = region_.polygons[ring.polygon];
-        if (ring.hole == 0) {
-          found.polygons.push_back({polygon.outer, {}});
-          last = ring.polygon;
-        } else if (last == ring.polygon) {
-          found.polygons.back().holes.push_back(polygon.holes[ring.hole - 1]);
-        }
-      });
-  return found;
-}
-
 CutPasses::CutPasses(const Problem& problem, const std::vector<Polyline>& cut)
     : problem_(problem), target_(problem.target()), space_(problem.configuration_space()) {
   CutLines all = joined(cut);
   lines_ = std::move(all.lines);
   junctions_ = std::move(all.junctions);
-  for (const Polyline& line : lines_) boxes_.push_back(bounding_box(line));
-  grid_ = UniformGrid(boxes_.size(), [&](std::size_t i) { return corners_of(boxes_[i]); });
+  std::vector<Box> boxes;
+  for (const Polyline& line : lines_) boxes.push_back(bounding_box(line));
+  boxes_ = BoxIndex(std::move(boxes));
 }
 
 PassSpace CutPasses::beside(const Problem& component) const {
@@ -253,11 +186,8 @@ PassSpace CutPasses::beside(const Problem& component) const {
   Box box = bounding_box(whole);
   box.grow(w);
   std::vector<StripPiece> pieces;
-  for_each_overlapping(
-      grid_, box, [&](std::size_t i) { return boxes_[i]; },
-      [&](std::size_t i) {
-        append_wide(with_half_widths(lines_[i], junctions_, component.start(), problem_), kLeastDistance * w, pieces);
-      });
+  for (const std::uint32_t i : boxes_.overlapping(box))
+    append_wide(with_half_widths(lines_[i], junctions_, component.start(), problem_), kLeastDistance * w, pieces);
   std::erase_if(pieces, [&](const StripPiece& piece) {  // others do not touch it
     return !component.walls().contains(piece.from.at) &&
            !component.walls().nearest(piece.from.at, piece.to.at, w / 2).has_value();

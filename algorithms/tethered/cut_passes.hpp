@@ -13,8 +13,7 @@
 
 #include <vector>
 
-#include "geometry/edge_index.hpp"
-#include "geometry/uniform_grid.hpp"
+#include "geometry/ring_boxes.hpp"
 #include "maps/problem.hpp"
 
 namespace oxturn {
@@ -23,24 +22,6 @@ namespace oxturn {
 struct PassSpace {
   Region space;    // connected; holds the problem's start
   Region pockets;  // what such a planner leaves uncovered
-};
-
-/// The rings of a region, by the boxes around them. A query costs the rings near it.
-class RingBoxes {
- public:
-  /// `region` must outlive it.
-  explicit RingBoxes(const Region& region);
-  /// The region as it is in a box: without polygons and holes that lie elsewhere.
-  Region near(const Box& box) const;
-
- private:
-  struct Where {
-    std::size_t polygon, hole;  // hole 0: the outer ring, else one more than its index
-    Box box;
-  };
-  const Region& region_;
-  std::vector<Where> rings_;  // polygon by polygon
-  UniformGrid grid_;
 };
 
 class CutPasses {
@@ -58,12 +39,8 @@ class CutPasses {
   const Problem& problem_;
   RingBoxes target_, space_;      // of the problem
   std::vector<Polyline> lines_;   // of the cut, joined
-  std::vector<Box> boxes_;        // around the lines
-  UniformGrid grid_;              // of the boxes
+  BoxIndex boxes_;                // around the lines
   std::vector<Point> junctions_;  // where three or more end, sorted
 };
-
-/// A union of squares of side `cell` that contains all points within `reach` of the segments (of two points each).
-Region squares_around(const std::vector<Polyline>& segments, double reach, double cell);
 
 }  // namespace oxturn

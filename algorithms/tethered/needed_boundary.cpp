@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/tethered/cut_passes.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/cut_along.hpp"
 #include "geometry/overlay/offset.hpp"
+#include "geometry/raster.hpp"
 #include "geometry/uniform_grid.hpp"
 
 namespace oxturn {

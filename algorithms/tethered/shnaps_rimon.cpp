@@ -7,17 +7,18 @@
 //             cells and a tether of L metres; keeps the tether length limit. With cells = partial the vertices of the
 //             walls count as cells in this bound, and nothing that the tether reaches is left uncovered: of any point
 //             of a cell, the segment to the cell's centre is free, or meets a wall that is driven, within w/2.
-// Complexity  n cells: O(n log n) for their order, then n tethered shortest paths. With order = distance, as published,
-//             cells that follow one another lie anywhere at the same distance from the anchor, so each path is about as
-//             long as the map is wide: all of it grows as n^1.5 (the bound above, 2 L n, has the same order), and no
-//             search can take less than its bends. A search looks at the area that its path spans.
+// Complexity  n cells: O(n log n) for their order, then n tethered shortest paths. With order = split nearly all of
+//             them lead to a cell near by. With order = distance, as published, cells that follow one another lie
+//             anywhere at the same distance from the anchor, so each path is about as long as the map is wide: all of
+//             it grows as n^1.5 (the bound above, 2 L n, has the same order), and no search can take less than its
+//             bends. A search looks at the area that its path spans.
 // Decisions   1. Round k of the paper visits the new cells within k D, nearest first. Over all rounds that is one order
 //                by (distance, row, column). Distances that differ by rounding alone count as equal.
 //             2. `order = distance` is literal. As Berg 2021 shows, the path looks almost random.
-//             3. `order = split` keeps the split cells, by which, as Berg 2021 says, one side of an obstacle is
-//                finished before the other: see band_forest.hpp. The pieces of its forest are visited depth-first, the
-//                nearest child first, the cells of a piece as in 1. Further trees (pockets, and cells nearer to the
-//                anchor than the start) come last, the nearest first.
+//             3. `order = split`, the default, keeps the split cells, by which, as Berg 2021 says, one side of an
+//                obstacle is finished before the other: see band_forest.hpp. The pieces of its forest are visited
+//                depth-first, the nearest child first, the cells of a piece as in 1. Further trees (pockets, and cells
+//                nearer to the anchor than the start) come last, the nearest first.
 //             4. The paper's cells are wholly free and connected by free edges (`cells = joined`). By default a cell at
 //                a wall counts as well: at its free point nearest to the centre, if that lies in the cell. According to
 //                Berg 2021 the robot gets close to walls and into corners.
@@ -34,7 +35,7 @@ namespace {
 enum class Order { distance, split };
 
 struct Params : VisitParameters {
-  Order order = Order::distance;
+  Order order = Order::split;
 };
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
@@ -42,7 +43,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   const TetherCells cells(problem, problem.configuration_space(), p.side(problem.robot()), p.cells);
   CellList order;
   if (p.order == Order::split) {
-    ForestOrder forest = forest_order(cells);
+    ForestOrder forest = forest_order(cells, cells.side(), [&](CellList& piece) { sort_by_distance(piece, cells); });
     order = std::move(forest.cells);
     context.trace("tree of pieces", std::move(forest.edges));
   } else {

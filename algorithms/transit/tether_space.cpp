@@ -21,6 +21,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "algorithms/grown_path.hpp"
 #include "algorithms/transit/connector.hpp"
 #include "geometry/overlay/cut_along.hpp"
 #include "geometry/predicates.hpp"
@@ -34,7 +35,6 @@ constexpr double kStripsPerTool = 200;
 constexpr int kLeastStripBits = -22;        // at least 2^this of the map's extent: cut_along() needs 2^-26
 constexpr double kComponentsPerTool = 100;  // decision 4
 constexpr std::size_t kFewComponents = 64;  // decision 5
-constexpr double kGrownEnough = 1.25;       // a path that is published again
 constexpr double kEntrySlack = 6;           // radii by which the tether may be longer than the geodesic at an entry
 
 double width_of(const Problem& problem, const std::string& planner) {
@@ -96,7 +96,11 @@ bool earlier_in_tree(const Polyline& a, const Polyline& b) {
 class ComponentCover {
  public:
   ComponentCover(const TetherSpace& tether, Context& context)
-      : tether_(tether), components_(tether.components()), context_(context), order_(components_.size()) {
+      : tether_(tether),
+        components_(tether.components()),
+        context_(context),
+        order_(components_.size()),
+        grown_(context) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     if (order_.size() > kFewComponents)
       std::stable_sort(order_.begin() + 1, order_.end(), [&](std::size_t a, std::size_t b) {
@@ -146,7 +150,7 @@ class ComponentCover {
       for (const Leg& leg : path.legs) append(leg);
       if (!path.legs.empty()) at_ = path.legs.back().points.back();
       ++covered_;
-      publish();
+      grown_.offer(path_, points_);
     } catch (const Infeasible& e) {
       if (refusal_.empty()) refusal_ = e.what();
     }
@@ -161,12 +165,6 @@ class ComponentCover {
     points_ += leg.points.size();
     path_.legs.push_back(leg);
   }
-  /// When the path has grown by a quarter: all that is published is then at most five times as long as the path.
-  void publish() {
-    if (static_cast<double>(points_) < kGrownEnough * static_cast<double>(published_)) return;
-    published_ = points_;
-    context_.publish(path_);
-  }
 
   const TetherSpace& tether_;
   const std::vector<TetherSpace::Component>& components_;
@@ -175,7 +173,8 @@ class ComponentCover {
   Path path_;
   Point at_ = start();
   std::size_t last_ = 0, covered_ = 0;
-  std::size_t points_ = 0, published_ = 0;  // points of path_; how many of them were published
+  std::size_t points_ = 0;  // of path_
+  GrownPath grown_;
   std::string refusal_;
 };
 

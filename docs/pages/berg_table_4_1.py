@@ -18,8 +18,9 @@ ratio of lengths, on several rooms with a tool of 0.4 m; the ratio grows with th
 distance is the planner that Berg compares with; `order = split` and the banded variant improve on it. Its cells are
 0.25 m, and the rooms are such that cells fit from wall to wall if the robot starts in the corner. Coverage is the area
 that the tool sweeps, as a share of what the tether lets it reach; the source does not say how it measures coverage. A
-path that pulls the tether over its limit is invalid, and shown with its figures nevertheless: the published `berg` does
-not check the tether while it joins its laps. The tether is 1.1 times as long as the farthest point needs.
+path that pulls the tether over its limit is invalid, and shown with its figures nevertheless: `berg` as published
+(`joins = shortest`) does not check the tether while it joins its laps. The tether is 1.1 times as long as the farthest
+point needs.
 """
 
 

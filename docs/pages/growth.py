@@ -19,10 +19,13 @@ slope of log seconds over log cells; n log n has 1.09. MB: the greatest of the s
 run without a path shows its outcome: `timeout` is more than 20 s of processor time; an empty field was not run. The
 figures are those of one machine: orders carry over, seconds do not.
 
-Three planners must grow faster than n log n among scattered obstacles, because the paths that their sources describe
-do: `shnaps-rimon` visits the cells by their distance from the anchor, `shnaps-rimon-banded` by distance and by the
-direction from the last bend, and `berg` goes from area to area by distance. What follows one another lies anywhere at
-the same distance, so each path there is about as long as the map is wide, and the whole path grows as n^1.5.
+Three published orders must grow faster than n log n among scattered obstacles, because the paths that their sources
+describe do: `shnaps-rimon` visits the cells by their distance from the anchor, `shnaps-rimon-banded` by distance and
+by the direction from the last bend, and `berg` goes from area to area by distance. What follows one another lies
+anywhere at the same distance, so each path there is about as long as the map is wide, and the whole path grows as
+n^1.5. The figures below are those of the defaults, which finish one side of an obstacle before the other; `variant =
+published` is the order of the source. A run that ends in `timeout` has published its path so far, and a suite that
+scores shows its figures.
 """
 
 

@@ -1,5 +1,6 @@
-// Complexity  A path that the plain shortest path gives: that path, and a simulation of the tether along it. Otherwise
-//             up to `budget` expansions of the search for other classes, and a simulation for each bend that it tries.
+// Complexity  A path that the plain shortest path gives: that path, and a simulation of the tether along it unless both
+//             together are within the limit. Otherwise up to `budget` expansions of the search for other classes, and a
+//             simulation for each bend that it tries.
 // Decisions   1. The tether is checked at the ends of a path's segments: on a straight segment its length is convex
 //                (the universal cover of free space has no positive curvature), so it is longest at an end.
 //             2. If the tether is too short at a bend of a path, it is for every path with that prefix. The search
@@ -48,7 +49,9 @@ Polyline pulled_taut(const TetheredWorld& world, const Polyline& line) {
 namespace {
 
 /// Does the tether keep its length limit along `points`, which begin where its robot is?
-bool admissible(const TetheredWorld& world, TautTether tether, const Polyline& points) {
+bool admissible(const TetheredWorld& world, const TautTether& from, const Polyline& points) {
+  if (from.length() + length(points) <= world.longest) return true;  // it grows by what is driven, at most
+  TautTether tether = from;
   for (std::size_t k = 1; k < points.size(); ++k) {
     tether.drive(points[k]);
     if (world.too_long(tether)) return false;
@@ -131,14 +134,16 @@ class Untangling {
   const Point goal_;
 };
 
-/// By how much the tether is longer than the geodesic along a line: at most, and at the line's end.
+/// By how much the tether is longer than the geodesic along a line: at most, and at the line's end. At the first `known`
+/// points it is the geodesic.
 struct Excess {
   double most = 0, last = 0;
 };
-Excess excess(const TetheredWorld& world, TautTether tether, const Polyline& line) {
+Excess excess(const TetheredWorld& world, TautTether tether, const Polyline& line, std::size_t known = 1) {
   Excess e;
   for (std::size_t k = 1; k < line.size(); ++k) {
     tether.drive(line[k]);
+    if (k < known) continue;
     e.last = tether.length() - world.field.distance(line[k]);
     e.most = std::max(e.most, e.last);
   }
@@ -149,25 +154,19 @@ Excess excess(const TetheredWorld& world, TautTether tether, const Polyline& lin
 class GeodesicFollower {
  public:
   GeodesicFollower(const TetheredWorld& world, const Point& start, const Point& goal, double slack, std::size_t budget)
-      : world_(world), start_(start), slack_(slack), budget_(budget), tether_(tether_at(start)) {
-    const Polyline geodesic = world.field.path(goal);
-    const double step = slack / kStepsPerSlack;
-    for (std::size_t k = 1; k < geodesic.size(); ++k) {
-      const double n = std::max(1.0, std::ceil(distance(geodesic[k - 1], geodesic[k]) / step));
-      for (double i = k == 1 ? 0 : 1; i <= n; ++i) samples_.push_back(lerp(geodesic[k - 1], geodesic[k], i / n));
-    }
-    if (!samples_.empty()) samples_.back() = goal;
-  }
+      : world_(world), start_(start), goal_(goal), slack_(slack), budget_(budget), tether_(tether_at(start)) {}
 
   std::optional<Polyline> run() {
-    std::size_t next = join();
-    while (next < samples_.size()) {
+    join();
+    const Polyline inside = line_;
+    for (std::size_t next = 0; next < samples_.size();) {
       const auto reached = advance(next);
       if (!reached) return std::nullopt;
       next = *reached + 1;
     }
     Polyline taut = pulled_taut(world_, line_);
-    return is_geodesic(tether_at(start_), taut) ? taut : line_;
+    const auto differ = std::mismatch(taut.begin(), taut.end(), inside.begin(), inside.end()).first;
+    return is_geodesic(tether_at(start_), taut, static_cast<std::size_t>(differ - taut.begin())) ? taut : line_;
   }
 
  private:
@@ -178,8 +177,8 @@ class GeodesicFollower {
     tether.drive(world_.field.path(p));
     return tether;
   }
-  bool is_geodesic(const TautTether& tether, const Polyline& line) const {
-    const Excess e = excess(world_, tether, line);
+  bool is_geodesic(const TautTether& tether, const Polyline& line, std::size_t known = 1) const {
+    const Excess e = excess(world_, tether, line, known);
     return e.most <= slack_ && e.last <= world_.tolerance;
   }
   void drive(const Polyline& line) {
@@ -187,15 +186,24 @@ class GeodesicFollower {
     line_ = joined(std::move(line_), line);
   }
 
-  /// Through the cut space to the last sample that is in it; returns the one after that.
-  std::size_t join() {
+  /// Through the cut space to the last point of the goal's geodesic that is in it. Samples are those after it.
+  void join() {
     line_ = {start_};
-    for (std::size_t k = samples_.size(); k-- > 0;)
-      if (const auto path = world_.cut_paths.path(start_, samples_[k])) {
-        drive(*path);
-        return k + 1;
+    const Polyline geodesic = world_.field.path(goal_);
+    const double step = slack_ / kStepsPerSlack;
+    for (std::size_t k = geodesic.size(); k-- > 1;) {
+      const double n = std::max(1.0, std::ceil(distance(geodesic[k - 1], geodesic[k]) / step));
+      for (double i = n; i >= (k == 1 ? 0 : 1); --i) {
+        const Point sample = samples_.empty() ? goal_ : lerp(geodesic[k - 1], geodesic[k], i / n);
+        if (const auto path = world_.cut_paths.path(start_, sample)) {
+          drive(*path);
+          std::reverse(samples_.begin(), samples_.end());
+          return;
+        }
+        samples_.push_back(sample);
       }
-    return 0;
+    }
+    std::reverse(samples_.begin(), samples_.end());
   }
   /// To the first sample from `next` on that can be reached; nullopt: none.
   std::optional<std::size_t> advance(std::size_t next) {
@@ -228,10 +236,10 @@ class GeodesicFollower {
   }
 
   const TetheredWorld& world_;
-  const Point start_;
+  const Point start_, goal_;
   const double slack_;
   const std::size_t budget_;
-  Polyline samples_;   // of the geodesic
+  Polyline samples_;   // of the goal's geodesic, outside the cut space
   TautTether tether_;  // at the end of line_
   Polyline line_;
 };

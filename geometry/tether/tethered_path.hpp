@@ -74,6 +74,8 @@ class TetheredRobot {
   void drive(const Polyline& points);
 
   const TautTether& tether() const { return tether_; }
+  /// The path driven from the start, pulled taut in the robot's space.
+  const TautTether& trail() const { return trail_; }
   const Point& at() const { return tether_.robot(); }
 
  private:
@@ -81,7 +83,7 @@ class TetheredRobot {
 
   const TetheredWorld* world_;
   TautTether tether_;  // in free space
-  TautTether trail_;   // the path driven from the start, pulled taut in the robot's space
+  TautTether trail_;   // in the robot's space
 };
 
 }  // namespace oxturn

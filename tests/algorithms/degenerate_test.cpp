@@ -142,8 +142,7 @@ TEST_P(Degenerate, WithATetherAsWell) {
         EXPECT_FALSE(guarantees_all) << refusal.what();
         continue;
       }
-      // The literal `berg` ignores its tether while it connects pieces.
-      const Score result = score(problem, path, ScoreOptions{.tether_counts = planner.name != "berg"});
+      const Score result = score(problem, path);
       EXPECT_EQ(result.flaw, "");
       if (guarantees_all) { EXPECT_GE(result.value("coverage_upper").value_or(0), 0.99); }
     }

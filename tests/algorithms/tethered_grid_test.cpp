@@ -143,10 +143,12 @@ TEST(ShnapsRimon, VisitsEveryCellWithinTheLengthBoundAndTheTether) {
             expect_every_cell("shnaps-rimon", problem, {{"order", std::string("split")}}, 0.5);
             break;
           case 1:
-            expect_every_cell("shnaps-rimon", problem, {{"retraction", retraction}}, 0.6, n % 8 != 0);
+            expect_every_cell("shnaps-rimon", problem, {{"order", std::string("distance")}, {"retraction", retraction}},
+                              0.6, n % 8 != 0);
             break;
           case 2:
-            expect_every_cell("shnaps-rimon-banded", problem, {{"alternate", true}, {"band", 2.0}}, 0.5);
+            expect_every_cell("shnaps-rimon-banded", problem,
+                              {{"group", std::string(n % 8 < 4 ? "none" : "piece")}, {"band", 2.0}}, 0.5);
             break;
           default:
             expect_every_cell("shnaps-rimon-banded", problem,
@@ -163,8 +165,8 @@ TEST(ShnapsRimon, AnAnchorElsewhere) {
     const Point start = Problem(map, tethered_robot(1)).start();
     robot.tether = Tether{1.05 * GeodesicField(map.free, anchor, {}, 1e-6).distance(start) + 1};
     const Problem problem(map, robot, start, anchor);
+    expect_every_cell("shnaps-rimon", problem, {{"order", std::string("distance")}}, 0.5);
     expect_every_cell("shnaps-rimon", problem, {}, 0.5);
-    expect_every_cell("shnaps-rimon", problem, {{"order", std::string("split")}}, 0.5);
     expect_sound("tether-tree", problem);
     expect_sound("tethered-stc", problem);
   }
@@ -191,9 +193,21 @@ TEST(ShnapsRimon, SplitFinishesOneSideFirst) {
   EXPECT_EQ(changes("split"), 1);
 }
 
+// Behind an obstacle the next cell at the same distance is on its other side. The published orders go there.
+TEST(ShnapsRimon, DefaultOrdersStayOnOneSideOfAnObstacle) {
+  for (const char* planner : {"shnaps-rimon", "shnaps-rimon-banded"})
+    for (const char* generator : {"clutter", "cave"}) {
+      SCOPED_TRACE(fmt::format("{} on {}", planner, generator));
+      const Problem problem(generate(generator, {{"width", 12.0}, {"height", 10.0}}, 1), tethered_robot(1.2));
+      const Settings published{{"variant", std::string("published")}, {"cells", std::string("any")}};
+      EXPECT_LT(3 * plan(planner, problem).length(), plan(planner, problem, published).length());
+    }
+}
+
 TEST(ShnapsRimonBanded, BandsComeInOrderAndTheAngleIncreasesInEach) {
   const Problem problem(generate("rectangle", {{"width", 6.0}, {"height", 5.0}}, 1), tethered_robot(1.1));
-  const Path path = plan("shnaps-rimon-banded", problem, {{"return_home", false}, {"cells", std::string("joined")}});
+  const Path path =
+      plan("shnaps-rimon-banded", problem, {{"return_home", false}, {"variant", std::string("published")}});
   long long band = 0;
   double angle = -1;
   for (const Point& p : path.legs.front().points) {  // without obstacles: straight from cell to cell
@@ -226,7 +240,8 @@ TEST(ShnapsRimonBanded, WindingsAboutATinyPillarAreUndoneAtThreeTetherLengths) {
   Region room = box_region({0, 0}, {10, 10});
   room.polygons[0].holes.push_back({{5, 5}, {5, 5.002}, {5.002, 5.002}, {5.002, 5}});
   const Problem problem(Map{"pillar", room, "drawn", "drawn"}, tethered_robot(1.1), Point(5.3, 5.1));
-  const Path path = plan("shnaps-rimon-banded", problem);
+  const Path path =
+      plan("shnaps-rimon-banded", problem, {{"variant", std::string("published")}, {"cells", std::string("any")}});
   const double tether = problem.robot().tether->length;
   EXPECT_EQ(find_flaw(problem, path), "");
   EXPECT_LE(longest_trail(problem, path), 3 * tether + 2);  // one path to a cell more

@@ -1,0 +1,92 @@
+// Decisions  1. The distance of a segment is convex along the direction of sight, so it is greatest at the ends of the
+//               part within a slice.
+//            2. Directions count as seen up to some tolerances beside an edge: points nearer to the eye than kNear
+//               tolerances have no reliable direction.
+#include "algorithms/tethered/sight_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace oxturn {
+namespace {
+
+constexpr std::size_t kMostSlices = 64;
+constexpr double kSlack = 4;        // tolerances
+constexpr double kNear = 1000;      // tolerances
+constexpr double kRounding = 1e-9;  // radians
+
+}  // namespace
+
+SightRange::SightRange(const Point& eye, double begin, double width, const Ring& seen, double tolerance)
+    : width_(width), tolerance_(tolerance), slices_(std::clamp<std::size_t>(seen.size(), 1, kMostSlices), 0.0) {
+  for (std::size_t i = 0; i < seen.size(); ++i) add_edge(seen[i] - eye, seen[(i + 1) % seen.size()] - eye, begin);
+}
+
+std::size_t SightRange::slice_of(double angle) const {
+  if (!(angle > 0) || !(width_ > 0)) return 0;
+  return std::min(static_cast<std::size_t>(angle / width_ * count()), slices_.size() - 1);
+}
+
+/// From the eye: a and b.
+void SightRange::add_edge(const Point& a, const Point& b, double begin) {
+  const double da = a.norm(), db = b.norm(), near = kNear * tolerance_;
+  if (std::max(da, db) <= tolerance_) return;
+  if (std::min(da, db) <= near) return add_edge_from_eye(da > db ? a : b, begin);
+  const double turn = std::atan2(cross(a, b), a.dot(b)), first = std::atan2(a.y(), a.x()) - begin;
+  add_span(first + std::min(turn, 0.0), first + std::max(turn, 0.0), a, b, begin);
+}
+
+/// An edge that passes the eye nearer than kNear tolerances and ends at b: at an angle t from b it is at most
+/// near / sin t away.
+void SightRange::add_edge_from_eye(const Point& b, double begin) {
+  const double most = b.norm(), near = kNear * tolerance_, angle = std::atan2(b.y(), b.x()) - begin;
+  for (std::size_t s = 0; s < slices_.size(); ++s) {
+    const double begins = s == 0 ? 0 : end_of(s - 1), ends = end_of(s);
+    // From the middle of the slice, less half of it.
+    const double from_middle = std::abs(std::remainder(angle - (begins + ends) / 2, 2 * kPi));
+    const double off = std::min(from_middle - (ends - begins) / 2 - kRounding, kPi / 2);
+    const double range = off > 0 ? std::min(most, near * kPi / (2 * off)) : most;
+    slices_[s] = std::max(slices_[s], range * (1 + kRounding) + near);
+  }
+}
+
+/// The part of the edge ab between two angles, of which either may differ by full turns.
+void SightRange::add_span(double from, double to, const Point& a, const Point& b, double begin) {
+  const double da = a.norm(), db = b.norm(), most = std::max(da, db);
+  const double pad = kSlack * tolerance_ / std::min(da, db) + kRounding;
+  const double turns = std::floor(from / (2 * kPi)) * 2 * kPi;
+  const double area = cross(a, b);
+  const Point along = b - a;
+  // The distance of the edge in a direction; in doubt that of its farther end.
+  const auto distance_at = [&](double angle) {
+    const double across = cross(Point(std::cos(begin + angle), std::sin(begin + angle)), along);
+    const double d = area / across;
+    return d > 0 && d < most ? d : most;
+  };
+  for (const double shift : {-turns - 2 * kPi, -turns, -turns + 2 * kPi}) {
+    const double low = from + shift - pad, high = to + shift + pad;
+    if (high < 0 || low > width_) continue;
+    const std::size_t last = slice_of(high);
+    for (std::size_t s = slice_of(low); s <= last; ++s) {
+      const double begins = s == 0 ? 0 : end_of(s - 1), ends = end_of(s);
+      const bool inner = begins > from + shift + pad && ends < to + shift - pad;  // no end of the edge lies within
+      const double farthest = inner ? std::max(distance_at(begins), distance_at(ends)) : most;
+      slices_[s] = std::max(slices_[s], farthest * (1 + kRounding) + kSlack * tolerance_);
+    }
+  }
+}
+
+void SightRange::add(double angle, double distance) {
+  for (const double beside : {angle - kRounding, angle + kRounding}) {
+    double& range = slices_[slice_of(beside)];
+    range = std::max(range, distance + kSlack * tolerance_);
+  }
+}
+
+double SightRange::farthest(double from, double to) const {
+  const auto first = slices_.begin() + static_cast<std::ptrdiff_t>(slice_of(from - kRounding));
+  const auto last = slices_.begin() + static_cast<std::ptrdiff_t>(slice_of(to + kRounding));
+  return *std::max_element(first, last + 1);
+}
+
+}  // namespace oxturn
