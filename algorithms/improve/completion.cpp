@@ -1,6 +1,8 @@
 #include "algorithms/improve/completion.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "algorithms/improve/stops.hpp"
@@ -13,11 +15,38 @@ namespace oxturn {
 namespace {
 
 // In tool widths, or squares of it.
-constexpr double kReach = 0.5 - 1e-3;              // from which a stop covers, with that error
-constexpr double kNegligible = 1e-6;               // pieces of less area
-constexpr double kMostSlack = 2e-5, kSlack = 0.2;  // shares of the target, and of what may stay uncovered
-constexpr int kPasses = 2;                         // of stops
-constexpr int kRepairs = 4;                        // until the share is reached, at most
+constexpr double kReach = 0.5 - 1e-3;                // from which a stop covers, with that error
+constexpr double kNegligible = 1e-6;                 // pieces of less area
+constexpr double kMostSlack = 1.5e-4, kSlack = 0.6;  // shares of the target, and of what may stay uncovered
+constexpr double kShortestPart = 0.05;               // of a piece
+constexpr int kPasses = 2;                           // of stops
+constexpr int kRepairs = 4;                          // until the share is reached, at most
+
+/// The piece cut in halves until none is longer than `most`.
+void add_parts(const Polygon& piece, double most, std::vector<Polygon>& to) {
+  const Box box = bounding_box(piece.outer);
+  const Point size = box.size();
+  const int side = size.x() > size.y() ? 0 : 1;
+  if (size[side] <= most) return to.push_back(piece);
+  for (const bool upper : {false, true}) {
+    Point low = box.low, high = box.high;
+    (upper ? low : high)[side] = box.centre()[side];
+    for (const Polygon& half : intersect(Region{{piece}}, box_region(low, high)).polygons) add_parts(half, most, to);
+  }
+}
+
+/// Of a thin piece of thickness t, a position shifted towards it by 2 t covers about 2 sqrt(t w): the shortest detours
+/// for its length are that far apart.
+double part_length(const Polygon& piece, double width) {
+  const double thickness = 2 * area(piece) / perimeter(Region{{piece}});
+  return std::max(2 * std::sqrt(thickness * width), kShortestPart * width);
+}
+
+std::vector<Polygon> parts_of(const Region& uncovered, double width) {
+  std::vector<Polygon> parts;
+  for (const Polygon& piece : uncovered.polygons) add_parts(piece, part_length(piece, width), parts);
+  return parts;
+}
 
 }  // namespace
 
@@ -63,11 +92,14 @@ Region Completion::needed(Region uncovered) const {
 }
 
 Polyline Completion::completed(Polyline points, Context& context) const {
-  Region left = needed(uncovered(points));
-  for (int pass = 0; pass < kPasses && !left.empty(); ++pass) {
-    points = with_stops(points, left.polygons, kReach * width_, problem_.walls());
-    left = needed(uncovered(points));
+  Region left = uncovered(points);
+  for (int pass = 0; pass < kPasses && !needed(left).empty(); ++pass) {
+    const double enough = coverage_ >= 1 ? std::numeric_limits<double>::infinity() : area(left) - allowed();
+    points = with_stops(points, coverage_ < 1 ? parts_of(left, width_) : left.polygons, enough, kReach * width_,
+                        problem_.walls());
+    left = uncovered(points);
   }
+  left = needed(std::move(left));
   const auto repair = [&](Region pieces) {
     points = vertices_of(repaired(problem_, driven(points), std::move(pieces), connector_, context), problem_.start());
   };

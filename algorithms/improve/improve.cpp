@@ -8,24 +8,33 @@
 
 #include "algorithms/improve/annealing.hpp"
 #include "algorithms/improve/completion.hpp"
+#include "algorithms/improve/wall_following.hpp"
 #include "algorithms/lanes/inner_space.hpp"
 
 namespace oxturn {
 namespace {
 
 // In tool widths.
-constexpr double kWarm = 0.005, kCold = 1e-4;  // temperatures after the first one
-constexpr double kCoarseCell = 1.0 / 20, kFineCell = 1.0 / 60;
-constexpr double kMargin = 0.002;    // by which the tool is narrower on the fine raster
-constexpr double kStraight = 0.005;  // vertices nearer to their chord are dropped at the beginning
+constexpr double kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one
+constexpr double kCoarseCell = 1.0 / 20, kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80;
+constexpr double kMargin = 0.003;     // by which the tool is narrower at first, so that lanes can be moved afterwards
+constexpr double kBesideWall = 0.05;  // edges nearer to a wall are moved to it
+constexpr double kStraight = 0.005;   // vertices nearer to their chord are dropped at the beginning
+constexpr double kMostPoints = 4e7;   // of a raster
 // The price of uncovered area is 1 / w times kPrice at an uncovered share of kPriceAt, and grows with a power of that.
-constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4;
-constexpr double kFineBelow = 1e-3;       // uncovered share below which the fine raster is needed
-constexpr double kLeastUncovered = 1e-4;  // share of the target that annealing leaves uncovered at least
-// Shares of the moves: of each short run of several, and of closing, in rounds.
-constexpr double kBrief = 0.06, kClosing = 0.25;
+// Where closing begins, it is kMostPrice times as much at most: at high prices no lane moves any more.
+constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4, kMostPrice = 2.5;
+constexpr double kNearlyAll = 1e-3;       // uncovered share below which coverage is nearly full
+constexpr double kLeastUncovered = 4e-5;  // share of the target that annealing leaves uncovered at least
+// Shares of the moves: of each short run of several, of the first run at length, and of closing, in rounds.
+constexpr double kBrief = 0.06, kClosing = 0.3, kHot = 0.6;
+// What closing may leave uncovered on the raster, of what is allowed: it misses what is thinner than its cells.
+constexpr double kNoticed =
+    1e-3;  // pieces that are uncovered and smaller, of what is allowed in all, get no extra moves
+constexpr double kFirstFactor = 0.5, kLeastFactor = 0.02;
 constexpr double kLeastShift = 0.001, kMostShift = 0.1;  // of vertices in closing
-constexpr int kRounds = 3;
+constexpr int kMostRounds = 10;
+constexpr long kLeastMoves = 5000;      // of a round
 constexpr double kShortDetours = 1.03;  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width, and in all at most, if the user names no number.
 constexpr double kMovesEach = 4000, kMostMoves = 2e6;
@@ -45,18 +54,28 @@ Polyline straightened(const Polyline& points, double tolerance, const EdgeIndex&
   return kept;
 }
 
-/// Vertices near a wall moved to it where the edges stay inside: a hot path is slightly off the walls, and covers all
-/// but a seam along them.
-Polyline along_walls(Polyline points, bool fixed_end, double width, const EdgeIndex& walls) {
-  for (std::size_t i = 1; i + (fixed_end ? 1 : 0) < points.size(); ++i)
-    for (const bool vertex : {true, false}) {
-      const auto at = on_wall(points[i], walls, width, vertex);
-      if (!at || !walls.contains(points[i - 1], *at)) continue;
-      if (i + 1 < points.size() && !walls.contains(*at, points[i + 1])) continue;
-      points[i] = *at;
-      break;
-    }
-  return points;
+/// Adds points of the outline, at most `spacing` apart, and at least one.
+void add_samples(const Polyline& outline, double spacing, std::vector<Point>& to) {
+  double since = spacing;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    if (i > 0) since += distance(outline[i - 1], outline[i]);
+    if (since < spacing) continue;
+    to.push_back(outline[i]);
+    since = 0;
+  }
+}
+
+/// With more vertices on the edges that pass near one of these points, so that parts of these can be moved.
+Polyline divided(const Polyline& points, const std::vector<Point>& points_near, double width) {
+  Polyline all{points.front()};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Point &a = points[i - 1], &b = points[i];
+    const auto near = [&](const Point& p) { return distance_to_segment(p, a, b) < width; };
+    const int parts = std::ranges::any_of(points_near, near) ? static_cast<int>(distance(a, b) / width) + 1 : 1;
+    for (int k = 1; k < parts; ++k) all.push_back(lerp(a, b, static_cast<double>(k) / parts));
+    all.push_back(b);
+  }
+  return all;
 }
 
 class Improver {
@@ -66,9 +85,10 @@ class Improver {
         how_(how),
         context_(context),
         completion_(problem, how.coverage),
+        walls_(problem.walls()),
         width_(problem.robot().tool_width),
         share_(std::max(completion_.allowed() / area(problem.target()), kLeastUncovered)),
-        narrow_(share_ < kFineBelow ? reachable_target(problem, kMargin * width_, Completion::kChord) : Region{}) {}
+        narrow_(nearly_all() ? reachable_target(problem, kMargin * width_, Completion::kChord) : Region{}) {}
 
   Path run(const std::vector<Path>& starts) {
     std::vector<Polyline> lines;
@@ -83,41 +103,51 @@ class Improver {
       lines.push_back(straightened(points, kStraight * width_, problem_.walls()));
     }
     if (context_.cancelled()) return driven(best_);
-    const Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
+    Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
     const double used = lines.size() > 1 ? kBrief * static_cast<double>(lines.size()) : 0;
-    const double at_length = 1 - used - kClosing;
-    Annealing::Options options = raster(kCoarseCell, 0);
-    const double allowed = options.uncovered;
-    Annealed now =
-        annealed(best, options, {moves(at_length), how_.temperature * width_, kWarm * width_}, context_.rng());
-    for (int round = 0; round < kRounds; ++round) {
-      if (context_.cancelled()) break;
-      const double missed = close(now);
-      if (share_ < kFineBelow) options = raster(kFineCell, kMargin);
-      options.price = now.price;
-      options.least_shift = kLeastShift;
-      options.most_shift = kMostShift;
-      options.uncovered = std::max(allowed / 2, allowed - std::max(0.0, missed - now.uncovered));
-      if (share_ < kFineBelow)
-        now.points = along_walls(std::move(now.points), how_.return_home, width_, problem_.walls());
-      now = annealed(now.points, options, {moves(kClosing / kRounds), kWarm * width_, kCold * width_}, context_.rng());
-    }
-    if (!context_.cancelled()) close(now);
+    const double hot = kHot * (1 - used - kClosing), warm = (1 - kHot) * (1 - used - kClosing);
+    Annealed now = annealed(best, coarse(), {moves(hot), how_.temperature * width_, kWarm * width_}, context_.rng());
+    Annealing::Options options = middle();
+    options.price = now.price;
+    close_in_rounds(annealed(now.points, options, {moves(warm), kWarm * width_, kCool * width_}, context_.rng()));
     return driven(best_);
   }
 
  private:
   struct Annealed {
     Polyline points;
-    double energy, price, uncovered;
+    double energy, price;
   };
+  /// Each round allows as much to be uncovered on the raster as leaves what is allowed uncovered in truth.
+  void close_in_rounds(Annealed now) {
+    const int rounds = std::min(kMostRounds, 1 + static_cast<int>(moves(kClosing) / kLeastMoves));
+    double factor = kFirstFactor;
+    for (int round = 0; !context_.cancelled(); ++round) {
+      if (nearly_all()) now.points = walls_.snapped(now.points, kBesideWall * width_);
+      const double missed = close(now);
+      if (round == rounds) return;
+      Annealing::Options options = nearly_all() ? raster(kFineCell, 0) : middle();
+      if (round > 0) factor = std::clamp(factor * options.uncovered / missed, kLeastFactor, 1.0);
+      options.price = std::min(now.price, kMostPrice * options.price);
+      options.uncovered *= factor;
+      options.least_shift = kLeastShift;
+      options.most_shift = kMostShift;
+      const double cold = kCool * std::pow(kCold / kCool, (round + 1.0) / rounds);
+      now.points = divided(now.points, focus_, width_);
+      now = annealed(now.points, options, {moves(kClosing / rounds), kCool * width_, cold * width_}, context_.rng());
+    }
+  }
+  bool nearly_all() const { return share_ < kNearlyAll; }
   long moves(double share) const {
     const double all =
         how_.moves > 0 ? how_.moves : std::min(kMostMoves, kMovesEach * area(completion_.target()) / (width_ * width_));
     return static_cast<long>(share * all);
   }
+  Annealing::Options coarse() const { return raster(kCoarseCell, nearly_all() ? kMargin : 0); }
+  Annealing::Options middle() const { return raster(kMiddleCell, nearly_all() ? kMargin : 0); }
   Annealing::Options raster(double cell, double margin) const {
-    return {.cell = cell * width_,
+    const Point size = bounding_box(completion_.target()).size();
+    return {.cell = std::max(cell * width_, std::sqrt(size.x() * size.y() / kMostPoints)),
             .radius = (0.5 - margin) * width_,
             .uncovered = share_ * area(completion_.target()),
             .price = kPrice / width_ * std::pow(share_ / kPriceAt, kPricePower),
@@ -125,20 +155,20 @@ class Improver {
   }
   Annealed annealed(const Polyline& points, const Annealing::Options& options, const Annealing::Schedule& schedule,
                     Rng& rng) const {
-    const bool fine = options.cell < kCoarseCell * width_;
-    Annealing annealing(problem_, fine ? narrow_ : completion_.target(), points, options);
-    if (fine) annealing.focus(focus_);
+    const bool narrow = options.radius < width_ / 2;
+    Annealing annealing(problem_, narrow ? narrow_ : completion_.target(), points, options);
+    annealing.focus(focus_);
     annealing.run(schedule, rng, context_);
     const double excess = std::max(0.0, annealing.uncovered() - options.uncovered);
-    return {annealing.points(), length(annealing.points()) + options.price * excess, annealing.price(),
-            annealing.uncovered()};
+    return {annealing.points(), length(annealing.points()) + options.price * excess, annealing.price()};
   }
 
   /// Offers the path. What it leaves uncovered, square metres; it goes on with its detours if these are short.
   double close(Annealed& path) {
     const Region uncovered = completion_.uncovered(path.points);
     focus_.clear();
-    for (const Polygon& piece : uncovered.polygons) focus_.push_back(bounding_box(piece.outer).centre());
+    for (const Polygon& piece : uncovered.polygons)
+      if (area(piece) > kNoticed * completion_.allowed()) add_samples(piece.outer, width_, focus_);
     Polyline whole = offer(path.points);
     if (length(whole) < kShortDetours * length(path.points)) path.points = std::move(whole);
     return area(uncovered);
@@ -151,8 +181,7 @@ class Improver {
     const auto work = [&] {
       for (std::size_t k = next++; k < lines.size(); k = next++) {
         Rng rng(mix(context_.seed(), "start " + std::to_string(k)));
-        results[k] =
-            annealed(lines[k], raster(kCoarseCell, 0), {moves(kBrief), how_.temperature * width_, kWarm * width_}, rng);
+        results[k] = annealed(lines[k], coarse(), {moves(kBrief), how_.temperature * width_, kWarm * width_}, rng);
       }
     };
     problem_.walls();  // made before threads share it
@@ -177,9 +206,10 @@ class Improver {
   const Improvement& how_;
   Context& context_;
   const Completion completion_;
+  const WallFollowing walls_;
   double width_;
   double share_;              // of the target that annealing may leave uncovered
-  const Region narrow_;       // what the narrower tool of the fine raster can cover
+  const Region narrow_;       // what the narrower tool can cover
   std::vector<Point> focus_;  // what the last path that was completed left uncovered
   Polyline best_;
 };

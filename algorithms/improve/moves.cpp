@@ -9,6 +9,7 @@ namespace {
 // Shares of the moves, in per cent; distances in tool widths.
 constexpr std::uint64_t kShiftVertex = 34, kShiftEdge = 15, kSnap = 6, kRemove = 10, kSplit = 10, kMerge = 5,
                         kTwoOpt = 10;
+constexpr double kOnChord = 1e-7;                 // of a vertex
 constexpr double kPartner = 2.2;                  // distance of vertices for 2-opt and Or-opt
 constexpr double kSnapFrom = 0.1, kTouch = 1e-6;  // from a wall
 constexpr std::uint64_t kMostMoved = 8;           // vertices that Or-opt moves
@@ -52,7 +53,7 @@ Point Moves::cloud(Rng& rng) const {
 }
 
 std::size_t Moves::vertex(const VertexPath& path, Rng& rng) const {
-  if (!focus_.empty() && rng.chance(0.5)) {
+  if (!focus_.empty() && rng.chance(0.8)) {
     const Point& at = focus_[rng.below(focus_.size())];
     const double x = rng.between(-width_, width_), y = rng.between(-width_, width_);
     if (const auto near = path.near(at + Point(x, y), rng)) return *near;
@@ -114,7 +115,7 @@ std::optional<Change> Moves::shift_vertex(const VertexPath& path, std::size_t i,
 std::optional<Change> Moves::shift_edge(const VertexPath& path, std::size_t i, Rng& rng) const {
   if (!movable(path, i) || !movable(path, i + 1)) return std::nullopt;
   Point by = cloud(rng);
-  if (rng.chance(0.5)) {  // sideways
+  if (rng.chance(0.8)) {  // sideways
     const Point side = perpendicular(path[i + 1] - path[i]);
     const double size = side.squaredNorm();
     if (size > 0) by = by.dot(side) / size * side;
@@ -136,6 +137,9 @@ std::optional<Change> Moves::snap(const VertexPath& path, std::size_t i, Rng& rn
 
 std::optional<Change> Moves::remove(const VertexPath& path, std::size_t i) const {
   if (!movable(path, i)) return std::nullopt;
+  // On its chord a vertex costs nothing, and is of use where a part of the edge should move.
+  if (i + 1 < path.size() && distance_to_segment(path[i], path[i - 1], path[i + 1]) < kOnChord * width_)
+    return std::nullopt;
   return replaced(path, i, 1, {});
 }
 

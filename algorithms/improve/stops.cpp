@@ -1,6 +1,7 @@
 #include "algorithms/improve/stops.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -15,6 +16,8 @@ struct Stop {
   std::size_t segment;
   double along;  // metres
   Point from, at;
+  double area;  // of the piece that it covers
+  double detour() const { return 2 * distance(from, at); }
 };
 
 bool covers(const Point& at, const Polygon& piece, double reach) {
@@ -38,17 +41,32 @@ std::optional<Stop> shortest_stop(const Polyline& path, const Polygon& piece, do
       (covers(lerp(from, centre, middle), piece, reach) ? inside : outside) = middle;
     }
     const Point at = lerp(from, centre, inside);
-    if (walls.contains(from) && walls.contains(from, at)) return Stop{k, distance(path[k], from), from, at};
+    if (walls.contains(from) && walls.contains(from, at))
+      return Stop{k, distance(path[k], from), from, at, area(piece)};
   }
   return std::nullopt;
 }
 
+/// Those that cover most for their length, until `enough` square metres are covered.
+std::vector<Stop> best_of(std::vector<Stop> stops, double enough) {
+  std::ranges::stable_sort(stops, std::greater<>(), [](const Stop& s) { return s.area / std::max(s.detour(), 1e-12); });
+  const auto last = std::ranges::find_if(stops, [&](const Stop& s) {
+    const bool done = enough <= 0;
+    enough -= s.area;
+    return done;
+  });
+  stops.erase(last, stops.end());
+  return stops;
+}
+
 }  // namespace
 
-Polyline with_stops(const Polyline& path, const std::vector<Polygon>& pieces, double reach, const EdgeIndex& walls) {
+Polyline with_stops(const Polyline& path, const std::vector<Polygon>& pieces, double enough, double reach,
+                    const EdgeIndex& walls) {
   std::vector<Stop> stops;
   for (const Polygon& piece : pieces)
     if (const auto stop = shortest_stop(path, piece, reach, walls)) stops.push_back(*stop);
+  stops = best_of(std::move(stops), enough);
   std::ranges::stable_sort(stops, {}, [](const Stop& s) { return std::tuple(s.segment, s.along); });
   Polyline whole{path.front()};
   auto next = stops.begin();

@@ -1,6 +1,6 @@
 /// Short detours that cover small pieces beside a path.
 ///
-///   path = with_stops(path, uncovered.polygons, 0.499 * w, problem.walls());
+///   path = with_stops(path, uncovered.polygons, enough, 0.499 * w, problem.walls());
 ///
 ///     ---->----.  .---->----        the robot leaves the path where it passes the piece, goes towards it until
 ///               \/                  the tool reaches all of it, and comes back
@@ -16,7 +16,9 @@
 
 namespace oxturn {
 
+/// `enough`: square metres after which no more detours are made; those that are shortest for what they cover go first.
 /// `reach`: metres from the robot's centre within which it covers. The path holds at least one point.
-Polyline with_stops(const Polyline& path, const std::vector<Polygon>& pieces, double reach, const EdgeIndex& walls);
+Polyline with_stops(const Polyline& path, const std::vector<Polygon>& pieces, double enough, double reach,
+                    const EdgeIndex& walls);
 
 }  // namespace oxturn
