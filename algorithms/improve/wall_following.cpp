@@ -68,11 +68,14 @@ Polyline WallFollowing::snapped(const Polyline& path, double tolerance) const {
     const bool valid = line && std::ranges::adjacent_find(*line, [&](const Point& a, const Point& b) {
                                  return !walls_.contains(a, b);
                                }) == line->end();
-    if (valid)
+    if (valid) {
       for (const Point& p : *line) add(p);
-    // Where the next edge follows the wall as well, the vertex between them is on it already.
-    if (!valid || i + 1 == path.size() || !feet[i + 1]) add(path[i]);
+    } else {
+      add(path[i - 1]);  // from the wall, if it got there
+      add(path[i]);
+    }
   }
+  add(path.back());
   return all;
 }
 

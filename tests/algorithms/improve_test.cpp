@@ -114,6 +114,31 @@ TEST(WallFollowing, ALapNearAWallRunsAlongIt) {
   }
 }
 
+// Random paths near walls stay inside and keep their ends.
+TEST(WallFollowing, PathsStayInside) {
+  const Region room =
+      subtract(box_region({0, 0}, {10, 8}), unite({box_region({3, 2}, {5, 5}), box_region({7, 1}, {7.3, 6})}));
+  const EdgeIndex walls(room);
+  int changed = 0;
+  for (const auto seed : seeds(300)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    Polyline line;
+    while (line.size() < 30) {
+      const Point p = line.empty() ? Point(1, 1) : line.back() + random_point({{-1, -1}, {1, 1}}, rng);
+      const auto near = walls.nearest(p);
+      const Point at = near->point + rng.between(0.0, 0.3) * (p - near->point);
+      if (walls.contains(at) && (line.empty() || walls.contains(line.back(), at))) line.push_back(at);
+    }
+    const Polyline snapped = WallFollowing(walls).snapped(line, 0.3);
+    EXPECT_EQ(snapped.front(), line.front());
+    EXPECT_EQ(snapped.back(), line.back());
+    for (std::size_t i = 1; i < snapped.size(); ++i) EXPECT_TRUE(walls.contains(snapped[i - 1], snapped[i])) << i;
+    changed += snapped != line;
+  }
+  EXPECT_GT(changed, 100);
+}
+
 TEST(WallFollowing, FarFromWallsNothingChanges) {
   const EdgeIndex walls(box_region({0, 0}, {10, 8}));
   Rng rng(1);
