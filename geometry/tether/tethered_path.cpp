@@ -134,8 +134,8 @@ class Untangling {
   const Point goal_;
 };
 
-/// By how much the tether is longer than the geodesic along a line: at most, and at the line's end. At the first `known`
-/// points it is the geodesic.
+/// By how much the tether is longer than the geodesic along a line: at most, and at the line's end. At the first
+/// `known` points it is the geodesic.
 struct Excess {
   double most = 0, last = 0;
 };
