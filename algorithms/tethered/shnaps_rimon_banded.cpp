@@ -8,8 +8,8 @@
 //             With group = piece nearly all paths lead to a cell near by.
 // Decisions   1. The angle is that of the cell seen from the last corner of its geodesic, counter-clockwise from the x
 //                axis; Berg 2021 says no more. So cells about different bends are mixed, which is a weakness.
-//             2. `group = bend` (ours) keeps the cells about one bend together, bends by their distance. By default,
-//                `group = piece` (ours) divides bands into the pieces of band_forest.hpp and goes depth-first over them.
+//             2. `group = bend` (ours) keeps the cells about one bend together, bends by their distance. By default
+//                `piece` (ours) divides bands into the pieces of band_forest.hpp and goes depth-first over them.
 //             3. `alternate` (ours, the default) reverses every second band; `band` (ours) is the depth of a band in
 //                cells.
 //             4. All paths are driven with the tool on, and `cells = partial` (ours) drives walls, as in shnaps-rimon.
