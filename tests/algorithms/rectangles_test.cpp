@@ -280,7 +280,7 @@ TEST(Rectangles, TheNearestRoomIsNextWhereTheLatticeLeadsToNone) {
       {{{{0, 0},  {4, 0},  {4, 1},     {6, 1.37},  {6, 0},  {10, 0}, {10, 1},   {12, 1.37}, {12, 0}, {16, 0},
          {16, 4}, {12, 4}, {12, 1.82}, {10, 1.45}, {10, 4}, {6, 4},  {6, 1.82}, {4, 1.45},  {4, 4},  {0, 4}},
         {}}}};
-  const Problem problem(Map{"rooms", space}, Robot{}, Point(6.3, 0.3));
+  const Problem problem(Map{"rooms", space, "", ""}, Robot{}, Point(6.3, 0.3));
   for (const char* choose : {"first", "nearest"}) {
     const Path path = plan_rectangles(problem, {{"choose", std::string(choose)}});
     std::string rooms;
