@@ -189,8 +189,10 @@ std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, const C
 /// Where the tool's centre may be, near the rest if there is one.
 std::vector<Polygon> AreaFiller::parts(const FilledArea& area, double width, const Region& rest) const {
   const double w = filling_robot(width).tool_width;
-  Region space =
-      intersect(erode({{area.area}}, inset(width), kChord * w, Bound::inside), problem_.configuration_space());
+  Region space = erode({{area.area}}, inset(width), kChord * w, Bound::inside);
+  const Box box = bounding_box(space);
+  if (!space.empty() && !subtract(box_region(box.low, box.high), problem_.configuration_space()).empty())
+    space = intersect(space, problem_.configuration_space());
   if (!rest.empty()) space = intersect(space, dilate(rest, width / 2, kRoughChord * width, Bound::inside));
   std::erase_if(space.polygons, [&](const Polygon& part) { return oxturn::area(part) < kLeastPart * w * w; });
   return space.polygons;

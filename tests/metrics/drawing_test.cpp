@@ -54,6 +54,18 @@ TEST(DrawingMetrics, StrokesCountWhereNearParallelAndOfTheirWidth) {
   EXPECT_NEAR(*value("stroke_share", p, {{down({{2, 2.011}, {6, 2.011}}, 0.16)}}), 0, 1e-12);
 }
 
+TEST(DrawingMetrics, SpillIsWhatLeavesAreasAndStrokesThoughTheRestOfTheLegDoesNot) {
+  FilledArea area{"a", {{{2, 2}, {8, 2}, {8, 8}, {2, 8}}, {}}, {}};
+  const Problem p = canvas(drawing_of({stroke({{12, 2}, {12, 8}}, 0.16)}, {area}));
+  // Inside the area, out of it by 1 m, in again; and along the stroke, with 1 m after its end.
+  const double round_end = kPi * 0.09 * 0.09 / 2;  // of the stroke, 1 cm wider
+  EXPECT_NEAR(*value("spill_m2", p, {{down({{5, 4}, {5, 7}, {5, 9}})}}), kTool + kDisc / 2, 1e-3);
+  EXPECT_NEAR(*value("spill_m2", p, {{down({{5, 4}, {5, 9}, {5, 6}, {4, 6}})}}), kTool + kDisc / 2, 1e-3);
+  EXPECT_NEAR(*value("spill_m2", p, {{down({{12, 2}, {12, 5}, {12, 9}}, 0.16)}}),
+              0.16 + kPi * 0.08 * 0.08 / 2 - round_end, 2e-3);
+  EXPECT_EQ(*value("spill_m2", p, {{down({{5, 4}, {5, 7}})}}), 0);
+}
+
 TEST(TransitsOverFinished, AreNamedLongestFirst) {
   const Problem p = canvas(drawing_of({stroke(kSquare, 0.16)}));
   // Out of the square and in again: across its right side, and along its upper one.

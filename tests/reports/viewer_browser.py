@@ -19,6 +19,8 @@ from selenium.webdriver.common.keys import Keys
 
 def look_and_play(page, shots):
     expect_in("8 elements", page.text("#summary"))
+    expect("see remarks" in page.text("#summary"), False)
+    expect(page.find("#remarks").is_displayed(), False)
     expect(page.find("#undo").is_enabled(), False)
     page.hover(9.0, 1.964)  # on the wave
     wait_for("the hovered stroke", lambda: "wave" in page.text("#card"))
@@ -186,6 +188,8 @@ def with_edits(sample, edits, folder, shots):
     page = Page(html, folder, dark=True)
     expect(len(page.edits()), 9)
     expect(page.text("#edits-note"), "The path obeys these edits.")
+    expect_in("see remarks", page.text("#summary"))
+    expect(page.text("#remarks"), "area 'crown' is half filled")
     page.screenshot(shots, "dark")
     page.click("[data-view=connections]")
     page.screenshot(shots, "dark-connections")

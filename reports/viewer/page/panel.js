@@ -1,4 +1,4 @@
-// Everything beside the canvas: summary, card, list of edits, layers, figures.
+// Everything beside the canvas: summary, remarks, card, list of edits, layers, figures.
 
 /** "path_m" is "path", in metres; "tool_up_m2" in square metres. */
 function figureText([name, value]) {
@@ -16,9 +16,10 @@ function fillSummary() {
   const off = legs.reduce((total, leg) => total + (leg.tool ? 0 : leg.length), 0);
   const parts = legs.length ? [`path ${metres(sum)}, of which ${metres(off)} with the tool off`,
                                `${minutes(totalTime)}\u00a0${totalTime < 3600 ? "min" : "h"}`] : ["no path"];
-  if (editable) parts.push(`${shapes.length} elements`);
+  if (editable) parts.push(`${shapes.length} ${shapes.length === 1 ? "element" : "elements"}`);
   byId("title").textContent = fileName;
-  byId("summary").textContent = [...parts, size].join(" · ");
+  const note = data.flaw ? ["not a valid path, see remarks"] : data.remarks.length ? ["see remarks"] : [];
+  byId("summary").textContent = [...parts, size, ...note].join(" · ");
 }
 
 function fillLayers() {
@@ -38,6 +39,7 @@ function fillLayers() {
 }
 
 function fillFigures() {
+  byId("notes").hidden = !data.flaw && !data.remarks.length;
   byId("flaw").textContent = data.flaw ? `Not a valid path: ${data.flaw}` : "";
   byId("remarks").replaceChildren(...data.remarks.map(sentence => create("li", {}, sentence)));
   byId("figures").replaceChildren(...data.figures.map(figureText).map(
