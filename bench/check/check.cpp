@@ -41,7 +41,6 @@ std::string to_text(CheckStatus status) {
 
 const std::vector<ExpectedFailure>& built_in_expected_failures() {
   static const std::vector<ExpectedFailure> all{
-      {"berg", "tether", "as published it does not mind the tether while it joins pieces"},
       {"beachbot", "parameters", "as published it connects elements without regard to walls"}};
   return all;
 }
