@@ -129,9 +129,23 @@ def beachbot_rows():
             run("crown", "curves", "variant=published", "invalid", "80", "40", fill_share="0.85")]
 
 
+def shortest_rows():
+    """Two maps; the last variant has no valid path on one of them."""
+    def run(planner, params, first, second, outcome="ok"):
+        return [row("shortest", "m1", planner, params, "ok", length_ratio=first, gap="0.1", coverage_lower="0.9999",
+                    plan_cpu_s="2"),
+                row("shortest", "m2", planner, params, outcome, length_ratio=second, gap="0.21", coverage_lower="0.99",
+                    plan_cpu_s="8")]
+
+    return (run("boustrophedon", "", "1.3", "1.3") + run("shortest", "coverage=0.99;moves=2000000", "1.0", "1.21")
+            + run("shortest", "coverage=0.99;moves=300000;temperature=0.2", "1.2", "1.2")
+            + run("polished", "coverage=0.99;moves=300000;planner=stc", "1.1", "1.1", "invalid"))
+
+
 ALL = {"beachbot": beachbot_rows, "berg-table-4-1": berg_rows,
        "cell-order": cell_order_rows, "drivable": drivable_rows, "growth": growth_rows,
        "leashed": leashed_rows,
+       "shortest": shortest_rows,
        "stc-loops": stc_rows,
        "tether-online": online_rows}
 
@@ -224,6 +238,14 @@ class Drivable(unittest.TestCase):
     def test_ratios_over_the_robot_that_turns_on_the_spot(self):
         text = page("drivable", drivable_rows())
         self.assertEqual(line(text, "contour", 1)[1:7], ["tractor", "1 of 2", "1.200", "1.200", "0.9000", "0.9000"])
+
+
+class Shortest(unittest.TestCase):
+    def test_geometric_means_where_all_maps_have_a_path(self):
+        text = page("shortest", shortest_rows())
+        self.assertEqual(line(text, "0.99, 2,000,000")[1:], ["1.100", "0.154", "0.99000", "4.00"])
+        self.assertEqual(line(text, "polished\\[coverage=0.99;moves=300000;planner=stc\\]")[1], "")
+        self.assertEqual(line(text, "m1")[1:3], ["1.300", "1.000"])
 
 
 class Pages(unittest.TestCase):
