@@ -10,6 +10,7 @@
 #include "algorithms/improve/completion.hpp"
 #include "algorithms/improve/wall_following.hpp"
 #include "algorithms/lanes/inner_space.hpp"
+#include "geometry/ring_boxes.hpp"
 
 namespace oxturn {
 namespace {
@@ -67,11 +68,17 @@ void add_samples(const Polyline& outline, double spacing, std::vector<Point>& to
 
 /// With more vertices on the edges that pass near one of these points, so that parts of these can be moved.
 Polyline divided(const Polyline& points, const std::vector<Point>& points_near, double width) {
+  std::vector<Box> boxes;
+  for (const Point& p : points_near) boxes.push_back({p, p});
+  const BoxIndex index(std::move(boxes));
   Polyline all{points.front()};
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Point &a = points[i - 1], &b = points[i];
-    const auto near = [&](const Point& p) { return distance_to_segment(p, a, b) < width; };
-    const int parts = std::ranges::any_of(points_near, near) ? static_cast<int>(distance(a, b) / width) + 1 : 1;
+    Box box{a.cwiseMin(b), a.cwiseMax(b)};
+    box.grow(width);
+    const auto near = [&](std::uint32_t k) { return distance_to_segment(points_near[k], a, b) < width; };
+    const int parts =
+        std::ranges::any_of(index.overlapping(box), near) ? static_cast<int>(distance(a, b) / width) + 1 : 1;
     for (int k = 1; k < parts; ++k) all.push_back(lerp(a, b, static_cast<double>(k) / parts));
     all.push_back(b);
   }

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/ring_boxes.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -24,12 +26,24 @@ bool covers(const Point& at, const Polygon& piece, double reach) {
   return std::ranges::all_of(piece.outer, [&](const Point& p) { return distance(p, at) <= reach; });
 }
 
-std::optional<Stop> shortest_stop(const Polyline& path, const Polygon& piece, double reach, const EdgeIndex& walls) {
+Box around(const Point& p, double distance) { return {p - Point(distance, distance), p + Point(distance, distance)}; }
+
+BoxIndex index_of_segments(const Polyline& path) {
+  std::vector<Box> boxes(path.size() - 1);
+  for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+    boxes[k].add(path[k]);
+    boxes[k].add(path[k + 1]);
+  }
+  return BoxIndex(std::move(boxes));
+}
+
+std::optional<Stop> shortest_stop(const Polyline& path, const BoxIndex& index, const Polygon& piece, double reach,
+                                  const EdgeIndex& walls) {
   const Point centre = bounding_box(piece.outer).centre();
   if (!covers(centre, piece, reach)) return std::nullopt;
   const auto nearest = [&](std::size_t k) { return nearest_on_segment(centre, path[k], path[k + 1]); };
   std::vector<std::pair<double, std::size_t>> segments;
-  for (std::size_t k = 0; k + 1 < path.size(); ++k)
+  for (const std::size_t k : index.overlapping(around(centre, 2 * reach)))
     if (const double far = distance(nearest(k), centre); far < 2 * reach) segments.emplace_back(far, k);
   std::ranges::sort(segments);
   segments.resize(std::min(segments.size(), kMostTried));
@@ -63,9 +77,10 @@ std::vector<Stop> best_of(std::vector<Stop> stops, double enough) {
 
 Polyline with_stops(const Polyline& path, const std::vector<Polygon>& pieces, double enough, double reach,
                     const EdgeIndex& walls) {
+  const BoxIndex index = index_of_segments(path);
   std::vector<Stop> stops;
   for (const Polygon& piece : pieces)
-    if (const auto stop = shortest_stop(path, piece, reach, walls)) stops.push_back(*stop);
+    if (const auto stop = shortest_stop(path, index, piece, reach, walls)) stops.push_back(*stop);
   stops = best_of(std::move(stops), enough);
   std::ranges::stable_sort(stops, {}, [](const Stop& s) { return std::tuple(s.segment, s.along); });
   Polyline whole{path.front()};

@@ -6,8 +6,8 @@
 ///               \/                  the tool reaches all of it, and comes back
 ///               ()
 ///
-/// Pieces that no single position covers, or that are behind walls, stay as they are. O(s p) for s segments and p
-/// pieces.
+/// Pieces that no single position covers, or that are behind walls, stay as they are. O(s + p) for s segments and
+/// p pieces, if a piece is near to few segments.
 #pragma once
 
 #include <vector>
