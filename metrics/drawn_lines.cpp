@@ -16,7 +16,7 @@ std::vector<PathSegment> segments_of(const Path& path, double tool_width) {
   for (std::size_t l = 0; l < path.legs.size(); ++l) {
     const Leg& leg = path.legs[l];
     if (!leg.tool) continue;
-    const double width = leg.width > 0 ? std::min(leg.width, tool_width) : tool_width;
+    const double width = width_of(leg, tool_width);
     const Polyline line = line_of(leg);
     for (std::size_t i = 1; i < line.size(); ++i)
       if (line[i] != line[i - 1]) all.push_back({line[i - 1], line[i], l, width});
@@ -44,6 +44,10 @@ std::optional<LinePart> near_point(const Point& a, const Point& b, const Point& 
 }
 
 }  // namespace
+
+double width_of(const Leg& leg, double tool_width) {
+  return leg.width > 0 ? std::min(leg.width, tool_width) : tool_width;
+}
 
 Polyline line_of(const Leg& leg) { return is_dense(leg.points, kDense) ? thinned(leg.points, kThinning) : leg.points; }
 

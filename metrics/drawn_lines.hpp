@@ -23,6 +23,8 @@ struct PathSegment {
   double width = 0;  // metres of the tool that are used
 };
 
+/// Metres of the tool that a leg uses.
+double width_of(const Leg& leg, double tool_width);
 /// A leg's line. If vertices are less than a millimetre apart on average it is thinned (thinned.hpp), within 0.01 mm.
 Polyline line_of(const Leg& leg);
 

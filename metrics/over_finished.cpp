@@ -37,13 +37,19 @@ double length_over(const Leg& leg, std::size_t index, const PathSegments& work, 
   return sum;
 }
 
+/// Calls f(leg's index, metres over finished work) for the legs with the tool on, or off.
+template <class F>
+void for_each_over(const Problem& problem, const Path& path, bool tool, F f) {
+  const double tool_width = problem.robot().tool_width;
+  const PathSegments work(path, tool_width);
+  for (std::size_t l = 0; l < path.legs.size(); ++l)
+    if (path.legs[l].tool == tool) f(l, length_over(path.legs[l], l, work, tool_width));
+}
+
 std::optional<double> compute(const Scored& s, bool tool) {
   if (!s.problem.map().drawing) return std::nullopt;
-  const double tool_width = s.problem.robot().tool_width;
-  const PathSegments work(s.path, tool_width);
   double sum = 0;
-  for (std::size_t l = 0; l < s.path.legs.size(); ++l)
-    if (s.path.legs[l].tool == tool) sum += length_over(s.path.legs[l], l, work, tool_width);
+  for_each_over(s.problem, s.path, tool, [&](std::size_t, double over) { sum += over; });
   return sum;
 }
 
@@ -52,14 +58,10 @@ std::optional<double> compute(const Scored& s, bool tool) {
 std::vector<TransitOver> transits_over_finished(const Problem& problem, const Path& path, double least) {
   std::vector<TransitOver> found;
   if (!problem.map().drawing) return found;
-  const double tool_width = problem.robot().tool_width;
-  const PathSegments work(path, tool_width);
-  for (std::size_t l = 0; l < path.legs.size(); ++l) {
-    const Leg& leg = path.legs[l];
-    if (leg.tool) continue;
-    const double over = length_over(leg, l, work, tool_width);
-    if (over >= least) found.push_back({l, leg.points.front(), leg.points.back(), over});
-  }
+  for_each_over(problem, path, false, [&](std::size_t l, double over) {
+    const Polyline& points = path.legs[l].points;
+    if (over >= least) found.push_back({l, points.front(), points.back(), over});
+  });
   std::ranges::stable_sort(found, std::greater<>(), &TransitOver::over_m);
   return found;
 }

@@ -20,10 +20,6 @@ constexpr double kNear = 0.01;        // metres
 constexpr double kChordError = 1e-3;  // of a width
 constexpr double kRounding = 2e-5;    // metres: strokes are thinned by half of that, areas rounded
 
-double width_of(const Leg& leg, double tool_width) {
-  return leg.width > 0 ? std::min(leg.width, tool_width) : tool_width;
-}
-
 Region areas_of(const Drawing& drawing) {
   std::vector<Region> areas;
   for (const FilledArea& area : drawing.areas) areas.push_back({{area.area}});

@@ -90,30 +90,17 @@ DrawingElement lap(const FilledArea& area, const Polygon& part, double width) {
   return {.name = area.element, .legs = {std::move(leg)}, .area = area.area.outer};
 }
 
-/// What of the region may lie in the box, with as few rings as possible: intersecting all of an area with each of its
-/// many small parts would take minutes.
-Region near_box(const Region& region, const Box& box) {
-  Region near;
-  for (const Polygon& polygon : region.polygons) {
-    if (!bounding_box(polygon.outer).overlaps(box)) continue;
-    near.polygons.push_back({polygon.outer, {}});
-    for (const Ring& hole : polygon.holes)
-      if (bounding_box(hole).overlaps(box)) near.polygons.back().holes.push_back(hole);
-  }
-  return near;
-}
-
 /// What of the area lies within that distance of the part.
-Region about(const FilledArea& area, const Polygon& part, double distance) {
+Region about(const RingBoxes& area, const Polygon& part, double distance) {
   Box box = bounding_box(part.outer);
   box.grow(distance);
-  return intersect(near_box({{area.area}}, box), box_region(box.low, box.high));
+  return intersect(area.near(box), box_region(box.low, box.high));
 }
 
 /// Whether a tool whose centre runs over the part covers so many square metres of the rest.
-bool gains(const Polygon& part, const Region& rest, double width, double least) {
+bool gains(const Polygon& part, const RingBoxes& rest, double width, double least) {
   const Region reached = dilate({{part}}, width / 2, kRoughChord * width, Bound::inside);
-  return area(reached) >= least && area(intersect(reached, near_box(rest, bounding_box(reached)))) >= least;
+  return area(reached) >= least && area(intersect(reached, rest.near(bounding_box(reached)))) >= least;
 }
 
 }  // namespace
@@ -142,15 +129,15 @@ std::unique_ptr<CoveragePlanner> AreaFiller::planner(const FillChoice& choice) c
   return planners_.find("zigzag").make(settings, planners_);
 }
 
-DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, double width, bool near_rest,
+DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, double width, const RingBoxes* rings,
                                 const Context& context) const {
   if (is_small(part, width) && !(problem_.robot().min_turn_radius > 0)) return lap(area, part, width);
   Robot robot = filling_robot(width);
   robot.radius = 0;
   const Point inside = default_start(Map{area.element, {{part}}, "", ""}, robot);
-  const Region map = near_rest ? about(area, part, kAbout * width) : Region{{area.area}};
+  const Region map = rings ? about(*rings, part, kAbout * width) : Region{{area.area}};
   Problem problem(Map{area.element, map, "drawing", ""}, filling_robot(width), inside);
-  if (near_rest || !subtract(problem.configuration_space(), problem_.configuration_space()).empty())
+  if (rings || !subtract(problem.configuration_space(), problem_.configuration_space()).empty())
     problem = problem.restricted({{part}});
   Context inner(context.seed(), context.seconds_left());
   DrawingElement element{.name = area.element, .legs = {}, .area = area.area.outer};
@@ -165,16 +152,19 @@ DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, dou
 
 std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, const Context& context) const {
   if (area.choice.fill == "none") return {};
-  const double all = oxturn::area(Region{{area.area}}), tool_width = problem_.robot().tool_width;
+  const Region whole{{area.area}};
+  const RingBoxes rings(whole);
+  const double all = oxturn::area(whole), tool_width = problem_.robot().tool_width;
   std::vector<DrawingElement> elements;
-  Region rest{{area.area}};
+  Region rest = whole;
   for (const double share : kWidths) {
     const double width = share * tool_width;
     const bool near_rest = !elements.empty();
+    const RingBoxes rest_rings(rest);
     std::vector<Leg> legs;
     for (const Polygon& part : parts(area, width, near_rest ? worthwhile(rest, width) : Region{})) {
-      if (near_rest && !gains(part, rest, width, kLeastGain * all)) continue;
-      DrawingElement element = fill(area, part, width, near_rest, context);
+      if (near_rest && !gains(part, rest_rings, width, kLeastGain * all)) continue;
+      DrawingElement element = fill(area, part, width, near_rest ? &rings : nullptr, context);
       if (element.legs.empty()) continue;
       legs.insert(legs.end(), element.legs.begin(), element.legs.end());
       elements.push_back(std::move(element));

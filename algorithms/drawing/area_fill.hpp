@@ -14,6 +14,7 @@
 
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/drawing/element.hpp"
+#include "geometry/ring_boxes.hpp"
 
 namespace oxturn {
 
@@ -38,8 +39,8 @@ class AreaFiller {
  private:
   /// Where the tool's centre may be, near the rest if there is one.
   std::vector<Polygon> parts(const FilledArea& area, double width, const Region& rest) const;
-  /// `near_rest`: the planner sees nothing but the part.
-  DrawingElement fill(const FilledArea& area, const Polygon& part, double width, bool near_rest,
+  /// `rings`: those of the area if the planner is to see nothing but the part; else nullptr.
+  DrawingElement fill(const FilledArea& area, const Polygon& part, double width, const RingBoxes* rings,
                       const Context& context) const;
   std::unique_ptr<CoveragePlanner> planner(const FillChoice& choice) const;
   /// `width`: metres of the tool that are used.

@@ -91,27 +91,27 @@ Region Completion::needed(Region uncovered) const {
   return uncovered;
 }
 
-Polyline Completion::completed(Polyline points, Context& context) const {
-  Region left = uncovered(points);
-  for (int pass = 0; pass < kPasses && !needed(left).empty(); ++pass) {
+Polyline Completion::completed(Polyline points, Region left, Context& context) const {
+  Region rest = needed(left);
+  for (int pass = 0; pass < kPasses && !rest.empty(); ++pass) {
     const double enough = coverage_ >= 1 ? std::numeric_limits<double>::infinity() : area(left) - allowed();
     points = with_stops(points, coverage_ < 1 ? parts_of(left, width_) : left.polygons, enough, kReach * width_,
                         problem_.walls());
     left = uncovered(points);
+    rest = needed(left);
   }
-  left = needed(std::move(left));
   const auto repair = [&](Region pieces) {
     points = vertices_of(repaired(problem_, driven(points), std::move(pieces), connector_, context), problem_.start());
   };
   if (coverage_ >= 1) {
-    if (!left.empty() && !context.cancelled()) repair(std::move(left));
+    if (!rest.empty() && !context.cancelled()) repair(std::move(rest));
     return points;
   }
   // Wider and wider, because repaired() ignores seams: they may be ignored only where everything is asked for.
   double margin = covered_seam(problem_.robot());
-  for (int round = 0; round < kRepairs && !left.empty() && !context.cancelled(); ++round, margin *= 2) {
-    repair(intersect(target_, dilate(left, margin, kChord * width_, Bound::outside)));
-    left = needed(uncovered(points));
+  for (int round = 0; round < kRepairs && !rest.empty() && !context.cancelled(); ++round, margin *= 2) {
+    repair(intersect(target_, dilate(rest, margin, kChord * width_, Bound::outside)));
+    rest = needed(uncovered(points));
   }
   return points;
 }

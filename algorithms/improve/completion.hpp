@@ -2,7 +2,7 @@
 ///
 ///   const Completion completion(problem, 0.999);
 ///   completion.uncovered(points);                     // a superset, as a region
-///   points = completion.completed(points, context);
+///   points = completion.completed(points, completion.uncovered(points), context);
 ///
 /// Of the uncovered pieces the smallest stay, as far as the coverage allows. Pieces that one position covers get the
 /// shortest detours there are (stops.hpp), others those of lanes/repair.hpp.
@@ -29,7 +29,8 @@ class Completion {
   /// error.
   double allowed() const;
   Region uncovered(const Polyline& points) const;
-  Polyline completed(Polyline points, Context& context) const;
+  /// `left`: what they leave uncovered.
+  Polyline completed(Polyline points, Region left, Context& context) const;
 
  private:
   Region needed(Region uncovered) const;

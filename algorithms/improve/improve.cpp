@@ -1,16 +1,18 @@
 #include "algorithms/improve/improve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "algorithms/improve/annealing.hpp"
 #include "algorithms/improve/completion.hpp"
 #include "algorithms/improve/wall_following.hpp"
 #include "algorithms/lanes/inner_space.hpp"
-#include "geometry/ring_boxes.hpp"
+#include "geometry/uniform_grid.hpp"
 
 namespace oxturn {
 namespace {
@@ -29,9 +31,9 @@ constexpr double kNearlyAll = 1e-3;       // uncovered share below which coverag
 constexpr double kLeastUncovered = 4e-5;  // share of the target that annealing leaves uncovered at least
 // Shares of the moves: of each short run of several, of the first run at length, and of closing, in rounds.
 constexpr double kBrief = 0.06, kClosing = 0.3, kHot = 0.6;
+// Uncovered pieces that are smaller, of what is allowed in all, get no extra moves.
+constexpr double kNoticed = 1e-3;
 // What closing may leave uncovered on the raster, of what is allowed: it misses what is thinner than its cells.
-constexpr double kNoticed =
-    1e-3;  // pieces that are uncovered and smaller, of what is allowed in all, get no extra moves
 constexpr double kFirstFactor = 0.5, kLeastFactor = 0.02;
 constexpr double kLeastShift = 0.001, kMostShift = 0.1;  // of vertices in closing
 constexpr int kMostRounds = 10;
@@ -66,19 +68,16 @@ void add_samples(const Polyline& outline, double spacing, std::vector<Point>& to
   }
 }
 
-/// With more vertices on the edges that pass near one of these points, so that parts of these can be moved.
-Polyline divided(const Polyline& points, const std::vector<Point>& points_near, double width) {
-  std::vector<Box> boxes;
-  for (const Point& p : points_near) boxes.push_back({p, p});
-  const BoxIndex index(std::move(boxes));
+/// With more vertices on the edges that pass near one of the targets, so that parts of these edges can be moved.
+Polyline divided(const Polyline& points, const std::vector<Point>& targets, double width) {
+  const UniformGrid grid(targets.size(), [&](std::size_t k) { return std::array{targets[k]}; });
   Polyline all{points.front()};
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Point &a = points[i - 1], &b = points[i];
-    Box box{a.cwiseMin(b), a.cwiseMax(b)};
-    box.grow(width);
-    const auto near = [&](std::uint32_t k) { return distance_to_segment(points_near[k], a, b) < width; };
-    const int parts =
-        std::ranges::any_of(index.overlapping(box), near) ? static_cast<int>(distance(a, b) / width) + 1 : 1;
+    const auto near = [&](std::uint32_t k) { return distance_to_segment(targets[k], a, b) < width; };
+    const bool any = grid.visit(std::array{a, b}, width,
+                                [&](std::size_t cell) { return std::ranges::any_of(grid.items(cell), near); });
+    const int parts = any ? static_cast<int>(distance(a, b) / width) + 1 : 1;
     for (int k = 1; k < parts; ++k) all.push_back(lerp(a, b, static_cast<double>(k) / parts));
     all.push_back(b);
   }
@@ -106,11 +105,11 @@ class Improver {
         const Polyline home = Connector(problem_).path(points.back(), problem_.start());
         points.insert(points.end(), home.begin() + 1, home.end());
       }
-      offer(points);
+      offer(points, context_.cancelled() ? Region{} : completion_.uncovered(points));
       lines.push_back(straightened(points, kStraight * width_, problem_.walls()));
     }
     if (context_.cancelled()) return driven(best_);
-    Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
+    const Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
     const double used = lines.size() > 1 ? kBrief * static_cast<double>(lines.size()) : 0;
     const double hot = kHot * (1 - used - kClosing), warm = (1 - kHot) * (1 - used - kClosing);
     Annealed now = annealed(best, coarse(), {moves(hot), how_.temperature * width_, kWarm * width_}, context_.rng());
@@ -172,13 +171,14 @@ class Improver {
 
   /// Offers the path. What it leaves uncovered, square metres; it goes on with its detours if these are short.
   double close(Annealed& path) {
-    const Region uncovered = completion_.uncovered(path.points);
+    Region uncovered = completion_.uncovered(path.points);
+    const double noticed = kNoticed * completion_.allowed(), missed = area(uncovered);
     focus_.clear();
     for (const Polygon& piece : uncovered.polygons)
-      if (area(piece) > kNoticed * completion_.allowed()) add_samples(piece.outer, width_, focus_);
-    Polyline whole = offer(path.points);
+      if (area(piece) > noticed) add_samples(piece.outer, width_, focus_);
+    Polyline whole = offer(path.points, std::move(uncovered));
     if (length(whole) < kShortDetours * length(path.points)) path.points = std::move(whole);
-    return area(uncovered);
+    return missed;
   }
 
   /// Each annealed briefly, by all threads.
@@ -200,8 +200,8 @@ class Improver {
   }
 
   /// The path completed, or as it is if cancelled. It is kept if it is the best one so far.
-  Polyline offer(const Polyline& points) {
-    Polyline whole = context_.cancelled() ? points : completion_.completed(points, context_);
+  Polyline offer(const Polyline& points, Region uncovered) {
+    Polyline whole = context_.cancelled() ? points : completion_.completed(points, std::move(uncovered), context_);
     if (best_.empty() || (!context_.cancelled() && length(whole) < length(best_))) {
       best_ = whole;
       context_.publish(driven(best_));

@@ -9,10 +9,11 @@ namespace {
 // Shares of the moves, in per cent; distances in tool widths.
 constexpr std::uint64_t kShiftVertex = 34, kShiftEdge = 15, kSnap = 6, kRemove = 10, kSplit = 10, kMerge = 5,
                         kTwoOpt = 10;
-constexpr double kOnChord = 1e-7;                 // of a vertex
-constexpr double kPartner = 2.2;                  // distance of vertices for 2-opt and Or-opt
-constexpr double kSnapFrom = 0.1, kTouch = 1e-6;  // from a wall
-constexpr std::uint64_t kMostMoved = 8;           // vertices that Or-opt moves
+constexpr double kNearFocus = 0.8, kSideways = 0.8;  // shares: of moves near the focus, of shifts of edges
+constexpr double kOnChord = 1e-7;                    // of a vertex
+constexpr double kPartner = 2.2;                     // distance of vertices for 2-opt and Or-opt
+constexpr double kSnapFrom = 0.1, kTouch = 1e-6;     // from a wall
+constexpr std::uint64_t kMostMoved = 8;              // vertices that Or-opt moves
 
 }  // namespace
 
@@ -53,7 +54,7 @@ Point Moves::cloud(Rng& rng) const {
 }
 
 std::size_t Moves::vertex(const VertexPath& path, Rng& rng) const {
-  if (!focus_.empty() && rng.chance(0.8)) {
+  if (!focus_.empty() && rng.chance(kNearFocus)) {
     const Point& at = focus_[rng.below(focus_.size())];
     const double x = rng.between(-width_, width_), y = rng.between(-width_, width_);
     if (const auto near = path.near(at + Point(x, y), rng)) return *near;
@@ -115,7 +116,7 @@ std::optional<Change> Moves::shift_vertex(const VertexPath& path, std::size_t i,
 std::optional<Change> Moves::shift_edge(const VertexPath& path, std::size_t i, Rng& rng) const {
   if (!movable(path, i) || !movable(path, i + 1)) return std::nullopt;
   Point by = cloud(rng);
-  if (rng.chance(0.8)) {  // sideways
+  if (rng.chance(kSideways)) {
     const Point side = perpendicular(path[i + 1] - path[i]);
     const double size = side.squaredNorm();
     if (size > 0) by = by.dot(side) / size * side;

@@ -65,7 +65,7 @@ class Moves {
   /// `walls`: the edges of configuration space, to which vertices may snap; must outlive it.
   Moves(const Sizes& sizes, bool fixed_end, const EdgeIndex& walls)
       : sizes_(sizes), width_(sizes.width), fixed_end_(fixed_end), walls_(walls) {}
-  /// Half of the moves are made within a tool's width of one of these points.
+  /// Four moves of five are made within a tool's width of one of these points.
   void focus(std::vector<Point> points) { focus_ = std::move(points); }
   /// nullopt: the move drawn does not exist here.
   std::optional<Change> propose(const VertexPath& path, Rng& rng) const;
