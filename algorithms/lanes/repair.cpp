@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -26,6 +28,7 @@ constexpr double kStop = 1.0 / 50;      // length of a stop
 constexpr double kReach = 0.5 * 0.999;  // from which a stop covers
 constexpr double kBeside = 0.5 * 1.01;  // from a wall: about what an arc of it covers
 constexpr double kAttached = 4;         // that it takes to attach a detour
+constexpr std::size_t kManyLanes = 4;   // from which on arcs beside walls are tried first
 constexpr int kRounds = 4;              // of lanes and arcs of the boundary, before whole rings
 
 /// The boundary that arcs follow; the arcs that are to be driven, and those whose length is looked at.
@@ -42,9 +45,7 @@ class Repair {
         walls_(problem.walls()),
         width_(problem.robot().tool_width),
         seam_(covered_seam(problem.robot())),
-        left_(std::move(uncovered)) {
-    drop_negligible();
-  }
+        left_(without_negligible(std::move(uncovered))) {}
 
   /// The detours as rings, of one or two points where the robot comes back the way it went.
   std::vector<Ring> find(const Context& context) {
@@ -55,32 +56,22 @@ class Repair {
         if (round == 0)
           fill(piece);
         else if (round + 1 < kRounds && !arcs_reach(piece))
-          add_lanes(piece);
+          append(lanes_in(piece));
         else
           note_walls(piece, wall_arcs().arcs);
       }
       add_arcs();
-      cover_by_pieces(before);
+      left_ = rest(left_, std::span(pieces_).subspan(before));
     }
     if (!left_.empty() && !context.cancelled()) add_whole_rings();
     return std::move(pieces_);
   }
 
  private:
-  void cover(const std::vector<Polyline>& lines) {
-    left_ = subtract(left_, swath_parts(lines, width_ / 2, seam_, Bound::outside));
-    drop_negligible();
-  }
-  void drop_negligible() {
-    std::erase_if(left_.polygons, [&](const Polygon& p) {
-      const double size = area(p), around = perimeter({{p}});
-      return size < kNegligible * width_ * width_ || 2 * size < seam_ * around;
-    });
-  }
-  void cover_by_pieces(std::size_t from) {
+  /// What detours leave of the region.
+  Region rest(const Region& region, std::span<const Ring> detours) const {
     std::vector<Polyline> lines;
-    for (std::size_t k = from; k < pieces_.size(); ++k) {
-      const Ring& ring = pieces_[k];
+    for (const Ring& ring : detours) {
       const std::size_t n = ring.size();
       lines.push_back(ring);
       if (n > 2 && ring[1] == ring[n - 1])  // there and back
@@ -88,7 +79,14 @@ class Repair {
       else if (n > 2)
         lines.back().push_back(ring.front());
     }
-    cover(lines);
+    return without_negligible(subtract(region, swath_parts(lines, width_ / 2, seam_, Bound::outside)));
+  }
+  Region without_negligible(Region region) const {
+    std::erase_if(region.polygons, [&](const Polygon& p) {
+      const double size = area(p), around = perimeter({{p}});
+      return size < kNegligible * width_ * width_ || 2 * size < seam_ * around;
+    });
+    return region;
   }
 
   /// The position of the robot that is nearest to p.
@@ -99,30 +97,44 @@ class Repair {
     const Point stop = position(bounding_box(piece.outer).centre());
     const bool covers =
         std::ranges::all_of(piece.outer, [&](const Point& p) { return distance(p, stop) <= kReach * width_; });
-    if (covers) add_stop(stop);
+    if (covers) pieces_.push_back(stop_at(stop));
     return covers;
   }
 
-  /// Lanes, or arcs of the boundary where those are shorter.
+  /// Lanes; arcs of the boundary where those are shorter; or arcs, and lanes for what they leave.
   void fill(const Polygon& piece) {
-    const std::size_t before = pieces_.size();
-    add_lanes(piece);
-    if (!lies_along_walls(piece)) return;
-    note_walls(piece, wall_arcs().trial);
-    const std::vector<Ring> arcs = wall_arcs().trial.take(width_);
-    if (length_with(arcs.begin(), arcs.end()) >
-        length_with(pieces_.begin() + static_cast<std::ptrdiff_t>(before), pieces_.end()))
-      return;
-    pieces_.resize(before);
+    const std::vector<Ring> lanes = lanes_in(piece);
+    const bool along = lies_along_walls(piece);
+    if (!along && (lanes.size() < kManyLanes || !is_beside_walls(piece))) return append(lanes);
+    const std::vector<Ring> arcs = arcs_beside({{piece}});
+    if (along) {
+      if (length_with(arcs) > length_with(lanes)) return append(lanes);
+      return note_walls(piece, wall_arcs().arcs);
+    }
+    const std::vector<Ring> between = lanes_in(rest({{piece}}, arcs));
+    if (length_with(arcs) + length_with(between) >
+        length_with(lanes) + length_with(arcs_beside(rest({{piece}}, lanes))))
+      return append(lanes);
     note_walls(piece, wall_arcs().arcs);
+    append(between);
+  }
+  void append(const std::vector<Ring>& more) { pieces_.insert(pieces_.end(), more.begin(), more.end()); }
+
+  std::vector<Ring> lanes_in(const Region& region) const {
+    std::vector<Ring> lanes;
+    for (const Polygon& piece : region.polygons) std::ranges::move(lanes_in(piece), std::back_inserter(lanes));
+    return lanes;
+  }
+  std::vector<Ring> arcs_beside(const Region& region) {
+    for (const Polygon& piece : region.polygons) note_walls(piece, wall_arcs().trial);
+    return wall_arcs().trial.take(width_);
   }
   /// Of detours and what attaches them.
-  template <class It>
-  double length_with(It from, It to) const {
+  double length_with(std::span<const Ring> detours) const {
     double sum = 0;
-    for (; from != to; ++from) {
+    for (const Ring& ring : detours) {
       sum += kAttached * width_;
-      for_each_edge(*from, [&](const Point& a, const Point& b) { sum += distance(a, b); });
+      for_each_edge(ring, [&](const Point& a, const Point& b) { sum += distance(a, b); });
     }
     return sum;
   }
@@ -136,6 +148,10 @@ class Repair {
   bool arcs_reach(const Polygon& piece) const {
     return all_around(
         piece, [&](const Point& p) { return walls_.nearest(p, kReach * width_).has_value() || !walls_.contains(p); });
+  }
+  /// Do arcs of the boundary cover some of the piece?
+  bool is_beside_walls(const Polygon& piece) const {
+    return !all_around(piece, [&](const Point& p) { return !walls_.nearest(p, kReach * width_).has_value(); });
   }
   template <class Holds>
   bool all_around(const Polygon& piece, Holds holds) const {
@@ -154,30 +170,29 @@ class Repair {
     });
   }
 
-  /// In the direction of the piece's longest diameter, or across which its hull is narrowest: a strip needs one lane in
-  /// the second, a ring of strips fewer in the first.
-  void add_lanes(const Polygon& piece) {
+  /// In the direction across which the piece's hull is narrowest, along its longest diameter, along most of its
+  /// boundary, or across that: a strip needs one lane in the first, a ring of strips fewest in the second, and strips
+  /// at right angles in one of the others, those that lie across lanes one lane each.
+  std::vector<Ring> lanes_in(const Polygon& piece) const {
     const Ring hull = convex_hull(piece.outer);
-    const Point along = diameter(hull);
-    const auto before = static_cast<std::ptrdiff_t>(pieces_.size());
-    add_lanes(piece, narrowest_direction(hull));
-    const auto middle = static_cast<std::ptrdiff_t>(pieces_.size());
-    if (middle - before < 2) return;
-    add_lanes(piece, std::atan2(along.y(), along.x()) * 180 / kPi);
-    const auto begin = pieces_.begin();
-    if (length_with(begin + before, begin + middle) <= length_with(begin + middle, pieces_.end()))
-      pieces_.erase(begin + middle, pieces_.end());
-    else
-      pieces_.erase(begin + before, begin + middle);
+    std::vector<Ring> best = lanes_along(narrowest_direction(hull), piece);
+    if (best.size() < 2) return best;
+    const double along = lane_directions({{piece}}).front();
+    for (const double degrees : {direction_of(diameter(hull)), along, along + 90}) {
+      std::vector<Ring> lanes = lanes_along(degrees, piece);
+      if (length_with(lanes) < length_with(best)) best = std::move(lanes);
+    }
+    return best;
   }
-  void add_lanes(const Polygon& piece, double degrees) {
+  std::vector<Ring> lanes_along(double degrees, const Polygon& piece) const {
+    std::vector<Ring> found;
     const LaneFrame frame(degrees);
     const Region turned = frame.to_frame({{piece}});
     const Box box = bounding_box(turned);
     const Slabs slabs = slabs_over(box.low.x(), box.high.x(), kLane * width_);
     const Projection projection = project(edges_of(turned), slabs);
     const auto add = [&](double x0, double y0, double x1, double y1) {
-      add_lane(frame.to_world({x0, y0}), frame.to_world({x1, y1}));
+      add_lane(frame.to_world({x0, y0}), frame.to_world({x1, y1}), found);
     };
     for (const std::vector<std::size_t>& chain : chains(projection.intervals.size(), projection.links)) {
       std::vector<LaneInterval> lanes;
@@ -196,6 +211,7 @@ class Repair {
         }
       }
     }
+    return found;
   }
   static Point diameter(const Ring& hull) {
     Point longest(0, 0);
@@ -206,11 +222,11 @@ class Repair {
   }
 
   /// The parts of the lane in configuration space.
-  void add_lane(const Point& a, const Point& b) {
+  void add_lane(const Point& a, const Point& b, std::vector<Ring>& found) const {
     const double steps = std::max(1.0, std::ceil(distance(a, b) / (kStep * width_)));
     Polyline part;
     const auto end_part = [&] {
-      if (!part.empty()) part.size() == 1 ? add_stop(part.front()) : pieces_.push_back({part.front(), part.back()});
+      if (!part.empty()) found.push_back(part.size() == 1 ? stop_at(part.front()) : Ring{part.front(), part.back()});
       part.clear();
     };
     for (double k = 0; k <= steps; ++k) {
@@ -223,7 +239,7 @@ class Repair {
   }
 
   /// Some free point near by, because the tool works along segments only: along the wall, or to any side.
-  void add_stop(const Point& at) {
+  Ring stop_at(const Point& at) const {
     const double far = kStop * width_;
     std::vector<Point> ends;
     if (const auto wall = walls_.nearest(at, far)) {
@@ -233,8 +249,8 @@ class Repair {
     }
     for (int k = 0; k < 8; ++k) ends.push_back(at + rotated({far, 0}, k * kPi / 4));
     for (const Point& end : ends)
-      if (walls_.contains(at, end)) return pieces_.push_back({at, end});
-    pieces_.push_back({at});
+      if (walls_.contains(at, end)) return {at, end};
+    return {at};
   }
 
   /// The boundary of configuration space beside the piece, for its arcs.
@@ -245,7 +261,7 @@ class Repair {
   void add_arcs() {
     if (!wall_arcs_) return;
     for (Ring& arc : wall_arcs_->arcs.take(width_))
-      arc.size() == 1 ? add_stop(arc.front()) : pieces_.push_back(std::move(arc));
+      pieces_.push_back(arc.size() == 1 ? stop_at(arc.front()) : std::move(arc));
   }
   /// Made when first needed.
   WallArcs& wall_arcs() {

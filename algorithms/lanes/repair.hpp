@@ -4,10 +4,10 @@
 ///   path = repaired(problem, path, connector, context);
 ///
 /// Each uncovered piece of the target gets one of these, attached to the path as a detour (outline.hpp): a stop, if the
-/// tool covers the piece from one position; arcs of configuration space's boundary, if the piece is a band beside it
-/// and they are shorter than lanes; else lanes along its longest diameter, or in the direction across which its hull is
-/// narrowest if these are shorter, one along each corridor (corridors.hpp), and arcs beside what lanes do not reach;
-/// where that is not enough, the whole ring.
+/// tool covers the piece from one position; lanes along the shortest of four directions, one along each corridor
+/// (corridors.hpp), and arcs of configuration space's boundary beside what lanes do not reach; or, if it is shorter,
+/// such arcs first, and lanes for what they leave, as in an aisle a little wider than two tools; where that is not
+/// enough, the whole ring.
 ///
 /// Guarantee   covers the target but for pieces below 1e-6 w^2 and seams thinner than w / 250 (w: tool width), for the
 ///             following reason. Let p be a point of an uncovered piece U, and f its foot on the lane of its slab. If f

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "algorithms/lanes/lanes.hpp"
 #include "base/disjoint_sets.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/mesh/partition.hpp"
@@ -86,13 +87,21 @@ class PartNeighbours {
   std::map<Key, std::vector<std::size_t>> owners_;
 };
 
-std::vector<Ring> rings_of(const Region& region, Partition partition) {
+std::vector<Ring> trapezoids_along(double degrees, const Region& region) {
+  const LaneFrame frame(degrees);
+  std::vector<Ring> rings = trapezoid_partition(frame.to_frame(region));
+  for (Ring& ring : rings)
+    for (Point& p : ring) p = frame.to_world(p);
+  return rings;
+}
+
+std::vector<Ring> rings_of(const Region& region, Partition partition, double degrees) {
   const std::size_t vertices = vertex_count(region);
   switch (partition) {
     case Partition::monotone:
       return monotone_partition(region);
     case Partition::trapezoid:
-      return trapezoid_partition(region);
+      return trapezoids_along(degrees, region);
     case Partition::convex:
       if (vertices > kMostConvex)
         throw std::invalid_argument(
@@ -123,7 +132,7 @@ Region as_region(const std::vector<Part>& parts) {
   return all;
 }
 
-std::vector<Part> cut_into_parts(const Region& region, Partition partition) {
+std::vector<Part> cut_into_parts(const Region& region, Partition partition, double degrees) {
   std::vector<Part> parts;
   if (partition == Partition::none) {
     Part& all = parts.emplace_back();
@@ -131,7 +140,7 @@ std::vector<Part> cut_into_parts(const Region& region, Partition partition) {
     all.area = area(region);
     return parts;
   }
-  for (Ring& ring : rings_of(region, partition)) {
+  for (Ring& ring : rings_of(region, partition, degrees)) {
     const double a = signed_area(ring);
     parts.push_back({{std::move(ring)}, std::abs(a)});
   }

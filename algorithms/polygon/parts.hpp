@@ -1,6 +1,6 @@
 /// The parts of a region that zigzag fills one by one.
 ///
-///   std::vector<Part> parts = cut_into_parts(region, Partition::monotone);
+///   std::vector<Part> parts = cut_into_parts(region, Partition::trapezoid, lane_degrees);
 ///   parts = with_slivers_merged(std::move(parts), tool_width);
 #pragma once
 
@@ -23,8 +23,9 @@ enum class Partition { automatic, convex, approximate, monotone, trapezoid, none
 /// Every ring as a polygon of its own.
 Region as_region(const std::vector<Part>& parts);
 
+/// `degrees`: the direction of the parallel sides of trapezoids, counter-clockwise from +x; of no use to other parts.
 /// Throws std::invalid_argument for `convex` above 150 vertices; the message names `approximate`.
-std::vector<Part> cut_into_parts(const Region& region, Partition partition);
+std::vector<Part> cut_into_parts(const Region& region, Partition partition, double degrees);
 
 // A sliver is a part that is not worth a visit of its own: its area is below w^2 / 4, or its mean width (area over half
 // the boundary) below w / 4, for a tool of width w.

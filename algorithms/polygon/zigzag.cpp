@@ -22,8 +22,8 @@
 //                belongs to one of them, the larger part first, so a seam between parts costs no second lane.
 //             3. The source's start rule (leftmost vertex for lanes steeper than 45 degrees, else bottommost) decides
 //                from which side lines are counted (literal). The tour decides where a part is entered.
-//             4. sweep = best: the least sum of the parts' widths across the lanes; for one part (none) as in
-//                boustrophedon.
+//             4. sweep = best: the least sum of the parts' widths across the lanes. Trapezoids lie along the
+//                lanes: for these, and for one part (none), the direction is chosen first, as in boustrophedon.
 //             5. Slivers, which the source drops, are merged into a neighbour (small_parts = merge).
 //             6. partition = auto is the source's optimal partition wherever CGAL can compute it. Its seams run in all
 //                directions and lanes end at each. The default is trapezoid: on 26 generated maps a path 9 % shorter
@@ -34,6 +34,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <span>
 
 #include "algorithms/lanes/corridors.hpp"
@@ -347,16 +348,17 @@ void add_strips(std::vector<Strip>& strips, const Run& run, double most, const F
   }
 }
 
-std::vector<Part> parts_of(const Region& filled, const Params& p, double width) {
-  std::vector<Part> parts = cut_into_parts(filled, p.partition);
-  if (parts.size() <= 1) return parts;
-  return p.small_parts == SmallParts::merge ? with_slivers_merged(std::move(parts), width)
-                                            : without_slivers(std::move(parts), width);
+/// The direction of lanes in all parts, degrees, if it does not depend on these: decision 4.
+std::optional<double> direction_before_parts(const Region& filled, const Params& p, double width) {
+  if (p.sweep == LaneDirection::given) return p.angle;
+  if (p.partition == Partition::trapezoid || p.partition == Partition::none) return best_lane_direction(filled, width);
+  return std::nullopt;
 }
 
-double direction(const Region& filled, const std::vector<Part>& parts, const Params& p, double width) {
-  if (p.sweep == LaneDirection::given) return p.angle;
-  return p.partition == Partition::none ? best_lane_direction(filled, width) : least_sum_of_widths(filled, parts);
+std::vector<Part> without_small_parts(std::vector<Part> parts, SmallParts small, double width) {
+  if (parts.size() <= 1) return parts;
+  return small == SmallParts::merge ? with_slivers_merged(std::move(parts), width)
+                                    : without_slivers(std::move(parts), width);
 }
 
 void add_lanes(std::vector<Strip>& strips, const Field& field, const Params& p) {
@@ -426,10 +428,12 @@ class Segments {
 std::vector<Strip> strips_in(const Region& filled, const Params& p, const Problem& problem, Context& context) {
   if (filled.empty()) return {};
   const double w = problem.robot().tool_width;
-  const std::vector<Part> parts = parts_of(filled, p, w);
+  const std::optional<double> known = direction_before_parts(filled, p, w);
+  const std::vector<Part> parts =
+      without_small_parts(cut_into_parts(filled, p.partition, known.value_or(0)), p.small_parts, w);
   if (context.wants_traces()) context.trace("parts", as_region(parts));
   if (parts.empty()) return {};
-  const double angle = direction(filled, parts, p, w);
+  const double angle = known ? *known : least_sum_of_widths(filled, parts);
   if (p.by_segment()) return Segments(filled, p, problem, context).strips(parts, angle);
   const LaneFrame frame(angle);
   const EdgeIndex space(frame.to_frame(problem.configuration_space()));
@@ -471,7 +475,7 @@ PlannerInfo zigzag() {
              "parts; auto: the source, convex up to 150 vertices if CGAL finds one, else approximate; none: every lane "
              "by itself"},
             {"margin", &Params::margin, Range{0, 100}, "metres that lanes keep off walls; 0: half the tool width"},
-            {"sweep", &Params::sweep, Choices{"best", "given"}, "lane direction: least sum of widths, or `angle`"},
+            {"sweep", &Params::sweep, Choices{"best", "given"}, "lane direction: the cheapest, or `angle`"},
             {"angle", &Params::angle, Range{-360, 360}, "degrees; direction of the lanes if sweep is given"},
             {"outline", &Params::outline, "drive every wall once"},
             {"fit", &Params::fit, Choices{"cover", "literal"},

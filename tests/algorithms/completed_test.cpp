@@ -77,6 +77,18 @@ TEST(Completed, BandsAlongWallsAreDrivenAlong) {
   }
 }
 
+// Aisles that hold no cell: the walls are driven once, and one lane between them, instead of rungs from wall to wall.
+TEST(Completed, AislesAreDrivenAlong) {
+  for (const auto seed : seeds(4)) {
+    SCOPED_TRACE(seed);
+    const Problem p(generate("comb", {{"width", 12.0}, {"height", 9.0}}, seed), disc(0.2, 0.4));
+    const Path path = plan("completed", p, {{"planner", std::string("stc")}, {"cell_size", 0.55}});
+    expect_valid(p, path);
+    EXPECT_LE(uncovered_share(p, path, 500), 2e-3);
+    EXPECT_LT(*score(p, path).value("turns"), 150);
+  }
+}
+
 TEST(Wrapper, RefusesPlannersThatItCannotRun) {
   const Planners planners = built_in_planners();
   const auto make = [&](const char* outer, const char* inner) {

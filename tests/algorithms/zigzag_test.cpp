@@ -45,7 +45,8 @@ TEST(Zigzag, LiteralIsValidAndCoversMost) {
   for (const Problem& p : sample_problems(5)) {
     SCOPED_TRACE(p.map().source);
     for (const char* small : {"merge", "drop"}) {
-      const Path path = plan("zigzag", p, {{"fit", text("literal")}, {"small_parts", text(small)}});
+      const Path path =
+          plan("zigzag", p, {{"fit", text("literal")}, {"partition", text("auto")}, {"small_parts", text(small)}});
       expect_valid(p, path);
       EXPECT_LT(uncovered_share(p, path, 1000), 0.25);
     }
@@ -103,13 +104,26 @@ TEST(Zigzag, ShiftedRotatedAndMirroredMapsTakeAboutTheSameLength) {
   EXPECT_NEAR(length_of(mirrored(map.free), {-s.x(), s.y()}) / length, 1, 0.15);
 }
 
+// Trapezoids turn with the lanes, so that a room that lies askew takes no more lanes than one that does not.
+TEST(Zigzag, ARoomAskewTakesNoMoreLanes) {
+  const Region room = box_region({0, 0}, {10, 7});
+  const auto length_of = [](Region region, Point start) {
+    return plan("zigzag", Problem(Map{"askew", std::move(region), "", ""}, disc(0.2, 0.4), start)).length();
+  };
+  const double length = length_of(room, {5, 3});
+  for (const double degrees : {17.0, 45.0, 70.0}) {
+    const double turn = degrees * kPi / 180;
+    EXPECT_NEAR(length_of(transformed(room, turn, {0, 0}), rotated({5, 3}, turn)) / length, 1, 0.02) << degrees;
+  }
+}
+
 TEST(Parts, PartsMakeUpTheRegion) {
   for (const auto seed : seeds(5)) {
     const Region region = generate("polygon", {}, seed).free;
     for (const Partition partition :
          {Partition::approximate, Partition::monotone, Partition::trapezoid, Partition::none}) {
       double sum = 0;
-      for (const Part& p : cut_into_parts(region, partition)) sum += p.area;
+      for (const Part& p : cut_into_parts(region, partition, 30)) sum += p.area;
       EXPECT_NEAR(sum / area(region), 1, 1e-6) << static_cast<int>(partition) << " " << seed;
     }
   }
