@@ -23,13 +23,15 @@
 //                do not, and blocks of the same value are told apart by rounding.
 #include "algorithms/lanes/headland.hpp"
 #include "algorithms/polygon/field_blocks.hpp"
+#include "algorithms/polygon/halves.hpp"
 #include "geometry/raster.hpp"
 
 namespace oxturn {
 namespace {
 
-constexpr double kSimplify = 0.02;  // tool widths by which blocks may keep off the laps, for fewer vertices
-constexpr double kChord = 0.02;     // tool widths: chord error of round vertices
+constexpr double kSimplify = 0.02;           // tool widths by which blocks may keep off the laps, for fewer vertices
+constexpr double kChord = 0.02;              // tool widths: chord error of round vertices
+constexpr std::size_t kMostVertices = 2000;  // of what is divided at once
 
 enum class BlockOrder { improved, greedy };
 
@@ -46,11 +48,13 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
     const Region field = simplify_inward(lane_region(problem, depth - kSimplify * w, kChord * w), kSimplify * w);
     std::vector<Strip> strips;
     std::vector<Polyline> outlines;
-    for (FieldBlock& block : field_blocks(problem, field, p.value, context)) {
-      outlines.emplace_back(block.ring.begin(), block.ring.end());
-      if (!block.ring.empty()) outlines.back().push_back(block.ring.front());
-      for (Strip& strip : block.strips) strips.push_back(std::move(strip));
-    }
+    const auto small = [](const Region& section) { return vertex_count(section) <= kMostVertices; };
+    for (const Region& section : halved_until(field, small))
+      for (FieldBlock& block : field_blocks(problem, section, p.value, context)) {
+        outlines.emplace_back(block.ring.begin(), block.ring.end());
+        if (!block.ring.empty()) outlines.back().push_back(block.ring.front());
+        for (Strip& strip : block.strips) strips.push_back(std::move(strip));
+      }
     context.record("blocks", static_cast<double>(outlines.size()));
     std::erase_if(outlines, [](const Polyline& line) { return line.empty(); });
     context.trace("blocks", std::move(outlines));

@@ -5,8 +5,9 @@
 //             best one only the part up to the next turn is driven
 // Model       polygons with holes, offline, disc or polygonal footprint
 // Guarantee   covers the whole target with `repair` (lanes/repair.hpp; along traced walls but for 0.0003 of it)
-// Complexity  O(s n log n) for s stretches between turns and n vertices of what is left; s grows as the area over the
-//             tool's width and the length of a stretch
+// Complexity  O(s m log m) for s stretches between turns in a block and m vertices of the pieces that they cut; both
+//             grow as the block's area. Linear in the number of blocks, each of bounded effort, and a shortest path for
+//             each stretch.
 // Decisions   1. What is left is kept as the positions whose disc is uncovered: at first configuration space, then less
 //                all positions nearer than a tool width to what was driven. Its boundary is half a tool width inside
 //                what is uncovered, as the source's insets are.
@@ -16,16 +17,21 @@
 //                widths are left beside a stretch, the swath back covers what is there.
 //             3. Stretches shorter than half a tool width are not driven. Uncovered bands narrower than the tool, where
 //                no disc fits, are left to repair.
-//             4. Not the same on a scaled map: the robot's speed and acceleration do not scale with it.
+//             4. Every choice looks at all of what is left, in time that grows as the square of the area. Large regions
+//                are therefore halved until area times vertices is bounded, and driven block by block, without what
+//                earlier blocks have covered (`blocks`): on clutter of 42,000 tool squares paths 4 % longer in a tenth
+//                of the time.
+//             5. Not the same on a scaled map: the robot's speed and acceleration do not scale with it.
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 #include <vector>
 
 #include "algorithms/lanes/laps.hpp"
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/polygon/cell_strips.hpp"
+#include "algorithms/polygon/halves.hpp"
 #include "algorithms/transit/short_segments.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -39,9 +45,11 @@ constexpr double kTurn = kPi / 4;         // a stretch ends at sharper turns
 constexpr double kChord = 0.01;           // tool widths: error of arcs, and by which what is left is simplified
 constexpr double kShortestStretch = 0.5;  // tool widths
 constexpr double kWorkLink = 2;           // tool widths: shorter links are driven with the tool on
+constexpr double kMostEffort = 2e6;       // of a block: vertices times area in squares of the tool's width
 
 struct Params {
   bool repair = true;
+  bool blocks = true;
 };
 
 /// A part of a ring between sharp turns, in the ring's sense.
@@ -49,13 +57,69 @@ struct Stretch {
   Polyline points;
   double metres = 0;
   double round_metres = 0, round_turns = 0;  // of the whole ring; turns in radians
-  double back_share = 1;                     // of a swath back beside it, how much is uncovered
 };
 
 double turn_at(const Point& before, const Point& at, const Point& after) {
   const Point a = at - before, b = after - at;
   return std::abs(std::atan2(cross(a, b), a.dot(b)));
 }
+
+/// The part of the ring from one vertex to another, all of it if they are the same; the rest is that of the round.
+Stretch stretch_of(const Ring& ring, std::size_t from, std::size_t to, const Stretch& round) {
+  Stretch s = round;
+  const std::size_t n = ring.size();
+  s.points = {ring[from]};
+  for (std::size_t i = (from + 1) % n;; i = (i + 1) % n) {
+    s.points.push_back(ring[i]);
+    if (i == to) break;
+  }
+  s.metres = length(s.points);
+  return s;
+}
+
+/// A polygon of what is left, and its stretches. Rings without sharp turns are one, wherever it begins.
+class Piece {
+ public:
+  explicit Piece(Polygon polygon) : region_{{std::move(polygon)}}, index_(region_), box_(bounding_box(region_)) {
+    for_each_ring(region_, [this](const Ring& ring) { add_stretches(ring); });
+  }
+  const Region& region() const { return region_; }
+  const Box& box() const { return box_; }
+  bool contains(const Point& p) const { return box_.contains(p) && index_.contains(p); }
+
+  /// `at`: where the robot is.
+  template <class F>
+  void for_each_stretch(const Point& at, F f) const {
+    for (const Stretch& s : stretches_) f(s);
+    for (const auto& [ring, round] : smooth_) {
+      const std::size_t nearest = nearest_vertex(ring, at);
+      f(stretch_of(ring, nearest, nearest, round));
+    }
+  }
+
+ private:
+  void add_stretches(const Ring& ring) {
+    const std::size_t n = ring.size();
+    std::vector<std::size_t> cuts;
+    Stretch round;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point& at = ring[i];
+      const double turn = turn_at(ring[(i + n - 1) % n], at, ring[(i + 1) % n]);
+      if (turn > kTurn) cuts.push_back(i);
+      round.round_turns += turn;
+      round.round_metres += distance(at, ring[(i + 1) % n]);
+    }
+    if (cuts.empty()) smooth_.emplace_back(ring, round);
+    for (std::size_t k = 0; k < cuts.size(); ++k)
+      stretches_.push_back(stretch_of(ring, cuts[k], cuts[(k + 1) % cuts.size()], round));
+  }
+
+  Region region_;
+  EdgeIndex index_;
+  Box box_;
+  std::vector<Stretch> stretches_;
+  std::vector<std::pair<Ring, Stretch>> smooth_;
+};
 
 class PredictiveDrive {
  public:
@@ -66,21 +130,54 @@ class PredictiveDrive {
         connector_(connector),
         path_(problem.start()) {}
 
-  Path run(Region left, const Context& context) {
-    while (!left.empty() && !context.cancelled()) {
-      const auto [stretch, reversed] = best_stretch(left);
-      if (stretch.points.empty()) break;
-      Polyline line = stretch.points;
-      if (reversed) std::ranges::reverse(line);
+  /// Drives what earlier calls left of the region.
+  void run(Region region, const Context& context) {
+    left_.clear();
+    add(std::move(region));
+    cut(lines_near(left_));
+    while (!context.cancelled()) {
+      const Polyline line = best_line();
+      if (line.empty()) break;
       drive(line);
-      left = simplify_inward(subtract(left, swath({line}, width_ * (1 - 2 * kChord), kChord * width_, Bound::outside)),
-                             kChord * width_);
-      bring_inside(left);
+      cut({line});
     }
-    return path_.take();
   }
+  Path take() { return path_.take(); }
 
  private:
+  void add(Region region) {
+    for (Polygon& polygon : region.polygons) left_.emplace_back(std::move(polygon));
+  }
+  std::vector<Polyline> lines_near(const std::vector<Piece>& pieces) const {
+    Box all;
+    for (const Piece& piece : pieces) all.add(piece.box());
+    all.grow(width_);
+    std::vector<Polyline> lines;
+    for (const auto& [box, line] : driven_)
+      if (box.overlaps(all)) lines.push_back(line);
+    return lines;
+  }
+  /// Takes the positions nearer than a tool width to the lines from what is left.
+  void cut(const std::vector<Polyline>& lines) {
+    if (lines.empty()) return;
+    Box near;
+    for (const Polyline& line : lines)
+      for (const Point& p : line) near.add(p);
+    near.grow(width_);
+    const std::vector<Region> swaths = swath_parts(lines, width_ * (1 - 2 * kChord), kChord * width_, Bound::outside);
+    std::vector<Piece> before = std::move(left_);
+    left_.clear();
+    for (Piece& piece : before) {
+      if (!piece.box().overlaps(near)) {
+        left_.push_back(std::move(piece));
+        continue;
+      }
+      Region rest = simplify_inward(subtract(piece.region(), swaths), kChord * width_);
+      bring_inside(rest);
+      add(std::move(rest));
+    }
+  }
+
   /// Where a cut ends on a wall, rounding may leave the new vertex outside; the next cut there would start from it, and
   /// so go astray by the sum of all.
   void bring_inside(Region& left) const {
@@ -100,79 +197,53 @@ class PredictiveDrive {
     path_.drive(link, begun_ && length(link) <= kWorkLink * width_);
     path_.drive(line, true);
     begun_ = true;
+    Box box;
+    for (const Point& p : line) box.add(p);
+    driven_.emplace_back(box, line);
   }
 
-  std::pair<Stretch, bool> best_stretch(const Region& left) const {
-    const EdgeIndex index(left);
-    std::pair<Stretch, bool> best;
+  /// The stretch of greatest value, in the sense in which it is driven; empty if none is left.
+  Polyline best_line() const {
+    Polyline best;
     double most = 0;
-    for_each_ring(left, [&](const Ring& ring) {
-      for (Stretch& s : stretches(ring)) {
-        if (s.metres < kShortestStretch * width_) continue;
-        // The drive there only lowers the value.
-        for (const bool reversed : {false, true}) {
-          const Point& begin = reversed ? s.points.back() : s.points.front();
-          const double there = distance(path_.at(), begin) / robot_.speed;
-          if (most > 0 && std::max(round_value(s, there), swath_value(s, there)) <= most) continue;
-          s.back_share = share_beside(s.points, index);
-          const double v = std::max(round_value(s, there), swath_value(s, there));
-          s.back_share = 1;
-          if (v > most) {
-            most = v;
-            best = {s, reversed};
-          }
-        }
+    const auto consider = [&](const Stretch& s) {
+      if (s.metres < kShortestStretch * width_) return;
+      // The drive there and what is covered beside the stretch only lower the value.
+      for (const bool reversed : {false, true}) {
+        const double there = distance(path_.at(), reversed ? s.points.back() : s.points.front()) / robot_.speed;
+        if (most > 0 && value(s, there, 1) <= most) continue;
+        const double v = value(s, there, share_beside(s.points));
+        if (v <= most) continue;
+        most = v;
+        best = s.points;
+        if (reversed) std::ranges::reverse(best);
       }
-    });
+    };
+    for (const Piece& piece : left_) piece.for_each_stretch(path_.at(), consider);
     return best;
   }
 
   /// Of a line a tool width inside a stretch, how much lies in what is left; sampled every tool width.
-  double share_beside(const Polyline& line, const EdgeIndex& left) const {
+  double share_beside(const Polyline& line) const {
     int inside = 0, all = 0;
     for (std::size_t i = 1; i < line.size(); ++i) {
       const Point d = line[i] - line[i - 1];
       const int samples = std::max(1, static_cast<int>(d.norm() / width_));
       const Point inwards = Point(-d.y(), d.x()).normalized() * width_;
-      for (int k = 0; k < samples; ++k, ++all)
-        if (left.contains(Point(line[i - 1] + d * ((k + 0.5) / samples) + inwards))) ++inside;
+      for (int k = 0; k < samples; ++k, ++all) {
+        const Point p = line[i - 1] + d * ((k + 0.5) / samples) + inwards;
+        if (std::ranges::any_of(left_, [&](const Piece& piece) { return piece.contains(p); })) ++inside;
+      }
     }
     return all > 0 ? static_cast<double>(inside) / all : 0;
   }
 
-  double round_value(const Stretch& s, double there) const {
-    const double turning = s.round_turns / robot_.turn_rate;
-    return width_ * s.round_metres / (there + s.round_metres / robot_.speed + turning);
-  }
-  double swath_value(const Stretch& s, double there) const {
-    const double seconds = there + 2 * s.metres / robot_.speed + seconds_to_next_lane(robot_);
-    return width_ * s.metres * (1 + s.back_share) / seconds;
-  }
-
-  /// The ring, cut at its sharp turns; a ring without any is cut at its vertex nearest to where the robot is.
-  std::vector<Stretch> stretches(const Ring& ring) const {
-    const std::size_t n = ring.size();
-    std::vector<std::size_t> cuts;
-    double metres = 0, turns = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const Point& at = ring[i];
-      const double turn = turn_at(ring[(i + n - 1) % n], at, ring[(i + 1) % n]);
-      if (turn > kTurn) cuts.push_back(i);
-      turns += turn;
-      metres += distance(at, ring[(i + 1) % n]);
-    }
-    if (cuts.empty()) cuts.push_back(nearest_vertex(ring, path_.at()));
-    std::vector<Stretch> all;
-    for (std::size_t k = 0; k < cuts.size(); ++k) {
-      Stretch s{{ring[cuts[k]]}, 0, metres, turns};
-      for (std::size_t i = (cuts[k] + 1) % n;; i = (i + 1) % n) {
-        s.points.push_back(ring[i]);
-        if (i == cuts[(k + 1) % cuts.size()]) break;
-      }
-      s.metres = length(s.points);
-      all.push_back(std::move(s));
-    }
-    return all;
+  /// Of the better of both routes: the whole round, or the stretch and a swath back, of which a share covers anything.
+  double value(const Stretch& s, double there, double back_share) const {
+    const double round = s.round_metres / (there + s.round_metres / robot_.speed + s.round_turns / robot_.turn_rate);
+    const double back =
+        s.metres * (1 + back_share) / (there + 2 * s.metres / robot_.speed + seconds_to_next_lane(robot_));
+    return width_ * std::max(round, back);
   }
 
   const Robot& robot_;
@@ -181,12 +252,19 @@ class PredictiveDrive {
   const Connector& connector_;
   PathBuilder path_;
   bool begun_ = false;
+  std::vector<Piece> left_;
+  std::vector<std::pair<Box, Polyline>> driven_;
 };
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const Connector connector(problem);
-  Path path = PredictiveDrive(problem, connector).run(straightened_space(problem), context);
-  path = without_short_segments(std::move(path), problem);
+  PredictiveDrive drive(problem, connector);
+  const double w = problem.robot().tool_width;
+  const auto small = [&](const Region& block) {
+    return !p.blocks || static_cast<double>(vertex_count(block)) * area(block) <= kMostEffort * w * w;
+  };
+  for (const Region& block : halved_until(straightened_space(problem), small)) drive.run(block, context);
+  Path path = without_short_segments(drive.take(), problem);
   context.publish(path);
   return p.repair && !context.cancelled() ? repaired(problem, path, connector, context) : path;
 }
@@ -203,8 +281,10 @@ PlannerInfo field_predictive() {
        .guarantee = "covers the whole target (with repair; along traced walls but for 0.0003 of it)",
        .promise = Promise::target,
        .symmetries = {Symmetry::shift},
-       .parameters = {{"repair", &Params::repair, "cover what is left where the tool no longer fits"}},
-       .published = {{"repair", false}},
+       .parameters = {{"repair", &Params::repair, "cover what is left where the tool no longer fits"},
+                      {"blocks", &Params::blocks,
+                       "large regions in blocks, one after the other; off: as in the source"}},
+       .published = {{"repair", false}, {"blocks", false}},
        .promises_with = [](const Params& p) { return p.repair; }});
 }
 

@@ -137,6 +137,16 @@ TEST(FieldPredictive, RotatedRectanglesAreDrivenAlongTheirWalls) {
   expect_valid(p, plan("field-predictive", p, {{"repair", false}}));
 }
 
+// Large enough to be driven in blocks: nothing is left at their seams, and nothing is driven twice because of them.
+TEST(FieldPredictive, BlocksLeaveNothingBetweenThem) {
+  const Problem p(generate("clutter", {{"width", 30.0}, {"height", 24.0}}, 1), disc(0.2, 0.4));
+  const Path blocks = plan("field-predictive", p), whole = plan("field-predictive", p, {{"blocks", false}});
+  EXPECT_NE(blocks.length(), whole.length());
+  expect_valid(p, blocks);
+  EXPECT_EQ(uncovered_share(p, blocks, 1000), 0);
+  EXPECT_LT(blocks.length(), 1.08 * whole.length());
+}
+
 TEST(FieldPlanners, ShiftedMapsTakeAboutTheSameLength) {
   const Map map = generate("field", {{"width", 16.0}, {"height", 11.0}}, 3);
   for (const char* name : {"field", "field-predictive"}) {
