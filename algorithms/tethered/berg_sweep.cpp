@@ -108,12 +108,12 @@ void BergSweep::sample(const Item& arc, BergBoundary::Piece& piece) const {
   if (one_point && !(with_from && with_to)) return;
   const double steps = std::max(1.0, std::ceil(radius * (to - from) / spacing_));
   for (double k = with_from ? 0 : 1; k <= (with_to ? steps : steps - 1); ++k) {
-    const double turn = from + (to - from) * (k / steps);
+    const double turn = from + (to - from) * (k / steps);  // within the sector
     if (const std::size_t slice = node.range.slice_of(turn); node.range.range(slice) < radius) {
       k = std::max(k, std::floor((node.range.end_of(slice) - from) / (to - from) * steps) - 1);
       continue;
     }
-    const double angle = node.begin + from + (to - from) * (k / steps);
+    const double angle = node.begin + turn;
     const Point p = node.at + radius * Point(std::cos(angle), std::sin(angle));
     if (b_.sight_.sees(node.at, p)) add(p, piece.points);
   }

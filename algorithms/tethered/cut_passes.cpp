@@ -20,9 +20,10 @@ constexpr double kAtJunctions = 0.42;     // the same where three lines of the c
 constexpr double kLeastDistance = 0.45;   // passes that come nowhere farther from the cut than this are on it
 constexpr double kPieceLength = 0.125;    // of the pieces that the cut is divided into
 constexpr double kStraightening = 0.05;   // by which passes may come nearer to the cut to have fewer bends
-constexpr double kMissedWithin = 1.0;     // distance from the cut of what its passes may miss
-constexpr double kDrivenWithin = 2.9;     // the same of what may cover that: squares reach up to 2.3 for 1.0
-constexpr double kSquare = 0.25;          // side of the squares around the cut
+constexpr double kThinning = 0.01;        // by which a piece's sides may miss those of the pieces that it joins
+constexpr std::size_t kMostJoined = 8;    // pieces
+constexpr double kDrivenWithin = 2.0;     // distance from the cut of what may cover what its passes miss: at least 1.5
+constexpr double kSquare = 1.0;           // side of the squares around the cut
 constexpr double kLostWithin = 1.0;       // distance from a disconnected part of the pieces that disconnect it
 constexpr double kLargestPocket = 0.5;    // side of a square; larger disconnected parts are no pockets
 constexpr double kChordsPerWidth = 1000;  // tool widths over the chord error of dilation
@@ -122,15 +123,36 @@ struct StripPiece {
   }
 };
 
+/// The last of the points up to `last` to which one piece leads from the first: in between, the ends of its sides lie
+/// within `tolerance` of the sides.
+std::size_t end_of_piece(const std::vector<CutPoint>& points, std::size_t first, std::size_t last, double tolerance) {
+  const auto side = [&](std::size_t i, double sign) {
+    return points[i].at + sign * points[i].half_width * points[i].aside;
+  };
+  const auto straight = [&](std::size_t end) {
+    for (std::size_t i = first + 1; i < end; ++i)
+      for (const double sign : {-1.0, 1.0})
+        if (distance_to_segment(side(i, sign), side(first, sign), side(end, sign)) > tolerance) return false;
+    return true;
+  };
+  std::size_t end = first + 1;
+  while (end < last && end - first < kMostJoined && straight(end + 1)) ++end;
+  return end;
+}
+
 /// Appends the pieces where the strip is nowhere without width, if it becomes wide in between.
-void append_wide(const std::vector<CutPoint>& points, double least, std::vector<StripPiece>& pieces) {
+void append_wide(const std::vector<CutPoint>& points, double least, double tolerance, std::vector<StripPiece>& pieces) {
   for (std::size_t first = 0; first < points.size();) {
     std::size_t last = first;
     double widest = points[first].half_width;
     while (last + 1 < points.size() && (last == first || points[last].half_width > 0))
       widest = std::max(widest, points[++last].half_width);
     if (widest >= least)
-      for (std::size_t i = first; i < last; ++i) pieces.push_back({points[i], points[i + 1]});
+      for (std::size_t i = first; i < last;) {
+        const std::size_t end = end_of_piece(points, i, last, tolerance);
+        pieces.push_back({points[i], points[end]});
+        i = end;
+      }
     first = std::max(last, first + 1);
   }
 }
@@ -153,19 +175,18 @@ Region strip_of(const std::vector<StripPiece>& pieces, double w) {
   return simplify_inward(unite(parts), kStraightening * w);
 }
 
-/// What the tool would reach from `whole` near the strip, and does not from `driven`: in `whole`, and beside walls.
-/// What lies across the cut is for the passes there.
+/// What the tool would reach from `left_out` of the space, and does not from `driven`: there, and beside walls. What
+/// lies across the cut is for the passes there.
 Region unreached(const RingBoxes& target, const RingBoxes& space, const std::vector<StripPiece>& pieces,
-                 const Region& whole, const Region& driven, double w) {
+                 const Region& left_out, const Region& driven, double w) {
   const double chord = w / kChordsPerWidth;
   std::vector<Polyline> lines;
   for (const StripPiece& piece : pieces) lines.push_back({piece.from.at, piece.to.at});
-  const Region around = squares_around(lines, kDrivenWithin * w, kSquare * w);
-  const Region near = intersect(whole, around), swept = dilate(near, w / 2, chord, Bound::inside);
+  const Region near = intersect(driven, squares_around(lines, kDrivenWithin * w, kSquare * w));
+  const Region swept = dilate(left_out, w / 2, chord, Bound::inside);
   const Box box = bounding_box(swept);
   const Region beside = subtract(intersect(target.near(box), swept), space.near(box));
-  const Region missed = subtract(unite({near, beside}), dilate(intersect(driven, around), w / 2, chord, Bound::inside));
-  return intersect(missed, squares_around(lines, kMissedWithin * w, kSquare * w));
+  return subtract(unite({left_out, beside}), dilate(near, w / 2, chord, Bound::inside));
 }
 
 }  // namespace
@@ -187,24 +208,29 @@ PassSpace CutPasses::beside(const Problem& component) const {
   box.grow(w);
   std::vector<StripPiece> pieces;
   for (const std::uint32_t i : boxes_.overlapping(box))
-    append_wide(with_half_widths(lines_[i], junctions_, component.start(), problem_), kLeastDistance * w, pieces);
+    append_wide(with_half_widths(lines_[i], junctions_, component.start(), problem_), kLeastDistance * w, kThinning * w,
+                pieces);
   std::erase_if(pieces, [&](const StripPiece& piece) {  // others do not touch it
     return !component.walls().contains(piece.from.at) &&
            !component.walls().nearest(piece.from.at, piece.to.at, w / 2).has_value();
   });
   while (!pieces.empty()) {
-    Region space, lost;
-    for (Polygon& part : subtract(whole, strip_of(pieces, w)).polygons) {
+    Region space, lost, pockets;
+    const Region strip = strip_of(pieces, w);
+    for (Polygon& part : subtract(whole, strip).polygons) {
       const EdgeIndex edges(Region{{part}});
       const bool home = edges.contains(component.start()) || edges.nearest(component.start(), component.tolerance());
       if (home && space.empty())
         space.polygons.push_back(std::move(part));
       else if (area(part) > kLargestPocket * kLargestPocket * w * w)
         lost.polygons.push_back(std::move(part));
+      else
+        pockets.polygons.push_back(std::move(part));
     }
     if (lost.empty()) {
-      Region pockets = unreached(target_, space_, pieces, whole, space, w);
-      return {std::move(space), std::move(pockets)};
+      const Region left_out = unite({intersect(whole, strip), pockets});
+      Region missed = unreached(target_, space_, pieces, left_out, space, w);
+      return {std::move(space), std::move(missed)};
     }
     const EdgeIndex around(lost);
     const auto disconnects = [&](const StripPiece& piece) {

@@ -229,8 +229,11 @@ std::vector<LevelSet> level_sets(const TetherSpace& space, const Region& region,
   Trimmer trimmer(region, inner, spacing, chord);
   const double end = std::min(space.tether_length(), space.field().farthest());
   const auto distance_of = [&](std::size_t level) { return (static_cast<double>(level) + 0.5) * spacing; };
-  for (std::size_t k = 0; distance_of(k) < end; ++k)
-    for (const auto& chain : space.field().level_set(distance_of(k))) trimmer.trim(chain, k, all);
+  std::vector<double> lengths;
+  for (std::size_t k = 0; distance_of(k) < end; ++k) lengths.push_back(distance_of(k));
+  const auto levels = space.field().level_sets(lengths);
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    for (const auto& chain : levels[k]) trimmer.trim(chain, k, all);
   return all;
 }
 

@@ -118,8 +118,9 @@ class GeodesicCones {
   std::vector<std::size_t> first_;  // cones of triangle t: cones_[first_[t] .. first_[t + 1])
 };
 
-/// See GeodesicField::level_set, cut_locus and farthest. From the cones, triangle by triangle.
-std::vector<std::vector<GeodesicField::Arc>> level_set_of(const GeodesicCones& cones, double length);
+/// See GeodesicField::level_sets, cut_locus and farthest. From the cones, triangle by triangle.
+std::vector<std::vector<std::vector<GeodesicField::Arc>>> level_sets_of(const GeodesicCones& cones,
+                                                                        const std::vector<double>& lengths);
 std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_error);
 double farthest_of(const GeodesicCones& cones);
 

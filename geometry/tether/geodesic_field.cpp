@@ -124,8 +124,9 @@ GeodesicField::Sight GeodesicField::sight(const Point& p) const {
 }
 
 double GeodesicField::farthest() const { return farthest_of(*cones_); }
-std::vector<std::vector<GeodesicField::Arc>> GeodesicField::level_set(double length) const {
-  return level_set_of(*cones_, length);
+std::vector<std::vector<std::vector<GeodesicField::Arc>>> GeodesicField::level_sets(
+    const std::vector<double>& lengths) const {
+  return level_sets_of(*cones_, lengths);
 }
 std::vector<Polyline> GeodesicField::cut_locus(double chord_error) const { return cut_locus_of(*cones_, chord_error); }
 

@@ -14,6 +14,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "geometry/mesh/mesh.hpp"
 
@@ -63,7 +64,10 @@ class GeodesicField {
   /// about the next where the shortest paths to both run along one ray, and ends at walls, at barriers, and where two
   /// different paths around an obstacle meet. A closed chain ends where it begins. Chains are ordered around the
   /// anchor, by the first corner at which their paths part. O(triangles + arcs).
-  std::vector<std::vector<Arc>> level_set(double length) const;
+  std::vector<std::vector<Arc>> level_set(double length) const { return std::move(level_sets({length}).front()); }
+  /// The same for many lengths, ascending. O(triangles + arcs) in all; as many level_set() would each look at all
+  /// triangles.
+  std::vector<std::vector<std::vector<Arc>>> level_sets(const std::vector<double>& lengths) const;
 
   /// The cut locus: the points to which there are two or more shortest paths, different ones around an obstacle. Pieces
   /// of hyperbolas as polylines, with an error of at most `chord_error` metres; one polyline lies in one triangle. They

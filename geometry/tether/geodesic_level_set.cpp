@@ -22,37 +22,48 @@ struct ArcPiece {
   bool begins_at_wall, ends_at_wall;
 };
 
-/// Finds the arcs triangle by triangle.
+/// Finds the arcs at all lengths, triangle by triangle: each is divided into parts once.
 class ArcFinder {
  public:
-  ArcFinder(const GeodesicCones& cones, double length) : cones_(cones), length_(length) {}
+  /// `lengths`: ascending.
+  ArcFinder(const GeodesicCones& cones, const std::vector<double>& lengths)
+      : cones_(cones), lengths_(lengths), pieces_(lengths.size()) {}
 
-  std::vector<ArcPiece> run() {
+  /// By length.
+  std::vector<std::vector<ArcPiece>> run() {
     for (std::int32_t t = 0; t < static_cast<std::int32_t>(cones_.mesh().triangles().size()); ++t)
       cones_.for_each_part(
           t, [&](const Facet& part, std::span<const Cone> here) { return may_be_crossed(part, here); },
           [&](const Facet& part, std::span<const Cone> here) {
-            for (const Cone& cone : here) add_pieces(t, part, here, cone);
+            for (at_ = first_; at_ < end_; ++at_)
+              for (const Cone& cone : here) add_pieces(t, part, here, cone);
           });
     return std::move(pieces_);
   }
 
  private:
-  /// May there be points at this distance in the part? Distances change at most as much as points move.
-  bool may_be_crossed(const Facet& part, std::span<const Cone> here) const {
+  double length() const { return lengths_[at_]; }
+
+  /// May there be points at one of the lengths in the part? Distances change at most as much as points move. Those
+  /// lengths become first_ to end_.
+  bool may_be_crossed(const Facet& part, std::span<const Cone> here) {
     const Point middle = part.middle();
     double radius = 0, least = std::numeric_limits<double>::infinity();
     for (const Point& p : part.vertices()) radius = std::max(radius, distance(p, middle));
     for (const Cone& c : here)
       if (const double d = cones_.distance_by(c, middle); d < least && cones_.contains(c, middle)) least = d;
-    return std::abs(least - length_) <= radius + cones_.tie();
+    const double reach = radius + cones_.tie();
+    first_ = static_cast<std::size_t>(std::ranges::lower_bound(lengths_, least - reach) - lengths_.begin());
+    end_ = first_;
+    while (end_ < lengths_.size() && lengths_[end_] <= least + reach) ++end_;
+    return first_ < end_;
   }
 
   /// The arcs about one cone's root in a part of triangle t. breaks_ are the angles at which such an arc may begin or
   /// end, relative to the direction of the facet's middle.
   void add_pieces(std::int32_t t, const Facet& part, std::span<const Cone> here, const Cone& cone) {
     const Point& centre = cones_.root(cone.root).at;
-    const double radius = length_ - cones_.root(cone.root).before;
+    const double radius = length() - cones_.root(cone.root).before;
     if (radius <= cones_.rounding()) return;
     Facet facet = part;
     cones_.clip(facet, cone);
@@ -71,7 +82,7 @@ class ArcFinder {
     };
     for_each_run(breaks_, is_at_length, [&](double begin, double end) {
       const Arc arc{centre, radius, zero + begin, zero + end};
-      pieces_.push_back({cone.root, arc, at_wall(t, arc.at(arc.begin)), at_wall(t, arc.at(arc.end))});
+      pieces_[at_].push_back({cone.root, arc, at_wall(t, arc.at(arc.begin)), at_wall(t, arc.at(arc.end))});
     });
   }
   /// Empty if the circle does not meet the facet.
@@ -89,7 +100,7 @@ class ArcFinder {
     for (const Cone& o : here) {
       if (o.root == root) continue;
       const GeodesicCones::Root& v = cones_.root(o.root);
-      const double other = length_ - v.before;
+      const double other = length() - v.before;
       if (other <= 0) continue;
       const Point w = v.at - circle.centre;
       for_each_angle(w * (2 * circle.radius), circle.radius * circle.radius + w.squaredNorm() - other * other, add);
@@ -100,7 +111,7 @@ class ArcFinder {
   }
   bool is_reached_before(const Point& x, std::span<const Cone> here) const {
     return std::ranges::any_of(here, [&](const Cone& o) {
-      return cones_.distance_by(o, x) < length_ - cones_.tie() && cones_.contains(o, x);
+      return cones_.distance_by(o, x) < length() - cones_.tie() && cones_.contains(o, x);
     });
   }
   bool at_wall(std::int32_t t, const Point& x) const {
@@ -113,8 +124,9 @@ class ArcFinder {
   }
 
   const GeodesicCones& cones_;
-  const double length_;
-  std::vector<ArcPiece> pieces_;
+  const std::vector<double>& lengths_;
+  std::size_t first_ = 0, end_ = 0, at_ = 0;  // lengths in the present part
+  std::vector<std::vector<ArcPiece>> pieces_;
   std::vector<double> breaks_;
 };
 
@@ -174,11 +186,41 @@ class CircleJoiner {
   std::size_t first_ = 0;  // piece of the present circle, in out_
 };
 
+/// By how much the path to each root turns left at the root before it (at the anchor: its direction), rounded so that
+/// what is collinear up to rounding compares as equal.
+class RootTurns {
+ public:
+  explicit RootTurns(const GeodesicCones& cones) : cones_(cones) {
+    for (std::size_t i = 0; i < cones.roots().size(); ++i) {
+      const GeodesicCones::Root& r = cones.roots()[i];
+      last_.push_back(r.parent == GeodesicCones::kNone ? Turn{} : towards(r.parent, r.at));
+    }
+  }
+  /// Of the path to p whose last bend is at `root`.
+  double left(std::int32_t root, const Point& p) const { return towards(root, p).left; }
+  /// Of the path to a root other than the anchor, at its parent.
+  double left(std::int32_t root) const { return last_[static_cast<std::size_t>(root)].left; }
+
+ private:
+  struct Turn {
+    double heading = 0, left = 0;
+  };
+  Turn towards(std::int32_t root, const Point& p) const {
+    constexpr double kSteps = 0x1p36;  // per radian
+    const Point d = p - cones_.root(root).at;
+    const double heading = std::atan2(d.y(), d.x());
+    const double turn = wrapped(heading - last_[static_cast<std::size_t>(root)].heading);
+    return {heading, std::round(turn * kSteps) / kSteps};
+  }
+  const GeodesicCones& cones_;
+  std::vector<Turn> last_;  // by root: parents come before children
+};
+
 /// Links arcs to chains and sorts these.
 class ChainBuilder {
  public:
-  ChainBuilder(const GeodesicCones& cones, std::vector<ArcPiece> pieces, double near)
-      : cones_(cones), near_(near), pieces_(std::move(pieces)) {}
+  ChainBuilder(const GeodesicCones& cones, const RootTurns& turns, std::vector<ArcPiece> pieces, double near)
+      : cones_(cones), turns_(turns), near_(near), pieces_(std::move(pieces)) {}
 
   std::vector<std::vector<Arc>> run() {
     link();
@@ -248,28 +290,23 @@ class ChainBuilder {
     }
   }
 
-  /// A path from the anchor by its points, and by how much it turns left at each (at the anchor: its direction),
-  /// rounded so that what is collinear up to rounding compares as equal.
+  /// A path from the anchor by its points, and by how much it turns left at each (RootTurns).
   struct Turns {
     std::vector<Point> points;
     std::vector<double> left;
   };
   /// To the middle of an arc.
   Turns turns_to(std::size_t i) const {
-    constexpr double kSteps = 0x1p36;  // per radian
-    Turns path;
     const Arc& arc = pieces_[i].arc;
-    path.points.push_back(arc.at((arc.begin + arc.end) / 2));
-    for (std::int32_t r = pieces_[i].root; r != GeodesicCones::kNone; r = cones_.root(r).parent)
-      path.points.push_back(cones_.root(r).at);
-    std::reverse(path.points.begin(), path.points.end());
-    double before = 0;
-    for (std::size_t k = 1; k < path.points.size(); ++k) {
-      const Point d = path.points[k] - path.points[k - 1];
-      const double angle = std::atan2(d.y(), d.x());
-      path.left.push_back(std::round(wrapped(angle - before) * kSteps) / kSteps);
-      before = angle;
+    std::int32_t root = pieces_[i].root;
+    Turns path{{arc.at((arc.begin + arc.end) / 2)}, {}};
+    path.left.push_back(turns_.left(root, path.points.front()));
+    for (; root != GeodesicCones::kNone; root = cones_.root(root).parent) {
+      path.points.push_back(cones_.root(root).at);
+      if (cones_.root(root).parent != GeodesicCones::kNone) path.left.push_back(turns_.left(root));
     }
+    std::reverse(path.points.begin(), path.points.end());
+    std::reverse(path.left.begin(), path.left.end());
     return path;
   }
   /// Order around the anchor, by the first point at which the paths part. Where one bends about a corner on a straight
@@ -287,6 +324,7 @@ class ChainBuilder {
   }
 
   const GeodesicCones& cones_;
+  const RootTurns& turns_;
   double near_;
   std::vector<ArcPiece> pieces_;
   std::vector<std::size_t> next_;  // by piece; the number of pieces: none
@@ -295,9 +333,14 @@ class ChainBuilder {
 
 }  // namespace
 
-std::vector<std::vector<Arc>> level_set_of(const GeodesicCones& cones, double length) {
+std::vector<std::vector<std::vector<Arc>>> level_sets_of(const GeodesicCones& cones,
+                                                         const std::vector<double>& lengths) {
   const double near = kNear * cones.rounding();
-  return ChainBuilder(cones, CircleJoiner(near).run(ArcFinder(cones, length).run()), near).run();
+  const RootTurns turns(cones);
+  std::vector<std::vector<std::vector<Arc>>> sets;
+  for (std::vector<ArcPiece>& pieces : ArcFinder(cones, lengths).run())
+    sets.push_back(ChainBuilder(cones, turns, CircleJoiner(near).run(std::move(pieces)), near).run());
+  return sets;
 }
 
 }  // namespace oxturn
