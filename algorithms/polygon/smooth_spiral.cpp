@@ -103,6 +103,7 @@ Polyline spiral_of(WaveTree tree, const Params& p, const Problem& problem, const
           : tree.spiral(std::max(1.0, std::ceil(tree.height() / (kStep * w) - 1e-9)), kRootAlone, problem.start());
   Polyline curve = std::move(spiral.spine);
   curve.insert(curve.end(), spiral.laps.begin(), spiral.laps.end());
+  spiral.laps = {};  // millions of points
   curve = rounded_corners(with_fewer_vertices(curve, kSkip * w, connector), kRound * w, connector);
   const Polyline boundary = without_collinear_vertices(spiral.boundary);
   curve.insert(curve.end(), boundary.begin(), boundary.end());
@@ -120,18 +121,21 @@ std::size_t nearest_curve(const std::vector<Polyline>& curves, const Point& from
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const double w = problem.robot().tool_width;
-  const MedialAxis axis = medial_axis(without_holes(straightened_space(problem), p, w, context), kChord * w);
+  MedialAxis axis = medial_axis(without_holes(straightened_space(problem), p, w, context), kChord * w);
   if (context.wants_traces()) {
     std::vector<Polyline> lines;
     for (const MedialAxis::Edge& e : axis.edges) lines.push_back({axis.nodes[e.a].at, axis.nodes[e.b].at});
     context.trace("axis", std::move(lines));
   }
   const Connector connector(problem);
+  std::vector<WaveTree> trees = wave_trees(axis);
+  axis = {};
   std::vector<Polyline> curves;
-  for (WaveTree& tree : wave_trees(axis)) {
+  for (WaveTree& tree : trees) {
     if (context.cancelled()) break;
     curves.push_back(spiral_of(std::move(tree), p, problem, connector));
   }
+  trees.clear();
   context.record("spirals", static_cast<double>(curves.size()));
   PathBuilder path(problem.start());
   while (!curves.empty()) {

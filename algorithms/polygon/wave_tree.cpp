@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "base/disjoint_sets.hpp"
 
@@ -15,21 +16,28 @@ constexpr double kLeastBranch = 1e-6;  // heights of the tree: shorter ones are 
 
 WaveTree::WaveTree(std::vector<Node> nodes, const std::vector<std::pair<std::size_t, std::size_t>>& links,
                    std::vector<std::size_t> leaves)
-    : nodes_(std::move(nodes)), links_(nodes_.size()), leaves_(std::move(leaves)) {
+    : nodes_(std::move(nodes)),
+      links_(2 * links.size()),
+      first_link_(nodes_.size() + 1, 0),
+      leaves_(std::move(leaves)) {
+  for (const auto& [a, b] : links) ++first_link_[a + 1], ++first_link_[b + 1];
+  std::partial_sum(first_link_.begin(), first_link_.end(), first_link_.begin());
+  std::vector<Index> next(first_link_.begin(), first_link_.end() - 1);
   for (const auto& [a, b] : links) {
-    links_[a].push_back(b);
-    links_[b].push_back(a);
+    links_[next[a]++] = static_cast<Index>(b);
+    links_[next[b]++] = static_cast<Index>(a);
   }
   orient();
 }
 
 /// Order, parents and heights from the root.
 void WaveTree::orient() {
-  order_.assign(1, root_);
-  parent_.assign(nodes_.size(), root_);
+  order_.assign(1, static_cast<Index>(root_));
+  order_.reserve(nodes_.size());
+  parent_.assign(nodes_.size(), static_cast<Index>(root_));
   height_.assign(nodes_.size(), 0);
   for (std::size_t k = 0; k < order_.size(); ++k)
-    for (const std::size_t next : links_[order_[k]])
+    for (const Index next : links(order_[k]))
       if (next != parent_[order_[k]]) {
         parent_[next] = order_[k];
         order_.push_back(next);
@@ -43,9 +51,14 @@ void WaveTree::orient() {
 std::size_t WaveTree::add(const Node& node, std::size_t a, std::size_t b) {
   const std::size_t added = nodes_.size();
   nodes_.push_back(node);
-  links_.push_back({a, b});
-  std::ranges::replace(links_[a], b, added);
-  std::ranges::replace(links_[b], a, added);
+  for (const std::size_t end : {a, b}) {
+    Index* const begin = links_.data();
+    std::replace(begin + first_link_[end], begin + first_link_[end + 1], static_cast<Index>(end == a ? b : a),
+                 static_cast<Index>(added));
+  }
+  links_.push_back(static_cast<Index>(a));
+  links_.push_back(static_cast<Index>(b));
+  first_link_.push_back(static_cast<Index>(links_.size()));
   return added;
 }
 
@@ -56,7 +69,7 @@ std::vector<double> WaveTree::distances(std::size_t from) const {
   while (!open.empty()) {
     const std::size_t at = open.back();
     open.pop_back();
-    for (const std::size_t next : links_[at])
+    for (const Index next : links(at))
       if (far[next] < 0) {
         far[next] = far[at] + distance(nodes_[at].at, nodes_[next].at);
         open.push_back(next);
@@ -106,7 +119,7 @@ double WaveTree::greatest_clearance() const {
 
 /// Nodes where branches pass a height above the boundary.
 void WaveTree::cut_at(double height) {
-  const std::vector<std::size_t> order = order_, parent = parent_;
+  const std::vector<Index> order = order_, parent = parent_;
   for (std::size_t k = 1; k < order.size(); ++k) {
     const std::size_t q = order[k], p = parent[q];
     const double size = distance(nodes_[p].at, nodes_[q].at), below = height - height_[q];
@@ -167,7 +180,7 @@ Polyline WaveTree::walk_spine(std::size_t from, std::size_t to) const {
   std::vector<std::size_t> before(nodes_.size(), nodes_.size()), open{from};
   before[from] = from;
   for (std::size_t k = 0; k < open.size(); ++k)
-    for (const std::size_t next : links_[open[k]])
+    for (const Index next : links(open[k]))
       if (before[next] == nodes_.size()) {
         before[next] = open[k];
         open.push_back(next);
@@ -183,7 +196,7 @@ Polyline WaveTree::walk_spine(std::size_t from, std::size_t to) const {
   std::vector<Visit> stack{{from, from}};
   while (!stack.empty()) {
     Visit& v = stack.back();
-    const std::vector<std::size_t>& links = links_[v.node];
+    const std::span<const Index> links = this->links(v.node);
     std::size_t child = nodes_.size();
     while (v.next < links.size() && child == nodes_.size()) {
       const std::size_t c = links[v.next++];
@@ -205,21 +218,21 @@ Polyline WaveTree::walk_spine(std::size_t from, std::size_t to) const {
   return walk;
 }
 
-std::vector<WaveTree::Crossing> WaveTree::path_to(std::size_t leaf) const {
-  std::vector<Crossing> path;
+void WaveTree::path_to(std::size_t leaf, std::vector<Crossing>& path) const {
+  path.clear();
   for (std::size_t at = leaf;; at = parent_[at]) {
     path.push_back({time_[at], nodes_[at].at});
     if (time_[at] == 0) break;
   }
   std::ranges::reverse(path);
-  return path;
 }
 
-Point WaveTree::wave_at(const std::vector<Crossing>& path, double time) const {
-  std::size_t k = 0;
-  while (k + 1 < path.size() && path[k + 1].time <= time) ++k;
-  if (k + 1 == path.size()) return path[k].at;
-  return lerp(path[k].at, path[k + 1].at, (time - path[k].time) / (path[k + 1].time - path[k].time));
+Point WaveTree::wave_at(const std::vector<Crossing>& path, double time, std::size_t& passed) const {
+  while (passed + 1 < path.size() && path[passed + 1].time <= time) ++passed;
+  const Crossing& before = path[passed];
+  if (passed + 1 == path.size()) return before.at;
+  const Crossing& after = path[passed + 1];
+  return lerp(before.at, after.at, (time - before.time) / (after.time - before.time));
 }
 
 std::size_t WaveTree::begin_spiral(WaveSpiral& spiral, double start_height, const Point& near) {
@@ -247,9 +260,11 @@ WaveSpiral WaveTree::spiral(double laps, double start_height, const Point& near)
   const double each = laps * static_cast<double>(n);
   const auto count = static_cast<std::size_t>(std::ceil(each - 1e-9));
   spiral.laps.resize(count);
+  std::vector<Crossing> path;
   for (std::size_t j = 0; j < std::min(n, count); ++j) {
-    const std::vector<Crossing> path = path_to(leaves_[(first + j) % n]);
-    for (std::size_t i = j; i < count; i += n) spiral.laps[i] = wave_at(path, static_cast<double>(i) / each);
+    path_to(leaves_[(first + j) % n], path);
+    std::size_t passed = 0;
+    for (std::size_t i = j; i < count; i += n) spiral.laps[i] = wave_at(path, static_cast<double>(i) / each, passed);
   }
   spiral.boundary = boundary_from((first + count) % n);
   return spiral;
@@ -258,7 +273,8 @@ WaveSpiral WaveTree::spiral(double laps, double start_height, const Point& near)
 WaveSpiral WaveTree::closed_laps(double laps, double start_height, const Point& near) {
   WaveSpiral spiral;
   const std::size_t first = begin_spiral(spiral, start_height, near), n = leaves_.size();
-  const std::vector<Crossing> link = path_to(leaves_[first]);
+  std::vector<Crossing> link, path;
+  path_to(leaves_[first], link);
   const double rings = std::max(0.0, std::ceil(laps - 1e-9) - 1);
   double last = 0;
   const auto link_to = [&](double time) {
@@ -271,7 +287,11 @@ WaveSpiral WaveTree::closed_laps(double laps, double start_height, const Point& 
   for (double ring = rings; ring > 0; --ring) {
     const double time = 1 - ring / laps;
     link_to(time);
-    for (std::size_t j = 0; j <= n; ++j) spiral.laps.push_back(wave_at(path_to(leaves_[(first + j) % n]), time));
+    for (std::size_t j = 0; j <= n; ++j) {
+      path_to(leaves_[(first + j) % n], path);
+      std::size_t passed = 0;
+      spiral.laps.push_back(wave_at(path, time, passed));
+    }
   }
   link_to(1);
   spiral.boundary = boundary_from(first);

@@ -17,7 +17,9 @@
 /// After Held and Spielberger 2009. O(l (d + m)) for l leaves at depth d and m laps.
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "geometry/mesh/medial_axis.hpp"
@@ -63,6 +65,7 @@ class WaveTree {
   WaveSpiral closed_laps(double laps, double start_height, const Point& near);
 
  private:
+  using Index = std::uint32_t;
   struct Crossing {
     double time;
     Point at;
@@ -75,18 +78,24 @@ class WaveTree {
   std::size_t spine_end(std::size_t from) const;
   Polyline walk_spine(std::size_t from, std::size_t to) const;
   std::size_t start_of(std::size_t node) const;  // its last ancestor, or itself, at time 0
-  std::vector<Crossing> path_to(std::size_t leaf) const;
-  Point wave_at(const std::vector<Crossing>& path, double time) const;
+  void path_to(std::size_t leaf, std::vector<Crossing>& path) const;
+  /// At a time not before the last one, whose crossing is `passed` (0 at first).
+  Point wave_at(const std::vector<Crossing>& path, double time, std::size_t& passed) const;
   /// Arrivals; the spine to the first leaf, whose index is returned.
   std::size_t begin_spiral(WaveSpiral& spiral, double start_height, const Point& near);
   Polyline boundary_from(std::size_t leaf) const;
 
+  /// The nodes linked with a node.
+  std::span<const Index> links(std::size_t node) const {
+    return {links_.data() + first_link_[node], links_.data() + first_link_[node + 1]};
+  }
+
   std::vector<Node> nodes_;
-  std::vector<std::vector<std::size_t>> links_;
+  std::vector<Index> links_, first_link_;  // by node, one after the other; where those of each begin, and the end
   std::vector<std::size_t> leaves_;
   std::size_t root_ = 0;
   // Of the rooted tree: nodes, parents first; and by node.
-  std::vector<std::size_t> order_, parent_;
+  std::vector<Index> order_, parent_;
   std::vector<double> height_, time_;
 };
 

@@ -19,18 +19,82 @@ using Skeleton = CGAL::Straight_skeleton_2<Kernel>;
 using Traits = CGAL::Straight_skeleton_builder_traits_2<Kernel>;
 
 /// Makes CGAL's builder one that looks for splits near by. CGAL tests each reflex vertex against all edges, and looks
-/// at all reflex vertices after each event: O(n^2). The members specialised below do neither; the skeleton is the same.
+/// at all reflex vertices after each event: O(n^2). To compare two events, whose times it keeps, it first converts all
+/// edges that they come from. The members specialised below do none of this; the skeleton is the same.
 struct NearBy : CGAL::Dummy_straight_skeleton_builder_2_visitor<Skeleton> {
   mutable std::optional<SplitCandidates> candidates;
 };
 using Builder = CGAL::Straight_skeleton_builder_2<Traits, Skeleton, NearBy>;
 
+using Trisegment = Traits::Trisegment_2_ptr;
+
 Point to_point(const Kernel::Point_2& p) { return {p.x(), p.y()}; }
+
+template <class To>
+using Converter = CGAL::CGAL_SS_i::SS_converter<CGAL::Cartesian_converter<Kernel, To>>;
+
+/// Three lines, none of them on another: their event depends on nothing else.
+bool is_normal(const Trisegment& event) { return event->collinearity() == CGAL::TRISEGMENT_COLLINEARITY_NONE; }
+
+/// The order of two events as CGAL compares them, with the numbers of a kernel. Unknown if rounding leaves it open.
+template <class To, class Caches>
+CGAL::Uncertain<CGAL::Comparison_result> compare_times(Caches& caches, const Trisegment& a, const Trisegment& b) {
+  const auto unknown = CGAL::Uncertain<CGAL::Comparison_result>::indeterminate();
+  for (const Trisegment& event : {a, b}) {
+    if (caches.mTime_cache.IsCached(event->id())) continue;
+    if (!is_normal(event)) return unknown;
+    CGAL::CGAL_SS_i::compute_offset_lines_isec_timeC2(Converter<To>().cvt_single_trisegment(event), caches.mTime_cache,
+                                                      caches.mCoeff_cache);
+  }
+  const auto &at = caches.mTime_cache.Get(a->id()), &bt = caches.mTime_cache.Get(b->id());
+  if (!at || !bt) return unknown;
+  const auto first = at->to_quotient(), second = bt->to_quotient();
+  const bool positive =
+      CGAL::certainly(CGAL::certified_is_positive(first)) && CGAL::certainly(CGAL::certified_is_positive(second));
+  return positive ? CGAL::certified_compare(first, second) : unknown;
+}
+
+/// Certainly, do two events lie at different points?
+template <class To, class Caches>
+bool apart(Caches& caches, const Trisegment& a, const Trisegment& b) {
+  if (!is_normal(a) || !is_normal(b)) return false;
+  const auto at = [&](const Trisegment& event) {
+    return CGAL::CGAL_SS_i::construct_offset_lines_isecC2(Converter<To>().cvt_single_trisegment(event),
+                                                          caches.mCoeff_cache);
+  };
+  const auto p = at(a), q = at(b);
+  return p && q &&
+         (CGAL::certainly_not(CGAL::certified_is_equal(p->x(), q->x())) ||
+          CGAL::certainly_not(CGAL::certified_is_equal(p->y(), q->y())));
+}
 
 }  // namespace
 }  // namespace oxturn
 
 namespace CGAL {
+
+template <>
+Comparison_result oxturn::Builder::CompareEvents(Trisegment_2_ptr const& a, Trisegment_2_ptr const& b) const {
+  {
+    const Traits::Protector rounding;
+    const auto known = oxturn::compare_times<oxturn::Kernel::Approximate_kernel>(mTraits.mApproximate_traits, a, b);
+    if (is_certain(known)) return get_certain(known);
+  }
+  const auto known = oxturn::compare_times<oxturn::Kernel::Exact_kernel>(mTraits.mExact_traits, a, b);
+  if (is_certain(known)) return get_certain(known);
+  return Compare_ss_event_times_2(mTraits)(a, b);
+}
+
+/// Of edges that are parallel in pairs many events have the same time, but few the same point.
+template <>
+bool oxturn::Builder::AreEventsSimultaneous(Trisegment_2_ptr const& a, Trisegment_2_ptr const& b) const {
+  if (CompareEvents(a, b) != EQUAL) return false;
+  {
+    const Traits::Protector rounding;
+    if (oxturn::apart<oxturn::Kernel::Approximate_kernel>(mTraits.mApproximate_traits, a, b)) return false;
+  }
+  return Are_ss_events_simultaneous_2(mTraits)(a, b);
+}
 
 template <>
 void oxturn::Builder::CollectSplitEvents(Vertex_handle node, Triedge const& previous) {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
 #include "random_region.hpp"
 #include "tests/support/seeds.hpp"
@@ -76,6 +77,21 @@ TEST(StraightSkeleton, AmongObstaclesIsThatOfAllPairs) {
     const Region clutter = clutter_box(rng, 4, 2, seed % 3 == 0);
     expect_same(clutter);
     expect_same(erode(clutter, 0.04, 1e-3, Bound::inside));  // round vertices, and parts of their own
+  }
+}
+
+// Parallel edges, in which many events have exactly the same time, at the same point and elsewhere.
+TEST(StraightSkeleton, BetweenSquaresIsThatOfAllPairs) {
+  for (const auto seed : seeds(10)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    Region region = box_region({0, 0}, {12, 12});
+    for (double x = 1; x < 12; x += 2)
+      for (double y = 1; y < 12; y += 2) {
+        const Point size(1, 0.5 * rng.between(1, 2));
+        if (rng.chance(0.7)) region = subtract(region, box_region({x, y}, Point(x, y) + size));
+      }
+    expect_same(region);
   }
 }
 
