@@ -3,6 +3,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Straight_skeleton_builder_2.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -26,6 +29,7 @@ struct NearBy : CGAL::Dummy_straight_skeleton_builder_2_visitor<Skeleton> {
 };
 using Builder = CGAL::Straight_skeleton_builder_2<Traits, Skeleton, NearBy>;
 
+constexpr double kClearly = 1e-8;  // of a time: by which two differ certainly
 using Trisegment = Traits::Trisegment_2_ptr;
 
 Point to_point(const Kernel::Point_2& p) { return {p.x(), p.y()}; }
@@ -36,19 +40,26 @@ using Converter = CGAL::CGAL_SS_i::SS_converter<CGAL::Cartesian_converter<Kernel
 /// Three lines, none of them on another: their event depends on nothing else.
 bool is_normal(const Trisegment& event) { return event->collinearity() == CGAL::TRISEGMENT_COLLINEARITY_NONE; }
 
+/// When an event happens, with the numbers of a kernel; nullptr if more than three lines decide it.
+template <class To, class Caches>
+auto time_of(Caches& caches, const Trisegment& event) -> decltype(&caches.mTime_cache.Get(0)) {
+  if (!caches.mTime_cache.IsCached(event->id())) {
+    if (!is_normal(event)) return nullptr;
+    CGAL::CGAL_SS_i::compute_offset_lines_isec_timeC2(Converter<To>().cvt_single_trisegment(event), caches.mTime_cache,
+                                                      caches.mCoeff_cache);
+  }
+  return &caches.mTime_cache.Get(event->id());
+}
+
 /// The order of two events as CGAL compares them, with the numbers of a kernel. Unknown if rounding leaves it open.
 template <class To, class Caches>
 CGAL::Uncertain<CGAL::Comparison_result> compare_times(Caches& caches, const Trisegment& a, const Trisegment& b) {
   const auto unknown = CGAL::Uncertain<CGAL::Comparison_result>::indeterminate();
-  for (const Trisegment& event : {a, b}) {
-    if (caches.mTime_cache.IsCached(event->id())) continue;
-    if (!is_normal(event)) return unknown;
-    CGAL::CGAL_SS_i::compute_offset_lines_isec_timeC2(Converter<To>().cvt_single_trisegment(event), caches.mTime_cache,
-                                                      caches.mCoeff_cache);
-  }
-  const auto &at = caches.mTime_cache.Get(a->id()), &bt = caches.mTime_cache.Get(b->id());
-  if (!at || !bt) return unknown;
-  const auto first = at->to_quotient(), second = bt->to_quotient();
+  if (!time_of<To>(caches, a)) return unknown;
+  const auto* bt = time_of<To>(caches, b);
+  const auto* at = time_of<To>(caches, a);  // again: the cache may have moved
+  if (!bt || !*at || !*bt) return unknown;
+  const auto first = (*at)->to_quotient(), second = (*bt)->to_quotient();
   const bool positive =
       CGAL::certainly(CGAL::certified_is_positive(first)) && CGAL::certainly(CGAL::certified_is_positive(second));
   return positive ? CGAL::certified_compare(first, second) : unknown;
@@ -94,6 +105,44 @@ bool oxturn::Builder::AreEventsSimultaneous(Trisegment_2_ptr const& a, Trisegmen
     if (oxturn::apart<oxturn::Kernel::Approximate_kernel>(mTraits.mApproximate_traits, a, b)) return false;
   }
   return Are_ss_events_simultaneous_2(mTraits)(a, b);
+}
+
+/// Of splits that tie, those tried first; CGAL takes the one at the lower address, which memory's use decides.
+template <>
+bool oxturn::Builder::Split_event_compare::operator()(EventPtr const& a, EventPtr const& b) const {
+  Comparison_result order = EQUAL;
+  if (mBuilder->AreEventsSimultaneous(a, b)) {
+    mBuilder->GetVertexData(mV).mHasSimultaneousEvents = true;
+    order = mBuilder->CompareEventsSupportAngles(a, b);
+  } else {
+    order = mBuilder->CompareEvents(a, b);
+  }
+  return order == EQUAL ? a->trisegment()->id() < b->trisegment()->id() : order == LARGER;
+}
+
+/// Events in the queue have a time that is certain to a tenth of kClearly, or none, until they happen.
+template <>
+void oxturn::Builder::InsertEventInPQ(EventPtr event) {
+  double time = std::numeric_limits<double>::quiet_NaN();
+  {
+    const Traits::Protector rounding;
+    const auto* known =
+        oxturn::time_of<oxturn::Kernel::Approximate_kernel>(mTraits.mApproximate_traits, event->trisegment());
+    if (known && *known) {
+      const auto within = (*known)->to_nt();
+      if (within.inf() > 0 && within.sup() - within.inf() < oxturn::kClearly / 10 * within.inf()) time = within.inf();
+    }
+  }
+  event->SetTimeAndPoint(time, {0, 0});
+  mPQ.push(event);
+}
+
+/// The queue of all events is far larger than caches of processors: what is in the events themselves decides first.
+template <>
+bool oxturn::Builder::Event_compare::operator()(EventPtr const& a, EventPtr const& b) const {
+  const double at = a->time(), bt = b->time();
+  if (std::abs(at - bt) > oxturn::kClearly * std::max(at, bt)) return at > bt;
+  return mBuilder->CompareEvents(a, b) == LARGER;
 }
 
 template <>

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
@@ -80,18 +82,41 @@ TEST(StraightSkeleton, AmongObstaclesIsThatOfAllPairs) {
   }
 }
 
+Polygon between_squares(Rng& rng) {
+  Region region = box_region({0, 0}, {12, 12});
+  for (double x = 1; x < 12; x += 2)
+    for (double y = 1; y < 12; y += 2) {
+      const Point size(1, 0.5 * rng.between(1, 2));
+      if (rng.chance(0.7)) region = subtract(region, box_region({x, y}, Point(x, y) + size));
+    }
+  return region.polygons[0];
+}
+
 // Parallel edges, in which many events have exactly the same time, at the same point and elsewhere.
 TEST(StraightSkeleton, BetweenSquaresIsThatOfAllPairs) {
   for (const auto seed : seeds(10)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
-    Region region = box_region({0, 0}, {12, 12});
-    for (double x = 1; x < 12; x += 2)
-      for (double y = 1; y < 12; y += 2) {
-        const Point size(1, 0.5 * rng.between(1, 2));
-        if (rng.chance(0.7)) region = subtract(region, box_region({x, y}, Point(x, y) + size));
-      }
-    expect_same(region);
+    expect_same({{between_squares(rng)}});
+  }
+}
+
+// Memory with gaps, so that what is made later does not lie at higher addresses.
+TEST(StraightSkeleton, DoesNotDependOnAddresses) {
+  for (const auto seed : seeds(5)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Polygon polygon = between_squares(rng);
+    const StraightSkeleton first = straight_skeleton(polygon);
+    std::vector<std::vector<char>> blocks(50'000);
+    for (std::vector<char>& block : blocks) block.resize(static_cast<std::size_t>(rng.between(8, 300)));
+    rng.shuffle(blocks);
+    blocks.resize(blocks.size() / 2);
+    const StraightSkeleton second = straight_skeleton(polygon);
+    const auto arc = [](const StraightSkeleton::Arc& a) { return std::tuple(a.low, a.high, a.faces[0], a.faces[1]); };
+    EXPECT_TRUE(std::ranges::equal(first.arcs, second.arcs, {}, arc, arc));
+    const auto node = [](const StraightSkeleton::Node& n) { return std::tuple(n.time, n.at.x(), n.at.y()); };
+    EXPECT_TRUE(std::ranges::equal(first.nodes, second.nodes, {}, node, node));
   }
 }
 
