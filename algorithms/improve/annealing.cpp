@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace oxturn {
 namespace {
@@ -12,19 +13,14 @@ constexpr double kPriceRange = 6;  // times and parts of the first price that it
 
 }  // namespace
 
-Annealing::Annealing(const Problem& problem, const Region& target, const Polyline& points, const Options& options)
-    : walls_(problem.walls()),
+Annealing::Annealing(const EdgeIndex& walls, VertexPath path, Witnesses witnesses, double tool_width,
+                     const Options& options)
+    : walls_(walls),
       options_(options),
       price_(options.price),
-      path_(points, problem.robot().tool_width),
-      witnesses_(target, options.cell, options.radius),
-      moves_({problem.robot().tool_width, options.least_shift, options.most_shift}, options.fixed_end,
-             problem.walls()) {
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    witnesses_.capsule(points[i - 1], points[i], added_[0]);
-    witnesses_.add(added_[0]);
-  }
-}
+      path_(std::move(path)),
+      witnesses_(std::move(witnesses)),
+      moves_({tool_width, options.least_shift, options.most_shift}, walls) {}
 
 bool Annealing::legal(const Edges& edges) const {
   return std::ranges::all_of(edges, [&](const Edge& e) { return walls_.contains(e.a, e.b); });
@@ -34,7 +30,8 @@ bool Annealing::try_move(double temperature, Rng& rng) {
   const std::optional<Change> change = moves_.propose(path_, rng);
   if (!change) return false;
   const double most = -temperature * std::log(1 - rng.unit());  // that the energy may rise
-  const double longer = change->added.length() - change->removed.length();
+  double longer = change->added.length() - change->removed.length();
+  if (options_.turn > 0) longer += options_.turn * change->turning(path_);
   const double each = price_ * witnesses_.area_each();
   if (longer - each * static_cast<double>(witnesses_.uncovered()) > most || !legal(change->added)) return false;
   const auto capsules = [&](const Edges& edges, std::array<Witnesses::Capsule, 4>& out) {
@@ -59,6 +56,10 @@ void Annealing::run(const Schedule& schedule, Rng& rng, const Context& context) 
       if (context.cancelled()) return;
       const double done = static_cast<double>(k) / static_cast<double>(schedule.moves);
       temperature = schedule.hot * std::pow(schedule.cold / schedule.hot, done);
+      if (!options_.floating) {
+        try_move(temperature, rng);
+        continue;
+      }
       const double excess = uncovered() / options_.uncovered - 1;
       price_ = std::clamp(price_ * std::exp(std::clamp(kDearer * excess, kCheaper, kDearer)),
                           options_.price / kPriceRange, options_.price * kPriceRange);

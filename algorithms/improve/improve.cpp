@@ -8,9 +8,9 @@
 #include <thread>
 #include <utility>
 
-#include "algorithms/improve/annealing.hpp"
 #include "algorithms/improve/completion.hpp"
 #include "algorithms/improve/wall_following.hpp"
+#include "algorithms/improve/windows.hpp"
 #include "algorithms/lanes/inner_space.hpp"
 #include "geometry/uniform_grid.hpp"
 
@@ -23,7 +23,6 @@ constexpr double kCoarseCell = 1.0 / 20, kMiddleCell = 1.0 / 40, kFineCell = 1.0
 constexpr double kMargin = 0.003;     // by which the tool is narrower at first, so that lanes can be moved afterwards
 constexpr double kBesideWall = 0.05;  // edges nearer to a wall are moved to it
 constexpr double kStraight = 0.005;   // vertices nearer to their chord are dropped at the beginning
-constexpr double kMostPoints = 4e7;   // of a raster
 // The price of uncovered area is 1 / w times kPrice at an uncovered share of kPriceAt, and grows with a power of that.
 // Where closing begins, it is kMostPrice times as much at most: at high prices no lane moves any more.
 constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4, kMostPrice = 2.5;
@@ -39,8 +38,9 @@ constexpr double kLeastShift = 0.001, kMostShift = 0.1;  // of vertices in closi
 constexpr int kMostRounds = 10;
 constexpr long kLeastMoves = 5000;      // of a round
 constexpr double kShortDetours = 1.03;  // times the path's length, of a path with detours that is worth going on with
-// Moves for each square of the tool's width, and in all at most, if the user names no number.
-constexpr double kMovesEach = 4000, kMostMoves = 2e6;
+// Moves for each square of the tool's width in the target, of the first ones and of the others, if the user names no
+// number.
+constexpr double kMovesEach = 4000, kMovesOfMore = 100, kFirstSquares = 500;
 
 /// Without vertices that lie on the chord of their neighbours, as those of finely sampled arcs.
 Polyline straightened(const Polyline& points, double tolerance, const EdgeIndex& walls) {
@@ -93,6 +93,7 @@ class Improver {
         completion_(problem, how.coverage),
         walls_(problem.walls()),
         width_(problem.robot().tool_width),
+        turn_(how.objective == "time" ? problem.robot().speed / problem.robot().turn_rate : 0),
         share_(std::max(completion_.allowed() / area(problem.target()), kLeastUncovered)),
         narrow_(nearly_all() ? reachable_target(problem, kMargin * width_, Completion::kChord) : Region{}) {}
 
@@ -120,10 +121,6 @@ class Improver {
   }
 
  private:
-  struct Annealed {
-    Polyline points;
-    double energy, price;
-  };
   /// Each round allows as much to be uncovered on the raster as leaves what is allowed uncovered in truth.
   void close_in_rounds(Annealed now) {
     const int rounds = std::min(kMostRounds, 1 + static_cast<int>(moves(kClosing) / kLeastMoves));
@@ -143,30 +140,28 @@ class Improver {
       now = annealed(now.points, options, {moves(kClosing / rounds), kCool * width_, cold * width_}, context_.rng());
     }
   }
+  double cost(const Polyline& points) const { return length(points) + (turn_ > 0 ? turn_ * turning(points) : 0); }
   bool nearly_all() const { return share_ < kNearlyAll; }
   long moves(double share) const {
-    const double all =
-        how_.moves > 0 ? how_.moves : std::min(kMostMoves, kMovesEach * area(completion_.target()) / (width_ * width_));
+    const double squares = area(completion_.target()) / (width_ * width_), first = std::min(squares, kFirstSquares);
+    const double all = how_.moves > 0 ? how_.moves : kMovesEach * first + kMovesOfMore * (squares - first);
     return static_cast<long>(share * all);
   }
   Annealing::Options coarse() const { return raster(kCoarseCell, nearly_all() ? kMargin : 0); }
   Annealing::Options middle() const { return raster(kMiddleCell, nearly_all() ? kMargin : 0); }
   Annealing::Options raster(double cell, double margin) const {
-    const Point size = bounding_box(completion_.target()).size();
-    return {.cell = std::max(cell * width_, std::sqrt(size.x() * size.y() / kMostPoints)),
+    return {.cell = cell * width_,
             .radius = (0.5 - margin) * width_,
             .uncovered = share_ * area(completion_.target()),
             .price = kPrice / width_ * std::pow(share_ / kPriceAt, kPricePower),
+            .turn = turn_,
             .fixed_end = how_.return_home};
   }
   Annealed annealed(const Polyline& points, const Annealing::Options& options, const Annealing::Schedule& schedule,
                     Rng& rng) const {
     const bool narrow = options.radius < width_ / 2;
-    Annealing annealing(problem_, narrow ? narrow_ : completion_.target(), points, options);
-    annealing.focus(focus_);
-    annealing.run(schedule, rng, context_);
-    const double excess = std::max(0.0, annealing.uncovered() - options.uncovered);
-    return {annealing.points(), length(annealing.points()) + options.price * excess, annealing.price()};
+    return oxturn::annealed(problem_, narrow ? narrow_ : completion_.target(), points, options, schedule, focus_, rng,
+                            context_);
   }
 
   /// Offers the path. What it leaves uncovered, square metres; it goes on with its detours if these are short.
@@ -196,13 +191,17 @@ class Improver {
     for (int k = 1; k < how_.threads; ++k) others.emplace_back(work);
     work();
     others.clear();
-    return std::ranges::min_element(results, {}, &Annealed::energy)->points;
+    const Annealing::Options options = coarse();
+    const auto energy = [&](const Annealed& a) {
+      return cost(a.points) + options.price * std::max(0.0, a.uncovered - options.uncovered);
+    };
+    return std::ranges::min_element(results, {}, energy)->points;
   }
 
   /// The path completed, or as it is if cancelled. It is kept if it is the best one so far.
   Polyline offer(const Polyline& points, Region uncovered) {
     Polyline whole = context_.cancelled() ? points : completion_.completed(points, std::move(uncovered), context_);
-    if (best_.empty() || (!context_.cancelled() && length(whole) < length(best_))) {
+    if (best_.empty() || (!context_.cancelled() && cost(whole) < cost(best_))) {
       best_ = whole;
       context_.publish(driven(best_));
     }
@@ -215,6 +214,7 @@ class Improver {
   const Completion completion_;
   const WallFollowing walls_;
   double width_;
+  double turn_;               // metres that a turn by a radian counts
   double share_;              // of the target that annealing may leave uncovered
   const Region narrow_;       // what the narrower tool can cover
   std::vector<Point> focus_;  // what the last path that was completed left uncovered
@@ -227,9 +227,12 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
   static const std::vector<Parameter<Improvement>> all{
       {"coverage", &Improvement::coverage, Range{0, 1, true}, "share of the target that is to be covered"},
       {"moves", &Improvement::moves, Range{0, 1e9},
-       "moves of annealing; 0: 4000 for each square of the tool's width in the target, at most 2e6"},
+       "moves of annealing; 0: 4000 for each of the first 500 squares of the tool's width in the target, 100 for each "
+       "other"},
       {"return_home", &Improvement::return_home, "end where the path starts"},
       {"temperature", &Improvement::temperature, Range{1e-6, 10}, "of annealing, to begin with, in tool widths"},
+      {"objective", &Improvement::objective, Choices{"length", "time"},
+       "what is made least; time: turns count, at the robot's turn rate and speed"},
       {"threads", &Improvement::threads, Range{1, 256}, "that work at a time; they do not change the path"}};
   return all;
 }

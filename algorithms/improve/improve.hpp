@@ -8,10 +8,14 @@
 /// paths is the result, so the coverage never depends on convergence, and the result is never longer than any path
 /// given, completed in the same manner. The tool is on all along.
 ///
+/// With `objective = time`, a turn counts as far as the robot drives while it turns on the spot, and the path is the
+/// one that takes the least time in this sense.
+///
 /// Source      ours
 /// Complexity  a few microseconds a move, and O(m log m) for a path of m segments in each round
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "algorithms/context.hpp"
@@ -26,6 +30,7 @@ struct Improvement {
   bool return_home = false;   // the path ends where it starts
   double temperature = 0.05;  // to begin with, in tool widths
   int threads = 1;            // which does not change the result
+  std::string objective = "length";
 };
 /// Their description, for planners that improve paths.
 const std::vector<Parameter<Improvement>>& improvement_parameters();

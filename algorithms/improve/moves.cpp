@@ -15,6 +15,48 @@ constexpr double kPartner = 2.2;                     // distance of vertices for
 constexpr double kSnapFrom = 0.1, kTouch = 1e-6;     // from a wall
 constexpr std::uint64_t kMostMoved = 8;              // vertices that Or-opt moves
 
+/// Up to three pairs of neighbours.
+struct Links {
+  std::array<std::pair<std::size_t, std::size_t>, 3> pairs{};
+  std::size_t size = 0;
+
+  /// Nothing if the second one is behind the path's end.
+  void add(const VertexPath& path, std::size_t a, std::size_t b) {
+    if (a < path.size() && b < path.size()) pairs[size++] = {a, b};
+  }
+};
+
+/// By how much turning grows at the ends of the links that go. The path's direction is of no importance.
+double turning_of_links(const VertexPath& path, const Links& out, const Links& in) {
+  double sum = 0;
+  std::array<std::size_t, 6> done{};
+  std::size_t done_count = 0;
+  const auto turn = [&](const std::vector<std::size_t>& beside, std::size_t i) {
+    return beside.size() == 2 ? turn_at(path[beside[0]], path[i], path[beside[1]]) : 0;
+  };
+  const auto change_at = [&](std::size_t i) {
+    if (std::find(done.begin(), done.begin() + static_cast<std::ptrdiff_t>(done_count), i) !=
+        done.begin() + static_cast<std::ptrdiff_t>(done_count))
+      return;
+    done[done_count++] = i;
+    std::vector<std::size_t> beside;
+    if (i > 0) beside.push_back(i - 1);
+    if (i + 1 < path.size()) beside.push_back(i + 1);
+    sum -= turn(beside, i);
+    for (const auto& [a, b] : std::span(out.pairs).first(out.size))
+      if (a == i || b == i) std::erase(beside, a == i ? b : a);
+    for (const auto& [a, b] : std::span(in.pairs).first(in.size))
+      if (a == i || b == i) beside.push_back(a == i ? b : a);
+    sum += turn(beside, i);
+  };
+  for (const Links* links : {&out, &in})
+    for (const auto& [a, b] : std::span(links->pairs).first(links->size)) {
+      change_at(a);
+      change_at(b);
+    }
+  return sum;
+}
+
 }  // namespace
 
 std::optional<Point> on_wall(const Point& p, const EdgeIndex& walls, double width, bool vertex) {
@@ -41,6 +83,47 @@ void Change::apply(VertexPath& path) const {
     case Kind::relocate:
       return path.relocate(first, last, after, turned);
   }
+}
+
+double turn_at(const Point& a, const Point& b, const Point& c) {
+  const Point in = b - a, out = c - b;
+  if (in == Point(0, 0) || out == Point(0, 0)) return 0;
+  return std::abs(std::atan2(cross(in, out), in.dot(out)));
+}
+
+double turning(const Polyline& path) {
+  double sum = 0;
+  for (std::size_t i = 2; i < path.size(); ++i) sum += turn_at(path[i - 2], path[i - 1], path[i]);
+  return sum;
+}
+
+double Change::turning(const VertexPath& path) const {
+  if (kind == Kind::replace) return turning_of_replaced(path);
+  Links out, in;
+  if (kind == Kind::reverse) {
+    out.add(path, first - 1, first);
+    in.add(path, first - 1, last);
+    out.add(path, last, last + 1);
+    in.add(path, first, last + 1);
+  } else {
+    out.add(path, first - 1, first);
+    out.add(path, last, last + 1);
+    in.add(path, first - 1, last + 1);
+    out.add(path, after, after + 1);
+    in.add(path, after, turned ? last : first);
+    in.add(path, turned ? first : last, after + 1);
+  }
+  return turning_of_links(path, out, in);
+}
+
+double Change::turning_of_replaced(const VertexPath& path) const {
+  const std::size_t from = first < 2 ? 0 : first - 2, to = std::min(path.size(), last + 2);
+  Polyline old, next;
+  for (std::size_t i = from; i < to; ++i) old.push_back(path[i]);
+  for (std::size_t i = from; i < first; ++i) next.push_back(path[i]);
+  next.insert(next.end(), points.begin(), points.begin() + static_cast<std::ptrdiff_t>(point_count));
+  for (std::size_t i = last; i < to; ++i) next.push_back(path[i]);
+  return oxturn::turning(next) - oxturn::turning(old);
 }
 
 double Moves::spread(Rng& rng) const {
@@ -145,7 +228,7 @@ std::optional<Change> Moves::remove(const VertexPath& path, std::size_t i) const
 }
 
 std::optional<Change> Moves::split(const VertexPath& path, std::size_t i, Rng& rng) const {
-  if (i == 0) return std::nullopt;
+  if (i == 0 || path.edge_fixed(i)) return std::nullopt;
   const Point at = lerp(path[i - 1], path[i], rng.unit());
   return replaced(path, i, 0, std::array<Point, 1>{at + cloud(rng)});
 }
@@ -167,7 +250,8 @@ std::optional<Change> Moves::two_opt(const VertexPath& path, std::size_t i, Rng&
   if (!other) return std::nullopt;
   const auto [before, last] = std::minmax(i, *other);
   const bool end = last + 1 == path.size();
-  if (last < before + 2 || (end && fixed_end_)) return std::nullopt;
+  if (last < before + 2 || path.edge_fixed(before + 1)) return std::nullopt;
+  if (end ? path.fixed(last) : path.edge_fixed(last + 1)) return std::nullopt;
   Change change;
   change.kind = Change::Kind::reverse;
   change.first = before + 1;
@@ -188,7 +272,7 @@ std::optional<Change> Moves::or_opt(const VertexPath& path, std::size_t i, Rng& 
   if (!after || !movable(path, i) || !movable(path, last)) return std::nullopt;
   if (*after + 1 >= i && *after <= last) return std::nullopt;
   const bool tail = last + 1 == path.size(), to_end = *after + 1 == path.size();
-  if (to_end && fixed_end_) return std::nullopt;
+  if (to_end ? path.fixed(*after) : path.edge_fixed(*after + 1)) return std::nullopt;
   Change change;
   change.kind = Change::Kind::relocate;
   change.first = i;

@@ -1,12 +1,11 @@
 /// Small random changes of a path, for annealing.
 ///
-///   Moves moves({.width = tool_width}, fixed_end, problem.walls());
+///   Moves moves({.width = tool_width}, problem.walls());
 ///   moves.focus(centres_of_uncovered_pieces);
 ///   if (const auto change = moves.propose(path, rng)) { ... change->apply(path); }
 ///
 /// Shifts of a vertex or an edge, also to the wall beside it; vertices deleted, added and merged; 2-opt and Or-opt with
-/// a vertex near by. The first vertex stays where it is, and so does the last one if `fixed_end`. Each O(1), but for
-/// what apply() costs.
+/// a vertex near by. Fixed vertices and edges stay (vertex_path.hpp). Each O(1), but for what apply() costs.
 #pragma once
 
 #include <array>
@@ -50,7 +49,17 @@ struct Change {
   Edges removed, added;
 
   void apply(VertexPath& path) const;
+  /// By how much the sum of the path's changes of direction grows, radians.
+  double turning(const VertexPath& path) const;
+
+ private:
+  double turning_of_replaced(const VertexPath& path) const;
 };
+
+/// Change of direction at b, driving from a to c, radians; 0 if it has no direction there.
+double turn_at(const Point& a, const Point& b, const Point& c);
+/// Their sum.
+double turning(const Polyline& path);
 
 /// The point of the wall beside p, or with `vertex` the nearer end of its edge, if it is within a tenth of the tool's
 /// width; nullopt if p is there already. Inside by more than rounding, so that edges along the wall are inside, too.
@@ -63,17 +72,14 @@ class Moves {
     double least = 0.01, most = 0.3;  // standard deviations of shifts, in tool widths; log-uniform in between
   };
   /// `walls`: the edges of configuration space, to which vertices may snap; must outlive it.
-  Moves(const Sizes& sizes, bool fixed_end, const EdgeIndex& walls)
-      : sizes_(sizes), width_(sizes.width), fixed_end_(fixed_end), walls_(walls) {}
+  Moves(const Sizes& sizes, const EdgeIndex& walls) : sizes_(sizes), width_(sizes.width), walls_(walls) {}
   /// Four moves of five are made within a tool's width of one of these points.
   void focus(std::vector<Point> points) { focus_ = std::move(points); }
   /// nullopt: the move drawn does not exist here.
   std::optional<Change> propose(const VertexPath& path, Rng& rng) const;
 
  private:
-  bool movable(const VertexPath& path, std::size_t i) const {
-    return i > 0 && i < path.size() && !(fixed_end_ && i + 1 == path.size());
-  }
+  static bool movable(const VertexPath& path, std::size_t i) { return i < path.size() && !path.fixed(i); }
   double spread(Rng& rng) const;
   Point cloud(Rng& rng) const;
   Change replaced(const VertexPath& path, std::size_t first, std::size_t count, std::span<const Point> points) const;
@@ -91,7 +97,6 @@ class Moves {
 
   Sizes sizes_;
   double width_;
-  bool fixed_end_;
   const EdgeIndex& walls_;
   std::vector<Point> focus_;
 };

@@ -4,14 +4,20 @@
 
 namespace oxturn {
 
-VertexPath::VertexPath(const Polyline& points, double bucket) : cell_(bucket) {
+VertexPath::VertexPath(const Polyline& points, const std::vector<std::size_t>& fixed, double bucket) : cell_(bucket) {
+  std::vector<std::uint8_t> is_fixed(points.size());
+  for (const std::size_t i : fixed) is_fixed[i] = 1;
   Box box;
-  for (const Point& p : points) box.add(p);
-  origin_ = box.low;
-  columns_ = static_cast<std::size_t>(box.size().x() / cell_) + 1;
-  rows_ = static_cast<std::size_t>(box.size().y() / cell_) + 1;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (is_fixed[i] == 0) box.add(points[i]);
+  if (!box.empty()) {
+    origin_ = box.low;
+    columns_ = static_cast<std::size_t>(box.size().x() / cell_) + 1;
+    rows_ = static_cast<std::size_t>(box.size().y() / cell_) + 1;
+  }
   buckets_.resize(columns_ * rows_);
   replace(0, 0, points);
+  fixed_ = std::move(is_fixed);
 }
 
 Polyline VertexPath::points() const {
@@ -67,6 +73,7 @@ void VertexPath::replace(std::size_t first, std::size_t count, std::span<const P
       unused_.push_back(static_cast<Id>(at_.size()));
       at_.emplace_back();
       position_.push_back(0);
+      fixed_.push_back(0);
     }
     fresh.push_back(unused_.back());
     unused_.pop_back();

@@ -1,11 +1,12 @@
 /// A path as a sequence of vertices that can be changed anywhere, with the vertices near a point.
 ///
-///   VertexPath path(points, tool_width);
+///   VertexPath path(points, {0}, tool_width);                  // the first vertex is fixed
 ///   path.replace(7, 1, std::array{Point(2, 3)});               // vertex 7 moves
 ///   path.reverse(3, 9);                                        // vertices 3 to 9
 ///   if (const auto i = path.near(Point(2, 3), rng)) ...        // a vertex in the same bucket
 ///
-/// Changes cost the vertices between the positions that they move, a few nanoseconds each.
+/// Fixed vertices stay, and so do edges between two of them. Changes cost the vertices between the
+/// positions that they move, a few nanoseconds each.
 #pragma once
 
 #include <cstddef>
@@ -21,11 +22,16 @@ namespace oxturn {
 
 class VertexPath {
  public:
-  /// `bucket`: side of the buckets, metres.
-  VertexPath(const Polyline& points, double bucket);
+  /// `fixed`: positions of vertices. `bucket`: side of the buckets, metres.
+  VertexPath(const Polyline& points, const std::vector<std::size_t>& fixed, double bucket);
 
   std::size_t size() const { return order_.size(); }
   const Point& operator[](std::size_t i) const { return at_[order_[i]]; }
+  bool fixed(std::size_t i) const { return fixed_[order_[i]] != 0; }
+  /// Of the edge from vertex i - 1 to vertex i.
+  bool edge_fixed(std::size_t i) const { return fixed(i - 1) && fixed(i); }
+  /// The first position of a fixed vertex, or any number for another vertex.
+  std::size_t origin(std::size_t i) const { return order_[i]; }
   Polyline points() const;
   double length() const;
 
@@ -50,6 +56,7 @@ class VertexPath {
   std::size_t columns_ = 1, rows_ = 1;
   std::vector<Point> at_;                // by id
   std::vector<std::uint32_t> position_;  // by id
+  std::vector<std::uint8_t> fixed_;      // by id
   std::vector<Id> order_, unused_;
   std::vector<std::vector<Id>> buckets_;
 };

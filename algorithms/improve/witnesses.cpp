@@ -87,14 +87,23 @@ const Witnesses::Capsule& at(std::span<const Witnesses::Capsule> capsules, std::
 
 }  // namespace
 
-Witnesses::Witnesses(const Region& target, double cell, double radius) : cell_(cell), radius_(radius / cell) {
-  const Region turned = transformed(target, -kTurn, Point(0, 0));
-  const Box box = bounding_box(turned);
-  if (box.empty()) return;
-  origin_ = box.low;
-  columns_ = static_cast<int>(box.size().x() / cell) + 1;
-  rows_ = static_cast<int>(box.size().y() / cell) + 1;
-  BitGrid grid = rasterise(turned, origin_, cell, columns_, rows_, CellRule::centre);
+Region Witnesses::turned(const Region& region) { return transformed(region, -kTurn, Point(0, 0)); }
+
+Point Witnesses::turned(const Point& p) {
+  static const double c = std::cos(kTurn), s = std::sin(kTurn);
+  return {c * p.x() + s * p.y(), c * p.y() - s * p.x()};
+}
+
+Witnesses::Witnesses(const Region& target, double cell, double radius)
+    : Witnesses(turned(target), bounding_box(turned(target)), cell, radius) {}
+
+Witnesses::Witnesses(const Region& turned_target, const Box& window, double cell, double radius)
+    : cell_(cell), radius_(radius / cell) {
+  if (window.empty()) return;
+  origin_ = window.low;
+  columns_ = static_cast<int>(window.size().x() / cell) + 1;
+  rows_ = static_cast<int>(window.size().y() / cell) + 1;
+  BitGrid grid = rasterise(turned_target, origin_, cell, columns_, rows_, CellRule::centre);
   points_ = uncovered_ = static_cast<long>(grid.count());
   counts_ = std::move(grid.bits);
   for (std::uint8_t& c : counts_) c = c != 0 ? 0 : kOutside;
@@ -102,11 +111,7 @@ Witnesses::Witnesses(const Region& target, double cell, double radius) : cell_(c
 }
 
 /// In units of cells, such that the point of column i and row j has the coordinates (i, j).
-Point Witnesses::in_raster(const Point& p) const {
-  static const double c = std::cos(kTurn), s = std::sin(kTurn);
-  const Point turned(c * p.x() + s * p.y(), c * p.y() - s * p.x());
-  return (turned - origin_) / cell_ - Point(0.5, 0.5);
-}
+Point Witnesses::in_raster(const Point& p) const { return (turned(p) - origin_) / cell_ - Point(0.5, 0.5); }
 
 void Witnesses::capsule(const Point& a, const Point& b, Capsule& out) const {
   Point p = in_raster(a), q = in_raster(b);

@@ -29,8 +29,14 @@ class Witnesses {
     std::vector<std::int32_t> low, high;
   };
 
-  /// `cell`: distance of the points; `radius`: half of the tool's width, both in metres.
+  /// Of the whole target. `cell`: distance of the points; `radius`: half of the tool's width, both in metres.
   Witnesses(const Region& target, double cell, double radius);
+  /// Of the part in `window`, where both are turned().
+  Witnesses(const Region& turned_target, const Box& window, double cell, double radius);
+
+  /// In the directions of the raster's rows and columns.
+  static Point turned(const Point& p);
+  static Region turned(const Region& region);
 
   /// Does not depend on the order of the ends. Writes to `out`, to spare the allocation.
   void capsule(const Point& a, const Point& b, Capsule& out) const;

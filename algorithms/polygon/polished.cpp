@@ -24,7 +24,9 @@ class Polished final : public CoveragePlanner {
       Context inner(context.seed(), context.seconds_left(), context.without_promise());
       if (context.cancelled()) inner.cancel();
       path = inner_->plan(problem, inner);
-    } catch (const Infeasible&) {}  // Decision 1
+    } catch (const Infeasible&) {  // Decision 1
+      if (context.cancelled()) throw;
+    }
     return improved(problem, {path}, how_, context);
   }
 

@@ -9,6 +9,8 @@
 #include "algorithms/improve/moves.hpp"
 #include "algorithms/improve/stops.hpp"
 #include "algorithms/improve/wall_following.hpp"
+#include "algorithms/improve/window_part.hpp"
+#include "algorithms/improve/windows.hpp"
 #include "algorithms/improve/witnesses.hpp"
 #include "coverage_oracle.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -87,7 +89,6 @@ TEST(Witnesses, AnExchangeAndItsReverseCancel) {
   EXPECT_EQ(witnesses.uncovered(), witnesses.points());
 }
 
-// Against a plain list of points; and the edges that a change names are those by which the path differs.
 // A lap round a pillar, some vertices left out and all of them off the wall, becomes the pillar's boundary again.
 TEST(WallFollowing, ALapNearAWallRunsAlongIt) {
   Polyline pillar;
@@ -159,27 +160,79 @@ TEST(Stops, CoverAsMuchAsIsAskedForByTheShortestDetours) {
   EXPECT_EQ(with_stops(path, pieces, 0, reach, walls), path);
 }
 
+// Against the path's own length and turns; fixed vertices and the edge between two of them stay.
 TEST(Moves, ChangeThePathAsTheySay) {
   for (const auto seed : seeds(30)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
-    const bool fixed_end = rng.chance(0.5);
-    const Polyline start = random_line(2 + rng.below(60), Box{{0, 0}, {3, 3}}, rng);
-    VertexPath path(start, 0.4);
+    const Polyline start = random_line(4 + rng.below(60), Box{{0, 0}, {3, 3}}, rng);
+    std::vector<std::size_t> fixed{0};
+    if (rng.chance(0.5)) fixed.push_back(start.size() - 1);
+    if (start.size() > 9) fixed.insert(fixed.end(), {5, 6});
+    VertexPath path(start, fixed, 0.4);
     const EdgeIndex walls(box_region({0, 0}, {3, 3}));
-    Moves moves({.width = 0.4}, fixed_end, walls);
+    Moves moves({.width = 0.4}, walls);
     moves.focus({{1, 1}, {2, 2}});
     for (int k = 0; k < 300 && path.size() > 1; ++k) {
       const auto change = moves.propose(path, rng);
       if (!change) continue;
-      const double before = length_of(path);
+      const double before = length_of(path), turns = turning(path.points()), turning_change = change->turning(path);
       change->apply(path);
       ASSERT_NEAR(length_of(path), before + change->added.length() - change->removed.length(), 1e-9);
+      ASSERT_NEAR(turning(path.points()), turns + turning_change, 1e-9);
       ASSERT_EQ(path[0], start[0]);
-      if (fixed_end) { ASSERT_EQ(path[path.size() - 1], start.back()); }
+      const Polyline now = path.points();
+      for (const std::size_t f : fixed) ASSERT_NE(std::ranges::find(now, start[f]), now.end());
+      if (fixed.size() > 1 && fixed[1] + 1 == start.size()) { ASSERT_EQ(now.back(), start.back()); }
+      if (start.size() > 9) {  // an edge between two of them stays
+        const auto at = std::ranges::find(now, start[5]);
+        ASSERT_TRUE((at + 1 != now.end() && at[1] == start[6]) || at[-1] == start[6]);
+      }
       for (std::size_t i = 0; i < path.size(); i += 7) ASSERT_TRUE(path.near(path[i], rng).has_value());
     }
   }
+}
+
+// A window's part put back unchanged is the path; changed, it is one path with the same ends, whose edges are free, and
+// which is as it was outside.
+TEST(WindowPart, JoinsThePathAgain) {
+  const EdgeIndex walls(subtract(box_region({0, 0}, {20, 20}), box_region({8, 7}, {11, 12})));
+  int visits = 0;
+  for (const auto seed : seeds(40)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    Polyline line{{1, 1}};
+    while (line.size() < 80) {
+      const Point p = random_point({{0, 0}, {20, 20}}, rng);
+      if (walls.contains(line.back(), p)) line.push_back(p);
+    }
+    const Point centre = Witnesses::turned(Point(10, 10) + random_point({{-3, -3}, {3, 3}}, rng));
+    const Box window{centre - Point(3, 3), centre + Point(3, 3)};
+    const WindowPart part(line, window, walls, 0.4, seed % 2 == 0);
+    if (part.points().empty()) continue;
+    VertexPath inside(part.points(), part.fixed(), 0.4);
+    const Polyline same = part.joined(inside);
+    EXPECT_EQ(same, line);
+    visits += static_cast<int>(part.fixed().size());
+    const Moves moves({.width = 2}, walls);
+    for (int k = 0; k < 200; ++k) {
+      const auto change = moves.propose(inside, rng);
+      if (!change) continue;
+      if (std::ranges::all_of(change->added, [&](const Edge& e) { return walls.contains(e.a, e.b); }))
+        change->apply(inside);
+    }
+    const Polyline changed = part.joined(inside);
+    EXPECT_EQ(changed.front(), line.front());
+    if (seed % 2 == 0) { EXPECT_EQ(changed.back(), line.back()); }
+    for (std::size_t i = 1; i < changed.size(); ++i) ASSERT_TRUE(walls.contains(changed[i - 1], changed[i])) << i;
+    for (const Point& p : line) {  // of vertices outside, none is lost and none comes twice
+      const Point t = Witnesses::turned(p);
+      if (t.x() > window.low.x() && t.x() < window.high.x() && t.y() > window.low.y() && t.y() < window.high.y())
+        continue;
+      ASSERT_EQ(std::ranges::count(changed, p), std::ranges::count(line, p));
+    }
+  }
+  EXPECT_GT(visits, 500);
 }
 
 struct Sample {
@@ -210,8 +263,56 @@ TEST(Shortest, CoversAsMuchAsItIsAskedForAndIsNeverLongerThanItsStart) {
       const Path path = plan("shortest", sample.problem, {{"coverage", coverage}, {"moves", 10000}});
       expect_valid(sample.problem, path);
       EXPECT_LE(path.length(), 1.01 * start);  // seams are left there, but not here
-      EXPECT_GE(*score(sample.problem, path).value("coverage"), coverage - 2e-3);
+      const Score s = score(sample.problem, path);
+      EXPECT_GE(*s.value("coverage"), coverage - 2e-3);
+      EXPECT_LE(*s.value("bound_m"), path.length());
     }
+  }
+}
+
+// Turns cost time: the path that takes the least is not the shortest one.
+TEST(Shortest, ItsObjectiveMayBeTime) {
+  const Problem room(generate("polygon", {{"width", 5.0}, {"height", 4.0}, {"corners", std::int64_t{10}}}, 1),
+                     disc(0.2, 0.4));
+  const auto with = [&](const char* objective) {
+    return plan("shortest", room, {{"coverage", 0.97}, {"moves", 60000}, {"objective", std::string(objective)}});
+  };
+  const Path short_path = with("length"), quick_path = with("time");
+  expect_valid(room, quick_path);
+  const Score by_length = score(room, short_path), by_time = score(room, quick_path);
+  EXPECT_GE(*by_time.value("coverage"), 0.97);
+  EXPECT_LT(*by_time.value("mission_s"), 0.98 * *by_length.value("mission_s"));
+  EXPECT_GT(quick_path.length(), short_path.length());
+}
+
+// A long corridor has many windows; lanes across it are nearer to each other than they need to be. What is uncovered is
+// counted by witnesses and measured exactly.
+TEST(Windows, APathGetsShorterInAllOfThem) {
+  const Problem problem({"corridor", box_region({0, 0}, {34, 0.9}), "test", "test"}, disc(0.1, 0.2));
+  const double width = 0.2, whole = area(problem.target());
+  const Completion completion(problem, 0.99);
+  Polyline start;
+  for (int k = 0; k < 280; ++k) {
+    const double x = 0.11 + 0.12 * k;
+    start.emplace_back(x, k % 2 == 0 ? 0.11 : 0.79);
+    start.emplace_back(x, k % 2 == 0 ? 0.79 : 0.11);
+  }
+  for (const bool fixed_end : {false, true}) {
+    Rng rng(1);
+    Context context(1);
+    const Annealed now = annealed(problem, completion.target(), start,
+                                  {.cell = width / 20,
+                                   .radius = width / 2,
+                                   .uncovered = 0.01 * whole,
+                                   .price = 5 / width,
+                                   .fixed_end = fixed_end},
+                                  {150000, 0.01 * width, 0.0005 * width}, {}, rng, context);
+    EXPECT_LT(length(now.points), 0.96 * length(start));
+    EXPECT_EQ(now.points.front(), start.front());
+    if (fixed_end) { EXPECT_EQ(now.points.back(), start.back()); }
+    for (std::size_t i = 1; i < now.points.size(); ++i)
+      ASSERT_TRUE(problem.walls().contains(now.points[i - 1], now.points[i])) << i;
+    EXPECT_NEAR(now.uncovered, area(completion.uncovered(now.points)), 2e-3 * whole);
   }
 }
 

@@ -1,0 +1,193 @@
+#include "algorithms/improve/windows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "algorithms/improve/window_part.hpp"
+#include "geometry/raster.hpp"
+
+namespace oxturn {
+namespace {
+
+// In tool widths.
+constexpr double kSide = 16;         // of a window
+constexpr double kWhole = 160;       // longest side of a target that is annealed as a whole
+constexpr double kMostPoints = 8e7;  // of a raster of the whole
+constexpr double kSample = 0.5;      // distance of the points by which moves are shared out
+// Moves of a pass for each window, unless that makes too few or too many passes.
+constexpr double kMovesEach = 4000;
+constexpr int kLeastPasses = 3, kMostPasses = 32;
+constexpr double kNearFocus = 0.8;  // share of the moves
+constexpr long kLeastMoves = 10;    // in a window
+// Changes of the price from pass to pass: its logarithm by kPower times that of the uncovered area, of what is allowed,
+// as it will be if it goes on changing kAhead times as much; by kMostStep at most.
+constexpr double kPower = 0.3, kAhead = 1.5, kMostStep = 0.25, kLeastUncovered = 0.01;
+constexpr double kPriceRange = 6;  // times and parts of the first price that it may reach
+
+/// Squares in the raster's directions, which cover a box.
+class Grid {
+ public:
+  Grid(const Box& box, const Point& low, double side)
+      : low_(low), side_(side), columns_(count(box.high.x() - low.x())), rows_(count(box.high.y() - low.y())) {}
+  std::size_t size() const { return columns_ * rows_; }
+  std::size_t at(const Point& p) const {
+    return index(p.y() - low_.y(), rows_) * columns_ + index(p.x() - low_.x(), columns_);
+  }
+  Box window(std::size_t k) const {
+    const Point corner = low_ + side_ * Point(static_cast<double>(k % columns_), static_cast<double>(k / columns_));
+    return {corner, corner + Point(side_, side_)};
+  }
+
+ private:
+  std::size_t count(double length) const { return static_cast<std::size_t>(length / side_) + 1; }
+  std::size_t index(double at, std::size_t n) const {
+    return at > 0 ? std::min(static_cast<std::size_t>(at / side_), n - 1) : 0;
+  }
+  Point low_;
+  double side_;
+  std::size_t columns_, rows_;
+};
+
+class Windows {
+ public:
+  Windows(const Problem& problem, const Region& target, const Annealing::Options& options,
+          const std::vector<Point>& focus)
+      : walls_(problem.walls()),
+        width_(problem.robot().tool_width),
+        target_(Witnesses::turned(target)),
+        box_(bounding_box(target_)),
+        options_(options),
+        focus_(focus) {}
+
+  bool one() const { return std::max(box_.size().x(), box_.size().y()) <= kWhole * width_; }
+
+  Annealed whole(const Polyline& points, const Annealing::Schedule& schedule, Rng& rng, const Context& context) const {
+    std::vector<std::size_t> fixed{0};
+    if (options_.fixed_end) fixed.push_back(points.size() - 1);
+    Annealing::Options options = options_;
+    options.cell = std::max(options.cell, std::sqrt(box_.size().x() * box_.size().y() / kMostPoints));
+    Annealing annealing(walls_, VertexPath(points, fixed, width_), witnesses(box_, points, options.cell), width_,
+                        options);
+    annealing.focus(focus_);
+    annealing.run(schedule, rng, context);
+    return {annealing.path().points(), annealing.uncovered(), annealing.price()};
+  }
+
+  Annealed in_passes(const Polyline& points, const Annealing::Schedule& schedule, Rng& rng, const Context& context) {
+    options_.floating = false;
+    sample();
+    Annealed now{points, uncovered(points), options_.price};
+    const double first = now.price;
+    const double windows = static_cast<double>(samples_.size()) * kSample * kSample / (kSide * kSide);
+    const int passes = static_cast<int>(
+        std::clamp<double>(static_cast<double>(schedule.moves) / (windows * kMovesEach), kLeastPasses, kMostPasses));
+    const auto temperature = [&](int k) {
+      return schedule.hot * std::pow(schedule.cold / schedule.hot, static_cast<double>(k) / passes);
+    };
+    const auto excess = [&] { return std::log(std::max(now.uncovered / options_.uncovered, kLeastUncovered)); };
+    for (int k = 0; k < passes && !context.cancelled(); ++k) {
+      const double last = excess();
+      now = pass(std::move(now), {schedule.moves / passes, temperature(k), temperature(k + 1)}, rng, context);
+      const double step = kPower * (excess() + kAhead * (excess() - last));
+      now.price = std::clamp(now.price * std::exp(std::clamp(step, -kMostStep, kMostStep)), first / kPriceRange,
+                             first * kPriceRange);
+    }
+    return now;
+  }
+
+ private:
+  /// In the box, turned, less what the line covers.
+  Witnesses witnesses(const Box& box, const Polyline& line, double cell) const {
+    Witnesses all(target_, box, cell, options_.radius);
+    const Box near = grown(box, options_.radius);
+    Witnesses::Capsule capsule;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      Box edge;
+      edge.add(Witnesses::turned(line[i - 1]));
+      edge.add(Witnesses::turned(line[i]));
+      if (!edge.overlaps(near)) continue;
+      all.capsule(line[i - 1], line[i], capsule);
+      all.add(capsule);
+    }
+    return all;
+  }
+  static Box grown(const Box& box, double by) { return {box.low - Point(by, by), box.high + Point(by, by)}; }
+
+  double uncovered(const Polyline& points) const {
+    double sum = 0;
+    const Grid grid(box_, box_.low, kSide * width_);
+    for (std::size_t k = 0; k < grid.size(); ++k)
+      sum += area_uncovered(witnesses(grid.window(k), points, options_.cell));
+    return sum;
+  }
+  static double area_uncovered(const Witnesses& witnesses) {
+    return static_cast<double>(witnesses.uncovered()) * witnesses.area_each();
+  }
+
+  void sample() {
+    const double cell = kSample * width_;
+    const auto count = [&](double size) { return static_cast<int>(size / cell) + 1; };
+    const BitGrid grid =
+        rasterise(target_, box_.low, cell, count(box_.size().x()), count(box_.size().y()), CellRule::centre);
+    for (int j = 0; j < grid.rows; ++j)
+      for (int i = 0; i < grid.columns; ++i)
+        if (grid.bits[grid.at(i, j)] != 0) samples_.push_back(grid.centre(i, j));
+  }
+
+  /// In each window, as many moves as it has of the target, and of the focus.
+  Annealed pass(Annealed now, const Annealing::Schedule& schedule, Rng& rng, const Context& context) const {
+    const double side = kSide * width_, x = rng.unit(), y = rng.unit();
+    const Grid grid(box_, box_.low - side * Point(x, y), side);
+    std::vector<double> share(grid.size());
+    std::vector<std::vector<Point>> focus(grid.size());
+    const double of_focus = focus_.empty() ? 0 : kNearFocus;
+    for (const Point& p : samples_) share[grid.at(p)] += (1 - of_focus) / static_cast<double>(samples_.size());
+    for (const Point& p : focus_) {
+      const std::size_t k = grid.at(Witnesses::turned(p));
+      share[k] += of_focus / static_cast<double>(focus_.size());
+      focus[k].push_back(p);
+    }
+    for (std::size_t k = 0; k < grid.size() && !context.cancelled(); ++k) {
+      const auto moves = static_cast<long>(share[k] * static_cast<double>(schedule.moves));
+      if (moves >= kLeastMoves)
+        change(now, grid.window(k), std::move(focus[k]), {moves, schedule.hot, schedule.cold}, rng, context);
+    }
+    return now;
+  }
+
+  void change(Annealed& now, const Box& window, std::vector<Point> focus, const Annealing::Schedule& schedule, Rng& rng,
+              const Context& context) const {
+    const WindowPart part(now.points, window, walls_, width_, options_.fixed_end);
+    if (part.points().empty()) return;
+    Annealing::Options options = options_;
+    options.price = now.price;
+    Witnesses seen = witnesses(grown(window, options_.radius), part.parts(), options_.cell);
+    const double before = area_uncovered(seen);
+    Annealing annealing(walls_, VertexPath(part.points(), part.fixed(), width_), std::move(seen), width_, options);
+    annealing.focus(std::move(focus));
+    annealing.run(schedule, rng, context);
+    now.points = part.joined(annealing.path());
+    now.uncovered += annealing.uncovered() - before;
+  }
+
+  const EdgeIndex& walls_;
+  double width_;
+  const Region target_;  // turned
+  const Box box_;        // of it
+  Annealing::Options options_;
+  std::vector<Point> focus_;
+  std::vector<Point> samples_;  // of the target, turned
+};
+
+}  // namespace
+
+Annealed annealed(const Problem& problem, const Region& target, const Polyline& points,
+                  const Annealing::Options& options, const Annealing::Schedule& schedule,
+                  const std::vector<Point>& focus, Rng& rng, const Context& context) {
+  Windows windows(problem, target, options, focus);
+  return windows.one() ? windows.whole(points, schedule, rng, context)
+                       : windows.in_passes(points, schedule, rng, context);
+}
+
+}  // namespace oxturn
