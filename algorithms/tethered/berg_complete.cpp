@@ -15,7 +15,7 @@
 //             triangles met + m log m), order as the tour
 // Decisions   1. Level sets lie at (k + 1/2) w from the anchor, k = 0, 1, ...: none at the anchor itself.
 //             2. Walls are driven once; the cut only where it runs across the tether (needed_boundary.hpp). Closed
-//                rings are inserted into the path; open chains take part in the tour.
+//                rings are inserted into the path; open chains take part in the tour; pockets become detours.
 //             3. order: `tour` (ours) orders runs of level sets by a tour on shortest paths inside P; `dfs` is
 //                depth-first on the tree of pieces, `bfs` goes level by level, outwards (the traversals of Berg 2021).
 //             4. winding = left (right): level sets are driven with the tether on the left (right) side only, each by
@@ -37,6 +37,7 @@
 #include <cmath>
 
 #include "algorithms/lanes/outline.hpp"
+#include "algorithms/lanes/repair.hpp"
 #include "algorithms/online/survey_then_plan.hpp"
 #include "algorithms/tethered/component_laps.hpp"
 #include "algorithms/tethered/gears.hpp"
@@ -70,6 +71,7 @@ struct Parts {
   std::vector<LevelSet> sets;
   Region rings;
   std::vector<Strip> chains;
+  Region pockets;
 };
 
 /// By component.
@@ -93,6 +95,8 @@ std::vector<Parts> parts_by_component(const TetherSpace& space, const std::vecto
     if (Parts* of = at(set.line[set.line.size() / 2])) of->sets.push_back(set);
   for (const Polygon& ring : boundary.rings.polygons)
     if (Parts* of = at(ring.outer.front())) of->rings.polygons.push_back(ring);
+  for (const Polygon& pocket : boundary.pockets.polygons)
+    if (Parts* of = at(pocket.outer.front())) of->pockets.polygons.push_back(pocket);
   for (const Polyline& chain : boundary.chains)
     if (Parts* of = at(chain[chain.size() / 2])) of->chains.push_back({{{chain.front(), chain.back(), chain}}});
   return parts;
@@ -252,6 +256,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
     Path path = p.winding == TetherSide::any ? cover_by_tour(p, task, inner)
                                              : with_task_rings(task, drive_one_way(p, task, inner), inner);
     path = without_short_segments(std::move(path), component.problem);
+    path = repaired(component.problem, path, std::move(task.pockets), task.connector, inner);
     path = or_laps(p, cut, component.problem, std::move(path), inner);
     const bool first = component.index == 0;  // with the transit that follows, below
     return first || tacking.angle <= 0 ? path : tacked(space.field(), component.problem, path, tacking);
