@@ -16,13 +16,12 @@
 //                nearest one goes first.
 //             4. Links up to two tool widths long are driven with the tool on.
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "algorithms/lanes/laps.hpp"
+#include "algorithms/lanes/lap_tree.hpp"
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/transit/short_segments.hpp"
@@ -122,23 +121,6 @@ class LapDrive {
   std::optional<std::size_t> last_;  // lap driven
 };
 
-/// One closed detour of another, from the lap that is nearest to the start.
-Path drive_tree(const Problem& problem, const Laps& laps, const Connector& connector, Context& context) {
-  std::vector<Ring> rings;
-  Point nearest = problem.start();
-  double least = std::numeric_limits<double>::infinity();
-  for (const Lap& lap : laps.all) {
-    rings.push_back(lap.ring);
-    for_each_edge(lap.ring, [&](const Point& a, const Point& b) {
-      const Point p = nearest_on_segment(problem.start(), a, b);
-      if (distance(p, problem.start()) < least) nearest = p, least = distance(p, problem.start());
-    });
-  }
-  PathBuilder arrival(problem.start());
-  arrival.drive(connector.path(problem.start(), nearest), false);
-  return with_rings(problem, rings, arrival.take(), problem.robot().tool_width, connector, context);
-}
-
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const double width = problem.robot().tool_width, spacing = p.spacing > 0 ? p.spacing : width;
   Laps laps = laps_of(problem, spacing, context);
@@ -148,7 +130,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
     context.trace("laps", lines);
   }
   const Connector connector(problem);
-  Path path = p.join == Join::tree ? drive_tree(problem, laps, connector, context)
+  Path path = p.join == Join::tree ? drive_lap_tree(problem, laps, connector, context)
                                    : LapDrive(problem, laps, p.join, connector).run(context);
   path = without_short_segments(std::move(path), problem);
   context.publish(path);

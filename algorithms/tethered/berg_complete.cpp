@@ -15,7 +15,7 @@
 //             triangles met + m log m), order as the tour
 // Decisions   1. Level sets lie at (k + 1/2) w from the anchor, k = 0, 1, ...: none at the anchor itself.
 //             2. Walls are driven once; the cut only where it runs across the tether (needed_boundary.hpp). Closed
-//                rings are inserted into the path; open chains take part in the tour.
+//                rings are inserted into the path; open chains take part in the tour; pockets become detours.
 //             3. order: `tour` (ours) orders runs of level sets by a tour on shortest paths inside P; `dfs` is
 //                depth-first on the tree of pieces, `bfs` goes level by level, outwards (the traversals of Berg 2021).
 //             4. winding = left (right): level sets are driven with the tether on the left (right) side only, each by
@@ -27,12 +27,19 @@
 //             6. Short level sets (corridors) may be covered by lanes along the tether (lanes = 4), out and back: each
 //                component is planned with and without them, and the shorter path is driven. lanes = 0, or a
 //                min_tether_angle, uses level sets only.
-//             7. reverse = true: both demands are met by driving backwards, everywhere and without a detour
+//             7. Components of up to `laps` tool squares are covered by laps along their walls and the cut as well
+//                (component_laps.hpp), and driven where that is better: along corridors laps need few turns, but
+//                round many obstacles they are shorter and turn more. Not with demands on the tether, nor with the
+//                source's orders.
+//             8. reverse = true: both demands are met by driving backwards, everywhere and without a detour
 //                (gears.hpp).
 #include <algorithm>
+#include <cmath>
 
 #include "algorithms/lanes/outline.hpp"
+#include "algorithms/lanes/repair.hpp"
 #include "algorithms/online/survey_then_plan.hpp"
+#include "algorithms/tethered/component_laps.hpp"
 #include "algorithms/tethered/gears.hpp"
 #include "algorithms/tethered/level_set_strips.hpp"
 #include "algorithms/tethered/needed_boundary.hpp"
@@ -47,11 +54,15 @@ constexpr double kChordsPerWidth = 1000;  // tool widths over the chord error of
 // In the order of their names in berg_complete().
 enum class Order { tour, dfs, bfs };
 
+enum class Objective { both, length, time };
+
 struct Params {
   Order order = Order::tour;
   TetherSide winding = TetherSide::any;
   double min_tether_angle = 0;
   int lanes = 4;
+  int laps = 20000;
+  Objective objective = Objective::both;
   bool return_home = true;
 };
 
@@ -60,6 +71,7 @@ struct Parts {
   std::vector<LevelSet> sets;
   Region rings;
   std::vector<Strip> chains;
+  Region pockets;
 };
 
 /// By component.
@@ -83,6 +95,8 @@ std::vector<Parts> parts_by_component(const TetherSpace& space, const std::vecto
     if (Parts* of = at(set.line[set.line.size() / 2])) of->sets.push_back(set);
   for (const Polygon& ring : boundary.rings.polygons)
     if (Parts* of = at(ring.outer.front())) of->rings.polygons.push_back(ring);
+  for (const Polygon& pocket : boundary.pockets.polygons)
+    if (Parts* of = at(pocket.outer.front())) of->pockets.polygons.push_back(pocket);
   for (const Polyline& chain : boundary.chains)
     if (Parts* of = at(chain[chain.size() / 2])) of->chains.push_back({{{chain.front(), chain.back(), chain}}});
   return parts;
@@ -177,6 +191,39 @@ Path drive_one_way(const Params& p, const Task& task, Context& context) {
   return path.take();
 }
 
+/// Without stops, turning on the spot.
+double seconds_to_drive(const Path& path, const Robot& robot) {
+  double turned = 0;
+  Point before(0, 0), heading(0, 0);
+  bool first = true;
+  for (const Leg& leg : path.legs)
+    for (const Point& p : leg.points) {
+      const Point d = p - before;
+      if (!first && d.norm() > 0) {
+        turned += std::abs(std::atan2(cross(heading, d), heading.dot(d)));
+        heading = d;
+      }
+      before = p;
+      first = false;
+    }
+  return path.length() / robot.speed + turned / robot.turn_rate;
+}
+
+bool better(Objective objective, const Path& a, const Path& b, const Robot& robot) {
+  const bool shorter = a.length() < b.length();
+  if (objective == Objective::length || (objective == Objective::both && !shorter)) return shorter;
+  return seconds_to_drive(a, robot) < seconds_to_drive(b, robot);
+}
+
+/// The better one of `path` and laps.
+Path or_laps(const Params& p, const CutPasses& cut, const Problem& component, Path path, Context& context) {
+  const double w = component.robot().tool_width;
+  const bool free = p.order == Order::tour && p.winding == TetherSide::any && p.min_tether_angle <= 0;
+  if (!free || context.cancelled() || area(component.configuration_space()) > p.laps * w * w) return path;
+  Path laps = laps_in_component(cut, component, context);
+  return !context.cancelled() && better(p.objective, laps, path, component.robot()) ? laps : path;
+}
+
 void trace(const TetherSpace& space, const NeededBoundary& boundary, const std::vector<LevelSet>& sets,
            Context& context) {
   const Outward outward = outward_neighbours(sets, space.field(), space.problem().robot().tool_width);
@@ -201,6 +248,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   const std::vector<LevelSet> sets = level_sets(space, boundary.space, boundary.inner, w, w / kChordsPerWidth);
   if (context.wants_traces()) trace(space, boundary, sets, context);
   const Tacking tacking{.angle = p.min_tether_angle, .width = w};
+  const CutPasses cut(problem, space.cut());
   std::vector<Parts> parts = parts_by_component(space, sets, boundary);
   const auto cover = [&](const TetherSpace::Component& component, Context& inner) {
     Task task(component.problem, std::move(parts[component.index]), space.field(), w);
@@ -208,6 +256,8 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
     Path path = p.winding == TetherSide::any ? cover_by_tour(p, task, inner)
                                              : with_task_rings(task, drive_one_way(p, task, inner), inner);
     path = without_short_segments(std::move(path), component.problem);
+    path = repaired(component.problem, path, std::move(task.pockets), task.connector, inner);
+    path = or_laps(p, cut, component.problem, std::move(path), inner);
     const bool first = component.index == 0;  // with the transit that follows, below
     return first || tacking.angle <= 0 ? path : tacked(space.field(), component.problem, path, tacking);
   };
@@ -238,6 +288,10 @@ PlannerInfo berg_complete() {
             "radians that the heading keeps from the tether's pull, by tacking where there is room; 0: none"},
            {"lanes", &Params::lanes, Range{0, 20},
             "level sets up to this many tool widths long may be covered by lanes along the tether; 0: never"},
+           {"laps", &Params::laps, Range{0, 1000000000},
+            "components of up to so many tool squares may be covered by laps along walls and cut; 0: never"},
+           {"objective", &Params::objective, Choices{"both", "length", "time"},
+            "laps are driven where they are shorter, quicker, or both"},
            {"return_home", &Params::return_home, "drive back to the start at the end"}}})));
 }
 

@@ -15,18 +15,18 @@ namespace oxturn {
 namespace {
 
 // In tool widths.
-constexpr double kPassDistance = 0.49;    // of either pass from the cut
-constexpr double kAtJunctions = 0.42;     // the same where three lines of the cut meet: the tool reaches their point
-constexpr double kLeastDistance = 0.45;   // passes that come nowhere farther from the cut than this are on it
-constexpr double kPieceLength = 0.125;    // of the pieces that the cut is divided into
-constexpr double kStraightening = 0.05;   // by which passes may come nearer to the cut to have fewer bends
-constexpr double kThinning = 0.01;        // by which a piece's sides may miss those of the pieces that it joins
-constexpr std::size_t kMostJoined = 8;    // pieces
-constexpr double kDrivenWithin = 2.0;     // distance from the cut of what may cover what its passes miss: at least 1.5
-constexpr double kSquare = 1.0;           // side of the squares around the cut
-constexpr double kLostWithin = 1.0;       // distance from a disconnected part of the pieces that disconnect it
-constexpr double kLargestPocket = 0.5;    // side of a square; larger disconnected parts are no pockets
-constexpr double kChordsPerWidth = 1000;  // tool widths over the chord error of dilation
+constexpr double kPassDistance = 0.49;   // of either pass from the cut
+constexpr double kAtJunctions = 0.42;    // the same where three lines of the cut meet: the tool reaches their point
+constexpr double kLeastDistance = 0.45;  // passes that come nowhere farther from the cut than this are on it
+constexpr double kPieceLength = 0.125;   // of the pieces that the cut is divided into
+constexpr double kStraightening = 0.05;  // by which passes may come nearer to the cut to have fewer bends
+constexpr double kThinning = 0.01;       // by which a piece's sides may miss those of the pieces that it joins
+constexpr std::size_t kMostJoined = 8;   // pieces
+constexpr double kDrivenWithin = 2.0;    // distance from the cut of what may cover what its passes miss: at least 1.5
+constexpr double kSquare = 1.0;          // side of the squares around the cut
+constexpr double kLostWithin = 1.0;      // distance from a disconnected part of the pieces that disconnect it
+constexpr double kLargestPocket = 0.5;   // side of a square; larger disconnected parts are no pockets
+constexpr double kChordsPerWidth = 400;  // tool widths over the chord error of dilation
 
 constexpr double kTaper = 0.8;  // distance of a pass from the cut over that of the cut from walls: less than 1
 

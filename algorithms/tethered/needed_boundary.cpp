@@ -2,7 +2,7 @@
 //               w to walls they approach the cut, so that nothing is disconnected.
 //            2. Where the tether meets the cut at an angle a, two level sets w apart that end there leave no point
 //               farther than w / (2 cos a) from them: at most 1.11 w / 2 for a up to 25 degrees.
-//            3. Pockets between the two passes and a wall, farther than w/2 from both, are driven round as well.
+//            3. Pockets between the two passes and a wall, farther than w/2 from both, are covered by detours.
 #include "algorithms/tethered/needed_boundary.hpp"
 
 #include <algorithm>
@@ -231,10 +231,7 @@ NeededBoundary needed_boundary(const TetherSpace& space, CutEdges edges) {
   for_each_ring(with_passes,
                 [&](const Ring& ring) { add_needed(ring, shallow, 2 * cut_width, w / kPiecesPerWidth, boundary); });
   if (edges == CutEdges::across_tether) split_long(boundary, space.field(), w);
-  if (!pieces.wide.empty())
-    for_each_ring(pockets_beside(pieces.wide, boundary.space, w), [&](const Ring& ring) {
-      boundary.rings.polygons.push_back({ring, {}});
-    });
+  if (!pieces.wide.empty()) boundary.pockets = pockets_beside(pieces.wide, boundary.space, w);
   return boundary;
 }
 

@@ -19,6 +19,8 @@ struct NeededBoundary {
   /// meets a wall or at the turning points of the distance from the anchor.
   Region rings;
   std::vector<Polyline> chains;
+  /// To be covered besides: what lies between passes along the cut and walls, farther than half a tool width from both.
+  Region pockets;
 };
 
 /// Which parts of the cut's two sides are driven: all of them, so that every ring is closed; or only where the cut runs

@@ -92,7 +92,7 @@ class TetherSpace {
 };
 
 /// Covers every component by `cover` (whose path begins at the component's start) and joins the paths: the start's
-/// component first, then always the one whose entry is nearest by path, or, where there are more than 64, depth-first
+/// component first, then always the one whose entry is nearest by path, or, where there are more than 256, depth-first
 /// over the tree of their entry paths. Paths in between are transit. Components for which `cover` throws Infeasible are
 /// left out; if all are, this throws the first of these exceptions.
 Path cover_components(const TetherSpace& tether,

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "algorithms/tethered/cut_passes.hpp"
 #include "coverage_oracle.hpp"
 #include "maps/path_file.hpp"
@@ -223,9 +225,29 @@ TEST(BergComplete, LanesBesideACutThatIsNotDrivenLeaveNoStrip) {
     const Map maze = oxturn::generate(
         "maze", {{"width", 9.0}, {"height", 7.0}, {"corridor", 1.14}, {"loops", 0.98}, {"robot", 0.133}}, seed);
     const Problem problem(maze, tethered_robot(1.4, 0.133, 0.19));
-    const Path path = plan("berg-complete", problem);
+    const Path path = plan("berg-complete", problem, {{"laps", 0}});
     expect_geodesic(problem, path);
     EXPECT_GE(score(problem, path).value("coverage_lower").value_or(0), 0.9995);
+  }
+}
+
+// Along corridors laps are shorter and turn less; where they are not chosen, the path is that of the level sets.
+TEST(BergComplete, LapsAreDrivenWhereTheyAreBetter) {
+  const Problem spiral(oxturn::generate("spiral", {{"width", 10.0}, {"height", 7.0}}, 1), tethered_robot(1.1));
+  const Path with = plan("berg-complete", spiral), without = plan("berg-complete", spiral, {{"laps", 0}});
+  expect_geodesic(spiral, with);
+  EXPECT_GE(score(spiral, with).value("coverage_lower").value_or(0), 0.9995);
+  EXPECT_LT(with.length(), 0.9 * without.length());
+  EXPECT_LT(score(spiral, with).value("turns").value_or(0), score(spiral, without).value("turns").value_or(0));
+
+  const Problem clutter(oxturn::generate("clutter", {{"width", 10.0}, {"height", 7.0}}, 3), tethered_robot(1.1));
+  double least = std::numeric_limits<double>::infinity();
+  for (const char* objective : {"time", "both", "length"}) {  // the last one is the shortest
+    const Path path = plan("berg-complete", clutter, {{"objective", std::string(objective)}});
+    expect_geodesic(clutter, path);
+    EXPECT_GE(score(clutter, path).value("coverage_lower").value_or(0), 0.9995);
+    EXPECT_LE(path.length(), least + 1e-9);
+    least = path.length();
   }
 }
 

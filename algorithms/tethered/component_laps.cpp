@@ -1,0 +1,23 @@
+#include "algorithms/tethered/component_laps.hpp"
+
+#include <utility>
+
+#include "algorithms/lanes/lap_tree.hpp"
+#include "algorithms/lanes/repair.hpp"
+#include "algorithms/transit/short_segments.hpp"
+#include "geometry/overlay/boolean.hpp"
+
+namespace oxturn {
+
+Path laps_in_component(const CutPasses& cut, const Problem& component, Context& context) {
+  PassSpace passes = cut.beside(component);
+  const Problem beside = component.restricted(std::move(passes.space));
+  const Laps laps = laps_of(beside, component.robot().tool_width, context);
+  Path path = drive_lap_tree(beside, laps, Connector(beside), context);
+  path = without_short_segments(std::move(path), component);
+  Region missed = unite({laps.between, passes.pockets});
+  if (component.map().target_area) missed = intersect(missed, component.target());
+  return repaired(component, path, std::move(missed), Connector(component), context);
+}
+
+}  // namespace oxturn
