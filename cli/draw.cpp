@@ -1,6 +1,7 @@
 // oxturn draw: from a drawing to a path for the robot that draws it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/plan.hpp"
+#include "maps/svg_drawing.hpp"
 
 namespace oxturn::cli {
 namespace {
@@ -18,6 +20,8 @@ struct Options {
   std::string canvas;  // "20x15"
   PlanOptions plan;
 };
+
+bool is_svg(const std::string& file) { return lower_case(std::filesystem::path(file).extension().string()) == ".svg"; }
 
 /// "20x15" as the reader's options.
 void set_canvas(const std::string& text, ReaderOptions& read) {
@@ -29,9 +33,26 @@ void set_canvas(const std::string& text, ReaderOptions& read) {
   read["canvas_height"] = sides[1];
 }
 
+/// A robot with a least turning radius needs room for its loops, or it could not leave strokes that end at the margin.
+void set_margin(const Options& options, ReaderOptions& read) {
+  constexpr double kTurns = 3;      // radii beyond the robot's own; a loop reaches (1 + sqrt 3) of them
+  constexpr double kLeastRoom = 4;  // of the canvas's sides: no larger part of it stays empty
+  const double radius = robot_with(options.plan.problem, Robot{}).min_turn_radius;
+  if (read.contains("margin") || !(radius > 0) || !is_svg(options.plan.problem.map)) return;
+  const DrawingOptions given;
+  const auto side = [&](const char* name, double fallback) {
+    return read.contains(name) ? parse_number(read.at(name)).value_or(fallback) : fallback;
+  };
+  const double least = std::min(side("canvas_width", given.canvas_width), side("canvas_height", given.canvas_height));
+  const double margin = std::min(given.margin + kTurns * radius, std::max(given.margin, least / kLeastRoom));
+  read["margin"] = fmt::format("{}", margin);
+  say(fmt::format("margin: {:g} m, room to turn (set with --margin)", margin));
+}
+
 int draw(Options options, const Registry& registry) {
   PlanOptions& plan = options.plan;
   if (!options.canvas.empty()) set_canvas(options.canvas, plan.problem.read);
+  set_margin(options, plan.problem.read);
   // The reader looks for the edits in the drawing's folder, so that path files stay valid where both are moved.
   if (std::string& edits = plan.problem.read["edits"]; edits.empty()) {
     plan.problem.read.erase("edits");

@@ -20,6 +20,7 @@
 #include "cli/report_printer.hpp"
 #include "maps/path_file.hpp"
 #include "metrics/over_finished.hpp"
+#include "metrics/sharp_bends.hpp"
 #include "metrics/unfilled_areas.hpp"
 
 namespace oxturn::cli {
@@ -96,6 +97,7 @@ Report run_planner(const PlanOptions& options, const PlannerInfo& planner, const
     report.score = score(problem, *planned.path, registry.metrics, scoring);
     outputs.remarks = remarks_on(unfilled_areas(problem, *planned.path));
     std::ranges::move(remarks_on(transits_over_finished(problem, *planned.path)), std::back_inserter(outputs.remarks));
+    std::ranges::move(remarks_on_sharp_bends(problem, *planned.path), std::back_inserter(outputs.remarks));
     for (const std::string& sentence : outputs.remarks) say(sentence);
     if (!options.output.empty()) write_path(options.output, *planned.path, problem, source);
   }

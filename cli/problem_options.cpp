@@ -134,11 +134,15 @@ MapSource map_source(const ProblemOptions& options, const Registry& registry) {
 }
 
 // Remarks come only when all is well: bad input gets its one sentence and nothing else.
-Problem make_problem(const ProblemOptions& options, MapFile file) {
-  Robot robot = file.robot.value_or(Robot{});
+Robot robot_with(const ProblemOptions& options, Robot robot) {
   if (!options.robot.empty()) change_robot(robot, options.robot);
   if (options.radius) change(robot, {{"radius", *options.radius}});
   if (options.tool_width) change(robot, {{"tool_width", *options.tool_width}});
+  return robot;
+}
+
+Problem make_problem(const ProblemOptions& options, MapFile file) {
+  const Robot robot = robot_with(options, file.robot.value_or(Robot{}));
   const bool robot_given = file.robot || !options.robot.empty() || (options.radius && options.tool_width);
   check(robot);
   const auto start = location_of(LocationKind::start, options.start, file.start);

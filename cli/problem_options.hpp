@@ -38,6 +38,8 @@ struct ProblemOptions {
 void add_problem_options(CLI::App& app, const Registry& registry, ProblemOptions& options);
 /// MAP and the options of its reader. Throws for a name that is neither a file nor a generator.
 MapSource map_source(const ProblemOptions& options, const Registry& registry);
+/// The robot as the options change it; not checked.
+Robot robot_with(const ProblemOptions& options, Robot robot);
 /// Options take precedence over what the file says. What neither gives (robot, start) is chosen and said on standard
 /// error.
 Problem make_problem(const ProblemOptions& options, MapFile file);

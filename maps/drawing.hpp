@@ -25,6 +25,7 @@ struct DrawnStroke {
   bool tool = true;                  // false: it is driven here with the tool off (as the drawing prescribes)
   std::vector<std::size_t> nodes;    // positions in `points` of the source's own nodes, in order
   std::vector<std::size_t> corners;  // positions in `points` at which the tangents differ by more than a degree
+  std::size_t line = 0;              // of the element in the file; 0: unknown
 };
 
 /// How a filled region is covered; empty values leave the choice to the planner.

@@ -1,5 +1,9 @@
 // Share of a drawing's filled areas that the path covers, certified lower bound; and the same of the part that the
-// tool's disc reaches without leaving them.
+// tool's disc reaches without leaving them. Where the areas are all that the problem's target is, their share is the
+// target's.
+#include <cmath>
+
+#include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
 #include "maps/drawing.hpp"
 #include "metrics/score.hpp"
@@ -21,8 +25,16 @@ Region areas_of(const Scored& s) {
   return areas;
 }
 
+/// Square metres by which a boolean may move an area: it snaps to 2^-30 of the extent.
+double rounding_of(const Region& areas) {
+  return perimeter(areas) * bounding_box(areas).size().maxCoeff() * std::ldexp(1.0, -28);
+}
+
 std::optional<double> covered_share(const Scored& s, const Region& areas) {
   if (!(area(areas) > 0)) return std::nullopt;
+  const Region& target = s.problem.target();
+  const double rounding = rounding_of(areas), lower = s.swept.coverage.lower - rounding / area(areas);
+  if (area(subtract(areas, target)) <= rounding && area(subtract(target, areas)) <= rounding) return lower;
   return coverage_of(areas, 0, s.problem.robot().tool_width, s.path).lower;
 }
 

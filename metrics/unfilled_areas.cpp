@@ -12,6 +12,7 @@ namespace oxturn {
 namespace {
 
 constexpr std::size_t kMostRemarks = 10;
+constexpr double kRough = 0.01, kFine = 0.001;  // certainty of a share: the first is enough for most areas
 
 }  // namespace
 
@@ -31,7 +32,9 @@ std::vector<UnfilledArea> unfilled_areas(const Problem& problem, const Path& pat
     Path near;
     for (const auto& [leg_box, leg] : work)
       if (leg_box.overlaps(box)) near.legs.push_back(*leg);
-    const double share = near.legs.empty() ? 0 : coverage_of({{filled.area}}, 0, width, near).lower;
+    double share = 0;
+    for (const double certainty : {kRough, kFine})
+      if (!near.legs.empty() && share < least) share = coverage_of({{filled.area}}, 0, width, near, certainty).lower;
     if (share < least) found.push_back({filled.element, k, share});
   }
   return found;

@@ -8,11 +8,13 @@
 #include "base/throw_invalid.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
+#include "geometry/thinned.hpp"
 
 namespace oxturn {
 namespace {
 
-constexpr double kChord = 1e-3;  // tool widths: error of the inset's arcs
+constexpr double kChord = 1e-3;         // tool widths: error of the inset's arcs
+constexpr double kLeastChord = 2.5e-4;  // the same in widths of the whole tool, for parts of it
 // Parts of the tool for narrow areas: 5, 3 and 1 of 7 pins are 0.32, 0.16 and 0.04 m of 0.42 m wide.
 constexpr double kWidths[] = {1, 0.32 / 0.42, 0.16 / 0.42, 0.04 / 0.42};
 constexpr double kLeastPart = 1e-4;      // square tool widths: smaller parts of the inset are rounding
@@ -145,8 +147,11 @@ DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, dou
   const bool turns_on_the_spot = !(problem_.robot().min_turn_radius > 0);
   element.followed = !turns_on_the_spot;
   element.legs = turns_on_the_spot ? from_first_stroke(std::move(path.legs)) : drivable_legs(path, problem);
-  for (Leg& leg : element.legs)
-    if (leg.tool) leg.width = width;
+  for (Leg& leg : element.legs) {
+    if (!leg.tool) continue;
+    leg.width = width;
+    leg.points = thinned(leg.points, kLeastChord * problem_.robot().tool_width);
+  }
   return element;
 }
 
@@ -179,7 +184,8 @@ std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, const C
 /// Where the tool's centre may be, near the rest if there is one.
 std::vector<Polygon> AreaFiller::parts(const FilledArea& area, double width, const Region& rest) const {
   const double w = filling_robot(width).tool_width;
-  Region space = erode({{area.area}}, inset(width), kChord * w, Bound::inside);
+  const double chord = std::max(kChord * w, kLeastChord * problem_.robot().tool_width);
+  Region space = erode({{area.area}}, inset(width), chord, Bound::inside);
   const Box box = bounding_box(space);
   if (!space.empty() && !subtract(box_region(box.low, box.high), problem_.configuration_space()).empty())
     space = intersect(space, problem_.configuration_space());

@@ -19,6 +19,7 @@
 
 #include "algorithms/drawing/area_fill.hpp"
 #include "algorithms/drawing/containment.hpp"
+#include "algorithms/drawing/fill_order.hpp"
 #include "algorithms/drawing/followed_strokes.hpp"
 #include "algorithms/drawing/order_driver.hpp"
 #include "algorithms/smoothing/drivable.hpp"
@@ -106,6 +107,7 @@ class Beachbot final : public CoveragePlanner {
     if (radius > 0 && p_.corner == CornerRule::automatic)
       follow_strokes(elements, demands, curves, follow_options(problem, radius));
     const double keep_off = p_.keep_off < 0 ? problem.robot().radius : p_.keep_off;
+    if (radius > 0 && p_.finished == FinishedRule::around) order_fills(elements, demands, problem, radius, keep_off);
     FinishedWork work(pieces_of(elements).pieces, kExempt * problem.robot().tool_width);
     std::optional<SmoothTransits> smooth;
     if (radius > 0) smooth.emplace(problem, work, smooth_options(radius, keep_off));
@@ -141,6 +143,26 @@ class Beachbot final : public CoveragePlanner {
     return elements;
   }
 
+  /// Laps of fills in the order in which their loops cross the least of each other.
+  /// Not of those that a person connected: their ends must stay.
+  void order_fills(std::vector<DrawingElement>& elements, const TourDemands& demands, const Problem& problem,
+                   double radius, double keep_off) const {
+    const auto price = [&](const DrawingElement& element) -> InnerPrice {
+      const std::vector<DrawingElement> alone{element};
+      FinishedWork work(pieces_of(alone).pieces, kExempt * problem.robot().tool_width);
+      const SmoothTransits smooth(problem, work, smooth_options(radius, keep_off));
+      TransitRouter router(problem, work, keep_off, &smooth);
+      const DrivenOrder driven = PricedOrder(alone, element.first(), p_.finished, router, work).driven({{}});
+      return {driven.crossing_m, driven.length_m};
+    };
+    std::vector<bool> named(elements.size(), false);
+    for (const auto* connections : {&demands.joined, &demands.deleted})
+      for (const auto& [a, b] : *connections) named[a.element] = named[b.element] = true;
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      if (elements[e].is_fill() && elements[e].legs.size() > 1 && !named[e])
+        elements[e] = best_order(elements[e], problem.robot().tool_width, price);
+  }
+
   /// Strokes and the start must be where the robot can drive.
   static void check_inside(const Problem& problem, const Drawing& drawing) {
     if (drawing.start && !nearly_contains(problem.walls(), *drawing.start, problem.tolerance()))
@@ -149,9 +171,10 @@ class Beachbot final : public CoveragePlanner {
       for (std::size_t k = 1; k < stroke.points.size(); ++k)
         if (const auto p = point_outside(problem.walls(), stroke.points[k - 1], stroke.points[k], problem.tolerance()))
           throw Infeasible(
-              fmt::format("stroke '{}' leaves configuration space at {}: less than the robot's radius of "
-                          "{} m from the boundary; expected a larger margin",
-                          stroke.element, to_text(*p), problem.robot().radius));
+              fmt::format("stroke '{}'{} leaves configuration space at {}: less than the robot's radius of "
+                          "{} m from the boundary; expected a larger margin (--margin)",
+                          stroke.element, stroke.line > 0 ? fmt::format(" (line {})", stroke.line) : "", to_text(*p),
+                          problem.robot().radius));
   }
 
   static void trace_containment(const std::vector<DrawingElement>& elements, const TourDemands& demands,

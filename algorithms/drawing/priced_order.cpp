@@ -10,6 +10,8 @@ namespace oxturn {
 namespace {
 
 constexpr int kMostRounds = 10;
+constexpr int kMostRepeats = 3;           // of local search from one order
+constexpr std::size_t kFew = 200;         // elements: with more the search begins with one order
 constexpr double kConstantWeight = 1000;  // metres, of a connection over finished work
 constexpr double kNoDifference = 1e-9;
 
@@ -90,6 +92,24 @@ void PricedOrder::raise(const DrivenOrder& order, DrawingTour& tour) {
   }
 }
 
+/// Whether there is time for more than one local search; curves cost far more than straight transits.
+bool PricedOrder::is_cheap() const {
+  return elements_.size() <= kFew && !(router_.radius() > 0) && !router_.exhausted();
+}
+
+/// The best order, the last one, and the best one backwards: it costs as much without, but not with finished work.
+std::vector<DrivenOrder> PricedOrder::starts(const DrivenOrder& best, const DrivenOrder& last,
+                                             const DrawingTour& tour) {
+  std::vector<DrivenOrder> all{best};
+  if (!is_cheap()) return all;
+  if (last.order != best.order) all.push_back(last);
+  std::vector<ElementVisit> backwards(best.order.rbegin(), best.order.rend());
+  for (ElementVisit& visit : backwards)
+    if (!elements_[visit.element].closed) visit.backwards = !visit.backwards;
+  if (tour.allows(backwards)) all.push_back(driven(backwards));
+  return all;
+}
+
 DrivenOrder PricedOrder::search(DrawingTour& tour, Context& context) {
   DrivenOrder at = driven(tour.solve(context)), best = at;
   for (int round = 0;
@@ -101,9 +121,17 @@ DrivenOrder PricedOrder::search(DrawingTour& tour, Context& context) {
     if (better(at, best)) best = at;
   }
   if (rule_ != FinishedRule::around || context.cancelled()) return best;
-  OrderMoves moves(elements_, start_, tour, router_.radius(), router_, work_, first_piece_);
-  at = driven(moves.improved(best, context));
-  return better(at, best) ? at : best;
+  for (DrivenOrder start : starts(best, at, tour))
+    for (int round = 0; round < kMostRepeats && !context.cancelled(); ++round) {
+      OrderMoves moves(elements_, start_, tour, router_.radius(), router_, work_, first_piece_);
+      const DrivenOrder moved = driven(moves.improved(start, context));
+      if (!better(moved, best)) break;
+      best = moved;
+      if (!is_cheap()) break;
+      raise(best, tour);
+      start = driven(tour.improve(best.order, context));
+    }
+  return best;
 }
 
 }  // namespace oxturn

@@ -7,7 +7,8 @@
 /// driven, and every transit priced. (3) Connections dearer than they seemed are raised to their price, and the tour is
 /// improved, ten times at most; the best one driven is kept. (4) Local search at the real price: elements beside dear
 /// transits are moved, and runs of elements turned round, within 50 positions. Only transits between the changed
-/// positions are priced again, and only where straight distances leave hope.
+/// positions are priced again, and only where straight distances leave hope. Of up to 200 elements, without a radius,
+/// it begins with several orders, the best one backwards among them, and is repeated after (3) as long as that helps.
 /// Source: the outlook of Vollprecht 2014, which raises connections over finished areas; (4) is ours.
 #pragma once
 
@@ -53,6 +54,8 @@ class PricedOrder {
   Transit transit_to(const std::vector<ElementVisit>& order, std::size_t k);
   std::vector<Transit> draw(const ElementVisit& visit);
   void raise(const DrivenOrder& order, DrawingTour& tour);
+  bool is_cheap() const;
+  std::vector<DrivenOrder> starts(const DrivenOrder& best, const DrivenOrder& last, const DrawingTour& tour);
 
   const std::vector<DrawingElement>& elements_;
   Point start_;

@@ -70,12 +70,15 @@ std::optional<Polyline> SmoothTransits::along(const Pose& from, const Pose& to, 
 
 std::optional<Polyline> SmoothTransits::by_lattice(const Pose& from, const Pose& to) const {
   if (!(problem_.robot().min_turn_radius > 0)) return std::nullopt;
-  DetourEffort effort;
-  const std::optional<Curve> curve = CarSpace(problem_).detour({from}, to, effort, Context());
-  if (!curve || curve->cusps() > 0) return std::nullopt;
-  Polyline path{from.at};
+  const Key key{from.at.x(), from.at.y(), from.heading, to.at.x(), to.at.y(), to.heading};
+  const auto known = by_lattice_.find(key);
+  if (known != by_lattice_.end()) return known->second;
+  std::optional<Polyline>& path = by_lattice_[key];
+  const std::optional<Curve> curve = CarSpace(problem_).detour({from}, to, effort_, Context());
+  if (!curve || curve->cusps() > 0) return path;
+  path = Polyline{from.at};
   for (const Leg& leg : sampled(*curve, chord_error_, false))
-    path.insert(path.end(), leg.points.begin() + 1, leg.points.end());
+    path->insert(path->end(), leg.points.begin() + 1, leg.points.end());
   return path;
 }
 

@@ -7,15 +7,18 @@
 ///   1. is clear of finished work by `keep_off`: one smooth connection (smoothing/connection.hpp: spiro curves first)
 ///   2. is clear of finished work itself: the same; then connections through the bends of `round`
 ///   3. crosses it: one smooth connection
-///   4. as 3, found by a lattice search, if the robot cannot turn on the spot
+///   4. as 3, found by a lattice search, if the robot cannot turn on the spot; with the effort of one plan for all
 /// If there is none, `round` itself with its bends, which are reported.
 /// Source: Vollprecht 2014, section 2.4. Cost: some dozen curves of up to a millisecond.
 #pragma once
 
+#include <array>
+#include <map>
 #include <optional>
 
 #include "algorithms/drawing/finished_work.hpp"
 #include "algorithms/smoothing/connection.hpp"
+#include "algorithms/smoothing/detour_search.hpp"
 #include "maps/problem.hpp"
 
 namespace oxturn {
@@ -52,10 +55,15 @@ class SmoothTransits {
   std::optional<Polyline> along(const Pose& from, const Pose& to, const Polyline& round) const;
   std::optional<Polyline> by_lattice(const Pose& from, const Pose& to) const;
 
+  using Key = std::array<double, 6>;
+
   const Problem& problem_;
   const FinishedWork& work_;
   Options options_;
   double chord_error_;
+  // Whatever is finished, what lattice searches find between two poses is the same.
+  mutable std::map<Key, std::optional<Polyline>> by_lattice_;
+  mutable DetourEffort effort_;
 };
 
 }  // namespace oxturn

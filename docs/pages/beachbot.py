@@ -50,7 +50,7 @@ def containment(rows):
     ours, literal = pairs(rows, "spot", "containment=literal")
     return (f"inside first: {metres(ours)} with the tool up and {metres(ours, 'over_finished_m')} over finished work; "
             f"only no direct connection inwards: {metres(literal)} and {metres(literal, 'over_finished_m')} "
-            f"({len(ours)} drawings)")
+            f"({len(ours)} paths: the nine drawings, and the horse with two connections enforced)")
 
 
 def enforced(rows):

@@ -49,7 +49,7 @@ class Pieces {
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   void begin(const Point& p, std::size_t old) {
-    pieces_.push_back({stroke_.element, {p}, stroke_.width, stroke_.tool, {0}, {}});
+    pieces_.push_back({stroke_.element, {p}, stroke_.width, stroke_.tool, {0}, {}, stroke_.line});
     open_ = true;
     note(stroke_.corners, old, pieces_.back().corners);
   }

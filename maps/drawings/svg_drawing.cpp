@@ -120,7 +120,8 @@ class Painter {
     const bool tool = e.stroke != Paint::red;
     for (const Flattened& line : lines)
       if (line.points.size() > 1)
-        drawing().strokes.push_back({e.id, line.points, pen_width(e, options_), tool, line.nodes, line.corners});
+        drawing().strokes.push_back(
+            {e.id, line.points, pen_width(e, options_), tool, line.nodes, line.corners, e.line});
       else
         out_.remarks.push_back(fmt::format("{}:{}: a stroke without length is not drawn", file_, e.line));
   }
@@ -178,8 +179,10 @@ SvgDrawing drawing_from_svg(const std::string& text, const std::string& file, co
   SvgDrawing out{{}, std::move(read.remarks)};
   const CanvasFit fit = fit_of(read.elements, options);
   const auto nothing = [&] {
-    throw_invalid("{}: nothing to draw: no element has a stroke or a fill other than white{}", file,
-                  out.remarks.empty() ? "" : "; " + out.remarks.front());
+    if (!out.remarks.empty()) throw_invalid("{}; there is nothing to draw but that", out.remarks.front());
+    if (read.elements.empty()) throw_invalid("{}:{}: nothing to draw: no element has an outline", file, read.root_line);
+    throw_invalid("{}:{}: nothing to draw: no element has a stroke or a fill other than white, {}", file,
+                  read.elements.front().line, "with a length or an area");
   };
   if (fit.empty()) nothing();
   double narrowest = options.width_7;

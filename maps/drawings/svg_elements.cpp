@@ -270,7 +270,9 @@ Elements read_elements(const std::string& text, const std::string& file, bool wi
   if (local_name(document.root()) != "svg")
     throw_invalid("{}:{}: the root element is '{}', expected 'svg'", file, document.line(document.root()),
                   printable(std::string(document.root().name()).substr(0, 80)));
-  return Reader(document, widths_as_written).read();
+  Elements all = Reader(document, widths_as_written).read();
+  all.root_line = document.line(document.root());
+  return all;
 }
 
 }  // namespace oxturn::svg

@@ -28,6 +28,7 @@ struct Element {
 struct Elements {
   std::vector<Element> elements;     // in the order in which they are painted
   std::vector<std::string> remarks;  // "FILE:LINE: sentence"
+  std::size_t root_line = 1;         // of the svg element
 };
 
 /// `widths_as_written`: stroke widths ignore transforms. Throws std::invalid_argument "FILE:LINE: what is wrong" for

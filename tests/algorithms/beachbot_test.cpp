@@ -329,6 +329,9 @@ TEST(Beachbot, WhatCannotBeDrawnIsNamed) {
   drawing.curves.clear();
   drawing.strokes.push_back(line("tail", {{5, 5}, {5, 0.1}}));
   EXPECT_THAT(draw, ThrowsMessage<Infeasible>(HasSubstr("stroke 'tail' leaves configuration space at (5, ")));
+  drawing.strokes.back().line = 7;
+  EXPECT_THAT(draw, ThrowsMessage<Infeasible>(
+                        ::testing::AllOf(HasSubstr("stroke 'tail' (line 7) leaves"), HasSubstr("--margin"))));
   drawing.strokes.pop_back();
   drawing.start = Point(40, 1);
   EXPECT_THAT(draw, ThrowsMessage<Infeasible>(HasSubstr("start (40, 1) is outside")));

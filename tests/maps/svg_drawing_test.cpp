@@ -270,7 +270,10 @@ TEST(SvgDrawing, HostileInputIsOneSentence) {
   EXPECT_THAT(why(svg("<path d=\"M0 0L1e300 5\" stroke=\"#000\"/>")), HasSubstr("a.svg:2: path has coordinates above"));
   EXPECT_THAT(why(svg("<path d=\"M0 0L9 9\" stroke=\"#000\" transform=\"scale(1e200) scale(1e200)\"/>")),
               HasSubstr("a.svg:2: path has coordinates above"));
-  EXPECT_THAT(why(svg("<text/>")), HasSubstr("nothing to draw"));
+  EXPECT_THAT(why(svg("<text/>")), testing::AllOf(HasSubstr("a.svg:2: "), HasSubstr("nothing to draw")));
+  EXPECT_THAT(why(svg("\n<path d=\"M5 5z\" stroke=\"#000\" fill=\"none\"/>")),
+              HasSubstr("a.svg:1: nothing to draw: no element has an outline"));
+  EXPECT_THAT(why(svg("\n\n")), HasSubstr("a.svg:1: nothing to draw: no element has an outline"));
   EXPECT_THAT(why(repeated("<g>", 3000) + repeated("</g>", 3000)), HasSubstr("nested deeper than 256"));
   EXPECT_THAT(why(svg(repeated("<g/>", 1'000'001))), HasSubstr("more than 1000000 nodes"));
   EXPECT_THAT(why(svg("<path d=\"M0 0" + repeated("h1", 1'000'001) + "\"/>")), HasSubstr("path commands"));

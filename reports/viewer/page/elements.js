@@ -2,7 +2,9 @@
 // its vertices are counted through all of its strokes, as files of edits count them.
 const kCorner = Math.PI / 12;  // a vertex of an area's boundary that turns less is no node: curves have hundreds
 
-/** Indices of the vertices of a ring at which it turns; all if it turns nowhere sharply. */
+const kMostRoundNodes = 16;    // of a boundary without corners
+
+/** Indices of the vertices of a ring at which it turns; some, evenly spread, if it has no three such. */
 function cornersOf(ring) {
   const n = ring.length / 2, corners = [];
   for (let i = 0; i < n; ++i) {
@@ -12,7 +14,9 @@ function cornersOf(ring) {
     const turn = Math.abs(Math.atan2(Math.sin(after - before), Math.cos(after - before)));
     if (turn > kCorner) corners.push(i);
   }
-  return corners.length > 2 ? corners : Array.from({length: n}, (_, i) => i);
+  if (corners.length > 2) return corners;
+  const step = Math.ceil(n / kMostRoundNodes);
+  return Array.from({length: n}, (_, i) => i).filter(i => i % step === 0 || corners.includes(i));
 }
 
 function strokeShape(stroke, firstVertex) {
@@ -111,7 +115,14 @@ function nodeOf(reference) {
     if (shape.element === reference.element)
       for (const node of [...shape.nodes, ...(shape.allNodes || [])])
         if (node.vertex === reference.vertex || node.number === reference.vertex) return {shape, ...node};
-  return null;
+  return vertexOfArea(reference);
+}
+/** A vertex of an area's boundary that is no node here: older files of edits name such. */
+function vertexOfArea(reference) {
+  const shape = shapes.find(s => s.kind === "area" && s.element === reference.element);
+  const at = 2 * reference.vertex;
+  if (!shape || !shape.nodes.length || !(at >= 0 && at < shape.rings[0].length)) return null;
+  return {shape, vertex: reference.vertex, x: shape.rings[0][at], y: shape.rings[0][at + 1]};
 }
 function nodeText(reference) {
   const node = nodeOf(reference);
