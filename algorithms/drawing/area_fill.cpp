@@ -105,6 +105,12 @@ bool gains(const Polygon& part, const RingBoxes& rest, double width, double leas
   return area(reached) >= least && area(intersect(reached, rest.near(bounding_box(reached)))) >= least;
 }
 
+bool stays_in(const EdgeIndex& space, const Polyline& line) {
+  for (std::size_t k = 1; k < line.size(); ++k)
+    if (!space.contains(line[k - 1], line[k])) return false;
+  return true;
+}
+
 }  // namespace
 
 Robot AreaFiller::filling_robot(double width) const {
@@ -150,7 +156,8 @@ DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, dou
   for (Leg& leg : element.legs) {
     if (!leg.tool) continue;
     leg.width = width;
-    leg.points = thinned(leg.points, kLeastChord * problem_.robot().tool_width);
+    Polyline fewer = thinned(leg.points, kLeastChord * problem_.robot().tool_width);
+    if (stays_in(problem_.walls(), fewer)) leg.points = std::move(fewer);
   }
   return element;
 }

@@ -157,7 +157,7 @@ class Figures(unittest.TestCase):
             [cell.strip() for cell in one.split("|")[1:-1]] for one in text.split("\n")) if cells[:1] and
             cells[0].startswith(start))
         self.assertIn("6.0 m with the tool up and 2.0 m over finished work; only no direct connection inwards: 7.0 m "
-                      "and 3.0 m (1 drawings)", claim("elements inside"))
+                      "and 3.0 m (1 paths: ", claim("elements inside"))
         self.assertIn("10.0 m with the tool up without, 14.0 m with; strokes drawn 0.9999", claim("a person"))
         self.assertIn("as published: 0 of 1 paths can be driven, 2 bends too sharp, 80.0 m", claim("moving control"))
         self.assertIn("1 of 1, 0 bends, 20.0 m", claim("moving control"))
