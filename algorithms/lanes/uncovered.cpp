@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "geometry/edge_index.hpp"
@@ -60,35 +62,39 @@ std::vector<Polyline> near(const Region& left, const std::vector<Polyline>& line
   return runs;
 }
 
-}  // namespace
-
-Region uncovered(const Region& target, const Path& path, const Robot& robot) {
-  const double w = robot.tool_width, seam = covered_seam(robot);
-  const auto swept = [&](const std::vector<Polyline>& lines, double off) {
-    return swath_parts(lines, w / 2 - off, seam, Bound::outside);
+/// What lines leave uncovered that all work with a tool of width w.
+Region left_by(std::vector<Polyline> lines, double w, double seam, Region left) {
+  const auto swept = [&](const std::vector<Polyline>& parts, double off) {
+    return swath_parts(parts, w / 2 - off, seam, Bound::outside);
   };
-  std::vector<Polyline> lines;
-  std::size_t segments = 0;
-  for (const Leg& leg : path.legs) {
-    if (!leg.tool) continue;
-    lines.push_back(leg.points);
-    segments += leg.points.size();
-  }
-  Region left = target;
   for (const double share : kOff) {
     const double off = share * w;
     Chords chords;
-    for (const Polyline& line : lines) add_chords(line, off, chords);
+    std::size_t segments = 0;
+    for (const Polyline& line : lines) {
+      add_chords(line, off, chords);
+      segments += line.size();
+    }
     if (static_cast<double>(segments) < kWorthwhile * static_cast<double>(chords.count)) break;
     std::vector<Region> parts = swept(chords.off, off);
     std::ranges::move(swept(chords.exact, 0), std::back_inserter(parts));
     left = subtract(left, parts);
     if (left.empty()) return left;
     lines = near(left, lines, w / 2 + 2 * seam);
-    segments = 0;
-    for (const Polyline& line : lines) segments += line.size();
   }
   return subtract(left, swept(lines, 0));
+}
+
+}  // namespace
+
+Region uncovered(const Region& target, const Path& path, const Robot& robot) {
+  std::map<double, std::vector<Polyline>> lines;  // by width
+  for (const Leg& leg : path.legs)
+    if (leg.tool) lines[leg.width > 0 ? leg.width : robot.tool_width].push_back(leg.points);
+  Region left = target;
+  for (auto& [width, of_width] : lines)
+    left = left_by(std::move(of_width), width, covered_seam(robot) * width / robot.tool_width, std::move(left));
+  return left;
 }
 
 }  // namespace oxturn

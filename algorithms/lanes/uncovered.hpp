@@ -17,7 +17,7 @@ namespace oxturn {
 /// Seams thinner than this count as covered, metres.
 inline double covered_seam(const Robot& robot) { return robot.tool_width / 250; }
 
-/// What of the target the path leaves uncovered.
+/// What of the target the path leaves uncovered, each leg with its own width.
 Region uncovered(const Region& target, const Path& path, const Robot& robot);
 
 }  // namespace oxturn

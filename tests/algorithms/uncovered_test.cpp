@@ -40,6 +40,14 @@ TEST(Uncovered, OfNothingIsTheTarget) {
   EXPECT_NEAR(area(uncovered(hall(4, 3), off.take(), with_tool(0.4))), 12, 1e-6);
 }
 
+TEST(Uncovered, EachLegCoversItsOwnWidth) {
+  PathBuilder path({0, 1});
+  path.drive(Polyline{{0, 1}, {4, 1}}, true, Gear::forward, 0.1);
+  path.drive(Point(4, 2), false);
+  path.drive(Polyline{{4, 2}, {0, 2}}, true);
+  EXPECT_NEAR(area(uncovered(hall(4, 3), path.take(), with_tool(0.4))), 12 - 4 * 0.1 - 4 * 0.4, 0.02);
+}
+
 // Spirals of short segments, laps from many deep to more than a tool width apart: chords stand for them at first.
 TEST(Uncovered, OfSpiralsIsWhatAllOfTheirSegmentsLeave) {
   for (const double apart : {0.05, 0.3, 0.385, 0.395, 0.405, 0.45}) {
