@@ -14,7 +14,7 @@
 //             2. The rate of a block is its area over the time for lanes, turns and the straight drive there. The best
 //                block has the greatest rate times area: by the rate alone (value = rate, the source) a rectangle falls
 //                into a strip along its diagonal and two triangles.
-//             3. Blocks found for one heading are used until the component that they lie in has lost a tenth of its
+//             3. Blocks found for one heading are used until the component that they lie in has lost three tenths of its
 //                area; the source divides again after each block. What is too small for blocks takes slabs in the
 //                direction that is cheapest for it.
 //             4. order = improved: the blocks in the order of a tour. greedy, as in the source: in the order in which
@@ -24,7 +24,9 @@
 #include "algorithms/lanes/headland.hpp"
 #include "algorithms/polygon/field_blocks.hpp"
 #include "algorithms/polygon/halves.hpp"
+#include "geometry/overlay/boolean.hpp"
 #include "geometry/raster.hpp"
+#include "geometry/ring_boxes.hpp"
 
 namespace oxturn {
 namespace {
@@ -41,8 +43,18 @@ struct Params : Headland {
   BlockValue value = BlockValue::area_rate;
 };
 
+/// Configuration space without most of the walls that are nowhere near a section of the field.
+Region space_near(const Problem& problem, const RingBoxes& space, const Region& section) {
+  Box box = bounding_box(section);
+  box.grow(problem.robot().tool_width);
+  Region near = space.near(box);
+  if (vertex_count(near) > 2 * kMostVertices) near = intersect(near, box_region(box.low, box.high));
+  return near;
+}
+
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const double w = problem.robot().tool_width;
+  const RingBoxes space(problem.configuration_space());
   const auto strips_deeper_than = [&](double depth) {
     // Larger by what is simplified away, so that all that is deeper stays.
     const Region field = simplify_inward(lane_region(problem, depth - kSimplify * w, kChord * w), kSimplify * w);
@@ -50,7 +62,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
     std::vector<Polyline> outlines;
     const auto small = [](const Region& section) { return vertex_count(section) <= kMostVertices; };
     for (const Region& section : halved_until(field, small))
-      for (FieldBlock& block : field_blocks(problem, section, p.value, context)) {
+      for (FieldBlock& block : field_blocks(problem, space_near(problem, space, section), section, p.value, context)) {
         outlines.emplace_back(block.ring.begin(), block.ring.end());
         if (!block.ring.empty()) outlines.back().push_back(block.ring.front());
         for (Strip& strip : block.strips) strips.push_back(std::move(strip));

@@ -1,6 +1,6 @@
 /// A field divided into blocks that are easy to drive, the best block first.
 ///
-///   std::vector<FieldBlock> blocks = field_blocks(problem, field, BlockValue::area_rate, context);
+///   std::vector<FieldBlock> blocks = field_blocks(problem, space, field, BlockValue::area_rate, context);
 ///   for (const FieldBlock& b : blocks) strips.insert(strips.end(), b.strips.begin(), b.strips.end());
 ///
 ///     +--------------+----.        Cut along a heading at every vertex, the field falls into trapezoids; neighbours
@@ -33,9 +33,11 @@ struct FieldBlock {
 /// diagonal, where lanes are longest, and leaves triangles.
 enum class BlockValue { area_rate, rate };
 
+/// `near`: configuration space, all of it or what lies within a tool width of `field`.
 /// Blocks that together make up `field`, which lies in configuration space at least half a tool width from its
 /// boundary; but for pieces below 1e-6 of the square of the tool width. Ends early if cancelled.
-std::vector<FieldBlock> field_blocks(const Problem& problem, const Region& field, BlockValue value, Context& context);
+std::vector<FieldBlock> field_blocks(const Problem& problem, const Region& near, const Region& field, BlockValue value,
+                                     Context& context);
 
 /// The trapezoids of a region in the frame of vertical lanes, merged with their neighbours where the whole side between
 /// them is equal and lower and upper ends bend by less than 20 degrees there.
