@@ -14,8 +14,8 @@
 //             2. The rate of a block is its area over the time for lanes, turns and the straight drive there. The best
 //                block has the greatest rate times area: by the rate alone (value = rate, the source) a rectangle falls
 //                into a strip along its diagonal and two triangles.
-//             3. Blocks found for one heading are used until the component that they lie in has lost three tenths of its
-//                area; the source divides again after each block. What is too small for blocks takes slabs in the
+//             3. Blocks found for one heading are used until the component that they lie in has lost three tenths of
+//                its area; the source divides again after each block. What is too small for blocks takes slabs in the
 //                direction that is cheapest for it.
 //             4. order = improved: the blocks in the order of a tour. greedy, as in the source: in the order in which
 //                they were chosen.
