@@ -57,8 +57,7 @@ TEST(Field, ARectangleIsOneBlockAlongItsLongerSide) {
     EXPECT_EQ(plan_recorded("field", p).figures.at("blocks"), 1) << degrees;
     Context context(1);
     const Region field = transformed(box_region({0.6, 0.6}, {13.4, 6.4}), degrees * kPi / 180, {0, 0});
-    const std::vector<FieldBlock> blocks =
-        field_blocks(p, p.configuration_space(), field, BlockValue::area_rate, context);
+    const std::vector<FieldBlock> blocks = field_blocks(p, p.configuration_space(), field, {}, context);
     ASSERT_EQ(blocks.size(), 1u) << degrees;
     EXPECT_NEAR(std::abs(std::remainder(blocks[0].degrees - degrees, 180.0)), 0, 1e-6);
     EXPECT_NEAR(blocks[0].area, 12.8 * 5.8, 1e-6);
@@ -90,9 +89,7 @@ TEST(Field, WallsElsewhereDoNotMatter) {
     const Region near = walls.near(Box{{4 - w, -w}, {9 + w, 7 + w}});
     ASSERT_LT(vertex_count(near), vertex_count(p.configuration_space())) << seed;
     Context context(1);
-    const auto blocks = [&](const Region& space) {
-      return field_blocks(p, space, section, BlockValue::area_rate, context);
-    };
+    const auto blocks = [&](const Region& space) { return field_blocks(p, space, section, {}, context); };
     const std::vector<FieldBlock> all = blocks(p.configuration_space()), some = blocks(near);
     ASSERT_EQ(all.size(), some.size()) << seed;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -111,7 +108,7 @@ TEST(Field, BlocksDivideTheField) {
       Context context(1);
       double sum = 0;
       Region all;
-      for (const FieldBlock& b : field_blocks(p, p.configuration_space(), field, value, context)) {
+      for (const FieldBlock& b : field_blocks(p, p.configuration_space(), field, {value, 4}, context)) {
         sum += b.area;
         if (!b.ring.empty()) all.polygons.push_back({b.ring, {}});
       }
