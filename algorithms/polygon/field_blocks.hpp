@@ -11,8 +11,7 @@
 /// Source      after Oksanen and Visala, "Coverage path planning algorithms for agricultural field machines", Journal
 ///             of Field Robotics 26(8), 2009: their first algorithm. The numbers are ours.
 /// Complexity  a division takes O(n log n) for n vertices and a heading, of about 30; one for each 30 % of the area of
-///             a component, and as many for its parts. Clutter of 1,300 vertices, 0.6 s; of 12,000, in sections of at most
-///             2,000, 6.3 s
+///             a component, and as many for its parts
 #pragma once
 
 #include <vector>
