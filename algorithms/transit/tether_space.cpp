@@ -1,8 +1,8 @@
 // The cut as a strip that is removed, and the components that remain.
 //
 // Complexity  O((n + k) log n) for n vertices of configuration space and k pieces of the cut. Components that can be
-//             entered across the cut only: for each a search near it, and a path from the start, which costs the
-//             triangles on its way
+//             entered across the cut only: for each a search near it, and a path from the start, which costs its
+//             triangles
 // Decisions   1. The strip is r / 90 wide (w / 200 for robots without size): far above the chord error of the cut and
 //                above rounding, not below the shortest segments that paths should have (short_segments.hpp), far below
 //                what a tool reaches over.

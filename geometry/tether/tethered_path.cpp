@@ -135,8 +135,8 @@ class Untangling {
   const Point goal_;
 };
 
-/// `taut`, a taut line of the robot's space, followed by `more`, pulled taut. Looks at as many of the last vertices as it
-/// takes to leave one bend as it is.
+/// `taut`, a taut line of the robot's space, followed by `more`, pulled taut. Looks at as many of the last vertices as
+/// it takes to leave one bend as it is.
 Polyline extended_taut(const TetheredWorld& world, const Polyline& taut, const Polyline& more) {
   constexpr std::size_t kFirstTried = 8;  // segments
   for (std::size_t tried = kFirstTried;; tried *= 4) {
