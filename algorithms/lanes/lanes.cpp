@@ -7,6 +7,7 @@
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/minkowski.hpp"
 #include "geometry/overlay/offset.hpp"
+#include "geometry/raster.hpp"
 
 namespace oxturn {
 namespace {
@@ -209,6 +210,9 @@ Region LaneFrame::to_frame(const Region& region) const {
 Region lane_region(const Problem& problem, double inset, double chord) {
   const Region &space = problem.configuration_space(), &free = problem.map().free;
   // Only C knows the boundaries that are no walls (the tether's reach, a cut). It may be a small part of the map.
+  // Its fine arcs would cost an erosion the square of the vertices within reach: half the error is spent on fewer.
+  if (problem.limited() && inset > chord)
+    return erode(simplify_inward(space, chord / 2), inset - chord / 2, chord / 2, Bound::outside);
   if (problem.limited()) return erode(space, inset, chord, Bound::outside);
   // A point at least `inset` from the boundary of C is at least radius + inset from every wall. Intersecting with C
   // keeps the component of the start. The C of a polygonal robot has no arcs, so eroding in two steps loses nothing

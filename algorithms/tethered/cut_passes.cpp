@@ -5,9 +5,12 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 
+#include "base/graph_search.hpp"
 #include "geometry/overlay/boolean.hpp"
+#include "geometry/overlay/divided.hpp"
 #include "geometry/overlay/offset.hpp"
 #include "geometry/raster.hpp"
 
@@ -22,11 +25,18 @@ constexpr double kPieceLength = 0.125;   // of the pieces that the cut is divide
 constexpr double kStraightening = 0.05;  // by which passes may come nearer to the cut to have fewer bends
 constexpr double kThinning = 0.01;       // by which a piece's sides may miss those of the pieces that it joins
 constexpr std::size_t kMostJoined = 8;   // pieces
-constexpr double kDrivenWithin = 2.0;    // distance from the cut of what may cover what its passes miss: at least 1.5
-constexpr double kSquare = 1.0;          // side of the squares around the cut
-constexpr double kLostWithin = 1.0;      // distance from a disconnected part of the pieces that disconnect it
-constexpr double kLargestPocket = 0.5;   // side of a square; larger disconnected parts are no pockets
-constexpr double kChordsPerWidth = 400;  // tool widths over the chord error of dilation
+constexpr double kBeyond = 0.002;        // the pass where it covers the strip beside it
+constexpr double kSkipped[] = {0, 0.02, 0.05};  // of its length, at either end
+constexpr double kReach = 0.4999;               // of the tool
+constexpr int kFewVertices = 8;                 // of discs
+constexpr double kDrivenWithin = 1.05;          // distance of what may cover what the passes miss: at least 1
+constexpr double kSquare = 0.25;                // side of the squares around that
+constexpr double kLostWithin = 1.0;             // distance from a disconnected part of the pieces that disconnect it
+constexpr int kRoundsByPieces = 1;              // after that many, all pieces that meet those are left out, too
+constexpr double kLargestPocket = 0.5;          // side of a square; larger disconnected parts are no pockets
+constexpr double kChordsPerWidth = 400;         // tool widths over the chord error of dilation
+
+constexpr double kSameEnd = 1e-3;  // by which ends of lines that meet may differ
 
 constexpr double kTaper = 0.8;  // distance of a pass from the cut over that of the cut from walls: less than 1
 
@@ -42,6 +52,27 @@ struct CutLines {
   std::vector<Polyline> lines;
   std::vector<Point> junctions;  // sorted
 };
+
+/// Moves ends of lines that differ by less than `tolerance` to one of them.
+void unify_ends(std::vector<Polyline>& lines, double tolerance) {
+  std::vector<Box> boxes;
+  for (const Polyline& line : lines)
+    for (const Point& end : {line.front(), line.back()}) {
+      boxes.emplace_back();
+      boxes.back().add(end);
+      boxes.back().grow(tolerance / 2);
+    }
+  const BoxIndex index(boxes);
+  std::vector<bool> done(boxes.size(), false);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (done[i]) continue;
+    const Point at = i % 2 == 0 ? lines[i / 2].front() : lines[i / 2].back();
+    for (const std::uint32_t k : index.overlapping(boxes[i])) {
+      if (!done[k]) (k % 2 == 0 ? lines[k / 2].front() : lines[k / 2].back()) = at;
+      done[k] = true;
+    }
+  }
+}
 
 CutLines joined(const std::vector<Polyline>& lines) {
   using End = std::pair<std::size_t, bool>;  // a line, and whether it is its beginning
@@ -121,6 +152,10 @@ struct StripPiece {
     return {from.at - from.half_width * from.aside, to.at - to.half_width * to.aside, to.at + to.half_width * to.aside,
             from.at + from.half_width * from.aside};
   }
+  /// On the left (side = 1) or right (-1) of the cut.
+  Ring half(double side) const {
+    return {from.at, to.at, to.at + side * to.half_width * to.aside, from.at + side * from.half_width * from.aside};
+  }
 };
 
 /// The last of the points up to `last` to which one piece leads from the first: in between, the ends of its sides lie
@@ -157,31 +192,137 @@ void append_wide(const std::vector<CutPoint>& points, double least, double toler
   }
 }
 
-/// The strip between the passes, with discs where lines of the cut may meet.
-Region strip_of(const std::vector<StripPiece>& pieces, double w) {
-  std::vector<Region> parts;
-  const auto add_disc = [&](const CutPoint& end) {
-    if (end.half_width < kAtJunctions / 2 * w) return;
-    const double h = end.half_width / 1e3;
-    const Region square{
-        {{{end.at + Point(-h, -h), end.at + Point(h, -h), end.at + Point(h, h), end.at + Point(-h, h)}, {}}}};
-    parts.push_back(dilate(square, end.half_width - 2 * h, w / kChordsPerWidth, Bound::inside));
+Ring polygon_around(const Point& centre, double radius, int vertices) {
+  Ring ring;
+  for (int k = 0; k < vertices; ++k) ring.push_back(centre + radius * rotated({1, 0}, 2 * kPi * k / vertices));
+  return ring;
+}
+/// A polygon in a disc, or, with few vertices, around it.
+Ring disc(const Point& centre, double radius, double chord_error, Bound bound) {
+  if (bound == Bound::outside) return polygon_around(centre, radius / std::cos(kPi / kFewVertices), kFewVertices);
+  return polygon_around(centre, radius, static_cast<int>(std::ceil(kPi / std::acos(1 - chord_error / radius))));
+}
+
+using Pieces = std::span<const StripPiece>;
+
+/// Appends discs at the ends of rows of pieces, where lines of the cut may meet.
+void append_discs(Pieces pieces, double w, Bound bound, Region& parts) {
+  const auto add = [&](const CutPoint& end) {
+    if (end.half_width >= kAtJunctions / 2 * w)
+      parts.polygons.push_back({disc(end.at, end.half_width, w / kChordsPerWidth, bound), {}});
   };
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (i == 0 || pieces[i - 1].to.at != pieces[i].from.at) add_disc(pieces[i].from);
-    if (i + 1 == pieces.size() || pieces[i + 1].from.at != pieces[i].to.at) add_disc(pieces[i].to);
-    parts.push_back({{{pieces[i].outline(), {}}}});
+    if (i == 0 || pieces[i - 1].to.at != pieces[i].from.at) add(pieces[i].from);
+    if (i + 1 == pieces.size() || pieces[i + 1].from.at != pieces[i].to.at) add(pieces[i].to);
   }
-  return simplify_inward(unite(parts), kStraightening * w);
 }
+
+/// The strip between the passes, with discs where lines of the cut may meet.
+Region strip_of(Pieces pieces, double w) {
+  Region parts;
+  append_discs(pieces, w, Bound::inside, parts);
+  for (const StripPiece& piece : pieces) parts.polygons.push_back({piece.outline(), {}});
+  return simplify_inward(unite({parts}), kStraightening * w);
+}
+
+/// The pieces in groups that do not come near each other, and the strip of each.
+class Strips {
+ public:
+  Strips(const std::vector<StripPiece>& pieces, double w) : w_(w) {
+    std::vector<Box> boxes;
+    for (const StripPiece& piece : pieces) boxes.push_back(box_of(piece));
+    const BoxIndex index(boxes);
+    const auto components = connected_components(pieces.size(), [&](std::size_t i, auto reach) {
+      for (const std::uint32_t j : index.overlapping(boxes[i])) reach(std::size_t{j});
+    });
+    groups_.resize(static_cast<std::size_t>(components.count));
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      groups_[static_cast<std::size_t>(components.of[i])].pieces.push_back(pieces[i]);
+    for (Group& group : groups_) group.strip = strip_of(group.pieces, w_);
+  }
+
+  bool empty() const {
+    return std::ranges::all_of(groups_, [](const Group& group) { return group.pieces.empty(); });
+  }
+  Region all() const {
+    Region region;
+    for (const Group& group : groups_)
+      region.polygons.insert(region.polygons.end(), group.strip.polygons.begin(), group.strip.polygons.end());
+    return region;
+  }
+  /// Erases pieces, or the whole groups in which there are any. False if there are none.
+  template <class Predicate>
+  bool erase_if(Predicate predicate, bool whole_groups) {
+    bool any = false;
+    for (Group& group : groups_) {
+      if (std::erase_if(group.pieces, predicate) == 0) continue;
+      if (whole_groups) group.pieces.clear();
+      group.strip = group.pieces.empty() ? Region{} : strip_of(group.pieces, w_);
+      any = true;
+    }
+    return any;
+  }
+
+  /// What of the strip the passes may miss, in polygons that may overlap. The rest is within half a tool width of
+  /// `driven`: so are the vertices of half a piece of the passage beside it, and what is convex is nowhere farther.
+  Region doubtful(const EdgeIndex& driven) const {
+    Region parts;
+    for (const Group& group : groups_) {
+      append_discs(group.pieces, w_, Bound::outside, parts);
+      for (const StripPiece& piece : group.pieces)
+        for (const double side : {-1.0, 1.0})
+          if (Ring half = piece.half(side); !covered(half, driven)) parts.polygons.push_back({std::move(half), {}});
+    }
+    return parts;
+  }
+
+ private:
+  struct Group {
+    std::vector<StripPiece> pieces;
+    Region strip;
+  };
+
+  /// Holds the discs at its ends, too.
+  static Box box_of(const StripPiece& piece) {
+    Box box;
+    for (const CutPoint* end : {&piece.from, &piece.to}) {
+      Box around;
+      around.add(end->at);
+      around.grow(end->half_width);
+      box.add(around);
+    }
+    return box;
+  }
+  /// Does some of the pass beside the half cover it?
+  bool covered(const Ring& half, const EdgeIndex& driven) const {
+    const Point along = half[2] - half[3];
+    const double size = along.norm();
+    if (size <= 0) return false;
+    const Point across = half[3] - half[0] + half[2] - half[1];
+    const Point aside = cross(along, across) > 0 ? perpendicular(along) : -perpendicular(along);
+    const Point off = kBeyond * w_ / size * aside;
+    for (const double skipped : kSkipped) {
+      const double t = std::min(skipped * w_ / size, 0.5);
+      const Point a = lerp(half[3], half[2], t) + off, b = lerp(half[2], half[3], t) + off;
+      if (std::ranges::all_of(half, [&](const Point& p) { return distance_to_segment(p, a, b) <= kReach * w_; }) &&
+          driven.contains(a, b))
+        return true;
+    }
+    return false;
+  }
+
+  double w_;
+  std::vector<Group> groups_;
+};
 
 /// What the tool would reach from `left_out` of the space, and does not from `driven`: there, and beside walls. What
 /// lies across the cut is for the passes there.
-Region unreached(const RingBoxes& target, const RingBoxes& space, const std::vector<StripPiece>& pieces,
-                 const Region& left_out, const Region& driven, double w) {
+Region unreached(const RingBoxes& target, const RingBoxes& space, const Region& left_out, const Region& driven,
+                 double w) {
   const double chord = w / kChordsPerWidth;
   std::vector<Polyline> lines;
-  for (const StripPiece& piece : pieces) lines.push_back({piece.from.at, piece.to.at});
+  for_each_edge(left_out, [&](const Point& a, const Point& b) { lines.push_back({a, b}); });
+  if (lines.empty()) return {};
   const Region near = intersect(driven, squares_around(lines, kDrivenWithin * w, kSquare * w));
   const Region swept = dilate(left_out, w / 2, chord, Bound::inside);
   const Box box = bounding_box(swept);
@@ -189,11 +330,22 @@ Region unreached(const RingBoxes& target, const RingBoxes& space, const std::vec
   return subtract(unite({left_out, beside}), dilate(near, w / 2, chord, Bound::inside));
 }
 
+bool holds(const Polygon& part, const Point& p, double tolerance) {
+  Box box = bounding_box(part.outer);
+  box.grow(tolerance);
+  if (!box.contains(p)) return false;
+  const EdgeIndex edges(Region{{part}});
+  return edges.contains(p) || edges.nearest(p, tolerance).has_value();
+}
+
 }  // namespace
 
 CutPasses::CutPasses(const Problem& problem, const std::vector<Polyline>& cut)
     : problem_(problem), target_(problem.target()), space_(problem.configuration_space()) {
-  CutLines all = joined(cut);
+  std::vector<Polyline> lines = cut;
+  unify_ends(lines, kSameEnd * problem.robot().tool_width);
+  std::erase_if(lines, [](const Polyline& line) { return line.size() == 2 && line.front() == line.back(); });
+  CutLines all = joined(lines);
   lines_ = std::move(all.lines);
   junctions_ = std::move(all.junctions);
   std::vector<Box> boxes;
@@ -214,13 +366,12 @@ PassSpace CutPasses::beside(const Problem& component) const {
     return !component.walls().contains(piece.from.at) &&
            !component.walls().nearest(piece.from.at, piece.to.at, w / 2).has_value();
   });
-  while (!pieces.empty()) {
+  Strips strips(pieces, w);
+  for (int round = 0; !strips.empty(); ++round) {
     Region space, lost, pockets;
-    const Region strip = strip_of(pieces, w);
-    for (Polygon& part : subtract(whole, strip).polygons) {
-      const EdgeIndex edges(Region{{part}});
-      const bool home = edges.contains(component.start()) || edges.nearest(component.start(), component.tolerance());
-      if (home && space.empty())
+    auto [outside, left_out] = divided(whole, strips.all());
+    for (Polygon& part : outside.polygons) {
+      if (space.empty() && holds(part, component.start(), component.tolerance()))
         space.polygons.push_back(std::move(part));
       else if (area(part) > kLargestPocket * kLargestPocket * w * w)
         lost.polygons.push_back(std::move(part));
@@ -228,15 +379,15 @@ PassSpace CutPasses::beside(const Problem& component) const {
         pockets.polygons.push_back(std::move(part));
     }
     if (lost.empty()) {
-      const Region left_out = unite({intersect(whole, strip), pockets});
-      Region missed = unreached(target_, space_, pieces, left_out, space, w);
+      left_out = unite({intersect(left_out, strips.doubtful(EdgeIndex(space))), pockets});
+      Region missed = unreached(target_, space_, left_out, space, w);
       return {std::move(space), std::move(missed)};
     }
     const EdgeIndex around(lost);
     const auto disconnects = [&](const StripPiece& piece) {
       return around.nearest(piece.from.at, piece.to.at, kLostWithin * w).has_value();
     };
-    if (std::erase_if(pieces, disconnects) == 0) break;
+    if (!strips.erase_if(disconnects, round >= kRoundsByPieces)) break;
   }
   return {whole, {}};
 }

@@ -1,8 +1,8 @@
 // The cut as a strip that is removed, and the components that remain.
 //
 // Complexity  O((n + k) log n) for n vertices of configuration space and k pieces of the cut. Components that can be
-//             entered across the cut only: a search for each, and a path to the next one; both cost the bends from the
-//             start on
+//             entered across the cut only: for each a search near it, and a path from the start, which costs its
+//             triangles
 // Decisions   1. The strip is r / 90 wide (w / 200 for robots without size): far above the chord error of the cut and
 //                above rounding, not below the shortest segments that paths should have (short_segments.hpp), far below
 //                what a tool reaches over.
@@ -267,8 +267,9 @@ bool TetherSpace::within_tether(const Point& from, const Polyline& path) const {
 
 const TetheredWorld& TetherSpace::world() const {
   if (!world_)
-    world_ = std::make_unique<const TetheredWorld>(problem_.map().free, problem_.configuration_space(), cut_space(),
-                                                   field(), tether_length(), problem_.tolerance());
+    world_ = std::make_unique<const TetheredWorld>(
+        problem_.tether()->taut_space(), problem_.walls(), problem_.configuration_space(), problem_.transit(),
+        cut_problem().transit(), field(), tether_length(), problem_.tolerance());
   return *world_;
 }
 

@@ -235,9 +235,10 @@ void add_boundary(std::vector<OverlayEdge>& edges, const std::vector<BoundaryEdg
     directed(b.from, b.to, weight, [&](const OverlayEdge& e) { edges.push_back(e); });
 }
 
-std::vector<BoundaryEdge> boundary_of(std::vector<OverlayEdge> edges, Inside inside) {
-  resolve(edges);
-  const std::vector<Windings> left = WindingNumbers(edges).run();
+namespace {
+
+std::vector<BoundaryEdge> boundary_where(const std::vector<OverlayEdge>& edges, const std::vector<Windings>& left,
+                                         Inside inside) {
   std::vector<BoundaryEdge> out;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const OverlayEdge& e = edges[i];
@@ -246,6 +247,19 @@ std::vector<BoundaryEdge> boundary_of(std::vector<OverlayEdge> edges, Inside ins
     out.push_back(inside_left ? BoundaryEdge{e.a, e.b} : BoundaryEdge{e.b, e.a});
   }
   return out;
+}
+
+}  // namespace
+
+std::vector<BoundaryEdge> boundary_of(std::vector<OverlayEdge> edges, Inside inside) {
+  resolve(edges);
+  return boundary_where(edges, WindingNumbers(edges).run(), inside);
+}
+
+std::array<std::vector<BoundaryEdge>, 2> boundaries_of(std::vector<OverlayEdge> edges, std::array<Inside, 2> inside) {
+  resolve(edges);
+  const std::vector<Windings> left = WindingNumbers(edges).run();
+  return {boundary_where(edges, left, inside[0]), boundary_where(edges, left, inside[1])};
 }
 
 }  // namespace oxturn

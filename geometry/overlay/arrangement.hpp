@@ -20,6 +20,7 @@
 ///             again, and only cells with a new edge are searched.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "geometry/overlay/lattice.hpp"
@@ -55,6 +56,8 @@ using Inside = bool (*)(Windings);
 inline bool inside_first(Windings w) { return w.first > 0; }
 /// The boundary of the set of points whose winding numbers satisfy `inside`, in the order of the edges' lower ends.
 std::vector<BoundaryEdge> boundary_of(std::vector<OverlayEdge> edges, Inside inside);
+/// Two such boundaries from one arrangement.
+std::array<std::vector<BoundaryEdge>, 2> boundaries_of(std::vector<OverlayEdge> edges, std::array<Inside, 2> inside);
 
 /// Quanta by which offset curves are moved to the safe side. It covers the roundings of a curve (0.7 quanta for each
 /// vertex, shifted point and intersection, half a quantum where an edge bends) in up to five unions of halves and the

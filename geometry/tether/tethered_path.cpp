@@ -17,7 +17,7 @@
 //                the next point of it where it can. These searches are local, so their cost does not grow with the
 //                number of classes of the whole map. The result is pulled taut.
 //             7. A goal outside the cut space has no bound on the path's length. If the budget does not suffice, the
-//                path leads back to the start and from there follows the class of the geodesic.
+//                path is the shortest in the class that leads back to the start and from there follows the geodesic.
 #include "geometry/tether/tethered_path.hpp"
 
 #include <algorithm>
@@ -27,13 +27,14 @@
 
 namespace oxturn {
 
-TetheredWorld::TetheredWorld(const Region& free_space, const Region& robot_space, const Region& cut_space,
-                             const GeodesicField& geodesics, double tether_length, double rounding)
+TetheredWorld::TetheredWorld(const TautSpace& free_space, const EdgeIndex& robot_walls, const Region& robot_space,
+                             ShortestPaths robot_paths, ShortestPaths geodesic_paths, const GeodesicField& geodesics,
+                             double tether_length, double rounding)
     : free(free_space),
       space(robot_space),
-      walls(robot_space),
-      paths(robot_space, rounding),
-      cut_paths(cut_space, rounding),
+      walls(robot_walls),
+      paths(std::move(robot_paths)),
+      cut_paths(std::move(geodesic_paths)),
       field(geodesics),
       longest(tether_length),
       tolerance(rounding) {
@@ -134,69 +135,125 @@ class Untangling {
   const Point goal_;
 };
 
-/// By how much the tether is longer than the geodesic along a line: at most, and at the line's end. At the first
-/// `known` points it is the geodesic.
-struct Excess {
-  double most = 0, last = 0;
-};
-Excess excess(const TetheredWorld& world, TautTether tether, const Polyline& line, std::size_t known = 1) {
-  Excess e;
-  for (std::size_t k = 1; k < line.size(); ++k) {
-    tether.drive(line[k]);
-    if (k < known) continue;
-    e.last = tether.length() - world.field.distance(line[k]);
-    e.most = std::max(e.most, e.last);
+/// `taut`, a taut line of the robot's space, followed by `more`, pulled taut. Looks at as many of the last vertices as
+/// it takes to leave one bend as it is.
+Polyline extended_taut(const TetheredWorld& world, const Polyline& taut, const Polyline& more) {
+  constexpr std::size_t kFirstTried = 8;  // segments
+  for (std::size_t tried = kFirstTried;; tried *= 4) {
+    const std::size_t kept = taut.size() > tried + 1 ? taut.size() - 1 - tried : 0;
+    const auto begin = taut.begin() + static_cast<std::ptrdiff_t>(kept);
+    TautTether tether(world.space, *begin);
+    for (auto p = begin + 1; p != taut.end(); ++p) tether.drive(*p);
+    tether.drive(more);
+    if (kept > 0 && (tether.bends().empty() || tether.bends().front().at != taut[kept + 1])) continue;
+    Polyline whole(taut.begin(), begin);
+    const Polyline end = tether.polyline();
+    whole.insert(whole.end(), end.begin(), end.end());
+    return whole;
   }
-  return e;
 }
+
+/// The last part of a tether that lies along a geodesic: moving it does not cost all bends of the geodesic.
+class TetherEnd {
+ public:
+  /// At p, with so many segments at most.
+  TetherEnd(const TetheredWorld& world, const Point& p, std::size_t segments)
+      : TetherEnd(world, world.field.path(p), segments) {}
+
+  void drive(const Point& to) { tether_.drive(to); }
+  double length() const { return before_ + tether_.length(); }  // metres, from the anchor
+  /// False once the tether may have changed before that part.
+  bool known() const { return !bend_ || (!tether_.bends().empty() && tether_.bends().front().at == *bend_); }
+
+ private:
+  TetherEnd(const TetheredWorld& world, const Polyline& geodesic, std::size_t segments)
+      : TetherEnd(world, geodesic, geodesic.begin() + beginning(geodesic.size(), segments)) {}
+  TetherEnd(const TetheredWorld& world, const Polyline& geodesic, Polyline::const_iterator begin)
+      : before_(oxturn::length(Polyline(geodesic.begin(), begin + (begin != geodesic.end() ? 1 : 0)))),
+        tether_(world.free, begin != geodesic.end() ? *begin : world.field.anchor()) {
+    if (begin != geodesic.begin()) bend_ = *(begin + 1);
+    for (auto p = begin; p != geodesic.end(); ++p) tether_.drive(*p);
+  }
+  static std::ptrdiff_t beginning(std::size_t points, std::size_t segments) {
+    return points > segments + 1 ? static_cast<std::ptrdiff_t>(points - 1 - segments) : 0;
+  }
+
+  double before_;  // metres, to where the part begins
+  TautTether tether_;
+  std::optional<Point> bend_;  // the first one; none if the part is all of the tether
+};
 
 /// Follows the goal's geodesic, and where the robot cannot be on it, goes round by the shortest path of the same class.
 class GeodesicFollower {
  public:
-  GeodesicFollower(const TetheredWorld& world, const Point& start, const Point& goal, double slack, std::size_t budget)
-      : world_(world), start_(start), goal_(goal), slack_(slack), budget_(budget), tether_(tether_at(start)) {}
+  /// So many of the geodesic's last segments are looked at.
+  GeodesicFollower(const TetheredWorld& world, const Point& start, const Point& goal, double slack, std::size_t budget,
+                   std::size_t segments)
+      : world_(world),
+        start_(start),
+        goal_(goal),
+        slack_(slack),
+        budget_(budget),
+        segments_(segments),
+        tether_(world, start, 1) {}
 
   std::optional<Polyline> run() {
     join();
     const Polyline inside = line_;
+    line_.erase(line_.begin(), line_.end() - 1);
     for (std::size_t next = 0; next < samples_.size();) {
       const auto reached = advance(next);
       if (!reached) return std::nullopt;
       next = *reached + 1;
     }
-    Polyline taut = pulled_taut(world_, line_);
+    Polyline taut = extended_taut(world_, inside, line_);
     const auto differ = std::mismatch(taut.begin(), taut.end(), inside.begin(), inside.end()).first;
-    return is_geodesic(tether_at(start_), taut, static_cast<std::size_t>(differ - taut.begin())) ? taut : line_;
+    const auto last_known = static_cast<std::size_t>(differ - taut.begin()) - 1;
+    return is_geodesic(tether_at(taut[last_known]), taut, last_known) ? taut : joined(inside, line_);
   }
+
+  /// Were more of the geodesic's segments needed? Then the result says nothing.
+  bool needs_more() const { return needs_more_; }
 
  private:
   static constexpr double kStepsPerSlack = 24;
 
-  TautTether tether_at(const Point& p) const {
-    TautTether tether(world_.free, world_.field.anchor());
-    tether.drive(world_.field.path(p));
-    return tether;
+  /// By how much the tether is longer than the geodesic along a line: at most, and at the line's end.
+  struct Excess {
+    double most = 0, last = 0;
+  };
+  /// The tether is that given at the line's point `first`.
+  Excess excess(TetherEnd tether, const Polyline& line, std::size_t first = 0) const {
+    Excess e;
+    for (std::size_t k = first + 1; k < line.size(); ++k) {
+      tether.drive(line[k]);
+      needs_more_ = needs_more_ || !tether.known();
+      e.last = tether.length() - world_.field.distance(line[k]);
+      e.most = std::max(e.most, e.last);
+    }
+    return e;
   }
-  bool is_geodesic(const TautTether& tether, const Polyline& line, std::size_t known = 1) const {
-    const Excess e = excess(world_, tether, line, known);
+  TetherEnd tether_at(const Point& p) const { return {world_, p, segments_}; }
+  bool is_geodesic(const TetherEnd& tether, const Polyline& line, std::size_t first = 0) const {
+    const Excess e = excess(tether, line, first);
     return e.most <= slack_ && e.last <= world_.tolerance;
   }
   void drive(const Polyline& line) {
-    tether_.drive(line);
+    for (const Point& p : line) tether_.drive(p);
     line_ = joined(std::move(line_), line);
   }
 
   /// Through the cut space to the last point of the goal's geodesic that is in it. Samples are those after it.
   void join() {
-    line_ = {start_};
     const Polyline geodesic = world_.field.path(goal_);
     const double step = slack_ / kStepsPerSlack;
     for (std::size_t k = geodesic.size(); k-- > 1;) {
       const double n = std::max(1.0, std::ceil(distance(geodesic[k - 1], geodesic[k]) / step));
       for (double i = n; i >= (k == 1 ? 0 : 1); --i) {
         const Point sample = samples_.empty() ? goal_ : lerp(geodesic[k - 1], geodesic[k], i / n);
-        if (const auto path = world_.cut_paths.path(start_, sample)) {
-          drive(*path);
+        if (auto path = world_.cut_paths.path(start_, sample)) {
+          line_ = std::move(*path);
+          tether_ = tether_at(sample);
           std::reverse(samples_.begin(), samples_.end());
           return;
         }
@@ -204,6 +261,8 @@ class GeodesicFollower {
       }
     }
     std::reverse(samples_.begin(), samples_.end());
+    line_ = {start_};
+    tether_ = tether_at(start_);
   }
   /// To the first sample from `next` on that can be reached; nullopt: none.
   std::optional<std::size_t> advance(std::size_t next) {
@@ -231,17 +290,18 @@ class GeodesicFollower {
           if (is_geodesic(tether_, line)) found = line;
           return !found;
         },
-        [&](const Polyline& prefix) { return excess(world_, tether_, prefix).most <= slack_; });
+        [&](const Polyline& prefix) { return excess(tether_, prefix).most <= slack_; });
     return found;
   }
 
   const TetheredWorld& world_;
   const Point start_, goal_;
   const double slack_;
-  const std::size_t budget_;
-  Polyline samples_;   // of the goal's geodesic, outside the cut space
-  TautTether tether_;  // at the end of line_
-  Polyline line_;
+  const std::size_t budget_, segments_;
+  Polyline samples_;  // of the goal's geodesic, outside the cut space
+  TetherEnd tether_;  // at the end of line_
+  Polyline line_;     // from its last point in the cut space on
+  mutable bool needs_more_ = false;
 };
 
 }  // namespace
@@ -249,7 +309,12 @@ class GeodesicFollower {
 std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& start, const Point& goal, double slack,
                                       std::size_t budget) {
   if (auto inside = world.cut_paths.path(start, goal)) return inside;
-  return GeodesicFollower(world, start, goal, slack, budget).run();
+  constexpr std::size_t kFirstTried = 32, kMore = 16;  // segments, and times as many
+  for (std::size_t segments = kFirstTried;; segments *= kMore) {
+    GeodesicFollower follower(world, start, goal, slack, budget, segments);
+    auto path = follower.run();
+    if (!follower.needs_more()) return path;
+  }
 }
 
 TetheredRobot::TetheredRobot(const TetheredWorld& world, const Point& start)
@@ -294,14 +359,15 @@ std::optional<TetheredPath> TetheredRobot::path_to(const Point& goal, Retraction
 
 /// Back to the start and on from there: where the cut space does not contain the goal and the search does not find it.
 std::optional<TetheredPath> TetheredRobot::path_by_start(const Point& goal, std::size_t budget) const {
-  if (at() == trail_.anchor()) {
-    const double longest = std::min(world_->longest, world_->field.farthest());
-    for (double slack = longest / 64; slack <= longest; slack *= 4)
-      if (auto out = geodesic_path(*world_, at(), goal, slack); out && admissible(*world_, tether_, *out))
-        return TetheredPath{std::move(*out), false};
-    return std::nullopt;
-  }
   const Polyline back = reversed(trail_.polyline());
+  const double longest = std::min(world_->longest, world_->field.farthest());
+  for (double slack = longest / 64; slack <= longest; slack *= 4)
+    if (const auto out = geodesic_path(*world_, trail_.anchor(), goal, slack)) {
+      const Polyline line = joined(back, *out);
+      for (const Polyline& path : {pulled_taut(*world_, line), line})
+        if (admissible(*world_, tether_, path)) return TetheredPath{path, false};
+    }
+  if (at() == trail_.anchor()) return std::nullopt;
   TetheredRobot home = *this;
   home.drive(back);
   const auto out = home.path_to(goal, Retraction::automatic, budget);

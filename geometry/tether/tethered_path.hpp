@@ -1,6 +1,6 @@
 /// Where a tethered robot may drive, and the shortest path from its present state to a goal.
 ///
-///   const TetheredWorld world(free, space, cut_space, field, tether_length, tolerance);
+///   const TetheredWorld world(corners, walls, space, paths, cut_paths, field, tether_length, tolerance);
 ///   TetheredRobot robot(world, start);
 ///   if (const auto p = robot.path_to(goal)) robot.drive(p->points);
 ///
@@ -21,18 +21,19 @@
 
 namespace oxturn {
 
-/// What stays the same while a robot drives. `field` must outlive it.
+/// What stays the same while a robot drives. The references must outlive it.
 struct TetheredWorld {
-  /// `free`: where the tether may lie. `space`: where the robot's centre may be. `cut_space`: the part of `space`
-  /// within the tether length limit, cut open along the field's cut locus and connected to the start; along its
-  /// shortest paths the tether is the geodesic. `longest`: the tether length limit; `tolerance`: by how much rounding
-  /// may exceed it; metres. Throws std::invalid_argument for a negative limit.
-  TetheredWorld(const Region& free, const Region& space, const Region& cut_space, const GeodesicField& field,
-                double longest, double tolerance);
+  /// `free`: where the tether may lie. `walls`, `paths`: of `space`, where the robot's centre may be. `cut_paths`: in
+  /// the part of `space` within the tether length limit, cut open along the field's cut locus and connected to the
+  /// start; along its shortest paths the tether is the geodesic. `longest`: the tether length limit; `tolerance`: by
+  /// how much rounding may exceed it; metres. Throws std::invalid_argument for a negative limit.
+  TetheredWorld(const TautSpace& free, const EdgeIndex& walls, const Region& space, ShortestPaths paths,
+                ShortestPaths cut_paths, const GeodesicField& field, double longest, double tolerance);
   bool too_long(const TautTether& tether) const { return tether.length() > longest + tolerance; }
 
-  TautSpace free, space;
-  EdgeIndex walls;                 // of `space`
+  const TautSpace& free;
+  TautSpace space;
+  const EdgeIndex& walls;          // of `space`
   ShortestPaths paths, cut_paths;  // in `space` and in the cut space
   const GeodesicField& field;
   double longest, tolerance;

@@ -178,8 +178,10 @@ TEST(Leashed, PassesAlongTheCutLieAToolWidthApart) {
 
 TEST(Leashed, ThePassesAndTheirPocketsMissNothing) {
   int pockets = 0;
-  for (const auto seed : seeds(3))
-    for (const Map& map : tether_maps(seed))
+  for (const auto seed : seeds(3)) {
+    std::vector<Map> maps = tether_maps(seed);
+    maps.push_back(generate("speckle", {{"width", 10.0}, {"height", 8.0}}, seed));
+    for (const Map& map : maps)
       for (const double w : {0.2, 0.4, 1.5}) {
         SCOPED_TRACE(fmt::format("{} tool {}", map.source, w));
         const Problem problem(map, tethered_robot(1.1, 0.2, w));
@@ -201,6 +203,7 @@ TEST(Leashed, ThePassesAndTheirPocketsMissNothing) {
           }
         }
       }
+  }
   EXPECT_GT(pockets, 0);
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "geometry/overlay/divided.hpp"
 #include "geometry/overlay/validity.hpp"
 #include "tests/geometry/samples.hpp"
 
@@ -34,6 +35,9 @@ TEST(Boolean, AgreesWithPointsAndWithItself) {
     const Region a = samples::holed_star(rng, {0, 0}, 2), b = samples::holed_star(rng, {rng.unit(), rng.unit()}, 2);
     const Region both = intersect(a, b), either = unite({a, b}), only_a = subtract(a, b), only_b = subtract(b, a);
     for (const Region* r : {&both, &either, &only_a, &only_b}) expect_sound(*r);
+    const DividedRegion parts = divided(a, b);
+    expect_same(parts.outside, only_a);
+    expect_same(parts.inside, both);
     EXPECT_NEAR(area(either) + area(both), area(a) + area(b), 1e-6);
     EXPECT_NEAR(area(only_a) + area(both), area(a), 1e-6);
     EXPECT_NEAR(area(only_a) + area(only_b) + area(both), area(either), 1e-6);

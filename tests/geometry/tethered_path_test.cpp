@@ -39,10 +39,14 @@ struct World {
   World(const Region& free, const Region& space, const Point& anchor, const Point& start, double longest)
       : field(free, anchor, {}, 1e-9),
         cut(cut_open(space, field, start)),
-        tethered(free, space, cut, field, longest, 1e-9),
+        taut_free(free),
+        walls(space),
+        tethered(taut_free, walls, space, ShortestPaths(space, 1e-9), ShortestPaths(cut, 1e-9), field, longest, 1e-9),
         robot(tethered, start) {}
   GeodesicField field;
   Region cut;
+  TautSpace taut_free;
+  EdgeIndex walls;
   TetheredWorld tethered;
   TetheredRobot robot;
 };
