@@ -91,15 +91,16 @@ bool TileRemainder::subtract(const Extent& cell, std::size_t from, Bound bound, 
     if (squared_distance(centre_ + where.centre, k) >= far * far) continue;
     work += pieces_.size();
     if (may_stop && work > kMuch && candidates_.size() - i > kFew) return false;
-    subtract(k, bound, where);
+    if (!subtract(k, bound, where)) continue;
     where = extent_of(pieces_);
     span = half_diagonal(where);
   }
   return true;
 }
 
-/// Subtracts the capsule's polygon from pieces_, which lie in the box `where`. Most of them are apart from it.
-void TileRemainder::subtract(const Capsule& k, Bound bound, const Extent& where) {
+/// Subtracts the capsule's polygon from pieces_, which lie in the box `where`. Most of them are apart from it. False if
+/// all are.
+bool TileRemainder::subtract(const Capsule& k, Bound bound, const Extent& where) {
   const bool inscribed = bound == Bound::inscribed;
   const double side = inscribed ? inner(k) : outer(k);
   const double cap = inscribed ? (k.radius - k.slack) * chords_->inscribed() - margin_ : side;
@@ -114,8 +115,10 @@ void TileRemainder::subtract(const Capsule& k, Bound bound, const Extent& where)
     if (kept != i) pieces_[kept] = pieces_[i];
     ++kept;
   }
+  if (kept == pieces_.size()) return false;
   pieces_.resize(kept);
   pieces_.insert(pieces_.end(), parts_.begin(), parts_.end());
+  return true;
 }
 
 /// Does the line that is perpendicular to the connection of the piece's middle and the capsule separate the two?

@@ -51,7 +51,7 @@ class TileRemainder {
   bool covers(const Capsule& capsule, double distance2, const Extent& cell) const;
   void add_cell(const Extent& cell, std::size_t from, int depth);
   bool subtract(const Extent& cell, std::size_t from, Bound bound, bool may_stop);
-  void subtract(const Capsule& capsule, Bound bound, const Extent& where);
+  bool subtract(const Capsule& capsule, Bound bound, const Extent& where);
   bool apart(const Convex& piece, const Capsule& capsule) const;
   void add_quarter(const Extent& quarter, std::size_t from, std::size_t to, int depth);
 

@@ -16,21 +16,23 @@ bool boxes_touch(const Extent& a, const Extent& b) {
          std::abs(a.centre.y - b.centre.y) <= a.half.y + b.half.y + kNear;
 }
 
-/// Do the segments ab and cd lie on one line and overlap?
-bool share_line(Vec a, Vec b, Vec c, Vec d) {
-  const Vec ab = b - a;
-  const double length = std::sqrt(dot(ab, ab));
-  if (length < kTouch) return false;
-  const Vec u = (1 / length) * ab;
-  if (std::abs(cross(u, c - a)) > kNear || std::abs(cross(u, d - a)) > kNear) return false;
-  const double s = dot(u, c - a), t = dot(u, d - a);
-  return std::min(length, std::max(s, t)) - std::max(0.0, std::min(s, t)) > kTouch;
-}
-
+/// Do two edges lie on one line and overlap?
 bool share_edge(const Convex& a, const Convex& b) {
-  for (std::size_t i = 0; i < a.size; ++i)
-    for (std::size_t k = 0; k < b.size; ++k)
-      if (share_line(a.at[i], a.at[(i + 1) % a.size], b.at[k], b.at[(k + 1) % b.size])) return true;
+  for (std::size_t i = 0, last = a.size - 1; i < a.size; last = i++) {
+    const Vec from = a.at[last], along = a.at[i] - from;
+    const double length = std::sqrt(dot(along, along));
+    if (length < kTouch) continue;
+    const Vec u = (1 / length) * along;
+    const auto off = [&](Vec p) { return std::abs(cross(u, p - from)); };
+    bool near = off(b.at[b.size - 1]) <= kNear;
+    for (std::size_t k = 0, before = b.size - 1; k < b.size; before = k++) {
+      const bool was_near = near;
+      near = off(b.at[k]) <= kNear;
+      if (!was_near || !near) continue;
+      const double s = dot(u, b.at[before] - from), t = dot(u, b.at[k] - from);
+      if (std::min(length, std::max(s, t)) - std::max(0.0, std::min(s, t)) > kTouch) return true;
+    }
+  }
   return false;
 }
 
