@@ -27,8 +27,8 @@ TEST(LaneFrame, MakesLanesVerticalAndBack) {
   }
 }
 
-// The tool is much wider than the robot, so the cave has many vertices per tool width: the region is found from fewer of
-// them, which may make it larger, but by less than the chord error.
+// The tool is much wider than the robot, so the cave has many vertices per tool width: the region is found from fewer
+// of them, which may make it larger, but by less than the chord error.
 TEST(LaneRegion, OfACaveWithManyVerticesPerToolErrsOutsideByTheChordErrorAtMost) {
   for (const auto seed : seeds(2)) {
     Robot robot;
