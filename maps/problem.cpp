@@ -25,7 +25,6 @@
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
 #include "geometry/overlay/validity.hpp"
-#include "geometry/predicates.hpp"
 #include "maps/configuration_space.hpp"
 #include "maps/drawing_file.hpp"
 
@@ -63,19 +62,6 @@ Region repaired_target_area(const Map& map) {
   return target;
 }
 
-/// Sum of the angles by which the boundary turns left: each such radian becomes an arc when dilated.
-double convex_turning(const Region& region) {
-  double sum = 0;
-  for_each_ring(region, [&](const Ring& ring) {
-    const std::size_t n = ring.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const Point &a = ring[(i + n - 1) % n], &b = ring[i], &c = ring[(i + 1) % n];
-      if (orientation(a, b, c) > 0) sum += std::atan2(std::abs(cross(b - a, c - b)), (b - a).dot(c - b));
-    }
-  });
-  return sum;
-}
-
 void require_finite(const char* what, const std::optional<Point>& p) {
   if (p && !finite(*p)) throw_invalid("{} {} is not finite, expected metres", what, to_text(*p));
 }
@@ -107,8 +93,8 @@ struct ProblemBasis {
   mutable Region target_region;
   mutable double excess = 0;
 
-  /// Between the arcs of an inside and an outside bound lies about (sum of angles) * reach * chord error: it is
-  /// chosen for half of 1e-4 of the space's area, within limits that keep both bounds cheap.
+  /// Between arcs and chords lies less than (sum of angles) * reach * chord error: it is chosen for half of 1e-4 of the
+  /// space's area, within limits that keep the target cheap.
   double target_chord() const {
     const double w = robot.tool_width, angles = convex_turning(*space);
     const double wanted = angles > 0 ? 0.5e-4 * area(*space) / (angles * w / 2) : w;
@@ -126,12 +112,10 @@ struct ProblemBasis {
 
   double target_excess() const {
     std::call_once(excess_once, [this] {
-      Region outer = intersect(dilate(*space, robot.tool_width / 2, target_chord(), Bound::outside), map.free);
-      if (map.target_area) outer = intersect(outer, *map.target_area);
       // A boolean snaps its operands to 2^-30 of their extent, so as much may be lost along the boundary.
       const Box box = bounding_box(map.free);
-      const double snapping = perimeter(outer) * box.size().maxCoeff() * std::ldexp(1.0, -29);
-      excess = std::max(0.0, area(outer) - area(target())) + snapping + lost_m2;
+      const double snapping = perimeter(target()) * box.size().maxCoeff() * std::ldexp(1.0, -29);
+      excess = dilation_shortfall(*space, robot.tool_width / 2, target_chord()) + snapping + lost_m2;
     });
     return excess;
   }

@@ -1,6 +1,7 @@
 #include "algorithms/lanes/laps.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -40,9 +41,9 @@ void add_uncovered(Region& between, const Region& outer, const Region& inner, co
   for (Polygon& p : between_offsets(outer, inner, half, seam).polygons) between.polygons.push_back(std::move(p));
 }
 
-}  // namespace
-
-Laps laps_of(const Problem& problem, double spacing, const Context& context, int levels) {
+/// Calls after_level(outer, inner) for the regions of each level but the last and of the next one.
+template <class F>
+Laps laps_level_by_level(const Problem& problem, double spacing, const Context& context, int levels, F after_level) {
   const double width = problem.robot().tool_width, chord = kChord * width, simplify = kSimplify * width;
   const double step = spacing - chord - simplify;
   Laps laps;
@@ -59,10 +60,25 @@ Laps laps_of(const Problem& problem, double spacing, const Context& context, int
     if (level + 1 == levels) break;
     outer.emplace(region, first);
     Region next = with_coarser_arcs(simplify_inward(erode(region, step, chord, Bound::inside), simplify), simplify / 2);
-    add_uncovered(laps.between, region, next, problem.robot());
+    after_level(region, next);
     region = std::move(next);
   }
   return laps;
+}
+
+}  // namespace
+
+Laps laps_of(const Problem& problem, double spacing, const Context& context, int levels) {
+  Region between;
+  Laps laps = laps_level_by_level(problem, spacing, context, levels, [&](const Region& outer, const Region& inner) {
+    add_uncovered(between, outer, inner, problem.robot());
+  });
+  laps.between = std::move(between);
+  return laps;
+}
+
+Laps laps_alone(const Problem& problem, double spacing, const Context& context) {
+  return laps_level_by_level(problem, spacing, context, std::numeric_limits<int>::max(), [](auto&&...) {});
 }
 
 std::size_t nearest_vertex(const Ring& ring, const Point& p) {

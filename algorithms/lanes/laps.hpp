@@ -34,6 +34,8 @@ struct Laps {
 /// `spacing` in metres. Ends early if cancelled.
 Laps laps_of(const Problem& problem, double spacing, const Context& context,
              int levels = std::numeric_limits<int>::max());
+/// All of them without `between`, in two thirds of the time.
+Laps laps_alone(const Problem& problem, double spacing, const Context& context);
 
 /// The vertex of a ring that is nearest to a point.
 std::size_t nearest_vertex(const Ring& ring, const Point& p);

@@ -18,6 +18,16 @@ constexpr double kShared = 1.1;   // length from which a shared part connects
 constexpr double kBeside = 1.3;   // distance of laps beside each other
 constexpr double kRidge = 2.1;    // the same of laps of one level with no room for one between them
 constexpr double kSample = 0.25;  // between the points of a lap that are looked at
+constexpr auto kNone = static_cast<std::size_t>(-1);
+constexpr double kSpare = 1e-9;  // of a distance, for rounding
+
+/// Is the box about ab clearly farther from p than that?
+bool clearly_farther(const Point& p, const Point& a, const Point& b, double distance) {
+  const double x = std::max(std::min(a.x(), b.x()) - p.x(), p.x() - std::max(a.x(), b.x()));
+  const double y = std::max(std::min(a.y(), b.y()) - p.y(), p.y() - std::max(a.y(), b.y()));
+  const double far = distance * (1 + kSpare);
+  return x > far || y > far || (x > 0 && y > 0 && x * x + y * y > far * far);
+}
 
 }  // namespace
 
@@ -77,7 +87,7 @@ void RingGraph::for_each_near(const Point& a, const Point& b, double within, F f
 std::optional<RingPosition> RingGraph::nearest(std::size_t lap, const Point& p, double within) const {
   std::optional<RingPosition> best;
   for_each_near(p, p, within, [&](const Edge& e) {
-    if (e.lap != lap) return;
+    if (e.lap != lap || clearly_farther(p, e.a, e.b, best ? best->distance : within)) return;
     const Point q = nearest_on_segment(p, e.a, e.b);
     const double far = distance(p, q), along = rings_[lap].to_vertex(e.vertex) + distance(e.a, q);
     if (far > within) return;
@@ -118,23 +128,24 @@ std::vector<double> RingGraph::beside(std::size_t lap, std::size_t other, double
 /// The shared parts of a lap with laps of its own level and of the one before.
 void RingGraph::add_samples(std::size_t lap) {
   struct Near {
-    double distance = 1e300;
-    std::size_t lap = 0;
+    double distance;
+    std::size_t lap = kNone;
   };
   const double size = rings_[lap].length(), samples = std::max(1.0, std::ceil(size / (kSample * spacing_)));
   std::map<std::size_t, double> shared;
   for (double k = 0; k < samples; ++k) {
     const Point p = rings_[lap].at(k * size / samples);
-    Near outer, level;
+    Near outer{kBeside * spacing_}, level{kRidge * spacing_};  // none farther counts
     for_each_near(p, p, kRidge * spacing_, [&](const Edge& e) {
       const int up = level_[lap] - level_[e.lap];
       if (e.lap == lap || up < 0 || up > 1) return;
       Near& best = up == 1 ? outer : level;
+      if (clearly_farther(p, e.a, e.b, best.distance)) return;
       const double far = distance_to_segment(p, e.a, e.b);
       if (std::tie(far, e.lap) < std::tie(best.distance, best.lap)) best = {far, e.lap};
     });
-    if (outer.distance <= kBeside * spacing_) shared[outer.lap] += size / samples;
-    if (level.distance <= kRidge * spacing_) shared[level.lap] += size / samples;
+    if (outer.lap != kNone) shared[outer.lap] += size / samples;
+    if (level.lap != kNone) shared[level.lap] += size / samples;
   }
   for (const auto& [other, metres] : shared)
     if (metres > kShared * spacing_) links_.push_back({other, lap, metres, level_[other] == level_[lap]});

@@ -25,8 +25,11 @@ namespace oxturn {
 struct LaneField {
   /// `degrees`: of the lanes; `lane_spacing` in metres.
   LaneField(const Problem& problem, double degrees, double lane_spacing)
+      : LaneField(problem, problem.configuration_space(), degrees, lane_spacing) {}
+  /// `near`: configuration space as it is about the cells.
+  LaneField(const Problem& problem, const Region& near, double degrees, double lane_spacing)
       : frame(degrees),
-        space(frame.to_frame(problem.configuration_space())),
+        space(frame.to_frame(near)),
         spacing(lane_spacing),
         width(problem.robot().tool_width),
         margin(2 * problem.tolerance()) {}

@@ -244,7 +244,7 @@ class FermatPath {
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const double width = problem.robot().tool_width, spacing = p.spacing > 0 ? p.spacing : width;
-  const Laps laps = laps_of(problem, spacing, context);
+  const Laps laps = laps_alone(problem, spacing, context);
   if (laps.all.empty()) return {};  // cancelled
   const RingGraph graph(laps, spacing);
   const Connector connector(problem);

@@ -123,7 +123,8 @@ class LapDrive {
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const double width = problem.robot().tool_width, spacing = p.spacing > 0 ? p.spacing : width;
-  Laps laps = laps_of(problem, spacing, context);
+  const bool closed = p.join == Join::tree || p.join == Join::nearest;
+  Laps laps = closed && p.repair ? laps_of(problem, spacing, context) : laps_alone(problem, spacing, context);
   if (context.wants_traces()) {
     std::vector<Polyline> lines;
     for (const Lap& lap : laps.all) lines.push_back(lap.ring), lines.back().push_back(lap.ring.front());
@@ -135,7 +136,6 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   path = without_short_segments(std::move(path), problem);
   context.publish(path);
   if (!p.repair || context.cancelled()) return path;
-  const bool closed = p.join == Join::tree || p.join == Join::nearest;
   return closed ? repaired(problem, path, std::move(laps.between), connector, context)
                 : repaired(problem, path, connector, context);
 }

@@ -57,31 +57,70 @@ class Cut {
   FlowGraph graph_;
 };
 
-/// By cell of the grid, whether it is horizontal.
+/// The first line of each band of lines that are as the one before; at the end, how many lines there are.
+template <class SameAsBefore>
+std::vector<int> bands(int lines, SameAsBefore same) {
+  std::vector<int> first;
+  for (int k = 0; k < lines; ++k)
+    if (k == 0 || !same(k)) first.push_back(k);
+  first.push_back(lines);
+  return first;
+}
+
+std::vector<int> bands_of_columns(const BitGrid& cells) {
+  return bands(cells.columns, [&](int i) {
+    int j = 0;
+    while (j < cells.rows && cells.get(i, j) == cells.get(i - 1, j)) ++j;
+    return j == cells.rows;
+  });
+}
+std::vector<int> bands_of_rows(const BitGrid& cells) {
+  return bands(cells.rows, [&](int j) {
+    int i = 0;
+    while (i < cells.columns && cells.get(i, j) == cells.get(i, j - 1)) ++i;
+    return i == cells.columns;
+  });
+}
+
+/// By cell of the grid, whether it is horizontal. A band's lines are alike in the answer, so each block of cells in two
+/// bands is one vertex: if the lines c and d of a band differ in a smallest minimum M, let C and D be M with both as c
+/// or both as d. Together these cost no more than M twice (what differs between lines obeys the triangle inequality),
+/// so both are minima and contain M: c lies in d, and d in c.
 std::vector<bool> horizontal_cells(const BitGrid& cells, bool compact) {
-  std::vector<std::size_t> vertex(cells.bits.size(), 0);
-  std::size_t n = 0;
-  for (std::size_t c = 0; c < vertex.size(); ++c)
-    if (cells.bits[c] != 0) vertex[c] = Cut::kFirst + n++;
+  const std::vector<int> columns = bands_of_columns(cells), rows = bands_of_rows(cells);
+  const auto block = [&](std::size_t i, std::size_t j) { return j * columns.size() + i; };
+  std::vector<std::size_t> vertex(columns.size() * rows.size(), 0);
+  std::size_t blocks = 0;
+  Capacity n = 0;
+  const auto for_each_block = [&](auto f) {
+    for (std::size_t j = 0; j + 1 < rows.size(); ++j)
+      for (std::size_t i = 0; i + 1 < columns.size(); ++i)
+        if (cells.get(columns[i], rows[j])) f(i, j, columns[i + 1] - columns[i], rows[j + 1] - rows[j]);
+  };
+  for_each_block([&](std::size_t i, std::size_t j, int width, int height) {
+    vertex[block(i, j)] = Cut::kFirst + blocks++;
+    n += Capacity{width} * height;
+  });
   // A pair of different neighbours costs less than any run: there are at most 2 n pairs.
-  const Capacity run = compact ? 8 * static_cast<Capacity>(n) : 1, pair = compact ? 1 : 0;
-  Cut cut(n);
-  for (int j = 0; j < cells.rows; ++j)
-    for (int i = 0; i < cells.columns; ++i) {
-      if (!cells.get(i, j)) continue;
-      const std::size_t at = vertex[cells.at(i, j)];
-      if (cells.get(i + 1, j))
-        cut.add(at, vertex[cells.at(i + 1, j)], run + pair, pair);
-      else
-        cut.add(at, Cut::kSink, run, 0);
-      if (cells.get(i, j - 1))
-        cut.add(vertex[cells.at(i, j - 1)], at, run + pair, pair);
-      else
-        cut.add(Cut::kSource, at, run, 0);
-    }
+  const Capacity run = compact ? 8 * n : 1, pair = compact ? 1 : 0;
+  Cut cut(blocks);
+  for_each_block([&](std::size_t i, std::size_t j, int width, int height) {
+    const std::size_t at = vertex[block(i, j)];
+    if (cells.get(columns[i + 1], rows[j]))
+      cut.add(at, vertex[block(i + 1, j)], height * (run + pair), height * pair);
+    else
+      cut.add(at, Cut::kSink, height * run, 0);
+    if (cells.get(columns[i], rows[j] - 1))
+      cut.add(vertex[block(i, j - 1)], at, width * (run + pair), width * pair);
+    else
+      cut.add(Cut::kSource, at, width * run, 0);
+  });
   const std::vector<bool> side = cut.source_side();
   std::vector<bool> horizontal(cells.bits.size(), false);
-  for (std::size_t c = 0; c < vertex.size(); ++c) horizontal[c] = cells.bits[c] != 0 && side[vertex[c]];
+  for_each_block([&](std::size_t i, std::size_t j, int, int) {
+    for (int y = rows[j]; y < rows[j + 1]; ++y)
+      for (int x = columns[i]; x < columns[i + 1]; ++x) horizontal[cells.at(x, y)] = side[vertex[block(i, j)]];
+  });
   return horizontal;
 }
 

@@ -9,7 +9,8 @@
 /// right and from its lower neighbour, or to the sink and from the source), so a minimum cut is the optimum.
 ///
 /// After Ramesh, Imeson, Fidan and Smith 2022, who solve the linear program. O(n) memory; the flow (Boykov and
-/// Kolmogorov 2004) takes about linear time on such graphs.
+/// Kolmogorov 2004) takes about linear time on such graphs, but longer in large empty areas: rows side by side with the
+/// same cells are one row of it, and so are columns.
 #pragma once
 
 #include <vector>

@@ -9,6 +9,7 @@
 #include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/polygon/slab_strips.hpp"
 #include "geometry/overlay/boolean.hpp"
+#include "geometry/ring_boxes.hpp"
 
 namespace oxturn {
 namespace {
@@ -18,9 +19,8 @@ constexpr double kSame = 0.01;        // tool widths: sides that differ by less 
 constexpr double kStraight = 20;      // degrees: ends that bend by less run on
 constexpr double kFirstStep = 30;     // degrees between headings
 constexpr double kLastStep = 1;       // degrees: the heading is refined to this
-constexpr double kLeastBlock = 4;     // squares of the tool width: smaller blocks are not worth a heading of their own
 constexpr double kDropped = 1e-6;     // squares of the tool width
-constexpr double kDivideAgain = 0.9;  // divided again when this share of a component and what it lost since is left
+constexpr double kDivideAgain = 0.7;  // divided again when this share of a component and what it lost since is left
 constexpr double kClearlyMore = 1 + 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -83,8 +83,13 @@ struct Component {
 
 class FieldDivision {
  public:
-  FieldDivision(const Problem& problem, const Region& field, BlockValue value)
-      : problem_(problem), robot_(problem.robot()), width_(robot_.tool_width), value_(value), at_(problem.start()) {
+  FieldDivision(const Problem& problem, const Region& near, const Region& field, BlockRule rule)
+      : problem_(problem),
+        near_(near),
+        robot_(problem.robot()),
+        width_(robot_.tool_width),
+        rule_(rule),
+        at_(problem.start()) {
     add_components(field, {});
   }
 
@@ -143,7 +148,7 @@ class FieldDivision {
 
   double value(const Candidate& c, double seconds_there) const {
     const double rate = c.area / (c.seconds + seconds_there);
-    return value_ == BlockValue::rate ? rate : rate * c.area;
+    return rule_.value == BlockValue::rate ? rate : rate * c.area;
   }
   /// With the drive there, straight.
   double value_from_here(const Candidate& c) const {
@@ -158,13 +163,13 @@ class FieldDivision {
     std::vector<Candidate> all;
     const Region turned = unite({LaneFrame(degrees).to_frame(region)});
     for (BoustrophedonCell& cell : merged_trapezoids(turned, width_))
-      if (area_of(cell) >= kLeastBlock * width_ * width_) all.push_back(candidate_of(std::move(cell), degrees, robot_));
+      if (area_of(cell) >= rule_.least * width_ * width_) all.push_back(candidate_of(std::move(cell), degrees, robot_));
     return all;
   }
   void divide(Component& c, const Context& context) const {
     c.candidates.clear();
     c.divided = c.area;
-    if (c.area < kLeastBlock * width_ * width_) return;
+    if (c.area < rule_.least * width_ * width_) return;
     std::vector<double> headings = lane_directions(c.region);
     for (double d = 0; d < 180; d += kFirstStep) headings.push_back(d);
     double best = 0, heading = 0;
@@ -214,7 +219,7 @@ class FieldDivision {
     add_components(subtract(c.region, chosen.region), std::move(c.candidates));
     for (std::size_t i = first; i < components_.size(); ++i)
       components_[i].divided = components_[i].area + chosen.area + c.divided - c.area;
-    const LaneField field(problem_, chosen.degrees, width_);
+    const LaneField field(problem_, space_near(chosen.box), chosen.degrees, width_);
     std::vector<Strip> strips = cell_strips(field, {chosen.cell}, LaneFit::fitted, context);
     std::erase_if(strips, [](const Strip& s) { return s.lanes.empty(); });
     return {chosen.degrees, chosen.region.polygons[0].outer, chosen.area, std::move(strips)};
@@ -222,13 +227,19 @@ class FieldDivision {
   FieldBlock take_all(std::size_t component) {
     const Component c = remove(component);
     const double degrees = best_lane_direction(c.region, width_);
-    return {degrees, {}, c.area, slab_strips(c.region, degrees, width_, problem_)};
+    return {degrees, {}, c.area, slab_strips(c.region, degrees, width_, problem_, space_near(bounding_box(c.region)))};
+  }
+  /// Configuration space without most of the walls that are nowhere near a box.
+  Region space_near(Box box) const {
+    box.grow(width_);
+    return near_.near(box);
   }
 
   const Problem& problem_;
+  RingBoxes near_;
   const Robot& robot_;
   double width_;
-  BlockValue value_;
+  BlockRule rule_;
   Point at_;
   std::vector<Component> components_;
 };
@@ -258,8 +269,9 @@ std::vector<BoustrophedonCell> merged_trapezoids(const Region& region, double to
   return merged;
 }
 
-std::vector<FieldBlock> field_blocks(const Problem& problem, const Region& field, BlockValue value, Context& context) {
-  return FieldDivision(problem, field, value).run(context);
+std::vector<FieldBlock> field_blocks(const Problem& problem, const Region& near, const Region& field, BlockRule rule,
+                                     Context& context) {
+  return FieldDivision(problem, near, field, rule).run(context);
 }
 
 }  // namespace oxturn

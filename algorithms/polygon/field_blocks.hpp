@@ -1,6 +1,6 @@
 /// A field divided into blocks that are easy to drive, the best block first.
 ///
-///   std::vector<FieldBlock> blocks = field_blocks(problem, field, BlockValue::area_rate, context);
+///   std::vector<FieldBlock> blocks = field_blocks(problem, space, field, {}, context);
 ///   for (const FieldBlock& b : blocks) strips.insert(strips.end(), b.strips.begin(), b.strips.end());
 ///
 ///     +--------------+----.        Cut along a heading at every vertex, the field falls into trapezoids; neighbours
@@ -10,9 +10,8 @@
 ///
 /// Source      after Oksanen and Visala, "Coverage path planning algorithms for agricultural field machines", Journal
 ///             of Field Robotics 26(8), 2009: their first algorithm. The numbers are ours.
-/// Complexity  a division takes O(n log n) for n vertices; about 30 for each 10 % of the area of a component, while
-///             what is left has more and more vertices. Random polygons with a hole for each 40 vertices: 0.9, 2.5 and
-///             6.4 s for 1,000, 2,000 and 4,000 vertices, as n^1.4
+/// Complexity  a division takes O(n log n) for n vertices and a heading, of about 30; one for each 30 % of the area of
+///             a component, and as many for its parts
 #pragma once
 
 #include <vector>
@@ -33,9 +32,16 @@ struct FieldBlock {
 /// diagonal, where lanes are longest, and leaves triangles.
 enum class BlockValue { area_rate, rate };
 
+struct BlockRule {
+  BlockValue value = BlockValue::area_rate;
+  double least = 100;  // area of a block in squares of the tool width; less takes slabs in the best direction
+};
+
+/// `near`: configuration space, all of it or what lies within a tool width of `field`.
 /// Blocks that together make up `field`, which lies in configuration space at least half a tool width from its
 /// boundary; but for pieces below 1e-6 of the square of the tool width. Ends early if cancelled.
-std::vector<FieldBlock> field_blocks(const Problem& problem, const Region& field, BlockValue value, Context& context);
+std::vector<FieldBlock> field_blocks(const Problem& problem, const Region& near, const Region& field, BlockRule rule,
+                                     Context& context);
 
 /// The trapezoids of a region in the frame of vertical lanes, merged with their neighbours where the whole side between
 /// them is equal and lower and upper ends bend by less than 20 degrees there.

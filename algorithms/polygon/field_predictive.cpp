@@ -172,10 +172,38 @@ class PredictiveDrive {
         left_.push_back(std::move(piece));
         continue;
       }
-      Region rest = simplify_inward(subtract(piece.region(), swaths), kChord * width_);
-      bring_inside(rest);
+      const auto [beside, far] = without_holes_off(near, piece.region().polygons[0]);
+      Region rest = without(Region{{beside}}, swaths);
+      if (!put_back(far, rest)) rest = without(piece.region(), swaths);
       add(std::move(rest));
     }
+  }
+
+  /// The polygon without the holes that lie outside of a box, and these.
+  static std::pair<Polygon, std::vector<Ring>> without_holes_off(const Box& box, const Polygon& polygon) {
+    Polygon rest{polygon.outer, {}};
+    std::vector<Ring> off;
+    for (const Ring& hole : polygon.holes) (bounding_box(hole).overlaps(box) ? rest.holes : off).push_back(hole);
+    return {std::move(rest), std::move(off)};
+  }
+  /// Each hole to the polygon that it lies in; false if there is none, because a ring that came nearer crosses it.
+  static bool put_back(const std::vector<Ring>& holes, Region& region) {
+    if (holes.empty()) return true;
+    std::vector<EdgeIndex> polygons;
+    if (region.polygons.size() > 1)
+      for (const Polygon& polygon : region.polygons) polygons.emplace_back(Region{{polygon}});
+    for (const Ring& hole : holes) {
+      std::size_t in = 0;
+      while (in < polygons.size() && !polygons[in].contains(hole[0])) ++in;
+      if (in == region.polygons.size()) return false;
+      region.polygons[in].holes.push_back(hole);
+    }
+    return true;
+  }
+  Region without(const Region& piece, const std::vector<Region>& swaths) const {
+    Region rest = simplify_inward(subtract(piece, swaths), kChord * width_);
+    bring_inside(rest);
+    return rest;
   }
 
   /// Where a cut ends on a wall, rounding may leave the new vertex outside; the next cut there would start from it, and

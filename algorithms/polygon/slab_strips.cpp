@@ -91,9 +91,9 @@ std::vector<Strip> slab_strips(const LaneField& f, const Region& region) {
 /// Strips with lanes in one direction: one set of slabs for all of `wide`, a slab of its own for each polygon of
 /// `narrow`, so that none lies astride two.
 std::vector<Strip> strips_along(double direction, const Region& wide, const Region& narrow, double spacing,
-                                const Problem& problem) {
+                                const Problem& problem, const Region& near) {
   if (wide.empty() && narrow.empty()) return {};
-  const LaneField field(problem, direction, spacing);
+  const LaneField field(problem, near, direction, spacing);
   const auto strips_in = [&](const Region& region) { return slab_strips(field, field.frame.to_frame(region)); };
   std::vector<Strip> strips;
   if (!wide.empty()) strips = strips_in(wide);
@@ -105,6 +105,11 @@ std::vector<Strip> strips_along(double direction, const Region& wide, const Regi
 }  // namespace
 
 std::vector<Strip> slab_strips(const Region& region, double degrees, double spacing, const Problem& problem) {
+  return slab_strips(region, degrees, spacing, problem, problem.configuration_space());
+}
+
+std::vector<Strip> slab_strips(const Region& region, double degrees, double spacing, const Problem& problem,
+                               const Region& near) {
   const LaneFrame frame(degrees);
   Region wide, along, across;
   for (const Polygon& polygon : region.polygons) {
@@ -113,8 +118,9 @@ std::vector<Strip> slab_strips(const Region& region, double degrees, double spac
     Region& part = box.size().x() <= spacing ? along : box.size().y() <= spacing ? across : wide;
     part.polygons.push_back(polygon);
   }
-  std::vector<Strip> strips = strips_along(degrees, wide, along, spacing, problem);
-  for (Strip& strip : strips_along(degrees + 90, {}, across, spacing, problem)) strips.push_back(std::move(strip));
+  std::vector<Strip> strips = strips_along(degrees, wide, along, spacing, problem, near);
+  for (Strip& strip : strips_along(degrees + 90, {}, across, spacing, problem, near))
+    strips.push_back(std::move(strip));
   return strips;
 }
 

@@ -15,5 +15,8 @@ namespace oxturn {
 /// Lanes in direction `degrees`, `spacing` metres apart. A part of the region that is no wider than one slab takes one
 /// lane, along the others or across them.
 std::vector<Strip> slab_strips(const Region& region, double degrees, double spacing, const Problem& problem);
+/// The same; `near`: configuration space as it is about the region.
+std::vector<Strip> slab_strips(const Region& region, double degrees, double spacing, const Problem& problem,
+                               const Region& near);
 
 }  // namespace oxturn

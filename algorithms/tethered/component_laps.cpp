@@ -6,13 +6,22 @@
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/transit/short_segments.hpp"
 #include "geometry/overlay/boolean.hpp"
+#include "geometry/raster.hpp"
 
 namespace oxturn {
+namespace {
+
+// In tool widths. Where the cut runs along a wall it leaves notches much smaller than this, and laps would turn about
+// the corners of each: their number is that of the vertices, and all overlap.
+constexpr double kNotch = 1e-5;
+
+}  // namespace
 
 Path laps_in_component(const CutPasses& cut, const Problem& component, Context& context) {
+  const double width = component.robot().tool_width;
   PassSpace passes = cut.beside(component);
-  const Problem beside = component.restricted(std::move(passes.space));
-  const Laps laps = laps_of(beside, component.robot().tool_width, context);
+  const Problem beside = component.restricted(simplify_inward(passes.space, kNotch * width));
+  const Laps laps = laps_of(beside, width, context);
   Path path = drive_lap_tree(beside, laps, Connector(beside), context);
   path = without_short_segments(std::move(path), component);
   Region missed = unite({laps.between, passes.pockets});

@@ -1,4 +1,5 @@
-// Polygon planners on fields with more and more ponds (corners, lanes and cells grow together).
+// Polygon planners on fields with more and more ponds (corners, lanes and cells grow together), and on larger maps of
+// scattered obstacles.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -54,6 +55,40 @@ BENCHMARK_CAPTURE(plan_field, field_predictive, "field-predictive", {})
     ->Range(4, 256)
     ->Unit(benchmark::kMillisecond)
     ->Complexity();
+
+// Among thousands of small obstacles, by cells (squares of side tool width / sqrt 2); and in an empty rectangle.
+Problem scattered(const std::string& generator, std::int64_t cells) {
+  Robot robot;
+  robot.radius = 0.2;
+  robot.tool_width = 0.4;
+  const double side = std::sqrt(0.08 * static_cast<double>(cells));
+  return Problem(generate(generator, {{"width", side}, {"height", side}}, 1), robot);
+}
+
+void plan_scattered(benchmark::State& state, const std::string& generator, const std::string& name) {
+  const Problem problem = scattered(generator, state.range(0));
+  problem.transit();
+  problem.walls();
+  const auto planner = built_in_planner(name, {});
+  for (auto _ : state) {
+    Context context(1);
+    benchmark::DoNotOptimize(planner->plan(problem, context));
+  }
+  state.SetComplexityN(state.range(0));
+}
+
+void by_cells(benchmark::internal::Benchmark* benchmark) {
+  benchmark->RangeMultiplier(4)->Range(1 << 10, 1 << 16)->Unit(benchmark::kMillisecond)->Complexity();
+}
+BENCHMARK_CAPTURE(plan_scattered, smooth_spiral, "speckle", "smooth-spiral")->Apply(by_cells);
+BENCHMARK_CAPTURE(plan_scattered, skeleton_spiral, "speckle", "skeleton-spiral")->Apply(by_cells);
+BENCHMARK_CAPTURE(plan_scattered, connected_fermat, "speckle", "connected-fermat")->Apply(by_cells);
+BENCHMARK_CAPTURE(plan_scattered, contour, "speckle", "contour")->Apply(by_cells);
+BENCHMARK_CAPTURE(plan_scattered, completed, "speckle", "completed")->Apply(by_cells);
+BENCHMARK_CAPTURE(plan_scattered, rectangles, "speckle", "rectangles")->Apply(by_cells);
+BENCHMARK_CAPTURE(plan_scattered, wavefront, "speckle", "wavefront")->Apply(by_cells);
+BENCHMARK_CAPTURE(plan_scattered, oarp, "speckle", "oarp")->Apply(by_cells);
+BENCHMARK_CAPTURE(plan_scattered, oarp_rectangle, "rectangle", "oarp")->Apply(by_cells);
 
 // Online: rooms of 10 m x 8 m, by rays.
 Problem rooms_with_lidar(std::int64_t rays) {

@@ -1,7 +1,6 @@
 #include "geometry/mesh/medial_axis.hpp"
 
 #include <algorithm>
-#include <boost/polygon/voronoi.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -9,6 +8,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "geometry/edge_index.hpp"
+#include "geometry/mesh/voronoi_predicates.hpp"
 #include "geometry/overlay/lattice.hpp"
 
 namespace oxturn {
@@ -47,35 +47,6 @@ namespace oxturn {
 namespace {
 
 using Diagram = boost::polygon::voronoi_diagram<double>;
-using Numbers = boost::polygon::detail::voronoi_ctype_traits<std::int32_t>;
-
-using BoostPredicates = boost::polygon::detail::voronoi_predicates<Numbers>;
-
-/// Boost's predicates, but circles are computed about a point of theirs. Boost computes about the lattice's origin: on
-/// large maps what is left of differences between large numbers is so little that most circles need long integers. The
-/// diagram is the same; its vertices are rounded otherwise.
-struct LocalPredicates : BoostPredicates {
-  template <class Site, class Circle>
-  class circle_formation_predicate {
-   public:
-    bool operator()(const Site& a, const Site& b, const Site& c, Circle& circle) {
-      const std::int32_t x = b.x(), y = b.y();
-      const auto moved = [&](const Site& s) {
-        const Site straight(s.x0() - x, s.y0() - y, s.x1() - x, s.y1() - y);
-        Site site = s.is_inverse() ? Site(straight.point1(), straight.point0()).inverse() : straight;
-        return site.sorted_index(s.sorted_index());
-      };
-      if (!at_origin_(moved(a), moved(b), moved(c), circle)) return false;
-      circle.x(circle.x() + x);
-      circle.y(circle.y() + y);
-      circle.lower_x(circle.lower_x() + x);
-      return true;
-    }
-
-   private:
-    BoostPredicates::circle_formation_predicate<Site, Circle> at_origin_;
-  };
-};
 constexpr auto kNone = static_cast<std::size_t>(-1);
 constexpr double kMostChords = 200;  // of one parabola
 
@@ -88,13 +59,10 @@ struct Site {
   friend bool operator==(const Site&, const Site&) = default;
 };
 
-/// What a diagram is made for: the axis between its vertices, or which sites are neighbours.
-enum class Use { vertices, neighbours };
-
 /// The Voronoi diagram of a region's edges.
 class Voronoi {
  public:
-  Voronoi(const Region& region, Use use) : lattice_(finite_box(region)) {
+  explicit Voronoi(const Region& region) : lattice_(finite_box(region)) {
     for_each_snapped_ring(region, lattice_, [&](std::vector<LatticePoint>& ring, RingKind) {
       const std::size_t n = ring.size(), first = segments_.size();
       for (std::size_t k = 0; n > 2 && k < n; ++k) {
@@ -105,7 +73,9 @@ class Voronoi {
       }
       ++rings_;
     });
-    use == Use::vertices ? construct<BoostPredicates>() : construct<LocalPredicates>();
+    boost::polygon::voronoi_builder<std::int32_t, VoronoiNumbers, VoronoiPredicates> builder;
+    boost::polygon::insert(segments_.begin(), segments_.end(), &builder);
+    builder.construct(&diagram_);
   }
 
   const Diagram& diagram() const { return diagram_; }
@@ -137,13 +107,6 @@ class Voronoi {
   }
 
  private:
-  template <class Predicates>
-  void construct() {
-    boost::polygon::voronoi_builder<std::int32_t, Numbers, Predicates> builder;
-    boost::polygon::insert(segments_.begin(), segments_.end(), &builder);
-    builder.construct(&diagram_);
-  }
-
   Lattice lattice_;
   std::vector<SiteSegment> segments_;
   std::vector<std::size_t> next_, previous_, ring_;  // by segment
@@ -155,10 +118,7 @@ class Voronoi {
 class AxisMaker {
  public:
   AxisMaker(const Region& region, double chord_error)
-      : voronoi_(region, Use::vertices),
-        inside_(region),
-        error_(chord_error),
-        node_(voronoi_.diagram().vertices().size(), kNone) {}
+      : voronoi_(region), inside_(region), error_(chord_error), node_(voronoi_.diagram().vertices().size(), kNone) {}
 
   MedialAxis make() {
     for (const Diagram::edge_type& e : voronoi_.diagram().edges())
@@ -298,7 +258,7 @@ MedialAxis medial_axis(const Region& region, double chord_error) {
 
 std::vector<Polyline> shortest_bridges(const Region& region) {
   if (region.empty()) return {};
-  const Voronoi voronoi(region, Use::neighbours);
+  const Voronoi voronoi(region);
   const EdgeIndex inside(region);
   DisjointSets rings(voronoi.rings());
   std::vector<Polyline> lines;
@@ -309,7 +269,7 @@ std::vector<Polyline> shortest_bridges(const Region& region) {
 
 std::vector<Polyline> bridges_between_rings(const Region& region) {
   if (region.empty()) return {};
-  const Voronoi voronoi(region, Use::neighbours);
+  const Voronoi voronoi(region);
   const EdgeIndex walls(region);
   std::vector<Polyline> lines;
   for (Bridge& b : bridges_of(voronoi)) {

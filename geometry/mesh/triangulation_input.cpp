@@ -27,6 +27,15 @@ class PointNumbers {
     const auto k = std::lower_bound(numbered_.begin(), numbered_.end(), Numbered{p, 0});
     return k != numbered_.end() && k->at == p ? k->id : kUnknown;
   }
+  /// For each point the first equal one.
+  std::vector<Id> first_of_each() const {
+    std::vector<Id> first(numbered_.size());
+    for (std::size_t k = 0; k < numbered_.size(); ++k) {
+      const bool repeated = k > 0 && numbered_[k].at == numbered_[k - 1].at;
+      first[at(numbered_[k].id)] = repeated ? first[at(numbered_[k - 1].id)] : numbered_[k].id;
+    }
+    return first;
+  }
 
  private:
   struct Numbered {
@@ -40,16 +49,11 @@ class PointNumbers {
 /// Numbers different points in the order of their first occurrence and appends them to `points`; returns the number of
 /// each point of `all`.
 std::vector<Id> number_points(const std::vector<Point>& all, std::vector<Point>& points) {
-  const PointNumbers numbers(all);
-  std::vector<Id> id(all.size());
+  std::vector<Id> id = PointNumbers(all).first_of_each();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::size_t first = at(numbers.find(all[i]));
-    if (first == i) {
-      id[i] = static_cast<Id>(points.size());
-      points.push_back(all[i]);
-    } else {
-      id[i] = id[first];
-    }
+    const std::size_t first = at(id[i]);
+    if (first == i) points.push_back(all[i]);
+    id[i] = first == i ? static_cast<Id>(points.size()) - 1 : id[first];
   }
   return id;
 }

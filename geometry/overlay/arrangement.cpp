@@ -196,12 +196,13 @@ class WindingNumbers {
   void walk_around(std::uint32_t vertex, std::size_t position, Windings before) {
     reached_[vertex] = 1;
     const auto fan = fans_.at(vertex);
-    for (std::size_t k = 0; k < fan.size(); ++k) {
-      const HalfEdge h = fan[(position + k) % fan.size()];
+    std::int32_t first = before.first, second = before.second;  // two numbers stay in registers
+    for (std::size_t k = 0, i = position; k < fan.size(); ++k, i = i + 1 == fan.size() ? 0 : i + 1) {
+      const HalfEdge h = fan[i];
       const OverlayEdge& e = edges_[h.edge()];
-      if (h.is_forward()) before = before + e.weight;
-      left_[h.edge()] = before;
-      if (!h.is_forward()) before = before - e.weight;
+      if (h.is_forward()) first += e.weight.first, second += e.weight.second;
+      left_[h.edge()] = {first, second};
+      if (!h.is_forward()) first -= e.weight.first, second -= e.weight.second;
       if (reached_[fans_.head(h)] == 0) open_.push_back(h.twin());
     }
   }

@@ -63,7 +63,8 @@ class RingBuilder {
   std::uint32_t next(std::uint32_t edge) const {
     const HalfEdge back = HalfEdge::backward(edge);
     const auto fan = fans_.at(fans_.tail(back));
-    return fan[(fans_.position(back) + fan.size() - 1) % fan.size()].edge();
+    const std::size_t at = fans_.position(back);
+    return fan[(at == 0 ? fan.size() : at) - 1].edge();
   }
 
   /// Follows the cycle of an edge and cuts off a loop wherever it comes back to a vertex.

@@ -20,6 +20,7 @@
 #include "base/throw_invalid.hpp"
 #include "geometry/overlay/arrangement.hpp"
 #include "geometry/overlay/concave_chain.hpp"
+#include "geometry/predicates.hpp"
 
 namespace oxturn {
 namespace {
@@ -191,14 +192,23 @@ class OffsetCurve {
   Windings unit_;
 };
 
+/// An offset on a lattice. Lengths in quanta.
+struct Resolution {
+  Resolution(double radius, double chord_error, Arcs arcs, const Lattice& lattice)
+      : reach(radius / lattice.quantum() + (arcs == Arcs::tangents ? kOffsetSlack : -kOffsetSlack)),
+        error(std::max(chord_error / lattice.quantum(), 1.0)) {}
+  /// Half of the angle of a chord or tangent at most; reach above 0.
+  double half_step() const { return std::min(std::acos(reach / (reach + error)), kPi / 4); }
+
+  double reach, error;
+};
+
 /// Adds the offset curves of a region to an overlay, as one operand. False if the lattice does not resolve the radius.
 bool add_offset(std::vector<OverlayEdge>& edges, const Region& region, const Lattice& lattice, double radius,
                 double chord_error, Direction direction, Arcs arcs, Windings unit) {
-  const double reach = radius / lattice.quantum() + (arcs == Arcs::tangents ? kOffsetSlack : -kOffsetSlack);
-  if (reach <= 0) return false;  // chords
-  const double error = std::max(chord_error / lattice.quantum(), 1.0);
-  const double half_step = std::min(std::acos(reach / (reach + error)), kPi / 4);
-  const OffsetCurve curve(reach, half_step, direction, arcs, unit);
+  const Resolution resolution(radius, chord_error, arcs, lattice);
+  if (resolution.reach <= 0) return false;  // chords
+  const OffsetCurve curve(resolution.reach, resolution.half_step(), direction, arcs, unit);
   for_each_snapped_ring(region, lattice, [&](const std::vector<LatticePoint>& ring, RingKind) {
     curve.add(direction == Direction::outwards ? straightened_ring(ring) : ring, edges);
   });
@@ -211,12 +221,16 @@ void check_offset(double radius, double chord_error) {
   if (!(chord_error > 0)) throw_invalid("chord error is {}, expected a length above 0", chord_error);
 }
 
+Lattice lattice_for(Box box, double radius) {
+  box.grow(radius * 1.5);
+  return Lattice(box);
+}
+
 Region offset(const Region& region, double radius, double chord_error, Direction direction, Arcs arcs) {
   check_offset(radius, chord_error);
-  Box box = finite_box(region);
+  const Box box = finite_box(region);
   if (radius == 0 || box.empty()) return region;
-  box.grow(radius * 1.5);
-  const Lattice lattice(box);
+  const Lattice lattice = lattice_for(box, radius);
   std::vector<OverlayEdge> edges;
   if (!add_offset(edges, region, lattice, radius, chord_error, direction, arcs, {1, 0})) return region;
   return to_region(boundary_of(std::move(edges), inside_first), lattice);
@@ -231,6 +245,31 @@ Region dilate(const Region& region, double radius, double chord_error, Bound bou
                 bound == Bound::outside ? Arcs::tangents : Arcs::chords);
 }
 
+double dilation_shortfall(const Region& region, double radius, double chord_error) {
+  check_offset(radius, chord_error);
+  const Box box = finite_box(region);
+  if (radius == 0 || box.empty()) return 0;
+  const Lattice lattice = lattice_for(box, radius);
+  const Resolution resolution(radius, chord_error, Arcs::chords, lattice);
+  const double angles = convex_turning(region), boundary = perimeter(region) + angles * radius;
+  if (resolution.reach <= 0) return boundary * radius;
+  // The segment of an angle a is r^2 (a - sin a) / 2, at most r^2 a^3 / 12. Roundings are less than the slack.
+  const double half = resolution.half_step(), segments = angles * radius * radius * half * half / 3;
+  return segments + boundary * 2 * kOffsetSlack * lattice.quantum();
+}
+
+double convex_turning(const Region& region) {
+  double sum = 0;
+  for_each_ring(region, [&](const Ring& ring) {
+    const std::size_t n = ring.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point &a = ring[(i + n - 1) % n], &b = ring[i], &c = ring[(i + 1) % n];
+      if (orientation(a, b, c) > 0) sum += std::atan2(std::abs(cross(b - a, c - b)), (b - a).dot(c - b));
+    }
+  });
+  return sum;
+}
+
 Region erode(const Region& region, double radius, double chord_error, Bound bound) {
   return offset(region, radius, chord_error, Direction::inwards,
                 bound == Bound::inside ? Arcs::tangents : Arcs::chords);
@@ -242,8 +281,7 @@ Region between_offsets(const Region& outer, const Region& inner, double radius, 
   Box box = finite_box(outer);
   box.add(finite_box(inner));
   if (box.empty()) return {};
-  box.grow(radius * 1.5);
-  const Lattice lattice(box);
+  const Lattice lattice = lattice_for(box, radius);
   std::vector<OverlayEdge> edges;
   add_offset(edges, outer, lattice, radius, chord_error, Direction::inwards, Arcs::tangents, {1, 0});
   add_offset(edges, inner, lattice, radius, chord_error, Direction::outwards, Arcs::tangents, {0, 1});

@@ -4,6 +4,7 @@
 #include "algorithms/polygon/field_blocks.hpp"
 #include "coverage_oracle.hpp"
 #include "geometry/overlay/boolean.hpp"
+#include "geometry/ring_boxes.hpp"
 #include "tests/support/planners.hpp"
 #include "tests/support/seeds.hpp"
 
@@ -56,7 +57,7 @@ TEST(Field, ARectangleIsOneBlockAlongItsLongerSide) {
     EXPECT_EQ(plan_recorded("field", p).figures.at("blocks"), 1) << degrees;
     Context context(1);
     const Region field = transformed(box_region({0.6, 0.6}, {13.4, 6.4}), degrees * kPi / 180, {0, 0});
-    const std::vector<FieldBlock> blocks = field_blocks(p, field, BlockValue::area_rate, context);
+    const std::vector<FieldBlock> blocks = field_blocks(p, p.configuration_space(), field, {}, context);
     ASSERT_EQ(blocks.size(), 1u) << degrees;
     EXPECT_NEAR(std::abs(std::remainder(blocks[0].degrees - degrees, 180.0)), 0, 1e-6);
     EXPECT_NEAR(blocks[0].area, 12.8 * 5.8, 1e-6);
@@ -78,6 +79,27 @@ TEST(Field, TrapezoidsAreMergedWhereTheirEndsRunOn) {
   EXPECT_EQ(count(1.2), 2u);  // 27 degrees
 }
 
+// Lanes of a section of the field are cut at the walls about it: those elsewhere change nothing.
+TEST(Field, WallsElsewhereDoNotMatter) {
+  for (const auto seed : seeds(4)) {
+    const Problem p(generate("clutter", {{"width", 16.0}, {"height", 7.0}}, seed), Robot{});
+    const double w = p.robot().tool_width;
+    const Region section = intersect(lane_region(p, w, 0.02 * w), box_region({4, 0}, {9, 7}));
+    const RingBoxes walls(p.configuration_space());
+    const Region near = walls.near(Box{{4 - w, -w}, {9 + w, 7 + w}});
+    ASSERT_LT(vertex_count(near), vertex_count(p.configuration_space())) << seed;
+    Context context(1);
+    const auto blocks = [&](const Region& space) { return field_blocks(p, space, section, {}, context); };
+    const std::vector<FieldBlock> all = blocks(p.configuration_space()), some = blocks(near);
+    ASSERT_EQ(all.size(), some.size()) << seed;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      ASSERT_EQ(all[i].strips.size(), some[i].strips.size()) << seed;
+      for (std::size_t k = 0; k < all[i].strips.size(); ++k)
+        EXPECT_EQ(all[i].strips[k].lanes.size(), some[i].strips[k].lanes.size()) << seed;
+    }
+  }
+}
+
 TEST(Field, BlocksDivideTheField) {
   for (const auto seed : seeds(6)) {
     const Problem p(generate("clutter", {{"width", 9.0}, {"height", 7.0}}, seed), Robot{});
@@ -86,7 +108,7 @@ TEST(Field, BlocksDivideTheField) {
       Context context(1);
       double sum = 0;
       Region all;
-      for (const FieldBlock& b : field_blocks(p, field, value, context)) {
+      for (const FieldBlock& b : field_blocks(p, p.configuration_space(), field, {value, 4}, context)) {
         sum += b.area;
         if (!b.ring.empty()) all.polygons.push_back({b.ring, {}});
       }

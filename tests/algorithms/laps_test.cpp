@@ -1,3 +1,5 @@
+#include "algorithms/lanes/laps.hpp"
+
 #include <gtest/gtest.h>
 
 #include "algorithms/lanes/repair.hpp"
@@ -206,6 +208,21 @@ TEST(Headland, ManyLapsLeaveNoLanes) {
   const Problem p(Map{"square", box_region({0, 0}, {4.4, 4.4}), "", ""}, disc(0.2, 0.4), Point(0.2, 0.2));
   const double all_laps = plan("boustrophedon", p, {{"headland", std::int64_t{100}}}).length(true);
   EXPECT_NEAR(all_laps, plan("contour", p, {{"join", text("nearest")}}).length(true), 0.1 * all_laps);
+}
+
+TEST(Laps, AloneAreTheSame) {
+  const Problem p(generate("clutter", {{"width", 8.0}, {"height", 6.0}}, 1), {});
+  const double width = p.robot().tool_width;
+  const Laps laps = laps_of(p, width, Context(1)), alone = laps_alone(p, width, Context(1));
+  EXPECT_FALSE(laps.between.empty());
+  EXPECT_TRUE(alone.between.empty());
+  EXPECT_EQ(laps.outermost, alone.outermost);
+  EXPECT_EQ(laps.depth_m, alone.depth_m);
+  ASSERT_EQ(laps.all.size(), alone.all.size());
+  for (std::size_t k = 0; k < laps.all.size(); ++k) {
+    EXPECT_EQ(laps.all[k].ring, alone.all[k].ring);
+    EXPECT_EQ(laps.all[k].inner, alone.all[k].inner);
+  }
 }
 
 }  // namespace

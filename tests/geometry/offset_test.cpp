@@ -227,5 +227,26 @@ TEST(Offset, BetweenOffsetsIsErosionLessDilation) {
   EXPECT_THROW(between_offsets(box, box, 0, 1e-3), std::invalid_argument);
 }
 
+TEST(Offset, DilationFallsShortByNoMoreThanItsBound) {
+  const Region box = box_region({1, 1}, {4, 3});
+  for (const double error : {1e-2, 1e-3, 1e-5}) {
+    const double r = 0.25, missing = 6 + 2 * 5 * r + kPi * r * r - area(dilate(box, r, error, Bound::inside));
+    EXPECT_GT(missing, 0);
+    EXPECT_LE(missing, dilation_shortfall(box, r, error));
+    EXPECT_LE(dilation_shortfall(box, r, error), 1.5 * missing + 1e-6);
+  }
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Region r = samples::holed_star(rng, {0, 0}, 4);
+    const double radius = rng.between(0.05, 0.6), error = radius / rng.between(20, 2000);
+    const double finest = area(dilate(r, radius, radius * 1e-6, Bound::inside));
+    EXPECT_LE(finest - area(dilate(r, radius, error, Bound::inside)), dilation_shortfall(r, radius, error));
+  }
+  EXPECT_EQ(dilation_shortfall(box, 0, 1e-3), 0);
+  EXPECT_EQ(dilation_shortfall({}, 1, 1e-3), 0);
+  EXPECT_THROW(dilation_shortfall(box, -1, 1e-3), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace oxturn
