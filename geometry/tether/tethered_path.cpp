@@ -17,7 +17,7 @@
 //                the next point of it where it can. These searches are local, so their cost does not grow with the
 //                number of classes of the whole map. The result is pulled taut.
 //             7. A goal outside the cut space has no bound on the path's length. If the budget does not suffice, the
-//                path is the shortest in the class that leads back to the start and from there follows the geodesic.
+//                path leads back to the start and from there follows the class of the geodesic.
 #include "geometry/tether/tethered_path.hpp"
 
 #include <algorithm>
@@ -359,15 +359,14 @@ std::optional<TetheredPath> TetheredRobot::path_to(const Point& goal, Retraction
 
 /// Back to the start and on from there: where the cut space does not contain the goal and the search does not find it.
 std::optional<TetheredPath> TetheredRobot::path_by_start(const Point& goal, std::size_t budget) const {
+  if (at() == trail_.anchor()) {
+    const double longest = std::min(world_->longest, world_->field.farthest());
+    for (double slack = longest / 64; slack <= longest; slack *= 4)
+      if (auto out = geodesic_path(*world_, at(), goal, slack); out && admissible(*world_, tether_, *out))
+        return TetheredPath{std::move(*out), false};
+    return std::nullopt;
+  }
   const Polyline back = reversed(trail_.polyline());
-  const double longest = std::min(world_->longest, world_->field.farthest());
-  for (double slack = longest / 64; slack <= longest; slack *= 4)
-    if (const auto out = geodesic_path(*world_, trail_.anchor(), goal, slack)) {
-      const Polyline line = joined(back, *out);
-      for (const Polyline& path : {pulled_taut(*world_, line), line})
-        if (admissible(*world_, tether_, path)) return TetheredPath{path, false};
-    }
-  if (at() == trail_.anchor()) return std::nullopt;
   TetheredRobot home = *this;
   home.drive(back);
   const auto out = home.path_to(goal, Retraction::automatic, budget);

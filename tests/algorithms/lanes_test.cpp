@@ -27,6 +27,33 @@ TEST(LaneFrame, MakesLanesVerticalAndBack) {
   }
 }
 
+// The tool is much wider than the robot, so the cave has many vertices per tool width: the region is found from fewer
+// of them, which may make it larger, but by less than the chord error.
+TEST(LaneRegion, OfACaveWithManyVerticesPerToolErrsOutsideByTheChordErrorAtMost) {
+  for (const auto seed : seeds(2)) {
+    Robot robot;
+    robot.radius = 0.05;
+    robot.tool_width = 3;
+    const Map map = generate("cave", {{"width", 12.0}, {"height", 8.0}, {"robot", 0.05}}, seed);
+    const Problem whole(map, robot);
+    const Problem problem = whole.restricted(whole.configuration_space());
+    const Region& space = problem.configuration_space();
+    ASSERT_GT(static_cast<double>(vertex_count(space)) * robot.tool_width, 20 * perimeter(space));
+    const double inset = 0.2, chord = 0.028;
+    const EdgeIndex lanes(lane_region(problem, inset, chord));
+    ASSERT_FALSE(lanes.edges().empty());
+    Rng rng(seed);
+    const Box box = bounding_box(space);
+    for (int k = 0; k < 2000; ++k) {
+      const Point p(rng.between(box.low.x(), box.high.x()), rng.between(box.low.y(), box.high.y()));
+      if (!problem.walls().contains(p)) continue;
+      const double away = problem.walls().nearest(p)->distance;
+      if (away >= inset) { EXPECT_TRUE(lanes.contains(p)) << away; }
+      if (away < inset - chord) { EXPECT_FALSE(lanes.contains(p)) << away; }
+    }
+  }
+}
+
 TEST(Slabs, AreTheFewestThatFit) {
   EXPECT_EQ(slabs_over(0, 4, 0.4).count, 10u);
   EXPECT_EQ(slabs_over(1e6, 1e6 + 3 * 0.1, 0.1).count, 3u);
