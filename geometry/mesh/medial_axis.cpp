@@ -59,6 +59,9 @@ struct Site {
   friend bool operator==(const Site&, const Site&) = default;
 };
 
+/// To a thousandth of a quantum: the last bits differ between machines, as long double does.
+double rounded_to_fraction(double quanta) { return std::nearbyint(quanta * 1024) / 1024; }
+
 /// The Voronoi diagram of a region's edges.
 class Voronoi {
  public:
@@ -87,7 +90,7 @@ class Voronoi {
   double quantum() const { return lattice_.quantum(); }
   Point at(const Diagram::vertex_type& v) const {
     const Point low = lattice_.point({0, 0});
-    return low + lattice_.quantum() * Point(v.x(), v.y());
+    return low + lattice_.quantum() * Point(rounded_to_fraction(v.x()), rounded_to_fraction(v.y()));
   }
   Site site(const Diagram::cell_type& cell) const {
     const std::size_t e = cell.source_index();
