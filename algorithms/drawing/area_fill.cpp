@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithms/drawing/followed_line.hpp"
+#include "algorithms/drawing/outline_last.hpp"
 #include "algorithms/drawing/uncovered_parts.hpp"
 #include "algorithms/smoothing/strokes.hpp"
 #include "base/throw_invalid.hpp"
@@ -153,6 +154,11 @@ DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, dou
   const bool turns_on_the_spot = !(problem_.robot().min_turn_radius > 0);
   element.followed = !turns_on_the_spot;
   element.legs = turns_on_the_spot ? from_first_stroke(std::move(path.legs)) : drivable_legs(path, problem);
+  if (turns_on_the_spot && options_.outline_last) {
+    const EdgeIndex space(Region{{part}});
+    element.legs = oxturn::outline_last(std::move(element.legs), part.outer, width,
+                                        [&](const Point& a, const Point& b) { return space.contains(a, b); });
+  }
   for (Leg& leg : element.legs) {
     if (!leg.tool) continue;
     leg.width = width;
@@ -174,9 +180,11 @@ std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, const C
     const bool near_rest = !elements.empty();
     const RingBoxes rest_rings(rest);
     std::vector<Leg> legs;
-    for (const Polygon& part : parts(area, width, near_rest ? worthwhile(rest, width) : Region{})) {
+    const std::vector<Polygon> all_parts = parts(area, width, near_rest ? worthwhile(rest, width) : Region{});
+    const bool alone = !near_rest && all_parts.size() == 1;
+    for (const Polygon& part : all_parts) {
       if (near_rest && !gains(part, rest_rings, width, kLeastGain * all)) continue;
-      DrawingElement element = fill(area, part, width, near_rest ? &rings : nullptr, context);
+      DrawingElement element = fill(area, part, width, alone ? nullptr : &rings, context);
       if (element.legs.empty()) continue;
       legs.insert(legs.end(), element.legs.begin(), element.legs.end());
       elements.push_back(std::move(element));

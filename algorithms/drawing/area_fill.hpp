@@ -23,7 +23,8 @@ struct FillOptions {
   double line_distance = 0;     // metres between lanes; 0: the tool's width
   double inset = 0;             // metres; 0: half the tool's width
   bool outline = true;          // of zigzag fills: a lap along the boundary
-  bool complete = true;         // parts of the tool fill what it leaves; false: only areas in which it fits nowhere
+  bool outline_last = false;  // the lap along the boundary is driven last, so that the robot leaves without crossing it
+  bool complete = true;       // parts of the tool fill what it leaves; false: only areas in which it fits nowhere
 };
 
 class AreaFiller {

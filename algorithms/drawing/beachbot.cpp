@@ -57,7 +57,7 @@ struct Params {
 
 FillOptions fill_options(const Params& p) {
   static constexpr const char* kNames[] = {"spiral", "zigzag", "contour"};
-  return {kNames[static_cast<int>(p.fill)], p.line_distance, p.inset, p.outline};
+  return {kNames[static_cast<int>(p.fill)], p.line_distance, p.inset, p.outline, p.finished == FinishedRule::around};
 }
 
 /// Decision 1.

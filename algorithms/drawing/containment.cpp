@@ -28,11 +28,13 @@ class Container {
   double area_m2() const { return area_; }
   const Box& box() const { return box_; }
 
-  bool holds(const DrawingElement& inner, ContainmentTest test) {
+  bool holds(const DrawingElement& inner, const Box& inner_box, ContainmentTest test) {
     if (region_.empty()) return false;
     if (!index_) index_ = std::make_unique<EdgeIndex>(region_);
     if (test == ContainmentTest::hull)
       return index_->contains(inner.first()) || (!inner.closed && index_->contains(inner.last()));
+    // Far from the boundary all of the element is on one side of it.
+    if (!index_->nearest(inner_box.centre(), inner_box.size().norm())) return index_->contains(inner_box.centre());
     return samples_outside(inner) <= kMostOutside;
   }
 
@@ -94,7 +96,7 @@ std::vector<std::pair<std::size_t, std::size_t>> contained_elements(const std::v
       const bool larger = areas[c.element] > areas[e] || (areas[c.element] == areas[e] && c.element > e);
       if (c.element == e || !larger) continue;
       if (test == ContainmentTest::overlay && !holds(c.container.box(), box)) continue;
-      if (!c.container.holds(elements[e], test)) continue;
+      if (!c.container.holds(elements[e], box, test)) continue;
       pairs.push_back({c.element, e});
       break;
     }
