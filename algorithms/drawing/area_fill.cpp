@@ -37,6 +37,13 @@ std::vector<Leg> from_first_stroke(std::vector<Leg> legs) {
   return legs;
 }
 
+double transits_m(const Path& path) {
+  double sum = 0;
+  for (const Leg& leg : path.legs)
+    if (!leg.tool) sum += length(leg.points);
+  return sum;
+}
+
 std::vector<Polyline> work_lines(const std::vector<Leg>& legs) {
   std::vector<Polyline> lines;
   for (const Leg& leg : legs)
@@ -127,8 +134,12 @@ double AreaFiller::inset(double width) const {
   return options_.inset > 0 && width == problem_.robot().tool_width ? options_.inset : width / 2;
 }
 
+const std::string& AreaFiller::name_of(const FillChoice& choice) const {
+  return choice.fill.empty() ? options_.fill : choice.fill;
+}
+
 std::unique_ptr<CoveragePlanner> AreaFiller::planner(const FillChoice& choice) const {
-  const std::string& fill = choice.fill.empty() ? options_.fill : choice.fill;
+  const std::string& fill = name_of(choice);
   if (fill == "spiral") return planners_.find("skeleton-spiral").make({}, planners_);
   if (fill == "contour") return planners_.find("contour").make({}, planners_);
   if (fill != "zigzag") throw_invalid("unknown fill '{}'; expected spiral, zigzag, contour or none", fill);
@@ -138,22 +149,46 @@ std::unique_ptr<CoveragePlanner> AreaFiller::planner(const FillChoice& choice) c
   return planners_.find("zigzag").make(settings, planners_);
 }
 
-DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, double width, const RingBoxes* rings,
-                                const Context& context) const {
-  if (is_small(part, width) && !(problem_.robot().min_turn_radius > 0)) return lap(area, part, width);
+Problem AreaFiller::problem_of(const FilledArea& area, const Polygon& part, double width,
+                               const RingBoxes* rings) const {
   Robot robot = filling_robot(width);
   robot.radius = 0;
   const Point inside = default_start(Map{area.element, {{part}}, "", ""}, robot);
   const Region map = rings ? about(*rings, part, kAbout * width) : Region{{area.area}};
-  Problem problem(Map{area.element, map, "drawing", ""}, filling_robot(width), inside);
-  if (rings || !subtract(problem.configuration_space(), problem_.configuration_space()).empty())
-    problem = problem.restricted({{part}});
-  Context inner(context.seed(), context.seconds_left());
+  const Problem problem(Map{area.element, map, "drawing", ""}, filling_robot(width), inside);
+  const bool whole = !rings && subtract(problem.configuration_space(), problem_.configuration_space()).empty();
+  return whole ? problem : problem.restricted({{part}});
+}
+
+/// Where the robot comes from is not known yet: of zigzags from several points the one with the least transits.
+Path AreaFiller::planned(const FillChoice& choice, const Problem& problem, const Polygon& part,
+                         const Context& context) const {
+  const Problem on_the_spot = problem.turning_on_the_spot();
+  const auto from = [&](const Problem& p) {
+    Context inner(context.seed(), context.seconds_left());
+    return Path{from_first_stroke(planner(choice)->plan(p, inner).legs)};
+  };
+  Path best = from(on_the_spot);
+  if (name_of(choice) != "zigzag") return best;
+  for (const Point& direction : {Point(-1, 0), Point(1, 0), Point(0, -1), Point(0, 1)}) {
+    if (!(transits_m(best) > problem.robot().tool_width)) break;
+    const Point start = *std::ranges::max_element(part.outer, {}, [&](const Point& p) { return p.dot(direction); });
+    if (!problem.walls().contains(start)) continue;
+    Path path = from(on_the_spot.restricted(problem.configuration_space(), start));
+    if (transits_m(path) < transits_m(best)) best = std::move(path);
+  }
+  return best;
+}
+
+DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, double width, const RingBoxes* rings,
+                                const Context& context) const {
+  if (is_small(part, width) && !(problem_.robot().min_turn_radius > 0)) return lap(area, part, width);
+  const Problem problem = problem_of(area, part, width, rings);
   DrawingElement element{.name = area.element, .legs = {}, .area = area.area.outer};
-  Path path = planner(area.choice)->plan(problem.turning_on_the_spot(), inner);
+  Path path = planned(area.choice, problem, part, context);
   const bool turns_on_the_spot = !(problem_.robot().min_turn_radius > 0);
   element.followed = !turns_on_the_spot;
-  element.legs = turns_on_the_spot ? from_first_stroke(std::move(path.legs)) : drivable_legs(path, problem);
+  element.legs = turns_on_the_spot ? std::move(path.legs) : drivable_legs(path, problem);
   if (turns_on_the_spot && options_.outline_last) {
     const EdgeIndex space(Region{{part}});
     element.legs = oxturn::outline_last(std::move(element.legs), part.outer, width,

@@ -43,6 +43,10 @@ class AreaFiller {
   /// `rings`: those of the area if the planner is to see nothing but the part; else nullptr.
   DrawingElement fill(const FilledArea& area, const Polygon& part, double width, const RingBoxes* rings,
                       const Context& context) const;
+  Problem problem_of(const FilledArea& area, const Polygon& part, double width, const RingBoxes* rings) const;
+  /// From its first stroke to its last.
+  Path planned(const FillChoice& choice, const Problem& problem, const Polygon& part, const Context& context) const;
+  const std::string& name_of(const FillChoice& choice) const;
   std::unique_ptr<CoveragePlanner> planner(const FillChoice& choice) const;
   /// `width`: metres of the tool that are used.
   double inset(double width) const;

@@ -98,6 +98,8 @@ class Beachbot final : public CoveragePlanner {
     PortCurves curves = curves_of(drawing, elements);
     const bool literal = p_.containment == Containment::literal;
     demands.contained = contained_elements(elements, literal ? ContainmentTest::hull : ContainmentTest::overlay);
+    if (!literal)
+      for (const auto& pair : narrower_fills(elements)) demands.contained.push_back(pair);
     demands.containment = p_.containment;
     trace_containment(elements, demands, context);
 

@@ -65,7 +65,7 @@ class TransitRouter {
   };
   static constexpr double kAnyHeading = 1e9;
   /// Vertices of obstacles; each costs some ten microseconds. Cells of a search count as a quarter.
-  static constexpr std::size_t kMostEffort = 700'000, kCellsToVertex = 4;
+  static constexpr std::size_t kMostEffort = 1'500'000, kCellsToVertex = 4;
   Transit route(const Pose& from, bool any_heading, const Pose& to);
   Known with_bends(const Point& from, const Point& to);
   void smoothen(Known& known, const Pose& from, bool any_heading, const Pose& to) const;
