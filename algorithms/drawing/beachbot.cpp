@@ -152,7 +152,9 @@ class Beachbot final : public CoveragePlanner {
     const auto price = [&](const DrawingElement& element) -> InnerPrice {
       const std::vector<DrawingElement> alone{element};
       FinishedWork work(pieces_of(alone).pieces, kExempt * problem.robot().tool_width);
-      const SmoothTransits smooth(problem, work, smooth_options(radius, keep_off));
+      SmoothTransits::Options options = smooth_options(radius, keep_off);
+      options.thorough = false;
+      const SmoothTransits smooth(problem, work, options);
       TransitRouter router(problem, work, keep_off, &smooth);
       const DrivenOrder driven = PricedOrder(alone, element.first(), p_.finished, router, work).driven({{}});
       return {driven.crossing_m, driven.length_m};

@@ -29,8 +29,7 @@ struct Transit {
   Polyline path;
   double length_m = 0, crossing_m = 0;
   bool keeps_radius = true;
-  /// A metre over finished work costs as much as this many others.
-  static constexpr double kCrossingWeight = 100;
+  static constexpr double kCrossingWeight = SmoothTransits::kCrossingWeight;
   double price() const { return length_m + kCrossingWeight * crossing_m; }
 };
 
