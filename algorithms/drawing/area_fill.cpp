@@ -44,13 +44,6 @@ double transits_m(const Path& path) {
   return sum;
 }
 
-std::vector<Polyline> work_lines(const std::vector<Leg>& legs) {
-  std::vector<Polyline> lines;
-  for (const Leg& leg : legs)
-    if (leg.tool) lines.push_back(leg.points);
-  return lines;
-}
-
 /// All but the smallest polygons, which have so many square metres in all.
 Region largest_parts(Region region, double most_left) {
   std::ranges::stable_sort(region.polygons, {}, [](const Polygon& p) { return area(p); });
@@ -76,13 +69,14 @@ std::vector<Leg> drivable_legs(const Path& path, const Problem& problem) {
   std::vector<Leg> strokes;
   for (Stroke& stroke : strokes_of(path, problem, space)) strokes.push_back({true, std::move(stroke.points)});
   const Region& all = problem.map().free;
-  const Region rest = largest_parts(worthwhile(uncovered(all, strokes, width), width), (1 - kFilled) * area(all));
+  const Region rest =
+      largest_parts(worthwhile(not_surely_covered(all, strokes, width), width), (1 - kFilled) * area(all));
   std::vector<Leg> legs;
   const auto add = [&](Polyline&& line) {
     if (!legs.empty()) legs.push_back({false, {legs.back().points.back(), line.front()}});
     legs.push_back({true, std::move(line)});
   };
-  for (const Polyline& part : parts_near(work_lines(path.legs), rest, width))
+  for (const Polyline& part : parts_near(work_lines(path), rest, width))
     for (Polyline& piece : followed_line(part, follow)) add(std::move(piece));
   for (Leg& stroke : strokes) add(std::move(stroke.points));
   return legs;
@@ -225,7 +219,7 @@ std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, const C
       elements.push_back(std::move(element));
     }
     if (!options_.complete && !elements.empty()) break;
-    if (!legs.empty()) rest = uncovered(rest, legs, tool_width);
+    if (!legs.empty()) rest = not_surely_covered(rest, legs, tool_width);
     if (oxturn::area(rest) <= (1 - kFilled) * all) break;
   }
   return elements;

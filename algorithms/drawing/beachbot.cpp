@@ -115,7 +115,9 @@ class Beachbot final : public CoveragePlanner {
     if (radius > 0) smooth.emplace(problem, work, smooth_options(radius, keep_off));
     TransitRouter router(problem, work, keep_off, smooth ? &*smooth : nullptr);
     DrawingTour tour(elements, demands, path.at(), radius);
-    const DrivenOrder order = PricedOrder(elements, path.at(), p_.finished, router, work).search(tour, context);
+    PricedOrder priced(elements, path.at(), p_.finished, router, work);
+    const DrivenOrder order = priced.search(tour, context);
+    context.record("straight_tour_m", priced.straight_m());
     OrderDriver driver(elements, router, work, smooth ? &*smooth : nullptr,
                        {p_.corner, radius, kDeviation * problem.robot().tool_width});
     driver.drive(order, curves, path);
@@ -152,9 +154,7 @@ class Beachbot final : public CoveragePlanner {
     const auto price = [&](const DrawingElement& element) -> InnerPrice {
       const std::vector<DrawingElement> alone{element};
       FinishedWork work(pieces_of(alone).pieces, kExempt * problem.robot().tool_width);
-      SmoothTransits::Options options = smooth_options(radius, keep_off);
-      options.thorough = false;
-      const SmoothTransits smooth(problem, work, options);
+      const SmoothTransits smooth(problem, work, smooth_options(radius, keep_off));
       TransitRouter router(problem, work, keep_off, &smooth);
       const DrivenOrder driven = PricedOrder(alone, element.first(), p_.finished, router, work).driven({{}});
       return {driven.crossing_m, driven.length_m};

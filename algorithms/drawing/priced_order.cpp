@@ -152,7 +152,9 @@ DrivenOrder PricedOrder::with_kicks(DrivenOrder best, const DrawingTour& tour, c
 }
 
 DrivenOrder PricedOrder::search(DrawingTour& tour, Context& context) {
-  DrivenOrder at = driven(tour.solve(context)), best = at;
+  const std::vector<ElementVisit> first = tour.solve(context);
+  straight_m_ = tour.cost(first);
+  DrivenOrder at = driven(first), best = at;
   for (int round = 0;
        round < kMostRounds && rule_ != FinishedRule::ignore && !context.cancelled() && !router_.exhausted(); ++round) {
     raise(at, tour);

@@ -48,6 +48,8 @@ class PricedOrder {
               FinishedWork& work);
 
   DrivenOrder search(DrawingTour& tour, Context& context);
+  /// Metres of the tour between elements that search() began with: as if nothing were drawn.
+  double straight_m() const { return straight_m_; }
   /// Drives the order and prices all transits.
   DrivenOrder driven(const std::vector<ElementVisit>& order);
   /// Drives the last visit of an order whose others are driven.
@@ -73,6 +75,7 @@ class PricedOrder {
   TransitRouter& router_;
   FinishedWork& work_;
   std::vector<std::size_t> first_piece_;
+  double straight_m_ = 0;
 };
 
 }  // namespace oxturn

@@ -56,7 +56,7 @@ std::optional<Polyline> SmoothTransits::one(const Pose& from, const Pose& to, Cl
 
 /// nullopt also if all links are spent.
 std::optional<Polyline> SmoothTransits::least_crossing(const Pose& from, const Pose& to) const {
-  if (!options_.thorough || links_ >= kMostLinks) return std::nullopt;
+  if (links_ >= kMostLinks) return std::nullopt;
   ++links_;
   std::vector<Curve> all = link_curves(from, to, options_.radius, false);
   std::ranges::stable_sort(all, {}, &Curve::length);

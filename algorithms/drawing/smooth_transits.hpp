@@ -36,7 +36,6 @@ class SmoothTransits {
     double keep_off = 0;  // metres from finished work, where possible
     ConnectionKind first = ConnectionKind::spiro;
     bool avoid = true;     // finished work; false: 3 and 4 only, by the first connection
-    bool thorough = true;  // as in 3; false: by the first connection
     bool literal = false;  // the source's spiro curve, whatever its curvature and wherever it leads
   };
   /// References must outlive it.

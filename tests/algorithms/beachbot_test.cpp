@@ -140,6 +140,32 @@ TEST(Beachbot, EnforcedConnectionsAreDriven) {
   }
 }
 
+// Whichever vertex of an area a person names: which end of its fill is nearest to that changes with the plan.
+TEST(Beachbot, DeletedConnectionsWithFillsAreNotDriven) {
+  Ring disc;
+  for (int k = 0; k < 40; ++k) disc.push_back(Point(4, 3) + rotated({1.5, 0}, 2 * kPi * k / 40));
+  Drawing drawing;
+  drawing.areas.push_back({.element = "disc", .area = {disc, {}}, .choice = {}});
+  drawing.strokes.push_back(line("a", {{6, 3}, {7, 3}}, 0.16));
+  drawing.strokes.push_back(line("b", {{8, 6}, {9, 6}}, 0.04));
+  for (const int vertex : {-1, 0, 10, 20, 30}) {
+    SCOPED_TRACE(vertex);
+    drawing.connections.clear();
+    if (vertex >= 0)
+      for (const int end : {0, -1})
+        drawing.connections.push_back({.from = {"a", end}, .to = {"disc", vertex}, .enforced = false});
+    const Path path = plan_recorded("beachbot", canvas(drawing, beach_robot(), {.width = 12, .height = 8})).path;
+    bool beside = false;
+    double before = 0;
+    for (const Leg& leg : path.legs) {
+      if (!leg.tool) continue;
+      beside = beside || (before == 0.16 && leg.width > 0.16) || (before > 0.16 && leg.width == 0.16);
+      before = leg.width;
+    }
+    EXPECT_EQ(beside, vertex < 0);
+  }
+}
+
 TEST(Beachbot, ContradictionsNameBothElements) {
   Drawing drawing;
   drawing.strokes = {line("eye", {{1, 1}, {3, 1}}), line("ear", {{8, 6}, {10, 6}}), line("tail", {{3.5, 1}, {5, 1}})};
