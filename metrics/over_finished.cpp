@@ -1,5 +1,6 @@
 // Length driven over what earlier legs drew, metres, with the tool up and (apart) with the tool on. Within half a tool
-// width and 1 cm of a leg's two ends it does not count: a connection must leave and reach the drawing.
+// width and 1 cm of a leg's two ends it does not count: a connection must leave and reach the drawing. Nor does what is
+// nearer to the boundary of what was drawn than a thousandth of half its width.
 #include "metrics/over_finished.hpp"
 
 #include <fmt/format.h>
@@ -18,6 +19,8 @@ extern const Metric kOverFinishedM, kWorkOverFinishedM;
 namespace {
 
 constexpr double kNear = 0.01;  // metres
+constexpr double kTouch =
+    1e-3;  // of half a leg's width: paths along what was drawn are off it by rounding, or by chords
 constexpr std::size_t kMostRemarks = 10;
 
 double length_over(const Leg& leg, std::size_t index, const PathSegments& work, double tool_width) {
@@ -29,7 +32,7 @@ double length_over(const Leg& leg, std::size_t index, const PathSegments& work, 
     const Point &a = line[i - 1], &b = line[i];
     Cover over, ends;
     work.for_each_near(a, b, tool_width / 2, [&](const PathSegment& s) {
-      if (s.leg < index) over.add(within(a, b, s.a, s.b, s.width / 2));
+      if (s.leg < index) over.add(within(a, b, s.a, s.b, s.width / 2 * (1 - kTouch)));
     });
     for (const Point& end : {line.front(), line.back()}) ends.add(within(a, b, end, end, at_ends));
     sum += over.share_without(ends) * distance(a, b);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithms/drawing/followed_line.hpp"
+#include "algorithms/drawing/outline_last.hpp"
 #include "algorithms/drawing/uncovered_parts.hpp"
 #include "algorithms/smoothing/strokes.hpp"
 #include "base/throw_invalid.hpp"
@@ -36,11 +37,11 @@ std::vector<Leg> from_first_stroke(std::vector<Leg> legs) {
   return legs;
 }
 
-std::vector<Polyline> work_lines(const std::vector<Leg>& legs) {
-  std::vector<Polyline> lines;
-  for (const Leg& leg : legs)
-    if (leg.tool) lines.push_back(leg.points);
-  return lines;
+double transits_m(const Path& path) {
+  double sum = 0;
+  for (const Leg& leg : path.legs)
+    if (!leg.tool) sum += length(leg.points);
+  return sum;
 }
 
 /// All but the smallest polygons, which have so many square metres in all.
@@ -68,13 +69,14 @@ std::vector<Leg> drivable_legs(const Path& path, const Problem& problem) {
   std::vector<Leg> strokes;
   for (Stroke& stroke : strokes_of(path, problem, space)) strokes.push_back({true, std::move(stroke.points)});
   const Region& all = problem.map().free;
-  const Region rest = largest_parts(worthwhile(uncovered(all, strokes, width), width), (1 - kFilled) * area(all));
+  const Region rest =
+      largest_parts(worthwhile(not_surely_covered(all, strokes, width), width), (1 - kFilled) * area(all));
   std::vector<Leg> legs;
   const auto add = [&](Polyline&& line) {
     if (!legs.empty()) legs.push_back({false, {legs.back().points.back(), line.front()}});
     legs.push_back({true, std::move(line)});
   };
-  for (const Polyline& part : parts_near(work_lines(path.legs), rest, width))
+  for (const Polyline& part : parts_near(work_lines(path), rest, width))
     for (Polyline& piece : followed_line(part, follow)) add(std::move(piece));
   for (Leg& stroke : strokes) add(std::move(stroke.points));
   return legs;
@@ -126,8 +128,12 @@ double AreaFiller::inset(double width) const {
   return options_.inset > 0 && width == problem_.robot().tool_width ? options_.inset : width / 2;
 }
 
+const std::string& AreaFiller::name_of(const FillChoice& choice) const {
+  return choice.fill.empty() ? options_.fill : choice.fill;
+}
+
 std::unique_ptr<CoveragePlanner> AreaFiller::planner(const FillChoice& choice) const {
-  const std::string& fill = choice.fill.empty() ? options_.fill : choice.fill;
+  const std::string& fill = name_of(choice);
   if (fill == "spiral") return planners_.find("skeleton-spiral").make({}, planners_);
   if (fill == "contour") return planners_.find("contour").make({}, planners_);
   if (fill != "zigzag") throw_invalid("unknown fill '{}'; expected spiral, zigzag, contour or none", fill);
@@ -137,22 +143,51 @@ std::unique_ptr<CoveragePlanner> AreaFiller::planner(const FillChoice& choice) c
   return planners_.find("zigzag").make(settings, planners_);
 }
 
-DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, double width, const RingBoxes* rings,
-                                const Context& context) const {
-  if (is_small(part, width) && !(problem_.robot().min_turn_radius > 0)) return lap(area, part, width);
+Problem AreaFiller::problem_of(const FilledArea& area, const Polygon& part, double width,
+                               const RingBoxes* rings) const {
   Robot robot = filling_robot(width);
   robot.radius = 0;
   const Point inside = default_start(Map{area.element, {{part}}, "", ""}, robot);
   const Region map = rings ? about(*rings, part, kAbout * width) : Region{{area.area}};
-  Problem problem(Map{area.element, map, "drawing", ""}, filling_robot(width), inside);
-  if (rings || !subtract(problem.configuration_space(), problem_.configuration_space()).empty())
-    problem = problem.restricted({{part}});
-  Context inner(context.seed(), context.seconds_left());
+  const Problem problem(Map{area.element, map, "drawing", ""}, filling_robot(width), inside);
+  const bool whole = !rings && subtract(problem.configuration_space(), problem_.configuration_space()).empty();
+  return whole ? problem : problem.restricted({{part}});
+}
+
+/// Where the robot comes from is not known yet: of zigzags from several points the one with the least transits.
+Path AreaFiller::planned(const FillChoice& choice, const Problem& problem, const Polygon& part,
+                         const Context& context) const {
+  const Problem on_the_spot = problem.turning_on_the_spot();
+  const auto from = [&](const Problem& p) {
+    Context inner(context.seed(), context.seconds_left());
+    return Path{from_first_stroke(planner(choice)->plan(p, inner).legs)};
+  };
+  Path best = from(on_the_spot);
+  if (name_of(choice) != "zigzag") return best;
+  for (const Point& direction : {Point(-1, 0), Point(1, 0), Point(0, -1), Point(0, 1)}) {
+    if (!(transits_m(best) > problem.robot().tool_width)) break;
+    const Point start = *std::ranges::max_element(part.outer, {}, [&](const Point& p) { return p.dot(direction); });
+    if (!problem.walls().contains(start)) continue;
+    Path path = from(on_the_spot.restricted(problem.configuration_space(), start));
+    if (transits_m(path) < transits_m(best)) best = std::move(path);
+  }
+  return best;
+}
+
+DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, double width, const RingBoxes* rings,
+                                const Context& context) const {
+  if (is_small(part, width) && !(problem_.robot().min_turn_radius > 0)) return lap(area, part, width);
+  const Problem problem = problem_of(area, part, width, rings);
   DrawingElement element{.name = area.element, .legs = {}, .area = area.area.outer};
-  Path path = planner(area.choice)->plan(problem.turning_on_the_spot(), inner);
+  Path path = planned(area.choice, problem, part, context);
   const bool turns_on_the_spot = !(problem_.robot().min_turn_radius > 0);
   element.followed = !turns_on_the_spot;
-  element.legs = turns_on_the_spot ? from_first_stroke(std::move(path.legs)) : drivable_legs(path, problem);
+  element.legs = turns_on_the_spot ? std::move(path.legs) : drivable_legs(path, problem);
+  if (turns_on_the_spot && options_.outline_last) {
+    const EdgeIndex space(Region{{part}});
+    element.legs = oxturn::outline_last(std::move(element.legs), part.outer, width,
+                                        [&](const Point& a, const Point& b) { return space.contains(a, b); });
+  }
   for (Leg& leg : element.legs) {
     if (!leg.tool) continue;
     leg.width = width;
@@ -174,15 +209,17 @@ std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, const C
     const bool near_rest = !elements.empty();
     const RingBoxes rest_rings(rest);
     std::vector<Leg> legs;
-    for (const Polygon& part : parts(area, width, near_rest ? worthwhile(rest, width) : Region{})) {
+    const std::vector<Polygon> all_parts = parts(area, width, near_rest ? worthwhile(rest, width) : Region{});
+    const bool alone = !near_rest && all_parts.size() == 1;
+    for (const Polygon& part : all_parts) {
       if (near_rest && !gains(part, rest_rings, width, kLeastGain * all)) continue;
-      DrawingElement element = fill(area, part, width, near_rest ? &rings : nullptr, context);
+      DrawingElement element = fill(area, part, width, alone ? nullptr : &rings, context);
       if (element.legs.empty()) continue;
       legs.insert(legs.end(), element.legs.begin(), element.legs.end());
       elements.push_back(std::move(element));
     }
     if (!options_.complete && !elements.empty()) break;
-    if (!legs.empty()) rest = uncovered(rest, legs, tool_width);
+    if (!legs.empty()) rest = not_surely_covered(rest, legs, tool_width);
     if (oxturn::area(rest) <= (1 - kFilled) * all) break;
   }
   return elements;

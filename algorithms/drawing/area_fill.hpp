@@ -23,7 +23,8 @@ struct FillOptions {
   double line_distance = 0;     // metres between lanes; 0: the tool's width
   double inset = 0;             // metres; 0: half the tool's width
   bool outline = true;          // of zigzag fills: a lap along the boundary
-  bool complete = true;         // parts of the tool fill what it leaves; false: only areas in which it fits nowhere
+  bool outline_last = false;  // the lap along the boundary is driven last, so that the robot leaves without crossing it
+  bool complete = true;       // parts of the tool fill what it leaves; false: only areas in which it fits nowhere
 };
 
 class AreaFiller {
@@ -42,6 +43,10 @@ class AreaFiller {
   /// `rings`: those of the area if the planner is to see nothing but the part; else nullptr.
   DrawingElement fill(const FilledArea& area, const Polygon& part, double width, const RingBoxes* rings,
                       const Context& context) const;
+  Problem problem_of(const FilledArea& area, const Polygon& part, double width, const RingBoxes* rings) const;
+  /// From its first stroke to its last.
+  Path planned(const FillChoice& choice, const Problem& problem, const Polygon& part, const Context& context) const;
+  const std::string& name_of(const FillChoice& choice) const;
   std::unique_ptr<CoveragePlanner> planner(const FillChoice& choice) const;
   /// `width`: metres of the tool that are used.
   double inset(double width) const;

@@ -57,7 +57,7 @@ struct Params {
 
 FillOptions fill_options(const Params& p) {
   static constexpr const char* kNames[] = {"spiral", "zigzag", "contour"};
-  return {kNames[static_cast<int>(p.fill)], p.line_distance, p.inset, p.outline};
+  return {kNames[static_cast<int>(p.fill)], p.line_distance, p.inset, p.outline, p.finished == FinishedRule::around};
 }
 
 /// Decision 1.
@@ -98,6 +98,8 @@ class Beachbot final : public CoveragePlanner {
     PortCurves curves = curves_of(drawing, elements);
     const bool literal = p_.containment == Containment::literal;
     demands.contained = contained_elements(elements, literal ? ContainmentTest::hull : ContainmentTest::overlay);
+    if (!literal)
+      for (const auto& pair : narrower_fills(elements)) demands.contained.push_back(pair);
     demands.containment = p_.containment;
     trace_containment(elements, demands, context);
 
@@ -113,7 +115,9 @@ class Beachbot final : public CoveragePlanner {
     if (radius > 0) smooth.emplace(problem, work, smooth_options(radius, keep_off));
     TransitRouter router(problem, work, keep_off, smooth ? &*smooth : nullptr);
     DrawingTour tour(elements, demands, path.at(), radius);
-    const DrivenOrder order = PricedOrder(elements, path.at(), p_.finished, router, work).search(tour, context);
+    PricedOrder priced(elements, path.at(), p_.finished, router, work);
+    const DrivenOrder order = priced.search(tour, context);
+    context.record("straight_tour_m", priced.straight_m());
     OrderDriver driver(elements, router, work, smooth ? &*smooth : nullptr,
                        {p_.corner, radius, kDeviation * problem.robot().tool_width});
     driver.drive(order, curves, path);

@@ -28,11 +28,13 @@ class Container {
   double area_m2() const { return area_; }
   const Box& box() const { return box_; }
 
-  bool holds(const DrawingElement& inner, ContainmentTest test) {
+  bool holds(const DrawingElement& inner, const Box& inner_box, ContainmentTest test) {
     if (region_.empty()) return false;
     if (!index_) index_ = std::make_unique<EdgeIndex>(region_);
     if (test == ContainmentTest::hull)
       return index_->contains(inner.first()) || (!inner.closed && index_->contains(inner.last()));
+    // Far from the boundary all of the element is on one side of it.
+    if (!index_->nearest(inner_box.centre(), inner_box.size().norm())) return index_->contains(inner_box.centre());
     return samples_outside(inner) <= kMostOutside;
   }
 
@@ -70,7 +72,34 @@ bool holds(const Box& outer, const Box& inner) {
   return (inner.low - outer.low).minCoeff() >= -touch && (outer.high - inner.high).minCoeff() >= -touch;
 }
 
+/// Fills of one area, by different parts of the tool or in different parts of it.
+bool fill_the_same(const DrawingElement& a, const DrawingElement& b) {
+  return a.is_fill() && b.is_fill() && a.name == b.name && a.area == b.area;
+}
+
+double tool_width(const DrawingElement& fill) {
+  const auto work = std::ranges::find_if(fill.legs, [](const Leg& leg) { return leg.tool; });
+  return work == fill.legs.end() ? 0 : work->width;
+}
+
 }  // namespace
+
+std::vector<std::pair<std::size_t, std::size_t>> narrower_fills(const std::vector<DrawingElement>& elements) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t first = 0, last; first < elements.size(); first = last) {
+    for (last = first + 1; last < elements.size() && fill_the_same(elements[first], elements[last]);) ++last;
+    for (std::size_t narrow = first + 1; narrow < last; ++narrow) {
+      const double width = tool_width(elements[narrow]);
+      const Box box = box_of(elements[narrow]);
+      for (std::size_t wide = first; wide < narrow; ++wide) {
+        Box near = box_of(elements[wide]);
+        near.grow(tool_width(elements[wide]));
+        if (width < tool_width(elements[wide]) && near.overlaps(box)) pairs.push_back({wide, narrow});
+      }
+    }
+  }
+  return pairs;
+}
 
 std::vector<std::pair<std::size_t, std::size_t>> contained_elements(const std::vector<DrawingElement>& elements,
                                                                     ContainmentTest test) {
@@ -92,9 +121,9 @@ std::vector<std::pair<std::size_t, std::size_t>> contained_elements(const std::v
     const Box box = box_of(elements[e]);
     for (Candidate& c : outer) {
       const bool larger = areas[c.element] > areas[e] || (areas[c.element] == areas[e] && c.element > e);
-      if (c.element == e || !larger) continue;
+      if (c.element == e || !larger || fill_the_same(elements[c.element], elements[e])) continue;
       if (test == ContainmentTest::overlay && !holds(c.container.box(), box)) continue;
-      if (!c.container.holds(elements[e], test)) continue;
+      if (!c.container.holds(elements[e], box, test)) continue;
       pairs.push_back({c.element, e});
       break;
     }

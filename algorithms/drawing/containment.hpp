@@ -23,4 +23,9 @@ enum class ContainmentTest { overlay, hull };
 std::vector<std::pair<std::size_t, std::size_t>> contained_elements(const std::vector<DrawingElement>& elements,
                                                                     ContainmentTest test);
 
+/// Pairs of a fill and one of the same area, near it, with a narrower part of the tool. If narrow parts, which fill an
+/// area's corners, are driven first, transits between them may cross the area. Fills of an area are consecutive.
+/// O(n + k^2) for k fills of an area.
+std::vector<std::pair<std::size_t, std::size_t>> narrower_fills(const std::vector<DrawingElement>& elements);
+
 }  // namespace oxturn

@@ -47,6 +47,17 @@ std::optional<ElementPort> fill_port(const std::vector<DrawingElement>& elements
   return best;
 }
 
+/// Of a stroke its port; of an area without one all ends of its fills: a person saw one of them, but plans differ.
+std::vector<ElementPort> all_ports_of(std::vector<DrawingElement>& elements, const NodeOfElement& node) {
+  const ElementPort port = port_of(elements, node);
+  if (!elements[port.element].is_fill()) return {port};
+  std::vector<ElementPort> ports;
+  for (std::size_t e = 0; e < elements.size(); ++e)
+    if (elements[e].is_fill() && elements[e].name == node.element)
+      for (const std::size_t end : {0u, 1u}) ports.push_back({e, end});
+  return ports;
+}
+
 }  // namespace
 
 ElementPort entry_port(const DrawingElement& element, const ElementVisit& visit) {
@@ -86,7 +97,12 @@ TourDemands demands_of(const Drawing& drawing, std::vector<DrawingElement>& elem
     const ElementPort from = port_of(elements, c.from), to = port_of(elements, c.to);
     if (from.element == to.element)
       throw_invalid("a connection leads from element '{}' to itself; expected two elements", c.from.element);
-    (c.enforced ? demands.joined : demands.deleted).push_back({from, to});
+    if (c.enforced) {
+      demands.joined.push_back({from, to});
+      continue;
+    }
+    for (const ElementPort& a : all_ports_of(elements, c.from))
+      for (const ElementPort& b : all_ports_of(elements, c.to)) demands.deleted.push_back({a, b});
   }
   for (const DrawnCurve& c : drawing.curves) {
     const auto joint = std::pair(port_of(elements, c.from), port_of(elements, c.to));

@@ -35,7 +35,8 @@ struct TourDemands {
 /// std::invalid_argument for an element that does not exist, and a node that does not or is no end of its stroke.
 ElementPort port_of(std::vector<DrawingElement>& elements, const NodeOfElement& node);
 
-/// The connections that a person demands, those with a curve among them, and forbids. Throws as port_of().
+/// The connections that a person demands, those with a curve among them, and forbids: of an area without a stroke none
+/// of its fills is connected with the other element directly. Throws as port_of().
 TourDemands demands_of(const Drawing& drawing, std::vector<DrawingElement>& elements);
 
 }  // namespace oxturn

@@ -293,6 +293,8 @@ bool DrawingTour::allows(const std::vector<ElementVisit>& order) const {
                      [&](const auto& pair) { return position[pair.second] < position[pair.first]; });
 }
 
+const TourDemands& DrawingTour::demands() const { return impl_->demands; }
+
 double DrawingTour::cost(const std::vector<ElementVisit>& order) const {
   return impl_->problem->cost(impl_->tour(order));
 }

@@ -33,6 +33,7 @@ class DrawingTour {
   /// Whether the order keeps containment and joints, drives no one-way element backwards, and uses no deleted
   /// connection. O(n).
   bool allows(const std::vector<ElementVisit>& order) const;
+  const TourDemands& demands() const;
   /// What the tour's connections cost, as far as is known.
   double cost(const std::vector<ElementVisit>& order) const;
   /// The connection from one visit to the next costs this; `from` none: the start. No effect on joined ones.

@@ -4,23 +4,23 @@
 #include <limits>
 #include <numeric>
 
+#include "algorithms/drawing/few_orders.hpp"
 #include "algorithms/drawing/order_moves.hpp"
+#include "base/random.hpp"
 
 namespace oxturn {
 namespace {
 
 constexpr int kMostRounds = 10;
 constexpr int kMostRepeats = 3;           // of local search from one order
+constexpr std::size_t kKicks = 300;       // divided by the number of elements
 constexpr std::size_t kFew = 200;         // elements: with more the search begins with one order
 constexpr double kConstantWeight = 1000;  // metres, of a connection over finished work
 constexpr double kNoDifference = 1e-9;
 
 }  // namespace
 
-bool better(const DrivenOrder& a, const DrivenOrder& b) {
-  if (std::abs(a.crossing_m - b.crossing_m) > kNoDifference) return a.crossing_m < b.crossing_m;
-  return a.length_m < b.length_m - kNoDifference;
-}
+bool better(const DrivenOrder& a, const DrivenOrder& b) { return a.price() < b.price() - kNoDifference; }
 
 ElementPieces pieces_of(const std::vector<DrawingElement>& elements) {
   ElementPieces all;
@@ -67,16 +67,27 @@ std::vector<Transit> PricedOrder::draw(const ElementVisit& visit) {
   return inner;
 }
 
+void PricedOrder::undo(const ElementVisit& visit) {
+  for (std::size_t p = first_piece_[visit.element]; p < first_piece_[visit.element + 1]; ++p) work_.undo(p);
+}
+
+void PricedOrder::undo_all() {
+  for (std::size_t piece = 0; piece < work_.pieces().size(); ++piece) work_.undo(piece);
+}
+
+void PricedOrder::append(DrivenOrder& order) {
+  const std::size_t k = order.transits.size();
+  order.transits.push_back(transit_to(order.order, k));
+  order.inner.push_back(draw(order.order[k]));
+  order.crossing_m += order.transits.back().crossing_m;
+  order.length_m += order.transits.back().length_m;
+  for (const Transit& t : order.inner.back()) order.crossing_m += t.crossing_m, order.length_m += t.length_m;
+}
+
 DrivenOrder PricedOrder::driven(const std::vector<ElementVisit>& order) {
   DrivenOrder result{order, {}, {}, 0, 0};
-  for (std::size_t piece = 0; piece < work_.pieces().size(); ++piece) work_.undo(piece);
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    result.transits.push_back(transit_to(order, k));
-    result.inner.push_back(draw(order[k]));
-    result.crossing_m += result.transits.back().crossing_m;
-    result.length_m += result.transits.back().length_m;
-    for (const Transit& t : result.inner.back()) result.crossing_m += t.crossing_m, result.length_m += t.length_m;
-  }
+  undo_all();
+  while (result.transits.size() < order.size()) append(result);
   return result;
 }
 
@@ -92,6 +103,13 @@ void PricedOrder::raise(const DrivenOrder& order, DrawingTour& tour) {
   }
 }
 
+std::vector<ElementVisit> PricedOrder::backwards(std::vector<ElementVisit> order) const {
+  std::ranges::reverse(order);
+  for (ElementVisit& visit : order)
+    if (!elements_[visit.element].closed) visit.backwards = !visit.backwards;
+  return order;
+}
+
 /// Whether there is time for more than one local search; curves cost far more than straight transits.
 bool PricedOrder::is_cheap() const {
   return elements_.size() <= kFew && !(router_.radius() > 0) && !router_.exhausted();
@@ -103,15 +121,40 @@ std::vector<DrivenOrder> PricedOrder::starts(const DrivenOrder& best, const Driv
   std::vector<DrivenOrder> all{best};
   if (!is_cheap()) return all;
   if (last.order != best.order) all.push_back(last);
-  std::vector<ElementVisit> backwards(best.order.rbegin(), best.order.rend());
-  for (ElementVisit& visit : backwards)
-    if (!elements_[visit.element].closed) visit.backwards = !visit.backwards;
-  if (tour.allows(backwards)) all.push_back(driven(backwards));
+  if (const std::vector<ElementVisit> turned = backwards(best.order); tour.allows(turned))
+    all.push_back(driven(turned));
   return all;
 }
 
+DrivenOrder PricedOrder::improved(const DrivenOrder& from, const DrawingTour& tour, const Context& context) {
+  OrderMoves moves(elements_, start_, tour, router_.radius(), router_, work_, first_piece_);
+  return driven(moves.improved(from, context));
+}
+
+/// Iterated local search: some consecutive elements of the best order are driven elsewhere, perhaps backwards.
+DrivenOrder PricedOrder::with_kicks(DrivenOrder best, const DrawingTour& tour, const Context& context) {
+  const std::size_t n = elements_.size();
+  if (n < 3) return best;
+  Rng rng(context.seed());
+  for (std::size_t kick = 0; kick < kKicks / n && is_cheap() && !context.cancelled(); ++kick) {
+    std::vector<ElementVisit> order = best.order;
+    const std::size_t length = 1 + rng.below(std::max<std::size_t>(n / 2, 1)), from = rng.below(n - length + 1);
+    const auto first = order.begin() + static_cast<std::ptrdiff_t>(from);
+    std::vector<ElementVisit> run(first, first + static_cast<std::ptrdiff_t>(length));
+    order.erase(first, first + static_cast<std::ptrdiff_t>(length));
+    if (rng.chance(0.5)) run = backwards(std::move(run));
+    order.insert(order.begin() + static_cast<std::ptrdiff_t>(rng.below(order.size() + 1)), run.begin(), run.end());
+    if (!tour.allows(order)) continue;
+    const DrivenOrder moved = improved(driven(order), tour, context);
+    if (better(moved, best)) best = moved;
+  }
+  return best;
+}
+
 DrivenOrder PricedOrder::search(DrawingTour& tour, Context& context) {
-  DrivenOrder at = driven(tour.solve(context)), best = at;
+  const std::vector<ElementVisit> first = tour.solve(context);
+  straight_m_ = tour.cost(first);
+  DrivenOrder at = driven(first), best = at;
   for (int round = 0;
        round < kMostRounds && rule_ != FinishedRule::ignore && !context.cancelled() && !router_.exhausted(); ++round) {
     raise(at, tour);
@@ -123,15 +166,16 @@ DrivenOrder PricedOrder::search(DrawingTour& tour, Context& context) {
   if (rule_ != FinishedRule::around || context.cancelled()) return best;
   for (DrivenOrder start : starts(best, at, tour))
     for (int round = 0; round < kMostRepeats && !context.cancelled(); ++round) {
-      OrderMoves moves(elements_, start_, tour, router_.radius(), router_, work_, first_piece_);
-      const DrivenOrder moved = driven(moves.improved(start, context));
+      const DrivenOrder moved = improved(start, tour, context);
       if (!better(moved, best)) break;
       best = moved;
       if (!is_cheap()) break;
       raise(best, tour);
       start = driven(tour.improve(best.order, context));
     }
-  return best;
+  if (is_cheap() && elements_.size() <= FewOrders::kMostElements)
+    return FewOrders(elements_, start_, tour, *this).search(best, context);
+  return with_kicks(std::move(best), tour, context);
 }
 
 }  // namespace oxturn

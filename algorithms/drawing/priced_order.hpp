@@ -8,7 +8,8 @@
 /// improved, ten times at most; the best one driven is kept. (4) Local search at the real price: elements beside dear
 /// transits are moved, and runs of elements turned round, within 50 positions. Only transits between the changed
 /// positions are priced again, and only where straight distances leave hope. Of up to 200 elements, without a radius,
-/// it begins with several orders, the best one backwards among them, and is repeated after (3) as long as that helps.
+/// it begins with several orders, the best one backwards among them, is repeated after (3) as long as that helps, and
+/// after random changes of the best order. (5) Of up to nine elements all orders are tried (few_orders.hpp).
 /// Source: the outlook of Vollprecht 2014, which raises connections over finished areas; (4) is ours.
 #pragma once
 
@@ -28,8 +29,9 @@ struct DrivenOrder {
   std::vector<Transit> transits;            // to each visit
   std::vector<std::vector<Transit>> inner;  // of each visit, inside its fill
   double crossing_m = 0, length_m = 0;      // of all transits
+  double price() const { return length_m + Transit::kCrossingWeight * crossing_m; }
 };
-/// The one with less driving over finished work; if it is the same, the shorter one.
+/// The cheaper one.
 bool better(const DrivenOrder& a, const DrivenOrder& b);
 
 /// What each element draws; those of element e begin at first[e].
@@ -46,8 +48,15 @@ class PricedOrder {
               FinishedWork& work);
 
   DrivenOrder search(DrawingTour& tour, Context& context);
+  /// Metres of the tour between elements that search() began with: as if nothing were drawn.
+  double straight_m() const { return straight_m_; }
   /// Drives the order and prices all transits.
   DrivenOrder driven(const std::vector<ElementVisit>& order);
+  /// Drives the last visit of an order whose others are driven.
+  void append(DrivenOrder& order);
+  /// What the visit draws, or all, is not finished any more.
+  void undo(const ElementVisit& visit);
+  void undo_all();
 
  private:
   Transit transit(const Pose& from, const Pose& to);
@@ -55,6 +64,9 @@ class PricedOrder {
   std::vector<Transit> draw(const ElementVisit& visit);
   void raise(const DrivenOrder& order, DrawingTour& tour);
   bool is_cheap() const;
+  std::vector<ElementVisit> backwards(std::vector<ElementVisit> order) const;
+  DrivenOrder improved(const DrivenOrder& from, const DrawingTour& tour, const Context& context);
+  DrivenOrder with_kicks(DrivenOrder best, const DrawingTour& tour, const Context& context);
   std::vector<DrivenOrder> starts(const DrivenOrder& best, const DrivenOrder& last, const DrawingTour& tour);
 
   const std::vector<DrawingElement>& elements_;
@@ -63,6 +75,7 @@ class PricedOrder {
   TransitRouter& router_;
   FinishedWork& work_;
   std::vector<std::size_t> first_piece_;
+  double straight_m_ = 0;
 };
 
 }  // namespace oxturn

@@ -1,6 +1,7 @@
 #include "algorithms/drawing/smooth_transits.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "algorithms/smoothing/car_space.hpp"
 #include "geometry/bends.hpp"
@@ -12,6 +13,7 @@ constexpr double kChord = 1e-3;  // tool widths: of sampled curves
 constexpr double kCoarse = 8;    // of that: for tests against finished work
 constexpr int kHeadings = 8;     // tried at a start
 constexpr double kMostCurvature = 1.01;
+constexpr std::size_t kMostLinks = 1500;  // some hundredths of a second each
 
 /// The direction of a path's bend at k: half way between those of its two segments.
 double heading_at(const Polyline& path, std::size_t k) {
@@ -50,6 +52,30 @@ std::optional<Polyline> SmoothTransits::one(const Pose& from, const Pose& to, Cl
   const Connection c = smooth_connection(from, to, options);
   if (!c.allowed) return std::nullopt;
   return sampled(c.curve, chord_error_);
+}
+
+/// nullopt also if all links are spent.
+std::optional<Polyline> SmoothTransits::least_crossing(const Pose& from, const Pose& to) const {
+  if (links_ >= kMostLinks) return std::nullopt;
+  ++links_;
+  std::vector<Curve> all = link_curves(from, to, options_.radius, false);
+  std::ranges::stable_sort(all, {}, &Curve::length);
+  const auto line = [&](const Curve& curve, double error) {
+    Polyline points{from.at};
+    for (const Leg& leg : sampled(curve, error, false))
+      points.insert(points.end(), leg.points.begin() + 1, leg.points.end());
+    return points;
+  };
+  const Curve* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Curve& curve : all) {
+    if (curve.length() >= least) break;
+    const Polyline path = line(curve, kCoarse * chord_error_);
+    const double price = curve.length() + kCrossingWeight * work_.crossing_m(path);
+    if (price < least && stays_inside(line(curve, chord_error_))) least = price, best = &curve;
+  }
+  if (best == nullptr) return std::nullopt;
+  return line(*best, chord_error_);
 }
 
 std::optional<Polyline> SmoothTransits::along(const Pose& from, const Pose& to, const Polyline& round) const {
@@ -92,6 +118,7 @@ SmoothTransit SmoothTransits::find(const Pose& from, const Pose& to, const Polyl
       if (auto path = one(from, to, clear)) return {std::move(*path)};
     if (round.size() > 2)
       if (auto path = along(from, to, round)) return {std::move(*path)};
+    if (auto path = least_crossing(from, to)) return {std::move(*path)};
   }
   if (auto path = one(from, to, Clear::walls)) return {std::move(*path)};
   if (auto path = by_lattice(from, to)) return {std::move(*path)};
@@ -104,7 +131,7 @@ SmoothTransit SmoothTransits::find(const Point& from, const Pose& to, const Poly
   for (int k = 0; k < kHeadings; ++k) {
     SmoothTransit t = find(Pose{from, first + 2 * kPi * k / kHeadings}, to, round);
     const auto cost = [&](const SmoothTransit& s) {
-      return std::pair(!s.keeps_radius, length(s.path) + 100 * work_.crossing_m(s.path));
+      return std::pair(!s.keeps_radius, length(s.path) + kCrossingWeight * work_.crossing_m(s.path));
     };
     if (!best || cost(t) < cost(*best)) best = std::move(t);
   }

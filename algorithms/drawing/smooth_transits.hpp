@@ -6,7 +6,8 @@
 /// The first of these that stays in configuration space and
 ///   1. is clear of finished work by `keep_off`: one smooth connection (smoothing/connection.hpp: spiro curves first)
 ///   2. is clear of finished work itself: the same; then connections through the bends of `round`
-///   3. crosses it: one smooth connection
+///   3. crosses the least of it, counted as by the router: Dubins' curves between poses further ahead on the strokes'
+///      lines (smoothing/car_space.hpp); for so many transits only, then the first smooth connection that stays inside
 ///   4. as 3, found by a lattice search, if the robot cannot turn on the spot; with the effort of one plan for all
 /// If there is none, `round` itself with its bends, which are reported.
 /// Source: Vollprecht 2014, section 2.4. Cost: some dozen curves of up to a millisecond.
@@ -34,11 +35,14 @@ class SmoothTransits {
     double radius = 1;    // metres, > 0
     double keep_off = 0;  // metres from finished work, where possible
     ConnectionKind first = ConnectionKind::spiro;
-    bool avoid = true;     // finished work; false: 3 and 4 only
+    bool avoid = true;     // finished work; false: 3 and 4 only, by the first connection
     bool literal = false;  // the source's spiro curve, whatever its curvature and wherever it leads
   };
   /// References must outlive it.
   SmoothTransits(const Problem& problem, const FinishedWork& work, const Options& options);
+
+  /// A metre over finished work costs as much as this many others.
+  static constexpr double kCrossingWeight = 100;
 
   double radius() const { return options_.radius; }
   SmoothTransit find(const Pose& from, const Pose& to, const Polyline& round) const;
@@ -52,6 +56,7 @@ class SmoothTransits {
   bool stays_inside(const Polyline& path) const;
   bool bends_too_sharply(const Polyline& path) const;
   std::optional<Polyline> one(const Pose& from, const Pose& to, Clear clear) const;
+  std::optional<Polyline> least_crossing(const Pose& from, const Pose& to) const;
   std::optional<Polyline> along(const Pose& from, const Pose& to, const Polyline& round) const;
   std::optional<Polyline> by_lattice(const Pose& from, const Pose& to) const;
 
@@ -64,6 +69,7 @@ class SmoothTransits {
   // Whatever is finished, what lattice searches find between two poses is the same.
   mutable std::map<Key, std::optional<Polyline>> by_lattice_;
   mutable DetourEffort effort_;
+  mutable std::size_t links_ = 0;  // sought by least_crossing()
 };
 
 }  // namespace oxturn

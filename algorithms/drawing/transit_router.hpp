@@ -29,8 +29,7 @@ struct Transit {
   Polyline path;
   double length_m = 0, crossing_m = 0;
   bool keeps_radius = true;
-  /// A metre over finished work costs as much as this many others.
-  static constexpr double kCrossingWeight = 100;
+  static constexpr double kCrossingWeight = SmoothTransits::kCrossingWeight;
   double price() const { return length_m + kCrossingWeight * crossing_m; }
 };
 
@@ -65,7 +64,7 @@ class TransitRouter {
   };
   static constexpr double kAnyHeading = 1e9;
   /// Vertices of obstacles; each costs some ten microseconds. Cells of a search count as a quarter.
-  static constexpr std::size_t kMostEffort = 700'000, kCellsToVertex = 4;
+  static constexpr std::size_t kMostEffort = 1'500'000, kCellsToVertex = 4;
   Transit route(const Pose& from, bool any_heading, const Pose& to);
   Known with_bends(const Point& from, const Point& to);
   void smoothen(Known& known, const Pose& from, bool any_heading, const Pose& to) const;

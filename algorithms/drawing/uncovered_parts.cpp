@@ -55,7 +55,7 @@ Polyline part(const Polyline& line, const Span& span) {
 
 }  // namespace
 
-Region uncovered(const Region& area, const std::vector<Leg>& legs, double tool_width) {
+Region not_surely_covered(const Region& area, const std::vector<Leg>& legs, double tool_width) {
   std::vector<Region> swept;
   for (const Leg& leg : legs) {
     if (!leg.tool) continue;

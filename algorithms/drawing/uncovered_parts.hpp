@@ -1,6 +1,6 @@
 /// What a tool leaves uncovered of an area, and where to drive for it.
 ///
-///   const Region rest = uncovered(area, legs);
+///   const Region rest = not_surely_covered(area, legs, width);
 ///   for (const Polyline& part : parts_near(planned, rest, width)) strokes.push_back(part);
 ///
 /// Rests thinner than a tenth of the tool are ignored: approximate circles leave such slivers along every boundary.
@@ -13,8 +13,9 @@
 
 namespace oxturn {
 
-/// What no leg with the tool on covers. Legs of width 0 use `tool_width`. O(n log n) for what they sweep.
-Region uncovered(const Region& area, const std::vector<Leg>& legs, double tool_width);
+/// What no leg with the tool on covers, and slivers within a thousandth of its width: more than `uncovered` of lanes/,
+/// which leaves out what might be covered. Legs of width 0 use `tool_width`. O(n log n) for what they sweep.
+Region not_surely_covered(const Region& area, const std::vector<Leg>& legs, double tool_width);
 
 /// The rest without slivers for a tool of that width, in its connected components.
 Region worthwhile(const Region& rest, double width);

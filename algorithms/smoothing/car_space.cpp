@@ -27,7 +27,29 @@ Curve straight(const Pose& from, double shift, double radius) {
           {{Steering::straight, std::abs(shift), shift < 0 ? Gear::reverse : Gear::forward}}};
 }
 
+void add_curves(const Pose& from, const Pose& to, double radius, bool reverse, std::vector<Curve>& out) {
+  if (reverse) out.push_back(reeds_shepp_curve(from, to, radius));
+  for (Curve& word : dubins_words(from, to, radius)) out.push_back(std::move(word));
+}
+
 }  // namespace
+
+std::vector<Curve> link_curves(const Pose& from, const Pose& to, double radius, bool reverse) {
+  std::vector<double> shifts;
+  for (const double shift : kShifts) {
+    shifts.push_back(shift * radius);
+    if (reverse && shift > 0) shifts.push_back(-shift * radius);
+  }
+  std::vector<Curve> all;
+  for (const double out : shifts)
+    for (const double in : shifts) {
+      const Curve first = straight(from, out, radius), last = straight(ahead(to, -in), in, radius);
+      std::vector<Curve> middle;
+      add_curves(first.to, last.from, radius, reverse, middle);
+      for (const Curve& curve : middle) all.push_back(joined(joined(first, curve), last));
+    }
+  return all;
+}
 
 CarSpace::CarSpace(const Problem& problem, DetourSearch search)
     : walls_(problem.walls()),
@@ -63,25 +85,8 @@ double CarSpace::cost(const Curve& curve) const {
   return curve.length() + stop_cost_ * static_cast<double>(curve.cusps());
 }
 
-void CarSpace::add_curves(const Pose& from, const Pose& to, std::vector<Curve>& out) const {
-  if (reverse_) out.push_back(reeds_shepp_curve(from, to, radius_));
-  for (Curve& word : dubins_words(from, to, radius_)) out.push_back(std::move(word));
-}
-
 std::optional<Curve> CarSpace::simple_link(const Pose& from, const Pose& to) const {
-  std::vector<double> shifts;
-  for (const double shift : kShifts) {
-    shifts.push_back(shift * radius_);
-    if (reverse_ && shift > 0) shifts.push_back(-shift * radius_);
-  }
-  std::vector<Curve> all;
-  for (const double out : shifts)
-    for (const double in : shifts) {
-      const Curve first = straight(from, out, radius_), last = straight(ahead(to, -in), in, radius_);
-      std::vector<Curve> middle;
-      add_curves(first.to, last.from, middle);
-      for (const Curve& curve : middle) all.push_back(joined(joined(first, curve), last));
-    }
+  std::vector<Curve> all = link_curves(from, to, radius_, reverse_);
   std::ranges::stable_sort(all, {}, [&](const Curve& curve) { return cost(curve); });
   for (const Curve& curve : all)
     if (free(curve)) return curve;

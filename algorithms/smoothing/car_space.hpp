@@ -25,6 +25,9 @@ namespace oxturn {
 /// Who searches detours.
 enum class DetourSearch { lattice, ompl };
 
+/// Curves for steps 1 and 2, whatever is in the way: some dozens, in no order.
+std::vector<Curve> link_curves(const Pose& from, const Pose& to, double radius, bool reverse);
+
 class CarSpace {
  public:
   /// `problem` must outlive it.
@@ -52,8 +55,6 @@ class CarSpace {
   bool can_go_on(const Pose& from, double metres) const;
 
  private:
-  void add_curves(const Pose& from, const Pose& to, std::vector<Curve>& out) const;
-
   const EdgeIndex& walls_;
   Box bounds_;
   DetourSearch search_;

@@ -21,18 +21,6 @@ constexpr double kAcross[] = {-0.45, -0.225, 0, 0.225, 0.45};  // tool widths
 constexpr double kLeastPart = 0.4;                             // radii, of an edge that is cut
 constexpr double kUncovered = 0.05;                            // share of a stroke's swath that may be lost with it
 
-/// Maximal stretches with the tool on.
-std::vector<Polyline> work_lines(const Path& path) {
-  std::vector<Polyline> lines;
-  bool goes_on = false;
-  for (const Leg& leg : path.legs) {
-    if (leg.tool && !goes_on) lines.emplace_back();
-    if (leg.tool) lines.back().insert(lines.back().end(), leg.points.begin() + (goes_on ? 1 : 0), leg.points.end());
-    goes_on = leg.tool;
-  }
-  return lines;
-}
-
 /// Joins runs that go on from each other's ends in the same direction.
 class Chains {
  public:
@@ -169,6 +157,17 @@ void shorten(Polyline& line, double metres, double radius) {
 }
 
 }  // namespace
+
+std::vector<Polyline> work_lines(const Path& path) {
+  std::vector<Polyline> lines;
+  bool goes_on = false;
+  for (const Leg& leg : path.legs) {
+    if (leg.tool && !goes_on) lines.emplace_back();
+    if (leg.tool) lines.back().insert(lines.back().end(), leg.points.begin() + (goes_on ? 1 : 0), leg.points.end());
+    goes_on = leg.tool;
+  }
+  return lines;
+}
 
 Pose first_pose(const Polyline& line) { return {line.front(), heading(line[0], line[1])}; }
 Pose last_pose(const Polyline& line) { return {line.back(), heading(line[line.size() - 2], line.back())}; }

@@ -21,6 +21,8 @@ struct Stroke {
 Pose first_pose(const Polyline& line);
 Pose last_pose(const Polyline& line);
 
+/// Maximal stretches with the tool on.
+std::vector<Polyline> work_lines(const Path& path);
 /// O(n log n) for n vertices.
 std::vector<Stroke> strokes_of(const Path& path, const Problem& problem, const CarSpace& space);
 

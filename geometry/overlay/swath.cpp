@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
 
 #include "base/throw_invalid.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -13,6 +15,8 @@ namespace {
 
 constexpr double kMostChords = 1000;  // of half a disc
 constexpr double kThinning = 0.25;    // of the chord error
+constexpr std::size_t kGroup = 4;     // consecutive parts that are united at a time
+constexpr double kDeep = 2;           // times that a group's parts would cover its bounding box
 
 /// A disc's boundary as a polygon of chords or of tangents.
 class Arc {
@@ -140,6 +144,35 @@ void add_line(const Polyline& points, const Arc& arc, std::vector<Region>& parts
   if (line.size() > 1) LineSwath(line, arc).append(parts);
 }
 
+double area_of(std::span<const Region> parts) {
+  double sum = 0;
+  for (const Region& part : parts) sum += area(part);
+  return sum;
+}
+
+/// Unites consecutive parts where they lie several deep on each other, as under a zigzag much narrower than the tool:
+/// all edges of all parts would cross each other.
+std::vector<Region> without_deep(std::vector<Region> parts) {
+  for (bool merged = true; merged;) {
+    merged = false;
+    std::vector<Region> fewer;
+    for (std::size_t k = 0; k < parts.size(); k += kGroup) {
+      const auto first = parts.begin() + static_cast<std::ptrdiff_t>(k);
+      const std::span<Region> group(first, std::min(kGroup, parts.size() - k));
+      Box box;
+      for (const Region& part : group) box.add(bounding_box(part));
+      if (group.size() > 1 && area_of(group) > kDeep * box.size().prod()) {
+        fewer.push_back(unite({group.begin(), group.end()}));
+        merged = true;
+      } else {
+        std::ranges::move(group, std::back_inserter(fewer));
+      }
+    }
+    parts = std::move(fewer);
+  }
+  return parts;
+}
+
 }  // namespace
 
 std::vector<Region> swath_parts(const std::vector<Polyline>& lines, double radius, double chord_error, Bound bound) {
@@ -154,7 +187,7 @@ std::vector<Region> swath_parts(const std::vector<Polyline>& lines, double radiu
       add_line(thinned(line, thinning), thin_arc, parts);
     else
       add_line(line, arc, parts);
-  return parts;
+  return without_deep(std::move(parts));
 }
 
 Region swath(const std::vector<Polyline>& lines, double radius, double chord_error, Bound bound) {

@@ -18,6 +18,7 @@ from shapely.geometry import LineString, MultiPolygon, Point, shape
 from shapely.ops import unary_union
 
 NEAR, TOOL, QUARTER = 0.01, 0.42, 64
+TOUCH = 1e-3  # of a width: so far inside finished work nothing counts
 SVG = """<svg xmlns="http://www.w3.org/2000/svg" width="400" height="300">
 <rect id="house" x="40" y="120" width="160" height="140" fill="#333"/>
 <path id="roof" d="M30 120L120 40L210 120" fill="none" stroke="#000" stroke-width="5"/>
@@ -88,7 +89,7 @@ def over_finished(legs, tool):
     for index, (on, points, _) in enumerate(legs):
         if on != tool:
             continue
-        before = [g for o, p, w in legs[:index] if o for g in parts(LineString(p), w or TOOL)]
+        before = [g for o, p, w in legs[:index] if o for g in parts(LineString(p), (w or TOOL) * (1 - TOUCH))]
         ends = [Point(p).buffer(TOOL / 2 + NEAR, resolution=QUARTER) for p in (points[0], points[-1])]
         for a, b in zip(points, points[1:]):
             line = LineString([a, b])

@@ -114,7 +114,7 @@ TEST(SharpVertices, AClosedLinesFirstPointCounts) {
 TEST(UncoveredParts, CornersOfASquare) {
   const Region square{{{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}}}};
   const Polyline lap{{0.2, 0.2}, {1.8, 0.2}, {1.8, 1.8}, {0.2, 1.8}, {0.2, 0.2}};
-  const Region rest = uncovered(square, {{.tool = true, .points = lap, .width = 0.4}}, 1);
+  const Region rest = not_surely_covered(square, {{.tool = true, .points = lap, .width = 0.4}}, 1);
   const double corner = 0.2 * 0.2 * (1 - kPi / 4), middle = 1.2 * 1.2;
   EXPECT_NEAR(area(rest), 4 * corner + middle, 1e-3);
   EXPECT_EQ(worthwhile(rest, 0.16).polygons.size(), 5u);

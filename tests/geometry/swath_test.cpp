@@ -88,6 +88,15 @@ TEST(Swath, OfWindingLinesAgreesWithDistances) {
   }
 }
 
+// A zigzag of 2,000 strokes, each overlapping 800 others: united all at once their edges cross a million times.
+TEST(Swath, OfStrokesHundredsDeepIsThatOfTheirOutline) {
+  Polyline line;
+  for (int k = 0; k <= 2000; ++k) line.emplace_back(k * 5e-4, k % 2 == 0 ? 0 : 0.02);
+  const double r = 0.2, exact = 1 * (0.02 + 2 * r) + kPi * r * r + 2 * r * 0.02;
+  for (const Bound bound : {Bound::inside, Bound::outside})
+    EXPECT_NEAR(area(swath({line}, r, 2e-3 * r, bound)), exact, 0.01 * exact);
+}
+
 TEST(Swath, ItsPartsTakeAwayWhatTheWholeDoes) {
   Rng rng(5);
   Polyline line;
