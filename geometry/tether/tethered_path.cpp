@@ -309,7 +309,7 @@ class GeodesicFollower {
 std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& start, const Point& goal, double slack,
                                       std::size_t budget) {
   if (auto inside = world.cut_paths.path(start, goal)) return inside;
-  constexpr std::size_t kFirstTried = 32, kMore = 16;  // segments, and times as many
+  constexpr std::size_t kFirstTried = 8, kMore = 16;  // segments, and times as many
   for (std::size_t segments = kFirstTried;; segments *= kMore) {
     GeodesicFollower follower(world, start, goal, slack, budget, segments);
     auto path = follower.run();
