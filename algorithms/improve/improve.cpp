@@ -84,6 +84,11 @@ Polyline divided(const Polyline& points, const std::vector<Point>& targets, doub
   return all;
 }
 
+double weight_of_time(const Improvement& how) {
+  if (how.objective == "weighted") return how.time_weight;
+  return how.objective == "time" ? 1 : 0;
+}
+
 class Improver {
  public:
   Improver(const Problem& problem, const Improvement& how, Context& context)
@@ -93,7 +98,7 @@ class Improver {
         completion_(problem, how.coverage),
         walls_(problem.walls()),
         width_(problem.robot().tool_width),
-        turn_(how.objective == "time" ? problem.robot().speed / problem.robot().turn_rate : 0),
+        turn_(weight_of_time(how) * problem.robot().speed / problem.robot().turn_rate),
         share_(std::max(completion_.allowed() / area(problem.target()), kLeastUncovered)),
         narrow_(nearly_all() ? reachable_target(problem, kMargin * width_, Completion::kChord) : Region{}) {}
 
@@ -231,17 +236,31 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
        "other"},
       {"return_home", &Improvement::return_home, "end where the path starts"},
       {"temperature", &Improvement::temperature, Range{1e-6, 10}, "of annealing, to begin with, in tool widths"},
-      {"objective", &Improvement::objective, Choices{"length", "time"},
-       "what is made least; time: turns count, at the robot's turn rate and speed"},
+      {"objective", &Improvement::objective, Choices{"length", "time", "weighted"},
+       "what is made least; time: turns count, at the robot's turn rate and speed; weighted: a sum of both"},
+      {"time_weight", &Improvement::time_weight, Range{0, 1},
+       "of the time's distance at full speed, in the weighted sum; the length counts the rest to 1"},
       {"threads", &Improvement::threads, Range{1, 256}, "that work at a time; they do not change the path"}};
   return all;
 }
 
-bool covers_all(const Settings& settings) {
-  const auto coverage = settings.find("coverage");
-  if (coverage == settings.end()) return true;
-  const double* share = std::get_if<double>(&coverage->second);
-  return share == nullptr || *share >= 1;  // else it is a whole number: 1
+PlannerInfo improving_planner(const std::string& name, const std::string& title, const std::string& guarantee) {
+  PlannerInfo info;
+  info.name = name;
+  info.family = "polygon";
+  info.title = title;
+  info.citation = "oxturn";
+  info.capabilities = {Capability::holes, Capability::footprint};
+  info.guarantee = guarantee;
+  info.promise = Promise::target;
+  info.parameters = infos_of(improvement_parameters());
+  info.promises_with = [](const Settings& settings) {
+    const auto coverage = settings.find("coverage");
+    if (coverage == settings.end()) return true;
+    const double* share = std::get_if<double>(&coverage->second);
+    return share == nullptr || *share >= 1;  // else it is a whole number: 1
+  };
+  return info;
 }
 
 Path improved(const Problem& problem, const std::vector<Path>& starts, const Improvement& how, Context& context) {

@@ -9,7 +9,8 @@
 /// given, completed in the same manner. The tool is on all along.
 ///
 /// With `objective = time`, a turn counts as far as the robot drives while it turns on the spot, and the path is the
-/// one that takes the least time in this sense.
+/// one that takes the least time in this sense. With `objective = weighted`, it is the one with the least
+/// (1 - time_weight) * length + time_weight * speed * time: a turn counts the share `time_weight` of that.
 ///
 /// Source      ours
 /// Complexity  a few microseconds a move, and O(m log m) for a path of m segments in each round
@@ -19,6 +20,7 @@
 #include <vector>
 
 #include "algorithms/context.hpp"
+#include "algorithms/planner_info.hpp"
 #include "base/parameters.hpp"
 #include "maps/problem.hpp"
 
@@ -31,11 +33,12 @@ struct Improvement {
   double temperature = 0.05;  // to begin with, in tool widths
   int threads = 1;            // which does not change the result
   std::string objective = "length";
+  double time_weight = 0.5;  // with objective = weighted
 };
 /// Their description, for planners that improve paths.
 const std::vector<Parameter<Improvement>>& improvement_parameters();
-/// Whether with these settings of a planner the whole target is covered.
-bool covers_all(const Settings& settings);
+/// What the descriptions of planners that improve paths have in common; without `make`.
+PlannerInfo improving_planner(const std::string& name, const std::string& title, const std::string& guarantee);
 
 /// `starts`: at least one path. Publishes what it finds. Returns the best path so far if cancelled.
 /// Throws Infeasible if there is nothing to drive.

@@ -255,6 +255,13 @@ std::vector<Sample> samples(int each) {
   return all;
 }
 
+std::string bytes(const Path& path) {
+  std::string all;
+  for (const Leg& leg : path.legs)
+    for (const Point& p : leg.points) all += fmt::format("{} {} ", p.x(), p.y());
+  return all;
+}
+
 TEST(Shortest, CoversAsMuchAsItIsAskedForAndIsNeverLongerThanItsStart) {
   for (const Sample& sample : samples(2)) {
     SCOPED_TRACE(sample.name);
@@ -283,6 +290,24 @@ TEST(Shortest, ItsObjectiveMayBeTime) {
   EXPECT_GE(*by_time.value("coverage"), 0.97);
   EXPECT_LT(*by_time.value("mission_s"), 0.98 * *by_length.value("mission_s"));
   EXPECT_GT(quick_path.length(), short_path.length());
+}
+
+// The weight leads from one objective to the other: its ends are these, bit by bit.
+TEST(Shortest, ItsObjectiveMayBeAWeightedSum) {
+  const Problem room(generate("polygon", {{"width", 5.0}, {"height", 4.0}, {"corners", std::int64_t{10}}}, 1),
+                     disc(0.2, 0.4));
+  const auto with = [&](const char* objective, double weight) {
+    return plan("shortest", room,
+                {{"coverage", 0.97}, {"moves", 20000}, {"objective", std::string(objective)}, {"time_weight", weight}});
+  };
+  EXPECT_EQ(bytes(with("weighted", 0)), bytes(with("length", 0.7)));
+  EXPECT_EQ(bytes(with("weighted", 1)), bytes(with("time", 0.7)));
+  const Path half = with("weighted", 0.5), brief = with("length", 0.5);
+  expect_valid(room, half);
+  const auto turns = [&](const Path& path) { return turning(vertices_of(path, room.start())); };
+  EXPECT_LT(turns(half), 0.9 * turns(brief));
+  const double half_turn = 0.5 * room.robot().speed / room.robot().turn_rate;
+  EXPECT_LT(half.length() + half_turn * turns(half), brief.length() + half_turn * turns(brief));
 }
 
 // A long corridor has many windows; lanes across it are nearer to each other than they need to be. What is uncovered is
@@ -326,13 +351,6 @@ TEST(Polished, IsNeverLongerThanThePlannersPath) {
       EXPECT_LE(path.length(), 1.01 * start);  // seams are left there, but not here
       EXPECT_GE(*score(sample.problem, path).value("coverage"), 0.998);
     }
-}
-
-std::string bytes(const Path& path) {
-  std::string all;
-  for (const Leg& leg : path.legs)
-    for (const Point& p : leg.points) all += fmt::format("{} {} ", p.x(), p.y());
-  return all;
 }
 
 TEST(Shortest, IsTheSameForAnyNumberOfThreads) {
