@@ -28,15 +28,18 @@ constexpr double kStraight = 0.005;   // vertices nearer to their chord are drop
 constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4, kMostPrice = 2.5;
 constexpr double kNearlyAll = 1e-3;       // uncovered share below which coverage is nearly full
 constexpr double kLeastUncovered = 4e-5;  // share of the target that annealing leaves uncovered at least
-// Shares of the moves: of each short run of several, of the first run at length, and of closing, in rounds.
-constexpr double kBrief = 0.06, kClosing = 0.3, kHot = 0.6;
+// Shares of the moves: of each short run of several, of each further one of the best of them, of closing, in rounds,
+// and, of the rest, of the first run at length.
+constexpr double kBrief = 0.02, kFinal = 0.04, kClosing = 0.3, kHot = 0.6;
+constexpr std::size_t kFinalists = 3;
 // Uncovered pieces that are smaller, of what is allowed in all, get no extra moves.
 constexpr double kNoticed = 1e-3;
 // What closing may leave uncovered on the raster, of what is allowed: it misses what is thinner than its cells.
 constexpr double kFirstFactor = 0.5, kLeastFactor = 0.02;
 constexpr double kLeastShift = 0.001, kMostShift = 0.1;  // of vertices in closing
 constexpr int kMostRounds = 10;
-constexpr long kLeastMoves = 5000;      // of a round
+// Of a round, and for each vertex of the path: what it leaves uncovered is found in the time of some moves a vertex.
+constexpr long kLeastMoves = 5000, kLeastMovesEach = 10;
 constexpr double kShortDetours = 1.03;  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width in the target, of the first ones and of the others, if the user names no
 // number.
@@ -111,12 +114,15 @@ class Improver {
         const Polyline home = Connector(problem_).path(points.back(), problem_.start());
         points.insert(points.end(), home.begin() + 1, home.end());
       }
-      offer(points, context_.cancelled() ? Region{} : completion_.uncovered(points));
+      if (best_.empty() || cost(points) < cost(best_))  // detours make none shorter
+        offer(points, context_.cancelled() ? Region{} : completion_.uncovered(points));
       lines.push_back(straightened(points, kStraight * width_, problem_.walls()));
     }
     if (context_.cancelled()) return driven(best_);
     const Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
-    const double used = lines.size() > 1 ? kBrief * static_cast<double>(lines.size()) : 0;
+    const std::size_t finalists = lines.size() > kFinalists ? kFinalists : 0;
+    const double used =
+        lines.size() > 1 ? kBrief * static_cast<double>(lines.size()) + kFinal * static_cast<double>(finalists) : 0;
     const double hot = kHot * (1 - used - kClosing), warm = (1 - kHot) * (1 - used - kClosing);
     Annealed now = annealed(best, coarse(), {moves(hot), how_.temperature * width_, kWarm * width_}, context_.rng());
     Annealing::Options options = middle();
@@ -128,7 +134,8 @@ class Improver {
  private:
   /// Each round allows as much to be uncovered on the raster as leaves what is allowed uncovered in truth.
   void close_in_rounds(Annealed now) {
-    const int rounds = std::min(kMostRounds, 1 + static_cast<int>(moves(kClosing) / kLeastMoves));
+    const long least = std::max(kLeastMoves, kLeastMovesEach * static_cast<long>(now.points.size()));
+    const int rounds = std::min(kMostRounds, 1 + static_cast<int>(moves(kClosing) / least));
     double factor = kFirstFactor;
     for (int round = 0; !context_.cancelled(); ++round) {
       if (nearly_all()) now.points = walls_.snapped(now.points, kBesideWall * width_);
@@ -181,14 +188,24 @@ class Improver {
     return missed;
   }
 
-  /// Each annealed briefly, by all threads.
-  Polyline best_of(const std::vector<Polyline>& lines) {
+  /// All annealed briefly, and the best few of them again; the best one.
+  Polyline best_of(std::vector<Polyline> lines) {
+    sort_annealed(lines, kBrief, "start ");
+    if (lines.size() > kFinalists) {
+      lines.resize(kFinalists);
+      sort_annealed(lines, kFinal, "finalist ");
+    }
+    return lines.front();
+  }
+
+  /// Each annealed with this share of the moves, by all threads; the best one comes first.
+  void sort_annealed(std::vector<Polyline>& lines, double share, const std::string& seed) {
     std::vector<Annealed> results(lines.size());
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
       for (std::size_t k = next++; k < lines.size(); k = next++) {
-        Rng rng(mix(context_.seed(), "start " + std::to_string(k)));
-        results[k] = annealed(lines[k], coarse(), {moves(kBrief), how_.temperature * width_, kWarm * width_}, rng);
+        Rng rng(mix(context_.seed(), seed + std::to_string(k)));
+        results[k] = annealed(lines[k], coarse(), {moves(share), how_.temperature * width_, kWarm * width_}, rng);
       }
     };
     problem_.walls();  // made before threads share it
@@ -200,7 +217,8 @@ class Improver {
     const auto energy = [&](const Annealed& a) {
       return cost(a.points) + options.price * std::max(0.0, a.uncovered - options.uncovered);
     };
-    return std::ranges::min_element(results, {}, energy)->points;
+    std::ranges::stable_sort(results, {}, energy);
+    for (std::size_t k = 0; k < lines.size(); ++k) lines[k] = std::move(results[k].points);
   }
 
   /// The path completed, or as it is if cancelled. It is kept if it is the best one so far.
