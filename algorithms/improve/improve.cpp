@@ -28,10 +28,8 @@ constexpr double kStraight = 0.005;   // vertices nearer to their chord are drop
 constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4, kMostPrice = 2.5;
 constexpr double kNearlyAll = 1e-3;       // uncovered share below which coverage is nearly full
 constexpr double kLeastUncovered = 4e-5;  // share of the target that annealing leaves uncovered at least
-// Shares of the moves: of each short run of several, of each further one of the best of them, of closing, in rounds,
-// and, of the rest, of the first run at length.
-constexpr double kBrief = 0.02, kFinal = 0.04, kClosing = 0.3, kHot = 0.6;
-constexpr std::size_t kFinalists = 3;
+// Shares of the moves: of each short run of several, of the first run at length, and of closing, in rounds.
+constexpr double kBrief = 0.06, kClosing = 0.3, kHot = 0.6;
 // Uncovered pieces that are smaller, of what is allowed in all, get no extra moves.
 constexpr double kNoticed = 1e-3;
 // What closing may leave uncovered on the raster, of what is allowed: it misses what is thinner than its cells.
@@ -39,7 +37,7 @@ constexpr double kFirstFactor = 0.5, kLeastFactor = 0.02;
 constexpr double kLeastShift = 0.001, kMostShift = 0.1;  // of vertices in closing
 constexpr int kMostRounds = 10;
 // Of a round, and for each vertex of the path: what it leaves uncovered is found in the time of some moves a vertex.
-constexpr long kLeastMoves = 5000, kLeastMovesEach = 10;
+constexpr long kLeastMoves = 5000, kLeastMovesEach = 5;
 constexpr double kShortDetours = 1.03;  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width in the target, of the first ones and of the others, if the user names no
 // number.
@@ -120,9 +118,7 @@ class Improver {
     }
     if (context_.cancelled()) return driven(best_);
     const Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
-    const std::size_t finalists = lines.size() > kFinalists ? kFinalists : 0;
-    const double used =
-        lines.size() > 1 ? kBrief * static_cast<double>(lines.size()) + kFinal * static_cast<double>(finalists) : 0;
+    const double used = lines.size() > 1 ? kBrief * static_cast<double>(lines.size()) : 0;
     const double hot = kHot * (1 - used - kClosing), warm = (1 - kHot) * (1 - used - kClosing);
     Annealed now = annealed(best, coarse(), {moves(hot), how_.temperature * width_, kWarm * width_}, context_.rng());
     Annealing::Options options = middle();
@@ -188,24 +184,14 @@ class Improver {
     return missed;
   }
 
-  /// All annealed briefly, and the best few of them again; the best one.
-  Polyline best_of(std::vector<Polyline> lines) {
-    sort_annealed(lines, kBrief, "start ");
-    if (lines.size() > kFinalists) {
-      lines.resize(kFinalists);
-      sort_annealed(lines, kFinal, "finalist ");
-    }
-    return lines.front();
-  }
-
-  /// Each annealed with this share of the moves, by all threads; the best one comes first.
-  void sort_annealed(std::vector<Polyline>& lines, double share, const std::string& seed) {
+  /// Each annealed briefly, by all threads.
+  Polyline best_of(const std::vector<Polyline>& lines) {
     std::vector<Annealed> results(lines.size());
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
       for (std::size_t k = next++; k < lines.size(); k = next++) {
-        Rng rng(mix(context_.seed(), seed + std::to_string(k)));
-        results[k] = annealed(lines[k], coarse(), {moves(share), how_.temperature * width_, kWarm * width_}, rng);
+        Rng rng(mix(context_.seed(), "start " + std::to_string(k)));
+        results[k] = annealed(lines[k], coarse(), {moves(kBrief), how_.temperature * width_, kWarm * width_}, rng);
       }
     };
     problem_.walls();  // made before threads share it
@@ -217,8 +203,7 @@ class Improver {
     const auto energy = [&](const Annealed& a) {
       return cost(a.points) + options.price * std::max(0.0, a.uncovered - options.uncovered);
     };
-    std::ranges::stable_sort(results, {}, energy);
-    for (std::size_t k = 0; k < lines.size(); ++k) lines[k] = std::move(results[k].points);
+    return std::ranges::min_element(results, {}, energy)->points;
   }
 
   /// The path completed, or as it is if cancelled. It is kept if it is the best one so far.

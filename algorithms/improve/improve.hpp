@@ -2,7 +2,7 @@
 ///
 ///   const Path shorter = improved(problem, {path}, {.coverage = 0.99, .moves = 1'000'000}, context);
 ///
-/// Of several paths, each is annealed briefly (annealing.hpp), the best few again, and the best one at length: hot
+/// Of several paths, each is annealed briefly (annealing.hpp), and the best one at length: hot
 /// first, then cold and, for nearly full coverage, on a finer raster of witnesses. After each round what the path
 /// leaves uncovered is found exactly, and detours (lanes/repair.hpp) are added until the coverage is reached. The
 /// shortest of all these completed paths is the result, so the coverage never depends on convergence, and the result is

@@ -5,8 +5,8 @@
 // Guarantee   covers the share `coverage` of the target, but for seams thinner than a 250th of the tool's width; never
 //             longer than its start, completed
 // Complexity  a few microseconds a move
-// Decisions   1. Starts: `boustrophedon` in its own direction and along both axes, `contour`, `connected-fermat` and
-//                `oarp`. Each is annealed briefly, the best three again, and the best one at length.
+// Decisions   1. Starts: `boustrophedon` in its own direction and along both axes, and `contour`. Each is
+//                annealed briefly, the best one at length.
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/improve/improve.hpp"
 
@@ -23,8 +23,6 @@ struct Start {
 std::vector<Start> starts() {
   return {{"boustrophedon", {}},
           {"contour", {}},
-          {"connected-fermat", {}},
-          {"oarp", {}},
           {"boustrophedon", {{"sweep", std::string("given")}, {"angle", 0.0}}},
           {"boustrophedon", {{"sweep", std::string("given")}, {"angle", 90.0}}}};
 }

@@ -437,7 +437,9 @@ TEST(Shortest, ReachesTheShareAskedFor) {
       const Completion completion(sample.problem, coverage);
       const double left = area(completion.uncovered(vertices_of(path, sample.problem.start())));
       EXPECT_LE(left, (1 - coverage) * area(sample.problem.target()));
-      EXPECT_GE(*score(sample.problem, path).value("coverage"), coverage);
+      const Score s = score(sample.problem, path);
+      EXPECT_GE(*s.value("coverage"), coverage);
+      EXPECT_LE(*s.value("bound_m"), path.length());
     }
 }
 
@@ -461,7 +463,9 @@ TEST(Shortest, TightSpaces) {
       const Problem problem({"room", room, "test", "test"}, disc(0.2, 0.4));
       const Path path = plan("shortest", problem, {{"coverage", coverage}, {"moves", 2000}});
       expect_valid(problem, path);
-      EXPECT_GE(*score(problem, path).value("coverage"), coverage - 5e-3);  // seams, in rooms of one tool
+      const Score s = score(problem, path);
+      EXPECT_GE(*s.value("coverage"), coverage - 5e-3);  // seams, in rooms of one tool
+      if (const auto bound = s.value("bound_m")) { EXPECT_LE(*bound, path.length()); }
     }
 }
 
