@@ -36,7 +36,8 @@ constexpr double kNoticed = 1e-3;
 constexpr double kFirstFactor = 0.5, kLeastFactor = 0.02;
 constexpr double kLeastShift = 0.001, kMostShift = 0.1;  // of vertices in closing
 constexpr int kMostRounds = 10;
-constexpr long kLeastMoves = 5000;      // of a round
+// Of a round, and for each vertex of the path: what it leaves uncovered is found in the time of some moves a vertex.
+constexpr long kLeastMoves = 5000, kLeastMovesEach = 5;
 constexpr double kShortDetours = 1.03;  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width in the target, of the first ones and of the others, if the user names no
 // number.
@@ -84,6 +85,11 @@ Polyline divided(const Polyline& points, const std::vector<Point>& targets, doub
   return all;
 }
 
+double weight_of_time(const Improvement& how) {
+  if (how.objective == "weighted") return how.time_weight;
+  return how.objective == "time" ? 1 : 0;
+}
+
 class Improver {
  public:
   Improver(const Problem& problem, const Improvement& how, Context& context)
@@ -93,7 +99,7 @@ class Improver {
         completion_(problem, how.coverage),
         walls_(problem.walls()),
         width_(problem.robot().tool_width),
-        turn_(how.objective == "time" ? problem.robot().speed / problem.robot().turn_rate : 0),
+        turn_(weight_of_time(how) * problem.robot().speed / problem.robot().turn_rate),
         share_(std::max(completion_.allowed() / area(problem.target()), kLeastUncovered)),
         narrow_(nearly_all() ? reachable_target(problem, kMargin * width_, Completion::kChord) : Region{}) {}
 
@@ -106,7 +112,8 @@ class Improver {
         const Polyline home = Connector(problem_).path(points.back(), problem_.start());
         points.insert(points.end(), home.begin() + 1, home.end());
       }
-      offer(points, context_.cancelled() ? Region{} : completion_.uncovered(points));
+      if (best_.empty() || cost(points) < cost(best_))  // detours make none shorter
+        offer(points, context_.cancelled() ? Region{} : completion_.uncovered(points));
       lines.push_back(straightened(points, kStraight * width_, problem_.walls()));
     }
     if (context_.cancelled()) return driven(best_);
@@ -123,7 +130,8 @@ class Improver {
  private:
   /// Each round allows as much to be uncovered on the raster as leaves what is allowed uncovered in truth.
   void close_in_rounds(Annealed now) {
-    const int rounds = std::min(kMostRounds, 1 + static_cast<int>(moves(kClosing) / kLeastMoves));
+    const long least = std::max(kLeastMoves, kLeastMovesEach * static_cast<long>(now.points.size()));
+    const int rounds = std::min(kMostRounds, 1 + static_cast<int>(moves(kClosing) / least));
     double factor = kFirstFactor;
     for (int round = 0; !context_.cancelled(); ++round) {
       if (nearly_all()) now.points = walls_.snapped(now.points, kBesideWall * width_);
@@ -231,17 +239,31 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
        "other"},
       {"return_home", &Improvement::return_home, "end where the path starts"},
       {"temperature", &Improvement::temperature, Range{1e-6, 10}, "of annealing, to begin with, in tool widths"},
-      {"objective", &Improvement::objective, Choices{"length", "time"},
-       "what is made least; time: turns count, at the robot's turn rate and speed"},
+      {"objective", &Improvement::objective, Choices{"length", "time", "weighted"},
+       "what is made least; time: turns count, at the robot's turn rate and speed; weighted: a sum of both"},
+      {"time_weight", &Improvement::time_weight, Range{0, 1},
+       "of the time's distance at full speed, in the weighted sum; the length counts the rest to 1"},
       {"threads", &Improvement::threads, Range{1, 256}, "that work at a time; they do not change the path"}};
   return all;
 }
 
-bool covers_all(const Settings& settings) {
-  const auto coverage = settings.find("coverage");
-  if (coverage == settings.end()) return true;
-  const double* share = std::get_if<double>(&coverage->second);
-  return share == nullptr || *share >= 1;  // else it is a whole number: 1
+PlannerInfo improving_planner(const std::string& name, const std::string& title, const std::string& guarantee) {
+  PlannerInfo info;
+  info.name = name;
+  info.family = "polygon";
+  info.title = title;
+  info.citation = "oxturn";
+  info.capabilities = {Capability::holes, Capability::footprint};
+  info.guarantee = guarantee;
+  info.promise = Promise::target;
+  info.parameters = infos_of(improvement_parameters());
+  info.promises_with = [](const Settings& settings) {
+    const auto coverage = settings.find("coverage");
+    if (coverage == settings.end()) return true;
+    const double* share = std::get_if<double>(&coverage->second);
+    return share == nullptr || *share >= 1;  // else it is a whole number: 1
+  };
+  return info;
 }
 
 Path improved(const Problem& problem, const std::vector<Path>& starts, const Improvement& how, Context& context) {

@@ -2,14 +2,15 @@
 ///
 ///   const Path shorter = improved(problem, {path}, {.coverage = 0.99, .moves = 1'000'000}, context);
 ///
-/// Of several paths, each is annealed briefly (annealing.hpp), and the best one at length: hot first, then cold and,
-/// for nearly full coverage, on a finer raster of witnesses. After each round what the path leaves uncovered is found
-/// exactly, and detours (lanes/repair.hpp) are added until the coverage is reached. The shortest of all these completed
-/// paths is the result, so the coverage never depends on convergence, and the result is never longer than any path
-/// given, completed in the same manner. The tool is on all along.
+/// Of several paths, each is annealed briefly (annealing.hpp), and the best one at length: hot
+/// first, then cold and, for nearly full coverage, on a finer raster of witnesses. After each round what the path
+/// leaves uncovered is found exactly, and detours (lanes/repair.hpp) are added until the coverage is reached. The
+/// shortest of all these completed paths is the result, so the coverage never depends on convergence, and the result is
+/// never longer than any path given, completed in the same manner. The tool is on all along.
 ///
 /// With `objective = time`, a turn counts as far as the robot drives while it turns on the spot, and the path is the
-/// one that takes the least time in this sense.
+/// one that takes the least time in this sense. With `objective = weighted`, it is the one with the least
+/// (1 - time_weight) * length + time_weight * speed * time: a turn counts the share `time_weight` of that.
 ///
 /// Source      ours
 /// Complexity  a few microseconds a move, and O(m log m) for a path of m segments in each round
@@ -19,6 +20,7 @@
 #include <vector>
 
 #include "algorithms/context.hpp"
+#include "algorithms/planner_info.hpp"
 #include "base/parameters.hpp"
 #include "maps/problem.hpp"
 
@@ -31,11 +33,12 @@ struct Improvement {
   double temperature = 0.05;  // to begin with, in tool widths
   int threads = 1;            // which does not change the result
   std::string objective = "length";
+  double time_weight = 0.5;  // with objective = weighted
 };
 /// Their description, for planners that improve paths.
 const std::vector<Parameter<Improvement>>& improvement_parameters();
-/// Whether with these settings of a planner the whole target is covered.
-bool covers_all(const Settings& settings);
+/// What the descriptions of planners that improve paths have in common; without `make`.
+PlannerInfo improving_planner(const std::string& name, const std::string& title, const std::string& guarantee);
 
 /// `starts`: at least one path. Publishes what it finds. Returns the best path so far if cancelled.
 /// Throws Infeasible if there is nothing to drive.

@@ -19,7 +19,8 @@ constexpr double kSample = 0.5;      // distance of the points by which moves ar
 constexpr double kMovesEach = 4000;
 constexpr int kLeastPasses = 3, kMostPasses = 32;
 constexpr double kNearFocus = 0.8;  // share of the moves
-constexpr long kLeastMoves = 10;    // in a window
+// A window gets at least one move for so many vertices of the path and the target, the time to find what is in it.
+constexpr double kVerticesEach = 20;
 // Changes of the price from pass to pass: its logarithm by kPower times that of the uncovered area, of what is allowed,
 // as it will be if it goes on changing kAhead times as much; by kMostStep at most.
 constexpr double kPower = 0.3, kAhead = 1.5, kMostStep = 0.25, kLeastUncovered = 0.01;
@@ -57,6 +58,7 @@ class Windows {
         width_(problem.robot().tool_width),
         target_(Witnesses::turned(target)),
         box_(bounding_box(target_)),
+        target_vertices_(vertex_count(target_)),
         options_(options),
         focus_(focus) {}
 
@@ -135,7 +137,7 @@ class Windows {
         if (grid.bits[grid.at(i, j)] != 0) samples_.push_back(grid.centre(i, j));
   }
 
-  /// In each window, as many moves as it has of the target, and of the focus.
+  /// In each window, as many moves as it has of the target, and of the focus; if these are few, in some windows only.
   Annealed pass(Annealed now, const Annealing::Schedule& schedule, Rng& rng, const Context& context) const {
     const double side = kSide * width_, x = rng.unit(), y = rng.unit();
     const Grid grid(box_, box_.low - side * Point(x, y), side);
@@ -148,10 +150,13 @@ class Windows {
       share[k] += of_focus / static_cast<double>(focus_.size());
       focus[k].push_back(p);
     }
+    const double least = static_cast<double>(now.points.size() + target_vertices_) / kVerticesEach;
     for (std::size_t k = 0; k < grid.size() && !context.cancelled(); ++k) {
-      const auto moves = static_cast<long>(share[k] * static_cast<double>(schedule.moves));
-      if (moves >= kLeastMoves)
-        change(now, grid.window(k), std::move(focus[k]), {moves, schedule.hot, schedule.cold}, rng, context);
+      double moves = share[k] * static_cast<double>(schedule.moves);
+      if (moves < least) moves = rng.unit() * least < moves ? least : 0;  // by lot: as many on average
+      if (moves >= 1)
+        change(now, grid.window(k), std::move(focus[k]), {static_cast<long>(moves), schedule.hot, schedule.cold}, rng,
+               context);
     }
     return now;
   }
@@ -175,6 +180,7 @@ class Windows {
   double width_;
   const Region target_;  // turned
   const Box box_;        // of it
+  const std::size_t target_vertices_;
   Annealing::Options options_;
   std::vector<Point> focus_;
   std::vector<Point> samples_;  // of the target, turned

@@ -11,7 +11,8 @@
 /// uncovered area is the same in all windows of a pass.
 ///
 /// Source      ours
-/// Complexity  a few microseconds a move; a window also O(n + m) for n vertices of the path and m of the target
+/// Complexity  a few microseconds a move. A window also takes O(n + m) for n vertices of the path and m of the target:
+///             where there are fewer moves than that, windows are drawn by lot
 #pragma once
 
 #include <vector>

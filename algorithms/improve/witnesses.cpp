@@ -137,7 +137,8 @@ void Witnesses::capsule(const Point& a, const Point& b, Capsule& out) const {
               width = static_cast<float>(columns_);
   const float first = static_cast<float>(out.first) - py;
   std::int32_t *low = out.low.data(), *high = out.high.data();
-  for (int k = 0; k < out.rows; ++k) {
+  const int rows = out.rows;  // a copy: out.rows might be a part of what is written, and the loop be no vector code
+  for (int k = 0; k < rows; ++k) {
     const float y = first + static_cast<float>(k);
     const float s = std::min(std::max((y - n) * slope, s_least), s_most);
     const float t = std::min(std::max((y + n) * slope, t_least), t_most);

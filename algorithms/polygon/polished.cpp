@@ -38,16 +38,9 @@ class Polished final : public CoveragePlanner {
 }  // namespace
 
 PlannerInfo polished() {
-  PlannerInfo info;
-  info.name = "polished";
-  info.family = "polygon";
-  info.title = "any planner, and then its path made shorter by annealing";
-  info.citation = "oxturn";
-  info.capabilities = {Capability::holes, Capability::footprint};
-  info.guarantee = "covers the share `coverage` of the target; never longer than the path of `planner`, completed";
-  info.promise = Promise::target;
-  info.parameters = infos_of(improvement_parameters());
-  info.promises_with = covers_all;
+  PlannerInfo info = improving_planner(
+      "polished", "any planner, and then its path made shorter by annealing",
+      "covers the share `coverage` of the target; never longer than the path of `planner`, completed");
   return wrapper(std::move(info), "boustrophedon", [](Wrapped inner, Settings own) {
     own.erase("planner");
     return std::make_unique<Polished>(std::move(inner.planner),

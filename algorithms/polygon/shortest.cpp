@@ -57,16 +57,8 @@ class Shortest final : public CoveragePlanner {
 }  // namespace
 
 PlannerInfo shortest() {
-  PlannerInfo info;
-  info.name = "shortest";
-  info.family = "polygon";
-  info.title = "the shortest path that a budget finds, by annealing";
-  info.citation = "oxturn";
-  info.capabilities = {Capability::holes, Capability::footprint};
-  info.guarantee = "covers the share `coverage` of the target; never longer than its start";
-  info.promise = Promise::target;
-  info.parameters = infos_of(improvement_parameters());
-  info.promises_with = covers_all;
+  PlannerInfo info = improving_planner("shortest", "the shortest path that a budget finds, by annealing",
+                                       "covers the share `coverage` of the target; never longer than its start");
   info.covers_target_areas = true;
   info.make = [](const Settings& settings, const Planners& planners) {
     return std::make_unique<Shortest>(

@@ -255,6 +255,13 @@ std::vector<Sample> samples(int each) {
   return all;
 }
 
+std::string bytes(const Path& path) {
+  std::string all;
+  for (const Leg& leg : path.legs)
+    for (const Point& p : leg.points) all += fmt::format("{} {} ", p.x(), p.y());
+  return all;
+}
+
 TEST(Shortest, CoversAsMuchAsItIsAskedForAndIsNeverLongerThanItsStart) {
   for (const Sample& sample : samples(2)) {
     SCOPED_TRACE(sample.name);
@@ -272,17 +279,42 @@ TEST(Shortest, CoversAsMuchAsItIsAskedForAndIsNeverLongerThanItsStart) {
 
 // Turns cost time: the path that takes the least is not the shortest one.
 TEST(Shortest, ItsObjectiveMayBeTime) {
+  double short_m = 0, short_s = 0, quick_m = 0, quick_s = 0;
+  for (const auto seed : seeds(3)) {
+    const Problem room(generate("polygon", {{"width", 5.0}, {"height", 4.0}, {"corners", std::int64_t{10}}}, seed),
+                       disc(0.2, 0.4));
+    const auto with = [&](const char* objective) {
+      return plan("shortest", room, {{"coverage", 0.97}, {"moves", 40000}, {"objective", std::string(objective)}});
+    };
+    const Path short_path = with("length"), quick_path = with("time");
+    expect_valid(room, quick_path);
+    const Score by_length = score(room, short_path), by_time = score(room, quick_path);
+    EXPECT_GE(*by_time.value("coverage"), 0.97);
+    short_m += short_path.length();
+    quick_m += quick_path.length();
+    short_s += *by_length.value("mission_s");
+    quick_s += *by_time.value("mission_s");
+  }
+  EXPECT_LT(quick_s, 0.98 * short_s);
+  EXPECT_GT(quick_m, short_m);
+}
+
+// The weight leads from one objective to the other: its ends are these, bit by bit.
+TEST(Shortest, ItsObjectiveMayBeAWeightedSum) {
   const Problem room(generate("polygon", {{"width", 5.0}, {"height", 4.0}, {"corners", std::int64_t{10}}}, 1),
                      disc(0.2, 0.4));
-  const auto with = [&](const char* objective) {
-    return plan("shortest", room, {{"coverage", 0.97}, {"moves", 60000}, {"objective", std::string(objective)}});
+  const auto with = [&](const char* objective, double weight) {
+    return plan("shortest", room,
+                {{"coverage", 0.97}, {"moves", 20000}, {"objective", std::string(objective)}, {"time_weight", weight}});
   };
-  const Path short_path = with("length"), quick_path = with("time");
-  expect_valid(room, quick_path);
-  const Score by_length = score(room, short_path), by_time = score(room, quick_path);
-  EXPECT_GE(*by_time.value("coverage"), 0.97);
-  EXPECT_LT(*by_time.value("mission_s"), 0.98 * *by_length.value("mission_s"));
-  EXPECT_GT(quick_path.length(), short_path.length());
+  EXPECT_EQ(bytes(with("weighted", 0)), bytes(with("length", 0.7)));
+  EXPECT_EQ(bytes(with("weighted", 1)), bytes(with("time", 0.7)));
+  const Path half = with("weighted", 0.5), brief = with("length", 0.5);
+  expect_valid(room, half);
+  const auto turns = [&](const Path& path) { return turning(vertices_of(path, room.start())); };
+  EXPECT_LT(turns(half), 0.9 * turns(brief));
+  const double half_turn = 0.5 * room.robot().speed / room.robot().turn_rate;
+  EXPECT_LT(half.length() + half_turn * turns(half), brief.length() + half_turn * turns(brief));
 }
 
 // A long corridor has many windows; lanes across it are nearer to each other than they need to be. What is uncovered is
@@ -326,13 +358,6 @@ TEST(Polished, IsNeverLongerThanThePlannersPath) {
       EXPECT_LE(path.length(), 1.01 * start);  // seams are left there, but not here
       EXPECT_GE(*score(sample.problem, path).value("coverage"), 0.998);
     }
-}
-
-std::string bytes(const Path& path) {
-  std::string all;
-  for (const Leg& leg : path.legs)
-    for (const Point& p : leg.points) all += fmt::format("{} {} ", p.x(), p.y());
-  return all;
 }
 
 TEST(Shortest, IsTheSameForAnyNumberOfThreads) {
@@ -412,7 +437,9 @@ TEST(Shortest, ReachesTheShareAskedFor) {
       const Completion completion(sample.problem, coverage);
       const double left = area(completion.uncovered(vertices_of(path, sample.problem.start())));
       EXPECT_LE(left, (1 - coverage) * area(sample.problem.target()));
-      EXPECT_GE(*score(sample.problem, path).value("coverage"), coverage);
+      const Score s = score(sample.problem, path);
+      EXPECT_GE(*s.value("coverage"), coverage);
+      EXPECT_LE(*s.value("bound_m"), path.length());
     }
 }
 
@@ -436,7 +463,9 @@ TEST(Shortest, TightSpaces) {
       const Problem problem({"room", room, "test", "test"}, disc(0.2, 0.4));
       const Path path = plan("shortest", problem, {{"coverage", coverage}, {"moves", 2000}});
       expect_valid(problem, path);
-      EXPECT_GE(*score(problem, path).value("coverage"), coverage - 5e-3);  // seams, in rooms of one tool
+      const Score s = score(problem, path);
+      EXPECT_GE(*s.value("coverage"), coverage - 5e-3);  // seams, in rooms of one tool
+      if (const auto bound = s.value("bound_m")) { EXPECT_LE(*bound, path.length()); }
     }
 }
 

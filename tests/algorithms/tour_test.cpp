@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "algorithms/tour/generalised_tour.hpp"
 #include "algorithms/tour/open_tour.hpp"
 #include "algorithms/tour/point_grid.hpp"
 #include "algorithms/tour/quadrant_tree.hpp"
@@ -35,17 +36,6 @@ double straight_cost(const Point& start, const std::vector<TourElement>& element
     const Pattern& p = elements[s.element][s.pattern];
     sum += distance(at, p.entry) + p.cost;
     at = p.exit;
-  }
-  return sum;
-}
-
-/// As the tour's functions see it: by path.
-double path_cost(const TourCosts& costs, const std::vector<TourStop>& tour) {
-  double sum = 0;
-  std::size_t at = costs.start();
-  for (const TourStop& s : tour) {
-    sum += costs.exact(at, costs.entry(s)) + costs.pattern_cost(s);
-    at = costs.exit(s);
   }
   return sum;
 }
@@ -82,15 +72,15 @@ TEST(OpenTour, ImprovedToursAreNearlyOptimal) {
     Context context;
     auto tour = nearest_tour(costs, p, context);
     expect_each_once(tour, 6);
-    const double first = path_cost(costs, tour);
+    const double first = cost_of(costs, tour);
     EXPECT_NEAR(first, straight_cost(p.start(), elements, tour), 1e-9);
     improve_tour(costs, tour, context);
     choose_patterns(costs, tour);
     expect_each_once(tour, 6);
     const double least = least_cost(p.start(), elements);
-    EXPECT_LE(path_cost(costs, tour), first + 1e-9);
-    EXPECT_GE(path_cost(costs, tour), least - 1e-9);
-    ratio += path_cost(costs, tour) / least / 20;
+    EXPECT_LE(cost_of(costs, tour), first + 1e-9);
+    EXPECT_GE(cost_of(costs, tour), least - 1e-9);
+    ratio += cost_of(costs, tour) / least / 20;
   }
   EXPECT_LT(ratio, 1.05);
 }
@@ -110,7 +100,7 @@ TEST(OpenTour, PatternsAreTheBestForTheOrder) {
       least = std::min(least, straight_cost(p.start(), elements, other));
     }
     choose_patterns(costs, tour);
-    EXPECT_NEAR(path_cost(costs, tour), least, 1e-9);
+    EXPECT_NEAR(cost_of(costs, tour), least, 1e-9);
   }
 }
 
@@ -122,10 +112,10 @@ TEST(OpenTour, ImprovingShortensAndKeepsEveryElement) {
     const TourCosts costs(p.start(), elements, connector);
     Context context;
     auto tour = nearest_tour(costs, p, context);
-    const double first = path_cost(costs, tour);
+    const double first = cost_of(costs, tour);
     improve_tour(costs, tour, context);
     expect_each_once(tour, 120);
-    EXPECT_LT(path_cost(costs, tour), first * 0.97);
+    EXPECT_LT(cost_of(costs, tour), first * 0.97);
   }
 }
 
@@ -176,13 +166,13 @@ TEST(OpenTour, FarElementsCostFewSearches) {
     EXPECT_EQ(costs.searches(), 0u);
     choose_patterns(costs, tour);
     EXPECT_LT(costs.searches(), 600u);
-    const double first = path_cost(costs, tour);
+    const double first = cost_of(costs, tour);
     improve_tour(costs, tour, context);
     expect_each_once(tour, 150);
-    EXPECT_LE(path_cost(costs, tour), first + 1e-9);
-    const double improved = path_cost(costs, tour);
+    EXPECT_LE(cost_of(costs, tour), first + 1e-9);
+    const double improved = cost_of(costs, tour);
     choose_patterns(costs, tour);
-    EXPECT_LE(path_cost(costs, tour), 1.005 * improved);
+    EXPECT_LE(cost_of(costs, tour), 1.005 * improved);
   }
 }
 
