@@ -1,10 +1,14 @@
 // Method      In each triangle, for every two roots u and v: the curve on which their paths are equally long, a branch
 //             of a hyperbola. Let w = v - u and c = before(u) - before(v). Seen from u in direction e, a unit vector,
-//             the curve is at distance (|w|^2 - c^2) / (2 (e . w + c)). Where it meets a line, or another such curve
-//             about u, is linear in e, so all ends of pieces are known in closed form. The later root, with the greater
-//             `before`, takes the part of u: its side of the curve is convex and star-shaped about it.
+//             the curve is at distance (|w|^2 - c^2) / (2 (e . w + c)). With p the cotangent of half the angle from -w
+//             to e, changed in sign, its points are rational functions of p, and p where it meets a line, or another
+//             such curve about u, is the root of a quadratic: all ends of pieces are known in closed form. No number
+//             loses digits where the curve is nearly a ray from u away from v, as it is where u lies but little beside
+//             the path by v. The later root, with the greater `before`, takes the part of u: its side of the curve is
+//             convex and star-shaped about it.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/throw_invalid.hpp"
 #include "geometry/tether/geodesic_cones.hpp"
@@ -12,34 +16,49 @@
 namespace oxturn {
 namespace {
 
-/// Where the paths by roots u and v are equally long.
+/// Calls f(x) for the solutions of a x^2 - 2 b x + c = 0; rounding does not lose a double one.
+template <class F>
+void for_each_root(double a, double b, double c, F f) {
+  const double d = b * b - a * c;
+  if (!(d >= -1e-13 * b * b)) return;
+  const double q = b + std::copysign(std::sqrt(std::max(d, 0.0)), b);
+  if (a != 0) f(q / a);
+  if (q != 0) f(c / q);
+}
+
+/// Where the paths by roots u and v are equally long. Parameters: see Method; from -sqrt(sum / slack) to +sqrt(..).
 struct Bisector {
   Point u, w;
   double before;  // of u
-  double c, k;    // k = (|w|^2 - c^2) / 2
+  double c;
+  double slack, sum;  // |w| - c, |w| + c
+  Point away, aside;  // unit vectors: -w, and to the left of it
   Bisector(const GeodesicCones::Root& of, const GeodesicCones::Root& other)
       : u(of.at),
         w(other.at - of.at),
         before(of.before),
         c(of.before - other.before),
-        k((w.norm() - c) * (w.norm() + c) / 2) {}
+        slack(w.norm() - c),
+        sum(w.norm() + c),
+        away(-w / w.norm()),
+        aside(perpendicular(away)) {}
+  double k() const { return slack * sum / 2; }
   /// Distance from u in direction e; infinite or negative if the curve is not met.
-  double reach(const Point& e) const { return k / (e.dot(w) + c); }
-  Point at(double angle) const {
-    const Point e = direction_of(angle);
-    return u + reach(e) * e;
-  }
-  /// Calls f(angle) for the directions in which it meets the line through p along d.
+  double reach(const Point& e) const { return k() / (e.dot(w) + c); }
+  bool has(double p) const { return sum > slack * p * p; }
+  Point at(double p) const { return u + k() / (sum - slack * p * p) * ((p * p - 1) * away - 2 * p * aside); }
+  /// Calls f(p) where it meets the line through a point along d.
   template <class F>
-  void meet_line(const Point& p, const Point& d, F f) const {
+  void meet_line(const Point& on, const Point& d, F f) const {
     const Point n = perpendicular(d);
-    const double h = n.dot(p - u);
-    for_each_angle(k * n - h * w, h * c, f);
+    const double h = n.dot(on - u), n0 = n.dot(away), n1 = n.dot(aside);
+    for_each_root(slack * (sum * n0 + 2 * h), slack * sum * n1, -sum * (slack * n0 + 2 * h), f);
   }
   /// The same for another bisector about the same u.
   template <class F>
   void meet(const Bisector& o, F f) const {
-    for_each_angle(k * o.w - o.k * w, o.k * c - k * o.c, f);
+    const double w0 = o.w.dot(away), w1 = o.w.dot(aside);
+    for_each_root(slack * (sum * (w0 + o.c) + 2 * o.k()), slack * sum * w1, sum * (slack * (o.c - w0) - 2 * o.k()), f);
   }
 };
 
@@ -89,22 +108,20 @@ class CutLocus {
                         [&](const Cone& o) { return cones_.distance_by(o, x) < best && cones_.contains(o, x); });
   }
 
-  /// breaks_ are angles, relative to the direction of the facet's middle.
+  /// breaks_ are parameters of the curve.
   template <class Curve>
   void find_curved_pieces(const Cone& a, const Cone& b, const Facet& facet, Curve curve) {
     const Bisector line(cones_.root(a.root), cones_.root(b.root));
-    const Point towards = facet.middle() - line.u;
-    const double zero = std::atan2(towards.y(), towards.x());
     breaks_.clear();
-    const auto add = [&](double angle) {
-      const Point e = direction_of(angle);
-      if (e.dot(line.w) + line.c > 0) breaks_.push_back(wrapped(angle - zero));
+    const auto add = [&](double p) {
+      if (line.has(p)) breaks_.push_back(p);
     };
     for (std::size_t i = 0; i < facet.vertices().size(); ++i)
       line.meet_line(facet.vertices()[i], facet.next(i) - facet.vertices()[i], add);
     if (breaks_.size() < 2) return;
-    const auto is_in_facet = [&](double angle) { return facet.contains(line.at(zero + angle), cones_.rounding()); };
-    double inside_from = kPi, inside_to = -kPi;  // the part of the curve in the facet
+    const auto is_in_facet = [&](double p) { return facet.contains(line.at(p), cones_.rounding()); };
+    double inside_from = std::numeric_limits<double>::infinity(),
+           inside_to = -inside_from;  // of the curve in the facet
     for_each_run(breaks_, is_in_facet, [&](double begin, double end) {
       inside_from = std::min(inside_from, begin);
       inside_to = end;
@@ -112,11 +129,10 @@ class CutLocus {
     if (inside_from >= inside_to) return;
     for (const Cone& o : here_)
       if (o.root != a.root && o.root != b.root) add_breaks(line, a, o, add);
-    const auto is_piece = [&](double angle) {
-      return angle >= inside_from && angle <= inside_to && is_in_facet(angle) &&
-             is_shortest(a, b, line.at(zero + angle));
+    const auto is_piece = [&](double p) {
+      return p >= inside_from && p <= inside_to && is_in_facet(p) && is_shortest(a, b, line.at(p));
     };
-    for_each_run(breaks_, is_piece, [&](double begin, double end) { curve(line, zero + begin, zero + end); });
+    for_each_run(breaks_, is_piece, [&](double begin, double end) { curve(line, begin, end); });
   }
   /// Where a third cone may become shorter, or may begin or end.
   template <class Add>
@@ -216,8 +232,7 @@ double farthest_of(const GeodesicCones& cones) {
   for_each_piece(
       cones,
       [&](const Bisector& curve, double begin, double end) {
-        for (const double angle : {begin, end})
-          most = std::max(most, curve.before + distance(curve.u, curve.at(angle)));
+        for (const double p : {begin, end}) most = std::max(most, curve.before + distance(curve.u, curve.at(p)));
       },
       [&](const GeodesicCones::Root& u, const Point&, const Point& b) {
         most = std::max(most, u.before + distance(u.at, b));

@@ -551,6 +551,23 @@ TEST(GeodesicField, BehindASquarePillarTheCutIsStraight) {
   EXPECT_GE(sum, 4 - 1e-6);  // pieces on an edge of the mesh may be there twice
 }
 
+// The tip of the wedge lies beside the line on which both ways round the pillar are equally long. The nearer it is, the
+// more the curve of equal length by the tip and by a corner of the pillar resembles a ray.
+TEST(GeodesicField, BehindATipBesideTheCutItGoesOnToTheWall) {
+  for (double off = 1e-3; off > 1e-14; off /= 1.7)
+    for (const double side : {-off, off})
+      for (const double tip : {4.1, 5.3, 7.2}) {
+        const Ring wedge{{tip, 2 + side}, {7.5, 2.3}, {7.5, 1.7}};
+        const Ring pillar{{3, 1.5}, {3, 2.5}, {4, 2.5}, {4, 1.5}};
+        const Region region{{{{{0, 0}, {8, 0}, {8, 4}, {0, 4}}, {pillar, wedge}}}};
+        const GeodesicField field(region, {1, 2}, {}, 1e-9);
+        const std::vector<Polyline> cut = field.cut_locus(1e-3);
+        for (const Polyline& piece : cut)
+          for (const Point& p : piece) EXPECT_TRUE((Box{{-1e-9, -1e-9}, {8 + 1e-9, 4 + 1e-9}}.contains(p))) << off;
+        EXPECT_EQ(hole_count(cut_along(region, cut, 1e-3)), 0u) << side << " " << tip;
+      }
+}
+
 TEST(GeodesicField, WithoutHolesNothingIsCut) {
   for_each_scene(40, {2}, [](const Scene& scene, Rng& rng) {
     EXPECT_TRUE(GeodesicField(scene.region, scene.anywhere(rng), {}, 1e-9).cut_locus(0.1).empty());
