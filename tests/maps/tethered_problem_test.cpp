@@ -34,7 +34,7 @@ std::string complaint(F f) {
   return "no complaint";
 }
 
-// On maps 9 and 13 two ways to a corner are equally long but for 1e-11 m; the curve behind it is all but a ray.
+// On maps 9 and 13 two paths to a corner are equally long but for 1e-11 m; the curve behind it is all but a ray.
 TEST(TetheredProblem, TheCutStaysOnTheMap) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Map map = generate("clutter", {{"width", 18.0}, {"height", 14.0}}, seed);
