@@ -1,5 +1,6 @@
 """Rows of a results folder, as `oxturn run` leaves it, and what pages share: groups, medians, Markdown tables."""
 import csv
+import math
 import os
 import statistics
 
@@ -51,6 +52,14 @@ def by_problem(rows):
 def median(values):
     values = [value for value in values if value is not None]
     return statistics.median(values) if values else None
+
+
+def geometric_mean(values):
+    """None if there are no values, or one of them is None or not positive."""
+    values = list(values)
+    if not values or any(value is None or value <= 0 for value in values):
+        return None
+    return math.exp(sum(map(math.log, values)) / len(values))
 
 
 def least(values):

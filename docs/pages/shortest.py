@@ -2,9 +2,7 @@
 
 Figures are geometric means over the maps of the suite; a variant that leaves a map without a valid path has none.
 """
-import math
-
-from results import escaped, fixed, groups, least, table
+from results import escaped, fixed, geometric_mean, groups, least, table
 
 INTRODUCTION = """\
 `shortest` starts from several short paths and anneals them; `polished` does the same to the path of one planner,
@@ -18,20 +16,13 @@ Maps are 10 x 8 m (fields 24 x 16 m), the robot has radius 0.2 m and a tool as w
 HEAD = ["length ratio", "gap", "coverage", "seconds"]
 
 
-def mean(values):
-    values = list(values)
-    if not values or any(value is None or value <= 0 for value in values):
-        return None
-    return math.exp(sum(map(math.log, values)) / len(values))
-
-
 def row_of(title, rows):
-    ratio = mean(row.number("length_ratio") if row.valid else None for row in rows)
+    ratio = geometric_mean(row.number("length_ratio") if row.valid else None for row in rows)
     gaps = [row.number("gap") for row in rows]
-    gap = mean(1 + value if value is not None else None for value in gaps)
+    gap = geometric_mean(1 + value if value is not None else None for value in gaps)
     return [title, fixed(ratio, 3), fixed(None if gap is None else gap - 1, 3),
             fixed(least(row.number("coverage_lower") for row in rows), 5),
-            fixed(mean(row.number("plan_cpu_s") for row in rows), 2)]
+            fixed(geometric_mean(row.number("plan_cpu_s") for row in rows), 2)]
 
 
 def is_budget(row):

@@ -1,4 +1,7 @@
-"""write_page.py NAME RESULTS FOLDER: writes the page FOLDER/NAME.md from a results folder of the suite NAME."""
+"""write_page.py NAME RESULTS FOLDER: writes the page FOLDER/NAME.md from a results folder of the suite NAME.
+
+A page with a picture of its figures has it in FOLDER/pictures/NAME.svg: `picture(rows)` of its module.
+"""
 import importlib
 import os
 import sys
@@ -21,6 +24,10 @@ def main():
         file.write(f"# {title}\n\nMade by `scripts/pages {name}` from `bench/suites/{name}.toml`; do not edit by "
                    "hand.\n\n"
                    + module.page(rows))
+    if hasattr(module, "picture"):
+        os.makedirs(os.path.join(folder, "pictures"), exist_ok=True)
+        with open(os.path.join(folder, "pictures", name + ".svg"), "w") as file:
+            file.write(module.picture(rows))
 
 
 main()

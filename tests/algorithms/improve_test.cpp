@@ -277,6 +277,37 @@ TEST(Shortest, CoversAsMuchAsItIsAskedForAndIsNeverLongerThanItsStart) {
   }
 }
 
+// The first path offered is the first start with its detours, each later one is shorter, the last one is the result,
+// and no start with its detours is shorter than that.
+TEST(Improved, OnlyShorterPathsFollowTheStart) {
+  int better = 0;
+  for (const Sample& sample : samples(1))
+    for (const double coverage : {1.0, 0.9}) {
+      std::vector<Path> starts;
+      std::vector<double> completed;
+      const Completion completion(sample.problem, coverage);
+      for (const char* planner : {"stc", "boustrophedon"}) {
+        starts.push_back(plan(planner, sample.problem));
+        const Polyline points = vertices_of(starts.back(), sample.problem.start());
+        Context context;
+        completed.push_back(length(completion.completed(points, completion.uncovered(points), context)));
+      }
+      SCOPED_TRACE(fmt::format("{} coverage {}", sample.name, coverage));
+      std::vector<double> offered;
+      Context::Sinks sinks;
+      sinks.publish = [&](const Path& path) { offered.push_back(path.length()); };
+      Context context(1, 1e9, sinks);
+      const Path path = improved(sample.problem, starts, {.coverage = coverage, .moves = 3000}, context);
+      ASSERT_FALSE(offered.empty());
+      EXPECT_NEAR(offered.front(), completed.front(), 1e-9 * completed.front());
+      for (std::size_t k = 1; k < offered.size(); ++k) EXPECT_LT(offered[k], offered[k - 1]) << k;
+      EXPECT_EQ(offered.back(), path.length());
+      for (const double start : completed) EXPECT_LE(path.length(), start * (1 + 1e-12));
+      better += path.length() < 0.99 * std::ranges::min(completed);
+    }
+  EXPECT_GT(better, 3);
+}
+
 // Turns cost time: the path that takes the least is not the shortest one.
 TEST(Shortest, ItsObjectiveMayBeTime) {
   double short_m = 0, short_s = 0, quick_m = 0, quick_s = 0;

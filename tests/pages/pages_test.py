@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 SOURCE = sys.argv.pop(1)
 sys.path.insert(0, os.path.join(SOURCE, "docs/pages"))
@@ -142,7 +143,23 @@ def shortest_rows():
             + run("polished", "coverage=0.99;moves=300000;planner=stc", "1.1", "1.1", "invalid"))
 
 
-ALL = {"beachbot": beachbot_rows, "berg-table-4-1": berg_rows,
+def anytime_rows():
+    """Two maps; of `polished`, more moves make one path longer, and the last budget leaves a map without a path."""
+    def run(planner, params, first, second, outcome="ok"):
+        cells = [row("anytime", name, planner, params, "ok", length_ratio=ratio, path_m=str(100 * float(ratio)),
+                     coverage_lower=covered, plan_cpu_s=seconds)
+                 for name, ratio, covered, seconds in (("m1", first, "0.995", "2"), ("m2", second, "0.99", "8"))]
+        cells[1]["outcome"] = outcome
+        return cells
+
+    return (run("boustrophedon", "", "1.4", "1.4") + run("shortest", "coverage=0.99;moves=10000", "1.0", "1.21")
+            + run("shortest", "coverage=0.99;moves=30000", "1.0", "1.0")
+            + run("polished", "coverage=0.99;moves=10000", "1.1", "1.1")
+            + run("polished", "coverage=0.99;moves=30000", "1.0", "1.5")
+            + run("polished", "coverage=0.99;moves=100000", "1.1", "1.1", "invalid"))
+
+
+ALL = {"anytime": anytime_rows, "beachbot": beachbot_rows, "berg-table-4-1": berg_rows,
        "cell-order": cell_order_rows, "drivable": drivable_rows, "growth": growth_rows,
        "leashed": leashed_rows,
        "shortest": shortest_rows,
@@ -248,6 +265,29 @@ class Shortest(unittest.TestCase):
         self.assertEqual(line(text, "m1")[1:3], ["1.300", "1.000"])
 
 
+class Anytime(unittest.TestCase):
+    def test_means_and_how_many_are_longer(self):
+        text = page("anytime", anytime_rows())
+        # planner, coverage, moves, length ratio, covered, seconds, longer than start, longer than with fewer moves
+        self.assertEqual(line(text, "boustrophedon")[3], "1.400")
+        self.assertEqual(line(text, "shortest"),
+                         ["shortest", "0.99", "10,000", "1.100", "0.99000", "4.00", "0 of 2", ""])
+        self.assertEqual(line(text, "polished", 1)[3:], ["1.225", "0.99000", "4.00", "1 of 2", "1 of 2"])
+        self.assertEqual(line(text, "polished", 2)[3:], ["", "0.99000", "4.00", "0 of 1", "1 of 1"])
+        self.assertEqual(line(text, "m2"), ["m2", "1.400", "1.210", "1.000", ""])
+        self.assertIn("- Coverage 0.99: 30,000 moves of `shortest` make the start 29 % shorter.\n"
+                      "  Of this, fewer moves reach (10,000: 75 %).", text)
+
+    def test_picture(self):
+        picture = importlib.import_module("anytime").picture(anytime_rows())
+        shapes = [shape for shape in ElementTree.fromstring(picture) if shape.tag.endswith("polyline")]
+        points = [[tuple(map(float, spot.split(","))) for spot in shape.get("points").split()] for shape in shapes]
+        # Two maps and two means; heights from 1.0 to 1.4, 400 high below 46, four ticks 107.5 apart.
+        self.assertEqual(points[0], [(117.8, 46.0), (225.2, 446.0), (332.8, 446.0)])
+        self.assertEqual(points[2], [(117.8, 46.0), (225.2, 346.0), (332.8, 221.3)])  # without the last budget
+        self.assertEqual(points[3], [(117.8, 46.0), (225.2, 346.0), (332.8, 446.0)])
+
+
 class Pages(unittest.TestCase):
     def test_no_times(self):
         for name, rows in ALL.items():
@@ -255,7 +295,7 @@ class Pages(unittest.TestCase):
 
     def test_each_has_its_suite(self):
         modules = {os.path.basename(file)[:-3].replace("_", "-") for file in glob.glob(f"{SOURCE}/docs/pages/*.py")}
-        self.assertEqual(modules - {"results", "write-page"}, set(ALL))
+        self.assertEqual(modules - {"chart", "results", "write-page"}, set(ALL))
         for name in ALL:
             self.assertTrue(os.path.exists(f"{SOURCE}/bench/suites/{name}.toml"), name)
 
