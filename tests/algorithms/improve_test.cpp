@@ -391,6 +391,15 @@ TEST(Polished, IsNeverLongerThanThePlannersPath) {
     }
 }
 
+// Hot annealing takes lanes that fit their field apart, and few moves do not bring them together again.
+TEST(Polished, ShortensLanesThatFitTheirField) {
+  const Problem field(generate("field", {{"width", 24.0}, {"height", 16.0}, {"ponds", std::int64_t{5}}}, 21),
+                      disc(0.2, 0.4));
+  const Path path = plan("polished", field, {{"coverage", 0.9999}, {"moves", 20000}});
+  expect_valid(field, path);
+  EXPECT_LT(path.length(), 0.998 * plan("boustrophedon", field).length());
+}
+
 TEST(Shortest, IsTheSameForAnyNumberOfThreads) {
   for (const Sample& sample : samples(1)) {
     SCOPED_TRACE(sample.name);
