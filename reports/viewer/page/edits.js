@@ -52,11 +52,11 @@ class Edits {
 
   ofKind(kind) { return this.list.filter(edit => edit.kind === kind); }
   pair(kind, from, to) {
-    return this.ofKind(kind).find(e => (sameReference(e.from, from) && sameReference(e.to, to)) ||
-                                       (sameReference(e.from, to) && sameReference(e.to, from)));
+    return this.ofKind(kind).find(e => (sameEnd(e.from, from) && sameEnd(e.to, to)) ||
+                                       (sameEnd(e.from, to) && sameEnd(e.to, from)));
   }
 
-  /** Enforces or deletes the connection of two nodes; what contradicts it goes. */
+  /** Enforces or deletes the connection of two nodes; what contradicts it goes, and is returned. */
   connect(action, from, to) {
     const edit = {kind: "connection", action, from: referenceOf(from), to: referenceOf(to)};
     const same = this.pair("connection", edit.from, edit.to);
@@ -64,6 +64,7 @@ class Edits {
     if (action === "enforce") for (const node of [from, to]) replaced.push(...this.inTheWayOf(node, same));
     const kept = this.list.filter(e => !replaced.includes(e));
     this.change([...(action === "enforce" ? turned(kept, edit) : kept), edit]);
+    return replaced.filter(e => e !== same);
   }
   /** Enforced connections that leave no room for one more at a node: an open stroke has one at each end; a closed one
    *  is entered and left in the same vertex, so it has two there and none elsewhere. */
