@@ -34,8 +34,7 @@ class ConnectTool extends Tool {
   join(from, to) {
     const gone = app.edits.connect("enforce", from, to), names = [from, to].map(node => nodeText(referenceOf(node)));
     this.first = null;
-    const instead = gone.length ? ` In place of: ${gone.map(editText).join("; ")}.` : "";
-    this.say(`Connected: ${names.join(" – ")}.${instead}`, true);
+    this.say(`Connected: ${names.join(" – ")}.${insteadOf(gone)}`, true);
   }
 
   paint(context) {

@@ -29,9 +29,9 @@ class CurveTool extends Tool {
                                           points: controlPointsOf("bezier", flat)};
   }
   keep(edit) {
-    const saved = this.saved();
     this.draft = null;
-    app.edits.add([edit], saved ? [saved] : []);
+    const gone = app.edits.bend(edit, this.connection.from, this.connection.to);
+    this.say(`The path will follow this curve.${insteadOf(gone)}`, true);
   }
 
   /** One that can be edited before one that cannot. */
@@ -93,7 +93,8 @@ class CurveTool extends Tool {
     const kinds = create("select", {ariaLabel: "Kind of curve", onchange: event => this.reshape(event.target.value)},
                          create("option", {value: "bezier", selected: edit.shape === "bezier"}, "Pulled by points"),
                          create("option", {value: "spiro", selected: edit.shape === "spiro"}, "Through points"));
-    const lines = [title(`Curve of connection ${this.connection.number}`), note("Drag its control points."),
+    const lines = [title(`Curve of connection ${this.connection.number}`), ...this.said(),
+                   note("Drag its control points."),
                    create("label", {className: "field"}, "Kind", kinds)];
     const actions = [];
     if (edit.shape === "spiro") {
