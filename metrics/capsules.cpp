@@ -74,7 +74,7 @@ class Collector {
     add_disc(*first, true);
     if (last - first == 1) return add_disc(*first, false);
     while (last - first > 1) {
-      Funnel funnel(first->at, slack_ / 2);
+      Funnel funnel(first->at, slack_ * radius_ / 2);
       const WorkChains::Station* end = first + 1;
       for (funnel.add(end->at); end + 1 < last && funnel.admits((end + 1)->at); ++end) funnel.add((end + 1)->at);
       add_segment(first, end);

@@ -32,6 +32,7 @@ struct Ground {
   WorkChains chains;
   double wanted, excess;  // tiles: the target, and by how much it may be larger
   double arcs;            // how wide the chords may make the coverage's interval
+  double tile_share;      // how much of `arcs` a tile may take: tiles within the target take nothing
   double margin;          // by how much polygons are shrunk or grown
 };
 
@@ -52,6 +53,8 @@ Ground ground_of(const Region& target, double target_excess, double width, const
   return {target, box.low, side, tile_m2, room, work_chains(path, box.low, side, joint), wanted, excess,
           // What the target's own error leaves of the interval is for the arcs.
           std::max(certainty - excess / wanted, certainty / kArcsAtLeast),
+          // Where all tiles have a boundary in them, each may take its share only.
+          2 / std::clamp(perimeter(target) * side / wanted_m2, 1.0, 2.0),
           // Coordinates are rounded to 1e-16 of the map's size in tiles; the margin is above that on maps of any size.
           1e-9 + 1e-15 * size.maxCoeff()};
 }
@@ -65,7 +68,7 @@ struct Scan {
 /// replace `details`, unless they are nullptr.
 Scan scanned(const Ground& g, double path_m, TileDetails* details) {
   Scan scan;
-  double budget = 2 * g.arcs, slack = kToolRadius * g.arcs * kSlackShare;
+  double budget = g.tile_share * g.arcs, slack = kToolRadius * g.arcs * kSlackShare;
   for (int attempt = 0; attempt < kAttempts; ++attempt, budget /= 4, slack /= 4) {
     scan.set = capsules(g.chains, g.room, slack);
     if (details != nullptr) *details = {{path_m, g.wanted}};

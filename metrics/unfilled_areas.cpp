@@ -32,10 +32,13 @@ std::vector<UnfilledArea> unfilled_areas(const Problem& problem, const Path& pat
     Path near;
     for (const auto& [leg_box, leg] : work)
       if (leg_box.overlaps(box)) near.legs.push_back(*leg);
-    double share = 0;
-    for (const double certainty : {kRough, kFine})
-      if (!near.legs.empty() && share < least) share = coverage_of({{filled.area}}, 0, width, near, certainty).lower;
-    if (share < least) found.push_back({filled.element, k, share});
+    const auto share_within = [&](double certainty) { return coverage_of({{filled.area}}, 0, width, near, certainty); };
+    Interval share;
+    if (!near.legs.empty()) share = share_within(kRough);
+    if (share.lower >= least) continue;
+    // The fine one where the rough one does not decide, and where the share is said.
+    if (share.upper >= least || (share.upper > 0 && found.size() < kMostRemarks)) share = share_within(kFine);
+    if (share.lower < least) found.push_back({filled.element, k, share.lower});
   }
   return found;
 }

@@ -95,7 +95,7 @@ class Beachbot final : public CoveragePlanner {
     std::vector<DrawingElement> elements = elements_of(problem, drawing, context);
     if (elements.empty()) throw Infeasible("the drawing has nothing that the robot can draw");
     TourDemands demands = demands_of(drawing, elements);
-    PortCurves curves = curves_of(drawing, elements);
+    PortCurves curves = curves_of(drawing, demands);
     const bool literal = p_.containment == Containment::literal;
     demands.contained = contained_elements(elements, literal ? ContainmentTest::hull : ContainmentTest::overlay);
     if (!literal)

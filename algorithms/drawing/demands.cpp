@@ -1,7 +1,9 @@
 #include "algorithms/drawing/demands.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "base/throw_invalid.hpp"
 
@@ -58,6 +60,45 @@ std::vector<ElementPort> all_ports_of(std::vector<DrawingElement>& elements, con
   return ports;
 }
 
+/// Joins elements as a person names them.
+class JointMaker {
+ public:
+  using Joint = std::pair<ElementPort, ElementPort>;
+  /// References must outlive it.
+  JointMaker(std::vector<DrawingElement>& elements, std::vector<Joint>& joined)
+      : elements_(elements), joined_(joined) {}
+
+  /// The one that is there with these nodes or ports, if any, in this direction; else a new one.
+  Joint make(const NodeOfElement& from, const NodeOfElement& to) {
+    if (const auto named = made_.find({name(from), name(to)}); named != made_.end()) return named->second;
+    const Joint nearest{port_of(elements_, from), port_of(elements_, to)}, turned{nearest.second, nearest.first};
+    if (nearest.first.element == nearest.second.element || has(nearest) || has(turned)) return nearest;
+    const Joint joint{free(nearest.first), free(nearest.second)};
+    joined_.push_back(joint);
+    made_[{name(from), name(to)}] = joint;
+    made_[{name(to), name(from)}] = {joint.second, joint.first};
+    return joint;
+  }
+
+ private:
+  using Name = std::pair<std::string, int>;
+  static Name name(const NodeOfElement& node) { return {node.element, node.node}; }
+  bool has(const Joint& joint) const { return std::ranges::find(joined_, joint) != joined_.end(); }
+  bool taken(const ElementPort& port) const {
+    return std::ranges::any_of(joined_, [&](const Joint& j) { return j.first == port || j.second == port; });
+  }
+  /// Of a fill the other end, if only that is free.
+  ElementPort free(const ElementPort& port) const {
+    const ElementPort other{port.element, 1 - port.at};
+    const bool has_other = elements_[port.element].is_fill() && !elements_[port.element].closed;
+    return has_other && taken(port) && !taken(other) ? other : port;
+  }
+
+  std::vector<DrawingElement>& elements_;
+  std::vector<Joint>& joined_;
+  std::map<std::pair<Name, Name>, Joint> made_;
+};
+
 }  // namespace
 
 ElementPort entry_port(const DrawingElement& element, const ElementVisit& visit) {
@@ -93,25 +134,19 @@ ElementPort port_of(std::vector<DrawingElement>& elements, const NodeOfElement& 
 
 TourDemands demands_of(const Drawing& drawing, std::vector<DrawingElement>& elements) {
   TourDemands demands;
+  JointMaker joints(elements, demands.joined);
   for (const DrawnConnection& c : drawing.connections) {
     const ElementPort from = port_of(elements, c.from), to = port_of(elements, c.to);
     if (from.element == to.element)
       throw_invalid("a connection leads from element '{}' to itself; expected two elements", c.from.element);
     if (c.enforced) {
-      demands.joined.push_back({from, to});
+      joints.make(c.from, c.to);
       continue;
     }
     for (const ElementPort& a : all_ports_of(elements, c.from))
       for (const ElementPort& b : all_ports_of(elements, c.to)) demands.deleted.push_back({a, b});
   }
-  for (const DrawnCurve& c : drawing.curves) {
-    const auto joint = std::pair(port_of(elements, c.from), port_of(elements, c.to));
-    const auto same = [&](const auto& known) {
-      return known == joint || known == std::pair(joint.second, joint.first);
-    };
-    if (joint.first.element != joint.second.element && std::ranges::none_of(demands.joined, same))
-      demands.joined.push_back(joint);
-  }
+  for (const DrawnCurve& c : drawing.curves) demands.by_hand.push_back(joints.make(c.from, c.to));
   for (const auto& joint : demands.joined)
     for (const auto& [a, b] : demands.deleted)
       if (joint == std::pair(a, b) || joint == std::pair(b, a))

@@ -26,6 +26,7 @@ ElementPort exit_port(const DrawingElement& element, const ElementVisit& visit);
 
 struct TourDemands {
   std::vector<std::pair<ElementPort, ElementPort>> joined, deleted;  // connections
+  std::vector<std::pair<ElementPort, ElementPort>> by_hand = {};     // of the drawing's curves, in their order
   std::vector<std::pair<std::size_t, std::size_t>> contained = {};   // (outer, inner)
   Containment containment = Containment::strict;
 };
@@ -36,7 +37,8 @@ struct TourDemands {
 ElementPort port_of(std::vector<DrawingElement>& elements, const NodeOfElement& node);
 
 /// The connections that a person demands, those with a curve among them, and forbids: of an area without a stroke none
-/// of its fills is connected with the other element directly. Throws as port_of().
+/// of its fills is connected with the other element directly. Where two are demanded at an area, the second takes the
+/// end of the fill that the first leaves. Throws as port_of().
 TourDemands demands_of(const Drawing& drawing, std::vector<DrawingElement>& elements);
 
 }  // namespace oxturn

@@ -18,10 +18,11 @@ std::size_t from_entry(std::size_t corner, std::size_t entry, std::size_t n) { r
 
 }  // namespace
 
-PortCurves curves_of(const Drawing& drawing, std::vector<DrawingElement>& elements) {
+PortCurves curves_of(const Drawing& drawing, const TourDemands& demands) {
   PortCurves curves;
-  for (const DrawnCurve& c : drawing.curves) {
-    const ElementPort from = port_of(elements, c.from), to = port_of(elements, c.to);
+  for (std::size_t k = 0; k < drawing.curves.size(); ++k) {
+    const DrawnCurve& c = drawing.curves[k];
+    const auto& [from, to] = demands.by_hand[k];
     PortCurve curve{c.kind == DrawnCurve::Kind::spiro ? ConnectionKind::spiro : ConnectionKind::bezier, c.points};
     curves[{from, to}] = curve;
     std::reverse(curve.points.begin(), curve.points.end());

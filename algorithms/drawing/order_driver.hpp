@@ -29,8 +29,8 @@ struct PortCurve {
   std::vector<Point> points;
 };
 using PortCurves = std::map<std::pair<ElementPort, ElementPort>, PortCurve>;
-/// Those of the drawing, in both directions. Throws as port_of().
-PortCurves curves_of(const Drawing& drawing, std::vector<DrawingElement>& elements);
+/// Those of the drawing, in both directions.
+PortCurves curves_of(const Drawing& drawing, const TourDemands& demands);
 
 class OrderDriver {
  public:

@@ -94,6 +94,19 @@ const std::map<std::string_view, std::string_view>& unsupported() {
   return kAll;
 }
 
+/// Attributes that a style may set too, which is not obeyed. The size of an svg element does not matter: the drawing is
+/// fitted to the canvas.
+void remark_on_geometry(std::string_view element, std::string_view property, std::string_view value,
+                        const Remark& remark) {
+  static const std::set<std::string_view> kAll{
+      "transform", "transform-origin", "translate", "rotate", "scale", "d",  "x", "y",
+      "width",     "height",           "cx",        "cy",     "r",     "rx", "ry"};
+  const bool size = property == "width" || property == "height";
+  if (!kAll.contains(property) || (size && element != "rect")) return;
+  if (value == "none" || value == "auto" || value == "0 0" || value == "0px 0px") return;
+  remark(fmt::format("{} in a style is not supported: it is drawn without", property));
+}
+
 std::vector<std::string_view> split(std::string_view text, char by) {
   std::vector<std::string_view> parts;
   for (;;) {
@@ -158,15 +171,23 @@ std::string_view local_name(const pugi::xml_node& node) {
   const std::string_view name = node.name();
   const std::size_t colon = name.find(':');
   if (colon == name.npos) return name;
-  return name.substr(0, colon) == "svg" ? name.substr(colon + 1) : std::string_view();
+  const std::string_view prefix = name.substr(0, colon), local = name.substr(colon + 1);
+  const std::string declaration = "xmlns:" + std::string(prefix);
+  for (pugi::xml_node above = node; above; above = above.parent())
+    if (const pugi::xml_attribute space = above.attribute(declaration.c_str()); space)
+      return std::string_view(space.value()) == "http://www.w3.org/2000/svg" ? local : std::string_view();
+  return prefix == "svg" ? local : std::string_view();
 }
 
-StyleSheet::Declarations StyleSheet::parse_declarations(std::string_view text) {
+StyleSheet::Declarations StyleSheet::parse_declarations(std::string_view text, const Remark& remark) {
   constexpr std::string_view kImportant = "important";
   Declarations all;
   for (const std::string_view part : split(text, ';')) {
     const std::size_t colon = part.find(':');
-    if (colon == part.npos) continue;
+    if (colon == part.npos) {
+      if (!part.empty()) remark(fmt::format("'{}' in a style is not understood and ignored", shown(part)));
+      continue;
+    }
     std::string_view value = trimmed(part.substr(colon + 1));
     bool important = false;
     if (const std::size_t mark = value.rfind('!');
@@ -192,7 +213,7 @@ void StyleSheet::add(std::string_view text, const Remark& remark) {
     const std::size_t open = css.find('{');
     if (open == css.npos) return remark(fmt::format("'{}' in a style sheet is not understood and ignored", shown(css)));
     const std::size_t end = block_end(css, open);
-    declarations_.push_back(parse_declarations(css.substr(open + 1, end - open - 2)));
+    declarations_.push_back(parse_declarations(css.substr(open + 1, end - open - 2), remark));
     for (const std::string_view selector : split(css.substr(0, open), ','))
       add_selector(selector, declarations_.size() - 1, remark);
     css.remove_prefix(end);
@@ -268,13 +289,17 @@ Style StyleSheet::style_of(const pugi::xml_node& node, const Style& parent, doub
     if (properties().contains(attribute.name()) || unsupported().contains(attribute.name()))
       set(attribute.name(), attribute.value());
   const std::vector<const Rule*> rules = rules_for(node);
-  const Declarations own = parse_declarations(node.attribute("style").value());
+  const Declarations own = parse_declarations(node.attribute("style").value(), remark);
+  const auto set_all = [&](const Declarations& all, bool important) {
+    for (const Declaration& d : all) {
+      if (d.important != important) continue;
+      set(d.name, d.value);
+      remark_on_geometry(local_name(node), d.name, d.value, remark);
+    }
+  };
   for (const bool important : {false, true}) {
-    for (const Rule* rule : rules)
-      for (const Declaration& d : declarations_[rule->declarations])
-        if (d.important == important) set(d.name, d.value);
-    for (const Declaration& d : own)
-      if (d.important == important) set(d.name, d.value);
+    for (const Rule* rule : rules) set_all(declarations_[rule->declarations], important);
+    set_all(own, important);
   }
   return style;
 }

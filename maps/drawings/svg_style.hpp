@@ -52,7 +52,7 @@ class StyleSheet {
     std::size_t order = 0;
     std::size_t declarations = 0;  // index
   };
-  static Declarations parse_declarations(std::string_view text);
+  static Declarations parse_declarations(std::string_view text, const Remark& remark);
   void add_selector(std::string_view text, std::size_t declarations, const Remark& remark);
   std::vector<const Rule*> rules_for(const pugi::xml_node& node) const;
 

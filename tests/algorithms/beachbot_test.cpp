@@ -140,6 +140,23 @@ TEST(Beachbot, EnforcedConnectionsAreDriven) {
   }
 }
 
+// A person names the same vertex of an area twice: one connection is at each end of its fill.
+TEST(Beachbot, TwoEnforcedConnectionsOfAnAreaHaveOneEndEach) {
+  Drawing drawing;
+  drawing.areas.push_back({.element = "box", .area = {{{3, 2}, {6, 2}, {6, 5}, {3, 5}}, {}}, .choice = {}});
+  drawing.strokes = {line("a", {{1, 1}, {2, 1}}), line("b", {{8, 6}, {9, 6}}), line("c", {{8, 1}, {9, 1}})};
+  drawing.connections = {{{"a", -1}, {"box", 0}, true}, {{"b", 0}, {"box", 0}, true}};
+  const Path path = plan("beachbot", canvas(drawing, beach_robot(), {.width = 12, .height = 8}));
+  std::string order;  // of what is driven with the tool on; lower case as above, F for the fill
+  for (const Leg& leg : path.legs) {
+    if (!leg.tool) continue;
+    const Point p = leg.points.front();
+    const char element = p.x() < 2.5 ? 'a' : p.y() > 5.5 ? 'b' : p.x() > 7 ? 'c' : 'F';
+    if (order.empty() || order.back() != element) order += element;
+  }
+  EXPECT_THAT(order, ::testing::AnyOf(HasSubstr("aFb"), HasSubstr("bFa")));
+}
+
 // Whichever vertex of an area a person names: which end of its fill is nearest to that changes with the plan.
 TEST(Beachbot, DeletedConnectionsWithFillsAreNotDriven) {
   Ring disc;

@@ -257,6 +257,28 @@ TEST(SvgDrawing, UnsupportedIsARemarkWithItsLine) {
   EXPECT_EQ(r.remarks, expected);
 }
 
+TEST(SvgDrawing, StylesThatMoveOrShapeElementsAreRemarks) {
+  const SvgDrawing r = read(kFrame +
+                            "<style>circle {r: 5px; fill: red}</style><circle cx=\"9\"/>\n"
+                            "<rect style=\"width: 9px; transform: rotate(3deg)\" width=\"5\" height=\"5\"/>\n"
+                            "<path d=\"M0 0H9V9\" style=\"&st0;\"/>\n"
+                            "<g style=\"width: 9px; transform: none\"/>");
+  const std::vector<std::string> expected{"a.svg:3: r in a style is not supported: it is drawn without",
+                                          "a.svg:4: width in a style is not supported: it is drawn without",
+                                          "a.svg:4: transform in a style is not supported: it is drawn without",
+                                          "a.svg:5: '&st0' in a style is not understood and ignored"};
+  EXPECT_EQ(r.remarks, expected);
+}
+
+TEST(SvgDrawing, PrefixesMeanTheNamespaceTheyAreBoundTo) {
+  const SvgDrawing r = drawing_from_svg(
+      "<p:svg xmlns:p=\"http://www.w3.org/2000/svg\" xmlns:i=\"http://example.org/\"><p:g><p:rect width=\"3\" "
+      "height=\"2\"/><i:rect width=\"9\" height=\"9\"/></p:g></p:svg>",
+      "a.svg", {});
+  EXPECT_EQ(r.drawing.areas.size(), 1u);
+  EXPECT_TRUE(r.remarks.empty());
+}
+
 std::string repeated(const std::string& text, int n) {
   std::string out;
   for (int i = 0; i < n; ++i) out += text;

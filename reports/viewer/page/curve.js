@@ -50,5 +50,7 @@ function controlPointsOf(kind, flat) {
     const a = 27 * q1[k] - 8 * p0[k] - p3[k], b = 27 * q2[k] - p0[k] - 8 * p3[k];
     return [(2 * a - b) / 18, (2 * b - a) / 18];
   });
-  return [[solved[0][0], solved[1][0]], [solved[0][1], solved[1][1]]].map(p => p.map(millimetres));
+  // Within the page's map, where they can be seen and dragged.
+  const {left, right, bottom, top} = wholeBox, within = (v, least, most) => Math.min(most, Math.max(least, v));
+  return [0, 1].map(i => [within(solved[0][i], left, right), within(solved[1][i], bottom, top)].map(millimetres));
 }

@@ -52,23 +52,39 @@ class Edits {
 
   ofKind(kind) { return this.list.filter(edit => edit.kind === kind); }
   pair(kind, from, to) {
-    return this.ofKind(kind).find(e => (sameReference(e.from, from) && sameReference(e.to, to)) ||
-                                       (sameReference(e.from, to) && sameReference(e.to, from)));
+    return this.ofKind(kind).find(e => (sameEnd(e.from, from) && sameEnd(e.to, to)) ||
+                                       (sameEnd(e.from, to) && sameEnd(e.to, from)));
   }
 
-  /** Enforces or deletes the connection of two nodes; what contradicts it goes. */
+  /** Enforces or deletes the connection of two nodes; what contradicts it goes, and is returned. */
   connect(action, from, to) {
     const edit = {kind: "connection", action, from: referenceOf(from), to: referenceOf(to)};
-    const same = this.pair("connection", edit.from, edit.to);
-    const replaced = same ? [same] : [];
-    if (action === "enforce") for (const node of [from, to]) replaced.push(...this.inTheWayOf(node, same));
-    const kept = this.list.filter(e => !replaced.includes(e));
+    const same = this.pair("connection", edit.from, edit.to), curve = this.pair("curve", edit.from, edit.to);
+    const gone = action === "enforce" ? this.inTheWayOf([from, to], [same, curve]) : curve ? [curve] : [];
+    const kept = this.list.filter(e => e !== same && !gone.includes(e));
     this.change([...(action === "enforce" ? turned(kept, edit) : kept), edit]);
+    return gone;
   }
-  /** Enforced connections that leave no room for one more at a node: an open stroke has one at each end; a closed one
-   *  is entered and left in the same vertex, so it has two there and none elsewhere. */
-  inTheWayOf(node, except) {
-    const own = this.ofKind("connection").filter(e => e !== except && e.action === "enforce");
+  /** Gives the connection of two nodes a curve, which enforces it too; what contradicts it goes, and is returned. */
+  bend(edit, from, to) {
+    const same = this.pair("curve", edit.from, edit.to), connection = this.pair("connection", edit.from, edit.to);
+    const gone = this.inTheWayOf([from, to], [same, connection]);
+    if (connection && connection.action === "delete") gone.push(connection);
+    this.add([edit], [same, ...gone]);
+    return gone;
+  }
+  inTheWayOf(nodes, except) {
+    const gone = new Set(nodes.flatMap(node => this.inTheWayOfOne(node, except)));
+    for (const edit of [...gone]) gone.add(this.pair("curve", edit.from, edit.to) || edit);
+    return [...gone];
+  }
+  /** Connections that a person demands and that leave no room for one more at a node: an open stroke has one at each
+   *  end; a closed one is entered and left in the same vertex, so it has two there and none elsewhere. */
+  inTheWayOfOne(node, except) {
+    const demanded = this.list.filter(e => e.kind === "curve" || (e.kind === "connection" && e.action === "enforce"));
+    // A connection that has a curve, too, counts once.
+    const own = demanded.filter(e => !except.includes(e) &&
+                                     !(e.kind === "curve" && demanded.includes(this.pair("connection", e.from, e.to))));
     const at = e => [e.from, e.to].find(end => end.element === node.shape.element);
     if (!node.shape.closed) return own.filter(e => at(e) && at(e).vertex === node.vertex);
     if (node.shape.kind === "area") return own.filter(at).slice(1);
@@ -119,3 +135,5 @@ function editText(edit) {
     default: return `Curve ${endsText(edit)}`;
   }
 }
+/** Of edits that others took over from, for the card. */
+const insteadOf = gone => gone.length ? ` In place of: ${gone.map(editText).join("; ")}.` : "";

@@ -84,6 +84,13 @@ function insideArea(shape, x, y) {
 }
 const areaAt = (x, y) => shapes.find(shape => shape.kind === "area" && insideArea(shape, x, y)) || null;
 
+/** The smallest closed line with the point inside; null if there is none. */
+function closedLineAround(x, y) {
+  const size = ({box}) => (box.right - box.left) * (box.top - box.bottom);
+  const around = shapes.filter(shape => shape.kind === "stroke" && shape.closed && insideArea(shape, x, y));
+  return around.sort((a, b) => size(a) - size(b))[0] || null;
+}
+
 /** The node nearest to a point, of one shape. */
 function nearestNode(shape, x, y) {
   let best = null, least = Infinity;
@@ -103,7 +110,7 @@ function nodeNear(x, y, radius) {
       if (distance < least) [best, least] = [node, distance];
     }
   if (best) return best;
-  const hit = shapeGrid.nearest(x, y, radius), shape = hit ? hit.item : areaAt(x, y);
+  const hit = shapeGrid.nearest(x, y, radius), shape = hit ? hit.item : areaAt(x, y) || closedLineAround(x, y);
   return shape ? nearestNode(shape, x, y) : null;
 }
 
@@ -123,6 +130,12 @@ function vertexOfArea(reference) {
   const at = 2 * reference.vertex;
   if (!shape || !shape.nodes.length || !(at >= 0 && at < shape.rings[0].length)) return null;
   return {shape, vertex: reference.vertex, x: shape.rings[0][at], y: shape.rings[0][at + 1]};
+}
+/** The same node; or any two of one area: its fill ends near to the vertex that is named, and seldom in it. */
+function sameEnd(a, b) {
+  if (a.element !== b.element) return false;
+  const node = a.vertex === b.vertex ? null : nodeOf(a);
+  return a.vertex === b.vertex || (node !== null && node.shape.kind === "area");
 }
 function nodeText(reference) {
   const node = nodeOf(reference);

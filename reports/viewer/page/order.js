@@ -85,7 +85,9 @@ if (!shapes.length) legs.forEach((leg, i) => leg.tool && legGrid.add(leg.points,
 
 /** Has the connection these two ends, in any direction? */
 function joins(connection, a, b) {
-  if (!connection.from || !connection.to) return false;
+  if (!canBeEdited(connection)) return false;
   const from = referenceOf(connection.from), to = referenceOf(connection.to);
-  return (sameReference(from, a) && sameReference(to, b)) || (sameReference(from, b) && sameReference(to, a));
+  return (sameEnd(from, a) && sameEnd(to, b)) || (sameEnd(from, b) && sameEnd(to, a));
 }
+/** Between two elements: only these have names in a file of edits. */
+const canBeEdited = connection => connection.from && connection.to && !connection.inside;

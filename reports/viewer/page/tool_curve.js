@@ -3,6 +3,7 @@ class CurveTool extends Tool {
   enter() {
     const chosen = app.chosen;
     this.leave();
+    this.say("");
     if (chosen && !chosen.kind) this.choose(chosen);
   }
   leave() {
@@ -10,11 +11,9 @@ class CurveTool extends Tool {
     this.draft = null;  // the edit as it is being dragged
   }
 
-  /** A connection between two elements: others have no name in a file of edits. */
   choose(connection) {
-    const usable = connection && connection.from && connection.to && !connection.inside;
-    this.connection = usable ? connection : null;
-    this.message = connection && !usable ? "Only connections between two elements have a curve of their own." : "";
+    this.connection = canBeEdited(connection) ? connection : null;
+    this.say(this.connection ? "" : "Only connections between two elements have a curve of their own.");
     app.chosen = this.connection;
     app.refresh();
   }
@@ -30,13 +29,21 @@ class CurveTool extends Tool {
                                           points: controlPointsOf("bezier", flat)};
   }
   keep(edit) {
-    const saved = this.saved();
     this.draft = null;
-    app.edits.add([edit], saved ? [saved] : []);
+    const gone = app.edits.bend(edit, this.connection.from, this.connection.to);
+    this.say(`The path will follow this curve.${insteadOf(gone)}`, true);
   }
 
-  hover(at) { return connectionNear(at)?.item || null; }
-  tap(at) { this.choose(connectionNear(at)?.item || null); }
+  /** One that can be edited before one that cannot. */
+  connectionAt(at) { return (connectionNear(at, at.reach, canBeEdited) || connectionNear(at))?.item || null; }
+  hover(at) { return this.connectionAt(at); }
+  tap(at) {
+    const connection = this.connectionAt(at);
+    if (connection) return this.choose(connection);
+    this.leave();
+    app.chosen = null;
+    this.say("No connection is here: tap a dashed line.");
+  }
 
   press(at) {
     if (!this.connection) return false;
@@ -81,13 +88,13 @@ class CurveTool extends Tool {
 
   card() {
     if (!this.connection)
-      return [title("Curve"), ...(this.message ? [create("p", {className: "message"}, this.message)] : []),
-              note("Tap a connection, then drag its control points.")];
+      return [title("Curve"), ...this.said(), note("Tap a connection, then drag its control points.")];
     const edit = this.edit(), saved = this.saved();
     const kinds = create("select", {ariaLabel: "Kind of curve", onchange: event => this.reshape(event.target.value)},
                          create("option", {value: "bezier", selected: edit.shape === "bezier"}, "Pulled by points"),
                          create("option", {value: "spiro", selected: edit.shape === "spiro"}, "Through points"));
-    const lines = [title(`Curve of connection ${this.connection.number}`), note("Drag its control points."),
+    const lines = [title(`Curve of connection ${this.connection.number}`), ...this.said(),
+                   note("Drag its control points."),
                    create("label", {className: "field"}, "Kind", kinds)];
     const actions = [];
     if (edit.shape === "spiro") {

@@ -6,6 +6,7 @@ class FillTool extends Tool {
     this.shape = null;
     this.part = null;
     this.drawn = null;
+    this.say("");
   }
 
   choose(shape, x, y) {
@@ -13,6 +14,7 @@ class FillTool extends Tool {
     this.at = shape ? [x, y].map(millimetres) : null;
     this.part = shape ? partAt(shape, x, y) : null;
     app.chosen = shape;
+    this.say(shape ? "" : "No filled area is here.");
     app.refresh();
   }
   saved() { return this.shape ? fillEditOf(this.shape, this.part) : undefined; }
@@ -51,7 +53,7 @@ class FillTool extends Tool {
   }
   card() {
     if (!this.shape)
-      return [title("Fill"),
+      return [title("Fill"), ...this.said(),
               note("Tap an area to choose how it is filled, or drag over it in the direction of its lanes.")];
     const saved = this.saved() || {};
     const fill = (text, value) => {

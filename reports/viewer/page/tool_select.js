@@ -11,6 +11,13 @@ class Tool {
   cancel() {}
   paint() {}
   card() { return []; }
+
+  /** What the card says about the last tap or drag, until the next: `done`, or why it did nothing. */
+  say(text, done = false) { this.message = text && {text, done}; }
+  said() {
+    const {text, done} = this.message || {};
+    return text ? [create("p", {className: done ? "done" : "message"}, text)] : [];
+  }
 }
 
 const title = text => create("h2", {}, text);
@@ -22,8 +29,8 @@ function ordinal(n) {
   return n + (last > 10 && last < 14 ? "th" : ["th", "st", "nd", "rd"][n % 10] || "th");
 }
 
-const connectionNear = at => app.layers.connections
-    ? connectionGrid.nearest(at.x, at.y, at.reach, e => e.item.t0 <= app.time) : null;
+const connectionNear = (at, reach = at.reach, accept = () => true) => app.layers.connections
+    ? connectionGrid.nearest(at.x, at.y, reach, e => e.item.t0 <= app.time && accept(e.item)) : null;
 
 /** The shape, connection or leg at a point; null if there is none. */
 function thingAt(at) {
@@ -62,7 +69,7 @@ function connectionCard(connection) {
          `From ${name(connection.from, before, "the path's start")} ` +
          `to ${name(connection.to, after, "the path's end")}`),
     note(`${metres(connection.length)}, tool off, at ${minutes(connection.t0)}`)];
-  if (!connection.from || !connection.to || connection.inside || !editable) return lines;
+  if (!canBeEdited(connection) || !editable) return lines;
   const edit = app.edits.pair("connection", referenceOf(connection.from), referenceOf(connection.to));
   if (edit) lines.push(note(edit.action === "enforce" ? "Will be kept." : "Will be avoided."));
   const act = (text, action) => button(text, () => app.edits.connect(action, connection.from, connection.to));
