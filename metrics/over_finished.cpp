@@ -19,8 +19,8 @@ extern const Metric kOverFinishedM, kWorkOverFinishedM;
 namespace {
 
 constexpr double kNear = 0.01;  // metres
-constexpr double kTouch =
-    1e-3;  // of half a leg's width: paths along what was drawn are off it by rounding, or by chords
+// Of half a leg's width: paths along what was drawn are off it by rounding, or by chords.
+constexpr double kTouch = 1e-3;
 constexpr std::size_t kMostRemarks = 10;
 
 double length_over(const Leg& leg, std::size_t index, const PathSegments& work, double tool_width) {

@@ -15,6 +15,14 @@ constexpr int kHeadings = 8;     // tried at a start
 constexpr double kMostCurvature = 1.01;
 constexpr std::size_t kMostLinks = 1500;  // some hundredths of a second each
 
+/// A curve as one line, without its gears.
+Polyline line_of(const Curve& curve, double chord_error) {
+  Polyline points{curve.from.at};
+  for (const Leg& leg : sampled(curve, chord_error, false))
+    points.insert(points.end(), leg.points.begin() + 1, leg.points.end());
+  return points;
+}
+
 /// The direction of a path's bend at k: half way between those of its two segments.
 double heading_at(const Polyline& path, std::size_t k) {
   const double before = heading(path[k - 1], path[k]), after = heading(path[k], path[k + 1]);
@@ -60,22 +68,16 @@ std::optional<Polyline> SmoothTransits::least_crossing(const Pose& from, const P
   ++links_;
   std::vector<Curve> all = link_curves(from, to, options_.radius, false);
   std::ranges::stable_sort(all, {}, &Curve::length);
-  const auto line = [&](const Curve& curve, double error) {
-    Polyline points{from.at};
-    for (const Leg& leg : sampled(curve, error, false))
-      points.insert(points.end(), leg.points.begin() + 1, leg.points.end());
-    return points;
-  };
   const Curve* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const Curve& curve : all) {
     if (curve.length() >= least) break;
-    const Polyline path = line(curve, kCoarse * chord_error_);
+    const Polyline path = line_of(curve, kCoarse * chord_error_);
     const double price = curve.length() + kCrossingWeight * work_.crossing_m(path);
-    if (price < least && stays_inside(line(curve, chord_error_))) least = price, best = &curve;
+    if (price < least && stays_inside(line_of(curve, chord_error_))) least = price, best = &curve;
   }
   if (best == nullptr) return std::nullopt;
-  return line(*best, chord_error_);
+  return line_of(*best, chord_error_);
 }
 
 std::optional<Polyline> SmoothTransits::along(const Pose& from, const Pose& to, const Polyline& round) const {
@@ -101,10 +103,7 @@ std::optional<Polyline> SmoothTransits::by_lattice(const Pose& from, const Pose&
   if (known != by_lattice_.end()) return known->second;
   std::optional<Polyline>& path = by_lattice_[key];
   const std::optional<Curve> curve = CarSpace(problem_).detour({from}, to, effort_, Context());
-  if (!curve || curve->cusps() > 0) return path;
-  path = Polyline{from.at};
-  for (const Leg& leg : sampled(*curve, chord_error_, false))
-    path->insert(path->end(), leg.points.begin() + 1, leg.points.end());
+  if (curve && curve->cusps() == 0) path = line_of(*curve, chord_error_);
   return path;
 }
 

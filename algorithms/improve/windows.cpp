@@ -58,7 +58,6 @@ class Windows {
         width_(problem.robot().tool_width),
         target_(Witnesses::turned(target)),
         box_(bounding_box(target_)),
-        target_vertices_(vertex_count(target_)),
         options_(options),
         focus_(focus) {}
 
@@ -150,7 +149,7 @@ class Windows {
       share[k] += of_focus / static_cast<double>(focus_.size());
       focus[k].push_back(p);
     }
-    const double least = static_cast<double>(now.points.size() + target_vertices_) / kVerticesEach;
+    const double least = static_cast<double>(now.points.size() + vertex_count(target_)) / kVerticesEach;
     for (std::size_t k = 0; k < grid.size() && !context.cancelled(); ++k) {
       double moves = share[k] * static_cast<double>(schedule.moves);
       if (moves < least) moves = rng.unit() * least < moves ? least : 0;  // by lot: as many on average
@@ -180,7 +179,6 @@ class Windows {
   double width_;
   const Region target_;  // turned
   const Box box_;        // of it
-  const std::size_t target_vertices_;
   Annealing::Options options_;
   std::vector<Point> focus_;
   std::vector<Point> samples_;  // of the target, turned

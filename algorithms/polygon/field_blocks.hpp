@@ -37,9 +37,9 @@ struct BlockRule {
   double least = 100;  // area of a block in squares of the tool width; less takes slabs in the best direction
 };
 
-/// `near`: configuration space, all of it or what lies within a tool width of `field`.
 /// Blocks that together make up `field`, which lies in configuration space at least half a tool width from its
-/// boundary; but for pieces below 1e-6 of the square of the tool width. Ends early if cancelled.
+/// boundary; but for pieces below 1e-6 of the square of the tool width. `near`: configuration
+/// space, all of it or what lies within a tool width of `field`. Ends early if cancelled.
 std::vector<FieldBlock> field_blocks(const Problem& problem, const Region& near, const Region& field, BlockRule rule,
                                      Context& context);
 

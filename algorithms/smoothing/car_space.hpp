@@ -25,7 +25,7 @@ namespace oxturn {
 /// Who searches detours.
 enum class DetourSearch { lattice, ompl };
 
-/// Curves for steps 1 and 2, whatever is in the way: some dozens, in no order.
+/// Curves for steps 1 and 2, whatever obstacles they meet: some dozens, in no order.
 std::vector<Curve> link_curves(const Pose& from, const Pose& to, double radius, bool reverse);
 
 class CarSpace {

@@ -10,8 +10,8 @@
 
 #include "base/graph_search.hpp"
 #include "geometry/overlay/boolean.hpp"
-#include "geometry/overlay/divided.hpp"
 #include "geometry/overlay/offset.hpp"
+#include "geometry/point_outside.hpp"
 #include "geometry/raster.hpp"
 
 namespace oxturn {
@@ -333,9 +333,7 @@ Region unreached(const RingBoxes& target, const RingBoxes& space, const Region& 
 bool holds(const Polygon& part, const Point& p, double tolerance) {
   Box box = bounding_box(part.outer);
   box.grow(tolerance);
-  if (!box.contains(p)) return false;
-  const EdgeIndex edges(Region{{part}});
-  return edges.contains(p) || edges.nearest(p, tolerance).has_value();
+  return box.contains(p) && nearly_contains(EdgeIndex(Region{{part}}), p, tolerance);
 }
 
 }  // namespace

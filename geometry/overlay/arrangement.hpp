@@ -4,8 +4,7 @@
 ///   std::vector<OverlayEdge> edges;
 ///   add_region(edges, a, lattice, {1, 0});
 ///   add_region(edges, b, lattice, {0, 1});
-///   const auto in_both = [](Windings w) { return w.first > 0 && w.second > 0; };
-///   return to_region(boundary_of(std::move(edges), in_both), lattice);
+///   return to_region(boundary_of(std::move(edges), inside_both), lattice);
 ///
 /// Method      Closed rings become weighted edges on the lattice. Edges are split where they meet, at points rounded to
 ///             the lattice, and split again until any two meet at common ends only: iterated snap rounding. An edge
@@ -54,6 +53,8 @@ void add_boundary(std::vector<OverlayEdge>& edges, const std::vector<BoundaryEdg
 
 using Inside = bool (*)(Windings);
 inline bool inside_first(Windings w) { return w.first > 0; }
+inline bool inside_first_only(Windings w) { return w.first > 0 && w.second <= 0; }
+inline bool inside_both(Windings w) { return w.first > 0 && w.second > 0; }
 /// The boundary of the set of points whose winding numbers satisfy `inside`, in the order of the edges' lower ends.
 std::vector<BoundaryEdge> boundary_of(std::vector<OverlayEdge> edges, Inside inside);
 /// Two such boundaries from one arrangement.

@@ -8,17 +8,25 @@
 namespace oxturn {
 namespace {
 
-bool in_both(Windings w) { return w.first > 0 && w.second > 0; }
-bool in_first_only(Windings w) { return w.first > 0 && w.second <= 0; }
+/// Two regions on a lattice of their own, counted first and second.
+struct Overlay {
+  Lattice lattice;
+  std::vector<OverlayEdge> edges = {};
+
+  static Lattice lattice_of(const Region& a, const Region& b) {
+    Box box = finite_box(a);
+    box.add(finite_box(b));
+    return Lattice(box);
+  }
+  Overlay(const Region& a, const Region& b) : lattice(lattice_of(a, b)) {
+    add_region(edges, a, lattice, {1, 0});
+    add_region(edges, b, lattice, {0, 1});
+  }
+};
 
 Region combine(const Region& a, const Region& b, Inside inside) {
-  Box box = finite_box(a);
-  box.add(finite_box(b));
-  const Lattice lattice(box);
-  std::vector<OverlayEdge> edges;
-  add_region(edges, a, lattice, {1, 0});
-  add_region(edges, b, lattice, {0, 1});
-  return to_region(boundary_of(std::move(edges), inside), lattice);
+  Overlay overlay(a, b);
+  return to_region(boundary_of(std::move(overlay.edges), inside), overlay.lattice);
 }
 
 /// Position along Morton's space-filling curve of a point in the unit square.
@@ -112,8 +120,14 @@ bool in_second(Windings w) { return w.second > 0; }
 }  // namespace
 
 Region unite(const std::vector<Region>& parts) { return combine({}, parts, in_second); }
-Region intersect(const Region& a, const Region& b) { return combine(a, b, in_both); }
-Region subtract(const Region& a, const Region& b) { return combine(a, b, in_first_only); }
-Region subtract(const Region& a, const std::vector<Region>& parts) { return combine(a, parts, in_first_only); }
+Region intersect(const Region& a, const Region& b) { return combine(a, b, inside_both); }
+Region subtract(const Region& a, const Region& b) { return combine(a, b, inside_first_only); }
+Region subtract(const Region& a, const std::vector<Region>& parts) { return combine(a, parts, inside_first_only); }
+
+DividedRegion divided(const Region& region, const Region& by) {
+  Overlay overlay(region, by);
+  const auto [outside, inside] = boundaries_of(std::move(overlay.edges), {inside_first_only, inside_both});
+  return {to_region(outside, overlay.lattice), to_region(inside, overlay.lattice)};
+}
 
 }  // namespace oxturn

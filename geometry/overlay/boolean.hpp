@@ -18,4 +18,10 @@ Region subtract(const Region& a, const Region& b);
 /// What no part covers: subtract(a, unite(parts)) in less than half the time.
 Region subtract(const Region& a, const std::vector<Region>& parts);
 
+struct DividedRegion {
+  Region outside, inside;
+};
+/// subtract(region, by) and intersect(region, by) in one overlay.
+DividedRegion divided(const Region& region, const Region& by);
+
 }  // namespace oxturn

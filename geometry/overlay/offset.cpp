@@ -236,8 +236,6 @@ Region offset(const Region& region, double radius, double chord_error, Direction
   return to_region(boundary_of(std::move(edges), inside_first), lattice);
 }
 
-bool in_first_only(Windings w) { return w.first > 0 && w.second <= 0; }
-
 }  // namespace
 
 Region dilate(const Region& region, double radius, double chord_error, Bound bound) {
@@ -285,7 +283,7 @@ Region between_offsets(const Region& outer, const Region& inner, double radius, 
   std::vector<OverlayEdge> edges;
   add_offset(edges, outer, lattice, radius, chord_error, Direction::inwards, Arcs::tangents, {1, 0});
   add_offset(edges, inner, lattice, radius, chord_error, Direction::outwards, Arcs::tangents, {0, 1});
-  return to_region(boundary_of(std::move(edges), in_first_only), lattice);
+  return to_region(boundary_of(std::move(edges), inside_first_only), lattice);
 }
 
 }  // namespace oxturn

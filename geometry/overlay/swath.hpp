@@ -6,8 +6,8 @@
 /// The union of a rectangle about each segment, arcs on the outer side of bends, and half discs at the ends; arcs are
 /// chords or tangents. Lines that lie many deep on each other cost their sum (boolean.hpp): O(m log m) for parts with m
 /// vertices in all, which are few where a line bends gently. Where consecutive parts of lines lie several deep on each
-/// other they are united first. Lines with vertices nearer together than the chord error
-/// are thinned (thinned.hpp) within it.
+/// other they are united first. Lines with vertices nearer together than the chord error are thinned (thinned.hpp)
+/// within it.
 #pragma once
 
 #include "geometry/overlay/offset.hpp"

@@ -83,16 +83,16 @@ void for_each_angle(const Point& a, double b, F f) {
   f(middle - half);
 }
 
-/// Sorts the breaks, angles, and calls f(begin, end) for every longest sequence of intervals between them for which
-/// good(middle of the interval) is true.
+/// Sorts the breaks, angles or other parameters of a curve, and calls f(begin, end) for every longest sequence of
+/// intervals between them for which good(middle of the interval) is true.
 template <class Good, class F>
 void for_each_run(std::vector<double>& breaks, Good good, F f) {
-  constexpr double kLeastAngle = 1e-15;  // radians: shorter intervals are rounding
+  constexpr double kLeast = 1e-15;  // shorter intervals are rounding
   std::sort(breaks.begin(), breaks.end());
   std::optional<double> begin;
   double end = 0;
   for (std::size_t i = 1; i < breaks.size(); ++i) {
-    if (breaks[i] - breaks[i - 1] < kLeastAngle) continue;
+    if (breaks[i] - breaks[i - 1] < kLeast) continue;
     if (good((breaks[i - 1] + breaks[i]) / 2)) {
       begin = begin.value_or(breaks[i - 1]);
       end = breaks[i];

@@ -120,8 +120,8 @@ class CutLocus {
       line.meet_line(facet.vertices()[i], facet.next(i) - facet.vertices()[i], add);
     if (breaks_.size() < 2) return;
     const auto is_in_facet = [&](double p) { return facet.contains(line.at(p), cones_.rounding()); };
-    double inside_from = std::numeric_limits<double>::infinity(),
-           inside_to = -inside_from;  // of the curve in the facet
+    // The part of the curve in the facet.
+    double inside_from = std::numeric_limits<double>::infinity(), inside_to = -inside_from;
     for_each_run(breaks_, is_in_facet, [&](double begin, double end) {
       inside_from = std::min(inside_from, begin);
       inside_to = end;

@@ -291,7 +291,7 @@ TEST(Beachbot, LeavesFillsWithoutCrossingThem) {
   }
 }
 
-// Narrow parts of the tool fill the corners of an area before the whole tool covers the way between them.
+// Narrow parts of the tool fill the corners of an area before the whole tool covers what lies between them.
 TEST(Beachbot, CornersComeBeforeTheFill) {
   Drawing drawing;
   drawing.areas.push_back({.element = "box", .area = {{{2, 2}, {3, 2}, {3, 3}, {2, 3}}, {}}, .choice = {}});

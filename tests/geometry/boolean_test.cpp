@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "geometry/overlay/divided.hpp"
 #include "geometry/overlay/validity.hpp"
 #include "tests/geometry/samples.hpp"
 

@@ -551,8 +551,8 @@ TEST(GeodesicField, BehindASquarePillarTheCutIsStraight) {
   EXPECT_GE(sum, 4 - 1e-6);  // pieces on an edge of the mesh may be there twice
 }
 
-// The tip of the wedge lies beside the line on which both ways round the pillar are equally long. The nearer it is, the
-// more the curve of equal length by the tip and by a corner of the pillar resembles a ray.
+// The tip of the wedge lies beside the line on which both paths round the pillar are equally long. The nearer it is,
+// the more the curve of equal length by the tip and by a corner of the pillar resembles a ray.
 TEST(GeodesicField, BehindATipBesideTheCutItGoesOnToTheWall) {
   for (double off = 1e-3; off > 1e-14; off /= 1.7)
     for (const double side : {-off, off})
