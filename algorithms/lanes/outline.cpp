@@ -12,6 +12,7 @@
 #include "algorithms/transit/component_links.hpp"
 #include "algorithms/transit/short_segments.hpp"
 #include "geometry/coarse_arcs.hpp"
+#include "geometry/overlay/offset.hpp"
 #include "geometry/raster.hpp"
 
 namespace oxturn {
@@ -19,10 +20,11 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMostPieces = 1e6;  // of one segment of the path
-// Tool widths that laps may keep off the boundary to run straight, tried in turn, and the share of configuration space
-// that they may lose by it.
+// Tool widths that laps may keep off the boundary to run straight, tried in turn, and the share of the target that they
+// may miss for it.
 constexpr std::array kStraightening{1.0 / 20, 1.0 / 40, 1.0 / 80, 1.0 / 160};
-constexpr double kMostLost = 3e-4;
+constexpr double kMostMissed = 5e-4;
+constexpr double kChord = 1e-3;            // tool widths, of the arcs of what laps cover
 constexpr double kCoarsening = 1.0 / 100;  // of the robot's radius: laps may keep as far off corners
 constexpr double kRightAngle = 1e-6;       // cosine
 constexpr double kLongestStep = 0.5;       // tool widths: steps of a staircase are shorter
@@ -431,11 +433,14 @@ Region coarser_space(const Problem& problem) { return with_coarser_arcs(problem.
 Region straightened_space(const Problem& problem) {
   const double width = problem.robot().tool_width;
   if (!is_staircase(problem.map().free, kLongestStep * width)) return coarser_space(problem);
+  const auto covered = [&](const Region& space) {
+    return area(dilate(space, width / 2, kChord * width, Bound::inside));
+  };
   const Region& space = problem.configuration_space();
-  const double whole = area(space);
+  const double enough = covered(space) - kMostMissed * area(problem.target());
   for (const double tolerance : kStraightening) {
-    const Region straight = simplify_inward(space, tolerance * width);
-    if (whole - area(straight) <= kMostLost * whole) return with_coarser_arcs(straight, problem);
+    const Region straight = with_coarser_arcs(simplify_inward(space, tolerance * width), problem);
+    if (covered(straight) >= enough) return straight;
   }
   return coarser_space(problem);
 }

@@ -25,9 +25,9 @@ namespace oxturn {
 Region coarser_space(const Problem& problem);
 /// What laps follow: the coarser space, with straighter walls inside the given ones if those are staircases, as in
 /// maps traced from images, along which a robot would shake. Vertices that stick out of free space by less than a
-/// twentieth of the tool's width are removed (or a fortieth, and so on: so that at most 0.0003 of the space is lost). A
-/// lap along the straighter boundary covers all of configuration space that one along the other covers; what it misses
-/// is a seam at the wall no wider than that tolerance. O(n log n).
+/// twentieth of the tool's width are removed (or a fortieth, and so on: so that at most 0.0005 of the target is
+/// missed). A lap along the straighter boundary covers all of configuration space that one along the other covers; what
+/// it misses is a seam at the wall no wider than that tolerance. O(n log n).
 Region straightened_space(const Problem& problem);
 
 /// Inserts the boundary rings of straightened_space(); then drops vertices nearer to each other than a hundredth of the

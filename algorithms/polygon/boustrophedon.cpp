@@ -3,7 +3,7 @@
 // Source      Choset and Pignon, "Coverage Path Planning: The Boustrophedon Cellular Decomposition", FSR 1997;
 //             Choset, Autonomous Robots 9, 2000
 // Model       polygons with holes, offline, disc or polygonal footprint
-// Guarantee   with `outline`: covers the whole target (along traced walls but for 0.0003 of it, see
+// Guarantee   with `outline`: covers the whole target (along traced walls but for 0.0005 of it, see
 //             straightened_space in outline.hpp). Let C be configuration space, w the tool width, R the points of
 //             C at least w/2 from its boundary. Driving the boundary covers all points within w/2 of it, inside and
 //             outside C. A point p of R lies in a slab no wider than w with centre line x. The point (x, p.y) is no
@@ -175,7 +175,7 @@ PlannerInfo boustrophedon() {
        .title = "Boustrophedon decomposition",
        .citation = "Choset, Pignon 1998",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (with outline; along traced walls but for 0.0003 of it)",
+       .guarantee = "covers the whole target (with outline; along traced walls but for 0.0005 of it)",
        .promise = Promise::target,
        .symmetries = {Symmetry::shift, Symmetry::quarter_turn, Symmetry::mirror, Symmetry::scale},
        .parameters = parameters<Params>(
@@ -202,7 +202,7 @@ PlannerInfo trapezoid() {
        .title = "trapezoidal decomposition",
        .citation = "Latombe 1991; Choset 2001",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (with outline; along traced walls but for 0.0003 of it)",
+       .guarantee = "covers the whole target (with outline; along traced walls but for 0.0005 of it)",
        .promise = Promise::target,
        .symmetries = {Symmetry::shift, Symmetry::quarter_turn, Symmetry::mirror, Symmetry::scale},
        .parameters =

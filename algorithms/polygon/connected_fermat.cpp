@@ -3,7 +3,7 @@
 // Source      Zhao, Gu, Huang, Garcia, Chen, Tu, Benes, Zhang, Cohen-Or, Chen, "Connected Fermat spirals for layered
 //             fabrication", ACM Transactions on Graphics 35(4), 2016
 // Model       polygons with holes, offline, disc or polygonal footprint
-// Guarantee   covers the whole target with `repair` (lanes/repair.hpp; along traced walls but for 0.0003 of it)
+// Guarantee   covers the whole target with `repair` (lanes/repair.hpp; along traced walls but for 0.0005 of it)
 // Complexity  O(m log m) for laps with m vertices and tool widths in all, plus for each spiral its place on the lap
 //             that it is spliced into
 // Decisions   1. Laps, their shared parts and the tree: lanes/ring_graph.hpp. tree = shortest (paper) connects laps by
@@ -272,7 +272,7 @@ PlannerInfo connected_fermat() {
        .title = "double spirals of laps, connected to one path",
        .citation = "Zhao et al. 2016",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (with repair; along traced walls but for 0.0003 of it)",
+       .guarantee = "covers the whole target (with repair; along traced walls but for 0.0005 of it)",
        .promise = Promise::target,
        .parameters = {{"tree", &Params::tree, Choices{"shortest", "longest"},
                        "which laps are connected: by the shortest shared parts, as in the paper, or the longest"},

@@ -2,7 +2,7 @@
 //
 // Source      BeachBot (Vollprecht 2014), section 5.1: inset polygons with holes and three connections of them
 // Model       polygons with holes, offline, disc or polygonal footprint
-// Guarantee   covers the whole target with `repair` (lanes/repair.hpp; along traced walls but for 0.0003 of it)
+// Guarantee   covers the whole target with `repair` (lanes/repair.hpp; along traced walls but for 0.0005 of it)
 // Complexity  O(m log m) for laps with m vertices in all; with `join = tree` as outline.hpp
 // Decisions   1. Laps are boundaries of erosions, holes included (lanes/laps.hpp).
 //             2. join = tree (ours) is a spanning tree of the laps by the lengths of their links: each lap is a closed
@@ -149,7 +149,7 @@ PlannerInfo contour() {
        .title = "laps parallel to the boundary",
        .citation = "BeachBot (Vollprecht 2014)",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (with repair; along traced walls but for 0.0003 of it)",
+       .guarantee = "covers the whole target (with repair; along traced walls but for 0.0005 of it)",
        .promise = Promise::target,
        .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = {{"join", &Params::join, Choices{"tree", "nearest", "alternating", "longest-edge"},

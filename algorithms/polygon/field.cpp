@@ -3,7 +3,7 @@
 // Source      after Oksanen and Visala, "Coverage path planning algorithms for agricultural field machines", Journal of
 //             Field Robotics 26(8), 2009, first algorithm
 // Model       polygons with holes, offline, disc or polygonal footprint
-// Guarantee   covers the whole target (along traced walls but for 0.0003 of it; pieces below 1e-6 of the square of the
+// Guarantee   covers the whole target (along traced walls but for 0.0005 of it; pieces below 1e-6 of the square of the
 //             tool width): laps cover what is less than `headland` tool widths deep, and repair their corners. What is
 //             deeper is divided into blocks. A point of a block is at most half a tool width from its foot on a lane,
 //             which is therefore in configuration space.
@@ -88,7 +88,7 @@ PlannerInfo field() {
        .title = "blocks of lanes and a headland",
        .citation = "Oksanen, Visala 2009",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (along traced walls but for 0.0003 of it)",
+       .guarantee = "covers the whole target (along traced walls but for 0.0005 of it)",
        .promise = Promise::target,
        .parameters = with_headland<Params>(
            {{"order", &Params::order, Choices{"improved", "greedy"},

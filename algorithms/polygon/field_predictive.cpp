@@ -4,7 +4,7 @@
 //             Field Robotics 26(8), 2009, second algorithm: all routes over a short horizon are predicted, and of the
 //             best one only the part up to the next turn is driven
 // Model       polygons with holes, offline, disc or polygonal footprint
-// Guarantee   covers the whole target with `repair` (lanes/repair.hpp; along traced walls but for 0.0003 of it)
+// Guarantee   covers the whole target with `repair` (lanes/repair.hpp; along traced walls but for 0.0005 of it)
 // Complexity  O(s m log m) for s stretches between turns in a block and m vertices of the pieces that they cut; both
 //             grow as the block's area. Linear in the number of blocks, each of bounded effort, and a shortest path for
 //             each stretch.
@@ -306,7 +306,7 @@ PlannerInfo field_predictive() {
        .title = "stretches along what is left, by prediction",
        .citation = "Oksanen, Visala 2009",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (with repair; along traced walls but for 0.0003 of it)",
+       .guarantee = "covers the whole target (with repair; along traced walls but for 0.0005 of it)",
        .promise = Promise::target,
        .symmetries = {Symmetry::shift},
        .parameters = {{"repair", &Params::repair, "cover what is left where the tool no longer fits"},

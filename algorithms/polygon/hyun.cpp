@@ -7,7 +7,7 @@
 // Guarantee   each tracking point is visited exactly once; every link lies in configuration space; links with the tool
 //             on never cross each other. No deadlock: every remaining point can be reached. With `outline`, both
 //             contacts on every line and a separation of at most the tool's width w it covers the whole target (along
-//             traced walls but for 0.0003 of it, see straightened_space in outline.hpp): the
+//             traced walls but for 0.0005 of it, see straightened_space in outline.hpp): the
 //             boundary of configuration space C covers all points within w/2 of it; from any other point of C the foot
 //             on its slab's line is no farther than w/2, so it lies in C, on a lane that is not dropped.
 // Complexity  n edges, k tracking points, j jumps: O(n + k log k) and j paths, by TLPPA O(N log N) each for N cells
@@ -373,7 +373,7 @@ PlannerInfo hyun() {
        .citation = "Hyun, heuristic sweeping algorithm",
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (with outline, both contacts and at most a tool width between lines; "
-                    "along traced walls but for 0.0003 of it); links with the tool on never cross",
+                    "along traced walls but for 0.0005 of it); links with the tool on never cross",
        .promise = Promise::target,
        .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = {{"separation", &Params::separation, Range{0, 1000},

@@ -4,7 +4,7 @@
 //             planning", IEEE Robotics and Automation Letters 7(4), 2022 (optimal axis-parallel rank partitioning)
 // Model       polygons with holes, offline, disc or polygonal footprint
 // Guarantee   the fewest lanes along the axes of its grid. With `outline`: covers the whole target (along traced walls
-//             but for 0.0003 of it): a point of the region that is left to the lanes is at least w/2 from the boundary
+//             but for 0.0005 of it): a point of the region that is left to the lanes is at least w/2 from the boundary
 //             of configuration space C, and at most that far from its foot on the centre line of its run of cells. So
 //             the foot is in C, on the lane.
 // Complexity  n cells, m lanes: about O(n) for the fewest lanes (polygon/fewest_lanes.hpp), about O(m log m) steps and
@@ -192,7 +192,7 @@ PlannerInfo oarp() {
        .title = "fewest lanes along two directions",
        .citation = "Ramesh et al. 2022",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (with outline; along traced walls but for 0.0003 of it)",
+       .guarantee = "covers the whole target (with outline; along traced walls but for 0.0005 of it)",
        .promise = Promise::target,
        .parameters = with_headland<Params>(
            {{"align", &Params::align, Choices{"best", "given"},

@@ -3,7 +3,7 @@
 // Source      BeachBot (Vollprecht 2014), Algorithm 1: spirals whose offset grows with each vertex, read off a straight
 //             skeleton, with recursion where the inset splits
 // Model       polygons with holes, offline, disc or polygonal footprint
-// Guarantee   covers the whole target with `repair` (lanes/repair.hpp; along traced walls but for 0.0003 of it). Inside
+// Guarantee   covers the whole target with `repair` (lanes/repair.hpp; along traced walls but for 0.0005 of it). Inside
 //             faces of the skeleton laps are at most `spacing` apart; at sharp vertices they are farther
 // Complexity  O(n log n) for the skeleton of n vertices of usual maps (straight_skeleton.hpp), O(k log k) for laps with
 //             k vertices in all, and for each split (or spacing / 64, in which there may be many) the vertices of the
@@ -270,7 +270,7 @@ PlannerInfo skeleton_spiral() {
        .title = "spirals through the insets of a straight skeleton",
        .citation = "BeachBot (Vollprecht 2014)",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (with repair; along traced walls but for 0.0003 of it)",
+       .guarantee = "covers the whole target (with repair; along traced walls but for 0.0005 of it)",
        .promise = Promise::target,
        .parameters = {{"growth", &Params::growth, Choices{"length", "vertex"},
                        "how the offset grows: with the length driven, or with each vertex, as in the source"},

@@ -4,7 +4,7 @@
 //             Design 41(7), 2009; islands after "Improved spiral high-speed machining of multiply-connected pockets",
 //             Computer-Aided Design and Applications 11(3), 2014
 // Model       polygons with holes, offline, disc or polygonal footprint
-// Guarantee   covers the whole target (along traced walls but for 0.0003 of it): points of neighbouring laps on the
+// Guarantee   covers the whole target (along traced walls but for 0.0005 of it): points of neighbouring laps on the
 //             path to the same leaf are at most 0.95 w apart, and straight motion from one lap to the next sweeps all
 //             between them. So each point is within 0.475 w of the end of such a segment, which is on a lap before it
 //             is smoothed; smoothing moves it by at most 0.025 w. The rest is within w/2 of the last lap, the boundary.
@@ -158,7 +158,7 @@ PlannerInfo smooth_spiral() {
        .title = "one smooth spiral from the middle to the boundary",
        .citation = "Held, Spielberger 2009",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (along traced walls but for 0.0003 of it)",
+       .guarantee = "covers the whole target (along traced walls but for 0.0005 of it)",
        .promise = Promise::target,
        .parameters = {{"start", &Params::start, Choices{"spine", "centre", "start"},
                        "from where the spiral grows: the axis' middle part, its centre, or the robot's start"},

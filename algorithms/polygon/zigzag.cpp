@@ -2,7 +2,7 @@
 //
 // Source      BeachBot (Vollprecht 2014), zig zag filling; Greene 1983 for the optimal convex partition
 // Model       polygons with holes, offline, disc or polygonal footprint
-// Guarantee   covers the whole target (along traced walls but for 0.0003 of it, see straightened_space in outline.hpp)
+// Guarantee   covers the whole target (along traced walls but for 0.0005 of it, see straightened_space in outline.hpp)
 //             with `fit` cover, `outline`, `small_parts` merge and `margin` at most w/2. Proof:
 //             let C be configuration space, w the tool width, m the margin, R the points of C at least m from its
 //             boundary. Driving the walls covers all points within w/2 of them. The region that is partitioned is
@@ -467,7 +467,7 @@ PlannerInfo zigzag() {
        .citation = "BeachBot (Vollprecht 2014); Greene 1983",
        .capabilities = {Capability::holes, Capability::footprint},
        .guarantee = "covers the whole target (fit cover, with outline, slivers merged, margin up to half a tool width; "
-                    "along traced walls but for 0.0003 of it)",
+                    "along traced walls but for 0.0005 of it)",
        .promise = Promise::target,
        .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters = with_headland<Params>(
