@@ -115,7 +115,9 @@ struct ProblemBasis {
       // A boolean snaps its operands to 2^-30 of their extent, so as much may be lost along the boundary.
       const Box box = bounding_box(map.free);
       const double snapping = perimeter(target()) * box.size().maxCoeff() * std::ldexp(1.0, -29);
-      excess = dilation_shortfall(*space, robot.tool_width / 2, target_chord()) + snapping + lost_m2;
+      const double whole = map.target_area ? area(intersect(map.free, *map.target_area)) : area(map.free);
+      const double left = std::max(whole - area(target()), 0.0);  // little where wide tools reach everything
+      excess = std::min(dilation_shortfall(*space, robot.tool_width / 2, target_chord()), left) + snapping + lost_m2;
     });
     return excess;
   }

@@ -107,6 +107,14 @@ TEST(Problem, ToolWiderThanTheRobotStopsAtWalls) {
   EXPECT_GE(area(p.target()) + p.target_excess(), 100 - 1e-6);  // the corners lie 0.71 from (0.5, 0.5): reached
 }
 
+TEST(Problem, ToolsWiderThanTheMapReachAllOfIt) {
+  for (const double tool : {2.0, 20.0, 1e3, 1e9}) {
+    SCOPED_TRACE(tool);
+    expect_target(Problem(square(10), disc(0.5, tool), Point(5, 5)), 100);
+    expect_target(Problem(with_target(square(10), box_region({8, 8}, {12, 12})), disc(0.5, tool), Point(5, 5)), 4);
+  }
+}
+
 TEST(Problem, ANarrowToolLeavesTheBoundaryUncovered) {
   const Problem p(square(10), disc(0.5, 0.5), Point(5, 5));
   const Box box = bounding_box(p.configuration_space());
