@@ -159,8 +159,18 @@ def anytime_rows():
             + run("polished", "coverage=0.99;moves=100000", "1.1", "1.1", "invalid"))
 
 
+def hyun_rows():
+    """The paper's world and two others, of which one has no path as published."""
+    data = [("hyun-1", "", "ok", "100", "1"), ("hyun-1", "variant=published", "partial", "80", "0.5"),
+            ("w1", "", "ok", "110", "0.999"), ("w1", "variant=published", "partial", "70", "0.4"),
+            ("w2", "", "ok", "120", "0.998"), ("w2", "variant=published", "infeasible", "", "")]
+    return [row("hyun", m, "hyun", params, outcome, path_m=metres, transit_m="10", coverage=c, overlap="0.25", turns="7")
+            for m, params, outcome, metres, c in data]
+
+
 ALL = {"anytime": anytime_rows, "beachbot": beachbot_rows, "berg-table-4-1": berg_rows,
        "cell-order": cell_order_rows, "drivable": drivable_rows, "growth": growth_rows,
+       "hyun": hyun_rows,
        "leashed": leashed_rows,
        "shortest": shortest_rows,
        "stc-loops": stc_rows,
@@ -255,6 +265,14 @@ class Drivable(unittest.TestCase):
     def test_ratios_over_the_robot_that_turns_on_the_spot(self):
         text = page("drivable", drivable_rows())
         self.assertEqual(line(text, "contour", 1)[1:7], ["tractor", "1 of 2", "1.200", "1.200", "0.9000", "0.9000"])
+
+
+class Hyun(unittest.TestCase):
+    def test_least_coverage_and_medians_beyond_the_first_world(self):
+        text = page("hyun", hyun_rows())
+        self.assertEqual(line(text, "default"), ["default", "1 of 1", "1.000", "100", "10", "0.25", "7"])
+        self.assertEqual(line(text, "default", 1), ["default", "2 of 2", "0.998", "115", "10", "0.25", "7"])
+        self.assertEqual(line(text, "`variant = published`", 1)[1:4], ["1 of 2", "0.400", "70"])
 
 
 class Shortest(unittest.TestCase):
