@@ -164,8 +164,8 @@ def hyun_rows():
     data = [("hyun-1", "", "ok", "100", "1"), ("hyun-1", "variant=published", "partial", "80", "0.5"),
             ("w1", "", "ok", "110", "0.999"), ("w1", "variant=published", "partial", "70", "0.4"),
             ("w2", "", "ok", "120", "0.998"), ("w2", "variant=published", "infeasible", "", "")]
-    return [row("hyun", m, "hyun", params, outcome, path_m=metres, transit_m="10", coverage=c, overlap="0.25", turns="7")
-            for m, params, outcome, metres, c in data]
+    return [row("hyun", m, "hyun", params, outcome, path_m=metres, transit_m="10", coverage=c, overlap="0.25",
+                turns="7") for m, params, outcome, metres, c in data]
 
 
 ALL = {"anytime": anytime_rows, "beachbot": beachbot_rows, "berg-table-4-1": berg_rows,
