@@ -81,6 +81,10 @@ Curve CarSpace::shortest(const Pose& from, const Pose& to) const {
   return reverse_ ? reeds_shepp_curve(from, to, radius_) : dubins_curve(from, to, radius_);
 }
 
+double CarSpace::least_length(const Pose& from, const Pose& to) const {
+  return reverse_ ? reeds_shepp_curve(from, to, radius_).length() : dubins_distance(from, to, radius_);
+}
+
 double CarSpace::cost(const Curve& curve) const {
   return curve.length() + stop_cost_ * static_cast<double>(curve.cusps());
 }

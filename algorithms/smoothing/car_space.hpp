@@ -43,6 +43,8 @@ class CarSpace {
   bool free(const Polyline& line) const;
   /// The shortest curve if there were no obstacles: Dubins', in reverse Reeds and Shepp's.
   Curve shortest(const Pose& from, const Pose& to) const;
+  /// Its length.
+  double least_length(const Pose& from, const Pose& to) const;
   /// The length of a curve, and for each cusp the metres lost by stopping.
   double cost(const Curve& curve) const;
 

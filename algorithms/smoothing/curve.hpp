@@ -50,6 +50,8 @@ Pose after(const Pose& from, const CurvePiece& piece, double radius);
 
 /// The shortest curve driven forwards. `radius` > 0.
 Curve dubins_curve(const Pose& from, const Pose& to, double radius);
+/// Its length alone.
+double dubins_distance(const Pose& from, const Pose& to, double radius);
 /// The shortest curve of each of the words LSL, RSR, LSR, RSL, RLR and LRL that exists, shortest first: alternatives
 /// where an obstacle is in the way.
 std::vector<Curve> dubins_words(const Pose& from, const Pose& to, double radius);

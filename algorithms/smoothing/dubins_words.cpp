@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+#include <span>
 
 #include "algorithms/smoothing/curve.hpp"
 
@@ -19,34 +19,37 @@ double turn(double angle) {
   return a > kFullTurn - 1e-9 ? 0 : a;
 }
 
+struct Word {
+  std::array<Steering, 3> steering;
+  std::array<double, 3> lengths;  // metres
+  double length() const { return lengths[0] + lengths[1] + lengths[2]; }
+};
+
 /// In the frame where the straight line from the first to the second position is the x axis and the radius is 1.
 class Words {
  public:
-  Words(const Pose& from, const Pose& to, double radius) : curve_{from, to, radius, {}} {
+  Words(const Pose& from, const Pose& to, double radius) : radius_(radius) {
     const Point line = (to.at - from.at) / radius;
     d_ = line.norm();
     const double theta = d_ > 0 ? std::atan2(line.y(), line.x()) : 0;
     a_ = turn(from.heading - theta), b_ = turn(to.heading - theta);
+    outer(1), outer(-1), inner(1), inner(-1), loop(1), loop(-1);
   }
 
-  std::vector<Curve> all() {
-    outer(1), outer(-1), inner(1), inner(-1), loop(1), loop(-1);
-    std::ranges::stable_sort(found_, {}, &Curve::length);
-    return std::move(found_);
+  std::span<Word> all() { return {words_.data(), count_}; }
+  const Word& shortest() const {
+    return *std::ranges::min_element(words_.begin(), words_.begin() + count_, {}, &Word::length);
   }
 
  private:
   /// Mirrored words are the same with both angles negated.
   static Steering side(int sense) { return sense > 0 ? Steering::left : Steering::right; }
   void add(const std::array<Steering, 3>& steering, const std::array<double, 3>& lengths) {
-    Curve curve = curve_;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double length = steering[i] == Steering::straight ? lengths[i] : turn(lengths[i]);
-      curve.pieces.push_back({steering[i], curve.radius * length});
-    }
-    found_.push_back(std::move(curve));
+    Word& word = words_[count_++];
+    word.steering = steering;
+    for (std::size_t i = 0; i < 3; ++i)
+      word.lengths[i] = radius_ * (steering[i] == Steering::straight ? lengths[i] : turn(lengths[i]));
   }
-
   /// LSL (sense 1) and RSR.
   void outer(int sense) {
     const double a = sense * a_, b = sense * b_;
@@ -76,19 +79,33 @@ class Words {
     add({side(sense), side(-sense), side(sense)}, {heading - a, middle, b - heading + middle});
   }
 
-  Curve curve_;
-  double d_ = 0, a_ = 0, b_ = 0;
-  std::vector<Curve> found_;
+  double radius_, d_ = 0, a_ = 0, b_ = 0;
+  std::array<Word, 6> words_;
+  std::size_t count_ = 0;
 };
+
+Curve curve_of(const Word& word, const Pose& from, const Pose& to, double radius) {
+  Curve curve{from, to, radius, {}};
+  for (std::size_t i = 0; i < 3; ++i) curve.pieces.push_back({word.steering[i], word.lengths[i]});
+  return curve;
+}
 
 }  // namespace
 
 std::vector<Curve> dubins_words(const Pose& from, const Pose& to, double radius) {
-  return Words(from, to, radius).all();
+  Words words(from, to, radius);
+  std::ranges::stable_sort(words.all(), {}, &Word::length);
+  std::vector<Curve> curves;
+  for (const Word& word : words.all()) curves.push_back(curve_of(word, from, to, radius));
+  return curves;
 }
 
 Curve dubins_curve(const Pose& from, const Pose& to, double radius) {
-  return std::move(Words(from, to, radius).all().front());
+  return curve_of(Words(from, to, radius).shortest(), from, to, radius);
+}
+
+double dubins_distance(const Pose& from, const Pose& to, double radius) {
+  return Words(from, to, radius).shortest().length();
 }
 
 }  // namespace oxturn

@@ -63,7 +63,7 @@ class LatticeSearch {
       closed_[entry->second] = true;
       entry->second = nodes_.size();
     }
-    const double rest = space_.shortest(node.pose, to_).length();
+    const double rest = space_.least_length(node.pose, to_);
     open_.push({-(node.cost + kGreed * rest), nodes_.size()});
     nodes_.push_back(node);
     rest_.push_back(rest);

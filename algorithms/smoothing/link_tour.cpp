@@ -8,8 +8,9 @@ namespace {
 
 constexpr double kBlocked = 1e6;  // metres; dearer than any detour, so that a tour with few blocked links is preferred
 constexpr int kRounds = 12;
-constexpr std::size_t kReports = 8;  // in the first round
-constexpr double kEntrySpacing = 2;  // radii, between points where a closed stroke may be entered
+constexpr std::uint64_t kKicks = 20000;  // a fifth of a millisecond each; more do not pay where there are many strokes
+constexpr std::size_t kReports = 8;      // in the first round
+constexpr double kEntrySpacing = 2;      // radii, between points where a closed stroke may be entered
 constexpr double kMostEntries = 12;
 constexpr double kLeastCut = 1.6;             // radii
 constexpr std::size_t kMostTabulated = 2000;  // patterns
@@ -72,7 +73,7 @@ double LinkTour::bound(PatternId from, PatternId to) const {
   if (to < 2) return to == 0 ? 0 : distance(start_, passes_[reverse_[from] - 2].entry.at);
   if (from < 2) return from == 1 ? 0 : distance(start_, passes_[to - 2].entry.at);
   if (passes_[from - 2].stroke == passes_[to - 2].stroke) return 0;
-  return space_.shortest(passes_[from - 2].exit, passes_[to - 2].entry).length();
+  return space_.least_length(passes_[from - 2].exit, passes_[to - 2].entry);
 }
 
 double LinkTour::cost(PatternId from, PatternId to) const {
@@ -84,6 +85,13 @@ double LinkTour::cost(PatternId from, PatternId to) const {
 void LinkTour::set_cost(PatternId from, PatternId to, double metres) {
   learnt_[{from, to}] = metres;
   if (!table_.empty()) table_[from * (passes_.size() + 2) + to] = metres;
+}
+
+/// Curves grow with the distance of their ends: with many strokes, those near by are found by that.
+std::vector<ConnectionCost::Ends> LinkTour::ends() const {
+  std::vector<ConnectionCost::Ends> all(2, {start_, start_});
+  for (const Pass& pass : passes_) all.push_back({pass.entry.at, pass.exit.at});
+  return all;
 }
 
 bool LinkTour::learn(const TourProblem& problem, const Tour& tour) {
@@ -106,11 +114,13 @@ bool LinkTour::learn(const TourProblem& problem, const Tour& tour) {
 
 std::vector<DrivenStroke> LinkTour::order() {
   if (strokes_.empty()) return {};
-  const FunctionCost costs([this](PatternId from, PatternId to) { return cost(from, to); }, true);
+  const FunctionCost costs([this](PatternId from, PatternId to) { return cost(from, to); }, true,
+                           table_.empty() ? ends() : std::vector<ConnectionCost::Ends>{});
   const TourProblem problem(costs, counts_, reverse_);
-  Tour tour = from_start(problem, solve_tour(problem, context_));
+  const std::uint64_t n = strokes_.size(), kicks = std::max(kKicks, std::min(20 * n, kKicks + n));
+  Tour tour = from_start(problem, solve_tour(problem, context_, {.kicks = kicks}));
   for (int round = 0; round < kRounds && learn(problem, tour); ++round)
-    tour = from_start(problem, improved_tour(problem, tour, context_, {.kicks = 20 * strokes_.size()}));
+    tour = from_start(problem, improved_tour(problem, tour, context_, {.kicks = std::min(20 * n, kKicks)}));
   return driven(problem, tour);
 }
 

@@ -56,6 +56,7 @@ class LinkTour {
   Polyline points(const Pass& pass) const;
   double bound(PatternId from, PatternId to) const;
   double cost(PatternId from, PatternId to) const;
+  std::vector<ConnectionCost::Ends> ends() const;
   void set_cost(PatternId from, PatternId to, double metres);
   /// Tests the connections of the tour; false if all were known.
   bool learn(const TourProblem& problem, const Tour& tour);

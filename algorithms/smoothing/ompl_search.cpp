@@ -60,7 +60,7 @@ class CarStateSpace : public ob::SE2StateSpace {
   explicit CarStateSpace(const CarSpace& space) : space_(space) {}
   double distance(const ob::State* a, const ob::State* b) const override {
     ++curves_;
-    return space_.shortest(pose_of(a), pose_of(b)).length();
+    return space_.least_length(pose_of(a), pose_of(b));
   }
   /// How many there were: nearly all the time goes into them.
   std::size_t curves() const { return curves_; }

@@ -77,14 +77,17 @@ class StraightCost final : public ConnectionCost {
 class FunctionCost final : public ConnectionCost {
  public:
   using Function = std::function<double(PatternId from, PatternId to)>;
-  /// `symmetric`: see ConnectionCost::symmetric, which is not checked.
-  FunctionCost(Function f, bool symmetric) : f_(std::move(f)), symmetric_(symmetric) {}
+  /// `symmetric`: see ConnectionCost::symmetric, which is not checked. `ends`: if costs grow with straight distance.
+  FunctionCost(Function f, bool symmetric, std::vector<Ends> ends = {})
+      : f_(std::move(f)), symmetric_(symmetric), ends_(std::move(ends)) {}
   double operator()(PatternId from, PatternId to) const override { return f_(from, to); }
   bool symmetric(const std::vector<PatternId>&) const override { return symmetric_; }
+  const std::vector<Ends>* ends() const override { return ends_.empty() ? nullptr : &ends_; }
 
  private:
   Function f_;
   bool symmetric_;
+  std::vector<Ends> ends_;
 };
 
 }  // namespace oxturn
