@@ -26,6 +26,7 @@
 //             5. Not the same on a scaled map: the robot's speed and acceleration do not scale with it.
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <string>
 #include <utility>
@@ -51,7 +52,7 @@ constexpr double kChord = 0.01;           // tool widths: error of arcs, and by 
 constexpr double kShortestStretch = 0.5;  // tool widths
 constexpr double kWorkLink = 2;           // tool widths: shorter links are driven with the tool on
 constexpr double kDetour = 3;             // straight distances, and
-constexpr double kDetourMore = 10;        // tool widths: a path that is not longer than both counts as straight
+constexpr double kDetourMore = 10;         // tool widths: a path that is not longer than both counts as straight
 constexpr double kMostEffort = 2e6;       // of a block: vertices times area in squares of the tool's width
 
 enum class Links { path, straight };  // in the order of their names in field_predictive()
@@ -97,13 +98,13 @@ class Piece {
   const Box& box() const { return box_; }
   bool contains(const Point& p) const { return box_.contains(p) && index_.contains(p); }
 
-  /// `at`: where the robot is.
+  /// `at`: where the robot is. `rounds` gets the stretches that begin there, and keeps them.
   template <class F>
-  void for_each_stretch(const Point& at, F f) const {
+  void for_each_stretch(const Point& at, std::deque<Stretch>& rounds, F f) const {
     for (const Stretch& s : stretches_) f(s);
     for (const auto& [ring, round] : smooth_) {
       const std::size_t nearest = nearest_vertex(ring, at);
-      f(stretch_of(ring, nearest, nearest, round));
+      f(rounds.emplace_back(stretch_of(ring, nearest, nearest, round)));
     }
   }
 
@@ -245,7 +246,8 @@ class PredictiveDrive {
   /// The stretch of greatest value, in the sense in which it is driven; empty if none is left. Of equal values the
   /// first.
   Polyline best_line() {
-    std::vector<Candidate> candidates = this->candidates(), hidden;
+    std::deque<Stretch> rounds;
+    std::vector<Candidate> candidates = this->candidates(rounds), hidden;
     const auto later = [](const Candidate& a, const Candidate& b) {
       return a.bound != b.bound ? a.bound < b.bound : a.number > b.number;
     };
@@ -254,8 +256,8 @@ class PredictiveDrive {
     while (!candidates.empty() && candidates.front().bound >= best.bound && candidates.front().bound > 0) {
       std::ranges::pop_heap(candidates, later);
       Candidate& next = candidates.back();
-      next.share_beside = share_beside(next.stretch.points);
-      next.bound = value(next.stretch, distance(path_.at(), next.begin()), next.share_beside);
+      next.share_beside = share_beside(next.stretch->points);
+      next.bound = value(*next.stretch, distance(path_.at(), next.begin()), next.share_beside);
       if (next.bound >= best.bound) {
         if (links_by_path_ && !connector_.straight(path_.at(), next.begin()))
           hidden.push_back(std::move(next));
@@ -265,7 +267,9 @@ class PredictiveDrive {
       candidates.pop_back();
     }
     find_hidden(hidden, best);
-    return best.reversed ? Polyline(best.stretch.points.rbegin(), best.stretch.points.rend()) : best.stretch.points;
+    if (best.stretch == nullptr) return {};
+    const Polyline& line = best.stretch->points;
+    return best.reversed ? Polyline(line.rbegin(), line.rend()) : line;
   }
 
   struct Candidate;
@@ -286,7 +290,7 @@ class PredictiveDrive {
     const auto look_no_farther_than_needed = [&] {
       longest = 0;
       for (const Candidate& c : hidden)
-        longest = std::max(longest, longest_link(c.stretch, best.bound, c.share_beside));
+        longest = std::max(longest, longest_link(*c.stretch, best.bound, c.share_beside));
     };
     look_no_farther_than_needed();
     std::size_t waiting = in_triangle.size();
@@ -296,7 +300,7 @@ class PredictiveDrive {
         Candidate& c = hidden[k->second];
         const double straight = distance(path_.at(), c.begin());
         const double wave = wave_.metres(t) + distance(wave_.entered_at(t), c.begin());
-        c.bound = value(c.stretch, wave > farthest_near(straight) ? wave : straight, c.share_beside);
+        c.bound = value(*c.stretch, wave > farthest_near(straight) ? wave : straight, c.share_beside);
         if (c.bound > best.bound) best = c, look_no_farther_than_needed();
         --waiting;
       }
@@ -306,23 +310,24 @@ class PredictiveDrive {
 
   /// A stretch in one sense.
   struct Candidate {
-    Stretch stretch = {};
+    const Stretch* stretch = nullptr;
     bool reversed = false;
     double bound;        // of its value: if the drive there is straight and all beside it is uncovered
     std::size_t number;  // in the order of the pieces and their stretches
     double share_beside = 1;
-    const Point& begin() const { return reversed ? stretch.points.back() : stretch.points.front(); }
+    const Point& begin() const { return reversed ? stretch->points.back() : stretch->points.front(); }
   };
-  std::vector<Candidate> candidates() const {
+  /// `rounds` gets those that no piece keeps.
+  std::vector<Candidate> candidates(std::deque<Stretch>& rounds) const {
     std::vector<Candidate> found;
     const auto add = [&](const Stretch& s) {
       if (s.metres < kShortestStretch * width_) return;
       for (const bool reversed : {false, true}) {
-        found.push_back({.stretch = s, .reversed = reversed, .bound = 0, .number = found.size()});
+        found.push_back({.stretch = &s, .reversed = reversed, .bound = 0, .number = found.size()});
         found.back().bound = value(s, distance(path_.at(), found.back().begin()), 1);
       }
     };
-    for (const Piece& piece : left_) piece.for_each_stretch(path_.at(), add);
+    for (const Piece& piece : left_) piece.for_each_stretch(path_.at(), rounds, add);
     return found;
   }
 
