@@ -13,8 +13,10 @@
 //                what is uncovered, as the source's insets are.
 //             2. A stretch is a part of that boundary between turns above 45 degrees, driven in either sense. Its value
 //                is that of the better of two routes: the whole round that begins with it, or it and a swath back
-//                beside it; area over time, turns and the straight drive there included. Where fewer than two tool
-//                widths are left beside a stretch, the swath back covers what is there.
+//                beside it; area over time, turns and the drive there included. Where fewer than two tool widths are
+//                left beside a stretch, the swath back covers what is there. links = path (ours): the drive there is
+//                a path if that is far longer than straight; links = straight (source) ignores walls: in rooms half of
+//                all metres are links.
 //             3. Stretches shorter than half a tool width are not driven. Uncovered bands narrower than the tool, where
 //                no disc fits, are left to repair.
 //             4. Every choice looks at all of what is left, in time that grows as the square of the area. Large regions
@@ -24,6 +26,9 @@
 //             5. Not the same on a scaled map: the robot's speed and acceleration do not scale with it.
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,6 +37,7 @@
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/polygon/cell_strips.hpp"
 #include "algorithms/polygon/halves.hpp"
+#include "algorithms/transit/mesh_wave.hpp"
 #include "algorithms/transit/short_segments.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -45,9 +51,14 @@ constexpr double kTurn = kPi / 4;         // a stretch ends at sharper turns
 constexpr double kChord = 0.01;           // tool widths: error of arcs, and by which what is left is simplified
 constexpr double kShortestStretch = 0.5;  // tool widths
 constexpr double kWorkLink = 2;           // tool widths: shorter links are driven with the tool on
+constexpr double kDetour = 3;             // straight distances, and
+constexpr double kDetourMore = 10;         // tool widths: a path that is not longer than both counts as straight
 constexpr double kMostEffort = 2e6;       // of a block: vertices times area in squares of the tool's width
 
+enum class Links { path, straight };  // in the order of their names in field_predictive()
+
 struct Params {
+  Links links = Links::path;
   bool repair = true;
   bool blocks = true;
 };
@@ -87,13 +98,13 @@ class Piece {
   const Box& box() const { return box_; }
   bool contains(const Point& p) const { return box_.contains(p) && index_.contains(p); }
 
-  /// `at`: where the robot is.
+  /// `at`: where the robot is. `rounds` gets the stretches that begin there, and keeps them.
   template <class F>
-  void for_each_stretch(const Point& at, F f) const {
+  void for_each_stretch(const Point& at, std::deque<Stretch>& rounds, F f) const {
     for (const Stretch& s : stretches_) f(s);
     for (const auto& [ring, round] : smooth_) {
       const std::size_t nearest = nearest_vertex(ring, at);
-      f(stretch_of(ring, nearest, nearest, round));
+      f(rounds.emplace_back(stretch_of(ring, nearest, nearest, round)));
     }
   }
 
@@ -123,11 +134,13 @@ class Piece {
 
 class PredictiveDrive {
  public:
-  PredictiveDrive(const Problem& problem, const Connector& connector)
-      : robot_(problem.robot()),
+  PredictiveDrive(const Problem& problem, const Connector& connector, bool links_by_path)
+      : links_by_path_(links_by_path),
+        robot_(problem.robot()),
         width_(robot_.tool_width),
         walls_(problem.walls()),
         connector_(connector),
+        wave_(problem),
         path_(problem.start()) {}
 
   /// Drives what earlier calls left of the region.
@@ -230,25 +243,92 @@ class PredictiveDrive {
     driven_.emplace_back(box, line);
   }
 
-  /// The stretch of greatest value, in the sense in which it is driven; empty if none is left.
-  Polyline best_line() const {
-    Polyline best;
-    double most = 0;
-    const auto consider = [&](const Stretch& s) {
+  /// The stretch of greatest value, in the sense in which it is driven; empty if none is left. Of equal values the
+  /// first.
+  Polyline best_line() {
+    std::deque<Stretch> rounds;
+    std::vector<Candidate> candidates = this->candidates(rounds), hidden;
+    const auto later = [](const Candidate& a, const Candidate& b) {
+      return a.bound != b.bound ? a.bound < b.bound : a.number > b.number;
+    };
+    std::ranges::make_heap(candidates, later);
+    Candidate best{.bound = 0, .number = 0};
+    while (!candidates.empty() && candidates.front().bound >= best.bound && candidates.front().bound > 0) {
+      std::ranges::pop_heap(candidates, later);
+      Candidate& next = candidates.back();
+      next.share_beside = share_beside(next.stretch->points);
+      next.bound = value(*next.stretch, distance(path_.at(), next.begin()), next.share_beside);
+      if (next.bound >= best.bound) {
+        if (links_by_path_ && !connector_.straight(path_.at(), next.begin()))
+          hidden.push_back(std::move(next));
+        else
+          keep_better(best, next);
+      }
+      candidates.pop_back();
+    }
+    find_hidden(hidden, best);
+    if (best.stretch == nullptr) return {};
+    const Polyline& line = best.stretch->points;
+    return best.reversed ? Polyline(line.rbegin(), line.rend()) : line;
+  }
+
+  struct Candidate;
+  static void keep_better(Candidate& best, Candidate& next) {
+    if (next.bound > best.bound || (next.bound == best.bound && next.number < best.number)) best = std::move(next);
+  }
+
+  /// Looks among the candidates to which the way is not straight for a better one: a wave finds those near by path.
+  void find_hidden(std::vector<Candidate>& hidden, Candidate& best) {
+    std::erase_if(hidden, [&](const Candidate& c) { return c.bound < best.bound; });
+    const auto from = wave_.triangle_of(path_.at());
+    if (hidden.empty() || !from) return;
+    std::vector<std::pair<std::size_t, std::size_t>> in_triangle;  // and the number in `hidden`
+    for (std::size_t k = 0; k < hidden.size(); ++k)
+      if (const auto t = wave_.triangle_of(hidden[k].begin())) in_triangle.emplace_back(*t, k);
+    std::ranges::sort(in_triangle);
+    double longest = 0;
+    const auto look_no_farther_than_needed = [&] {
+      longest = 0;
+      for (const Candidate& c : hidden)
+        longest = std::max(longest, longest_link(*c.stretch, best.bound, c.share_beside));
+    };
+    look_no_farther_than_needed();
+    std::size_t waiting = in_triangle.size();
+    wave_.spread(path_.at(), *from, [&](std::size_t t) {
+      for (auto k = std::ranges::lower_bound(in_triangle, std::pair(t, std::size_t{0})); k != in_triangle.end(); ++k) {
+        if (k->first != t) break;
+        Candidate& c = hidden[k->second];
+        const double straight = distance(path_.at(), c.begin());
+        const double wave = wave_.metres(t) + distance(wave_.entered_at(t), c.begin());
+        c.bound = value(*c.stretch, wave > farthest_near(straight) ? wave : straight, c.share_beside);
+        if (c.bound > best.bound) best = c, look_no_farther_than_needed();
+        --waiting;
+      }
+      return waiting == 0 || wave_.metres(t) > farthest_near(longest);
+    });
+  }
+
+  /// A stretch in one sense.
+  struct Candidate {
+    const Stretch* stretch = nullptr;
+    bool reversed = false;
+    double bound;        // of its value: if the drive there is straight and all beside it is uncovered
+    std::size_t number;  // in the order of the pieces and their stretches
+    double share_beside = 1;
+    const Point& begin() const { return reversed ? stretch->points.back() : stretch->points.front(); }
+  };
+  /// `rounds` gets those that no piece keeps.
+  std::vector<Candidate> candidates(std::deque<Stretch>& rounds) const {
+    std::vector<Candidate> found;
+    const auto add = [&](const Stretch& s) {
       if (s.metres < kShortestStretch * width_) return;
-      // The drive there and what is covered beside the stretch only lower the value.
       for (const bool reversed : {false, true}) {
-        const double there = distance(path_.at(), reversed ? s.points.back() : s.points.front()) / robot_.speed;
-        if (most > 0 && value(s, there, 1) <= most) continue;
-        const double v = value(s, there, share_beside(s.points));
-        if (v <= most) continue;
-        most = v;
-        best = s.points;
-        if (reversed) std::ranges::reverse(best);
+        found.push_back({.stretch = &s, .reversed = reversed, .bound = 0, .number = found.size()});
+        found.back().bound = value(s, distance(path_.at(), found.back().begin()), 1);
       }
     };
-    for (const Piece& piece : left_) piece.for_each_stretch(path_.at(), consider);
-    return best;
+    for (const Piece& piece : left_) piece.for_each_stretch(path_.at(), rounds, add);
+    return found;
   }
 
   /// Of a line a tool width inside a stretch, how much lies in what is left; sampled every tool width.
@@ -267,17 +347,32 @@ class PredictiveDrive {
   }
 
   /// Of the better of both routes: the whole round, or the stretch and a swath back, of which a share covers anything.
-  double value(const Stretch& s, double there, double back_share) const {
-    const double round = s.round_metres / (there + s.round_metres / robot_.speed + s.round_turns / robot_.turn_rate);
-    const double back =
-        s.metres * (1 + back_share) / (there + 2 * s.metres / robot_.speed + seconds_to_next_lane(robot_));
+  double value(const Stretch& s, double metres_there, double back_share) const {
+    const double there = metres_there / robot_.speed;
+    const double round = s.round_metres / (there + round_seconds(s));
+    const double back = s.metres * (1 + back_share) / (there + back_seconds(s));
     return width_ * std::max(round, back);
   }
+  /// How long the path over midpoints of triangles may be to what is straight near.
+  double farthest_near(double straight) const { return kDetour * straight + kDetourMore * width_; }
+  /// Metres there with which the value is not less than `least`.
+  double longest_link(const Stretch& s, double least, double back_share) const {
+    if (!(least > 0)) return std::numeric_limits<double>::infinity();
+    const double round = width_ * s.round_metres / least - round_seconds(s);
+    const double back = width_ * s.metres * (1 + back_share) / least - back_seconds(s);
+    return (1 + 1e-9) * robot_.speed * std::max(round, back);
+  }
+  double round_seconds(const Stretch& s) const {
+    return s.round_metres / robot_.speed + s.round_turns / robot_.turn_rate;
+  }
+  double back_seconds(const Stretch& s) const { return 2 * s.metres / robot_.speed + seconds_to_next_lane(robot_); }
 
+  bool links_by_path_;
   const Robot& robot_;
   double width_;
   const EdgeIndex& walls_;
   const Connector& connector_;
+  MeshWave wave_;
   PathBuilder path_;
   bool begun_ = false;
   std::vector<Piece> left_;
@@ -286,7 +381,7 @@ class PredictiveDrive {
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const Connector connector(problem);
-  PredictiveDrive drive(problem, connector);
+  PredictiveDrive drive(problem, connector, p.links == Links::path);
   const double w = problem.robot().tool_width;
   const auto small = [&](const Region& block) {
     return !p.blocks || static_cast<double>(vertex_count(block)) * area(block) <= kMostEffort * w * w;
@@ -309,10 +404,12 @@ PlannerInfo field_predictive() {
        .guarantee = "covers the whole target (with repair; along traced walls but for 0.0005 of it)",
        .promise = Promise::target,
        .symmetries = {Symmetry::shift},
-       .parameters = {{"repair", &Params::repair, "cover what is left where the tool no longer fits"},
+       .parameters = {{"links", &Params::links, Choices{"path", "straight"},
+                       "how far a stretch is, when the next one is chosen: around walls, or straight there"},
+                      {"repair", &Params::repair, "cover what is left where the tool no longer fits"},
                       {"blocks", &Params::blocks,
                        "large regions in blocks, one after the other; off: as in the source"}},
-       .published = {{"repair", false}, {"blocks", false}},
+       .published = {{"links", std::string("straight")}, {"repair", false}, {"blocks", false}},
        .promises_with = [](const Params& p) { return p.repair; }});
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
@@ -16,7 +15,10 @@ constexpr double kSameTime = 1e-9;  // metres
 }  // namespace
 
 MovingRings::MovingRings(StraightSkeleton skeleton)
-    : skeleton_(std::move(skeleton)), at_node_(skeleton_.nodes.size()), seen_(skeleton_.arcs.size(), 0) {
+    : skeleton_(std::move(skeleton)),
+      at_node_(skeleton_.nodes.size()),
+      seen_(skeleton_.arcs.size(), 0),
+      end_in_face_(skeleton_.directions.size(), kNone) {
   for (std::size_t a = 0; a < skeleton_.arcs.size(); ++a) {
     at_node_[skeleton_.arcs[a].low].push_back(a);
     at_node_[skeleton_.arcs[a].high].push_back(a);
@@ -47,22 +49,28 @@ Polyline MovingRings::closed(const MovingRing& ring, double time) const {
 /// segments, two by two.
 std::vector<MovingRing> MovingRings::linked(const std::vector<std::size_t>& arcs, double time) const {
   struct End {
-    std::size_t face;
     double along;
-    std::size_t arc;  // its position in `arcs`
+    std::size_t arc;   // its position in `arcs`
+    std::size_t more;  // another end in the same face
   };
   std::vector<End> ends;
   ends.reserve(2 * arcs.size());
+  std::vector<std::size_t> faces;
   for (std::size_t k = 0; k < arcs.size(); ++k) {
     const Point p = at(arcs[k], time);
-    for (const std::size_t f : skeleton_.arcs[arcs[k]].faces) ends.push_back({f, p.dot(skeleton_.directions[f]), k});
+    for (const std::size_t f : skeleton_.arcs[arcs[k]].faces) {
+      if (end_in_face_[f] == kNone) faces.push_back(f);
+      ends.push_back({p.dot(skeleton_.directions[f]), k, std::exchange(end_in_face_[f], ends.size())});
+    }
   }
-  std::ranges::sort(ends, {}, [](const End& e) { return std::tuple(e.face, e.along, e.arc); });
   std::vector<std::size_t> next(arcs.size(), kNone);
-  for (std::size_t k = 0; k + 1 < ends.size();) {
-    const bool segment = ends[k].face == ends[k + 1].face;
-    if (segment) next[ends[k].arc] = ends[k + 1].arc;
-    k += segment ? 2 : 1;
+  std::vector<End> in_face;
+  for (const std::size_t f : faces) {
+    in_face.clear();
+    for (std::size_t e = std::exchange(end_in_face_[f], kNone); e != kNone; e = ends[e].more)
+      in_face.push_back(ends[e]);
+    std::ranges::sort(in_face, {}, [](const End& e) { return std::pair(e.along, e.arc); });
+    for (std::size_t k = 0; k + 1 < in_face.size(); k += 2) next[in_face[k].arc] = in_face[k + 1].arc;
   }
   std::vector<MovingRing> rings;
   std::vector<bool> used(arcs.size(), false);
@@ -154,16 +162,32 @@ void MovingRings::find_branches() {
   }
 }
 
-bool MovingRings::single(const MovingRing& ring, double time, double to) const {
+/// The branch that a ring of one time belongs to.
+std::size_t MovingRings::branch_at(const MovingRing& ring, double time) const {
   std::size_t branch = branch_[skeleton_.arcs[ring.arcs.front()].high];
   while (branches_[branch].whole && branches_[*branches_[branch].whole].end > time) branch = *branches_[branch].whole;
+  return branch;
+}
+
+/// How many of a branch's parts have not vanished at a later time.
+std::ptrdiff_t MovingRings::parts_left(std::size_t branch, double to) const {
+  return std::ranges::count_if(branches_[branch].parts, [&](std::size_t part) { return branches_[part].last > to; });
+}
+
+bool MovingRings::single(const MovingRing& ring, double time, double to) const {
+  std::size_t branch = branch_at(ring, time);
   while (branches_[branch].end <= to) {
-    const auto left = [&](std::size_t part) { return branches_[part].last > to; };
-    const std::vector<std::size_t>& parts = branches_[branch].parts;
-    if (std::ranges::count_if(parts, left) != 1) return false;
-    branch = *std::ranges::find_if(parts, left);
+    if (parts_left(branch, to) != 1) return false;
+    branch =
+        *std::ranges::find_if(branches_[branch].parts, [&](std::size_t part) { return branches_[part].last > to; });
   }
   return true;
+}
+
+std::optional<double> MovingRings::split_until(const MovingRing& ring, double time, double to) const {
+  const std::size_t branch = branch_at(ring, time);
+  if (branches_[branch].end > to || parts_left(branch, to) < 2) return std::nullopt;
+  return branches_[branch].end;
 }
 
 std::optional<std::size_t> MovingRings::follow(std::size_t arc, double to) const {

@@ -34,6 +34,8 @@ class MovingRings {
   std::vector<MovingRing> advance(const MovingRing& ring, double to) const;
   /// Is a ring of one time a single one at a later time? Other than advance(), without looking at all of it.
   bool single(const MovingRing& ring, double time, double to) const;
+  /// When a ring of one time splits, if it is not single from then on until a later time. Without looking at all of it.
+  std::optional<double> split_until(const MovingRing& ring, double time, double to) const;
   /// A vertex of a ring at a later time, if it exists then.
   std::optional<Point> later(std::size_t arc, double to) const;
   /// The arc that continues it, if any.
@@ -47,6 +49,8 @@ class MovingRings {
   std::vector<MovingRing> linked(const std::vector<std::size_t>& arcs, double time) const;
   std::vector<std::size_t> followed(const std::vector<std::size_t>& arcs, double to, bool first_only) const;
   void find_branches();
+  std::size_t branch_at(const MovingRing& ring, double time) const;
+  std::ptrdiff_t parts_left(std::size_t branch, double to) const;
 
   /// A part of the polygon's inside as it shrinks, until it splits into `parts` or vanishes.
   struct Branch {
@@ -63,6 +67,7 @@ class MovingRings {
   std::vector<std::size_t> branch_;          // that ends at a node or passes it, by node
   mutable std::vector<std::uint32_t> seen_;  // by arc: the last walk that came by
   mutable std::uint32_t walks_ = 0;
+  mutable std::vector<std::size_t> end_in_face_;  // of linked(): the last one, by face; none between calls
 };
 
 }  // namespace oxturn

@@ -25,6 +25,7 @@
 #include "algorithms/polygon/skeleton_spiral.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -95,6 +96,7 @@ class SkeletonSpirals {
 
   /// Drives a part until it splits or vanishes, and returns what it splits into.
   std::vector<Part> fill(Part part, const Context& context) {
+    if (splits_at_once(part)) return parts_of(part.ring, part.time + kLeastStep * spacing_, part.closed);
     Lap lap = measured(turned_to(std::move(part.ring), part.time), part.time);
     double t = part.time, end = std::max(part.closed + growth_of(lap, t), t + kLeastStep * spacing_);
     bool spiralled = false;
@@ -111,6 +113,20 @@ class SkeletonSpirals {
     return children(lap.ring, t, end, spiralled ? t : part.closed);
   }
 
+  /// Does the part split so soon that children() finds it split after the least step, whatever the laps' growth?
+  /// Without looking at all of the ring, as there may be thousands of such parts.
+  bool splits_at_once(const Part& part) const {
+    const double least = part.time + kLeastStep * spacing_, latest = std::max(part.closed + spacing_, least);
+    const auto split = rings_.split_until(part.ring, part.time, latest);
+    return split && *split + (latest - part.time) / (1 << kBisections) < least;
+  }
+
+  std::vector<Part> parts_of(const MovingRing& ring, double time, double closed) const {
+    std::vector<Part> parts;
+    for (MovingRing& child : rings_.advance(ring, time)) parts.push_back({std::move(child), time, closed});
+    return parts;
+  }
+
   /// What a ring has split into soon after it is no longer one.
   std::vector<Part> children(const MovingRing& ring, double time, double end, double closed) const {
     double before = time, after = end;
@@ -118,10 +134,7 @@ class SkeletonSpirals {
       const double middle = (before + after) / 2;
       (rings_.single(ring, time, middle) ? before : after) = middle;
     }
-    after = std::max(after, time + kLeastStep * spacing_);
-    std::vector<Part> parts;
-    for (MovingRing& child : rings_.advance(ring, after)) parts.push_back({std::move(child), after, closed});
-    return parts;
+    return parts_of(ring, std::max(after, time + kLeastStep * spacing_), closed);
   }
 
   /// One lap, the offset of which grows.
@@ -174,9 +187,11 @@ class SkeletonSpirals {
 
   /// The ring begins at the vertex nearest to the robot.
   MovingRing turned_to(MovingRing ring, double time) const {
-    const auto nearest =
-        std::ranges::min_element(ring.arcs, {}, [&](std::size_t a) { return distance(rings_.at(a, time), at_); });
-    std::ranges::rotate(ring.arcs, nearest);
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < ring.arcs.size(); ++k)
+      if (const double far = distance(rings_.at(ring.arcs[k], time), at_); far < least) least = far, nearest = k;
+    std::ranges::rotate(ring.arcs, ring.arcs.begin() + static_cast<std::ptrdiff_t>(nearest));
     return ring;
   }
 
@@ -199,13 +214,14 @@ class SkeletonSpirals {
   }
 
   void push_nearest_last(std::vector<Part>& open, std::vector<Part> parts) const {
-    const auto far = [&](const Part& part) {
-      double least = 1e300;
+    std::vector<std::pair<double, std::size_t>> order;  // metres from the robot, part
+    for (const Part& part : parts) {
+      double least = std::numeric_limits<double>::infinity();
       for (const std::size_t a : part.ring.arcs) least = std::min(least, distance(rings_.at(a, part.time), at_));
-      return least;
-    };
-    std::ranges::stable_sort(parts, std::greater<>{}, far);
-    for (Part& part : parts) open.push_back(std::move(part));
+      order.emplace_back(least, order.size());
+    }
+    std::ranges::stable_sort(order, std::greater<>{}, [](const auto& far) { return far.first; });
+    for (const auto& [far, k] : order) open.push_back(std::move(parts[k]));
   }
 
   void drive(const Polyline& line) {

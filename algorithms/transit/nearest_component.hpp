@@ -13,8 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/graph_search.hpp"
-#include "maps/problem.hpp"
+#include "algorithms/transit/mesh_wave.hpp"
 
 namespace oxturn {
 
@@ -46,11 +45,9 @@ class NearestComponent {
   std::vector<Entry> candidates(const Point& p, std::size_t triangle);
 
   const Problem& problem_;
-  const Mesh& mesh_;
+  MeshWave wave_;
   std::vector<std::vector<Entry>> entries_;  // by triangle
   std::vector<bool> removed_;
-  SearchTree<double> wave_;
-  std::vector<Point> entered_at_;  // by triangle: where the wave came in
 };
 
 }  // namespace oxturn

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "geometry/mesh/cgal_guard.hpp"
 #include "geometry/mesh/split_candidates.hpp"
@@ -209,25 +209,39 @@ void enter(Builder& builder, const Ring& ring) {
   builder.enter_contour(points.begin(), points.end());
 }
 
+/// The position of each of CGAL's items in their order, by the items' numbers.
+template <class Items>
+std::vector<std::size_t> positions(Items begin, Items end) {
+  std::vector<std::size_t> positions;
+  std::size_t position = 0;
+  for (auto item = begin; item != end; ++item) {
+    const auto id = static_cast<std::size_t>(item->id());
+    if (positions.size() <= id) positions.resize(id + 1);
+    positions[id] = position++;
+  }
+  return positions;
+}
+
 StraightSkeleton converted(const Skeleton& skeleton) {
   StraightSkeleton result;
-  std::map<int, std::size_t> node, face;  // by CGAL's number
-  for (auto v = skeleton.vertices_begin(); v != skeleton.vertices_end(); ++v) {
-    node[v->id()] = result.nodes.size();
+  const std::vector<std::size_t> node = positions(skeleton.vertices_begin(), skeleton.vertices_end()),
+                                 face = positions(skeleton.faces_begin(), skeleton.faces_end());
+  for (auto v = skeleton.vertices_begin(); v != skeleton.vertices_end(); ++v)
     result.nodes.push_back({to_point(v->point()), v->time()});
-  }
   for (auto f = skeleton.faces_begin(); f != skeleton.faces_end(); ++f) {
     const auto edge = f->halfedge()->defining_contour_edge();
     const Point a = to_point(edge->opposite()->vertex()->point()), b = to_point(edge->vertex()->point());
-    face[f->id()] = result.directions.size();
     result.directions.push_back((b - a).normalized());
   }
+  const auto at = [](const std::vector<std::size_t>& positions, int id) {
+    return positions[static_cast<std::size_t>(id)];
+  };
   for (auto h = skeleton.halfedges_begin(); h != skeleton.halfedges_end(); ++h) {
     const auto o = h->opposite();
     if (!h->is_bisector() || h->id() > o->id()) continue;
-    std::size_t low = node.at(o->vertex()->id()), high = node.at(h->vertex()->id());
+    std::size_t low = at(node, o->vertex()->id()), high = at(node, h->vertex()->id());
     if (result.nodes[low].time > result.nodes[high].time) std::swap(low, high);
-    result.arcs.push_back({low, high, {face.at(h->face()->id()), face.at(o->face()->id())}});
+    result.arcs.push_back({low, high, {at(face, h->face()->id()), at(face, o->face()->id())}});
   }
   return result;
 }

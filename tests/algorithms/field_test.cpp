@@ -169,6 +169,16 @@ TEST(FieldPredictive, BlocksLeaveNothingBetweenThem) {
   EXPECT_LT(blocks.length(), 1.08 * whole.length());
 }
 
+// What is behind a wall is not near: rooms are finished one after the other.
+TEST(FieldPredictive, StaysInARoomUntilItIsDone) {
+  const Problem p(generate("rooms", {{"width", 14.0}, {"height", 14.0}, {"rooms", std::int64_t{10}}}, 1),
+                  disc(0.2, 0.4));
+  const Path path = plan("field-predictive", p);
+  const Path straight = plan("field-predictive", p, {{"links", std::string("straight")}});
+  expect_valid(p, path);
+  EXPECT_LT(path.length(), 0.9 * straight.length());
+}
+
 TEST(FieldPlanners, ShiftedMapsTakeAboutTheSameLength) {
   const Map map = generate("field", {{"width", 16.0}, {"height", 11.0}}, 3);
   for (const char* name : {"field", "field-predictive"}) {
