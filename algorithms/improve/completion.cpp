@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "algorithms/improve/stops.hpp"
+#include "algorithms/improve/detours.hpp"
 #include "algorithms/lanes/inner_space.hpp"
 #include "algorithms/lanes/repair.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -19,7 +19,10 @@ constexpr double kReach = 0.5 - 1e-3;                // from which a stop covers
 constexpr double kNegligible = 1e-6;                 // pieces of less area
 constexpr double kMostSlack = 1.5e-4, kSlack = 0.6;  // shares of the target, and of what may stay uncovered
 constexpr double kShortestPart = 0.05;               // of a piece
-constexpr int kPasses = 2;                           // of stops
+constexpr double kLongestPiece = 1;                  // to be covered at once
+constexpr double kNoticed = 1e-3;                    // smaller pieces, of what may stay uncovered, get no strokes
+constexpr int kPasses = 3;                           // of detours
+constexpr double kShort = 1.02;                      // times the path's length: no other detours are tried
 constexpr int kRepairs = 4;                          // until the share is reached, at most
 
 /// The piece cut in halves until none is longer than `most`.
@@ -42,10 +45,21 @@ double part_length(const Polygon& piece, double width) {
   return std::max(2 * std::sqrt(thickness * width), kShortestPart * width);
 }
 
-std::vector<Polygon> parts_of(const Region& uncovered, double width) {
-  std::vector<Polygon> parts;
-  for (const Polygon& piece : uncovered.polygons) add_parts(piece, part_length(piece, width), parts);
-  return parts;
+/// Long pieces in parts, and each of them in smaller ones.
+std::vector<ToCover> in_parts(const Region& uncovered, double width) {
+  std::vector<Polygon> pieces;
+  for (const Polygon& piece : uncovered.polygons) add_parts(piece, kLongestPiece * width, pieces);
+  std::vector<ToCover> all;
+  for (const Polygon& piece : pieces) {
+    all.push_back({piece, {}});
+    add_parts(piece, part_length(piece, width), all.back().parts);
+  }
+  return all;
+}
+std::vector<ToCover> as_they_are(const Region& uncovered) {
+  std::vector<ToCover> all;
+  for (const Polygon& piece : uncovered.polygons) all.push_back({piece, {piece}});
+  return all;
 }
 
 }  // namespace
@@ -92,19 +106,31 @@ Region Completion::needed(Region uncovered) const {
 }
 
 Polyline Completion::completed(Polyline points, Region left, Context& context) const {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  // Where everything is asked for, strokes would be made along seams, which repaired() ignores.
+  Polyline whole = detoured(points, left, coverage_ < 1 ? kNoticed * allowed() : kNone, context);
+  const bool short_enough = length(whole) <= kShort * length(points);
+  if (coverage_ >= 1 || short_enough || context.cancelled()) return whole;
+  Polyline other = detoured(std::move(points), std::move(left), kNone, context);
+  return context.cancelled() || length(whole) <= length(other) ? whole : other;
+}
+
+/// `noticed`: pieces of less area get no strokes.
+Polyline Completion::detoured(Polyline points, Region left, double noticed, Context& context) const {
   Region rest = needed(left);
   for (int pass = 0; pass < kPasses && !rest.empty(); ++pass) {
     const double enough = coverage_ >= 1 ? std::numeric_limits<double>::infinity() : area(left) - allowed();
-    points = with_stops(points, coverage_ < 1 ? parts_of(left, width_) : left.polygons, enough, kReach * width_,
-                        problem_.walls());
+    points = with_detours(points, coverage_ < 1 ? in_parts(left, width_) : as_they_are(left), enough, noticed,
+                          kReach * width_, connector_, problem_.walls());
     left = uncovered(points);
     rest = needed(left);
   }
+  if (rest.empty() || context.cancelled()) return points;
   const auto repair = [&](Region pieces) {
     points = vertices_of(repaired(problem_, driven(points), std::move(pieces), connector_, context), problem_.start());
   };
   if (coverage_ >= 1) {
-    if (!rest.empty() && !context.cancelled()) repair(std::move(rest));
+    repair(std::move(rest));
     return points;
   }
   // Wider and wider, because repaired() ignores seams: they may be ignored only where everything is asked for.

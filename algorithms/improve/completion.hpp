@@ -4,8 +4,9 @@
 ///   completion.uncovered(points);                     // a superset, as a region
 ///   points = completion.completed(points, completion.uncovered(points), context);
 ///
-/// Of the uncovered pieces the smallest stay, as far as the coverage allows. Pieces that one position covers get the
-/// shortest detours there are (stops.hpp), others those of lanes/repair.hpp.
+/// Of the uncovered pieces the smallest stay, as far as the coverage allows. The others get the shortest detours there
+/// are (detours.hpp), and what these leave those of lanes/repair.hpp; where that makes the path much longer, it is
+/// compared with stops and repair alone.
 ///
 /// Guarantee   the path covers the share asked for; if that is 1, less seams thinner than covered_seam() where only
 ///             lanes could reach them
@@ -34,6 +35,7 @@ class Completion {
 
  private:
   Region needed(Region uncovered) const;
+  Polyline detoured(Polyline points, Region left, double noticed, Context& context) const;
 
   const Problem& problem_;
   const Connector connector_;

@@ -20,9 +20,10 @@ namespace {
 // In tool widths.
 constexpr double kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one
 constexpr double kCoarseCell = 1.0 / 20, kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80;
-constexpr double kMargin = 0.003;     // by which the tool is narrower at first, so that lanes can be moved afterwards
-constexpr double kBesideWall = 0.05;  // edges nearer to a wall are moved to it
-constexpr double kStraight = 0.005;   // vertices nearer to their chord are dropped at the beginning
+constexpr double kMargin = 0.003;       // by which the tool is narrower at first, so that lanes can be moved afterwards
+constexpr double kFineMargin = 0.0015;  // in closing: what is thinner than the raster's cells
+constexpr double kBesideWall = 0.05;    // edges nearer to a wall are moved to it
+constexpr double kStraight = 0.005;     // vertices nearer to their chord are dropped at the beginning
 // The price of uncovered area is 1 / w times kPrice at an uncovered share of kPriceAt, and grows with a power of that.
 // Where closing begins, it is kMostPrice times as much at most: at high prices no lane moves any more.
 constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4, kMostPrice = 2.5;
@@ -33,12 +34,12 @@ constexpr double kBrief = 0.06, kClosing = 0.3, kHot = 0.6;
 // Uncovered pieces that are smaller, of what is allowed in all, get no extra moves.
 constexpr double kNoticed = 1e-3;
 // What closing may leave uncovered on the raster, of what is allowed: it misses what is thinner than its cells.
-constexpr double kFirstFactor = 0.5, kLeastFactor = 0.02;
+constexpr double kFirstFactor = 1, kFirstOfStart = 0.5, kLeastFactor = 0.02;
 constexpr double kLeastShift = 0.001, kMostShift = 0.1;  // of vertices in closing
 constexpr int kMostRounds = 10;
 // Of a round, and for each vertex of the path: what it leaves uncovered is found in the time of some moves a vertex.
 constexpr long kLeastMoves = 5000, kLeastMovesEach = 5;
-constexpr double kShortDetours = 1.03;  // times the path's length, of a path with detours that is worth going on with
+constexpr double kShortDetours = 1.3;  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width in the target, of the first ones and of the others, if the user names no
 // number.
 constexpr double kMovesEach = 4000, kMovesOfMore = 100, kFirstSquares = 500;
@@ -101,7 +102,8 @@ class Improver {
         width_(problem.robot().tool_width),
         turn_(weight_of_time(how) * problem.robot().speed / problem.robot().turn_rate),
         share_(std::max(completion_.allowed() / area(problem.target()), kLeastUncovered)),
-        narrow_(nearly_all() ? reachable_target(problem, kMargin * width_, Completion::kChord) : Region{}) {}
+        narrow_(with_margin(kMargin)),
+        less_narrow_(with_margin(kFineMargin)) {}
 
   Path run(const std::vector<Path>& starts) {
     std::vector<Polyline> lines;
@@ -131,15 +133,17 @@ class Improver {
   /// Each round allows as much to be uncovered on the raster as leaves what is allowed uncovered in truth. Where hot
   /// annealing has made a good start longer, as it does with lanes that fit their field, the start is annealed cold.
   void close_in_rounds(Annealed now) {
-    if (cost(now.points) >= cost(best_)) now.points = straightened(best_, kStraight * width_, problem_.walls());
+    const bool cold_start = cost(now.points) >= cost(best_);
+    if (cold_start) now.points = straightened(best_, kStraight * width_, problem_.walls());
+    const double margin = cold_start ? 0 : kFineMargin;  // a start's lanes are as far apart as the tool is wide
     const long least = std::max(kLeastMoves, kLeastMovesEach * static_cast<long>(now.points.size()));
     const int rounds = std::min(kMostRounds, 1 + static_cast<int>(moves(kClosing) / least));
-    double factor = kFirstFactor;
+    double factor = cold_start ? kFirstOfStart : kFirstFactor;
     for (int round = 0; !context_.cancelled(); ++round) {
       if (nearly_all()) now.points = walls_.snapped(now.points, kBesideWall * width_);
       const double missed = close(now);
       if (round == rounds) return;
-      Annealing::Options options = nearly_all() ? raster(kFineCell, 0) : middle();
+      Annealing::Options options = nearly_all() ? raster(kFineCell, margin) : middle();
       if (round > 0) factor = std::clamp(factor * options.uncovered / missed, kLeastFactor, 1.0);
       options.price = std::min(now.price, kMostPrice * options.price);
       options.uncovered *= factor;
@@ -167,11 +171,16 @@ class Improver {
             .turn = turn_,
             .fixed_end = how_.return_home};
   }
+  Region with_margin(double margin) const {
+    return nearly_all() ? reachable_target(problem_, margin * width_, Completion::kChord) : Region{};
+  }
+  const Region& target_of(double radius) const {
+    if (radius >= 0.5 * width_) return completion_.target();
+    return radius > (0.5 - kMargin) * width_ ? less_narrow_ : narrow_;
+  }
   Annealed annealed(const Polyline& points, const Annealing::Options& options, const Annealing::Schedule& schedule,
                     Rng& rng) const {
-    const bool narrow = options.radius < width_ / 2;
-    return oxturn::annealed(problem_, narrow ? narrow_ : completion_.target(), points, options, schedule, focus_, rng,
-                            context_);
+    return oxturn::annealed(problem_, target_of(options.radius), points, options, schedule, focus_, rng, context_);
   }
 
   /// Offers the path. What it leaves uncovered, square metres; it goes on with its detours if these are short.
@@ -224,10 +233,10 @@ class Improver {
   const Completion completion_;
   const WallFollowing walls_;
   double width_;
-  double turn_;               // metres that a turn by a radian counts
-  double share_;              // of the target that annealing may leave uncovered
-  const Region narrow_;       // what the narrower tool can cover
-  std::vector<Point> focus_;  // what the last path that was completed left uncovered
+  double turn_;                        // metres that a turn by a radian counts
+  double share_;                       // of the target that annealing may leave uncovered
+  const Region narrow_, less_narrow_;  // what the narrower tools can cover
+  std::vector<Point> focus_;           // what the last path that was completed left uncovered
   Polyline best_;
 };
 

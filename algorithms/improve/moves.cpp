@@ -14,6 +14,7 @@ constexpr double kOnChord = 1e-7;                    // of a vertex
 constexpr double kPartner = 2.2;                     // distance of vertices for 2-opt and Or-opt
 constexpr double kSnapFrom = 0.1, kTouch = 1e-6;     // from a wall
 constexpr std::uint64_t kMostMoved = 8;              // vertices that Or-opt moves
+constexpr double kLoops = 0.5;                       // share of Or-opt: moves all between two vertices near each other
 
 /// Up to three pairs of neighbours.
 struct Links {
@@ -265,11 +266,13 @@ std::optional<Change> Moves::two_opt(const VertexPath& path, std::size_t i, Rng&
   return change;
 }
 
-/// Some vertices from i on move between the partner and the vertex after it.
+/// Some vertices from i on move between the partner and the vertex after it: a few, or up to one near vertex i, as the
+/// lanes of a loop.
 std::optional<Change> Moves::or_opt(const VertexPath& path, std::size_t i, Rng& rng) const {
   const auto after = partner(path, i, rng);
-  const std::size_t last = i + rng.below(kMostMoved);
-  if (!after || !movable(path, i) || !movable(path, last)) return std::nullopt;
+  const auto last_of_loop = rng.chance(kLoops) ? partner(path, i, rng) : i + rng.below(kMostMoved);
+  const std::size_t last = last_of_loop.value_or(0);
+  if (last < i || !after || !movable(path, i) || !movable(path, last)) return std::nullopt;
   if (*after + 1 >= i && *after <= last) return std::nullopt;
   const bool tail = last + 1 == path.size(), to_end = *after + 1 == path.size();
   if (to_end ? path.fixed(*after) : path.edge_fixed(*after + 1)) return std::nullopt;

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "algorithms/improve/completion.hpp"
+#include "algorithms/improve/detours.hpp"
 #include "algorithms/improve/moves.hpp"
-#include "algorithms/improve/stops.hpp"
 #include "algorithms/improve/wall_following.hpp"
 #include "algorithms/improve/window_part.hpp"
 #include "algorithms/improve/windows.hpp"
@@ -147,17 +147,91 @@ TEST(WallFollowing, FarFromWallsNothingChanges) {
   EXPECT_EQ(WallFollowing(walls).snapped(line, 0.5), line);
 }
 
-// Two squares beside a straight path: the one that takes the shorter detour for its area comes first.
-TEST(Stops, CoverAsMuchAsIsAskedForByTheShortestDetours) {
-  const EdgeIndex walls(box_region({0, 0}, {10, 8}));
+/// A room whose configuration space is 10 x 8 m from the origin on; the tool reaches as far as the robot.
+Problem wide_room() {
+  Robot robot;
+  robot.radius = 0.5;
+  robot.tool_width = 1;
+  return Problem({"room", box_region({-0.5, -0.5}, {10.5, 8.5}), "test", ""}, robot, Point(1, 4));
+}
+
+Polyline detoured(const Problem& problem, const Polyline& path, const std::vector<ToCover>& pieces, double enough) {
+  return with_detours(path, pieces, enough, 0, 0.5, Connector(problem), problem.walls());
+}
+
+double distance_to_line(const Point& p, const Polyline& line) {
+  double least = distance(p, line.front());
+  for (std::size_t i = 1; i < line.size(); ++i) least = std::min(least, distance_to_segment(p, line[i - 1], line[i]));
+  return least;
+}
+
+// Two squares beside a straight path: the one that takes the shorter detour for its area comes first, and where either
+// is enough, only that.
+TEST(Detours, CoverAsMuchAsIsAskedForOnTheShortestLength) {
+  const Problem problem = wide_room();
   const Polyline path{{1, 4}, {9, 4}};
-  const auto square = [](double x, double y) { return box_region({x, y}, {x + 0.1, y + 0.1}).polygons.front(); };
-  const std::vector<Polygon> pieces{square(3, 4.75), square(6, 4.55)};
+  const auto square = [](double x, double y) {
+    const Polygon piece = box_region({x, y}, {x + 0.1, y + 0.1}).polygons.front();
+    return ToCover{piece, {piece}};
+  };
+  const std::vector<ToCover> pieces{square(3, 4.75), square(6, 4.55)};
   const double reach = 0.5;
   const auto detour = [&](double high) { return 2 * (high - 4 - std::sqrt(reach * reach - 0.05 * 0.05)); };
-  EXPECT_NEAR(length(with_stops(path, pieces, 0.005, reach, walls)), 8 + detour(4.65), 1e-6);
-  EXPECT_NEAR(length(with_stops(path, pieces, 1, reach, walls)), 8 + detour(4.65) + detour(4.85), 1e-6);
-  EXPECT_EQ(with_stops(path, pieces, 0, reach, walls), path);
+  EXPECT_NEAR(length(detoured(problem, path, pieces, 0.005)), 8 + detour(4.65), 1e-6);
+  EXPECT_NEAR(length(detoured(problem, path, pieces, 1)), 8 + detour(4.65) + detour(4.85), 1e-6);
+  EXPECT_EQ(detoured(problem, path, pieces, 0), path);
+}
+
+// The best one for its length is not worth it where another one is needed all the same, and enough.
+TEST(Detours, TheLastOneMayStandForThoseBeforeIt) {
+  const Problem problem = wide_room();
+  const Polyline path{{1, 4}, {9, 4}};
+  const auto piece = [](double x, double size) {
+    const Polygon square = box_region({x, 4.5}, {x + size, 4.5 + size}).polygons.front();
+    return ToCover{square, {square}};
+  };
+  const Polyline with_large = detoured(problem, path, {piece(6, 0.3)}, 0.08);
+  EXPECT_EQ(detoured(problem, path, {piece(3, 0.01), piece(6, 0.3)}, 0.08), with_large);
+  EXPECT_GT(length(detoured(problem, path, {piece(3, 0.01), piece(6, 0.3)}, 0.09005)), length(with_large));
+}
+
+// No single position covers what lies along a wall.
+TEST(Detours, AStrokeCoversAPieceAlongAWall) {
+  const Problem problem = wide_room();
+  const Polyline path{{1, 0.6}, {9, 0.6}};
+  const Polygon piece = box_region({3, -0.5}, {3.4, -0.1}).polygons.front();
+  const Polyline with_stroke = detoured(problem, path, {{piece, {piece}}}, 1);
+  EXPECT_LT(length(with_stroke), 8 + 0.6 + 0.4 + std::hypot(0.6, 0.4) + 1e-6);
+  EXPECT_GT(length(with_stroke), 8 + 2 * std::hypot(0.6, 0.2) + 0.4 - 1e-4);
+  for (const Point& p : piece.outer) EXPECT_LT(distance_to_line(p, with_stroke), 0.5 + 1e-5);
+  for (std::size_t i = 1; i < with_stroke.size(); ++i)
+    EXPECT_TRUE(problem.walls().contains(with_stroke[i - 1], with_stroke[i])) << i;
+}
+
+// A ring's part round a pillar, as a lap that lacks a quarter leaves it: the stroke follows the pillar.
+TEST(Detours, AStrokeFollowsARoundWall) {
+  Polyline pillar;
+  for (int k = 0; k < 60; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 60;
+    pillar.push_back(Point(5, 4) + 0.5 * Point(std::cos(angle), std::sin(angle)));
+  }
+  Robot robot;
+  robot.radius = 0.5;
+  robot.tool_width = 1;
+  const Region free = subtract(box_region({0, 0}, {10, 8}), Region{{Polygon{pillar, {}}}});
+  const Problem problem({"pillar", free, "test", ""}, robot, Point(6.2, 4));
+  const auto round = [](double radius, double angle) {
+    return Point(Point(5, 4) + radius * Point(std::cos(angle), std::sin(angle)));
+  };
+  Polygon piece;
+  for (int k = 0; k <= 20; ++k) piece.outer.push_back(round(0.6, k * std::numbers::pi / 40));
+  for (int k = 20; k >= 0; --k) piece.outer.push_back(round(0.51, k * std::numbers::pi / 40));
+  const Polyline path{{6.2, 4}, {6.2, 3}};
+  const Polyline with_stroke = detoured(problem, path, {{piece, {piece}}}, 1);
+  for (const Point& p : piece.outer) EXPECT_LT(distance_to_line(p, with_stroke), 0.5 + 1e-3);
+  EXPECT_LT(length(with_stroke), 1 + 2 * (0.2 + std::numbers::pi / 2));
+  for (std::size_t i = 1; i < with_stroke.size(); ++i)
+    EXPECT_TRUE(problem.walls().contains(with_stroke[i - 1], with_stroke[i])) << i;
 }
 
 // Against the path's own length and turns; fixed vertices and the edge between two of them stay.
@@ -395,7 +469,7 @@ TEST(Polished, IsNeverLongerThanThePlannersPath) {
 TEST(Polished, ShortensLanesThatFitTheirField) {
   const Problem field(generate("field", {{"width", 24.0}, {"height", 16.0}, {"ponds", std::int64_t{5}}}, 21),
                       disc(0.2, 0.4));
-  const Path path = plan("polished", field, {{"coverage", 0.9999}, {"moves", 20000}});
+  const Path path = plan("polished", field, {{"coverage", 0.9999}, {"moves", 40000}});
   expect_valid(field, path);
   EXPECT_LT(path.length(), 0.998 * plan("boustrophedon", field).length());
 }

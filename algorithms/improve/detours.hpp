@@ -1,0 +1,63 @@
+/// Short detours that cover pieces beside a path.
+///
+///   path = with_detours(path, parts, enough, 0.499 * w, connector, walls);
+///
+///     ---->----.  .---->----        Stop: the robot leaves the path where it passes the piece, goes towards it until
+///               \/                  the tool reaches all of it, and comes back.
+///               ()
+///
+/// A piece that no single position covers gets a stroke (strokes.hpp). Of all detours those are made that are shortest
+/// for what they cover. Pieces that none reaches on straight lines stay as they are.
+///
+/// Complexity  O(s + p) for s segments and p pieces, if a piece is near to few segments, and O(d^2) for d detours
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "algorithms/transit/connector.hpp"
+#include "geometry/edge_index.hpp"
+#include "geometry/region.hpp"
+#include "geometry/ring_boxes.hpp"
+
+namespace oxturn {
+
+/// From a point of a path and back to it.
+struct Detour {
+  std::size_t segment = 0;
+  double along = 0;  // of the segment, metres
+  Polyline points;   // the first and the last are the point on the path
+  double length = 0;
+};
+
+/// A path, and which of its segments are near a point.
+class PathSegments {
+ public:
+  /// `path` must outlive it; at least one point.
+  explicit PathSegments(const Polyline& path);
+  struct Near {
+    double distance;
+    std::size_t segment;
+    Point at;  // on the segment
+  };
+  /// Segments nearer to p than `within`, the nearest first, at most `most`.
+  std::vector<Near> near(const Point& p, double within, std::size_t most) const;
+  double along(const Near& near) const { return distance(path_[near.segment], near.at); }
+
+ private:
+  const Polyline& path_;
+  BoxIndex index_;
+};
+
+/// A piece to be covered, or as much of it as is worth it.
+struct ToCover {
+  Polygon whole;
+  std::vector<Polygon> parts;  // of it; one is the whole
+};
+
+/// `enough`: square metres after which no more detours are made. `reach`: metres from the robot's centre within which
+/// it covers. Pieces of less area than `noticed` get stops only. `walls`: those of the connector.
+Polyline with_detours(const Polyline& path, const std::vector<ToCover>& pieces, double enough, double noticed,
+                      double reach, const Connector& connector, const EdgeIndex& walls);
+
+}  // namespace oxturn
