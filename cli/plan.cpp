@@ -84,16 +84,25 @@ std::string why_over_finished(const Problem& problem, const Planned& planned) {
   return fmt::format(": no curve of radius {:g} m that leads round it was found", radius);
 }
 
-/// All of what is left, and of the transits over finished work, goes to the page and to JSON; ten of these are said.
-std::vector<std::string> remarks_on_path(const Problem& problem, const Planned& planned) {
+/// Says ten of these sentences, and how many more there are.
+void say_some(const std::vector<std::string>& sentences, const char* more) {
   constexpr std::size_t kMostSaid = 10;
+  for (std::size_t k = 0; k < std::min(sentences.size(), kMostSaid); ++k) say(sentences[k]);
+  if (sentences.size() > kMostSaid)
+    say(fmt::format("{} more {}: see --json or --viewer", sentences.size() - kMostSaid, more));
+}
+
+/// On a drawing: what is not filled, where the path bends too sharply, and what drives over finished work. All goes to
+/// the page and to JSON.
+std::vector<std::string> remarks_on_path(const Problem& problem, const Planned& planned) {
   std::vector<std::string> all = remarks_on(unfilled_areas(problem, *planned.path));
-  std::ranges::move(remarks_on_sharp_bends(problem, *planned.path), std::back_inserter(all));
-  for (const std::string& sentence : all) say(sentence);
+  say_some(all, "areas are not filled completely");
+  for (std::string& sentence : remarks_on_sharp_bends(problem, *planned.path)) {
+    say(sentence);
+    all.push_back(std::move(sentence));
+  }
   const auto over = remarks_on(transits_over_finished(problem, *planned.path), why_over_finished(problem, planned));
-  for (std::size_t k = 0; k < std::min(over.size(), kMostSaid); ++k) say(over[k]);
-  if (over.size() > kMostSaid)
-    say(fmt::format("{} more transits drive over finished work: see --json or --viewer", over.size() - kMostSaid));
+  say_some(over, "transits drive over finished work");
   all.insert(all.end(), over.begin(), over.end());
   return all;
 }
