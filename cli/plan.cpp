@@ -74,6 +74,39 @@ void write_path(const std::string& file, const Path& path, const Problem& proble
   write_file(file, to_geojson(path, &made_for));
 }
 
+/// As the planner says by what it records (algorithms/drawing/beachbot.cpp); empty for planners that do not.
+std::string why_over_finished(const Problem& problem, const Planned& planned) {
+  const auto sought = std::ranges::find(planned.records, "detours_sought", &Records::value_type::first);
+  if (sought == planned.records.end()) return "";
+  if (!(sought->second > 0)) return ": so large a drawing ends the search for paths round it early";
+  const double radius = problem.robot().min_turn_radius;
+  if (!(radius > 0)) return ": what is drawn by then leaves no path round it";
+  return fmt::format(": no curve of radius {:g} m that leads round it was found", radius);
+}
+
+/// Says ten of these sentences, and how many more there are.
+void say_some(const std::vector<std::string>& sentences, const char* more) {
+  constexpr std::size_t kMostSaid = 10;
+  for (std::size_t k = 0; k < std::min(sentences.size(), kMostSaid); ++k) say(sentences[k]);
+  if (sentences.size() > kMostSaid)
+    say(fmt::format("{} more {}: see --json or --viewer", sentences.size() - kMostSaid, more));
+}
+
+/// On a drawing: what is not filled, where the path bends too sharply, and what drives over finished work. All goes to
+/// the page and to JSON.
+std::vector<std::string> remarks_on_path(const Problem& problem, const Planned& planned) {
+  std::vector<std::string> all = remarks_on(unfilled_areas(problem, *planned.path));
+  say_some(all, "areas are not filled completely");
+  for (std::string& sentence : remarks_on_sharp_bends(problem, *planned.path)) {
+    say(sentence);
+    all.push_back(std::move(sentence));
+  }
+  const auto over = remarks_on(transits_over_finished(problem, *planned.path), why_over_finished(problem, planned));
+  say_some(over, "transits drive over finished work");
+  all.insert(all.end(), over.begin(), over.end());
+  return all;
+}
+
 Report run_planner(const PlanOptions& options, const PlannerInfo& planner, const Settings& settings,
                    const Problem& problem, const MapSource& source, const Registry& registry) {
   Report report;
@@ -95,10 +128,7 @@ Report run_planner(const PlanOptions& options, const PlannerInfo& planner, const
     const ScoreOptions scoring = score_options(planned, planner.promised(settings, problem.robot()));
     report.about.emplace_back("promise", to_text(scoring.promise));
     report.score = score(problem, *planned.path, registry.metrics, scoring);
-    outputs.remarks = remarks_on(unfilled_areas(problem, *planned.path));
-    std::ranges::move(remarks_on(transits_over_finished(problem, *planned.path)), std::back_inserter(outputs.remarks));
-    std::ranges::move(remarks_on_sharp_bends(problem, *planned.path), std::back_inserter(outputs.remarks));
-    for (const std::string& sentence : outputs.remarks) say(sentence);
+    report.remarks = outputs.remarks = remarks_on_path(problem, planned);
     if (!options.output.empty()) write_path(options.output, *planned.path, problem, source);
   }
   report.verdict = judge(planned, report.score, Suite{}.target_coverage);

@@ -49,6 +49,7 @@ Json as_json(const Report& report, const Problem& problem) {
   for (const auto& [name, value] : report.costs) json[name] = value;
   if (!report.records.empty()) json["records"] = Json::object();
   for (const auto& [name, value] : report.records) json["records"][name] = value;
+  if (!report.remarks.empty()) json["remarks"] = report.remarks;
   return json;
 }
 

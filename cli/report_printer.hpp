@@ -20,6 +20,7 @@ struct Report {
   std::vector<std::pair<std::string, std::string>> about;  // planner, parameters, path file, ...
   std::vector<std::pair<std::string, double>> costs;       // plan_wall_s, ...
   Records records;                                         // figures that the planner recorded
+  std::vector<std::string> remarks = {};                   // sentences on the path
 };
 
 /// Outcome and all figures to `out`, as an aligned table or JSON; the reason of a failure on standard

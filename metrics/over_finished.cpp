@@ -21,7 +21,6 @@ namespace {
 constexpr double kNear = 0.01;  // metres
 // Of half a leg's width: paths along what was drawn are off it by rounding, or by chords.
 constexpr double kTouch = 1e-3;
-constexpr std::size_t kMostRemarks = 10;
 
 double length_over(const Leg& leg, std::size_t index, const PathSegments& work, double tool_width) {
   if (work.all().empty() || work.all().front().leg >= index) return 0;  // nothing is drawn yet
@@ -69,16 +68,12 @@ std::vector<TransitOver> transits_over_finished(const Problem& problem, const Pa
   return found;
 }
 
-std::vector<std::string> remarks_on(const std::vector<TransitOver>& transits) {
+std::vector<std::string> remarks_on(const std::vector<TransitOver>& transits, const std::string& reason) {
   std::vector<std::string> sentences;
-  for (std::size_t k = 0; k < std::min(transits.size(), kMostRemarks); ++k) {
-    const TransitOver& t = transits[k];
+  for (const TransitOver& t : transits)
     sentences.push_back(
-        fmt::format("the transit from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}) drives {:.2f} m over finished work",
-                    t.from.x(), t.from.y(), t.to.x(), t.to.y(), t.over_m));
-  }
-  if (transits.size() > kMostRemarks)
-    sentences.push_back(fmt::format("{} more transits drive over finished work", transits.size() - kMostRemarks));
+        fmt::format("the transit from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}) drives {:.2f} m over finished work{}",
+                    t.from.x(), t.from.y(), t.to.x(), t.to.y(), t.over_m, reason));
   return sentences;
 }
 

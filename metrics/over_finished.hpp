@@ -1,6 +1,6 @@
 /// Transits that drive over finished work, as where a robot has no other path.
 ///
-///   for (const std::string& sentence : remarks_on(transits_over_finished(problem, path))) say(sentence);
+///   const auto sentences = remarks_on(transits_over_finished(problem, path), ": there is no other way");
 ///
 /// What counts is that of the metric over_finished_m. Complexity: the work near each transit.
 #pragma once
@@ -22,7 +22,7 @@ struct TransitOver {
 /// Those of `least` metres over finished work at least, longest first. None on a map without a drawing.
 std::vector<TransitOver> transits_over_finished(const Problem& problem, const Path& path, double least = 0.01);
 
-/// A sentence for each, ten at most, and one that says how many more there are.
-std::vector<std::string> remarks_on(const std::vector<TransitOver>& transits);
+/// A sentence for each, with the reason at its end.
+std::vector<std::string> remarks_on(const std::vector<TransitOver>& transits, const std::string& reason);
 
 }  // namespace oxturn

@@ -11,7 +11,7 @@
 namespace oxturn {
 namespace {
 
-constexpr std::size_t kMostRemarks = 10;
+constexpr std::size_t kMostFine = 10;           // areas whose share is measured finely only to be said
 constexpr double kRough = 0.01, kFine = 0.001;  // certainty of a share: the first is enough for most areas
 
 }  // namespace
@@ -37,7 +37,7 @@ std::vector<UnfilledArea> unfilled_areas(const Problem& problem, const Path& pat
     if (!near.legs.empty()) share = share_within(kRough);
     if (share.lower >= least) continue;
     // The fine one where the rough one does not decide, and where the share is said.
-    if (share.upper >= least || (share.upper > 0 && found.size() < kMostRemarks)) share = share_within(kFine);
+    if (share.upper >= least || (share.upper > 0 && found.size() < kMostFine)) share = share_within(kFine);
     if (share.lower < least) found.push_back({filled.element, k, share.lower});
   }
   return found;
@@ -45,14 +45,12 @@ std::vector<UnfilledArea> unfilled_areas(const Problem& problem, const Path& pat
 
 std::vector<std::string> remarks_on(const std::vector<UnfilledArea>& areas) {
   std::vector<std::string> sentences;
-  for (std::size_t k = 0; k < std::min(areas.size(), kMostRemarks); ++k)
+  for (const UnfilledArea& area : areas)
     sentences.push_back(
-        areas[k].share > 0
+        area.share > 0
             ? fmt::format("area '{}' is filled to {:.1f} %: the rest is too narrow for the tool, or for its bends",
-                          areas[k].element, std::floor(1000 * areas[k].share) / 10)
-            : fmt::format("area '{}' is not filled: it is too narrow for the tool", areas[k].element));
-  if (areas.size() > kMostRemarks)
-    sentences.push_back(fmt::format("{} more areas are not filled completely", areas.size() - kMostRemarks));
+                          area.element, std::floor(1000 * area.share) / 10)
+            : fmt::format("area '{}' is not filled: it is too narrow for the tool", area.element));
   return sentences;
 }
 

@@ -22,7 +22,7 @@ struct UnfilledArea {
 /// Those with a share below `least`, in the drawing's order. None on a map without a drawing.
 std::vector<UnfilledArea> unfilled_areas(const Problem& problem, const Path& path, double least = 0.98);
 
-/// A sentence for each, ten at most, and one that says how many more there are.
+/// A sentence for each.
 std::vector<std::string> remarks_on(const std::vector<UnfilledArea>& areas);
 
 }  // namespace oxturn

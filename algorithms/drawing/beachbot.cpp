@@ -21,6 +21,7 @@
 #include "algorithms/drawing/containment.hpp"
 #include "algorithms/drawing/fill_order.hpp"
 #include "algorithms/drawing/followed_strokes.hpp"
+#include "algorithms/drawing/loose_strokes.hpp"
 #include "algorithms/drawing/order_driver.hpp"
 #include "algorithms/smoothing/drivable.hpp"
 #include "algorithms/transit/connector.hpp"
@@ -116,12 +117,21 @@ class Beachbot final : public CoveragePlanner {
     TransitRouter router(problem, work, keep_off, smooth ? &*smooth : nullptr);
     DrawingTour tour(elements, demands, path.at(), radius);
     PricedOrder priced(elements, path.at(), p_.finished, router, work);
-    const DrivenOrder order = priced.search(tour, context);
+    DrivenOrder order = priced.search(tour, context);
     context.record("straight_tour_m", priced.straight_m());
+    if (radius > 0 && p_.finished == FinishedRule::around) {
+      LooseStrokes loose(elements, demands, curves);
+      const DrawingTour loose_tour(loose.elements, loose.demands, path.at(), radius);
+      PricedOrder strokes(loose.elements, path.at(), p_.finished, router, work);
+      order = strokes.improved(strokes.driven(loose.order(order.order)), loose_tour, context);
+      elements = std::move(loose.elements);
+      curves = std::move(loose.curves);
+    }
     OrderDriver driver(elements, router, work, smooth ? &*smooth : nullptr,
                        {p_.corner, radius, kDeviation * problem.robot().tool_width});
     driver.drive(order, curves, path);
-    report(order, driver, curves, context);
+    report(driver, curves, context);
+    if (p_.finished == FinishedRule::around) context.record("detours_sought", router.exhausted() ? 0 : 1);
     Path result = path.take();
     report_bends(result, problem, radius, context);
     return result;
@@ -216,14 +226,11 @@ class Beachbot final : public CoveragePlanner {
             .free = free};
   }
 
-  static void report(const DrivenOrder& order, const OrderDriver& driver, const PortCurves& curves, Context& context) {
+  static void report(const OrderDriver& driver, const PortCurves& curves, Context& context) {
     std::vector<Polyline> over;
-    const auto add = [&](const Transit& t) {
-      if (t.crossing_m > 0) over.push_back(t.path);
-    };
-    std::for_each(order.transits.begin(), order.transits.end(), add);
-    for (const auto& inner : order.inner) std::for_each(inner.begin(), inner.end(), add);
-    context.record("over_finished_m", order.crossing_m);
+    double metres = 0;
+    for (const Transit& t : driver.crossing()) metres += t.crossing_m, over.push_back(t.path);
+    context.record("over_finished_m", metres);
     context.record("transits_over_finished", static_cast<double>(over.size()));
     if (!curves.empty()) context.record("curves_obeyed", static_cast<double>(driver.curves_used()));
     context.trace("transits", driver.transits());

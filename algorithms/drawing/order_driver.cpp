@@ -42,6 +42,7 @@ OrderDriver::OrderDriver(const std::vector<DrawingElement>& elements, TransitRou
 
 void OrderDriver::transit(const Transit& t, PathBuilder& path) {
   transits_.push_back(t.path);
+  if (t.crossing_m > 0) crossing_.push_back(t);
   path.drive(t.path, false);
 }
 

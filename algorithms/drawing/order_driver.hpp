@@ -40,6 +40,8 @@ class OrderDriver {
 
   void drive(const DrivenOrder& order, const PortCurves& curves, PathBuilder& path);
   const std::vector<Polyline>& transits() const { return transits_; }
+  /// Those of them that cross finished work.
+  const std::vector<Transit>& crossing() const { return crossing_; }
   /// Of a person's curves.
   std::size_t curves_used() const { return curves_used_; }
 
@@ -61,6 +63,7 @@ class OrderDriver {
   CornerChoice corners_;
   std::vector<std::size_t> first_piece_;
   std::vector<Polyline> transits_;
+  std::vector<Transit> crossing_;
   std::size_t curves_used_ = 0;
 };
 

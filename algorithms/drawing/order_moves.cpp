@@ -12,8 +12,9 @@ namespace {
 constexpr std::size_t kReach = 50;            // positions
 constexpr std::size_t kTransitsEach = 40;     // priced for each element of the drawing, and at least
 constexpr std::size_t kLeastTransits = 4000;  // so many
+constexpr std::size_t kNext = 3;              // positions after a curve that what it crosses may move to
 constexpr int kMostRounds = 20;
-constexpr double kSmoothCost = 20;  // times as much as a transit with bends
+constexpr double kSmoothCost = 10;  // times as much as a transit with bends
 constexpr double kGain = 1e-9;      // metres
 constexpr double kDear = 1.25;      // of its bound: what a smooth transit costs at least to be looked at
 
@@ -34,11 +35,10 @@ Point OrderMoves::exit_before(const Order& order, std::size_t k) const {
   return k == 0 ? start_ : exit_of(elements_[order[k - 1].element], order[k - 1]);
 }
 
-double OrderMoves::price_of(const Order& order, std::size_t k) {
+Transit OrderMoves::transit_to(const Order& order, std::size_t k) {
   const Pose entry = entry_pose(elements_[order[k].element], order[k]);
-  return (k == 0 ? router_.route(start_, entry)
-                 : router_.route(exit_pose(elements_[order[k - 1].element], order[k - 1]), entry))
-      .price();
+  if (k == 0) return router_.route(start_, entry);
+  return router_.route(exit_pose(elements_[order[k - 1].element], order[k - 1]), entry);
 }
 
 double OrderMoves::bound(const Order& order, std::size_t k) const {
@@ -73,7 +73,7 @@ double OrderMoves::price(const Order& order, std::size_t low, std::size_t high, 
   std::size_t k = low;
   for (; k < end && sum < most; ++k) {
     const double least = bound(order, k);
-    prices.push_back(price_of(order, k));
+    prices.push_back(transit_to(order, k).price());
     sum += prices.back() - least;
     budget_ = router_.exhausted() ? 0 : budget_ - (budget_ > 0);
     set_finished(order[k], true);
@@ -99,21 +99,29 @@ bool OrderMoves::accept(const Move& move) {
   return true;
 }
 
+/// The element at k goes there, in either direction.
+bool OrderMoves::try_moving(std::size_t k, std::size_t to) {
+  for (const bool turn : {false, true}) {
+    const ElementVisit moved = turn ? turned(order_[k]) : order_[k];
+    if (moved == order_[k] && (to == k || turn)) continue;
+    Move move{std::min(k, to), std::max(k, to), {}};
+    move.block.assign(order_.begin() + static_cast<std::ptrdiff_t>(move.low),
+                      order_.begin() + static_cast<std::ptrdiff_t>(move.high) + 1);
+    move.block.erase(move.block.begin() + static_cast<std::ptrdiff_t>(k - move.low));
+    move.block.insert(move.block.begin() + static_cast<std::ptrdiff_t>(to - move.low), moved);
+    if (accept(move)) return true;
+    if (budget_ == 0) return false;
+  }
+  return false;
+}
+
 /// The element at k goes elsewhere.
 bool OrderMoves::try_moving(std::size_t k) {
   const std::size_t first = k - std::min(k, kReach), last = std::min(k + kReach, order_.size() - 1);
-  for (std::size_t to = first; to <= last; ++to)
-    for (const bool turn : {false, true}) {
-      const ElementVisit moved = turn ? turned(order_[k]) : order_[k];
-      if (moved == order_[k] && (to == k || turn)) continue;
-      Move move{std::min(k, to), std::max(k, to), {}};
-      move.block.assign(order_.begin() + static_cast<std::ptrdiff_t>(move.low),
-                        order_.begin() + static_cast<std::ptrdiff_t>(move.high) + 1);
-      move.block.erase(move.block.begin() + static_cast<std::ptrdiff_t>(k - move.low));
-      move.block.insert(move.block.begin() + static_cast<std::ptrdiff_t>(to - move.low), moved);
-      if (accept(move)) return true;
-      if (budget_ == 0) return false;
-    }
+  for (std::size_t to = first; to <= last; ++to) {
+    if (try_moving(k, to)) return true;
+    if (budget_ == 0) return false;
+  }
   // A closed stroke may be entered elsewhere.
   for (const std::size_t entry : elements_[order_[k].element].entries) {
     ElementVisit visit = order_[k];
@@ -138,20 +146,34 @@ bool OrderMoves::try_turning(std::size_t k) {
   return false;
 }
 
+/// What the curve to position k crosses is drawn after it, or the element on either side before it.
+bool OrderMoves::try_passing(std::size_t k) {
+  for (const std::size_t obstacle : obstacles(k)) {
+    for (std::size_t to = k; to < std::min(k + kNext, order_.size()); ++to)
+      if (budget_ == 0 || try_moving(obstacle, to)) return budget_ > 0;
+    if (try_moving(k, obstacle) || (k > 0 && try_moving(k - 1, obstacle))) return true;
+  }
+  return false;
+}
+
 bool OrderMoves::improve_at(std::size_t k, const Context& context) {
   if (context.cancelled() || budget_ == 0) return false;
+  if (radius_ > 0 && try_passing(k)) return true;
   if (try_moving(k) || (k > 0 && try_moving(k - 1)) || try_turning(k)) return true;
   for (const std::size_t obstacle : obstacles(k))
     if (budget_ > 0 && try_moving(obstacle)) return true;
   return false;
 }
 
-/// Positions of the elements that are in the way of the straight line to position k: they might be drawn later.
+/// Positions of the elements that are in the way of the straight line to position k, or of a curve: they might be drawn
+/// later.
 std::vector<std::size_t> OrderMoves::obstacles(std::size_t k) {
   finish_before(k);
   std::vector<bool> in_the_way(elements_.size(), false);
-  for (const std::size_t piece :
-       work_.crossed({exit_before(order_, k), entry_of(elements_[order_[k].element], order_[k])}, 0)) {
+  const Polyline line = radius_ > 0
+                            ? transit_to(order_, k).path
+                            : Polyline{exit_before(order_, k), entry_of(elements_[order_[k].element], order_[k])};
+  for (const std::size_t piece : work_.crossed(line, 0)) {
     const auto after = std::upper_bound(first_piece_.begin(), first_piece_.end(), piece);
     in_the_way[static_cast<std::size_t>(after - first_piece_.begin()) - 1] = true;
   }

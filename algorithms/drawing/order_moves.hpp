@@ -36,13 +36,15 @@ class OrderMoves {
   };
   bool improve_at(std::size_t k, const Context& context);
   std::vector<std::size_t> obstacles(std::size_t k);
+  bool try_moving(std::size_t k, std::size_t to);
   bool try_moving(std::size_t k);
+  bool try_passing(std::size_t k);
   bool try_turning(std::size_t k);
   bool accept(const Move& move);
   /// The price of the transits to positions low to high + 1; infinity once it is `most` or more.
   double price(const Order& order, std::size_t low, std::size_t high, double most, std::vector<double>& prices);
   double bound(const Order& order, std::size_t k) const;
-  double price_of(const Order& order, std::size_t k);
+  Transit transit_to(const Order& order, std::size_t k);
   void set_finished(const ElementVisit& visit, bool finished);
   void finish_before(std::size_t k);
   ElementVisit turned(ElementVisit visit) const;

@@ -50,6 +50,8 @@ class PricedOrder {
   DrivenOrder search(DrawingTour& tour, Context& context);
   /// Metres of the tour between elements that search() began with: as if nothing were drawn.
   double straight_m() const { return straight_m_; }
+  /// Step (4) alone.
+  DrivenOrder improved(const DrivenOrder& from, const DrawingTour& tour, const Context& context);
   /// Drives the order and prices all transits.
   DrivenOrder driven(const std::vector<ElementVisit>& order);
   /// Drives the last visit of an order whose others are driven.
@@ -65,7 +67,6 @@ class PricedOrder {
   void raise(const DrivenOrder& order, DrawingTour& tour);
   bool is_cheap() const;
   std::vector<ElementVisit> backwards(std::vector<ElementVisit> order) const;
-  DrivenOrder improved(const DrivenOrder& from, const DrawingTour& tour, const Context& context);
   DrivenOrder with_kicks(DrivenOrder best, const DrawingTour& tour, const Context& context);
   std::vector<DrivenOrder> starts(const DrivenOrder& best, const DrivenOrder& last, const DrawingTour& tour);
 

@@ -12,6 +12,7 @@ namespace oxturn::svg {
 namespace {
 
 constexpr std::size_t kMostRules = 1000;
+constexpr std::size_t kMostMatched = 50'000'000;  // elements that selectors look at
 constexpr std::size_t kMostApplied = 20'000'000;  // declarations, over all elements
 
 /// A property that oxturn obeys. `set` returns false for a value that it does not understand.
@@ -222,58 +223,30 @@ void StyleSheet::add(std::string_view text, const Remark& remark) {
 
 void StyleSheet::add_selector(std::string_view text, std::size_t declarations, const Remark& remark) {
   if (++count_ > kMostRules) throw std::length_error("style sheets have more than 1000 rules");
-  Rule rule;
-  rule.order = count_;
-  rule.declarations = declarations;
-  Scanner scan(text);
-  if (!scan.take('*')) rule.type = std::string(scan.word());
-  rule.specificity = rule.type.empty() ? 0 : 1;
-  bool understood = !text.empty();
-  while (understood && !scan.rest().empty()) {
-    const char mark = scan.take();
-    const std::string name(scan.word());
-    understood = !name.empty() && (mark == '.' || mark == '#');
-    if (mark == '.') rule.classes.push_back(name);
-    if (mark == '#') rule.id = name;
-    rule.specificity += mark == '.' ? 1000 : 1000000;
-  }
-  if (!understood)
+  std::optional<Selector> selector = parse_selector(text);
+  if (!selector)
     return remark(fmt::format("the selector '{}' of a style sheet is not supported and ignored", shown(text)));
-  const std::string key = !rule.id.empty()        ? "#" + rule.id
-                          : !rule.classes.empty() ? "." + rule.classes.front()
-                          : !rule.type.empty()    ? rule.type
-                                                  : "*";
-  rules_.emplace(key, std::move(rule));
+  const std::string key = selector->key();
+  rules_.emplace(key, Rule{std::move(*selector), count_, declarations});
 }
 
 std::vector<const StyleSheet::Rule*> StyleSheet::rules_for(const pugi::xml_node& node) const {
   std::vector<const Rule*> found;
   if (rules_.empty()) return found;
-  const std::string id = node.attribute("id").value(), type(local_name(node));
-  std::set<std::string> classes;
-  for (Scanner scan(node.attribute("class").value()); !scan.done();) {
-    const std::string name(scan.word());
-    if (name.empty())
-      scan.take();
-    else
-      classes.insert(name);
+  std::set<std::string> keys{"*", std::string(local_name(node)), std::string("#") + node.attribute("id").value()};
+  for (std::string_view rest = trimmed(node.attribute("class").value()); !rest.empty();) {
+    const std::size_t end = std::min(rest.find_first_of(" \t\r\n"), rest.size());
+    keys.insert("." + std::string(rest.substr(0, end)));
+    rest = trimmed(rest.substr(end));
   }
-  const auto add = [&](const std::string& key) {
+  for (const std::string& key : keys) {
     const auto [first, last] = rules_.equal_range(key);
     for (auto at = first; at != last; ++at) {
-      const Rule& rule = at->second;
-      if ((rule.type.empty() || rule.type == type) && (rule.id.empty() || rule.id == id) &&
-          std::ranges::all_of(rule.classes, [&](const std::string& c) { return classes.contains(c); }))
-        found.push_back(&rule);
+      if (at->second.selector.matches(node, matched_)) found.push_back(&at->second);
+      if (matched_ > kMostMatched) throw std::length_error("style sheets have too many rules for so many elements");
     }
-  };
-  add("*");
-  add(type);
-  add("#" + id);
-  for (const std::string& name : classes) add("." + name);
-  std::ranges::sort(found, [](const Rule* a, const Rule* b) {
-    return a->specificity != b->specificity ? a->specificity < b->specificity : a->order < b->order;
-  });
+  }
+  std::ranges::sort(found, {}, [](const Rule* rule) { return std::pair(rule->selector.specificity(), rule->order); });
   return found;
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "geometry/overlay/fill_rule.hpp"
+#include "maps/drawings/svg_selector.hpp"
 #include "maps/drawings/svg_values.hpp"
 
 namespace oxturn::svg {
@@ -46,9 +47,7 @@ class StyleSheet {
   };
   using Declarations = std::vector<Declaration>;
   struct Rule {
-    std::string type, id;              // empty: any
-    std::vector<std::string> classes;  // all of them
-    int specificity = 0;
+    Selector selector;
     std::size_t order = 0;
     std::size_t declarations = 0;  // index
   };
@@ -59,7 +58,8 @@ class StyleSheet {
   std::vector<Declarations> declarations_;
   std::multimap<std::string, Rule> rules_;  // by "#id", ".class", type, or "*"
   std::size_t count_ = 0;
-  mutable std::size_t applied_ = 0;  // declarations so far: bounds the time that hostile style sheets take
+  mutable std::size_t matched_ = 0;  // effort so far of selectors, and
+  mutable std::size_t applied_ = 0;  // declarations: bounds the time that hostile style sheets take
 };
 
 /// The name without its namespace's prefix; empty if the prefix is that of another namespace than SVG.

@@ -126,6 +126,8 @@ TEST(SvgDrawing, CascadeDecidesWhatIsDrawn) {
   EXPECT_EQ(width_of("/* } */#i{stroke-width:3}.a{stroke-width:8}", path("class=\"a\" id=\"i\"")), kPlain.width_3);
   EXPECT_EQ(width_of("#i{stroke-width:3}", path("id=\"i\" style=\"stroke-width:7\"")), kPlain.width_7);
   EXPECT_EQ(width_of("*{stroke-width:3 !important}", path("style=\"stroke-width:7\"")), kPlain.width_3);
+  EXPECT_EQ(width_of("g > .a{stroke-width:5} svg .a, .b{stroke-width:3}", path("class=\"a\"")), kPlain.width_3);
+  EXPECT_EQ(width_of("svg > .a, a{stroke-width:5}", path("class=\"a\"")), kPlain.width_1);
   EXPECT_EQ(width_of(".a{stroke:none}", path("class=\"a\"")), 0);
   EXPECT_EQ(width_of("", path("stroke=\"#FFFFFF\"")), 0);
   EXPECT_EQ(width_of("", path("stroke=\"rgb(100%,100%,100%)\"")), 0);
@@ -242,9 +244,9 @@ TEST(SvgDrawing, UnsupportedIsARemarkWithItsLine) {
   const SvgDrawing r = read(kFrame +
                             "<text>a</text>\n<image href=\"x\"/>\n<path d=\"M0 0H9X\" stroke-dasharray=\"1 2\"/>\n"
                             "<rect width=\"-1\" height=\"2\"/>\n<rect clip-path=\"url(#a)\" width=\"9\" height=\"9\" "
-                            "fill=\"url(#g)\"/>\n<style>a > b {fill:red} @media print {a{b:c}}</style><blob/>");
+                            "fill=\"url(#g)\"/>\n<style>a:hover {fill:red} @media print {a{b:c}}</style><blob/>");
   const std::vector<std::string> expected{
-      "a.svg:8: the selector 'a > b' of a style sheet is not supported and ignored",
+      "a.svg:8: the selector 'a:hover' of a style sheet is not supported and ignored",
       "a.svg:8: the rule '@media print ' of a style sheet is not supported and ignored",
       "a.svg:3: text is not supported and not drawn: turn it into paths first",
       "a.svg:4: image is not supported and not drawn",
