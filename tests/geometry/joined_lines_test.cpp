@@ -22,7 +22,9 @@ double distance_to(const Polyline& line, const Point& p) {
 /// meet differ by rounding.
 std::vector<Polyline> shattered_arc(Rng& rng, int n) {
   const auto at = [](double t) { return Point(5 * std::cos(t), 5 * std::sin(t)); };
-  const auto near = [&](const Point& p) { return p + Point(rng.between(-1e-7, 1e-7), rng.between(-1e-7, 1e-7)); };
+  const auto near = [&](const Point& p) -> Point {
+    return p + Point(rng.between(-1e-7, 1e-7), rng.between(-1e-7, 1e-7));
+  };
   std::vector<Polyline> pieces;
   for (int k = 0; k < n; ++k) {
     const double begin = 2.0 * k / n, end = 2.0 * (k + 1) / n;
