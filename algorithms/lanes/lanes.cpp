@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kSlack = 1e-6;     // in slab widths: differences up to this are rounding
 constexpr double kThinnest = 1e-3;  // in lane spacings: the least width of a slab
-constexpr double kDense = 20;       // vertices per tool width of boundary: many
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using YInterval = std::pair<double, double>;  // low, high
@@ -211,13 +210,7 @@ Region LaneFrame::to_frame(const Region& region) const {
 Region lane_region(const Problem& problem, double inset, double chord) {
   const Region &space = problem.configuration_space(), &free = problem.map().free;
   // Only C knows the boundaries that are no walls (the tether's reach, a cut). It may be a small part of the map.
-  if (problem.limited()) {
-    // Along walls with many vertices within its reach an erosion takes their square: half the error is spent on fewer.
-    const double many = kDense / problem.robot().tool_width * perimeter(space);
-    if (inset > chord && static_cast<double>(vertex_count(space)) > many)
-      return erode(simplify_inward(space, chord / 2), inset - chord / 2, chord / 2, Bound::outside);
-    return erode(space, inset, chord, Bound::outside);
-  }
+  if (problem.limited()) return erode(space, inset, chord, Bound::outside);
   // A point at least `inset` from the boundary of C is at least radius + inset from every wall. Intersecting with C
   // keeps the component of the start. The C of a polygonal robot has no arcs, so eroding in two steps loses nothing
   // there.

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <map>
-#include <optional>
 #include <span>
 #include <utility>
 
 #include "base/graph_search.hpp"
+#include "geometry/joined_lines.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
 #include "geometry/point_outside.hpp"
@@ -36,8 +34,6 @@ constexpr int kRoundsByPieces = 1;              // after that many, all pieces t
 constexpr double kLargestPocket = 0.5;          // side of a square; larger disconnected parts are no pockets
 constexpr double kChordsPerWidth = 400;         // tool widths over the chord error of dilation
 
-constexpr double kSameEnd = 1e-3;  // by which ends of lines that meet may differ
-
 constexpr double kTaper = 0.8;  // distance of a pass from the cut over that of the cut from walls: less than 1
 
 /// A point of the cut, how far the passes are from it, and the unit vector to the one on the left.
@@ -46,69 +42,6 @@ struct CutPoint {
   double half_width;
   Point aside{0, 0};
 };
-
-/// The lines, those joined of which no others end at their common point; and the points where three or more end.
-struct CutLines {
-  std::vector<Polyline> lines;
-  std::vector<Point> junctions;  // sorted
-};
-
-/// Moves ends of lines that differ by less than `tolerance` to one of them.
-void unify_ends(std::vector<Polyline>& lines, double tolerance) {
-  std::vector<Box> boxes;
-  for (const Polyline& line : lines)
-    for (const Point& end : {line.front(), line.back()}) {
-      boxes.emplace_back();
-      boxes.back().add(end);
-      boxes.back().grow(tolerance / 2);
-    }
-  const BoxIndex index(boxes);
-  std::vector<bool> done(boxes.size(), false);
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (done[i]) continue;
-    const Point at = i % 2 == 0 ? lines[i / 2].front() : lines[i / 2].back();
-    for (const std::uint32_t k : index.overlapping(boxes[i])) {
-      if (!done[k]) (k % 2 == 0 ? lines[k / 2].front() : lines[k / 2].back()) = at;
-      done[k] = true;
-    }
-  }
-}
-
-CutLines joined(const std::vector<Polyline>& lines) {
-  using End = std::pair<std::size_t, bool>;  // a line, and whether it is its beginning
-  const auto at = [&](const End& end) { return end.second ? lines[end.first].front() : lines[end.first].back(); };
-  std::vector<End> ends;
-  for (std::size_t i = 0; i < lines.size(); ++i) ends.insert(ends.end(), {{i, true}, {i, false}});
-  std::stable_sort(ends.begin(), ends.end(), [&](const End& a, const End& b) { return before(at(a), at(b)); });
-  CutLines cut;
-  std::map<End, End> next;
-  for (std::size_t i = 0, k = 0; i < ends.size(); i = k) {
-    while (k < ends.size() && at(ends[k]) == at(ends[i])) ++k;
-    if (k - i == 2) {
-      next[ends[i]] = ends[i + 1];
-      next[ends[i + 1]] = ends[i];
-    } else if (k - i >= 3) {
-      cut.junctions.push_back(at(ends[i]));
-    }
-  }
-  std::vector<bool> done(lines.size(), false);
-  for (const End& first : ends) {
-    if (next.count(first) > 0 || done[first.first]) continue;
-    Polyline line{at(first)};
-    for (std::optional<End> end = first; end && !done[end->first];) {
-      const Polyline& more = lines[end->first];
-      done[end->first] = true;
-      if (end->second)
-        line.insert(line.end(), more.begin() + 1, more.end());
-      else
-        line.insert(line.end(), more.rbegin() + 1, more.rend());
-      const auto found = next.find({end->first, !end->second});
-      end = found == next.end() ? std::nullopt : std::optional(found->second);
-    }
-    cut.lines.push_back(std::move(line));
-  }
-  return cut;
-}
 
 /// The line in pieces, each end with its half width: so much that the strip between the passes keeps off walls and the
 /// start.
@@ -339,13 +272,11 @@ bool holds(const Polygon& part, const Point& p, double tolerance) {
 }  // namespace
 
 CutPasses::CutPasses(const Problem& problem, const std::vector<Polyline>& cut)
-    : problem_(problem), target_(problem.target()), space_(problem.configuration_space()) {
-  std::vector<Polyline> lines = cut;
-  unify_ends(lines, kSameEnd * problem.robot().tool_width);
-  std::erase_if(lines, [](const Polyline& line) { return line.size() == 2 && line.front() == line.back(); });
-  CutLines all = joined(lines);
-  lines_ = std::move(all.lines);
-  junctions_ = std::move(all.junctions);
+    : problem_(problem),
+      target_(problem.target()),
+      space_(problem.configuration_space()),
+      lines_(cut),
+      junctions_(common_ends(cut, 3)) {
   std::vector<Box> boxes;
   for (const Polyline& line : lines_) boxes.push_back(bounding_box(line));
   boxes_ = BoxIndex(std::move(boxes));

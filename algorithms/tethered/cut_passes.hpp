@@ -26,7 +26,7 @@ struct PassSpace {
 
 class CutPasses {
  public:
-  /// `problem` must outlive it.
+  /// `problem` must outlive it. The lines of the cut are whole, as those of TetherSpace are.
   CutPasses(const Problem& problem, const std::vector<Polyline>& cut);
 
   /// `component`: the problem with a component of its cut space as configuration space. Passes are on the cut itself
@@ -38,7 +38,7 @@ class CutPasses {
  private:
   const Problem& problem_;
   RingBoxes target_, space_;      // of the problem
-  std::vector<Polyline> lines_;   // of the cut, joined
+  std::vector<Polyline> lines_;   // of the cut
   BoxIndex boxes_;                // around the lines
   std::vector<Point> junctions_;  // where three or more end, sorted
 };

@@ -29,11 +29,11 @@ constexpr double kPiecesPerWidth = 4;    // pieces of the cut per tool width
 constexpr double kChordsPerWidth = 200;  // tool widths over the chord error of dilation
 constexpr double kShortestChain = 100;   // pieces over the length of chains that are dropped
 
-/// The cut in short pieces, each a polyline of two points.
+/// The cut in pieces.
 struct CutPieces {
   std::vector<Polyline> wide;     // far from walls: the passes lie side by side
   std::vector<Polyline> narrow;   // near walls
-  std::vector<Polyline> shallow;  // nearly along the tether: not driven
+  std::vector<Polyline> shallow;  // nearly along the tether: not driven; of two points each
 };
 
 /// Half the angle between the two tethers that meet at the middle of a piece ab of the cut.
@@ -44,12 +44,14 @@ double half_angle(const GeodesicField& field, const Point& a, const Point& b, do
   return std::isfinite(c) ? std::acos(std::clamp(c, -1.0, 1.0)) / 2 : kPi / 2;
 }
 
-/// Pieces of one kind that follow each other on one segment are joined: fewer strips to unite later.
+/// Pieces of one kind that follow each other are joined, on one segment to one piece.
 void append_piece(std::vector<Polyline>& pieces, bool same_segment, const Point& a, const Point& b) {
-  if (same_segment && !pieces.empty() && pieces.back()[1] == a)
-    pieces.back()[1] = b;
-  else
+  if (pieces.empty() || pieces.back().back() != a)
     pieces.push_back({a, b});
+  else if (same_segment)
+    pieces.back().back() = b;
+  else
+    pieces.back().push_back(b);
 }
 
 CutPieces pieces_of_cut(const TetherSpace& space, CutEdges edges) {
@@ -60,10 +62,11 @@ CutPieces pieces_of_cut(const TetherSpace& space, CutEdges edges) {
     for (std::size_t i = 1; i < line.size(); ++i) {
       const double n = std::max(1.0, std::ceil(distance(line[i - 1], line[i]) / (w / kPiecesPerWidth)));
       for (double k = 0; k < n; ++k) {
-        const Point a = lerp(line[i - 1], line[i], k / n), b = lerp(line[i - 1], line[i], (k + 1) / n);
+        const Point a = lerp(line[i - 1], line[i], k / n);
+        const Point b = k + 1 < n ? lerp(line[i - 1], line[i], (k + 1) / n) : line[i];
         if (a == b || (!walls.contains(a) && !walls.contains(b))) continue;
         if (edges == CutEdges::across_tether && half_angle(space.field(), a, b, 2 * space.cut_width()) < kShallow)
-          append_piece(pieces.shallow, k > 0, a, b);
+          pieces.shallow.push_back({a, b});
         else if (walls.contains(a) && walls.contains(b) && !walls.nearest(a, b, kWideFrom * w))
           append_piece(pieces.wide, k > 0, a, b);
         else

@@ -3,11 +3,11 @@
 // Complexity  O((n + k) log n) for n vertices of configuration space and k pieces of the cut. Components that can be
 //             entered across the cut only: for each a search near it, and a path from the start, which costs its
 //             triangles
-// Decisions   1. The strip is r / 90 wide (w / 200 for robots without size): far above the chord error of the cut and
+// Decisions   1. The strip is r / 90 wide (w / 200 for robots without size): far above the errors of the cut and
 //                above rounding, not below the shortest segments that paths should have (short_segments.hpp), far below
 //                what a tool reaches over.
 //             2. The cut of free space reaches into the walls by r as seen from configuration space, so it divides that
-//                without loose ends. For robots without size its ends are extended by a few widths of the strip.
+//                without loose ends. For robots without size its loose ends are extended by a few widths of the strip.
 //             3. A component is entered at its vertex nearest to the anchor.
 //             4. Components smaller than a hundredth of the tool's width squared are ignored.
 //             5. Up to 256 components, always the one whose entry is nearest by path comes next. That takes the square
@@ -24,6 +24,7 @@
 
 #include "algorithms/grown_path.hpp"
 #include "algorithms/transit/connector.hpp"
+#include "geometry/joined_lines.hpp"
 #include "geometry/overlay/cut_along.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/trace.hpp"
@@ -51,19 +52,25 @@ double width_of(const Problem& problem, const std::string& planner) {
 std::vector<Polyline> near_cut(const Problem& problem, double width) {
   Box box = bounding_box(problem.configuration_space());
   box.grow(width);
-  std::vector<Polyline> kept;
-  for (Polyline& line : problem.tether()->geodesics().cut_locus(width / 8)) {
+  std::vector<Polyline> pieces = problem.tether()->geodesics().cut_locus(width / 8);
+  std::erase_if(pieces, [&](const Polyline& line) {
     Box around;
     for (const Point& p : line) around.add(p);
-    if (line.size() < 2 || !around.overlaps(box)) continue;
-    if (problem.robot().radius <= 0) {
-      const Point first = line[0] - line[1], last = line[line.size() - 1] - line[line.size() - 2];
-      if (first.norm() > 0) line.insert(line.begin(), line.front() + first.normalized() * 2 * width);
-      if (last.norm() > 0) line.push_back(line.back() + last.normalized() * 2 * width);
-    }
-    kept.push_back(std::move(line));
+    return line.size() < 2 || !around.overlaps(box);
+  });
+  std::vector<Polyline> lines = joined_lines(std::move(pieces), width / 8);
+  if (problem.robot().radius > 0) return lines;
+  const std::vector<Point> shared = common_ends(lines, 2);
+  const auto beyond = [&](const Point& end, const Point& before_it) -> Point {
+    const bool loose = !std::binary_search(shared.begin(), shared.end(), end, before);
+    return loose ? Point(end + (end - before_it).normalized() * 2 * width) : end;
+  };
+  for (Polyline& line : lines) {
+    const Point first = beyond(line[0], line[1]);
+    line.back() = beyond(line.back(), line[line.size() - 2]);
+    line.front() = first;
   }
-  return kept;
+  return lines;
 }
 
 bool contains(const Polygon& component, const Point& p, double tolerance) {

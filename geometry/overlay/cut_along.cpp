@@ -8,13 +8,42 @@
 namespace oxturn {
 namespace {
 
-/// A rectangle about the segment that extends past both ends by half its width. It contains a disc of that radius about
-/// either end, so strips that share a point overlap whatever their directions.
-Region strip(const Point& a, const Point& b, double width) {
-  const double length = distance(a, b);
-  const Point along = length > 0 ? Point((b - a) / length * (width / 2)) : Point(width / 2, 0);
-  const Point across = perpendicular(along);
-  return {{{{a - along - across, b + along - across, b + along + across, a - along + across}, {}}}};
+constexpr double kSharpestMitre = 1;  // radians; at sharper bends both strips end squarely
+
+/// The strip along one segment: a rectangle that extends past an end by half its width, or, where the line goes on,
+/// ends at the mitre that it shares with the next one. With a square end it contains a disc of that radius about it, so
+/// strips that share a point overlap whatever their directions. Overlaps at each small bend would leave steps there.
+struct Strip {
+  Point a, b, along;  // unit vector
+  Point left[2], right[2];
+  Strip(const Point& from, const Point& to, double width) : a(from), b(to) {
+    const double size = distance(a, b);
+    along = size > 0 ? Point((b - a) / size) : Point(1, 0);
+    const Point ahead = along * (width / 2), across = perpendicular(ahead);
+    left[0] = a - ahead + across, left[1] = b + ahead + across;
+    right[0] = a - ahead - across, right[1] = b + ahead - across;
+  }
+  Region outline() const { return {{{{right[0], right[1], left[1], left[0]}, {}}}}; }
+};
+
+/// Mitres the end of a strip and the beginning of the next, if the bend is not sharp for their lengths.
+void join(Strip& one, Strip& next, double width) {
+  const double turn = std::atan2(cross(one.along, next.along), one.along.dot(next.along));
+  const double shift = width / 2 * std::abs(std::tan(turn / 2));  // of the mitre's ends along the strips
+  if (std::abs(turn) > kSharpestMitre || 2 * shift > std::min(distance(one.a, one.b), distance(next.a, next.b))) return;
+  const Point middle = one.along + next.along;  // of length 2 cos(turn / 2)
+  const Point aside = perpendicular(middle) * (width / middle.squaredNorm());
+  one.left[1] = next.left[0] = one.b + aside;
+  one.right[1] = next.right[0] = one.b - aside;
+}
+
+void append_strips(const Polyline& line, double width, std::vector<Region>& out) {
+  std::vector<Strip> strips;
+  if (line.size() == 1) strips.push_back({line[0], line[0], width});
+  for (std::size_t i = 1; i < line.size(); ++i)
+    if (line[i - 1] != line[i] || line.size() == 2) strips.push_back({line[i - 1], line[i], width});
+  for (std::size_t i = 1; i < strips.size(); ++i) join(strips[i - 1], strips[i], width);
+  for (const Strip& strip : strips) out.push_back(strip.outline());
 }
 
 }  // namespace
@@ -28,8 +57,7 @@ Region cut_along(const Region& region, const std::vector<Polyline>& lines, doubl
   for (const Polyline& line : lines) {
     for (const Point& p : line)
       if (!finite(p)) throw_invalid("a line to cut a region along has a point that is not finite");
-    if (line.size() == 1) strips.push_back(strip(line[0], line[0], width));
-    for (std::size_t i = 1; i < line.size(); ++i) strips.push_back(strip(line[i - 1], line[i], width));
+    append_strips(line, width, strips);
   }
   if (strips.empty()) return region;
   return subtract(region, unite(strips));

@@ -67,6 +67,7 @@ struct ConeStorage {
 ///   std::optional<ConeOrigin> turn(node, vertex, Turn)     the path turns about a vertex of the edge of entry
 ///   std::optional<ConeOrigin> last_turn(node, vertex, Turn)    ... and sees the goal then
 ///   std::int32_t finished_chain(origin)         the chain of a path from there to the goal
+///   double least(origin)                        a lower bound of the whole path's length, if more is known; or 0
 ///   static constexpr bool kSearchesBehindGoal
 template <class Derived>
 class IntervalSearch {
@@ -190,7 +191,7 @@ class IntervalSearch {
     if (n == Mesh::kWall) return;
     const ConeNode next{from, left, right, n, static_cast<std::int32_t>(mesh_.edge_towards(n, t)), parent};
     // Lowered a little, so that rounding never lets a longer path finish first.
-    put(from.length + remaining(next) * (1 - 1e-9), next);
+    put(std::max(from.length + remaining(next) * (1 - 1e-9), derived().least(from)), next);
   }
   void put(double estimate, const ConeNode& node) {
     if (estimate > longest_ * (1 + kRounding)) return;

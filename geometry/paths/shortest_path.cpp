@@ -14,6 +14,7 @@ struct Knowledge {
   struct Root {
     std::uint32_t search = 0;
     double length = 0;        // the least so far
+    double to_end = 0;        // from there, at least
     std::int32_t turns = -1;  // index of the latest turn about the point
   };
   /// A turn about a point that has been followed: coming from `from`, in `triangle`.
@@ -44,9 +45,10 @@ class OnePathSearch : public IntervalSearch<OnePathSearch> {
  public:
   static constexpr bool kSearchesBehindGoal = false;
 
+  /// `to_end` may be empty.
   OnePathSearch(const Mesh& mesh, const ShortestPaths::Impl::Ends& ends, double longest, ConeStorage& storage,
-                Knowledge& knowledge)
-      : IntervalSearch(mesh, ends.start, ends.goal, longest, storage), ends_(ends), known_(knowledge) {
+                Knowledge& knowledge, const std::function<double(const Point&)>& to_end)
+      : IntervalSearch(mesh, ends.start, ends.goal, longest, storage), ends_(ends), known_(knowledge), to_end_(to_end) {
     known_.begin(mesh);
   }
 
@@ -77,6 +79,9 @@ class OnePathSearch : public IntervalSearch<OnePathSearch> {
   bool is_target(std::int32_t t) const { return known_.target[static_cast<std::size_t>(t)] == known_.search; }
   void starts_at(PathPoint vertex) { root(vertex).length = 0; }
   std::int32_t finished_chain(const ConeOrigin&) const { return 0; }
+  double least(const ConeOrigin& from) {
+    return from.root == start_id() ? 0 : (from.length + root(from.root).to_end) * (1 - 1e-9);
+  }
   std::optional<ConeOrigin> last_turn(const ConeNode& n, PathPoint v, Turn) { return turn(n, v, Turn::left); }
   /// Every (root, vertex, triangle) is followed once, or again on a shorter path: otherwise equally long paths, as
   /// between obstacles on a lattice, would multiply.
@@ -101,13 +106,15 @@ class OnePathSearch : public IntervalSearch<OnePathSearch> {
  private:
   Knowledge::Root& root(PathPoint id) {
     Knowledge::Root& r = known_.roots[static_cast<std::size_t>(id)];
-    if (r.search != known_.search) r = {known_.search, std::numeric_limits<double>::infinity(), -1};
+    if (r.search != known_.search)
+      r = {known_.search, std::numeric_limits<double>::infinity(), to_end_ ? to_end_(at(id)) : 0, -1};
     return r;
   }
   bool worse(double length, PathPoint id) { return length > root(id).length * (1 + kRounding); }
 
   const ShortestPaths::Impl::Ends& ends_;
   Knowledge& known_;
+  const std::function<double(const Point&)>& to_end_;
 };
 
 /// One triangle for each group of the given ones that is connected by edges: where walls touch in a point, there are
@@ -145,6 +152,10 @@ ShortestPaths::ShortestPaths(Mesh mesh, double tolerance) {
 const Mesh& ShortestPaths::mesh() const { return impl_->mesh; }
 
 std::optional<Polyline> ShortestPaths::path(const Point& a, const Point& b, double longest) const {
+  return path(a, b, longest, {});
+}
+std::optional<Polyline> ShortestPaths::path(const Point& a, const Point& b, double longest,
+                                            const std::function<double(const Point&)>& to_end) const {
   if (!finite(a) || !finite(b) || !(distance(a, b) <= longest)) return std::nullopt;
   thread_local Impl::Ends ends;
   if (!impl_->find_ends(a, b, ends)) return std::nullopt;
@@ -160,7 +171,7 @@ std::optional<Polyline> ShortestPaths::path(const Point& a, const Point& b, doub
   } else {
     thread_local ConeStorage storage;
     thread_local Knowledge knowledge;
-    OnePathSearch search(impl_->mesh, ends, longest, storage, knowledge);
+    OnePathSearch search(impl_->mesh, ends, longest, storage, knowledge, to_end);
     const std::optional<std::int32_t> finished = search.run();
     if (!finished) return std::nullopt;
     path.push_back(b);

@@ -33,6 +33,10 @@ class ShortestPaths {
   /// length exceeds `longest`. Deterministic; may be called by several threads.
   std::optional<Polyline> path(const Point& a, const Point& b,
                                double longest = std::numeric_limits<double>::infinity()) const;
+  /// The same. No path from a point p to b is shorter than to_end(p), metres: the better this bound, the less of the
+  /// region is searched.
+  std::optional<Polyline> path(const Point& a, const Point& b, double longest,
+                               const std::function<double(const Point&)>& to_end) const;
   /// Calls visit(path) for every taut (locally shortest) path from a to b not longer than `longest`, that is one for
   /// each homotopy class, by increasing length, until `visit` returns false. Paths whose prefix from a to a bend
   /// `admits` (if given) rejects are pruned. Returns false if the search ended because of `budget`, the number of cones

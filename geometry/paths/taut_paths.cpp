@@ -53,6 +53,7 @@ class AllPathsSearch : public IntervalSearch<AllPathsSearch> {
   bool is_target(std::int32_t t) const { return std::find(ends_.to.begin(), ends_.to.end(), t) != ends_.to.end(); }
   void starts_at(PathPoint) const {}
   std::int32_t finished_chain(const ConeOrigin& from) { return extended(from.chain, goal_id()); }
+  double least(const ConeOrigin&) const { return 0; }
   std::optional<ConeOrigin> turn(const ConeNode& n, PathPoint v, Turn turn) {
     const auto turned = last_turn(n, v, turn);
     if (!turned || !turns_[turn == Turn::left ? 0 : 1].insert({turned->chain, n.triangle}).second) return std::nullopt;

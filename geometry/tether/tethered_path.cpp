@@ -153,6 +153,22 @@ Polyline extended_taut(const TetheredWorld& world, const Polyline& taut, const P
   }
 }
 
+/// The robot's shortest path without regard to the tether. Nothing is nearer to one end than by how much the other's
+/// distance from the anchor is greater, so the search from the end that is farther away keeps near the geodesics.
+std::optional<Polyline> shortest(const TetheredWorld& world, const Point& from, const Point& to) {
+  if (world.walls.contains(from, to)) return Polyline{from, to};
+  const double a = world.field.distance(from), b = world.field.distance(to), least = std::min(a, b);
+  const auto to_end = [&](const Point& p) {
+    const double d = world.field.distance(p) - least;
+    return std::isfinite(d) ? std::max(d, 0.0) : 0.0;
+  };
+  const double longest = std::numeric_limits<double>::infinity();
+  if (a > b) return world.paths.path(from, to, longest, to_end);
+  auto path = world.paths.path(to, from, longest, to_end);
+  if (path) std::reverse(path->begin(), path->end());
+  return path;
+}
+
 /// The last part of a tether that lies along a geodesic: moving it does not cost all bends of the geodesic.
 class TetherEnd {
  public:
@@ -335,7 +351,7 @@ std::optional<TetheredPath> TetheredRobot::path_to(const Point& goal, Retraction
       return TetheredPath{*line};
     return path_by_start(goal, budget);
   }
-  const auto plain = world.walls.contains(at(), goal) ? Polyline{at(), goal} : world.paths.path(at(), goal);
+  const auto plain = shortest(world, at(), goal);
   if (!plain) return std::nullopt;
   if (admissible(world, tether_, *plain)) return TetheredPath{*plain};
 

@@ -54,6 +54,36 @@ TEST(TetherSpace, ComponentsHaveNoHolesAndLoseOnlyTheCut) {
     }
 }
 
+// Regression: the cut came in pieces, a few for each triangle of a mesh, whose strips left steps of nanometres to
+// micrometres where they meet; laps and offsets turned about the corners of each.
+TEST(TetherSpace, TheCutLeavesNoSteps) {
+  for (const auto seed : seeds(3)) {
+    std::vector<Map> maps = tether_maps(seed);
+    maps.push_back(generate("speckle", {{"width", 14.0}, {"height", 14.0}}, seed));
+    for (const Map& map : maps) {
+      SCOPED_TRACE(map.source);
+      const Problem problem(map, tethered_robot(1.1));
+      const TetherSpace space(problem, "test");
+      const auto short_edges = [&](const Region& region) {
+        std::size_t count = 0;
+        for_each_edge(region,
+                      [&](const Point& a, const Point& b) { count += distance(a, b) < 1e-2 * space.cut_width(); });
+        return count;
+      };
+      const Region& whole = problem.configuration_space();
+      std::size_t pieces = 0, ends = 0, steps = 0, vertices = 0;
+      for (const Polyline& line : space.cut()) pieces += line.size(), ends += 2;
+      for (const TetherSpace::Component& component : space.components()) {
+        steps += short_edges(component.problem.configuration_space());
+        vertices += vertex_count(component.problem.configuration_space());
+      }
+      // Walls that the cut meets at a small angle may have one; walls alone have some, too.
+      EXPECT_LE(steps, short_edges(whole) + ends);
+      EXPECT_LE(vertices, vertex_count(whole) + 2 * pieces + 4 * ends);
+    }
+  }
+}
+
 // Among many obstacles there are components behind components. All are entered along their geodesics; a search over
 // the classes of the whole map gave up on some.
 TEST(TetherSpace, EveryComponentOfALargeClutterIsEntered) {

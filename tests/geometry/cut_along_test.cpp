@@ -58,6 +58,29 @@ TEST(CutAlong, StripsThatShareAPointLeaveNoGap) {
   }
 }
 
+// Each small bend had a step on either side, where two rectangles overlapped.
+TEST(CutAlong, StripsOfLinesThatBendALittleHaveNoSteps) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const double width = rng.between(0.01, 0.3), most = rng.between(0.01, 0.45);
+    Polyline line{{-1, 5}};
+    while (line.back().x() < 11) {
+      const double turn = rng.between(-most, most);
+      line.push_back(line.back() + rng.between(2 * width, 1.0) * Point(std::cos(turn), std::sin(turn)));
+    }
+    const Region r = cut_along(kBox, {line}, width);
+    EXPECT_EQ(r.polygons.size(), 2u);
+    EXPECT_LE(vertex_count(r), 2 * line.size() + 8);
+    for_each_edge(r, [&](const Point& a, const Point& b) {  // every vertex is a mitre's end or on the box
+      const bool on_box = std::min(std::min(a.x(), a.y()), std::min(10 - a.x(), 10 - a.y())) < 1e-6;
+      double nearest = 1e300;
+      for (const Point& p : line) nearest = std::min(nearest, distance(a, p));
+      EXPECT_TRUE(on_box || nearest < width / 2 / std::cos(most) + 1e-6) << a << ' ' << b;
+    });
+  }
+}
+
 TEST(CutAlong, WhatIsTakenAwayIsWithinTheWidthOfTheLines) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Rng rng(seed);

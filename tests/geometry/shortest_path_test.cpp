@@ -13,6 +13,7 @@
 #include "geometry/overlay/offset.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/raster.hpp"
+#include "geometry/tether/geodesic_field.hpp"
 #include "paths_oracle.hpp"
 #include "random_region.hpp"
 #include "taut_paths.hpp"
@@ -249,6 +250,32 @@ TEST(ShortestPaths, PartsThatTouchInAPointAreNotConnected) {
   EXPECT_FALSE(paths.path({0.5, 0.5}, {1.5, 1.5}));
   EXPECT_TRUE(paths.path({0.5, 0.5}, {1, 1}));
   EXPECT_TRUE(paths.path({1, 1}, {1.5, 1.5}));
+}
+
+// From nothing known to the exact length: a bound decides only what is searched.
+TEST(ShortestPaths, ALowerBoundOfTheRestChangesNoLength) {
+  Rng rng(5);
+  for (int round = 0; round < 30; ++round) {
+    const Region region = clutter_box(rng, 6, 6, round % 2 == 0);
+    const EdgeIndex index(region);
+    const ShortestPaths paths(region, 0);
+    for (int k = 0; k < 10; ++k) {
+      const Point a(rng.between(0.0, 6.0), rng.between(0.0, 6.0)), b(rng.between(0.0, 6.0), rng.between(0.0, 6.0));
+      const auto plain = paths.path(a, b);
+      if (!plain) continue;
+      const GeodesicField field(region, b, {}, 1e-9);
+      const double share = rng.chance(0.5) ? 1 : rng.unit();
+      int asked = 0;
+      const auto path = paths.path(a, b, std::numeric_limits<double>::infinity(), [&](const Point& p) {
+        ++asked;
+        return share * field.distance(p);
+      });
+      ASSERT_TRUE(path.has_value());
+      expect_valid(*path, a, b, index);
+      EXPECT_NEAR(length(*path), length(*plain), 1e-9);
+      EXPECT_TRUE(asked > 0 || path->size() == 2);
+    }
+  }
 }
 
 TEST(ShortestPaths, RefusesWhatIsTooLongOrOutside) {
