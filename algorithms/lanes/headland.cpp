@@ -1,5 +1,7 @@
 #include "algorithms/lanes/headland.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -64,6 +66,9 @@ Path drive_with_headland(const Problem& problem, const Headland& headland,
   Laps laps = laps_of(problem, problem.robot().tool_width, context, headland.headland);
   std::vector<Strip> strips = strips_deeper_than(laps.depth_m);
   for (Strip& strip : strips) strip.work_links = headland.headland_tool == HeadlandTool::on;
+  if (strips.empty() && headland.headland_tool == HeadlandTool::off)
+    throw Infeasible(fmt::format(
+        "a headland of {} laps leaves no room for lanes; take fewer laps, or headland_tool=laps", headland.headland));
   const Connector connector(problem);
   PathBuilder path(problem.start());
   const auto drive_lanes = [&] {

@@ -210,6 +210,14 @@ TEST(Headland, ManyLapsLeaveNoLanes) {
   EXPECT_NEAR(all_laps, plan("contour", p, {{"join", text("nearest")}}).length(true), 0.1 * all_laps);
 }
 
+// With the tool off in it, such a headland leaves nothing to do: that is said, in place of an empty path.
+TEST(Headland, WithTheToolOffItMustLeaveRoomForLanes) {
+  const Problem p(Map{"square", box_region({0, 0}, {4.4, 4.4}), "", ""}, disc(0.2, 0.4), Point(0.2, 0.2));
+  for (const char* planner : {"boustrophedon", "trapezoid", "zigzag", "field", "oarp"})
+    EXPECT_THROW(plan(planner, p, {{"headland", std::int64_t{100}}, {"headland_tool", text("off")}}), Infeasible)
+        << planner;
+}
+
 TEST(Laps, AloneAreTheSame) {
   const Problem p(generate("clutter", {{"width", 8.0}, {"height", 6.0}}, 1), {});
   const double width = p.robot().tool_width;
