@@ -44,17 +44,19 @@ std::optional<Detour> stop(const PathSegments& path, const Polygon& piece, doubl
 }
 
 /// Which of the offers cover `enough` on a short length: the best ones for their length, and for the rest the shortest
-/// one that covers it, whereever that is the best of all ends.
+/// one that covers it, wherever that is the best of all ends.
 std::vector<Detour> best_of(std::vector<Offer> offers, std::size_t pieces, double enough) {
   std::ranges::stable_sort(offers, std::greater<>(),
                            [](const Offer& o) { return o.area / std::max(o.detour.length, 1e-12); });
+  std::vector<double> largest(offers.size() + 1, 0);  // of this offer and those after it
+  for (std::size_t i = offers.size(); i-- > 0;) largest[i] = std::max(largest[i + 1], offers[i].area);
   std::vector<double> left(pieces, std::numeric_limits<double>::infinity());  // of a piece, to be covered
   double length = 0, least = std::numeric_limits<double>::infinity();
   std::vector<std::size_t> taken;
   std::size_t kept = 0, last = offers.size();  // of the best end: how many of those taken, and one more
   const auto gain = [&](const Offer& o) { return std::min(o.area, left[o.piece]); };
-  for (std::size_t i = 0; i < offers.size() && enough > 0; ++i) {
-    for (std::size_t k = i; k < offers.size(); ++k)
+  for (std::size_t i = 0; i < offers.size() && enough > 0 && length < least; ++i) {
+    for (std::size_t k = i; k < offers.size() && largest[k] >= enough; ++k)
       if (gain(offers[k]) >= enough && length + offers[k].detour.length < least) {
         least = length + offers[k].detour.length;
         kept = taken.size();
