@@ -27,10 +27,10 @@ bool covers(const Point& at, const Polygon& piece, double reach) {
   return std::ranges::all_of(piece.outer, [&](const Point& p) { return distance(p, at) <= reach; });
 }
 
-std::optional<Detour> stop(const PathSegments& path, const Polygon& piece, double reach, const EdgeIndex& walls) {
+std::optional<Detour> stop(const NearbySegments& path, const Polygon& piece, double reach, const EdgeIndex& walls) {
   const Point centre = bounding_box(piece.outer).centre();
   if (!covers(centre, piece, reach)) return std::nullopt;
-  for (const PathSegments::Near& near : path.near(centre, 2 * reach, kMostTried)) {
+  for (const NearbySegments::Near& near : path.near(centre, 2 * reach, kMostTried)) {
     double outside = 0, inside = 1;  // the positions that cover the piece are an interval of the line to its centre
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = (outside + inside) / 2;
@@ -91,7 +91,7 @@ Polyline inserted(const Polyline& path, std::vector<Detour> detours) {
 
 }  // namespace
 
-PathSegments::PathSegments(const Polyline& path) : path_(path) {
+NearbySegments::NearbySegments(const Polyline& path) : path_(path) {
   std::vector<Box> boxes(path.size() - 1);
   for (std::size_t k = 0; k + 1 < path.size(); ++k) {
     boxes[k].add(path[k]);
@@ -100,7 +100,7 @@ PathSegments::PathSegments(const Polyline& path) : path_(path) {
   index_ = BoxIndex(std::move(boxes));
 }
 
-std::vector<PathSegments::Near> PathSegments::near(const Point& p, double within, std::size_t most) const {
+std::vector<NearbySegments::Near> NearbySegments::near(const Point& p, double within, std::size_t most) const {
   std::vector<Near> all;
   const Point corner(within, within);
   for (const std::size_t k : index_.overlapping({p - corner, p + corner})) {
@@ -114,7 +114,7 @@ std::vector<PathSegments::Near> PathSegments::near(const Point& p, double within
 
 Polyline with_detours(const Polyline& path, const std::vector<ToCover>& pieces, double enough, double noticed,
                       double reach, const Connector& connector, const EdgeIndex& walls) {
-  const PathSegments segments(path);
+  const NearbySegments segments(path);
   std::vector<Offer> offers;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const auto& [whole, parts] = pieces[i];

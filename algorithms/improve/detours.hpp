@@ -31,10 +31,10 @@ struct Detour {
 };
 
 /// A path, and which of its segments are near a point.
-class PathSegments {
+class NearbySegments {
  public:
   /// `path` must outlive it; at least one point.
-  explicit PathSegments(const Polyline& path);
+  explicit NearbySegments(const Polyline& path);
   struct Near {
     double distance;
     std::size_t segment;

@@ -106,19 +106,19 @@ Polyline line_through(const std::vector<Demand>& demands, const Connector& conne
 
 }  // namespace
 
-std::optional<Detour> stroke(const PathSegments& path, const Polyline& outline, double reach,
+std::optional<Detour> stroke(const NearbySegments& path, const Polyline& outline, double reach,
                              const Connector& connector, const EdgeIndex& walls) {
   const Box box = bounding_box(outline);
   const double far = 2 * reach + (box.high - box.centre()).norm();
   std::optional<Detour> best;
-  for (const PathSegments::Near& near : path.near(box.centre(), far, kMostTried)) {
+  for (const NearbySegments::Near& near : path.near(box.centre(), far, kMostTried)) {
     std::vector<Demand> demands;
     for (const Point& p : samples(outline, reach))
       if (const auto d = demand(p, near.at, reach, walls)) demands.push_back(*d);
     if (demands.empty()) continue;
     const Polyline line = line_through(demands, connector);
     for (const Point& end : {line.front(), line.back()}) {
-      for (const PathSegments::Near& from : path.near(end, far, kMostTried)) {
+      for (const NearbySegments::Near& from : path.near(end, far, kMostTried)) {
         const double least = distance(from.at, line.front()) + length(line) + distance(line.back(), from.at);
         if ((best && best->length <= least) || !walls.contains(from.at)) continue;
         Polyline points{from.at};

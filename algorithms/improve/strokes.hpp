@@ -17,7 +17,7 @@
 namespace oxturn {
 
 /// nullopt if the path is too far, or behind a wall.
-std::optional<Detour> stroke(const PathSegments& path, const Polyline& outline, double reach,
+std::optional<Detour> stroke(const NearbySegments& path, const Polyline& outline, double reach,
                              const Connector& connector, const EdgeIndex& walls);
 
 }  // namespace oxturn

@@ -52,7 +52,7 @@ constexpr double kChord = 0.01;           // tool widths: error of arcs, and by 
 constexpr double kShortestStretch = 0.5;  // tool widths
 constexpr double kWorkLink = 2;           // tool widths: shorter links are driven with the tool on
 constexpr double kDetour = 3;             // straight distances, and
-constexpr double kDetourMore = 10;         // tool widths: a path that is not longer than both counts as straight
+constexpr double kDetourMore = 10;        // tool widths: a path that is not longer than both counts as straight
 constexpr double kMostEffort = 2e6;       // of a block: vertices times area in squares of the tool's width
 
 enum class Links { path, straight };  // in the order of their names in field_predictive()
