@@ -7,7 +7,8 @@ namespace oxturn {
 namespace {
 
 constexpr double kBlocked = 1e6;  // metres; dearer than any detour, so that a tour with few blocked links is preferred
-constexpr int kRounds = 12;
+constexpr int kRounds = 12, kLeastRounds = 2;
+constexpr std::uint64_t kStrokesOfRounds = 12000;  // strokes times rounds: a round is a tour and its links
 constexpr std::uint64_t kKicks = 20000;  // a fifth of a millisecond each; more do not pay where there are many strokes
 constexpr std::size_t kReports = 8;      // in the first round
 constexpr double kEntrySpacing = 2;      // radii, between points where a closed stroke may be entered
@@ -119,7 +120,8 @@ std::vector<DrivenStroke> LinkTour::order() {
   const TourProblem problem(costs, counts_, reverse_);
   const std::uint64_t n = strokes_.size(), kicks = std::max(kKicks, std::min(20 * n, kKicks + n));
   Tour tour = from_start(problem, solve_tour(problem, context_, {.kicks = kicks}));
-  for (int round = 0; round < kRounds && learn(problem, tour); ++round)
+  const int rounds = std::clamp(static_cast<int>(kStrokesOfRounds / n), kLeastRounds, kRounds);
+  for (int round = 0; round < rounds && learn(problem, tour); ++round)
     tour = from_start(problem, improved_tour(problem, tour, context_, {.kicks = std::min(20 * n, kKicks)}));
   return driven(problem, tour);
 }
