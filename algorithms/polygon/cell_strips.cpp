@@ -22,14 +22,22 @@ Ring outline(const BoustrophedonCell& cell, const LaneFrame& frame) {
   return ring;
 }
 
+namespace {
+
+/// The end of the first edge of a chain that reaches x and is not upright; its size if there is none.
+std::size_t edge_to(const Polyline& chain, double x) {
+  for (std::size_t i = 1; i < chain.size(); ++i)
+    if (x <= chain[i].x() && chain[i].x() > chain[i - 1].x()) return i;
+  return chain.size();
+}
+
+}  // namespace
+
 double height_on(const Polyline& chain, double x) {
-  for (std::size_t i = 1; i < chain.size(); ++i) {
-    const Point& a = chain[i - 1];
-    const Point& b = chain[i];
-    if (x <= b.x() && b.x() > a.x())
-      return a.y() + std::clamp((x - a.x()) / (b.x() - a.x()), 0.0, 1.0) * (b.y() - a.y());
-  }
-  return chain.back().y();
+  const std::size_t i = edge_to(chain, x);
+  if (i == chain.size()) return chain.back().y();
+  const Point &a = chain[i - 1], &b = chain[i];
+  return a.y() + std::clamp((x - a.x()) / (b.x() - a.x()), 0.0, 1.0) * (b.y() - a.y());
 }
 
 namespace {
@@ -50,11 +58,13 @@ std::pair<double, double> range_on(const Polyline& chain, double x0, double x1) 
   return {low, high};
 }
 
-/// The vertices of a chain strictly between two points, and the points.
+/// Two points at the chain's heights, from left to right, and its vertices between them: also those straight above or
+/// below the first one, where the chain goes on upright from there.
 Polyline chain_between(const Polyline& chain, const Point& from, const Point& to) {
   Polyline link{from};
-  for (const Point& p : chain)
-    if (p.x() > from.x() && p.x() < to.x()) link.push_back(p);
+  std::size_t i = edge_to(chain, from.x());
+  if (i < chain.size() && chain[i].x() <= from.x()) ++i;
+  for (const std::size_t end = edge_to(chain, to.x()); i < end; ++i) link.push_back(chain[i]);
   link.push_back(to);
   return link;
 }

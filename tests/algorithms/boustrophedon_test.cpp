@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "algorithms/polygon/cell_strips.hpp"
 #include "coverage_oracle.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/trace.hpp"
@@ -21,6 +22,28 @@ void expect_complete(const Problem& problem, const Settings& settings = {}, doub
   expect_valid(problem, path);
   EXPECT_EQ(uncovered_share(problem, path, 1500), 0);
   if (bound > 0) { EXPECT_LT(path.length(), bound * lanes_needed(problem)); }
+}
+
+// Where a lane is on an upright step of the boundary, the link from it goes up the step, not straight past its corner.
+TEST(Boustrophedon, LinksClimbAStepAtALane) {
+  const Problem p(Map{"room", box_region({-1, -1}, {5, 4}), "", ""}, disc(0.2, 2));
+  const LaneField field(p, 90, 2);
+  BoustrophedonCell cell;
+  cell.lower = {{0, 0}, {2, 0}, {2, 1}, {4, 1}};
+  cell.upper = {{0, 3}, {2, 3}, {2, 2}, {4, 2}};
+  Context context(1);
+  const Strip strip = cell_strips(field, {cell}, LaneFit::spaced, context).front();
+  ASSERT_EQ(strip.lanes.size(), 3U);
+  ASSERT_EQ(strip.low_links.size(), 2U);
+  const auto expect_link = [&](const Polyline& link, const Polyline& expected) {
+    ASSERT_EQ(link.size(), expected.size());
+    for (std::size_t i = 0; i < link.size(); ++i)
+      EXPECT_LT(distance(link[i], field.frame.to_world(expected[i])), 2 * field.margin) << i;
+  };
+  expect_link(strip.low_links[0], {{0, 0}, {2, 0}});
+  expect_link(strip.low_links[1], {{2, 0}, {2, 1}, {4, 1}});
+  expect_link(strip.high_links[0], {{0, 3}, {2, 3}});
+  expect_link(strip.high_links[1], {{2, 3}, {2, 2}, {4, 2}});
 }
 
 TEST(Boustrophedon, CoversEveryFamilyWhole) {
