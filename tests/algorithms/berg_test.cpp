@@ -462,6 +462,18 @@ TEST(Berg, ARectangularRoomCostsAboutTwiceTheLeastLength) {
   EXPECT_LE(result.value("length_ratio").value_or(9), 2.6);
 }
 
+// By the robot's radius, as in the source, a wide tool would pass everything again and again.
+TEST(Berg, LapsFollowTheTool) {
+  Robot robot = tethered_robot(20);
+  robot.radius = 0.1;
+  robot.tool_width = 1;
+  const Problem p({"room", box_region({0, 0}, {10, 8}), "test", ""}, robot, Point(5, 4));
+  const double by_tool = plan_berg(p).length();
+  const double by_robot = plan_berg(p, {{"step_by", std::string("robot")}}).length();
+  EXPECT_LT(by_tool, 2.5 * area(p.target()) / robot.tool_width);
+  EXPECT_GT(by_robot, 4 * by_tool);
+}
+
 TEST(Berg, TrimKeepsTheSamplesAtTheirGeodesicDistance) {
   for (const auto seed : seeds(4)) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
