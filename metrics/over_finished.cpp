@@ -70,6 +70,7 @@ std::vector<TransitOver> transits_over_finished(const Problem& problem, const Pa
 
 std::vector<std::string> remarks_on(const std::vector<TransitOver>& transits, const std::string& reason) {
   std::vector<std::string> sentences;
+  sentences.reserve(transits.size());
   for (const TransitOver& t : transits)
     sentences.push_back(
         fmt::format("the transit from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}) drives {:.2f} m over finished work{}",

@@ -45,6 +45,7 @@ std::vector<UnfilledArea> unfilled_areas(const Problem& problem, const Path& pat
 
 std::vector<std::string> remarks_on(const std::vector<UnfilledArea>& areas) {
   std::vector<std::string> sentences;
+  sentences.reserve(areas.size());
   for (const UnfilledArea& area : areas)
     sentences.push_back(
         area.share > 0
