@@ -21,7 +21,7 @@ struct Tether {
 };
 struct Lidar {
   double range = 0;  // metres, > 0
-  int rays = 0;      // evenly spaced from heading 0, >= 1
+  int rays = 360;    // evenly spaced from heading 0, >= 1
   double noise = 0;  // metres along the ray, standard deviation, >= 0
 };
 

@@ -34,6 +34,13 @@ TEST(Robot, EachNumberIsChecked) {
   EXPECT_THAT(why_not([](Robot& r) { r.lidar = Lidar{5, 0}; }), HasSubstr("'lidar_rays' of robot 'disc' is 0"));
 }
 
+TEST(Robot, ALidarWithARangeAloneHasARayForEachDegree) {
+  Robot robot;
+  change(robot, {{"lidar_range", 6.0}});
+  check(robot);
+  EXPECT_EQ(robot.lidar->rays, 360);
+}
+
 TEST(Robot, SettingsThereAndBack) {
   Robot robot;
   change(robot, {{"name", std::string("cleaner")},
