@@ -127,11 +127,12 @@ class Beachbot final : public CoveragePlanner {
       elements = std::move(loose.elements);
       curves = std::move(loose.curves);
     }
+    std::optional<LastDetours> last;
+    if (p_.finished == FinishedRule::around) last.emplace(problem, work, radius);
     OrderDriver driver(elements, router, work, smooth ? &*smooth : nullptr,
-                       {p_.corner, radius, kDeviation * problem.robot().tool_width});
-    driver.drive(order, curves, path);
+                       {p_.corner, radius, kDeviation * problem.robot().tool_width}, last ? &*last : nullptr);
+    driver.drive(order, curves, path, context);
     report(driver, curves, context);
-    if (p_.finished == FinishedRule::around) context.record("detours_sought", router.exhausted() ? 0 : 1);
     Path result = path.take();
     report_bends(result, problem, radius, context);
     return result;
@@ -227,14 +228,19 @@ class Beachbot final : public CoveragePlanner {
   }
 
   static void report(const OrderDriver& driver, const PortCurves& curves, Context& context) {
-    std::vector<Polyline> over;
+    // In the order of LastDetour::End; cli/plan.cpp makes sentences of them.
+    static constexpr const char* kWhy[] = {"", "enclosed", "no curve", "effort spent", "by hand"};
+    std::vector<Polyline> over[std::size(kWhy)];
     double metres = 0;
-    for (const Transit& t : driver.crossing()) metres += t.crossing_m, over.push_back(t.path);
+    for (const auto& [transit, why] : driver.crossing())
+      metres += transit.crossing_m, over[static_cast<std::size_t>(why)].push_back(transit.path);
     context.record("over_finished_m", metres);
-    context.record("transits_over_finished", static_cast<double>(over.size()));
+    context.record("transits_over_finished", static_cast<double>(driver.crossing().size()));
+    context.record("last_detours", static_cast<double>(driver.last_detours()));
     if (!curves.empty()) context.record("curves_obeyed", static_cast<double>(driver.curves_used()));
     context.trace("transits", driver.transits());
-    context.trace("over finished work", std::move(over));
+    for (std::size_t why = 1; why < std::size(kWhy); ++why)
+      if (!over[why].empty()) context.trace(fmt::format("over finished work: {}", kWhy[why]), std::move(over[why]));
   }
 
   /// Where the path turns more sharply than the radius: corners of strokes, curves of a person, narrow parts.
