@@ -112,6 +112,14 @@ void say_some(const std::vector<std::string>& sentences, const char* more) {
 std::vector<std::string> remarks_on_path(const Problem& problem, const Planned& planned) {
   std::vector<std::string> all = remarks_on(unfilled_areas(problem, *planned.path));
   say_some(all, "areas are not filled completely");
+  if (const auto thin = std::ranges::find(planned.records, "areas_with_thin_lines", &Records::value_type::first);
+      thin != planned.records.end() && thin->second > 0) {
+    all.push_back(fmt::format(
+        "{:.0f} areas are narrower than one pin, or parts of them: they are drawn as lines along their middle, "
+        "wider than they are (--set thin_areas=skip leaves them out)",
+        thin->second));
+    say(all.back());
+  }
   for (std::string& sentence : remarks_on_sharp_bends(problem, *planned.path)) {
     say(sentence);
     all.push_back(std::move(sentence));

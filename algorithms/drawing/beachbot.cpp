@@ -40,6 +40,7 @@ constexpr double kChord = 0.8e-3;
 
 enum class Fill { spiral, zigzag, contour };
 enum class Complete { automatic, on, off };
+enum class ThinAreas { line, skip };
 const Choices kFills{"spiral", "zigzag", "contour"};
 
 struct Params {
@@ -48,6 +49,7 @@ struct Params {
   double inset = 0;
   bool outline = true;
   Complete complete = Complete::automatic;
+  ThinAreas thin_areas = ThinAreas::line;
   Containment containment = Containment::strict;
   FinishedRule finished = FinishedRule::around;
   double keep_off = -1;
@@ -145,16 +147,25 @@ class Beachbot final : public CoveragePlanner {
     FillOptions options = fill_options(p_);
     // Of other maps all is covered with the whole tool.
     options.complete = problem.map().drawing && completes(problem.robot());
+    options.thin_lines = problem.map().drawing && p_.thin_areas == ThinAreas::line;
     const AreaFiller filler(problem, fills_, options);
-    std::vector<Polyline> narrow;
+    std::vector<Polyline> narrow, thin;
+    std::size_t as_lines = 0;
     for (const FilledArea& area : drawing.areas) {
       std::vector<DrawingElement> fills = filler.elements(area, context);
       if (fills.empty() && area.choice.fill != "none") narrow.push_back(area.area.outer);
+      const std::size_t lines_before = thin.size();
+      for (const DrawingElement& fill : fills)
+        if (fill.thin)
+          for (const Leg& leg : fill.legs) thin.push_back(leg.points);
+      as_lines += thin.size() > lines_before;
       std::move(fills.begin(), fills.end(), std::back_inserter(elements));
     }
     context.trace("fills", lines_of(elements, true));
     if (!narrow.empty()) context.record("areas_too_narrow", static_cast<double>(narrow.size()));
     context.trace("areas too narrow", std::move(narrow));
+    context.record("areas_with_thin_lines", static_cast<double>(as_lines));
+    if (!thin.empty()) context.trace("thin areas", std::move(thin));
     return elements;
   }
 
@@ -267,6 +278,8 @@ const std::vector<Parameter<Params>>& parameters() {
       {"complete", &Params::complete, Choices{"automatic", "on", "off"},
        "on: 5, 3 and 1 of the 7 pins fill what the whole tool leaves of an area; off: only areas too narrow for it; "
        "automatic: on for robots that turn on the spot, as others need a loop for each of the many short lanes"},
+      {"thin_areas", &Params::thin_areas, Choices{"line", "skip"},
+       "where an area is narrower than one pin: draw a line one pin wide along its middle, or nothing"},
       {"containment", &Params::containment, Choices{"strict", "literal"},
        "strict: elements inside another one are drawn before it; literal: only no direct connection leads inwards"},
       {"finished", &Params::finished, Choices{"around", "weight", "ignore"},
@@ -298,6 +311,7 @@ PlannerInfo beachbot() {
                     {"finished", std::string("ignore")},
                     {"corner", std::string("literal")},
                     {"complete", std::string("off")},
+                    {"thin_areas", std::string("skip")},
                     {"line_distance", 0.25},
                     {"inset", 0.3},
                     {"round_radius", 0.5}};
