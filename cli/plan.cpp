@@ -74,14 +74,29 @@ void write_path(const std::string& file, const Path& path, const Problem& proble
   write_file(file, to_geojson(path, &made_for));
 }
 
-/// As the planner says by what it records (algorithms/drawing/beachbot.cpp); empty for planners that do not.
-std::string why_over_finished(const Problem& problem, const Planned& planned) {
-  const auto sought = std::ranges::find(planned.records, "detours_sought", &Records::value_type::first);
-  if (sought == planned.records.end()) return "";
-  if (!(sought->second > 0)) return ": so large a drawing ends the search for paths round it early";
+/// Where a transit of the planner's is part of the leg: both its ends are vertices of it.
+bool is_part_of(const Polyline& transit, const Polyline& leg, double tolerance) {
+  const auto has = [&](const Point& p) {
+    return std::ranges::any_of(leg, [&](const Point& q) { return distance(p, q) <= tolerance; });
+  };
+  return !transit.empty() && has(transit.front()) && has(transit.back());
+}
+
+/// As the planner says by its traces (algorithms/drawing/beachbot.cpp); empty for planners that do not.
+std::string why_over_finished(const Problem& problem, const Planned& planned, const TransitOver& over) {
   const double radius = problem.robot().min_turn_radius;
-  if (!(radius > 0)) return ": what is drawn by then leaves no path round it";
-  return fmt::format(": no curve of radius {:g} m that leads round it was found", radius);
+  const std::pair<const char*, std::string> reasons[] = {
+      {"over finished work: enclosed", ": finished work encloses one of its ends"},
+      {"over finished work: no curve", fmt::format(": no detour exists at radius {:g} m", radius)},
+      {"over finished work: effort spent", ": the effort for detours ran out before one was found"},
+      {"over finished work: by hand", ": so a person drew it"}};
+  for (const auto& [name, reason] : reasons)
+    for (const Trace& trace : planned.traces)
+      if (trace.name == name && std::ranges::any_of(trace.lines, [&](const Polyline& line) {
+            return is_part_of(line, planned.path->legs[over.leg].points, problem.tolerance());
+          }))
+        return reason;
+  return "";
 }
 
 /// Says ten of these sentences, and how many more there are.
@@ -97,11 +112,20 @@ void say_some(const std::vector<std::string>& sentences, const char* more) {
 std::vector<std::string> remarks_on_path(const Problem& problem, const Planned& planned) {
   std::vector<std::string> all = remarks_on(unfilled_areas(problem, *planned.path));
   say_some(all, "areas are not filled completely");
+  if (const auto thin = std::ranges::find(planned.records, "areas_with_thin_lines", &Records::value_type::first);
+      thin != planned.records.end() && thin->second > 0) {
+    all.push_back(fmt::format(
+        "{:.0f} areas are narrower than one pin, or parts of them: they are drawn as lines along their middle, "
+        "wider than they are (--set thin_areas=skip leaves them out)",
+        thin->second));
+    say(all.back());
+  }
   for (std::string& sentence : remarks_on_sharp_bends(problem, *planned.path)) {
     say(sentence);
     all.push_back(std::move(sentence));
   }
-  const auto over = remarks_on(transits_over_finished(problem, *planned.path), why_over_finished(problem, planned));
+  const auto why = [&](const TransitOver& t) { return why_over_finished(problem, planned, t); };
+  const auto over = remarks_on(transits_over_finished(problem, *planned.path), why);
   say_some(over, "transits drive over finished work");
   all.insert(all.end(), over.begin(), over.end());
   return all;
@@ -116,7 +140,7 @@ Report run_planner(const PlanOptions& options, const PlannerInfo& planner, const
   problem.map_edges();
   IsolationOptions isolation = options.isolation;
   isolation.progress = progress_line();
-  isolation.traces = options.outputs.traces || !options.outputs.viewer.empty();
+  isolation.traces = options.outputs.traces || !options.outputs.viewer.empty() || problem.map().drawing != nullptr;
   isolation.log_file = kLogToStandardError;
   const Planned planned = plan_isolated([&] { return planner.make(settings, registry.planners); }, problem, isolation);
   if (planned.wall_s > 0)

@@ -68,13 +68,14 @@ std::vector<TransitOver> transits_over_finished(const Problem& problem, const Pa
   return found;
 }
 
-std::vector<std::string> remarks_on(const std::vector<TransitOver>& transits, const std::string& reason) {
+std::vector<std::string> remarks_on(const std::vector<TransitOver>& transits,
+                                    const std::function<std::string(const TransitOver&)>& reason) {
   std::vector<std::string> sentences;
   sentences.reserve(transits.size());
   for (const TransitOver& t : transits)
     sentences.push_back(
         fmt::format("the transit from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}) drives {:.2f} m over finished work{}",
-                    t.from.x(), t.from.y(), t.to.x(), t.to.y(), t.over_m, reason));
+                    t.from.x(), t.from.y(), t.to.x(), t.to.y(), t.over_m, reason(t)));
   return sentences;
 }
 

@@ -1,10 +1,11 @@
 /// Transits that drive over finished work, as where a robot has no other path.
 ///
-///   const auto sentences = remarks_on(transits_over_finished(problem, path), ": there is no other way");
+///   const auto sentences = remarks_on(transits_over_finished(problem, path), why);
 ///
 /// What counts is that of the metric over_finished_m. Complexity: the work near each transit.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct TransitOver {
 std::vector<TransitOver> transits_over_finished(const Problem& problem, const Path& path, double least = 0.01);
 
 /// A sentence for each, with the reason at its end.
-std::vector<std::string> remarks_on(const std::vector<TransitOver>& transits, const std::string& reason);
+std::vector<std::string> remarks_on(const std::vector<TransitOver>& transits,
+                                    const std::function<std::string(const TransitOver&)>& reason);
 
 }  // namespace oxturn

@@ -4,6 +4,7 @@
 
 #include "algorithms/drawing/followed_line.hpp"
 #include "algorithms/drawing/outline_last.hpp"
+#include "algorithms/drawing/thin_lines.hpp"
 #include "algorithms/drawing/uncovered_parts.hpp"
 #include "algorithms/smoothing/strokes.hpp"
 #include "base/throw_invalid.hpp"
@@ -18,10 +19,12 @@ constexpr double kChord = 1e-3;         // tool widths: error of the inset's arc
 constexpr double kLeastChord = 2.5e-4;  // the same in widths of the whole tool, for parts of it
 // Parts of the tool for narrow areas: 5, 3 and 1 of 7 pins are 0.32, 0.16 and 0.04 m of 0.42 m wide.
 constexpr double kWidths[] = {1, 0.32 / 0.42, 0.16 / 0.42, 0.04 / 0.42};
-constexpr double kLeastPart = 1e-4;      // square tool widths: smaller parts of the inset are rounding
-constexpr double kFilled = 0.985;        // of an area: less is filled up by narrower parts of the tool
-constexpr double kLeastGain = 1e-4;      // of an area: parts that fill up less are left out
-constexpr double kShortLap = 4;          // tool widths: longer thin parts are driven as planners do
+constexpr double kLeastPart = 1e-4;  // square tool widths: smaller parts of the inset are rounding
+constexpr double kFilled = 0.985;    // of an area: less is filled up by narrower parts of the tool
+constexpr double kLeastGain = 1e-4;  // of an area: parts that fill up less are left out
+constexpr double kShortLap = 4;      // tool widths: longer thin parts are driven as planners do
+// Tool widths: shorter thin tips are left out, of an area that is filled to 1.5 %, and of others.
+constexpr double kLeastTip = 0.5, kLeastNeededTip = 0.12;
 constexpr double kAbout = 2;             // tool widths that matter about a part of an area
 constexpr double kRoughChord = 1e-2;     // tool widths
 constexpr double kFillDeviation = 0.05;  // tool widths that a stroke may leave its lane where it bends too sharply
@@ -54,18 +57,24 @@ Region largest_parts(Region region, double most_left) {
   return region;
 }
 
+/// `space` must outlive them.
+FollowOptions follow_options(const Problem& problem, const CarSpace& space) {
+  const double width = problem.robot().tool_width;
+  return {.radius = space.radius(),
+          .deviation = kFillDeviation * width,
+          .turn = kFillTurn,
+          .tool_width = width,
+          .tolerance = problem.tolerance(),
+          .chord_error = space.chord_error(),
+          .free = [&space](const Polyline& line) { return space.free(line); }};
+}
+
 /// What the robot can follow of the path, in its order, with straight connections. Corners are rounded or cut off; what
 /// that leaves uncovered comes first, so that nothing is finished about it yet.
 std::vector<Leg> drivable_legs(const Path& path, const Problem& problem) {
   const CarSpace space(problem);
   const double width = problem.robot().tool_width;
-  const FollowOptions follow{.radius = space.radius(),
-                             .deviation = kFillDeviation * width,
-                             .turn = kFillTurn,
-                             .tool_width = width,
-                             .tolerance = problem.tolerance(),
-                             .chord_error = space.chord_error(),
-                             .free = [&](const Polyline& line) { return space.free(line); }};
+  const FollowOptions follow = follow_options(problem, space);
   std::vector<Leg> strokes;
   for (Stroke& stroke : strokes_of(path, problem, space)) strokes.push_back({true, std::move(stroke.points)});
   const Region& all = problem.map().free;
@@ -222,7 +231,31 @@ std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, const C
     if (!legs.empty()) rest = not_surely_covered(rest, legs, tool_width);
     if (oxturn::area(rest) <= (1 - kFilled) * all) break;
   }
+  if (options_.thin_lines)
+    add_thin_lines(area, oxturn::area(rest) <= (1 - kFilled) * all ? kLeastTip : kLeastNeededTip, elements);
   return elements;
+}
+
+void AreaFiller::add_thin_lines(const FilledArea& area, double least, std::vector<DrawingElement>& elements) const {
+  const double tool_width = problem_.robot().tool_width, width = *std::rbegin(kWidths) * tool_width;
+  const bool follows = problem_.robot().min_turn_radius > 0;
+  const CarSpace space(problem_);
+  for (Polyline& line : thin_lines(area.area, width, least * tool_width)) {
+    if (!stays_in(problem_.walls(), line)) continue;
+    DrawingElement element{.name = area.element, .legs = {}, .area = area.area.outer};
+    element.thin = true;
+    element.followed = follows;
+    std::vector<Polyline> pieces;
+    if (follows)
+      pieces = followed_line(line, follow_options(problem_, space));
+    else
+      pieces.push_back(std::move(line));
+    for (Polyline& piece : pieces) {
+      if (!element.legs.empty()) element.legs.push_back({false, {piece.front(), piece.front()}});
+      element.legs.push_back({.tool = true, .points = std::move(piece), .width = width});
+    }
+    elements.push_back(std::move(element));
+  }
 }
 
 /// Where the tool's centre may be, near the rest if there is one.

@@ -4,11 +4,12 @@
 ///   for (DrawingElement& fill : filler.elements(area, context)) ...
 ///
 /// Each part of the area in which the tool fits is a problem of its own: to be covered by a robot whose centre keeps
-/// half the tool's width (`inset`) from the area's boundary, so that nothing beyond it is drawn. Where that leaves more
-/// than 1.5 % of the area uncovered (corners, narrow parts, or all of it), parts of the tool fill it up: 5, 3 and then
-/// 1 of 7 pins, as wide as those of the source. Of a small part without room for a disc of half the tool's width the
-/// boundary is driven once. For a robot with a least turning radius the fill is cut into strokes that it can follow
-/// (smoothing/strokes.hpp), and what they leave is driven piece by piece (followed_line.hpp).
+/// half the tool's width (`inset`) from the area's boundary, so that nothing beyond it is drawn. Where that leaves
+/// more than 1.5 % of the area uncovered (corners, narrow parts, or all of it), parts of the tool fill it up: 5, 3 and
+/// then 1 of 7 pins, as wide as those of the source. Of a small part without room for a disc of half the tool's width
+/// the boundary is driven once. What is narrower still becomes lines (thin_lines.hpp). For a robot with a least
+/// turning radius the fill is cut into strokes that it can follow (smoothing/strokes.hpp), and what they leave is
+/// driven piece by piece (followed_line.hpp).
 /// Source: Vollprecht 2014, section 2.2. Cost: that of the planner.
 #pragma once
 
@@ -25,6 +26,7 @@ struct FillOptions {
   bool outline = true;          // of zigzag fills: a lap along the boundary
   bool outline_last = false;  // the lap along the boundary is driven last, so that the robot leaves without crossing it
   bool complete = true;       // parts of the tool fill what it leaves; false: only areas in which it fits nowhere
+  bool thin_lines = false;  // what is narrower than the narrowest part of the tool is drawn as a line along its middle
 };
 
 class AreaFiller {
@@ -43,6 +45,8 @@ class AreaFiller {
   /// `rings`: those of the area if the planner is to see nothing but the part; else nullptr.
   DrawingElement fill(const FilledArea& area, const Polygon& part, double width, const RingBoxes* rings,
                       const Context& context) const;
+  /// Where the area is narrower than the narrowest part of the tool; tips of `least` tool widths at least.
+  void add_thin_lines(const FilledArea& area, double least, std::vector<DrawingElement>& elements) const;
   Problem problem_of(const FilledArea& area, const Polygon& part, double width, const RingBoxes* rings) const;
   /// From its first stroke to its last.
   Path planned(const FillChoice& choice, const Problem& problem, const Polygon& part, const Context& context) const;

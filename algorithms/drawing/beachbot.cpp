@@ -40,6 +40,7 @@ constexpr double kChord = 0.8e-3;
 
 enum class Fill { spiral, zigzag, contour };
 enum class Complete { automatic, on, off };
+enum class ThinAreas { line, skip };
 const Choices kFills{"spiral", "zigzag", "contour"};
 
 struct Params {
@@ -48,6 +49,7 @@ struct Params {
   double inset = 0;
   bool outline = true;
   Complete complete = Complete::automatic;
+  ThinAreas thin_areas = ThinAreas::line;
   Containment containment = Containment::strict;
   FinishedRule finished = FinishedRule::around;
   double keep_off = -1;
@@ -127,11 +129,12 @@ class Beachbot final : public CoveragePlanner {
       elements = std::move(loose.elements);
       curves = std::move(loose.curves);
     }
+    std::optional<LastDetours> last;
+    if (p_.finished == FinishedRule::around) last.emplace(problem, work, radius);
     OrderDriver driver(elements, router, work, smooth ? &*smooth : nullptr,
-                       {p_.corner, radius, kDeviation * problem.robot().tool_width});
-    driver.drive(order, curves, path);
+                       {p_.corner, radius, kDeviation * problem.robot().tool_width}, last ? &*last : nullptr);
+    driver.drive(order, curves, path, context);
     report(driver, curves, context);
-    if (p_.finished == FinishedRule::around) context.record("detours_sought", router.exhausted() ? 0 : 1);
     Path result = path.take();
     report_bends(result, problem, radius, context);
     return result;
@@ -144,16 +147,25 @@ class Beachbot final : public CoveragePlanner {
     FillOptions options = fill_options(p_);
     // Of other maps all is covered with the whole tool.
     options.complete = problem.map().drawing && completes(problem.robot());
+    options.thin_lines = problem.map().drawing && p_.thin_areas == ThinAreas::line;
     const AreaFiller filler(problem, fills_, options);
-    std::vector<Polyline> narrow;
+    std::vector<Polyline> narrow, thin;
+    std::size_t as_lines = 0;
     for (const FilledArea& area : drawing.areas) {
       std::vector<DrawingElement> fills = filler.elements(area, context);
       if (fills.empty() && area.choice.fill != "none") narrow.push_back(area.area.outer);
+      const std::size_t lines_before = thin.size();
+      for (const DrawingElement& fill : fills)
+        if (fill.thin)
+          for (const Leg& leg : fill.legs) thin.push_back(leg.points);
+      as_lines += thin.size() > lines_before;
       std::move(fills.begin(), fills.end(), std::back_inserter(elements));
     }
     context.trace("fills", lines_of(elements, true));
     if (!narrow.empty()) context.record("areas_too_narrow", static_cast<double>(narrow.size()));
     context.trace("areas too narrow", std::move(narrow));
+    context.record("areas_with_thin_lines", static_cast<double>(as_lines));
+    if (!thin.empty()) context.trace("thin areas", std::move(thin));
     return elements;
   }
 
@@ -227,14 +239,19 @@ class Beachbot final : public CoveragePlanner {
   }
 
   static void report(const OrderDriver& driver, const PortCurves& curves, Context& context) {
-    std::vector<Polyline> over;
+    // In the order of LastDetour::End; cli/plan.cpp makes sentences of them.
+    static constexpr const char* kWhy[] = {"", "enclosed", "no curve", "effort spent", "by hand"};
+    std::vector<Polyline> over[std::size(kWhy)];
     double metres = 0;
-    for (const Transit& t : driver.crossing()) metres += t.crossing_m, over.push_back(t.path);
+    for (const auto& [transit, why] : driver.crossing())
+      metres += transit.crossing_m, over[static_cast<std::size_t>(why)].push_back(transit.path);
     context.record("over_finished_m", metres);
-    context.record("transits_over_finished", static_cast<double>(over.size()));
+    context.record("transits_over_finished", static_cast<double>(driver.crossing().size()));
+    context.record("last_detours", static_cast<double>(driver.last_detours()));
     if (!curves.empty()) context.record("curves_obeyed", static_cast<double>(driver.curves_used()));
     context.trace("transits", driver.transits());
-    context.trace("over finished work", std::move(over));
+    for (std::size_t why = 1; why < std::size(kWhy); ++why)
+      if (!over[why].empty()) context.trace(fmt::format("over finished work: {}", kWhy[why]), std::move(over[why]));
   }
 
   /// Where the path turns more sharply than the radius: corners of strokes, curves of a person, narrow parts.
@@ -261,6 +278,8 @@ const std::vector<Parameter<Params>>& parameters() {
       {"complete", &Params::complete, Choices{"automatic", "on", "off"},
        "on: 5, 3 and 1 of the 7 pins fill what the whole tool leaves of an area; off: only areas too narrow for it; "
        "automatic: on for robots that turn on the spot, as others need a loop for each of the many short lanes"},
+      {"thin_areas", &Params::thin_areas, Choices{"line", "skip"},
+       "where an area is narrower than one pin: draw a line one pin wide along its middle, or nothing"},
       {"containment", &Params::containment, Choices{"strict", "literal"},
        "strict: elements inside another one are drawn before it; literal: only no direct connection leads inwards"},
       {"finished", &Params::finished, Choices{"around", "weight", "ignore"},
@@ -292,6 +311,7 @@ PlannerInfo beachbot() {
                     {"finished", std::string("ignore")},
                     {"corner", std::string("literal")},
                     {"complete", std::string("off")},
+                    {"thin_areas", std::string("skip")},
                     {"line_distance", 0.25},
                     {"inset", 0.3},
                     {"round_radius", 0.5}};

@@ -26,7 +26,8 @@ struct DrawingElement {
   std::vector<std::size_t> entries = {};  // of a closed one: positions in its points, ascending
   std::vector<std::size_t> nodes = {};    // of a stroke: positions in its points of the source's nodes
   std::vector<std::size_t> corners = {};  // of a stroke: positions in its points at which it is not smooth
-  bool followed = false;                  // the robot can drive each leg as it is (followed_strokes.hpp)
+  bool thin = false;      // of a fill: the middle of what is narrower than the narrowest pen (thin_lines.hpp)
+  bool followed = false;  // the robot can drive each leg as it is (followed_strokes.hpp)
 
   bool is_fill() const { return !area.empty(); }
   const Point& first() const { return legs.front().points.front(); }

@@ -8,7 +8,7 @@
 namespace oxturn {
 namespace {
 
-constexpr double kChord = 1e-3;           // tool widths
+constexpr double kChord = 0.8e-3;         // tool widths, of the thousandth that paths may have
 constexpr double kFillCorner = kPi / 18;  // radians: vertices of fills that turn by less belong to curves
 constexpr double kMostAway = 10;          // map sizes: control points of curves from their beginning
 constexpr double kMostCurvature = 1.01;   // of the greatest, as for curves that are sampled
@@ -32,18 +32,30 @@ PortCurves curves_of(const Drawing& drawing, const TourDemands& demands) {
 }
 
 OrderDriver::OrderDriver(const std::vector<DrawingElement>& elements, TransitRouter& router, FinishedWork& work,
-                         const SmoothTransits* smooth, const CornerChoice& corners)
+                         const SmoothTransits* smooth, const CornerChoice& corners, LastDetours* last)
     : elements_(elements),
       router_(router),
       work_(work),
       smooth_(smooth),
       corners_(corners),
+      last_(last),
       first_piece_(pieces_of(elements).first) {}
 
-void OrderDriver::transit(const Transit& t, PathBuilder& path) {
+void OrderDriver::take(Transit t, LastDetour::End why, PathBuilder& path) {
   transits_.push_back(t.path);
-  if (t.crossing_m > 0) crossing_.push_back(t);
   path.drive(t.path, false);
+  if (t.crossing_m > 0) crossing_.push_back({std::move(t), why});
+}
+
+void OrderDriver::transit(Transit t, const Pose& from, const Pose& to, PathBuilder& path, const Context& context) {
+  LastDetour last;
+  if (t.crossing_m > 0 && last_ != nullptr) last = last_->find(from, to, context);
+  if (last.end == LastDetour::End::found) {
+    ++last_detours_;
+    const double metres = length(last.path);
+    t = {std::move(last.path), metres, 0, true};
+  }
+  take(std::move(t), last.end, path);
 }
 
 Transit OrderDriver::by_hand(const ElementVisit& from, const ElementVisit& to, const PortCurve& curve) {
@@ -86,7 +98,8 @@ std::vector<std::size_t> OrderDriver::corners(const DrawingElement& element, con
 }
 
 /// One leg with the tool on; what it is left for at corners that cannot be rounded is driven with the tool off.
-void OrderDriver::stroke(const DrawingElement& element, const Leg& leg, const ElementVisit& visit, PathBuilder& path) {
+void OrderDriver::stroke(const DrawingElement& element, const Leg& leg, const ElementVisit& visit, PathBuilder& path,
+                         const Context& context) {
   if (!(corners_.radius > 0) || element.followed) return path.drive(leg.points, leg.tool, leg.gear, leg.width);
   CornerOptions options{
       .rule = corners_.rule, .radius = corners_.radius, .largest_deviation = corners_.largest_deviation};
@@ -100,41 +113,47 @@ void OrderDriver::stroke(const DrawingElement& element, const Leg& leg, const El
   const Leg* before = nullptr;
   for (const Leg& part : rounded.legs) {
     const bool drawn = part.tool && leg.tool;
-    if (before != nullptr && smooth_ != nullptr && before->tool && part.tool)
-      transit(router_.route(last_heading(before->points), first_heading(part.points)), path);
+    if (before != nullptr && smooth_ != nullptr && before->tool && part.tool) {
+      const Pose from = last_heading(before->points), to = first_heading(part.points);
+      transit(router_.route(from, to), from, to, path, context);
+    }
     path.drive(part.points, drawn, part.gear, drawn ? leg.width : 0);
     before = &part;
   }
 }
 
 void OrderDriver::drive(const DrawingElement& element, const ElementVisit& visit, const std::vector<Transit>& inner,
-                        PathBuilder& path) {
+                        PathBuilder& path, const Context& context) {
   std::size_t piece = visit.backwards ? first_piece_[visit.element + 1] : first_piece_[visit.element];
   auto next = inner.begin();
   const std::vector<Leg> legs = driven(element, visit);
   for (std::size_t k = 0; k < legs.size(); ++k) {
     if (is_transit(legs, k)) {
-      transit(*next++, path);
+      transit(*next++, last_heading(legs[k - 1].points), first_heading(legs[k + 1].points), path, context);
       continue;
     }
-    stroke(element, legs[k], visit, path);
+    stroke(element, legs[k], visit, path, context);
     if (legs[k].tool) work_.finish(visit.backwards ? --piece : piece++);
   }
 }
 
-void OrderDriver::drive(const DrivenOrder& order, const PortCurves& curves, PathBuilder& path) {
+void OrderDriver::drive(const DrivenOrder& order, const PortCurves& curves, PathBuilder& path, const Context& context) {
   for (std::size_t piece = 0; piece < work_.pieces().size(); ++piece) work_.undo(piece);
   for (std::size_t k = 0; k < order.order.size(); ++k) {
     const ElementVisit& to = order.order[k];
     const DrawingElement& element = elements_[to.element];
-    Transit t = order.transits[k];
-    if (k > 0 && !curves.empty()) {
+    if (k == 0) {
+      take(order.transits[k], {}, path);  // nothing is finished yet
+    } else {
       const ElementVisit& from = order.order[k - 1];
-      const auto curve = curves.find({exit_port(elements_[from.element], from), entry_port(element, to)});
-      if (curve != curves.end()) t = by_hand(from, to, curve->second);
+      const DrawingElement& before = elements_[from.element];
+      const auto curve = curves.find({exit_port(before, from), entry_port(element, to)});
+      if (curve != curves.end())
+        take(by_hand(from, to, curve->second), LastDetour::End::by_hand, path);
+      else
+        transit(order.transits[k], exit_pose(before, from), entry_pose(element, to), path, context);
     }
-    transit(t, path);
-    drive(element, to, order.inner[k], path);
+    drive(element, to, order.inner[k], path, context);
   }
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "algorithms/drawing/demands.hpp"
+#include "algorithms/drawing/last_detours.hpp"
 #include "algorithms/drawing/priced_order.hpp"
 #include "algorithms/smoothing/corners.hpp"
 
@@ -34,22 +35,30 @@ PortCurves curves_of(const Drawing& drawing, const TourDemands& demands);
 
 class OrderDriver {
  public:
-  /// References must outlive it. `smooth`: nullptr without radius.
+  /// References must outlive it. `smooth`: nullptr without radius. `last`: nullptr if transits may cross finished work.
   OrderDriver(const std::vector<DrawingElement>& elements, TransitRouter& router, FinishedWork& work,
-              const SmoothTransits* smooth, const CornerChoice& corners);
+              const SmoothTransits* smooth, const CornerChoice& corners, LastDetours* last);
 
-  void drive(const DrivenOrder& order, const PortCurves& curves, PathBuilder& path);
+  void drive(const DrivenOrder& order, const PortCurves& curves, PathBuilder& path, const Context& context);
   const std::vector<Polyline>& transits() const { return transits_; }
+  struct Crossing {
+    Transit transit;
+    LastDetour::End why;  // there is no path round it
+  };
   /// Those of them that cross finished work.
-  const std::vector<Transit>& crossing() const { return crossing_; }
+  const std::vector<Crossing>& crossing() const { return crossing_; }
+  /// Those that would, but for the last resort.
+  std::size_t last_detours() const { return last_detours_; }
   /// Of a person's curves.
   std::size_t curves_used() const { return curves_used_; }
 
  private:
   void drive(const DrawingElement& element, const ElementVisit& visit, const std::vector<Transit>& inner,
-             PathBuilder& path);
-  void stroke(const DrawingElement& element, const Leg& leg, const ElementVisit& visit, PathBuilder& path);
-  void transit(const Transit& t, PathBuilder& path);
+             PathBuilder& path, const Context& context);
+  void stroke(const DrawingElement& element, const Leg& leg, const ElementVisit& visit, PathBuilder& path,
+              const Context& context);
+  void take(Transit t, LastDetour::End why, PathBuilder& path);
+  void transit(Transit t, const Pose& from, const Pose& to, PathBuilder& path, const Context& context);
   /// The person's curve. Throws std::invalid_argument, naming the elements, if there is none through its points or it
   /// leaves configuration space.
   Transit by_hand(const ElementVisit& from, const ElementVisit& to, const PortCurve& curve);
@@ -61,10 +70,11 @@ class OrderDriver {
   FinishedWork& work_;
   const SmoothTransits* smooth_;
   CornerChoice corners_;
+  LastDetours* last_;
   std::vector<std::size_t> first_piece_;
   std::vector<Polyline> transits_;
-  std::vector<Transit> crossing_;
-  std::size_t curves_used_ = 0;
+  std::vector<Crossing> crossing_;
+  std::size_t curves_used_ = 0, last_detours_ = 0;
 };
 
 }  // namespace oxturn

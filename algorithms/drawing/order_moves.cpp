@@ -14,9 +14,9 @@ constexpr std::size_t kTransitsEach = 40;     // priced for each element of the 
 constexpr std::size_t kLeastTransits = 4000;  // so many
 constexpr std::size_t kNext = 3;              // positions after a curve that what it crosses may move to
 constexpr int kMostRounds = 20;
-constexpr double kSmoothCost = 10;  // times as much as a transit with bends
-constexpr double kGain = 1e-9;      // metres
-constexpr double kDear = 1.25;      // of its bound: what a smooth transit costs at least to be looked at
+constexpr double kSmoothCost = 2;  // times as much as a transit with bends
+constexpr double kGain = 1e-9;     // metres
+constexpr double kDear = 1.25;     // of its bound: what a smooth transit costs at least to be looked at
 
 }  // namespace
 

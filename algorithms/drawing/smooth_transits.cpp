@@ -9,11 +9,11 @@
 namespace oxturn {
 namespace {
 
-constexpr double kChord = 1e-3;  // tool widths: of sampled curves
-constexpr double kCoarse = 8;    // of that: for tests against finished work
-constexpr int kHeadings = 8;     // tried at a start
+constexpr double kChord = 0.8e-3;  // tool widths: of sampled curves, of the thousandth that paths may have
+constexpr double kCoarse = 8;      // of that: for tests against finished work
+constexpr int kHeadings = 8;       // tried at a start
 constexpr double kMostCurvature = 1.01;
-constexpr std::size_t kMostLinks = 1500;  // some hundredths of a second each
+constexpr std::size_t kMostLinks = 6000;  // some hundredths of a second each
 
 /// A curve as one line, without its gears.
 Polyline line_of(const Curve& curve, double chord_error) {

@@ -61,6 +61,16 @@ CarSpace::CarSpace(const Problem& problem, DetourSearch search)
       stop_cost_(problem.robot().speed * problem.robot().speed / problem.robot().acceleration),
       reverse_(problem.robot().reverse) {}
 
+CarSpace::CarSpace(const Problem& problem, const EdgeIndex& walls, const Box& bounds, double radius)
+    : walls_(walls),
+      bounds_(bounds),
+      search_(DetourSearch::lattice),
+      radius_(radius),
+      chord_error_(kChordError * problem.robot().tool_width),
+      tolerance_(problem.tolerance() / 2),
+      stop_cost_(0),
+      reverse_(false) {}
+
 bool CarSpace::free(const Polyline& line) const {
   for (std::size_t i = 1; i < line.size(); ++i)
     if (point_outside(walls_, line[i - 1], line[i], tolerance_)) return false;

@@ -32,6 +32,8 @@ class CarSpace {
  public:
   /// `problem` must outlive it.
   explicit CarSpace(const Problem& problem, DetourSearch search = DetourSearch::lattice);
+  /// The same forwards with another radius in another region, which has these walls. They must outlive it, too.
+  CarSpace(const Problem& problem, const EdgeIndex& walls, const Box& bounds, double radius);
 
   double radius() const { return radius_; }
   bool reverse() const { return reverse_; }

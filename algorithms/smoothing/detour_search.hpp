@@ -58,4 +58,14 @@ std::optional<Curve> lattice_search(const CarSpace& space, const std::vector<Pos
 std::optional<Curve> ompl_search(const CarSpace& space, const std::vector<Pose>& from, const Pose& to,
                                  DetourEffort& effort, const Context& context);
 
+struct ThoroughDetour {
+  std::optional<Curve> curve;
+  bool nothing_left = false;  // no curve, and all poses that can be reached were looked at
+  std::size_t poses = 0;
+};
+/// lattice_search() from both ends by turns, until every pose was looked at that can be reached from one of them: where
+/// one end is shut in that takes few. `most` poses for each end.
+ThoroughDetour thorough_search(const CarSpace& space, const Pose& from, const Pose& to, std::size_t most,
+                               const Context& context);
+
 }  // namespace oxturn

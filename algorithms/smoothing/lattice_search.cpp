@@ -18,15 +18,18 @@ constexpr double kStep = 1.5;     // cells
 constexpr double kGreed = 1.2;    // weight of the heuristic
 constexpr double kNearGoal = 6;   // radii; nearer than that the rest is tried at every node, else at every fourth
 constexpr double kReverse = 1.5;  // a metre backwards costs that much
+constexpr std::size_t kFirstPoses = 1000;  // of a thorough search in each direction, then twice as many, and so on
 constexpr std::size_t kReverseEffort = 3;  // a Reeds-Shepp curve takes several times as long as a Dubins curve
 
 class LatticeSearch {
  public:
   LatticeSearch(const CarSpace& space, const Pose& to) : space_(space), to_(to), radius_(space.radius()) {}
 
-  /// Looks at `most` poses.
-  std::optional<Curve> run(const std::vector<Pose>& from, std::size_t most, const Context& context) {
+  void begin(const std::vector<Pose>& from) {
     for (const Pose& pose : from) add({pose, kNone, {}, 0});
+  }
+  /// Until `most` poses are known. May be called again, to go on with more of them.
+  std::optional<Curve> run(std::size_t most, const Context& context) {
     while (!open_.empty() && nodes_.size() < most && !context.cancelled()) {
       const std::size_t at = open_.top().second;
       open_.pop();
@@ -38,6 +41,8 @@ class LatticeSearch {
     return std::nullopt;
   }
   std::size_t poses() const { return nodes_.size(); }
+  /// Every pose that the robot can reach was looked at.
+  bool nothing_left() const { return open_.empty(); }
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -115,9 +120,27 @@ class LatticeSearch {
 std::optional<Curve> lattice_search(const CarSpace& space, const std::vector<Pose>& from, const Pose& to,
                                     DetourEffort& effort, const Context& context) {
   LatticeSearch search(space, to);
-  std::optional<Curve> detour = search.run(from, effort.most(), context);
+  search.begin(from);
+  std::optional<Curve> detour = search.run(effort.most(), context);
   effort.spend((space.reverse() ? kReverseEffort : 1) * search.poses());
   return detour;
+}
+
+ThoroughDetour thorough_search(const CarSpace& space, const Pose& from, const Pose& to, std::size_t most,
+                               const Context& context) {
+  LatticeSearch forwards(space, to), backwards(space, turned_round(from));
+  forwards.begin({from});
+  backwards.begin({turned_round(to)});
+  ThoroughDetour result;
+  for (std::size_t each = kFirstPoses; !result.curve && !result.nothing_left; each *= 2) {
+    result.curve = forwards.run(std::min(each, most), context);
+    if (!result.curve && !forwards.nothing_left())
+      if (const auto back = backwards.run(std::min(each, most), context)) result.curve = opposite(*back);
+    result.nothing_left = !result.curve && (forwards.nothing_left() || backwards.nothing_left());
+    if (each >= most || context.cancelled()) break;
+  }
+  result.poses = forwards.poses() + backwards.poses();
+  return result;
 }
 
 }  // namespace oxturn

@@ -441,7 +441,17 @@ TEST(Beachbot, NarrowAreasAreFilledWithAPartOfTheTool) {
   Drawing drawing;
   drawing.strokes = {line("eye", {{1, 1}, {3, 1}})};
   drawing.areas = {{.element = "sliver", .area = box_region({2, 2}, {6, 2.03}).polygons[0], .choice = {}}};
-  EXPECT_EQ(plan_recorded("beachbot", canvas(drawing, beach_robot())).figures.at("areas_too_narrow"), 1);
+  EXPECT_EQ(plan_recorded("beachbot", canvas(drawing, beach_robot()), {{"thin_areas", std::string("skip")}})
+                .figures.at("areas_too_narrow"),
+            1);
+  for (const double radius : {0.0, 0.5}) {
+    Robot robot = beach_robot();
+    robot.min_turn_radius = radius;
+    const RecordedPlan thin = plan_recorded("beachbot", canvas(drawing, robot));
+    EXPECT_EQ(thin.figures.count("areas_too_narrow"), 0u);
+    EXPECT_EQ(thin.figures.at("areas_with_thin_lines"), 1);
+    EXPECT_NEAR(drawn_m(thin.path, 0.04), 3.97, 0.01);
+  }
 }
 
 // Round areas in which hardly more than a point is left for the centre of what fits of the tool.

@@ -77,9 +77,9 @@ TEST(TransitsOverFinished, AreNamedLongestFirst) {
   EXPECT_NEAR(over[0].over_m, 4.16, 1e-3);
   EXPECT_NEAR(over[1].over_m, 0.16, 1e-3);
   EXPECT_NEAR(over[0].over_m + over[1].over_m, *value("over_finished_m", p, path), 1e-9);
-  EXPECT_EQ(remarks_on(over, ": so it is")[1],
+  EXPECT_EQ(remarks_on(over, [](const TransitOver& t) { return t.leg == 1 ? ": so it is" : ""; })[1],
             "the transit from (2.00, 2.00) to (8.00, 4.00) drives 0.16 m over finished work: so it is");
-  EXPECT_EQ(remarks_on(std::vector<TransitOver>(13), "").size(), 13u);
+  EXPECT_EQ(remarks_on(std::vector<TransitOver>(13), [](const auto&) { return ""; }).size(), 13u);
   EXPECT_TRUE(transits_over_finished(p, {{down(kSquare, 0.16)}}).empty());
 }
 
