@@ -28,6 +28,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,6 +54,7 @@ constexpr double kShortestStretch = 0.5;  // tool widths
 constexpr double kWorkLink = 2;           // tool widths: shorter links are driven with the tool on
 constexpr double kDetour = 3;             // straight distances, and
 constexpr double kDetourMore = 10;        // tool widths: a path that is not longer than both counts as straight
+constexpr double kAlmostStraight = 1.5;   // straight distances: a path that a search finds with little effort
 constexpr double kMostEffort = 2e6;       // of a block: vertices times area in squares of the tool's width
 
 enum class Links { path, straight };  // in the order of their names in field_predictive()
@@ -91,12 +93,16 @@ Stretch stretch_of(const Ring& ring, std::size_t from, std::size_t to, const Str
 /// A polygon of what is left, and its stretches. Rings without sharp turns are one, wherever it begins.
 class Piece {
  public:
-  explicit Piece(Polygon polygon) : region_{{std::move(polygon)}}, index_(region_), box_(bounding_box(region_)) {
+  explicit Piece(Polygon polygon) : region_{{std::move(polygon)}}, box_(bounding_box(region_)) {
     for_each_ring(region_, [this](const Ring& ring) { add_stretches(ring); });
   }
   const Region& region() const { return region_; }
   const Box& box() const { return box_; }
-  bool contains(const Point& p) const { return box_.contains(p) && index_.contains(p); }
+  bool contains(const Point& p) const {
+    if (!box_.contains(p)) return false;
+    if (!index_) index_.emplace(region_);
+    return index_->contains(p);
+  }
 
   /// `at`: where the robot is. `rounds` gets the stretches that begin there, and keeps them.
   template <class F>
@@ -126,7 +132,7 @@ class Piece {
   }
 
   Region region_;
-  EdgeIndex index_;
+  mutable std::optional<EdgeIndex> index_;  // made when first needed: many pieces are cut again before
   Box box_;
   std::vector<Stretch> stretches_;
   std::vector<std::pair<Ring, Stretch>> smooth_;
@@ -277,34 +283,43 @@ class PredictiveDrive {
     if (next.bound > best.bound || (next.bound == best.bound && next.number < best.number)) best = std::move(next);
   }
 
-  /// Looks among the candidates to which the way is not straight for a better one: a wave finds those near by path.
+  /// Looks among the candidates to which the way is not straight for a better one. If a path leads to the best of them
+  /// almost straight, that is it; otherwise a wave finds those near by path.
   void find_hidden(std::vector<Candidate>& hidden, Candidate& best) {
     std::erase_if(hidden, [&](const Candidate& c) { return c.bound < best.bound; });
+    const auto first = std::ranges::max_element(hidden, [](const Candidate& a, const Candidate& b) {
+      return a.bound != b.bound ? a.bound < b.bound : a.number > b.number;
+    });
+    if (first != hidden.end() && is_near(first->begin())) return keep_better(best, *first);
     const auto from = wave_.triangle_of(path_.at());
     if (hidden.empty() || !from) return;
     std::vector<std::pair<std::size_t, std::size_t>> in_triangle;  // and the number in `hidden`
     for (std::size_t k = 0; k < hidden.size(); ++k)
-      if (const auto t = wave_.triangle_of(hidden[k].begin())) in_triangle.emplace_back(*t, k);
+      if (const auto t = wave_.triangle_of(hidden[k].begin()))
+        in_triangle.emplace_back(*t, k);
+      else
+        hidden[k].met = true;  // never
     std::ranges::sort(in_triangle);
-    double longest = 0;
+    double farthest = 0;
     const auto look_no_farther_than_needed = [&] {
-      longest = 0;
+      farthest = 0;
       for (const Candidate& c : hidden)
-        longest = std::max(longest, longest_link(*c.stretch, best.bound, c.share_beside));
+        if (!c.met) farthest = std::max(farthest, farthest_of_use(c, best.bound));
     };
     look_no_farther_than_needed();
-    std::size_t waiting = in_triangle.size();
     wave_.spread(path_.at(), *from, [&](std::size_t t) {
-      for (auto k = std::ranges::lower_bound(in_triangle, std::pair(t, std::size_t{0})); k != in_triangle.end(); ++k) {
-        if (k->first != t) break;
+      auto k = std::ranges::lower_bound(in_triangle, std::pair(t, std::size_t{0}));
+      if (k == in_triangle.end() || k->first != t) return wave_.metres(t) > farthest;
+      for (; k != in_triangle.end() && k->first == t; ++k) {
         Candidate& c = hidden[k->second];
         const double straight = distance(path_.at(), c.begin());
         const double wave = wave_.metres(t) + distance(wave_.entered_at(t), c.begin());
         c.bound = value(*c.stretch, wave > farthest_near(straight) ? wave : straight, c.share_beside);
-        if (c.bound > best.bound) best = c, look_no_farther_than_needed();
-        --waiting;
+        c.met = true;
+        if (c.bound > best.bound) best = c;
       }
-      return waiting == 0 || wave_.metres(t) > farthest_near(longest);
+      look_no_farther_than_needed();
+      return wave_.metres(t) > farthest;
     });
   }
 
@@ -315,6 +330,7 @@ class PredictiveDrive {
     double bound;        // of its value: if the drive there is straight and all beside it is uncovered
     std::size_t number;  // in the order of the pieces and their stretches
     double share_beside = 1;
+    bool met = false;  // by the wave
     const Point& begin() const { return reversed ? stretch->points.back() : stretch->points.front(); }
   };
   /// `rounds` gets those that no piece keeps.
@@ -353,8 +369,18 @@ class PredictiveDrive {
     const double back = s.metres * (1 + back_share) / (there + back_seconds(s));
     return width_ * std::max(round, back);
   }
+  /// Does a path that is not much longer lead where the way is not straight?
+  bool is_near(const Point& p) const {
+    const double longest = kAlmostStraight * distance(path_.at(), p);
+    return connector_.length(path_.at(), p, longest) <= longest;
+  }
   /// How long the path over midpoints of triangles may be to what is straight near.
   double farthest_near(double straight) const { return kDetour * straight + kDetourMore * width_; }
+  /// Metres over midpoints after which a candidate to which the way is not straight cannot be better any more.
+  double farthest_of_use(const Candidate& c, double least) const {
+    const double straight = distance(path_.at(), c.begin()), longest = longest_link(*c.stretch, least, c.share_beside);
+    return longest < straight ? 0 : std::max(longest, farthest_near(straight));
+  }
   /// Metres there with which the value is not less than `least`.
   double longest_link(const Stretch& s, double least, double back_share) const {
     if (!(least > 0)) return std::numeric_limits<double>::infinity();
