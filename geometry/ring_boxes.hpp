@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/region.hpp"
@@ -30,8 +31,9 @@ class RingBoxes {
  public:
   /// `region` must outlive it.
   explicit RingBoxes(const Region& region);
-  /// The region as it is in a box: without polygons and holes that lie elsewhere.
-  Region near(const Box& box) const;
+  /// The region as it is in a box, or in several: without polygons and holes that lie elsewhere.
+  Region near(const Box& box) const { return near(std::span(&box, 1)); }
+  Region near(std::span<const Box> boxes) const;
 
  private:
   struct Where {
@@ -41,5 +43,10 @@ class RingBoxes {
   std::vector<Where> rings_;  // polygon by polygon
   BoxIndex boxes_;
 };
+
+/// The region with outer rings clipped to the box, holes as they are: an operand of overlays whose other one lies
+/// inside the box. Not a valid region, because outer rings run along the box where they are beyond it. O(n) for n
+/// vertices, without the overlay of intersect().
+Region clipped(Region region, const Box& box);
 
 }  // namespace oxturn

@@ -408,13 +408,14 @@ class RingDrive {
 bool is_staircase(const Region& walls, double longest) {
   std::size_t steps = 0;
   const auto right_angle = [](const Point& a, const Point& b) {
-    return std::abs(a.dot(b)) <= kRightAngle * a.norm() * b.norm();
+    const double cosine = a.dot(b);  // times both lengths
+    return cosine * cosine <= kRightAngle * kRightAngle * a.squaredNorm() * b.squaredNorm();
   };
   for_each_ring(walls, [&](const Ring& ring) {
     const std::size_t n = ring.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Point &a = ring[(i + n - 1) % n], &b = ring[i], &c = ring[(i + 1) % n], &d = ring[(i + 2) % n];
-      if (distance(b, c) < longest && right_angle(b - a, c - b) && right_angle(c - b, d - c) &&
+      if (right_angle(b - a, c - b) && right_angle(c - b, d - c) && distance(b, c) < longest &&
           (cross(b - a, c - b) > 0) != (cross(c - b, d - c) > 0))
         ++steps;
     }

@@ -77,19 +77,10 @@ struct Parts {
 /// By component.
 std::vector<Parts> parts_by_component(const TetherSpace& space, const std::vector<LevelSet>& sets,
                                       const NeededBoundary& boundary) {
-  Region all;
-  std::vector<std::size_t> component_of_edge;
-  for (std::size_t k = 0; k < space.components().size(); ++k)
-    for (const Polygon& polygon : space.components()[k].problem.configuration_space().polygons) {
-      all.polygons.push_back(polygon);
-      component_of_edge.resize(component_of_edge.size() + vertex_count({{polygon}}), k);
-    }
-  const EdgeIndex walls(all);
   std::vector<Parts> parts(space.components().size());
   const auto at = [&](const Point& p) -> Parts* {
-    const auto nearest = walls.nearest(p);
-    if (!nearest || !(walls.contains(p) || nearest->distance < space.problem().tolerance())) return nullptr;
-    return &parts[component_of_edge[nearest->edge]];
+    const TetherSpace::Component* component = space.component_at(p);
+    return component ? &parts[component->index] : nullptr;
   };
   for (const LevelSet& set : sets)
     if (Parts* of = at(set.line[set.line.size() / 2])) of->sets.push_back(set);

@@ -258,8 +258,12 @@ Region unreached(const RingBoxes& target, const RingBoxes& space, const Region& 
   if (lines.empty()) return {};
   const Region near = intersect(driven, squares_around(lines, kDrivenWithin * w, kSquare * w));
   const Region swept = dilate(left_out, w / 2, chord, Bound::inside);
-  const Box box = bounding_box(swept);
-  const Region beside = subtract(intersect(target.near(box), swept), space.near(box));
+  std::vector<Box> boxes;
+  for (const Polygon& part : swept.polygons) boxes.push_back(bounding_box(part.outer));
+  Box around = bounding_box(swept);
+  around.grow(w);
+  const auto there = [&](const RingBoxes& rings) { return clipped(rings.near(boxes), around); };
+  const Region beside = subtract(intersect(there(target), swept), there(space));
   return subtract(unite({left_out, beside}), dilate(near, w / 2, chord, Bound::inside));
 }
 
@@ -267,6 +271,14 @@ bool holds(const Polygon& part, const Point& p, double tolerance) {
   Box box = bounding_box(part.outer);
   box.grow(tolerance);
   return box.contains(p) && nearly_contains(EdgeIndex(Region{{part}}), p, tolerance);
+}
+
+/// Does the line come nearer to the space than `within`?
+bool touches(const EdgeIndex& space, const Polyline& line, double within) {
+  if (space.contains(line.front())) return true;
+  for (std::size_t i = 1; i < line.size(); ++i)
+    if (space.nearest(line[i - 1], line[i], within).has_value()) return true;
+  return false;
 }
 
 }  // namespace
@@ -289,8 +301,9 @@ PassSpace CutPasses::beside(const Problem& component) const {
   box.grow(w);
   std::vector<StripPiece> pieces;
   for (const std::uint32_t i : boxes_.overlapping(box))
-    append_wide(with_half_widths(lines_[i], junctions_, component.start(), problem_), kLeastDistance * w, kThinning * w,
-                pieces);
+    if (touches(component.walls(), lines_[i], w / 2))
+      append_wide(with_half_widths(lines_[i], junctions_, component.start(), problem_), kLeastDistance * w,
+                  kThinning * w, pieces);
   std::erase_if(pieces, [&](const StripPiece& piece) {  // others do not touch it
     return !component.walls().contains(piece.from.at) &&
            !component.walls().nearest(piece.from.at, piece.to.at, w / 2).has_value();

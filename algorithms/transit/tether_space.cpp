@@ -1,14 +1,14 @@
 // The cut as a strip that is removed, and the components that remain.
 //
 // Complexity  O((n + k) log n) for n vertices of configuration space and k pieces of the cut. Components that can be
-//             entered across the cut only: for each a search near it, and a path from the start, which costs its
-//             triangles
+//             entered across the cut only: for each a search near it, and the vertices of the path from the start
 // Decisions   1. The strip is r / 90 wide (w / 200 for robots without size): far above the errors of the cut and
 //                above rounding, not below the shortest segments that paths should have (short_segments.hpp), far below
 //                what a tool reaches over.
 //             2. The cut of free space reaches into the walls by r as seen from configuration space, so it divides that
 //                without loose ends. For robots without size its loose ends are extended by a few widths of the strip.
-//             3. A component is entered at its vertex nearest to the anchor.
+//             3. A component is entered at its vertex nearest to the anchor. The path there goes through the nearer
+//                components that the geodesic crosses: by those only the last part is searched for.
 //             4. Components smaller than a hundredth of the tool's width squared are ignored.
 //             5. Up to 256 components, always the one whose entry is nearest by path comes next. That takes the square
 //                of their number in paths, so more are covered depth-first over the tree of their entry paths, at each
@@ -20,10 +20,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "algorithms/grown_path.hpp"
 #include "algorithms/transit/connector.hpp"
+#include "geometry/edge_index.hpp"
 #include "geometry/joined_lines.hpp"
 #include "geometry/overlay/cut_along.hpp"
 #include "geometry/predicates.hpp"
@@ -225,39 +227,74 @@ const Region& TetherSpace::unreached() const {
   return unreached_;
 }
 
+/// The start's component and all others, as polygons 0, 1, ...
+struct TetherSpace::Locator {
+  explicit Locator(const Region& all) : edges(all) {
+    for (std::size_t k = 0; k < all.polygons.size(); ++k)
+      polygon.resize(polygon.size() + vertex_count({{all.polygons[k]}}), k);
+  }
+
+  EdgeIndex edges;
+  std::vector<std::size_t> polygon;  // by edge
+};
+
+const TetherSpace::Component* TetherSpace::component_at(const Point& p) const {
+  components();
+  if (!locator_) {
+    Region all = home_->problem.configuration_space();
+    all.polygons.insert(all.polygons.end(), others_.begin(), others_.end());
+    locator_ = std::make_unique<const Locator>(all);
+  }
+  const auto nearest = locator_->edges.nearest(p);
+  if (!nearest || !(nearest->distance < problem_.tolerance() || locator_->edges.contains(p))) return nullptr;
+  const std::size_t k = locator_->polygon[nearest->edge];
+  const std::size_t component = k == 0 ? 0 : component_of_other_[k - 1];
+  return component != kNone ? &components_[component] : nullptr;
+}
+
 void TetherSpace::find_components() const {
+  components_.push_back(*home_);
+  component_of_other_.assign(others_.size(), kNone);
   const double least_area = problem_.robot().tool_width * problem_.robot().tool_width / kComponentsPerTool;
   struct Found {
     double away;
-    const Polygon* component;
-    EntryPath entry;
+    Point entry;
+    std::size_t polygon;  // of others_
   };
   std::vector<Found> found;
-  for (const Polygon& component : others_) {
-    std::optional<EntryPath> entry;
-    if (area(component) > least_area) entry = path_into(component);
-    if (entry)
-      found.push_back({field().distance(entry->entry), &component, std::move(*entry)});
-    else
-      unreached_.polygons.push_back(component);
+  for (std::size_t k = 0; k < others_.size(); ++k) {
+    if (area(others_[k]) <= least_area) continue;
+    Found nearest{std::numeric_limits<double>::infinity(), {0, 0}, k};
+    for (const Point& p : others_[k].outer)
+      if (const double d = field().distance(p); d < nearest.away || (d == nearest.away && before(p, nearest.entry)))
+        nearest = {d, p, k};
+    if (nearest.away < std::numeric_limits<double>::infinity()) found.push_back(nearest);
   }
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.away < b.away; });
-  components_.push_back(*home_);
-  for (Found& f : found)
-    components_.push_back(
-        {problem_.restricted(Region{{*f.component}}, f.entry.entry), std::move(f.entry.path), components_.size()});
+  for (const Found& f : found)
+    if (auto path = path_into(f.entry)) {
+      component_of_other_[f.polygon] = components_.size();
+      components_.push_back(
+          {problem_.restricted(Region{{others_[f.polygon]}}, f.entry), std::move(*path), components_.size()});
+    }
+  for (std::size_t k = 0; k < others_.size(); ++k)
+    if (component_of_other_[k] == kNone) unreached_.polygons.push_back(others_[k]);
 }
 
-/// nullopt: the tether is too short.
-std::optional<TetherSpace::EntryPath> TetherSpace::path_into(const Polygon& component) const {
-  const auto nearer = [&](const Point& a, const Point& b) {
-    const double da = field().distance(a), db = field().distance(b);
-    return da != db ? da < db : before(a, b);
+/// By the components found so far, which are nearer to the anchor. nullopt: the tether is too short.
+std::optional<Polyline> TetherSpace::path_into(const Point& entry) const {
+  const auto known = [&](const Point& p) -> std::optional<Polyline> {
+    const Component* at = component_at(p);
+    if (!at) return std::nullopt;
+    const auto inside = at->problem.transit().path(at->problem.start(), p);
+    if (!inside) return std::nullopt;
+    Polyline path = at->entry_path;
+    path.insert(path.end(), inside->begin() + 1, inside->end());
+    return path;
   };
-  const Point entry = *std::min_element(component.outer.begin(), component.outer.end(), nearer);
-  auto path = geodesic_path(world(), problem_.start(), entry, kEntrySlack * problem_.robot().radius + width_);
+  auto path = geodesic_path(world(), problem_.start(), entry, kEntrySlack * problem_.robot().radius + width_, known);
   if (!path || !within_tether(problem_.start(), *path)) return std::nullopt;
-  return EntryPath{entry, std::move(*path)};
+  return path;
 }
 
 /// The tether stays within its length while the robot drives `path`, if at `from`, where it begins, it is the geodesic.

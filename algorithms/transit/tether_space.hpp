@@ -23,6 +23,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,6 +58,8 @@ class TetherSpace {
   /// The start's component first, then those that the robot can enter, by their entries' distance from the anchor.
   /// Found at the first call; not safe from several threads.
   const std::vector<Component>& components() const;
+  /// The one in which p is; nullptr if p is in none of them.
+  const Component* component_at(const Point& p) const;
   /// Of the start's component: its space, and the problem for any planner.
   const Region& cut_space() const { return home_->problem.configuration_space(); }
   const Problem& cut_problem() const { return home_->problem; }
@@ -72,20 +75,20 @@ class TetherSpace {
   const TetheredWorld& world() const;
 
  private:
-  struct EntryPath {
-    Point entry;
-    Polyline path;
-  };
+  struct Locator;
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   void cut_open();
   void find_components() const;
-  std::optional<EntryPath> path_into(const Polygon& component) const;
+  std::optional<Polyline> path_into(const Point& entry) const;
   bool within_tether(const Point& from, const Polyline& path) const;
 
   const Problem& problem_;
   double width_;
   std::vector<Polyline> cut_;
-  std::optional<Component> home_;  // the start's
-  std::vector<Polygon> others_;    // as the cut leaves them
+  std::optional<Component> home_;                        // the start's
+  std::vector<Polygon> others_;                          // as the cut leaves them
+  mutable std::vector<std::size_t> component_of_other_;  // among components(); kNone: unreached
+  mutable std::unique_ptr<const Locator> locator_;
   mutable std::vector<Component> components_;
   mutable Region unreached_;
   mutable std::unique_ptr<const TetheredWorld> world_;

@@ -13,9 +13,9 @@
 //             5. `untangle` tries to leave the path back at its vertices and at 64 or more points between them, then
 //                bisects the last step ten times.
 //             6. The path to a goal outside the cut space follows the goal's geodesic from its last point in the cut
-//                space on. Where the robot cannot be on the geodesic it takes the shortest path of the same class to
-//                the next point of it where it can. These searches are local, so their cost does not grow with the
-//                number of classes of the whole map. The result is pulled taut.
+//                space (or to which the caller knows a path) on. Where the robot cannot be on the geodesic it takes
+//                the shortest path of the same class to the next point of it where it can. These searches are local,
+//                so their cost does not grow with the number of classes of the whole map. The result is pulled taut.
 //             7. A goal outside the cut space has no bound on the path's length. If the budget does not suffice, the
 //                path leads back to the start and from there follows the class of the geodesic.
 #include "geometry/tether/tethered_path.hpp"
@@ -199,13 +199,17 @@ class TetherEnd {
   std::optional<Point> bend_;  // the first one; none if the part is all of the tether
 };
 
+/// See geodesic_path().
+using KnownPaths = std::function<std::optional<Polyline>(const Point&)>;
+
 /// Follows the goal's geodesic, and where the robot cannot be on it, goes round by the shortest path of the same class.
 class GeodesicFollower {
  public:
   /// So many of the geodesic's last segments are looked at.
-  GeodesicFollower(const TetheredWorld& world, const Point& start, const Point& goal, double slack, std::size_t budget,
-                   std::size_t segments)
+  GeodesicFollower(const TetheredWorld& world, const Point& start, const Point& goal, double slack,
+                   const KnownPaths& known, std::size_t budget, std::size_t segments)
       : world_(world),
+        known_(known),
         start_(start),
         goal_(goal),
         slack_(slack),
@@ -259,7 +263,7 @@ class GeodesicFollower {
     line_ = joined(std::move(line_), line);
   }
 
-  /// Through the cut space to the last point of the goal's geodesic that is in it. Samples are those after it.
+  /// To the last point of the goal's geodesic to which a path is known. Samples are those after it.
   void join() {
     const Polyline geodesic = world_.field.path(goal_);
     const double step = slack_ / kStepsPerSlack;
@@ -267,7 +271,7 @@ class GeodesicFollower {
       const double n = std::max(1.0, std::ceil(distance(geodesic[k - 1], geodesic[k]) / step));
       for (double i = n; i >= (k == 1 ? 0 : 1); --i) {
         const Point sample = samples_.empty() ? goal_ : lerp(geodesic[k - 1], geodesic[k], i / n);
-        if (auto path = world_.cut_paths.path(start_, sample)) {
+        if (auto path = known_(sample)) {
           line_ = std::move(*path);
           tether_ = tether_at(sample);
           std::reverse(samples_.begin(), samples_.end());
@@ -311,12 +315,13 @@ class GeodesicFollower {
   }
 
   const TetheredWorld& world_;
+  const KnownPaths& known_;
   const Point start_, goal_;
   const double slack_;
   const std::size_t budget_, segments_;
-  Polyline samples_;  // of the goal's geodesic, outside the cut space
+  Polyline samples_;  // of the goal's geodesic, after the last point to which a path is known
   TetherEnd tether_;  // at the end of line_
-  Polyline line_;     // from its last point in the cut space on
+  Polyline line_;     // from that point on
   mutable bool needs_more_ = false;
 };
 
@@ -324,10 +329,15 @@ class GeodesicFollower {
 
 std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& start, const Point& goal, double slack,
                                       std::size_t budget) {
-  if (auto inside = world.cut_paths.path(start, goal)) return inside;
+  return geodesic_path(
+      world, start, goal, slack, [&](const Point& p) { return world.cut_paths.path(start, p); }, budget);
+}
+std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& start, const Point& goal, double slack,
+                                      const KnownPaths& known, std::size_t budget) {
+  if (auto path = known(goal)) return path;
   constexpr std::size_t kFirstTried = 8, kMore = 16;  // segments, and times as many
   for (std::size_t segments = kFirstTried;; segments *= kMore) {
-    GeodesicFollower follower(world, start, goal, slack, budget, segments);
+    GeodesicFollower follower(world, start, goal, slack, known, budget, segments);
     auto path = follower.run();
     if (!follower.needs_more()) return path;
   }

@@ -12,6 +12,7 @@
 ///             space.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "geometry/edge_index.hpp"
@@ -49,6 +50,12 @@ enum class Retraction {
 /// locus touches) the path crosses the cut locus and returns; meanwhile the tether is longer than the geodesic by at
 /// most `slack` metres. nullopt if there is none, or if the search needs more than `budget` expansions.
 std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& start, const Point& goal, double slack,
+                                      std::size_t budget = 20000);
+/// The same where more is known than the paths of the cut space: `known` gives a path from the start to a point in the
+/// class of that point's geodesic, or nullopt. The search begins at the last point of the goal's geodesic to which it
+/// does.
+std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& start, const Point& goal, double slack,
+                                      const std::function<std::optional<Polyline>(const Point&)>& known,
                                       std::size_t budget = 20000);
 /// `line` pulled taut in `space`, with its ends fixed.
 Polyline pulled_taut(const TetheredWorld& world, const Polyline& line);

@@ -100,6 +100,29 @@ TEST(TetherSpace, EveryComponentOfALargeClutterIsEntered) {
   }
 }
 
+TEST(TetherSpace, ComponentsBehindComponentsAreEnteredByShortPaths) {
+  const Problem problem(generate("speckle", {{"width", 40.0}, {"height", 40.0}}, 1), tethered_robot(1.2));
+  const TetherSpace space(problem, "test");
+  EXPECT_GE(space.components().size(), 100u);
+  double driven = 0, least = 0;
+  for (const TetherSpace::Component& component : space.components()) {
+    driven += length(component.entry_path);
+    least += length(*problem.transit().path(problem.start(), component.problem.start()));
+    EXPECT_EQ(space.component_at(component.problem.start()), &component);
+  }
+  EXPECT_LE(driven, 1.01 * least);
+}
+
+TEST(TetherSpace, PointsOfNoComponent) {
+  const Problem problem(generate("clutter", {{"width", 20.0}, {"height", 20.0}}, 1), tethered_robot(0.4));
+  const TetherSpace space(problem, "test");
+  EXPECT_EQ(space.component_at({-5, -5}), nullptr);
+  for (const Polygon& polygon : space.unreached().polygons)
+    EXPECT_EQ(space.component_at(polygon.outer.front()), nullptr);
+  const Polyline& line = space.cut().front();
+  EXPECT_EQ(space.component_at(lerp(line[0], line[1], 0.5)), nullptr);
+}
+
 TEST(TetherSpace, RandomPathsInTheCutSpaceKeepTheTetherGeodesic) {
   for (const auto seed : seeds(4))
     for (const Map& map : tether_maps(seed)) {

@@ -30,6 +30,25 @@ TEST(RingBoxes, WhatIsNearIsTheRegionInTheBox) {
   }
 }
 
+TEST(RingBoxes, ClippedIsTheRegionInTheBoxWithFewerVertices) {
+  for (const auto seed : seeds(3)) {
+    const Region region = generate("cave", {{"width", 20.0}, {"height", 20.0}}, seed).free;
+    for (const double x : {-1.0, 3.0, 11.5}) {
+      const Region window = box_at(x, 4, 5);
+      Box around = bounding_box(window);
+      around.grow(0.5);
+      const Region there = clipped(region, around);
+      EXPECT_NEAR(area(intersect(there, window)), area(intersect(region, window)), 1e-6);
+      EXPECT_NEAR(area(subtract(window, there)), area(subtract(window, region)), 1e-6);
+      std::size_t outer = 0, all = 0;
+      for (const Polygon& polygon : there.polygons) outer += polygon.outer.size();
+      for (const Polygon& polygon : region.polygons) all += polygon.outer.size();
+      EXPECT_LT(outer, all / 2);
+    }
+    EXPECT_TRUE(clipped(region, bounding_box(box_at(50, 50, 1))).empty());
+  }
+}
+
 TEST(BoxIndex, FindsTheBoxesThatOverlap) {
   std::vector<Box> boxes;
   for (int i = 0; i < 40; ++i) boxes.push_back(bounding_box(box_at(i % 8 * 1.5, i / 8 * 1.5, 1 + i % 3)));
