@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "algorithms/tour/cell_ring.hpp"
+#include "geometry/cell_ring.hpp"
 
 namespace oxturn {
 namespace {

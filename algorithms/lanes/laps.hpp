@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "algorithms/context.hpp"
-#include "algorithms/tour/point_grid.hpp"
+#include "geometry/point_grid.hpp"
 #include "maps/problem.hpp"
 
 namespace oxturn {

@@ -4,7 +4,7 @@
 
 #include "algorithms/lattice/grid_graph.hpp"
 #include "algorithms/online/believed_paths.hpp"
-#include "algorithms/tour/cell_ring.hpp"
+#include "geometry/cell_ring.hpp"
 
 namespace oxturn {
 namespace {

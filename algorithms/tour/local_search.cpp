@@ -4,7 +4,7 @@
 #include <array>
 
 #include "algorithms/tour/open_tour.hpp"
-#include "algorithms/tour/point_grid.hpp"
+#include "geometry/point_grid.hpp"
 
 namespace oxturn {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "algorithms/tour/point_grid.hpp"
+#include "geometry/point_grid.hpp"
 #include "algorithms/tour/quadrant_tree.hpp"
 
 namespace oxturn {

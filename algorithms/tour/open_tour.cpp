@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "algorithms/tour/point_grid.hpp"
+#include "geometry/point_grid.hpp"
 #include "algorithms/transit/nearest_component.hpp"
 
 namespace oxturn {

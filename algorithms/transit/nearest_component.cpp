@@ -1,7 +1,6 @@
 #include "algorithms/transit/nearest_component.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 namespace oxturn {
@@ -11,13 +10,20 @@ namespace {
 // many are compared by their shortest paths.
 constexpr std::size_t kCandidates = 4;
 
+constexpr double kAlmostStraight = 1.3;  // straight distances
+constexpr int kMostFailures = 2;         // entry points to which no almost straight path leads
+constexpr int kMostTries = 16;
+
 }  // namespace
 
 NearestComponent::NearestComponent(const Problem& problem)
-    : problem_(problem), wave_(problem), entries_(wave_.triangle_count()) {}
+    : problem_(problem), wave_(problem), in_triangle_(wave_.triangle_count()) {}
 
 void NearestComponent::add(const Point& p, int component, std::size_t id) {
-  if (const auto triangle = wave_.triangle_of(p)) entries_[*triangle].push_back({p, component, id});
+  const auto triangle = wave_.triangle_of(p);
+  if (!triangle) return;
+  in_triangle_[*triangle].push_back(static_cast<std::uint32_t>(entries_.size()));
+  entries_.push_back({p, component, id});
 }
 
 void NearestComponent::remove(int component) {
@@ -26,23 +32,64 @@ void NearestComponent::remove(int component) {
   removed_[static_cast<std::size_t>(component)] = true;
 }
 
-/// The entry in a triangle that is nearest to a point; nullptr if there is none. Forgets those of removed components.
-const NearestComponent::Entry* NearestComponent::nearest_in(std::size_t triangle, const Point& to) {
-  std::vector<Entry>& here = entries_[triangle];
-  std::erase_if(here, [&](const Entry& e) { return removed(e.component); });
-  const auto best = std::min_element(here.begin(), here.end(), [&](const Entry& a, const Entry& b) {
-    return (a.at - to).squaredNorm() < (b.at - to).squaredNorm();
-  });
-  return best == here.end() ? nullptr : &*best;
+/// Made again when there are twice as many entries.
+void NearestComponent::keep_grid() {
+  if (entries_.size() < std::max<std::size_t>(1, 2 * in_grid_)) return;
+  std::vector<Point> points;
+  for (const Entry& e : entries_) points.push_back(e.at);
+  in_grid_ = points.size();
+  grid_.emplace(std::move(points));
 }
 
-std::vector<NearestComponent::Entry> NearestComponent::candidates(const Point& p, std::size_t triangle) {
+void NearestComponent::try_entry(const Point& p, const Entry& entry, double longest, Nearest& best) const {
+  std::optional<Polyline> path = problem_.transit().path(p, entry.at, std::min(longest, best.metres));
+  if (!path) return;
+  if (const double metres = length(*path); metres < best.metres)
+    best = {.found = Found{entry.id, std::move(*path)}, .metres = metres};
+}
+
+/// Is the best certainly the nearest of all? No other entry is nearer by straight distance but those of which a limit
+/// of the search has shown that they are farther by path.
+bool NearestComponent::find_almost_straight(const Point& p, Nearest& best) {
+  keep_grid();
+  if (in_grid_ < entries_.size()) return false;
+  std::vector<std::size_t> gone;
+  bool all_nearer_tried = true;
+  int failures = 0, tries = 0;
+  double farther = std::numeric_limits<double>::infinity();  // than that are those that failed
+  grid_->visit(p, [&](std::size_t i, double straight) {
+    if (removed(entries_[i].component)) {
+      gone.push_back(i);
+      return true;
+    }
+    if (straight >= best.metres) return false;
+    all_nearer_tried = failures < kMostFailures && tries++ < kMostTries;
+    if (!all_nearer_tried) return false;
+    const double longest = kAlmostStraight * straight, before = best.metres;
+    try_entry(p, entries_[i], longest, best);
+    if (best.metres == before && longest < before) ++failures, farther = std::min(farther, longest);
+    return true;
+  });
+  for (const std::size_t i : gone) grid_->remove(i);
+  return all_nearer_tried && best.metres <= farther;
+}
+
+/// The entry in a triangle that is nearest to a point; nullopt if there is none. Forgets those of removed components.
+std::optional<std::uint32_t> NearestComponent::nearest_in(std::size_t triangle, const Point& to) {
+  std::vector<std::uint32_t>& here = in_triangle_[triangle];
+  std::erase_if(here, [&](std::uint32_t e) { return removed(entries_[e].component); });
+  const auto best =
+      std::ranges::min_element(here, {}, [&](std::uint32_t e) { return (entries_[e].at - to).squaredNorm(); });
+  return best == here.end() ? std::nullopt : std::optional(*best);
+}
+
+std::vector<std::uint32_t> NearestComponent::candidates(const Point& p, std::size_t triangle) {
   std::set<int> components;
-  std::vector<Entry> found;
+  std::vector<std::uint32_t> found;
   wave_.spread(p, triangle, [&](std::size_t t) {
-    if (const Entry* entry = nearest_in(t, wave_.entered_at(t))) {
+    if (const auto entry = nearest_in(t, wave_.entered_at(t))) {
       found.push_back(*entry);
-      components.insert(entry->component);
+      components.insert(entries_[*entry].component);
     }
     return components.size() >= kCandidates;
   });
@@ -51,16 +98,11 @@ std::vector<NearestComponent::Entry> NearestComponent::candidates(const Point& p
 
 std::optional<NearestComponent::Found> NearestComponent::from(const Point& p) {
   const auto home = wave_.triangle_of(p);
-  if (!home) return std::nullopt;
-  std::optional<Found> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Entry& e : candidates(p, *home)) {
-    std::optional<Polyline> path = problem_.transit().path(p, e.at, least);
-    if (!path || !(length(*path) < least)) continue;
-    least = length(*path);
-    best = Found{e.id, std::move(*path)};
-  }
-  return best;
+  if (!home || entries_.empty()) return std::nullopt;
+  Nearest best;
+  if (!find_almost_straight(p, best))
+    for (const std::uint32_t e : candidates(p, *home)) try_entry(p, entries_[e], best.metres, best);
+  return std::move(best.found);
 }
 
 }  // namespace oxturn

@@ -4,16 +4,22 @@
 ///   for (...) nearest.add(entry_point, component, id);
 ///   while (auto found = nearest.from(path.at())) { ...; nearest.remove(component); }
 ///
-/// A wave spreads from the query point over the triangles of the transit mesh (Dijkstra over the midpoints of their
-/// sides) until it has met entry points of a few components; shortest paths to these decide. So a query costs what lies
-/// nearer than the answer, not all components: behind a wall thousands may be near by straight distance.
-/// add O(1); a query O(t log t) for t triangles nearer than the answer, and a few shortest paths.
+/// Where almost straight paths lead to the entry points that are nearest by straight distance, shortest paths to these
+/// show which is the nearest. Otherwise a wave spreads from the query point over the triangles of the transit mesh
+/// (Dijkstra over the midpoints of their sides) until it has met entry points of a few components; shortest paths to
+/// these decide. So a query costs what lies nearer than the answer, not all components: behind a wall thousands may be
+/// near by straight distance.
+/// add O(1); a query a few shortest paths, and O(t log t) for t triangles nearer than the answer if that is behind
+/// walls.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "algorithms/transit/mesh_wave.hpp"
+#include "geometry/point_grid.hpp"
 
 namespace oxturn {
 
@@ -38,15 +44,25 @@ class NearestComponent {
     int component;
     std::size_t id;
   };
+  struct Nearest {
+    std::optional<Found> found = std::nullopt;
+    double metres = std::numeric_limits<double>::infinity();
+  };
   bool removed(int component) const {
     return static_cast<std::size_t>(component) < removed_.size() && removed_[static_cast<std::size_t>(component)];
   }
-  const Entry* nearest_in(std::size_t triangle, const Point& to);
-  std::vector<Entry> candidates(const Point& p, std::size_t triangle);
+  void keep_grid();
+  void try_entry(const Point& p, const Entry& entry, double longest, Nearest& best) const;
+  bool find_almost_straight(const Point& p, Nearest& best);
+  std::optional<std::uint32_t> nearest_in(std::size_t triangle, const Point& to);
+  std::vector<std::uint32_t> candidates(const Point& p, std::size_t triangle);
 
   const Problem& problem_;
   MeshWave wave_;
-  std::vector<std::vector<Entry>> entries_;  // by triangle
+  std::vector<Entry> entries_;
+  std::vector<std::vector<std::uint32_t>> in_triangle_;  // entries, by triangle
+  std::optional<PointGrid> grid_;                        // of the first entries
+  std::size_t in_grid_ = 0;
   std::vector<bool> removed_;
 };
 

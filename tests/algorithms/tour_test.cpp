@@ -6,7 +6,7 @@
 
 #include "algorithms/tour/generalised_tour.hpp"
 #include "algorithms/tour/open_tour.hpp"
-#include "algorithms/tour/point_grid.hpp"
+#include "geometry/point_grid.hpp"
 #include "algorithms/tour/quadrant_tree.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/maps.hpp"

@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
 
 #include "algorithms/transit/component_links.hpp"
 #include "algorithms/transit/connector.hpp"
+#include "algorithms/transit/nearest_component.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/random.hpp"
 #include "tests/support/drawn.hpp"
@@ -50,6 +53,73 @@ TEST(Connector, PointsThatAreNotConnectedAreOneSentence) {
       testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("no path from (0.5, 0.5) to (2.5, 0.5)")));
 }
 
+Problem with_scattered_walls(Rng& rng) {
+  std::vector<std::string> drawing(9, std::string(12, '.'));
+  for (std::string& row : drawing)
+    for (char& c : row)
+      if (rng.chance(0.25)) c = '#';
+  drawing[4][6] = 'S';
+  return drawn(drawing);
+}
+
+Point free_point(const Problem& problem, Rng& rng) {
+  for (;;)
+    if (const Point p(12 * rng.unit(), 9 * rng.unit()); problem.walls().contains(p)) return p;
+}
+
+// --- nearest component ---
+
+/// Metres to the nearest entry that is left, by the paths to all.
+double metres_to_nearest(const Problem& problem, const Point& from, const std::vector<Point>& entries,
+                         const std::vector<bool>& left) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < entries.size(); ++k)
+    if (const auto path = problem.transit().path(from, entries[k]); left[k] && path)
+      least = std::min(least, length(*path));
+  return least;
+}
+
+TEST(NearestComponent, IsNearestByPath) {
+  std::size_t queries = 0, nearest_of_all = 0;
+  for (const auto seed : seeds(100)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Problem problem = with_scattered_walls(rng);
+    NearestComponent nearest(problem);
+    std::vector<Point> entries;
+    for (int k = 0; k < 16; ++k) {
+      entries.push_back(free_point(problem, rng));
+      nearest.add(entries.back(), k / 2, entries.size() - 1);
+    }
+    std::vector<bool> left(entries.size(), true);
+    for (int k = 0; k < 8; ++k, ++queries) {
+      const Point from = free_point(problem, rng);
+      const double least = metres_to_nearest(problem, from, entries, left);
+      const auto found = nearest.from(from);
+      ASSERT_EQ(found.has_value(), std::isfinite(least));
+      if (!found) break;
+      ASSERT_TRUE(left[found->id]) << "removed";
+      EXPECT_EQ(found->path.front(), from);
+      EXPECT_EQ(found->path.back(), entries[found->id]);
+      EXPECT_LE(length(found->path), 1.3 * least + 1e-9);
+      nearest_of_all += length(found->path) <= least * (1 + 1e-9);
+      left[found->id / 2 * 2] = left[found->id / 2 * 2 + 1] = false;
+      nearest.remove(static_cast<int>(found->id / 2));
+    }
+  }
+  EXPECT_GE(nearest_of_all, 0.99 * static_cast<double>(queries));
+}
+
+TEST(NearestComponent, OfNoneIsNone) {
+  const Problem problem = drawn({"S..#.", "...#."});
+  NearestComponent nearest(problem);
+  EXPECT_FALSE(nearest.from({0.5, 0.5}));
+  nearest.add({4.5, 0.5}, 0, 7);  // behind the wall
+  EXPECT_FALSE(nearest.from({0.5, 0.5}));
+  nearest.add({1.5, 0.5}, 1, 8);
+  EXPECT_EQ(nearest.from({0.5, 0.5})->id, 8u);
+}
+
 // --- links ---
 
 /// Length of a minimum spanning tree of the components, by the shortest paths between all pairs of their points.
@@ -71,19 +141,13 @@ TEST(ComponentLinks, AreASpanningTreeHardlyLongerThanTheShortest) {
   for (const auto seed : seeds(300)) {
     SCOPED_TRACE(seed);
     Rng rng(seed);
-    std::vector<std::string> drawing(9, std::string(12, '.'));
-    for (std::string& row : drawing)
-      for (char& c : row)
-        if (rng.chance(0.25)) c = '#';
-    drawing[4][6] = 'S';
-    const Problem problem = drawn(drawing);
+    const Problem problem = with_scattered_walls(rng);
     const int components = rng.between(1, 8);
     std::vector<Point> points;
     std::vector<int> component;
     ComponentLinks links(problem);
     while (points.size() < 24) {
-      const Point p(12 * rng.unit(), 9 * rng.unit());
-      if (!problem.walls().contains(p)) continue;
+      const Point p = free_point(problem, rng);
       component.push_back(points.size() < static_cast<std::size_t>(components) ? static_cast<int>(points.size())
                                                                                : rng.between(0, components - 1));
       links.add(p, component.back(), points.size());

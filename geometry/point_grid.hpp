@@ -13,7 +13,7 @@
 #include <queue>
 #include <vector>
 
-#include "algorithms/tour/cell_ring.hpp"
+#include "geometry/cell_ring.hpp"
 #include "geometry/uniform_grid.hpp"
 
 namespace oxturn {
