@@ -31,12 +31,12 @@ constexpr double kNearlyAll = 1e-3;       // uncovered share below which coverag
 constexpr double kLeastUncovered = 4e-5;  // share of the target that annealing leaves uncovered at least
 // The same of the first runs: lanes move little where nothing may be left.
 constexpr double kLeastHot = 6.4e-4, kLeastReheated = 1.2e-4;
-// Shares of the moves: of each short run of several, of windows heated again, of the run after them, and of closing, in
-// rounds. The first run at length has the others.
+// Shares of the moves: of each short run of several, of the second run at length, and of closing, in rounds. The first
+// run at length has the others, except those of windows heated again.
 struct Shares {
-  double brief, reheating, warming, closing;
+  double brief, warming, closing;
 };
-constexpr Shares kOfMost{0.06, 0, 0.184, 0.3}, kOfNearlyAll{0.04, 0.3, 0.1, 0.3};
+constexpr Shares kOfMost{0.06, 0.184, 0.3}, kOfNearlyAll{0.04, 0.1, 0.3};
 // Uncovered pieces that are smaller, of what is allowed in all, get no extra moves.
 constexpr double kNoticed = 1e-3;
 // What closing may leave uncovered on the raster, of what is allowed: it misses what is thinner than its cells.
@@ -127,15 +127,16 @@ class Improver {
     if (context_.cancelled()) return driven(best_);
     const Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
     const double used = lines.size() > 1 ? shares().brief * static_cast<double>(lines.size()) : 0;
-    const double hot = 1 - used - shares().reheating - shares().warming - shares().closing;
+    const double again = nearly_all() ? how_.reheating : 0;
+    const double hot = 1 - used - again - shares().warming - shares().closing;
     Rng& rng = context_.rng();
     Annealed now =
         annealed(best, allowing(kLeastHot, coarse()), {moves(hot), how_.temperature * width_, kWarm * width_}, rng);
     Annealing::Options options = allowing(kLeastReheated, coarse());
     options.price = now.price;
-    if (nearly_all())
+    if (again > 0)
       now = reheated(problem_, target_of(options.radius), now.points, options,
-                     {moves(shares().reheating), kReheated * width_, kCool * width_}, rng, context_);
+                     {moves(again), kReheated * width_, kCool * width_}, rng, context_);
     options = middle();
     options.price = now.price;
     close_in_rounds(annealed(now.points, options, {moves(shares().warming), kWarm * width_, kCool * width_}, rng));
@@ -271,6 +272,8 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
        "other"},
       {"return_home", &Improvement::return_home, "end where the path starts"},
       {"temperature", &Improvement::temperature, Range{1e-6, 10}, "of annealing, to begin with, in tool widths"},
+      {"reheating", &Improvement::reheating, Range{0, 0.4},
+       "share of the moves for small windows heated again, where coverage is nearly full"},
       {"objective", &Improvement::objective, Choices{"length", "time", "weighted"},
        "what is made least; time: turns count, at the robot's turn rate and speed; weighted: a sum of both"},
       {"time_weight", &Improvement::time_weight, Range{0, 1},

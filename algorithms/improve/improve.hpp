@@ -33,6 +33,7 @@ struct Improvement {
   int moves = 0;              // of annealing; 0: by the size of the target
   bool return_home = false;   // the path ends where it starts
   double temperature = 0.05;  // to begin with, in tool widths
+  double reheating = 0.3;     // share of the moves for small windows, where coverage is nearly full
   int threads = 1;            // which does not change the result
   std::string objective = "length";
   double time_weight = 0.5;  // with objective = weighted
