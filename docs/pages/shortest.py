@@ -68,4 +68,5 @@ def page(rows):
                       "Coverage 0.99 and 300,000 moves; `boustrophedon`, from which most start, for comparison.\n",
                       by_part(rows), "\n## Small windows heated again\n",
                       "Nearly full coverage; `reheating`: the share of the moves that these windows get.\n",
-                      by_reheating(rows), "\n## Length ratio on each map, 2,000,000 moves, by coverage\n", by_map(rows)])
+                      by_reheating(rows),
+                      "\n## Length ratio on each map, 2,000,000 moves, by coverage\n", by_map(rows)])
