@@ -18,19 +18,25 @@ namespace oxturn {
 namespace {
 
 // In tool widths.
-constexpr double kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one
+constexpr double kReheated = 0.07, kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one
 constexpr double kCoarseCell = 1.0 / 20, kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80;
 constexpr double kMargin = 0.003;       // by which the tool is narrower at first, so that lanes can be moved afterwards
 constexpr double kFineMargin = 0.0015;  // in closing: what is thinner than the raster's cells
-constexpr double kBesideWall = 0.05;    // edges nearer to a wall are moved to it
+constexpr double kBesideWall = 0.02;    // edges nearer to a wall are moved to it
 constexpr double kStraight = 0.005;     // vertices nearer to their chord are dropped at the beginning
 // The price of uncovered area is 1 / w times kPrice at an uncovered share of kPriceAt, and grows with a power of that.
 // Where closing begins, it is kMostPrice times as much at most: at high prices no lane moves any more.
 constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4, kMostPrice = 2.5;
 constexpr double kNearlyAll = 1e-3;       // uncovered share below which coverage is nearly full
 constexpr double kLeastUncovered = 4e-5;  // share of the target that annealing leaves uncovered at least
-// Shares of the moves: of each short run of several, of the first run at length, and of closing, in rounds.
-constexpr double kBrief = 0.06, kClosing = 0.3, kHot = 0.6;
+// The same of the first runs: lanes move little where nothing may be left.
+constexpr double kLeastHot = 6.4e-4, kLeastReheated = 1.2e-4;
+// Shares of the moves: of each short run of several, of the second run at length, and of closing, in rounds. The first
+// run at length has the others, except those of windows heated again.
+struct Shares {
+  double brief, warming, closing;
+};
+constexpr Shares kOfMost{0.06, 0.184, 0.3}, kOfNearlyAll{0.04, 0.1, 0.3};
 // Uncovered pieces that are smaller, of what is allowed in all, get no extra moves.
 constexpr double kNoticed = 1e-3;
 // What closing may leave uncovered on the raster, of what is allowed: it misses what is thinner than its cells.
@@ -120,12 +126,20 @@ class Improver {
     }
     if (context_.cancelled()) return driven(best_);
     const Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
-    const double used = lines.size() > 1 ? kBrief * static_cast<double>(lines.size()) : 0;
-    const double hot = kHot * (1 - used - kClosing), warm = (1 - kHot) * (1 - used - kClosing);
-    Annealed now = annealed(best, coarse(), {moves(hot), how_.temperature * width_, kWarm * width_}, context_.rng());
-    Annealing::Options options = middle();
+    const double used = lines.size() > 1 ? shares().brief * static_cast<double>(lines.size()) : 0;
+    const double again = nearly_all() ? how_.reheating : 0;
+    const double hot = 1 - used - again - shares().warming - shares().closing;
+    Rng& rng = context_.rng();
+    Annealed now =
+        annealed(best, allowing(kLeastHot, coarse()), {moves(hot), how_.temperature * width_, kWarm * width_}, rng);
+    Annealing::Options options = allowing(kLeastReheated, coarse());
     options.price = now.price;
-    close_in_rounds(annealed(now.points, options, {moves(warm), kWarm * width_, kCool * width_}, context_.rng()));
+    if (again > 0)
+      now = reheated(problem_, target_of(options.radius), now.points, options,
+                     {moves(again), kReheated * width_, kCool * width_}, rng, context_);
+    options = middle();
+    options.price = now.price;
+    close_in_rounds(annealed(now.points, options, {moves(shares().warming), kWarm * width_, kCool * width_}, rng));
     return driven(best_);
   }
 
@@ -137,7 +151,7 @@ class Improver {
     if (cold_start) now.points = straightened(best_, kStraight * width_, problem_.walls());
     const double margin = cold_start ? 0 : kFineMargin;  // a start's lanes are as far apart as the tool is wide
     const long least = std::max(kLeastMoves, kLeastMovesEach * static_cast<long>(now.points.size()));
-    const int rounds = std::min(kMostRounds, 1 + static_cast<int>(moves(kClosing) / least));
+    const int rounds = std::min(kMostRounds, 1 + static_cast<int>(moves(shares().closing) / least));
     double factor = cold_start ? kFirstOfStart : kFirstFactor;
     for (int round = 0; !context_.cancelled(); ++round) {
       if (nearly_all()) now.points = walls_.snapped(now.points, kBesideWall * width_);
@@ -151,10 +165,12 @@ class Improver {
       options.most_shift = kMostShift;
       const double cold = kCool * std::pow(kCold / kCool, (round + 1.0) / rounds);
       now.points = divided(now.points, focus_, width_);
-      now = annealed(now.points, options, {moves(kClosing / rounds), kCool * width_, cold * width_}, context_.rng());
+      now = annealed(now.points, options, {moves(shares().closing / rounds), kCool * width_, cold * width_},
+                     context_.rng());
     }
   }
   double cost(const Polyline& points) const { return length(points) + (turn_ > 0 ? turn_ * turning(points) : 0); }
+  const Shares& shares() const { return nearly_all() ? kOfNearlyAll : kOfMost; }
   bool nearly_all() const { return share_ < kNearlyAll; }
   long moves(double share) const {
     const double squares = area(completion_.target()) / (width_ * width_), first = std::min(squares, kFirstSquares);
@@ -170,6 +186,11 @@ class Improver {
             .price = kPrice / width_ * std::pow(share_ / kPriceAt, kPricePower),
             .turn = turn_,
             .fixed_end = how_.return_home};
+  }
+  /// At least that share of the target may stay uncovered.
+  Annealing::Options allowing(double share, Annealing::Options options) const {
+    options.uncovered = std::max(share, share_) * area(completion_.target());
+    return options;
   }
   Region with_margin(double margin) const {
     return nearly_all() ? reachable_target(problem_, margin * width_, Completion::kChord) : Region{};
@@ -202,7 +223,8 @@ class Improver {
     const auto work = [&] {
       for (std::size_t k = next++; k < lines.size(); k = next++) {
         Rng rng(mix(context_.seed(), "start " + std::to_string(k)));
-        results[k] = annealed(lines[k], coarse(), {moves(kBrief), how_.temperature * width_, kWarm * width_}, rng);
+        results[k] =
+            annealed(lines[k], coarse(), {moves(shares().brief), how_.temperature * width_, kWarm * width_}, rng);
       }
     };
     problem_.walls();  // made before threads share it
@@ -250,6 +272,8 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
        "other"},
       {"return_home", &Improvement::return_home, "end where the path starts"},
       {"temperature", &Improvement::temperature, Range{1e-6, 10}, "of annealing, to begin with, in tool widths"},
+      {"reheating", &Improvement::reheating, Range{0, 0.4},
+       "share of the moves for small windows heated again, where coverage is nearly full"},
       {"objective", &Improvement::objective, Choices{"length", "time", "weighted"},
        "what is made least; time: turns count, at the robot's turn rate and speed; weighted: a sum of both"},
       {"time_weight", &Improvement::time_weight, Range{0, 1},

@@ -7,6 +7,7 @@ namespace oxturn {
 namespace {
 
 constexpr int kMostVertices = 200;  // of walls beside one edge of the path
+constexpr double kInside = 2e-6;    // tolerances, from a wall: more than rounding
 
 }  // namespace
 
@@ -26,8 +27,13 @@ WallFollowing::WallFollowing(const EdgeIndex& walls) : walls_(walls) {
 
 std::optional<WallFollowing::OnWall> WallFollowing::foot(const Point& p, double tolerance) const {
   const auto near = walls_.nearest(p, tolerance);
-  if (!near || !walls_.contains(near->point)) return std::nullopt;
-  return OnWall{near->point, near->edge};
+  if (!near) return std::nullopt;
+  if (walls_.contains(near->point)) return OnWall{near->point, near->edge};
+  // Rounding has put it behind the wall; free space is to the left of its edges.
+  const EdgeIndex::Edge& wall = walls_.edges()[near->edge];
+  const Point inside = near->point + kInside * tolerance * perpendicular(wall.b - wall.a).normalized();
+  if (!walls_.contains(inside)) return std::nullopt;
+  return OnWall{inside, near->edge};
 }
 
 /// The boundary from one point to the other; nullopt if it leaves the chord between them by more than the tolerance.

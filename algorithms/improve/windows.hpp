@@ -8,7 +8,7 @@
 ///   |__|__|__|____|       their order and direction: the whole stays one path.
 ///
 /// In each pass every point of the target is in one window; the windows of the next pass lie elsewhere. The price of
-/// uncovered area is the same in all windows of a pass.
+/// uncovered area is the same in all windows of a pass, and so are the witnesses.
 ///
 /// Source      ours
 /// Complexity  a few microseconds a move. A window also takes O(n + m) for n vertices of the path and m of the target:
@@ -33,5 +33,12 @@ struct Annealed {
 Annealed annealed(const Problem& problem, const Region& target, const Polyline& points,
                   const Annealing::Options& options, const Annealing::Schedule& schedule,
                   const std::vector<Point>& focus, Rng& rng, const Context& context);
+
+/// Anneals one small window after the other, drawn by lot, each from hot to cold with all the rest at rest, and keeps
+/// only what lowers the energy (annealing.hpp): a change of order that takes several costly steps is tried where it is
+/// cheap to undo. The price floats from window to window.
+Annealed reheated(const Problem& problem, const Region& target, const Polyline& points,
+                  const Annealing::Options& options, const Annealing::Schedule& schedule, Rng& rng,
+                  const Context& context);
 
 }  // namespace oxturn
