@@ -8,10 +8,12 @@
 //             3. On the best path of a class the tether of a point robot is never longer than at both ends. For a disc,
 //                rounding may violate the limit in between, since its space's arcs are polygons: such a path is
 //                rejected.
-//             4. If the class of the geodesic violates the limit when pulled taut, it is driven as it is: back to the
-//                start, then from there.
+//             4. If the class of the geodesic violates the limit when pulled taut, it is driven as it is: back to where
+//                the path from the start to the goal leaves the path driven, then from there.
 //             5. `untangle` tries to leave the path back at its vertices and at 64 or more points between them, then
-//                bisects the last step ten times.
+//                bisects the last step ten times. Where the goal cannot be reached straight from anywhere, which
+//                Xavier's text leaves open, the path is that of decision 4: by the start, each cell of a spiral would
+//                cost twice the tether.
 //             6. The path to a goal outside the cut space follows the goal's geodesic from its last point in the cut
 //                space (or to which the caller knows a path) on. Where the robot cannot be on the geodesic it takes
 //                the shortest path of the same class to the next point of it where it can. These searches are local,
@@ -70,12 +72,17 @@ Polyline joined(Polyline first, const Polyline& second) {
   return first;
 }
 
-/// In the class of the goal's geodesic: back along the trail to the start, then through the cut space. nullopt if the
-/// goal is not in that.
+/// In the class of the goal's geodesic: back along the trail to where the path to the goal leaves it, at the latest at
+/// the start, then through the cut space. nullopt if the goal is not in that.
 std::optional<Polyline> by_geodesic(const TetheredWorld& world, const TautTether& trail, const Point& goal) {
   const auto out = world.cut_paths.path(trail.anchor(), goal);
   if (!out) return std::nullopt;
-  return joined(reversed(trail.polyline()), *out);
+  const Polyline driven = trail.polyline();
+  std::size_t shared = 1;  // points
+  while (shared < std::min(driven.size(), out->size()) && distance(driven[shared], (*out)[shared]) <= world.tolerance)
+    ++shared;
+  const auto leave = static_cast<std::ptrdiff_t>(shared) - 1;
+  return joined(reversed({driven.begin() + leave, driven.end()}), {out->begin() + leave, out->end()});
 }
 
 /// Back along the trail until the goal can be reached straight (Xavier 1999).

@@ -286,6 +286,18 @@ TEST(TetheredPath, UntangledIsBackUntilStraightInReach) {
   EXPECT_EQ(longer.robot.path_to(goal, Retraction::untangle)->points, (Polyline{{8, 4.9}, goal}));
 }
 
+// Regression: back to the start each time.
+TEST(TetheredPath, UntangledWithoutStraightReachLeavesTheTrailWhereThePathToTheGoalDoes) {
+  const Region serpentine{
+      {{{{0, 0}, {10, 0}, {10, 3}, {1, 3}, {1, 4}, {10, 4}, {10, 5}, {0, 5}, {0, 2}, {9, 2}, {9, 1}, {0, 1}}, {}}}};
+  const Point start(0.5, 0.5), goal(5, 4.5);
+  World world(serpentine, serpentine, start, start, 40);
+  world.robot.drive({{9, 1}, {9, 2}, {5, 2.5}});
+  const auto path = world.robot.path_to(goal, Retraction::untangle);
+  ASSERT_TRUE(path);
+  EXPECT_EQ(path->points, (Polyline{{5, 2.5}, {9, 2}, {1, 3}, {1, 4}, goal}));
+}
+
 TEST(TetheredPath, OutOfReachIsNoWay) {
   World world(pillar(), pillar(), {1, 5}, {1, 5}, 5);
   EXPECT_FALSE(world.robot.path_to({9, 5}));
