@@ -57,10 +57,10 @@
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/polygon/link_crossings.hpp"
 #include "algorithms/polygon/tracking_points.hpp"
-#include "geometry/point_grid.hpp"
 #include "algorithms/transit/connector.hpp"
 #include "algorithms/transit/nearest_component.hpp"
 #include "algorithms/transit/tlppa.hpp"
+#include "geometry/point_grid.hpp"
 
 namespace oxturn {
 namespace {

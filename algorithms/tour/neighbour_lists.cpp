@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "geometry/point_grid.hpp"
 #include "algorithms/tour/quadrant_tree.hpp"
+#include "geometry/point_grid.hpp"
 
 namespace oxturn {
 namespace {

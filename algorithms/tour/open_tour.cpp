@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "geometry/point_grid.hpp"
 #include "algorithms/transit/nearest_component.hpp"
+#include "geometry/point_grid.hpp"
 
 namespace oxturn {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "algorithms/tour/generalised_tour.hpp"
 #include "algorithms/tour/open_tour.hpp"
-#include "geometry/point_grid.hpp"
 #include "algorithms/tour/quadrant_tree.hpp"
+#include "geometry/point_grid.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/maps.hpp"
 #include "tests/support/seeds.hpp"
