@@ -17,7 +17,7 @@ namespace {
 // In tool widths, or squares of it.
 constexpr double kReach = 0.5 - 1e-3;                // from which a stop covers, with that error
 constexpr double kNegligible = 1e-6;                 // pieces of less area
-constexpr double kMostSlack = 1.5e-4, kSlack = 0.6;  // shares of the target, and of what may stay uncovered
+constexpr double kMostSlack = 1.5e-4, kSlack = 0.7;  // shares of the target, and of what may stay uncovered
 constexpr double kShortestPart = 0.05;               // of a piece
 constexpr double kLongestPiece = 1;                  // to be covered at once
 constexpr double kNoticed = 1e-3;                    // smaller pieces, of what may stay uncovered, get no strokes
