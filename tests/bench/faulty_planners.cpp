@@ -51,8 +51,8 @@ Path clock_seeded(const CoveragePlanner& good, const Problem& problem, Context& 
   const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
   return longer(good.plan(problem, context), 0.1 + 1e-9 * static_cast<double>(now % 100000000));
 }
-/// The order of pointers in a hash table is that of addresses. (That of a set of them is, too, but allocators that reuse
-/// no memory, such as that of the address sanitizer, give ascending ones.)
+/// The order of pointers in a hash table is that of addresses. (So is that of a set of pointers, but allocators that
+/// reuse no memory, such as that of the address sanitizer, give ascending ones.)
 Path orders_by_address(const CoveragePlanner& good, const Problem& problem, Context& context) {
   constexpr std::uintptr_t kBuckets = 1009;
   std::vector<std::unique_ptr<Point>> objects;
