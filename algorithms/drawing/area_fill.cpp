@@ -100,7 +100,7 @@ bool is_small(const Polygon& part, double width) {
 DrawingElement lap(const FilledArea& area, const Polygon& part, double width) {
   Leg leg{.tool = true, .points = part.outer, .width = width};
   leg.points.push_back(leg.points.front());
-  return {.name = area.element, .legs = {std::move(leg)}, .area = area.area.outer};
+  return {.name = area.element, .legs = {std::move(leg)}};
 }
 
 /// What of the area lies within that distance of the part.
@@ -187,7 +187,7 @@ DrawingElement AreaFiller::fill(const FilledArea& area, const Polygon& part, dou
                                 const Context& context) const {
   if (is_small(part, width) && !(problem_.robot().min_turn_radius > 0)) return lap(area, part, width);
   const Problem problem = problem_of(area, part, width, rings);
-  DrawingElement element{.name = area.element, .legs = {}, .area = area.area.outer};
+  DrawingElement element{.name = area.element, .legs = {}};
   Path path = planned(area.choice, problem, part, context);
   const bool turns_on_the_spot = !(problem_.robot().min_turn_radius > 0);
   element.followed = !turns_on_the_spot;
@@ -233,6 +233,8 @@ std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, const C
   }
   if (options_.thin_lines)
     add_thin_lines(area, oxturn::area(rest) <= (1 - kFilled) * all ? kLeastTip : kLeastNeededTip, elements);
+  const auto outer = std::make_shared<const Ring>(area.area.outer);
+  for (DrawingElement& element : elements) element.area = outer;
   return elements;
 }
 
@@ -242,7 +244,7 @@ void AreaFiller::add_thin_lines(const FilledArea& area, double least, std::vecto
   const CarSpace space(problem_);
   for (Polyline& line : thin_lines(area.area, width, least * tool_width)) {
     if (!stays_in(problem_.walls(), line)) continue;
-    DrawingElement element{.name = area.element, .legs = {}, .area = area.area.outer};
+    DrawingElement element{.name = area.element, .legs = {}};
     element.thin = true;
     element.followed = follows;
     std::vector<Polyline> pieces;

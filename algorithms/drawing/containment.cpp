@@ -19,7 +19,7 @@ constexpr double kTouch = 1e-9;     // of the extent: an element on the boundary
 class Container {
  public:
   Container(const DrawingElement& element, ContainmentTest test) {
-    Ring ring = element.is_fill() ? element.area : element.legs[0].points;
+    Ring ring = element.is_fill() ? *element.area : element.legs[0].points;
     if (test == ContainmentTest::hull) ring = convex_hull(ring);
     box_ = bounding_box(ring);
     region_ = unite({Region{{Polygon{ring, {}}}}});
@@ -73,9 +73,7 @@ bool holds(const Box& outer, const Box& inner) {
 }
 
 /// Fills of one area, by different parts of the tool or in different parts of it.
-bool fill_the_same(const DrawingElement& a, const DrawingElement& b) {
-  return a.is_fill() && b.is_fill() && a.name == b.name && a.area == b.area;
-}
+bool fill_the_same(const DrawingElement& a, const DrawingElement& b) { return a.is_fill() && a.area == b.area; }
 
 double tool_width(const DrawingElement& fill) {
   const auto work = std::ranges::find_if(fill.legs, [](const Leg& leg) { return leg.tool; });
@@ -88,15 +86,18 @@ std::vector<std::pair<std::size_t, std::size_t>> narrower_fills(const std::vecto
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t first = 0, last; first < elements.size(); first = last) {
     for (last = first + 1; last < elements.size() && fill_the_same(elements[first], elements[last]);) ++last;
-    for (std::size_t narrow = first + 1; narrow < last; ++narrow) {
-      const double width = tool_width(elements[narrow]);
-      const Box box = box_of(elements[narrow]);
-      for (std::size_t wide = first; wide < narrow; ++wide) {
-        Box near = box_of(elements[wide]);
-        near.grow(tool_width(elements[wide]));
-        if (width < tool_width(elements[wide]) && near.overlaps(box)) pairs.push_back({wide, narrow});
-      }
+    std::vector<Box> boxes, near;
+    std::vector<double> widths;
+    for (std::size_t e = first; e < last; ++e) {
+      boxes.push_back(box_of(elements[e]));
+      widths.push_back(tool_width(elements[e]));
+      near.push_back(boxes.back());
+      near.back().grow(widths.back());
     }
+    for (std::size_t narrow = 1; narrow < boxes.size(); ++narrow)
+      for (std::size_t wide = 0; wide < narrow; ++wide)
+        if (widths[narrow] < widths[wide] && near[wide].overlaps(boxes[narrow]))
+          pairs.push_back({first + wide, first + narrow});
   }
   return pairs;
 }
@@ -105,14 +106,15 @@ std::vector<std::pair<std::size_t, std::size_t>> contained_elements(const std::v
                                                                     ContainmentTest test) {
   struct Candidate {
     std::size_t element;
-    Container container;
+    std::shared_ptr<Container> container;  // fills of one area share it
   };
   std::vector<Candidate> outer;
   std::vector<double> areas(elements.size(), 0);
   for (std::size_t e = 0; e < elements.size(); ++e)
     if ((elements[e].closed && elements[e].legs[0].tool) || elements[e].is_fill()) {
-      outer.push_back({e, Container(elements[e], test)});
-      areas[e] = outer.back().container.area_m2();
+      const bool same = !outer.empty() && fill_the_same(elements[outer.back().element], elements[e]);
+      outer.push_back({e, same ? outer.back().container : std::make_shared<Container>(elements[e], test)});
+      areas[e] = outer.back().container->area_m2();
     }
   std::stable_sort(outer.begin(), outer.end(),
                    [&](const Candidate& a, const Candidate& b) { return areas[a.element] < areas[b.element]; });
@@ -122,8 +124,8 @@ std::vector<std::pair<std::size_t, std::size_t>> contained_elements(const std::v
     for (Candidate& c : outer) {
       const bool larger = areas[c.element] > areas[e] || (areas[c.element] == areas[e] && c.element > e);
       if (c.element == e || !larger || fill_the_same(elements[c.element], elements[e])) continue;
-      if (test == ContainmentTest::overlay && !holds(c.container.box(), box)) continue;
-      if (!c.container.holds(elements[e], box, test)) continue;
+      if (test == ContainmentTest::overlay && !holds(c.container->box(), box)) continue;
+      if (!c.container->holds(elements[e], box, test)) continue;
       pairs.push_back({c.element, e});
       break;
     }

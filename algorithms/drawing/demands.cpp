@@ -39,8 +39,8 @@ std::optional<ElementPort> fill_port(const std::vector<DrawingElement>& elements
   double least = 0;
   for (std::size_t e = 0; e < elements.size(); ++e) {
     if (elements[e].name != node.element || !elements[e].is_fill()) continue;
-    const auto n = static_cast<std::ptrdiff_t>(elements[e].area.size());
-    const Point& at = elements[e].area[static_cast<std::size_t>(((node.node % n) + n) % n)];
+    const auto n = static_cast<std::ptrdiff_t>(elements[e].area->size());
+    const Point& at = (*elements[e].area)[static_cast<std::size_t>(((node.node % n) + n) % n)];
     for (const std::size_t end : {0u, 1u}) {
       const double d = distance(at, end == 0 ? elements[e].first() : elements[e].last());
       if (!best || d < least) best = ElementPort{e, end}, least = d;

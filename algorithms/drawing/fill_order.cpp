@@ -59,7 +59,7 @@ DrawingElement best_order(const DrawingElement& element, double width,
   InnerPrice least = price(element);
   if (least.first > 0)
     for (const std::vector<Leg>& order :
-         {turned, innermost_first(strokes, element.area, width), innermost_first(turned, element.area, width)}) {
+         {turned, innermost_first(strokes, *element.area, width), innermost_first(turned, *element.area, width)}) {
       DrawingElement other = with_strokes(element, order);
       if (const InnerPrice p = price(other); p < least) least = p, best = std::move(other);
     }

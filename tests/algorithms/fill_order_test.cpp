@@ -11,7 +11,8 @@ Leg lap(double inset) {
 }
 
 DrawingElement laps(const std::vector<double>& insets) {
-  DrawingElement element{.name = "area", .legs = {}, .area = {{0, 0}, {10, 0}, {10, 10}, {0, 10}}};
+  DrawingElement element{
+      .name = "area", .legs = {}, .area = std::make_shared<const Ring>(Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}})};
   for (const double inset : insets) {
     if (!element.legs.empty()) element.legs.push_back({false, {element.legs.back().points.back(), {inset, inset}}});
     element.legs.push_back(lap(inset));

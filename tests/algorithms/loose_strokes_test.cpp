@@ -12,7 +12,8 @@ Leg stroke(Polyline points) { return {.tool = true, .points = std::move(points),
 
 /// A fill of so many strokes upwards, one beside the other.
 DrawingElement fill(const std::string& name, double x, int strokes) {
-  DrawingElement e{.name = name, .legs = {}, .area = {{x, 2}, {x + 3, 2}, {x + 3, 8}, {x, 8}}};
+  DrawingElement e{
+      .name = name, .legs = {}, .area = std::make_shared<const Ring>(Ring{{x, 2}, {x + 3, 2}, {x + 3, 8}, {x, 8}})};
   for (int k = 0; k < strokes; ++k, x += 0.42) {
     if (k > 0) e.legs.push_back({false, {e.legs.back().points.back(), {x, 3}}});
     e.legs.push_back(stroke({{x, 3}, {x, 7}}));
