@@ -19,11 +19,12 @@
 namespace oxturn {
 
 struct DrawingElement {
-  std::string name;                  // id of the element in the drawing
-  std::vector<Leg> legs;             // driven forwards; each leg begins where the one before it ends
-  bool closed = false;               // one leg that ends where it begins: entered at any of `entries`, and left there
-  bool one_way = false;              // never driven backwards
-  std::shared_ptr<const Ring> area;  // of a fill: the outer boundary of what it covers; all fills of an area share it
+  std::string name;       // id of the element in the drawing
+  std::vector<Leg> legs;  // driven forwards; each leg begins where the one before it ends
+  bool closed = false;    // one leg that ends where it begins: entered at any of `entries`, and left there
+  bool one_way = false;   // never driven backwards
+  std::shared_ptr<const Ring> area =
+      nullptr;  // of a fill: the outer boundary of what it covers; all fills of an area share it
   std::vector<std::size_t> entries = {};  // of a closed one: positions in its points, ascending
   std::vector<std::size_t> nodes = {};    // of a stroke: positions in its points of the source's nodes
   std::vector<std::size_t> corners = {};  // of a stroke: positions in its points at which it is not smooth

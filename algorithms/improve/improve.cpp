@@ -18,7 +18,7 @@ namespace oxturn {
 namespace {
 
 // In tool widths.
-constexpr double kReheated = 0.07, kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one
+constexpr double kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one
 constexpr double kCoarseCell = 1.0 / 20, kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80;
 constexpr double kMargin = 0.003;       // by which the tool is narrower at first, so that lanes can be moved afterwards
 constexpr double kFineMargin = 0.0015;  // in closing: what is thinner than the raster's cells
@@ -29,10 +29,10 @@ constexpr double kStraight = 0.005;     // vertices nearer to their chord are dr
 constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4, kMostPrice = 2.5;
 constexpr double kNearlyAll = 1e-3;       // uncovered share below which coverage is nearly full
 constexpr double kLeastUncovered = 4e-5;  // share of the target that annealing leaves uncovered at least
-// The same of the first runs: lanes move little where nothing may be left.
-constexpr double kLeastHot = 6.4e-4, kLeastReheated = 1.2e-4;
+// The same of the first run at length: lanes move little where nothing may be left.
+constexpr double kLeastHot = 6.4e-4;
 // Shares of the moves: of each short run of several, of the second run at length, and of closing, in rounds. The first
-// run at length has the others, except those of windows heated again.
+// run at length has the others.
 struct Shares {
   double brief, warming, closing;
 };
@@ -127,17 +127,11 @@ class Improver {
     if (context_.cancelled()) return driven(best_);
     const Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
     const double used = lines.size() > 1 ? shares().brief * static_cast<double>(lines.size()) : 0;
-    const double again = nearly_all() ? how_.reheating : 0;
-    const double hot = 1 - used - again - shares().warming - shares().closing;
+    const double hot = 1 - used - shares().warming - shares().closing;
     Rng& rng = context_.rng();
     Annealed now =
         annealed(best, allowing(kLeastHot, coarse()), {moves(hot), how_.temperature * width_, kWarm * width_}, rng);
-    Annealing::Options options = allowing(kLeastReheated, coarse());
-    options.price = now.price;
-    if (again > 0)
-      now = reheated(problem_, target_of(options.radius), now.points, options,
-                     {moves(again), kReheated * width_, kCool * width_}, rng, context_);
-    options = middle();
+    Annealing::Options options = middle();
     options.price = now.price;
     close_in_rounds(annealed(now.points, options, {moves(shares().warming), kWarm * width_, kCool * width_}, rng));
     return driven(best_);
@@ -272,8 +266,6 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
        "other"},
       {"return_home", &Improvement::return_home, "end where the path starts"},
       {"temperature", &Improvement::temperature, Range{1e-6, 10}, "of annealing, to begin with, in tool widths"},
-      {"reheating", &Improvement::reheating, Range{0, 0.4},
-       "share of the moves for small windows heated again, where coverage is nearly full"},
       {"objective", &Improvement::objective, Choices{"length", "time", "weighted"},
        "what is made least; time: turns count, at the robot's turn rate and speed; weighted: a sum of both"},
       {"time_weight", &Improvement::time_weight, Range{0, 1},

@@ -2,13 +2,13 @@
 ///
 ///   const Path shorter = improved(problem, {path}, {.coverage = 0.99, .moves = 1'000'000}, context);
 ///
-/// Of several paths, each is annealed briefly (annealing.hpp), and the best one at length: hot first, then again in
-/// small windows (windows.hpp), then cold (the start itself, if all that made it longer) and, for nearly full coverage,
-/// on a finer raster of witnesses. The first runs leave more uncovered than is asked for: lanes move little where
-/// nothing may be left. After each round what the path leaves uncovered is found exactly, and detours
-/// (lanes/repair.hpp) are added until the coverage is reached. The shortest of all these completed paths is the result,
-/// so the coverage never depends on convergence, and the result is never longer than any path given, completed in the
-/// same manner. The tool is on all along.
+/// Of several paths, each is annealed briefly (annealing.hpp), and the best one at length: hot first, then cold (the
+/// start itself, if hot annealing made it longer) and, for nearly full coverage, on a finer raster of witnesses. The
+/// first run at length leaves more uncovered than is asked for: lanes move little where nothing may be left. After
+/// each round what the path leaves uncovered is found exactly, and detours (lanes/repair.hpp) are added until the
+/// coverage is reached. The shortest of all these completed paths is the result, so the coverage never depends on
+/// convergence, and the result is never longer than any path given, completed in the same manner. The tool is on all
+/// along.
 ///
 /// With `objective = time`, a turn counts as far as the robot drives while it turns on the spot, and the path is the
 /// one that takes the least time in this sense. With `objective = weighted`, it is the one with the least
@@ -33,7 +33,6 @@ struct Improvement {
   int moves = 0;              // of annealing; 0: by the size of the target
   bool return_home = false;   // the path ends where it starts
   double temperature = 0.05;  // to begin with, in tool widths
-  double reheating = 0.3;     // share of the moves for small windows, where coverage is nearly full
   int threads = 1;            // which does not change the result
   std::string objective = "length";
   double time_weight = 0.5;  // with objective = weighted

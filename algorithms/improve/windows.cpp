@@ -25,8 +25,6 @@ constexpr double kVerticesEach = 20;
 // as it will be if it goes on changing kAhead times as much; by kMostStep at most.
 constexpr double kPower = 0.3, kAhead = 1.5, kMostStep = 0.25, kLeastUncovered = 0.01;
 constexpr double kPriceRange = 6;  // times and parts of the first price that it may reach
-// Of single windows: side, moves for each square of the tool's width, most change of the price's logarithm.
-constexpr double kSmallSide = 6, kSmallMoves = 600, kSmallStep = 0.05;
 
 /// Squares in the raster's directions, which cover a box.
 class Grid {
@@ -99,34 +97,7 @@ class Windows {
     return now;
   }
 
-  Annealed reheated(const Polyline& points, const Annealing::Schedule& schedule, Rng& rng, const Context& context) {
-    options_.floating = false;
-    sample();
-    Annealed now{points, uncovered(points), options_.price};
-    const double half = kSmallSide * width_ / 2;
-    for (long left = samples_.empty() ? 0 : schedule.moves; left > 0 && !context.cancelled();) {
-      const Point& centre = samples_[rng.below(samples_.size())];
-      const auto inside =
-          std::ranges::count_if(samples_, [&](const Point& p) { return (p - centre).cwiseAbs().maxCoeff() < half; });
-      const long moves = std::min(left, std::lround(kSmallMoves * kSample * kSample * static_cast<double>(inside)));
-      left -= std::max(moves, 1L);
-      Annealed next = now;
-      change(next, {centre - Point(half, half), centre + Point(half, half)}, {}, {moves, schedule.hot, schedule.cold},
-             rng, context);
-      if (energy(next) < energy(now)) now = std::move(next);
-      const double step = kSmallStep * (now.uncovered / options_.uncovered - 1);
-      now.price = std::clamp(now.price * std::exp(std::clamp(step, -kSmallStep, kSmallStep)),
-                             options_.price / kPriceRange, options_.price * kPriceRange);
-    }
-    return now;
-  }
-
  private:
-  double energy(const Annealed& a) const {
-    const double turns = options_.turn > 0 ? options_.turn * turning(a.points) : 0;
-    return length(a.points) + turns + a.price * a.uncovered;
-  }
-
   /// In the box, turned, less what the line covers.
   Witnesses witnesses(const Box& box, const Polyline& line, double cell) const {
     const Point cells = ((box.low - box_.low) / cell).array().floor();
@@ -223,12 +194,6 @@ Annealed annealed(const Problem& problem, const Region& target, const Polyline& 
   Windows windows(problem, target, options, focus);
   return windows.one() ? windows.whole(points, schedule, rng, context)
                        : windows.in_passes(points, schedule, rng, context);
-}
-
-Annealed reheated(const Problem& problem, const Region& target, const Polyline& points,
-                  const Annealing::Options& options, const Annealing::Schedule& schedule, Rng& rng,
-                  const Context& context) {
-  return Windows(problem, target, options, {}).reheated(points, schedule, rng, context);
 }
 
 }  // namespace oxturn

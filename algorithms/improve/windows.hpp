@@ -34,11 +34,4 @@ Annealed annealed(const Problem& problem, const Region& target, const Polyline& 
                   const Annealing::Options& options, const Annealing::Schedule& schedule,
                   const std::vector<Point>& focus, Rng& rng, const Context& context);
 
-/// Anneals one small window after the other, drawn by lot, each from hot to cold with all the rest at rest, and keeps
-/// only what lowers the energy (annealing.hpp): a change of order that takes several costly steps is tried where it is
-/// cheap to undo. The price floats from window to window.
-Annealed reheated(const Problem& problem, const Region& target, const Polyline& points,
-                  const Annealing::Options& options, const Annealing::Schedule& schedule, Rng& rng,
-                  const Context& context);
-
 }  // namespace oxturn

@@ -26,7 +26,7 @@ def row_of(title, rows):
 
 
 def is_budget(row):
-    return row["planner"] == "shortest" and not {"temperature", "reheating"} & row.settings().keys()
+    return row["planner"] == "shortest" and "temperature" not in row.settings()
 
 
 def by_budget(rows):
@@ -46,12 +46,6 @@ def by_part(rows):
     return table("lrrrr", ["variant"] + HEAD, [row_of(escaped(name), runs) for name, runs in variants.items()])
 
 
-def by_reheating(rows):
-    variants = groups([row for row in rows if row["planner"] == "shortest" and row.settings()["moves"] == "2000000"
-                       and row.settings().get("coverage") == "0.9999"], lambda row: row["variant"])
-    return table("lrrrr", ["variant"] + HEAD, [row_of(escaped(name), runs) for name, runs in variants.items()])
-
-
 def by_map(rows):
     longest = [row for row in rows if is_budget(row) and row.settings()["moves"] == "2000000"]
     at = {(row["map"], row.settings().get("coverage", "1")): row.number("length_ratio") for row in longest}
@@ -66,7 +60,4 @@ def page(rows):
     return "\n".join([INTRODUCTION, "## By coverage and budget\n", by_budget(rows),
                       "\n## By start and temperature\n",
                       "Coverage 0.99 and 300,000 moves; `boustrophedon`, from which most start, for comparison.\n",
-                      by_part(rows), "\n## Small windows heated again\n",
-                      "Nearly full coverage; `reheating`: the share of the moves that these windows get.\n",
-                      by_reheating(rows),
-                      "\n## Length ratio on each map, 2,000,000 moves, by coverage\n", by_map(rows)])
+                      by_part(rows), "\n## Length ratio on each map, 2,000,000 moves, by coverage\n", by_map(rows)])

@@ -469,36 +469,6 @@ TEST(Windows, APathGetsShorterInAllOfThem) {
   }
 }
 
-// Only what lowers the energy is kept, and what is uncovered is the same when it is counted again.
-TEST(Windows, HeatedAgainAPathGetsShorter) {
-  const Problem problem({"corridor", box_region({0, 0}, {3, 0.9}), "test", "test"}, disc(0.1, 0.2));
-  const double width = 0.2, whole = area(problem.target());
-  const Completion completion(problem, 0.99);
-  Polyline start;
-  for (int k = 0; k < 24; ++k) {
-    const double x = 0.11 + 0.12 * k;
-    start.emplace_back(x, k % 2 == 0 ? 0.11 : 0.79);
-    start.emplace_back(x, k % 2 == 0 ? 0.79 : 0.11);
-  }
-  const Annealing::Options options{
-      .cell = width / 20, .radius = width / 2, .uncovered = 0.01 * whole, .price = 5 / width};
-  Context context(1);
-  const auto heated = [&](const Polyline& points, long moves, std::uint64_t seed) {
-    Rng rng(seed);
-    return reheated(problem, completion.target(), points, options, {moves, 0.05 * width, 0.005 * width}, rng, context);
-  };
-  for (const auto seed : seeds(3)) {
-    SCOPED_TRACE(seed);
-    const Annealed now = heated(start, 60000, seed), again = heated(now.points, 0, seed);
-    EXPECT_LT(length(now.points), 0.9 * length(start));
-    EXPECT_EQ(now.points.front(), start.front());
-    for (std::size_t i = 1; i < now.points.size(); ++i)
-      ASSERT_TRUE(problem.walls().contains(now.points[i - 1], now.points[i])) << i;
-    EXPECT_NEAR(now.uncovered, again.uncovered, 1e-5 * whole);
-    EXPECT_LT(now.uncovered, 0.03 * whole);
-  }
-}
-
 TEST(Polished, IsNeverLongerThanThePlannersPath) {
   for (const char* inner : {"stc", "contour", "random-walk"})
     for (const Sample& sample : samples(1)) {
