@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 using testing::planted_faults;
 using ::testing::ThrowsMessage;
 
-std::vector<CheckResult> checked_with(const std::string& planner, CheckOptions options, double wall_s = 20) {
+std::vector<CheckResult> checked_with(const std::string& planner, CheckOptions options, double wall_s = 60) {
   options.wall_s = wall_s;
   return PlannerChecker(faulty_registry(), std::move(options)).check(faulty_registry().planners.find(planner));
 }
