@@ -11,6 +11,7 @@
 #include <memory>
 #include <utility>
 
+#include "algorithms/drawing/last_detours.hpp"
 #include "base/files.hpp"
 #include "bench/isolate.hpp"
 #include "bench/suite.hpp"
@@ -85,14 +86,15 @@ bool is_part_of(const Polyline& transit, const Polyline& leg, double tolerance) 
 /// As the planner says by its traces (algorithms/drawing/beachbot.cpp); empty for planners that do not.
 std::string why_over_finished(const Problem& problem, const Planned& planned, const TransitOver& over) {
   const double radius = problem.robot().min_turn_radius;
-  const std::pair<const char*, std::string> reasons[] = {
-      {"over finished work: enclosed", ": finished work encloses one of its ends"},
-      {"over finished work: no curve", fmt::format(": no detour exists at radius {:g} m", radius)},
-      {"over finished work: effort spent", ": the effort for detours ran out before one was found"},
-      {"over finished work: by hand", ": so a person drew it"}};
-  for (const auto& [name, reason] : reasons)
+  using End = LastDetour::End;
+  const std::pair<End, std::string> reasons[] = {
+      {End::enclosed, ": finished work encloses one of its ends"},
+      {End::no_curve, fmt::format(": no detour exists at radius {:g} m", radius)},
+      {End::effort_spent, ": the effort for detours ran out before one was found"},
+      {End::by_hand, ": so a person drew it"}};
+  for (const auto& [end, reason] : reasons)
     for (const Trace& trace : planned.traces)
-      if (trace.name == name && std::ranges::any_of(trace.lines, [&](const Polyline& line) {
+      if (trace.name == trace_of_crossing(end) && std::ranges::any_of(trace.lines, [&](const Polyline& line) {
             return is_part_of(line, planned.path->legs[over.leg].points, problem.tolerance());
           }))
         return reason;

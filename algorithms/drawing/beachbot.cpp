@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -35,8 +36,6 @@ namespace {
 // little more, so that the round end of a stroke as wide as the tool leaves no ring about the robot.
 constexpr double kExempt = 0.52;
 constexpr double kDeviation = 0.02;  // tool widths that a stroke may be left where it bends too sharply
-// Tool widths: error of sampled curves, of the thousandth that paths may have.
-constexpr double kChord = 0.8e-3;
 
 enum class Fill { spiral, zigzag, contour };
 enum class Complete { automatic, on, off };
@@ -154,11 +153,10 @@ class Beachbot final : public CoveragePlanner {
     for (const FilledArea& area : drawing.areas) {
       std::vector<DrawingElement> fills = filler.elements(area, context);
       if (fills.empty() && area.choice.fill != "none") narrow.push_back(area.area.outer);
-      const std::size_t lines_before = thin.size();
       for (const DrawingElement& fill : fills)
         if (fill.thin)
           for (const Leg& leg : fill.legs) thin.push_back(leg.points);
-      as_lines += thin.size() > lines_before;
+      as_lines += std::ranges::any_of(fills, &DrawingElement::thin);
       std::move(fills.begin(), fills.end(), std::back_inserter(elements));
     }
     context.trace("fills", lines_of(elements, true));
@@ -234,24 +232,21 @@ class Beachbot final : public CoveragePlanner {
             .deviation = kDeviation * width,
             .tool_width = width,
             .tolerance = problem.tolerance(),
-            .chord_error = kChord * width,
+            .chord_error = kChordError * width,
             .free = free};
   }
 
   static void report(const OrderDriver& driver, const PortCurves& curves, Context& context) {
-    // In the order of LastDetour::End; cli/plan.cpp makes sentences of them.
-    static constexpr const char* kWhy[] = {"", "enclosed", "no curve", "effort spent", "by hand"};
-    std::vector<Polyline> over[std::size(kWhy)];
+    std::map<LastDetour::End, std::vector<Polyline>> over;
     double metres = 0;
     for (const auto& [transit, why] : driver.crossing())
-      metres += transit.crossing_m, over[static_cast<std::size_t>(why)].push_back(transit.path);
+      metres += transit.crossing_m, over[why].push_back(transit.path);
     context.record("over_finished_m", metres);
     context.record("transits_over_finished", static_cast<double>(driver.crossing().size()));
     context.record("last_detours", static_cast<double>(driver.last_detours()));
     if (!curves.empty()) context.record("curves_obeyed", static_cast<double>(driver.curves_used()));
     context.trace("transits", driver.transits());
-    for (std::size_t why = 1; why < std::size(kWhy); ++why)
-      if (!over[why].empty()) context.trace(fmt::format("over finished work: {}", kWhy[why]), std::move(over[why]));
+    for (auto& [why, paths] : over) context.trace(trace_of_crossing(why), std::move(paths));
   }
 
   /// Where the path turns more sharply than the radius: corners of strokes, curves of a person, narrow parts.

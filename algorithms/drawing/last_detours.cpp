@@ -17,6 +17,11 @@ constexpr std::size_t kAllVertices = 4'000'000;  // of the regions of all search
 
 }  // namespace
 
+std::string trace_of_crossing(LastDetour::End why) {
+  static constexpr const char* kWhy[] = {"found", "enclosed", "no curve", "effort spent", "by hand"};
+  return std::string("over finished work: ") + kWhy[static_cast<std::size_t>(why)];
+}
+
 LastDetours::LastDetours(const Problem& problem, const FinishedWork& work, double radius)
     : problem_(problem),
       work_(work),

@@ -12,6 +12,8 @@
 /// Work may only be finished between two calls. Searches share an effort of some ten seconds.
 #pragma once
 
+#include <string>
+
 #include "algorithms/context.hpp"
 #include "algorithms/drawing/finished_work.hpp"
 #include "algorithms/smoothing/curve.hpp"
@@ -24,6 +26,8 @@ struct LastDetour {
   End end = End::effort_spent;
   Polyline path;  // if found
 };
+/// What the trace of the transits is called that cross finished work for this reason. Not of `found`.
+std::string trace_of_crossing(LastDetour::End why);
 
 class LastDetours {
  public:

@@ -8,7 +8,6 @@
 namespace oxturn {
 namespace {
 
-constexpr double kChord = 0.8e-3;         // tool widths, of the thousandth that paths may have
 constexpr double kFillCorner = kPi / 18;  // radians: vertices of fills that turn by less belong to curves
 constexpr double kMostAway = 10;          // map sizes: control points of curves from their beginning
 constexpr double kMostCurvature = 1.01;   // of the greatest, as for curves that are sampled
@@ -74,7 +73,7 @@ Transit OrderDriver::by_hand(const ElementVisit& from, const ElementVisit& to, c
     throw_invalid("there is no smooth curve through the {} points of {}, the first at {}; move or remove them",
                   curve.points.size(), name, curve.points.empty() ? to_text(exit.at) : to_text(curve.points.front()));
   ++curves_used_;
-  Polyline path = sampled(c->curve, kChord * problem.robot().tool_width);
+  Polyline path = sampled(c->curve, kChordError * problem.robot().tool_width);
   for (std::size_t k = 1; k < path.size(); ++k)
     if (const auto p = point_outside(problem.walls(), path[k - 1], path[k], problem.tolerance()))
       throw_invalid("{} leaves configuration space at {}; move its points", name, to_text(*p));
@@ -103,7 +102,7 @@ void OrderDriver::stroke(const DrawingElement& element, const Leg& leg, const El
   if (!(corners_.radius > 0) || element.followed) return path.drive(leg.points, leg.tool, leg.gear, leg.width);
   CornerOptions options{
       .rule = corners_.rule, .radius = corners_.radius, .largest_deviation = corners_.largest_deviation};
-  options.chord_error = kChord * router_.problem().robot().tool_width;
+  options.chord_error = kChordError * router_.problem().robot().tool_width;
   options.free = [&](const Polyline& loop) {
     for (std::size_t k = 1; k < loop.size(); ++k)
       if (!router_.problem().walls().contains(loop[k - 1], loop[k])) return false;

@@ -9,9 +9,8 @@
 namespace oxturn {
 namespace {
 
-constexpr double kChord = 0.8e-3;  // tool widths: of sampled curves, of the thousandth that paths may have
-constexpr double kCoarse = 8;      // of that: for tests against finished work
-constexpr int kHeadings = 8;       // tried at a start
+constexpr double kCoarse = 8;  // times kChordError: for tests against finished work
+constexpr int kHeadings = 8;   // tried at a start
 constexpr double kMostCurvature = 1.01;
 constexpr std::size_t kMostLinks = 6000;  // some hundredths of a second each
 
@@ -32,7 +31,7 @@ double heading_at(const Polyline& path, std::size_t k) {
 }  // namespace
 
 SmoothTransits::SmoothTransits(const Problem& problem, const FinishedWork& work, const Options& options)
-    : problem_(problem), work_(work), options_(options), chord_error_(kChord * problem.robot().tool_width) {}
+    : problem_(problem), work_(work), options_(options), chord_error_(kChordError * problem.robot().tool_width) {}
 
 bool SmoothTransits::stays_inside(const Polyline& path) const {
   for (std::size_t k = 1; k < path.size(); ++k)

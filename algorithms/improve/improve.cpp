@@ -129,9 +129,10 @@ class Improver {
     const double used = lines.size() > 1 ? shares().brief * static_cast<double>(lines.size()) : 0;
     const double hot = 1 - used - shares().warming - shares().closing;
     Rng& rng = context_.rng();
-    Annealed now =
-        annealed(best, allowing(kLeastHot, coarse()), {moves(hot), how_.temperature * width_, kWarm * width_}, rng);
-    Annealing::Options options = middle();
+    Annealing::Options options = coarse();
+    options.uncovered = std::max(kLeastHot, share_) * area(completion_.target());
+    const Annealed now = annealed(best, options, {moves(hot), how_.temperature * width_, kWarm * width_}, rng);
+    options = middle();
     options.price = now.price;
     close_in_rounds(annealed(now.points, options, {moves(shares().warming), kWarm * width_, kCool * width_}, rng));
     return driven(best_);
@@ -180,11 +181,6 @@ class Improver {
             .price = kPrice / width_ * std::pow(share_ / kPriceAt, kPricePower),
             .turn = turn_,
             .fixed_end = how_.return_home};
-  }
-  /// At least that share of the target may stay uncovered.
-  Annealing::Options allowing(double share, Annealing::Options options) const {
-    options.uncovered = std::max(share, share_) * area(completion_.target());
-    return options;
   }
   Region with_margin(double margin) const {
     return nearly_all() ? reachable_target(problem_, margin * width_, Completion::kChord) : Region{};

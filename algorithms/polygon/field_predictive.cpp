@@ -283,7 +283,7 @@ class PredictiveDrive {
     if (next.bound > best.bound || (next.bound == best.bound && next.number < best.number)) best = std::move(next);
   }
 
-  /// Looks among the candidates to which the way is not straight for a better one. If a path leads to the best of them
+  /// Looks among the candidates that are not in straight reach for a better one. If a path leads to the best of them
   /// almost straight, that is it; otherwise a wave finds those near by path.
   void find_hidden(std::vector<Candidate>& hidden, Candidate& best) {
     std::erase_if(hidden, [&](const Candidate& c) { return c.bound < best.bound; });
@@ -298,13 +298,13 @@ class PredictiveDrive {
       if (const auto t = wave_.triangle_of(hidden[k].begin()))
         in_triangle.emplace_back(*t, k);
       else
-        hidden[k].met = true;  // never
+        hidden[k].settled = true;
     std::ranges::sort(in_triangle);
     double farthest = 0;
     const auto look_no_farther_than_needed = [&] {
       farthest = 0;
       for (const Candidate& c : hidden)
-        if (!c.met) farthest = std::max(farthest, farthest_of_use(c, best.bound));
+        if (!c.settled) farthest = std::max(farthest, farthest_of_use(c, best.bound));
     };
     look_no_farther_than_needed();
     wave_.spread(path_.at(), *from, [&](std::size_t t) {
@@ -315,7 +315,7 @@ class PredictiveDrive {
         const double straight = distance(path_.at(), c.begin());
         const double wave = wave_.metres(t) + distance(wave_.entered_at(t), c.begin());
         c.bound = value(*c.stretch, wave > farthest_near(straight) ? wave : straight, c.share_beside);
-        c.met = true;
+        c.settled = true;
         if (c.bound > best.bound) best = c;
       }
       look_no_farther_than_needed();
@@ -330,7 +330,7 @@ class PredictiveDrive {
     double bound;        // of its value: if the drive there is straight and all beside it is uncovered
     std::size_t number;  // in the order of the pieces and their stretches
     double share_beside = 1;
-    bool met = false;  // by the wave
+    bool settled = false;  // the wave has met it, or never will
     const Point& begin() const { return reversed ? stretch->points.back() : stretch->points.front(); }
   };
   /// `rounds` gets those that no piece keeps.
@@ -369,14 +369,14 @@ class PredictiveDrive {
     const double back = s.metres * (1 + back_share) / (there + back_seconds(s));
     return width_ * std::max(round, back);
   }
-  /// Does a path that is not much longer lead where the way is not straight?
+  /// Does a path that is not much longer than the straight one lead to what is not in straight reach?
   bool is_near(const Point& p) const {
     const double longest = kAlmostStraight * distance(path_.at(), p);
     return connector_.length(path_.at(), p, longest) <= longest;
   }
   /// How long the path over midpoints of triangles may be to what is straight near.
   double farthest_near(double straight) const { return kDetour * straight + kDetourMore * width_; }
-  /// Metres over midpoints after which a candidate to which the way is not straight cannot be better any more.
+  /// Metres over midpoints after which a candidate that is not in straight reach cannot be better any more.
   double farthest_of_use(const Candidate& c, double least) const {
     const double straight = distance(path_.at(), c.begin()), longest = longest_link(*c.stretch, least, c.share_beside);
     return longest < straight ? 0 : std::max(longest, farthest_near(straight));

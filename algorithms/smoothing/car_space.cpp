@@ -8,8 +8,6 @@
 namespace oxturn {
 namespace {
 
-// Of the thousandth that paths may have, so that leaving out a sample near another one makes no bend too sharp.
-constexpr double kChordError = 0.8e-3;        // tool widths
 constexpr double kShifts[] = {0, 0.5, 1, 2};  // radii that a pose is moved along its lane's line
 
 /// One curve after the other.

@@ -60,6 +60,10 @@ Curve reeds_shepp_curve(const Pose& from, const Pose& to, double radius);
 /// The curve of the opposite motion: from its end to its beginning, headings turned round, so that the gears stay.
 Curve opposite(const Curve& curve);
 
+/// Tool widths: error of curves sampled for paths, of the thousandth that these may have (geometry/bends.hpp), so that
+/// leaving out a sample near another one makes no bend too sharp.
+inline constexpr double kChordError = 0.8e-3;
+
 /// As chords that leave the curve by `chord_error` metres at most; one leg for each gear. Ends exactly in `curve.to`.
 /// Empty if the curve has no length.
 std::vector<Leg> sampled(const Curve& curve, double chord_error, bool tool);
