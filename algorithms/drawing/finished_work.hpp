@@ -31,6 +31,7 @@ class FinishedWork {
   const std::vector<DrawnPiece>& pieces() const { return pieces_; }
   double exempt() const { return exempt_; }
   bool finished(std::size_t piece) const { return finished_[piece]; }
+  const std::vector<bool>& finished() const { return finished_; }  // by piece
   void finish(std::size_t piece) { set(piece, true); }
   void undo(std::size_t piece) { set(piece, false); }
   /// The same for equal sets of finished pieces, different for others (but for one chance in 2^64).

@@ -65,6 +65,9 @@ Region TransitRouter::free_region(const std::vector<std::size_t>& pieces, const 
 }
 
 std::optional<TransitRouter::Known> TransitRouter::lazy(const Point& from, const Point& to, double keep_off) {
+  const std::array<double, 5> ends{from.x(), from.y(), to.x(), to.y(), keep_off};
+  if (const auto found = enclosing_.find(ends); found != enclosing_.end() && all_finished(found->second))
+    return std::nullopt;
   Known known{.round = {}, .keep_off = keep_off, .transit = {connector_.path(from, to)}};
   for (int round = 0; round < kMostRounds; ++round) {
     bool added = false;
@@ -81,16 +84,26 @@ std::optional<TransitRouter::Known> TransitRouter::lazy(const Point& from, const
     if (exhausted()) return std::nullopt;
     const ShortestPaths paths(free_region(known.round, from, to, keep_off), problem_.tolerance());
     std::optional<Polyline> path = paths.path(from, to);
-    if (!path) return std::nullopt;
+    if (!path) {
+      enclosing_[ends] = std::move(known.round);
+      return std::nullopt;
+    }
     known.transit.path = std::move(*path);
   }
   return std::nullopt;
 }
 
 bool TransitRouter::valid(const Known& known) const {
-  if (known.for_this_work) return known.fingerprint == work_.fingerprint();
-  const auto finished = [&](std::size_t piece) { return work_.finished(piece); };
-  return std::all_of(known.round.begin(), known.round.end(), finished) && is_clear(known);
+  if (!known.for_this_work) return all_finished(known.round) && is_clear(known);
+  if (known.fingerprint == work_.fingerprint()) return true;
+  if (known.finished.empty()) return false;
+  for (std::size_t piece = 0; piece < known.finished.size(); ++piece)
+    if (known.finished[piece] && !work_.finished(piece)) return false;
+  return work_.crossing_m(known.transit.path) <= known.transit.crossing_m;
+}
+
+bool TransitRouter::all_finished(const std::vector<std::size_t>& pieces) const {
+  return std::ranges::all_of(pieces, [&](std::size_t piece) { return work_.finished(piece); });
 }
 
 /// Of all but the pieces that it goes round, which it may touch.
@@ -132,6 +145,7 @@ Transit TransitRouter::route(const Pose& from, bool any_heading, const Pose& to)
   Known known = with_bends(from.at, to.at);
   if (smooth_ != nullptr) smoothen(known, from, any_heading, to);
   known.fingerprint = work_.fingerprint();
+  if (known.for_this_work && smooth_ == nullptr && !exhausted()) known.finished = work_.finished();
   return known_.insert_or_assign(key, std::move(known)).first->second.transit;
 }
 

@@ -8,7 +8,7 @@
 /// round all). The robot's centre keeps `keep_off` from what is drawn; where that leaves no path, only off the drawn
 /// lines themselves; where there is still none, the path with the least driving over them (weighted_search.hpp). With
 /// smooth transits the path is replaced by a curve (smooth_transits.hpp). Paths are remembered as long as they are
-/// valid.
+/// valid; so are the pieces that leave none, as long as they are finished.
 /// Shortest paths are found only as long as an effort lasts, enough for some thousand of them in drawings of usual
 /// density; then the last resort is the only one.
 /// Source: the outlook of Vollprecht 2014 (figure 5.1). Cost: a triangulation of the obstacles that are in the way.
@@ -61,6 +61,7 @@ class TransitRouter {
     Transit transit;
     bool for_this_work = false;     // good only for the same finished work
     std::uint64_t fingerprint = 0;  // of that
+    std::vector<bool> finished;     // by piece; it stays the best while more is finished, but for what it drives over
   };
   static constexpr double kAnyHeading = 1e9;
   /// Vertices of obstacles; each costs some ten microseconds. Cells of a search count as a quarter.
@@ -71,6 +72,7 @@ class TransitRouter {
   Region free_region(const std::vector<std::size_t>& pieces, const Point& from, const Point& to, double keep_off);
   std::optional<Known> lazy(const Point& from, const Point& to, double keep_off);
   bool valid(const Known& known) const;
+  bool all_finished(const std::vector<std::size_t>& pieces) const;
   bool is_clear(const Known& known) const;
   const Region& sweep(std::size_t piece, bool grown);
   Transit measured(Polyline path, bool keeps_radius = true) const;
@@ -81,6 +83,7 @@ class TransitRouter {
   const SmoothTransits* smooth_;
   Connector connector_;
   std::map<Key, Known> known_;
+  std::map<std::array<double, 5>, std::vector<std::size_t>> enclosing_;  // by ends and keep_off: no path round these
   std::map<std::pair<std::size_t, bool>, Region> sweeps_;
   std::optional<WeightedSearch> weighted_;  // made when it is needed
   std::size_t effort_ = 0;
