@@ -471,5 +471,18 @@ TEST(Beachbot, DotsAreFilledByALap) {
   }
 }
 
+// A narrow part of the tool fills the points of a star; the wide part's area about them is not its concern.
+TEST(Beachbot, NarrowPartsDriveNoFartherThanTheyReach) {
+  Ring star;
+  for (int k = 0; k < 16; ++k) star.push_back(Point(3, 3) + rotated({k % 2 == 0 ? 0.78 : 0.213, 0}, kPi / 8 * k));
+  Drawing drawing;
+  drawing.areas = {{.element = "star", .area = {star, {}}, .choice = {}}};
+  const Path path = plan("beachbot", canvas(drawing, beach_robot()));
+  double worked = 0;
+  for (const Leg& leg : path.legs)
+    if (leg.tool) worked += leg.width * length(leg.points);
+  EXPECT_LT(worked, 2.5 * oxturn::area(Region{{{star, {}}}})) << worked;
+}
+
 }  // namespace
 }  // namespace oxturn
