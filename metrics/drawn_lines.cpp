@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 
 #include "geometry/thinned.hpp"
 
@@ -11,15 +13,16 @@ namespace {
 constexpr double kDense = 1e-3;     // metres
 constexpr double kThinning = 1e-5;  // metres
 
-std::vector<PathSegment> segments_of(const Path& path, double tool_width) {
-  std::vector<PathSegment> all;
+/// By width, in driving order.
+std::map<double, std::vector<PathSegment>> segments_of(const Path& path, double tool_width) {
+  std::map<double, std::vector<PathSegment>> all;
   for (std::size_t l = 0; l < path.legs.size(); ++l) {
     const Leg& leg = path.legs[l];
     if (!leg.tool) continue;
     const double width = width_of(leg, tool_width);
     const Polyline line = line_of(leg);
     for (std::size_t i = 1; i < line.size(); ++i)
-      if (line[i] != line[i - 1]) all.push_back({line[i - 1], line[i], l, width});
+      if (line[i] != line[i - 1]) all[width].push_back({line[i - 1], line[i], l, width});
   }
   return all;
 }
@@ -51,10 +54,13 @@ double width_of(const Leg& leg, double tool_width) {
 
 Polyline line_of(const Leg& leg) { return is_dense(leg.points, kDense) ? thinned(leg.points, kThinning) : leg.points; }
 
-PathSegments::PathSegments(const Path& path, double tool_width)
-    : all_(segments_of(path, tool_width)), grid_(all_.size(), [&](std::size_t i) {
-        return std::array{all_[i].a, all_[i].b};
-      }) {}
+PathSegments::PathSegments(const Path& path, double tool_width) {
+  for (auto& [width, segments] : segments_of(path, tool_width)) {
+    first_leg_ = widths_.empty() ? segments.front().leg : std::min(first_leg_, segments.front().leg);
+    UniformGrid grid(segments.size(), [&](std::size_t i) { return std::array{segments[i].a, segments[i].b}; });
+    widths_.push_back({std::move(segments), std::move(grid)});
+  }
+}
 
 std::optional<LinePart> within(const Point& a, const Point& b, const Point& c, const Point& d, double reach) {
   std::optional<LinePart> all;

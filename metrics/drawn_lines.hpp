@@ -28,24 +28,40 @@ double width_of(const Leg& leg, double tool_width);
 /// A leg's line. If vertices are less than a millimetre apart on average it is thinned (thinned.hpp), within 0.01 mm.
 Polyline line_of(const Leg& leg);
 
-/// The segments of all legs' lines with the tool on, in driving order. O(n).
+/// The segments of all legs' lines with the tool on. O(n log n). Those of each width lie in a grid of their own, so
+/// that what is asked for a narrow part of the tool does not look as far as the whole tool reaches.
 class PathSegments {
  public:
   PathSegments(const Path& path, double tool_width);
-  const std::vector<PathSegment>& all() const { return all_; }
+  bool empty() const { return widths_.empty(); }
+  /// Of the first leg with the tool on that has a length; only if not empty.
+  std::size_t first_leg() const { return first_leg_; }
   /// Calls f(segment) for every segment that comes within `reach` of ab, some more than once, and for others.
   template <class F>
   void for_each_near(const Point& a, const Point& b, double reach, F f) const {
-    if (all_.empty()) return;
-    grid_.visit(std::array{a, b}, reach, [&](std::size_t cell) {
-      for (const std::uint32_t i : grid_.items(cell)) f(all_[i]);
-      return false;
-    });
+    for (const OfWidth& w : widths_) w.for_each_near(a, b, reach, f);
+  }
+  /// The same for what comes nearer than half its own width and `growth`, which may be negative.
+  template <class F>
+  void for_each_touching(const Point& a, const Point& b, double growth, F f) const {
+    for (const OfWidth& w : widths_)
+      if (const double reach = w.segments.front().width / 2 + growth; reach >= 0) w.for_each_near(a, b, reach, f);
   }
 
  private:
-  std::vector<PathSegment> all_;
-  UniformGrid grid_;
+  struct OfWidth {
+    template <class F>
+    void for_each_near(const Point& a, const Point& b, double reach, F f) const {
+      grid.visit(std::array{a, b}, reach, [&](std::size_t cell) {
+        for (const std::uint32_t i : grid.items(cell)) f(segments[i]);
+        return false;
+      });
+    }
+    std::vector<PathSegment> segments;  // in driving order
+    UniformGrid grid;
+  };
+  std::vector<OfWidth> widths_;  // ascending
+  std::size_t first_leg_ = 0;
 };
 
 /// A part of a segment, as fractions of its length.

@@ -23,14 +23,14 @@ constexpr double kNear = 0.01;  // metres
 constexpr double kTouch = 1e-3;
 
 double length_over(const Leg& leg, std::size_t index, const PathSegments& work, double tool_width) {
-  if (work.all().empty() || work.all().front().leg >= index) return 0;  // nothing is drawn yet
+  if (work.empty() || work.first_leg() >= index) return 0;  // nothing is drawn yet
   const double at_ends = tool_width / 2 + kNear;
   const Polyline line = line_of(leg);
   double sum = 0;
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Point &a = line[i - 1], &b = line[i];
     Cover over, ends;
-    work.for_each_near(a, b, tool_width / 2, [&](const PathSegment& s) {
+    work.for_each_touching(a, b, 0, [&](const PathSegment& s) {
       if (s.leg < index) over.add(within(a, b, s.a, s.b, s.width / 2 * (1 - kTouch)));
     });
     for (const Point& end : {line.front(), line.back()}) ends.add(within(a, b, end, end, at_ends));

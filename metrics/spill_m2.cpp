@@ -37,12 +37,12 @@ Path strokes_of(const Drawing& drawing) {
 class HarmlessWork {
  public:
   HarmlessWork(const Drawing& drawing, double tool_width)
-      : tool_width_(tool_width), strokes_(strokes_of(drawing), tool_width), areas_(areas_of(drawing)) {}
+      : strokes_(strokes_of(drawing), tool_width), areas_(areas_of(drawing)) {}
 
   bool contains(const Point& a, const Point& b, double width) const {
     if (areas_.contains(a) && !areas_.nearest(a, b, width / 2 - kRounding)) return true;
     bool found = false;
-    strokes_.for_each_near(a, b, kNear + tool_width_ / 2, [&](const PathSegment& s) {
+    strokes_.for_each_touching(a, b, kNear - width / 2, [&](const PathSegment& s) {
       const double reach = kNear + (s.width - width) / 2 - kRounding;
       // Capsules are convex: what holds for both ends holds between them.
       found = found || std::max(distance_to_segment(a, s.a, s.b), distance_to_segment(b, s.a, s.b)) <= reach;
@@ -51,7 +51,6 @@ class HarmlessWork {
   }
 
  private:
-  double tool_width_;
   PathSegments strokes_;
   EdgeIndex areas_;
 };

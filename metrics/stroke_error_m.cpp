@@ -28,7 +28,7 @@ double distance_to(const PathSegments& work, const Point& p, double from) {
 std::optional<double> compute(const Scored& s) {
   if (!s.problem.map().drawing) return std::nullopt;
   const PathSegments work(s.path, s.problem.robot().tool_width);
-  if (work.all().empty()) return std::nullopt;
+  if (work.empty()) return std::nullopt;
   double most = -1, near = kStep, since = 0;  // metres since the last sample
   for (const DrawnStroke& stroke : s.problem.map().drawing->strokes) {
     if (!stroke.tool) continue;

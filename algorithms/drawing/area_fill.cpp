@@ -18,13 +18,13 @@ namespace {
 constexpr double kChord = 1e-3;         // tool widths: error of the inset's arcs
 constexpr double kLeastChord = 2.5e-4;  // the same in widths of the whole tool, for parts of it
 // Parts of the tool for narrow areas: 5, 3 and 1 of 7 pins are 0.32, 0.16 and 0.04 m of 0.42 m wide.
-constexpr double kWidths[] = {1, 0.32 / 0.42, 0.16 / 0.42, 0.04 / 0.42};
+constexpr double kPin = 0.04 / 0.42, kWidths[] = {1, 0.32 / 0.42, 0.16 / 0.42, kPin};
 constexpr double kLeastPart = 1e-4;  // square tool widths: smaller parts of the inset are rounding
 constexpr double kFilled = 0.985;    // of an area: less is filled up by narrower parts of the tool
 constexpr double kLeastGain = 1e-4;  // of an area: parts that fill up less are left out
 constexpr double kShortLap = 4;      // tool widths: longer thin parts are driven as planners do
-// Tool widths: shorter thin tips are left out, of an area that is filled to 1.5 %, and of others.
-constexpr double kLeastTip = 0.5, kLeastNeededTip = 0.12;
+// Tool widths: shorter thin tips are left out, of an area that is filled to 1.5 %; of others, until they are.
+constexpr double kLeastTip = 0.5, kLeastNeededTips[] = {0.12, 0.08, 0.05, 0.03};
 constexpr double kAbout = 2;             // tool widths that matter about a part of an area
 constexpr double kRoughChord = 1e-2;     // tool widths
 constexpr double kFillDeviation = 0.05;  // tool widths that a stroke may leave its lane where it bends too sharply
@@ -231,33 +231,53 @@ std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, const C
     if (!legs.empty()) rest = not_surely_covered(rest, legs, tool_width);
     if (oxturn::area(rest) <= (1 - kFilled) * all) break;
   }
-  if (options_.thin_lines)
-    add_thin_lines(area, oxturn::area(rest) <= (1 - kFilled) * all ? kLeastTip : kLeastNeededTip, elements);
+  if (options_.thin_lines) add_thin_lines(area, rest, elements);
   const auto outer = std::make_shared<const Ring>(area.area.outer);
   for (DrawingElement& element : elements) element.area = outer;
   return elements;
 }
 
-void AreaFiller::add_thin_lines(const FilledArea& area, double least, std::vector<DrawingElement>& elements) const {
-  const double tool_width = problem_.robot().tool_width, width = *std::rbegin(kWidths) * tool_width;
-  const bool follows = problem_.robot().min_turn_radius > 0;
-  const CarSpace space(problem_);
-  for (Polyline& line : thin_lines(area.area, width, least * tool_width)) {
-    if (!stays_in(problem_.walls(), line)) continue;
-    DrawingElement element{.name = area.element, .legs = {}};
-    element.thin = true;
-    element.followed = follows;
-    std::vector<Polyline> pieces;
-    if (follows)
-      pieces = followed_line(line, follow_options(problem_, space));
-    else
-      pieces.push_back(std::move(line));
-    for (Polyline& piece : pieces) {
-      if (!element.legs.empty()) element.legs.push_back({false, {piece.front(), piece.front()}});
-      element.legs.push_back({.tool = true, .points = std::move(piece), .width = width});
+void AreaFiller::add_thin_lines(const FilledArea& area, const Region& rest,
+                                std::vector<DrawingElement>& elements) const {
+  const double tool_width = problem_.robot().tool_width, most_left = (1 - kFilled) * oxturn::area(Region{{area.area}});
+  const ThinLines thin(area.area, kPin * tool_width);
+  std::vector<Polyline> lines;
+  const auto find = [&](double least) {
+    lines = thin.lines(least * tool_width);
+    std::erase_if(lines, [&](const Polyline& line) { return !stays_in(problem_.walls(), line); });
+  };
+  const auto enough = [&] {
+    std::vector<Leg> legs;
+    for (const Polyline& line : lines) legs.push_back({.tool = true, .points = line, .width = kPin * tool_width});
+    return oxturn::area(not_surely_covered(rest, legs, tool_width)) <= most_left;
+  };
+  if (oxturn::area(rest) <= most_left) {
+    find(kLeastTip);
+  } else {
+    for (const double least : kLeastNeededTips) {
+      find(least);
+      if (!options_.complete || enough()) break;
     }
-    elements.push_back(std::move(element));
   }
+  for (Polyline& line : lines) elements.push_back(thin_element(area, std::move(line)));
+}
+
+DrawingElement AreaFiller::thin_element(const FilledArea& area, Polyline line) const {
+  DrawingElement element{.name = area.element, .legs = {}};
+  element.thin = true;
+  element.followed = problem_.robot().min_turn_radius > 0;
+  std::vector<Polyline> pieces;
+  if (element.followed) {
+    const CarSpace space(problem_);
+    pieces = followed_line(line, follow_options(problem_, space));
+  } else {
+    pieces.push_back(std::move(line));
+  }
+  for (Polyline& piece : pieces) {
+    if (!element.legs.empty()) element.legs.push_back({false, {piece.front(), piece.front()}});
+    element.legs.push_back({.tool = true, .points = std::move(piece), .width = kPin * problem_.robot().tool_width});
+  }
+  return element;
 }
 
 /// Where the tool's centre may be, near the rest if there is one.

@@ -45,8 +45,10 @@ class AreaFiller {
   /// `rings`: those of the area if the planner is to see nothing but the part; else nullptr.
   DrawingElement fill(const FilledArea& area, const Polygon& part, double width, const RingBoxes* rings,
                       const Context& context) const;
-  /// Where the area is narrower than the narrowest part of the tool; tips of `least` tool widths at least.
-  void add_thin_lines(const FilledArea& area, double least, std::vector<DrawingElement>& elements) const;
+  /// Where the area is narrower than the narrowest part of the tool. Shorter tips only if the area is to be
+  /// completed, and while the rest is too much.
+  void add_thin_lines(const FilledArea& area, const Region& rest, std::vector<DrawingElement>& elements) const;
+  DrawingElement thin_element(const FilledArea& area, Polyline line) const;
   Problem problem_of(const FilledArea& area, const Polygon& part, double width, const RingBoxes* rings) const;
   /// From its first stroke to its last.
   Path planned(const FillChoice& choice, const Problem& problem, const Polygon& part, const Context& context) const;

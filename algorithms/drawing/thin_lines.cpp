@@ -5,7 +5,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "geometry/mesh/medial_axis.hpp"
 #include "geometry/thinned.hpp"
 
 namespace oxturn {
@@ -162,16 +161,18 @@ std::vector<Polyline> dot(const Polygon& area, const MedialAxis& axis, double wi
 
 }  // namespace
 
-std::vector<Polyline> thin_lines(const Polygon& area, double width, double least) {
-  const MedialAxis axis = medial_axis({{area}}, kChord * width);
-  ThinAxis thin(axis, width / 2);
+ThinLines::ThinLines(const Polygon& area, double width)
+    : area_(area), width_(width), axis_(medial_axis({{area}}, kChord * width)) {}
+
+std::vector<Polyline> ThinLines::lines(double least) const {
+  ThinAxis thin(axis_, width_ / 2);
   if (thin.empty()) return {};
-  const bool all_thin = std::ranges::all_of(axis.nodes, [&](const auto& n) { return n.clearance < width / 2; });
-  thin.prune(least, kLeastBridge * width);
-  if (thin.empty()) return all_thin ? dot(area, axis, width) : std::vector<Polyline>{};
-  std::vector<Polyline> lines = thin.lines();
-  for (Polyline& line : lines) line = thinned(line, kThinned * width);
-  return lines;
+  const bool all_thin = std::ranges::all_of(axis_.nodes, [&](const auto& n) { return n.clearance < width_ / 2; });
+  thin.prune(least, kLeastBridge * width_);
+  if (thin.empty()) return all_thin ? dot(area_, axis_, width_) : std::vector<Polyline>{};
+  std::vector<Polyline> all = thin.lines();
+  for (Polyline& line : all) line = thinned(line, kThinned * width_);
+  return all;
 }
 
 }  // namespace oxturn

@@ -1,6 +1,7 @@
 /// Where an area is narrower than the narrowest pen: lines along its middle, to be drawn once.
 ///
-///   for (const Polyline& line : thin_lines(area, 0.04, 0.2)) draw(line, 0.04);
+///   const ThinLines thin(area, 0.04);
+///   for (const Polyline& line : thin.lines(0.2)) draw(line, 0.04);
 ///
 ///      .------------.  thick parts are left to the fill;           .------------.
 ///      |            '--------------.                               |            '
@@ -11,17 +12,27 @@
 /// corners: branches that reach no further than half as much again as the disc they begin in, or than the pen. At
 /// junctions the straightest lines go on in one. A dot becomes a line as long as a quarter of the pen's width, unless
 /// it is smaller.
-/// Complexity  O(n log n) for n vertices
+/// Complexity  O(n log n) for n vertices; lines with another limit O(n)
 #pragma once
 
 #include <vector>
 
+#include "geometry/mesh/medial_axis.hpp"
 #include "geometry/region.hpp"
 
 namespace oxturn {
 
-/// `width` of the pen, metres. `least`: lines shorter than that, in metres, that lead from a thick part to a tip are
-/// left out.
-std::vector<Polyline> thin_lines(const Polygon& area, double width, double least);
+class ThinLines {
+ public:
+  /// `width` of the pen, metres. Keeps a reference to the area.
+  ThinLines(const Polygon& area, double width);
+  /// `least`: lines shorter than that, in metres, that lead from a thick part to a tip are left out.
+  std::vector<Polyline> lines(double least) const;
+
+ private:
+  const Polygon& area_;
+  double width_;
+  MedialAxis axis_;
+};
 
 }  // namespace oxturn

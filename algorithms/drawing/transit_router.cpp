@@ -4,6 +4,7 @@
 
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/swath.hpp"
+#include "geometry/thinned.hpp"
 
 namespace oxturn {
 namespace {
@@ -40,8 +41,10 @@ const Region& TransitRouter::sweep(std::size_t piece, bool grown) {
   const auto found = sweeps_.find({piece, grown});
   if (found != sweeps_.end()) return found->second;
   const DrawnPiece& p = work_.pieces()[piece];
+  const double chord = kChord * problem_.robot().tool_width;
   const double radius = p.half_width + (grown ? keep_off_ : 0);
-  return sweeps_[{piece, grown}] = swath({p.points}, radius, kChord * problem_.robot().tool_width, Bound::outside);
+  // What the thinned line may be off is added to the radius, so the sweep still holds all of the piece's.
+  return sweeps_[{piece, grown}] = swath({thinned(p.points, chord / 4)}, radius + chord / 4, chord / 2, Bound::outside);
 }
 
 Region TransitRouter::free_region(const std::vector<std::size_t>& pieces, const Point& from, const Point& to,

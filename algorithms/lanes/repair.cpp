@@ -10,6 +10,7 @@
 
 #include "algorithms/lanes/boundary_arcs.hpp"
 #include "algorithms/lanes/corridors.hpp"
+#include "algorithms/lanes/inner_space.hpp"
 #include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
@@ -290,7 +291,7 @@ class Repair {
 }  // namespace
 
 Path repaired(const Problem& problem, const Path& path, const Connector& connector, Context& context) {
-  return repaired(problem, path, uncovered(problem.target(), path, problem.robot()), connector, context);
+  return repaired(problem, path, uncovered(reachable_target(problem), path, problem.robot()), connector, context);
 }
 
 Path repaired(const Problem& problem, const Path& path, Region missed, const Connector& connector, Context& context) {

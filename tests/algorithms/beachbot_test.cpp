@@ -471,5 +471,30 @@ TEST(Beachbot, DotsAreFilledByALap) {
   }
 }
 
+// A narrow part of the tool fills the points of a star; the wide part's area about them is not its concern.
+TEST(Beachbot, NarrowPartsDriveNoFartherThanTheyReach) {
+  Ring star;
+  for (int k = 0; k < 16; ++k) star.push_back(Point(3, 3) + rotated({k % 2 == 0 ? 0.78 : 0.213, 0}, kPi / 8 * k));
+  Drawing drawing;
+  drawing.areas = {{.element = "star", .area = {star, {}}, .choice = {}}};
+  const Path path = plan("beachbot", canvas(drawing, beach_robot()));
+  double worked = 0;
+  for (const Leg& leg : path.legs)
+    if (leg.tool) worked += leg.width * length(leg.points);
+  EXPECT_LT(worked, 2.5 * oxturn::area(Region{{{star, {}}}})) << worked;
+}
+
+// The serifs of a letter, a little longer than the narrowest part of the tool is wide.
+TEST(Beachbot, ShortThinTipsAreDrawnWhereTheyAreMuchOfAnArea) {
+  const Region letter = unite(
+      {box_region({3, 3}, {3.1, 3.5}), box_region({2.955, 3}, {3.145, 3.02}), box_region({2.955, 3.48}, {3.145, 3.5})});
+  Drawing drawing;
+  drawing.areas = {{.element = "I", .area = letter.polygons[0], .choice = {}}};
+  std::vector<Region> drawn;
+  for (const Leg& leg : plan("beachbot", canvas(drawing, beach_robot())).legs)
+    if (leg.tool) drawn.push_back(swath({leg.points}, leg.width / 2, 1e-4, Bound::inside));
+  EXPECT_GT(oxturn::area(intersect(unite(drawn), letter)), 0.98 * oxturn::area(letter));
+}
+
 }  // namespace
 }  // namespace oxturn

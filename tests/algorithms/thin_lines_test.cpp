@@ -11,6 +11,10 @@ namespace {
 
 constexpr double kPen = 0.04, kLeast = 0.1;
 
+std::vector<Polyline> thin_lines(const Polygon& area, double width, double least) {
+  return ThinLines(area, width).lines(least);
+}
+
 Ring box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
 Ring circle(const Point& centre, double radius, int n) {
