@@ -9,6 +9,8 @@ namespace {
 
 constexpr long kPeriods = 500, kLeastPeriod = 64, kMostPeriod = 1024;  // in moves: between changes of the price
 constexpr double kDearer = 0.03, kCheaper = -0.01;                     // logarithms of the price's changes at most
+// Uncovered points are looked for again after so many bytes of the raster a move: some per cent of the time.
+constexpr std::size_t kBytesEach = 256, kMostUncovered = 1000;
 constexpr double kPriceRange = 6;  // times and parts of the first price that it may reach
 
 }  // namespace
@@ -51,9 +53,14 @@ bool Annealing::try_move(double temperature, Rng& rng) {
 void Annealing::run(const Schedule& schedule, Rng& rng, const Context& context) {
   double temperature = schedule.hot;
   const long period = std::clamp(schedule.moves / kPeriods, kLeastPeriod, kMostPeriod);
+  long next_look = 0;
   for (long k = 0; k < schedule.moves && path_.size() > 1; ++k) {
     if (k % period == 0) {
       if (context.cancelled()) return;
+      if (k >= next_look) {
+        moves_.uncovered(witnesses_.uncovered_points(kMostUncovered));
+        next_look = k + std::max(period, static_cast<long>(witnesses_.bytes() / kBytesEach));
+      }
       const double done = static_cast<double>(k) / static_cast<double>(schedule.moves);
       temperature = schedule.hot * std::pow(schedule.cold / schedule.hot, done);
       if (!options_.floating) {

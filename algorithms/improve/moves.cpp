@@ -9,6 +9,12 @@ namespace {
 // Shares of the moves, in per cent; distances in tool widths.
 constexpr std::uint64_t kShiftVertex = 34, kShiftEdge = 15, kSnap = 6, kRemove = 10, kSplit = 10, kMerge = 5,
                         kTwoOpt = 10;
+constexpr double kCovering = 0.1;                    // of all moves, as long as something is uncovered
+constexpr double kSpikes = 0.4, kShifted = 0.4;      // of these: spikes; of the others: a vertex moves
+constexpr double kMostBase = 0.3, kSpikeFrom = 2;    // of a spike: half of its base; distance of its edge
+constexpr double kAbout = 0.3;                       // of a point: its nearest edge is looked for so far from it
+constexpr std::size_t kMostScanned = 1000;           // edges
+constexpr double kCloser = 0.4;                      // than the tool needs to cover the point, at most
 constexpr double kNearFocus = 0.8, kSideways = 0.8;  // shares: of moves near the focus, of shifts of edges
 constexpr double kOnChord = 1e-7;                    // of a vertex
 constexpr double kPartner = 2.2;                     // distance of vertices for 2-opt and Or-opt
@@ -146,7 +152,66 @@ std::size_t Moves::vertex(const VertexPath& path, Rng& rng) const {
   return rng.below(path.size());
 }
 
+/// Of up to kMostScanned edges in a row, the end of the one nearest to p.
+std::optional<std::size_t> Moves::nearest_edge(const VertexPath& path, const Point& p, Rng& rng) const {
+  std::optional<std::size_t> best;
+  double least = kSpikeFrom * kSpikeFrom * width_ * width_;
+  const std::size_t edges = path.size() - 1, first = edges > kMostScanned ? rng.below(edges) : 0;
+  for (std::size_t k = 0; k < std::min(edges, kMostScanned); ++k) {
+    const std::size_t i = (first + k) % edges + 1;
+    const double square = (nearest_on_segment(p, path[i - 1], path[i]) - p).squaredNorm();
+    if (square >= least || path.edge_fixed(i)) continue;
+    least = square;
+    best = i;
+  }
+  return best;
+}
+
+/// p, or if that is in a wall, a point of the wall beside it.
+Point Moves::free(const Point& p) const {
+  if (walls_.contains(p)) return p;
+  const auto wall = walls_.nearest(p, width_);
+  return wall && wall->distance > 0 ? lerp(wall->point, p, -kTouch * width_ / wall->distance) : p;
+}
+
+/// So that the tool covers an uncovered point, a vertex near by is shifted, or added to its edge.
+std::optional<Change> Moves::cover(const VertexPath& path, Rng& rng) const {
+  const Point& at = uncovered_[rng.below(uncovered_.size())];
+  if (rng.chance(kSpikes)) return spike(path, at, rng);
+  const double x = rng.between(-width_, width_), y = rng.between(-width_, width_);
+  const auto i = path.near(at + Point(x, y), rng);
+  if (!i || *i == 0) return std::nullopt;
+  const bool shifted = movable(path, *i) && rng.chance(kShifted);
+  if (!shifted && path.edge_fixed(*i)) return std::nullopt;
+  const auto to = covering(at, shifted ? path[*i] : nearest_on_segment(at, path[*i - 1], path[*i]), rng);
+  if (!to) return std::nullopt;
+  return replaced(path, *i, shifted ? 1 : 0, std::array{*to});
+}
+
+/// Where the robot, coming from `from`, covers the point; nullopt: there already.
+std::optional<Point> Moves::covering(const Point& at, const Point& from, Rng& rng) const {
+  const double far = distance(from, at), reach = width_ * (0.5 - kCloser * rng.unit());
+  if (far <= reach) return std::nullopt;
+  return free(lerp(at, from, reach / far));
+}
+
+/// From an edge and back, so that the rest of the edge stays where it is.
+std::optional<Change> Moves::spike(const VertexPath& path, const Point& at, Rng& rng) const {
+  const double x = rng.between(-kAbout, kAbout), y = rng.between(-kAbout, kAbout);
+  const auto i = nearest_edge(path, at + width_ * Point(x, y), rng);
+  if (!i) return std::nullopt;
+  const Point &a = path[*i - 1], &b = path[*i], from = nearest_on_segment(at, a, b);
+  const auto to = covering(at, from, rng);
+  if (!to) return std::nullopt;
+  const double base = kMostBase * width_ * rng.unit();
+  const auto towards = [&](const Point& end) { return lerp(from, end, base / std::max(base, distance(from, end))); };
+  const std::array all{towards(a), *to, towards(b)};
+  const std::size_t skipped = all[0] == a ? 1 : 0, end = all[2] == b ? 2 : 3;
+  return replaced(path, *i, 0, std::span(all).subspan(skipped, end - skipped));
+}
+
 std::optional<Change> Moves::propose(const VertexPath& path, Rng& rng) const {
+  if (!uncovered_.empty() && rng.chance(kCovering)) return cover(path, rng);
   const std::size_t i = vertex(path, rng);
   std::uint64_t kind = rng.below(100);
   const auto drawn = [&kind](std::uint64_t share) {

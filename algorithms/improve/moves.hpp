@@ -5,7 +5,8 @@
 ///   if (const auto change = moves.propose(path, rng)) { ... change->apply(path); }
 ///
 /// Shifts of a vertex or an edge, also to the wall beside it; vertices deleted, added and merged; 2-opt and Or-opt with
-/// a vertex near by. Fixed vertices and edges stay (vertex_path.hpp). Each O(1), but for what apply() costs.
+/// a vertex near by; vertices shifted or added, and spikes, that cover a point which nothing covers. Fixed vertices and
+/// edges stay (vertex_path.hpp). Each O(1), but for what apply() costs.
 #pragma once
 
 #include <array>
@@ -44,7 +45,7 @@ struct Change {
   std::size_t first = 0, last = 0;  // positions; last = first + count of replaced ones
   std::size_t after = 0;            // of relocate
   bool turned = false;              // of relocate
-  std::array<Point, 2> points{};    // of replace
+  std::array<Point, 3> points{};    // of replace
   std::size_t point_count = 0;
   Edges removed, added;
 
@@ -75,6 +76,8 @@ class Moves {
   Moves(const Sizes& sizes, const EdgeIndex& walls) : sizes_(sizes), width_(sizes.width), walls_(walls) {}
   /// Four moves of five are made within a tool's width of one of these points.
   void focus(std::vector<Point> points) { focus_ = std::move(points); }
+  /// One move of ten covers one of these points.
+  void uncovered(std::vector<Point> points) { uncovered_ = std::move(points); }
   /// nullopt: the move drawn does not exist here.
   std::optional<Change> propose(const VertexPath& path, Rng& rng) const;
 
@@ -90,6 +93,11 @@ class Moves {
   std::optional<Change> split(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<Change> merge(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<Change> two_opt(const VertexPath& path, std::size_t i, Rng& rng) const;
+  std::optional<Change> cover(const VertexPath& path, Rng& rng) const;
+  std::optional<Change> spike(const VertexPath& path, const Point& at, Rng& rng) const;
+  std::optional<Point> covering(const Point& at, const Point& from, Rng& rng) const;
+  std::optional<std::size_t> nearest_edge(const VertexPath& path, const Point& p, Rng& rng) const;
+  Point free(const Point& p) const;
   std::optional<Change> or_opt(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<std::size_t> partner(const VertexPath& path, std::size_t i, Rng& rng) const;
 
@@ -98,7 +106,7 @@ class Moves {
   Sizes sizes_;
   double width_;
   const EdgeIndex& walls_;
-  std::vector<Point> focus_;
+  std::vector<Point> focus_, uncovered_;
 };
 
 }  // namespace oxturn

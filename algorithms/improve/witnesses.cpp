@@ -153,6 +153,25 @@ void Witnesses::capsule(const Point& a, const Point& b, Capsule& out) const {
   }
 }
 
+std::vector<Point> Witnesses::uncovered_points(std::size_t most) const {
+  static const double c = std::cos(kTurn), s = std::sin(kTurn);
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i + sizeof(std::uint64_t) <= counts_.size(); i += sizeof(std::uint64_t)) {
+    if (zeros(load(counts_.data() + i), ~std::uint64_t{0}) == 0) continue;
+    std::size_t k = i;
+    while (counts_[k] != 0) ++k;
+    found.push_back(k);
+  }
+  std::vector<Point> points;
+  const auto columns = static_cast<std::size_t>(columns_);
+  for (std::size_t n = 0; n < found.size(); n += (found.size() - 1) / most + 1) {
+    const Point cell(static_cast<double>(found[n] % columns), static_cast<double>(found[n] / columns));
+    const Point p = origin_ + cell_ * (cell + Point(0.5, 0.5));
+    points.emplace_back(c * p.x() - s * p.y(), c * p.y() + s * p.x());
+  }
+  return points;
+}
+
 void Witnesses::apply(const Capsule& old, const Capsule& next) {
   for_each_difference(next, old, [&](int r, int low, int high) { uncovered_ -= add_to(row(r) + low, high - low, 1); });
   for_each_difference(old, next,

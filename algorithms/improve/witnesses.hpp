@@ -47,9 +47,14 @@ class Witnesses {
   /// Takes the old capsules away and adds the new ones. The change of the number of uncovered points.
   long exchange(std::span<const Capsule> removed, std::span<const Capsule> added);
 
+  /// Of each eight points side by side, an uncovered one if there is one; of these at most `most`, from all over the
+  /// raster. O(bytes / 8).
+  std::vector<Point> uncovered_points(std::size_t most) const;
+
   long points() const { return points_; }        // of the target
   long uncovered() const { return uncovered_; }  // of these
   double area_each() const { return cell_ * cell_; }
+  std::size_t bytes() const { return counts_.size(); }
 
  private:
   static constexpr std::uint8_t kOutside = 128;

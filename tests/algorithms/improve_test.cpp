@@ -66,6 +66,69 @@ TEST(Witnesses, CountWhatIsFartherThanTheRadius) {
   }
 }
 
+TEST(Witnesses, UncoveredPointsAreThoseFarFromThePath) {
+  const Region hall = box_region({1, 2}, {7, 6});
+  for (const auto seed : seeds(10)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Polyline line = random_line(5, {{1, 2}, {7, 6}}, rng);
+    const double radius = 0.8, cell = 0.05;
+    Witnesses witnesses(hall, cell, radius);
+    Witnesses::Capsule capsule;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      witnesses.capsule(line[i - 1], line[i], capsule);
+      witnesses.add(capsule);
+    }
+    const auto far = [&](const Point& p) {
+      double nearest = 1e9;
+      for (std::size_t i = 1; i < line.size(); ++i)
+        nearest = std::min(nearest, distance_to_segment(p, line[i - 1], line[i]));
+      return nearest;
+    };
+    const std::vector<Point> all = witnesses.uncovered_points(1000000);
+    for (const Point& p : all) {
+      EXPECT_GT(far(p), radius - 1e-4);
+      EXPECT_TRUE(contains(hall, p));
+    }
+    for (int k = 0; k < 200; ++k) {
+      const Point p = random_point({{1.5, 2.5}, {6.5, 5.5}}, rng);
+      if (far(p) < radius + 10 * cell) continue;
+      const auto away = [&](const Point& q) { return distance(p, q); };
+      EXPECT_LT(away(*std::ranges::min_element(all, {}, away)), 9 * cell);
+    }
+    EXPECT_LE(witnesses.uncovered_points(7).size(), 7);
+  }
+  Witnesses covered(box_region({0, 0}, {1, 1}), 0.05, 1);
+  Witnesses::Capsule capsule;
+  covered.capsule({0, 0}, {1, 1}, capsule);
+  covered.add(capsule);
+  EXPECT_TRUE(covered.uncovered_points(10).empty());
+}
+
+// A lane, and something beside it that no small change of the lane comes to cover.
+TEST(Annealing, CoversWhatIsFarFromThePath) {
+  const Region hall = box_region({0, 0}, {10, 8});
+  const EdgeIndex walls(hall);
+  const Region target = unite({box_region({2, 1.6}, {8, 2.4}), box_region({5, 3.4}, {5.1, 3.5})});
+  for (const auto seed : seeds(10)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    Context context(seed);
+    const Polyline lane{{1.5, 2}, {4, 2}, {6, 2}, {8.5, 2}};
+    Witnesses witnesses(target, 0.02, 0.5);
+    Witnesses::Capsule capsule;
+    for (std::size_t i = 1; i < lane.size(); ++i) {
+      witnesses.capsule(lane[i - 1], lane[i], capsule);
+      witnesses.add(capsule);
+    }
+    ASSERT_GT(witnesses.uncovered(), 0);
+    Annealing annealing(walls, VertexPath(lane, {0}, 1), witnesses, 1,
+                        {.uncovered = 1e-4, .price = 1e3, .floating = false});
+    annealing.run({.moves = 1000, .hot = 1e-3, .cold = 1e-3}, rng, context);
+    EXPECT_LT(annealing.uncovered(), 1e-3);
+  }
+}
+
 TEST(Witnesses, AnExchangeAndItsReverseCancel) {
   const Region hall = box_region({0, 0}, {6, 4});
   Witnesses witnesses(hall, 0.05, 0.3);
@@ -263,6 +326,7 @@ TEST(Moves, ChangeThePathAsTheySay) {
     const EdgeIndex walls(box_region({0, 0}, {3, 3}));
     Moves moves({.width = 0.4}, walls);
     moves.focus({{1, 1}, {2, 2}});
+    moves.uncovered({{1.5, 1.5}, {0.05, 2.9}});
     for (int k = 0; k < 300 && path.size() > 1; ++k) {
       const auto change = moves.propose(path, rng);
       if (!change) continue;
