@@ -59,9 +59,9 @@ class TransitRouter {
     std::vector<std::size_t> round;  // pieces that the path goes round
     double keep_off = 0;             // it keeps so far from all others
     Transit transit;
-    bool for_this_work = false;     // good only for the same finished work
-    std::uint64_t fingerprint = 0;  // of that
-    std::vector<bool> finished;     // by piece; it stays the best while more is finished, but for what it drives over
+    bool for_this_work = false;       // good only for the same finished work
+    std::uint64_t fingerprint = 0;    // of that
+    std::vector<bool> finished = {};  // by piece; it stays the best while more is finished, but for what it drives over
   };
   static constexpr double kAnyHeading = 1e9;
   /// Vertices of obstacles; each costs some ten microseconds. Cells of a search count as a quarter.
