@@ -19,8 +19,8 @@ struct StrokeCopy {
 };
 
 /// Every element in one group, with those that have the same points, in either direction if they are open, and the
-/// same entries. Groups, and the elements in each, are in the elements' order. Fills, elements of several legs and those
-/// that must be driven forwards are alone.
+/// same entries. Groups, and the elements in each, are in the elements' order. Fills, elements of several legs and
+/// those that must be driven forwards are alone.
 std::vector<std::vector<StrokeCopy>> stroke_copies(const std::vector<DrawingElement>& elements);
 
 }  // namespace oxturn
