@@ -2,12 +2,16 @@
 ///
 ///   const PathSegments work(path, tool_width);
 ///   Cover cover;
-///   work.for_each_near(a, b, reach, [&](const PathSegment& s) { cover.add(within(a, b, s.a, s.b, reach)); });
+///   work.for_each_near(a, b, reach, [&](const PathSegment& s) {
+///     cover.add(within(a, b, s.a, s.b, reach));
+///     return cover.is_whole();
+///   });
 ///   drawn += cover.share() * distance(a, b);
 ///
 /// For the metrics of drawings.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -36,25 +40,28 @@ class PathSegments {
   bool empty() const { return widths_.empty(); }
   /// Of the first leg with the tool on that has a length; only if not empty.
   std::size_t first_leg() const { return first_leg_; }
-  /// Calls f(segment) for every segment that comes within `reach` of ab, some more than once, and for others.
+  /// Calls f(segment) for every segment that comes within `reach` of ab, some more than once, and for others, until f
+  /// returns true.
   template <class F>
   void for_each_near(const Point& a, const Point& b, double reach, F f) const {
-    for (const OfWidth& w : widths_) w.for_each_near(a, b, reach, f);
+    for (const OfWidth& w : widths_)
+      if (w.for_each_near(a, b, reach, f)) return;
   }
   /// The same for what comes nearer than half its own width and `growth`, which may be negative.
   template <class F>
   void for_each_touching(const Point& a, const Point& b, double growth, F f) const {
     for (const OfWidth& w : widths_)
-      if (const double reach = w.segments.front().width / 2 + growth; reach >= 0) w.for_each_near(a, b, reach, f);
+      if (const double reach = w.segments.front().width / 2 + growth; reach >= 0 && w.for_each_near(a, b, reach, f))
+        return;
   }
 
  private:
   struct OfWidth {
     template <class F>
-    void for_each_near(const Point& a, const Point& b, double reach, F f) const {
-      grid.visit(std::array{a, b}, reach, [&](std::size_t cell) {
-        for (const std::uint32_t i : grid.items(cell)) f(segments[i]);
-        return false;
+    bool for_each_near(const Point& a, const Point& b, double reach, F& f) const {
+      return grid.visit(std::array{a, b}, reach, [&](std::size_t cell) {
+        const auto items = grid.items(cell);
+        return std::ranges::any_of(items, [&](std::uint32_t i) { return f(segments[i]); });
       });
     }
     std::vector<PathSegment> segments;  // in driving order
@@ -77,6 +84,8 @@ class Cover {
   void add(const std::optional<LinePart>& part) {
     if (part) parts_.push_back(*part);
   }
+  /// Whether one of the parts is the whole segment: no other part matters.
+  bool is_whole() const { return !parts_.empty() && parts_.back().from <= 0 && parts_.back().to >= 1; }
   /// Covered share of the segment; sorts.
   double share();
   /// Covered by this but not by `other`.

@@ -32,6 +32,7 @@ double length_over(const Leg& leg, std::size_t index, const PathSegments& work, 
     Cover over, ends;
     work.for_each_touching(a, b, 0, [&](const PathSegment& s) {
       if (s.leg < index) over.add(within(a, b, s.a, s.b, s.width / 2 * (1 - kTouch)));
+      return over.is_whole();
     });
     for (const Point& end : {line.front(), line.back()}) ends.add(within(a, b, end, end, at_ends));
     sum += over.share_without(ends) * distance(a, b);

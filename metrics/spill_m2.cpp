@@ -45,7 +45,8 @@ class HarmlessWork {
     strokes_.for_each_touching(a, b, kNear - width / 2, [&](const PathSegment& s) {
       const double reach = kNear + (s.width - width) / 2 - kRounding;
       // Capsules are convex: what holds for both ends holds between them.
-      found = found || std::max(distance_to_segment(a, s.a, s.b), distance_to_segment(b, s.a, s.b)) <= reach;
+      found = std::max(distance_to_segment(a, s.a, s.b), distance_to_segment(b, s.a, s.b)) <= reach;
+      return found;
     });
     return found;
   }

@@ -15,12 +15,15 @@ namespace {
 constexpr double kStep = 0.005;        // metres
 constexpr double kLeastStep = 0.0005;  // metres
 
-/// By reaches that double until a segment is found.
-double distance_to(const PathSegments& work, const Point& p, double from) {
+/// By reaches that double until a segment is found. Stops at one that is no farther than `enough`: then the distance
+/// may be less.
+double distance_to(const PathSegments& work, const Point& p, double from, double enough) {
   for (double reach = std::max(from, kStep);; reach *= 2) {
     double least = std::numeric_limits<double>::infinity();
-    work.for_each_near(p, p, reach,
-                       [&](const PathSegment& s) { least = std::min(least, distance_to_segment(p, s.a, s.b)); });
+    work.for_each_near(p, p, reach, [&](const PathSegment& s) {
+      least = std::min(least, distance_to_segment(p, s.a, s.b));
+      return least <= enough;
+    });
     if (least <= reach || reach > 1e12) return least;
   }
 }
@@ -40,7 +43,7 @@ std::optional<double> compute(const Scored& s) {
         if (k > 0) since += distance(a, b) / static_cast<double>(steps);
         if (k > 0 && since < kLeastStep && i + 1 < stroke.points.size()) continue;
         since = 0;
-        most = std::max(most, near = distance_to(work, lerp(a, b, share), near));
+        most = std::max(most, near = distance_to(work, lerp(a, b, share), near, most));
       }
     }
   }

@@ -29,6 +29,7 @@ double drawn_length(const DrawnStroke& stroke, const PathSegments& work, double 
     Cover cover;
     work.for_each_near(a, b, kNear, [&](const PathSegment& s) {
       if (draws(s, (b - a) / length, std::min(stroke.width, tool_width))) cover.add(within(a, b, s.a, s.b, kNear));
+      return cover.is_whole();
     });
     drawn += cover.share() * length;
   }

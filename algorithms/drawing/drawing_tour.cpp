@@ -7,6 +7,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "algorithms/drawing/stroke_copies.hpp"
 #include "algorithms/smoothing/curve.hpp"
 #include "algorithms/tour/shape_chains.hpp"
 #include "algorithms/tour/solve_tour.hpp"
@@ -128,7 +129,7 @@ struct DrawingTour::Impl {
           problem->require_before(static_cast<ElementId>(element_of[inner]), static_cast<ElementId>(element_of[outer]));
   }
 
-  /// Joined elements as chains; all others are chains of one.
+  /// Joined elements as chains, and copies of a stroke; all others are chains of one.
   void add_chains() {
     ShapeTour drawing;
     for (const DrawingElement& e : elements) {
@@ -137,7 +138,7 @@ struct DrawingTour::Impl {
       drawing.shapes.push_back(std::move(shape));
     }
     for (const auto& [a, b] : demands.joined) drawing.joined.push_back({{a.element, a.at}, {b.element, b.at}});
-    std::vector<bool> joined(elements.size(), false);
+    joined.assign(elements.size(), false);
     for (const ShapeChain& links : chains_of(drawing)) {
       Chain chain;
       for (const ShapeLink& link : links) {
@@ -147,8 +148,28 @@ struct DrawingTour::Impl {
       }
       add_chain(std::move(chain));
     }
-    for (std::size_t e = 0; e < elements.size(); ++e)
-      if (!joined[e]) add_chain({{e, elements[e].closed ? elements[e].entries.front() : 0, false}});
+    std::vector<bool> apart = joined;  // not to be driven with its copies
+    for (const auto& [a, b] : demands.deleted) apart[a.element] = apart[b.element] = true;
+    for (const std::vector<StrokeCopy>& copies : stroke_copies(elements)) {
+      const bool any_apart = std::ranges::any_of(copies, [&](const StrokeCopy& c) { return apart[c.element]; });
+      std::size_t k = any_apart ? 0 : add_copies(copies);
+      for (; k < copies.size(); ++k)
+        if (const std::size_t e = copies[k].element; !joined[e]) add_chain({visit(e, false)});
+    }
+  }
+  ElementVisit visit(std::size_t e, bool turned) const {
+    return {e, elements[e].closed ? elements[e].entries.front() : 0, turned && !elements[e].closed};
+  }
+  /// Many copies of a stroke as one chain, of open ones an odd number. Returns how many.
+  std::size_t add_copies(const std::vector<StrokeCopy>& copies) {
+    const bool closed = elements[copies[0].element].closed;
+    const std::size_t n = closed || copies.size() % 2 == 1 ? copies.size() : copies.size() - 1;
+    if (n < 2 || directed || demands.containment == Containment::literal) return 0;
+    Chain chain;
+    for (std::size_t k = 0; k < n; ++k) chain.push_back(visit(copies[k].element, copies[k].turned != (k % 2 == 1)));
+    if (!allowed(chain)) return 0;
+    add_chain(std::move(chain));
+    return n;
   }
   void add_chain(Chain chain) {
     for (const ElementVisit& visit : chain) element_of[visit.element] = chains.size() + 1;
@@ -183,7 +204,7 @@ struct DrawingTour::Impl {
   std::vector<Chain> variants(const Chain& chain) const {
     std::vector<Chain> all;
     const DrawingElement& e = elements[chain[0].element];
-    if (chain.size() > 1 || !e.closed) {
+    if (!is_entered_anywhere(chain)) {
       for (const Chain& c : {chain, backwards(chain)})
         if (allowed(c)) all.push_back(c);
       if (all.empty())
@@ -193,7 +214,8 @@ struct DrawingTour::Impl {
     }
     const std::size_t step = directed ? (e.entries.size() + kMostDirectedEntries - 1) / kMostDirectedEntries : 1;
     for (std::size_t k = 0; k < e.entries.size(); k += step) {
-      all.push_back({{chain[0].element, e.entries[k], false}});
+      all.push_back(chain);
+      for (ElementVisit& visit : all.back()) visit.entry = e.entries[k];
       if (directed) all.push_back({{chain[0].element, e.entries[k], true}});
     }
     return all;
@@ -204,7 +226,7 @@ struct DrawingTour::Impl {
     bool reversible = demands.containment == Containment::strict || demands.contained.empty();
     for (const Chain& chain : chains) {
       all.push_back(variants(chain));
-      if (all.back().size() < 2 && !is_alone_and_closed(chain)) reversible = false;
+      if (all.back().size() < 2 && !is_entered_anywhere(chain)) reversible = false;
     }
     cost.add_start(start, true);
     if (reversible) cost.add_start(start, false);
@@ -212,12 +234,15 @@ struct DrawingTour::Impl {
     reverse = reversible ? std::vector<PatternId>{1, 0} : std::vector<PatternId>{kNoPattern};
     pattern_chains.assign(counts[0], {});
     for (std::vector<Chain>& of_chain : all) {
-      const bool pairs = directed || !is_alone_and_closed(of_chain[0]);
+      const bool pairs = directed || !is_entered_anywhere(of_chain[0]);
       for (std::size_t k = 0; k < of_chain.size(); ++k) add_pattern(of_chain[k], pairs, k, of_chain.size());
       counts.push_back(of_chain.size());
     }
   }
-  bool is_alone_and_closed(const Chain& chain) const { return chain.size() == 1 && elements[chain[0].element].closed; }
+  /// A closed stroke, or the copies of one, that nothing is joined to.
+  bool is_entered_anywhere(const Chain& chain) const {
+    return elements[chain[0].element].closed && !joined[chain[0].element];
+  }
   void add_pattern(const Chain& chain, bool pairs, std::size_t k, std::size_t of) {
     const ElementVisit &in = chain.front(), &out = chain.back();
     const DrawingElement &first = elements[in.element], &last = elements[out.element];
@@ -255,6 +280,7 @@ struct DrawingTour::Impl {
   bool directed;
   DrawingCost cost;
   std::vector<std::size_t> element_of;  // of the tour, by element of the drawing
+  std::vector<bool> joined;             // by element of the drawing: a person demands a connection
   std::vector<Chain> chains;            // by element of the tour, less 1
   std::vector<std::size_t> counts;
   std::vector<PatternId> reverse;
