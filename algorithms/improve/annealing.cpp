@@ -41,7 +41,7 @@ bool Annealing::try_move(double temperature, Rng& rng) {
     return std::span<const Witnesses::Capsule>(out.data(), edges.size());
   };
   const auto removed = capsules(change->removed, removed_), added = capsules(change->added, added_);
-  if (longer + each * static_cast<double>(witnesses_.least_change(removed, added)) > most) return false;
+  if (!witnesses_.may_change(removed, added, static_cast<long>(std::floor((most - longer) / each)))) return false;
   if (longer + each * static_cast<double>(witnesses_.exchange(removed, added)) > most) {
     witnesses_.exchange(added, removed);
     return false;

@@ -178,15 +178,19 @@ void Witnesses::apply(const Capsule& old, const Capsule& next) {
                       [&](int r, int low, int high) { uncovered_ += add_to(row(r) + low, high - low, 255); });
 }
 
-long Witnesses::least_change(std::span<const Capsule> removed, std::span<const Capsule> added) const {
+bool Witnesses::may_change(std::span<const Capsule> removed, std::span<const Capsule> added, long most) const {
   long change = 0;
-  for (std::size_t i = 0; i < added.size(); ++i)
-    for_each_difference(added[i], at(removed, i),
-                        [&](int r, int low, int high) { change -= count(row(r) + low, high - low, 0); });
-  for (std::size_t i = 0; i < removed.size(); ++i)
-    for_each_difference(removed[i], at(added, i),
-                        [&](int r, int low, int high) { change += lost(row(r), r, low, high, added); });
-  return change;
+  for (std::size_t i = 0; i < removed.size(); ++i) {
+    for_each_difference(removed[i], at(added, i), [&](int r, int low, int high) {
+      if (change - uncovered_ <= most) change += lost(row(r), r, low, high, added);
+    });
+    if (change - uncovered_ > most) return false;
+  }
+  for (std::size_t i = 0; i < added.size() && change > most; ++i)
+    for_each_difference(added[i], at(removed, i), [&](int r, int low, int high) {
+      if (change > most) change -= count(row(r) + low, high - low, 0);
+    });
+  return change <= most;
 }
 
 long Witnesses::exchange(std::span<const Capsule> removed, std::span<const Capsule> added) {

@@ -41,9 +41,10 @@ class Witnesses {
   /// Does not depend on the order of the ends. Writes to `out`, to spare the allocation.
   void capsule(const Point& a, const Point& b, Capsule& out) const;
   void add(const Capsule& capsule) { apply({}, capsule); }
-  /// A lower bound of what exchange() returns. Changes nothing. Points that only one capsule covers are lost if it is
-  /// an old one and no new one holds them, and at most all uncovered points in new ones are gained.
-  long least_change(std::span<const Capsule> removed, std::span<const Capsule> added) const;
+  /// False: exchange() would return more than `most`. Changes nothing, and ends as soon as that is decided. Points
+  /// that only one capsule covers are lost if it is an old one and no new one holds them, and at most all uncovered
+  /// points in new ones are gained.
+  bool may_change(std::span<const Capsule> removed, std::span<const Capsule> added, long most) const;
   /// Takes the old capsules away and adds the new ones. The change of the number of uncovered points.
   long exchange(std::span<const Capsule> removed, std::span<const Capsule> added);
 

@@ -134,6 +134,7 @@ TEST(Witnesses, AnExchangeAndItsReverseCancel) {
   Witnesses witnesses(hall, 0.05, 0.3);
   const Box box{{0, 0}, {6, 4}};
   Rng rng(1);
+  int possible = 0;
   for (int k = 0; k < 200; ++k) {
     std::array<Witnesses::Capsule, 3> removed, added;
     for (auto* set : {&removed, &added})
@@ -142,13 +143,19 @@ TEST(Witnesses, AnExchangeAndItsReverseCancel) {
         witnesses.capsule(a, a + Point(rng.between(-1, 1), rng.between(-1, 1)), capsule);
       }
     for (const auto& capsule : removed) witnesses.add(capsule);
-    const long before = witnesses.uncovered(), bound = witnesses.least_change(removed, added);
+    const long before = witnesses.uncovered(), most = static_cast<long>(rng.between(-500.0, 500.0));
+    const bool may = witnesses.may_change(removed, added, most);
+    possible += may;
+    EXPECT_TRUE(witnesses.may_change(removed, added, witnesses.points()));
+    EXPECT_FALSE(witnesses.may_change(removed, added, -before - 1));
     const long change = witnesses.exchange(removed, added);
     EXPECT_EQ(witnesses.uncovered(), before + change);
-    EXPECT_GE(change, bound);
+    EXPECT_TRUE(may || change > most);
     EXPECT_EQ(witnesses.exchange(added, removed), -change);
     witnesses.exchange(removed, {});
   }
+  EXPECT_GT(possible, 20);
+  EXPECT_LT(possible, 180);
   EXPECT_EQ(witnesses.uncovered(), witnesses.points());
 }
 
