@@ -25,11 +25,14 @@
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
 #include "geometry/overlay/validity.hpp"
+#include "geometry/staircase.hpp"
 #include "maps/configuration_space.hpp"
 #include "maps/drawing_file.hpp"
 
 namespace oxturn {
 namespace {
+
+constexpr double kLongestStep = 0.5;  // tool widths, of a staircase
 
 double largest_coordinate(const Region& region) {
   const Box box = bounding_box(region);
@@ -88,10 +91,11 @@ struct ProblemBasis {
   std::unique_ptr<const TetherModel> tether;  // nullptr: no tether
   double lost_m2 = 0;                         // area by which `space` may be smaller than what the tether reaches
 
-  mutable std::once_flag target_once, excess_once, edges_once;
+  mutable std::once_flag target_once, excess_once, edges_once, staircase_once;
   mutable std::unique_ptr<const EdgeIndex> edges;
   mutable Region target_region;
   mutable double excess = 0;
+  mutable bool staircase = false;
 
   /// Between arcs and chords lies less than (sum of angles) * reach * chord error: it is chosen for half of 1e-4 of the
   /// space's area, within limits that keep the target cheap.
@@ -125,6 +129,11 @@ struct ProblemBasis {
   const EdgeIndex& map_edges() const {
     std::call_once(edges_once, [this] { edges = std::make_unique<const EdgeIndex>(map.free); });
     return *edges;
+  }
+
+  bool has_staircase_walls() const {
+    std::call_once(staircase_once, [this] { staircase = is_staircase(map.free, kLongestStep * robot.tool_width); });
+    return staircase;
   }
 };
 
@@ -229,6 +238,7 @@ const Region& Problem::work_space() const {
   return impl_->work;
 }
 double Problem::target_excess() const { return impl_->basis->target_excess(); }
+bool Problem::has_staircase_walls() const { return impl_->basis->has_staircase_walls(); }
 double Problem::tolerance() const { return impl_->basis->tolerance; }
 const EdgeIndex& Problem::map_edges() const { return impl_->basis->map_edges(); }
 

@@ -53,6 +53,9 @@ class Problem {
   const EdgeIndex& walls() const;
   /// Edges of the map's free space; built at the first call (thread-safe), shared with restricted problems.
   const EdgeIndex& map_edges() const;
+  /// Are the map's walls staircases (geometry/staircase.hpp) of steps shorter than half the tool width? Found at the
+  /// first call (thread-safe), shared with restricted problems.
+  bool has_staircase_walls() const;
   /// How far outside configuration space a point may lie by rounding alone: 1e-6 of the tool width plus
   /// 1e-12 of the largest coordinate.
   double tolerance() const;

@@ -26,8 +26,6 @@ constexpr std::array kStraightening{1.0 / 20, 1.0 / 40, 1.0 / 80, 1.0 / 160};
 constexpr double kMostMissed = 5e-4;
 constexpr double kChord = 1e-3;            // tool widths, of the arcs of what laps cover
 constexpr double kCoarsening = 1.0 / 100;  // of the robot's radius: laps may keep as far off corners
-constexpr double kRightAngle = 1e-6;       // cosine
-constexpr double kLongestStep = 0.5;       // tool widths: steps of a staircase are shorter
 
 using Rings = std::vector<const Ring*>;
 
@@ -403,26 +401,6 @@ class RingDrive {
   PathBuilder builder_;
 };
 
-/// Are the walls staircases, as those traced from images are? At least a quarter of their edges are steps: shorter than
-/// `longest`, at right angles to the edges before and after, which lead away to different sides.
-bool is_staircase(const Region& walls, double longest) {
-  std::size_t steps = 0;
-  const auto right_angle = [](const Point& a, const Point& b) {
-    const double cosine = a.dot(b);  // times both lengths
-    return cosine * cosine <= kRightAngle * kRightAngle * a.squaredNorm() * b.squaredNorm();
-  };
-  for_each_ring(walls, [&](const Ring& ring) {
-    const std::size_t n = ring.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const Point &a = ring[(i + n - 1) % n], &b = ring[i], &c = ring[(i + 1) % n], &d = ring[(i + 2) % n];
-      if (right_angle(b - a, c - b) && right_angle(c - b, d - c) && distance(b, c) < longest &&
-          (cross(b - a, c - b) > 0) != (cross(c - b, d - c) > 0))
-        ++steps;
-    }
-  });
-  return 4 * steps >= vertex_count(walls);
-}
-
 Region with_coarser_arcs(const Region& space, const Problem& problem) {
   return with_coarser_arcs(space, kCoarsening * problem.robot().radius, problem.robot().tool_width / 2);
 }
@@ -433,7 +411,7 @@ Region coarser_space(const Problem& problem) { return with_coarser_arcs(problem.
 
 Region straightened_space(const Problem& problem) {
   const double width = problem.robot().tool_width;
-  if (!is_staircase(problem.map().free, kLongestStep * width)) return coarser_space(problem);
+  if (!problem.has_staircase_walls()) return coarser_space(problem);
   const auto covered = [&](const Region& space) {
     return area(dilate(space, width / 2, kChord * width, Bound::inside));
   };

@@ -281,17 +281,20 @@ void TetherSpace::find_components() const {
     if (component_of_other_[k] == kNone) unreached_.polygons.push_back(others_[k]);
 }
 
+/// By the components found so far. nullopt: p is in none of them.
+std::optional<Polyline> TetherSpace::path_out(const Point& p) const {
+  const Component* at = component_at(p);
+  if (!at) return std::nullopt;
+  const auto inside = at->problem.transit().path(at->problem.start(), p);
+  if (!inside) return std::nullopt;
+  Polyline path = at->entry_path;
+  path.insert(path.end(), inside->begin() + 1, inside->end());
+  return path;
+}
+
 /// By the components found so far, which are nearer to the anchor. nullopt: the tether is too short.
 std::optional<Polyline> TetherSpace::path_into(const Point& entry) const {
-  const auto known = [&](const Point& p) -> std::optional<Polyline> {
-    const Component* at = component_at(p);
-    if (!at) return std::nullopt;
-    const auto inside = at->problem.transit().path(at->problem.start(), p);
-    if (!inside) return std::nullopt;
-    Polyline path = at->entry_path;
-    path.insert(path.end(), inside->begin() + 1, inside->end());
-    return path;
-  };
+  const auto known = [this](const Point& p) { return path_out(p); };
   auto path = geodesic_path(world(), problem_.start(), entry, kEntrySlack * problem_.robot().radius + width_, known);
   if (!path || !within_tether(problem_.start(), *path)) return std::nullopt;
   return path;
@@ -310,10 +313,13 @@ bool TetherSpace::within_tether(const Point& from, const Polyline& path) const {
 }
 
 const TetheredWorld& TetherSpace::world() const {
-  if (!world_)
-    world_ = std::make_unique<const TetheredWorld>(
+  if (!world_) {
+    auto world = std::make_unique<TetheredWorld>(
         problem_.tether()->taut_space(), problem_.walls(), problem_.configuration_space(), problem_.transit(),
         cut_problem().transit(), field(), tether_length(), problem_.tolerance());
+    world->path_out = [this](const Point& p) { return path_out(p); };
+    world_ = std::move(world);
+  }
   return *world_;
 }
 

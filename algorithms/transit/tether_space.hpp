@@ -79,6 +79,7 @@ class TetherSpace {
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   void cut_open();
   void find_components() const;
+  std::optional<Polyline> path_out(const Point& p) const;
   std::optional<Polyline> path_into(const Point& entry) const;
   bool within_tether(const Point& from, const Polyline& path) const;
 

@@ -18,8 +18,9 @@
 //                space (or to which the caller knows a path) on. Where the robot cannot be on the geodesic it takes
 //                the shortest path of the same class to the next point of it where it can. These searches are local,
 //                so their cost does not grow with the number of classes of the whole map. The result is pulled taut.
-//             7. A goal outside the cut space has no bound on the path's length. If the budget does not suffice, the
-//                path leads back to the start and from there follows the class of the geodesic.
+//             7. For a goal outside the cut space the search has no bound on the path's length. If the budget does not
+//                suffice, the path is that of decision 4 along the caller's path out, or, if there is none, leads back
+//                to the start and from there follows the class of the geodesic.
 #include "geometry/tether/tethered_path.hpp"
 
 #include <algorithm>
@@ -72,17 +73,21 @@ Polyline joined(Polyline first, const Polyline& second) {
   return first;
 }
 
-/// In the class of the goal's geodesic: back along the trail to where the path to the goal leaves it, at the latest at
-/// the start, then through the cut space. nullopt if the goal is not in that.
-std::optional<Polyline> by_geodesic(const TetheredWorld& world, const TautTether& trail, const Point& goal) {
-  const auto out = world.cut_paths.path(trail.anchor(), goal);
-  if (!out) return std::nullopt;
+/// Back along the trail to where a path from the start leaves it, at the latest at the start, then along that path.
+Polyline back_and_out(const TetheredWorld& world, const TautTether& trail, const Polyline& out) {
   const Polyline driven = trail.polyline();
   std::size_t shared = 1;  // points
-  while (shared < std::min(driven.size(), out->size()) && distance(driven[shared], (*out)[shared]) <= world.tolerance)
+  while (shared < std::min(driven.size(), out.size()) && distance(driven[shared], out[shared]) <= world.tolerance)
     ++shared;
   const auto leave = static_cast<std::ptrdiff_t>(shared) - 1;
-  return joined(reversed({driven.begin() + leave, driven.end()}), {out->begin() + leave, out->end()});
+  return joined(reversed({driven.begin() + leave, driven.end()}), {out.begin() + leave, out.end()});
+}
+/// The same pulled taut, or else as it is; nullopt: neither keeps the tether length limit.
+std::optional<Polyline> shortest_back_and_out(const TetheredWorld& world, const TautTether& tether,
+                                              const TautTether& trail, const Polyline& out) {
+  const Polyline line = back_and_out(world, trail, out);
+  if (Polyline taut = pulled_taut(world, line); admissible(world, tether, taut)) return taut;
+  return admissible(world, tether, line) ? std::optional(line) : std::nullopt;
 }
 
 /// Back along the trail until the goal can be reached straight (Xavier 1999).
@@ -364,8 +369,9 @@ std::optional<TetheredPath> TetheredRobot::path_to(const Point& goal, Retraction
   if (!(world.field.distance(goal) <= world.longest + world.tolerance)) return std::nullopt;
   if (retraction == Retraction::untangle) {
     if (auto path = Untangling(world, tether_, trail_, goal).run()) return TetheredPath{std::move(*path)};
-    if (const auto line = by_geodesic(world, trail_, goal); line && admissible(world, tether_, *line))
-      return TetheredPath{*line};
+    if (const auto out = world.cut_paths.path(trail_.anchor(), goal))
+      if (Polyline line = back_and_out(world, trail_, *out); admissible(world, tether_, line))
+        return TetheredPath{std::move(line)};
     return path_by_start(goal, budget);
   }
   const auto plain = shortest(world, at(), goal);
@@ -373,9 +379,8 @@ std::optional<TetheredPath> TetheredRobot::path_to(const Point& goal, Retraction
   if (admissible(world, tether_, *plain)) return TetheredPath{*plain};
 
   std::optional<Polyline> best;
-  if (const auto geodesic = by_geodesic(world, trail_, goal))
-    for (const Polyline& line : {pulled_taut(world, *geodesic), *geodesic})
-      if (!best && admissible(world, tether_, line)) best = line;
+  if (const auto out = world.cut_paths.path(trail_.anchor(), goal))
+    best = shortest_back_and_out(world, tether_, trail_, *out);
   const double bound = best ? length(*best) : std::numeric_limits<double>::infinity();
   bool found = false;
   const bool all = world.paths.for_each_taut_path(
@@ -387,10 +392,14 @@ std::optional<TetheredPath> TetheredRobot::path_to(const Point& goal, Retraction
       },
       [&](const Polyline& prefix) { return admissible(world, tether_, prefix); });
   if (best) return TetheredPath{std::move(*best), found || all};
-  return all ? std::nullopt : path_by_start(goal, budget);
+  if (all) return std::nullopt;
+  if (world.path_out)
+    if (const auto out = world.path_out(goal))
+      if (auto line = shortest_back_and_out(world, tether_, trail_, *out)) return TetheredPath{std::move(*line), false};
+  return path_by_start(goal, budget);
 }
 
-/// Back to the start and on from there: where the cut space does not contain the goal and the search does not find it.
+/// Back to the start and on from there: where nothing else has led to the goal.
 std::optional<TetheredPath> TetheredRobot::path_by_start(const Point& goal, std::size_t budget) const {
   if (at() == trail_.anchor()) {
     const double longest = std::min(world_->longest, world_->field.farthest());

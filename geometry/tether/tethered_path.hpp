@@ -38,6 +38,9 @@ struct TetheredWorld {
   ShortestPaths paths, cut_paths;  // in `space` and in the cut space
   const GeodesicField& field;
   double longest, tolerance;
+  /// If the caller knows them: a path from the robot's start to a goal outside the cut space, in the class of the
+  /// goal's geodesic and within the tether length limit; nullopt if there is none.
+  std::function<std::optional<Polyline>(const Point&)> path_out;
 };
 
 enum class Retraction {
