@@ -240,7 +240,9 @@ class PredictiveDrive {
   }
 
   void drive(const Polyline& line) {
-    const Polyline link = connector_.path(path_.at(), line.front());
+    const bool known = near_ && near_->front() == path_.at() && near_->back() == line.front();
+    const Polyline link = known ? std::move(*near_) : connector_.path(path_.at(), line.front());
+    near_.reset();
     path_.drive(link, begun_ && length(link) <= kWorkLink * width_);
     path_.drive(line, true);
     begun_ = true;
@@ -369,10 +371,10 @@ class PredictiveDrive {
     const double back = s.metres * (1 + back_share) / (there + back_seconds(s));
     return width_ * std::max(round, back);
   }
-  /// Does a path that is not much longer than the straight one lead to what is not in straight reach?
-  bool is_near(const Point& p) const {
-    const double longest = kAlmostStraight * distance(path_.at(), p);
-    return connector_.length(path_.at(), p, longest) <= longest;
+  /// Does a path that is not much longer than the straight one lead to what is not in straight reach? Keeps it.
+  bool is_near(const Point& p) {
+    near_ = connector_.path_within(path_.at(), p, kAlmostStraight * distance(path_.at(), p));
+    return near_.has_value();
   }
   /// How long the path over midpoints of triangles may be to what is straight near.
   double farthest_near(double straight) const { return kDetour * straight + kDetourMore * width_; }
@@ -401,6 +403,7 @@ class PredictiveDrive {
   MeshWave wave_;
   PathBuilder path_;
   bool begun_ = false;
+  std::optional<Polyline> near_;  // to the last candidate for which is_near()
   std::vector<Piece> left_;
   std::vector<std::pair<Box, Polyline>> driven_;
 };

@@ -19,11 +19,14 @@ Polyline Connector::path(const Point& a, const Point& b) const {
   return std::move(*found);
 }
 
+std::optional<Polyline> Connector::path_within(const Point& a, const Point& b, double longest) const {
+  if (distance(a, b) > longest) return std::nullopt;
+  if (straight(a, b)) return Polyline{a, b};
+  return paths_.path(a, b, longest);
+}
+
 double Connector::length(const Point& a, const Point& b, double longest) const {
-  const double direct = distance(a, b);
-  if (direct > longest) return std::numeric_limits<double>::infinity();
-  if (straight(a, b)) return direct;
-  const auto found = paths_.path(a, b, longest);
+  const auto found = path_within(a, b, longest);
   return found ? oxturn::length(*found) : std::numeric_limits<double>::infinity();
 }
 

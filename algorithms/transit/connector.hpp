@@ -27,6 +27,8 @@ class Connector {
   /// From a to b, both included. Throws std::runtime_error with both points if they are not connected, which happens
   /// only if one of them is outside configuration space by more than the problem's tolerance.
   Polyline path(const Point& a, const Point& b) const;
+  /// The same; nullopt if it is longer than `longest`, or they are not connected.
+  std::optional<Polyline> path_within(const Point& a, const Point& b, double longest) const;
   /// The length of that path; infinity if it is longer than `longest`.
   double length(const Point& a, const Point& b, double longest = std::numeric_limits<double>::infinity()) const;
   /// The closed segment lies in configuration space, exactly.

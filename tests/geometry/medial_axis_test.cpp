@@ -104,6 +104,23 @@ TEST(ShortestBridges, AreAMinimumSpanningTree) {
   }
 }
 
+// Rings of different polygons are not connected, however near they are.
+TEST(ShortestBridges, StayInTheirPolygons) {
+  const auto square = [](double x, double side) { return box_region({x, 0}, {x + side, side}).polygons[0].outer; };
+  Polygon left{square(0, 4), {}}, right{square(4.1, 4), {}};
+  for (const double x : {1.0, 5.0, 6.5}) {
+    Ring hole = square(x, 1);
+    for (Point& p : hole) p.y() += 1.5;
+    std::ranges::reverse(hole);
+    (x < 4 ? left : right).holes.push_back(hole);
+  }
+  const std::vector<Polyline> bridges = shortest_bridges({{left, right}});
+  double sum = 0;
+  for (const Polyline& b : bridges) sum += length(b);
+  EXPECT_EQ(bridges.size(), 3u);
+  EXPECT_NEAR(sum, 1 + 0.5 + 0.6, 1e-6);
+}
+
 // They stay inside, nothing is nearer to their middle than their ends, no two cross, and the shortest bridges are among
 // them.
 TEST(BridgesBetweenRings, AreFreeAndDoNotCross) {
