@@ -1,10 +1,11 @@
 #include "algorithms/drawing/area_fill.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "algorithms/drawing/followed_line.hpp"
 #include "algorithms/drawing/outline_last.hpp"
-#include "algorithms/drawing/thin_lines.hpp"
 #include "algorithms/drawing/uncovered_parts.hpp"
 #include "algorithms/smoothing/strokes.hpp"
 #include "base/throw_invalid.hpp"
@@ -213,8 +214,12 @@ std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, const C
   const double all = oxturn::area(whole), tool_width = problem_.robot().tool_width;
   std::vector<DrawingElement> elements;
   Region rest = whole;
+  std::optional<ThinLines> thin;
+  if (options_.thin_lines) thin.emplace(area.area, kPin * tool_width);
+  const double room = thin ? (1 + kRoughChord) * thin->largest_radius() : std::numeric_limits<double>::infinity();
   for (const double share : kWidths) {
     const double width = share * tool_width;
+    if (inset(width) > room) continue;  // no part of the area: that need not be found out
     const bool near_rest = !elements.empty();
     const RingBoxes rest_rings(rest);
     std::vector<Leg> legs;
@@ -231,16 +236,15 @@ std::vector<DrawingElement> AreaFiller::elements(const FilledArea& area, const C
     if (!legs.empty()) rest = not_surely_covered(rest, legs, tool_width);
     if (oxturn::area(rest) <= (1 - kFilled) * all) break;
   }
-  if (options_.thin_lines) add_thin_lines(area, rest, elements);
+  if (thin) add_thin_lines(area, *thin, rest, elements);
   const auto outer = std::make_shared<const Ring>(area.area.outer);
   for (DrawingElement& element : elements) element.area = outer;
   return elements;
 }
 
-void AreaFiller::add_thin_lines(const FilledArea& area, const Region& rest,
+void AreaFiller::add_thin_lines(const FilledArea& area, const ThinLines& thin, const Region& rest,
                                 std::vector<DrawingElement>& elements) const {
   const double tool_width = problem_.robot().tool_width, most_left = (1 - kFilled) * oxturn::area(Region{{area.area}});
-  const ThinLines thin(area.area, kPin * tool_width);
   std::vector<Polyline> lines;
   const auto find = [&](double least) {
     lines = thin.lines(least * tool_width);

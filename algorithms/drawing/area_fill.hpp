@@ -15,6 +15,7 @@
 
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/drawing/element.hpp"
+#include "algorithms/drawing/thin_lines.hpp"
 #include "geometry/ring_boxes.hpp"
 
 namespace oxturn {
@@ -47,7 +48,8 @@ class AreaFiller {
                       const Context& context) const;
   /// Where the area is narrower than the narrowest part of the tool. Shorter tips only if the area is to be
   /// completed, and while the rest is too much.
-  void add_thin_lines(const FilledArea& area, const Region& rest, std::vector<DrawingElement>& elements) const;
+  void add_thin_lines(const FilledArea& area, const ThinLines& thin, const Region& rest,
+                      std::vector<DrawingElement>& elements) const;
   DrawingElement thin_element(const FilledArea& area, Polyline line) const;
   Problem problem_of(const FilledArea& area, const Polygon& part, double width, const RingBoxes* rings) const;
   /// From its first stroke to its last.

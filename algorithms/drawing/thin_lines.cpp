@@ -164,6 +164,12 @@ std::vector<Polyline> dot(const Polygon& area, const MedialAxis& axis, double wi
 ThinLines::ThinLines(const Polygon& area, double width)
     : area_(area), width_(width), axis_(medial_axis({{area}}, kChord * width)) {}
 
+double ThinLines::largest_radius() const {
+  double largest = 0;
+  for (const MedialAxis::Node& node : axis_.nodes) largest = std::max(largest, node.clearance);
+  return largest;
+}
+
 std::vector<Polyline> ThinLines::lines(double least) const {
   ThinAxis thin(axis_, width_ / 2);
   if (thin.empty()) return {};

@@ -28,6 +28,8 @@ class ThinLines {
   ThinLines(const Polygon& area, double width);
   /// `least`: lines shorter than that, in metres, that lead from a thick part to a tip are left out.
   std::vector<Polyline> lines(double least) const;
+  /// Of the largest disc in the area, metres.
+  double largest_radius() const;
 
  private:
   const Polygon& area_;

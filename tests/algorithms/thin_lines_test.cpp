@@ -36,6 +36,11 @@ TEST(ThinLines, WherePenFitsThereAreNone) {
   EXPECT_TRUE(thin_lines({circle({0, 0}, 0.5, 100), {}}, kPen, kLeast).empty());
 }
 
+TEST(ThinLines, KnowTheLargestDisc) {
+  EXPECT_NEAR(ThinLines({box(0, 0, 3, 0.5), {}}, kPen).largest_radius(), 0.25, 1e-6);
+  EXPECT_NEAR(ThinLines({circle({0, 0}, 0.5, 100), {}}, kPen).largest_radius(), 0.5 * std::cos(kPi / 100), 1e-6);
+}
+
 TEST(ThinLines, AThinTailOfAThickArea) {
   const Polygon flag{{{0, 0}, {1, 0}, {1, 0.49}, {2, 0.49}, {2, 0.51}, {1, 0.51}, {1, 1}, {0, 1}}, {}};
   const auto lines = thin_lines(flag, kPen, kLeast);
