@@ -19,8 +19,10 @@ constexpr double kInside = 1e-6;  // of the tolerance: new vertices move into fr
 
 class ArcCoarsener {
  public:
-  ArcCoarsener(const Region& region, double tolerance, double reach) : tolerance_(tolerance), reach_(reach) {
+  ArcCoarsener(const Region& region, double tolerance, double reach, const std::optional<Point>& kept)
+      : tolerance_(tolerance), reach_(reach) {
     for_each_edge(region, [&](const Point& a, const Point& b) { edges_.push_back({a, b}); });
+    if (kept) edges_.push_back({*kept, *kept});  // as if it were an obstacle
     grid_ = UniformGrid(edges_.size(), [&](std::size_t e) { return edges_[e]; });
   }
 
@@ -136,8 +138,8 @@ class ArcCoarsener {
 
 }  // namespace
 
-Region with_coarser_arcs(const Region& region, double tolerance, double reach) {
-  ArcCoarsener coarsener(region, tolerance, reach);
+Region with_coarser_arcs(const Region& region, double tolerance, double reach, const std::optional<Point>& kept) {
+  ArcCoarsener coarsener(region, tolerance, reach, kept);
   Region out = region;
   for_each_ring(out, [&](Ring& ring) { ring = coarsener.next(ring); });
   return out;

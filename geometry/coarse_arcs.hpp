@@ -14,6 +14,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "geometry/region.hpp"
 
@@ -22,7 +23,8 @@ namespace oxturn {
 /// With a finite `reach`, edges are dropped only where a disc of that radius that follows the new boundary covers
 /// behind it what it covered along the old one, but for seams of 3e-5 of the reach: at a corner from which the boundary
 /// keeps no greater distance than the reach, as each of its tangents leads past the corner itself.
-Region with_coarser_arcs(const Region& region, double tolerance,
-                         double reach = std::numeric_limits<double>::infinity());
+/// A point of the region that is given as `kept` stays in it.
+Region with_coarser_arcs(const Region& region, double tolerance, double reach = std::numeric_limits<double>::infinity(),
+                         const std::optional<Point>& kept = {});
 
 }  // namespace oxturn

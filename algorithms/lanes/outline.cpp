@@ -402,7 +402,8 @@ class RingDrive {
 };
 
 Region with_coarser_arcs(const Region& space, const Problem& problem) {
-  return with_coarser_arcs(space, kCoarsening * problem.robot().radius, problem.robot().tool_width / 2);
+  return with_coarser_arcs(space, kCoarsening * problem.robot().radius, problem.robot().tool_width / 2,
+                           problem.start());
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ namespace oxturn {
 
 /// Configuration space with fewer vertices on the arcs around obstacles: tangents keep off an arc by at most a
 /// hundredth of the robot's radius. Most stay where the tool is narrower than the robot: it would leave seams there.
-/// A lap along the boundary covers what one along that of configuration space covers. O(n log n).
+/// A lap along the boundary covers what one along that of configuration space covers. The problem's start stays inside.
+/// O(n log n).
 Region coarser_space(const Problem& problem);
 /// What laps follow: the coarser space, with straighter walls inside the given ones if those are staircases, as in
 /// maps traced from images, along which a robot would shake. Vertices that stick out of free space by less than a

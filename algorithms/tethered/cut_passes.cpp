@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "algorithms/lanes/outline.hpp"
 #include "base/graph_search.hpp"
 #include "geometry/joined_lines.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -296,7 +297,7 @@ CutPasses::CutPasses(const Problem& problem, const std::vector<Polyline>& cut)
 
 PassSpace CutPasses::beside(const Problem& component) const {
   const double w = component.robot().tool_width;
-  const Region& whole = component.configuration_space();
+  const Region whole = coarser_space(component);
   Box box = bounding_box(whole);
   box.grow(w);
   std::vector<StripPiece> pieces;

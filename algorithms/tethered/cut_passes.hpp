@@ -20,7 +20,7 @@ namespace oxturn {
 
 /// The space for a planner that covers everything within half a tool width of its space.
 struct PassSpace {
-  Region space;    // connected; holds the problem's start
+  Region space;    // connected; holds the problem's start; arcs as in coarser_space (outline.hpp)
   Region pockets;  // what such a planner leaves uncovered
 };
 

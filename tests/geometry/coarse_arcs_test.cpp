@@ -49,6 +49,19 @@ TEST(CoarserArcs, KeepTheirPromises) {
   }
 }
 
+TEST(CoarserArcs, AKeptPointStaysInside) {
+  const Region old = space_of({{{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{4, 4}, {4, 6}, {6, 6}, {6, 4}}}}}}, 1);
+  const Ring& around = old.polygons.front().holes.front();
+  std::size_t cut_off = 0;
+  for (const Point& p : around) {
+    if (!EdgeIndex(with_coarser_arcs(old, 0.02, 1)).contains(p)) ++cut_off;
+    const Region now = with_coarser_arcs(old, 0.02, 1, p);
+    EXPECT_TRUE(EdgeIndex(now).contains(p));
+    EXPECT_LT(now.polygons.front().holes.front().size(), around.size());  // elsewhere arcs are coarser
+  }
+  EXPECT_GT(cut_off, 0u);
+}
+
 /// The robot's tool is as wide as the robot: what it covers behind the boundary is the same.
 TEST(CoarserArcs, CoverTheSame) {
   Rng rng(6);
