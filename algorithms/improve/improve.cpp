@@ -19,7 +19,7 @@ namespace {
 
 // In tool widths.
 constexpr double kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one
-constexpr double kCoarseCell = 1.0 / 20, kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80;
+constexpr double kCoarseCell = 1.0 / 10, kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80;
 constexpr double kMargin = 0.003;       // by which the tool is narrower at first, so that lanes can be moved afterwards
 constexpr double kFineMargin = 0.0015;  // in closing: what is thinner than the raster's cells
 constexpr double kBesideWall = 0.02;    // edges nearer to a wall are moved to it
@@ -36,7 +36,7 @@ constexpr double kLeastHot = 6.4e-4;
 struct Shares {
   double brief, warming, closing;
 };
-constexpr Shares kOfMost{0.06, 0.184, 0.3}, kOfNearlyAll{0.04, 0.1, 0.3};
+constexpr Shares kOfMost{0.06, 0.184, 0.3}, kOfNearlyAll{0.04, 0.17, 0.25};
 // Uncovered pieces that are smaller, of what is allowed in all, get no extra moves.
 constexpr double kNoticed = 1e-3;
 // What closing may leave uncovered on the raster, of what is allowed: it misses what is thinner than its cells.
