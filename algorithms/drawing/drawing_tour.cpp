@@ -20,9 +20,10 @@ constexpr std::uint64_t kKicksEach = 600;          // for each element, and at m
 constexpr std::uint64_t kKicks = 150'000;          // or the solver's default, if that is more
 constexpr std::uint64_t kKicksEachToImprove = 80;  // the same for tours to be improved, and at most
 constexpr std::uint64_t kKicksToImprove = 10'000;
-constexpr std::uint64_t kFew = 100, kFewerKicks = 6;  // so few elements need fewer for each
-constexpr std::size_t kMostRemembered = 5000;         // patterns: 100 MB
-constexpr std::size_t kMostDirectedEntries = 8;       // of a closed stroke that has a heading there; in both directions
+constexpr std::uint64_t kFew = 100, kFewerKicks = 6;  // so few elements need fewer for each, but in all
+constexpr std::uint64_t kLeastKicks = 15'000, kLeastKicksToImprove = 2'000;
+constexpr std::size_t kMostRemembered = 5000;    // patterns: 100 MB
+constexpr std::size_t kMostDirectedEntries = 8;  // of a closed stroke that has a heading there; in both directions
 
 /// What is driven as one: one element, or several that are joined. Its visits in driving order.
 using Chain = std::vector<ElementVisit>;
@@ -176,9 +177,9 @@ struct DrawingTour::Impl {
     chains.push_back(std::move(chain));
   }
 
-  TourEffort effort(std::uint64_t each, std::uint64_t most) const {
+  TourEffort effort(std::uint64_t each, std::uint64_t least, std::uint64_t most) const {
     const std::uint64_t n = chains.size();
-    return {.kicks = std::min(n > kFew ? each * n : each * n / kFewerKicks, most)};
+    return {.kicks = std::clamp(n > kFew ? each * n : each * n / kFewerKicks, least, most)};
   }
 
   static Chain backwards(Chain chain) {
@@ -295,13 +296,13 @@ DrawingTour::DrawingTour(const std::vector<DrawingElement>& elements, TourDemand
 DrawingTour::~DrawingTour() = default;
 
 std::vector<ElementVisit> DrawingTour::solve(Context& context) const {
-  return impl_->visits(
-      solve_tour(*impl_->problem, context,
-                 impl_->effort(kKicksEach, std::max(kKicks, TourEffort{}.kicks_for(impl_->chains.size())))));
+  return impl_->visits(solve_tour(
+      *impl_->problem, context,
+      impl_->effort(kKicksEach, kLeastKicks, std::max(kKicks, TourEffort{}.kicks_for(impl_->chains.size())))));
 }
 
 std::vector<ElementVisit> DrawingTour::improve(const std::vector<ElementVisit>& order, Context& context) const {
-  const TourEffort effort = impl_->effort(kKicksEachToImprove, kKicksToImprove);
+  const TourEffort effort = impl_->effort(kKicksEachToImprove, kLeastKicksToImprove, kKicksToImprove);
   return impl_->visits(improved_tour(*impl_->problem, impl_->tour(order), context, effort));
 }
 
