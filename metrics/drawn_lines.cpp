@@ -55,7 +55,8 @@ double width_of(const Leg& leg, double tool_width) {
 Polyline line_of(const Leg& leg) { return is_dense(leg.points, kDense) ? thinned(leg.points, kThinning) : leg.points; }
 
 PathSegments::PathSegments(const Path& path, double tool_width) {
-  for (auto& [width, segments] : segments_of(path, tool_width)) {
+  for (auto& of_width : segments_of(path, tool_width)) {
+    std::vector<PathSegment>& segments = of_width.second;
     first_leg_ = widths_.empty() ? segments.front().leg : std::min(first_leg_, segments.front().leg);
     UniformGrid grid(segments.size(), [&](std::size_t i) { return std::array{segments[i].a, segments[i].b}; });
     widths_.push_back({std::move(segments), std::move(grid)});
