@@ -109,6 +109,11 @@ class voronoi_predicates<oxturn::FastNumbers>::mp_circle_formation_functor {
 namespace oxturn {
 
 struct VoronoiPredicates : boost::polygon::detail::voronoi_predicates<VoronoiNumbers> {
+  /// Boost sorts events by where the sweep line meets them, with a tolerance relative to the distance from the
+  /// lattice's origin. A circle about a point of its own has an error of up to 2^-17 of a quantum wherever it is. So
+  /// what differs by no more is made equal: a circle that touches a vertical edge near the origin came before the edge.
+  static constexpr double kFraction = 65536;
+
   template <class Site, class Circle>
   class circle_formation_predicate {
    public:
@@ -122,7 +127,7 @@ struct VoronoiPredicates : boost::polygon::detail::voronoi_predicates<VoronoiNum
       if (!at_origin_(moved(a), moved(b), moved(c), circle)) return false;
       circle.x(circle.x() + x);
       circle.y(circle.y() + y);
-      circle.lower_x(circle.lower_x() + x);
+      circle.lower_x(std::nearbyint((circle.lower_x() + x) * kFraction) / kFraction);
       return true;
     }
 

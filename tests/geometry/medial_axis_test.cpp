@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/disjoint_sets.hpp"
+#include "base/random.hpp"
 #include "geometry/overlay/cut_along.hpp"
 #include "tests/support/maps.hpp"
 #include "tests/support/seeds.hpp"
@@ -52,6 +53,31 @@ TEST(MedialAxis, NodesAreAsFarFromTheirFeetAsFromTheBoundary) {
       EXPECT_EQ(parts, 1u);
       EXPECT_EQ(cycles, hole_count(region));
     }
+}
+
+// Two halls side by side: circles touch the wall between them, which begins near the lattice's origin.
+TEST(MedialAxis, AWallInTheMiddleIsSeenFromBothSides) {
+  for (const auto seed : seeds(300)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const double w = rng.between(5.0, 500.0), h = rng.between(5.0, 500.0), x = w * rng.between(0.49, 0.51),
+                 wall = rng.between(0.01, 1.0), gap = rng.between(0.3, 3.0), right = h * rng.between(0.5, 1.0);
+    Ring ring{{0, 0},
+              {w, 0},
+              {w, right},
+              {x + wall, right},
+              {x + wall, gap},
+              {x + 0.8 * wall, 0.8 * gap},
+              {x + 0.2 * wall, 0.8 * gap},
+              {x, gap},
+              {x, h},
+              {0, h}};
+    if (rng.chance(0.5))
+      for (Point& p : ring) p = perpendicular(p);
+    const Region region{{{ring, {}}}};
+    for (const MedialAxis::Node& n : medial_axis(region, 0.001).nodes)
+      ASSERT_NEAR(n.clearance, to_boundary(region, n.at), 1e-5);
+  }
 }
 
 // In the order of the boundary each foot follows the one before: around the polygon once.
