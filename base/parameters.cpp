@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/text.hpp"
 #include "base/throw_invalid.hpp"
@@ -35,6 +36,16 @@ std::string range_text(const ParameterInfo& parameter) {
   return type;
 }
 
+std::optional<bool> yes_or_no(std::string_view text) {
+  if (text == "true" || text == "yes" || text == "on" || text == "1") return true;
+  if (text == "false" || text == "no" || text == "off" || text == "0") return false;
+  return std::nullopt;
+}
+
+bool has_choice(const ParameterInfo& parameter, const std::string& text) {
+  return std::find(parameter.choices.begin(), parameter.choices.end(), text) != parameter.choices.end();
+}
+
 bool within(const Range& range, double value) {
   return value <= range.most && (range.above ? value > range.least : value >= range.least);
 }
@@ -61,11 +72,12 @@ Value parse_value(const std::string& owner, const ParameterInfo& parameter, std:
     if (const auto value = parse_all<T>(text)) return checked(owner, parameter, *value);
     refuse(owner, parameter, given, range_text(parameter));
   };
+  const std::optional<bool> flag = yes_or_no(text);
   if (std::holds_alternative<bool>(parameter.fallback)) {
-    if (text == "true" || text == "yes" || text == "on" || text == "1") return true;
-    if (text == "false" || text == "no" || text == "off" || text == "0") return false;
+    if (flag) return *flag;
     refuse(owner, parameter, given, "true or false");
   }
+  if (flag && has_choice(parameter, to_text(*flag))) return to_text(*flag);
   if (std::holds_alternative<std::int64_t>(parameter.fallback)) return number(std::int64_t{});
   if (std::holds_alternative<double>(parameter.fallback)) return number(double{});
   return checked(owner, parameter, std::string(text));
@@ -77,6 +89,8 @@ Value checked(const std::string& owner, const ParameterInfo& parameter, const Va
   Value result = value;
   if (std::holds_alternative<double>(parameter.fallback) && std::holds_alternative<std::int64_t>(value))
     result = static_cast<double>(std::get<std::int64_t>(value));
+  // A yes or no among other choices, as suites write it.
+  if (std::holds_alternative<bool>(value) && has_choice(parameter, to_text(value))) result = to_text(value);
   if (result.index() != parameter.fallback.index()) refuse(owner, parameter, given, range_text(parameter));
 
   if (const double* real = std::get_if<double>(&result)) {
@@ -88,7 +102,7 @@ Value checked(const std::string& owner, const ParameterInfo& parameter, const Va
     if (*whole < std::numeric_limits<int>::min() || *whole > std::numeric_limits<int>::max())
       refuse(owner, parameter, given, "a whole number of at most 2147483647 in size");
   } else if (const std::string* text = std::get_if<std::string>(&result); text && !parameter.choices.empty()) {
-    if (std::find(parameter.choices.begin(), parameter.choices.end(), *text) == parameter.choices.end())
+    if (!has_choice(parameter, *text))
       refuse(owner, parameter, given, fmt::format("one of: {}", fmt::join(parameter.choices, ", ")));
   }
   return result;

@@ -92,7 +92,6 @@ Region Completion::uncovered(const Polyline& points) const {
   return subtract(target_, swath_parts({points}, width_ / 2, kChord * width_, Bound::inside));
 }
 
-/// Without the smallest pieces, as far as the coverage allows.
 Region Completion::needed(Region uncovered) const {
   std::vector<Polygon>& pieces = uncovered.polygons;
   std::ranges::stable_sort(pieces, {}, [](const Polygon& p) { return area(p); });

@@ -29,12 +29,15 @@ class Completion {
   /// Square metres that may stay uncovered: slightly less than asked for, because who judges the path measures with an
   /// error.
   double allowed() const;
+  /// Is all of the target asked for?
+  bool whole() const { return coverage_ >= 1; }
   Region uncovered(const Polyline& points) const;
+  /// Without the smallest pieces, as far as the coverage allows.
+  Region needed(Region uncovered) const;
   /// `left`: what they leave uncovered.
   Polyline completed(Polyline points, Region left, Context& context) const;
 
  private:
-  Region needed(Region uncovered) const;
   Polyline detoured(Polyline points, Region left, double noticed, Context& context) const;
 
   const Problem& problem_;

@@ -8,6 +8,7 @@ namespace oxturn {
 namespace {
 
 constexpr double kLongestWorkLink = 3;  // tool widths: longer links between lanes are transit
+constexpr std::size_t kFewStrips = 8;   // that generalised_tour orders exactly
 
 const Point& begin_of(const LaneEnds& lane, bool up) { return up ? lane.low : lane.high; }
 const Point& end_of(const LaneEnds& lane, bool up) { return up ? lane.high : lane.low; }
@@ -78,7 +79,8 @@ std::vector<TourStop> tour_of(const Problem& problem, const std::vector<Strip>& 
                               const std::vector<TourElement>& elements, StripOrder order, const Connector& connector,
                               Context& context) {
   const TourCosts costs(from, elements, connector);
-  if (order == StripOrder::generalised) return generalised_tour(costs, context);
+  const bool exactly = order == StripOrder::improved && strips.size() <= kFewStrips;
+  if (exactly || order == StripOrder::generalised) return generalised_tour(costs, context);
   std::vector<TourStop> tour;
   if (order == StripOrder::given) {
     for (std::size_t i = 0; i < elements.size(); ++i) tour.push_back({i, 0});

@@ -49,8 +49,8 @@ struct StripPattern {
 inline constexpr std::array<StripPattern, 4> kStripPatterns{
     {{true, false}, {true, true}, {false, false}, {false, true}}};
 
-/// improved: nearest neighbour, then local search; depth_first: on the graph of neighbours; given: as listed;
-/// generalised: by the tour solver (tour/generalised_tour.hpp).
+/// improved: nearest neighbour, then local search, but the best of all orders for up to eight strips; depth_first: on
+/// the graph of neighbours; given: as listed; generalised: by the tour solver (tour/generalised_tour.hpp).
 enum class StripOrder { improved, nearest, depth_first, given, generalised };
 
 /// Drives all strips from the problem's start. Within a strip, links up to 3 tool widths long have the tool on; longer

@@ -3,12 +3,13 @@
 // Source      Choset and Pignon, "Coverage Path Planning: The Boustrophedon Cellular Decomposition", FSR 1997;
 //             Choset, Autonomous Robots 9, 2000
 // Model       polygons with holes, offline, disc or polygonal footprint
-// Guarantee   with `outline`: covers the whole target (along traced walls but for 0.0005 of it, see
+// Guarantee   with the whole `outline`: covers the whole target (along traced walls but for 0.0005 of it, see
 //             straightened_space in outline.hpp). Let C be configuration space, w the tool width, R the points of
 //             C at least w/2 from its boundary. Driving the boundary covers all points within w/2 of it, inside and
 //             outside C. A point p of R lies in a slab no wider than w with centre line x. The point (x, p.y) is no
 //             farther from p than p from the boundary, so it lies in C, on the slab's lane, and covers p (lanes.hpp).
-//             Without `outline`, slanted ends of lanes and a seam along the walls stay uncovered, as in the paper.
+//             With `outline = needed`: see needed_outline.hpp. Without, slanted ends of lanes and a seam along the
+//             walls stay uncovered, as in the paper.
 // Complexity  n vertices, m lanes, k crossings of walls with slab lines: O((n + k) log n) for the lanes (up to 16 times
 //             that to find the direction), about O(m log m) steps and path searches for the order
 // Decisions   1. Lanes are projections of whole slabs, not samples on a line. The rings of the outline are inserted
@@ -33,6 +34,7 @@
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/polygon/cell_circuit.hpp"
 #include "algorithms/polygon/cell_directions.hpp"
+#include "algorithms/polygon/needed_outline.hpp"
 #include "algorithms/polygon/slab_strips.hpp"
 #include "geometry/overlay/boolean.hpp"
 
@@ -42,10 +44,9 @@ namespace {
 enum class Decomposition { automatic, slab, exact, trapezoid };
 enum class Order { improved, nearest, depth_first, gtsp, postman };
 
-struct Params : Headland {
+struct Params : Headland, OutlineChoice {
   LaneDirection sweep = LaneDirection::best;
   double angle = 0;
-  bool outline = true;
   Decomposition cells = Decomposition::automatic;
   double spacing = 1;
   Order order = Order::improved;
@@ -97,7 +98,7 @@ std::vector<Strip> directed_strips(const Region& region, const Params& p, const 
 
 std::vector<Strip> strips_in(const Region& region, const Params& p, const Problem& problem, Context& context) {
   if (region.empty()) return {};
-  const LaneFit fit = p.outline || p.headland > 0 ? LaneFit::fitted : LaneFit::spaced;
+  const LaneFit fit = p.outline != Outline::off || p.headland > 0 ? LaneFit::fitted : LaneFit::spaced;
   if (p.order == Order::gtsp && p.cells != Decomposition::slab)
     return directed_strips(region, p, problem, fit, context);
   const double w = problem.robot().tool_width, spacing = p.spacing * w;
@@ -135,6 +136,16 @@ StripOrder strip_order(Order order) {
   return StripOrder::improved;
 }
 
+/// All lanes in one direction, so that what one set leaves uncovered is known for the next.
+Path plan_needed(Params p, Path whole, const Problem& problem, Context& context) {
+  if (p.sweep == LaneDirection::best) {
+    p.angle = best_lane_direction(problem.configuration_space(), p.spacing * problem.robot().tool_width);
+    p.sweep = LaneDirection::given;
+  }
+  const auto strips = [&](const Region& region) { return strips_in(region, p, problem, context); };
+  return drive_needed_outline(problem, p.coverage, std::move(whole), strips, strip_order(p.order), context);
+}
+
 Path plan(const Params& p, const Problem& problem, Context& context) {
   if (p.order == Order::postman && p.cells == Decomposition::slab)
     throw std::invalid_argument(
@@ -144,9 +155,11 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
     return strips_in(lane_region(problem, depth, w / 50), p, problem, context);
   };
   if (p.headland > 0) return drive_with_headland(problem, p, strips_deeper_than, strip_order(p.order), context);
-  const Region region = p.outline ? lane_region(problem, w / 2, w / 50) : problem.configuration_space();
-  return drive_strips_and_walls(problem, strips_in(region, p, problem, context), strip_order(p.order), p.outline,
-                                context);
+  if (p.outline == Outline::needed)
+    return plan_needed(p, plan(with_whole_outline(p), problem, context), problem, context);
+  const bool whole = p.outline == Outline::whole;
+  const Region region = whole ? lane_region(problem, w / 2, w / 50) : problem.configuration_space();
+  return drive_strips_and_walls(problem, strips_in(region, p, problem, context), strip_order(p.order), whole, context);
 }
 
 Path plan_trapezoids(const TrapezoidParams& p, const Problem& problem, Context& context) {
@@ -158,8 +171,8 @@ template <class P>
 std::vector<Parameter<P>> parameters(std::vector<Parameter<P>> own, Parameter<P> order) {
   std::vector<Parameter<P>> all{
       {"sweep", &P::sweep, Choices{"best", "given"}, "lane direction: the cheapest of up to 16, or `angle`"},
-      {"angle", &P::angle, Range{-360, 360}, "degrees; direction of the lanes if sweep is given"},
-      {"outline", &P::outline, "drive every wall once; off: links follow the walls, as in the paper"}};
+      {"angle", &P::angle, Range{-360, 360}, "degrees; direction of the lanes if sweep is given"}};
+  all = with_outline_choice<P>(std::move(all), ", with links along the walls, as in the paper");
   all.insert(all.end(), own.begin(), own.end());
   all.push_back({"spacing", &P::spacing, Range{0.1, 1}, "distance of lanes, in tool widths"});
   all.push_back(std::move(order));
@@ -175,7 +188,8 @@ PlannerInfo boustrophedon() {
        .title = "Boustrophedon decomposition",
        .citation = "Choset, Pignon 1998",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (with outline; along traced walls but for 0.0005 of it)",
+       .guarantee = "covers the whole target (unless outline = false, or coverage is below 1; along traced walls but "
+                    "for 0.0005 of it)",
        .promise = Promise::target,
        .symmetries = {Symmetry::shift, Symmetry::quarter_turn, Symmetry::mirror, Symmetry::scale},
        .parameters = parameters<Params>(
@@ -189,10 +203,10 @@ PlannerInfo boustrophedon() {
        // The paper: vertical lanes, cells visited depth-first, boundaries only followed between lanes.
        .published = {{"sweep", std::string("given")},
                      {"angle", 90.0},
-                     {"outline", false},
+                     {"outline", std::string("false")},
                      {"cells", std::string("exact")},
                      {"order", std::string("dfs")}},
-       .promises_with = [](const Params& p) { return p.works_walls(p.outline); }});
+       .promises_with = [](const Params& p) { return p.works_walls(p.covers_walls()); }});
 }
 
 PlannerInfo trapezoid() {
@@ -202,15 +216,18 @@ PlannerInfo trapezoid() {
        .title = "trapezoidal decomposition",
        .citation = "Latombe 1991; Choset 2001",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (with outline; along traced walls but for 0.0005 of it)",
+       .guarantee = "covers the whole target (unless outline = false, or coverage is below 1; along traced walls but "
+                    "for 0.0005 of it)",
        .promise = Promise::target,
        .symmetries = {Symmetry::shift, Symmetry::quarter_turn, Symmetry::mirror, Symmetry::scale},
        .parameters =
            parameters<TrapezoidParams>({}, {"order", &TrapezoidParams::order, Choices{"improved", "nearest", "dfs"},
                                             "of cells; dfs: depth-first on their graph"}),
-       .published =
-           {{"sweep", std::string("given")}, {"angle", 90.0}, {"outline", false}, {"order", std::string("dfs")}},
-       .promises_with = [](const TrapezoidParams& p) { return p.works_walls(p.outline); }});
+       .published = {{"sweep", std::string("given")},
+                     {"angle", 90.0},
+                     {"outline", std::string("false")},
+                     {"order", std::string("dfs")}},
+       .promises_with = [](const TrapezoidParams& p) { return p.works_walls(p.covers_walls()); }});
 }
 
 }  // namespace oxturn

@@ -27,16 +27,16 @@
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/polygon/fewest_lanes.hpp"
+#include "algorithms/polygon/needed_outline.hpp"
 
 namespace oxturn {
 namespace {
 
 constexpr double kMostCells = 2e7;
 
-struct Params : Headland {
+struct Params : Headland, OutlineChoice {
   LaneDirection align = LaneDirection::best;
   double angle = 0;
-  bool outline = true;
   bool compact = true;
   bool group = true;
   int shifts = 1;
@@ -150,7 +150,7 @@ std::vector<Strip> strips_of(const std::vector<CellRun>& runs, const std::vector
 
 std::vector<Strip> strips_in(const Region& region, const Params& p, const Problem& problem, Context& context) {
   if (region.empty()) return {};
-  const bool laps = p.outline || p.headland > 0;  // cover what cells beside walls do not
+  const bool laps = p.outline != Outline::off || p.headland > 0;  // cover what cells beside walls do not
   const double w = problem.robot().tool_width;
   const double degrees = p.align == LaneDirection::given ? p.angle : best_lane_direction(region, w);
   const CellRule rule = laps ? CellRule::touches : CellRule::centre;
@@ -172,15 +172,27 @@ std::vector<Strip> strips_in(const Region& region, const Params& p, const Proble
   return strips_of(cover.runs, lanes, p.group);
 }
 
+/// All lanes on one grid's axes, so that what one set leaves uncovered is known for the next.
+Path plan_needed(Params p, Path whole, const Problem& problem, Context& context) {
+  if (p.align == LaneDirection::best) {
+    p.angle = best_lane_direction(problem.configuration_space(), problem.robot().tool_width);
+    p.align = LaneDirection::given;
+  }
+  const auto strips = [&](const Region& region) { return strips_in(region, p, problem, context); };
+  return drive_needed_outline(problem, p.coverage, std::move(whole), strips, StripOrder::improved, context);
+}
+
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const double w = problem.robot().tool_width;
   const auto strips_deeper_than = [&](double depth) {
     return strips_in(lane_region(problem, depth, w / 50), p, problem, context);
   };
   if (p.headland > 0) return drive_with_headland(problem, p, strips_deeper_than, StripOrder::improved, context);
-  const Region region = p.outline ? lane_region(problem, w / 2, w / 50) : problem.configuration_space();
-  return drive_strips_and_walls(problem, strips_in(region, p, problem, context), StripOrder::improved, p.outline,
-                                context);
+  if (p.outline == Outline::needed)
+    return plan_needed(p, plan(with_whole_outline(p), problem, context), problem, context);
+  const bool whole = p.outline == Outline::whole;
+  const Region region = whole ? lane_region(problem, w / 2, w / 50) : problem.configuration_space();
+  return drive_strips_and_walls(problem, strips_in(region, p, problem, context), StripOrder::improved, whole, context);
 }
 
 }  // namespace
@@ -192,18 +204,19 @@ PlannerInfo oarp() {
        .title = "fewest lanes along two directions",
        .citation = "Ramesh et al. 2022",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (with outline; along traced walls but for 0.0005 of it)",
+       .guarantee = "covers the whole target (unless outline = false, or coverage is below 1; along traced walls but "
+                    "for 0.0005 of it)",
        .promise = Promise::target,
-       .parameters = with_headland<Params>(
+       .parameters = with_headland<Params>(with_outline_choice<Params>(
            {{"align", &Params::align, Choices{"best", "given"},
              "direction of the grid: the cheapest for parallel lanes, or `angle`"},
             {"angle", &Params::angle, Range{-360, 360}, "degrees; direction of the grid if align is given"},
-            {"outline", &Params::outline, "drive every wall once; off: lanes only, as in the paper"},
             {"compact", &Params::compact, "of equally few lanes those with fewest neighbours at right angles"},
             {"group", &Params::group, "lanes side by side follow each other; off: each on its own in the tour"},
-            {"shifts", &Params::shifts, Range{1, 16}, "origins of the grid tried along each axis"}}),
-       .published = {{"outline", false}, {"compact", false}, {"group", false}},
-       .promises_with = [](const Params& p) { return p.works_walls(p.outline); }});
+            {"shifts", &Params::shifts, Range{1, 16}, "origins of the grid tried along each axis"}},
+           ", as in the paper")),
+       .published = {{"outline", std::string("false")}, {"compact", false}, {"group", false}},
+       .promises_with = [](const Params& p) { return p.works_walls(p.covers_walls()); }});
 }
 
 }  // namespace oxturn

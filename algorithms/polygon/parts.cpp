@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
 
-#include "algorithms/lanes/lanes.hpp"
+#include "algorithms/lanes/lane_direction.hpp"
 #include "base/disjoint_sets.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/mesh/partition.hpp"
@@ -18,6 +19,8 @@ namespace {
 
 constexpr std::size_t kMostConvex = 150;  // vertices: the optimal partition takes cubic time
 constexpr double kTouching = 1e-6;        // tool widths: edges nearer than this lie on one another
+
+constexpr double kClearlyLess = 1 - 1e-9;  // so that rounding decides nothing
 
 double ring_length(const Ring& ring) {
   double sum = 0;
@@ -173,6 +176,27 @@ std::vector<Part> with_slivers_merged(std::vector<Part> parts, double width) {
 std::vector<Part> without_slivers(std::vector<Part> parts, double width) {
   std::erase_if(parts, [&](const Part& part) { return is_sliver(part, width); });
   return parts;
+}
+
+Box box_in(const LaneFrame& frame, const Part& part) {
+  Box box;
+  for (const Ring& r : part.rings)
+    for (const Point& p : r) box.add(frame.to_frame(p));
+  return box;
+}
+
+double least_sum_of_widths(const Region& region, const std::vector<Part>& parts) {
+  double best = std::numeric_limits<double>::infinity(), direction = 0;
+  for (const double d : lane_directions(region)) {
+    const LaneFrame frame(d);
+    double sum = 0;
+    for (const Part& p : parts) sum += box_in(frame, p).size().x();
+    if (sum < best * kClearlyLess) {
+      best = sum;
+      direction = d;
+    }
+  }
+  return direction;
 }
 
 }  // namespace oxturn

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "algorithms/lanes/lanes.hpp"
 #include "geometry/region.hpp"
 
 namespace oxturn {
@@ -34,5 +35,11 @@ std::vector<Part> cut_into_parts(const Region& region, Partition partition, doub
 std::vector<Part> with_slivers_merged(std::vector<Part> parts, double width);
 /// Slivers are dropped.
 std::vector<Part> without_slivers(std::vector<Part> parts, double width);
+
+/// The part's bounding box in the frame.
+Box box_in(const LaneFrame& frame, const Part& part);
+/// Of the directions of the region's edges (lane_direction.hpp) the one, in degrees, across which the parts' widths add
+/// up to least.
+double least_sum_of_widths(const Region& region, const std::vector<Part>& parts);
 
 }  // namespace oxturn

@@ -43,6 +43,7 @@
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
+#include "algorithms/polygon/needed_outline.hpp"
 #include "algorithms/polygon/segment_fill.hpp"
 #include "algorithms/polygon/skeleton_spiral.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -52,9 +53,8 @@
 namespace oxturn {
 namespace {
 
-constexpr double kSimplify = 0.04;  // of the margin: how much the region to fill may shrink, for fewer vertices
-constexpr double kChord = 0.1;      // of the tool width: chord error of its round vertices
-constexpr double kClearlyLess = 1 - 1e-9;
+constexpr double kSimplify = 0.04;     // of the margin: how much the region to fill may shrink, for fewer vertices
+constexpr double kChord = 0.1;         // of the tool width: chord error of its round vertices
 constexpr double kSpiralChord = 0.02;  // of the tool width: error of round vertices in a part with a spiral
 constexpr double kBridge = 1e-3;       // of the tool width: cuts to the holes of such a part
 constexpr const char* kOwner = "planner 'zigzag'";
@@ -63,12 +63,11 @@ enum class Fit { cover, literal };
 enum class SmallParts { merge, drop };
 enum class Directions { common, own };
 
-struct Params : Headland {
+struct Params : Headland, OutlineChoice {
   Partition partition = Partition::trapezoid;
   double margin = 0;
   LaneDirection sweep = LaneDirection::best;
   double angle = 0;
-  bool outline = true;
   Fit fit = Fit::cover;
   SmallParts small_parts = SmallParts::merge;
   StripOrder order = StripOrder::improved;
@@ -82,33 +81,11 @@ struct Params : Headland {
   }
 };
 
-/// Bounding box in the frame.
-Box box_in(const LaneFrame& frame, const Part& part) {
-  Box box;
-  for (const Ring& r : part.rings)
-    for (const Point& p : r) box.add(frame.to_frame(p));
-  return box;
-}
-
 std::vector<Segment> edges_in(const LaneFrame& frame, const std::vector<Ring>& rings) {
   std::vector<Segment> edges;
   for (const Ring& r : rings) add_ring(edges, r);
   for (Segment& s : edges) s = {frame.to_frame(s.a), frame.to_frame(s.b)};
   return edges;
-}
-
-double least_sum_of_widths(const Region& region, const std::vector<Part>& parts) {
-  double best = std::numeric_limits<double>::infinity(), direction = 0;
-  for (const double d : lane_directions(region)) {
-    const LaneFrame frame(d);
-    double sum = 0;
-    for (const Part& p : parts) sum += box_in(frame, p).size().x();
-    if (sum < best * kClearlyLess) {
-      best = sum;
-      direction = d;
-    }
-  }
-  return direction;
 }
 
 /// What lanes are made from.
@@ -442,6 +419,19 @@ std::vector<Strip> strips_in(const Region& filled, const Params& p, const Proble
   return strips;
 }
 
+/// All lanes in one direction, so that what one set leaves uncovered is known for the next.
+Path plan_needed(Params p, Path whole, const Problem& problem, Context& context) {
+  const double w = problem.robot().tool_width;
+  if (const auto known = direction_before_parts(problem.configuration_space(), p, w)) {
+    p.angle = *known;
+    p.sweep = LaneDirection::given;
+  }
+  const auto strips = [&](const Region& region) {
+    return strips_in(simplify_inward(region, kSimplify * w / 2), p, problem, context);
+  };
+  return drive_needed_outline(problem, p.coverage, std::move(whole), strips, p.order, context);
+}
+
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const double w = problem.robot().tool_width;
   const double inset = p.margin > 0 ? p.margin : w / 2;
@@ -451,9 +441,12 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
         simplify_inward(lane_region(problem, depth - kSimplify * inset, kChord * w), kSimplify * inset);
     return strips_in(filled, p, problem, context);
   };
+  if (p.headland == 0 && p.outline == Outline::needed)
+    return plan_needed(p, plan(with_whole_outline(p), problem, context), problem, context);
   Path path = p.headland > 0 ? drive_with_headland(problem, p, strips_deeper_than, p.order, context)
-                             : drive_strips_and_walls(problem, strips_deeper_than(inset), p.order, p.outline, context);
-  if (!p.works_walls(p.outline) || !p.has_spirals() || context.cancelled()) return path;
+                             : drive_strips_and_walls(problem, strips_deeper_than(inset), p.order,
+                                                      p.outline == Outline::whole, context);
+  if (!p.works_walls(p.covers_walls()) || !p.has_spirals() || context.cancelled()) return path;
   return repaired(problem, path, Connector(problem), context);
 }
 
@@ -466,18 +459,18 @@ PlannerInfo zigzag() {
        .title = "Zig zag filling",
        .citation = "BeachBot (Vollprecht 2014); Greene 1983",
        .capabilities = {Capability::holes, Capability::footprint},
-       .guarantee = "covers the whole target (fit cover, with outline, slivers merged, margin up to half a tool width; "
+       .guarantee = "covers the whole target (fit cover, outline not false, coverage 1, slivers merged, margin up to "
+                    "half a tool width; "
                     "along traced walls but for 0.0005 of it)",
        .promise = Promise::target,
        .symmetries = {Symmetry::shift, Symmetry::scale},
-       .parameters = with_headland<Params>(
+       .parameters = with_headland<Params>(with_outline_choice<Params>(
            {{"partition", &Params::partition, Choices{"auto", "convex", "approximate", "monotone", "trapezoid", "none"},
              "parts; auto: the source, convex up to 150 vertices if CGAL finds one, else approximate; none: every lane "
              "by itself"},
             {"margin", &Params::margin, Range{0, 100}, "metres that lanes keep off walls; 0: half the tool width"},
             {"sweep", &Params::sweep, Choices{"best", "given"}, "lane direction: the cheapest, or `angle`"},
             {"angle", &Params::angle, Range{-360, 360}, "degrees; direction of the lanes if sweep is given"},
-            {"outline", &Params::outline, "drive every wall once"},
             {"fit", &Params::fit, Choices{"cover", "literal"},
              "cover: no gaps; literal: lanes a tool width apart, as in the source"},
             {"small_parts", &Params::small_parts, Choices{"merge", "drop"}, "what becomes of slivers"},
@@ -485,14 +478,15 @@ PlannerInfo zigzag() {
             {"directions", &Params::directions, Choices{"common", "own"},
              "of lanes; own: each part along the direction across which it is narrowest"},
             {"fill", &Params::fill, Choices{"lanes", "spiral"}, "of all parts"},
-            segments_parameter<Params>(kOwner)}),
+            segments_parameter<Params>(kOwner)})),
        // The source: a direction that the user chooses, gaps where lines a tool width apart leave them.
        .published = {{"partition", std::string("auto")},
                      {"fit", std::string("literal")},
                      {"small_parts", std::string("drop")},
                      {"sweep", std::string("given")}},
        .promises_with = [](const Params& p) {
-         return p.works_walls(p.outline) && p.margin == 0 && p.fit == Fit::cover && p.small_parts == SmallParts::merge;
+         return p.works_walls(p.covers_walls()) && p.margin == 0 && p.fit == Fit::cover &&
+                p.small_parts == SmallParts::merge;
        }});
 }
 

@@ -66,6 +66,16 @@ TEST(Parameters, ErrorsNameParameterOwnerAndWhatIsExpected) {
             "parameter 'order' of planner 'x' is 'far', expected one of: nearest, improved");
 }
 
+TEST(Parameters, YesAndNoMayBeAmongChoices) {
+  const ParameterInfo outline{"outline", std::string("true"), {}, {"false", "needed", "true"}, ""};
+  EXPECT_EQ(checked("x", outline, Value(false)), Value(std::string("false")));
+  EXPECT_EQ(parse_value("x", outline, "on"), Value(std::string("true")));
+  EXPECT_EQ(parse_value("x", outline, "needed"), Value(std::string("needed")));
+  const ParameterInfo order{"order", std::string("near"), {}, {"near", "far"}, ""};
+  EXPECT_THROW(checked("x", order, Value(true)), std::invalid_argument);
+  EXPECT_THROW(parse_value("x", order, "on"), std::invalid_argument);
+}
+
 TEST(Parameters, WholeNumbersThatDoNotFitAnIntAreRefused) {
   const ParameterInfo unbounded{"n", std::int64_t{1}, {}, {}, ""};
   EXPECT_THROW(checked("x", unbounded, std::int64_t{1} << 40), std::invalid_argument);
