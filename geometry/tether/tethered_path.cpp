@@ -355,6 +355,20 @@ std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& s
   }
 }
 
+bool within_tether(const TetheredWorld& world, const Polyline& path) {
+  if (world.field.distance(path.front()) + length(path) <= world.longest) return true;  // it grows by what is driven
+  constexpr std::size_t kFirstTried = 8, kMore = 16;  // segments of the geodesic, and times as many
+  for (std::size_t segments = kFirstTried;; segments *= kMore) {
+    TetherEnd tether(world, path.front(), segments);
+    bool kept = true;
+    for (std::size_t k = 1; k < path.size() && kept && tether.known(); ++k) {
+      tether.drive(path[k]);
+      kept = tether.length() <= world.longest + world.tolerance;
+    }
+    if (tether.known()) return kept;
+  }
+}
+
 TetheredRobot::TetheredRobot(const TetheredWorld& world, const Point& start)
     : world_(&world), tether_(world.free, world.field.anchor()), trail_(world.space, start) {
   const Polyline out = world.field.path(start);
