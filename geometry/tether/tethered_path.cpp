@@ -380,6 +380,9 @@ TetheredRobot::TetheredRobot(const TetheredWorld& world, const Point& start)
 
 std::optional<TetheredPath> TetheredRobot::path_to(const Point& goal, Retraction retraction, std::size_t budget) const {
   const TetheredWorld& world = *world_;
+  if (retraction == Retraction::automatic && tether_.length() + distance(at(), goal) <= world.longest &&
+      world.walls.contains(at(), goal))
+    return TetheredPath{{at(), goal}};
   if (!(world.field.distance(goal) <= world.longest + world.tolerance)) return std::nullopt;
   if (retraction == Retraction::untangle) {
     if (auto path = Untangling(world, tether_, trail_, goal).run()) return TetheredPath{std::move(*path)};
