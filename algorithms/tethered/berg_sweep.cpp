@@ -7,8 +7,12 @@
 
 namespace oxturn {
 
-BergSweep::BergSweep(const BergBoundary& boundary, double spacing)
-    : b_(boundary), spacing_(spacing), items_{{kNone, kNone, kNone}}, first_arc_(boundary.nodes_.size(), kNone) {
+BergSweep::BergSweep(const BergBoundary& boundary, double spacing, BergThinning thinning)
+    : b_(boundary),
+      spacing_(spacing),
+      thinning_(std::move(thinning)),
+      items_{{kNone, kNone, kNone}},
+      first_arc_(boundary.nodes_.size(), kNone) {
   for (std::size_t v = 0; v < b_.events_.size(); ++v)
     for (std::size_t i = 0; i < b_.events_[v].size(); ++i) {
       const BergBoundary::Event& e = b_.events_[v][i];
@@ -106,17 +110,40 @@ void BergSweep::sample(const Item& arc, BergBoundary::Piece& piece) const {
   const double radius = length_ - node.before;
   const bool one_point = radius * (to - from) <= b_.tolerance_;
   if (one_point && !(with_from && with_to)) return;
-  const double steps = std::max(1.0, std::ceil(radius * (to - from) / spacing_));
-  for (double k = with_from ? 0 : 1; k <= (with_to ? steps : steps - 1); ++k) {
-    const double turn = from + (to - from) * (k / steps);  // within the sector
-    if (const std::size_t slice = node.range.slice_of(turn); node.range.range(slice) < radius) {
+  const double steps = std::max(1.0, std::ceil(radius * (to - from) / spacing_)), last = with_to ? steps : steps - 1;
+  const auto turn = [&](double k) { return from + (to - from) * (k / steps); };  // within the sector
+  const auto at = [&](double k) -> Point {
+    const double angle = node.begin + turn(k);
+    return node.at + radius * Point(std::cos(angle), std::sin(angle));
+  };
+  const double stride = longest_stride(radius, (to - from) / steps);
+  double attempt = 0;  // the first sample that may be reached by leaving others out
+  for (double k = with_from ? 0 : 1, previous = -1; k <= last; ++k) {
+    if (const std::size_t slice = node.range.slice_of(turn(k)); node.range.range(slice) < radius) {
       k = std::max(k, std::floor((node.range.end_of(slice) - from) / (to - from) * steps) - 1);
       continue;
     }
-    const double angle = node.begin + turn;
-    const Point p = node.at + radius * Point(std::cos(angle), std::sin(angle));
-    if (b_.sight_.sees(node.at, p)) add(p, piece.points);
+    if (const double next = std::min(previous + stride, last); previous >= attempt && previous == k - 1 && next > k) {
+      const Point p = at(next);
+      if (radius < node.range.sure(turn(previous), turn(next)) && thinning_.is_free(piece.points.back(), p)) {
+        add(p, piece.points);
+        previous = k = next;
+        continue;
+      }
+      attempt = next;
+    }
+    const Point p = at(k);
+    if (radius >= node.range.sure(turn(k), turn(k)) && !b_.sight_.sees(node.at, p)) continue;
+    add(p, piece.points);
+    previous = k;
   }
+}
+
+/// In samples: 1, if none are to be left out.
+double BergSweep::longest_stride(double radius, double turn_per_step) const {
+  if (thinning_.error <= 0) return 1;
+  const double turn = 2 * std::acos(std::clamp(1 - thinning_.error / radius, 0.0, 1.0));  // of a chord
+  return std::max(1.0, std::floor(turn / turn_per_step));
 }
 
 void BergSweep::add(const Point& p, Polyline& points) const {

@@ -6,20 +6,29 @@
 /// Method      The boundary as a list, counter-clockwise: arcs about nodes and the dividers between them. When a node
 ///             or a divider comes into reach, the arc that it lies on is split there. An arc whose node sees nothing so
 ///             far away leaves the list, and so does a divider directly before another one.
-/// Complexity  a boundary costs its samples, its arcs, and what is new in it
+/// Complexity  a boundary costs its samples, its arcs, and what is new in it; samples where the node surely sees cost no
+///             test of sight (sight_range.hpp)
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "algorithms/tethered/berg_boundary.hpp"
 
 namespace oxturn {
 
+/// Samples that may be left out: where a node surely sees all of its arc, and a straight segment from one sample to a
+/// later one is free and within `error` metres of the arc.
+struct BergThinning {
+  double error = 0;                                                // 0: none are left out
+  std::function<bool(const Point&, const Point&)> is_free = {};  // the segment between two points
+};
+
 class BergSweep {
  public:
   /// `boundary` must outlive it. `spacing`: of samples, metres.
-  BergSweep(const BergBoundary& boundary, double spacing);
+  BergSweep(const BergBoundary& boundary, double spacing, BergThinning thinning = {});
 
   /// See BergBoundary::at. `length` must not be less than the one before.
   std::vector<BergBoundary::Piece> at(double length);
@@ -43,12 +52,14 @@ class BergSweep {
   bool has_ended(const Item& item) const;
   void drop_ended_after(std::int32_t item);
   void sample(const Item& arc, BergBoundary::Piece& piece) const;
+  double longest_stride(double radius, double turn_per_step) const;
   void add(const Point& p, Polyline& points) const;
   void close_round(std::vector<BergBoundary::Piece>& pieces) const;
   Item& item(std::int32_t i) { return items_[static_cast<std::size_t>(i)]; }
 
   const BergBoundary& b_;
   double spacing_, length_ = 0;
+  BergThinning thinning_;
   std::vector<Activation> activations_;  // by length, parents first
   std::size_t active_ = 0;               // so many of them have happened
   std::vector<Item> items_;              // the first one is the list's head

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "algorithms/tethered/berg_sweep.hpp"
-
 namespace oxturn {
 
 BergTree::BergTree(const BergBoundary& boundary, const Laps& laps,
@@ -22,7 +20,7 @@ BergTree::BergTree(const BergBoundary& boundary, const Laps& laps,
 void BergTree::add_laps(const Laps& laps, const std::function<bool(const Point&, double)>& keep,
                         const std::function<bool()>& stop) {
   const double last = std::min(laps.longest * (1 + 1e-12), boundary_.farthest());
-  BergSweep sweep(boundary_, laps.spacing);
+  BergSweep sweep(boundary_, laps.spacing, laps.thinning);
   std::size_t previous = 0;  // index of the first piece of the lap before
   for (std::size_t lap = 1; static_cast<double>(lap) * laps.step <= last && !stop(); ++lap) {
     const double length = static_cast<double>(lap) * laps.step;

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-#include "algorithms/tethered/berg_boundary.hpp"
+#include "algorithms/tethered/berg_sweep.hpp"
 
 namespace oxturn {
 
@@ -43,6 +43,7 @@ class BergTree {
     double step = 0;     // of tether between two laps
     double longest = 0;  // tether
     double spacing = 0;  // of samples
+    BergThinning thinning = {};
   };
 
   /// `keep(p, length)` says whether a sample is to be driven; `stop` is called once per lap.

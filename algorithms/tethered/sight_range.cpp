@@ -1,11 +1,14 @@
 // Decisions  1. The distance of a segment is convex along the direction of sight, so it is greatest at the ends of the
 //               part within a slice.
-//            2. Directions count as seen up to some tolerances beside an edge: points nearer to the eye than kNear
+//            2. Within an angle a, the distance of a segment is at least cos(a / 2) times the lesser one at the two
+//               sides.
+//            3. Directions count as seen up to some tolerances beside an edge: points nearer to the eye than kNear
 //               tolerances have no reliable direction.
 #include "algorithms/tethered/sight_range.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace oxturn {
 namespace {
@@ -14,12 +17,17 @@ constexpr std::size_t kMostSlices = 64;
 constexpr double kSlack = 4;        // tolerances
 constexpr double kNear = 1000;      // tolerances
 constexpr double kRounding = 1e-9;  // radians
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
 SightRange::SightRange(const Point& eye, double begin, double width, const Ring& seen, double tolerance)
-    : width_(width), tolerance_(tolerance), slices_(std::clamp<std::size_t>(seen.size(), 1, kMostSlices), 0.0) {
+    : width_(width),
+      tolerance_(tolerance),
+      slices_(std::clamp<std::size_t>(seen.size(), 1, kMostSlices), 0.0),
+      sure_(slices_.size(), kUnknown) {
   for (std::size_t i = 0; i < seen.size(); ++i) add_edge(seen[i] - eye, seen[(i + 1) % seen.size()] - eye, begin);
+  std::ranges::replace(sure_, kUnknown, 0.0);
 }
 
 std::size_t SightRange::slice_of(double angle) const {
@@ -31,20 +39,23 @@ std::size_t SightRange::slice_of(double angle) const {
 void SightRange::add_edge(const Point& a, const Point& b, double begin) {
   const double da = a.norm(), db = b.norm(), near = kNear * tolerance_;
   if (std::max(da, db) <= tolerance_) return;
-  if (std::min(da, db) <= near) return add_edge_from_eye(da > db ? a : b, begin);
+  if (std::min(da, db) <= near)
+    return add_edge_from_eye(da > db ? a : b, begin, std::min(da, db) <= kSlack * tolerance_);
   const double turn = std::atan2(cross(a, b), a.dot(b)), first = std::atan2(a.y(), a.x()) - begin;
   add_span(first + std::min(turn, 0.0), first + std::max(turn, 0.0), a, b, begin);
 }
 
 /// An edge that passes the eye nearer than kNear tolerances and ends at b: at an angle t from b it is at most
-/// near / sin t away.
-void SightRange::add_edge_from_eye(const Point& b, double begin) {
+/// near / sin t away. If it begins at the eye itself, it hides nothing beside it.
+void SightRange::add_edge_from_eye(const Point& b, double begin, bool at_eye) {
   const double most = b.norm(), near = kNear * tolerance_, angle = std::atan2(b.y(), b.x()) - begin;
+  const double pad = kSlack * tolerance_ / most + kRounding;
   for (std::size_t s = 0; s < slices_.size(); ++s) {
     const double begins = s == 0 ? 0 : end_of(s - 1), ends = end_of(s);
     // From the middle of the slice, less half of it.
     const double from_middle = std::abs(std::remainder(angle - (begins + ends) / 2, 2 * kPi));
     const double off = std::min(from_middle - (ends - begins) / 2 - kRounding, kPi / 2);
+    if (!at_eye || off <= pad) limit_sight(s, 0);
     const double range = off > 0 ? std::min(most, near * kPi / (2 * off)) : most;
     slices_[s] = std::max(slices_[s], range * (1 + kRounding) + near);
   }
@@ -63,6 +74,15 @@ void SightRange::add_span(double from, double to, const Point& a, const Point& b
     const double d = area / across;
     return d > 0 && d < most ? d : most;
   };
+  // The same, from below.
+  const bool forwards = area > 0;
+  const auto sure_at = [&](double angle) {
+    if (angle <= from) return forwards ? da : db;
+    if (angle >= to) return forwards ? db : da;
+    const double d = area / cross(Point(std::cos(begin + angle), std::sin(begin + angle)), along);
+    return d > 0 ? std::min(d, most) : 0;
+  };
+  const double narrowing = std::max(0.0, std::cos(std::min(width_ / count(), kPi) / 2)) * (1 - kRounding);
   for (const double shift : {-turns - 2 * kPi, -turns, -turns + 2 * kPi}) {
     const double low = from + shift - pad, high = to + shift + pad;
     if (high < 0 || low > width_) continue;
@@ -72,6 +92,7 @@ void SightRange::add_span(double from, double to, const Point& a, const Point& b
       const bool inner = begins > from + shift + pad && ends < to + shift - pad;  // no end of the edge lies within
       const double farthest = inner ? std::max(distance_at(begins), distance_at(ends)) : most;
       slices_[s] = std::max(slices_[s], farthest * (1 + kRounding) + kSlack * tolerance_);
+      limit_sight(s, narrowing * std::min(sure_at(begins - shift), sure_at(ends - shift)) - kSlack * tolerance_);
     }
   }
 }
@@ -81,6 +102,11 @@ void SightRange::add(double angle, double distance) {
     double& range = slices_[slice_of(beside)];
     range = std::max(range, distance + kSlack * tolerance_);
   }
+}
+
+double SightRange::sure(double from, double to) const {
+  const auto first = sure_.begin() + static_cast<std::ptrdiff_t>(slice_of(from));
+  return *std::min_element(first, sure_.begin() + static_cast<std::ptrdiff_t>(slice_of(to)) + 1);
 }
 
 double SightRange::farthest(double from, double to) const {

@@ -1,11 +1,13 @@
-/// How far one sees from a point, by direction: in slices of a sector, never less than it really is.
+/// How far one sees from a point, by direction: bounds from above and from below, in slices of a sector.
 ///
 ///   SightRange range(node, begin, width, visibility.from(node), tolerance);
 ///   if (radius > range.farthest(from, to)) skip();     // nothing of this arc is seen
+///   if (radius < range.sure(from, to)) keep();         // all of it is
 ///
 /// Complexity  n edges of what is seen: at most 64 slices, O(n + slices); farthest() O(slices)
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "geometry/region.hpp"
@@ -21,8 +23,10 @@ class SightRange {
 
   /// Something is seen at this angle and distance as well.
   void add(double angle, double distance);
-  /// Over the slices that meet [from, to], metres.
+  /// Nothing farther away is seen in the slices that meet [from, to], metres.
   double farthest(double from, double to) const;
+  /// Everything nearer is seen in the slices from that of `from` to that of `to`, metres; 0 if nothing is known.
+  double sure(double from, double to) const;
 
   /// The slice with an angle of the sector, its range, and the angle where it ends.
   std::size_t slice_of(double angle) const;
@@ -32,11 +36,12 @@ class SightRange {
  private:
   double count() const { return static_cast<double>(slices_.size()); }
   void add_edge(const Point& a, const Point& b, double begin);
-  void add_edge_from_eye(const Point& b, double begin);
+  void add_edge_from_eye(const Point& b, double begin, bool at_eye);
+  void limit_sight(std::size_t slice, double distance) { sure_[slice] = std::min(sure_[slice], distance); }
   void add_span(double from, double to, const Point& a, const Point& b, double begin);
 
   double width_ = 0, tolerance_ = 0;
-  std::vector<double> slices_;
+  std::vector<double> slices_, sure_;
 };
 
 }  // namespace oxturn

@@ -296,20 +296,8 @@ std::optional<Polyline> TetherSpace::path_out(const Point& p) const {
 std::optional<Polyline> TetherSpace::path_into(const Point& entry) const {
   const auto known = [this](const Point& p) { return path_out(p); };
   auto path = geodesic_path(world(), problem_.start(), entry, kEntrySlack * problem_.robot().radius + width_, known);
-  if (!path || !within_tether(problem_.start(), *path)) return std::nullopt;
+  if (!path || !within_tether(world(), *path)) return std::nullopt;
   return path;
-}
-
-/// The tether stays within its length while the robot drives `path`, if at `from`, where it begins, it is the geodesic.
-bool TetherSpace::within_tether(const Point& from, const Polyline& path) const {
-  if (field().distance(from) + length(path) <= tether_length()) return true;  // it grows by what is driven, at most
-  TautTether tether(problem_.tether()->taut_space(), problem_.anchor());
-  tether.drive(field().path(from));
-  for (std::size_t k = 1; k < path.size(); ++k) {
-    tether.drive(path[k]);
-    if (tether.length() > tether_length() + problem_.tolerance()) return false;
-  }
-  return true;
 }
 
 const TetheredWorld& TetherSpace::world() const {
@@ -350,7 +338,7 @@ Polyline TetherSpace::path(const Component& from_component, const Point& from, c
   // Pulling the path taut keeps its class. On the shorter path the tether may exceed its length for a moment, on
   // `whole` it never does.
   Polyline taut = pulled_taut(world(), whole);
-  return within_tether(from, taut) ? taut : whole;
+  return within_tether(world(), taut) ? taut : whole;
 }
 
 Path cover_components(const TetherSpace& tether,

@@ -81,7 +81,6 @@ class TetherSpace {
   void find_components() const;
   std::optional<Polyline> path_out(const Point& p) const;
   std::optional<Polyline> path_into(const Point& entry) const;
-  bool within_tether(const Point& from, const Polyline& path) const;
 
   const Problem& problem_;
   double width_;

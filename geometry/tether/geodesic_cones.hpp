@@ -11,7 +11,9 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 #include <span>
+#include <vector>
 
 #include "geometry/tether/geodesic_clip.hpp"
 #include "geometry/tether/geodesic_field.hpp"
@@ -23,6 +25,13 @@ struct Cone {
   std::int32_t root;
   bool whole;
   Point left, right;  // unit directions of the rays
+};
+
+/// A piece of the cut locus: where the paths by two roots are equally long.
+struct CutPiece {
+  std::int32_t root, other;  // the root with the greater distance from the anchor first
+  bool straight;             // along the ray from `root` away from `other`; else a hyperbola
+  double begin, end;         // straight: distances from `root`; else parameters (geodesic_cut_locus.cpp)
 };
 
 class GeodesicCones {
@@ -83,6 +92,9 @@ class GeodesicCones {
   /// that it passes without a bend.
   bool same_path(std::int32_t a, std::int32_t b, const Point& p) const;
 
+  /// By triangle. Found at the first call (thread-safe).
+  const std::vector<CutPiece>& cut_pieces() const;
+
   /// Metres by which computed points may be off.
   double rounding() const { return rounding_; }
   /// Metres by which equal lengths of paths may differ by rounding.
@@ -116,6 +128,8 @@ class GeodesicCones {
   std::vector<Root> roots_;
   std::vector<Cone> cones_;         // triangle by triangle
   std::vector<std::size_t> first_;  // cones of triangle t: cones_[first_[t] .. first_[t + 1])
+  mutable std::once_flag cut_once_;
+  mutable std::vector<CutPiece> cut_;
 };
 
 /// See GeodesicField::level_sets, cut_locus and farthest. From the cones, triangle by triangle.

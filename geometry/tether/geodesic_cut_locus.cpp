@@ -62,14 +62,24 @@ struct Bisector {
   }
 };
 
+/// The unit vector from v to u.
+Point direction_away(const GeodesicCones::Root& u, const GeodesicCones::Root& v) {
+  return (u.at - v.at).normalized();
+}
+
 /// Finds the pieces of the cut locus.
 class CutLocus {
  public:
   explicit CutLocus(const GeodesicCones& cones) : cones_(cones) {}
 
-  /// Calls curve(bisector, begin, end) or straight(root, a, b) for every piece in triangle t.
-  template <class Curve, class Straight>
-  void for_each_piece(std::int32_t t, Curve curve, Straight straight) {
+  std::vector<CutPiece> run() {
+    for (std::int32_t t = 0; t < static_cast<std::int32_t>(cones_.mesh().triangles().size()); ++t) find_pieces(t);
+    pieces_.shrink_to_fit();
+    return std::move(pieces_);
+  }
+
+ private:
+  void find_pieces(std::int32_t t) {
     const auto several = [](const Facet&, std::span<const Cone> here) { return here.size() > 1; };
     cones_.for_each_part(t, several, [&](const Facet& part, std::span<const Cone> here) {
       here_ = here;
@@ -78,27 +88,24 @@ class CutLocus {
         cones_.clip(seen, a);
         if (seen.empty()) continue;
         for (const Cone& b : here)
-          if (a.root != b.root && is_later(a, b)) find_pieces(a, b, part, seen, curve, straight);
+          if (a.root != b.root && is_later(a, b)) find_pieces(a, b, part, seen);
       }
     });
   }
-
- private:
   bool is_later(const Cone& a, const Cone& b) const {
     const double u = cones_.root(a.root).before, v = cones_.root(b.root).before;
     return u > v || (u == v && a.root > b.root);
   }
 
   /// `seen`: what of the part is in cone a.
-  template <class Curve, class Straight>
-  void find_pieces(const Cone& a, const Cone& b, const Facet& part, const Facet& seen, Curve curve, Straight straight) {
+  void find_pieces(const Cone& a, const Cone& b, const Facet& part, const Facet& seen) {
     const GeodesicCones::Root &u = cones_.root(a.root), &v = cones_.root(b.root);
     const double slack = distance(u.at, v.at) - (u.before - v.before);
     if (slack < -cones_.tie()) return;  // the path by v is shorter everywhere
-    if (slack <= cones_.tie()) return find_straight_pieces(a, b, part, straight);
+    if (slack <= cones_.tie()) return find_straight_pieces(a, b, part);
     Facet both = seen;
     cones_.clip(both, b);
-    if (!both.empty()) find_curved_pieces(a, b, both, curve);
+    if (!both.empty()) find_curved_pieces(a, b, both);
   }
 
   /// Is no other path clearly shorter than those by a and b?
@@ -109,8 +116,7 @@ class CutLocus {
   }
 
   /// breaks_ are parameters of the curve.
-  template <class Curve>
-  void find_curved_pieces(const Cone& a, const Cone& b, const Facet& facet, Curve curve) {
+  void find_curved_pieces(const Cone& a, const Cone& b, const Facet& facet) {
     const Bisector line(cones_.root(a.root), cones_.root(b.root));
     breaks_.clear();
     const auto add = [&](double p) {
@@ -132,7 +138,9 @@ class CutLocus {
     const auto is_piece = [&](double p) {
       return p >= inside_from && p <= inside_to && is_in_facet(p) && is_shortest(a, b, line.at(p));
     };
-    for_each_run(breaks_, is_piece, [&](double begin, double end) { curve(line, begin, end); });
+    for_each_run(breaks_, is_piece, [&](double begin, double end) {
+      pieces_.push_back({a.root, b.root, false, begin, end});
+    });
   }
   /// Where a third cone may become shorter, or may begin or end.
   template <class Add>
@@ -146,11 +154,10 @@ class CutLocus {
 
   /// The curve has degenerated to a ray: the path by v passes through u. It belongs to the cut locus only if u has its
   /// length from another path. breaks_ are distances from u along the ray.
-  template <class Straight>
-  void find_straight_pieces(const Cone& a, const Cone& b, const Facet& part, Straight straight) {
+  void find_straight_pieces(const Cone& a, const Cone& b, const Facet& part) {
     const GeodesicCones::Root &u = cones_.root(a.root), &v = cones_.root(b.root);
     if (u.parent == b.root || u.at == v.at) return;
-    const Point e = (u.at - v.at).normalized();
+    const Point e = direction_away(u, v);
     breaks_.assign(1, 0);
     const auto add_line = [&](const Point& p, const Point& d) {
       const double across = cross(e, d);
@@ -173,13 +180,14 @@ class CutLocus {
       if (!part.contains(x, cones_.rounding()) || !cones_.contains(a, x) || !cones_.contains(b, x) ||
           !is_shortest(a, b, x) || cones_.same_path(a.root, b.root, x))
         continue;
-      straight(u, Point(u.at + breaks_[i - 1] * e), Point(u.at + breaks_[i] * e));
+      pieces_.push_back({a.root, b.root, true, breaks_[i - 1], breaks_[i]});
     }
   }
 
   const GeodesicCones& cones_;
   std::span<const Cone> here_;
   std::vector<double> breaks_;
+  std::vector<CutPiece> pieces_;
 };
 
 /// Appends points of the curve after `begin` up to `end`, at most `depth` halvings deep, so that chords stay within the
@@ -197,28 +205,28 @@ void append_points(const Bisector& curve, double begin, double end, double chord
   }
 }
 
-template <class Curve, class Straight>
-void for_each_piece(const GeodesicCones& cones, Curve curve, Straight straight) {
-  CutLocus locus(cones);
-  for (std::int32_t t = 0; t < static_cast<std::int32_t>(cones.mesh().triangles().size()); ++t)
-    locus.for_each_piece(t, curve, straight);
-}
-
 }  // namespace
+
+const std::vector<CutPiece>& GeodesicCones::cut_pieces() const {
+  std::call_once(cut_once_, [this] { cut_ = CutLocus(*this).run(); });
+  return cut_;
+}
 
 std::vector<Polyline> cut_locus_of(const GeodesicCones& cones, double chord_error) {
   constexpr int kMostHalvings = 40;
   if (!(chord_error > 0)) throw_invalid("chord error of a cut locus must be above 0 metres");
   std::vector<Polyline> out;
-  for_each_piece(
-      cones,
-      [&](const Bisector& curve, double begin, double end) {
-        out.push_back({curve.at(begin)});
-        append_points(curve, begin, end, chord_error, kMostHalvings, out.back());
-      },
-      [&](const GeodesicCones::Root&, const Point& a, const Point& b) {
-        out.push_back({a, b});
-      });
+  for (const CutPiece& piece : cones.cut_pieces()) {
+    const GeodesicCones::Root &u = cones.root(piece.root), &v = cones.root(piece.other);
+    if (piece.straight) {
+      const Point e = direction_away(u, v);
+      out.push_back({Point(u.at + piece.begin * e), Point(u.at + piece.end * e)});
+      continue;
+    }
+    const Bisector curve(u, v);
+    out.push_back({curve.at(piece.begin)});
+    append_points(curve, piece.begin, piece.end, chord_error, kMostHalvings, out.back());
+  }
   return out;
 }
 
@@ -229,14 +237,15 @@ double farthest_of(const GeodesicCones& cones) {
   for (std::int32_t t = 0; t < static_cast<std::int32_t>(cones.mesh().triangles().size()); ++t)
     for (std::size_t k = 0; k < 3; ++k)
       if (const double d = cones.to_vertex(t, k); std::isfinite(d)) most = std::max(most, d);
-  for_each_piece(
-      cones,
-      [&](const Bisector& curve, double begin, double end) {
-        for (const double p : {begin, end}) most = std::max(most, curve.before + distance(curve.u, curve.at(p)));
-      },
-      [&](const GeodesicCones::Root& u, const Point&, const Point& b) {
-        most = std::max(most, u.before + distance(u.at, b));
-      });
+  for (const CutPiece& piece : cones.cut_pieces()) {
+    const GeodesicCones::Root& u = cones.root(piece.root);
+    if (piece.straight) {
+      most = std::max(most, u.before + piece.end);
+      continue;
+    }
+    const Bisector curve(u, cones.root(piece.other));
+    for (const double p : {piece.begin, piece.end}) most = std::max(most, u.before + distance(u.at, curve.at(p)));
+  }
   return most;
 }
 

@@ -31,102 +31,160 @@ class ArcFinder {
 
   /// By length.
   std::vector<std::vector<ArcPiece>> run() {
-    for (std::int32_t t = 0; t < static_cast<std::int32_t>(cones_.mesh().triangles().size()); ++t)
+    for (triangle_ = 0; triangle_ < static_cast<std::int32_t>(cones_.mesh().triangles().size()); ++triangle_)
       cones_.for_each_part(
-          t, [&](const Facet& part, std::span<const Cone> here) { return may_be_crossed(part, here); },
-          [&](const Facet& part, std::span<const Cone> here) {
-            for (at_ = first_; at_ < end_; ++at_)
-              for (const Cone& cone : here) add_pieces(t, part, here, cone);
-          });
+          triangle_, [&](const Facet& part, std::span<const Cone> here) { return may_be_crossed(part, here); },
+          [&](const Facet& part, std::span<const Cone> here) { search(part, here); });
     return std::move(pieces_);
   }
 
  private:
-  double length() const { return lengths_[at_]; }
+  /// What one cone sees of the present part, and the lengths of its paths there.
+  struct View {
+    const Cone* cone;
+    Point root;
+    double before;
+    Facet facet;
+    double least, most;
+    double by(const Point& p) const { return before + (p - root).norm(); }
+  };
 
-  /// May there be points at one of the lengths in the part? Distances change at most as much as points move. Those
-  /// lengths become first_ to end_.
-  bool may_be_crossed(const Facet& part, std::span<const Cone> here) {
+  /// May there be points at one of the lengths in the part? Distances change at most as much as points move.
+  bool may_be_crossed(const Facet& part, std::span<const Cone> here) const {
     const Point middle = part.middle();
     double radius = 0, least = std::numeric_limits<double>::infinity();
     for (const Point& p : part.vertices()) radius = std::max(radius, distance(p, middle));
     for (const Cone& c : here)
       if (const double d = cones_.distance_by(c, middle); d < least && cones_.contains(c, middle)) least = d;
     const double reach = radius + cones_.tie();
-    first_ = static_cast<std::size_t>(std::ranges::lower_bound(lengths_, least - reach) - lengths_.begin());
-    end_ = first_;
-    while (end_ < lengths_.size() && lengths_[end_] <= least + reach) ++end_;
-    return first_ < end_;
+    const auto first = std::ranges::lower_bound(lengths_, least - reach);
+    return first != lengths_.end() && *first <= least + reach;
   }
 
-  /// The arcs about one cone's root in a part of triangle t. breaks_ are the angles at which such an arc may begin or
-  /// end, relative to the direction of the facet's middle.
-  void add_pieces(std::int32_t t, const Facet& part, std::span<const Cone> here, const Cone& cone) {
-    const Point& centre = cones_.root(cone.root).at;
-    const double radius = length() - cones_.root(cone.root).before;
-    if (radius <= cones_.rounding()) return;
-    Facet facet = part;
-    cones_.clip(facet, cone);
-    if (facet.empty()) return;
-    double most = 0;
-    for (const Point& p : facet.vertices()) most = std::max(most, distance(centre, p));
-    if (radius > most + cones_.rounding()) return;
+  void search(const Facet& part, std::span<const Cone> here) {
+    const double slack = cones_.tie() + 4 * cones_.rounding();
+    const double most = find_views(part, here) + slack;  // no point of the part is farther away
+    double least = most;
+    for (const View& view : views_) least = std::min(least, view.least - slack);
+    const auto first = std::ranges::lower_bound(lengths_, least) - lengths_.begin();
+    for (at_ = static_cast<std::size_t>(first); at_ < lengths_.size() && length() <= most; ++at_) {
+      met_.clear();  // the others reach nothing of the part with less
+      for (const View& view : views_)
+        if (view.least <= length() + slack) met_.push_back(&view);
+      for (const View* view : met_)
+        if (length() <= view->most + cones_.rounding()) add_pieces(*view);
+    }
+  }
+  /// Returns the largest distance of any point of the part, or more.
+  double find_views(const Facet& part, std::span<const Cone> here) {
+    views_.clear();
+    double most = 0, most_by_one = std::numeric_limits<double>::infinity();
+    for (const Cone& cone : here) {
+      const GeodesicCones::Root& root = cones_.root(cone.root);
+      View view{&cone, root.at, root.before, part, 0, 0};
+      cones_.clip(view.facet, cone);
+      if (view.facet.empty()) continue;
+      double near = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < view.facet.vertices().size(); ++i) {
+        const Point& p = view.facet.vertices()[i];
+        near = std::min(near, distance_to_segment(root.at, p, view.facet.next(i)));
+        view.most = std::max(view.most, view.by(p));
+      }
+      view.least = root.before + (view.facet.contains(root.at, 0) ? 0 : near);
+      if (std::ranges::all_of(part.vertices(), [&](const Point& p) { return cones_.contains(cone, p); }))
+        most_by_one = std::min(most_by_one, view.most);
+      most = std::max(most, view.most);
+      views_.push_back(view);
+    }
+    return std::min(most, most_by_one);
+  }
 
-    const Point towards = facet.middle() - centre;
+  /// The arcs about one cone's root in the present part. breaks_ are the angles at which such an arc may begin or end,
+  /// relative to the direction of the facet's middle.
+  void add_pieces(const View& view) {
+    const double radius = length() - view.before;
+    if (radius <= cones_.rounding() || is_hidden(view)) return;
+    const Point towards = view.facet.middle() - view.root;
     const double zero = std::atan2(towards.y(), towards.x());
-    find_breaks({centre, radius, zero, zero}, facet, here, cone.root);
+    find_breaks({view.root, radius, zero, zero}, view);
     if (breaks_.empty()) return;
     const auto is_at_length = [&](double angle) {
-      const Point x = centre + radius * direction_of(zero + angle);
-      return facet.contains(x, cones_.rounding()) && !is_reached_before(x, here);
+      const Point x = view.root + radius * direction_of(zero + angle);
+      return view.facet.contains(x, cones_.rounding()) && !is_reached_before(x);
     };
     for_each_run(breaks_, is_at_length, [&](double begin, double end) {
-      const Arc arc{centre, radius, zero + begin, zero + end};
-      pieces_[at_].push_back({cone.root, arc, at_wall(t, arc.at(arc.begin)), at_wall(t, arc.at(arc.end))});
+      const Arc arc{view.root, radius, zero + begin, zero + end};
+      pieces_[at_].push_back({view.cone->root, arc, at_wall(arc.at(arc.begin)), at_wall(arc.at(arc.end))});
+    });
+  }
+  /// Does another cone reach all that this one sees with less? Distances are convex, so vertices tell.
+  bool is_hidden(const View& view) const {
+    const double enough = length() - cones_.tie() - cones_.rounding();
+    return std::ranges::any_of(met_, [&](const View* o) {
+      return o->least < enough && o->cone->root != view.cone->root &&
+             std::ranges::all_of(view.facet.vertices(),
+                                 [&](const Point& p) { return o->by(p) < enough && cones_.contains(*o->cone, p); });
     });
   }
   /// Empty if the circle does not meet the facet.
-  void find_breaks(const Arc& circle, const Facet& facet, std::span<const Cone> here, std::int32_t root) {
+  void find_breaks(const Arc& circle, const View& view) {
     const double zero = circle.begin;
+    const Facet& facet = view.facet;
     breaks_.assign({-kPi, kPi});
     const auto add = [&](double angle) { breaks_.push_back(wrapped(angle - zero)); };
     const auto meet_line = [&](const Point& p, const Point& d) {
       const Point n = perpendicular(d);
       for_each_angle(n * circle.radius, n.dot(p - circle.centre), add);
     };
-    for (std::size_t i = 0; i < facet.vertices().size(); ++i)
-      meet_line(facet.vertices()[i], facet.next(i) - facet.vertices()[i]);
+    for (std::size_t i = 0; i < facet.vertices().size(); ++i) {
+      const Point &a = facet.vertices()[i], &b = facet.next(i);
+      const bool inside = std::max(view.by(a), view.by(b)) < length() - cones_.tie();
+      if (!inside) meet_line(a, b - a);
+    }
     if (breaks_.size() == 2 && !facet.contains(circle.at(zero), cones_.rounding())) return breaks_.clear();
-    for (const Cone& o : here) {
-      if (o.root == root) continue;
-      const GeodesicCones::Root& v = cones_.root(o.root);
-      const double other = length() - v.before;
+    for (const View* o : met_) {
+      if (o->cone->root == view.cone->root) continue;
+      const double other = length() - o->before;
       if (other <= 0) continue;
-      const Point w = v.at - circle.centre;
+      const Point w = o->root - circle.centre;
       for_each_angle(w * (2 * circle.radius), circle.radius * circle.radius + w.squaredNorm() - other * other, add);
-      if (o.whole) continue;
-      meet_line(v.at, o.left);
-      meet_line(v.at, o.right);
+      if (o->cone->whole) continue;
+      for (const Point& ray : {o->cone->left, o->cone->right})
+        if (divides(o->root, ray, facet)) meet_line(o->root, ray);
     }
   }
-  bool is_reached_before(const Point& x, std::span<const Cone> here) const {
-    return std::ranges::any_of(here, [&](const Cone& o) {
-      return cones_.distance_by(o, x) < length() - cones_.tie() && cones_.contains(o, x);
-    });
+  /// Does the line from p along the unit vector d meet the facet?
+  bool divides(const Point& p, const Point& d, const Facet& facet) const {
+    double left = -std::numeric_limits<double>::infinity(), right = left;
+    for (const Point& v : facet.vertices()) {
+      const double side = cross(d, v - p);
+      left = std::max(left, side);
+      right = std::max(right, -side);
+    }
+    return std::min(left, right) >= -2 * cones_.rounding();
   }
-  bool at_wall(std::int32_t t, const Point& x) const {
+  bool is_reached_before(const Point& x) const {
+    return std::ranges::any_of(
+        met_, [&](const View* o) { return o->by(x) < length() - cones_.tie() && cones_.contains(*o->cone, x); });
+  }
+  bool at_wall(const Point& x) const {
     const Mesh& mesh = cones_.mesh();
     for (std::size_t k = 0; k < 3; ++k)
-      if (mesh.triangle(t).neighbour[k] == Mesh::kWall &&
-          distance_to_segment(x, mesh.vertex(t, k + 1), mesh.vertex(t, k + 2)) <= kNear * cones_.rounding())
+      if (mesh.triangle(triangle_).neighbour[k] == Mesh::kWall &&
+          distance_to_segment(x, mesh.vertex(triangle_, k + 1), mesh.vertex(triangle_, k + 2)) <=
+              kNear * cones_.rounding())
         return true;
     return false;
   }
+  double length() const { return lengths_[at_]; }
 
   const GeodesicCones& cones_;
   const std::vector<double>& lengths_;
-  std::size_t first_ = 0, end_ = 0, at_ = 0;  // lengths in the present part
   std::vector<std::vector<ArcPiece>> pieces_;
+  std::int32_t triangle_ = 0;  // the present one
+  std::vector<View> views_;    // of its present part
+  std::size_t at_ = 0;         // the present length
+  std::vector<const View*> met_;
   std::vector<double> breaks_;
 };
 

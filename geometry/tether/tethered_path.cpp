@@ -355,6 +355,20 @@ std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& s
   }
 }
 
+bool within_tether(const TetheredWorld& world, const Polyline& path) {
+  if (world.field.distance(path.front()) + length(path) <= world.longest) return true;  // it grows by what is driven
+  constexpr std::size_t kFirstTried = 8, kMore = 16;  // segments of the geodesic, and times as many
+  for (std::size_t segments = kFirstTried;; segments *= kMore) {
+    TetherEnd tether(world, path.front(), segments);
+    bool kept = true;
+    for (std::size_t k = 1; k < path.size() && kept && tether.known(); ++k) {
+      tether.drive(path[k]);
+      kept = tether.length() <= world.longest + world.tolerance;
+    }
+    if (tether.known()) return kept;
+  }
+}
+
 TetheredRobot::TetheredRobot(const TetheredWorld& world, const Point& start)
     : world_(&world), tether_(world.free, world.field.anchor()), trail_(world.space, start) {
   const Polyline out = world.field.path(start);
@@ -366,6 +380,9 @@ TetheredRobot::TetheredRobot(const TetheredWorld& world, const Point& start)
 
 std::optional<TetheredPath> TetheredRobot::path_to(const Point& goal, Retraction retraction, std::size_t budget) const {
   const TetheredWorld& world = *world_;
+  if (retraction == Retraction::automatic && tether_.length() + distance(at(), goal) <= world.longest &&
+      world.walls.contains(at(), goal))
+    return TetheredPath{{at(), goal}};
   if (!(world.field.distance(goal) <= world.longest + world.tolerance)) return std::nullopt;
   if (retraction == Retraction::untangle) {
     if (auto path = Untangling(world, tether_, trail_, goal).run()) return TetheredPath{std::move(*path)};

@@ -63,6 +63,10 @@ std::optional<Polyline> geodesic_path(const TetheredWorld& world, const Point& s
 /// `line` pulled taut in `space`, with its ends fixed.
 Polyline pulled_taut(const TetheredWorld& world, const Polyline& line);
 
+/// Does the tether keep its length limit while the robot drives `path`, if it is the geodesic where that begins? Costs
+/// the bends that change, and a look at the others.
+bool within_tether(const TetheredWorld& world, const Polyline& path);
+
 struct TetheredPath {
   Polyline points;       // from the robot to the goal, both included
   bool shortest = true;  // proven the shortest of all admissible classes; false: the search's budget ran out
