@@ -14,6 +14,7 @@
 #include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
+#include "algorithms/lanes/stops.hpp"
 #include "geometry/convex_hull.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/swath.hpp"
@@ -39,6 +40,15 @@ struct WallArcs {
   BoundaryArcs arcs, trial;
 };
 
+Region without_negligible(Region region, const Robot& robot) {
+  const double seam = covered_seam(robot);
+  std::erase_if(region.polygons, [&](const Polygon& p) {
+    const double size = area(p), around = perimeter({{p}});
+    return size < kNegligible * robot.tool_width * robot.tool_width || 2 * size < seam * around;
+  });
+  return region;
+}
+
 class Repair {
  public:
   Repair(const Problem& problem, Region uncovered)
@@ -46,7 +56,7 @@ class Repair {
         walls_(problem.walls()),
         width_(problem.robot().tool_width),
         seam_(covered_seam(problem.robot())),
-        left_(without_negligible(std::move(uncovered))) {}
+        left_(std::move(uncovered)) {}
 
   /// The detours as rings, of one or two points where the robot comes back the way it went.
   std::vector<Ring> find(const Context& context) {
@@ -80,16 +90,9 @@ class Repair {
       else if (n > 2)
         lines.back().push_back(ring.front());
     }
-    return without_negligible(subtract(region, swath_parts(lines, width_ / 2, seam_, Bound::outside)));
+    return without_negligible(subtract(region, swath_parts(lines, width_ / 2, seam_, Bound::outside)),
+                              problem_.robot());
   }
-  Region without_negligible(Region region) const {
-    std::erase_if(region.polygons, [&](const Polygon& p) {
-      const double size = area(p), around = perimeter({{p}});
-      return size < kNegligible * width_ * width_ || 2 * size < seam_ * around;
-    });
-    return region;
-  }
-
   /// The position of the robot that is nearest to p.
   Point position(const Point& p) const { return walls_.contains(p) ? p : walls_.nearest(p)->point; }
 
@@ -295,10 +298,13 @@ Path repaired(const Problem& problem, const Path& path, const Connector& connect
 }
 
 Path repaired(const Problem& problem, const Path& path, Region missed, const Connector& connector, Context& context) {
+  const double width = problem.robot().tool_width;
+  missed = without_negligible(std::move(missed), problem.robot());
+  Path whole = with_stops(path, problem.start(), missed.polygons, kReach * width, problem.walls());
   const std::vector<Ring> pieces = Repair(problem, std::move(missed)).find(context);
-  if (pieces.empty()) return path;
+  if (pieces.empty()) return whole;
   if (context.wants_traces()) context.trace("repair", pieces);
-  return with_detours(problem, pieces, path, problem.robot().tool_width, connector, context);
+  return with_detours(problem, pieces, whole, width, connector, context);
 }
 
 }  // namespace oxturn
