@@ -17,6 +17,7 @@
 #include "algorithms/lanes/stops.hpp"
 #include "geometry/convex_hull.hpp"
 #include "geometry/overlay/boolean.hpp"
+#include "geometry/overlay/offset.hpp"
 #include "geometry/overlay/swath.hpp"
 
 namespace oxturn {
@@ -24,6 +25,8 @@ namespace {
 
 // Of the tool's width, or of its square.
 constexpr double kNegligible = 1e-6;          // pieces of less area
+constexpr double kSeamChord = 1.0 / 8;        // of a seam's thickness, where seams are looked for
+constexpr double kTips = 8;                   // thicknesses of a seam: tips of pieces are kept so far beyond
 constexpr double kLane = 0.98;                // distance of lanes at most: they overlap by more than the errors
 constexpr std::size_t kShortestCorridor = 2;  // slabs: each lane is a detour of its own
 constexpr double kStep = 1.0 / 8;             // between the points of a lane that are looked at
@@ -41,13 +44,28 @@ struct WallArcs {
   BoundaryArcs arcs, trial;
 };
 
-Region without_negligible(Region region, const Robot& robot) {
-  const double seam = covered_seam(robot);
-  std::erase_if(region.polygons, [&](const Polygon& p) {
-    const double size = area(p), around = perimeter({{p}});
-    return size < kNegligible * robot.tool_width * robot.tool_width || 2 * size < seam * around;
-  });
-  return region;
+/// What is thicker than a seam of the polygon, with the tips beside it.
+Region without_seams(const Polygon& polygon, double seam) {
+  const Region thick = erode({{polygon}}, seam / 2, kSeamChord * seam, Bound::outside);
+  if (thick.empty()) return thick;
+  return intersect({{polygon}}, dilate(thick, kTips * seam, kSeamChord * seam, Bound::outside));
+}
+
+/// Without negligible pieces, and without those that consist of seams; seams may also connect pieces that are thicker.
+Region without_negligible(const Region& region, const Robot& robot) {
+  const double seam = covered_seam(robot), least = kNegligible * std::pow(robot.tool_width, 2);
+  Region left;
+  for (const Polygon& p : region.polygons) {
+    const double size = area(p);
+    if (size < least) continue;
+    if (2 * size >= seam * perimeter({{p}})) {
+      left.polygons.push_back(p);
+      continue;
+    }
+    for (Polygon& part : without_seams(p, seam).polygons)
+      if (area(part) >= least) left.polygons.push_back(std::move(part));
+  }
+  return left;
 }
 
 class Repair {
@@ -308,7 +326,7 @@ Path repaired(const Problem& problem, const Path& path, const Connector& connect
 
 Path repaired(const Problem& problem, const Path& path, Region missed, const Connector& connector, Context& context) {
   const double width = problem.robot().tool_width;
-  missed = without_negligible(std::move(missed), problem.robot());
+  missed = without_negligible(missed, problem.robot());
   Path whole = with_stops(path, problem.start(), missed.polygons, kReach * width, problem.walls());
   const std::vector<Ring> pieces = Repair(problem, std::move(missed)).find(context);
   if (pieces.empty()) return whole;
