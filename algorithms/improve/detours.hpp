@@ -15,10 +15,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "algorithms/lanes/nearby_segments.hpp"
 #include "algorithms/transit/connector.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/region.hpp"
-#include "geometry/ring_boxes.hpp"
 
 namespace oxturn {
 
@@ -28,25 +28,6 @@ struct Detour {
   double along = 0;  // of the segment, metres
   Polyline points;   // the first and the last are the point on the path
   double length = 0;
-};
-
-/// A path, and which of its segments are near a point.
-class NearbySegments {
- public:
-  /// `path` must outlive it; at least one point.
-  explicit NearbySegments(const Polyline& path);
-  struct Near {
-    double distance;
-    std::size_t segment;
-    Point at;  // on the segment
-  };
-  /// Segments nearer to p than `within`, the nearest first, at most `most`.
-  std::vector<Near> near(const Point& p, double within, std::size_t most) const;
-  double along(const Near& near) const { return distance(path_[near.segment], near.at); }
-
- private:
-  const Polyline& path_;
-  BoxIndex index_;
 };
 
 /// A piece to be covered, or as much of it as is worth it.

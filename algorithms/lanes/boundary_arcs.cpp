@@ -49,7 +49,9 @@ void BoundaryArcs::add_arcs(const std::vector<Stop>& stops, double join, std::ve
   std::vector<std::size_t> ends;  // of arcs
   for (std::size_t k = 0; k < n; ++k)
     if (gap_after(k) > join) ends.push_back(k);
-  if (ends.empty()) {
+  double off = 0;  // of the loop
+  for (const std::size_t k : ends) off += gap_after(k);
+  if (2 * (loop.length - off) >= loop.length) {
     Ring whole;
     for (std::size_t e = loop.first; e <= loop.last; ++e) whole.push_back(boundary_.edges()[e].a);
     arcs.push_back(std::move(whole));

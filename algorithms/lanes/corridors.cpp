@@ -5,10 +5,8 @@
 namespace oxturn {
 namespace {
 
-constexpr std::size_t kShortest = 3;  // slabs: below that, lanes across take no more turns
-
 /// The longest part from item `from` on that is no higher than `most`, or that item alone.
-ChainPart level_part(const std::vector<LaneInterval>& chain, std::size_t from, double most) {
+ChainPart level_part(const std::vector<LaneInterval>& chain, std::size_t from, double most, std::size_t shortest) {
   double low = chain[from].low, high = chain[from].high;
   std::size_t end = from + 1;
   for (; end < chain.size(); ++end) {
@@ -17,7 +15,7 @@ ChainPart level_part(const std::vector<LaneInterval>& chain, std::size_t from, d
     low = lower;
     high = higher;
   }
-  return {from, end - from, end - from >= kShortest && high - low <= most, (low + high) / 2};
+  return {from, end - from, end - from >= shortest && high - low <= most, (low + high) / 2, high - low};
 }
 
 }  // namespace
@@ -42,10 +40,10 @@ std::vector<std::vector<std::size_t>> chains(std::size_t count,
   return all;
 }
 
-std::vector<ChainPart> corridors_in(const std::vector<LaneInterval>& chain, double most) {
+std::vector<ChainPart> corridors_in(const std::vector<LaneInterval>& chain, double most, std::size_t shortest) {
   std::vector<ChainPart> parts;
   for (std::size_t i = 0; i < chain.size();) {
-    ChainPart part = level_part(chain, i, most);
+    ChainPart part = level_part(chain, i, most, shortest);
     if (!part.corridor) part.count = 1;
     i += part.count;
     if (!part.corridor && !parts.empty() && !parts.back().corridor)

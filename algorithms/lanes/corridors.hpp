@@ -28,9 +28,10 @@ struct ChainPart {
   std::size_t from, count;
   bool corridor;
   double middle;  // of a corridor: halfway between its lowest and its highest y
+  double height;  // between these
 };
-/// A chain of intervals of consecutive slabs in parts, from left to right: corridors are at least 3 slabs long and no
-/// higher than `most`.
-std::vector<ChainPart> corridors_in(const std::vector<LaneInterval>& chain, double most);
+/// A chain of intervals of consecutive slabs in parts, from left to right: corridors are at least `shortest` slabs long
+/// (below 3, lanes across that are driven one after the other take no more turns) and no higher than `most`.
+std::vector<ChainPart> corridors_in(const std::vector<LaneInterval>& chain, double most, std::size_t shortest = 3);
 
 }  // namespace oxturn

@@ -14,23 +14,28 @@
 #include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
+#include "algorithms/lanes/stops.hpp"
 #include "geometry/convex_hull.hpp"
 #include "geometry/overlay/boolean.hpp"
+#include "geometry/overlay/offset.hpp"
 #include "geometry/overlay/swath.hpp"
 
 namespace oxturn {
 namespace {
 
 // Of the tool's width, or of its square.
-constexpr double kNegligible = 1e-6;    // pieces of less area
-constexpr double kLane = 0.98;          // distance of lanes at most: they overlap by more than the errors
-constexpr double kStep = 1.0 / 8;       // between the points of a lane that are looked at
-constexpr double kStop = 1.0 / 50;      // length of a stop
-constexpr double kReach = 0.5 * 0.999;  // from which a stop covers
-constexpr double kBeside = 0.5 * 1.01;  // from a wall: about what an arc of it covers
-constexpr double kAttached = 4;         // that it takes to attach a detour
-constexpr std::size_t kManyLanes = 4;   // from which on arcs beside walls are tried first
-constexpr int kRounds = 4;              // of lanes and arcs of the boundary, before whole rings
+constexpr double kNegligible = 1e-6;          // pieces of less area
+constexpr double kSeamChord = 1.0 / 8;        // of a seam's thickness, where seams are looked for
+constexpr double kTips = 8;                   // thicknesses of a seam: tips of pieces are kept so far beyond
+constexpr double kLane = 0.98;                // distance of lanes at most: they overlap by more than the errors
+constexpr std::size_t kShortestCorridor = 2;  // slabs: each lane is a detour of its own
+constexpr double kStep = 1.0 / 8;             // between the points of a lane that are looked at
+constexpr double kStop = 1.0 / 50;            // length of a stop
+constexpr double kReach = 0.5 * 0.999;        // from which a stop covers
+constexpr double kBeside = 0.5 * 1.01;        // from a wall: about what an arc of it covers
+constexpr double kAttached = 4;               // that it takes to attach a detour
+constexpr std::size_t kManyLanes = 4;         // from which on arcs beside walls are tried first
+constexpr int kRounds = 4;                    // of lanes and arcs of the boundary, before whole rings
 
 /// The boundary that arcs follow; the arcs that are to be driven, and those whose length is looked at.
 struct WallArcs {
@@ -39,6 +44,30 @@ struct WallArcs {
   BoundaryArcs arcs, trial;
 };
 
+/// What is thicker than a seam of the polygon, with the tips beside it.
+Region without_seams(const Polygon& polygon, double seam) {
+  const Region thick = erode({{polygon}}, seam / 2, kSeamChord * seam, Bound::outside);
+  if (thick.empty()) return thick;
+  return intersect({{polygon}}, dilate(thick, kTips * seam, kSeamChord * seam, Bound::outside));
+}
+
+/// Without negligible pieces, and without those that consist of seams; seams may also connect pieces that are thicker.
+Region without_negligible(const Region& region, const Robot& robot) {
+  const double seam = covered_seam(robot), least = kNegligible * std::pow(robot.tool_width, 2);
+  Region left;
+  for (const Polygon& p : region.polygons) {
+    const double size = area(p);
+    if (size < least) continue;
+    if (2 * size >= seam * perimeter({{p}})) {
+      left.polygons.push_back(p);
+      continue;
+    }
+    for (Polygon& part : without_seams(p, seam).polygons)
+      if (area(part) >= least) left.polygons.push_back(std::move(part));
+  }
+  return left;
+}
+
 class Repair {
  public:
   Repair(const Problem& problem, Region uncovered)
@@ -46,7 +75,7 @@ class Repair {
         walls_(problem.walls()),
         width_(problem.robot().tool_width),
         seam_(covered_seam(problem.robot())),
-        left_(without_negligible(std::move(uncovered))) {}
+        left_(std::move(uncovered)) {}
 
   /// The detours as rings, of one or two points where the robot comes back the way it went.
   std::vector<Ring> find(const Context& context) {
@@ -80,16 +109,9 @@ class Repair {
       else if (n > 2)
         lines.back().push_back(ring.front());
     }
-    return without_negligible(subtract(region, swath_parts(lines, width_ / 2, seam_, Bound::outside)));
+    return without_negligible(subtract(region, swath_parts(lines, width_ / 2, seam_, Bound::outside)),
+                              problem_.robot());
   }
-  Region without_negligible(Region region) const {
-    std::erase_if(region.polygons, [&](const Polygon& p) {
-      const double size = area(p), around = perimeter({{p}});
-      return size < kNegligible * width_ * width_ || 2 * size < seam_ * around;
-    });
-    return region;
-  }
-
   /// The position of the robot that is nearest to p.
   Point position(const Point& p) const { return walls_.contains(p) ? p : walls_.nearest(p)->point; }
 
@@ -192,27 +214,35 @@ class Repair {
     const Box box = bounding_box(turned);
     const Slabs slabs = slabs_over(box.low.x(), box.high.x(), kLane * width_);
     const Projection projection = project(edges_of(turned), slabs);
-    const auto add = [&](double x0, double y0, double x1, double y1) {
-      add_lane(frame.to_world({x0, y0}), frame.to_world({x1, y1}), found);
-    };
+    const double before_end = reach_along(slabs.width);
     for (const std::vector<std::size_t>& chain : chains(projection.intervals.size(), projection.links)) {
       std::vector<LaneInterval> lanes;
       for (const std::size_t i : chain) lanes.push_back(projection.intervals[i]);
-      for (const ChainPart& part : corridors_in(lanes, kLane * width_)) {
-        const std::size_t end = part.from + part.count, left = lanes[part.from].slab;
-        // But for its ends, a lane that leaves configuration space would leave the rest to arcs of the boundary.
-        const auto at = [&](std::size_t line) { return frame.to_world({slabs.line(line), part.middle}); };
-        if (part.corridor && walls_.contains(at(left + 1), at(left + part.count - 1))) {
-          add(slabs.line(left), part.middle, slabs.line(left + part.count), part.middle);
-          continue;
-        }
-        for (std::size_t i = part.from; i < end; ++i) {
-          const double x = slabs.centre(lanes[i].slab);
-          add(x, lanes[i].low, x, lanes[i].high);
+      for (const ChainPart& part : corridors_in(lanes, kLane * width_, kShortestCorridor)) {
+        if (part.corridor && add_corridor(frame, slabs, lanes[part.from].slab, part, found)) continue;
+        for (std::size_t i = part.from; i < part.from + part.count; ++i) {
+          const double x = slabs.centre(lanes[i].slab), middle = (lanes[i].low + lanes[i].high) / 2;
+          add_lane(frame.to_world({x, std::min(lanes[i].low + before_end, middle)}),
+                   frame.to_world({x, std::max(lanes[i].high - before_end, middle)}), found);
         }
       }
     }
     return found;
+  }
+  /// One lane along the corridor, unless it leaves configuration space but for its ends: arcs of the boundary would have
+  /// to cover the rest.
+  bool add_corridor(const LaneFrame& frame, const Slabs& slabs, std::size_t left, const ChainPart& part,
+                    std::vector<Ring>& found) const {
+    const auto at = [&](double x) { return frame.to_world({x, part.middle}); };
+    const double low = slabs.line(left), high = slabs.line(left + part.count), before_end = reach_along(part.height);
+    if (!walls_.contains(at(low + slabs.width), at(high - slabs.width))) return false;
+    add_lane(at(std::min(low + before_end, (low + high) / 2)), at(std::max(high - before_end, (low + high) / 2)),
+             found);
+    return true;
+  }
+  /// How far before the end of a strip a lane along its middle may end: the tool covers the rest from there.
+  double reach_along(double strip) const {
+    return std::sqrt(std::max(0.0, std::pow(kReach * width_, 2) - std::pow(strip / 2, 2)));
   }
   static Point diameter(const Ring& hull) {
     Point longest(0, 0);
@@ -295,10 +325,13 @@ Path repaired(const Problem& problem, const Path& path, const Connector& connect
 }
 
 Path repaired(const Problem& problem, const Path& path, Region missed, const Connector& connector, Context& context) {
+  const double width = problem.robot().tool_width;
+  missed = without_negligible(missed, problem.robot());
+  Path whole = with_stops(path, problem.start(), missed.polygons, kReach * width, problem.walls());
   const std::vector<Ring> pieces = Repair(problem, std::move(missed)).find(context);
-  if (pieces.empty()) return path;
+  if (pieces.empty()) return whole;
   if (context.wants_traces()) context.trace("repair", pieces);
-  return with_detours(problem, pieces, path, problem.robot().tool_width, connector, context);
+  return with_detours(problem, pieces, whole, width, connector, context);
 }
 
 }  // namespace oxturn

@@ -1,0 +1,175 @@
+#include "algorithms/lanes/stops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <tuple>
+
+#include "algorithms/lanes/nearby_segments.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr std::size_t kMostTried = 12;  // segments of the path from which a stop is tried
+constexpr int kHalvings = 30;
+constexpr double kShareOfEdge = 0.499;  // that a turn may take from the segments beside it: there is one at each end
+constexpr double kShareOfReach = 0.99;  // of what the turn may be cut by
+constexpr double kSamePoint = 1e-9;     // of the reach
+
+/// A path as one polyline: tool[i] belongs to the segment from points[i] to points[i + 1].
+struct Flat {
+  Flat(const Path& path, const Point& start) : points{start} {
+    for (const Leg& leg : path.legs)
+      for (std::size_t i = 1; i < leg.points.size(); ++i) {
+        points.push_back(leg.points[i]);
+        tool.push_back(leg.tool);
+      }
+  }
+  double length(std::size_t segment) const { return distance(points[segment], points[segment + 1]); }
+
+  Polyline points;
+  std::vector<bool> tool;
+};
+
+struct Stop {
+  std::size_t segment;
+  double along;  // of the segment, metres
+  Point from;    // on the path
+  Point at;
+  std::optional<std::size_t> turn;  // the vertex of the path that is cut off
+  double cut = 0;                   // metres before and after that vertex
+};
+
+bool covers(const Point& at, const Polygon& piece, double reach) {
+  return std::ranges::all_of(piece.outer, [&](const Point& p) { return distance(p, at) <= reach; });
+}
+
+/// Finds the stops of a path.
+class Stops {
+ public:
+  Stops(const Flat& path, double reach, const EdgeIndex& walls)
+      : path_(path), segments_(path.points), reach_(reach), walls_(walls) {}
+
+  /// The one on the shortest detour; nullopt: no position covers the piece, or none in sight of the path does.
+  std::optional<Stop> find(const Polygon& piece) const {
+    const Point centre = bounding_box(piece.outer).centre();
+    if (!covers(centre, piece, reach_)) return std::nullopt;
+    std::optional<Stop> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const NearbySegments::Near& near : segments_.near(centre, 2 * reach_, kMostTried)) {
+      const Stop found =
+          cut_short({near.segment, segments_.along(near), near.at, nearest_cover(near.at, centre, piece), {}});
+      const double length = detour(found);
+      if (length >= least || !walls_.contains(near.at) || !walls_.contains(near.at, found.at)) continue;
+      best = found;
+      least = length;
+    }
+    return best;
+  }
+
+ private:
+  /// On the line from the path to the piece's centre: the positions that cover the piece are an interval of it.
+  Point nearest_cover(const Point& from, const Point& centre, const Polygon& piece) const {
+    double outside = 0, inside = 1;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = (outside + inside) / 2;
+      (covers(lerp(from, centre, middle), piece, reach_) ? inside : outside) = middle;
+    }
+    return lerp(from, centre, inside);
+  }
+
+  /// At a turn of the path, with the turn cut off if nothing is lost by that.
+  Stop cut_short(Stop stop) const {
+    const double same = kSamePoint * reach_;
+    const std::size_t v = stop.along <= same ? stop.segment : stop.segment + 1;
+    const bool at_vertex = distance(stop.from, path_.points[v]) <= same;
+    if (!at_vertex || v == 0 || v + 1 >= path_.points.size() || !path_.tool[v - 1] || !path_.tool[v]) return stop;
+    const Point corner = path_.points[v], to = stop.at - corner;
+    const Point before = (path_.points[v - 1] - corner).normalized(),
+                after = (path_.points[v + 1] - corner).normalized();
+    // Opposite to both segments: between their continuations.
+    const double turn = cross(before, after);
+    if (turn == 0 || cross(to, before) * turn < 0 || cross(after, to) * turn < 0) return stop;
+    const double half_tangent = std::abs(turn) / (1 + before.dot(after));  // of half the angle between the segments
+    const double cut = std::min({kShareOfReach * reach_ * std::min(1.0, 1 / half_tangent),
+                                 kShareOfEdge * path_.length(v - 1), kShareOfEdge * path_.length(v)});
+    if (!(walls_.contains(corner + cut * before, stop.at) && walls_.contains(stop.at, corner + cut * after)))
+      return stop;
+    return {stop.segment, stop.along, corner, stop.at, v, cut};
+  }
+
+  double detour(const Stop& s) const {
+    if (!s.turn) return 2 * distance(s.from, s.at);
+    const Point a = lerp(s.from, path_.points[*s.turn - 1], s.cut / path_.length(*s.turn - 1));
+    const Point b = lerp(s.from, path_.points[*s.turn + 1], s.cut / path_.length(*s.turn));
+    return distance(a, s.at) + distance(s.at, b) - 2 * s.cut;
+  }
+
+  const Flat& path_;
+  const NearbySegments segments_;
+  double reach_;
+  const EdgeIndex& walls_;
+};
+
+/// Only one stop cuts off a turn, and only where no other stop leaves the path.
+void keep_apart(const Flat& path, std::vector<Stop>& stops) {
+  std::vector<int> at_turn(path.points.size(), 0);
+  std::vector<double> first(path.tool.size(), std::numeric_limits<double>::infinity()), last(path.tool.size(), 0);
+  for (const Stop& s : stops) {
+    if (s.turn) ++at_turn[*s.turn];
+    if (s.turn) continue;
+    first[s.segment] = std::min(first[s.segment], s.along);
+    last[s.segment] = std::max(last[s.segment], s.along);
+  }
+  for (Stop& s : stops) {
+    if (!s.turn) continue;
+    const std::size_t before = *s.turn - 1, after = *s.turn;
+    if (at_turn[*s.turn] > 1 || first[after] < s.cut || last[before] > path.length(before) - s.cut) s.turn.reset();
+  }
+}
+
+Path driven(const Flat& path, const std::vector<Stop>& stops) {
+  std::vector<std::optional<std::size_t>> turn_at(path.points.size());
+  for (std::size_t k = 0; k < stops.size(); ++k)
+    if (stops[k].turn) turn_at[*stops[k].turn] = k;
+  PathBuilder builder(path.points.front());
+  auto next = stops.begin();
+  for (std::size_t i = 0; i < path.tool.size(); ++i) {
+    for (; next != stops.end() && next->segment == i; ++next) {
+      if (next->turn) continue;
+      builder.drive(next->from, path.tool[i]);
+      builder.drive(Polyline{next->at, next->from}, true);
+    }
+    if (const auto turn = turn_at[i + 1]) {
+      const Stop& s = stops[*turn];
+      builder.drive(lerp(s.from, path.points[i], s.cut / path.length(i)), true);
+      builder.drive(Polyline{s.at, lerp(s.from, path.points[i + 2], s.cut / path.length(i + 1))}, true);
+    } else {
+      builder.drive(path.points[i + 1], path.tool[i]);
+    }
+  }
+  return builder.take();
+}
+
+}  // namespace
+
+Path with_stops(const Path& path, const Point& start, std::vector<Polygon>& pieces, double reach,
+                const EdgeIndex& walls) {
+  if (pieces.empty() || path.legs.empty()) return path;
+  const Flat flat(path, start);
+  const Stops finder(flat, reach, walls);
+  std::vector<Stop> stops;
+  std::erase_if(pieces, [&](const Polygon& piece) {
+    const auto stop = finder.find(piece);
+    if (stop) stops.push_back(*stop);
+    return stop.has_value();
+  });
+  if (stops.empty()) return path;
+  keep_apart(flat, stops);
+  std::ranges::stable_sort(stops, {}, [](const Stop& s) { return std::tuple(s.segment, s.along); });
+  return driven(flat, stops);
+}
+
+}  // namespace oxturn
