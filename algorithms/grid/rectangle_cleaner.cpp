@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "algorithms/lattice/promised_cells.hpp"
+#include "algorithms/transit/component_links.hpp"
 #include "algorithms/transit/nearest_component.hpp"
 
 namespace oxturn {
@@ -194,10 +195,10 @@ class RectangleCleaner {
   }
 
   /// The nearest over the lattice of the jobs that start at some node, unless more than kMostNodes are nearer.
-  std::optional<std::size_t> nearest_job(const std::vector<std::uint32_t>& starts) {
+  std::optional<std::size_t> nearest_over_lattice(std::size_t from, const std::vector<std::uint32_t>& starts) {
     std::size_t nearer = 0;
     const auto ends = [&](std::size_t node) { return starts[node] != kNoJob || ++nearer > kMostNodes; };
-    const auto found = paths_.nearest(at_, ends);
+    const auto found = paths_.nearest(from, ends);
     if (!found || starts[found->node] == kNoJob) return std::nullopt;
     return starts[found->node];
   }
@@ -209,8 +210,52 @@ class RectangleCleaner {
       for (std::size_t k = 0; k < jobs.size(); ++k)
         if (!cleaned[k]) among_walls_->add(paths_.centre(start_node(jobs[k])), static_cast<int>(k), k);
     }
-    const auto found = among_walls_->from(path_.at());
-    return found ? std::optional(found->id) : std::nullopt;
+    return among_walls_->nearest(path_.at());
+  }
+
+  /// Jobs that no lattice path leads to follow the job to which a short path among walls connects them: visited at the
+  /// end, each would cost a path across the map. root: the component of the lattice that is cleaned first.
+  void attach_other_components(const std::vector<Job>& jobs, int root) {
+    ComponentLinks links(problem_);
+    for (std::size_t k = 0; k < jobs.size(); ++k)
+      links.add(paths_.centre(start_node(jobs[k])), paths_.component(start_node(jobs[k])), k);
+    followers_.resize(jobs.size());
+    for (const ComponentLinks::Link& link : links.tree(root)) followers_[link.from].push_back(link.to);
+  }
+
+  /// After job `last` the nearest of its followers that is left; the others are due when the robot comes back.
+  std::optional<std::size_t> follower_of(std::size_t last, const std::vector<Job>& jobs,
+                                         const std::vector<bool>& cleaned) {
+    if (followers_.empty()) return std::nullopt;
+    std::vector<std::size_t>& followers = followers_[last];
+    std::erase_if(followers, [&](std::size_t k) { return cleaned[k]; });
+    if (followers.empty()) return std::nullopt;
+    const auto away = [&](std::size_t k) { return distance(path_.at(), paths_.centre(start_node(jobs[k]))); };
+    const auto nearest = std::ranges::min_element(followers, {}, away);
+    const std::size_t k = *nearest;
+    followers.erase(nearest);
+    left_behind_.push_back({last, at_});
+    return k;
+  }
+
+  /// A follower of the job cleaned last, else the nearest over the lattice. Where nothing is left in a component of the
+  /// lattice, what would have been next where the robot left the component before.
+  std::optional<std::size_t> nearest_job(std::size_t last, const std::vector<Job>& jobs,
+                                         const std::vector<bool>& cleaned, const std::vector<std::uint32_t>& starts,
+                                         const std::unordered_map<int, std::size_t>& left_in) {
+    if (const auto k = follower_of(last, jobs, cleaned)) return k;
+    std::size_t from = at_;
+    const auto any_left = [&] {
+      const auto left = left_in.find(paths_.component(from));
+      return left != left_in.end() && left->second > 0;
+    };
+    while (!any_left() && !left_behind_.empty()) {
+      const auto [job, node] = left_behind_.back();
+      left_behind_.pop_back();
+      if (const auto k = follower_of(job, jobs, cleaned)) return k;
+      from = node;
+    }
+    return any_left() ? nearest_over_lattice(from, starts) : std::nullopt;
   }
 
   /// In order, or the nearest first: over the lattice, or by a shortest path where that leads to none near by.
@@ -222,16 +267,17 @@ class RectangleCleaner {
       starts[start_node(jobs[k])] = static_cast<std::uint32_t>(k);
       ++left_in[paths_.component(start_node(jobs[k]))];
     }
-    std::size_t first = 0;
+    std::size_t first = 0, last = 0;
     for (std::size_t n = 0; n < jobs.size() && !context_.cancelled(); ++n) {
       while (cleaned[first]) ++first;
       std::size_t k = first;
       if (p_.choose == NextRectangle::nearest) {
-        std::optional<std::size_t> nearest;
-        if (left_in[paths_.component(at_)] > 0) nearest = nearest_job(starts);
-        if (!nearest) nearest = nearest_among_walls(jobs, cleaned);
-        k = nearest.value_or(first);
+        std::optional<std::size_t> next = nearest_job(last, jobs, cleaned, starts, left_in);
+        if (!next) next = nearest_among_walls(jobs, cleaned);
+        k = next.value_or(first);
+        if (n == 0 && left_in.size() > 1) attach_other_components(jobs, paths_.component(start_node(jobs[k])));
       }
+      last = k;
       --left_in[paths_.component(start_node(jobs[k]))];
       starts[start_node(jobs[k])] = kNoJob;
       cleaned[k] = true;
@@ -385,6 +431,11 @@ class RectangleCleaner {
   Context& context_;
   LatticePaths paths_;
   std::optional<NearestComponent> among_walls_;  // made when first needed
+  std::vector<std::vector<std::size_t>> followers_;  // by job; empty: all are in one component of the lattice
+  struct LeftBehind {
+    std::size_t job, node;
+  };
+  std::vector<LeftBehind> left_behind_;  // where the robot left components of the lattice that it comes back to
   double side_;
   int smallest_;  // cells on each side of a rectangle
   std::vector<bool> done_;

@@ -17,19 +17,21 @@
 //             5. transform = path (Zelinsky's path transform): a step costs 1 plus `discomfort` times the cell's
 //                closeness to walls, which is 3, 2, 1 for the first three cells from a wall, else 0. So the path
 //                follows the walls.
-//             6. components = all (ours) goes on to the components that no lattice step leads to, nearest first, by
-//                shortest paths; each has a wave of its own, from where it is entered.
+//             6. components = all (ours) covers the components that no lattice step leads to as well: where the path
+//                passes the cell that is nearest to another component, the robot goes there by a shortest path, covers
+//                it and comes back (component_links.hpp). Each has a wave of its own, from where it is entered.
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/lattice/cell_robot.hpp"
 #include "algorithms/lattice/grid_options.hpp"
 #include "algorithms/lattice/promised_cells.hpp"
-#include "algorithms/transit/nearest_component.hpp"
+#include "algorithms/transit/component_links.hpp"
 #include "base/graph_search.hpp"
 
 namespace oxturn {
@@ -77,8 +79,24 @@ class Climb {
   }
   std::size_t visited_count() const { return visited_count_; }
 
-  /// Covers what is connected to cell c, where the path ends.
-  void cover_from(std::size_t c, PathBuilder& path) {
+  /// The components of the cells by free steps.
+  ConnectedComponents components() const {
+    return connected_components(
+        graph_.size(), [this](std::size_t c) { return graph_.free(graph_.cell(c)); },
+        [this](std::size_t c, const auto& reach) {
+          for_each_neighbour(c, [&](std::size_t, std::size_t to) { reach(to); });
+        });
+  }
+  bool on_boundary(std::size_t c) const { return open_[c] != kAllOpen; }
+  /// Where the path visits cell `from`, it goes along `link` into another component, covers it and comes back.
+  void attach(std::size_t from, std::size_t to, Polyline link) {
+    detour_from_.resize(graph_.size(), false);
+    detour_from_[from] = true;
+    detours_[from].push_back({to, std::move(link)});
+  }
+
+  /// Covers what is connected to cell c, where the path ends. Returns the last cell.
+  std::size_t cover_from(std::size_t c, PathBuilder& path) {
     std::size_t goal = c;
     spread(goal);
     if (p_.goal == Goal::farthest) {
@@ -87,7 +105,7 @@ class Climb {
       spread(goal);
     }
     if (p_.transform == Transform::path) add_discomfort(goal);
-    drive(c, path);
+    return drive(c, path);
   }
 
  private:
@@ -160,23 +178,42 @@ class Climb {
     states_[c].visited = 1;
   }
 
-  void drive(std::size_t c, PathBuilder& path) {
+  std::size_t drive(std::size_t c, PathBuilder& path) {
     std::size_t heading = 0;
     visit(c);
+    make_detours(c, path);
     while (!cancelled()) {
       for (auto next = highest(c, heading); next; next = highest(c, heading)) {
         if (*next != heading) path.drive(graph_.centre(c), true);  // straight runs are one segment
         heading = *next;
         c = neighbour(c, heading);
         visit(c);
+        make_detours(c, path);
         if (cancelled()) break;
       }
       path.drive(graph_.centre(c), true);
-      if (p_.stop == Stop::closed) return;
+      if (p_.stop == Stop::closed) return c;
       const auto out = path_out(c);
-      if (!out) return;
+      if (!out) return c;
       for (const std::size_t k : *out) path.drive(graph_.centre(k), false);
       if (!out->empty()) c = out->back();
+    }
+    return c;
+  }
+
+  /// Decision 6.
+  void make_detours(std::size_t c, PathBuilder& path) {
+    if (detour_from_.empty() || !detour_from_[c]) return;
+    detour_from_[c] = false;
+    path.drive(graph_.centre(c), true);
+    for (Detour& detour : detours_[c]) {
+      Polyline back(detour.link.rbegin(), detour.link.rend());
+      detour.link.pop_back();
+      path.drive(detour.link, false);
+      path.drive(graph_.centre(detour.to), true);
+      const std::size_t end = cover_from(detour.to, path);
+      for (const std::size_t k : path_to(end, detour.to)) path.drive(graph_.centre(k), false);
+      path.drive(back, false);
     }
   }
 
@@ -198,14 +235,21 @@ class Climb {
 
   /// Over visited cells to the nearest one beside an unvisited cell; without the first cell.
   std::optional<std::vector<std::size_t>> path_out(std::size_t from) {
-    begin_search();
-    queue_.assign(1, from);
-    states_[from].search = search_;
-    const auto beside_unvisited = [this](std::size_t c) {
+    return search(from, [this](std::size_t c) {
       for (unsigned open = open_[c]; open != 0; open &= open - 1)
         if (!visited(neighbour(c, static_cast<std::size_t>(std::countr_zero(open))))) return true;
       return false;
-    };
+    });
+  }
+  /// Between two cells of a component that has been covered; without the first one.
+  std::vector<std::size_t> path_to(std::size_t from, std::size_t to) {
+    return search(from, [to](std::size_t c) { return c == to; }).value_or(std::vector<std::size_t>{});
+  }
+  template <class Goal>
+  std::optional<std::vector<std::size_t>> search(std::size_t from, Goal goal) {
+    begin_search();
+    queue_.assign(1, from);
+    states_[from].search = search_;
     const auto expand = [this](std::size_t c, const auto& reach) {
       for_each_neighbour(c, [&](std::size_t d, std::size_t to) {  // all of them are visited
         State& state = states_[to];
@@ -215,7 +259,7 @@ class Climb {
         reach(to);
       });
     };
-    const auto found = breadth_first(queue_, expand, beside_unvisited);
+    const auto found = breadth_first(queue_, expand, goal);
     if (!found) return std::nullopt;
     std::vector<std::size_t> path;
     for (std::size_t at = queue_[*found]; at != from; at = neighbour(at, (states_[at].entered + 4u) % 8))
@@ -237,33 +281,26 @@ class Climb {
   std::vector<std::uint32_t> height_;
   std::vector<State> states_;
   std::vector<std::size_t> queue_;
+  struct Detour {
+    std::size_t to;
+    Polyline link;
+  };
+  std::vector<bool> detour_from_;                      // cells
+  std::map<std::size_t, std::vector<Detour>> detours_;  // by the cell where they begin
   std::uint32_t search_ = 0;
   std::size_t visited_count_ = 0, asked_ = 0;
   bool cancelled_ = false;
 };
 
 /// Decision 6.
-void cover_other_components(const Problem& problem, const GridGraph& graph, Climb& climb, PathBuilder& path) {
-  std::vector<std::size_t> left;
+void attach_other_components(const Problem& problem, const GridGraph& graph, std::size_t start, Climb& climb) {
+  const ConnectedComponents components = climb.components();
+  if (components.count < 2) return;
+  ComponentLinks links(problem);
   for (std::size_t c = 0; c < graph.size(); ++c)
-    if (graph.free(graph.cell(c)) && !climb.visited(c)) left.push_back(c);
-  if (left.empty()) return;
-  // Each cell is a component for this purpose: most are single cells, and the cells of larger ones are skipped once
-  // visited.
-  NearestComponent nearest(problem);
-  for (std::size_t k = 0; k < left.size(); ++k) nearest.add(graph.centre(left[k]), static_cast<int>(k), k);
-  while (!climb.cancelled()) {
-    auto found = nearest.from(path.at());
-    if (!found) return;
-    nearest.remove(static_cast<int>(found->id));
-    const std::size_t c = left[found->id];
-    if (climb.visited(c)) continue;
-    const Point last = found->path.back();
-    found->path.pop_back();
-    path.drive(found->path, false);
-    path.drive(last, true);
-    climb.cover_from(c, path);
-  }
+    if (components.of[c] >= 0 && climb.on_boundary(c)) links.add(graph.centre(graph.cell(c)), components.of[c], c);
+  for (ComponentLinks::Link& link : links.tree(components.of[start]))
+    climb.attach(link.from, link.to, std::move(link.path));
 }
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
@@ -277,8 +314,9 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   // The entry may be its component's only cell, so the tool is on already when the robot arrives.
   path.drive(entry->path, true);
   Climb climb(p, graph, context);
+  if (p.components == Components::all && p.stop == Stop::backtrack)
+    attach_other_components(problem, graph, graph.at(entry->cell), climb);
   climb.cover_from(graph.at(entry->cell), path);
-  if (p.components == Components::all && p.stop == Stop::backtrack) cover_other_components(problem, graph, climb, path);
   context.record("cells", static_cast<double>(climb.visited_count()));
   return path.take();
 }

@@ -1,37 +1,29 @@
 #include "algorithms/transit/component_links.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
+#include <memory>
 #include <span>
+#include <tuple>
 
-#include "base/disjoint_sets.hpp"
 #include "base/graph_search.hpp"
 
 namespace oxturn {
-namespace {
-
-/// Two entry points, by index, and roughly how long the path between them is.
-struct Candidate {
-  double length;
-  std::uint32_t a, b;
-};
-
-}  // namespace
-
-/// The wave, and the connections that it finds. A side is known by the number that its first triangle gives it.
+/// Finds connections. A side is known by the number that its first triangle gives it.
 class ComponentLinks::Wave {
  public:
-  Wave(const Mesh& mesh, const std::vector<Entry>& entries) : mesh_(mesh), entries_(entries), labels_(sides()) {
+  /// `entries`: by triangle.
+  Wave(const Mesh& mesh, const std::vector<Entry>& entries)
+      : mesh_(mesh), entries_(entries), labels_(std::make_unique_for_overwrite<Label[]>(sides())) {
     first_.assign(mesh.triangles().size() + 1, 0);
     for (const Entry& e : entries) ++first_[static_cast<std::size_t>(e.triangle) + 1];
     for (std::size_t t = 1; t < first_.size(); ++t) first_[t] += first_[t - 1];
   }
 
-  std::vector<Candidate> run() {
-    spread();
+  /// Between entry points that are in one triangle, or in two that share a side.
+  std::vector<Candidate> near_ones() {
+    found_.clear();
     for (std::int32_t t = 0; t < static_cast<std::int32_t>(mesh_.triangles().size()); ++t) {
-      meet_in(t);
       join_neighbours(t, Mesh::kWall, 0);
       for (std::size_t k = 0; k < 3; ++k)
         if (const std::int32_t n = mesh_.triangle(t).neighbour[k]; n > t) join_neighbours(t, n, k);
@@ -39,10 +31,36 @@ class ComponentLinks::Wave {
     return std::move(found_);
   }
 
+  /// The shortest connection from these entry points to one with foreign(component); `best` is one that is known, or
+  /// of infinite length. Costs what is nearer than the answer.
+  template <class Foreign>
+  Candidate nearest(const std::vector<std::uint32_t>& from, Candidate best, Foreign foreign) {
+    const auto look_in = [&](std::int32_t t, const Label& label, double length) {
+      for (const Entry& e : entries_in(t))
+        if (const double whole = length + distance(label.at, e.at); whole < best.length && foreign(e.component))
+          best = {whole, label.entry, index(e)};
+    };
+    const auto look_beyond = [&](std::size_t s) {
+      if (wave_.cost(s) >= best.length) return true;
+      const auto first = static_cast<std::int32_t>(s / 3);
+      for (const std::int32_t t : {first, mesh_.triangle(first).neighbour[s % 3]})
+        look_in(t, labels_[s], wave_.cost(s));
+      return false;
+    };
+    dijkstra(
+        wave_, sides(), sources(from), [this](std::size_t s, const auto& reach) { expand(s, reach); }, look_beyond);
+    return best;
+  }
+
  private:
   struct Label {
-    std::uint32_t entry = 0;  // where the wave came from
-    Point at{0, 0};           // on the side
+    std::uint32_t entry;  // where the wave came from
+    Point at;             // on the side
+  };
+  struct Source {
+    std::size_t side;
+    double length;  // from the label's entry
+    Label label;
   };
 
   std::size_t sides() const { return 3 * mesh_.triangles().size(); }
@@ -60,24 +78,26 @@ class ComponentLinks::Wave {
   }
   std::uint32_t index(const Entry& e) const { return static_cast<std::uint32_t>(&e - entries_.data()); }
 
-  void spread() {
-    std::vector<double> least(sides(), std::numeric_limits<double>::infinity());
-    for (const Entry& e : entries_)
+  /// The sides of the triangles that hold these entry points, each labelled with the nearest of them.
+  const std::vector<std::pair<std::size_t, double>>& sources(const std::vector<std::uint32_t>& from) {
+    offers_.clear();
+    for (const std::uint32_t i : from)
       for (std::size_t k = 0; k < 3; ++k) {
+        const Entry& e = entries_[i];
         if (!open(e.triangle, k)) continue;
         const Point at = nearest_on_side(e.triangle, k, e.at);
-        const std::size_t s = side(e.triangle, k);
-        if (const double length = distance(e.at, at); length < least[s]) {
-          least[s] = length;
-          labels_[s] = {index(e), at};
-        }
+        offers_.push_back({side(e.triangle, k), distance(e.at, at), {i, at}});
       }
-    std::vector<std::pair<std::size_t, double>> sources;
-    for (std::size_t s = 0; s < least.size(); ++s)
-      if (least[s] < std::numeric_limits<double>::infinity()) sources.emplace_back(s, least[s]);
-    dijkstra(
-        wave_, sides(), sources, [this](std::size_t s, const auto& reach) { expand(s, reach); },
-        [](std::size_t) { return false; });
+    std::sort(offers_.begin(), offers_.end(), [](const Source& a, const Source& b) {
+      return std::tie(a.side, a.length, a.label.entry) < std::tie(b.side, b.length, b.label.entry);
+    });
+    sources_.clear();
+    for (const Source& s : offers_) {
+      if (!sources_.empty() && sources_.back().first == s.side) continue;
+      sources_.emplace_back(s.side, s.length);
+      labels_[s.side] = s.label;
+    }
+    return sources_;
   }
   template <class Reach>
   void expand(std::size_t s, const Reach& reach) {
@@ -90,30 +110,8 @@ class ComponentLinks::Wave {
       }
   }
 
-  void connect(double length, std::uint32_t a, std::uint32_t b) {
-    if (entries_[a].component != entries_[b].component) found_.push_back({length, a, b});
-  }
-  /// The waves that come in over the triangle's sides meet each other, and the entry points inside.
-  void meet_in(std::int32_t t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!open(t, k) || !wave_.reached(side(t, k))) continue;
-      const Label& label = labels_[side(t, k)];
-      const double length = wave_.cost(side(t, k));
-      for (std::size_t m = 0; m < k; ++m) {
-        if (!open(t, m) || !wave_.reached(side(t, m))) continue;
-        const Label& other = labels_[side(t, m)];
-        connect(length + distance(label.at, other.at) + wave_.cost(side(t, m)), label.entry, other.entry);
-      }
-      const Entry* nearest = nullptr;
-      for (const Entry& e : entries_in(t))
-        if (e.component != entries_[label.entry].component &&
-            (!nearest || distance(e.at, label.at) < distance(nearest->at, label.at)))
-          nearest = &e;
-      if (nearest) connect(length + distance(label.at, nearest->at), label.entry, index(*nearest));
-    }
-  }
-  /// Entry points in triangle t, and in its neighbour across edge k unless that is none, meet those beside them along
-  /// the edge: a wave tells one component for a whole side, which may be long.
+  /// Entry points in triangle t, and in its neighbour across edge k unless that is none, are connected to those beside
+  /// them along the edge, if they are of another component.
   void join_neighbours(std::int32_t t, std::int32_t neighbour, std::size_t k) {
     const Point along = mesh_.vertex(t, k + 2) - mesh_.vertex(t, k + 1);
     in_order_.clear();
@@ -123,15 +121,18 @@ class ComponentLinks::Wave {
     std::sort(in_order_.begin(), in_order_.end());
     for (std::size_t i = 0; i + 1 < in_order_.size(); ++i) {
       const std::uint32_t a = in_order_[i].second, b = in_order_[i + 1].second;
-      connect(distance(entries_[a].at, entries_[b].at), a, b);
+      if (entries_[a].component != entries_[b].component)
+        found_.push_back({distance(entries_[a].at, entries_[b].at), a, b});
     }
   }
 
   const Mesh& mesh_;
   const std::vector<Entry>& entries_;
-  std::vector<std::size_t> first_;  // of each triangle's entries
-  std::vector<Label> labels_;       // by side
+  std::vector<std::size_t> first_;   // of each triangle's entries
+  std::unique_ptr<Label[]> labels_;  // by side; set where the wave has been
   SearchTree<double> wave_;
+  std::vector<Source> offers_;
+  std::vector<std::pair<std::size_t, double>> sources_;
   std::vector<Candidate> found_;
   std::vector<std::pair<double, std::uint32_t>> in_order_;
 };
@@ -143,23 +144,76 @@ void ComponentLinks::add(const Point& p, int component, std::size_t id) {
   count_ = std::max(count_, component + 1);
 }
 
+/// The components that are connected so far: the group of each entry point's component, in the order of their first.
+std::vector<ComponentLinks::Group> ComponentLinks::groups_of(DisjointSets& joined,
+                                                             const std::vector<Candidate>& near) const {
+  std::vector<Group> groups;
+  std::vector<std::size_t> index(joined.size(), joined.size());  // by representative
+  const auto representative = [&](std::uint32_t e) {
+    return joined.find(static_cast<std::size_t>(entries_[e].component));
+  };
+  for (std::uint32_t e = 0; e < entries_.size(); ++e) {
+    const std::size_t r = representative(e);
+    if (index[r] == joined.size()) {
+      index[r] = groups.size();
+      groups.emplace_back();
+    }
+    groups[index[r]].entries.push_back(e);
+  }
+  for (const Candidate& c : near) {
+    const std::size_t a = representative(c.a), b = representative(c.b);
+    for (const std::size_t r : {a, b})
+      if (Candidate& best = groups[index[r]].best; a != b && c.length < best.length) best = c;
+  }
+  return groups;
+}
+
+/// Boruvka's algorithm: each group but the one with the most entry points is connected to what is nearest outside, until
+/// there is one group only.
+std::vector<ComponentLinks::Candidate> ComponentLinks::connections() const {
+  Wave wave(problem_.transit().mesh(), entries_);
+  const std::vector<Candidate> near = wave.near_ones();
+  DisjointSets joined(static_cast<std::size_t>(count_));
+  const auto component = [&](std::uint32_t e) { return static_cast<std::size_t>(entries_[e].component); };
+  std::vector<Candidate> chosen;
+  for (bool any = true; any;) {
+    const std::vector<Group> groups = groups_of(joined, near);
+    const auto largest = std::ranges::max_element(groups, {}, [](const Group& g) { return g.entries.size(); });
+    std::vector<Candidate> offers;
+    for (auto group = groups.begin(); group != groups.end(); ++group) {
+      if (group == largest) continue;
+      const std::size_t mine = component(group->entries.front());
+      offers.push_back(wave.nearest(group->entries, group->best, [&](int other) {
+        return !joined.same(mine, static_cast<std::size_t>(other));
+      }));
+    }
+    std::stable_sort(offers.begin(), offers.end(), [](const Candidate& a, const Candidate& b) {
+      return a.length < b.length;
+    });
+    any = false;
+    for (const Candidate& c : offers) {
+      if (c.length == std::numeric_limits<double>::infinity()) break;
+      if (!joined.unite(component(c.a), component(c.b))) continue;
+      chosen.push_back(c);
+      any = true;
+    }
+  }
+  return chosen;
+}
+
 std::vector<ComponentLinks::Link> ComponentLinks::tree(int root) {
   std::stable_sort(entries_.begin(), entries_.end(),
                    [](const Entry& a, const Entry& b) { return a.triangle < b.triangle; });
-  std::vector<Candidate> candidates = Wave(problem_.transit().mesh(), entries_).run();
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
   const auto component = [&](std::uint32_t entry) { return static_cast<std::size_t>(entries_[entry].component); };
-  DisjointSets joined(static_cast<std::size_t>(count_));
-  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> edges(joined.size());  // entries here and there
-  for (const Candidate& c : candidates) {
-    if (!joined.unite(component(c.a), component(c.b))) continue;
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> edges;  // entries here and there, by component
+  edges.resize(static_cast<std::size_t>(count_));
+  for (const Candidate& c : connections()) {
     edges[component(c.a)].emplace_back(c.a, c.b);
     edges[component(c.b)].emplace_back(c.b, c.a);
   }
   std::vector<Link> links;
   if (root >= count_) return links;
-  std::vector<bool> reached(joined.size(), false);
+  std::vector<bool> reached(edges.size(), false);
   std::vector<std::size_t> queue{static_cast<std::size_t>(root)};
   reached[queue.front()] = true;
   breadth_first(queue, [&](std::size_t at, const auto& reach) {

@@ -4,18 +4,23 @@
 ///   for (...) links.add(entry_point, component, id);
 ///   for (const ComponentLinks::Link& link : links.tree(root)) ...      // parents first
 ///
-/// Source      Mehlhorn, "A faster approximation algorithm for the Steiner problem in graphs", IPL 27, 1988
-/// Method      One wave spreads from all entry points at once over the sides of the transit mesh. Where the waves of
-///             two components meet, they can be connected; Kruskal's algorithm chooses among these connections.
-/// Complexity  O((m + t) log (m + t)) for m entry points and t triangles, and a shortest path for each link, which is
-///             short because it crosses nothing but the two components' own surroundings
+/// Source      O. Boruvka, "O jistem problemu minimalnim", 1926
+/// Method      In each round every group of components that are connected so far looks for the nearest entry point of
+///             another group, by a wave over the sides of the transit mesh, and all of them are connected. The group
+///             with the most entry points does not look: it is found by the others, so a few small components beside a
+///             large one cost only their own surroundings.
+/// Complexity  O(m + t) to sort m entry points into t triangles; in each of at most log2 m rounds O(s log s) for s sides
+///             nearer to the groups that look than what they find; a shortest path for each link, which is short because
+///             it crosses nothing but the two components' own surroundings
 /// Decisions   1. A wave enters a triangle's next side at the point that is nearest to where it was, so lengths are
 ///                those of feasible paths, a little too long. The links are exact shortest paths between their ends.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
+#include "base/disjoint_sets.hpp"
 #include "maps/problem.hpp"
 
 namespace oxturn {
@@ -43,6 +48,18 @@ class ComponentLinks {
     std::int32_t triangle;
     std::size_t id;
   };
+  /// Two entry points, by index, and roughly how long the path between them is.
+  struct Candidate {
+    double length = std::numeric_limits<double>::infinity();
+    std::uint32_t a = 0, b = 0;
+  };
+  struct Group {
+    std::vector<std::uint32_t> entries;
+    Candidate best;  // to what is outside, of those that are known
+  };
+  std::vector<Group> groups_of(DisjointSets& joined, const std::vector<Candidate>& near) const;
+  std::vector<Candidate> connections() const;
+
   const Problem& problem_;
   std::vector<Entry> entries_;  // tree() sorts them by triangle
   int count_ = 0;               // components

@@ -6,6 +6,7 @@
 /// Dijkstra over the midpoints of triangle sides: O(t log t) for t triangles reached.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -44,6 +45,12 @@ class MeshWave {
   /// Where the last wave entered a triangle, and after how many metres.
   const Point& entered_at(std::size_t triangle) const { return entered_at_[triangle]; }
   double metres(std::size_t triangle) const { return wave_.cost(triangle); }
+  /// The triangles by which the last wave came to this one, both ends included.
+  std::vector<std::int32_t> triangles_to(std::size_t triangle) const {
+    std::vector<std::int32_t> all;
+    for (const std::size_t t : wave_.path_to(triangle)) all.push_back(static_cast<std::int32_t>(t));
+    return all;
+  }
 
  private:
   const Mesh& mesh_;

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <set>
 
+#include "geometry/paths/sleeve.hpp"
+
 namespace oxturn {
 namespace {
 
 // Midpoints of triangle sides measure distance roughly, so the nearest component may be met as the second or third. So
-// many are compared by their shortest paths.
+// many are compared by the shortest paths through the triangles by which the wave came.
 constexpr std::size_t kCandidates = 4;
 
 constexpr double kAlmostStraight = 1.3;  // straight distances
@@ -83,25 +85,41 @@ std::optional<std::uint32_t> NearestComponent::nearest_in(std::size_t triangle, 
   return best == here.end() ? std::nullopt : std::optional(*best);
 }
 
-std::vector<std::uint32_t> NearestComponent::candidates(const Point& p, std::size_t triangle) {
+/// Of the entries of the first components that a wave from p meets the one with the shortest path through the triangles
+/// by which the wave came: no search through the triangles for each of them, which far away would cost all that lies
+/// nearer. The path is at least as long as the shortest one.
+NearestComponent::Nearest NearestComponent::nearest_by_wave(const Point& p, std::size_t home) {
   std::set<int> components;
-  std::vector<std::uint32_t> found;
-  wave_.spread(p, triangle, [&](std::size_t t) {
-    if (const auto entry = nearest_in(t, wave_.entered_at(t))) {
-      found.push_back(*entry);
-      components.insert(entries_[*entry].component);
-    }
+  Nearest best;
+  wave_.spread(p, home, [&](std::size_t t) {
+    const auto entry = nearest_in(t, wave_.entered_at(t));
+    if (!entry) return false;
+    components.insert(entries_[*entry].component);
+    Polyline path = shortest_in_sleeve(problem_.transit().mesh(), p, wave_.triangles_to(t), entries_[*entry].at);
+    if (const double metres = length(path); metres < best.metres)
+      best = {.found = Found{entries_[*entry].id, std::move(path)}, .metres = metres, .entry = *entry};
     return components.size() >= kCandidates;
   });
-  return found;
+  return best;
+}
+
+NearestComponent::Nearest NearestComponent::search(const Point& p) {
+  const auto home = wave_.triangle_of(p);
+  Nearest best;
+  if (!home || entries_.empty() || find_almost_straight(p, best)) return best;
+  Nearest by_wave = nearest_by_wave(p, *home);
+  return by_wave.metres < best.metres ? std::move(by_wave) : std::move(best);
+}
+
+std::optional<std::size_t> NearestComponent::nearest(const Point& p) {
+  const Nearest best = search(p);
+  return best.found ? std::optional(best.found->id) : std::nullopt;
 }
 
 std::optional<NearestComponent::Found> NearestComponent::from(const Point& p) {
-  const auto home = wave_.triangle_of(p);
-  if (!home || entries_.empty()) return std::nullopt;
-  Nearest best;
-  if (!find_almost_straight(p, best))
-    for (const std::uint32_t e : candidates(p, *home)) try_entry(p, entries_[e], best.metres, best);
+  Nearest best = search(p);
+  // A path by the wave may be on the wrong side of an obstacle.
+  if (best.found && best.entry) try_entry(p, entries_[*best.entry], best.metres, best);
   return std::move(best.found);
 }
 

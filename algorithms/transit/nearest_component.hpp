@@ -6,11 +6,11 @@
 ///
 /// Where almost straight paths lead to the entry points that are nearest by straight distance, shortest paths to these
 /// show which is the nearest. Otherwise a wave spreads from the query point over the triangles of the transit mesh
-/// (Dijkstra over the midpoints of their sides) until it has met entry points of a few components; shortest paths to
-/// these decide. So a query costs what lies nearer than the answer, not all components: behind a wall thousands may be
-/// near by straight distance.
-/// add O(1); a query a few shortest paths, and O(t log t) for t triangles nearer than the answer if that is behind
-/// walls.
+/// (Dijkstra over the midpoints of their sides) until it has met entry points of a few components; the shortest paths
+/// through the triangles by which it came decide. So a query costs what lies nearer than the answer, not all
+/// components: behind a wall thousands may be near by straight distance.
+/// add O(1); a query a few short shortest paths, and O(t log t) for t triangles nearer than the answer if that is
+/// behind walls; from() one more shortest path.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +35,10 @@ class NearestComponent {
     std::size_t id;
     Polyline path;  // from the query point to the entry point, both included
   };
-  /// nullopt if no entry point can be reached. Not safe from several threads.
+  /// With the shortest path there. nullopt if no entry point can be reached. Not safe from several threads.
   std::optional<Found> from(const Point& p);
+  /// Only its id, for callers who have a path of their own.
+  std::optional<std::size_t> nearest(const Point& p);
 
  private:
   struct Entry {
@@ -47,6 +49,7 @@ class NearestComponent {
   struct Nearest {
     std::optional<Found> found = std::nullopt;
     double metres = std::numeric_limits<double>::infinity();
+    std::optional<std::uint32_t> entry = std::nullopt;  // if the path is one by the wave, not the shortest
   };
   bool removed(int component) const {
     return static_cast<std::size_t>(component) < removed_.size() && removed_[static_cast<std::size_t>(component)];
@@ -55,7 +58,8 @@ class NearestComponent {
   void try_entry(const Point& p, const Entry& entry, double longest, Nearest& best) const;
   bool find_almost_straight(const Point& p, Nearest& best);
   std::optional<std::uint32_t> nearest_in(std::size_t triangle, const Point& to);
-  std::vector<std::uint32_t> candidates(const Point& p, std::size_t triangle);
+  Nearest nearest_by_wave(const Point& p, std::size_t home);
+  Nearest search(const Point& p);
 
   const Problem& problem_;
   MeshWave wave_;

@@ -11,41 +11,12 @@ constexpr int kReach = 4;  // fine cells around a point in which its cell is sea
 constexpr double kMostCells = 1 << 22;
 constexpr int kSteps[8][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
 
-}  // namespace
-
-/// A* over the eight neighbours of the set cells in a window; allowed(from, to) tells which steps exist. Empty if there
-/// is no path.
-template <class Allowed>
-Tlppa::Cells Tlppa::search(const BitGrid& grid, const Window& w, const Cell& from, const Cell& to,
-                           SearchTree<double>& tree, Allowed allowed) {
-  const auto columns = static_cast<std::size_t>(w.right - w.left + 1);
-  const auto rows = static_cast<std::size_t>(w.top - w.bottom + 1);
-  const auto node = [&](const Cell& c) {
-    return static_cast<std::size_t>(c.j - w.bottom) * columns + static_cast<std::size_t>(c.i - w.left);
-  };
-  const auto cell = [&](std::size_t n) {
-    return Cell{static_cast<int>(n % columns) + w.left, static_cast<int>(n / columns) + w.bottom};
-  };
-  const auto neighbours = [&](std::size_t at, const auto& reach) {
-    const Cell c = cell(at);
-    for (int k = 0; k < 8; ++k) {
-      const Cell next{c.i + kSteps[k][0], c.j + kSteps[k][1]};
-      if (next.i < w.left || next.i > w.right || next.j < w.bottom || next.j > w.top) continue;
-      if (grid.get(next.i, next.j) && allowed(c, next)) reach(node(next), k < 4 ? 1 : std::sqrt(2.0));
-    }
-  };
-  const auto octile_distance = [&](std::size_t at) {
-    const Cell c = cell(at);
-    const int dx = std::abs(c.i - to.i), dy = std::abs(c.j - to.j);
-    return std::max(dx, dy) + (std::sqrt(2.0) - 1) * std::min(dx, dy);
-  };
-  const std::size_t end = node(to);
-  Cells path;
-  if (a_star(
-          tree, columns * rows, node(from), neighbours, [&](std::size_t at) { return at == end; }, octile_distance))
-    for (const std::size_t at : tree.path_to(end)) path.push_back(cell(at));
-  return path;
+double octile_distance(int dx, int dy) {
+  dx = std::abs(dx), dy = std::abs(dy);
+  return std::max(dx, dy) + (std::sqrt(2.0) - 1) * std::min(dx, dy);
 }
+
+}  // namespace
 
 Tlppa::Tlppa(const Problem& problem, double cell) : problem_(problem) {
   const Region& space = problem.configuration_space();
@@ -54,19 +25,58 @@ Tlppa::Tlppa(const Problem& problem, double cell) : problem_(problem) {
   cell = std::max(cell, std::sqrt(size.x() * size.y() / kMostCells));
   const auto cells = [&](double length) { return std::max(1, static_cast<int>(std::ceil(length / cell))); };
   fine_ = rasterise(space, box.low, cell, cells(size.x()), cells(size.y()), CellRule::inside);
-  coarse_ = BitGrid(box.low, cell * kBlock, (fine_.columns - 1) / kBlock + 1, (fine_.rows - 1) / kBlock + 1);
-  for (int j = 0; j < fine_.rows; ++j)
-    for (int i = 0; i < fine_.columns; ++i)
-      if (fine_.get(i, j)) coarse_.set(i / kBlock, j / kBlock, true);
-  corridor_of_.assign(coarse_.bits.size(), 0);
-  const auto columns = static_cast<std::size_t>(fine_.columns);
-  components_ = connected_components(
-      fine_.bits.size(), [&](std::size_t c) { return fine_.bits[c] != 0; },
-      [&](std::size_t c, const auto& reach) {
-        const int i = static_cast<int>(c % columns), j = static_cast<int>(c / columns);
-        for (const auto& [di, dj] : kSteps)
-          if (fine_.inside(i + di, j + dj)) reach(fine_.at(i + di, j + dj));
-      });
+  block_columns_ = (fine_.columns - 1) / kBlock + 1;
+  block_rows_ = (fine_.rows - 1) / kBlock + 1;
+  corridor_of_.assign(static_cast<std::size_t>(block_columns_) * static_cast<std::size_t>(block_rows_), 0);
+  find_coarse_cells();
+  components_ = connected_components(coarse_.size(), [this](std::size_t c, const auto& reach) {
+    for_each_step(c, [&](std::size_t next, const Cell&) { reach(next); });
+  });
+}
+
+/// Decision 2.
+void Tlppa::find_coarse_cells() {
+  coarse_of_.assign(fine_.bits.size(), kNone);
+  Cells part;
+  for (int y = 0; y < block_rows_; ++y)
+    for (int x = 0; x < block_columns_; ++x)
+      for (int j = y * kBlock; j < std::min(fine_.rows, (y + 1) * kBlock); ++j)
+        for (int i = x * kBlock; i < std::min(fine_.columns, (x + 1) * kBlock); ++i) {
+          const auto mark = [&](int u, int v) {
+            if (!fine_.get(u, v) || u / kBlock != x || v / kBlock != y || coarse_of_[fine_.at(u, v)] != kNone)
+              return false;
+            coarse_of_[fine_.at(u, v)] = static_cast<std::uint32_t>(coarse_.size());
+            return true;
+          };
+          if (!mark(i, j)) continue;
+          part.assign(1, {i, j});
+          breadth_first(part, [&](const Cell& c, const auto& reach) {
+            for (const auto& [di, dj] : kSteps)
+              if (mark(c.i + di, c.j + dj)) reach({c.i + di, c.j + dj});
+          });
+          coarse_.push_back({x, y});
+        }
+}
+
+/// Calls f(coarse cell, its block) for those that a step leads to; for one several times if several steps do.
+template <class F>
+void Tlppa::for_each_step(std::size_t coarse, F f) const {
+  const Cell block = coarse_[coarse];
+  const int left = block.i * kBlock, bottom = block.j * kBlock, last = kBlock - 1;
+  const auto look_around = [&](int i, int j) {
+    if (i >= fine_.columns || j >= fine_.rows || coarse_of_[fine_.at(i, j)] != coarse) return;
+    for (const auto& [di, dj] : kSteps)
+      if (fine_.inside(i + di, j + dj))
+        if (const std::uint32_t next = coarse_of_[fine_.at(i + di, j + dj)]; next != kNone && next != coarse)
+          f(static_cast<std::size_t>(next), coarse_[next]);
+  };
+  for (int k = 0; k <= last; ++k) {
+    look_around(left + k, bottom);
+    look_around(left + k, bottom + last);
+    if (k == 0 || k == last) continue;
+    look_around(left, bottom + k);
+    look_around(left + last, bottom + k);
+  }
 }
 
 /// Decision 4.
@@ -88,30 +98,23 @@ std::optional<Tlppa::Cell> Tlppa::connect(const Point& p) const {
   return std::nullopt;
 }
 
-/// Some free fine cell of one block has a free neighbour in the other.
-bool Tlppa::step_between_blocks(const Cell& from, const Cell& to) const {
-  // Fine cells of `from` on the side, or at the corner, that faces `to`.
-  const auto facing = [](int block, int d) {
-    return std::pair(block * kBlock + (d > 0 ? kBlock - 1 : 0), block * kBlock + (d < 0 ? 0 : kBlock - 1));
-  };
-  const auto [left, right] = facing(from.i, to.i - from.i);
-  const auto [bottom, top] = facing(from.j, to.j - from.j);
-  for (int v = bottom; v <= top; ++v)
-    for (int u = left; u <= right; ++u) {
-      if (!fine_.get(u, v)) continue;
-      for (const auto& [di, dj] : kSteps) {
-        const int a = u + di, b = v + dj;
-        if (a / kBlock == to.i && b / kBlock == to.j && fine_.get(a, b)) return true;
-      }
-    }
-  return false;
-}
-
-/// Blocks.
+/// The blocks of the coarse cells on the way.
 Tlppa::Cells Tlppa::coarse_path(const Cell& from, const Cell& to) {
-  return search(coarse_, {0, 0, coarse_.columns - 1, coarse_.rows - 1}, {from.i / kBlock, from.j / kBlock},
-                {to.i / kBlock, to.j / kBlock}, coarse_search_,
-                [this](const Cell& a, const Cell& b) { return step_between_blocks(a, b); });
+  const std::size_t end = coarse_of_[fine_.at(to.i, to.j)];
+  const auto neighbours = [this](std::size_t at, const auto& reach) {
+    for_each_step(at, [&](std::size_t next, const Cell& block) {
+      reach(next, block.i != coarse_[at].i && block.j != coarse_[at].j ? std::sqrt(2.0) : 1);
+    });
+  };
+  const auto estimate = [&](std::size_t at) {
+    return octile_distance(coarse_[at].i - coarse_[end].i, coarse_[at].j - coarse_[end].j);
+  };
+  a_star(
+      coarse_search_, coarse_.size(), coarse_of_[fine_.at(from.i, from.j)], neighbours,
+      [&](std::size_t at) { return at == end; }, estimate);
+  Cells blocks;
+  for (const std::size_t at : coarse_search_.path_to(end)) blocks.push_back(coarse_[at]);
+  return blocks;
 }
 
 /// Marks the blocks of a coarse path and their neighbours for the current query; returns the window of their cells.
@@ -119,9 +122,9 @@ Tlppa::Window Tlppa::mark_corridor(const Cells& blocks) {
   ++queries_;
   Window window{fine_.columns, fine_.rows, 0, 0};
   for (const Cell& block : blocks)
-    for (int y = std::max(0, block.j - 1); y <= std::min(coarse_.rows - 1, block.j + 1); ++y)
-      for (int x = std::max(0, block.i - 1); x <= std::min(coarse_.columns - 1, block.i + 1); ++x) {
-        corridor_of_[coarse_.at(x, y)] = queries_;
+    for (int y = std::max(0, block.j - 1); y <= std::min(block_rows_ - 1, block.j + 1); ++y)
+      for (int x = std::max(0, block.i - 1); x <= std::min(block_columns_ - 1, block.i + 1); ++x) {
+        corridor_of_[block_at({x, y})] = queries_;
         window = {std::min(window.left, x * kBlock), std::min(window.bottom, y * kBlock),
                   std::max(window.right, x * kBlock + kBlock - 1), std::max(window.top, y * kBlock + kBlock - 1)};
       }
@@ -130,24 +133,39 @@ Tlppa::Window Tlppa::mark_corridor(const Cells& blocks) {
   return window;
 }
 
-/// Decision 3.
+/// Decision 3: A* over the eight neighbours of the free cells in the corridor.
 Tlppa::Cells Tlppa::fine_path(const Cell& from, const Cell& to) {
-  if (const Cells blocks = coarse_path(from, to); !blocks.empty()) {
-    const Window window = mark_corridor(blocks);
-    const auto in_corridor = [this](const Cell&, const Cell& c) {
-      return corridor_of_[coarse_.at(c.i / kBlock, c.j / kBlock)] == queries_;
-    };
-    if (Cells path = search(fine_, window, from, to, fine_search_, in_corridor); !path.empty()) return path;
-  }
-  return search(fine_, {0, 0, fine_.columns - 1, fine_.rows - 1}, from, to, fine_search_,
-                [](const Cell&, const Cell&) { return true; });
+  const Window w = mark_corridor(coarse_path(from, to));
+  const auto columns = static_cast<std::size_t>(w.right - w.left + 1);
+  const auto rows = static_cast<std::size_t>(w.top - w.bottom + 1);
+  const auto node = [&](const Cell& c) {
+    return static_cast<std::size_t>(c.j - w.bottom) * columns + static_cast<std::size_t>(c.i - w.left);
+  };
+  const auto cell = [&](std::size_t n) {
+    return Cell{static_cast<int>(n % columns) + w.left, static_cast<int>(n / columns) + w.bottom};
+  };
+  const auto neighbours = [&](std::size_t at, const auto& reach) {
+    const Cell c = cell(at);
+    for (int k = 0; k < 8; ++k) {
+      const Cell next{c.i + kSteps[k][0], c.j + kSteps[k][1]};
+      if (next.i < w.left || next.i > w.right || next.j < w.bottom || next.j > w.top) continue;
+      if (fine_.get(next.i, next.j) && corridor_of_[block_at({next.i / kBlock, next.j / kBlock})] == queries_)
+        reach(node(next), k < 4 ? 1 : std::sqrt(2.0));
+    }
+  };
+  const auto estimate = [&](std::size_t at) { return octile_distance(cell(at).i - to.i, cell(at).j - to.j); };
+  const std::size_t end = node(to);
+  a_star(
+      fine_search_, columns * rows, node(from), neighbours, [&](std::size_t at) { return at == end; }, estimate);
+  Cells path;
+  for (const std::size_t at : fine_search_.path_to(end)) path.push_back(cell(at));
+  return path;
 }
 
 std::optional<Polyline> Tlppa::path(const Point& a, const Point& b) {
   const auto from = connect(a), to = connect(b);
   if (!from || !to || component(*from) != component(*to)) return std::nullopt;
   const Cells cells = fine_path(*from, *to);
-  if (cells.empty()) return std::nullopt;
   Polyline line{a};
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const bool inner = k > 0 && k + 1 < cells.size();

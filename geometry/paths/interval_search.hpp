@@ -63,6 +63,7 @@ struct ConeStorage {
 
 /// Derived has
 ///   bool is_target(triangle)                    does the triangle contain the goal?
+///   bool is_useless(triangle, next)             no path need go on from the triangle into the next one
 ///   void starts_at(vertex)                      the start is this vertex
 ///   std::optional<ConeOrigin> turn(node, vertex, Turn)     the path turns about a vertex of the edge of entry
 ///   std::optional<ConeOrigin> last_turn(node, vertex, Turn)    ... and sees the goal then
@@ -188,7 +189,7 @@ class IntervalSearch {
   void leave(std::int32_t t, std::size_t k, const ConeOrigin& from, ConeSide left, ConeSide right,
              std::int32_t parent) {
     const std::int32_t n = mesh_.triangle(t).neighbour[k];
-    if (n == Mesh::kWall) return;
+    if (n == Mesh::kWall || derived().is_useless(t, n)) return;
     const ConeNode next{from, left, right, n, static_cast<std::int32_t>(mesh_.edge_towards(n, t)), parent};
     // Lowered a little, so that rounding never lets a longer path finish first.
     put(std::max(from.length + remaining(next) * (1 - 1e-9), derived().least(from)), next);

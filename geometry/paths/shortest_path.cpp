@@ -26,16 +26,19 @@ struct Knowledge {
   };
   std::vector<Root> roots;  // by point
   std::vector<TurnDone> turns;
-  std::vector<std::uint32_t> target;  // by triangle: the search that it is a target of
+  std::vector<std::uint32_t> target;       // by triangle: the search that it is a target of
+  std::vector<std::uint32_t> goal_within;  // by dead end: the search whose goal lies in it, or farther in
   std::uint32_t search = 0;
 
   void begin(const Mesh& mesh) {
     turns.clear();
     if (roots.size() < mesh.points().size()) roots.resize(mesh.points().size());
     if (target.size() < mesh.triangles().size()) target.resize(mesh.triangles().size(), 0);
+    goal_within.resize(target.size(), 0);
     if (++search == 0) {  // the counter has come round
       for (Root& r : roots) r.search = 0;
       std::fill(target.begin(), target.end(), 0);
+      std::fill(goal_within.begin(), goal_within.end(), 0);
       search = 1;
     }
   }
@@ -46,15 +49,23 @@ class OnePathSearch : public IntervalSearch<OnePathSearch> {
   static constexpr bool kSearchesBehindGoal = false;
 
   /// `to_end` may be empty.
-  OnePathSearch(const Mesh& mesh, const ShortestPaths::Impl::Ends& ends, double longest, ConeStorage& storage,
-                Knowledge& knowledge, const std::function<double(const Point&)>& to_end)
-      : IntervalSearch(mesh, ends.start, ends.goal, longest, storage), ends_(ends), known_(knowledge), to_end_(to_end) {
-    known_.begin(mesh);
+  OnePathSearch(const ShortestPaths::Impl& impl, const ShortestPaths::Impl::Ends& ends, double longest,
+                ConeStorage& storage, Knowledge& knowledge, const std::function<double(const Point&)>& to_end)
+      : IntervalSearch(impl.mesh, ends.start, ends.goal, longest, storage),
+        tree_(impl.tree),
+        ends_(ends),
+        known_(knowledge),
+        to_end_(to_end) {
+    known_.begin(impl.mesh);
   }
 
   /// The finished node, or nullopt.
   std::optional<std::int32_t> run() {
-    for (const std::int32_t t : ends_.to) known_.target[static_cast<std::size_t>(t)] = known_.search;
+    for (std::int32_t t : ends_.to) {
+      known_.target[static_cast<std::size_t>(t)] = known_.search;
+      for (; tree_.out_of(t) != DualTree::kNone; t = tree_.out_of(t))
+        known_.goal_within[static_cast<std::size_t>(t)] = known_.search;
+    }
     leave_start(ends_.from);
     while (!exhausted()) {
       const std::int32_t next = pop();
@@ -77,6 +88,10 @@ class OnePathSearch : public IntervalSearch<OnePathSearch> {
   }
 
   bool is_target(std::int32_t t) const { return known_.target[static_cast<std::size_t>(t)] == known_.search; }
+  /// A path that leads from t into n leads nowhere else.
+  bool is_useless(std::int32_t t, std::int32_t n) const {
+    return tree_.out_of(n) == t && known_.goal_within[static_cast<std::size_t>(n)] != known_.search;
+  }
   void starts_at(PathPoint vertex) { root(vertex).length = 0; }
   std::int32_t finished_chain(const ConeOrigin&) const { return 0; }
   double least(const ConeOrigin& from) {
@@ -112,6 +127,7 @@ class OnePathSearch : public IntervalSearch<OnePathSearch> {
   }
   bool worse(double length, PathPoint id) { return length > root(id).length * (1 + kRounding); }
 
+  const DualTree& tree_;
   const ShortestPaths::Impl::Ends& ends_;
   Knowledge& known_;
   const std::function<double(const Point&)>& to_end_;
@@ -171,7 +187,7 @@ std::optional<Polyline> ShortestPaths::path(const Point& a, const Point& b, doub
   } else {
     thread_local ConeStorage storage;
     thread_local Knowledge knowledge;
-    OnePathSearch search(impl_->mesh, ends, longest, storage, knowledge, to_end);
+    OnePathSearch search(*impl_, ends, longest, storage, knowledge, to_end);
     const std::optional<std::int32_t> finished = search.run();
     if (!finished) return std::nullopt;
     path.push_back(b);

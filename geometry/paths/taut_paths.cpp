@@ -53,6 +53,7 @@ class AllPathsSearch : public IntervalSearch<AllPathsSearch> {
   bool is_target(std::int32_t t) const { return std::find(ends_.to.begin(), ends_.to.end(), t) != ends_.to.end(); }
   void starts_at(PathPoint) const {}
   std::int32_t finished_chain(const ConeOrigin& from) { return extended(from.chain, goal_id()); }
+  bool is_useless(std::int32_t, std::int32_t) const { return false; }
   double least(const ConeOrigin&) const { return 0; }
   std::optional<ConeOrigin> turn(const ConeNode& n, PathPoint v, Turn turn) {
     const auto turned = last_turn(n, v, turn);
