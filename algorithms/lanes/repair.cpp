@@ -15,8 +15,6 @@
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
 #include "geometry/convex_hull.hpp"
-#include "geometry/overlay/boolean.hpp"
-#include "geometry/overlay/swath.hpp"
 
 namespace oxturn {
 namespace {
@@ -80,7 +78,7 @@ class Repair {
       else if (n > 2)
         lines.back().push_back(ring.front());
     }
-    return without_negligible(subtract(region, swath_parts(lines, width_ / 2, seam_, Bound::outside)));
+    return without_negligible(left_of_pieces(region, lines, width_ / 2, seam_));
   }
   Region without_negligible(Region region) const {
     std::erase_if(region.polygons, [&](const Polygon& p) {
