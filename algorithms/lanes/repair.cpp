@@ -18,7 +18,6 @@
 #include "geometry/convex_hull.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
-#include "geometry/overlay/swath.hpp"
 
 namespace oxturn {
 namespace {
@@ -109,8 +108,7 @@ class Repair {
       else if (n > 2)
         lines.back().push_back(ring.front());
     }
-    return without_negligible(subtract(region, swath_parts(lines, width_ / 2, seam_, Bound::outside)),
-                              problem_.robot());
+    return without_negligible(left_of_pieces(region, lines, width_ / 2, seam_), problem_.robot());
   }
   /// The position of the robot that is nearest to p.
   Point position(const Point& p) const { return walls_.contains(p) ? p : walls_.nearest(p)->point; }

@@ -10,6 +10,7 @@
 #include "geometry/edge_index.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/swath.hpp"
+#include "geometry/ring_boxes.hpp"
 
 namespace oxturn {
 namespace {
@@ -62,11 +63,67 @@ std::vector<Polyline> near(const Region& left, const std::vector<Polyline>& line
   return runs;
 }
 
+/// Segments of lines, found by the boxes about what they cover; a line of one point is a segment, too.
+class CoveringSegments {
+ public:
+  CoveringSegments(const std::vector<Polyline>& lines, double radius, double seam) : lines_(lines), radius_(radius) {
+    std::vector<Box> boxes;
+    for (std::size_t l = 0; l < lines.size(); ++l)
+      for (std::size_t k = 0; k < std::max<std::size_t>(lines[l].size(), 2) - 1; ++k) {
+        segments_.push_back({l, k});
+        boxes.push_back({from(segments_.back()).cwiseMin(to(segments_.back())),
+                         from(segments_.back()).cwiseMax(to(segments_.back()))});
+        boxes.back().grow(radius + 2 * seam);
+      }
+    near_.assign(segments_.size(), false);
+    index_ = BoxIndex(std::move(boxes));
+  }
+
+  /// Does one segment cover all of a piece? If not, notes all that are near it.
+  bool cover(const Polygon& piece) {
+    const std::vector<std::uint32_t> found = index_.overlapping(bounding_box(piece.outer));
+    if (std::ranges::any_of(found, [&](std::uint32_t s) { return covers(segments_[s], piece.outer); })) return true;
+    for (const std::uint32_t s : found) near_[s] = true;
+    return false;
+  }
+
+  /// Those noted, consecutive ones as one line.
+  std::vector<Polyline> noted() const {
+    std::vector<Polyline> runs;
+    for (std::size_t s = 0; s < segments_.size(); ++s) {
+      if (!near_[s]) continue;
+      if (s == 0 || !near_[s - 1] || segments_[s].line != segments_[s - 1].line) runs.push_back({from(segments_[s])});
+      if (lines_[segments_[s].line].size() > 1) runs.back().push_back(to(segments_[s]));
+    }
+    return runs;
+  }
+
+ private:
+  struct Segment {
+    std::size_t line, first;
+  };
+  const Point& from(const Segment& s) const { return lines_[s.line][s.first]; }
+  const Point& to(const Segment& s) const {
+    const Polyline& line = lines_[s.line];
+    return line[std::min(s.first + 1, line.size() - 1)];
+  }
+  bool covers(const Segment& s, const Ring& ring) const {
+    return std::ranges::all_of(ring, [&](const Point& p) { return distance_to_segment(p, from(s), to(s)) <= radius_; });
+  }
+
+  const std::vector<Polyline>& lines_;
+  double radius_;
+  std::vector<Segment> segments_;
+  std::vector<bool> near_;
+  BoxIndex index_;
+};
+
 /// What lines leave uncovered that all work with a tool of width w.
 Region left_by(std::vector<Polyline> lines, double w, double seam, Region left) {
   const auto swept = [&](const std::vector<Polyline>& parts, double off) {
-    return swath_parts(parts, w / 2 - off, seam, Bound::outside);
+    return swath_parts_with_blunt_ends(parts, w / 2 - off, seam, Bound::outside);
   };
+  bool rough = false;
   for (const double share : kOff) {
     const double off = share * w;
     Chords chords;
@@ -81,11 +138,21 @@ Region left_by(std::vector<Polyline> lines, double w, double seam, Region left) 
     left = subtract(left, parts);
     if (left.empty()) return left;
     lines = near(left, lines, w / 2 + 2 * seam);
+    rough = true;
   }
-  return subtract(left, swept(lines, 0));
+  return rough ? left_of_pieces(left, lines, w / 2, seam)
+               : subtract(left, swath_parts(lines, w / 2, seam, Bound::outside));
 }
 
 }  // namespace
+
+Region left_of_pieces(const Region& pieces, const std::vector<Polyline>& lines, double radius, double seam) {
+  CoveringSegments segments(lines, radius, seam);
+  Region left;
+  for (const Polygon& piece : pieces.polygons)
+    if (!segments.cover(piece)) left.polygons.push_back(piece);
+  return subtract(left, swath_parts(segments.noted(), radius, seam, Bound::outside));
+}
 
 Region uncovered(const Region& target, const Path& path, const Robot& robot) {
   std::map<double, std::vector<Polyline>> lines;  // by width

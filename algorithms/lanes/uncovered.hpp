@@ -8,6 +8,8 @@
 /// Complexity  O(m log m) for a path of m segments
 #pragma once
 
+#include <vector>
+
 #include "geometry/path.hpp"
 #include "geometry/region.hpp"
 #include "maps/robot.hpp"
@@ -19,5 +21,10 @@ inline double covered_seam(const Robot& robot) { return robot.tool_width / 250; 
 
 /// What of the target the path leaves uncovered, each leg with its own width.
 Region uncovered(const Region& target, const Path& path, const Robot& robot);
+
+/// What lines leave of pieces, most of which lie under one segment: those are found without an overlay. Each line
+/// covers what is nearer than `radius`; the swath errs outside by `seam` at most. O(p log p) for p vertices of pieces
+/// and lines, if few segments are near each piece.
+Region left_of_pieces(const Region& pieces, const std::vector<Polyline>& lines, double radius, double seam);
 
 }  // namespace oxturn

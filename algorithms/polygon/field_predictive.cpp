@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -37,8 +38,11 @@
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/polygon/cell_strips.hpp"
+#include "algorithms/polygon/distant_holes.hpp"
+#include "algorithms/polygon/driven_lines.hpp"
 #include "algorithms/polygon/halves.hpp"
 #include "algorithms/transit/mesh_wave.hpp"
+#include "algorithms/transit/nearest_component.hpp"
 #include "algorithms/transit/short_segments.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -55,6 +59,9 @@ constexpr double kWorkLink = 2;           // tool widths: shorter links are driv
 constexpr double kDetour = 3;             // straight distances, and
 constexpr double kDetourMore = 10;        // tool widths: a path that is not longer than both counts as straight
 constexpr double kAlmostStraight = 1.5;   // straight distances: a path that a search finds with little effort
+constexpr double kCell = 32;              // tool widths: of the grid in which driven lines are found
+constexpr int kAskedOnce = 32;            // points of a piece, before it gets an index
+constexpr std::size_t kEntries = 16;      // about so many vertices of a block, to find the nearest one
 constexpr double kMostEffort = 2e6;       // of a block: vertices times area in squares of the tool's width
 
 enum class Links { path, straight };  // in the order of their names in field_predictive()
@@ -100,6 +107,7 @@ class Piece {
   const Box& box() const { return box_; }
   bool contains(const Point& p) const {
     if (!box_.contains(p)) return false;
+    if (!index_ && asked_++ < kAskedOnce) return oxturn::contains(region_, p);
     if (!index_) index_.emplace(region_);
     return index_->contains(p);
   }
@@ -132,7 +140,8 @@ class Piece {
   }
 
   Region region_;
-  mutable std::optional<EdgeIndex> index_;  // made when first needed: many pieces are cut again before
+  mutable int asked_ = 0;
+  mutable std::optional<EdgeIndex> index_;  // made when it pays: many pieces are cut again before
   Box box_;
   std::vector<Stretch> stretches_;
   std::vector<std::pair<Ring, Stretch>> smooth_;
@@ -147,7 +156,8 @@ class PredictiveDrive {
         walls_(problem.walls()),
         connector_(connector),
         wave_(problem),
-        path_(problem.start()) {}
+        path_(problem.start()),
+        driven_(kCell * width_) {}
 
   /// Drives what earlier calls left of the region.
   void run(Region region, const Context& context) {
@@ -161,6 +171,7 @@ class PredictiveDrive {
       cut({line});
     }
   }
+  const Point& at() const { return path_.at(); }
   Path take() { return path_.take(); }
 
  private:
@@ -171,10 +182,7 @@ class PredictiveDrive {
     Box all;
     for (const Piece& piece : pieces) all.add(piece.box());
     all.grow(width_);
-    std::vector<Polyline> lines;
-    for (const auto& [box, line] : driven_)
-      if (box.overlaps(all)) lines.push_back(line);
-    return lines;
+    return driven_.near(all);
   }
   /// Takes the positions nearer than a tool width to the lines from what is left.
   void cut(const std::vector<Polyline>& lines) {
@@ -198,27 +206,6 @@ class PredictiveDrive {
     }
   }
 
-  /// The polygon without the holes that lie outside of a box, and these.
-  static std::pair<Polygon, std::vector<Ring>> without_holes_off(const Box& box, const Polygon& polygon) {
-    Polygon rest{polygon.outer, {}};
-    std::vector<Ring> off;
-    for (const Ring& hole : polygon.holes) (bounding_box(hole).overlaps(box) ? rest.holes : off).push_back(hole);
-    return {std::move(rest), std::move(off)};
-  }
-  /// Each hole to the polygon that it lies in; false if there is none, because a ring that came nearer crosses it.
-  static bool put_back(const std::vector<Ring>& holes, Region& region) {
-    if (holes.empty()) return true;
-    std::vector<EdgeIndex> polygons;
-    if (region.polygons.size() > 1)
-      for (const Polygon& polygon : region.polygons) polygons.emplace_back(Region{{polygon}});
-    for (const Ring& hole : holes) {
-      std::size_t in = 0;
-      while (in < polygons.size() && !polygons[in].contains(hole[0])) ++in;
-      if (in == region.polygons.size()) return false;
-      region.polygons[in].holes.push_back(hole);
-    }
-    return true;
-  }
   Region without(const Region& piece, const std::vector<Region>& swaths) const {
     Region rest = simplify_inward(subtract(piece, swaths), kChord * width_);
     bring_inside(rest);
@@ -246,9 +233,7 @@ class PredictiveDrive {
     path_.drive(link, begun_ && length(link) <= kWorkLink * width_);
     path_.drive(line, true);
     begun_ = true;
-    Box box;
-    for (const Point& p : line) box.add(p);
-    driven_.emplace_back(box, line);
+    driven_.add(line);
   }
 
   /// The stretch of greatest value, in the sense in which it is driven; empty if none is left. Of equal values the
@@ -302,17 +287,11 @@ class PredictiveDrive {
       else
         hidden[k].settled = true;
     std::ranges::sort(in_triangle);
-    double farthest = 0;
-    const auto look_no_farther_than_needed = [&] {
-      farthest = 0;
-      for (const Candidate& c : hidden)
-        if (!c.settled) farthest = std::max(farthest, farthest_of_use(c, best.bound));
-    };
-    look_no_farther_than_needed();
+    FarthestOfUse farthest(hidden.size(), [&](std::size_t k) { return farthest_of_use(hidden[k], best.bound); });
+    const auto is_settled = [&](std::size_t k) { return hidden[k].settled; };
     wave_.spread(path_.at(), *from, [&](std::size_t t) {
-      auto k = std::ranges::lower_bound(in_triangle, std::pair(t, std::size_t{0}));
-      if (k == in_triangle.end() || k->first != t) return wave_.metres(t) > farthest;
-      for (; k != in_triangle.end() && k->first == t; ++k) {
+      for (auto k = std::ranges::lower_bound(in_triangle, std::pair(t, std::size_t{0}));
+           k != in_triangle.end() && k->first == t; ++k) {
         Candidate& c = hidden[k->second];
         const double straight = distance(path_.at(), c.begin());
         const double wave = wave_.metres(t) + distance(wave_.entered_at(t), c.begin());
@@ -320,10 +299,37 @@ class PredictiveDrive {
         c.settled = true;
         if (c.bound > best.bound) best = c;
       }
-      look_no_farther_than_needed();
-      return wave_.metres(t) > farthest;
+      return wave_.metres(t) > farthest.of(is_settled);
     });
   }
+
+  /// The greatest of many numbers that only become less.
+  class FarthestOfUse {
+   public:
+    FarthestOfUse(std::size_t n, std::function<double(std::size_t)> now) : now_(std::move(now)) {
+      for (std::size_t k = 0; k < n; ++k) heap_.emplace_back(now_(k), k);
+      std::ranges::make_heap(heap_);
+    }
+    /// Over those that are not settled.
+    template <class Settled>
+    double of(Settled settled) {
+      while (!heap_.empty()) {
+        const auto [before, k] = heap_.front();
+        const double now = settled(k) ? 0 : now_(k);
+        if (now == before && !settled(k)) return now;
+        std::ranges::pop_heap(heap_);
+        heap_.pop_back();
+        if (settled(k)) continue;
+        heap_.emplace_back(now, k);
+        std::ranges::push_heap(heap_);
+      }
+      return 0;
+    }
+
+   private:
+    std::function<double(std::size_t)> now_;
+    std::vector<std::pair<double, std::size_t>> heap_;
+  };
 
   /// A stretch in one sense.
   struct Candidate {
@@ -405,8 +411,40 @@ class PredictiveDrive {
   bool begun_ = false;
   std::optional<Polyline> near_;  // to the last candidate for which is_near()
   std::vector<Piece> left_;
-  std::vector<std::pair<Box, Polyline>> driven_;
+  DrivenLines driven_;
 };
+
+/// The connected components of all parts, each a block.
+std::vector<Region> blocks_of(const std::vector<Region>& parts) {
+  if (parts.size() == 1) return parts;
+  std::vector<Region> blocks;
+  for (const Region& part : parts)
+    for (const Polygon& polygon : part.polygons) blocks.push_back({{polygon}});
+  return blocks;
+}
+
+/// The nearest by path always next, to some of its vertices.
+void drive_blocks(const std::vector<Region>& blocks, const Problem& problem, PredictiveDrive& drive,
+                  const Context& context) {
+  NearestComponent nearest(problem);
+  std::vector<bool> driven(blocks.size(), false);
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const Ring& ring = blocks[k].polygons[0].outer;
+    const std::size_t step = std::max<std::size_t>(1, ring.size() / kEntries);
+    for (std::size_t i = 0; i < ring.size(); i += step) nearest.add(ring[i], static_cast<int>(k), k);
+  }
+  const auto run = [&](std::size_t k) {
+    driven[k] = true;
+    nearest.remove(static_cast<int>(k));
+    drive.run(blocks[k], context);
+  };
+  while (const auto found = nearest.from(drive.at())) {
+    if (context.cancelled()) return;
+    run(found->id);
+  }
+  for (std::size_t k = 0; k < blocks.size(); ++k)  // those without a vertex inside, by rounding
+    if (!driven[k] && !context.cancelled()) run(k);
+}
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const Connector connector(problem);
@@ -415,7 +453,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   const auto small = [&](const Region& block) {
     return !p.blocks || static_cast<double>(vertex_count(block)) * area(block) <= kMostEffort * w * w;
   };
-  for (const Region& block : halved_until(straightened_space(problem), small)) drive.run(block, context);
+  drive_blocks(blocks_of(halved_until(straightened_space(problem), small)), problem, drive, context);
   Path path = without_short_segments(drive.take(), problem);
   context.publish(path);
   return p.repair && !context.cancelled() ? repaired(problem, path, connector, context) : path;

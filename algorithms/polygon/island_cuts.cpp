@@ -9,6 +9,7 @@
 #include "algorithms/polygon/wave_tree.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/mesh/medial_axis.hpp"
+#include "geometry/mesh/shortest_bridges.hpp"
 #include "geometry/overlay/cut_along.hpp"
 
 namespace oxturn {
@@ -36,8 +37,10 @@ struct Candidate {
 
 class Decomposition {
  public:
-  Decomposition(const Region& region, const IslandCuts& options)
-      : options_(options), cuts_(shortest_bridges(region)), lines_(bridges_between_rings(region)) {
+  Decomposition(const Region& region, const IslandCuts& options) : options_(options) {
+    RingBridges bridges = bridges_between_rings(region);
+    cuts_ = std::move(bridges.tree);
+    lines_ = std::move(bridges.all);
     for (Polygon& polygon : cut_along(region, cuts_, options.cut).polygons)
       parts_.push_back(measured(std::move(polygon)));
   }

@@ -22,9 +22,13 @@
 //             4. The ridge that the last lap of a part leaves is covered by repair.
 //             5. Islands are connected with the boundary by their shortest bridges, cuts w / 1000 wide; each side of a
 //                bridge is driven.
+//             6. Vertices of the inset are moved by up to a millionth of the tool width: among like obstacles many
+//                events of the skeleton have the same time, and to see that CGAL computes it with rational numbers, in
+//                a third of all time.
 #include "algorithms/polygon/skeleton_spiral.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -36,7 +40,7 @@
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/lanes/strips.hpp"
 #include "algorithms/polygon/moving_rings.hpp"
-#include "geometry/mesh/medial_axis.hpp"
+#include "geometry/mesh/shortest_bridges.hpp"
 #include "geometry/overlay/cut_along.hpp"
 #include "geometry/raster.hpp"
 
@@ -47,8 +51,12 @@ namespace {
 constexpr double kChord = 0.08;          // error of round vertices, which lie so much nearer to the boundary
 constexpr double kSimplify = 0.02;       // by which round vertices may be simplified
 constexpr double kBridge = 1e-3;         // width of the cuts along bridges
+constexpr double kStirred = 1e-6;        // by which vertices of the inset are moved
 constexpr int kBisections = 8;           // to find the time of a split
 constexpr double kLeastStep = 1.0 / 64;  // spacings from one split to the next
+
+// Multiples of these fill the unit square evenly (Roberts 2018: powers of 1 over the root of x^3 = x + 1).
+constexpr double kStirX = 0.7548776662466927, kStirY = 0.5698402909980532;
 
 enum class Order { tour, recursion };  // in the order of their names in skeleton_spiral()
 
@@ -246,12 +254,27 @@ class SkeletonSpirals {
   std::vector<Strip> strips_;
 };
 
+/// Vertices moved by up to `by`, each to another side, the same way in every run.
+Polygon stirred(Polygon polygon, double by) {
+  double k = 0;
+  const auto move = [&](Ring& ring) {
+    for (Point& p : ring) {
+      ++k;
+      p += by * Point(std::fmod(k * kStirX, 1.0) - 0.5, std::fmod(k * kStirY, 1.0) - 0.5);
+    }
+  };
+  move(polygon.outer);
+  for (Ring& hole : polygon.holes) move(hole);
+  return polygon;
+}
+
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const double w = problem.robot().tool_width, spacing = p.spacing > 0 ? p.spacing : w;
   const double simplify = kSimplify * w;
   const Region inset = simplify_inward(lane_region(problem, spacing - simplify, kChord * w), simplify);
   const Connector connector(problem);
-  const std::vector<Strip> strips = spiral_strips(inset, {spacing, kBridge * w, p.growth}, problem, connector, context);
+  const std::vector<Strip> strips =
+      spiral_strips(inset, {spacing, kBridge * w, p.growth, kStirred * w}, problem, connector, context);
   const StripOrder order = p.order == Order::tour ? StripOrder::improved : StripOrder::given;
   Path path = with_outline(problem, drive_strips(problem, strips, order, connector, context), kLongestLinkOn * w,
                            connector, context);
@@ -267,7 +290,7 @@ std::vector<Strip> spiral_strips(const Region& region, const SkeletonSpiralOptio
   std::vector<Polyline> traced;
   for (const Polygon& part : cut_along(region, shortest_bridges(region), options.bridge).polygons) {
     if (context.cancelled()) break;
-    const StraightSkeleton skeleton = straight_skeleton(part);
+    const StraightSkeleton skeleton = straight_skeleton(stirred(part, options.stirred));
     for (const StraightSkeleton::Arc& a : skeleton.arcs)
       if (context.wants_traces()) traced.push_back({skeleton.nodes[a.low].at, skeleton.nodes[a.high].at});
     const MovingRings rings(skeleton);

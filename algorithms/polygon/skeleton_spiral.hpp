@@ -21,6 +21,7 @@ struct SkeletonSpiralOptions {
   double spacing = 1;  // metres between laps
   double bridge = 1;   // metres: width of the cuts that connect holes with the boundary
   SpiralGrowth growth = SpiralGrowth::length;
+  double stirred = 0;  // metres that vertices may move, so that no two events of the skeleton have the same time
 };
 
 /// The region lies in configuration space. Traces "skeleton". Ends early if cancelled.

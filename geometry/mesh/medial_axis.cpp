@@ -259,28 +259,20 @@ MedialAxis medial_axis(const Region& region, double chord_error) {
   return AxisMaker(region, chord_error).make();
 }
 
-std::vector<Polyline> shortest_bridges(const Region& region) {
-  if (region.empty()) return {};
-  const Voronoi voronoi(region);
-  const EdgeIndex inside(region);
-  DisjointSets rings(voronoi.rings());
-  std::vector<Polyline> lines;
-  for (Bridge& b : bridges_of(voronoi))
-    if (inside.contains((b.line[0] + b.line[1]) / 2) && rings.unite(b.a, b.b)) lines.push_back(std::move(b.line));
-  return lines;
-}
-
-std::vector<Polyline> bridges_between_rings(const Region& region) {
+RingBridges bridges_between_rings(const Region& region) {
   if (region.empty()) return {};
   const Voronoi voronoi(region);
   const EdgeIndex walls(region);
-  std::vector<Polyline> lines;
+  DisjointSets rings(voronoi.rings());
+  RingBridges lines;
   for (Bridge& b : bridges_of(voronoi)) {
     const Point middle = (b.line[0] + b.line[1]) / 2;
-    if (!walls.contains(middle) || (!lines.empty() && lines.back() == b.line)) continue;
+    if (!walls.contains(middle)) continue;
+    if (rings.unite(b.a, b.b)) lines.tree.push_back(b.line);
+    if (!lines.all.empty() && lines.all.back() == b.line) continue;
     const auto wall = walls.nearest(middle);  // nothing else is as near to its middle as its ends
     if (wall && distance(wall->point, middle) >= b.length / 2 - 4 * voronoi.quantum())
-      lines.push_back(std::move(b.line));
+      lines.all.push_back(std::move(b.line));
   }
   return lines;
 }

@@ -1,6 +1,6 @@
-/// The medial axis of a region, and the shortest bridges between its rings.
+/// The medial axis of a region, and the bridges between its rings that it tells.
 ///
-///   const Region open = cut_along(space, shortest_bridges(space), 1e-3);   // no holes any more
+///   const Region open = cut_along(space, shortest_bridges(space), 1e-3);   // shortest_bridges.hpp: no holes any more
 ///   const MedialAxis axis = medial_axis(open, 1e-3);
 ///   axis.nodes[s.node].at;  s.foot;                       // for each spoke s: straight to the boundary
 ///
@@ -38,11 +38,12 @@ struct MedialAxis {
 /// `chord_error`: metres between a parabola and its chords. Throws std::invalid_argument unless it is positive.
 MedialAxis medial_axis(const Region& region, double chord_error);
 
-/// Straight lines inside the region that connect all rings of each polygon: their minimum spanning tree by distance.
-std::vector<Polyline> shortest_bridges(const Region& region);
-
+struct RingBridges {
+  std::vector<Polyline> all = {}, tree = {};  // the shortest first
+};
 /// The straight lines between different rings that are shorter than all others near them: where the axis between two
-/// rings is nearest to both. The shortest bridges are among them. No two cross. The shortest first.
-std::vector<Polyline> bridges_between_rings(const Region& region);
+/// rings is nearest to both. No two cross. Among them is the minimum spanning tree that connects the rings of each
+/// polygon, as shortest_bridges() finds without the axis.
+RingBridges bridges_between_rings(const Region& region);
 
 }  // namespace oxturn

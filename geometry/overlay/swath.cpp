@@ -16,6 +16,7 @@ namespace {
 constexpr double kMostChords = 1000;  // of half a disc
 constexpr double kThinning = 0.25;    // of the chord error
 constexpr std::size_t kGroup = 4;     // consecutive parts that are united at a time
+constexpr double kBlunt = 0.134;      // of the radius: by which three chords of half a disc are off it
 constexpr double kDeep = 2;           // times that a group's parts would cover its bounding box
 
 /// A disc's boundary as a polygon of chords or of tangents.
@@ -57,7 +58,8 @@ Region disc(const Point& centre, const Arc& arc) {
 /// ends cover all. Every ring winds around what it covers at least once.
 class LineSwath {
  public:
-  LineSwath(const Polyline& line, const Arc& arc) : line_(line), arc_(arc), segments_(line.size() - 1) {
+  LineSwath(const Polyline& line, const Arc& arc, const Arc& end)
+      : line_(line), arc_(arc), end_(end), segments_(line.size() - 1) {
     for (std::size_t i = 0; i < segments_; ++i) left_.push_back(perpendicular((line[i + 1] - line[i]).normalized()));
     turn_.assign(line.size(), 0);
     for (std::size_t v = 1; v < segments_; ++v)
@@ -92,11 +94,15 @@ class LineSwath {
   Ring part(std::size_t first, std::size_t last) const {
     Ring ring;
     const Point &start = line_[first], &end = line_[last];
-    arc_.append(ring, start, left_[first], first == 0 ? kPi : 0);
-    if (first != 0) arc_.append(ring, start, -left_[first], 0);
+    if (first == 0) {
+      end_.append(ring, start, left_[first], kPi);
+    } else {
+      arc_.append(ring, start, left_[first], 0);
+      arc_.append(ring, start, -left_[first], 0);
+    }
     for (std::size_t v = first + 1; v < last; ++v) append_bend(ring, v, -left_[v - 1], -left_[v], turn_[v]);
     if (last == segments_) {
-      arc_.append(ring, end, -left_[last - 1], kPi);
+      end_.append(ring, end, -left_[last - 1], kPi);
     } else {  // with the arc of the bend to the next part, from or to where that begins
       const bool left_turn = turn_[last] > 0;
       arc_.append(ring, end, -left_[last - 1], std::max(turn_[last], 0.0));
@@ -121,7 +127,7 @@ class LineSwath {
   }
 
   const Polyline& line_;
-  const Arc& arc_;
+  const Arc &arc_, &end_;  // of bends, of the line's ends
   std::size_t segments_;
   std::vector<Point> left_;    // of each segment: the unit vector to its left
   std::vector<double> turn_;   // of each vertex, radians to the left, -pi to pi
@@ -133,7 +139,7 @@ bool straight_on(const Point& a, const Point& b, const Point& c) {
   return (b - a).dot(c - b) > 0 && orientation(a, b, c) == 0;
 }
 
-void add_line(const Polyline& points, const Arc& arc, std::vector<Region>& parts) {
+void add_line(const Polyline& points, const Arc& arc, const Arc& end, std::vector<Region>& parts) {
   Polyline line;
   for (const Point& p : points) {
     if (!line.empty() && p == line.back()) continue;
@@ -141,7 +147,7 @@ void add_line(const Polyline& points, const Arc& arc, std::vector<Region>& parts
     line.push_back(p);
   }
   if (line.size() == 1) parts.push_back(disc(line.front(), arc));
-  if (line.size() > 1) LineSwath(line, arc).append(parts);
+  if (line.size() > 1) LineSwath(line, arc, end).append(parts);
 }
 
 double area_of(std::span<const Region> parts) {
@@ -173,21 +179,32 @@ std::vector<Region> without_deep(std::vector<Region> parts) {
   return parts;
 }
 
-}  // namespace
-
-std::vector<Region> swath_parts(const std::vector<Polyline>& lines, double radius, double chord_error, Bound bound) {
+/// `blunt`: by how much ends may fall short; 0: as arcs do.
+std::vector<Region> parts_of(const std::vector<Polyline>& lines, double radius, double chord_error, Bound bound,
+                             double blunt) {
   if (!(radius > 0) || !(chord_error > 0)) throw_invalid("a swath's radius and chord error must be above 0");
   const Arc arc(radius, chord_error, bound);
   // A line that is thinned may come nearer to a point by that much.
   const double thinning = std::min(kThinning * chord_error, radius / 2);
   const Arc thin_arc(radius + (bound == Bound::inside ? -thinning : thinning), chord_error - 2 * thinning, bound);
+  const Arc end(radius, blunt, Bound::inside);
   std::vector<Region> parts;
   for (const Polyline& line : lines)
     if (is_dense(line, chord_error))
-      add_line(thinned(line, thinning), thin_arc, parts);
+      add_line(thinned(line, thinning), thin_arc, blunt > 0 ? end : thin_arc, parts);
     else
-      add_line(line, arc, parts);
+      add_line(line, arc, blunt > 0 ? end : arc, parts);
   return without_deep(std::move(parts));
+}
+
+}  // namespace
+
+std::vector<Region> swath_parts(const std::vector<Polyline>& lines, double radius, double chord_error, Bound bound) {
+  return parts_of(lines, radius, chord_error, bound, 0);
+}
+std::vector<Region> swath_parts_with_blunt_ends(const std::vector<Polyline>& lines, double radius, double chord_error,
+                                                Bound bound) {
+  return parts_of(lines, radius, chord_error, bound, kBlunt * radius);
 }
 
 Region swath(const std::vector<Polyline>& lines, double radius, double chord_error, Bound bound) {

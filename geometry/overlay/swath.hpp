@@ -19,5 +19,9 @@ namespace oxturn {
 Region swath(const std::vector<Polyline>& lines, double radius, double chord_error, Bound bound);
 /// The same in parts that overlap, to be subtracted: their union is most of the work.
 std::vector<Region> swath_parts(const std::vector<Polyline>& lines, double radius, double chord_error, Bound bound);
+/// The same, but for the half discs at the ends of lines, of which three chords are left: half as many vertices where
+/// lines are short.
+std::vector<Region> swath_parts_with_blunt_ends(const std::vector<Polyline>& lines, double radius, double chord_error,
+                                                Bound bound);
 
 }  // namespace oxturn

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <map>
 
+#include "algorithms/polygon/driven_lines.hpp"
 #include "algorithms/polygon/field_blocks.hpp"
+#include "algorithms/polygon/halves.hpp"
 #include "coverage_oracle.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/ring_boxes.hpp"
@@ -196,6 +198,44 @@ TEST(FieldPlanners, ACancelledRunReturnsAValidBeginning) {
     Context context(1);
     context.cancel();
     EXPECT_LT(built_in_planner(name)->plan(p, context).length(), plan(name, p).length()) << name;
+  }
+}
+
+// The parts are disjoint and are the region; holes far from all cuts are in the part that they lie in.
+TEST(Halves, AreTheRegion) {
+  for (const auto seed : seeds(4))
+    for (const char* generator : {"clutter", "rooms", "speckle"}) {
+      SCOPED_TRACE(std::string(generator) + std::to_string(seed));
+      const Region region = generate(generator, {{"width", 15.0}, {"height", 12.0}}, seed).free;
+      const auto small = [](const Region& r) { return vertex_count(r) <= 60; };
+      const std::vector<Region> parts = halved_until(region, small);
+      EXPECT_GT(parts.size(), 1u);
+      double sum = 0;
+      for (const Region& part : parts) {
+        EXPECT_TRUE(small(part));
+        sum += area(part);
+        EXPECT_LT(area(subtract(part, region)), 1e-5);
+      }
+      EXPECT_NEAR(sum, area(region), 1e-4);
+      EXPECT_LT(area(subtract(region, parts)), 1e-4);
+    }
+}
+
+TEST(DrivenLines, NearABoxAreThoseWhoseBoxesOverlap) {
+  Rng rng(1);
+  DrivenLines driven(3);
+  std::vector<Polyline> all;
+  for (int k = 0; k < 300; ++k) {
+    Polyline line{{rng.between(-40.0, 40.0), rng.between(-40.0, 40.0)}};
+    for (int i = 0; i < 3; ++i) line.push_back(line.back() + Point(rng.between(-5.0, 5.0), rng.between(-5.0, 5.0)));
+    driven.add(line);
+    all.push_back(line);
+    const Point low(rng.between(-40.0, 40.0), rng.between(-40.0, 40.0));
+    const Box box{low, low + Point(rng.between(0.0, 20.0), rng.between(0.0, 20.0))};
+    std::vector<Polyline> expected;
+    for (const Polyline& one : all)
+      if (bounding_box(one).overlaps(box)) expected.push_back(one);
+    ASSERT_EQ(driven.near(box), expected);
   }
 }
 

@@ -1,6 +1,9 @@
+#include "algorithms/polygon/skeleton_spiral.hpp"
+
 #include "algorithms/polygon/moving_rings.hpp"
 #include "coverage_oracle.hpp"
 #include "geometry/convex_hull.hpp"
+#include "geometry/overlay/offset.hpp"
 #include "tests/support/seeds.hpp"
 
 namespace oxturn {
@@ -115,6 +118,31 @@ TEST(SkeletonSpiral, CoversEveryFamilyWhole) {
         expect_valid(p, path);
         EXPECT_LE(uncovered_share(p, path, kSamples), 2e-3);
       }
+}
+
+// Among like squares many events have the same time. Vertices moved apart by far less than the tool drive as much.
+TEST(SkeletonSpiral, StirredVerticesMoveLapsByAsLittle) {
+  Region region = box_region({0, 0}, {12, 9});
+  for (int k = 0; k < 12; ++k) {
+    Ring hole =
+        box_region({3.0 * (k % 4) + 1, 3.0 * (k / 4) + 1}, {3.0 * (k % 4) + 2, 3.0 * (k / 4) + 2}).polygons[0].outer;
+    std::ranges::reverse(hole);
+    region.polygons[0].holes.push_back(hole);
+  }
+  const Problem problem(Map{"squares", region, "", ""}, disc(0.1, 0.2), Point(0.5, 0.5));
+  const Connector connector(problem);
+  const Region inset = erode(region, 0.3, 0.02, Bound::inside);
+  const auto metres = [&](double stirred) {
+    Context context(1);
+    double sum = 0;
+    for (const Strip& strip :
+         spiral_strips(inset, {.spacing = 0.2, .bridge = 2e-4, .stirred = stirred}, problem, connector, context))
+      for (const LaneEnds& lane : strip.lanes) sum += length(lane.curve);
+    return sum;
+  };
+  const double exact = metres(0);
+  EXPECT_GT(exact, 100);
+  EXPECT_NEAR(metres(2e-7), exact, 0.02 * exact);
 }
 
 }  // namespace

@@ -78,5 +78,31 @@ TEST(Uncovered, OfRandomWalksIsWhatTheyLeave) {
   }
 }
 
+// Oracle as above: squares of which most lie under one segment, some under several, and some beside all.
+TEST(LeftOfPieces, IsWhatTheLinesLeave) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    Region pieces;
+    for (int k = 0; k < 400; ++k) {
+      const Point low = 0.25 * Point(k % 20, k / 20);
+      pieces.polygons.push_back(
+          box_region(low, low + Point(rng.between(0.01, 0.24), rng.between(0.01, 0.24))).polygons[0]);
+    }
+    std::vector<Polyline> lines{{{0.3, 0.2}}};  // and a line of one point
+    for (int l = 0; l < 6; ++l) {
+      Polyline& line = lines.emplace_back();
+      for (int k = 0; k < 5; ++k) line.push_back({rng.between(0.0, 5.0), rng.between(0.0, 5.0)});
+    }
+    const double r = 0.3, seam = 0.002;
+    const Region found = left_of_pieces(pieces, lines, r, seam);
+    const Region most = subtract(pieces, swath_parts(lines, r, 1e-4, Bound::inside));
+    const Region least = subtract(pieces, swath_parts(lines, r + seam, 1e-4, Bound::outside));
+    EXPECT_GT(area(most), 0.1);
+    EXPECT_LT(area(subtract(found, most)), 1e-6);
+    EXPECT_LT(area(subtract(least, found)), 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace oxturn

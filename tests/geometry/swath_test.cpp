@@ -127,5 +127,15 @@ TEST(Swath, OfDenseLinesIsBoundedToo) {
   EXPECT_LT(vertex_count(outside), 500u);
 }
 
+// They lie in the swath, and what they lack lies about the two ends, outside of three chords of a half disc.
+TEST(Swath, WithBluntEndsLacksSegmentsOfDiscsOnly) {
+  const double r = 0.5, lacks = kPi / 6 - std::sin(kPi / 3) / 2;  // of r^2, a chord's segment
+  const std::vector<Polyline> lines{{{0, 0}, {3, 0.5}, {5, 3}}};
+  const Region whole = swath(lines, r, 1e-4, Bound::outside);
+  const Region blunt = unite(swath_parts_with_blunt_ends(lines, r, 1e-4, Bound::outside));
+  EXPECT_LT(area(subtract(blunt, whole)), 1e-6);
+  EXPECT_NEAR(area(whole) - area(blunt), 6 * lacks * r * r, 1e-3);
+}
+
 }  // namespace
 }  // namespace oxturn
