@@ -31,9 +31,9 @@
 //             7. trim = geodesic (ours) keeps the samples whose shortest tether has the lap's length.
 //             8. joins = tethered (ours, the default): from point to point by the shortest path that keeps the tether
 //                length limit. It is the same as with joins = shortest as long as that keeps it.
-//             9. With it samples are left out between which the boundary is within w / 200 of a free segment, as far as
-//                its node sees all of that: a quarter of the points make the same laps. (Not with trim = geodesic,
-//                which looks at each sample.)
+//             9. By default samples are left out between which the boundary is within w / 200 of a free segment, as
+//                far as its node sees all of that: half of the points make the same laps. Not with a sampling of one's
+//                own, nor with trim = geodesic, which looks at each sample.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -94,6 +94,12 @@ class BergDrive {
       shortest_.drive(connector_.path(at(), to), true);
     else if (!tethered_->go(to))
       ++missed_;
+  }
+  void go_along(const Polyline& points) {
+    if (tethered_)
+      missed_ += tethered_->go_along(points);
+    else
+      for (const Point& p : points) go(p);
   }
   /// Of the shortest path; infinity if it is longer than `longest`.
   double length(const Point& to, double longest = std::numeric_limits<double>::infinity()) const {
@@ -199,7 +205,7 @@ class PieceDrive {
     Polyline line = points(piece);
     if (!tree_.pieces()[piece].divider) line = opened(line);
     if (line.size() > 1 && is_nearer(line.back(), line.front())) std::reverse(line.begin(), line.end());
-    for (const Point& p : line) drive_.go(p);
+    drive_.go_along(line);
     grown_.offer(drive_.path());
   }
 
@@ -274,7 +280,7 @@ BergTree::Laps laps_for(const Params& p, const Problem& problem) {
   const double by_default = p.step_by == StepBy::robot ? size : std::clamp(size, width / 2, width);
   const double step = p.step > 0 ? p.step : by_default;
   BergTree::Laps laps{step, robot.tether->length, p.sampling > 0 ? p.sampling : step / kStepsPerSpacing};
-  if (p.joins == Joins::tethered && p.trim == Trim::none)
+  if (p.sampling == 0 && p.trim == Trim::none)
     laps.thinning = {width / kThinnings,
                      [&](const Point& a, const Point& b) { return problem.walls().contains(a, b); }};
   return laps;
@@ -363,7 +369,8 @@ PlannerInfo berg() {
              "tether between laps: the robot's radius, as in the source; tool: at least half the tool's width, at most "
              "all"},
             {"step", &Params::step, Range{0, 100}, "metres of tether between laps; 0: as `step_by` says"},
-            {"sampling", &Params::sampling, Range{0, 100}, "metres between samples of a lap; 0: a quarter step"}},
+            {"sampling", &Params::sampling, Range{0, 100},
+             "metres between samples of a lap; 0: a quarter step, or more where the lap is nearly straight"}},
        .published = {{"order", std::string("bfs-per-divider")},
                      {"joins", std::string("shortest")},
                      {"step_by", std::string("robot")}}}));

@@ -132,8 +132,10 @@ void BergSweep::sample(const Item& arc, BergBoundary::Piece& piece) const {
       }
       attempt = next;
     }
+    const SightRange::Answer answer = node.range.look(turn(k), radius);
+    if (answer == SightRange::Answer::hidden) continue;
     const Point p = at(k);
-    if (radius >= node.range.sure(turn(k), turn(k)) && !b_.sight_.sees(node.at, p)) continue;
+    if (answer == SightRange::Answer::unknown && !b_.sight_.sees(node.at, p)) continue;
     add(p, piece.points);
     previous = k;
   }

@@ -21,7 +21,7 @@ namespace oxturn {
 /// Samples that may be left out: where a node surely sees all of its arc, and a straight segment from one sample to a
 /// later one is free and within `error` metres of the arc.
 struct BergThinning {
-  double error = 0;                                                // 0: none are left out
+  double error = 0;                                              // 0: none are left out
   std::function<bool(const Point&, const Point&)> is_free = {};  // the segment between two points
 };
 

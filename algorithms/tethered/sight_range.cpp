@@ -22,12 +22,16 @@ constexpr double kUnknown = std::numeric_limits<double>::infinity();
 }  // namespace
 
 SightRange::SightRange(const Point& eye, double begin, double width, const Ring& seen, double tolerance)
-    : width_(width),
+    : begin_(begin),
+      width_(width),
       tolerance_(tolerance),
       slices_(std::clamp<std::size_t>(seen.size(), 1, kMostSlices), 0.0),
       sure_(slices_.size(), kUnknown) {
   for (std::size_t i = 0; i < seen.size(); ++i) add_edge(seen[i] - eye, seen[(i + 1) % seen.size()] - eye, begin);
   std::ranges::replace(sure_, kUnknown, 0.0);
+  std::ranges::stable_sort(edges_, {}, &Edge::from);
+  edges_.shrink_to_fit();
+  for (const Edge& edge : edges_) widest_pad_ = std::max(widest_pad_, edge.pad);
 }
 
 std::size_t SightRange::slice_of(double angle) const {
@@ -50,6 +54,8 @@ void SightRange::add_edge(const Point& a, const Point& b, double begin) {
 void SightRange::add_edge_from_eye(const Point& b, double begin, bool at_eye) {
   const double most = b.norm(), near = kNear * tolerance_, angle = std::atan2(b.y(), b.x()) - begin;
   const double pad = kSlack * tolerance_ / most + kRounding;
+  reliable_ = reliable_ && at_eye;
+  along_walls_.emplace_back(angle, pad);
   for (std::size_t s = 0; s < slices_.size(); ++s) {
     const double begins = s == 0 ? 0 : end_of(s - 1), ends = end_of(s);
     // From the middle of the slice, less half of it.
@@ -86,6 +92,7 @@ void SightRange::add_span(double from, double to, const Point& a, const Point& b
   for (const double shift : {-turns - 2 * kPi, -turns, -turns + 2 * kPi}) {
     const double low = from + shift - pad, high = to + shift + pad;
     if (high < 0 || low > width_) continue;
+    edges_.push_back({from + shift, to + shift, forwards ? a : b, forwards ? b : a, pad});
     const std::size_t last = slice_of(high);
     for (std::size_t s = slice_of(low); s <= last; ++s) {
       const double begins = s == 0 ? 0 : end_of(s - 1), ends = end_of(s);
@@ -102,6 +109,35 @@ void SightRange::add(double angle, double distance) {
     double& range = slices_[slice_of(beside)];
     range = std::max(range, distance + kSlack * tolerance_);
   }
+}
+
+SightRange::Span SightRange::distances(const Edge& edge, double from, double to) const {
+  const Point along = edge.b - edge.a;
+  const double area = cross(edge.a, edge.b), most = std::max(edge.a.norm(), edge.b.norm());
+  const auto at = [&](double angle) {
+    if (angle <= edge.from) return edge.a.norm();
+    if (angle >= edge.to) return edge.b.norm();
+    return area / cross(Point(std::cos(begin_ + angle), std::sin(begin_ + angle)), along);
+  };
+  const double first = at(from), last = at(to);
+  if (!(first > 0 && last > 0)) return {0, most};
+  return {std::min(first, last), std::min(std::max(first, last), most)};
+}
+
+SightRange::Answer SightRange::look(double angle, double distance) const {
+  if (!reliable_) return Answer::unknown;
+  for (const auto& [wall, pad] : along_walls_)
+    if (std::abs(std::remainder(angle - wall, 2 * kPi)) <= pad) return Answer::unknown;
+  Span seen{kUnknown, 0};
+  auto edge = std::ranges::upper_bound(edges_, angle + widest_pad_, {}, &Edge::from);
+  while (edge != edges_.begin() && (--edge)->to >= angle - 2 * widest_pad_) {
+    if (edge->from - edge->pad > angle || edge->to + edge->pad < angle) continue;
+    const Span span = distances(*edge, angle - edge->pad, angle + edge->pad);
+    seen = {std::min(seen.least, span.least), std::max(seen.most, span.most)};
+  }
+  const double slack = kSlack * tolerance_ + kRounding * distance;
+  if (seen.least == kUnknown) return Answer::unknown;
+  return distance < seen.least - slack ? Answer::seen : distance > seen.most + slack ? Answer::hidden : Answer::unknown;
 }
 
 double SightRange::sure(double from, double to) const {

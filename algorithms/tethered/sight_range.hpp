@@ -4,10 +4,12 @@
 ///   if (radius > range.farthest(from, to)) skip();     // nothing of this arc is seen
 ///   if (radius < range.sure(from, to)) keep();         // all of it is
 ///
-/// Complexity  n edges of what is seen: at most 64 slices, O(n + slices); farthest() O(slices)
+/// Complexity  n edges of what is seen: at most 64 slices, O(n log n + slices); farthest() and sure() O(slices), look()
+///             O(log n)
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "geometry/region.hpp"
@@ -28,6 +30,10 @@ class SightRange {
   /// Everything nearer is seen in the slices from that of `from` to that of `to`, metres; 0 if nothing is known.
   double sure(double from, double to) const;
 
+  /// Is the point at this angle and distance seen? Not known within some tolerances of what bounds the sight.
+  enum class Answer { seen, hidden, unknown };
+  Answer look(double angle, double distance) const;
+
   /// The slice with an angle of the sector, its range, and the angle where it ends.
   std::size_t slice_of(double angle) const;
   double range(std::size_t slice) const { return slices_[slice]; }
@@ -37,11 +43,26 @@ class SightRange {
   double count() const { return static_cast<double>(slices_.size()); }
   void add_edge(const Point& a, const Point& b, double begin);
   void add_edge_from_eye(const Point& b, double begin, bool at_eye);
+  /// An edge of what is seen, between two angles.
+  struct Edge {
+    double from, to;
+    Point a, b;  // from the eye, at these angles
+    double pad;  // radians by which they may be off
+  };
+  struct Span {
+    double least, most;
+  };
+  /// The distances of an edge between two angles.
+  Span distances(const Edge& edge, double from, double to) const;
   void limit_sight(std::size_t slice, double distance) { sure_[slice] = std::min(sure_[slice], distance); }
   void add_span(double from, double to, const Point& a, const Point& b, double begin);
 
-  double width_ = 0, tolerance_ = 0;
+  double begin_ = 0, width_ = 0, tolerance_ = 0;
   std::vector<double> slices_, sure_;
+  std::vector<Edge> edges_;                               // in the sector, by `from`; few overlap, by rounding
+  double widest_pad_ = 0;                                 // of them
+  std::vector<std::pair<double, double>> along_walls_{};  // angles of edges that begin at the eye, and their pads
+  bool reliable_ = true;                                  // no other edge passes the eye very near
 };
 
 }  // namespace oxturn

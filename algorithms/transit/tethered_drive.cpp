@@ -24,6 +24,31 @@ bool TetheredDrive::go(const Point& goal) {
   return true;
 }
 
+/// Points between which the straight path is free, and certainly within the tether length limit, are driven together.
+std::size_t TetheredDrive::go_along(const Polyline& points) {
+  constexpr std::size_t kTogether = 16;
+  const TetheredWorld& world = space_.world();
+  std::size_t missed = 0;
+  Polyline part;
+  for (std::size_t i = 0; i < points.size();) {
+    const bool wound = robot_.trail().length() > kMostWound * space_.tether_length();
+    double tether = robot_.tether().length();
+    part.clear();
+    for (Point from = at(); !wound && i < points.size() && part.size() < kTogether; from = points[i++]) {
+      tether += distance(from, points[i]);
+      if (!(tether <= world.longest) || !world.walls.contains(from, points[i])) break;
+      part.push_back(points[i]);
+    }
+    if (part.empty()) {
+      missed += !go(points[i++]);
+      continue;
+    }
+    robot_.drive(part);
+    path_.drive(part, true);
+  }
+  return missed;
+}
+
 void TetheredDrive::go_home() {
   if (const auto home = robot_.path_home()) path_.drive(*home, false);
 }

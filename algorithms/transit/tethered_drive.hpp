@@ -29,6 +29,8 @@ class TetheredDrive {
   /// To `goal`, with the tool on. False if no path keeps the tether length limit: then the robot stays where it is. If
   /// the path driven so far, pulled taut, is longer than three tethers, the robot goes home along it first.
   bool go(const Point& goal);
+  /// To one point after the other. Returns how many could not be reached.
+  std::size_t go_along(const Polyline& points);
   /// Back to the start with the tool off, the tether taken in.
   void go_home();
   /// Paths that may not be the shortest, because the search's budget ran out.

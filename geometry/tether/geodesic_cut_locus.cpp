@@ -63,9 +63,7 @@ struct Bisector {
 };
 
 /// The unit vector from v to u.
-Point direction_away(const GeodesicCones::Root& u, const GeodesicCones::Root& v) {
-  return (u.at - v.at).normalized();
-}
+Point direction_away(const GeodesicCones::Root& u, const GeodesicCones::Root& v) { return (u.at - v.at).normalized(); }
 
 /// Finds the pieces of the cut locus.
 class CutLocus {

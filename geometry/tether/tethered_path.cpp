@@ -18,15 +18,19 @@
 //                space (or to which the caller knows a path) on. Where the robot cannot be on the geodesic it takes
 //                the shortest path of the same class to the next point of it where it can. These searches are local,
 //                so their cost does not grow with the number of classes of the whole map. The result is pulled taut.
-//             7. For a goal outside the cut space the search has no bound on the path's length. If the budget does not
+//             7. Points that the tether passes without a change of its bends are driven together: a few of them at a
+//                time, if no corner lies in the triangle that it sweeps over.
+//             8. For a goal outside the cut space the search has no bound on the path's length. If the budget does not
 //                suffice, the path is that of decision 4 along the caller's path out, or, if there is none, leads back
 //                to the start and from there follows the class of the geodesic.
 #include "geometry/tether/tethered_path.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/throw_invalid.hpp"
+#include "geometry/predicates.hpp"
 
 namespace oxturn {
 
@@ -71,6 +75,52 @@ Polyline reversed(Polyline line) {
 Polyline joined(Polyline first, const Polyline& second) {
   first.insert(first.end(), second.begin() + (first.back() == second.front() ? 1 : 0), second.end());
   return first;
+}
+
+/// Of points[first ..], as many as the tether can be driven to without a change of its bends; 0 if that is not certain.
+std::size_t swung_over(const TautTether& tether, const TautSpace& corners, const Polyline& points, std::size_t first) {
+  constexpr std::size_t kMost = 16;
+  constexpr double kPad = 4 * TautSpace::kNear;
+  const Point pivot = tether.pivot(), u = (tether.robot() - pivot).normalized(), aside = perpendicular(u);
+  if (tether.robot() == pivot) return 0;
+  const auto& bends = tether.bends();
+  const Point before = bends.size() > 1 ? bends[bends.size() - 2].at : tether.anchor();
+  const auto holds = [&](const Point& p) {
+    return bends.empty() || bends.back().side * orientation(before, pivot, p) > 0;
+  };
+  double low = 0, high = 0, reach = (tether.robot() - pivot).norm();  // sides: tangents of the angles from u
+  std::size_t n = 0;
+  for (; n < kMost && first + n < points.size(); ++n) {
+    const Point d = points[first + n] - pivot;
+    const double along = d.dot(u), tangent = d.dot(aside) / along;
+    if (!(along > 0 && std::abs(tangent) <= 1 && holds(points[first + n]))) break;
+    low = std::min(low, tangent);
+    high = std::max(high, tangent);
+    reach = std::max(reach, along);
+  }
+  if (n < 2) return 0;
+  bool any = false;
+  const std::array triangle{pivot, Point(pivot + reach * (u + low * aside)), Point(pivot + reach * (u + high * aside))};
+  corners.for_each_near(triangle, kPad, [&](const TautSpace::Corner& c) {
+    const Point d = c.at - pivot;
+    const double along = d.dot(u), across = d.dot(aside);
+    any = any || (c.at != pivot && along >= -kPad && along <= reach + kPad && across >= low * along - kPad &&
+                  across <= high * along + kPad);
+  });
+  return any ? 0 : n;
+}
+
+/// The same as tether.drive(points).
+void drive_together(TautTether& tether, const TautSpace& corners, const Polyline& points) {
+  constexpr std::size_t kAlone = 8;  // points, where no corner is known to be away
+  for (std::size_t i = 0; i < points.size();) {
+    if (const std::size_t n = swung_over(tether, corners, points, i); n > 0) {
+      tether.drive(points[i + n - 1]);
+      i += n;
+      continue;
+    }
+    for (const std::size_t end = std::min(i + kAlone, points.size()); i < end; ++i) tether.drive(points[i]);
+  }
 }
 
 /// Back along the trail to where a path from the start leaves it, at the latest at the start, then along that path.
@@ -442,8 +492,8 @@ std::optional<Polyline> TetheredRobot::path_home() const {
 }
 
 void TetheredRobot::drive(const Polyline& points) {
-  tether_.drive(points);
-  trail_.drive(points);
+  drive_together(tether_, world_->free, points);
+  drive_together(trail_, world_->space, points);
 }
 
 }  // namespace oxturn

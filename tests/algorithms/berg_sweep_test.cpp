@@ -85,6 +85,73 @@ TEST(SightRange, IsNeverLessThanWhatIsSeenAndOftenLessThanWhatIsHidden) {
   EXPECT_GT(3 * known, 2 * hidden);
 }
 
+TEST(SightRange, WhatIsSurelySeenIsSeenAndThatIsMost) {
+  std::size_t seen = 0, sure = 0, all = 0, unknown = 0;
+  for (const char* generator : {"clutter", "cave", "rooms", "speckle"}) {
+    SCOPED_TRACE(generator);
+    const Scene s(floor(generator, 2));
+    const bool no_gaps = s.problem.tether()->closed_gaps().empty();
+    const EdgeIndex& walls = s.problem.map_edges();
+    for (const BergNode& node : s.boundary.nodes())
+      for (double share = 0; share < 1; share += 0.0371)
+        for (double radius = 0.05; radius < 12; radius *= 1.4) {
+          const double turn = share * node.width, angle = node.begin + turn;
+          const bool free = walls.contains(node.at, node.at + radius * Point(std::cos(angle), std::sin(angle)));
+          const bool claimed = radius < node.range.sure(turn, turn);
+          const SightRange::Answer answer = node.range.look(turn, radius);
+          ++all;
+          unknown += answer == SightRange::Answer::unknown;
+          if (answer == SightRange::Answer::seen)
+            ASSERT_TRUE(free) << node.at.transpose() << ", " << turn << ", " << radius;
+          if (answer == SightRange::Answer::hidden && no_gaps)
+            ASSERT_FALSE(free) << node.at.transpose() << ", " << turn << ", " << radius;
+          seen += free;
+          sure += claimed;
+          ASSERT_TRUE(free || !claimed) << "node at " << node.at.transpose() << ", turn " << turn << ", " << radius;
+        }
+  }
+  EXPECT_GT(seen, 10000u);
+  EXPECT_GT(10 * sure, 7 * seen);
+  EXPECT_LT(20 * unknown, all);
+}
+
+/// The distance of p to a polyline.
+double distance_to(const Polyline& line, const Point& p) {
+  double least = distance(line.front(), p);
+  for (std::size_t i = 1; i < line.size(); ++i) least = std::min(least, distance_to_segment(p, line[i - 1], line[i]));
+  return least;
+}
+
+TEST(BergSweep, WithoutNeedlessSamplesTheLapsAreTheSame) {
+  constexpr double kError = 0.002;
+  std::size_t all = 0, kept = 0;
+  for (const char* generator : {"clutter", "speckle", "rooms", "cave"}) {
+    const Scene s(floor(generator, 1));
+    const EdgeIndex& walls = s.problem.walls();
+    const auto is_free = [&](const Point& a, const Point& b) { return walls.contains(a, b); };
+    BergSweep plain(s.boundary, 0.05), thinned(s.boundary, 0.05, {kError, is_free});
+    for (double l = 0.1; l < s.boundary.farthest(); l += 0.41) {
+      SCOPED_TRACE(fmt::format("{} length {}", generator, l));
+      const Pieces from = with_points(plain.at(l)), to = with_points(thinned.at(l));
+      ASSERT_EQ(from.size(), to.size());
+      for (std::size_t i = 0; i < from.size(); ++i) {
+        ASSERT_EQ(from[i].first, to[i].first);
+        const Polyline &samples = from[i].second, &left = to[i].second;
+        all += samples.size();
+        kept += left.size();
+        std::size_t next = 0;  // of the samples: those left are some of them, in their order
+        for (const Point& p : left) {
+          while (next < samples.size() && samples[next] != p)
+            EXPECT_LE(distance_to(left, samples[next++]), kError * 1.001);
+          ASSERT_LT(next++, samples.size());
+        }
+        EXPECT_EQ(samples.back(), left.back());
+      }
+    }
+  }
+  EXPECT_LT(3 * kept, 2 * all);
+}
+
 TEST(BergSweep, DropsPiecesThatStayEmpty) {
   const Scene s(floor("clutter", 1));
   BergSweep sweep(s.boundary, 0.1);

@@ -217,6 +217,34 @@ TEST(TetheredPath, ADiscKeepsTheTetherLengthAndStaysInItsSpace) {
   EXPECT_GT(cheap, 100u);
 }
 
+// By the end of the geodesic alone, against the whole tether.
+TEST(TetheredPath, WithinTheTetherAsTheWholeTetherSays) {
+  std::size_t within = 0, beyond = 0;
+  for (const auto seed : seeds(12)) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Rng rng(seed);
+    const Region free = clutter_box(rng, 7, 7, seed % 2 == 0, 0.6);
+    const EdgeIndex index(free);
+    const Box box = bounding_box(free);
+    const Point anchor = free_point(rng, index, box);
+    const GeodesicField field(free, anchor, {}, 0);
+    const World world(free, free, anchor, anchor, rng.between(0.6, 0.9) * field.farthest());
+    for (int k = 0; k < 60; ++k) {
+      const Point from = free_point(rng, index, box), to = free_point(rng, index, box);
+      if (field.distance(from) > world.tethered.longest) continue;
+      auto path = world.tethered.paths.path(from, to);
+      ASSERT_TRUE(path.has_value());
+      TetheredRobot robot(world.tethered, from);
+      const double most = longest_along(robot, *path);
+      if (std::abs(most - world.tethered.longest) < 1e-8) continue;
+      EXPECT_EQ(within_tether(world.tethered, *path), most < world.tethered.longest) << "path " << k;
+      ++(most < world.tethered.longest ? within : beyond);
+    }
+  }
+  EXPECT_GT(within, 100u);
+  EXPECT_GT(beyond, 100u);
+}
+
 /// A room 10 m square with a pillar 2 m square in its middle.
 Region pillar() { return {{{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{4, 4}, {4, 6}, {6, 6}, {6, 4}}}}}}; }
 
