@@ -14,9 +14,10 @@ namespace oxturn {
 namespace {
 
 constexpr auto kNoJob = std::numeric_limits<std::uint32_t>::max();
-// Searched for the nearest rectangle; if there is none so near, the triangles of free space are searched: they are
-// fewer.
-constexpr std::size_t kMostNodes = 20'000;
+// Where walls have far fewer edges than the lattice has nodes, so many nodes are searched for the nearest rectangle; if
+// there is none so near, the triangles of free space are searched, of which there are about as many as edges. To search
+// a triangle takes as long as some thirty nodes.
+constexpr std::size_t kMostNodes = 20'000, kNodesOfAnEdge = 30;
 
 /// One run.
 class RectangleCleaner {
@@ -28,6 +29,7 @@ class RectangleCleaner {
         graph_(graph),
         context_(context),
         paths_(graph, problem.walls()),
+        most_nodes_(graph.size() > kNodesOfAnEdge * problem.walls().edges().size() ? kMostNodes : graph.size()),
         side_(graph.side()),
         smallest_(options.cells_needed(problem.robot())),
         done_(std::move(done)),
@@ -194,10 +196,10 @@ class RectangleCleaner {
     return true;
   }
 
-  /// The nearest over the lattice of the jobs that start at some node, unless more than kMostNodes are nearer.
+  /// The nearest over the lattice of the jobs that start at some node, unless more than most_nodes_ are nearer.
   std::optional<std::size_t> nearest_over_lattice(std::size_t from, const std::vector<std::uint32_t>& starts) {
     std::size_t nearer = 0;
-    const auto ends = [&](std::size_t node) { return starts[node] != kNoJob || ++nearer > kMostNodes; };
+    const auto ends = [&](std::size_t node) { return starts[node] != kNoJob || ++nearer > most_nodes_; };
     const auto found = paths_.nearest(from, ends);
     if (!found || starts[found->node] == kNoJob) return std::nullopt;
     return starts[found->node];
@@ -223,37 +225,45 @@ class RectangleCleaner {
     for (const ComponentLinks::Link& link : links.tree(root)) followers_[link.from].push_back(link.to);
   }
 
-  /// After job `last` the nearest of its followers that is left; the others are due when the robot comes back.
-  std::optional<std::size_t> follower_of(std::size_t last, const std::vector<Job>& jobs,
+  struct LeftBehind {
+    std::size_t job, node;
+  };
+  /// The nearest of a job's followers that is left; the others are due when the robot comes back to the node.
+  std::optional<std::size_t> follower_of(const LeftBehind& here, const std::vector<Job>& jobs,
                                          const std::vector<bool>& cleaned) {
     if (followers_.empty()) return std::nullopt;
-    std::vector<std::size_t>& followers = followers_[last];
+    std::vector<std::size_t>& followers = followers_[here.job];
     std::erase_if(followers, [&](std::size_t k) { return cleaned[k]; });
     if (followers.empty()) return std::nullopt;
     const auto away = [&](std::size_t k) { return distance(path_.at(), paths_.centre(start_node(jobs[k]))); };
     const auto nearest = std::ranges::min_element(followers, {}, away);
     const std::size_t k = *nearest;
     followers.erase(nearest);
-    left_behind_.push_back({last, at_});
+    left_behind_.push_back(here);
     return k;
   }
 
   /// A follower of the job cleaned last, else the nearest over the lattice. Where nothing is left in a component of the
   /// lattice, what would have been next where the robot left the component before.
-  std::optional<std::size_t> nearest_job(std::size_t last, const std::vector<Job>& jobs,
+  std::optional<std::size_t> nearest_job(std::optional<std::size_t> last, const std::vector<Job>& jobs,
                                          const std::vector<bool>& cleaned, const std::vector<std::uint32_t>& starts,
                                          const std::unordered_map<int, std::size_t>& left_in) {
-    if (const auto k = follower_of(last, jobs, cleaned)) return k;
+    if (last) {
+      // A rectangle may end in another component than it began in.
+      if (const std::size_t began = start_node(jobs[*last]); paths_.component(began) != paths_.component(at_))
+        left_behind_.push_back({*last, began});
+      if (const auto k = follower_of({*last, at_}, jobs, cleaned)) return k;
+    }
     std::size_t from = at_;
     const auto any_left = [&] {
       const auto left = left_in.find(paths_.component(from));
       return left != left_in.end() && left->second > 0;
     };
     while (!any_left() && !left_behind_.empty()) {
-      const auto [job, node] = left_behind_.back();
+      const LeftBehind there = left_behind_.back();
       left_behind_.pop_back();
-      if (const auto k = follower_of(job, jobs, cleaned)) return k;
-      from = node;
+      if (const auto k = follower_of(there, jobs, cleaned)) return k;
+      from = there.node;
     }
     return any_left() ? nearest_over_lattice(from, starts) : std::nullopt;
   }
@@ -267,7 +277,8 @@ class RectangleCleaner {
       starts[start_node(jobs[k])] = static_cast<std::uint32_t>(k);
       ++left_in[paths_.component(start_node(jobs[k]))];
     }
-    std::size_t first = 0, last = 0;
+    std::size_t first = 0;
+    std::optional<std::size_t> last;
     for (std::size_t n = 0; n < jobs.size() && !context_.cancelled(); ++n) {
       while (cleaned[first]) ++first;
       std::size_t k = first;
@@ -430,12 +441,10 @@ class RectangleCleaner {
   const GridGraph& graph_;
   Context& context_;
   LatticePaths paths_;
-  std::optional<NearestComponent> among_walls_;  // made when first needed
+  std::optional<NearestComponent> among_walls_;      // made when first needed
   std::vector<std::vector<std::size_t>> followers_;  // by job; empty: all are in one component of the lattice
-  struct LeftBehind {
-    std::size_t job, node;
-  };
   std::vector<LeftBehind> left_behind_;  // where the robot left components of the lattice that it comes back to
+  std::size_t most_nodes_;
   double side_;
   int smallest_;  // cells on each side of a rectangle
   std::vector<bool> done_;

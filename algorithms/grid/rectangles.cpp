@@ -7,9 +7,8 @@
 //             except those below a shifted start; with `columns = each` columns are skipped only where the robot does
 //             not fit; with `revisit_skipped` every lattice node that the robot can reach is driven
 // Complexity  n cells: world and partition O(n), a path between rectangles O(cells nearer than its end); some 60 bytes
-//             a cell. `choose = nearest` searches up to 20,000 nodes for each rectangle, and where none is so near, the
-//             triangles of free space that are nearer than the next one (nearest_component.hpp): 1.2 to 1.3 in the
-//             exponent from 10^5 to 10^6 cells of scattered obstacles. `choose = first` may cross the map after each
+//             a cell. `choose = nearest` searches the nodes that are nearer than the next rectangle; where walls have
+//             few edges, after 20,000 nodes the triangles of free space (nearest_component.hpp). `choose = first` may cross the map after each
 //             column of rectangles: O(n^1.5) driven at worst
 // Decisions   1. Cells default to half the robot's width (`cells = robot`; the source's robot is larger than a cell) or
 //                to half the tool's, whichever is more: narrow lanes under a wide tool are driven many times over,

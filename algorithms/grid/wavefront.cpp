@@ -285,7 +285,7 @@ class Climb {
     std::size_t to;
     Polyline link;
   };
-  std::vector<bool> detour_from_;                      // cells
+  std::vector<bool> detour_from_;                       // cells
   std::map<std::size_t, std::vector<Detour>> detours_;  // by the cell where they begin
   std::uint32_t search_ = 0;
   std::size_t visited_count_ = 0, asked_ = 0;

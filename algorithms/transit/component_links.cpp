@@ -9,6 +9,14 @@
 #include "base/graph_search.hpp"
 
 namespace oxturn {
+namespace {
+
+// Of the largest component entry points are kept within one to two such squares of another component's.
+constexpr double kNear = 16;           // tool widths
+constexpr double kMostSquares = 4096;  // in a row
+
+}  // namespace
+
 /// Finds connections. A side is known by the number that its first triangle gives it.
 class ComponentLinks::Wave {
  public:
@@ -23,10 +31,12 @@ class ComponentLinks::Wave {
   /// Between entry points that are in one triangle, or in two that share a side.
   std::vector<Candidate> near_ones() {
     found_.clear();
-    for (std::int32_t t = 0; t < static_cast<std::int32_t>(mesh_.triangles().size()); ++t) {
+    for (std::size_t e = 0; e < entries_.size(); e += entries_in(entries_[e].triangle).size()) {
+      const std::int32_t t = entries_[e].triangle;
       join_neighbours(t, Mesh::kWall, 0);
       for (std::size_t k = 0; k < 3; ++k)
-        if (const std::int32_t n = mesh_.triangle(t).neighbour[k]; n > t) join_neighbours(t, n, k);
+        if (const std::int32_t n = mesh_.triangle(t).neighbour[k]; n > t || (n >= 0 && entries_in(n).empty()))
+          join_neighbours(t, n, k);
     }
     return std::move(found_);
   }
@@ -138,10 +148,52 @@ class ComponentLinks::Wave {
 };
 
 void ComponentLinks::add(const Point& p, int component, std::size_t id) {
-  const std::int32_t triangle = problem_.transit().mesh().locate(p, problem_.tolerance());
-  if (triangle == Mesh::kWall) return;
-  entries_.push_back({p, component, triangle, id});
+  all_.push_back({p, component, Mesh::kWall, id});
   count_ = std::max(count_, component + 1);
+}
+
+/// Entry points of the component with the most of them, unless they are near to one of another component, are not
+/// worth locating.
+std::vector<bool> ComponentLinks::near_others() const {
+  std::vector<std::size_t> size(static_cast<std::size_t>(count_), 0);
+  for (const Entry& e : all_) ++size[static_cast<std::size_t>(e.component)];
+  const auto largest = static_cast<int>(std::ranges::max_element(size) - size.begin());
+  Box box;
+  for (const Entry& e : all_) box.add(e.at);
+  const double side = std::max(kNear * problem_.robot().tool_width, box.size().maxCoeff() / kMostSquares);
+  const auto square = [&](const Point& p) {
+    return std::pair(static_cast<std::size_t>((p.x() - box.low.x()) / side) + 1,
+                     static_cast<std::size_t>((p.y() - box.low.y()) / side) + 1);
+  };
+  const auto [columns, rows] = square(box.high);
+  std::vector<bool> near((columns + 2) * (rows + 2), false);  // squares, with a border
+  const auto at = [&, width = columns + 2](std::size_t i, std::size_t j) { return j * width + i; };
+  for (const Entry& e : all_) {
+    if (e.component == largest) continue;
+    const auto [i, j] = square(e.at);
+    for (std::size_t y = j - 1; y <= j + 1; ++y)
+      for (std::size_t x = i - 1; x <= i + 1; ++x) near[at(x, y)] = true;
+  }
+  std::vector<bool> chosen;
+  chosen.reserve(all_.size());
+  for (const Entry& e : all_) {
+    const auto [i, j] = square(e.at);
+    chosen.push_back(e.component != largest || near[at(i, j)]);
+  }
+  return chosen;
+}
+
+/// Locates the chosen entry points and sorts them by triangle.
+void ComponentLinks::locate(const std::vector<bool>& chosen) {
+  entries_.clear();
+  for (std::size_t k = 0; k < all_.size(); ++k) {
+    if (!chosen[k]) continue;
+    Entry entry = all_[k];
+    entry.triangle = problem_.transit().mesh().locate(entry.at, problem_.tolerance());
+    if (entry.triangle != Mesh::kWall) entries_.push_back(entry);
+  }
+  std::stable_sort(entries_.begin(), entries_.end(),
+                   [](const Entry& a, const Entry& b) { return a.triangle < b.triangle; });
 }
 
 /// The components that are connected so far: the group of each entry point's component, in the order of their first.
@@ -183,13 +235,11 @@ std::vector<ComponentLinks::Candidate> ComponentLinks::connections() const {
     for (auto group = groups.begin(); group != groups.end(); ++group) {
       if (group == largest) continue;
       const std::size_t mine = component(group->entries.front());
-      offers.push_back(wave.nearest(group->entries, group->best, [&](int other) {
-        return !joined.same(mine, static_cast<std::size_t>(other));
-      }));
+      offers.push_back(wave.nearest(group->entries, group->best,
+                                    [&](int other) { return !joined.same(mine, static_cast<std::size_t>(other)); }));
     }
-    std::stable_sort(offers.begin(), offers.end(), [](const Candidate& a, const Candidate& b) {
-      return a.length < b.length;
-    });
+    std::stable_sort(offers.begin(), offers.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
     any = false;
     for (const Candidate& c : offers) {
       if (c.length == std::numeric_limits<double>::infinity()) break;
@@ -202,8 +252,19 @@ std::vector<ComponentLinks::Candidate> ComponentLinks::connections() const {
 }
 
 std::vector<ComponentLinks::Link> ComponentLinks::tree(int root) {
-  std::stable_sort(entries_.begin(), entries_.end(),
-                   [](const Entry& a, const Entry& b) { return a.triangle < b.triangle; });
+  std::vector<bool> has_entries(static_cast<std::size_t>(count_), false);
+  for (const Entry& e : all_) has_entries[static_cast<std::size_t>(e.component)] = true;
+  const auto components = static_cast<std::size_t>(std::ranges::count(has_entries, true));
+  if (root >= count_ || components < 2) return {};
+  locate(near_others());
+  std::vector<Link> links = tree_of_located(root);
+  if (links.size() + 1 == components) return links;
+  // Some component lies far from all others, or the root among those that were left out.
+  locate(std::vector<bool>(all_.size(), true));
+  return tree_of_located(root);
+}
+
+std::vector<ComponentLinks::Link> ComponentLinks::tree_of_located(int root) const {
   const auto component = [&](std::uint32_t entry) { return static_cast<std::size_t>(entries_[entry].component); };
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> edges;  // entries here and there, by component
   edges.resize(static_cast<std::size_t>(count_));
@@ -212,7 +273,6 @@ std::vector<ComponentLinks::Link> ComponentLinks::tree(int root) {
     edges[component(c.b)].emplace_back(c.b, c.a);
   }
   std::vector<Link> links;
-  if (root >= count_) return links;
   std::vector<bool> reached(edges.size(), false);
   std::vector<std::size_t> queue{static_cast<std::size_t>(root)};
   reached[queue.front()] = true;

@@ -14,6 +14,8 @@
 ///             it crosses nothing but the two components' own surroundings
 /// Decisions   1. A wave enters a triangle's next side at the point that is nearest to where it was, so lengths are
 ///                those of feasible paths, a little too long. The links are exact shortest paths between their ends.
+///             2. Entry points of the component with the most of them count only within 16 to 32 tool widths of another
+///                component's, as long as all components are reached so.
 #pragma once
 
 #include <cstdint>
@@ -57,11 +59,15 @@ class ComponentLinks {
     std::vector<std::uint32_t> entries;
     Candidate best;  // to what is outside, of those that are known
   };
+  std::vector<bool> near_others() const;
+  void locate(const std::vector<bool>& chosen);
+  std::vector<Link> tree_of_located(int root) const;
   std::vector<Group> groups_of(DisjointSets& joined, const std::vector<Candidate>& near) const;
   std::vector<Candidate> connections() const;
 
   const Problem& problem_;
-  std::vector<Entry> entries_;  // tree() sorts them by triangle
+  std::vector<Entry> all_;      // not located
+  std::vector<Entry> entries_;  // by triangle
   int count_ = 0;               // components
 };
 

@@ -103,23 +103,23 @@ NearestComponent::Nearest NearestComponent::nearest_by_wave(const Point& p, std:
   return best;
 }
 
-NearestComponent::Nearest NearestComponent::search(const Point& p) {
-  const auto home = wave_.triangle_of(p);
-  Nearest best;
-  if (!home || entries_.empty() || find_almost_straight(p, best)) return best;
-  Nearest by_wave = nearest_by_wave(p, *home);
-  return by_wave.metres < best.metres ? std::move(by_wave) : std::move(best);
-}
-
 std::optional<std::size_t> NearestComponent::nearest(const Point& p) {
-  const Nearest best = search(p);
+  const auto home = wave_.triangle_of(p);
+  if (!home || entries_.empty()) return std::nullopt;
+  const Nearest best = nearest_by_wave(p, *home);
   return best.found ? std::optional(best.found->id) : std::nullopt;
 }
 
 std::optional<NearestComponent::Found> NearestComponent::from(const Point& p) {
-  Nearest best = search(p);
-  // A path by the wave may be on the wrong side of an obstacle.
-  if (best.found && best.entry) try_entry(p, entries_[*best.entry], best.metres, best);
+  const auto home = wave_.triangle_of(p);
+  if (!home || entries_.empty()) return std::nullopt;
+  Nearest best;
+  if (find_almost_straight(p, best)) return std::move(best.found);
+  if (Nearest by_wave = nearest_by_wave(p, *home); by_wave.metres < best.metres) {
+    best = std::move(by_wave);
+    // The wave may have come on the wrong side of an obstacle.
+    try_entry(p, entries_[best.entry], best.metres, best);
+  }
   return std::move(best.found);
 }
 

@@ -37,7 +37,8 @@ class NearestComponent {
   };
   /// With the shortest path there. nullopt if no entry point can be reached. Not safe from several threads.
   std::optional<Found> from(const Point& p);
-  /// Only its id, for callers who have a path of their own.
+  /// Only its id, by the wave alone: for callers who have a path of their own. Of components that are about as near any
+  /// may be found.
   std::optional<std::size_t> nearest(const Point& p);
 
  private:
@@ -49,7 +50,7 @@ class NearestComponent {
   struct Nearest {
     std::optional<Found> found = std::nullopt;
     double metres = std::numeric_limits<double>::infinity();
-    std::optional<std::uint32_t> entry = std::nullopt;  // if the path is one by the wave, not the shortest
+    std::uint32_t entry = 0;
   };
   bool removed(int component) const {
     return static_cast<std::size_t>(component) < removed_.size() && removed_[static_cast<std::size_t>(component)];
@@ -59,7 +60,6 @@ class NearestComponent {
   bool find_almost_straight(const Point& p, Nearest& best);
   std::optional<std::uint32_t> nearest_in(std::size_t triangle, const Point& to);
   Nearest nearest_by_wave(const Point& p, std::size_t home);
-  Nearest search(const Point& p);
 
   const Problem& problem_;
   MeshWave wave_;

@@ -13,7 +13,10 @@ constexpr double kRounding = 1 + 1e-9;
 }  // namespace
 
 DualTree::DualTree(const Mesh& mesh, const ConnectedComponents& components)
-    : mesh_(mesh), parent_(mesh.triangles().size(), kNone), depth_(mesh.triangles().size(), kNone), out_(mesh.triangles().size(), kNone) {
+    : mesh_(mesh),
+      parent_(mesh.triangles().size(), kNone),
+      depth_(mesh.triangles().size(), kNone),
+      out_(mesh.triangles().size(), kNone) {
   // A connected graph is a tree if it has one edge less than nodes.
   const auto count = static_cast<std::size_t>(components.count);
   std::vector<std::size_t> triangles(count, 0), half_edges(count, 0);
