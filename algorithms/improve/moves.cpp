@@ -17,6 +17,7 @@ constexpr std::size_t kMostScanned = 1000;           // edges
 constexpr double kCloser = 0.4;                      // than the tool needs to cover the point, at most
 constexpr double kNearFocus = 0.8, kSideways = 0.8;  // shares: of moves near the focus, of shifts of edges
 constexpr double kOnChord = 1e-7;                    // of a vertex
+constexpr double kLeastSplit = 0.02;                 // shorter edges get no vertex, which would cost nothing
 constexpr double kPartner = 2.2;                     // distance of vertices for 2-opt and Or-opt
 constexpr double kSnapFrom = 0.1, kTouch = 1e-6;     // from a wall
 constexpr std::uint64_t kMostMoved = 8;              // vertices that Or-opt moves
@@ -294,7 +295,7 @@ std::optional<Change> Moves::remove(const VertexPath& path, std::size_t i) const
 }
 
 std::optional<Change> Moves::split(const VertexPath& path, std::size_t i, Rng& rng) const {
-  if (i == 0 || path.edge_fixed(i)) return std::nullopt;
+  if (i == 0 || path.edge_fixed(i) || distance(path[i - 1], path[i]) < kLeastSplit * width_) return std::nullopt;
   const Point at = lerp(path[i - 1], path[i], rng.unit());
   return replaced(path, i, 0, std::array<Point, 1>{at + cloud(rng)});
 }
