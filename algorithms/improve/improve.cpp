@@ -45,7 +45,7 @@ constexpr double kFirstFactor = 1, kFirstOfStart = 0.5, kLeastFactor = 0.02;
 constexpr double kLeastShift = 0.001, kMostShift = 0.1;  // of vertices in closing
 constexpr int kMostRounds = 10;
 // Of a round, and for each vertex of the path: what it leaves uncovered is found in the time of some moves a vertex.
-constexpr long kLeastMoves = 5000, kLeastMovesEach = 5;
+constexpr long kLeastMoves = 5000, kLeastMovesEach = 15;
 constexpr double kShortDetours = 1.3;  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width in the target, of the first ones and of the others, if the user names no
 // number.
@@ -198,7 +198,7 @@ class Improver {
     return oxturn::annealed(problem_, target_of(options.radius), points, options, schedule, focus_, rng, context_);
   }
 
-  /// Offers the path. What it leaves uncovered, square metres; it goes on with its detours if they are `taken` and short.
+  /// Offers the path. What it leaves uncovered, square metres; it goes on with its detours if `taken` and short.
   enum class Detours { taken, left_out };
   double close(Annealed& path, Detours detours) {
     Region uncovered = completion_.uncovered(path.points);

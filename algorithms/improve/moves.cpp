@@ -156,13 +156,18 @@ std::size_t Moves::vertex(const VertexPath& path, Rng& rng) const {
 /// Of up to kMostScanned edges in a row, the end of the one nearest to p.
 std::optional<std::size_t> Moves::nearest_edge(const VertexPath& path, const Point& p, Rng& rng) const {
   std::optional<std::size_t> best;
-  double least = kSpikeFrom * kSpikeFrom * width_ * width_;
+  double reach = kSpikeFrom * width_, least = reach * reach;
   const std::size_t edges = path.size() - 1, first = edges > kMostScanned ? rng.below(edges) : 0;
   for (std::size_t k = 0; k < std::min(edges, kMostScanned); ++k) {
     const std::size_t i = (first + k) % edges + 1;
-    const double square = (nearest_on_segment(p, path[i - 1], path[i]) - p).squaredNorm();
+    const Point &a = path[i - 1], &b = path[i];
+    if (std::min(a.x(), b.x()) - p.x() > reach || p.x() - std::max(a.x(), b.x()) > reach ||
+        std::min(a.y(), b.y()) - p.y() > reach || p.y() - std::max(a.y(), b.y()) > reach)
+      continue;
+    const double square = (nearest_on_segment(p, a, b) - p).squaredNorm();
     if (square >= least || path.edge_fixed(i)) continue;
     least = square;
+    reach = std::sqrt(square);
     best = i;
   }
   return best;
