@@ -15,15 +15,17 @@ namespace oxturn {
 namespace {
 
 // In tool widths, or squares of it.
-constexpr double kReach = 0.5 - 1e-3;                // from which a stop covers, with that error
-constexpr double kNegligible = 1e-6;                 // pieces of less area
-constexpr double kMostSlack = 1.5e-4, kSlack = 0.7;  // shares of the target, and of what may stay uncovered
-constexpr double kShortestPart = 0.05;               // of a piece
-constexpr double kLongestPiece = 1;                  // to be covered at once
-constexpr double kNoticed = 1e-3;                    // smaller pieces, of what may stay uncovered, get no strokes
-constexpr int kPasses = 3;                           // of detours
-constexpr double kShort = 1.02;                      // times the path's length: no other detours are tried
-constexpr int kRepairs = 4;                          // until the share is reached, at most
+constexpr double kReach = 0.5 - 1e-3;  // from which a stop covers, with that error
+constexpr double kNegligible = 1e-6;   // pieces of less area
+// What who judges the path takes for uncovered besides, less the target's own error: at most a share of the target, and
+// of what may stay uncovered, of which the last share is used in any case.
+constexpr double kMostJudged = 1e-4, kJudged = 0.45, kLeastUsed = 0.15;
+constexpr double kShortestPart = 0.05;  // of a piece
+constexpr double kLongestPiece = 1;     // to be covered at once
+constexpr double kNoticed = 1e-3;       // smaller pieces, of what may stay uncovered, get no strokes
+constexpr int kPasses = 3;              // of detours
+constexpr double kShort = 1.02;         // times the path's length: no other detours are tried
+constexpr int kRepairs = 4;             // until the share is reached, at most
 
 /// The piece cut in halves until none is longer than `most`.
 void add_parts(const Polygon& piece, double most, std::vector<Polygon>& to) {
@@ -84,8 +86,9 @@ Completion::Completion(const Problem& problem, double coverage)
       target_(reachable_target(problem, 0, kChord)) {}
 
 double Completion::allowed() const {
-  const double share = 1 - coverage_;
-  return (share - std::min(kMostSlack, kSlack * share)) * area(problem_.target());
+  const double share = 1 - coverage_, whole = area(problem_.target());
+  const double judged = std::min(kMostJudged, kJudged * share) * whole;
+  return std::max(share * whole - judged - problem_.target_excess(), kLeastUsed * share * whole);
 }
 
 Region Completion::uncovered(const Polyline& points) const {

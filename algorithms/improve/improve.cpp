@@ -24,6 +24,7 @@ constexpr double kMargin = 0.003;       // by which the tool is narrower at firs
 constexpr double kFineMargin = 0.0015;  // in closing: what is thinner than the raster's cells
 constexpr double kBesideWall = 0.02;    // edges nearer to a wall are moved to it
 constexpr double kStraight = 0.005;     // vertices nearer to their chord are dropped at the beginning
+constexpr double kOnChord = 1e-6;       // the same before each round of closing
 // The price of uncovered area is 1 / w times kPrice at an uncovered share of kPriceAt, and grows with a power of that.
 // Where closing begins, it is kMostPrice times as much at most: at high prices no lane moves any more.
 constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4, kMostPrice = 2.5;
@@ -44,7 +45,7 @@ constexpr double kFirstFactor = 1, kFirstOfStart = 0.5, kLeastFactor = 0.02;
 constexpr double kLeastShift = 0.001, kMostShift = 0.1;  // of vertices in closing
 constexpr int kMostRounds = 10;
 // Of a round, and for each vertex of the path: what it leaves uncovered is found in the time of some moves a vertex.
-constexpr long kLeastMoves = 5000, kLeastMovesEach = 5;
+constexpr long kLeastMoves = 5000, kLeastMovesEach = 15;
 constexpr double kShortDetours = 1.3;  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width in the target, of the first ones and of the others, if the user names no
 // number.
@@ -149,8 +150,11 @@ class Improver {
     const int rounds = std::min(kMostRounds, 1 + static_cast<int>(moves(shares().closing) / least));
     double factor = cold_start ? kFirstOfStart : kFirstFactor;
     for (int round = 0; !context_.cancelled(); ++round) {
+      now.points = straightened(now.points, kOnChord * width_, problem_.walls());
       if (nearly_all()) now.points = walls_.snapped(now.points, kBesideWall * width_);
-      const double missed = close(now);
+      // What is uncovered at first is more than detours are good for: annealing covers most of it on less length.
+      const bool first = nearly_all() && !cold_start && round == 0;
+      const double missed = close(now, first ? Detours::left_out : Detours::taken);
       if (round == rounds) return;
       Annealing::Options options = nearly_all() ? raster(kFineCell, margin) : middle();
       if (round > 0) factor = std::clamp(factor * options.uncovered / missed, kLeastFactor, 1.0);
@@ -194,15 +198,17 @@ class Improver {
     return oxturn::annealed(problem_, target_of(options.radius), points, options, schedule, focus_, rng, context_);
   }
 
-  /// Offers the path. What it leaves uncovered, square metres; it goes on with its detours if these are short.
-  double close(Annealed& path) {
+  /// Offers the path. What it leaves uncovered, square metres; it goes on with its detours if `taken` and short.
+  enum class Detours { taken, left_out };
+  double close(Annealed& path, Detours detours) {
     Region uncovered = completion_.uncovered(path.points);
     const double noticed = kNoticed * completion_.allowed(), missed = area(uncovered);
     focus_.clear();
     for (const Polygon& piece : uncovered.polygons)
       if (area(piece) > noticed) add_samples(piece.outer, width_, focus_);
     Polyline whole = offer(path.points, std::move(uncovered));
-    if (length(whole) < kShortDetours * length(path.points)) path.points = std::move(whole);
+    if (detours == Detours::taken && length(whole) < kShortDetours * length(path.points))
+      path.points = std::move(whole);
     return missed;
   }
 

@@ -6,9 +6,10 @@
 /// start itself, if hot annealing made it longer) and, for nearly full coverage, on a finer raster of witnesses. The
 /// first run at length leaves more uncovered than is asked for: lanes move little where nothing may be left. After
 /// each round what the path leaves uncovered is found exactly, and detours (lanes/repair.hpp) are added until the
-/// coverage is reached. The shortest of all these completed paths is the result, so the coverage never depends on
-/// convergence, and the result is never longer than any path given, completed in the same manner. The tool is on all
-/// along.
+/// coverage is reached. The next round goes on with them; not so the first one where coverage is nearly full, because
+/// there are many, and annealing covers what is left on less length. The shortest of all completed paths is the result,
+/// so the coverage never depends on convergence, and the result is never longer than any path given, completed in the
+/// same manner. The tool is on all along.
 ///
 /// With `objective = time`, a turn counts as far as the robot drives while it turns on the spot, and the path is the
 /// one that takes the least time in this sense. With `objective = weighted`, it is the one with the least

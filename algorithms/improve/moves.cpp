@@ -17,6 +17,7 @@ constexpr std::size_t kMostScanned = 1000;           // edges
 constexpr double kCloser = 0.4;                      // than the tool needs to cover the point, at most
 constexpr double kNearFocus = 0.8, kSideways = 0.8;  // shares: of moves near the focus, of shifts of edges
 constexpr double kOnChord = 1e-7;                    // of a vertex
+constexpr double kLeastSplit = 0.02;                 // shorter edges get no vertex, which would cost nothing
 constexpr double kPartner = 2.2;                     // distance of vertices for 2-opt and Or-opt
 constexpr double kSnapFrom = 0.1, kTouch = 1e-6;     // from a wall
 constexpr std::uint64_t kMostMoved = 8;              // vertices that Or-opt moves
@@ -155,13 +156,18 @@ std::size_t Moves::vertex(const VertexPath& path, Rng& rng) const {
 /// Of up to kMostScanned edges in a row, the end of the one nearest to p.
 std::optional<std::size_t> Moves::nearest_edge(const VertexPath& path, const Point& p, Rng& rng) const {
   std::optional<std::size_t> best;
-  double least = kSpikeFrom * kSpikeFrom * width_ * width_;
+  double reach = kSpikeFrom * width_, least = reach * reach;
   const std::size_t edges = path.size() - 1, first = edges > kMostScanned ? rng.below(edges) : 0;
   for (std::size_t k = 0; k < std::min(edges, kMostScanned); ++k) {
     const std::size_t i = (first + k) % edges + 1;
-    const double square = (nearest_on_segment(p, path[i - 1], path[i]) - p).squaredNorm();
+    const Point &a = path[i - 1], &b = path[i];
+    if (std::min(a.x(), b.x()) - p.x() > reach || p.x() - std::max(a.x(), b.x()) > reach ||
+        std::min(a.y(), b.y()) - p.y() > reach || p.y() - std::max(a.y(), b.y()) > reach)
+      continue;
+    const double square = (nearest_on_segment(p, a, b) - p).squaredNorm();
     if (square >= least || path.edge_fixed(i)) continue;
     least = square;
+    reach = std::sqrt(square);
     best = i;
   }
   return best;
@@ -294,7 +300,7 @@ std::optional<Change> Moves::remove(const VertexPath& path, std::size_t i) const
 }
 
 std::optional<Change> Moves::split(const VertexPath& path, std::size_t i, Rng& rng) const {
-  if (i == 0 || path.edge_fixed(i)) return std::nullopt;
+  if (i == 0 || path.edge_fixed(i) || distance(path[i - 1], path[i]) < kLeastSplit * width_) return std::nullopt;
   const Point at = lerp(path[i - 1], path[i], rng.unit());
   return replaced(path, i, 0, std::array<Point, 1>{at + cloud(rng)});
 }

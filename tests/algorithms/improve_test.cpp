@@ -354,6 +354,23 @@ TEST(Moves, ChangeThePathAsTheySay) {
   }
 }
 
+// Vertices cost nothing there: thousands would gather where moves are needed.
+TEST(Moves, ShortEdgesGetNoMoreVertices) {
+  const EdgeIndex walls(box_region({0, 0}, {3, 3}));
+  const Moves moves({.width = 0.4}, walls);
+  for (const auto& [spacing, any] : {std::pair(0.006, false), std::pair(0.02, true)}) {
+    Polyline line;
+    for (int k = 0; k < 100; ++k) line.emplace_back(1 + k * spacing, 1.5);
+    const VertexPath path(line, {0}, 0.4);
+    Rng rng(1);
+    int more = 0;
+    for (int k = 0; k < 2000; ++k)
+      if (const auto change = moves.propose(path, rng); change && change->kind == Change::Kind::replace)
+        more += change->first + change->point_count > change->last;
+    EXPECT_EQ(more > 0, any) << spacing;
+  }
+}
+
 // A window's part put back unchanged is the path; changed, it is one path with the same ends, whose edges are free, and
 // which is as it was outside.
 TEST(WindowPart, JoinsThePathAgain) {
