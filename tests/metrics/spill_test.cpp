@@ -36,7 +36,7 @@ Problem lawn(Region target, const Point& start) {
 }
 
 std::optional<LengthBound> bound_of(const Problem& problem, const Path& path) {
-  return length_bound(problem, path, swept_area(problem.target(), problem.target_excess(), 1, path));
+  return length_bound(problem, path, swept_area(problem.target(), problem.target_excess(), 1, path), true);
 }
 
 double disc_in(const Region& region, const Point& centre, double radius) {
