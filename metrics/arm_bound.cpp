@@ -22,8 +22,13 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 class Arms {
  public:
-  Arms(const LevelCells& cells, const LevelTree& tree, double uncovered)
-      : cells_(cells), tree_(tree), reach_(tool_reach(cells.side)), uncovered_(uncovered), beyond_(tree.slabs.size()) {
+  Arms(const LevelCells& cells, const LevelTree& tree, double uncovered, double first)
+      : cells_(cells),
+        tree_(tree),
+        reach_(tool_reach(cells.side)),
+        uncovered_(uncovered),
+        first_(first),
+        beyond_(tree.slabs.size()) {
     for (std::size_t s = 0; s < tree_.slabs.size(); ++s)
       if (const std::int32_t parent = tree_.slabs[s].parent; parent != LevelTree::kNone)
         beyond_[at(parent)] += beyond_[s] + tree_.slabs[s].only;
@@ -128,7 +133,7 @@ class Arms {
       saved[at(slab.parent)] += saved[s];
       rest_beyond[at(slab.parent)] += rest_beyond[s] + only_rest[s];
     }
-    const double first = starts_in_a_ ? 0 : kPi / 4;
+    const double first = starts_in_a_ ? 0 : first_;
     return counted + std::max(0.0, rest - first) - price * uncovered_ - kRounding;
   }
 
@@ -165,7 +170,7 @@ class Arms {
   const LevelCells& cells_;
   const LevelTree& tree_;
   std::vector<int> reach_;
-  double uncovered_;
+  double uncovered_, first_;
   std::vector<double> beyond_;  // area that can only be covered from beyond a slab
   bool starts_in_a_ = false;
   std::vector<std::int32_t> before_;  // cells of A left of a column, row by row
@@ -173,13 +178,14 @@ class Arms {
 
 }  // namespace
 
-std::optional<double> arm_bound(const Problem& problem, double uncovered_m2) {
+std::optional<double> arm_bound(const Problem& problem, double uncovered_m2, double first_m2) {
   const double width = problem.robot().tool_width;
   const auto cells = level_cells(problem, kSide, kMostCells);
   if (!cells) return std::nullopt;
   const auto tree = level_tree(*cells);
   if (!tree) return std::nullopt;
-  const double bound = Arms(*cells, *tree, std::max(0.0, uncovered_m2) / (width * width)).bound();
+  const double square = width * width;
+  const double bound = Arms(*cells, *tree, std::max(0.0, uncovered_m2) / square, first_m2 / square).bound();
   if (!(bound > 0)) return std::nullopt;
   return bound * width;
 }

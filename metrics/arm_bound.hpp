@@ -1,6 +1,8 @@
 /// A lower bound of the length of a path where configuration space is narrow: dead ends must be driven in and out.
 ///
-///   const std::optional<double> metres = arm_bound(problem, uncovered_m2);   // no path that covers as much is shorter
+///   const std::optional<double> metres = arm_bound(problem, uncovered_m2, first_m2);
+///
+/// No path that covers as much is shorter.
 ///
 /// Let f(x) be the length of the shortest path from the start to x in configuration space C. Along a path f changes by
 /// no more than is driven. So a path is at least as long as the integral over all t > 0 of the number of times at which
@@ -11,9 +13,10 @@
 /// Choose a set A of parts of C, each between two distances in one branch of the tree of these components
 /// (level_tree.hpp). In A, count as above. Outside of A, count area: let S(A) be what of the target no disc of the tool
 /// with a centre in A covers. Whenever the path comes from A, its tool covers nothing of S(A) at first, and then not
-/// more than w times what is driven; if it starts outside of A, the disc at the start is added. So
+/// more than w times what is driven; if it starts outside of A, what its first disc covers (`first`) is added.
+/// So
 ///
-///     length >= sum of the counts in A + (area of S(A) - pi w^2 / 4) / w.
+///     length >= sum of the counts in A + (area of S(A) - first) / w.
 ///
 /// A path that leaves the area u uncovered may leave out components of the tree. To leave out D saves at most the count
 /// c(D) of all that lies in D and A, and costs what can only be covered from D, of area a(D), of which b(D) is part of
@@ -38,6 +41,7 @@
 namespace oxturn {
 
 /// `uncovered_m2`: of the target at most. nullopt: there is no such bound. It holds for valid paths only.
-std::optional<double> arm_bound(const Problem& problem, double uncovered_m2);
+/// `first_m2`: of the target under the tool's disc at the start at most.
+std::optional<double> arm_bound(const Problem& problem, double uncovered_m2, double first_m2);
 
 }  // namespace oxturn

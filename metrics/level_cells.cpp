@@ -119,17 +119,6 @@ class Frame {
   Point low_{0, 0};
 };
 
-/// A superset of where the robot's centre may be: the component that holds the start. Empty: none.
-Region wide_space(const Problem& problem) {
-  const Robot& robot = problem.robot();
-  const double radius = robot.radius - kLarger * robot.tool_width - problem.tolerance();
-  if (!robot.footprint.empty() || !(radius > 0)) return {};
-  const Region all = erode(problem.map().free, radius, kLarger * robot.tool_width, Bound::outside);
-  for (const Polygon& polygon : all.polygons)
-    if (Region one{{polygon}}; contains(one, problem.start())) return one;
-  return {};
-}
-
 /// The cells of which `sum` of the square of 2 k + 1 cells about them is `wanted`.
 BitGrid filtered(const BitGrid& grid, int k, const std::function<bool(int)>& wanted) {
   const auto columns = static_cast<std::size_t>(grid.columns) + 1;
@@ -174,6 +163,16 @@ bool narrow_somewhere(const Region& space, double side, int columns, int rows) {
 }
 
 }  // namespace
+
+Region wide_space(const Problem& problem) {
+  const Robot& robot = problem.robot();
+  const double radius = robot.radius - kLarger * robot.tool_width - problem.tolerance();
+  if (!robot.footprint.empty() || !(radius > 0)) return {};
+  const Region all = erode(problem.map().free, radius, kLarger * robot.tool_width, Bound::outside);
+  for (const Polygon& polygon : all.polygons)
+    if (Region one{{polygon}}; contains(one, problem.start())) return one;
+  return {};
+}
 
 std::optional<LevelCells> level_cells(const Problem& problem, double side, double most) {
   const double cell = side * problem.robot().tool_width;

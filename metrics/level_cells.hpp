@@ -39,6 +39,10 @@ struct LevelCells {
   }
 };
 
+/// A superset of where the robot's centre may be, a little larger: the component that holds the start. Empty: it is not
+/// known.
+Region wide_space(const Problem& problem);
+
 /// nullopt for a robot with a polygonal footprint or smaller than a thousandth of the tool, where there would be more
 /// than `most` cells in the bounding box, and where configuration space has no narrow part: nothing longer than a few
 /// tool widths that a square about as wide as the tool does not fit into. O(n log n) for n vertices, and a query of the

@@ -38,8 +38,8 @@ struct LevelTree {
 /// Slabs are as thick as cells are wide, at most. nullopt if the cells are not connected.
 std::optional<LevelTree> level_tree(const LevelCells& cells);
 
-/// The columns on either side that the tool reaches in a row so many rows away, from anywhere in one cell to anywhere in
-/// another; by row. Lengths in cells.
+/// The columns on either side that the tool reaches in a row so many rows away, from anywhere in one cell to anywhere
+/// in another; by row. Lengths in cells.
 std::vector<int> tool_reach(double side);
 
 }  // namespace oxturn

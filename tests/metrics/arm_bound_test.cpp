@@ -140,7 +140,7 @@ TEST(ArmBound, LongDeadEnds) {
   EXPECT_LT(*result.value("gap"), 0.1);
   EXPECT_GE(*result.value("gap"), 0);
   // Two of the aisles left out, and none.
-  const double whole = *arm_bound(problem, 0), without = *arm_bound(problem, 0.4 * 12);
+  const double whole = *arm_bound(problem, 0, kPi * 0.04), without = *arm_bound(problem, 0.4 * 12, kPi * 0.04);
   EXPECT_LT(without, whole - 2 * 2 * 5.5);
   EXPECT_GT(without, whole - 2 * 2 * 8.5);
 }
@@ -175,7 +175,7 @@ TEST(ArmBound, HallWithArms) {
   }
   const Problem problem = problem_in(unite(parts), {2, 2});
   const double area_bound = (area(problem.target()) - kPi * 0.04) / 0.4;
-  const auto bound = arm_bound(problem, 0);
+  const auto bound = arm_bound(problem, 0, kPi * 0.04);
   ASSERT_TRUE(bound);
   EXPECT_GT(*bound, area_bound + 3 * 7);  // three arms of 8 m are driven out again
   EXPECT_LT(*bound, area_bound + 3 * 8);
@@ -184,9 +184,9 @@ TEST(ArmBound, HallWithArms) {
 TEST(ArmBound, DoesNotDependOnTheFrame) {
   Rng rng(3);
   Corridors c = tree(rng, 4, 3);
-  const double upright = *arm_bound(c.problem(0), 0.1);
+  const double upright = *arm_bound(c.problem(0), 0.1, kPi * 0.04);
   c.angle = 1.1;
-  EXPECT_NEAR(*arm_bound(c.problem(0), 0.1), upright, 0.02 * upright);
+  EXPECT_NEAR(*arm_bound(c.problem(0), 0.1, kPi * 0.04), upright, 0.02 * upright);
 }
 
 // Through the walls of a comb: no bound of valid paths is applied.

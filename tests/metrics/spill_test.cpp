@@ -76,18 +76,18 @@ TEST(Spill, FourCornersOfASquare) {
     for (double y = -0.5; y <= 0.5; y += 0.005)
       if (x * x + y * y <= kRadius * kRadius)
         least = std::min(least, kPi * kRadius * kRadius - disc_in(square, {x, y}, kRadius));
-  EXPECT_LE(least_spill(square, 1, 0), 4 * least);
-  EXPECT_GE(least_spill(square, 1, 0), 0.93 * 4 * least);
+  EXPECT_LE(least_spill(square, 1, 0, {}), 4 * least);
+  EXPECT_GE(least_spill(square, 1, 0, {}), 0.93 * 4 * least);
   const Region scaled = box_region({0, 0}, {25, 25});
-  EXPECT_NEAR(least_spill(scaled, 2.5, 0), 6.25 * least_spill(square, 1, 0), 1e-9);
+  EXPECT_NEAR(least_spill(scaled, 2.5, 0, {}), 6.25 * least_spill(square, 1, 0, {}), 1e-9);
 }
 
 TEST(Spill, UncoveredAreaSavesIt) {
   const Region square = box_region({0, 0}, {10, 10});
-  double last = least_spill(square, 1, 0);
-  EXPECT_LT(least_spill(square, 1, 1e-3), 0.99 * last);
+  double last = least_spill(square, 1, 0, {});
+  EXPECT_LT(least_spill(square, 1, 1e-3, {}), 0.99 * last);
   for (const double uncovered : {1e-4, 1e-3, 1e-2, 0.1, 0.3}) {
-    const double spill = least_spill(square, 1, uncovered);
+    const double spill = least_spill(square, 1, uncovered, {});
     EXPECT_LE(spill, last);
     last = spill;
   }
