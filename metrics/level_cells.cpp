@@ -18,7 +18,7 @@ namespace {
 constexpr double kLarger = 1e-3;      // tool widths by which configuration space is taken too large
 constexpr double kLeastArea = 1e-13;  // of a piece, in cells: smaller ones are rounding
 constexpr double kRounding = 1e-9;    // tool widths
-constexpr double kNarrow = 0.8;       // tool widths: the side of the square that does not fit
+constexpr double kNarrow = 1.05;      // tool widths: the side of the square that does not fit
 constexpr double kLongEnough = 2.5;   // tool widths: a shorter part is worth no count
 
 /// A convex polygon of a few vertices: a triangle clipped by a cell.

@@ -15,7 +15,7 @@
 namespace oxturn {
 namespace {
 
-constexpr double kStep = 1.5, kHalf = 0.21;  // corridors between lattice points, hardly wider than the robot
+constexpr double kStep = 1.5, kHalf = 0.2006;  // corridors between lattice points, hardly wider than the robot
 
 /// Corridors along the edges of a graph on lattice points.
 struct Corridors {
@@ -99,8 +99,9 @@ TEST(ArmBound, TreesOfCorridors) {
     drive(c, start, kNoNode, false, line, [] { return false; });
     const Score result = scored(c.problem(start), line);
     ASSERT_EQ(result.flaw, "");
-    EXPECT_GT(*result.value("coverage"), 0.95);  // corners of dead ends
+    EXPECT_GT(*result.value("coverage"), 0.99);  // a strip along the walls
     EXPECT_LE(*result.value("bound_m"), length(line));
+    EXPECT_GT(*result.value("bound_m"), 0.8 * length(line));
   }
 }
 
@@ -169,9 +170,9 @@ TEST(ArmBound, Loop) {
 // A hall between two dead ends: counts in the arms, area in the hall.
 TEST(ArmBound, HallWithArms) {
   std::vector<Region> parts{box_region({0, 0}, {4, 4})};
-  for (const double y : {0.0, 3.58}) {
-    parts.push_back(box_region({-8, y}, {0, y + 0.42}));
-    parts.push_back(box_region({4, y}, {12, y + 0.42}));
+  for (const double y : {0.0, 4 - 2 * kHalf}) {
+    parts.push_back(box_region({-8, y}, {0, y + 2 * kHalf}));
+    parts.push_back(box_region({4, y}, {12, y + 2 * kHalf}));
   }
   const Problem problem = problem_in(unite(parts), {2, 2});
   const double area_bound = (area(problem.target()) - kPi * 0.04) / 0.4;
