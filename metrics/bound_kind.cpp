@@ -1,4 +1,4 @@
-// Which bound `bound_m` is: 0 area, 1 spill (length_bound.hpp).
+// Which bound `bound_m` is: 0 area, 1 spill, 2 arms (length_bound.hpp).
 #include "metrics/score.hpp"
 
 namespace oxturn {
@@ -6,7 +6,8 @@ namespace oxturn {
 extern const Metric kBoundKind;
 
 const Metric kBoundKind{"bound_kind", "1", Better::neither,
-                        "which bound is the best: 0 area, 1 area and what is spilled at corners and in narrow parts",
+                        "which bound is the best: 0 area, 1 area and what is spilled at corners and in narrow "
+                        "parts, 2 how often narrow parts must be driven along, and area",
                         [](const Scored& s) -> std::optional<double> {
                           if (!s.bound) return std::nullopt;
                           return static_cast<double>(s.bound->kind);

@@ -159,15 +159,16 @@ Score score(const Problem& problem, const Path& path, const Metrics& metrics, co
   }
   const SweptArea swept = swept_area(problem.target(), problem.target_excess(), problem.robot().tool_width, path);
   const MissionClock clock(problem, path);
-  const Scored scored{problem,
-                      path,
-                      swept,
-                      clearance(problem, path, walls),
-                      tether ? &*tether : nullptr,
-                      &clock,
-                      tolerance,
-                      legs_join(path, tolerance) ? length_bound(problem, path, swept) : std::nullopt,
-                      kept_promise(problem, path, swept, options)};
+  const Scored scored{
+      problem,
+      path,
+      swept,
+      clearance(problem, path, walls),
+      tether ? &*tether : nullptr,
+      &clock,
+      tolerance,
+      legs_join(path, tolerance) ? length_bound(problem, path, swept, result.flaw.empty()) : std::nullopt,
+      kept_promise(problem, path, swept, options)};
   std::size_t i = 0;
   for (const Metric& metric : metrics) result.values[i++].value = metric.compute(scored);
   result.curve = coverage_curve(swept, clock);

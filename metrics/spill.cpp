@@ -19,6 +19,7 @@ constexpr double kTolerance = 1e-3;   // of the least spill
 constexpr int kMostSquares = 1500;    // that one search divides
 constexpr double kMostWork = 2e7;     // edges that are looked at: about a second of processor time
 constexpr double kCell = 1.5;         // half the side of a cell at most
+constexpr int kChords = 64;           // of the polygon about the first disc
 constexpr double kRounding = 1e-9;
 constexpr std::array kApart{0.4, 0.55, 0.7, 0.85, 1.0};  // least distances of witnesses that are tried
 constexpr std::array kDistances{0.004, 0.01, 0.02, 0.035, 0.055, 0.08, 0.11, 0.15, 0.2, 0.26, 0.33, 0.4, 0.5};
@@ -49,16 +50,33 @@ void add_edges(Edges& edges, const Ring& ring, bool reversed) {
   }
 }
 
-/// The target and its complement in a witness's cell.
+/// The part of a ring in a convex cell.
+Ring clipped_to(Ring ring, const Ring& cell) {
+  for (std::size_t i = 0; i < cell.size() && !ring.empty(); ++i)
+    ring = clipped_left(ring, cell[i], cell[(i + 1) % cell.size()]);
+  return ring;
+}
+
+/// What is to be covered, and a convex polygon outside of which the tool spills: it holds the disc at the start. Empty:
+/// the start does not matter.
+struct Scene {
+  std::vector<Ring> target;
+  Ring first;
+};
+
+/// The target and its complement in a witness's cell; the complement without what the first disc may hold.
 struct CellEdges {
-  CellEdges(const std::vector<Ring>& target, const Ring& cell) {
+  CellEdges(const Scene& scene, const Ring& cell) {
     add_edges(outside, cell, false);
-    for (Ring ring : target) {
-      for (std::size_t i = 0; i < cell.size() && !ring.empty(); ++i)
-        ring = clipped_left(ring, cell[i], cell[(i + 1) % cell.size()]);
-      add_edges(inside, ring, false);
-      add_edges(outside, ring, true);
+    for (const Ring& ring : scene.target) {
+      const Ring part = clipped_to(ring, cell);
+      add_edges(inside, part, false);
+      add_edges(outside, part, true);
     }
+    const Ring first = clipped_to(scene.first, cell);
+    if (first.empty()) return;
+    add_edges(outside, first, true);
+    for (const Ring& ring : scene.target) add_edges(outside, clipped_to(ring, first), false);
   }
   Edges inside, outside;
 };
@@ -104,6 +122,14 @@ Ring box_about(const Point& p, double half) {
   return {p + Point(-half, -half), p + Point(half, -half), p + Point(half, half), p + Point(-half, half)};
 }
 
+/// A polygon that holds the tool's disc.
+Ring around_disc(const Point& centre) {
+  Ring ring;
+  for (int k = 0; k < kChords; ++k)
+    ring.push_back(centre + rotated({kRadius / std::cos(kPi / kChords) * (1 + kRounding), 0}, 2 * kPi * k / kChords));
+  return ring;
+}
+
 /// The Voronoi cell of witness k within a box.
 Ring voronoi_cell(const std::vector<Point>& witnesses, std::size_t k) {
   const Point& p = witnesses[k];
@@ -142,14 +168,14 @@ Polyline boundary_points(const std::vector<Ring>& target) {
 }
 
 /// Points of the boundary at which something must be spilled, were the rest of the plane theirs; greatest spill first.
-std::vector<Candidate> candidates(const std::vector<Ring>& target, Work work) {
+std::vector<Candidate> candidates(const Scene& scene, Work work) {
   std::size_t vertices = 0;
-  for (const Ring& ring : target) vertices += ring.size();
+  for (const Ring& ring : scene.target) vertices += ring.size();
   std::vector<Candidate> found;
-  for (const Point& p : boundary_points(target)) {
+  for (const Point& p : boundary_points(scene.target)) {
     if (work.is_done()) break;
     work.spend(vertices);
-    const CellEdges edges(target, box_about(p, kCell));
+    const CellEdges edges(scene, box_about(p, kCell));
     const double spill = least_disc_area(edges.outside, p, kRadius, kTolerance, work);
     if (spill > kLeastSpill) found.push_back({p, spill});
   }
@@ -186,14 +212,14 @@ void add_savings(const std::vector<Saving>& options, std::vector<Saving>& saving
 }
 
 /// What is spilled if `uncovered` may be given up, best use first.
-double spill_with(const std::vector<Ring>& target, const std::vector<Point>& witnesses, double uncovered, Work work) {
+double spill_with(const Scene& scene, const std::vector<Point>& witnesses, double uncovered, Work work) {
   double spill = 0;
   std::size_t vertices = 0;
-  for (const Ring& ring : target) vertices += ring.size();
+  for (const Ring& ring : scene.target) vertices += ring.size();
   std::vector<Saving> savings;
   for (std::size_t k = 0; k < witnesses.size() && !work.is_done(); ++k) {
     work.spend(vertices + witnesses.size());
-    const CellEdges edges(target, voronoi_cell(witnesses, k));
+    const CellEdges edges(scene, voronoi_cell(witnesses, k));
     std::vector<Saving> options;
     double cost = 0;
     for (std::size_t j = 0; j <= kDistances.size() && cost <= uncovered; ++j) {
@@ -220,17 +246,18 @@ double spill_with(const std::vector<Ring>& target, const std::vector<Point>& wit
 
 }  // namespace
 
-double least_spill(const Region& target, double width, double uncovered_m2) {
-  std::vector<Ring> rings;
+double least_spill(const Region& target, double width, double uncovered_m2, const std::optional<Point>& start) {
+  Scene scene;
   for_each_ring(target, [&](const Ring& ring) {
-    rings.push_back(ring);
-    for (Point& p : rings.back()) p /= width;
+    scene.target.push_back(ring);
+    for (Point& p : scene.target.back()) p /= width;
   });
-  const std::vector<Candidate> all = candidates(rings, Work(kMostWork / 2));
+  if (start) scene.first = around_disc(*start / width);
+  const std::vector<Candidate> all = candidates(scene, Work(kMostWork / 2));
   double most = 0;
   const double uncovered = std::max(0.0, uncovered_m2) / (width * width);
   for (const double apart : kApart)
-    most = std::max(most, spill_with(rings, witnesses_of(all, apart), uncovered, Work(kMostWork / 2 / kApart.size())));
+    most = std::max(most, spill_with(scene, witnesses_of(all, apart), uncovered, Work(kMostWork / 2 / kApart.size())));
   return most * width * width * (1 - kRounding);
 }
 

@@ -1,7 +1,7 @@
 /// How much a tool must sweep outside of the target, whatever path it takes: at corners, and where the target is
 /// narrower than the tool.
 ///
-///   const double spill = least_spill(problem.target(), tool_width, uncovered_m2);
+///   const double spill = least_spill(problem.target(), tool_width, uncovered_m2, {});
 ///   const double metres = (covered_m2 + spill - kPi * w * w / 4) / w;     // no path that covers as much is shorter
 ///
 /// Let T be the target, r = w/2, and p_1, p_2, ... points of T, the witnesses, with disjoint convex cells V_k about
@@ -19,6 +19,10 @@
 /// centres: all discs with centres within h of m contain B(m, r - h), and none sweeps less than that about m by more
 /// than 2 r h. Only bounds from below are used, so the result is certified up to rounding, for which it is reduced.
 ///
+/// Where the path begins is known: what the tool's disc there sweeps comes without driving. If `start` is given, that
+/// disc counts as part of T in what is spilled, and (covered + spill - area(B(start, r) n T)) / w is a bound that is at
+/// least as good.
+///
 /// Witnesses are the vertices of the target and points a quarter of the width apart on its boundary, those with the
 /// greatest spill first, none nearer to another than a given distance; cells are those of their Voronoi diagram.
 /// Some milliseconds for each witness. The work is bounded to about a second: of targets with long and winding
@@ -26,11 +30,14 @@
 /// Source: ours. The bound by area alone is folklore.
 #pragma once
 
+#include <optional>
+
 #include "geometry/region.hpp"
 
 namespace oxturn {
 
-/// Square metres, at least 0. `width`: the tool's. `uncovered_m2`: of the target at most.
-double least_spill(const Region& target, double width, double uncovered_m2);
+/// Square metres, at least 0. `width`: the tool's. `uncovered_m2`: of the target at most. `start`: outside of the
+/// tool's disc there.
+double least_spill(const Region& target, double width, double uncovered_m2, const std::optional<Point>& start);
 
 }  // namespace oxturn

@@ -36,7 +36,7 @@ Problem lawn(Region target, const Point& start) {
 }
 
 std::optional<LengthBound> bound_of(const Problem& problem, const Path& path) {
-  return length_bound(problem, path, swept_area(problem.target(), problem.target_excess(), 1, path));
+  return length_bound(problem, path, swept_area(problem.target(), problem.target_excess(), 1, path), true);
 }
 
 double disc_in(const Region& region, const Point& centre, double radius) {
@@ -76,18 +76,18 @@ TEST(Spill, FourCornersOfASquare) {
     for (double y = -0.5; y <= 0.5; y += 0.005)
       if (x * x + y * y <= kRadius * kRadius)
         least = std::min(least, kPi * kRadius * kRadius - disc_in(square, {x, y}, kRadius));
-  EXPECT_LE(least_spill(square, 1, 0), 4 * least);
-  EXPECT_GE(least_spill(square, 1, 0), 0.93 * 4 * least);
+  EXPECT_LE(least_spill(square, 1, 0, {}), 4 * least);
+  EXPECT_GE(least_spill(square, 1, 0, {}), 0.93 * 4 * least);
   const Region scaled = box_region({0, 0}, {25, 25});
-  EXPECT_NEAR(least_spill(scaled, 2.5, 0), 6.25 * least_spill(square, 1, 0), 1e-9);
+  EXPECT_NEAR(least_spill(scaled, 2.5, 0, {}), 6.25 * least_spill(square, 1, 0, {}), 1e-9);
 }
 
 TEST(Spill, UncoveredAreaSavesIt) {
   const Region square = box_region({0, 0}, {10, 10});
-  double last = least_spill(square, 1, 0);
-  EXPECT_LT(least_spill(square, 1, 1e-3), 0.99 * last);
+  double last = least_spill(square, 1, 0, {});
+  EXPECT_LT(least_spill(square, 1, 1e-3, {}), 0.99 * last);
   for (const double uncovered : {1e-4, 1e-3, 1e-2, 0.1, 0.3}) {
-    const double spill = least_spill(square, 1, uncovered);
+    const double spill = least_spill(square, 1, uncovered, {});
     EXPECT_LE(spill, last);
     last = spill;
   }
@@ -112,6 +112,42 @@ TEST(LengthBound, IsNeverAboveAStraightPath) {
     EXPECT_LE(bound->metres, distance(a, b));
     EXPECT_GE(bound->metres, 0.75 * distance(a, b));
   }
+}
+
+// The path to the target, and what the first disc covers and spills.
+TEST(LengthBound, CountsThePathToTheTarget) {
+  for (const double before : {0.0, 0.3, 0.5, 0.8, 1.3, 2.0, 3.5}) {
+    SCOPED_TRACE(before);
+    const Point a(0, 0), b(8, 0), start(-before, 0);
+    const Problem problem = lawn(swath({{a, b}}, kRadius, 2e-3, Bound::inside), start);
+    const auto bound = bound_of(problem, driven({start, b}));
+    ASSERT_TRUE(bound);
+    EXPECT_LE(bound->metres, 8 + before);
+    EXPECT_GE(bound->metres, 7.9 + std::min(0.7 * before, 0.5 * kPi * kRadius * kRadius) + std::max(0.0, before - 1.3));
+  }
+}
+
+// Around a wall between the start and the target: the shortest path there is known.
+TEST(LengthBound, CountsThePathAroundAWall) {
+  Robot robot;
+  robot.radius = 0.5;
+  robot.tool_width = 1;
+  Map map{"wall", subtract(box_region({0, 0}, {20, 10}), box_region({9.5, 0}, {10.5, 8})), "test", ""};
+  map.target_area = box_region({12, 1}, {19, 2});
+  const Point start(8, 1.5), before(9.5, 8.5), behind(10.5, 8.5);
+  const Problem problem(std::move(map), robot, start);
+  const Point over_left = before + Point(-0.5, 0), over_right = behind + Point(0.5, 0);  // where the arcs are cut short
+  const Polyline line{start, over_left, over_right, {12, 1.5}, {18.6, 1.5}};
+  const Path path = driven(line);
+  const auto bound = bound_of(problem, path);
+  ASSERT_TRUE(bound);
+  EXPECT_LE(bound->metres, length(line));
+  EXPECT_GE(bound->metres, 0.93 * length(line));
+  // Of a path through the wall nothing is known but the area that it covers.
+  const auto of_any =
+      length_bound(problem, path, swept_area(problem.target(), problem.target_excess(), 1, path), false);
+  ASSERT_TRUE(of_any);
+  EXPECT_LT(of_any->metres, 8);
 }
 
 // Strips narrower than the tool: from where the disc holds two corners to where it holds the other two.
