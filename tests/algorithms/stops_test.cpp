@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/improve/detours.hpp"
 #include "algorithms/lanes/boundary_arcs.hpp"
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/transit/connector.hpp"
@@ -89,6 +90,25 @@ TEST(Stops, NotThroughWalls) {
   const Path path = with_stops(along({{-5, 0}, {5, 0}}), {-5, 0}, pieces, 1, walls);
   EXPECT_EQ(pieces.size(), 1u);
   EXPECT_EQ(path.length(), 10);
+}
+
+// Detours that reach the coverage asked for cut off turns, too; those that would meet there do not.
+TEST(Stops, DetoursCutOffTurns) {
+  const Problem p(Map{"hall", kHall, "", ""}, disc(1, 2), Point(0, 5));
+  const Polyline path{{0, 5}, {0, 0}, {5, 0}};
+  const auto with = [&](const std::vector<Polygon>& pieces) {
+    std::vector<ToCover> all;
+    for (const Polygon& piece : pieces) all.push_back({piece, {piece}});
+    return with_detours(path, all, 1e9, 1e9, 1, Connector(p), p.walls());
+  };
+  const Polygon beyond = speck({-0.9, -0.9}, 0.1), beside = speck({-1.3, -0.3}, 0.1);
+  const Polyline one = with({beyond}), two = with({beyond, beside});
+  EXPECT_EQ(one.size(), 5u);
+  EXPECT_LT(length(one), length(path) + 1.6 * (distance({-0.9, -0.9}, {0, 0}) - 0.9));
+  for (const auto& [line, piece] : {std::pair(one, beyond), std::pair(two, beyond), std::pair(two, beside)})
+    EXPECT_TRUE(covered(along(line), 1 + 1e-6, piece));
+  for (const Polyline& line : {one, two})
+    EXPECT_LT(area(subtract(swept(along(path), 1, Bound::inside), swept(along(line), 1, Bound::outside))), 1e-7);
 }
 
 // At a right angle, laps a tool width apart leave a piece that takes 0.33 widths: 0.41 there and back along the
