@@ -91,7 +91,10 @@ Value checked(const std::string& owner, const ParameterInfo& parameter, const Va
     result = static_cast<double>(std::get<std::int64_t>(value));
   // A yes or no among other choices, as suites write it.
   if (std::holds_alternative<bool>(value) && has_choice(parameter, to_text(value))) result = to_text(value);
-  if (result.index() != parameter.fallback.index()) refuse(owner, parameter, given, range_text(parameter));
+  if (result.index() != parameter.fallback.index()) {
+    const bool like_whole = std::holds_alternative<double>(value) && given.find_first_of(".en") == std::string::npos;
+    refuse(owner, parameter, like_whole ? given + ".0" : given, range_text(parameter));
+  }
 
   if (const double* real = std::get_if<double>(&result)) {
     if (!std::isfinite(*real)) refuse(owner, parameter, given, "a finite number");

@@ -85,13 +85,15 @@ std::string printable(std::string_view text) {
 
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates) {
   const auto best = std::ranges::min_element(candidates, {}, [&](const auto& c) { return edit_distance(word, c); });
-  return best == candidates.end() ? "" : *best;
+  const bool alike = best != candidates.end() && 2 * edit_distance(word, *best) <= std::max(word.size(), best->size());
+  return alike ? *best : "";
 }
 
 std::string unknown_name(const std::string& kind, const std::string& name, const std::vector<std::string>& known) {
   if (known.empty()) return fmt::format("no {} '{}': there are none", kind, name);
-  return fmt::format("no {} '{}'; did you mean '{}'? There are: {}", kind, name, nearest_name(name, known),
-                     fmt::join(known, ", "));
+  const std::string nearest = nearest_name(name, known);
+  const std::string meant = nearest.empty() ? "; there are" : fmt::format("; did you mean '{}'? There are", nearest);
+  return fmt::format("no {} '{}'{}: {}", kind, name, meant, fmt::join(known, ", "));
 }
 
 }  // namespace oxturn

@@ -36,8 +36,8 @@ std::string lower_case(std::string_view text);
 /// `text` with bytes that are not valid UTF-8 replaced by U+FFFD, and control characters by spaces.
 std::string printable(std::string_view text);
 
-/// The candidate with the least edit distance to `word`, the first of several; empty only if there are no candidates.
-/// O(length of word * total length of the candidates).
+/// The candidate with the least edit distance to `word`, the first of several; empty if no candidate is like it (more
+/// than half of its letters differ). O(length of word * total length of the candidates).
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);
 
 /// The error message for an unknown name: "no planner 'stk'; did you mean 'stc'? There are: boustrophedon, stc".

@@ -51,7 +51,8 @@ std::string sentence_of(const CLI::ParseError& error, CLI::App& app) {
       std::vector<std::string> options;
       for (const CLI::Option* option : chosen.front()->get_options())
         for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
-      text += fmt::format("; did you mean '{}'?", nearest_name(word.substr(0, word.find('=')), options));
+      const std::string nearest = nearest_name(word.substr(0, word.find('=')), options);
+      if (!nearest.empty()) text += fmt::format("; did you mean '{}'?", nearest);
     }
   }
   while (!text.empty() && (text.back() == '\n' || text.back() == '.')) text.pop_back();

@@ -36,9 +36,13 @@ Region eroded(const Map& map, const Region& free, const Robot& robot) {
   Region all = !robot.footprint.empty() ? erode(free, robot.footprint, Bound::inside)
                : robot.radius > 0       ? erode(free, robot.radius, robot.tool_width / 1000, Bound::inside)
                                         : free;
-  if (all.empty())
-    throw_invalid("robot '{}' ({}) fits nowhere in map '{}'; its widest passage is too narrow", robot.name,
-                  size_text(robot), map.name);
+  if (all.empty()) {
+    const Point size = bounding_box(free).size();
+    throw_invalid(
+        "robot '{}' ({}) fits nowhere in map '{}', whose free space is {:.4g} x {:.4g} m; take a smaller robot, "
+        "or check the map's scale",
+        robot.name, size_text(robot), map.name, size.x(), size.y());
+  }
   return all;
 }
 

@@ -8,12 +8,10 @@
 #include <utility>
 
 #include "algorithms/improve/strokes.hpp"
+#include "algorithms/lanes/stops.hpp"
 
 namespace oxturn {
 namespace {
-
-constexpr std::size_t kMostTried = 12;  // segments of the path from which a detour is tried
-constexpr int kHalvings = 30;
 
 /// A detour and what it covers.
 struct Offer {
@@ -23,24 +21,8 @@ struct Offer {
   double area;  // square metres
 };
 
-bool covers(const Point& at, const Polygon& piece, double reach) {
-  return std::ranges::all_of(piece.outer, [&](const Point& p) { return distance(p, at) <= reach; });
-}
-
-std::optional<Detour> stop(const NearbySegments& path, const Polygon& piece, double reach, const EdgeIndex& walls) {
-  const Point centre = bounding_box(piece.outer).centre();
-  if (!covers(centre, piece, reach)) return std::nullopt;
-  for (const NearbySegments::Near& near : path.near(centre, 2 * reach, kMostTried)) {
-    double outside = 0, inside = 1;  // the positions that cover the piece are an interval of the line to its centre
-    for (int i = 0; i < kHalvings; ++i) {
-      const double middle = (outside + inside) / 2;
-      (covers(lerp(near.at, centre, middle), piece, reach) ? inside : outside) = middle;
-    }
-    const Point at = lerp(near.at, centre, inside);
-    if (walls.contains(near.at) && walls.contains(near.at, at))
-      return Detour{near.segment, path.along(near), {near.at, at, near.at}, 2 * distance(near.at, at)};
-  }
-  return std::nullopt;
+Detour detour(const Stop& stop, double length) {
+  return {stop.segment, stop.along, {stop.from, stop.at, stop.from}, length, stop.turn, stop.cut};
 }
 
 /// Which of the offers cover `enough` on a short length: the best ones for their length, and for the rest the shortest
@@ -77,14 +59,41 @@ std::vector<Detour> best_of(std::vector<Offer> offers, std::size_t pieces, doubl
   return chosen;
 }
 
+/// Only one detour cuts off a turn, and only where no other one leaves the path.
+void keep_apart(const Polyline& path, std::vector<Detour>& detours) {
+  std::vector<int> at_turn(path.size(), 0);
+  std::vector<double> first(path.size(), std::numeric_limits<double>::infinity()), last(path.size(), 0);
+  for (const Detour& d : detours) {
+    if (d.turn) ++at_turn[*d.turn];
+    if (d.turn) continue;
+    first[d.segment] = std::min(first[d.segment], d.along);
+    last[d.segment] = std::max(last[d.segment], d.along);
+  }
+  for (Detour& d : detours) {
+    if (!d.turn) continue;
+    const std::size_t v = *d.turn;
+    if (at_turn[v] > 1 || first[v] < d.cut || last[v - 1] > distance(path[v - 1], path[v]) - d.cut) d.turn.reset();
+  }
+}
+
 Polyline inserted(const Polyline& path, std::vector<Detour> detours) {
+  keep_apart(path, detours);
   std::ranges::stable_sort(detours, {}, [](const Detour& d) { return std::tuple(d.segment, d.along); });
+  std::vector<const Detour*> at_turn(path.size(), nullptr);
+  for (const Detour& d : detours)
+    if (d.turn) at_turn[*d.turn] = &d;
   Polyline whole{path.front()};
   auto next = detours.begin();
   for (std::size_t k = 0; k + 1 < path.size(); ++k) {
     for (; next != detours.end() && next->segment == k; ++next)
-      whole.insert(whole.end(), next->points.begin(), next->points.end());
-    whole.push_back(path[k + 1]);
+      if (!next->turn) whole.insert(whole.end(), next->points.begin(), next->points.end());
+    if (const Detour* turn = at_turn[k + 1]) {
+      const Stop stop{turn->segment, turn->along, turn->points[0], turn->points[1], turn->turn, turn->cut};
+      const auto [a, b] = ends_of_cut(stop, path);
+      whole.insert(whole.end(), {a, stop.at, b});
+    } else {
+      whole.push_back(path[k + 1]);
+    }
   }
   return whole;
 }
@@ -93,15 +102,16 @@ Polyline inserted(const Polyline& path, std::vector<Detour> detours) {
 
 Polyline with_detours(const Polyline& path, const std::vector<ToCover>& pieces, double enough, double noticed,
                       double reach, const Connector& connector, const EdgeIndex& walls) {
-  const NearbySegments segments(path);
+  const std::vector<bool> tool(path.size(), true);
+  const StopFinder stops(path, tool, reach, walls);
   std::vector<Offer> offers;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const auto& [whole, parts] = pieces[i];
     for (const Polygon& part : parts)
-      if (auto found = stop(segments, part, reach, walls))
-        offers.push_back({std::move(*found), i, parts.size() == 1, area(part)});
+      if (const auto found = stops.find(part))
+        offers.push_back({detour(*found, stops.length(*found)), i, parts.size() == 1, area(part)});
     if (area(whole) < noticed) continue;
-    if (auto found = stroke(segments, whole.outer, reach, connector, walls))
+    if (auto found = stroke(stops.segments(), whole.outer, reach, connector, walls))
       offers.push_back({std::move(*found), i, true, area(whole)});
   }
   return inserted(path, best_of(std::move(offers), pieces.size(), enough));

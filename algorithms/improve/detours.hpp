@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "algorithms/lanes/nearby_segments.hpp"
@@ -28,6 +29,8 @@ struct Detour {
   double along = 0;  // of the segment, metres
   Polyline points;   // the first and the last are the point on the path
   double length = 0;
+  std::optional<std::size_t> turn = {};  // of a stop: the vertex of the path that it may cut off (lanes/stops.hpp)
+  double cut = 0;                        // metres before and after that vertex
 };
 
 /// A piece to be covered, or as much of it as is worth it.

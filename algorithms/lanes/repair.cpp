@@ -227,8 +227,8 @@ class Repair {
     }
     return found;
   }
-  /// One lane along the corridor, unless it leaves configuration space but for its ends: arcs of the boundary would have
-  /// to cover the rest.
+  /// One lane along the corridor, unless it leaves configuration space other than at its ends: arcs of the boundary
+  /// would have to cover the rest.
   bool add_corridor(const LaneFrame& frame, const Slabs& slabs, std::size_t left, const ChainPart& part,
                     std::vector<Ring>& found) const {
     const auto at = [&](double x) { return frame.to_world({x, part.middle}); };

@@ -4,10 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <tuple>
-
-#include "algorithms/lanes/nearby_segments.hpp"
 
 namespace oxturn {
 namespace {
@@ -33,85 +30,71 @@ struct Flat {
   std::vector<bool> tool;
 };
 
-struct Stop {
-  std::size_t segment;
-  double along;  // of the segment, metres
-  Point from;    // on the path
-  Point at;
-  std::optional<std::size_t> turn;  // the vertex of the path that is cut off
-  double cut = 0;                   // metres before and after that vertex
-};
-
 bool covers(const Point& at, const Polygon& piece, double reach) {
   return std::ranges::all_of(piece.outer, [&](const Point& p) { return distance(p, at) <= reach; });
 }
 
-/// Finds the stops of a path.
-class Stops {
- public:
-  Stops(const Flat& path, double reach, const EdgeIndex& walls)
-      : path_(path), segments_(path.points), reach_(reach), walls_(walls) {}
+}  // namespace
 
-  /// The one on the shortest detour; nullopt: no position covers the piece, or none in sight of the path does.
-  std::optional<Stop> find(const Polygon& piece) const {
-    const Point centre = bounding_box(piece.outer).centre();
-    if (!covers(centre, piece, reach_)) return std::nullopt;
-    std::optional<Stop> best;
-    double least = std::numeric_limits<double>::infinity();
-    for (const NearbySegments::Near& near : segments_.near(centre, 2 * reach_, kMostTried)) {
-      const Stop found =
-          cut_short({near.segment, segments_.along(near), near.at, nearest_cover(near.at, centre, piece), {}});
-      const double length = detour(found);
-      if (length >= least || !walls_.contains(near.at) || !walls_.contains(near.at, found.at)) continue;
-      best = found;
-      least = length;
-    }
-    return best;
+std::pair<Point, Point> ends_of_cut(const Stop& stop, const Polyline& path) {
+  const auto towards = [&](const Point& p) { return lerp(stop.from, p, stop.cut / distance(stop.from, p)); };
+  return {towards(path[*stop.turn - 1]), towards(path[*stop.turn + 1])};
+}
+
+StopFinder::StopFinder(const Polyline& path, const std::vector<bool>& tool, double reach, const EdgeIndex& walls)
+    : path_(path), tool_(tool), segments_(path), reach_(reach), walls_(walls) {}
+
+std::optional<Stop> StopFinder::find(const Polygon& piece) const {
+  const Point centre = bounding_box(piece.outer).centre();
+  if (!covers(centre, piece, reach_)) return std::nullopt;
+  std::optional<Stop> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const NearbySegments::Near& near : segments_.near(centre, 2 * reach_, kMostTried)) {
+    const Stop found = cut_short({near.segment, segments_.along(near), near.at, nearest_cover(near.at, centre, piece)});
+    const double detour = length(found);
+    if (detour >= least || !walls_.contains(near.at) || !walls_.contains(near.at, found.at)) continue;
+    best = found;
+    least = detour;
   }
+  return best;
+}
 
- private:
-  /// On the line from the path to the piece's centre: the positions that cover the piece are an interval of it.
-  Point nearest_cover(const Point& from, const Point& centre, const Polygon& piece) const {
-    double outside = 0, inside = 1;
-    for (int i = 0; i < kHalvings; ++i) {
-      const double middle = (outside + inside) / 2;
-      (covers(lerp(from, centre, middle), piece, reach_) ? inside : outside) = middle;
-    }
-    return lerp(from, centre, inside);
+/// On the line from the path to the piece's centre: the positions that cover the piece are an interval of it.
+Point StopFinder::nearest_cover(const Point& from, const Point& centre, const Polygon& piece) const {
+  double outside = 0, inside = 1;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (outside + inside) / 2;
+    (covers(lerp(from, centre, middle), piece, reach_) ? inside : outside) = middle;
   }
+  return lerp(from, centre, inside);
+}
 
-  /// At a turn of the path, with the turn cut off if nothing is lost by that.
-  Stop cut_short(Stop stop) const {
-    const double same = kSamePoint * reach_;
-    const std::size_t v = stop.along <= same ? stop.segment : stop.segment + 1;
-    const bool at_vertex = distance(stop.from, path_.points[v]) <= same;
-    if (!at_vertex || v == 0 || v + 1 >= path_.points.size() || !path_.tool[v - 1] || !path_.tool[v]) return stop;
-    const Point corner = path_.points[v], to = stop.at - corner;
-    const Point before = (path_.points[v - 1] - corner).normalized(),
-                after = (path_.points[v + 1] - corner).normalized();
-    // Opposite to both segments: between their continuations.
-    const double turn = cross(before, after);
-    if (turn == 0 || cross(to, before) * turn < 0 || cross(after, to) * turn < 0) return stop;
-    const double half_tangent = std::abs(turn) / (1 + before.dot(after));  // of half the angle between the segments
-    const double cut = std::min({kShareOfReach * reach_ * std::min(1.0, 1 / half_tangent),
-                                 kShareOfEdge * path_.length(v - 1), kShareOfEdge * path_.length(v)});
-    if (!(walls_.contains(corner + cut * before, stop.at) && walls_.contains(stop.at, corner + cut * after)))
-      return stop;
-    return {stop.segment, stop.along, corner, stop.at, v, cut};
-  }
+/// At a turn of the path, with the turn cut off if nothing is lost by that.
+Stop StopFinder::cut_short(Stop stop) const {
+  const double same = kSamePoint * reach_;
+  const std::size_t v = stop.along <= same ? stop.segment : stop.segment + 1;
+  const bool at_vertex = distance(stop.from, path_[v]) <= same;
+  if (!at_vertex || v == 0 || v + 1 >= path_.size() || !tool_[v - 1] || !tool_[v]) return stop;
+  const Point corner = path_[v], to = stop.at - corner;
+  const Point before = (path_[v - 1] - corner).normalized(), after = (path_[v + 1] - corner).normalized();
+  // Opposite to both segments: between their continuations.
+  const double turn = cross(before, after);
+  if (turn == 0 || cross(to, before) * turn < 0 || cross(after, to) * turn < 0) return stop;
+  const double half_tangent = std::abs(turn) / (1 + before.dot(after));  // of half the angle between the segments
+  const double cut =
+      std::min({kShareOfReach * reach_ * std::min(1.0, 1 / half_tangent), kShareOfEdge * distance(corner, path_[v - 1]),
+                kShareOfEdge * distance(corner, path_[v + 1])});
+  if (!walls_.contains(corner + cut * before, stop.at) || !walls_.contains(stop.at, corner + cut * after)) return stop;
+  return {stop.segment, stop.along, corner, stop.at, v, cut};
+}
 
-  double detour(const Stop& s) const {
-    if (!s.turn) return 2 * distance(s.from, s.at);
-    const Point a = lerp(s.from, path_.points[*s.turn - 1], s.cut / path_.length(*s.turn - 1));
-    const Point b = lerp(s.from, path_.points[*s.turn + 1], s.cut / path_.length(*s.turn));
-    return distance(a, s.at) + distance(s.at, b) - 2 * s.cut;
-  }
+double StopFinder::length(const Stop& stop) const {
+  if (!stop.turn) return 2 * distance(stop.from, stop.at);
+  const auto [a, b] = ends_of_cut(stop, path_);
+  return distance(a, stop.at) + distance(stop.at, b) - 2 * stop.cut;
+}
 
-  const Flat& path_;
-  const NearbySegments segments_;
-  double reach_;
-  const EdgeIndex& walls_;
-};
+namespace {
 
 /// Only one stop cuts off a turn, and only where no other stop leaves the path.
 void keep_apart(const Flat& path, std::vector<Stop>& stops) {
@@ -144,8 +127,8 @@ Path driven(const Flat& path, const std::vector<Stop>& stops) {
     }
     if (const auto turn = turn_at[i + 1]) {
       const Stop& s = stops[*turn];
-      builder.drive(lerp(s.from, path.points[i], s.cut / path.length(i)), true);
-      builder.drive(Polyline{s.at, lerp(s.from, path.points[i + 2], s.cut / path.length(i + 1))}, true);
+      const auto [a, b] = ends_of_cut(s, path.points);
+      builder.drive(Polyline{a, s.at, b}, true);
     } else {
       builder.drive(path.points[i + 1], path.tool[i]);
     }
@@ -159,7 +142,7 @@ Path with_stops(const Path& path, const Point& start, std::vector<Polygon>& piec
                 const EdgeIndex& walls) {
   if (pieces.empty() || path.legs.empty()) return path;
   const Flat flat(path, start);
-  const Stops finder(flat, reach, walls);
+  const StopFinder finder(flat.points, flat.tool, reach, walls);
   std::vector<Stop> stops;
   std::erase_if(pieces, [&](const Polygon& piece) {
     const auto stop = finder.find(piece);

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
+
+#include "algorithms/lanes/corridors.hpp"
 
 namespace oxturn {
 
@@ -38,6 +41,48 @@ double height_on(const Polyline& chain, double x) {
   if (i == chain.size()) return chain.back().y();
   const Point &a = chain[i - 1], &b = chain[i];
   return a.y() + std::clamp((x - a.x()) / (b.x() - a.x()), 0.0, 1.0) * (b.y() - a.y());
+}
+
+namespace {
+
+/// The farthest point of the segment ab to which it runs inside `space`; a itself must lie inside.
+Point reach(const EdgeIndex& space, const Point& a, const Point& b) {
+  if (space.contains(a, b)) return b;
+  double inside = 0, outside = 1;
+  for (int k = 0; k < 40; ++k) {
+    const double middle = (inside + outside) / 2;
+    (space.contains(a, lerp(a, b, middle)) ? inside : outside) = middle;
+  }
+  return lerp(a, b, inside);
+}
+
+/// The lane along a corridor, from the left side of its slabs to the right side. nullopt if a wall is in between, which
+/// happens only if the lanes' region reaches walls.
+std::optional<LaneEnds> lane_along(const std::vector<LaneInterval>& chain, const ChainPart& corridor,
+                                   const Slabs& slabs, const EdgeIndex& space) {
+  const std::size_t first = chain[corridor.from].slab, last = first + corridor.count - 1;
+  const auto at = [&](std::size_t line) { return Point(slabs.line(line), corridor.middle); };
+  const Point left = at(first + 1), right = at(last);  // the region connects the slabs on these lines
+  if (!space.contains(left, right)) return std::nullopt;
+  return LaneEnds{reach(space, left, at(first)), reach(space, right, at(last + 1))};
+}
+
+}  // namespace
+
+std::vector<std::vector<LaneEnds>> strips_of_chain(const std::vector<LaneInterval>& chain, const Slabs& slabs,
+                                                   const LaneField& f) {
+  std::vector<std::vector<LaneEnds>> strips;
+  for (const ChainPart& part : corridors_in(chain, f.spacing - 2 * f.margin)) {
+    strips.emplace_back();
+    if (part.corridor)
+      if (const auto along = lane_along(chain, part, slabs, f.space)) {
+        strips.back() = {*along};
+        continue;
+      }
+    for (std::size_t i = part.from; i < part.from + part.count; ++i)
+      strips.back().push_back(upright(slabs.centre(chain[i].slab), chain[i].low, chain[i].high));
+  }
+  return strips;
 }
 
 namespace {
@@ -100,6 +145,16 @@ class PlacedLanes {
   std::vector<std::vector<LaneEnds>> buckets_;
 };
 
+/// Runs of lanes in consecutive slabs, one lane in each.
+std::vector<std::vector<LaneInterval>> runs_of(const std::vector<LaneInterval>& lanes) {
+  std::vector<std::vector<LaneInterval>> runs;
+  for (const LaneInterval& lane : lanes) {
+    if (runs.empty() || lane.slab != runs.back().back().slab + 1) runs.emplace_back();
+    runs.back().push_back(lane);
+  }
+  return runs;
+}
+
 /// A strip for each exact cell, if the outline is driven as well: the projections of slabs fitted to the cell. The
 /// widest cells come first; a lane whose part of the cell lies under lanes of other cells is omitted.
 std::vector<Strip> fitted_strips(const LaneField& f, const Cells& cells, Context& context) {
@@ -125,10 +180,10 @@ std::vector<Strip> fitted_strips(const LaneField& f, const Cells& cells, Context
       if (!placed.cover(a, b, low, high)) intervals.push_back({k, low, high});
     }
     std::vector<LaneEnds> lanes;
-    for (const LaneInterval& s : clip_lanes(intervals, slabs, f.space, f.join(), f.margin).pieces) {
-      lanes.push_back(upright(slabs.centre(s.slab), s.low, s.high));
-      placed.add(lanes.back());
-    }
+    for (const auto& chain : runs_of(clip_lanes(intervals, slabs, f.space, f.join(), f.margin).pieces))
+      for (const auto& strip : strips_of_chain(chain, slabs, f)) lanes.insert(lanes.end(), strip.begin(), strip.end());
+    for (const LaneEnds& lane : lanes)
+      if (lane.low.x() == lane.high.x()) placed.add(lane);
     strips[c] = to_world(lanes, f.frame);
     if (context.cancelled()) break;
   }

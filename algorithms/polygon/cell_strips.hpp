@@ -48,6 +48,11 @@ enum class LaneFit { fitted, spaced };
 std::vector<Strip> cell_strips(const LaneField& field, const std::vector<BoustrophedonCell>& cells, LaneFit fit,
                                Context& context);
 
+/// The lanes of a chain of consecutive slabs in the field's frame, one list for each strip: where the chain is a
+/// corridor across its slabs, one lane along it is a strip of its own (lanes/corridors.hpp).
+std::vector<std::vector<LaneEnds>> strips_of_chain(const std::vector<LaneInterval>& chain, const Slabs& slabs,
+                                                   const LaneField& field);
+
 /// A lane of a frame.
 inline LaneEnds upright(double x, double low, double high) { return {{x, low}, {x, high}}; }
 /// The strip of straight lanes that are given in a frame.

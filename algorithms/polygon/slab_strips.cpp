@@ -23,45 +23,6 @@ Links links_of(const Projection& projection, const ClippedLanes& lanes) {
   return links;
 }
 
-/// The farthest point of the segment ab to which it runs inside `space`; a itself must lie inside.
-Point reach(const EdgeIndex& space, const Point& a, const Point& b) {
-  if (space.contains(a, b)) return b;
-  double inside = 0, outside = 1;
-  for (int k = 0; k < 40; ++k) {
-    const double middle = (inside + outside) / 2;
-    (space.contains(a, lerp(a, b, middle)) ? inside : outside) = middle;
-  }
-  return lerp(a, b, inside);
-}
-
-/// The lane along a corridor, from the left side of its slabs to the right side. nullopt if a wall is in between, which
-/// happens only if the lanes' region reaches walls.
-std::optional<LaneEnds> lane_along(const std::vector<LaneInterval>& chain, const ChainPart& corridor,
-                                   const Slabs& slabs, const EdgeIndex& space) {
-  const std::size_t first = chain[corridor.from].slab, last = first + corridor.count - 1;
-  const auto at = [&](std::size_t line) { return Point(slabs.line(line), corridor.middle); };
-  const Point left = at(first + 1), right = at(last);  // the region connects the slabs on these lines
-  if (!space.contains(left, right)) return std::nullopt;
-  return LaneEnds{reach(space, left, at(first)), reach(space, right, at(last + 1))};
-}
-
-/// The lanes of a chain, one list for each strip: a corridor's lane is a strip of its own.
-std::vector<std::vector<LaneEnds>> lanes_of(const std::vector<LaneInterval>& chain, const Slabs& slabs,
-                                            const LaneField& f) {
-  std::vector<std::vector<LaneEnds>> strips;
-  for (const ChainPart& part : corridors_in(chain, f.spacing - 2 * f.margin)) {
-    strips.emplace_back();
-    if (part.corridor)
-      if (const auto along = lane_along(chain, part, slabs, f.space)) {
-        strips.back() = {*along};
-        continue;
-      }
-    for (std::size_t i = part.from; i < part.from + part.count; ++i)
-      strips.back().push_back(upright(slabs.centre(chain[i].slab), chain[i].low, chain[i].high));
-  }
-  return strips;
-}
-
 /// One set of slabs over the whole region, which is given in the field's frame; strips are the longest one-to-one runs
 /// of lanes, cut where corridors begin and end.
 std::vector<Strip> slab_strips(const LaneField& f, const Region& region) {
@@ -76,7 +37,7 @@ std::vector<Strip> slab_strips(const LaneField& f, const Region& region) {
     std::vector<LaneInterval> pieces;
     for (const std::size_t i : chain) pieces.push_back(lanes.pieces[i]);
     const std::size_t first = strips.size();
-    for (const auto& strip : lanes_of(pieces, slabs, f)) strips.push_back(to_world(strip, f.frame));
+    for (const auto& strip : strips_of_chain(pieces, slabs, f)) strips.push_back(to_world(strip, f.frame));
     for (std::size_t s = first; s + 1 < strips.size(); ++s) connect(strips, s, s + 1);
     for (const std::size_t i : chain) {
       first_strip[i] = first;

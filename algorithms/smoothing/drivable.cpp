@@ -29,8 +29,10 @@ class LeftOut {
     if (metres_ == 0) first_ = where;
     metres_ += metres;
     if (metres_ > kMostLeftOut * all_)
-      throw Infeasible(fmt::format("no drivable connection with a lane at ({:.6g}, {:.6g}){}", first_.x(), first_.y(),
-                                   exhausted ? " found within the effort for detours" : ""));
+      throw Infeasible(fmt::format(
+          "no drivable connection with a lane at ({:.6g}, {:.6g}){}; take a smaller min_turn_radius, or a robot "
+          "that can reverse",
+          first_.x(), first_.y(), exhausted ? " found within the effort for detours" : ""));
   }
   double metres() const { return metres_; }
 

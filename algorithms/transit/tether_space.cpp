@@ -44,7 +44,7 @@ constexpr double kEntrySlack = 6;            // radii by which the tether may be
 double width_of(const Problem& problem, const std::string& planner) {
   const Robot& robot = problem.robot();
   if (!robot.tether)
-    throw Unsupported(fmt::format("planner '{}' needs a robot with a tether; robot '{}' has none (tether.length)",
+    throw Unsupported(fmt::format("planner '{}' needs a robot with a tether; robot '{}' has none (tether_length)",
                                   planner, robot.name));
   const double wanted = robot.radius > 0 ? robot.radius / kStripsPerRadius : robot.tool_width / kStripsPerTool;
   return std::max(wanted, std::ldexp(bounding_box(problem.configuration_space()).size().maxCoeff(), kLeastStripBits));

@@ -147,7 +147,8 @@ std::optional<Flaw> find_flaw(const Region& region) {
 
 Region repaired(const Region& region) {
   if (const auto flaw = find_flaw(region))
-    throw_invalid("{} at ({}, {})", flaw->reason, flaw->point.x(), flaw->point.y());
+    throw_invalid("{} at ({}, {}); expected polygons whose edges do not cross, with holes inside them", flaw->reason,
+                  flaw->point.x(), flaw->point.y());
   Region clean = cleaned(region);
   const Lattice lattice(bounding_box(clean));
   std::vector<OverlayEdge> edges;

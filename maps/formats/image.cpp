@@ -40,7 +40,9 @@ Occupancy occupancy_of(const GreyImage& image, std::size_t pixel) {
 }
 
 MapFile read_plain_image(const std::string& file, const ImageOptions& options) {
-  if (options.scale <= 0) throw_invalid("{}: a plain image needs a scale; give scale = METRES_PER_PIXEL", file);
+  if (options.scale <= 0)
+    throw_invalid("{}: a plain image needs a scale in metres per pixel: --scale, or `scale` of the map in a suite",
+                  file);
   const GreyImage image = read_image(file);
   OccupancyGrid cells(image.width, image.height);
   for (int row = 0; row < image.height; ++row)

@@ -61,7 +61,7 @@ TEST(Corridors, TakeOneLane) {
   const Region free =
       unite({box_region({0, 0}, {4, 8}), box_region({4, 3.5}, {24, 4.5}), box_region({24, 0}, {28, 8})});
   const Problem p(Map{"rooms", free, "", ""}, disc(0.2, 0.4), Point(2, 2));
-  for (const char* name : {"boustrophedon", "zigzag"}) {
+  for (const char* name : {"boustrophedon", "zigzag", "trapezoid"}) {
     const Path path = plan(name, p, {{"sweep", std::string("given")}, {"angle", 90.0}});
     expect_valid(p, path);
     EXPECT_EQ(uncovered_share(p, path, 1500), 0);

@@ -54,6 +54,8 @@ TEST(Parameters, ErrorsNameParameterOwnerAndWhatIsExpected) {
             "parameter 'teeth' of planner 'x' is 0, expected a whole number from 1 to 100");
   EXPECT_EQ(error_for({{"teeth", 2.5}}),
             "parameter 'teeth' of planner 'x' is 2.5, expected a whole number from 1 to 100");
+  EXPECT_EQ(error_for({{"teeth", 2.0}}),
+            "parameter 'teeth' of planner 'x' is 2.0, expected a whole number from 1 to 100");
   EXPECT_EQ(error_for({{"cell_size", 11.0}}),
             "parameter 'cell_size' of planner 'x' is 11, expected a number from 0 to 10");
   EXPECT_EQ(error_for({{"cell_size", std::nan("")}}),

@@ -43,8 +43,18 @@ TEST(Text, NearestNameHasTheLeastEditDistance) {
   EXPECT_EQ(nearest_name("boustrofedon", planners), "boustrophedon");
   EXPECT_EQ(nearest_name("sct", planners), "stc");
   EXPECT_EQ(nearest_name("zig-zag", planners), "zigzag");
-  EXPECT_EQ(nearest_name("", {"only"}), "only");
+  EXPECT_EQ(nearest_name("", {"only"}), "");
   EXPECT_EQ(nearest_name("x", {}), "");
+}
+
+// A suggestion that is like no mistake anybody makes is worse than none.
+TEST(Text, SuggestsOnlyWhatIsAlike) {
+  const std::vector<std::string> planners{"boustrophedon", "zigzag", "stc"};
+  EXPECT_EQ(nearest_name("nothing", planners), "");
+  EXPECT_EQ(unknown_name("planner", "nothing", planners),
+            "no planner 'nothing'; there are: boustrophedon, zigzag, stc");
+  EXPECT_EQ(unknown_name("planner", "stk", planners),
+            "no planner 'stk'; did you mean 'stc'? There are: boustrophedon, zigzag, stc");
 }
 
 TEST(Text, SwappedNeighboursAreOneMistake) {

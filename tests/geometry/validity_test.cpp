@@ -173,7 +173,8 @@ TEST(Repaired, RefusesInOneSentence) {
       [] {
         repaired(polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}}));
       },
-      testing::ThrowsMessage<std::invalid_argument>("edges cross at (1, 1)"));
+      testing::ThrowsMessage<std::invalid_argument>(
+          "edges cross at (1, 1); expected polygons whose edges do not cross, with holes inside them"));
 }
 
 TEST(Repaired, AnswersWithSoundRegionsWhateverTheTouching) {

@@ -265,8 +265,10 @@ TEST(Problem, HostileInputIsOneSentence) {
   const Map nan{"nan", {{{{{0, 0}, {4, 0}, {4, std::nan("")}}, {}}}}, "test", ""};
   EXPECT_THAT(why(nan, disc(0.1, 0.2)), HasSubstr("map 'nan': "));
   EXPECT_EQ(why({"void", {}, "test", ""}, disc(0.1, 0.2)), "map 'void' has no free space at all");
-  EXPECT_EQ(why(square(1), disc(0.5, 1)),
-            "robot 'disc' (radius 0.5) fits nowhere in map 'square'; its widest passage is too narrow");
+  EXPECT_EQ(
+      why(square(1), disc(0.5, 1)),
+      "robot 'disc' (radius 0.5) fits nowhere in map 'square', whose free space is 1 x 1 m; take a smaller robot, "
+      "or check the map's scale");
   EXPECT_EQ(why(square(1), disc(0.1, 0)),
             "parameter 'tool_width' of robot 'disc' is 0, expected a number above 0, at most 1e+09");
   EXPECT_EQ(why(square(4), disc(0.1, 1), Point(std::nan(""), 1)), "start (nan, 1) is not finite, expected metres");

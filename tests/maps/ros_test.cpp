@@ -268,7 +268,8 @@ TEST(PlainImage, NeedsAScale) {
   const TemporaryFolder folder;
   write_file(folder.file("plan.pgm"), pgm(3, 2, {255, 255, 0, 0, 255, 205}));
   EXPECT_EQ(complaint([&] { read_map(folder.file("plan.pgm")); }),
-            folder.file("plan.pgm") + ": a plain image needs a scale; give scale = METRES_PER_PIXEL");
+            folder.file("plan.pgm") +
+                ": a plain image needs a scale in metres per pixel: --scale, or `scale` of the map in a suite");
   Settings options;
   options["scale"] = 2.0;
   EXPECT_THAT(cells_of(read_map(folder.file("plan.pgm"), options).map.free, {0, 0}, 2, 3, 2),
