@@ -6,8 +6,8 @@
 /// Method      The boundary as a list, counter-clockwise: arcs about nodes and the dividers between them. When a node
 ///             or a divider comes into reach, the arc that it lies on is split there. An arc whose node sees nothing so
 ///             far away leaves the list, and so does a divider directly before another one.
-/// Complexity  a boundary costs its samples, its arcs, and what is new in it; samples where the node surely sees cost no
-///             test of sight (sight_range.hpp)
+/// Complexity  a boundary costs its samples, its arcs, and what is new in it; a test of sight only for samples of which
+///             sight_range.hpp does not know whether they are seen
 #pragma once
 
 #include <cstdint>

@@ -93,7 +93,7 @@ TEST(SightRange, WhatIsSurelySeenIsSeenAndThatIsMost) {
     const bool no_gaps = s.problem.tether()->closed_gaps().empty();
     const EdgeIndex& walls = s.problem.map_edges();
     for (const BergNode& node : s.boundary.nodes())
-      for (double share = 0; share < 1; share += 0.0371)
+      for (double share = 0.0013; share < 1; share += 0.0371)
         for (double radius = 0.05; radius < 12; radius *= 1.4) {
           const double turn = share * node.width, angle = node.begin + turn;
           const bool free = walls.contains(node.at, node.at + radius * Point(std::cos(angle), std::sin(angle)));
@@ -101,10 +101,10 @@ TEST(SightRange, WhatIsSurelySeenIsSeenAndThatIsMost) {
           const SightRange::Answer answer = node.range.look(turn, radius);
           ++all;
           unknown += answer == SightRange::Answer::unknown;
-          if (answer == SightRange::Answer::seen)
-            ASSERT_TRUE(free) << node.at.transpose() << ", " << turn << ", " << radius;
-          if (answer == SightRange::Answer::hidden && no_gaps)
-            ASSERT_FALSE(free) << node.at.transpose() << ", " << turn << ", " << radius;
+          const bool wrong = answer == SightRange::Answer::seen     ? !free
+                             : answer == SightRange::Answer::hidden ? free && no_gaps
+                                                                    : false;
+          ASSERT_FALSE(wrong) << "node at " << node.at.transpose() << ", turn " << turn << ", " << radius;
           seen += free;
           sure += claimed;
           ASSERT_TRUE(free || !claimed) << "node at " << node.at.transpose() << ", turn " << turn << ", " << radius;
@@ -145,7 +145,9 @@ TEST(BergSweep, WithoutNeedlessSamplesTheLapsAreTheSame) {
             EXPECT_LE(distance_to(left, samples[next++]), kError * 1.001);
           ASSERT_LT(next++, samples.size());
         }
-        EXPECT_EQ(samples.back(), left.back());
+        if (from[i].first) {  // else it is closed, and its end is where it begins
+          EXPECT_EQ(samples.back(), left.back());
+        }
       }
     }
   }

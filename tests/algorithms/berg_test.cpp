@@ -487,7 +487,7 @@ TEST(Berg, TrimKeepsTheSamplesAtTheirGeodesicDistance) {
       if (trace.name == "boundaries")
         for (const Polyline& line : trace.lines) all += line.size();
     };
-    plan_berg(problem, {}, sinks);
+    plan_berg(problem, {{"sampling", problem.robot().radius / 4}}, sinks);  // the default of trimmed laps
     sinks.trace = [&](const Trace& trace) {
       if (trace.name != "boundaries") return;
       for (const Polyline& line : trace.lines) {
