@@ -110,8 +110,8 @@ TEST(NearestComponent, IsNearestByPath) {
   EXPECT_GE(nearest_of_all, 0.99 * static_cast<double>(queries));
 }
 
-/// The same by the wave alone, whose paths are those through the triangles by which it came.
-TEST(NearestComponent, ByTheWaveAloneIsAboutTheNearest) {
+/// The same by sight and by the wave, whose paths are those through the triangles by which it came.
+TEST(NearestComponent, WithoutAPathIsAboutTheNearest) {
   double found = 0, shortest = 0;
   for (const auto seed : seeds(100)) {
     SCOPED_TRACE(seed);
