@@ -248,17 +248,21 @@ class RectangleCleaner {
   std::optional<std::size_t> nearest_job(std::optional<std::size_t> last, const std::vector<Job>& jobs,
                                          const std::vector<bool>& cleaned, const std::vector<std::uint32_t>& starts,
                                          const std::unordered_map<int, std::size_t>& left_in) {
-    if (last) {
-      // A rectangle may end in another component than it began in.
-      if (const std::size_t began = start_node(jobs[*last]); paths_.component(began) != paths_.component(at_))
-        left_behind_.push_back({*last, began});
-      if (const auto k = follower_of({*last, at_}, jobs, cleaned)) return k;
-    }
-    std::size_t from = at_;
-    const auto any_left = [&] {
-      const auto left = left_in.find(paths_.component(from));
-      return left != left_in.end() && left->second > 0;
+    const auto left = [&](std::size_t node) {
+      const auto found = left_in.find(paths_.component(node));
+      return found == left_in.end() ? 0 : found->second;
     };
+    std::size_t from = at_;
+    const auto any_left = [&] { return left(from) > 0; };
+    if (last) {
+      // A rectangle may end in another component than it began in: of two with jobs left the smaller comes first.
+      std::size_t other = start_node(jobs[*last]);
+      if (paths_.component(other) != paths_.component(from)) {
+        if (!any_left() || (left(other) > 0 && left(other) < left(from))) std::swap(from, other);
+        left_behind_.push_back({*last, other});
+      }
+      if (const auto k = follower_of({*last, from}, jobs, cleaned)) return k;
+    }
     while (!any_left() && !left_behind_.empty()) {
       const LeftBehind there = left_behind_.back();
       left_behind_.pop_back();

@@ -8,8 +8,8 @@
 //             not fit; with `revisit_skipped` every lattice node that the robot can reach is driven
 // Complexity  n cells: world and partition O(n), a path between rectangles O(cells nearer than its end); some 60 bytes
 //             a cell. `choose = nearest` searches the nodes that are nearer than the next rectangle; where walls have
-//             few edges, after 20,000 nodes the triangles of free space (nearest_component.hpp). `choose = first` may cross the map after each
-//             column of rectangles: O(n^1.5) driven at worst
+//             few edges, after 20,000 nodes the triangles of free space (nearest_component.hpp). `choose = first` may
+//             cross the map after each column of rectangles: O(n^1.5) driven at worst
 // Decisions   1. Cells default to half the robot's width (`cells = robot`; the source's robot is larger than a cell) or
 //                to half the tool's, whichever is more: narrow lanes under a wide tool are driven many times over,
 //                and a tool covers cells up to 0.7 of its width. A cell is wall unless it lies entirely in free space,
@@ -30,8 +30,9 @@
 //             5. The centre is visited on the way (section 2.3) if the robot fits there.
 //             6. `columns = tool` (ours, the default) steps as many columns as the tool covers, instead of one.
 //             7. The outlooks of section 5: `choose = nearest` takes the start with the fewest planned steps, or
-//                with the shortest path among walls where the lattice leads to none near by, so a
-//                divided corridor is cleaned one side after the other; it is the default. `lanes = diagonal` makes no
+//                with the shortest path among walls where the lattice leads to none near by, so a divided corridor is
+//                cleaned one side after the other; it is the default. What the lattice does not connect is cleaned
+//                after the rectangle that is nearest to it (component_links.hpp). `lanes = diagonal` makes no
 //                rectangles but lanes at 45 degrees ("Schraegen ueber das Grid"), each as long as possible, on to the
 //                nearest end of one, for pillars in staggered rows (rectangles on a turned grid were tried: worse than
 //                straight ones).

@@ -220,8 +220,8 @@ std::vector<ComponentLinks::Group> ComponentLinks::groups_of(DisjointSets& joine
   return groups;
 }
 
-/// Boruvka's algorithm: each group but the one with the most entry points is connected to what is nearest outside, until
-/// there is one group only.
+/// Boruvka's algorithm: each group but the one with the most entry points is connected to what is nearest outside,
+/// until there is one group only.
 std::vector<ComponentLinks::Candidate> ComponentLinks::connections() const {
   Wave wave(problem_.transit().mesh(), entries_);
   const std::vector<Candidate> near = wave.near_ones();

@@ -9,9 +9,9 @@
 ///             another group, by a wave over the sides of the transit mesh, and all of them are connected. The group
 ///             with the most entry points does not look: it is found by the others, so a few small components beside a
 ///             large one cost only their own surroundings.
-/// Complexity  O(m + t) to sort m entry points into t triangles; in each of at most log2 m rounds O(s log s) for s sides
-///             nearer to the groups that look than what they find; a shortest path for each link, which is short because
-///             it crosses nothing but the two components' own surroundings
+/// Complexity  O(m + t) for m entry points and t triangles; in each of at most log2 m rounds O(s log s) for s sides
+///             nearer to the groups that look than what they find; a shortest path for each link, which is short
+///             because it crosses nothing but the two components' own surroundings
 /// Decisions   1. A wave enters a triangle's next side at the point that is nearest to where it was, so lengths are
 ///                those of feasible paths, a little too long. The links are exact shortest paths between their ends.
 ///             2. Entry points of the component with the most of them count only within 16 to 32 tool widths of another

@@ -1,6 +1,7 @@
 #include "algorithms/transit/nearest_component.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "geometry/paths/sleeve.hpp"
@@ -12,6 +13,7 @@ namespace {
 // many are compared by the shortest paths through the triangles by which the wave came.
 constexpr std::size_t kCandidates = 4;
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAlmostStraight = 1.3;  // straight distances
 constexpr int kMostFailures = 2;         // entry points to which no almost straight path leads
 constexpr int kMostTries = 16;
@@ -76,6 +78,26 @@ bool NearestComponent::find_almost_straight(const Point& p, Nearest& best) {
   return all_nearer_tried && best.metres <= farther;
 }
 
+/// The first entry by straight distance that is in sight, if it is among the first few.
+NearestComponent::Nearest NearestComponent::nearest_in_sight(const Point& p) {
+  keep_grid();
+  std::vector<std::size_t> gone;
+  Nearest best;
+  int tries = 0;
+  grid_->visit(p, [&](std::size_t i, double straight) {
+    const Entry& entry = entries_[i];
+    if (removed(entry.component)) {
+      gone.push_back(i);
+      return true;
+    }
+    if (!problem_.walls().contains(p, entry.at)) return ++tries < kMostTries;
+    best = {.found = Found{entry.id, {p, entry.at}}, .metres = straight};
+    return false;
+  });
+  for (const std::size_t i : gone) grid_->remove(i);
+  return best;
+}
+
 /// The entry in a triangle that is nearest to a point; nullopt if there is none. Forgets those of removed components.
 std::optional<std::uint32_t> NearestComponent::nearest_in(std::size_t triangle, const Point& to) {
   std::vector<std::uint32_t>& here = in_triangle_[triangle];
@@ -88,10 +110,11 @@ std::optional<std::uint32_t> NearestComponent::nearest_in(std::size_t triangle, 
 /// Of the entries of the first components that a wave from p meets the one with the shortest path through the triangles
 /// by which the wave came: no search through the triangles for each of them, which far away would cost all that lies
 /// nearer. The path is at least as long as the shortest one.
-NearestComponent::Nearest NearestComponent::nearest_by_wave(const Point& p, std::size_t home) {
+NearestComponent::Nearest NearestComponent::nearest_by_wave(const Point& p, std::size_t home, double longest) {
   std::set<int> components;
-  Nearest best;
+  Nearest best{.found = std::nullopt, .metres = longest};
   wave_.spread(p, home, [&](std::size_t t) {
+    if (wave_.metres(t) >= longest) return true;
     const auto entry = nearest_in(t, wave_.entered_at(t));
     if (!entry) return false;
     components.insert(entries_[*entry].component);
@@ -106,7 +129,8 @@ NearestComponent::Nearest NearestComponent::nearest_by_wave(const Point& p, std:
 std::optional<std::size_t> NearestComponent::nearest(const Point& p) {
   const auto home = wave_.triangle_of(p);
   if (!home || entries_.empty()) return std::nullopt;
-  const Nearest best = nearest_by_wave(p, *home);
+  Nearest best = nearest_in_sight(p);
+  if (Nearest by_wave = nearest_by_wave(p, *home, best.metres); by_wave.found) best = std::move(by_wave);
   return best.found ? std::optional(best.found->id) : std::nullopt;
 }
 
@@ -115,7 +139,7 @@ std::optional<NearestComponent::Found> NearestComponent::from(const Point& p) {
   if (!home || entries_.empty()) return std::nullopt;
   Nearest best;
   if (find_almost_straight(p, best)) return std::move(best.found);
-  if (Nearest by_wave = nearest_by_wave(p, *home); by_wave.metres < best.metres) {
+  if (Nearest by_wave = nearest_by_wave(p, *home, kInfinity); by_wave.metres < best.metres) {
     best = std::move(by_wave);
     // The wave may have come on the wrong side of an obstacle.
     try_entry(p, entries_[best.entry], best.metres, best);

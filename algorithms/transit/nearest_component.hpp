@@ -37,8 +37,8 @@ class NearestComponent {
   };
   /// With the shortest path there. nullopt if no entry point can be reached. Not safe from several threads.
   std::optional<Found> from(const Point& p);
-  /// Only its id, by the wave alone: for callers who have a path of their own. Of components that are about as near any
-  /// may be found.
+  /// Only its id, by sight and by the wave: for callers who have a path of their own. Of components that are about as
+  /// near any may be found.
   std::optional<std::size_t> nearest(const Point& p);
 
  private:
@@ -59,7 +59,8 @@ class NearestComponent {
   void try_entry(const Point& p, const Entry& entry, double longest, Nearest& best) const;
   bool find_almost_straight(const Point& p, Nearest& best);
   std::optional<std::uint32_t> nearest_in(std::size_t triangle, const Point& to);
-  Nearest nearest_by_wave(const Point& p, std::size_t home);
+  Nearest nearest_in_sight(const Point& p);
+  Nearest nearest_by_wave(const Point& p, std::size_t home, double longest);
 
   const Problem& problem_;
   MeshWave wave_;

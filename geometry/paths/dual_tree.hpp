@@ -1,8 +1,8 @@
 /// Shortest paths in components of free space without holes, and the dead ends of all others. Private to geometry, not
 /// installed.
 ///
-/// Without holes the triangles, joined where they share an edge, form a tree. So the sequence of triangles (sleeve) between two
-/// points is unique, and a funnel through it (sleeve.hpp) gives the shortest path without a search.
+/// Without holes the triangles, joined where they share an edge, form a tree. So the sequence of triangles (sleeve)
+/// between two points is unique, and a funnel through it (sleeve.hpp) gives the shortest path without a search.
 ///
 /// Where there are holes, triangles that are left by one edge only, and those that are when these are gone, are dead
 /// ends: no shortest path enters one but to end there. Demyen and Buro, "Efficient triangulation-based pathfinding",

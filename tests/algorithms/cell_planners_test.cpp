@@ -266,6 +266,9 @@ TEST(Wavefront, GoesOnToComponentsThatNoStepLeadsTo) {
         .value();
   };
   EXPECT_GT(covered("all"), 1.5 * covered("start"));
+  // On a detour where the path passes the door, not at the end.
+  const Path path = plan_recorded("wavefront", problem, {{"cell_size", 0.6}}).path;
+  EXPECT_LT(path.legs.back().points.back().x(), 4);
 }
 
 TEST(Bsa, StepsPerCellAmongScatteredObstacles) {

@@ -110,6 +110,32 @@ TEST(NearestComponent, IsNearestByPath) {
   EXPECT_GE(nearest_of_all, 0.99 * static_cast<double>(queries));
 }
 
+/// The same by sight and by the wave, whose paths are those through the triangles by which it came.
+TEST(NearestComponent, WithoutAPathIsAboutTheNearest) {
+  double found = 0, shortest = 0;
+  for (const auto seed : seeds(100)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Problem problem = with_scattered_walls(rng);
+    NearestComponent nearest(problem);
+    std::vector<Point> entries;
+    for (int k = 0; k < 16; ++k) {
+      entries.push_back(free_point(problem, rng));
+      nearest.add(entries.back(), k, entries.size() - 1);
+    }
+    const Point from = free_point(problem, rng);
+    const double least = metres_to_nearest(problem, from, entries, std::vector<bool>(entries.size(), true));
+    const auto id = nearest.nearest(from);
+    ASSERT_EQ(id.has_value(), std::isfinite(least));
+    if (!id) continue;
+    const double metres = length(*problem.transit().path(from, entries[*id]));
+    EXPECT_LE(metres, 1.5 * least + 0.5);
+    found += metres;
+    shortest += least;
+  }
+  EXPECT_LE(found, 1.03 * shortest);
+}
+
 TEST(NearestComponent, OfNoneIsNone) {
   const Problem problem = drawn({"S..#.", "...#."});
   NearestComponent nearest(problem);
@@ -170,6 +196,23 @@ TEST(ComponentLinks, AreASpanningTreeHardlyLongerThanTheShortest) {
     shortest += least;
   }
   EXPECT_LE(found, 1.05 * shortest);
+}
+
+// Entry points of the largest component that are far from all others are left out at first.
+TEST(ComponentLinks, ConnectComponentsFarApart) {
+  Robot robot;
+  const Problem problem(Map{"corridor", {{{{{0, 0}, {90, 0}, {90, 2}, {0, 2}}, {}}}}, "", ""}, robot, Point(1, 1));
+  for (const int root : {0, 1, 2}) {
+    ComponentLinks links(problem);
+    links.add({1, 1}, 0, 0);
+    links.add({2, 1}, 0, 1);
+    links.add({3, 1}, 0, 2);
+    links.add({88, 1}, 1, 3);
+    links.add({45, 1}, 2, 4);
+    double sum = 0;
+    for (const ComponentLinks::Link& link : links.tree(root)) sum += length(link.path);
+    EXPECT_NEAR(sum, 85, 1e-6);
+  }
 }
 
 TEST(ComponentLinks, OfARootWithoutEntriesAreNone) {
