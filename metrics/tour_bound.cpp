@@ -58,6 +58,7 @@ std::vector<Witness> candidates(const Region& target, double uncovered) {
 /// One after the other the candidate farthest from the start and those chosen, as long as it is so far away.
 std::vector<Witness> chosen(const std::vector<Witness>& all, const Point& start, double apart) {
   std::vector<double> away;
+  away.reserve(all.size());
   for (const Witness& c : all) away.push_back(distance(c.at, start));
   std::vector<Witness> result;
   while (!all.empty() && result.size() < kMostWitnesses) {
