@@ -11,6 +11,7 @@
 #include "metrics/disc_area.hpp"
 #include "metrics/level_cells.hpp"
 #include "metrics/spill.hpp"
+#include "metrics/tour_bound.hpp"
 
 namespace oxturn {
 namespace {
@@ -85,6 +86,7 @@ std::optional<LengthBound> length_bound(const Problem& problem, const Path& path
     offer(LengthBound::Kind::spill,
           metres(swept.covered_m2 + (begin.approach > 0 ? std::max(0.0, spill - kPi * w * w / 4) : spill)));
   }
+  if (valid) offer(LengthBound::Kind::tour, tour_bound(problem.target(), w, uncovered, problem.start()));
   if (valid)
     if (const auto arms = arm_bound(problem, uncovered, begin.area)) offer(LengthBound::Kind::arms, *arms);
   if (best.metres <= kRounding * w) return std::nullopt;

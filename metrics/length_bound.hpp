@@ -12,7 +12,8 @@
 ///         where legs use a part of the tool, since a narrower one spills less
 /// arms    narrow parts of configuration space by the number of times they must be driven along, the rest by area
 ///         (arm_bound.hpp). Only of valid paths: one that drives through walls may be shorter.
-///         Neither do other paths have an approach
+///         Neither do other paths have an approach, or the tour
+/// tour    some points of a small target one after the other (tour_bound.hpp)
 #pragma once
 
 #include <optional>
@@ -23,7 +24,7 @@
 namespace oxturn {
 
 struct LengthBound {
-  enum class Kind { area, spill, arms } kind;
+  enum class Kind { area, spill, arms, tour } kind;
   double metres;
 };
 

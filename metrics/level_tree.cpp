@@ -99,6 +99,7 @@ class Parts {
       : cells_(cells), branches_(branches), tree_(tree), reach_(tool_reach(cells.side)) {}
 
   void assign() {
+    tree_.of_part.reserve(cells_.parts.size());
     for (const LevelCells::Part& part : cells_.parts) {
       look_at(part);
       const std::int32_t slab = exclusive();
@@ -170,6 +171,7 @@ std::optional<LevelTree> level_tree(const LevelCells& cells) {
   if (std::ranges::count(branches.all, kNone, &Branches::Branch::parent) != 1) return std::nullopt;
   LevelTree tree;
   add_slabs(branches, cells.side, tree);
+  tree.of_cell.reserve(cells.cells.size());
   for (std::size_t c = 0; c < cells.cells.size(); ++c)
     tree.of_cell.push_back(slab_at(branches.all[at(branches.of_cell[c])], cells.cells[c].high));
   Parts(cells, branches, tree).assign();

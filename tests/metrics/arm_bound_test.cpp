@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <numeric>
 
 #include "base/disjoint_sets.hpp"
 #include "base/random.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "metrics/score.hpp"
+#include "metrics/tour_bound.hpp"
 #include "shapes.hpp"
 #include "tests/support/seeds.hpp"
 
@@ -200,6 +203,58 @@ TEST(ArmBound, IsNotForPathsThroughWalls) {
   EXPECT_NE(result.flaw, "");
   EXPECT_NE(*result.value("bound_kind"), 2);
   EXPECT_GE(*result.value("gap"), 0);
+}
+
+struct Orders {
+  double costs = 1e9;    // the least sum of distances less the tool's width, or its radius from the start
+  double through = 1e9;  // the shortest path through all points
+};
+/// Of all orders of the points.
+Orders best_orders(const Point& start, const std::vector<Point>& at) {
+  std::vector<std::size_t> order(at.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  Orders best;
+  do {
+    double costs = std::max(0.0, distance(start, at[order[0]]) - 0.5), through = distance(start, at[order[0]]);
+    for (std::size_t k = 1; k < order.size(); ++k) {
+      const double away = distance(at[order[k - 1]], at[order[k]]);
+      through += away;
+      costs += std::max(0.0, away - 1);
+    }
+    best = {std::min(best.costs, costs), std::min(best.through, through)};
+  } while (std::ranges::next_permutation(order).found);
+  return best;
+}
+
+// Tiny targets far apart: by brute force over all sets of them, and over all orders of a set.
+TEST(TourBound, BruteForce) {
+  for (const auto seed : seeds(40)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    Region target;
+    std::vector<Point> at;
+    const int n = rng.between(1, 6);
+    for (int k = 0; k < n; ++k) {
+      const Point p(rng.between(0.0, 12.0), rng.between(0.0, 12.0));
+      if (std::ranges::any_of(at, [&](const Point& q) { return distance(p, q) < 0.1; })) continue;
+      at.push_back(p);
+      target.polygons.push_back(box_region(p - Point(0.01, 0.01), p + Point(0.01, 0.01)).polygons[0]);
+    }
+    const Point start(rng.between(0.0, 12.0), rng.between(0.0, 12.0));
+    const Orders all = best_orders(start, at);
+    double most = 0;  // a part of the points may cost more than all, since each subtracts a tool width
+    for (unsigned set = 1; set < 1u << at.size(); ++set) {
+      std::vector<Point> some;
+      for (std::size_t k = 0; k < at.size(); ++k)
+        if (set >> k & 1) some.push_back(at[k]);
+      most = std::max(most, best_orders(start, some).costs);
+    }
+    const double bound = tour_bound(target, 1, 0, start);
+    EXPECT_LE(bound, most + 0.03 * n);  // corners of the squares are a little farther from each other
+    EXPECT_LE(bound, all.through);
+    EXPECT_GE(bound, 0.85 * all.costs - 0.1);
+    EXPECT_NEAR(tour_bound(target, 1, area(target), start), 0, 1e-9);  // nothing need be covered
+  }
 }
 
 }  // namespace
