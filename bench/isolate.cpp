@@ -24,6 +24,7 @@ namespace frames {
 constexpr char kPublished = 'P';   // path
 constexpr char kResult = 'R';      // path
 constexpr char kNothing = 'N';     // no path by the deadline
+constexpr char kEnded = 'L';       // the path is what there was at the deadline
 constexpr char kMeasures = 'M';    // wall s, cpu s, growth of resident memory in bytes: plan() is over
 constexpr char kTrace = 'D';       // one trace
 constexpr char kRecorded = 'V';    // value, name: Context::record
@@ -50,7 +51,9 @@ class PlannerChild {
       const Path path = planner->plan(problem, context);
       send_measures();
       if (promised_) wire::send(fd_, frames::kPromised, wire::pack(promised_()));
-      if (path.legs.empty() && context.cancelled())
+      const bool ended = context.cancelled();
+      if (ended) wire::send(fd_, frames::kEnded, "");
+      if (path.legs.empty() && ended)
         wire::send(fd_, frames::kNothing, "");
       else
         wire::send_path(fd_, frames::kResult, path);
@@ -141,6 +144,9 @@ class PlannerParent {
       case frames::kNothing:
         nothing_ = true;
         break;
+      case frames::kEnded:
+        ended_ = true;
+        break;
       case frames::kMeasures:
         planned_.wall_s = wire::take<double>(payload);
         planned_.cpu_s = wire::take<double>(payload);
@@ -172,6 +178,8 @@ class PlannerParent {
     planned_.signal = report.signal;
     if (result_) {
       planned_.path = std::move(result_);
+      if (ended_ && report.outcome == Outcome::ok)
+        planned_.reason = fmt::format("planning ended at the limit of {} s", to_decimal(options_.limits.wall_s));
     } else if (report.outcome == Outcome::ok && nothing_) {
       planned_.outcome = Outcome::timeout;
       planned_.reason = fmt::format("no result after {} s", to_decimal(options_.limits.wall_s));
@@ -198,7 +206,7 @@ class PlannerParent {
   const IsolationOptions& options_;
   Planned planned_;
   std::optional<Path> result_;
-  bool nothing_ = false;                      // kNothing has come
+  bool nothing_ = false, ended_ = false;      // kNothing or kEnded has come
   std::map<std::string, std::size_t> index_;  // of records
 };
 

@@ -86,6 +86,9 @@ bool timed_out(const Row& row) {
          (row.get("reason").starts_with("no result after") || row.get("plan_wall_s").empty());
 }
 
+/// With which the reason of a path goes on that is what there was at the limit on time.
+constexpr const char* kEnded = "planning ended at the limit of ";
+
 /// What is known of the run without planning.
 Planned planned_of(const std::string& folder, const Row& row) {
   Planned planned;
@@ -94,6 +97,8 @@ Planned planned_of(const std::string& folder, const Row& row) {
     planned.outcome = Outcome::timeout;
     planned.reason = reason.starts_with("no result after") ? reason.substr(0, reason.find(';')) : "no result in time";
   }
+  if (const auto ended = row.get("reason").find(kEnded); ended != std::string::npos)
+    planned.reason = row.get("reason").substr(ended);
   const std::string file = existing(folder, path_name(row.get("run_id")), row.get("run_id"));
   planned.path = read_path(file);
   if (sha256(to_geojson(*planned.path)) != row.get("path_sha256"))

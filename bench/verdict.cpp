@@ -27,7 +27,11 @@ Verdict judge(const Score& score, double target_coverage) {
 
 Verdict judge(const Planned& planned, const std::optional<Score>& score, double target_coverage) {
   if (!score || !is_scored(planned)) return {planned.outcome, planned.reason};
-  if (planned.outcome == Outcome::ok) return judge(*score, target_coverage);
+  if (planned.outcome == Outcome::ok) {
+    Verdict verdict = judge(*score, target_coverage);
+    if (verdict.outcome != Outcome::ok && !planned.reason.empty()) verdict.reason += "; " + planned.reason;
+    return verdict;
+  }
   return {planned.outcome, score->flaw.empty() ? planned.reason + "; the last path it published is scored"
                                                : fmt::format("{}; the last path it published is invalid: {}",
                                                              planned.reason, score->flaw)};

@@ -13,6 +13,7 @@ constexpr std::size_t kMostTried = 12;  // segments of the path from which a sto
 constexpr int kHalvings = 30;
 constexpr double kShareOfEdge = 0.499;  // that a turn may take from the segments beside it: there is one at each end
 constexpr double kShareOfReach = 0.99;  // of what the turn may be cut by
+constexpr double kShortest = 0.02;      // of the reach: shorter segments are of no use
 constexpr double kSamePoint = 1e-9;     // of the reach
 
 /// A path as one polyline: tool[i] belongs to the segment from points[i] to points[i + 1].
@@ -66,7 +67,7 @@ Point StopFinder::nearest_cover(const Point& from, const Point& centre, const Po
     const double middle = (outside + inside) / 2;
     (covers(lerp(from, centre, middle), piece, reach_) ? inside : outside) = middle;
   }
-  return lerp(from, centre, inside);
+  return lerp(from, centre, std::max(inside, std::min(1.0, kShortest * reach_ / distance(from, centre))));
 }
 
 /// At a turn of the path, with the turn cut off if nothing is lost by that.
@@ -84,6 +85,7 @@ Stop StopFinder::cut_short(Stop stop) const {
   const double cut =
       std::min({kShareOfReach * reach_ * std::min(1.0, 1 / half_tangent), kShareOfEdge * distance(corner, path_[v - 1]),
                 kShareOfEdge * distance(corner, path_[v + 1])});
+  if (cut < kShortest * reach_) return stop;
   if (!walls_.contains(corner + cut * before, stop.at) || !walls_.contains(stop.at, corner + cut * after)) return stop;
   return {stop.segment, stop.along, corner, stop.at, v, cut};
 }

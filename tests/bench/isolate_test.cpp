@@ -16,6 +16,7 @@
 #include "base/files.hpp"
 #include "bench/process_info.hpp"
 #include "bench/run_suite.hpp"
+#include "bench/verdict.hpp"
 #include "maps/path_file.hpp"
 #include "reports/built_in_registry.hpp"
 #include "test_planners.hpp"
@@ -97,6 +98,16 @@ TEST(Isolate, ThePoliteAreToldBeforeTheWall) {
   EXPECT_EQ(planned.outcome, Outcome::timeout);
   EXPECT_THAT(planned.reason, HasSubstr("no result after"));
   EXPECT_FALSE(planned.path);
+}
+
+// A path that was cut short is scored as it is, and the reason tells what cut it short.
+TEST(Isolate, APathAtTheDeadlineSaysSo) {
+  const Planned planned = run_until("cut_short", [](const Planned& p) { return p.path.has_value(); });
+  EXPECT_EQ(planned.outcome, Outcome::ok);
+  EXPECT_THAT(planned.reason, HasSubstr("planning ended at the limit of"));
+  EXPECT_THAT(judge(planned, score(small_problem(), *planned.path), 0.99).reason,
+              HasSubstr(" is below 0.99; planning ended at the limit of"));
+  EXPECT_EQ(run("good").reason, "");
 }
 
 TEST(Isolate, AllocatingTooMuchIsStopped) {

@@ -189,6 +189,10 @@ class TestPlanner final : public CoveragePlanner {
       path.drive(start - Point(1, 0), true);
       return path.take();
     }
+    if (how == "cut_short") {  // shows at the deadline what it has
+      while (!context.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      return Path{{{true, {start, start - Point(0.5, 0)}}}};
+    }
     if (how == "random") {
       PathBuilder path(start);
       for (int i = 0; i < 20; ++i) path.drive(Point(0.3 + 2 * context.rng().unit(), 0.3 + context.rng().unit()), true);
