@@ -191,7 +191,7 @@ class TestPlanner final : public CoveragePlanner {
     }
     if (how == "cut_short") {  // shows at the deadline what it has
       while (!context.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      return Path{{{true, {start, start - Point(0.5, 0)}}}};
+      return Path{{{true, {start, start + Point(0.3, 0)}}}};
     }
     if (how == "random") {
       PathBuilder path(start);
