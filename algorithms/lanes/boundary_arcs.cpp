@@ -4,6 +4,12 @@
 #include <utility>
 
 namespace oxturn {
+namespace {
+
+// Of a ring. Slightly more than half, so that rounding does not decide where arcs take exactly half of a symmetric ring.
+constexpr double kMostInArcs = 0.52;
+
+}  // namespace
 
 BoundaryArcs::BoundaryArcs(const EdgeIndex& boundary) : boundary_(boundary) {
   const std::vector<EdgeIndex::Edge>& edges = boundary.edges();
@@ -51,7 +57,7 @@ void BoundaryArcs::add_arcs(const std::vector<Stop>& stops, double join, std::ve
     if (gap_after(k) > join) ends.push_back(k);
   double off = 0;  // of the loop
   for (const std::size_t k : ends) off += gap_after(k);
-  if (2 * (loop.length - off) >= loop.length) {
+  if (loop.length - off >= kMostInArcs * loop.length) {
     Ring whole;
     for (std::size_t e = loop.first; e <= loop.last; ++e) whole.push_back(boundary_.edges()[e].a);
     arcs.push_back(std::move(whole));

@@ -4,9 +4,8 @@
 ///   for (const Point& p : uncovered) arcs.add(p);        // the boundary point nearest to p
 ///   for (const Ring& arc : arcs.take(tool_width)) ...    // there and back, or once around a whole ring
 ///
-/// Points at most `join` metres apart along the boundary belong to one arc. A ring of which arcs take half is driven
-/// around: that is no longer. O(k log k) for k points, and the search for
-/// each of them.
+/// Points at most `join` metres apart along the boundary belong to one arc. A ring of which arcs take more than about
+/// half is driven around: that is no longer. O(k log k) for k points, and the search for each of them.
 #pragma once
 
 #include <vector>

@@ -98,7 +98,7 @@ std::vector<Strip> directed_strips(const Region& region, const Params& p, const 
 
 std::vector<Strip> strips_in(const Region& region, const Params& p, const Problem& problem, Context& context) {
   if (region.empty()) return {};
-  const LaneFit fit = p.outline != Outline::off || p.headland > 0 ? LaneFit::fitted : LaneFit::spaced;
+  const LaneFit fit = p.outline != OutlineExtent::off || p.headland > 0 ? LaneFit::fitted : LaneFit::spaced;
   if (p.order == Order::gtsp && p.cells != Decomposition::slab)
     return directed_strips(region, p, problem, fit, context);
   const double w = problem.robot().tool_width, spacing = p.spacing * w;
@@ -155,9 +155,9 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
     return strips_in(lane_region(problem, depth, w / 50), p, problem, context);
   };
   if (p.headland > 0) return drive_with_headland(problem, p, strips_deeper_than, strip_order(p.order), context);
-  if (p.outline == Outline::needed)
+  if (p.outline == OutlineExtent::needed)
     return plan_needed(p, plan(with_whole_outline(p), problem, context), problem, context);
-  const bool whole = p.outline == Outline::whole;
+  const bool whole = p.outline == OutlineExtent::whole;
   const Region region = whole ? lane_region(problem, w / 2, w / 50) : problem.configuration_space();
   return drive_strips_and_walls(problem, strips_in(region, p, problem, context), strip_order(p.order), whole, context);
 }

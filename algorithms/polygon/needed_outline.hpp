@@ -1,7 +1,7 @@
 /// Lanes, and as much of the outline as coverage needs.
 ///
 ///   struct Params : OutlineChoice { ... };                         // outline = true|needed|false, coverage
-///   if (p.outline == Outline::needed)
+///   if (p.outline == OutlineExtent::needed)
 ///     return drive_needed_outline(problem, p.coverage, with_whole_outline, strips_in, order, context);
 ///
 ///      _____________        Lanes that end at walls across them leave little there: a small cusp between every second
@@ -29,18 +29,20 @@
 namespace oxturn {
 
 /// off: lanes alone; needed: what coverage needs of the outline; whole: every wall once.
-enum class Outline { off, needed, whole };
+enum class OutlineExtent { off, needed, whole };
 
 struct OutlineChoice {
-  Outline outline = Outline::whole;
+  OutlineExtent outline = OutlineExtent::whole;
   double coverage = 1;  // with outline = needed
 
   /// Is all of the target covered, if lanes and the whole outline do so?
-  bool covers_walls() const { return outline == Outline::whole || (outline == Outline::needed && coverage >= 1); }
+  bool covers_walls() const {
+    return outline == OutlineExtent::whole || (outline == OutlineExtent::needed && coverage >= 1);
+  }
 };
 template <class P>
 P with_whole_outline(P p) {
-  p.outline = Outline::whole;
+  p.outline = OutlineExtent::whole;
   return p;
 }
 /// `off`: what happens without an outline; empty: nothing to say.

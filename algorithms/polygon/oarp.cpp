@@ -150,7 +150,7 @@ std::vector<Strip> strips_of(const std::vector<CellRun>& runs, const std::vector
 
 std::vector<Strip> strips_in(const Region& region, const Params& p, const Problem& problem, Context& context) {
   if (region.empty()) return {};
-  const bool laps = p.outline != Outline::off || p.headland > 0;  // cover what cells beside walls do not
+  const bool laps = p.outline != OutlineExtent::off || p.headland > 0;  // cover what cells beside walls do not
   const double w = problem.robot().tool_width;
   const double degrees = p.align == LaneDirection::given ? p.angle : best_lane_direction(region, w);
   const CellRule rule = laps ? CellRule::touches : CellRule::centre;
@@ -188,9 +188,9 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
     return strips_in(lane_region(problem, depth, w / 50), p, problem, context);
   };
   if (p.headland > 0) return drive_with_headland(problem, p, strips_deeper_than, StripOrder::improved, context);
-  if (p.outline == Outline::needed)
+  if (p.outline == OutlineExtent::needed)
     return plan_needed(p, plan(with_whole_outline(p), problem, context), problem, context);
-  const bool whole = p.outline == Outline::whole;
+  const bool whole = p.outline == OutlineExtent::whole;
   const Region region = whole ? lane_region(problem, w / 2, w / 50) : problem.configuration_space();
   return drive_strips_and_walls(problem, strips_in(region, p, problem, context), StripOrder::improved, whole, context);
 }

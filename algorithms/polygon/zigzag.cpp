@@ -441,11 +441,11 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
         simplify_inward(lane_region(problem, depth - kSimplify * inset, kChord * w), kSimplify * inset);
     return strips_in(filled, p, problem, context);
   };
-  if (p.headland == 0 && p.outline == Outline::needed)
+  if (p.headland == 0 && p.outline == OutlineExtent::needed)
     return plan_needed(p, plan(with_whole_outline(p), problem, context), problem, context);
   Path path = p.headland > 0 ? drive_with_headland(problem, p, strips_deeper_than, p.order, context)
                              : drive_strips_and_walls(problem, strips_deeper_than(inset), p.order,
-                                                      p.outline == Outline::whole, context);
+                                                      p.outline == OutlineExtent::whole, context);
   if (!p.works_walls(p.covers_walls()) || !p.has_spirals() || context.cancelled()) return path;
   return repaired(problem, path, Connector(problem), context);
 }

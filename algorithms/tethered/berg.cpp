@@ -238,7 +238,8 @@ class PieceDrive {
       if (broken && !at_break) continue;
       double d = distance(drive_.at(), round[i]);
       if (at_break) d = std::min(d, distance(drive_.at(), previous));
-      if (d < least || (at_break && !broken)) {
+      // Of points that are equally near but for rounding, as those of the first lap about the robot, the first.
+      if (d < least - problem_.tolerance() || (at_break && !broken)) {
         least = d;
         begin = i;
       }

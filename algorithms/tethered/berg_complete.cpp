@@ -206,13 +206,24 @@ bool better(Objective objective, const Path& a, const Path& b, const Robot& robo
   return seconds_to_drive(a, robot) < seconds_to_drive(b, robot);
 }
 
+/// With the path back to where it starts: a tethered robot comes out of a component as it went in.
+Path and_back(Path path, const Problem& component) {
+  if (path.legs.empty()) return path;
+  const Polyline back = Connector(component).path(path.legs.back().points.back(), component.start());
+  if (back.size() > 1) path.legs.push_back({false, back});
+  return path;
+}
+
 /// The better one of `path` and laps.
 Path or_laps(const Params& p, const CutPasses& cut, const Problem& component, Path path, Context& context) {
   const double w = component.robot().tool_width;
   const bool free = p.order == Order::tour && p.winding == TetherSide::any && p.min_tether_angle <= 0;
   if (!free || context.cancelled() || area(component.configuration_space()) > p.laps * w * w) return path;
   Path laps = laps_in_component(cut, component, context);
-  return !context.cancelled() && better(p.objective, laps, path, component.robot()) ? laps : path;
+  if (context.cancelled()) return path;
+  const bool laps_are_better =
+      better(p.objective, and_back(laps, component), and_back(path, component), component.robot());
+  return laps_are_better ? laps : path;
 }
 
 void trace(const TetherSpace& space, const NeededBoundary& boundary, const std::vector<LevelSet>& sets,

@@ -141,8 +141,8 @@ SightRange::Answer SightRange::look(double angle, double distance) const {
 }
 
 double SightRange::sure(double from, double to) const {
-  const auto first = sure_.begin() + static_cast<std::ptrdiff_t>(slice_of(from));
-  return *std::min_element(first, sure_.begin() + static_cast<std::ptrdiff_t>(slice_of(to)) + 1);
+  const auto first = sure_.begin() + static_cast<std::ptrdiff_t>(slice_of(from - kRounding));
+  return *std::min_element(first, sure_.begin() + static_cast<std::ptrdiff_t>(slice_of(to + kRounding)) + 1);
 }
 
 double SightRange::farthest(double from, double to) const {

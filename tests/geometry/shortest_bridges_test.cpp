@@ -6,6 +6,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/random.hpp"
+#include "geometry/edge_index.hpp"
 #include "geometry/mesh/medial_axis.hpp"
 #include "geometry/overlay/cut_along.hpp"
 #include "random_region.hpp"
@@ -60,7 +61,11 @@ void expect_tree(const Region& region) {
   EXPECT_NEAR(sum_of(bridges), least_tree(rings), 1e-9 * static_cast<double>(rings.size()));
   EXPECT_EQ(bridges.size() + 1, rings.size());
   EXPECT_TRUE(std::ranges::is_sorted(bridges, {}, [](const Polyline& line) { return length(line); }));
-  for (const Polyline& line : bridges) EXPECT_TRUE(contains(region, (line[0] + line[1]) / 2));
+  const EdgeIndex walls(region);
+  for (const Polyline& line : bridges) {  // where rings touch, a bridge is a point on both but for rounding
+    const Point middle = (line[0] + line[1]) / 2;
+    EXPECT_TRUE(contains(region, middle) || walls.nearest(middle)->distance < 1e-12) << length(line);
+  }
   EXPECT_EQ(hole_count(cut_along(region, bridges, 1e-4)), 0u);
 }
 
