@@ -6,7 +6,7 @@
 namespace oxturn {
 namespace {
 
-// Of a ring. Slightly more than half, so that rounding does not decide where arcs take exactly half of a symmetric ring.
+// Of a ring. Slightly more than half, so that rounding does not decide where arcs take half of a symmetric ring.
 constexpr double kMostInArcs = 0.52;
 
 }  // namespace
