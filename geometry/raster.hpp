@@ -20,7 +20,7 @@ struct BitGrid {
   std::vector<std::uint8_t> bits;  // row by row; 1: set
 
   BitGrid() = default;
-  BitGrid(Point origin_, double cell_, int columns_, int rows_)
+  BitGrid(const Point& origin_, double cell_, int columns_, int rows_)
       : origin(origin_),
         cell(cell_),
         columns(columns_),

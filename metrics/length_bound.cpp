@@ -39,9 +39,9 @@ double approach(const Problem& problem) {
   double least = std::numeric_limits<double>::infinity();
   const Region near = intersect(dilate(problem.target(), w / 2, kChordError * w, Bound::outside), space);
   for_each_edge(near, [&](const Point& a, const Point& b) {
-    const double steps = std::ceil(distance(a, b) / (kSample * w));
-    for (double k = 0; k < steps; ++k) {
-      const double away = field.distance(lerp(a, b, k / steps));
+    const int steps = static_cast<int>(std::ceil(distance(a, b) / (kSample * w)));
+    for (int k = 0; k < steps; ++k) {
+      const double away = field.distance(lerp(a, b, static_cast<double>(k) / steps));
       least = std::min(least, std::isfinite(away) ? away : 0);
     }
   });

@@ -46,9 +46,9 @@ double reach_of(const Region& target, const Point& p, double uncovered) {
 std::vector<Witness> candidates(const Region& target, double uncovered) {
   std::vector<Witness> found;
   for_each_edge(target, [&](const Point& a, const Point& b) {
-    const double steps = std::ceil(distance(a, b) / kSpacing);
-    for (double k = 0; k < steps; ++k) {
-      const Point p = lerp(a, b, k / steps);
+    const int steps = static_cast<int>(std::ceil(distance(a, b) / kSpacing));
+    for (int k = 0; k < steps; ++k) {
+      const Point p = lerp(a, b, static_cast<double>(k) / steps);
       found.push_back({p, reach_of(target, p, uncovered)});
     }
   });
