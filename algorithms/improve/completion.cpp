@@ -19,7 +19,7 @@ constexpr double kReach = 0.5 - 1e-3;  // from which a stop covers, with that er
 constexpr double kNegligible = 1e-6;   // pieces of less area
 // What who judges the path takes for uncovered besides, less the target's own error: at most a share of the target, and
 // of what may stay uncovered, of which the last share is used in any case.
-constexpr double kMostJudged = 1e-4, kJudged = 0.45, kLeastUsed = 0.15;
+constexpr double kMostJudged = 1.5e-4, kJudged = 0.45, kLeastUsed = 0.15;
 constexpr double kShortestPart = 0.05;  // of a piece
 constexpr double kLongestPiece = 1;     // to be covered at once
 constexpr double kNoticed = 1e-3;       // smaller pieces, of what may stay uncovered, get no strokes

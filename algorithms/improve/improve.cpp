@@ -153,7 +153,7 @@ class Improver {
       now.points = straightened(now.points, kOnChord * width_, problem_.walls());
       if (nearly_all()) now.points = walls_.snapped(now.points, kBesideWall * width_);
       // What is uncovered at first is more than detours are good for: annealing covers most of it on less length.
-      const bool first = nearly_all() && !cold_start && round == 0;
+      const bool first = nearly_all() && !completion_.whole() && !cold_start && round == 0;
       const double missed = close(now, first ? Detours::left_out : Detours::taken);
       if (round == rounds) return;
       Annealing::Options options = nearly_all() ? raster(kFineCell, margin) : middle();
