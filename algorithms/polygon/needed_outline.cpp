@@ -184,10 +184,7 @@ class NeededOutline {
     consider(lanes);
     for (const double least : kWorths) {
       if (context_.cancelled()) break;
-      Path path = with_stretches(worth.above(least));
-      const bool enough = missing(path).empty();
-      consider(std::move(path));
-      if (enough) break;
+      if (consider(with_stretches(worth.above(least)))) break;
     }
     return best_.value_or(lanes);
   }
@@ -232,9 +229,11 @@ class NeededOutline {
     return !context_.cancelled() && (!best_ || path.length() < best_->length());
   }
 
-  /// Keeps the path, with detours for what it lacks, if it is the shortest so far that reaches the coverage.
-  void consider(Path path) {
+  /// Keeps the path, with detours for what it lacks, if it is the shortest so far that reaches the coverage. Does it
+  /// reach that without detours?
+  bool consider(Path path) {
     Region rest = missing(path);
+    const bool enough = rest.empty();
     double margin = covered_seam(problem_.robot());
     for (int round = 0; round < kRepairs && !rest.empty() && is_shortest(path); ++round, margin *= 2) {
       if (!completion_.whole()) {  // repaired() ignores seams
@@ -244,9 +243,11 @@ class NeededOutline {
       path = repaired(problem_, path, std::move(rest), connector_, context_);
       rest = completion_.whole() ? Region{} : missing(path);
     }
-    if (!is_shortest(path) || (best_ && !rest.empty())) return;
-    best_ = without_short_segments(std::move(path), problem_);
-    context_.publish(*best_);
+    if (is_shortest(path) && (!best_ || rest.empty())) {
+      best_ = without_short_segments(std::move(path), problem_);
+      context_.publish(*best_);
+    }
+    return enough;
   }
 
   const Problem& problem_;
