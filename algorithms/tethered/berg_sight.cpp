@@ -14,6 +14,9 @@ BergSight::BergSight(const Region& free, const EdgeIndex& walls, const std::vect
     const std::size_t n = ring.size();
     for (std::size_t i = 0; i < n; ++i) add_corner({ring[i], ring[(i + n - 1) % n], ring[(i + 1) % n]});
   });
+  for (const auto& [at, here] : corners_at_)
+    if (here.size() > 1) separate_wedges(here);
+  contact_grid_ = UniformGrid(contacts_.size(), [&](std::size_t i) { return std::array{contacts_[i].front().at}; });
   for (const Polyline& barrier : barriers) {
     Polyline line = barrier;
     line.front() = add_barrier_end(barrier.front(), barrier[1]);
@@ -29,6 +32,32 @@ BergSight::BergSight(const Region& free, const EdgeIndex& walls, const std::vect
 void BergSight::add_corner(const Corner& corner) {
   corners_at_[corner.at].push_back(static_cast<std::uint32_t>(corners_.size()));
   corners_.push_back(corner);
+}
+
+/// Where walls touch in a point, rings may go on from one obstacle to the other. Each corner gets the two edges between
+/// which its wedge is free.
+void BergSight::separate_wedges(const std::vector<std::uint32_t>& corners) {
+  std::vector<Corner> before_pairing;
+  for (const std::uint32_t k : corners) before_pairing.push_back(corners_[k]);
+  for (const std::uint32_t k : corners) {
+    Corner& corner = corners_[k];
+    for (const Corner& c : before_pairing)
+      if (met_before(corner.at, corner.next, c.previous, corner.previous)) corner.previous = c.previous;
+    corner.shares_point = true;
+  }
+  std::vector<Corner>& contact = contacts_.emplace_back();
+  for (const std::uint32_t k : corners) contact.push_back(corners_[k]);
+}
+
+/// Turning counter-clockwise about `at`, beginning at `from`, is a met before b?
+bool BergSight::met_before(const Point& at, const Point& from, const Point& a, const Point& b) {
+  const auto half = [&](const Point& p) {  // 0: on the ray itself, 1: to its left or straight back, 2: to its right
+    const int turn = orientation(at, from, p);
+    if (turn != 0) return turn > 0 ? 1 : 2;
+    return (from - at).dot(p - at) > 0 ? 0 : 1;
+  };
+  if (half(a) != half(b)) return half(a) < half(b);
+  return orientation(at, a, b) > 0;
 }
 
 std::vector<std::vector<std::uint32_t>> BergSight::corners_at_points(const Mesh& mesh) const {
@@ -57,7 +86,7 @@ std::vector<std::vector<std::uint32_t>> BergSight::corners_at_points(const Mesh&
 void BergSight::split_corner(std::size_t k, const Point& other) {
   Corner second = corners_[k];
   corners_[k].next = second.previous = other;
-  corners_[k].at_barrier = second.at_barrier = true;
+  corners_[k].shares_point = second.shares_point = true;
   add_corner(second);
 }
 
@@ -100,10 +129,22 @@ bool BergSight::sees(const Point& eye, const Point& p) const {
     });
   });
   if (crossed) return false;
+  const bool between_obstacles = contact_grid_.visit(line, 0, [&](std::size_t cell) {
+    const auto items = contact_grid_.items(cell);
+    return std::ranges::any_of(items, [&](std::uint32_t i) { return blocked_between(contacts_[i], eye, p); });
+  });
+  if (between_obstacles) return false;
   return !end_grid_.visit(line, 0, [&](std::size_t cell) {
     const auto items = end_grid_.items(cell);
     return std::ranges::any_of(items, [&](std::uint32_t i) { return blocked_at(barrier_ends_[i], eye, p); });
   });
+}
+
+/// Does the line of sight pass from one free wedge into another, through the point where obstacles touch?
+bool BergSight::blocked_between(const std::vector<Corner>& contact, const Point& eye, const Point& p) {
+  const Point& at = contact.front().at;
+  if (at == eye || at == p || !on_segment(at, eye, p)) return false;
+  return std::ranges::none_of(contact, [&](const Corner& c) { return in_wedge(c, eye) && in_wedge(c, p); });
 }
 
 /// Does the line of sight touch this corner, its wall and the barrier on different sides of the line?

@@ -20,10 +20,10 @@ namespace oxturn {
 class BergSight {
  public:
   /// A vertex of the walls. Free space lies counter-clockwise from `next` to `previous`. Where a barrier ends there is
-  /// one corner on each side of it.
+  /// one corner on each side of it, where obstacles touch in a point one in each free wedge between them.
   struct Corner {
     Point at, previous, next;
-    bool at_barrier = false;
+    bool shares_point = false;  // with another corner, from which nothing is seen on this side
   };
 
   /// `walls` are the edges of `free` and must outlive it; `barriers` are segments between walls that act as walls.
@@ -34,11 +34,11 @@ class BergSight {
   /// wall, also the corners where that wall begins. Corners at none of the points are in an additional last list.
   std::vector<std::vector<std::uint32_t>> corners_at_points(const Mesh& mesh) const;
   /// Exact. Touching a corner does not block, unless the line of sight passes between the corner and a barrier that
-  /// ends there.
+  /// ends there, or between two obstacles that touch there.
   bool sees(const Point& eye, const Point& p) const;
-  /// Can the corner be seen from `eye` as far as barriers that end there are concerned?
+  /// Can the corner be seen from `eye` as far as barriers that end there and other obstacles there are concerned?
   static bool open_towards(const Corner& corner, const Point& eye) {
-    return !corner.at_barrier || in_wedge(corner, eye);
+    return !corner.shares_point || in_wedge(corner, eye);
   }
 
  private:
@@ -49,9 +49,12 @@ class BergSight {
     Point at, other, previous, next;
   };
   static bool in_wedge(const Corner& corner, const Point& p);
+  static bool met_before(const Point& at, const Point& from, const Point& a, const Point& b);
+  static bool blocked_between(const std::vector<Corner>& contact, const Point& eye, const Point& p);
   static bool blocked_at(const BarrierEnd& end, const Point& eye, const Point& p);
   Point add_barrier_end(const Point& at, const Point& other);
   void add_corner(const Corner& corner);
+  void separate_wedges(const std::vector<std::uint32_t>& corners);
   void split_corner(std::size_t k, const Point& other);
 
   const EdgeIndex& walls_;
@@ -61,7 +64,8 @@ class BergSight {
   std::vector<std::pair<Point, Point>> ends_in_walls_;  // of barriers; and where that wall begins
   std::vector<Barrier> barriers_;
   std::vector<BarrierEnd> barrier_ends_;
-  UniformGrid barrier_grid_, end_grid_;
+  std::vector<std::vector<Corner>> contacts_;  // where obstacles touch: the corners, before barriers split them
+  UniformGrid barrier_grid_, end_grid_, contact_grid_;
 };
 
 }  // namespace oxturn
