@@ -281,19 +281,17 @@ BergTree::Laps laps_for(const Params& p, const Problem& problem) {
   const double by_default = p.step_by == StepBy::robot ? size : std::clamp(size, width / 2, width);
   const double step = p.step > 0 ? p.step : by_default;
   BergTree::Laps laps{step, robot.tether->length, p.sampling > 0 ? p.sampling : step / kStepsPerSpacing};
+  if (p.trim == Trim::geodesic)
+    laps.trim = {[&](const Point& at) { return problem.tether()->geodesics().distance(at); },
+                 kTrimSlack * problem.tolerance() + 1e-9 * laps.longest};
   if (p.sampling == 0 && p.trim == Trim::none)
     laps.thinning = {width / kThinnings,
                      [&](const Point& a, const Point& b) { return problem.walls().contains(a, b); }};
   return laps;
 }
 
-BergTree tree_of(const BergBoundary& boundary, const BergTree::Laps& laps, Trim trim, const Problem& problem,
-                 Context& context) {
-  const GeodesicField& field = problem.tether()->geodesics();
-  const double slack = kTrimSlack * problem.tolerance() + 1e-9 * laps.longest;
-  const auto keep = [&](const Point& p, double length) {
-    return problem.walls().contains(p) && (trim == Trim::none || std::abs(field.distance(p) - length) <= slack);
-  };
+BergTree tree_of(const BergBoundary& boundary, const BergTree::Laps& laps, const Problem& problem, Context& context) {
+  const auto keep = [&](const Point& p) { return problem.walls().contains(p); };
   return BergTree(boundary, laps, keep, [&] { return context.cancelled(); });
 }
 
@@ -335,7 +333,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   const BergBoundary boundary(problem.map().free, problem.map_edges(), problem.tether()->closed_gaps(),
                               beside_closed_gaps(problem), robot.tether->length, problem.tolerance());
   const BergTree::Laps laps = laps_for(p, problem);
-  const BergTree tree = tree_of(boundary, laps, p.trim, problem, context);
+  const BergTree tree = tree_of(boundary, laps, problem, context);
   if (context.wants_traces()) trace(boundary, tree, context);
   if (tree.roots().empty()) {
     if (context.cancelled()) return {};

@@ -7,10 +7,31 @@
 
 namespace oxturn {
 
-BergSweep::BergSweep(const BergBoundary& boundary, double spacing, BergThinning thinning)
+namespace {
+
+constexpr double kFineTurn = 0.25;  // radians from sample to sample: what lies between two is then empty if both are
+
+/// Makes intervals ascending and disjoint.
+template <class Angles>
+void unite(std::vector<Angles>& intervals) {
+  std::ranges::sort(intervals, {}, &Angles::from);
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < intervals.size(); ++i)
+    if (intervals[i].from <= intervals[last].to)
+      intervals[last].to = std::max(intervals[last].to, intervals[i].to);
+    else
+      intervals[++last] = intervals[i];
+  intervals.resize(last + 1);
+}
+
+}  // namespace
+
+BergSweep::BergSweep(const BergBoundary& boundary, double spacing, BergThinning thinning, BergTrim trim)
     : b_(boundary),
       spacing_(spacing),
       thinning_(std::move(thinning)),
+      trim_(std::move(trim)),
+      empty_(boundary.nodes_.size()),
       items_{{kNone, kNone, kNone}},
       first_arc_(boundary.nodes_.size(), kNone) {
   for (std::size_t v = 0; v < b_.events_.size(); ++v)
@@ -39,7 +60,7 @@ void BergSweep::activate(const Activation& a) {
   while (item(arc).end < a.event) arc = item(arc).sibling;
   const BergBoundary::Event& e = b_.events_[static_cast<std::size_t>(a.node)][static_cast<std::size_t>(a.event)];
   const auto rest = static_cast<std::int32_t>(items_.size());
-  items_.push_back({a.node, a.event, item(arc).end, item(arc).next, item(arc).sibling});
+  items_.push_back({a.node, a.event, item(arc).end, item(arc).next, item(arc).sibling, item(arc).empty});
   std::int32_t between = rest + 1;
   if (e.is_divider)
     items_.push_back({kNone, static_cast<std::int32_t>(e.index), kNone});
@@ -53,6 +74,7 @@ void BergSweep::activate(const Activation& a) {
 
 bool BergSweep::has_ended(const Item& arc) const {
   if (arc.node == kNone) return false;
+  if (arc.empty && arc.end - arc.begin == 1) return true;  // and nothing will begin there
   const BergNode& node = b_.nodes_[static_cast<std::size_t>(arc.node)];
   return length_ - node.before > node.reach + b_.tolerance_;
 }
@@ -77,8 +99,8 @@ std::vector<BergBoundary::Piece> BergSweep::at(double length) {
         continue;
       }
       pieces.push_back({static_cast<std::size_t>(here.begin), {}});
-    } else {
-      sample(here, pieces.back());
+    } else if (!here.empty) {
+      sample(item(i), pieces.back().points);
     }
     before = i;
   }
@@ -97,36 +119,52 @@ void BergSweep::close_round(std::vector<BergBoundary::Piece>& pieces) const {
   }
 }
 
-void BergSweep::sample(const Item& arc, BergBoundary::Piece& piece) const {
+BergSweep::Steps BergSweep::steps_of(const Item& arc) const {
   const auto v = static_cast<std::size_t>(arc.node);
   const BergNode& node = b_.nodes_[v];
   const std::vector<BergBoundary::Event>& events = b_.events_[v];
   const bool begins = arc.begin == kNone, ends = static_cast<std::size_t>(arc.end) == events.size();
   const auto event = [&](std::int32_t i) -> const BergBoundary::Event& { return events[static_cast<std::size_t>(i)]; };
-  const double from = begins ? 0 : event(arc.begin).angle, to = ends ? node.width : event(arc.end).angle;
+  Steps steps{.from = begins ? 0 : event(arc.begin).angle, .to = ends ? node.width : event(arc.end).angle};
   // The point straight behind a corner belongs to the side on which the line of sight passes the corner.
   const bool with_from = begins || event(arc.begin).side != HiddenSide::left;
   const bool with_to = ends || event(arc.end).side != HiddenSide::right;
+  const double along = (length_ - node.before) * (steps.to - steps.from);
+  steps.count = std::max(1.0, std::ceil(along / spacing_));
+  steps.first = with_from ? 0 : 1;
+  steps.last = along <= b_.tolerance_ && !(with_from && with_to) ? -1 : with_to ? steps.count : steps.count - 1;
+  return steps;
+}
+
+void BergSweep::sample(Item& arc, Polyline& points) {
+  const auto v = static_cast<std::size_t>(arc.node);
+  const BergNode& node = b_.nodes_[v];
+  const Steps steps = steps_of(arc);
   const double radius = length_ - node.before;
-  const bool one_point = radius * (to - from) <= b_.tolerance_;
-  if (one_point && !(with_from && with_to)) return;
-  const double steps = std::max(1.0, std::ceil(radius * (to - from) / spacing_)), last = with_to ? steps : steps - 1;
-  const auto turn = [&](double k) { return from + (to - from) * (k / steps); };  // within the sector
+  const auto turn = [&](double k) { return steps.turn(k); };
   const auto at = [&](double k) -> Point {
     const double angle = node.begin + turn(k);
     return node.at + radius * Point(std::cos(angle), std::sin(angle));
   };
-  const double stride = longest_stride(radius, (to - from) / steps);
+  const double stride = longest_stride(radius, turn(1) - turn(0));
   double attempt = 0;  // the first sample that may be reached by leaving others out
-  for (double k = with_from ? 0 : 1, previous = -1; k <= last; ++k) {
-    if (const std::size_t slice = node.range.slice_of(turn(k)); node.range.range(slice) < radius) {
-      k = std::max(k, std::floor((node.range.end_of(slice) - from) / (to - from) * steps) - 1);
+  auto empty = empty_[v].cbegin();
+  kept_.clear();
+  for (double k = steps.first, previous = -1; k <= steps.last; ++k) {
+    while (empty != empty_[v].cend() && empty->to < turn(k)) ++empty;
+    if (empty != empty_[v].cend() && empty->from <= turn(k)) {
+      k = std::max(k, steps.last_up_to(empty->to));
       continue;
     }
-    if (const double next = std::min(previous + stride, last); previous >= attempt && previous == k - 1 && next > k) {
+    if (const std::size_t slice = node.range.slice_of(turn(k)); node.range.range(slice) < radius) {
+      k = std::max(k, steps.last_up_to(node.range.end_of(slice)) - 1);
+      continue;
+    }
+    if (const double next = std::min(previous + stride, steps.last);
+        previous >= attempt && previous == k - 1 && next > k) {
       const Point p = at(next);
-      if (radius < node.range.sure(turn(previous), turn(next)) && thinning_.is_free(piece.points.back(), p)) {
-        add(p, piece.points);
+      if (radius < node.range.sure(turn(previous), turn(next)) && thinning_.is_free(points.back(), p)) {
+        add(p, points);
         previous = k = next;
         continue;
       }
@@ -135,10 +173,30 @@ void BergSweep::sample(const Item& arc, BergBoundary::Piece& piece) const {
     const SightRange::Answer answer = node.range.look(turn(k), radius);
     if (answer == SightRange::Answer::hidden) continue;
     const Point p = at(k);
-    if (answer == SightRange::Answer::unknown && !b_.sight_.sees(node.at, p)) continue;
-    add(p, piece.points);
+    if (is_trimmed(p) || (answer == SightRange::Answer::unknown && !b_.sight_.sees(node.at, p))) continue;
+    add(p, points);
+    kept_.push_back(k);
     previous = k;
   }
+  if (trim_.shortest && turn(1) - turn(0) <= kFineTurn) remember_empty(arc, steps);
+}
+
+/// What begins and ends with samples that were left out stays empty: farther out in the same direction points are
+/// hidden, or nearer to the anchor by another path, as well.
+void BergSweep::remember_empty(Item& arc, const Steps& steps) {
+  if (kept_.empty()) {
+    arc.empty = true;
+    return;
+  }
+  std::vector<Angles>& known = empty_[static_cast<std::size_t>(arc.node)];
+  const std::size_t before = known.size();
+  const auto add = [&](double from, double to) {
+    if (from < to) known.push_back({from, to});
+  };
+  add(steps.from, kept_.front() > 0 ? steps.turn(kept_.front() - 1) : steps.from);
+  for (std::size_t i = 1; i < kept_.size(); ++i) add(steps.turn(kept_[i - 1] + 1), steps.turn(kept_[i] - 1));
+  add(kept_.back() < steps.count ? steps.turn(kept_.back() + 1) : steps.to, steps.to);
+  if (known.size() > before) unite(known);
 }
 
 /// In samples: 1, if none are to be left out.

@@ -5,11 +5,14 @@
 ///
 /// Method      The boundary as a list, counter-clockwise: arcs about nodes and the dividers between them. When a node
 ///             or a divider comes into reach, the arc that it lies on is split there. An arc whose node sees nothing so
-///             far away leaves the list, and so does a divider directly before another one.
+///             far away leaves the list, and so does a divider directly before another one. With a trim, an arc leaves
+///             it as well when all of its samples are left out: where another path is shorter, it is so farther out in
+///             the same direction, too.
 /// Complexity  a boundary costs its samples, its arcs, and what is new in it; a test of sight only for samples of which
 ///             sight_range.hpp does not know whether they are seen
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -25,10 +28,16 @@ struct BergThinning {
   std::function<bool(const Point&, const Point&)> is_free = {};  // the segment between two points
 };
 
+/// Samples to be left out because a shorter tether reaches them.
+struct BergTrim {
+  std::function<double(const Point&)> shortest = {};  // metres of tether to a point; empty: none are left out
+  double slack = 0;                                   // metres by which a lap's length may exceed that
+};
+
 class BergSweep {
  public:
   /// `boundary` must outlive it. `spacing`: of samples, metres.
-  BergSweep(const BergBoundary& boundary, double spacing, BergThinning thinning = {});
+  BergSweep(const BergBoundary& boundary, double spacing, BergThinning thinning = {}, BergTrim trim = {});
 
   /// See BergBoundary::at. `length` must not be less than the one before.
   std::vector<BergBoundary::Piece> at(double length);
@@ -41,6 +50,17 @@ class BergSweep {
     std::int32_t begin, end;       // events; -1 and their number: the sides of the sector. Of a divider: its number, -
     std::int32_t next = kNone;     // in the list
     std::int32_t sibling = kNone;  // the next arc of the node
+    bool empty = false;            // of samples, in this boundary and all that follow
+  };
+  struct Angles {
+    double from, to;
+  };
+  /// The samples of an arc: numbers first to last of 0 to `count`.
+  struct Steps {
+    double from, to;  // radians in the sector
+    double count = 1, first = 0, last = 0;
+    double turn(double k) const { return from + (to - from) * (k / count); }
+    double last_up_to(double angle) const { return std::floor((angle - from) / (to - from) * count); }
   };
   struct Activation {
     double length;
@@ -51,7 +71,12 @@ class BergSweep {
   void activate(const Activation& a);
   bool has_ended(const Item& item) const;
   void drop_ended_after(std::int32_t item);
-  void sample(const Item& arc, BergBoundary::Piece& piece) const;
+  Steps steps_of(const Item& arc) const;
+  void sample(Item& arc, Polyline& points);
+  bool is_trimmed(const Point& p) const {
+    return trim_.shortest && std::abs(length_ - trim_.shortest(p)) > trim_.slack;
+  }
+  void remember_empty(Item& arc, const Steps& steps);
   double longest_stride(double radius, double turn_per_step) const;
   void add(const Point& p, Polyline& points) const;
   void close_round(std::vector<BergBoundary::Piece>& pieces) const;
@@ -60,6 +85,9 @@ class BergSweep {
   const BergBoundary& b_;
   double spacing_, length_ = 0;
   BergThinning thinning_;
+  BergTrim trim_;
+  std::vector<std::vector<Angles>> empty_;  // by node: where samples are hidden or trimmed, ascending, disjoint
+  std::vector<double> kept_;                // samples of the present arc
   std::vector<Activation> activations_;  // by length, parents first
   std::size_t active_ = 0;               // so many of them have happened
   std::vector<Item> items_;              // the first one is the list's head

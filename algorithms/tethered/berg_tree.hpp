@@ -44,10 +44,11 @@ class BergTree {
     double longest = 0;  // tether
     double spacing = 0;  // of samples
     BergThinning thinning = {};
+    BergTrim trim = {};
   };
 
-  /// `keep(p, length)` says whether a sample is to be driven; `stop` is called once per lap.
-  BergTree(const BergBoundary& boundary, const Laps& laps, const std::function<bool(const Point&, double)>& keep,
+  /// `keep(p)` says whether a sample is to be driven; `stop` is called once per lap.
+  BergTree(const BergBoundary& boundary, const Laps& laps, const std::function<bool(const Point&)>& keep,
            const std::function<bool()>& stop);
 
   const std::vector<Piece>& pieces() const { return pieces_; }
@@ -58,7 +59,7 @@ class BergTree {
   std::vector<std::size_t> between(std::size_t from, std::size_t to) const;
 
  private:
-  void add_laps(const Laps& laps, const std::function<bool(const Point&, double)>& keep,
+  void add_laps(const Laps& laps, const std::function<bool(const Point&)>& keep,
                 const std::function<bool()>& stop);
   std::vector<bool> find_useful() const;
   void add_regions(const std::vector<bool>& useful);
