@@ -5,9 +5,10 @@
 //             tether in free space, its nodes the obstacles' own corners
 // Guarantee   the tether keeps its length limit (not with joins = shortest); nothing about coverage
 // Complexity  n corners, s samples, p pieces: O((n + s) log n) on real maps for the boundaries and their tree, then a
-//             shortest path from piece to piece. With order = bfs-per-divider (as in Berg 2021) the next area may be
-//             anywhere at the same distance from the anchor: among scattered obstacles the path grows as the area times
-//             its diameter, n^1.5, and the time with it. order = dfs stays in the neighbourhood.
+//             shortest path from piece to piece. With trim = none boundaries overlap behind every obstacle, and s grows
+//             faster than the area. With order = bfs-per-divider (as in Berg 2021) the next area may be anywhere at the
+//             same distance from the anchor: among scattered obstacles the path grows as the area times its diameter,
+//             n^1.5, and the time with it. order = dfs stays in the neighbourhood.
 // Known flaws (of Berg 2021, kept)
 //             1. Laps lie at multiples of the step: walls and corners in between are passed at up to a step more than
 //                the radius and stay partly uncovered (4.2).
@@ -15,7 +16,8 @@
 //                is invalid, and its row says where. Decision 8 mends the length; berg-complete never winds.
 //             3. A corner is looked at once (berg_boundary.hpp, 1). With a known map all are seen; online some are
 //                missed (5.1).
-//             4. Boundaries overlap behind an obstacle that the tether passes on both sides; trim = geodesic avoids it.
+//             4. Boundaries overlap behind an obstacle that the tether passes on both sides: trim = none. Among scattered
+//                obstacles the path then is many times as long as with trim = geodesic.
 //             5. Slow in the number of corners (5.1).
 // Decisions   1. step: a robot radius, as in Berg 2021 (step_by = robot), but at least half and at most all of the
 //                tool's width. By the radius a tool three times as wide as the robot makes 2.6 times as long a path.
@@ -28,12 +30,12 @@
 //             4. Samples outside configuration space are dropped as hidden ones are.
 //             5. Gates: berg_tree.hpp. A divider in front of which the robot fits nowhere has none.
 //             6. The tool is always on: Berg 2021 counts all that the robot passes.
-//             7. trim = geodesic (ours) keeps the samples whose shortest tether has the lap's length.
+//             7. trim = geodesic (ours, the default) keeps the samples whose shortest tether has the lap's length.
 //             8. joins = tethered (ours, the default): from point to point by the shortest path that keeps the tether
 //                length limit. It is the same as with joins = shortest as long as that keeps it.
 //             9. By default samples are left out between which the boundary is within w / 200 of a free segment, as
 //                far as its node sees all of that: half of the points make the same laps. Not with a sampling of one's
-//                own, nor with trim = geodesic, which looks at each sample.
+//                own.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -67,7 +69,7 @@ enum class StepBy { tool, robot };
 
 struct Params {
   Order order = Order::dfs;
-  Trim trim = Trim::none;
+  Trim trim = Trim::geodesic;
   Joins joins = Joins::tethered;
   StepBy step_by = StepBy::tool;
   double step = 0;
@@ -284,7 +286,7 @@ BergTree::Laps laps_for(const Params& p, const Problem& problem) {
   if (p.trim == Trim::geodesic)
     laps.trim = {[&](const Point& at) { return problem.tether()->geodesics().distance(at); },
                  kTrimSlack * problem.tolerance() + 1e-9 * laps.longest};
-  if (p.sampling == 0 && p.trim == Trim::none)
+  if (p.sampling == 0)
     laps.thinning = {width / kThinnings,
                      [&](const Point& a, const Point& b) { return problem.walls().contains(a, b); }};
   return laps;
@@ -371,6 +373,7 @@ PlannerInfo berg() {
             {"sampling", &Params::sampling, Range{0, 100},
              "metres between samples of a lap; 0: a quarter step, or more where the lap is nearly straight"}},
        .published = {{"order", std::string("bfs-per-divider")},
+                     {"trim", std::string("none")},
                      {"joins", std::string("shortest")},
                      {"step_by", std::string("robot")}}}));
 }

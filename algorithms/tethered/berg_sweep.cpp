@@ -163,9 +163,10 @@ void BergSweep::sample(Item& arc, Polyline& points) {
     if (const double next = std::min(previous + stride, steps.last);
         previous >= attempt && previous == k - 1 && next > k) {
       const Point p = at(next);
-      if (radius < node.range.sure(turn(previous), turn(next)) && thinning_.is_free(points.back(), p)) {
+      if (radius < node.range.sure(turn(previous), turn(next)) && !is_trimmed(p) &&
+          thinning_.is_free(points.back(), p)) {
         add(p, points);
-        previous = k = next;
+        previous = k = kept_.back().last = next;
         continue;
       }
       attempt = next;
@@ -175,8 +176,8 @@ void BergSweep::sample(Item& arc, Polyline& points) {
     const Point p = at(k);
     if (is_trimmed(p) || (answer == SightRange::Answer::unknown && !b_.sight_.sees(node.at, p))) continue;
     add(p, points);
-    kept_.push_back(k);
-    previous = k;
+    if (previous < 0 || previous < k - 1) kept_.push_back({k, k});
+    previous = kept_.back().last = k;
   }
   if (trim_.shortest && turn(1) - turn(0) <= kFineTurn) remember_empty(arc, steps);
 }
@@ -193,9 +194,9 @@ void BergSweep::remember_empty(Item& arc, const Steps& steps) {
   const auto add = [&](double from, double to) {
     if (from < to) known.push_back({from, to});
   };
-  add(steps.from, kept_.front() > 0 ? steps.turn(kept_.front() - 1) : steps.from);
-  for (std::size_t i = 1; i < kept_.size(); ++i) add(steps.turn(kept_[i - 1] + 1), steps.turn(kept_[i] - 1));
-  add(kept_.back() < steps.count ? steps.turn(kept_.back() + 1) : steps.to, steps.to);
+  add(steps.from, kept_.front().first > 0 ? steps.turn(kept_.front().first - 1) : steps.from);
+  for (std::size_t i = 1; i < kept_.size(); ++i) add(steps.turn(kept_[i - 1].last + 1), steps.turn(kept_[i].first - 1));
+  add(kept_.back().last < steps.count ? steps.turn(kept_.back().last + 1) : steps.to, steps.to);
   if (known.size() > before) unite(known);
 }
 

@@ -71,6 +71,9 @@ class BergSweep {
   void activate(const Activation& a);
   bool has_ended(const Item& item) const;
   void drop_ended_after(std::int32_t item);
+  struct Run {  // of samples
+    double first, last;
+  };
   Steps steps_of(const Item& arc) const;
   void sample(Item& arc, Polyline& points);
   bool is_trimmed(const Point& p) const {
@@ -87,7 +90,7 @@ class BergSweep {
   BergThinning thinning_;
   BergTrim trim_;
   std::vector<std::vector<Angles>> empty_;  // by node: where samples are hidden or trimmed, ascending, disjoint
-  std::vector<double> kept_;                // samples of the present arc
+  std::vector<Run> kept_;                   // of the present arc
   std::vector<Activation> activations_;  // by length, parents first
   std::size_t active_ = 0;               // so many of them have happened
   std::vector<Item> items_;              // the first one is the list's head

@@ -1,6 +1,7 @@
 """Table 4.1 of Berg 2021 repeated
 
-Lengths are compared on each room with `berg` in its default order, so no unit of the source is needed. A path that
+Lengths are compared on each room with `berg` in its default order with `trim = none`, so no unit of the source is
+needed. A path that
 breaks the tether's limit is shown with its figures; the breach stands beside it and is counted.
 """
 from results import by_problem, escaped, fixed, groups, least, median, table
@@ -25,7 +26,7 @@ point needs.
 
 
 def times_berg(row, problem):
-    reference = next((r for r in problem if r["planner"] == "berg" and not r["params"]), None)
+    reference = next((r for r in problem if r["variant"] == "berg[trim=none]"), None)
     own, berg = row.number("path_m"), reference and reference.number("path_m")
     return own / berg if own is not None and berg else None
 

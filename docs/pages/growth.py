@@ -21,10 +21,11 @@ figures are those of one machine: orders carry over, seconds do not.
 
 Three published orders must grow faster than n log n among scattered obstacles, because the paths that their sources
 describe do: `shnaps-rimon` visits the cells by their distance from the anchor, `shnaps-rimon-banded` by distance and
-by the direction from the last bend, and `berg` goes from area to area by distance. What follows one another lies
-anywhere at the same distance, so each path there is about as long as the map is wide, and the whole path grows as
-n^1.5. The figures below are those of the defaults, which finish one side of an obstacle before the other; `variant =
-published` is the order of the source. A run that ends in `timeout` has published its path so far, and a suite that
+by the direction from the last bend, and `berg` goes from area to area by distance, along boundaries that overlap behind
+every obstacle. What follows one another lies anywhere at the same distance, so each path there is about as long as the
+map is wide, and the whole path grows as n^1.5. The figures below are those of the defaults, which finish one side of an
+obstacle before the other and, for `berg`, drive each boundary only where no other path to it is shorter; `variant =
+published` is what the source says. A run that ends in `timeout` has published its path so far, and a suite that
 scores shows its figures.
 """
 

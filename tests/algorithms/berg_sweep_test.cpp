@@ -60,6 +60,60 @@ TEST(BergSweep, FindsWhatEachBoundaryHasByItself) {
   EXPECT_GT(pieces, 500u);
 }
 
+// The oracle looks at every sample of every boundary. A sweep that forgets what was empty before may lose slivers
+// between two samples.
+TEST(BergSweep, TrimmedBoundariesAreThoseOfALookAtEverySample) {
+  std::size_t kept = 0, left_out = 0, lost = 0;
+  for (const char* generator : {"clutter", "speckle", "rooms", "cave", "maze", "spiral"})
+    for (const auto seed : seeds(3)) {
+      SCOPED_TRACE(fmt::format("{} --seed {}", generator, seed));
+      const Scene s(floor(generator, seed));
+      const auto shortest = [&](const Point& p) { return s.problem.tether()->geodesics().distance(p); };
+      BergSweep whole(s.boundary, 0.05), trimmed(s.boundary, 0.05, {}, {shortest, 1e-5});
+      for (double l = 0.2; l < s.boundary.farthest(); l += 0.2) {
+        std::vector<Point> expected, found;
+        for (const auto& piece : whole.at(l))
+          for (const Point& p : piece.points)
+            if (std::abs(l - shortest(p)) <= 1e-5)
+              expected.push_back(p);
+            else
+              ++left_out;
+        for (const auto& piece : trimmed.at(l)) found.insert(found.end(), piece.points.begin(), piece.points.end());
+        for (const Point& p : found) EXPECT_NEAR(shortest(p), l, 1e-5);
+        for (std::vector<Point>* points : {&expected, &found}) std::ranges::sort(*points, before);
+        kept += expected.size();
+        std::vector<Point> missing;
+        std::ranges::set_difference(expected, found, std::back_inserter(missing), before);
+        lost += missing.size();
+      }
+    }
+  RecordProperty("lost", static_cast<int>(lost));
+  EXPECT_GT(kept, 50000u);
+  EXPECT_GT(left_out, kept / 10);
+  EXPECT_LT(lost, kept / 2000);
+}
+
+// Two blocks touch at (5, 5): one sees past them on both sides, but not between them.
+TEST(BergSight, DoesNotPassBetweenObstaclesThatTouchInAPoint) {
+  Region room = box_region({0, 0}, {10, 10});
+  room.polygons[0].holes = {{{4, 4}, {4, 5}, {5, 5}, {5, 6}, {6, 6}, {6, 5}, {5, 5}, {5, 4}}};
+  for (const bool one_ring : {true, false}) {
+    SCOPED_TRACE(one_ring);
+    if (!one_ring) room.polygons[0].holes = {{{4, 4}, {4, 5}, {5, 5}, {5, 4}}, {{5, 5}, {5, 6}, {6, 6}, {6, 5}}};
+    const EdgeIndex walls(room);
+    const BergSight sight(room, walls, {}, kTolerance);
+    for (const Point& d : {Point(-1, 1), Point(-0.3, 2), Point(-2, 0.3), Point(0, 2), Point(-2, 0)})
+      EXPECT_FALSE(sight.sees(Point(5, 5) + d, Point(5, 5) - d)) << d.transpose();
+    EXPECT_TRUE(sight.sees({4, 7}, {5, 5}));
+    EXPECT_TRUE(sight.sees({5, 6}, {5, 5}));
+    EXPECT_TRUE(sight.sees({3, 4}, {9, 4}));
+    const BergBoundary boundary(room, walls, {}, {3, 8}, 1e9, kTolerance);
+    const GeodesicField field(room, {3, 8}, {}, kTolerance);
+    ASSERT_GT(boundary.nodes().size(), 3u);
+    for (const BergNode& node : boundary.nodes()) EXPECT_NEAR(node.before, field.distance(node.at), 1e-9);
+  }
+}
+
 // Directions within the sector: on its sides one may see along a line of no width.
 TEST(SightRange, IsNeverLessThanWhatIsSeenAndOftenLessThanWhatIsHidden) {
   std::size_t seen = 0, hidden = 0, known = 0;
@@ -204,7 +258,7 @@ TEST(BergTree, GatesAreThoseOfASearchOverAllDividers) {
   for (const auto seed : seeds(2)) {
     const Scene s(floor("clutter", seed));
     const BergTree tree(
-        s.boundary, {0.3, 1e9, 0.1}, [](const Point&, double) { return true; }, [] { return false; });
+        s.boundary, {0.3, 1e9, 0.1}, [](const Point&) { return true; }, [] { return false; });
     const auto grew_from = [&](std::size_t piece, std::size_t ancestor) {
       while (tree.pieces()[piece].lap > tree.pieces()[ancestor].lap && tree.pieces()[piece].parent)
         piece = *tree.pieces()[piece].parent;

@@ -371,7 +371,7 @@ TEST(BergTree, PiecesGrowFromThePieceTheyWereCutFrom) {
     const EdgeIndex walls(free);
     const Scene s(free, free_point(rng, walls, bounding_box(free)));
     const BergTree tree(
-        s.boundary, {0.1, kFar, 0.025}, [](const Point&, double) { return true; }, [] { return false; });
+        s.boundary, {0.1, kFar, 0.025}, [](const Point&) { return true; }, [] { return false; });
     std::size_t driven = 0;
     int all = 0, strays = 0;
     for (const BergTree::Piece& piece : tree.pieces()) {
@@ -401,7 +401,7 @@ TEST(BergTree, ThePathPastADividerComesCloser) {
   // A block in front of the anchor: from one side of the block to the other the robot passes its near side.
   const Scene s(with_holes({0, 0}, {10, 6}, {Box{{4, 2}, {6, 4}}}), {1, 3});
   const BergTree tree(
-      s.boundary, {0.2, kFar, 0.05}, [](const Point&, double) { return true; }, [] { return false; });
+      s.boundary, {0.2, kFar, 0.05}, [](const Point&) { return true; }, [] { return false; });
   const auto piece_near = [&](const Point& p) {
     std::size_t best = 0;
     double least = 1e300;
@@ -487,7 +487,8 @@ TEST(Berg, TrimKeepsTheSamplesAtTheirGeodesicDistance) {
       if (trace.name == "boundaries")
         for (const Polyline& line : trace.lines) all += line.size();
     };
-    plan_berg(problem, {{"sampling", problem.robot().radius / 4}}, sinks);  // the default of trimmed laps
+    const double sampling = problem.robot().radius / 4;
+    plan_berg(problem, {{"trim", std::string("none")}, {"sampling", sampling}}, sinks);
     sinks.trace = [&](const Trace& trace) {
       if (trace.name != "boundaries") return;
       for (const Polyline& line : trace.lines) {
@@ -498,7 +499,7 @@ TEST(Berg, TrimKeepsTheSamplesAtTheirGeodesicDistance) {
         }
       }
     };
-    plan_berg(problem, {{"trim", std::string("geodesic")}}, sinks);
+    plan_berg(problem, {{"trim", std::string("geodesic")}, {"sampling", sampling}}, sinks);
     EXPECT_LT(worst, 1e-5);
     EXPECT_LT(kept, all);  // boundaries overlap behind blocks
     EXPECT_GT(static_cast<double>(kept), 0.5 * static_cast<double>(all));
