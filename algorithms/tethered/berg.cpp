@@ -16,8 +16,8 @@
 //                is invalid, and its row says where. Decision 8 mends the length; berg-complete never winds.
 //             3. A corner is looked at once (berg_boundary.hpp, 1). With a known map all are seen; online some are
 //                missed (5.1).
-//             4. Boundaries overlap behind an obstacle that the tether passes on both sides: trim = none. Among scattered
-//                obstacles the path then is many times as long as with trim = geodesic.
+//             4. Boundaries overlap behind an obstacle that the tether passes on both sides: trim = none. Among
+//                scattered obstacles the path then is many times as long as with trim = geodesic.
 //             5. Slow in the number of corners (5.1).
 // Decisions   1. step: a robot radius, as in Berg 2021 (step_by = robot), but at least half and at most all of the
 //                tool's width. By the radius a tool three times as wide as the robot makes 2.6 times as long a path.

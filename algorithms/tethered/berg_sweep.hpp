@@ -91,10 +91,10 @@ class BergSweep {
   BergTrim trim_;
   std::vector<std::vector<Angles>> empty_;  // by node: where samples are hidden or trimmed, ascending, disjoint
   std::vector<Run> kept_;                   // of the present arc
-  std::vector<Activation> activations_;  // by length, parents first
-  std::size_t active_ = 0;               // so many of them have happened
-  std::vector<Item> items_;              // the first one is the list's head
-  std::vector<std::int32_t> first_arc_;  // by node
+  std::vector<Activation> activations_;     // by length, parents first
+  std::size_t active_ = 0;                  // so many of them have happened
+  std::vector<Item> items_;                 // the first one is the list's head
+  std::vector<std::int32_t> first_arc_;     // by node
 };
 
 }  // namespace oxturn

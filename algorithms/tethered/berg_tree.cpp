@@ -5,8 +5,8 @@
 
 namespace oxturn {
 
-BergTree::BergTree(const BergBoundary& boundary, const Laps& laps,
-                   const std::function<bool(const Point&)>& keep, const std::function<bool()>& stop)
+BergTree::BergTree(const BergBoundary& boundary, const Laps& laps, const std::function<bool(const Point&)>& keep,
+                   const std::function<bool()>& stop)
     : boundary_(boundary) {
   add_laps(laps, keep, stop);
   const std::vector<bool> useful = find_useful();

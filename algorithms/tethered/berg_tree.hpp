@@ -59,8 +59,7 @@ class BergTree {
   std::vector<std::size_t> between(std::size_t from, std::size_t to) const;
 
  private:
-  void add_laps(const Laps& laps, const std::function<bool(const Point&)>& keep,
-                const std::function<bool()>& stop);
+  void add_laps(const Laps& laps, const std::function<bool(const Point&)>& keep, const std::function<bool()>& stop);
   std::vector<bool> find_useful() const;
   void add_regions(const std::vector<bool>& useful);
   bool grew_from(std::size_t piece, std::size_t ancestor) const;
