@@ -1,6 +1,7 @@
 // The list of built-in planners. A new one is a file of its own, a declaration and an entry here.
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/drivable_planner.hpp"
+#include "algorithms/size_limited_planner.hpp"
 #include "algorithms/target_area_planner.hpp"
 
 namespace oxturn {
@@ -46,13 +47,14 @@ PlannerInfo beachbot();
 namespace {
 
 /// Planners cover target areas, and the offline ones drive robots with a least turning radius, if not by themselves.
-Planners with_areas_and_curves(const Planners& planners) {
+/// All refuse maps that are too large.
+Planners with_what_all_share(const Planners& planners) {
   Planners all("planner", {});
   for (const PlannerInfo& planner : planners) {
     const bool offline = !planner.has(Capability::online) && !planner.has(Capability::tether);
     const bool wrapped = offline && !planner.has(Capability::curvature);
     const PlannerInfo able = target_area_planner(planner);
-    all.add(wrapped ? drivable_planner(able) : able);
+    all.add(size_limited_planner(wrapped ? drivable_planner(able) : able));
   }
   return all;
 }
@@ -60,45 +62,45 @@ Planners with_areas_and_curves(const Planners& planners) {
 }  // namespace
 
 Planners built_in_planners() {
-  return with_areas_and_curves(Planners("planner", {
-                                                       boustrophedon(),
-                                                       zigzag(),
-                                                       contour(),
-                                                       connected_fermat(),
-                                                       field(),
-                                                       field_predictive(),
-                                                       oarp(),
-                                                       smooth_spiral(),
-                                                       skeleton_spiral(),
-                                                       completed(),
-                                                       shortest(),
-                                                       polished(),
-                                                       trapezoid(),
-                                                       stc(),
-                                                       stc_spiral(),
-                                                       stc_scan(),
-                                                       stc_loops(),
-                                                       rectangles(),
-                                                       wavefront(),
-                                                       bsa(),
-                                                       linked_spiral(),
-                                                       ba_star(),
-                                                       smart_dfs(),
-                                                       cell_explore(),
-                                                       hyun(),
-                                                       leashed(),
-                                                       berg(),
-                                                       berg_complete(),
-                                                       shnaps_rimon(),
-                                                       shnaps_rimon_banded(),
-                                                       tether_tree(),
-                                                       tethered_stc(),
-                                                       random_walk(),
-                                                       spiral_out(),
-                                                       wall_follow(),
-                                                       vacuum_mix(),
-                                                       beachbot(),
-                                                   }));
+  return with_what_all_share(Planners("planner", {
+                                                     boustrophedon(),
+                                                     zigzag(),
+                                                     contour(),
+                                                     connected_fermat(),
+                                                     field(),
+                                                     field_predictive(),
+                                                     oarp(),
+                                                     smooth_spiral(),
+                                                     skeleton_spiral(),
+                                                     completed(),
+                                                     shortest(),
+                                                     polished(),
+                                                     trapezoid(),
+                                                     stc(),
+                                                     stc_spiral(),
+                                                     stc_scan(),
+                                                     stc_loops(),
+                                                     rectangles(),
+                                                     wavefront(),
+                                                     bsa(),
+                                                     linked_spiral(),
+                                                     ba_star(),
+                                                     smart_dfs(),
+                                                     cell_explore(),
+                                                     hyun(),
+                                                     leashed(),
+                                                     berg(),
+                                                     berg_complete(),
+                                                     shnaps_rimon(),
+                                                     shnaps_rimon_banded(),
+                                                     tether_tree(),
+                                                     tethered_stc(),
+                                                     random_walk(),
+                                                     spiral_out(),
+                                                     wall_follow(),
+                                                     vacuum_mix(),
+                                                     beachbot(),
+                                                 }));
 }
 
 }  // namespace oxturn

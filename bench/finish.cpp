@@ -128,7 +128,9 @@ class FinishChild {
 
   void score_path(const Path& path) {
     const double before = own_cpu_seconds();
-    score_ = score(task_.problem, path, task_.metrics, task_.scoring);
+    ScoreOptions scoring = task_.scoring;
+    if (!stored_ || !task_.options.pictures) scoring.outlines = MissedOutlines::left_out;
+    score_ = score(task_.problem, path, task_.metrics, scoring);
     cell("score_s", to_decimal(own_cpu_seconds() - before));
     for (const MetricValue& metric : score_->values)
       if (metric.value) cell(metric.name, to_decimal(*metric.value));

@@ -137,22 +137,25 @@ Report run_planner(const PlanOptions& options, const PlannerInfo& planner, const
                    const Problem& problem, const MapSource& source, const Registry& registry) {
   Report report;
   report.about = {{"planner", variant_of(planner, settings, registry.planners)}};
-  // Scoring needs these too, so they are no cost of the planner's.
-  problem.walls();
-  problem.map_edges();
+  problem.map_edges();  // scoring needs them, too
   IsolationOptions isolation = options.isolation;
   isolation.progress = progress_line();
   isolation.traces = options.outputs.traces || !options.outputs.viewer.empty() || problem.map().drawing != nullptr;
   isolation.log_file = kLogToStandardError;
-  const Planned planned = plan_isolated([&] { return planner.make(settings, registry.planners); }, problem, isolation);
+  const auto make = [&] {
+    problem.walls();  // in the planner's process, as scoring needs none, but no cost of the planner's
+    return planner.make(settings, registry.planners);
+  };
+  const Planned planned = plan_isolated(make, problem, isolation);
   if (planned.wall_s > 0)
     report.costs = {
         {"plan_wall_s", planned.wall_s}, {"plan_cpu_s", planned.cpu_s}, {"peak_rss_bytes", planned.peak_rss_bytes}};
   report.records = planned.records;
   OutputOptions outputs = options.outputs;
   if (is_scored(planned)) {
-    const ScoreOptions scoring = score_options(planned, planner.promised(settings, problem.robot()));
+    ScoreOptions scoring = score_options(planned, planner.promised(settings, problem.robot()));
     report.about.emplace_back("promise", to_text(scoring.promise));
+    if (outputs.svg.empty()) scoring.outlines = MissedOutlines::left_out;
     report.score = score(problem, *planned.path, registry.metrics, scoring);
     report.remarks = outputs.remarks = remarks_on_path(problem, planned);
     if (!options.output.empty()) write_path(options.output, *planned.path, problem, source);

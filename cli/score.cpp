@@ -46,7 +46,8 @@ int score_path(const Options& options, const Registry& registry) {
   Report report;
   report.about = {{"path", options.path}};
   report.tolerance = problem.tolerance() + options.tolerance;
-  report.score = score(problem, file.path, registry.metrics, {.tolerance = options.tolerance});
+  const auto outlines = options.outputs.svg.empty() ? MissedOutlines::left_out : MissedOutlines::kept;
+  report.score = score(problem, file.path, registry.metrics, {.tolerance = options.tolerance, .outlines = outlines});
   report.verdict = judge(*report.score, Suite{}.target_coverage);
   write_outputs(options.outputs, problem, &file.path, report.score, {}, options.tolerance);
   return print(

@@ -1,31 +1,6 @@
 #include "metrics/disc_area.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace oxturn {
-namespace {
-
-double sector(double radius, const Point& a, const Point& b) {
-  return radius * radius / 2 * std::atan2(cross(a, b), a.dot(b));
-}
-
-}  // namespace
-
-double disc_area_of_edge(const Point& centre, double radius, const Point& from, const Point& to) {
-  const Point a = from - centre, b = to - centre, d = b - a;
-  const double aa = d.squaredNorm(), half = a.dot(d), c = a.squaredNorm() - radius * radius;
-  if (!(aa > 0)) return 0;
-  const double square = half * half - aa * c;
-  if (square <= 0) return sector(radius, a, b);
-  const double root = std::sqrt(square), enters = (-half - root) / aa, leaves = (-half + root) / aa;
-  if (enters >= 1 || leaves <= 0) return sector(radius, a, b);
-  const Point p = enters > 0 ? Point(a + enters * d) : a, q = leaves < 1 ? Point(a + leaves * d) : b;
-  double area = cross(p, q) / 2;
-  if (enters > 0) area += sector(radius, a, p);
-  if (leaves < 1) area += sector(radius, q, b);
-  return area;
-}
 
 Ring clipped_left(const Ring& ring, const Point& a, const Point& b) {
   Ring kept;

@@ -52,9 +52,9 @@ Beginning beginning(const Problem& problem, bool valid) {
   const double w = problem.robot().tool_width;
   Beginning result{0, kPi * w * w / 4};
   if (!valid) return result;
-  double inside = 0;
-  for_each_edge(problem.target(),
-                [&](const Point& a, const Point& b) { inside += disc_area_of_edge(problem.start(), w / 2, a, b); });
+  DiscArea under(problem.start(), w / 2);
+  for_each_edge(problem.target(), [&](const Point& a, const Point& b) { under.add(a, b); });
+  const double inside = under.area();
   result.area = std::clamp(inside + 4 * w * problem.tolerance(), 0.0, result.area);
   if (problem.map().target_area && inside < kLeastShare * w * w) result.approach = approach(problem);
   if (result.approach > 0) result.area = 0;

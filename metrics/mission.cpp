@@ -75,7 +75,7 @@ Point last_heading(const Path& part) {
 class MissionClock::Sampler {
  public:
   /// `before`: metres driven before this part of the path.
-  Sampler(SmoothPath& path, const Robot& robot, double before, std::vector<Interval>& out)
+  Sampler(SmoothPath& path, const Robot& robot, double before, std::deque<Interval>& out)
       : path_(path), robot_(robot), before_(before), first_(out.size()), out_(out) {}
 
   void run() {
@@ -166,7 +166,7 @@ class MissionClock::Sampler {
   const Robot& robot_;
   double before_;
   std::size_t first_;  // of this part's intervals
-  std::vector<Interval>& out_;
+  std::deque<Interval>& out_;
   Sample last_{};
   Point heading_{0, 0};  // the last one
 };

@@ -17,6 +17,7 @@
 ///             a forward and a backward pass with the acceleration. Accurate to 1e-3. O(n)
 #pragma once
 
+#include <deque>
 #include <vector>
 
 #include "geometry/path.hpp"
@@ -46,7 +47,7 @@ class MissionClock {
   void find_speeds(const std::vector<std::size_t>& stops);
 
   double acceleration_;
-  std::vector<Interval> intervals_;  // the last one is empty: the path's end
+  std::deque<Interval> intervals_;  // never copied as it grows; the last one is empty: the path's end
   double total_ = 0;
 };
 

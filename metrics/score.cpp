@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "metrics/legs_join.hpp"
 #include "metrics/walls.hpp"
@@ -84,6 +85,7 @@ namespace {
 
 constexpr std::size_t kCurvePoints = 200;
 constexpr double kCurveError = 0.0045;
+constexpr double kCertainty = 0.001;  // width of the coverage's interval
 
 /// Has points, all finite, and a finite length.
 bool measurable(const Path& path) {
@@ -157,7 +159,8 @@ Score score(const Problem& problem, const Path& path, const Metrics& metrics, co
     tether = tether_run(problem, path, walls, tolerance);
     if (result.flaw.empty() && options.tether_counts) result.flaw = find_tether_flaw(problem, tether, tolerance);
   }
-  const SweptArea swept = swept_area(problem.target(), problem.target_excess(), problem.robot().tool_width, path);
+  SweptArea swept = swept_area(problem.target(), problem.target_excess(), problem.robot().tool_width, path, kCertainty,
+                               options.outlines);
   const MissionClock clock(problem, path);
   const Scored scored{
       problem,
@@ -172,7 +175,7 @@ Score score(const Problem& problem, const Path& path, const Metrics& metrics, co
   std::size_t i = 0;
   for (const Metric& metric : metrics) result.values[i++].value = metric.compute(scored);
   result.curve = coverage_curve(swept, clock);
-  result.missed = swept.missed;
+  result.missed = std::move(swept.missed);
   return result;
 }
 

@@ -79,6 +79,7 @@ struct ScoreOptions {
   const Region* promised = nullptr;  // for Promise::cells: their union
   double tolerance = 0;  // metres, added to the problem's: how far outside configuration space and over the tether
                          // length limit a path may be, and how near it must start to the start and legs must join
+  MissedOutlines outlines = MissedOutlines::kept;  // of Score::missed
 };
 
 /// Validity and every metric of the list. O(n log n) for n segments on ordinary paths; 10^5 segments take under a

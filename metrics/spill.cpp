@@ -38,9 +38,9 @@ class Work {
 };
 
 double disc_area(const Edges& edges, const Point& centre, double radius) {
-  double sum = 0;
-  for (const auto& [a, b] : edges) sum += disc_area_of_edge(centre, radius, a, b);
-  return std::max(0.0, sum);
+  DiscArea common(centre, radius);
+  for (const auto& [a, b] : edges) common.add(a, b);
+  return std::max(0.0, common.area());
 }
 
 void add_edges(Edges& edges, const Ring& ring, bool reversed) {

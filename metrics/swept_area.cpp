@@ -1,5 +1,7 @@
 #include "metrics/swept_area.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -13,6 +15,8 @@ constexpr int kAttempts = 4;          // with smaller and smaller budgets
 constexpr double kReach = 3;          // tool radii beyond the target's box that count (Decision 1)
 constexpr double kSlackShare = 0.3;   // simplification of chains in tool radii, over the certainty
 constexpr double kLeastPiece = 0.01;  // missed pieces, in discs of the tool
+constexpr double kMostRows = 2e7;     // of tiles
+constexpr double kMostWork = 1e9;     // tile sides driven: about ten minutes
 constexpr double kArcsAtLeast = 10;   // `certainty` over what the arcs get if the target's own error takes the rest
 
 void check(double width, const Path& path) {
@@ -59,6 +63,22 @@ Ground ground_of(const Region& target, double target_excess, double width, const
           1e-9 + 1e-15 * size.maxCoeff()};
 }
 
+/// Says so rather than scan without an end.
+void check_size(const Ground& g) {
+  const double rows = bounding_box(g.target).size().y() / g.side;
+  if (rows > kMostRows)
+    throw std::invalid_argument(fmt::format(
+        "the target is {:.3g} m high, {:.3g} times half the tool's width, more than 2e7: too much to score; "
+        "take a wider tool or a smaller map, or check the map's scale",
+        rows * g.side, rows));
+  const double driven = work_in(g.chains, g.room) / (2 * kToolRadius);
+  if (driven > kMostWork)
+    throw std::invalid_argument(fmt::format(
+        "the path works for {:.3g} m, {:.3g} times half the tool's width, more than 1e9: too much to score; "
+        "take a wider tool or a smaller map, or check the map's scale",
+        driven * g.side, driven));
+}
+
 struct Scan {
   CapsuleSet set;
   TileSums sums;
@@ -71,7 +91,7 @@ Scan scanned(const Ground& g, double path_m, TileDetails* details) {
   double budget = g.tile_share * g.arcs, slack = kToolRadius * g.arcs * kSlackShare;
   for (int attempt = 0; attempt < kAttempts; ++attempt, budget /= 4, slack /= 4) {
     scan.set = capsules(g.chains, g.room, slack);
-    if (details != nullptr) *details = {{path_m, g.wanted}};
+    if (details != nullptr) *details = {{path_m, g.wanted}, UncoveredPieces(details->pieces.outlines())};
     scan.sums = TileScan(g.target, g.origin, g.side, scan.set, g.margin, details).run(budget);
     if (scan.sums.missed_most - scan.sums.missed_least <= 0.9 * g.arcs * g.wanted) break;
   }
@@ -95,12 +115,15 @@ Interval coverage_in(const Ground& g, const TileSums& sums) {
 
 Interval coverage_of(const Region& target, double target_excess, double width, const Path& path, double certainty) {
   const Ground g = ground_of(target, target_excess, width, path, certainty);
+  check_size(g);
   return coverage_in(g, scanned(g, path.length(), nullptr).sums);
 }
 
-SweptArea swept_area(const Region& target, double target_excess, double width, const Path& path, double certainty) {
+SweptArea swept_area(const Region& target, double target_excess, double width, const Path& path, double certainty,
+                     MissedOutlines outlines) {
   const Ground g = ground_of(target, target_excess, width, path, certainty);
-  TileDetails details{{path.length(), g.wanted}};
+  check_size(g);
+  TileDetails details{{path.length(), g.wanted}, UncoveredPieces(outlines)};
   const Scan scan = scanned(g, path.length(), &details);
   SweptArea s;
   s.coverage = coverage_in(g, scan.sums);

@@ -43,8 +43,10 @@ struct CoveragePoint {
 struct MissedPiece {
   double area_m2 = 0;
   Point at{0, 0};             // inside
-  std::vector<Ring> outline;  // convex parts of the piece, disjoint, counter-clockwise
+  std::vector<Ring> outline;  // convex parts of the piece, disjoint, counter-clockwise; empty if left out
 };
+/// They take most of the memory of a path that misses much, and only pictures show them.
+enum class MissedOutlines { kept, left_out };
 
 struct SweptArea {
   Interval coverage;                 // share of the target, certified
@@ -59,9 +61,10 @@ struct SweptArea {
 
 /// `target` may be smaller than the true target by at most `target_excess` m^2. `width`: the tool's, metres. The
 /// coverage interval is at most `certainty` wide (chords are refined until it is), unless `target_excess` alone makes
-/// it wider. Throws std::invalid_argument if the width is not above 0, the target is empty, or the path is not finite.
+/// it wider. Throws std::invalid_argument if the width is not above 0, the target is empty, the path is not finite, or
+/// there is too much to scan: a target more than 2 * 10^7 tiles high, or more than 10^9 tile sides of work.
 SweptArea swept_area(const Region& target, double target_excess, double width, const Path& path,
-                     double certainty = 0.001);
+                     double certainty = 0.001, MissedOutlines outlines = MissedOutlines::kept);
 
 /// Its `coverage` alone: half of the time, and no memory for what is missed.
 Interval coverage_of(const Region& target, double target_excess, double width, const Path& path,

@@ -31,9 +31,9 @@ struct Witness {
 double reach_of(const Region& target, const Point& p, double uncovered) {
   double low = 0, high = 1;
   const auto enough = [&](double radius) {
-    double inside = 0;
-    for_each_edge(target, [&](const Point& a, const Point& b) { inside += disc_area_of_edge(p, radius, a, b); });
-    return inside > uncovered * (1 + kRounding) + kRounding;
+    DiscArea inside(p, radius);
+    for_each_edge(target, [&](const Point& a, const Point& b) { inside.add(a, b); });
+    return inside.area() > uncovered * (1 + kRounding) + kRounding;
   };
   while (!enough(high)) {
     if (high > 1e3) return std::numeric_limits<double>::infinity();

@@ -1,7 +1,9 @@
 #include "metrics/uncovered_pieces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace oxturn {
 namespace {
@@ -61,19 +63,25 @@ void UncoveredPieces::join(std::vector<Touch>& left, std::vector<Touch>& right) 
   }
 }
 
-/// Its vertices are those added from now on.
-std::size_t UncoveredPieces::new_part(double area) {
-  parts_.push_back({vertices_.size(), area});
+/// `vertices` are relative to `centre`.
+template <class Vertices>
+std::size_t UncoveredPieces::new_part(double area, Vec centre, const Vertices& vertices) {
+  Vec sum{0, 0};
+  for (const Vec p : vertices) sum = sum + p;
+  parts_.push_back({area, centre + (1.0 / static_cast<double>(vertices.size())) * sum});
+  if (outlines_ == MissedOutlines::kept) {
+    sizes_.push_back(static_cast<std::uint8_t>(vertices.size()));
+    for (const Vec p : vertices) vertices_.push_back(centre + p);
+  }
   joined_.add();
   return parts_.size() - 1;
 }
 
 /// `c` is relative to `centre`.
 void UncoveredPieces::add_part(const Convex& c, double area, Vec centre) {
-  const std::size_t part = new_part(area);
+  const std::size_t part = new_part(area, centre, std::span(c.at.data(), c.size));
   for (std::size_t i = 0; i < c.size; ++i) {
     const Vec p = c.at[i], q = c.at[(i + 1) % c.size];
-    vertices_.push_back(centre + p);
     const auto touch = [&](double a, double b) { return Touch{std::min(a, b), std::max(a, b), part}; };
     const auto on = [](double a, double b, double border) {
       return std::abs(a - border) < kNear && std::abs(b - border) < kNear;
@@ -126,8 +134,8 @@ void UncoveredPieces::add_run(std::int64_t from, std::int64_t to) {
   std::vector<Touch> before;
   before.swap(right_);
   const double low = static_cast<double>(row_), left = static_cast<double>(from), right = static_cast<double>(to);
-  const std::size_t part = new_part(right - left);
-  for (const Vec p : {Vec{left, low}, Vec{right, low}, Vec{right, low + 1}, Vec{left, low + 1}}) vertices_.push_back(p);
+  const std::size_t part =
+      new_part(right - left, {left, low}, std::array{Vec{0, 0}, Vec{right - left, 0}, Vec{right - left, 1}, Vec{0, 1}});
   left_.assign(1, {low, low + 1, part});
   right_.assign(1, {low, low + 1, part});
   bottom_.push_back({left, right, part});
@@ -143,6 +151,15 @@ std::vector<double> UncoveredPieces::areas_of_pieces() {
   return areas;
 }
 
+/// The outline of the next part, whose vertices are freed.
+Ring UncoveredPieces::take_outline(const Point& origin, double side, std::size_t size) {
+  Ring ring;
+  ring.reserve(size);
+  for (std::size_t k = 0; k < size; ++k) ring.push_back(origin + side * Point(vertices_[k].x, vertices_[k].y));
+  vertices_.erase(vertices_.begin(), vertices_.begin() + static_cast<std::ptrdiff_t>(size));
+  return ring;
+}
+
 std::vector<MissedPiece> UncoveredPieces::take(const Point& origin, double side, double least) {
   start_row(row_ + 2);  // joins the last row
   const std::vector<double> areas = areas_of_pieces();
@@ -150,6 +167,8 @@ std::vector<MissedPiece> UncoveredPieces::take(const Point& origin, double side,
   std::vector<std::size_t> largest;  // largest: part of a piece
   std::vector<MissedPiece> pieces;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
+    Ring outline;
+    if (outlines_ == MissedOutlines::kept) outline = take_outline(origin, side, sizes_[i]);
     const std::size_t root = joined_.find(i);
     if (areas[root] <= least) continue;
     if (piece_of[root] == 0) {
@@ -158,23 +177,15 @@ std::vector<MissedPiece> UncoveredPieces::take(const Point& origin, double side,
       piece_of[root] = static_cast<std::uint32_t>(pieces.size());
     }
     const std::size_t piece = piece_of[root] - 1;
-    const std::size_t end = i + 1 < parts_.size() ? parts_[i + 1].first : vertices_.size();
-    Ring ring;
-    ring.reserve(end - parts_[i].first);
-    Point middle(0, 0);
-    for (std::size_t v = parts_[i].first; v < end; ++v) {
-      ring.push_back(origin + side * Point(vertices_[v].x, vertices_[v].y));
-      middle += ring.back();
-    }
-    if (ring.size() > 0 && parts_[i].area >= parts_[largest[piece]].area) {
+    if (parts_[i].area >= parts_[largest[piece]].area) {
       largest[piece] = i;
-      pieces[piece].at = middle / static_cast<double>(ring.size());
+      pieces[piece].at = origin + side * Point(parts_[i].middle.x, parts_[i].middle.y);
     }
-    pieces[piece].outline.push_back(std::move(ring));
+    if (!outline.empty()) pieces[piece].outline.push_back(std::move(outline));
   }
   std::stable_sort(pieces.begin(), pieces.end(),
                    [](const MissedPiece& l, const MissedPiece& r) { return l.area_m2 > r.area_m2; });
-  *this = {};
+  *this = UncoveredPieces(outlines_);
   return pieces;
 }
 

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,9 @@ namespace oxturn {
 
 class UncoveredPieces {
  public:
+  explicit UncoveredPieces(MissedOutlines outlines = MissedOutlines::kept) : outlines_(outlines) {}
+  MissedOutlines outlines() const { return outlines_; }
+
   /// Rows in ascending order, and columns within a row.
   void start_row(std::int64_t row);
   /// `uncovered`: relative to the tile's centre.
@@ -36,23 +40,27 @@ class UncoveredPieces {
 
  private:
   struct Part {
-    std::size_t first;  // its vertices up to those of the next part, in tile coordinates
     double area;
+    Vec middle;  // in tile coordinates
   };
   /// An edge of a part on a border of its tile.
   struct Touch {
     double from, to;  // along the border
     std::size_t part;
   };
-  std::size_t new_part(double area);
+  template <class Vertices>
+  std::size_t new_part(double area, Vec centre, const Vertices& vertices);
   void add_part(const Convex& c, double area, Vec centre);
   std::vector<double> areas_of_pieces();
+  Ring take_outline(const Point& origin, double side, std::size_t size);
   void join_within(std::size_t first);
   void join(std::vector<Touch>& left, std::vector<Touch>& right);
 
   std::int64_t row_ = -1, column_ = -1;  // column_: right of the tile added last
-  std::vector<Vec> vertices_;
-  std::vector<Part> parts_;
+  MissedOutlines outlines_;
+  std::deque<Part> parts_;                   // deques: they grow without being copied
+  std::deque<Vec> vertices_;                 // of all parts in turn, in tile coordinates, if outlines are kept
+  std::vector<std::uint8_t> sizes_;          // how many vertices each part has there
   DisjointSets joined_{0};                   // the parts
   std::vector<Touch> left_, right_;          // of the present tile, of the one before
   std::vector<Touch> bottom_, top_, below_;  // of the present row; below_: top_ of the row before

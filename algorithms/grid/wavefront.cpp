@@ -25,6 +25,8 @@
 #include <bit>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "algorithms/coverage_planner.hpp"
@@ -95,17 +97,30 @@ class Climb {
     detours_[from].push_back({to, std::move(link)});
   }
 
-  /// Covers what is connected to cell c, where the path ends. Returns the last cell.
-  std::size_t cover_from(std::size_t c, PathBuilder& path) {
-    std::size_t goal = c;
-    spread(goal);
-    if (p_.goal == Goal::farthest) {
-      goal = queue_.back();
-      for (const std::size_t k : queue_) height_[k] = kNever;
-      spread(goal);
+  /// Covers what is connected to cell c, where the path ends. Detours lead to further components from which detours
+  /// lead on, so their number may be that of the components: by a stack of its own, not by recursion.
+  void cover_from(std::size_t c, PathBuilder& path) {
+    std::vector<Cover> covers;
+    covers.push_back(begin_at(c, path));
+    while (!covers.empty()) {
+      Cover& cover = covers.back();
+      if (!cover.detours.empty()) {
+        Detour detour = std::move(cover.detours.back());
+        cover.detours.pop_back();
+        Polyline back(detour.link.rbegin(), detour.link.rend());
+        detour.link.pop_back();
+        path.drive(detour.link, false);
+        path.drive(graph_.centre(detour.to), true);
+        covers.push_back(begin_at(detour.to, path));
+        covers.back().back = std::move(back);
+      } else if (!advance(cover, path)) {
+        if (cover.back) {
+          for (const std::size_t k : path_to(cover.at, cover.first)) path.drive(graph_.centre(k), false);
+          path.drive(*cover.back, false);
+        }
+        covers.pop_back();
+      }
     }
-    if (p_.transform == Transform::path) add_discomfort(goal);
-    return drive(c, path);
   }
 
  private:
@@ -173,48 +188,62 @@ class Climb {
     for (const std::size_t c : queue_) height_[c] = costs.cost(c);
   }
 
-  void visit(std::size_t c) {
-    visited_count_ += !visited(c);
-    states_[c].visited = 1;
+  struct Detour {
+    std::size_t to;
+    Polyline link;
+  };
+  /// A component that is being covered.
+  struct Cover {
+    std::size_t first, at;         // cells: where the robot entered, and is
+    std::size_t heading;           // a direction
+    std::vector<Detour> detours;   // from `at`, not yet driven, the next one last
+    std::optional<Polyline> back;  // to where the detour to this component began; none: the path ends here
+  };
+
+  /// Makes the wave and visits the first cell.
+  Cover begin_at(std::size_t c, PathBuilder& path) {
+    std::size_t goal = c;
+    spread(goal);
+    if (p_.goal == Goal::farthest) {
+      goal = queue_.back();
+      for (const std::size_t k : queue_) height_[k] = kNever;
+      spread(goal);
+    }
+    if (p_.transform == Transform::path) add_discomfort(goal);
+    Cover cover{c, c, 0, {}, {}};
+    visit(cover, path);
+    return cover;
   }
 
-  std::size_t drive(std::size_t c, PathBuilder& path) {
-    std::size_t heading = 0;
-    visit(c);
-    make_detours(c, path);
-    while (!cancelled()) {
-      for (auto next = highest(c, heading); next; next = highest(c, heading)) {
-        if (*next != heading) path.drive(graph_.centre(c), true);  // straight runs are one segment
-        heading = *next;
-        c = neighbour(c, heading);
-        visit(c);
-        make_detours(c, path);
-        if (cancelled()) break;
-      }
-      path.drive(graph_.centre(c), true);
-      if (p_.stop == Stop::closed) return c;
-      const auto out = path_out(c);
-      if (!out) return c;
-      for (const std::size_t k : *out) path.drive(graph_.centre(k), false);
-      if (!out->empty()) c = out->back();
+  /// One step, or out of a dead end. False: all is covered.
+  bool advance(Cover& cover, PathBuilder& path) {
+    const auto next = cancelled() ? std::nullopt : highest(cover.at, cover.heading);
+    if (next) {
+      if (*next != cover.heading) path.drive(graph_.centre(cover.at), true);  // straight runs are one segment
+      cover.heading = *next;
+      cover.at = neighbour(cover.at, cover.heading);
+      visit(cover, path);
+      return true;
     }
-    return c;
+    path.drive(graph_.centre(cover.at), true);
+    if (cancelled_ || p_.stop == Stop::closed) return false;
+    const auto out = path_out(cover.at);
+    if (!out) return false;
+    for (const std::size_t k : *out) path.drive(graph_.centre(k), false);
+    if (!out->empty()) cover.at = out->back();
+    return true;
   }
 
-  /// Decision 6.
-  void make_detours(std::size_t c, PathBuilder& path) {
-    if (detour_from_.empty() || !detour_from_[c]) return;
-    detour_from_[c] = false;
-    path.drive(graph_.centre(c), true);
-    for (Detour& detour : detours_[c]) {
-      Polyline back(detour.link.rbegin(), detour.link.rend());
-      detour.link.pop_back();
-      path.drive(detour.link, false);
-      path.drive(graph_.centre(detour.to), true);
-      const std::size_t end = cover_from(detour.to, path);
-      for (const std::size_t k : path_to(end, detour.to)) path.drive(graph_.centre(k), false);
-      path.drive(back, false);
-    }
+  /// The cell where the robot is, and the detours from it (Decision 6).
+  void visit(Cover& cover, PathBuilder& path) {
+    State& state = states_[cover.at];
+    visited_count_ += state.visited == 0;
+    state.visited = 1;
+    if (detour_from_.empty() || !detour_from_[cover.at]) return;
+    detour_from_[cover.at] = false;
+    path.drive(graph_.centre(cover.at), true);
+    cover.detours = std::move(detours_[cover.at]);
+    std::reverse(cover.detours.begin(), cover.detours.end());
   }
 
   /// Decision 3.
@@ -281,10 +310,6 @@ class Climb {
   std::vector<std::uint32_t> height_;
   std::vector<State> states_;
   std::vector<std::size_t> queue_;
-  struct Detour {
-    std::size_t to;
-    Polyline link;
-  };
   std::vector<bool> detour_from_;                       // cells
   std::map<std::size_t, std::vector<Detour>> detours_;  // by the cell where they begin
   std::uint32_t search_ = 0;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <cmath>
 #include <map>
@@ -269,6 +270,47 @@ TEST(Wavefront, GoesOnToComponentsThatNoStepLeadsTo) {
   // On a detour where the path passes the door, not at the end.
   const Path path = plan_recorded("wavefront", problem, {{"cell_size", 0.6}}).path;
   EXPECT_LT(path.legs.back().points.back().x(), 4);
+}
+
+/// A row of rooms with doors through which no step of the lattice leads: each is a detour within the one before.
+Problem rooms_in_a_row(int rooms) {
+  Polygon row;
+  for (int k = 0; k < rooms; ++k) {
+    const double x = 2 * k;
+    if (k > 0) row.outer.insert(row.outer.end(), {{x - 0.2, 0.29}, {x, 0.29}});
+    row.outer.insert(row.outer.end(), {{x, 0}, {x + 1.8, 0}});
+  }
+  for (int k = rooms; k-- > 0;) {
+    const double x = 2 * k;
+    row.outer.insert(row.outer.end(), {{x + 1.8, 1.4}, {x, 1.4}});
+    if (k > 0) row.outer.insert(row.outer.end(), {{x, 0.71}, {x - 0.2, 0.71}});
+  }
+  return Problem({"row", {{row}}, "test", ""}, Robot{}, Point(0.5, 0.5));
+}
+
+TEST(Wavefront, NestedComponentsNeedNoDeepStack) {
+  constexpr std::size_t kStack = std::size_t{1} << 20;  // bytes
+  struct Run {
+    Problem problem = rooms_in_a_row(6000);
+    Path path;
+  } run;
+  pthread_attr_t attributes;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, kStack), 0);
+  const auto work = [](void* p) -> void* {
+    Run& r = *static_cast<Run*>(p);
+    r.path = plan_recorded("wavefront", r.problem, {{"cell_size", 0.6}}).path;
+    return nullptr;
+  };
+  pthread_t thread;
+  ASSERT_EQ(pthread_create(&thread, &attributes, work, &run), 0);
+  ASSERT_EQ(pthread_join(thread, nullptr), 0);
+  EXPECT_EQ(find_flaw(run.problem, run.path), "");
+  double right = 0;
+  for (const Leg& leg : run.path.legs)
+    for (const Point& p : leg.points) right = std::max(right, p.x());
+  EXPECT_GT(right, 11'999);
+  EXPECT_LT(run.path.legs.back().points.back().x(), 2) << "the detours come back";
 }
 
 TEST(Bsa, StepsPerCellAmongScatteredObstacles) {

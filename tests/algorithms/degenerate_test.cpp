@@ -78,6 +78,14 @@ std::vector<Case> cases() {
          return r;
        }(),
        {}},
+      {"tool far narrower than the robot",
+       box_region({0, 0}, {0.5, 0.5}),
+       [] {
+         Robot r = sized(1);
+         r.tool_width = 0.0015;
+         return r;
+       }(),
+       {}},
       {"tool wider than the robot",
        room,
        [] {
@@ -147,6 +155,36 @@ TEST_P(Degenerate, WithATetherAsWell) {
       if (guarantees_all) { EXPECT_GE(result.value("coverage_upper").value_or(0), 0.99); }
     }
   }
+}
+
+// A million metres square, or a robot of a tenth of a millimetre in a room: no path covers that, and none is begun.
+TEST(TooLarge, IsRefusedBeforeWorkBegins) {
+  for (const auto& [free, scale] :
+       {std::pair(box_region({0, 0}, {1e6, 1e6}), 1.0),
+        std::pair(unite({box_region({0, 0}, {9, 9}), box_region({9, 3}, {18, 5})}), 5e-4)}) {
+    const Problem problem({"too large", free, "test", "test"}, sized(scale));
+    for (const PlannerInfo& planner : brief_built_in()) {
+      if (planner.has(Capability::tether) || planner.name == "beachbot") continue;
+      SCOPED_TRACE(planner.name);
+      Context context(1, 30);
+      std::string refusal;
+      try {
+        (void)planner.make({}, brief_built_in())->plan(problem, context);
+      } catch (const Infeasible& e) { refusal = e.what(); } catch (const std::invalid_argument& e) {
+        refusal = e.what();
+      }
+      EXPECT_NE(refusal.find("more than"), std::string::npos) << refusal;
+      EXPECT_GT(context.seconds_left(), 15);
+    }
+  }
+}
+
+// The remedies that the refusal names.
+TEST(TooLarge, AWiderToolCoversTheLargeMap) {
+  const Problem problem({"large", box_region({0, 0}, {1e6, 1e6}), "test", "test"}, sized(1e5));
+  Context context(1);
+  const Path path = brief_built_in().find("boustrophedon").make({}, brief_built_in())->plan(problem, context);
+  EXPECT_GE(score(problem, path).value("coverage_lower").value_or(0), 0.99);
 }
 
 INSTANTIATE_TEST_SUITE_P(Set, Degenerate, testing::Range(std::size_t{0}, cases().size()));

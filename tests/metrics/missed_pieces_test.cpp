@@ -39,6 +39,21 @@ TEST(MissedPieces, NothingCoveredIsOnePieceForEachComponent) {
   }
 }
 
+TEST(MissedPieces, AreTheSameWithoutOutlines) {
+  const Region target = transformed(two_holes(), 0.3, {3, 1});
+  const Path path = work({{3, 2}, {8, 4}, {7, 6}});
+  const SweptArea with = swept_area(target, 0, 0.4, path),
+                  without = swept_area(target, 0, 0.4, path, 0.001, MissedOutlines::left_out);
+  ASSERT_EQ(without.missed.size(), with.missed.size());
+  ASSERT_FALSE(with.missed.empty());
+  for (std::size_t i = 0; i < with.missed.size(); ++i) {
+    EXPECT_EQ(without.missed[i].area_m2, with.missed[i].area_m2);
+    EXPECT_EQ(without.missed[i].at, with.missed[i].at);
+    EXPECT_FALSE(with.missed[i].outline.empty());
+    EXPECT_TRUE(without.missed[i].outline.empty());
+  }
+}
+
 TEST(MissedPieces, AThinWallSeparates) {
   // 1 mm of wall down the middle: two pieces, though one tile contains both sides.
   Region target = box_region({0, 0}, {4, 4});

@@ -40,11 +40,9 @@ std::optional<LengthBound> bound_of(const Problem& problem, const Path& path) {
 }
 
 double disc_in(const Region& region, const Point& centre, double radius) {
-  double sum = 0;
-  for_each_ring(region, [&](const Ring& ring) {
-    for_each_edge(ring, [&](const Point& a, const Point& b) { sum += disc_area_of_edge(centre, radius, a, b); });
-  });
-  return sum;
+  DiscArea common(centre, radius);
+  for_each_edge(region, [&](const Point& a, const Point& b) { common.add(a, b); });
+  return common.area();
 }
 
 TEST(DiscArea, AgreesWithTheOverlay) {
@@ -62,9 +60,34 @@ TEST(DiscArea, AgreesWithTheOverlay) {
       const Region disc = swath({{centre}}, radius, 1e-5, Bound::inside);
       sum += sign * area(intersect(disc, Region{{{triangle, {}}}}));
     }
-    double exact = 0;
-    for_each_edge(ring, [&](const Point& a, const Point& b) { exact += disc_area_of_edge(centre, radius, a, b); });
-    EXPECT_NEAR(exact, sum, 2e-3);
+    DiscArea exact(centre, radius);
+    for_each_edge(ring, [&](const Point& a, const Point& b) { exact.add(a, b); });
+    EXPECT_NEAR(exact.area(), sum, 2e-3);
+  }
+}
+
+// Vertices and centres on a coarse grid, so that centres lie on vertices and edges; many turns, both ways; from a
+// millionth to a million. The oracle adds the angles one by one.
+TEST(DiscArea, CountsWholeTurns) {
+  Rng rng(6);
+  for (int k = 0; k < 2000; ++k) {
+    const double scale = std::ldexp(1.0, k % 41 - 20);  // exact
+    const auto coordinate = [&] { return scale * std::round(rng.between(-3.0, 3.0)); };
+    const auto on_grid = [&] { return Point(coordinate(), coordinate()); };
+    Ring ring;
+    for (int i = 0; i < 3 + k % 40; ++i) ring.push_back(on_grid());
+    const Point centre = on_grid();
+    // No edge but those through the centre is so near.
+    const double radius = 0.1 * scale;
+    DiscArea common(centre, radius);
+    double angle = 0;
+    for_each_edge(ring, [&](const Point& p, const Point& q) {
+      const Point a = p - centre, b = q - centre;
+      common.add(p, q);
+      const bool through = cross(a, b) == 0 && a.dot(b) <= 0;  // its triangle has no area
+      if (!through) angle += std::atan2(cross(a, b), a.dot(b));
+    });
+    EXPECT_NEAR(common.area(), radius * radius / 2 * angle, 1e-9 * radius * radius) << k;
   }
 }
 

@@ -187,6 +187,9 @@ TEST(SweptArea, HostileInput) {
   EXPECT_THROW(swept_area(target, 0, 0, work({{1, 1}, {2, 1}})), std::invalid_argument);
   EXPECT_THROW(swept_area({}, 0, 0.4, work({{1, 1}, {2, 1}})), std::invalid_argument);
   EXPECT_THROW(swept_area(target, 0, 0.4, work({{1, 1}, {1e300, 1}})), std::invalid_argument);
+  // No end in sight: 5 * 10^9 rows of tiles; 5 * 10^9 tiles along the path.
+  EXPECT_THROW(swept_area(box_region({0, 0}, {1, 1e9}), 0, 0.4, work({{0.5, 1}, {0.5, 2}})), std::invalid_argument);
+  EXPECT_THROW(coverage_of(box_region({0, 0}, {1e9, 1}), 0, 0.4, work({{0, 0.5}, {1e9, 0.5}})), std::invalid_argument);
   EXPECT_EQ(swept_area(target, 0, 0.4, Path{}).coverage.upper, 0);
   EXPECT_EQ(swept_area(target, 0, 0.4, work({})).coverage.upper, 0);
   // A mad line is cut to the map: quick, and what it sweeps of the map counts.
