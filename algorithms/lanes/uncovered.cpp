@@ -4,9 +4,11 @@
 #include <array>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "algorithms/lanes/covered_cells.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/swath.hpp"
@@ -158,9 +160,14 @@ Region uncovered(const Region& target, const Path& path, const Robot& robot) {
   std::map<double, std::vector<Polyline>> lines;  // by width
   for (const Leg& leg : path.legs)
     if (leg.tool) lines[leg.width > 0 ? leg.width : robot.tool_width].push_back(leg.points);
-  Region left = target;
+  std::vector<WideLines> groups;
   for (auto& [width, of_width] : lines)
-    left = left_by(std::move(of_width), width, covered_seam(robot) * width / robot.tool_width, std::move(left));
+    groups.push_back({std::move(of_width), width / 2, covered_seam(robot) * width / robot.tool_width});
+  std::optional<OpenCells> open = in_open_cells(target, groups);
+  Region left = open ? std::move(open->region) : target;
+  for (std::size_t g = 0; g < groups.size() && !left.empty(); ++g)
+    left = left_by(std::move(open ? open->near[g] : groups[g].lines), 2 * groups[g].radius, groups[g].seam,
+                   std::move(left));
   return left;
 }
 

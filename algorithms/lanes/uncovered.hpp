@@ -4,7 +4,8 @@
 ///
 /// The target less the path's swath, which errs outside by covered_seam() at most. A curve of many short segments is
 /// subtracted first as few long chords, under a tool that is narrower by what they are off, and exactly only near what
-/// these leave.
+/// these leave. Where segments are many and short, only the cells of a grid that they do not certainly cover are looked
+/// at (covered_cells.hpp).
 /// Complexity  O(m log m) for a path of m segments
 #pragma once
 

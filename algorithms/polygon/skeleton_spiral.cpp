@@ -9,7 +9,8 @@
 //             k vertices in all, and for each split (or spacing / 64, in which there may be many) the vertices of the
 //             ring that splits
 // Decisions   1. The boundary of configuration space is driven as closed rings, by detours (lanes/outline.hpp). The
-//                spirals fill the inset a spacing further inside, whose round vertices have few chords.
+//                spirals fill the inset a spacing further inside, whose round vertices have few chords: one vertex
+//                where an obstacle turns gently, as each vertex of the skeleton costs as much as a metre of path.
 //             2. growth = length (ours): at length x of a lap of length l the offset is t + s x / l. growth = vertex
 //                (source): after vertex i of n it is t + s i / n; laps then lie unevenly where edges differ in length.
 //                With growth = length each vertex keeps its share of the lap while other edges vanish
@@ -40,6 +41,7 @@
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/lanes/strips.hpp"
 #include "algorithms/polygon/moving_rings.hpp"
+#include "geometry/coarse_arcs.hpp"
 #include "geometry/mesh/shortest_bridges.hpp"
 #include "geometry/overlay/cut_along.hpp"
 #include "geometry/raster.hpp"
@@ -49,7 +51,7 @@ namespace {
 
 // Tool widths.
 constexpr double kChord = 0.08;          // error of round vertices, which lie so much nearer to the boundary
-constexpr double kSimplify = 0.02;       // by which round vertices may be simplified
+constexpr double kSimplify = 0.02;       // by which the inset may be simplified, round vertices and others
 constexpr double kBridge = 1e-3;         // width of the cuts along bridges
 constexpr double kStirred = 1e-6;        // by which vertices of the inset are moved
 constexpr int kBisections = 8;           // to find the time of a split
@@ -271,7 +273,8 @@ Polygon stirred(Polygon polygon, double by) {
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const double w = problem.robot().tool_width, spacing = p.spacing > 0 ? p.spacing : w;
   const double simplify = kSimplify * w;
-  const Region inset = simplify_inward(lane_region(problem, spacing - simplify, kChord * w), simplify);
+  const Region inset =
+      with_coarser_arcs(simplify_inward(lane_region(problem, spacing - simplify, kChord * w), simplify), simplify);
   const Connector connector(problem);
   const std::vector<Strip> strips =
       spiral_strips(inset, {spacing, kBridge * w, p.growth, kStirred * w}, problem, connector, context);

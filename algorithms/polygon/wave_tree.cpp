@@ -10,7 +10,10 @@
 namespace oxturn {
 namespace {
 
-constexpr double kLeastBranch = 1e-6;  // heights of the tree: shorter ones are rounding
+constexpr double kLeastBranch = 1e-6;      // heights of the tree: shorter ones are rounding
+constexpr std::size_t kManyLeaves = 8192;  // from which on laps are measured by samples
+constexpr std::size_t kRun = 64;           // leaves of a sample
+constexpr std::size_t kRunsForSample = 8;  // of which one is looked at
 
 }  // namespace
 
@@ -27,7 +30,32 @@ WaveTree::WaveTree(std::vector<Node> nodes, const std::vector<std::pair<std::siz
     links_[next[a]++] = static_cast<Index>(b);
     links_[next[b]++] = static_cast<Index>(a);
   }
+  renumber();
   orient();
+}
+
+/// Depth first: neighbours lie near each other in memory, where a tree of millions of nodes is walked many times.
+void WaveTree::renumber() {
+  std::vector<Index> order, number(nodes_.size(), static_cast<Index>(nodes_.size())), open{0};
+  order.reserve(nodes_.size());
+  while (!open.empty()) {
+    const Index at = open.back();
+    open.pop_back();
+    number[at] = static_cast<Index>(order.size());
+    order.push_back(at);
+    for (const Index next : links(at))
+      if (number[next] == nodes_.size()) open.push_back(next);
+  }
+  std::vector<Node> nodes;
+  std::vector<Index> renumbered, first{0};
+  nodes.reserve(order.size()), renumbered.reserve(links_.size()), first.reserve(first_link_.size());
+  for (const Index old : order) {
+    nodes.push_back(nodes_[old]);
+    for (const Index next : links(old)) renumbered.push_back(number[next]);
+    first.push_back(static_cast<Index>(renumbered.size()));
+  }
+  nodes_ = std::move(nodes), links_ = std::move(renumbered), first_link_ = std::move(first);
+  for (std::size_t& leaf : leaves_) leaf = number[leaf];
 }
 
 /// Order, parents and heights from the root.
@@ -62,7 +90,8 @@ std::size_t WaveTree::add(const Node& node, std::size_t a, std::size_t b) {
   return added;
 }
 
-std::vector<double> WaveTree::distances(std::size_t from) const {
+/// Negative beyond where time is more than `latest`.
+std::vector<double> WaveTree::distances(std::size_t from, double latest) const {
   std::vector<double> far(nodes_.size(), -1);
   std::vector<std::size_t> open{from};
   far[from] = 0;
@@ -70,7 +99,7 @@ std::vector<double> WaveTree::distances(std::size_t from) const {
     const std::size_t at = open.back();
     open.pop_back();
     for (const Index next : links(at))
-      if (far[next] < 0) {
+      if (far[next] < 0 && (latest >= 1 || time_[next] <= latest)) {
         far[next] = far[at] + distance(nodes_[at].at, nodes_[next].at);
         open.push_back(next);
       }
@@ -80,7 +109,7 @@ std::vector<double> WaveTree::distances(std::size_t from) const {
 
 void WaveTree::root_at_centre() {
   const auto farthest = [&](std::size_t from) {
-    const std::vector<double> far = distances(from);
+    const std::vector<double> far = distances(from, 1);
     return static_cast<std::size_t>(std::ranges::max_element(far) - far.begin());
   };
   root_ = farthest(0);
@@ -161,14 +190,16 @@ double WaveTree::step_variation(double start_height) {
   return most > 0 ? most / least : 1;
 }
 
-std::size_t WaveTree::start_of(std::size_t node) const {
-  while (time_[node] > 0) node = parent_[node];
-  return node;
+/// Of each node the last ancestor, or itself, at time 0.
+std::vector<WaveTree::Index> WaveTree::starts() const {
+  std::vector<Index> start(nodes_.size());
+  for (const Index k : order_) start[k] = time_[k] > 0 ? start[parent_[k]] : k;
+  return start;
 }
 
 /// The node of the spine farthest from another one.
 std::size_t WaveTree::spine_end(std::size_t from) const {
-  const std::vector<double> far = distances(from);
+  const std::vector<double> far = distances(from, 0);
   std::size_t best = from;
   for (std::size_t k = 0; k < nodes_.size(); ++k)
     if (time_[k] == 0 && far[k] > far[best]) best = k;
@@ -181,7 +212,7 @@ Polyline WaveTree::walk_spine(std::size_t from, std::size_t to) const {
   before[from] = from;
   for (std::size_t k = 0; k < open.size(); ++k)
     for (const Index next : links(open[k]))
-      if (before[next] == nodes_.size()) {
+      if (before[next] == nodes_.size() && time_[next] == 0) {
         before[next] = open[k];
         open.push_back(next);
       }
@@ -238,13 +269,14 @@ Point WaveTree::wave_at(const std::vector<Crossing>& path, double time, std::siz
 std::size_t WaveTree::begin_spiral(WaveSpiral& spiral, double start_height, const Point& near) {
   arrivals(start_height);
   const std::size_t end = spine_end(root_), begin = spine_end(end), n = leaves_.size();
+  const std::vector<Index> start = starts();
   std::size_t first = n;
   for (std::size_t j = 0; j < n; ++j) {
-    if (start_of(leaves_[j]) != end) continue;
+    if (start[leaves_[j]] != end) continue;
     if (first == n || distance(nodes_[leaves_[j]].at, near) < distance(nodes_[leaves_[first]].at, near)) first = j;
   }
   if (first == n) first = 0;
-  spiral.spine = walk_spine(begin, start_of(leaves_[first]));
+  spiral.spine = walk_spine(begin, start[leaves_[first]]);
   return first;
 }
 
@@ -296,6 +328,58 @@ WaveSpiral WaveTree::closed_laps(double laps, double start_height, const Point& 
   link_to(1);
   spiral.boundary = boundary_from(first);
   return spiral;
+}
+
+/// Of the laps between neighbouring leaves, summed over samples; time(lap, j) is when the wave is at the j-th leaf's
+/// vertex of a lap.
+template <class Times>
+double WaveTree::sampled_length(std::size_t first, std::size_t laps, Times time) const {
+  const std::size_t n = leaves_.size(), step = n < kManyLeaves ? kRun : kRun * kRunsForSample;
+  std::vector<Crossing> path;
+  Polyline before, now;
+  double metres = 0;
+  std::size_t pairs = 0;
+  for (std::size_t run = 0; run < n; run += step) {
+    for (std::size_t j = run; j <= std::min(run + kRun, n); ++j) {
+      path_to(leaves_[(first + j) % n], path);
+      std::size_t passed = 0;
+      now.clear();
+      for (std::size_t lap = 0; lap < laps; ++lap) now.push_back(wave_at(path, std::min(1.0, time(lap, j)), passed));
+      if (j > run) ++pairs;
+      for (std::size_t lap = 0; lap < laps && j > run && time(lap, j) <= 1; ++lap)
+        metres += distance(before[lap], now[lap]);
+      std::swap(before, now);
+    }
+  }
+  return metres * static_cast<double>(n) / static_cast<double>(pairs);
+}
+
+WaveTree::Measures WaveTree::begin_measures(const WaveSpiral& begun, std::size_t first) const {
+  const Polyline boundary = boundary_from(first);
+  return {length(begun.spine), 0, length(boundary), std::abs(signed_area({boundary.begin(), boundary.end() - 1}))};
+}
+
+WaveTree::Measures WaveTree::spiral_measures(double laps, double start_height, const Point& near) {
+  WaveSpiral begun;
+  const std::size_t first = begin_spiral(begun, start_height, near), n = leaves_.size();
+  Measures measures = begin_measures(begun, first);
+  const auto rounds = static_cast<std::size_t>(std::ceil(laps));
+  measures.laps = sampled_length(first, rounds, [&](std::size_t lap, std::size_t j) {
+    return (static_cast<double>(lap) + static_cast<double>(j) / static_cast<double>(n)) / laps;
+  });
+  return measures;
+}
+
+WaveTree::Measures WaveTree::closed_measures(double laps, double start_height, const Point& near) {
+  WaveSpiral begun;
+  const std::size_t first = begin_spiral(begun, start_height, near);
+  Measures measures = begin_measures(begun, first);
+  const double rings = std::max(0.0, std::ceil(laps - 1e-9) - 1);
+  if (laps - rings <= 0.5) measures.spine = 0;
+  measures.laps = sampled_length(first, static_cast<std::size_t>(rings), [&](std::size_t lap, std::size_t) {
+    return 1 - (rings - static_cast<double>(lap)) / laps;
+  });
+  return measures;
 }
 
 std::vector<WaveTree> wave_trees(const MedialAxis& axis) {

@@ -63,6 +63,14 @@ class WaveTree {
   /// Closed laps in place of the spiral, each linked to the next: one fewer. The boundary is the last of
   /// `laps`, which need not be whole. No spine where it is within half a lap's distance of the first one.
   WaveSpiral closed_laps(double laps, double start_height, const Point& near);
+  /// Metres of the spiral's spine, of its laps and of the boundary, and the area within the boundary. Where there are
+  /// thousands of leaves, those of the laps are estimated from an eighth of them.
+  struct Measures {
+    double spine, laps, boundary, area;
+  };
+  Measures spiral_measures(double laps, double start_height, const Point& near);
+  /// The same of closed laps.
+  Measures closed_measures(double laps, double start_height, const Point& near);
 
  private:
   using Index = std::uint32_t;
@@ -71,19 +79,23 @@ class WaveTree {
     Point at;
   };
   std::size_t add(const Node& node, std::size_t a, std::size_t b);  // on the link ab
+  void renumber();
   void orient();
-  std::vector<double> distances(std::size_t from) const;
+  std::vector<double> distances(std::size_t from, double latest) const;
   void cut_at(double height);
   void set_times(double start_height);
   std::size_t spine_end(std::size_t from) const;
   Polyline walk_spine(std::size_t from, std::size_t to) const;
-  std::size_t start_of(std::size_t node) const;  // its last ancestor, or itself, at time 0
+  std::vector<Index> starts() const;
   void path_to(std::size_t leaf, std::vector<Crossing>& path) const;
   /// At a time not before the last one, whose crossing is `passed` (0 at first).
   Point wave_at(const std::vector<Crossing>& path, double time, std::size_t& passed) const;
   /// Arrivals; the spine to the first leaf, whose index is returned.
   std::size_t begin_spiral(WaveSpiral& spiral, double start_height, const Point& near);
   Polyline boundary_from(std::size_t leaf) const;
+  Measures begin_measures(const WaveSpiral& begun, std::size_t first) const;
+  template <class Times>
+  double sampled_length(std::size_t first, std::size_t laps, Times time) const;
 
   /// The nodes linked with a node.
   std::span<const Index> links(std::size_t node) const {
