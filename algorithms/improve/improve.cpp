@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "algorithms/improve/completion.hpp"
 #include "algorithms/improve/wall_following.hpp"
 #include "algorithms/improve/windows.hpp"
 #include "algorithms/lanes/inner_space.hpp"
+#include "base/parallel.hpp"
 #include "geometry/uniform_grid.hpp"
 
 namespace oxturn {
@@ -195,7 +194,8 @@ class Improver {
   }
   Annealed annealed(const Polyline& points, const Annealing::Options& options, const Annealing::Schedule& schedule,
                     Rng& rng) const {
-    return oxturn::annealed(problem_, target_of(options.radius), points, options, schedule, focus_, rng, context_);
+    return oxturn::annealed(problem_, target_of(options.radius), points, options, schedule, focus_, how_.threads, rng,
+                            context_);
   }
 
   /// Offers the path. What it leaves uncovered, square metres; it goes on with its detours if `taken` and short.
@@ -215,19 +215,14 @@ class Improver {
   /// Each annealed briefly, by all threads.
   Polyline best_of(const std::vector<Polyline>& lines) {
     std::vector<Annealed> results(lines.size());
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-      for (std::size_t k = next++; k < lines.size(); k = next++) {
-        Rng rng(mix(context_.seed(), "start " + std::to_string(k)));
-        results[k] =
-            annealed(lines[k], coarse(), {moves(shares().brief), how_.temperature * width_, kWarm * width_}, rng);
-      }
-    };
     problem_.walls();  // made before threads share it
-    std::vector<std::jthread> others;
-    for (int k = 1; k < how_.threads; ++k) others.emplace_back(work);
-    work();
-    others.clear();
+    const int each = std::max(1, how_.threads / static_cast<int>(lines.size()));
+    in_parallel(how_.threads, lines.size(), [&](std::size_t k) {
+      Rng rng(mix(context_.seed(), "start " + std::to_string(k)));
+      results[k] = oxturn::annealed(problem_, target_of(coarse().radius), lines[k], coarse(),
+                                    {moves(shares().brief), how_.temperature * width_, kWarm * width_}, focus_, each,
+                                    rng, context_);
+    });
     const Annealing::Options options = coarse();
     const auto energy = [&](const Annealed& a) {
       return cost(a.points) + options.price * std::max(0.0, a.uncovered - options.uncovered);
