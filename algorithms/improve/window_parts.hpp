@@ -43,7 +43,7 @@ class WindowParts {
   bool visited(std::size_t k) const { return !parts_[k].visits.empty(); }
   /// The visits of window k one after the other; it must be visited.
   VertexPath part(std::size_t k) const;
-  /// The whole path, where the parts that are given have taken the place of those that were.
+  /// The whole path, where the parts that are given stand for those that were.
   Joined joined(const std::vector<std::optional<VertexPath>>& changed) const;
 
  private:
