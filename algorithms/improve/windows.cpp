@@ -15,8 +15,10 @@ namespace oxturn {
 namespace {
 
 // In tool widths.
-constexpr double kSide = 16;         // of a window
-constexpr double kWhole = 160;       // longest side of a target that is annealed as a whole
+constexpr double kSide = 16;  // of a window
+// Longest side of a target that is annealed as a whole, from which temperature on, and else. Where it is hot, lanes are
+// shifted in all their length, which cannot be done in windows.
+constexpr double kWhole = 160, kHot = 0.006, kWholeIfCold = 40;
 constexpr double kMostPoints = 8e7;  // of a raster of the whole
 constexpr double kSample = 0.5;      // distance of the points by which moves are shared out
 // Moves of a pass for each window, unless that makes too few or too many passes.
@@ -28,6 +30,7 @@ constexpr double kVerticesEach = 20;
 // Changes of the price from pass to pass: its logarithm by kPower times that of the uncovered area, of what is allowed,
 // as it will be if it goes on changing kAhead times as much; by kMostStep at most.
 constexpr double kPower = 0.3, kAhead = 1.5, kMostStep = 0.25, kLeastUncovered = 0.01;
+constexpr double kNoHeat = 1e-9;   // temperature, in tool widths
 constexpr double kPriceRange = 6;  // times and parts of the first price that it may reach
 
 /// Squares in the raster's directions, which cover a box.
@@ -68,7 +71,10 @@ class Windows {
         focus_(focus),
         threads_(threads) {}
 
-  bool one() const { return std::max(box_.size().x(), box_.size().y()) <= kWhole * width_; }
+  bool one(double hot) const {
+    const double longest = std::max(box_.size().x(), box_.size().y());
+    return options_.without == Part::windows || longest <= (hot > kHot * width_ ? kWhole : kWholeIfCold) * width_;
+  }
 
   Annealed whole(const Polyline& points, const Annealing::Schedule& schedule, Rng& rng, const Context& context) const {
     std::vector<std::size_t> fixed{0};
@@ -224,8 +230,10 @@ Annealed annealed(const Problem& problem, const Region& target, const Polyline& 
                   const Annealing::Options& options, const Annealing::Schedule& schedule,
                   const std::vector<Point>& focus, int threads, Rng& rng, const Context& context) {
   Windows windows(problem, target, options, focus, threads);
-  return windows.one() ? windows.whole(points, schedule, rng, context)
-                       : windows.in_passes(points, schedule, rng, context);
+  Annealing::Schedule at = schedule;
+  if (options.without == Part::heat) at.hot = at.cold = kNoHeat * problem.robot().tool_width;
+  return windows.one(schedule.hot) ? windows.whole(points, at, rng, context)
+                                   : windows.in_passes(points, at, rng, context);
 }
 
 }  // namespace oxturn
