@@ -22,7 +22,7 @@ Annealing::Annealing(const EdgeIndex& walls, VertexPath path, Witnesses witnesse
       price_(options.price),
       path_(std::move(path)),
       witnesses_(std::move(witnesses)),
-      moves_({tool_width, options.least_shift, options.most_shift}, walls) {}
+      moves_({tool_width, options.least_shift, options.most_shift, options.without}, walls) {}
 
 bool Annealing::legal(const Edges& edges) const {
   return std::ranges::all_of(edges, [&](const Edge& e) { return walls_.contains(e.a, e.b); });

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "algorithms/improve/completion.hpp"
 #include "algorithms/improve/wall_following.hpp"
 #include "algorithms/improve/windows.hpp"
 #include "algorithms/lanes/inner_space.hpp"
+#include "base/parallel.hpp"
 #include "geometry/uniform_grid.hpp"
 
 namespace oxturn {
@@ -104,7 +103,8 @@ class Improver {
       : problem_(problem),
         how_(how),
         context_(context),
-        completion_(problem, how.coverage),
+        without_(part_named(how.without)),
+        completion_(problem, how.coverage, without_),
         walls_(problem.walls()),
         width_(problem.robot().tool_width),
         turn_(weight_of_time(how) * problem.robot().speed / problem.robot().turn_rate),
@@ -128,7 +128,7 @@ class Improver {
     if (context_.cancelled()) return driven(best_);
     const Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
     const double used = lines.size() > 1 ? shares().brief * static_cast<double>(lines.size()) : 0;
-    const double hot = 1 - used - shares().warming - shares().closing;
+    const double hot = 1 - used - shares().warming - (without_ == Part::closing ? 0 : shares().closing);
     Rng& rng = context_.rng();
     Annealing::Options options = coarse();
     options.uncovered = std::max(kLeastHot, share_) * area(completion_.target());
@@ -147,13 +147,14 @@ class Improver {
     if (cold_start) now.points = straightened(best_, kStraight * width_, problem_.walls());
     const double margin = cold_start ? 0 : kFineMargin;  // a start's lanes are as far apart as the tool is wide
     const long least = std::max(kLeastMoves, kLeastMovesEach * static_cast<long>(now.points.size()));
-    const int rounds = std::min(kMostRounds, 1 + static_cast<int>(moves(shares().closing) / least));
+    const int rounds =
+        without_ == Part::closing ? 0 : std::min(kMostRounds, 1 + static_cast<int>(moves(shares().closing) / least));
     double factor = cold_start ? kFirstOfStart : kFirstFactor;
     for (int round = 0; !context_.cancelled(); ++round) {
       now.points = straightened(now.points, kOnChord * width_, problem_.walls());
-      if (nearly_all()) now.points = walls_.snapped(now.points, kBesideWall * width_);
+      if (nearly_all() && without_ != Part::walls) now.points = walls_.snapped(now.points, kBesideWall * width_);
       // What is uncovered at first is more than detours are good for: annealing covers most of it on less length.
-      const bool first = nearly_all() && !completion_.whole() && !cold_start && round == 0;
+      const bool first = nearly_all() && !completion_.whole() && !cold_start && round == 0 && rounds > 0;
       const double missed = close(now, first ? Detours::left_out : Detours::taken);
       if (round == rounds) return;
       Annealing::Options options = nearly_all() ? raster(kFineCell, margin) : middle();
@@ -184,7 +185,8 @@ class Improver {
             .uncovered = share_ * area(completion_.target()),
             .price = kPrice / width_ * std::pow(share_ / kPriceAt, kPricePower),
             .turn = turn_,
-            .fixed_end = how_.return_home};
+            .fixed_end = how_.return_home,
+            .without = without_};
   }
   Region with_margin(double margin) const {
     return nearly_all() ? reachable_target(problem_, margin * width_, Completion::kChord) : Region{};
@@ -195,7 +197,8 @@ class Improver {
   }
   Annealed annealed(const Polyline& points, const Annealing::Options& options, const Annealing::Schedule& schedule,
                     Rng& rng) const {
-    return oxturn::annealed(problem_, target_of(options.radius), points, options, schedule, focus_, rng, context_);
+    return oxturn::annealed(problem_, target_of(options.radius), points, options, schedule, focus_, how_.threads, rng,
+                            context_);
   }
 
   /// Offers the path. What it leaves uncovered, square metres; it goes on with its detours if `taken` and short.
@@ -205,7 +208,7 @@ class Improver {
     const double noticed = kNoticed * completion_.allowed(), missed = area(uncovered);
     focus_.clear();
     for (const Polygon& piece : uncovered.polygons)
-      if (area(piece) > noticed) add_samples(piece.outer, width_, focus_);
+      if (area(piece) > noticed && without_ != Part::focus) add_samples(piece.outer, width_, focus_);
     Polyline whole = offer(path.points, std::move(uncovered));
     if (detours == Detours::taken && length(whole) < kShortDetours * length(path.points))
       path.points = std::move(whole);
@@ -215,19 +218,14 @@ class Improver {
   /// Each annealed briefly, by all threads.
   Polyline best_of(const std::vector<Polyline>& lines) {
     std::vector<Annealed> results(lines.size());
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-      for (std::size_t k = next++; k < lines.size(); k = next++) {
-        Rng rng(mix(context_.seed(), "start " + std::to_string(k)));
-        results[k] =
-            annealed(lines[k], coarse(), {moves(shares().brief), how_.temperature * width_, kWarm * width_}, rng);
-      }
-    };
     problem_.walls();  // made before threads share it
-    std::vector<std::jthread> others;
-    for (int k = 1; k < how_.threads; ++k) others.emplace_back(work);
-    work();
-    others.clear();
+    const int each = std::max(1, how_.threads / static_cast<int>(lines.size()));
+    in_parallel(how_.threads, lines.size(), [&](std::size_t k) {
+      Rng rng(mix(context_.seed(), "start " + std::to_string(k)));
+      results[k] = oxturn::annealed(problem_, target_of(coarse().radius), lines[k], coarse(),
+                                    {moves(shares().brief), how_.temperature * width_, kWarm * width_}, focus_, each,
+                                    rng, context_);
+    });
     const Annealing::Options options = coarse();
     const auto energy = [&](const Annealed& a) {
       return cost(a.points) + options.price * std::max(0.0, a.uncovered - options.uncovered);
@@ -248,6 +246,7 @@ class Improver {
   const Problem& problem_;
   const Improvement& how_;
   Context& context_;
+  const Part without_;
   const Completion completion_;
   const WallFollowing walls_;
   double width_;
@@ -272,6 +271,8 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
        "what is made least; time: turns count, at the robot's turn rate and speed; weighted: a sum of both"},
       {"time_weight", &Improvement::time_weight, Range{0, 1},
        "of the time's distance at full speed, in the weighted sum; the length counts the rest to 1"},
+      {"without", &Improvement::without, Choices(part_names()),
+       "a part that is left out, to measure what it is worth: docs/ablation.md"},
       {"threads", &Improvement::threads, Range{1, 256}, "that work at a time; they do not change the path"}};
   return all;
 }

@@ -36,7 +36,8 @@ struct Improvement {
   double temperature = 0.05;  // to begin with, in tool widths
   int threads = 1;            // which does not change the result
   std::string objective = "length";
-  double time_weight = 0.5;  // with objective = weighted
+  double time_weight = 0.5;      // with objective = weighted
+  std::string without = "none";  // a part that is left out (part.hpp)
 };
 /// Their description, for planners that improve paths.
 const std::vector<Parameter<Improvement>>& improvement_parameters();

@@ -217,7 +217,8 @@ std::optional<Change> Moves::spike(const VertexPath& path, const Point& at, Rng&
 }
 
 std::optional<Change> Moves::propose(const VertexPath& path, Rng& rng) const {
-  if (!uncovered_.empty() && rng.chance(kCovering)) return cover(path, rng);
+  const bool covering = sizes_.without != Part::covering, reordering = sizes_.without != Part::reordering;
+  if (covering && !uncovered_.empty() && rng.chance(kCovering)) return cover(path, rng);
   const std::size_t i = vertex(path, rng);
   std::uint64_t kind = rng.below(100);
   const auto drawn = [&kind](std::uint64_t share) {
@@ -227,10 +228,11 @@ std::optional<Change> Moves::propose(const VertexPath& path, Rng& rng) const {
   };
   if (drawn(kShiftVertex)) return shift_vertex(path, i, rng);
   if (drawn(kShiftEdge)) return shift_edge(path, i, rng);
-  if (drawn(kSnap)) return snap(path, i, rng);
+  if (drawn(kSnap)) return sizes_.without == Part::walls ? shift_vertex(path, i, rng) : snap(path, i, rng);
   if (drawn(kRemove)) return remove(path, i);
   if (drawn(kSplit)) return split(path, i, rng);
   if (drawn(kMerge)) return merge(path, i, rng);
+  if (!reordering) return shift_vertex(path, i, rng);
   if (drawn(kTwoOpt)) return two_opt(path, i, rng);
   return or_opt(path, i, rng);
 }

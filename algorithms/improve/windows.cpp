@@ -1,18 +1,24 @@
 #include "algorithms/improve/windows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 
-#include "algorithms/improve/window_part.hpp"
+#include "algorithms/improve/window_parts.hpp"
+#include "base/parallel.hpp"
 #include "geometry/raster.hpp"
 
 namespace oxturn {
 namespace {
 
 // In tool widths.
-constexpr double kSide = 16;         // of a window
-constexpr double kWhole = 160;       // longest side of a target that is annealed as a whole
+constexpr double kSide = 16;  // of a window
+// Longest side of a target that is annealed as a whole, from which temperature on, and else. Where it is hot, lanes are
+// shifted in all their length, which cannot be done in windows.
+constexpr double kWhole = 160, kHot = 0.006, kWholeIfCold = 40;
 constexpr double kMostPoints = 8e7;  // of a raster of the whole
 constexpr double kSample = 0.5;      // distance of the points by which moves are shared out
 // Moves of a pass for each window, unless that makes too few or too many passes.
@@ -24,6 +30,7 @@ constexpr double kVerticesEach = 20;
 // Changes of the price from pass to pass: its logarithm by kPower times that of the uncovered area, of what is allowed,
 // as it will be if it goes on changing kAhead times as much; by kMostStep at most.
 constexpr double kPower = 0.3, kAhead = 1.5, kMostStep = 0.25, kLeastUncovered = 0.01;
+constexpr double kNoHeat = 1e-9;   // temperature, in tool widths
 constexpr double kPriceRange = 6;  // times and parts of the first price that it may reach
 
 /// Squares in the raster's directions, which cover a box.
@@ -39,6 +46,8 @@ class Grid {
     const Point corner = low_ + side_ * Point(static_cast<double>(k % columns_), static_cast<double>(k / columns_));
     return {corner, corner + Point(side_, side_)};
   }
+  /// 0 to 3: windows of the same batch are a window's side apart at least.
+  std::size_t batch(std::size_t k) const { return k / columns_ % 2 * 2 + k % columns_ % 2; }
 
  private:
   std::size_t count(double length) const { return static_cast<std::size_t>(length / side_) + 1; }
@@ -53,15 +62,19 @@ class Grid {
 class Windows {
  public:
   Windows(const Problem& problem, const Region& target, const Annealing::Options& options,
-          const std::vector<Point>& focus)
+          const std::vector<Point>& focus, int threads)
       : walls_(problem.walls()),
         width_(problem.robot().tool_width),
         target_(Witnesses::turned(target)),
         box_(bounding_box(target_)),
         options_(options),
-        focus_(focus) {}
+        focus_(focus),
+        threads_(threads) {}
 
-  bool one() const { return std::max(box_.size().x(), box_.size().y()) <= kWhole * width_; }
+  bool one(double hot) const {
+    const double longest = std::max(box_.size().x(), box_.size().y());
+    return options_.without == Part::windows || longest <= (hot > kHot * width_ ? kWhole : kWholeIfCold) * width_;
+  }
 
   Annealed whole(const Polyline& points, const Annealing::Schedule& schedule, Rng& rng, const Context& context) const {
     std::vector<std::size_t> fixed{0};
@@ -98,6 +111,12 @@ class Windows {
   }
 
  private:
+  struct Task {
+    Box window;
+    std::vector<Point> focus;
+    long moves = 0;
+    std::uint64_t seed = 0;
+  };
   /// In the box, turned, less what the line covers.
   Witnesses witnesses(const Box& box, const Polyline& line, double cell) const {
     const Point cells = ((box.low - box_.low) / cell).array().floor();
@@ -139,6 +158,7 @@ class Windows {
   }
 
   /// In each window, as many moves as it has of the target, and of the focus; if these are few, in some windows only.
+  /// In batches of windows that do not see each other.
   Annealed pass(Annealed now, const Annealing::Schedule& schedule, Rng& rng, const Context& context) const {
     const double side = kSide * width_, x = rng.unit(), y = rng.unit();
     const Grid grid(box_, box_.low - side * Point(x, y), side);
@@ -152,29 +172,46 @@ class Windows {
       focus[k].push_back(p);
     }
     const double least = static_cast<double>(now.points.size() + vertex_count(target_)) / kVerticesEach;
-    for (std::size_t k = 0; k < grid.size() && !context.cancelled(); ++k) {
+    const std::uint64_t seed = rng.bits();
+    std::array<std::vector<Task>, 4> batches;
+    for (std::size_t k = 0; k < grid.size(); ++k) {
       double moves = share[k] * static_cast<double>(schedule.moves);
       if (moves < least) moves = rng.unit() * least < moves ? least : 0;  // by lot: as many on average
-      if (moves >= 1)
-        change(now, grid.window(k), std::move(focus[k]), {static_cast<long>(moves), schedule.hot, schedule.cold}, rng,
-               context);
+      if (moves < 1) continue;
+      batches[grid.batch(k)].push_back(
+          {grid.window(k), std::move(focus[k]), static_cast<long>(moves), mix(seed, std::to_string(k))});
     }
+    for (std::vector<Task>& batch : batches)
+      if (!batch.empty() && !context.cancelled()) change(now, batch, schedule, context);
     return now;
   }
 
-  void change(Annealed& now, const Box& window, std::vector<Point> focus, const Annealing::Schedule& schedule, Rng& rng,
+  /// All windows of a batch, from the same path.
+  void change(Annealed& now, std::vector<Task>& batch, const Annealing::Schedule& schedule,
               const Context& context) const {
-    const WindowPart part(now.points, window, walls_, width_, options_.fixed_end);
-    if (part.points().empty()) return;
-    Annealing::Options options = options_;
-    options.price = now.price;
-    Witnesses seen = witnesses(grown(window, options_.radius), part.parts(), options_.cell);
-    const double before = area_uncovered(seen);
-    Annealing annealing(walls_, VertexPath(part.points(), part.fixed(), width_), std::move(seen), width_, options);
-    annealing.focus(std::move(focus));
-    annealing.run(schedule, rng, context);
-    now.points = part.joined(annealing.path());
-    now.uncovered += annealing.uncovered() - before;
+    std::vector<Box> windows;
+    for (const Task& task : batch) windows.push_back(task.window);
+    const WindowParts parts(now.points, windows, walls_, width_, options_.fixed_end);
+    std::vector<std::optional<VertexPath>> changed(batch.size());
+    std::vector<double> more(batch.size());  // area uncovered
+    in_parallel(threads_, batch.size(), [&](std::size_t k) {
+      if (!parts.visited(k)) return;
+      Task& task = batch[k];
+      Annealing::Options options = options_;
+      options.price = now.price;
+      Witnesses seen = witnesses(grown(task.window, options_.radius), parts.path(), options_.cell);
+      const double before = area_uncovered(seen);
+      Annealing annealing(walls_, parts.part(k), std::move(seen), width_, options);
+      annealing.focus(std::move(task.focus));
+      Rng rng(task.seed);
+      annealing.run({task.moves, schedule.hot, schedule.cold}, rng, context);
+      more[k] = annealing.uncovered() - before;
+      changed[k] = annealing.path();
+    });
+    Joined joined = parts.joined(changed);
+    now.points = std::move(joined.path);
+    for (std::size_t k = 0; k < batch.size(); ++k)
+      if (joined.kept[k] != 0) now.uncovered += more[k];
   }
 
   const EdgeIndex& walls_;
@@ -183,6 +220,7 @@ class Windows {
   const Box box_;        // of it
   Annealing::Options options_;
   std::vector<Point> focus_;
+  int threads_;
   std::vector<Point> samples_;  // of the target, turned
 };
 
@@ -190,10 +228,12 @@ class Windows {
 
 Annealed annealed(const Problem& problem, const Region& target, const Polyline& points,
                   const Annealing::Options& options, const Annealing::Schedule& schedule,
-                  const std::vector<Point>& focus, Rng& rng, const Context& context) {
-  Windows windows(problem, target, options, focus);
-  return windows.one() ? windows.whole(points, schedule, rng, context)
-                       : windows.in_passes(points, schedule, rng, context);
+                  const std::vector<Point>& focus, int threads, Rng& rng, const Context& context) {
+  Windows windows(problem, target, options, focus, threads);
+  Annealing::Schedule at = schedule;
+  if (options.without == Part::heat) at.hot = at.cold = kNoHeat * problem.robot().tool_width;
+  return windows.one(schedule.hot) ? windows.whole(points, at, rng, context)
+                                   : windows.in_passes(points, at, rng, context);
 }
 
 }  // namespace oxturn

@@ -1,6 +1,6 @@
 /// Anneals a path, a large one window by window, so that a move costs as much on a large map as on a small one.
 ///
-///   const Annealed now = annealed(problem, target, points, options, schedule, focus, rng, context);
+///   const Annealed now = annealed(problem, target, points, options, schedule, focus, threads, rng, context);
 ///
 ///    _____________        A window is a square of some tool widths. Only what the path does in it is changed: where
 ///   |  .--|--.    |       the path crosses its sides, vertices are fixed, and so is all of the path outside. Links
@@ -8,7 +8,10 @@
 ///   |__|__|__|____|       their order and direction: the whole stays one path.
 ///
 /// In each pass every point of the target is in one window; the windows of the next pass lie elsewhere. The price of
-/// uncovered area is the same in all windows of a pass, and so are the witnesses.
+/// uncovered area is the same in all windows of a pass, and so are the witnesses. A pass has four batches of windows:
+/// of two rows and two columns side by side, every other one. Windows of a batch are changed at the same time, each
+/// with random numbers of its own, and then put into the path in their order; changes that contradict those before
+/// them (window_parts.hpp) are dropped.
 ///
 /// Source      ours
 /// Complexity  a few microseconds a move. A window also takes O(n + m) for n vertices of the path and m of the target:
@@ -29,9 +32,9 @@ struct Annealed {
   double price = 0;      // 1 / metres
 };
 
-/// `focus`: points where moves are needed most.
+/// `focus`: points where moves are needed most. `threads`: that work at a time; they do not change the result.
 Annealed annealed(const Problem& problem, const Region& target, const Polyline& points,
                   const Annealing::Options& options, const Annealing::Schedule& schedule,
-                  const std::vector<Point>& focus, Rng& rng, const Context& context);
+                  const std::vector<Point>& focus, int threads, Rng& rng, const Context& context);
 
 }  // namespace oxturn

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kTurn = 0.739;  // radians: no multiple of a usual angle between walls
 
-/// Calls f(row, low, high) for the points of capsule x that do not lie in capsule y, in intervals.
+/// Calls f(row, low, high) for the points of capsule x that do not lie in capsule y, in intervals, until f returns
+/// false.
 template <class F>
 void for_each_difference(const Witnesses::Capsule& x, const Witnesses::Capsule& y, F f) {
   const int shift = x.first - y.first;
@@ -21,11 +22,11 @@ void for_each_difference(const Witnesses::Capsule& x, const Witnesses::Capsule& 
     const int low = x.low[i], high = x.high[i];
     const bool meets = k + shift >= 0 && k + shift < y.rows && y.low[j] < high && y.high[j] > low;
     if (!meets) {
-      if (low < high) f(x.first + k, low, high);
+      if (low < high && !f(x.first + k, low, high)) return;
       continue;
     }
-    if (low < y.low[j]) f(x.first + k, low, y.low[j]);
-    if (y.high[j] < high) f(x.first + k, y.high[j], high);
+    if (low < y.low[j] && !f(x.first + k, low, y.low[j])) return;
+    if (y.high[j] < high && !f(x.first + k, y.high[j], high)) return;
   }
 }
 
@@ -63,8 +64,9 @@ int add_to(std::uint8_t* from, int n, std::uint64_t by) {
   return found;
 }
 
-/// How many of the counters low to high - 1 of row r are 1 and lie in no capsule.
-int lost(const std::uint8_t* row, int r, int low, int high, std::span<const Witnesses::Capsule> capsules) {
+/// How many of the counters low to high - 1 of row r have the value and lie in no capsule.
+int lost(const std::uint8_t* row, int r, int low, int high, std::span<const Witnesses::Capsule> capsules,
+         std::uint64_t value) {
   for (std::size_t i = 0; i < capsules.size() && low < high; ++i) {
     const Witnesses::Capsule& c = capsules[i];
     if (r < c.first || r >= c.first + c.rows) continue;
@@ -75,9 +77,21 @@ int lost(const std::uint8_t* row, int r, int low, int high, std::span<const Witn
     else if (to >= high)
       high = from;
     else
-      return lost(row, r, low, from, capsules.subspan(i + 1)) + lost(row, r, to, high, capsules.subspan(i + 1));
+      return lost(row, r, low, from, capsules.subspan(i + 1), value) +
+             lost(row, r, to, high, capsules.subspan(i + 1), value);
   }
-  return low < high ? count(row + low, high - low, 1) : 0;
+  return low < high ? count(row + low, high - low, value) : 0;
+}
+
+/// Calls f(row, low, high) for the points of both capsules, in intervals, until f returns false.
+template <class F>
+void for_each_common(const Witnesses::Capsule& x, const Witnesses::Capsule& y, F f) {
+  const int end = std::min(x.first + x.rows, y.first + y.rows);
+  for (int r = std::max(x.first, y.first); r < end; ++r) {
+    const auto i = static_cast<std::size_t>(r - x.first), j = static_cast<std::size_t>(r - y.first);
+    const int low = std::max(x.low[i], y.low[j]), high = std::min(x.high[i], y.high[j]);
+    if (low < high && !f(r, low, high)) return;
+  }
 }
 
 const Witnesses::Capsule& at(std::span<const Witnesses::Capsule> capsules, std::size_t i) {
@@ -108,6 +122,11 @@ Witnesses::Witnesses(const Region& turned_target, const Box& window, double cell
   counts_ = std::move(grid.bits);
   for (std::uint8_t& c : counts_) c = c != 0 ? 0 : kOutside;
   counts_.resize(counts_.size() + sizeof(std::uint64_t), kOutside);
+  tile_columns_ = (columns_ - 1) / kTile + 1;
+  tiles_.resize(static_cast<std::size_t>(tile_columns_) * static_cast<std::size_t>((rows_ - 1) / kTile + 1));
+  for (int r = 0; r < rows_; ++r)
+    for (int low = 0; low < columns_; low += kTile)
+      tiles_[tile(r, low)] += count(row(r) + low, std::min(kTile, columns_ - low), 0);
 }
 
 /// In units of cells, such that the point of column i and row j has the coordinates (i, j).
@@ -173,22 +192,63 @@ std::vector<Point> Witnesses::uncovered_points(std::size_t most) const {
 }
 
 void Witnesses::apply(const Capsule& old, const Capsule& next) {
-  for_each_difference(next, old, [&](int r, int low, int high) { uncovered_ -= add_to(row(r) + low, high - low, 1); });
-  for_each_difference(old, next,
-                      [&](int r, int low, int high) { uncovered_ += add_to(row(r) + low, high - low, 255); });
+  for_each_difference(next, old, [&](int r, int low, int high) {
+    if (add_to(row(r) + low, high - low, 1) > 0) count_uncovered(r, low, high, 1, -1);
+    return true;
+  });
+  for_each_difference(old, next, [&](int r, int low, int high) {
+    if (add_to(row(r) + low, high - low, 255) > 0) count_uncovered(r, low, high, 0, 1);
+    return true;
+  });
+}
+
+/// In an interval some points became covered or uncovered: those whose counter is `value` now.
+void Witnesses::count_uncovered(int r, int low, int high, std::uint64_t value, int sign) {
+  while (low < high) {
+    const int end = std::min(high, (low / kTile + 1) * kTile), found = count(row(r) + low, end - low, value);
+    tiles_[tile(r, low)] += sign * found;
+    uncovered_ += sign * found;
+    low = end;
+  }
+}
+
+/// Not less than the number of uncovered points in the capsules: those of all tiles that they meet.
+long Witnesses::most_uncovered(std::span<const Capsule> capsules) const {
+  long sum = 0;
+  for (const Capsule& c : capsules) {
+    for (int k = 0; k < c.rows && sum < uncovered_;) {
+      const int r = c.first + k, end = std::min(c.rows, k + kTile - r % kTile);
+      int low = columns_, high = 0;
+      for (; k < end; ++k) {
+        low = std::min(low, c.low[static_cast<std::size_t>(k)]);
+        high = std::max(high, c.high[static_cast<std::size_t>(k)]);
+      }
+      if (low >= high) continue;
+      for (std::size_t t = tile(r, low); t <= tile(r, high - 1); ++t) sum += tiles_[t];
+    }
+  }
+  return std::min(sum, uncovered_);
 }
 
 bool Witnesses::may_change(std::span<const Capsule> removed, std::span<const Capsule> added, long most) const {
+  const long gained = most_uncovered(added);  // at most
+  if (-gained > most) return false;
   long change = 0;
-  for (std::size_t i = 0; i < removed.size(); ++i) {
-    for_each_difference(removed[i], at(added, i), [&](int r, int low, int high) {
-      if (change - uncovered_ <= most) change += lost(row(r), r, low, high, added);
-    });
-    if (change - uncovered_ > most) return false;
-  }
+  const auto lost_of = [&](std::uint64_t value) {
+    return [this, &change, added, gained, most, value](int r, int low, int high) {
+      change += lost(row(r), r, low, high, added, value);
+      return change - gained <= most;
+    };
+  };
+  for (std::size_t i = 0; i < removed.size(); ++i)
+    for (std::size_t j = 0; j < i && change - gained <= most; ++j) for_each_common(removed[j], removed[i], lost_of(2));
+  for (std::size_t i = 0; i < removed.size() && change - gained <= most; ++i)
+    for_each_difference(removed[i], at(added, i), lost_of(1));
+  if (change - gained > most) return false;
   for (std::size_t i = 0; i < added.size() && change > most; ++i)
     for_each_difference(added[i], at(removed, i), [&](int r, int low, int high) {
-      if (change > most) change -= count(row(r) + low, high - low, 0);
+      change -= count(row(r) + low, high - low, 0);
+      return change > most;
     });
   return change <= most;
 }

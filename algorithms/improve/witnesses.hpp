@@ -41,9 +41,9 @@ class Witnesses {
   /// Does not depend on the order of the ends. Writes to `out`, to spare the allocation.
   void capsule(const Point& a, const Point& b, Capsule& out) const;
   void add(const Capsule& capsule) { apply({}, capsule); }
-  /// False: exchange() would return more than `most`. Changes nothing, and ends as soon as that is decided. Points
-  /// that only one capsule covers are lost if it is an old one and no new one holds them, and at most all uncovered
-  /// points in new ones are gained.
+  /// False: exchange() would return more than `most`. Changes nothing, and ends as soon as that is decided. Points that
+  /// only one or two old capsules cover are lost if no new one holds them; at most the uncovered points of new ones
+  /// are gained, and of the tiles that these meet.
   bool may_change(std::span<const Capsule> removed, std::span<const Capsule> added, long most) const;
   /// Takes the old capsules away and adds the new ones. The change of the number of uncovered points.
   long exchange(std::span<const Capsule> removed, std::span<const Capsule> added);
@@ -59,17 +59,26 @@ class Witnesses {
 
  private:
   static constexpr std::uint8_t kOutside = 128;
+  static constexpr int kTile = 32;  // points along a side of a tile
   std::uint8_t* row(int r) { return counts_.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_); }
   const std::uint8_t* row(int r) const {
     return counts_.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_);
   }
   Point in_raster(const Point& p) const;
   void apply(const Capsule& old, const Capsule& next);
+  void count_uncovered(int r, int low, int high, std::uint64_t value, int sign);
+  long most_uncovered(std::span<const Capsule> capsules) const;
+  std::size_t tile(int r, int column) const {
+    return static_cast<std::size_t>(r / kTile) * static_cast<std::size_t>(tile_columns_) +
+           static_cast<std::size_t>(column / kTile);
+  }
 
   double cell_, radius_;
   Point origin_{0, 0};  // of the turned raster
   int columns_ = 0, rows_ = 0;
   long points_ = 0, uncovered_ = 0;
+  int tile_columns_ = 0;
+  std::vector<std::int32_t> tiles_;   // uncovered points of each tile, a square, row by row
   std::vector<std::uint8_t> counts_;  // and some bytes more: eight are read at once
 };
 

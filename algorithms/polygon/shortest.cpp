@@ -9,6 +9,7 @@
 //                annealed briefly, the best one at length.
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/improve/improve.hpp"
+#include "algorithms/improve/part.hpp"
 
 namespace oxturn {
 namespace {
@@ -30,8 +31,10 @@ std::vector<Start> starts() {
 class Shortest final : public CoveragePlanner {
  public:
   Shortest(const Improvement& how, const Planners& planners) : how_(how) {
-    for (const Start& start : starts())
+    for (const Start& start : starts()) {
       planners_.push_back(planners.find(start.planner).make(start.settings, planners));
+      if (part_named(how.without) == Part::starts) break;
+    }
   }
 
   Path plan(const Problem& problem, Context& context) const override {

@@ -5,12 +5,11 @@
 
 #include <numbers>
 
+#include "algorithms/improve/annealing.hpp"
 #include "algorithms/improve/completion.hpp"
 #include "algorithms/improve/detours.hpp"
 #include "algorithms/improve/moves.hpp"
 #include "algorithms/improve/wall_following.hpp"
-#include "algorithms/improve/window_part.hpp"
-#include "algorithms/improve/windows.hpp"
 #include "algorithms/improve/witnesses.hpp"
 #include "coverage_oracle.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -371,48 +370,6 @@ TEST(Moves, ShortEdgesGetNoMoreVertices) {
   }
 }
 
-// A window's part put back unchanged is the path; changed, it is one path with the same ends, whose edges are free, and
-// which is as it was outside.
-TEST(WindowPart, JoinsThePathAgain) {
-  const EdgeIndex walls(subtract(box_region({0, 0}, {20, 20}), box_region({8, 7}, {11, 12})));
-  int visits = 0;
-  for (const auto seed : seeds(40)) {
-    SCOPED_TRACE(seed);
-    Rng rng(seed);
-    Polyline line{{1, 1}};
-    while (line.size() < 80) {
-      const Point p = random_point({{0, 0}, {20, 20}}, rng);
-      if (walls.contains(line.back(), p)) line.push_back(p);
-    }
-    const Point centre = Witnesses::turned(Point(10, 10) + random_point({{-3, -3}, {3, 3}}, rng));
-    const Box window{centre - Point(3, 3), centre + Point(3, 3)};
-    const WindowPart part(line, window, walls, 0.4, seed % 2 == 0);
-    if (part.points().empty()) continue;
-    VertexPath inside(part.points(), part.fixed(), 0.4);
-    const Polyline same = part.joined(inside);
-    EXPECT_EQ(same, line);
-    visits += static_cast<int>(part.fixed().size());
-    const Moves moves({.width = 2}, walls);
-    for (int k = 0; k < 200; ++k) {
-      const auto change = moves.propose(inside, rng);
-      if (!change) continue;
-      if (std::ranges::all_of(change->added, [&](const Edge& e) { return walls.contains(e.a, e.b); }))
-        change->apply(inside);
-    }
-    const Polyline changed = part.joined(inside);
-    EXPECT_EQ(changed.front(), line.front());
-    if (seed % 2 == 0) { EXPECT_EQ(changed.back(), line.back()); }
-    for (std::size_t i = 1; i < changed.size(); ++i) ASSERT_TRUE(walls.contains(changed[i - 1], changed[i])) << i;
-    for (const Point& p : line) {  // of vertices outside, none is lost and none comes twice
-      const Point t = Witnesses::turned(p);
-      if (t.x() > window.low.x() && t.x() < window.high.x() && t.y() > window.low.y() && t.y() < window.high.y())
-        continue;
-      ASSERT_EQ(std::ranges::count(changed, p), std::ranges::count(line, p));
-    }
-  }
-  EXPECT_GT(visits, 500);
-}
-
 struct Sample {
   Problem problem;
   std::string name;
@@ -524,37 +481,6 @@ TEST(Shortest, ItsObjectiveMayBeAWeightedSum) {
   EXPECT_LT(turns(half), 0.9 * turns(brief));
   const double half_turn = 0.5 * room.robot().speed / room.robot().turn_rate;
   EXPECT_LT(half.length() + half_turn * turns(half), brief.length() + half_turn * turns(brief));
-}
-
-// A long corridor has many windows; lanes across it are nearer to each other than they need to be. What is uncovered is
-// counted by witnesses and measured exactly.
-TEST(Windows, APathGetsShorterInAllOfThem) {
-  const Problem problem({"corridor", box_region({0, 0}, {34, 0.9}), "test", "test"}, disc(0.1, 0.2));
-  const double width = 0.2, whole = area(problem.target());
-  const Completion completion(problem, 0.99);
-  Polyline start;
-  for (int k = 0; k < 280; ++k) {
-    const double x = 0.11 + 0.12 * k;
-    start.emplace_back(x, k % 2 == 0 ? 0.11 : 0.79);
-    start.emplace_back(x, k % 2 == 0 ? 0.79 : 0.11);
-  }
-  for (const bool fixed_end : {false, true}) {
-    Rng rng(1);
-    Context context(1);
-    const Annealed now = annealed(problem, completion.target(), start,
-                                  {.cell = width / 20,
-                                   .radius = width / 2,
-                                   .uncovered = 0.01 * whole,
-                                   .price = 5 / width,
-                                   .fixed_end = fixed_end},
-                                  {150000, 0.01 * width, 0.0005 * width}, {}, rng, context);
-    EXPECT_LT(length(now.points), 0.96 * length(start));
-    EXPECT_EQ(now.points.front(), start.front());
-    if (fixed_end) { EXPECT_EQ(now.points.back(), start.back()); }
-    for (std::size_t i = 1; i < now.points.size(); ++i)
-      ASSERT_TRUE(problem.walls().contains(now.points[i - 1], now.points[i])) << i;
-    EXPECT_NEAR(now.uncovered, area(completion.uncovered(now.points)), 2e-3 * whole);
-  }
 }
 
 TEST(Polished, IsNeverLongerThanThePlannersPath) {

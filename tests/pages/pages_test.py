@@ -143,6 +143,19 @@ def shortest_rows():
             + run("polished", "coverage=0.99;moves=300000;planner=stc", "1.1", "1.1", "invalid"))
 
 
+def ablation_rows():
+    """Two maps at one coverage; without detours one of them has no valid path."""
+    def run(params, first, second, outcome="ok"):
+        cells = [row("ablation", name, "shortest", "coverage=0.99;moves=300000" + params, "ok", length_ratio=ratio,
+                     coverage_lower=covered, plan_cpu_s=seconds)
+                 for name, ratio, covered, seconds in (("m1", first, "0.995", "2"), ("m2", second, "0.99", "8"))]
+        cells[1]["outcome"] = outcome
+        return cells
+
+    return (run("", "1.0", "1.21") + run(";without=walls", "1.1", "1.331")
+            + run(";without=detours", "1.1", "1.1", "invalid") + run(";without=heat", "1.0", "1.0"))
+
+
 def anytime_rows():
     """Two maps; of `polished`, more moves make one path longer, and the last budget leaves a map without a path."""
     def run(planner, params, first, second, outcome="ok"):
@@ -168,7 +181,7 @@ def hyun_rows():
                 turns="7") for m, params, outcome, metres, c in data]
 
 
-ALL = {"anytime": anytime_rows, "beachbot": beachbot_rows, "berg-table-4-1": berg_rows,
+ALL = {"ablation": ablation_rows, "anytime": anytime_rows, "beachbot": beachbot_rows, "berg-table-4-1": berg_rows,
        "cell-order": cell_order_rows, "drivable": drivable_rows, "growth": growth_rows,
        "hyun": hyun_rows,
        "leashed": leashed_rows,
@@ -281,6 +294,19 @@ class Shortest(unittest.TestCase):
         self.assertEqual(line(text, "0.99, 2,000,000")[1:], ["1.100", "0.154", "0.99000", "4.00"])
         self.assertEqual(line(text, "polished\\[coverage=0.99;moves=300000;planner=stc\\]")[1], "")
         self.assertEqual(line(text, "m1")[1:3], ["1.300", "1.000"])
+
+
+class Ablation(unittest.TestCase):
+    def test_longer_than_with_all_parts(self):
+        text = page("ablation", ablation_rows())
+        # length ratio, longer in per cent, least coverage, seconds
+        self.assertEqual(line(text, "nothing: all parts")[1:], ["1.100", "0.00", "0.99000", "4.00"])
+        self.assertEqual(line(text, "following walls")[1:], ["1.210", "10.00", "0.99000", "4.00"])
+        self.assertEqual(line(text, "short detours: all by the general repair")[1:3], ["", ""])
+        # map, heat, walls, detours
+        self.assertEqual(line(text, "map"), ["map", "heat", "walls", "detours"])
+        self.assertEqual(line(text, "m1"), ["m1", "0.00", "10.00", "10.00"])
+        self.assertEqual(line(text, "m2"), ["m2", "-17.36", "10.00", ""])
 
 
 class Anytime(unittest.TestCase):

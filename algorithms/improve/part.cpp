@@ -1,0 +1,20 @@
+#include "algorithms/improve/part.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace oxturn {
+
+const std::vector<std::string>& part_names() {
+  static const std::vector<std::string> names{"none",  "starts", "heat",    "windows", "reordering", "covering",
+                                              "walls", "focus",  "closing", "strokes", "detours"};
+  return names;
+}
+
+Part part_named(const std::string& name) {
+  const auto at = std::ranges::find(part_names(), name);
+  if (at == part_names().end()) throw std::invalid_argument("unknown part '" + name + "'");
+  return static_cast<Part>(at - part_names().begin());
+}
+
+}  // namespace oxturn
