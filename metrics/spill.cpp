@@ -94,11 +94,15 @@ double least_disc_area(const Edges& outside, const Point& witness, double reach,
     work.spend(2 * outside.size());
     const double away = half * std::sqrt(2.0), from = distance(middle, witness);
     const Point centre = from <= reach ? middle : Point(witness + reach / from * (middle - witness));
-    const double swept = disc_area(outside, centre, kRadius);
+    DiscArea whole(centre, kRadius), inner(centre, std::max(0.0, kRadius - away));
+    for (const auto& [a, b] : outside) {
+      whole.add(a, b);
+      if (away < kRadius) inner.add(a, b);
+    }
+    const double swept = std::max(0.0, whole.area());
     best = std::min(best, swept);
     // A centre in reach is no farther from the nearest such point to `middle` than from `middle` itself.
-    const double inner = away < kRadius ? disc_area(outside, centre, kRadius - away) : 0;
-    return {std::max({0.0, swept - 2 * kRadius * away, inner}), middle, half};
+    return {std::max({0.0, swept - 2 * kRadius * away, away < kRadius ? inner.area() : 0}), middle, half};
   };
   std::priority_queue<Square, std::vector<Square>, std::greater<>> open;
   open.push(square(witness, reach));

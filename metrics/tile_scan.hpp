@@ -28,7 +28,7 @@ struct TileSums {
 /// What takes most of the time, and is left out where only the coverage counts.
 struct TileDetails {
   CoverageCurve curve;
-  UncoveredPieces pieces = {};
+  UncoveredPieces pieces = UncoveredPieces();
   double swept = 0;           // tiles: union of all swaths, estimate
   double visits_outside = 0;  // tiles: where visits begin outside the target, estimate
 };

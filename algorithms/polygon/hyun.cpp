@@ -66,7 +66,8 @@ namespace oxturn {
 namespace {
 
 constexpr int kMostLines = 1000000;
-constexpr double kKeepOff = 1e-6;  // tool widths between tracking points and the boundary
+constexpr double kMostSquares = 1e8;  // of the separation, in configuration space
+constexpr double kKeepOff = 1e-6;     // tool widths between tracking points and the boundary
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // In the order of their names in hyun().
@@ -357,6 +358,11 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
         fmt::format("planner 'hyun': separation {} m makes {:.0f} lines, expected at most {}; take a larger "
                     "separation or a wider tool",
                     separation, lines, kMostLines));
+  if (const double squares = area(problem.configuration_space()) / separation / separation; squares > kMostSquares)
+    throw std::invalid_argument(
+        fmt::format("planner 'hyun': separation {} m makes {:.3g} squares of that side, more than {:g}; take a larger "
+                    "separation or a wider tool",
+                    separation, squares, kMostSquares));
   Path path = HyunRun(p, problem, context, separation).run();
   if (!p.outline || context.cancelled()) return path;
   context.publish(path);

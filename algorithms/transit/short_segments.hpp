@@ -2,7 +2,7 @@
 ///
 ///   path = without_short_segments(std::move(path), problem);
 ///
-/// A vertex nearer than a hundredth of the robot's radius (or of its tool's width, if that is less) to the vertex before
+/// A vertex nearer than a hundredth of the robot's radius, or of its tool's width if that is less, to the vertex before
 /// it goes, if the straight segment that replaces it is free; otherwise the two become one where that is free. Ends of
 /// legs stay. Such vertices come from offsets that cut an arc near its end, from links between neighbouring lanes and
 /// from bumps; they make a controller stutter. The path moves by less than that. O(n), and segment tests for each short
