@@ -63,6 +63,7 @@ constexpr double kCell = 32;              // tool widths: of the grid in which d
 constexpr int kAskedOnce = 32;            // points of a piece, before it gets an index
 constexpr std::size_t kEntries = 16;      // about so many vertices of a block, to find the nearest one
 constexpr double kMostEffort = 5e5;       // of a block: vertices times area in squares of the tool's width
+constexpr std::size_t kFewVertices = 64;  // of a block: its size does not matter, each stretch costs next to nothing
 
 enum class Links { path, straight };  // in the order of their names in field_predictive()
 
@@ -451,7 +452,8 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   PredictiveDrive drive(problem, connector, p.links == Links::path);
   const double w = problem.robot().tool_width;
   const auto small = [&](const Region& block) {
-    return !p.blocks || static_cast<double>(vertex_count(block)) * area(block) <= kMostEffort * w * w;
+    const std::size_t vertices = vertex_count(block);
+    return !p.blocks || vertices <= kFewVertices || static_cast<double>(vertices) * area(block) <= kMostEffort * w * w;
   };
   drive_blocks(blocks_of(halved_until(straightened_space(problem), small)), problem, drive, context);
   Path path = without_short_segments(drive.take(), problem);

@@ -274,7 +274,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   const double w = problem.robot().tool_width, spacing = p.spacing > 0 ? p.spacing : w;
   const double simplify = kSimplify * w;
   const Region inset =
-      with_coarser_arcs(simplify_inward(lane_region(problem, spacing - simplify, kChord * w), simplify), simplify);
+      with_coarser_arcs(simplify_inward(lane_region(problem, spacing - simplify, kChord * w), simplify), 2 * simplify);
   const Connector connector(problem);
   const std::vector<Strip> strips =
       spiral_strips(inset, {spacing, kBridge * w, p.growth, kStirred * w}, problem, connector, context);

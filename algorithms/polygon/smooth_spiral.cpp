@@ -19,9 +19,9 @@
 //                first. Otherwise laps of long shapes lie many times closer than the tool is wide, because all parts
 //                have as many laps as the longest branch. Where more than 0.9 of the work would still be done twice
 //                (few laps in narrow shapes), laps are closed and linked: a spiral has one more.
-//             4. All laps but the last follow the medial axis of a region whose arcs have fewer vertices, up to 0.03 w
-//                off: half of them, and they make the work. Where laps are as far apart as they may be and an arc is
-//                off that far, repair covers a seam between the last two laps.
+//             4. Where the boundary has thousands of vertices and islands = bridge, all laps but the last follow the
+//                medial axis of a region whose arcs have fewer vertices, up to 0.02 w off: about half of them. Where
+//                laps are as far apart as they may be and an arc is off that far, repair covers a seam beside the last.
 //             5. The heights of the spine are compared by an eighth of the feet where there are thousands.
 //             6. Smoothing: vertices that matter less than 0.005 w are left out; corners become tangent arcs within
 //                0.02 w, but for those of the last lap, which is the boundary.
@@ -48,7 +48,7 @@ constexpr double kStep = 0.95;         // between laps
 constexpr double kSkip = 0.005;        // by which vertices may be left out
 constexpr double kRound = 0.02;        // by which arcs may cut corners
 constexpr double kChord = 0.01;        // error of the axis' parabolas
-constexpr double kCoarser = 0.03;      // by which arcs of the boundary may be off, for all laps but the last
+constexpr double kCoarser = 0.02;      // by which arcs of the boundary may be off, for all laps but the last
 constexpr double kBridge = 1e-3;       // width of the cuts along bridges
 constexpr double kLeastCut = 1e-6;     // the same at least, of the map's extent
 constexpr double kSpineHeight = 1.5;   // greatest clearances
@@ -57,6 +57,8 @@ constexpr double kLowestSpine = 1;     // greatest clearances; below, the spine 
 constexpr double kMostClosed = 5;      // laps: with more, one fewer matters little
 constexpr double kMostOverlap = 0.9;   // of a spiral
 constexpr double kClearlyLess = 0.97;  // of the length; a lower spine has more branches, driven there and back
+
+constexpr std::size_t kManyVertices = 8192;  // of the boundary, from which on all laps but the last are coarser
 
 enum class Start { spine, centre, start };
 enum class Direction { out, in };
@@ -144,8 +146,11 @@ Polyline spiral_of(WaveTree tree, const Rings& rings, const Params& p, const Pro
   curve.insert(curve.end(), spiral.laps.begin(), spiral.laps.end());
   spiral.laps = {};  // millions of points
   curve = rounded_corners(with_fewer_vertices(curve, kSkip * w, connector), kRound * w, connector);
-  curve.push_back(spiral.boundary.front());
-  const Polyline boundary = without_collinear_vertices(rings.from(spiral.boundary.front()));
+  const Point end = spiral.boundary.front();
+  Polyline last = rings.from(end);
+  if (!connector.straight(end, last.front())) last = std::move(spiral.boundary);  // of another component: repair helps
+  curve.push_back(end);
+  const Polyline boundary = without_collinear_vertices(last);
   curve.insert(curve.end(), boundary.begin(), boundary.end());
   if (p.direction == Direction::in) std::ranges::reverse(curve);
   return curve;
@@ -162,8 +167,10 @@ std::size_t nearest_curve(const std::vector<Polyline>& curves, const Point& from
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const double w = problem.robot().tool_width;
-  const Region space = without_holes(straightened_space(problem), p, w, context);
-  MedialAxis axis = medial_axis(with_coarser_arcs(space, kCoarser * w), kChord * w);
+  const Region walls = straightened_space(problem), space = without_holes(walls, p, w, context);
+  const bool coarse = p.islands == Islands::bridge && vertex_count(walls) > kManyVertices;
+  MedialAxis axis =
+      medial_axis(coarse ? without_holes(with_coarser_arcs(walls, kCoarser * w), p, w, context) : space, kChord * w);
   const Rings rings(space);
   if (context.wants_traces()) {
     std::vector<Polyline> lines;

@@ -10,10 +10,10 @@
 namespace oxturn {
 namespace {
 
-constexpr double kLeastBranch = 1e-6;      // heights of the tree: shorter ones are rounding
-constexpr std::size_t kManyLeaves = 8192;  // from which on laps are measured by samples
-constexpr std::size_t kRun = 64;           // leaves of a sample
-constexpr std::size_t kRunsForSample = 8;  // of which one is looked at
+constexpr double kLeastBranch = 1e-6;       // heights of the tree: shorter ones are rounding
+constexpr std::size_t kManyLeaves = 32768;  // from which on laps are measured by samples
+constexpr std::size_t kRun = 2;             // leaves of a sample
+constexpr std::size_t kRunsForSample = 8;   // of which one is looked at
 
 }  // namespace
 
@@ -334,13 +334,14 @@ WaveSpiral WaveTree::closed_laps(double laps, double start_height, const Point& 
 /// vertex of a lap.
 template <class Times>
 double WaveTree::sampled_length(std::size_t first, std::size_t laps, Times time) const {
-  const std::size_t n = leaves_.size(), step = n < kManyLeaves ? kRun : kRun * kRunsForSample;
+  const std::size_t n = leaves_.size(), size = n < kManyLeaves ? n : kRun,
+                    step = n < kManyLeaves ? n : kRun * kRunsForSample;
   std::vector<Crossing> path;
   Polyline before, now;
   double metres = 0;
   std::size_t pairs = 0;
   for (std::size_t run = 0; run < n; run += step) {
-    for (std::size_t j = run; j <= std::min(run + kRun, n); ++j) {
+    for (std::size_t j = run; j <= std::min(run + size, n); ++j) {
       path_to(leaves_[(first + j) % n], path);
       std::size_t passed = 0;
       now.clear();

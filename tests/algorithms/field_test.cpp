@@ -171,6 +171,16 @@ TEST(FieldPredictive, BlocksLeaveNothingBetweenThem) {
   EXPECT_LT(blocks.length(), 1.08 * whole.length());
 }
 
+// However large: blocks are for regions of many vertices.
+TEST(FieldPredictive, ALargeRectangleIsOneBlock) {
+  const Problem p(Map{"shape", box_region({0, 0}, {240, 180}), "", ""}, disc(0.2, 0.4), Point(0.3, 0.3));
+  const Path blocks = plan("field-predictive", p), whole = plan("field-predictive", p, {{"blocks", false}});
+  EXPECT_EQ(blocks.length(), whole.length());
+  std::size_t points = 0;
+  for (const Leg& leg : blocks.legs) points += leg.points.size();
+  EXPECT_LT(points, 4000u);
+}
+
 // What is behind a wall is not near: rooms are finished one after the other.
 TEST(FieldPredictive, StaysInARoomUntilItIsDone) {
   const Problem p(generate("rooms", {{"width", 14.0}, {"height", 14.0}, {"rooms", std::int64_t{10}}}, 1),

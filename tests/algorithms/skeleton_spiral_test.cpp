@@ -109,6 +109,23 @@ TEST(SkeletonSpiral, LapsOfConvexPolygonsLeaveNoStrips) {
   }
 }
 
+// A hole of 24 corners that turn by 15 degrees: one vertex of the inset each, not two with a chord between them.
+TEST(SkeletonSpiral, GentleCornersOfObstaclesTakeOneVertex) {
+  Region region = box_region({0, 0}, {12, 12});
+  Ring hole;
+  for (int k = 0; k < 24; ++k) hole.push_back(Point(6, 6) + rotated(Point(2, 0), -k * kPi / 12 + 0.1));
+  region.polygons[0].holes.push_back(hole);
+  const Problem p(Map{"wheel", region, "", ""}, disc(0.2, 0.4), Point(0.5, 0.5));
+  std::size_t arcs = 0;
+  Context::Sinks sinks;
+  sinks.trace = [&](const Trace& trace) { arcs += trace.name == "skeleton" ? trace.lines.size() : 0; };
+  Context context(1, 1e9, std::move(sinks));
+  const Path path = built_in_planner("skeleton-spiral")->plan(p, context);
+  EXPECT_GT(arcs, 2 * 24u);
+  EXPECT_LT(arcs, 3 * 24u);
+  EXPECT_EQ(uncovered_share(p, path, 2000), 0);
+}
+
 TEST(SkeletonSpiral, CoversEveryFamilyWhole) {
   for (const auto seed : seeds(2))
     for (const Problem& p : sample_problems(seed))

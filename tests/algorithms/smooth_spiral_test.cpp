@@ -1,8 +1,11 @@
+#include "algorithms/lanes/outline.hpp"
+#include "algorithms/polygon/island_cuts.hpp"
 #include "algorithms/polygon/link_crossings.hpp"
 #include "algorithms/polygon/smooth_curve.hpp"
 #include "algorithms/polygon/wave_tree.hpp"
 #include "base/random.hpp"
 #include "coverage_oracle.hpp"
+#include "geometry/coarse_arcs.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/seeds.hpp"
 
@@ -51,6 +54,26 @@ TEST(WaveTree, ReachesAllLeavesAtTimeOne) {
       WaveTree tree = tree_of(region);
       for (const double t : tree.arrivals(start)) EXPECT_NEAR(t, 1, 1e-9);
     }
+  }
+}
+
+// The length of what would be built; where there are thousands of leaves, by samples.
+TEST(WaveTree, MeasuresAreThoseOfTheSpiral) {
+  const Region small = generate("polygon", {{"width", 9.0}, {"height", 8.0}}, 3).free;
+  const Region large = bridged(generate("clutter", {{"width", 80.0}, {"height", 80.0}}, 1).free, 1e-3);
+  for (const Region* region : {&small, &large}) {
+    WaveTree tree = tree_of(*region);
+    const bool sampled = tree.arrivals(kRootAlone).size() > 32768;
+    EXPECT_EQ(sampled, region == &large);
+    const double high = 1.2 * tree.greatest_clearance(), laps = 3.4;
+    const WaveSpiral spiral = tree.spiral(laps, high, {4, 4});
+    const WaveTree::Measures found = tree.spiral_measures(laps, high, {4, 4});
+    EXPECT_NEAR(found.spine, length(spiral.spine), 1e-9 * found.spine);
+    EXPECT_NEAR(found.laps, length(spiral.laps), (sampled ? 0.04 : 1e-3) * found.laps);
+    EXPECT_NEAR(found.boundary, length(spiral.boundary), 1e-9 * found.boundary);
+    EXPECT_NEAR(found.area, area(*region), 1e-3 * found.area);
+    const double closed = length(tree.closed_laps(laps, high, {4, 4}).laps);
+    EXPECT_NEAR(tree.closed_measures(laps, high, {4, 4}).laps, closed, 0.04 * closed + 2 * tree.height());
   }
 }
 
@@ -110,6 +133,27 @@ TEST(SmoothSpiral, CoversEveryFamilyWhole) {
         expect_valid(p, path);
         EXPECT_LE(uncovered_share(p, path, kSamples), 2e-3);
       }
+}
+
+// The other laps follow a boundary with fewer vertices.
+TEST(SmoothSpiral, TheLastLapFollowsAllOfTheBoundary) {
+  const Problem p(generate("clutter", {{"width", 45.0}, {"height", 45.0}}, 2), disc(0.2, 0.4));
+  const Path path = plan("smooth-spiral", p, {{"repair", false}});
+  const Region space = straightened_space(p);
+  EXPECT_GT(vertex_count(space), 8192u);
+  EXPECT_LT(vertex_count(with_coarser_arcs(space, 0.02 * 0.4)), 0.9 * static_cast<double>(vertex_count(space)));
+  std::vector<Point> corners;
+  for_each_ring(space, [&](const Ring& ring) { corners.insert(corners.end(), ring.begin(), ring.end()); });
+  for (std::size_t c = 0; c < corners.size(); c += 397) {
+    double off = 1e300;
+    for (const Leg& leg : path.legs)
+      for (std::size_t k = 1; k < leg.points.size(); ++k)
+        off = std::min(off, distance_to_segment(corners[c], leg.points[k - 1], leg.points[k]));
+    EXPECT_LT(off, 0.2 / 100) << to_text(corners[c]);  // vertices nearer to each other than that are dropped
+  }
+  const Score s = score(p, path);
+  EXPECT_EQ(s.flaw, "");
+  EXPECT_GT(*s.value("coverage_lower"), 0.9999);
 }
 
 // Needles, where one branch of the axis is many times as long as the others, and other convex shapes of few laps.
