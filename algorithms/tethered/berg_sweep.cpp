@@ -135,7 +135,9 @@ void BergSweep::sample(const Item& arc, BergBoundary::Piece& piece) const {
     const SightRange::Answer answer = node.range.look(turn(k), radius);
     if (answer == SightRange::Answer::hidden) continue;
     const Point p = at(k);
-    if (answer == SightRange::Answer::unknown && !b_.sight_.sees(node.at, p)) continue;
+    if (answer == SightRange::Answer::unknown &&
+        ((thinning_.is_wanted && !thinning_.is_wanted(p)) || !b_.sight_.sees(node.at, p)))
+      continue;
     add(p, piece.points);
     previous = k;
   }

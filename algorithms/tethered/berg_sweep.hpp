@@ -19,10 +19,12 @@
 namespace oxturn {
 
 /// Samples that may be left out: where a node surely sees all of its arc, and a straight segment from one sample to a
-/// later one is free and within `error` metres of the arc.
+/// later one is free and within `error` metres of the arc; and those that are not wanted, where a test of sight would
+/// be needed to know whether they are seen.
 struct BergThinning {
   double error = 0;                                              // 0: none are left out
   std::function<bool(const Point&, const Point&)> is_free = {};  // the segment between two points
+  std::function<bool(const Point&)> is_wanted = {};              // none: all are
 };
 
 class BergSweep {

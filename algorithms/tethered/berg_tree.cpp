@@ -20,10 +20,13 @@ BergTree::BergTree(const BergBoundary& boundary, const Laps& laps,
 void BergTree::add_laps(const Laps& laps, const std::function<bool(const Point&, double)>& keep,
                         const std::function<bool()>& stop) {
   const double last = std::min(laps.longest * (1 + 1e-12), boundary_.farthest());
-  BergSweep sweep(boundary_, laps.spacing, laps.thinning);
+  double length = 0;
+  BergThinning thinning = laps.thinning;
+  thinning.is_wanted = [&](const Point& p) { return keep(p, length); };
+  BergSweep sweep(boundary_, laps.spacing, std::move(thinning));
   std::size_t previous = 0;  // index of the first piece of the lap before
   for (std::size_t lap = 1; static_cast<double>(lap) * laps.step <= last && !stop(); ++lap) {
-    const double length = static_cast<double>(lap) * laps.step;
+    length = static_cast<double>(lap) * laps.step;
     const std::size_t begin = pieces_.size();
     for (BergBoundary::Piece& found : sweep.at(length)) {
       Piece piece{lap, length, found.divider, std::nullopt, {}, {}};

@@ -122,6 +122,31 @@ double distance_to(const Polyline& line, const Point& p) {
   return least;
 }
 
+// What is dropped later is not tested for sight: the rest is the same.
+TEST(BergSweep, OnlyUnwantedSamplesAreLeftOut) {
+  std::size_t all = 0, kept = 0;
+  for (const char* generator : {"clutter", "rooms", "cave"}) {
+    const Scene s(floor(generator, 1));
+    const auto unwanted = [&](const Point& p) { return !s.problem.walls().contains(p); };
+    BergThinning thinning;
+    thinning.is_wanted = [&](const Point& p) { return !unwanted(p); };
+    BergSweep plain(s.boundary, 0.1), filtered(s.boundary, 0.1, thinning);
+    for (double l = 0.05; l < s.boundary.farthest(); l += 0.37) {
+      SCOPED_TRACE(fmt::format("{} length {}", generator, l));
+      std::vector<BergBoundary::Piece> from = plain.at(l), to = filtered.at(l);
+      ASSERT_EQ(from.size(), to.size());
+      for (std::size_t i = 0; i < from.size(); ++i) {
+        all += from[i].points.size();
+        kept += to[i].points.size();
+        std::erase_if(from[i].points, unwanted);
+        std::erase_if(to[i].points, unwanted);
+      }
+      EXPECT_EQ(with_points(from), with_points(to));
+    }
+  }
+  EXPECT_LT(kept, all);
+}
+
 TEST(BergSweep, WithoutNeedlessSamplesTheLapsAreTheSame) {
   constexpr double kError = 0.002;
   std::size_t all = 0, kept = 0;
