@@ -320,23 +320,34 @@ class Strips {
   std::vector<Group> groups_;
 };
 
-/// What the tool would reach from `left_out` of the space, and does not from `driven`: there, and beside walls. What
-/// lies across the cut is for the passes there. `target`: near the space as the problem's, elsewhere it may be more.
-Region unreached(const RingBoxes& target, const RingBoxes& space, const Region& left_out, const Region& driven,
-                 double w) {
-  const double chord = w / kChordsPerWidth;
-  std::vector<Polyline> lines;
-  for_each_edge(left_out, [&](const Point& a, const Point& b) { lines.push_back({a, b}); });
-  if (lines.empty()) return {};
-  const Region near = intersect(driven, squares_around(lines, kDrivenWithin * w, kSquare * w));
-  const Region swept = dilate(left_out, w / 2, chord, Bound::inside);
+/// What the tool would reach from `left_out` of the space beyond its walls.
+Region beyond_walls(const RingBoxes& target, const RingBoxes& space, const Region& left_out, double w) {
+  const Region swept = dilate(left_out, w / 2, w / kChordsPerWidth, Bound::inside);
   std::vector<Box> boxes;
   for (const Polygon& part : swept.polygons) boxes.push_back(bounding_box(part.outer));
   Box around = bounding_box(swept);
   around.grow(w);
   const auto there = [&](const RingBoxes& rings) { return clipped(rings.near(boxes), around); };
-  const Region beside = subtract(intersect(there(target), swept), there(space));
-  return subtract(unite({left_out, beside}), dilate(near, w / 2, chord, Bound::inside));
+  return subtract(intersect(there(target), swept), there(space));
+}
+
+/// What the tool would reach from `left_out` of the problem's space, and does not from `driven`: there, and beside
+/// walls. What lies across the cut is for the passes there. `target`: near the space as the problem's, elsewhere it may
+/// be more.
+Region unreached(const Problem& problem, const RingBoxes& target, const RingBoxes& space, const Region& left_out,
+                 const Region& driven) {
+  const double w = problem.robot().tool_width;
+  std::vector<Polyline> lines;
+  bool near_walls = false;
+  for_each_edge(left_out, [&](const Point& a, const Point& b) {
+    lines.push_back({a, b});
+    near_walls = near_walls || problem.walls().nearest(a, b, w / 2).has_value();
+  });
+  if (lines.empty()) return {};
+  const Region near = intersect(driven, squares_around(lines, kDrivenWithin * w, kSquare * w));
+  const Region reached = dilate(near, w / 2, w / kChordsPerWidth, Bound::inside);
+  if (!near_walls) return subtract(left_out, reached);
+  return subtract(unite({left_out, beyond_walls(target, space, left_out, w)}), reached);
 }
 
 bool holds(const Polygon& part, const Point& p, double tolerance) {
@@ -397,7 +408,7 @@ PassSpace CutPasses::beside(const Problem& component) const {
       Region doubtful = strips.doubtful(component.walls(), EdgeIndex(space));
       if (!doubtful.empty()) doubtful = intersect(left_out, doubtful);
       if (!pockets.empty()) doubtful = unite({doubtful, pockets});
-      Region missed = unreached(target_, space_, doubtful, space, w);
+      Region missed = unreached(problem_, target_, space_, doubtful, space);
       return {std::move(space), std::move(missed)};
     }
     const EdgeIndex around(lost);
