@@ -30,11 +30,15 @@
 //             7. Components of up to `laps` tool squares are covered by laps along their walls and the cut as well
 //                (component_laps.hpp), and driven where that is better: along corridors laps need few turns, but
 //                round many obstacles they are shorter and turn more. Not with demands on the tether, nor with the
-//                source's orders.
+//                source's orders. Where walls and cut lie so densely that laps were both shorter and quicker in all but
+//                2 of 93 components of 100 squares and more (16 generators, three tools), only laps are planned. Level
+//                sets need the whole map: with more than 128 components they are left out as well if the others hold
+//                little of the area (paths 0.5 % longer than with them).
 //             8. reverse = true: both demands are met by driving backwards, everywhere and without a detour
 //                (gears.hpp).
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
@@ -50,6 +54,13 @@ namespace oxturn {
 namespace {
 
 constexpr double kChordsPerWidth = 1000;  // tool widths over the chord error of level sets
+// Decision 7: only laps in components with at least `kFewSquares` tool squares, and a perimeter times the tool's width
+// over the area from kDense to kSliver. Narrower ones are slivers, often covered by one lane along their middle.
+constexpr double kFewSquares = 3;
+constexpr double kDense = 0.55;
+constexpr double kSliver = 3;
+constexpr std::size_t kFewComponents = 128;
+constexpr double kLittle = 0.03;  // of the area
 
 // In the order of their names in berg_complete().
 enum class Order { tour, dfs, bfs };
@@ -61,7 +72,7 @@ struct Params {
   TetherSide winding = TetherSide::any;
   double min_tether_angle = 0;
   int lanes = 4;
-  int laps = 20000;
+  int laps = 1000000;
   Objective objective = Objective::both;
   bool return_home = true;
 };
@@ -214,11 +225,36 @@ Path and_back(Path path, const Problem& component) {
   return path;
 }
 
+/// In tool squares.
+double size_of(const Problem& component) {
+  const double w = component.robot().tool_width;
+  return area(component.configuration_space()) / (w * w);
+}
+
+bool may_have_laps(const Params& p, const Problem& component) {
+  const bool free = p.order == Order::tour && p.winding == TetherSide::any && p.min_tether_angle <= 0;
+  return free && size_of(component) <= p.laps;
+}
+
+/// By component: is it covered by laps without a look at level sets (decision 7)?
+std::vector<bool> laps_only(const Params& p, const TetherSpace& space) {
+  std::vector<bool> only, may;
+  double all = 0, others = 0;
+  for (const TetherSpace::Component& component : space.components()) {
+    const double squares = size_of(component.problem);
+    const double density =
+        perimeter(component.problem.configuration_space()) / (squares * component.problem.robot().tool_width);
+    may.push_back(may_have_laps(p, component.problem));
+    only.push_back(may.back() && squares >= kFewSquares && density >= kDense && density < kSliver);
+    all += squares;
+    if (!only.back()) others += squares;
+  }
+  return only.size() > kFewComponents && others < kLittle * all ? may : only;
+}
+
 /// The better one of `path` and laps.
 Path or_laps(const Params& p, const CutPasses& cut, const Problem& component, Path path, Context& context) {
-  const double w = component.robot().tool_width;
-  const bool free = p.order == Order::tour && p.winding == TetherSide::any && p.min_tether_angle <= 0;
-  if (!free || context.cancelled() || area(component.configuration_space()) > p.laps * w * w) return path;
+  if (context.cancelled() || !may_have_laps(p, component)) return path;
   Path laps = laps_in_component(cut, component, context);
   if (context.cancelled()) return path;
   const bool laps_are_better =
@@ -229,7 +265,6 @@ Path or_laps(const Params& p, const CutPasses& cut, const Problem& component, Pa
 void trace(const TetherSpace& space, const NeededBoundary& boundary, const std::vector<LevelSet>& sets,
            Context& context) {
   const Outward outward = outward_neighbours(sets, space.field(), space.problem().robot().tool_width);
-  context.trace("cut", space.cut());
   context.trace("rings", boundary.rings);
   context.trace("chains", boundary.chains);
   std::vector<Polyline> lines, tree;
@@ -242,24 +277,39 @@ void trace(const TetherSpace& space, const NeededBoundary& boundary, const std::
   context.trace("tree of pieces", std::move(tree));
 }
 
-Path plan(const Params& p, const Problem& problem, Context& context) {
-  const TetherSpace space(problem, "berg-complete");
-  const double w = problem.robot().tool_width;
+/// What level sets take: nothing, if all components are covered by laps.
+std::vector<Parts> parts_for_level_sets(const Params& p, const TetherSpace& space, Context& context) {
+  const double w = space.problem().robot().tool_width;
   const bool open = p.order == Order::tour && p.winding == TetherSide::any;
   const NeededBoundary boundary = needed_boundary(space, open ? CutEdges::across_tether : CutEdges::all);
   const std::vector<LevelSet> sets = level_sets(space, boundary.space, boundary.inner, w, w / kChordsPerWidth);
   if (context.wants_traces()) trace(space, boundary, sets, context);
-  const Tacking tacking{.angle = p.min_tether_angle, .width = w};
+  return parts_by_component(space, sets, boundary);
+}
+
+/// By level sets and, where that is better, by laps.
+Path cover_by_level_sets(const Params& p, const Problem& component, const GeodesicField& field, Parts parts,
+                         const CutPasses& cut, Context& context) {
+  Task task(component, std::move(parts), field, component.robot().tool_width);
+  if (p.winding == TetherSide::right) reverse(task.rings);
+  Path path = p.winding == TetherSide::any ? cover_by_tour(p, task, context)
+                                           : with_task_rings(task, drive_one_way(p, task, context), context);
+  path = without_short_segments(std::move(path), component);
+  path = repaired(component, path, std::move(task.pockets), task.connector, context);
+  return or_laps(p, cut, component, std::move(path), context);
+}
+
+Path plan(const Params& p, const Problem& problem, Context& context) {
+  const TetherSpace space(problem, "berg-complete");
+  if (context.wants_traces()) context.trace("cut", space.cut());
+  const std::vector<bool> only_laps = laps_only(p, space);
+  std::vector<Parts> parts;
+  if (!std::ranges::all_of(only_laps, std::identity{})) parts = parts_for_level_sets(p, space, context);
+  const Tacking tacking{.angle = p.min_tether_angle, .width = problem.robot().tool_width};
   const CutPasses cut(problem, space.cut());
-  std::vector<Parts> parts = parts_by_component(space, sets, boundary);
   const auto cover = [&](const TetherSpace::Component& component, Context& inner) {
-    Task task(component.problem, std::move(parts[component.index]), space.field(), w);
-    if (p.winding == TetherSide::right) reverse(task.rings);
-    Path path = p.winding == TetherSide::any ? cover_by_tour(p, task, inner)
-                                             : with_task_rings(task, drive_one_way(p, task, inner), inner);
-    path = without_short_segments(std::move(path), component.problem);
-    path = repaired(component.problem, path, std::move(task.pockets), task.connector, inner);
-    path = or_laps(p, cut, component.problem, std::move(path), inner);
+    if (only_laps[component.index]) return laps_in_component(cut, component.problem, inner);
+    Path path = cover_by_level_sets(p, component.problem, space.field(), std::move(parts[component.index]), cut, inner);
     const bool first = component.index == 0;  // with the transit that follows, below
     return first || tacking.angle <= 0 ? path : tacked(space.field(), component.problem, path, tacking);
   };

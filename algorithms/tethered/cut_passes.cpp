@@ -1,6 +1,7 @@
 #include "algorithms/tethered/cut_passes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -28,6 +29,7 @@ constexpr double kBeyond = 0.002;        // the pass where it covers the strip b
 constexpr double kSkipped[] = {0, 0.02, 0.05};  // of its length, at either end
 constexpr double kReach = 0.4999;               // of the tool
 constexpr int kFewVertices = 8;                 // of discs
+constexpr int kMostHalvings = 2;                // of what no single position or segment covers
 constexpr double kDrivenWithin = 1.05;          // distance of what may cover what the passes miss: at least 1
 constexpr double kSquare = 0.25;                // side of the squares around that
 constexpr double kLostWithin = 1.0;             // distance from a disconnected part of the pieces that disconnect it
@@ -131,33 +133,94 @@ Ring polygon_around(const Point& centre, double radius, int vertices) {
   for (int k = 0; k < vertices; ++k) ring.push_back(centre + radius * rotated({1, 0}, 2 * kPi * k / vertices));
   return ring;
 }
-/// A polygon in a disc, or, with few vertices, around it.
-Ring disc(const Point& centre, double radius, double chord_error, Bound bound) {
-  if (bound == Bound::outside) return polygon_around(centre, radius / std::cos(kPi / kFewVertices), kFewVertices);
+/// A polygon in a disc.
+Ring disc(const Point& centre, double radius, double chord_error) {
   return polygon_around(centre, radius, static_cast<int>(std::ceil(kPi / std::acos(1 - chord_error / radius))));
+}
+/// A polygon of few vertices around it.
+Ring around_disc(const Point& centre, double radius) {
+  return polygon_around(centre, radius / std::cos(kPi / kFewVertices), kFewVertices);
 }
 
 using Pieces = std::span<const StripPiece>;
 
-/// Appends discs at the ends of rows of pieces, where lines of the cut may meet.
-void append_discs(Pieces pieces, double w, Bound bound, Region& parts) {
-  const auto add = [&](const CutPoint& end) {
-    if (end.half_width >= kAtJunctions / 2 * w)
-      parts.polygons.push_back({disc(end.at, end.half_width, w / kChordsPerWidth, bound), {}});
+/// Calls f(end) for the ends of rows of pieces, where lines of the cut may meet.
+template <class F>
+void for_each_end(Pieces pieces, double w, F f) {
+  const auto visit = [&](const CutPoint& end) {
+    if (end.half_width >= kAtJunctions / 2 * w) f(end);
   };
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (i == 0 || pieces[i - 1].to.at != pieces[i].from.at) add(pieces[i].from);
-    if (i + 1 == pieces.size() || pieces[i + 1].from.at != pieces[i].to.at) add(pieces[i].to);
+    if (i == 0 || pieces[i - 1].to.at != pieces[i].from.at) visit(pieces[i].from);
+    if (i + 1 == pieces.size() || pieces[i + 1].from.at != pieces[i].to.at) visit(pieces[i].to);
   }
 }
 
 /// The strip between the passes, with discs where lines of the cut may meet.
 Region strip_of(Pieces pieces, double w) {
   Region parts;
-  append_discs(pieces, w, Bound::inside, parts);
+  for_each_end(pieces, w, [&](const CutPoint& end) {
+    parts.polygons.push_back({disc(end.at, end.half_width, w / kChordsPerWidth), {}});
+  });
   for (const StripPiece& piece : pieces) parts.polygons.push_back({piece.outline(), {}});
   return simplify_inward(unite({parts}), kStraightening * w);
 }
+
+/// Finds what of convex polygons lies in a component and is not surely covered from `driven`, which is closed: what is
+/// convex lies within half a tool width of a position if its vertices do. What no single position covers is divided.
+class DoubtfulParts {
+ public:
+  DoubtfulParts(const EdgeIndex& component, const EdgeIndex& driven, double w)
+      : component_(component), driven_(driven), reach_(kReach * w) {}
+
+  void add(const Ring& convex) {
+    for (std::size_t i = 2; i < convex.size(); ++i) add({convex[0], convex[i - 1], convex[i]}, 0);
+  }
+  /// Does the convex polygon surely lie outside of the component?
+  bool is_outside(std::span<const Point> convex, const Point& middle) const {
+    if (component_.contains(middle)) return false;
+    double radius = 0;
+    for (std::size_t i = 0; i < convex.size(); ++i) {
+      if (component_.nearest(convex[i], convex[(i + 1) % convex.size()], kTouching * reach_)) return false;
+      radius = std::max(radius, distance(convex[i], middle));
+    }
+    return distance(component_.edges().front().a, middle) > radius;  // nor does it hold the whole component
+  }
+  void add_whole(Ring polygon) { parts_.polygons.push_back({std::move(polygon), {}}); }
+  bool is_uncovered(const Point& p) const { return !driven_.contains(p) && !driven_.nearest(p, reach_); }
+  /// They may overlap.
+  Region take() { return std::move(parts_); }
+
+ private:
+  using Triangle = std::array<Point, 3>;
+
+  void add(const Triangle& t, int halvings) {
+    const Point middle = (t[0] + t[1] + t[2]) / 3;
+    if (is_outside(t, middle) || is_covered(t, middle)) return;
+    if (halvings == kMostHalvings || is_uncovered(middle)) return add_whole({t[0], t[1], t[2]});
+    const Triangle middles{lerp(t[0], t[1], 0.5), lerp(t[1], t[2], 0.5), lerp(t[2], t[0], 0.5)};
+    add(middles, halvings + 1);
+    for (std::size_t k = 0; k < 3; ++k) add({t[k], middles[k], middles[(k + 2) % 3]}, halvings + 1);
+  }
+  bool is_covered(const Triangle& t, const Point& middle) const {
+    const auto from_near = [&](const Point& p) {
+      Point at = p;
+      if (!driven_.contains(p)) {
+        const auto nearest = driven_.nearest(p, reach_);
+        if (!nearest) return false;
+        at = nearest->point;
+      }
+      return std::ranges::all_of(t, [&](const Point& v) { return distance(v, at) <= reach_; });
+    };
+    return from_near(middle) || std::ranges::any_of(t, from_near);
+  }
+
+  static constexpr double kTouching = 1e-4;  // of the reach
+
+  const EdgeIndex &component_, &driven_;
+  double reach_;
+  Region parts_;
+};
 
 /// The pieces in groups that do not come near each other, and the strip of each.
 class Strips {
@@ -197,17 +260,15 @@ class Strips {
     return any;
   }
 
-  /// What of the strip the passes may miss, in polygons that may overlap. The rest is within half a tool width of
-  /// `driven`: so are the vertices of half a piece of the passage beside it, and what is convex is nowhere farther.
-  Region doubtful(const EdgeIndex& driven) const {
-    Region parts;
+  /// What of the strip in the component the passes may miss, in polygons that may overlap.
+  Region doubtful(const EdgeIndex& component, const EdgeIndex& driven) const {
+    DoubtfulParts parts(component, driven, w_);
     for (const Group& group : groups_) {
-      append_discs(group.pieces, w_, Bound::outside, parts);
+      for_each_end(group.pieces, w_, [&](const CutPoint& end) { parts.add(around_disc(end.at, end.half_width)); });
       for (const StripPiece& piece : group.pieces)
-        for (const double side : {-1.0, 1.0})
-          if (Ring half = piece.half(side); !covered(half, driven)) parts.polygons.push_back({std::move(half), {}});
+        for (const double side : {-1.0, 1.0}) add_half(piece.half(side), driven, parts);
     }
-    return parts;
+    return parts.take();
   }
 
  private:
@@ -226,6 +287,16 @@ class Strips {
       box.add(around);
     }
     return box;
+  }
+  /// Adds a half of a piece, or what of it the pass beside it may not cover.
+  void add_half(const Ring& half, const EdgeIndex& driven, DoubtfulParts& parts, int halvings = 0) const {
+    const Point middle = lerp(lerp(half[0], half[1], 0.5), lerp(half[2], half[3], 0.5), 0.5);
+    if (parts.is_outside(half, middle) || covered(half, driven)) return;
+    if (parts.is_uncovered(middle)) return parts.add_whole(half);
+    if (halvings == kMostHalvings) return parts.add(half);
+    const Point near = lerp(half[0], half[1], 0.5), far = lerp(half[3], half[2], 0.5);
+    add_half({half[0], near, far, half[3]}, driven, parts, halvings + 1);
+    add_half({near, half[1], half[2], far}, driven, parts, halvings + 1);
   }
   /// Does some of the pass beside the half cover it?
   bool covered(const Ring& half, const EdgeIndex& driven) const {
@@ -249,23 +320,34 @@ class Strips {
   std::vector<Group> groups_;
 };
 
-/// What the tool would reach from `left_out` of the space, and does not from `driven`: there, and beside walls. What
-/// lies across the cut is for the passes there.
-Region unreached(const RingBoxes& target, const RingBoxes& space, const Region& left_out, const Region& driven,
-                 double w) {
-  const double chord = w / kChordsPerWidth;
-  std::vector<Polyline> lines;
-  for_each_edge(left_out, [&](const Point& a, const Point& b) { lines.push_back({a, b}); });
-  if (lines.empty()) return {};
-  const Region near = intersect(driven, squares_around(lines, kDrivenWithin * w, kSquare * w));
-  const Region swept = dilate(left_out, w / 2, chord, Bound::inside);
+/// What the tool would reach from `left_out` of the space beyond its walls.
+Region beyond_walls(const RingBoxes& target, const RingBoxes& space, const Region& left_out, double w) {
+  const Region swept = dilate(left_out, w / 2, w / kChordsPerWidth, Bound::inside);
   std::vector<Box> boxes;
   for (const Polygon& part : swept.polygons) boxes.push_back(bounding_box(part.outer));
   Box around = bounding_box(swept);
   around.grow(w);
   const auto there = [&](const RingBoxes& rings) { return clipped(rings.near(boxes), around); };
-  const Region beside = subtract(intersect(there(target), swept), there(space));
-  return subtract(unite({left_out, beside}), dilate(near, w / 2, chord, Bound::inside));
+  return subtract(intersect(there(target), swept), there(space));
+}
+
+/// What the tool would reach from `left_out` of the problem's space, and does not from `driven`: there, and beside
+/// walls. What lies across the cut is for the passes there. `target`: near the space as the problem's, elsewhere it may
+/// be more.
+Region unreached(const Problem& problem, const RingBoxes& target, const RingBoxes& space, const Region& left_out,
+                 const Region& driven) {
+  const double w = problem.robot().tool_width;
+  std::vector<Polyline> lines;
+  bool near_walls = false;
+  for_each_edge(left_out, [&](const Point& a, const Point& b) {
+    lines.push_back({a, b});
+    near_walls = near_walls || problem.walls().nearest(a, b, w / 2).has_value();
+  });
+  if (lines.empty()) return {};
+  const Region near = intersect(driven, squares_around(lines, kDrivenWithin * w, kSquare * w));
+  const Region reached = dilate(near, w / 2, w / kChordsPerWidth, Bound::inside);
+  if (!near_walls) return subtract(left_out, reached);
+  return subtract(unite({left_out, beyond_walls(target, space, left_out, w)}), reached);
 }
 
 bool holds(const Polygon& part, const Point& p, double tolerance) {
@@ -286,7 +368,7 @@ bool touches(const EdgeIndex& space, const Polyline& line, double within) {
 
 CutPasses::CutPasses(const Problem& problem, const std::vector<Polyline>& cut)
     : problem_(problem),
-      target_(problem.target()),
+      target_(problem.map().target_area ? problem.target() : problem.map().free),  // the same where it is needed
       space_(problem.configuration_space()),
       lines_(cut),
       junctions_(common_ends(cut, 3)) {
@@ -314,7 +396,8 @@ PassSpace CutPasses::beside(const Problem& component) const {
     Region space, lost, pockets;
     auto [outside, left_out] = divided(whole, strips.all());
     for (Polygon& part : outside.polygons) {
-      if (space.empty() && holds(part, component.start(), component.tolerance()))
+      const bool only = outside.polygons.size() == 1;  // strips keep off the start
+      if (space.empty() && (only || holds(part, component.start(), component.tolerance())))
         space.polygons.push_back(std::move(part));
       else if (area(part) > kLargestPocket * kLargestPocket * w * w)
         lost.polygons.push_back(std::move(part));
@@ -322,8 +405,10 @@ PassSpace CutPasses::beside(const Problem& component) const {
         pockets.polygons.push_back(std::move(part));
     }
     if (lost.empty()) {
-      left_out = unite({intersect(left_out, strips.doubtful(EdgeIndex(space))), pockets});
-      Region missed = unreached(target_, space_, left_out, space, w);
+      Region doubtful = strips.doubtful(component.walls(), EdgeIndex(space));
+      if (!doubtful.empty()) doubtful = intersect(left_out, doubtful);
+      if (!pockets.empty()) doubtful = unite({doubtful, pockets});
+      Region missed = unreached(problem_, target_, space_, doubtful, space);
       return {std::move(space), std::move(missed)};
     }
     const EdgeIndex around(lost);

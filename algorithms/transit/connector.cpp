@@ -6,13 +6,13 @@
 
 namespace oxturn {
 
-Connector::Connector(const Problem& problem) : walls_(problem.walls()), paths_(problem.transit()) {}
+Connector::Connector(const Problem& problem) : problem_(problem), walls_(problem.walls()) {}
 
 bool Connector::straight(const Point& a, const Point& b) const { return walls_.contains(a, b); }
 
 Polyline Connector::path(const Point& a, const Point& b) const {
   if (straight(a, b)) return {a, b};
-  auto found = paths_.path(a, b);
+  auto found = problem_.transit().path(a, b);
   if (!found)
     throw std::runtime_error(fmt::format("no path from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) inside configuration space",
                                          a.x(), a.y(), b.x(), b.y()));
@@ -22,7 +22,7 @@ Polyline Connector::path(const Point& a, const Point& b) const {
 std::optional<Polyline> Connector::path_within(const Point& a, const Point& b, double longest) const {
   if (distance(a, b) > longest) return std::nullopt;
   if (straight(a, b)) return Polyline{a, b};
-  return paths_.path(a, b, longest);
+  return problem_.transit().path(a, b, longest);
 }
 
 double Connector::length(const Point& a, const Point& b, double longest) const {

@@ -21,7 +21,8 @@ namespace oxturn {
 
 class Connector {
  public:
-  /// `problem` must outlive it. Builds the problem's edge index and triangulation if they do not exist yet.
+  /// `problem` must outlive it. Builds the problem's edge index if it does not exist yet, and its triangulation for the
+  /// first path that is not straight.
   explicit Connector(const Problem& problem);
 
   /// From a to b, both included. Throws std::runtime_error with both points if they are not connected, which happens
@@ -35,8 +36,8 @@ class Connector {
   bool straight(const Point& a, const Point& b) const;
 
  private:
+  const Problem& problem_;
   const EdgeIndex& walls_;
-  const ShortestPaths& paths_;
 };
 
 /// The candidate that is nearest by path, of pairs (straight distance, candidate); of equally near ones that with the

@@ -256,6 +256,7 @@ void TetherSpace::find_components() const {
   components_.push_back(*home_);
   component_of_other_.assign(others_.size(), kNone);
   const double least_area = problem_.robot().tool_width * problem_.robot().tool_width / kComponentsPerTool;
+  const double slack = problem_.tolerance();
   struct Found {
     double away;
     Point entry;
@@ -265,9 +266,15 @@ void TetherSpace::find_components() const {
   for (std::size_t k = 0; k < others_.size(); ++k) {
     if (area(others_[k]) <= least_area) continue;
     Found nearest{std::numeric_limits<double>::infinity(), {0, 0}, k};
-    for (const Point& p : others_[k].outer)
-      if (const double d = field().distance(p); d < nearest.away || (d == nearest.away && before(p, nearest.entry)))
-        nearest = {d, p, k};
+    double farther = 0;  // than the nearest one: the next vertex, at least
+    for (std::size_t i = 0; i < others_[k].outer.size(); ++i) {
+      const Point& p = others_[k].outer[i];
+      if (i > 0) farther -= distance(others_[k].outer[i - 1], p);
+      if (farther > slack) continue;
+      const double d = field().distance(p);
+      if (d < nearest.away || (d == nearest.away && before(p, nearest.entry))) nearest = {d, p, k};
+      farther = std::isfinite(d) ? d - nearest.away : 0;
+    }
     if (nearest.away < std::numeric_limits<double>::infinity()) found.push_back(nearest);
   }
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.away < b.away; });
@@ -285,9 +292,13 @@ void TetherSpace::find_components() const {
 std::optional<Polyline> TetherSpace::path_out(const Point& p) const {
   const Component* at = component_at(p);
   if (!at) return std::nullopt;
+  Polyline path = at->entry_path;
+  if (at->problem.walls().contains(at->problem.start(), p)) {  // without a triangulation
+    if (p != path.back()) path.push_back(p);
+    return path;
+  }
   const auto inside = at->problem.transit().path(at->problem.start(), p);
   if (!inside) return std::nullopt;
-  Polyline path = at->entry_path;
   path.insert(path.end(), inside->begin() + 1, inside->end());
   return path;
 }

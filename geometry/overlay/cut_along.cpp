@@ -60,7 +60,7 @@ Region cut_along(const Region& region, const std::vector<Polyline>& lines, doubl
     append_strips(line, width, strips);
   }
   if (strips.empty()) return region;
-  return subtract(region, unite(strips));
+  return subtract(region, strips);
 }
 
 }  // namespace oxturn

@@ -307,6 +307,26 @@ TEST(BergComplete, LapsAreDrivenWhereTheyAreBetter) {
   }
 }
 
+// Level sets take time for the whole map. In aisles and where obstacles lie densely laps are shorter and quicker, and
+// nothing else is planned; with many components a few slivers among them change nothing.
+TEST(BergComplete, OnlyLapsArePlannedWhereWallsLieDensely) {
+  const Map comb = oxturn::generate("comb", {}, 1), open = oxturn::generate("rectangle", {{"width", 12.0}}, 1),
+            speckle = oxturn::generate("speckle", {{"width", 46.0}, {"height", 46.0}}, 1);
+  const Problem in_open(open, tethered_robot(1.1));
+  EXPECT_TRUE(plan_recorded("berg-complete", in_open).traces.contains("level sets"));
+  for (const Map* map : {&comb, &speckle}) {
+    SCOPED_TRACE(map->source);
+    const Problem problem(*map, tethered_robot(1.1));
+    const RecordedPlan laps = plan_recorded("berg-complete", problem),
+                       sets = plan_recorded("berg-complete", problem, {{"laps", std::int64_t{0}}});
+    EXPECT_FALSE(laps.traces.contains("level sets"));
+    EXPECT_TRUE(sets.traces.contains("level sets"));
+    expect_geodesic(problem, laps.path);
+    EXPECT_GE(score(problem, laps.path).value("coverage_lower").value_or(0), 0.9995);
+    EXPECT_LT(laps.path.length(), 0.95 * sets.path.length());
+  }
+}
+
 TEST(BergComplete, EveryOrderAndWindingCoversTheSame) {
   for (const char* name : {"clutter", "field"}) {
     const Problem problem(oxturn::generate(name, {{"width", 10.0}, {"height", 7.0}}, 3), tethered_robot(1.1));
