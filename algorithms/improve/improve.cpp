@@ -24,6 +24,7 @@ constexpr double kFineMargin = 0.0015;  // in closing: what is thinner than the 
 constexpr double kBesideWall = 0.02;    // edges nearer to a wall are moved to it
 constexpr double kStraight = 0.005;     // vertices nearer to their chord are dropped at the beginning
 constexpr double kOnChord = 1e-6;       // the same before each round of closing
+constexpr double kNoTurn = 0.03;        // the same where turns are counted: a robot rounds off what is smaller
 // The price of uncovered area is 1 / w times kPrice at an uncovered share of kPriceAt, and grows with a power of that.
 // Where closing begins, it is kMostPrice times as much at most: at high prices no lane moves any more.
 constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4, kMostPrice = 2.5;
@@ -169,7 +170,10 @@ class Improver {
                      context_.rng());
     }
   }
-  double cost(const Polyline& points) const { return length(points) + (turn_ > 0 ? turn_ * turning(points) : 0); }
+  double cost(const Polyline& points) const {
+    if (turn_ <= 0) return length(points);
+    return length(points) + turn_ * turning(straightened(points, kNoTurn * width_, problem_.walls()));
+  }
   const Shares& shares() const { return nearly_all() ? kOfNearlyAll : kOfMost; }
   bool nearly_all() const { return share_ < kNearlyAll; }
   long moves(double share) const {
