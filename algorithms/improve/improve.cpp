@@ -134,9 +134,11 @@ class Improver {
     const double hot = 1 - used - shares().warming - shares().closing;
     Rng& rng = context_.rng();
     Annealing::Options options = coarse();
-    const double left = std::max(kLeastHot, share_);
-    options.uncovered = left * area(completion_.target());
-    options.price = kHotPrice * price(left);
+    if (nearly_all()) {
+      const double left = std::max(kLeastHot, share_);
+      options.uncovered = left * area(completion_.target());
+      options.price = kHotPrice * price(left);
+    }
     const Annealed now = annealed(best, options, {moves(hot), how_.temperature * width_, kWarm * width_}, rng);
     options = middle();
     options.price = now.price;
