@@ -18,17 +18,20 @@ namespace {
 
 // In tool widths.
 constexpr double kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one
-constexpr double kCoarseCell = 1.0 / 10, kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80;
+constexpr double kCoarseCell = 1.0 / 10, kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80, kFinestCell = 1.0 / 120;
 constexpr double kMargin = 0.003;       // by which the tool is narrower at first, so that lanes can be moved afterwards
 constexpr double kFineMargin = 0.0015;  // in closing: what is thinner than the raster's cells
 constexpr double kBesideWall = 0.02;    // edges nearer to a wall are moved to it
 constexpr double kStraight = 0.005;     // vertices nearer to their chord are dropped at the beginning
 constexpr double kOnChord = 1e-6;       // the same before each round of closing
+constexpr double kNoTurn = 0.03;        // the same where turns are counted: a robot rounds off what is smaller
 // The price of uncovered area is 1 / w times kPrice at an uncovered share of kPriceAt, and grows with a power of that.
-// Where closing begins, it is kMostPrice times as much at most: at high prices no lane moves any more.
-constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4, kMostPrice = 2.5;
-constexpr double kNearlyAll = 1e-3;       // uncovered share below which coverage is nearly full
-constexpr double kLeastUncovered = 4e-5;  // share of the target that annealing leaves uncovered at least
+// Where closing begins, it is kMostPrice times as much at most: at high prices no lane moves any more. The first run at
+// length begins with kHotPrice times as much, about where the price settles for what that run leaves uncovered.
+constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4, kMostPrice = 2.5, kHotPrice = 0.7;
+constexpr double kNearlyAll = 1e-3;  // uncovered share below which coverage is nearly full
+// Share of the target that annealing leaves uncovered at least; of the whole target that is asked for.
+constexpr double kLeastUncovered = 4e-5, kLeastOfWhole = 3e-6;
 // The same of the first run at length: lanes move little where nothing may be left.
 constexpr double kLeastHot = 6.4e-4;
 // Shares of the moves: of each short run of several, of the second run at length, and of closing, in rounds. The first
@@ -36,7 +39,7 @@ constexpr double kLeastHot = 6.4e-4;
 struct Shares {
   double brief, warming, closing;
 };
-constexpr Shares kOfMost{0.06, 0.184, 0.3}, kOfNearlyAll{0.04, 0.17, 0.25};
+constexpr Shares kOfMost{0.06, 0.184, 0.3}, kOfNearlyAll{0.04, 0.17, 0.25}, kOfWhole{0.04, 0.17, 0.4};
 // Uncovered pieces that are smaller, of what is allowed in all, get no extra moves.
 constexpr double kNoticed = 1e-3;
 // What closing may leave uncovered on the raster, of what is allowed: it misses what is thinner than its cells.
@@ -108,7 +111,8 @@ class Improver {
         walls_(problem.walls()),
         width_(problem.robot().tool_width),
         turn_(weight_of_time(how) * problem.robot().speed / problem.robot().turn_rate),
-        share_(std::max(completion_.allowed() / area(problem.target()), kLeastUncovered)),
+        share_(std::max(completion_.allowed() / area(problem.target()),
+                        completion_.whole() ? kLeastOfWhole : kLeastUncovered)),
         narrow_(with_margin(kMargin)),
         less_narrow_(with_margin(kFineMargin)) {}
 
@@ -131,7 +135,11 @@ class Improver {
     const double hot = 1 - used - shares().warming - (without_ == Part::closing ? 0 : shares().closing);
     Rng& rng = context_.rng();
     Annealing::Options options = coarse();
-    options.uncovered = std::max(kLeastHot, share_) * area(completion_.target());
+    if (nearly_all()) {
+      const double left = std::max(kLeastHot, share_);
+      options.uncovered = left * area(completion_.target());
+      options.price = kHotPrice * price(left);
+    }
     const Annealed now = annealed(best, options, {moves(hot), how_.temperature * width_, kWarm * width_}, rng);
     options = middle();
     options.price = now.price;
@@ -154,10 +162,10 @@ class Improver {
       now.points = straightened(now.points, kOnChord * width_, problem_.walls());
       if (nearly_all() && without_ != Part::walls) now.points = walls_.snapped(now.points, kBesideWall * width_);
       // What is uncovered at first is more than detours are good for: annealing covers most of it on less length.
-      const bool first = nearly_all() && !completion_.whole() && !cold_start && round == 0 && rounds > 0;
+      const bool first = nearly_all() && !cold_start && round == 0 && rounds > 0;
       const double missed = close(now, first ? Detours::left_out : Detours::taken);
       if (round == rounds) return;
-      Annealing::Options options = nearly_all() ? raster(kFineCell, margin) : middle();
+      Annealing::Options options = nearly_all() ? raster(fine_cell(), margin) : middle();
       if (round > 0) factor = std::clamp(factor * options.uncovered / missed, kLeastFactor, 1.0);
       options.price = std::min(now.price, kMostPrice * options.price);
       options.uncovered *= factor;
@@ -169,8 +177,13 @@ class Improver {
                      context_.rng());
     }
   }
-  double cost(const Polyline& points) const { return length(points) + (turn_ > 0 ? turn_ * turning(points) : 0); }
-  const Shares& shares() const { return nearly_all() ? kOfNearlyAll : kOfMost; }
+  double cost(const Polyline& points) const {
+    if (turn_ <= 0) return length(points);
+    return length(points) + turn_ * turning(straightened(points, kNoTurn * width_, problem_.walls()));
+  }
+  const Shares& shares() const { return completion_.whole() ? kOfWhole : nearly_all() ? kOfNearlyAll : kOfMost; }
+  /// Where everything is asked for, what is too small for the raster needs many detours.
+  double fine_cell() const { return completion_.whole() ? kFinestCell : kFineCell; }
   bool nearly_all() const { return share_ < kNearlyAll; }
   long moves(double share) const {
     const double squares = area(completion_.target()) / (width_ * width_), first = std::min(squares, kFirstSquares);
@@ -183,11 +196,13 @@ class Improver {
     return {.cell = cell * width_,
             .radius = (0.5 - margin) * width_,
             .uncovered = share_ * area(completion_.target()),
-            .price = kPrice / width_ * std::pow(share_ / kPriceAt, kPricePower),
+            .price = price(share_),
             .turn = turn_,
             .fixed_end = how_.return_home,
             .without = without_};
   }
+  /// Of uncovered area, where that share of the target stays uncovered.
+  double price(double share) const { return kPrice / width_ * std::pow(share / kPriceAt, kPricePower); }
   Region with_margin(double margin) const {
     return nearly_all() ? reachable_target(problem_, margin * width_, Completion::kChord) : Region{};
   }

@@ -12,7 +12,8 @@
 /// same manner. The tool is on all along.
 ///
 /// With `objective = time`, a turn counts as far as the robot drives while it turns on the spot, and the path is the
-/// one that takes the least time in this sense. With `objective = weighted`, it is the one with the least
+/// one that takes the least time in this sense; of completed paths, turns smaller than what the robot rounds off do not
+/// count. With `objective = weighted`, it is the one with the least
 /// (1 - time_weight) * length + time_weight * speed * time: a turn counts the share `time_weight` of that.
 ///
 /// Source      ours

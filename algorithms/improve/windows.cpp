@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -137,11 +138,11 @@ class Windows {
   static Box grown(const Box& box, double by) { return {box.low - Point(by, by), box.high + Point(by, by)}; }
 
   double uncovered(const Polyline& points) const {
-    double sum = 0;
     const Grid grid(box_, box_.low, kSide * width_);
-    for (std::size_t k = 0; k < grid.size(); ++k)
-      sum += area_uncovered(witnesses(grid.window(k), points, options_.cell));
-    return sum;
+    std::vector<double> areas(grid.size());
+    in_parallel(threads_, grid.size(),
+                [&](std::size_t k) { areas[k] = area_uncovered(witnesses(grid.window(k), points, options_.cell)); });
+    return std::accumulate(areas.begin(), areas.end(), 0.0);
   }
   static double area_uncovered(const Witnesses& witnesses) {
     return static_cast<double>(witnesses.uncovered()) * witnesses.area_each();
