@@ -152,7 +152,7 @@ class Improver {
   /// annealing has made a good start longer, as it does with lanes that fit their field, the start is annealed cold.
   void close_in_rounds(Annealed now) {
     const bool cold_start = cost(now.points) >= cost(best_);
-    if (cold_start) now.points = straightened(best_, kStraight * width_, problem_.walls());
+    if (cold_start) now = {straightened(best_, kStraight * width_, problem_.walls()), 0, price(share_)};
     const double margin = cold_start ? 0 : kFineMargin;  // a start's lanes are as far apart as the tool is wide
     const long least = std::max(kLeastMoves, kLeastMovesEach * static_cast<long>(now.points.size()));
     const int rounds =
