@@ -43,7 +43,7 @@ class DiscArea {
     const double x = cosine_ * c - sine_ * s, y = sine_ * c + cosine_ * s + 0.0;  // no -0: half a turn is pi
     if (x == 0 && y == 0) return;
     if (s > 0 || (s == 0 && c < 0)) {
-      if (sine_ >= 0 && y < 0) ++turns_;
+      if (sine_ >= 0 && (y < 0 || (y == 0 && x > 0 && cosine_ < 0))) ++turns_;
     } else if (s < 0 && sine_ < 0 && (y > 0 || (y == 0 && x < 0))) {
       --turns_;
     }

@@ -70,7 +70,7 @@ TEST(DiscArea, AgreesWithTheOverlay) {
 // millionth to a million. The oracle adds the angles one by one.
 TEST(DiscArea, CountsWholeTurns) {
   Rng rng(6);
-  for (int k = 0; k < 2000; ++k) {
+  for (int k = 0; k < 50'000; ++k) {
     const double scale = std::ldexp(1.0, k % 41 - 20);  // exact
     const auto coordinate = [&] { return scale * std::round(rng.between(-3.0, 3.0)); };
     const auto on_grid = [&] { return Point(coordinate(), coordinate()); };
