@@ -31,7 +31,7 @@
 //                (component_laps.hpp), and driven where that is better: along corridors laps need few turns, but
 //                round many obstacles they are shorter and turn more. Not with demands on the tether, nor with the
 //                source's orders. Where walls and cut lie so densely that laps were both shorter and quicker in all but
-//                2 of 93 components of 100 squares and more (16 generators, three tools), only laps are planned. Level
+//                2 of 93 components of 100 squares and more (9 generators, two tools), only laps are planned. Level
 //                sets need the whole map: with more than 128 components they are left out as well if the others hold
 //                little of the area (paths 0.5 % longer than with them).
 //             8. reverse = true: both demands are met by driving backwards, everywhere and without a detour
