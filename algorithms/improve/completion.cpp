@@ -78,7 +78,7 @@ Path driven(const Polyline& points) {
   return path.take();
 }
 
-Completion::Completion(const Problem& problem, double coverage, Part without)
+Completion::Completion(const Problem& problem, double coverage, AnnealingPart without)
     : problem_(problem),
       connector_(problem),
       width_(problem.robot().tool_width),
@@ -111,8 +111,8 @@ Region Completion::needed(Region uncovered) const {
 Polyline Completion::completed(Polyline points, Region left, Context& context) const {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   // Where everything is asked for, strokes would be made along seams, which repaired() ignores.
-  Polyline whole =
-      detoured(points, left, coverage_ < 1 && without_ != Part::strokes ? kNoticed * allowed() : kNone, context);
+  Polyline whole = detoured(
+      points, left, coverage_ < 1 && without_ != AnnealingPart::strokes ? kNoticed * allowed() : kNone, context);
   const bool short_enough = length(whole) <= kShort * length(points);
   if (coverage_ >= 1 || short_enough || context.cancelled()) return whole;
   Polyline other = detoured(std::move(points), std::move(left), kNone, context);
@@ -122,7 +122,7 @@ Polyline Completion::completed(Polyline points, Region left, Context& context) c
 /// `noticed`: pieces of less area get no strokes.
 Polyline Completion::detoured(Polyline points, Region left, double noticed, Context& context) const {
   Region rest = needed(left);
-  for (int pass = 0; pass < kPasses && !rest.empty() && without_ != Part::detours; ++pass) {
+  for (int pass = 0; pass < kPasses && !rest.empty() && without_ != AnnealingPart::detours; ++pass) {
     const double enough = coverage_ >= 1 ? std::numeric_limits<double>::infinity() : area(left) - allowed();
     points = with_detours(points, coverage_ < 1 ? in_parts(left, width_) : as_they_are(left), enough, noticed,
                           kReach * width_, connector_, problem_.walls());

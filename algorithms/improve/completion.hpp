@@ -24,7 +24,7 @@ class Completion {
  public:
   static constexpr double kChord = 2e-4;  // tool widths: error of arcs where coverage is measured
   /// `problem` must outlive it.
-  Completion(const Problem& problem, double coverage, Part without = Part::none);
+  Completion(const Problem& problem, double coverage, AnnealingPart without = AnnealingPart::none);
   /// What can be covered: all of the target, but where configuration space was restricted.
   const Region& target() const { return target_; }
   /// Square metres that may stay uncovered: slightly less than asked for, because who judges the path measures with an
@@ -44,7 +44,7 @@ class Completion {
   const Problem& problem_;
   const Connector connector_;
   double width_, coverage_;
-  Part without_;  // strokes or detours, or none of these
+  AnnealingPart without_;  // strokes or detours, or none of these
   Region target_;
 };
 

@@ -132,7 +132,7 @@ class Improver {
     if (context_.cancelled()) return driven(best_);
     const Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
     const double used = lines.size() > 1 ? shares().brief * static_cast<double>(lines.size()) : 0;
-    const double hot = 1 - used - shares().warming - (without_ == Part::closing ? 0 : shares().closing);
+    const double hot = 1 - used - shares().warming - (without_ == AnnealingPart::closing ? 0 : shares().closing);
     Rng& rng = context_.rng();
     Annealing::Options options = coarse();
     if (nearly_all()) {
@@ -155,12 +155,14 @@ class Improver {
     if (cold_start) now = {straightened(best_, kStraight * width_, problem_.walls()), 0, price(share_)};
     const double margin = cold_start ? 0 : kFineMargin;  // a start's lanes are as far apart as the tool is wide
     const long least = std::max(kLeastMoves, kLeastMovesEach * static_cast<long>(now.points.size()));
-    const int rounds =
-        without_ == Part::closing ? 0 : std::min(kMostRounds, 1 + static_cast<int>(moves(shares().closing) / least));
+    const int rounds = without_ == AnnealingPart::closing
+                           ? 0
+                           : std::min(kMostRounds, 1 + static_cast<int>(moves(shares().closing) / least));
     double factor = cold_start ? kFirstOfStart : kFirstFactor;
     for (int round = 0; !context_.cancelled(); ++round) {
       now.points = straightened(now.points, kOnChord * width_, problem_.walls());
-      if (nearly_all() && without_ != Part::walls) now.points = walls_.snapped(now.points, kBesideWall * width_);
+      if (nearly_all() && without_ != AnnealingPart::walls)
+        now.points = walls_.snapped(now.points, kBesideWall * width_);
       // What is uncovered at first is more than detours are good for: annealing covers most of it on less length.
       const bool first = nearly_all() && !cold_start && round == 0 && rounds > 0;
       const double missed = close(now, first ? Detours::left_out : Detours::taken);
@@ -223,7 +225,7 @@ class Improver {
     const double noticed = kNoticed * completion_.allowed(), missed = area(uncovered);
     focus_.clear();
     for (const Polygon& piece : uncovered.polygons)
-      if (area(piece) > noticed && without_ != Part::focus) add_samples(piece.outer, width_, focus_);
+      if (area(piece) > noticed && without_ != AnnealingPart::focus) add_samples(piece.outer, width_, focus_);
     Polyline whole = offer(path.points, std::move(uncovered));
     if (detours == Detours::taken && length(whole) < kShortDetours * length(path.points))
       path.points = std::move(whole);
@@ -261,7 +263,7 @@ class Improver {
   const Problem& problem_;
   const Improvement& how_;
   Context& context_;
-  const Part without_;
+  const AnnealingPart without_;
   const Completion completion_;
   const WallFollowing walls_;
   double width_;

@@ -217,7 +217,8 @@ std::optional<Change> Moves::spike(const VertexPath& path, const Point& at, Rng&
 }
 
 std::optional<Change> Moves::propose(const VertexPath& path, Rng& rng) const {
-  const bool covering = sizes_.without != Part::covering, reordering = sizes_.without != Part::reordering;
+  const bool covering = sizes_.without != AnnealingPart::covering,
+             reordering = sizes_.without != AnnealingPart::reordering;
   if (covering && !uncovered_.empty() && rng.chance(kCovering)) return cover(path, rng);
   const std::size_t i = vertex(path, rng);
   std::uint64_t kind = rng.below(100);
@@ -228,7 +229,7 @@ std::optional<Change> Moves::propose(const VertexPath& path, Rng& rng) const {
   };
   if (drawn(kShiftVertex)) return shift_vertex(path, i, rng);
   if (drawn(kShiftEdge)) return shift_edge(path, i, rng);
-  if (drawn(kSnap)) return sizes_.without == Part::walls ? shift_vertex(path, i, rng) : snap(path, i, rng);
+  if (drawn(kSnap)) return sizes_.without == AnnealingPart::walls ? shift_vertex(path, i, rng) : snap(path, i, rng);
   if (drawn(kRemove)) return remove(path, i);
   if (drawn(kSplit)) return split(path, i, rng);
   if (drawn(kMerge)) return merge(path, i, rng);

@@ -72,7 +72,7 @@ class Moves {
   struct Sizes {
     double width = 0;                 // of the tool, metres
     double least = 0.01, most = 0.3;  // standard deviations of shifts, in tool widths; log-uniform in between
-    Part without = Part::none;        // moves of this part are shifts of vertices instead
+    AnnealingPart without = AnnealingPart::none;  // moves of this part are shifts of vertices instead
   };
   /// `walls`: the edges of configuration space, to which vertices may snap; must outlive it.
   Moves(const Sizes& sizes, const EdgeIndex& walls) : sizes_(sizes), width_(sizes.width), walls_(walls) {}

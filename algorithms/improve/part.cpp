@@ -11,10 +11,10 @@ const std::vector<std::string>& part_names() {
   return names;
 }
 
-Part part_named(const std::string& name) {
+AnnealingPart part_named(const std::string& name) {
   const auto at = std::ranges::find(part_names(), name);
   if (at == part_names().end()) throw std::invalid_argument("unknown part '" + name + "'");
-  return static_cast<Part>(at - part_names().begin());
+  return static_cast<AnnealingPart>(at - part_names().begin());
 }
 
 }  // namespace oxturn

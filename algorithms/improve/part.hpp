@@ -1,6 +1,6 @@
 /// The parts of improvement (improve.hpp) that can be left out, to measure what each of them is worth.
 ///
-///   const Part without = part_named("covering");
+///   const AnnealingPart without = part_named("covering");
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace oxturn {
 
-enum class Part {
+enum class AnnealingPart {
   none,
   starts,      // all but the first; planners that have one only: nothing
   heat,        // no move makes the path worse
@@ -21,9 +21,9 @@ enum class Part {
   strokes,     // detours along walls
   detours      // short ones, by stops and strokes: all are those of lanes/repair.hpp
 };
-/// In the order of Part.
+/// In the order of AnnealingPart.
 const std::vector<std::string>& part_names();
 /// Throws std::invalid_argument for a name that is none of them.
-Part part_named(const std::string& name);
+AnnealingPart part_named(const std::string& name);
 
 }  // namespace oxturn

@@ -74,7 +74,8 @@ class Windows {
 
   bool one(double hot) const {
     const double longest = std::max(box_.size().x(), box_.size().y());
-    return options_.without == Part::windows || longest <= (hot > kHot * width_ ? kWhole : kWholeIfCold) * width_;
+    return options_.without == AnnealingPart::windows ||
+           longest <= (hot > kHot * width_ ? kWhole : kWholeIfCold) * width_;
   }
 
   Annealed whole(const Polyline& points, const Annealing::Schedule& schedule, Rng& rng, const Context& context) const {
@@ -232,7 +233,7 @@ Annealed annealed(const Problem& problem, const Region& target, const Polyline& 
                   const std::vector<Point>& focus, int threads, Rng& rng, const Context& context) {
   Windows windows(problem, target, options, focus, threads);
   Annealing::Schedule at = schedule;
-  if (options.without == Part::heat) at.hot = at.cold = kNoHeat * problem.robot().tool_width;
+  if (options.without == AnnealingPart::heat) at.hot = at.cold = kNoHeat * problem.robot().tool_width;
   return windows.one(schedule.hot) ? windows.whole(points, at, rng, context)
                                    : windows.in_passes(points, at, rng, context);
 }

@@ -33,7 +33,7 @@ class Shortest final : public CoveragePlanner {
   Shortest(const Improvement& how, const Planners& planners) : how_(how) {
     for (const Start& start : starts()) {
       planners_.push_back(planners.find(start.planner).make(start.settings, planners));
-      if (part_named(how.without) == Part::starts) break;
+      if (part_named(how.without) == AnnealingPart::starts) break;
     }
   }
 

@@ -22,8 +22,8 @@ std::string bytes(const Path& path) {
 TEST(Part, NamesAreInOrder) {
   for (std::size_t k = 0; k < part_names().size(); ++k)
     EXPECT_EQ(static_cast<std::size_t>(part_named(part_names()[k])), k);
-  EXPECT_EQ(part_named("none"), Part::none);
-  EXPECT_EQ(part_named("detours"), Part::detours);
+  EXPECT_EQ(part_named("none"), AnnealingPart::none);
+  EXPECT_EQ(part_named("detours"), AnnealingPart::detours);
   EXPECT_THAT([] { part_named("wall"); },
               testing::ThrowsMessage<std::invalid_argument>(testing::StrEq("unknown part 'wall'")));
 }
@@ -51,14 +51,15 @@ TEST(Part, DetoursLeftOutMakeCompletedPathsLonger) {
   const Problem room(generate("rooms", {{"width", 7.0}, {"height", 5.0}, {"rooms", std::int64_t{4}}}, 3),
                      disc(0.2, 0.4));
   const Polyline lanes = vertices_of(plan("shortest", room, {{"coverage", 0.98}, {"moves", 20000}}), room.start());
-  const auto completed = [&](Part without) {
+  const auto completed = [&](AnnealingPart without) {
     const Completion completion(room, 0.9995, without);
     Context context(1);
     const Polyline path = completion.completed(lanes, completion.uncovered(lanes), context);
     EXPECT_GE(*score(room, driven(path)).value("coverage"), 0.9995);
     return length(path);
   };
-  const double all = completed(Part::none), no_strokes = completed(Part::strokes), none = completed(Part::detours);
+  const double all = completed(AnnealingPart::none), no_strokes = completed(AnnealingPart::strokes),
+               none = completed(AnnealingPart::detours);
   EXPECT_GT(no_strokes, 1.005 * all);
   EXPECT_GT(none, 1.005 * all);
 }
@@ -74,7 +75,7 @@ TEST(Part, MovesLeftOutAreNotMade) {
   struct Kinds {
     int reordered = 0, on_wall = 0, many = 0;
   };
-  const auto proposed = [&](Part without) {
+  const auto proposed = [&](AnnealingPart without) {
     Moves moves({.width = 1, .without = without}, walls);
     moves.uncovered({{3, 5.7}});
     Rng rng(5);
@@ -91,13 +92,13 @@ TEST(Part, MovesLeftOutAreNotMade) {
     }
     return kinds;
   };
-  const Kinds all = proposed(Part::none);
+  const Kinds all = proposed(AnnealingPart::none);
   EXPECT_GT(all.reordered, 100);
   EXPECT_GT(all.on_wall, 20);
   EXPECT_GT(all.many, 20);
-  EXPECT_EQ(proposed(Part::reordering).reordered, 0);
-  EXPECT_LT(proposed(Part::walls).on_wall, all.on_wall / 4);
-  EXPECT_EQ(proposed(Part::covering).many, 0);
+  EXPECT_EQ(proposed(AnnealingPart::reordering).reordered, 0);
+  EXPECT_LT(proposed(AnnealingPart::walls).on_wall, all.on_wall / 4);
+  EXPECT_EQ(proposed(AnnealingPart::covering).many, 0);
 }
 
 }  // namespace

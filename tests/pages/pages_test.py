@@ -38,10 +38,10 @@ def line(text, name, n=0):
 def berg_rows():
     s = "berg-table-4-1"
     return [row(s, "room", "shnaps-rimon", "", "ok", **driven("1250", "0.98", "0.9", "10")),
-            row(s, "room", "berg", "", "invalid", **driven("100", "0.941", "0.9", "10.5", "2")),
+            row(s, "room", "berg", "trim=none", "invalid", **driven("100", "0.941", "0.9", "10.5", "2")),
             row(s, "room", "berg", "order=dfs", "partial", **driven("110", "0.95", "0.9", "10")),
             row(s, "hall", "shnaps-rimon", "", "ok", **driven("3000", "0.97", "0.9", "10")),
-            row(s, "hall", "berg", "", "partial", **driven("200", "0.93", "0.9", "9")),
+            row(s, "hall", "berg", "trim=none", "partial", **driven("200", "0.93", "0.9", "9")),
             row(s, "hall", "berg", "order=dfs", "crash")]
 
 
@@ -211,11 +211,13 @@ class Figures(unittest.TestCase):
         self.assertIn("4743.68", text)
         # planner, rooms, median and least coverage, times berg, length ratio, over limit, invalid
         self.assertEqual(line(text, "shnaps-rimon"), ["shnaps-rimon", "2", "97.50", "97.00", "13.75", "1.50", "0", "0"])
-        self.assertEqual(line(text, "berg"), ["berg", "2", "93.55", "93.00", "1.00", "1.50", "1", "1"])
+        self.assertEqual(line(text, "berg\\[trim=none\\]"),
+                         ["berg\\[trim=none\\]", "2", "93.55", "93.00", "1.00", "1.50", "1", "1"])
         self.assertEqual(line(text, "berg\\[order=dfs\\]"),
                          ["berg\\[order=dfs\\]", "2", "95.00", "95.00", "1.10", "1.50", "0", "0"])
         # the room's own table: a breach keeps its figures
-        self.assertEqual(line(text, "berg", 1), ["berg", "invalid", "94.10", "100.0", "1.00", "1.50", "0.50", "2", ""])
+        self.assertEqual(line(text, "berg\\[trim=none\\]", 1),
+                         ["berg\\[trim=none\\]", "invalid", "94.10", "100.0", "1.00", "1.50", "0.50", "2", ""])
         self.assertEqual(line(text, "shnaps-rimon", 1),
                          ["shnaps-rimon", "ok", "98.00", "1250.0", "12.50", "1.50", "", "0", ""])
 
