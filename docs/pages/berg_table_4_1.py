@@ -65,7 +65,8 @@ def summary(rows, problems):
 def page(rows):
     problems = by_problem(rows)
     text = INTRODUCTION + ("\n## All rooms\n\nMedians; `least`: of coverage; `times berg`: length over that of "
-                           "`berg[trim=none]` in the same room; `over limit`: runs that pull the tether over its limit.\n\n")
+                           "`berg[trim=none]` in the same room;\n`over limit`: runs that pull the tether "
+                           "over its limit.\n\n")
     text += summary(rows, problems)
     for title, problem in problems.items():
         text += f"\n## {escaped(title)}\n\n{room_table(problem)}"
