@@ -20,8 +20,9 @@
 //                have as many laps as the longest branch. Where more than 0.9 of the work would still be done twice
 //                (few laps in narrow shapes), laps are closed and linked: a spiral has one more.
 //             4. Where the boundary has thousands of vertices and islands = bridge, all laps but the last follow the
-//                medial axis of a region whose arcs have fewer vertices, up to 0.02 w off: about half of them. Where
-//                laps are as far apart as they may be and an arc is off that far, repair covers a seam beside the last.
+//                medial axis of a region whose arcs have fewer vertices: about half of them. They are off by up to 0.02
+//                of the tool's or the robot's width, whichever is less. Where laps are as far apart as they may be and
+//                an arc is off that far, repair covers a seam beside the last.
 //             5. The heights of the spine are compared by an eighth of the feet where there are thousands.
 //             6. Smoothing: vertices that matter less than 0.005 w are left out; corners become tangent arcs within
 //                0.02 w, but for those of the last lap, which is the boundary.
@@ -48,7 +49,7 @@ constexpr double kStep = 0.95;         // between laps
 constexpr double kSkip = 0.005;        // by which vertices may be left out
 constexpr double kRound = 0.02;        // by which arcs may cut corners
 constexpr double kChord = 0.01;        // error of the axis' parabolas
-constexpr double kCoarser = 0.02;      // by which arcs of the boundary may be off, for all laps but the last
+constexpr double kCoarser = 0.02;      // tool or robot widths by which arcs may be off, for all laps but the last
 constexpr double kBridge = 1e-3;       // width of the cuts along bridges
 constexpr double kLeastCut = 1e-6;     // the same at least, of the map's extent
 constexpr double kSpineHeight = 1.5;   // greatest clearances
@@ -168,9 +169,11 @@ std::size_t nearest_curve(const std::vector<Polyline>& curves, const Point& from
 Path plan(const Params& p, const Problem& problem, Context& context) {
   const double w = problem.robot().tool_width;
   const Region walls = straightened_space(problem), space = without_holes(walls, p, w, context);
-  const bool coarse = p.islands == Islands::bridge && vertex_count(walls) > kManyVertices;
+  // By the robot's width, too: a tool many times wider is no measure of the passages that the robot fits through.
+  const double coarser = kCoarser * std::min(w, 2 * problem.robot().radius);
+  const bool coarse = p.islands == Islands::bridge && coarser > 0 && vertex_count(walls) > kManyVertices;
   MedialAxis axis =
-      medial_axis(coarse ? without_holes(with_coarser_arcs(walls, kCoarser * w), p, w, context) : space, kChord * w);
+      medial_axis(coarse ? without_holes(with_coarser_arcs(walls, coarser), p, w, context) : space, kChord * w);
   const Rings rings(space);
   if (context.wants_traces()) {
     std::vector<Polyline> lines;
