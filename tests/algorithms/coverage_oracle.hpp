@@ -29,6 +29,14 @@ inline Robot disc(double radius, double tool_width) {
   return robot;
 }
 
+/// All points in text: equal for equal paths only.
+inline std::string bytes(const Path& path) {
+  std::string all;
+  for (const Leg& leg : path.legs)
+    for (const Point& p : leg.points) all += fmt::format("{} {} ", p.x(), p.y());
+  return all;
+}
+
 inline bool segments_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
   const double o1 = cross(b - a, c - a), o2 = cross(b - a, d - a), o3 = cross(d - c, a - c), o4 = cross(d - c, b - c);
   return o1 * o2 < 0 && o3 * o4 < 0;

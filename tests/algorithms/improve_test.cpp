@@ -390,13 +390,6 @@ std::vector<Sample> samples(int each) {
   return all;
 }
 
-std::string bytes(const Path& path) {
-  std::string all;
-  for (const Leg& leg : path.legs)
-    for (const Point& p : leg.points) all += fmt::format("{} {} ", p.x(), p.y());
-  return all;
-}
-
 TEST(Shortest, CoversAsMuchAsItIsAskedForAndIsNeverLongerThanItsStart) {
   for (const Sample& sample : samples(2)) {
     SCOPED_TRACE(sample.name);

@@ -12,13 +12,6 @@
 namespace oxturn {
 namespace {
 
-std::string bytes(const Path& path) {
-  std::string all;
-  for (const Leg& leg : path.legs)
-    for (const Point& p : leg.points) all += fmt::format("{} {} ", p.x(), p.y());
-  return all;
-}
-
 TEST(Part, NamesAreInOrder) {
   for (std::size_t k = 0; k < part_names().size(); ++k)
     EXPECT_EQ(static_cast<std::size_t>(part_named(part_names()[k])), k);

@@ -66,7 +66,7 @@ TEST(DiscArea, AgreesWithTheOverlay) {
   }
 }
 
-// Vertices and centres on a coarse grid, so that centres lie on vertices and edges; many turns, both ways; from a
+// Vertices and centres on a coarse grid, so that centres lie on vertices and edges; many turns, left and right; from a
 // millionth to a million. The oracle adds the angles one by one.
 TEST(DiscArea, CountsWholeTurns) {
   Rng rng(6);
