@@ -14,7 +14,7 @@ namespace {
 
 class Simplifier {
  public:
-  Simplifier(const Region& region, double tolerance) : tolerance_(tolerance) {
+  Simplifier(const Region& region, double tolerance, const Box& within) : tolerance_(tolerance), within_(within) {
     for_each_ring(region, [&](const Ring& ring) {
       const auto first = static_cast<Id>(vertices_.size()), n = static_cast<Id>(ring.size());
       for (Id k = 0; k < n; ++k)
@@ -22,7 +22,9 @@ class Simplifier {
       rings_.push_back({first, n, n});
     });
     replaced_.resize(vertices_.size());
-    grid_ = UniformGrid(vertices_.size(), [&](std::size_t v) { return std::array{vertices_[v].at}; });
+    for (Id v = 0; v < vertices_.size(); ++v)
+      if (within_.contains(vertices_[v].at)) obstacles_.push_back(v);
+    grid_ = UniformGrid(obstacles_.size(), [&](std::size_t k) { return std::array{vertices_[obstacles_[k]].at}; });
   }
 
   void run() {
@@ -79,7 +81,7 @@ class Simplifier {
     ++v.version;
     const Point &u = vertices_[v.previous].at, &w = vertices_[v.next].at;
     const int turn = orientation(u, v.at, w);
-    if (turn < 0) return;
+    if (turn < 0 || (turn > 0 && !(within_.contains(u) && within_.contains(v.at) && within_.contains(w)))) return;
     double error = distance_to_segment(v.at, u, w);
     for (const Id edge : {v.previous, id})
       for (const Id r : replaced_[edge]) error = std::max(error, distance_to_segment(vertices_[r].at, u, w));
@@ -100,7 +102,7 @@ class Simplifier {
     };
     return !grid_.visit(corner, 0, [&](std::size_t cell) {
       const auto items = grid_.items(cell);
-      return std::any_of(items.begin(), items.end(), inside);
+      return std::any_of(items.begin(), items.end(), [&](std::uint32_t k) { return inside(obstacles_[k]); });
     });
   }
 
@@ -120,17 +122,23 @@ class Simplifier {
   }
 
   double tolerance_;
+  Box within_;
   std::vector<Vertex> vertices_;
   std::vector<RingOfVertices> rings_;
   std::vector<std::vector<Id>> replaced_;  // by vertex: the removed ones that the edge from there on replaces
   std::priority_queue<Candidate> queue_;
-  UniformGrid grid_;
+  std::vector<Id> obstacles_;  // the vertices that a triangle may contain
+  UniformGrid grid_;           // of obstacles_
 };
 
 }  // namespace
 
 Region simplify_inward(const Region& region, double tolerance) {
-  Simplifier simplifier(region, tolerance);
+  return simplify_inward(region, tolerance, bounding_box(region));
+}
+
+Region simplify_inward(const Region& region, double tolerance, const Box& within) {
+  Simplifier simplifier(region, tolerance, within);
   simplifier.run();
   return simplifier.result(region);
 }

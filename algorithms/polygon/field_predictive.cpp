@@ -163,7 +163,7 @@ class PredictiveDrive {
   /// Drives what earlier calls left of the region.
   void run(Region region, const Context& context) {
     left_.clear();
-    add(std::move(region));
+    add(simplify_inward(region, kChord * width_));
     cut(lines_near(left_));
     while (!context.cancelled()) {
       const Polyline line = best_line();
@@ -201,24 +201,26 @@ class PredictiveDrive {
         continue;
       }
       const auto [beside, far] = without_holes_off(near, piece.region().polygons[0]);
-      Region rest = without(Region{{beside}}, swaths);
-      if (!put_back(far, rest)) rest = without(piece.region(), swaths);
+      Region rest = without(Region{{beside}}, swaths, near);
+      if (!put_back(far, rest)) rest = without(piece.region(), swaths, near);
       add(std::move(rest));
     }
   }
 
-  Region without(const Region& piece, const std::vector<Region>& swaths) const {
-    Region rest = simplify_inward(subtract(piece, swaths), kChord * width_);
-    bring_inside(rest);
+  /// Simplifies near the swaths only, because elsewhere holes may be missing, across which the boundary would move: by
+  /// more than the robot's radius where the tool is many times as wide.
+  Region without(const Region& piece, const std::vector<Region>& swaths, const Box& near) const {
+    Region rest = simplify_inward(subtract(piece, swaths), kChord * width_, near);
+    bring_inside(rest, near);
     return rest;
   }
 
   /// Where a cut ends on a wall, rounding may leave the new vertex outside; the next cut there would start from it, and
   /// so go astray by the sum of all.
-  void bring_inside(Region& left) const {
+  void bring_inside(Region& left, const Box& near) const {
     const auto bring = [&](Ring& ring) {
       for (Point& p : ring)
-        if (!walls_.contains(p))
+        if (near.contains(p) && !walls_.contains(p))
           if (const auto wall = walls_.nearest(p)) p = wall->point;
     };
     for (Polygon& polygon : left.polygons) {

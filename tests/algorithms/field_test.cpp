@@ -183,12 +183,16 @@ TEST(FieldPredictive, ALargeRectangleIsOneBlock) {
 
 // What is behind a wall is not near: rooms are finished one after the other.
 TEST(FieldPredictive, StaysInARoomUntilItIsDone) {
-  const Problem p(generate("rooms", {{"width", 14.0}, {"height", 14.0}, {"rooms", std::int64_t{10}}}, 1),
-                  disc(0.2, 0.4));
-  const Path path = plan("field-predictive", p);
-  const Path straight = plan("field-predictive", p, {{"links", std::string("straight")}});
-  expect_valid(p, path);
-  EXPECT_LT(path.length(), 0.9 * straight.length());
+  double by_path = 0, straight = 0;
+  for (int seed = 1; seed <= 8; ++seed) {
+    const Problem p(generate("rooms", {{"width", 14.0}, {"height", 14.0}, {"rooms", std::int64_t{10}}}, seed),
+                    disc(0.2, 0.4));
+    const Path path = plan("field-predictive", p);
+    expect_valid(p, path);
+    by_path += path.length();
+    straight += plan("field-predictive", p, {{"links", std::string("straight")}}).length();
+  }
+  EXPECT_LT(by_path, 0.9 * straight);
 }
 
 TEST(FieldPlanners, ShiftedMapsTakeAboutTheSameLength) {
