@@ -58,8 +58,8 @@ Region squares_around(const std::vector<Polyline>& segments, double reach, doubl
 
 /// Removes vertices where that removes free space and never adds any: convex vertices, as long as they stay within
 /// `tolerance` of the new boundary, and exactly collinear ones. Rings never cross. O(n log n) for usual data, and at
-/// worst the number of removed vertices for each new edge. With a box it removes convex vertices only where the triangle
-/// that this cuts off lies in the box: so holes that do not meet the box may be missing from the region.
+/// worst the number of removed vertices for each new edge. With a box it removes convex vertices only where the
+/// triangle that this cuts off lies in the box: so holes that do not meet the box may be missing from the region.
 Region simplify_inward(const Region& region, double tolerance);
 Region simplify_inward(const Region& region, double tolerance, const Box& within);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "geometry/paths/sleeve.hpp"
 
@@ -15,8 +16,7 @@ constexpr std::size_t kCandidates = 4;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAlmostStraight = 1.3;  // straight distances
-constexpr int kMostFailures = 2;         // entry points to which no almost straight path leads
-constexpr int kMostTries = 16;
+constexpr int kMostTries = 16;           // to see an entry point
 
 }  // namespace
 
@@ -52,26 +52,30 @@ void NearestComponent::try_entry(const Point& p, const Entry& entry, double long
     best = {.found = Found{entry.id, std::move(*path)}, .metres = metres};
 }
 
-/// Is the best certainly the nearest of all? No other entry is nearer by straight distance but those of which a limit
-/// of the search has shown that they are farther by path.
+/// Is the best certainly the nearest of all? No other entry is nearer by straight distance but one of which a limit of
+/// the search has shown that it is farther by path. One search only: among many obstacles each is long, and the wave
+/// finds the same entry in nearly all cases.
 bool NearestComponent::find_almost_straight(const Point& p, Nearest& best) {
   keep_grid();
   if (in_grid_ < entries_.size()) return false;
   std::vector<std::size_t> gone;
-  bool all_nearer_tried = true;
-  int failures = 0, tries = 0;
-  double farther = std::numeric_limits<double>::infinity();  // than that are those that failed
+  bool searched = false, all_nearer_tried = true;
+  double farther = kInfinity;  // than that is the one that was searched in vain
   grid_->visit(p, [&](std::size_t i, double straight) {
-    if (removed(entries_[i].component)) {
+    const Entry& entry = entries_[i];
+    if (removed(entry.component)) {
       gone.push_back(i);
       return true;
     }
     if (straight >= best.metres) return false;
-    all_nearer_tried = failures < kMostFailures && tries++ < kMostTries;
+    if (problem_.walls().contains(p, entry.at)) {
+      best = {.found = Found{entry.id, {p, entry.at}}, .metres = straight};
+      return false;
+    }
+    all_nearer_tried = !std::exchange(searched, true);
     if (!all_nearer_tried) return false;
-    const double longest = kAlmostStraight * straight, before = best.metres;
-    try_entry(p, entries_[i], longest, best);
-    if (best.metres == before && longest < before) ++failures, farther = std::min(farther, longest);
+    try_entry(p, entry, kAlmostStraight * straight, best);
+    if (!best.found) farther = kAlmostStraight * straight;
     return true;
   });
   for (const std::size_t i : gone) grid_->remove(i);

@@ -4,13 +4,13 @@
 ///   for (...) nearest.add(entry_point, component, id);
 ///   while (auto found = nearest.from(path.at())) { ...; nearest.remove(component); }
 ///
-/// Where almost straight paths lead to the entry points that are nearest by straight distance, shortest paths to these
-/// show which is the nearest. Otherwise a wave spreads from the query point over the triangles of the transit mesh
-/// (Dijkstra over the midpoints of their sides) until it has met entry points of a few components; the shortest paths
-/// through the triangles by which it came decide. So a query costs what lies nearer than the answer, not all
-/// components: behind a wall thousands may be near by straight distance.
-/// add O(1); a query a few short shortest paths, and O(t log t) for t triangles nearer than the answer if that is
-/// behind walls; from() one more shortest path.
+/// Where the entry point that is nearest by straight distance is in sight, or an almost straight path leads there that
+/// is shorter than the straight distance to all others, that is it. Otherwise a wave spreads from the query point over
+/// the triangles of the transit mesh (Dijkstra over the midpoints of their sides) until it has met entry points of a
+/// few components; the shortest paths through the triangles by which it came decide. So a query costs what lies nearer
+/// than the answer, not all components: behind a wall thousands may be near by straight distance.
+/// add O(1); a query one short shortest path, and O(t log t) for t triangles nearer than the answer if that is behind
+/// walls; from() one more shortest path.
 #pragma once
 
 #include <cstdint>
