@@ -260,6 +260,7 @@ class SkeletonSpirals {
 /// Vertices moved by up to `by`, each to another side, the same way in every run. The polygon itself, if edges would
 /// cross then.
 Polygon stirred(const Polygon& polygon, double by) {
+  if (by == 0) return polygon;
   Polygon moved = polygon;
   double k = 0;
   const auto move = [&](Ring& ring) {
