@@ -3,10 +3,12 @@
 ///   const NearbySegments segments(path);
 ///   for (const NearbySegments::Near& near : segments.near(p, 2 * w, 12)) ...    // the nearest first
 ///
-/// Build once: O(n log n) for n segments. A query costs the segments near the point.
+/// Build once: O(n log n) for n segments. A query costs the segments near the point. Where the points are known before,
+/// it holds only the segments near them: of a path with millions of segments a few.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "geometry/point.hpp"
@@ -18,6 +20,8 @@ class NearbySegments {
  public:
   /// `path` must outlive it; at least one point.
   explicit NearbySegments(const Polyline& path);
+  /// The same for queries about these points, with `within` metres at most.
+  NearbySegments(const Polyline& path, const std::vector<Point>& points, double within);
   struct Near {
     double distance;
     std::size_t segment;
@@ -28,8 +32,11 @@ class NearbySegments {
   double along(const Near& near) const { return distance(path_[near.segment], near.at); }
 
  private:
+  void build();
+
   const Polyline& path_;
-  BoxIndex index_;
+  std::vector<std::uint32_t> held_;  // segments, ascending
+  BoxIndex index_;                   // of their boxes
 };
 
 }  // namespace oxturn

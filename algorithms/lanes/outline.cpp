@@ -143,11 +143,11 @@ class RingTree {
   /// `around`: walls may lie between path and rings; nullptr: never where one is nearest to the other.
   RingTree(Rings rings, const Polyline& path, double width, const Problem* around, Context& context)
       : rings_(std::move(rings)),
+        path_(path),
         around_(around),
         attached_(rings_.size(), false),
         how_(rings_.size()),
         children_(rings_.size()) {
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) sources_.push_back({std::nullopt, i, path[i], path[i + 1]});
     remaining_ = rings_.size();
     if (around_) {
       attach_within(width);
@@ -180,6 +180,7 @@ class RingTree {
   void attach_within(double reach) {
     const RingGrid grid(rings_, attached_, reach);
     least_.assign(rings_.size(), kInfinity);
+    for (std::size_t i = 0; i + 1 < path_.size(); ++i) search(of_path(i), grid, reach);
     for (const Source& s : sources_) search(s, grid, reach);
     while (!offers_.empty()) {
       const Offer offer = offers_.top();
@@ -197,6 +198,10 @@ class RingTree {
       add_sources(offer.ring);
       for (std::size_t s = before; s < sources_.size(); ++s) search(sources_[s], grid, reach);
     }
+  }
+
+  Source of_path(std::size_t segment) const {
+    return {std::nullopt, segment, path_[segment], path_[segment + 1]};
   }
 
   void accept(Offer offer, double driven) {
@@ -229,6 +234,9 @@ class RingTree {
     const auto component = [&](const Source& s) {
       return s.ring && !attached_[*s.ring] ? static_cast<int>(*s.ring) + 1 : 0;
     };
+    std::vector<Source> of_path;
+    for (std::size_t i = 0; i + 1 < path_.size(); ++i) of_path.push_back(this->of_path(i));
+    sources_.insert(sources_.begin(), of_path.begin(), of_path.end());
     for (std::size_t r = 0; r < rings_.size(); ++r)
       if (!attached_[r]) add_sources(r);
     ComponentLinks links(*around_);
@@ -286,12 +294,13 @@ class RingTree {
   }
 
   Rings rings_;
+  const Polyline& path_;
   const Problem* around_;
   std::vector<bool> attached_;
   std::vector<Attachment> how_;
   std::vector<std::vector<std::size_t>> children_;  // rings attached to a ring
   std::vector<std::size_t> on_path_;                // rings attached to the path
-  std::vector<Source> sources_;
+  std::vector<Source> sources_;  // of attached rings; those of the path, which may be millions, only for attach_around()
   std::size_t remaining_ = 0;
   // Of the present reach: what is known of the drive to each ring, and all offers that may be shorter.
   std::vector<double> least_;
@@ -306,6 +315,10 @@ struct FlatPath {
 
 FlatPath flattened(const Path& path, const Point& start) {
   FlatPath flat{{start}, {}};
+  std::size_t n = 2;
+  for (const Leg& leg : path.legs) n += leg.points.size();
+  flat.points.reserve(n);
+  flat.tool.reserve(n);
   for (const Leg& leg : path.legs)
     for (std::size_t i = 1; i < leg.points.size(); ++i) {
       flat.points.push_back(leg.points[i]);

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <tuple>
 
 namespace oxturn {
 namespace {
 
+constexpr double kFarthest = 2;         // reaches from a piece's centre to the path
 constexpr std::size_t kMostTried = 12;  // segments of the path from which a stop is tried
 constexpr int kHalvings = 30;
 constexpr double kShareOfEdge = 0.499;  // that a turn may take from the segments beside it: there is one at each end
@@ -19,6 +21,10 @@ constexpr double kSamePoint = 1e-9;     // of the reach
 /// A path as one polyline: tool[i] belongs to the segment from points[i] to points[i + 1].
 struct Flat {
   Flat(const Path& path, const Point& start) : points{start} {
+    std::size_t n = 1;
+    for (const Leg& leg : path.legs) n += leg.points.size();
+    points.reserve(n);
+    tool.reserve(n);
     for (const Leg& leg : path.legs)
       for (std::size_t i = 1; i < leg.points.size(); ++i) {
         points.push_back(leg.points[i]);
@@ -35,6 +41,16 @@ bool covers(const Point& at, const Polygon& piece, double reach) {
   return std::ranges::all_of(piece.outer, [&](const Point& p) { return distance(p, at) <= reach; });
 }
 
+Point centre(const Polygon& piece) { return bounding_box(piece.outer).centre(); }
+
+/// Of the pieces that the tool covers from there.
+std::vector<Point> centres(const std::vector<Polygon>& pieces, double reach) {
+  std::vector<Point> found;
+  for (const Polygon& piece : pieces)
+    if (covers(centre(piece), piece, reach)) found.push_back(centre(piece));
+  return found;
+}
+
 }  // namespace
 
 std::pair<Point, Point> ends_of_cut(const Stop& stop, const Polyline& path) {
@@ -45,13 +61,21 @@ std::pair<Point, Point> ends_of_cut(const Stop& stop, const Polyline& path) {
 StopFinder::StopFinder(const Polyline& path, const std::vector<bool>& tool, double reach, const EdgeIndex& walls)
     : path_(path), tool_(tool), segments_(path), reach_(reach), walls_(walls) {}
 
+StopFinder::StopFinder(const Polyline& path, const std::vector<bool>& tool, double reach, const EdgeIndex& walls,
+                       const std::vector<Polygon>& pieces)
+    : path_(path),
+      tool_(tool),
+      segments_(path, centres(pieces, reach), kFarthest * reach),
+      reach_(reach),
+      walls_(walls) {}
+
 std::optional<Stop> StopFinder::find(const Polygon& piece) const {
-  const Point centre = bounding_box(piece.outer).centre();
-  if (!covers(centre, piece, reach_)) return std::nullopt;
+  const Point middle = centre(piece);
+  if (!covers(middle, piece, reach_)) return std::nullopt;
   std::optional<Stop> best;
   double least = std::numeric_limits<double>::infinity();
-  for (const NearbySegments::Near& near : segments_.near(centre, 2 * reach_, kMostTried)) {
-    const Stop found = cut_short({near.segment, segments_.along(near), near.at, nearest_cover(near.at, centre, piece)});
+  for (const NearbySegments::Near& near : segments_.near(middle, kFarthest * reach_, kMostTried)) {
+    const Stop found = cut_short({near.segment, segments_.along(near), near.at, nearest_cover(near.at, middle, piece)});
     const double detour = length(found);
     if (detour >= least || !walls_.contains(near.at) || !walls_.contains(near.at, found.at)) continue;
     best = found;
@@ -100,25 +124,30 @@ namespace {
 
 /// Only one stop cuts off a turn, and only where no other stop leaves the path.
 void keep_apart(const Flat& path, std::vector<Stop>& stops) {
-  std::vector<int> at_turn(path.points.size(), 0);
-  std::vector<double> first(path.tool.size(), std::numeric_limits<double>::infinity()), last(path.tool.size(), 0);
+  struct Along {
+    double first = std::numeric_limits<double>::infinity(), last = 0;
+  };
+  std::map<std::size_t, int> at_turn;  // by vertex; maps, because a path may have millions of segments
+  std::map<std::size_t, Along> along;  // by segment
   for (const Stop& s : stops) {
     if (s.turn) ++at_turn[*s.turn];
     if (s.turn) continue;
-    first[s.segment] = std::min(first[s.segment], s.along);
-    last[s.segment] = std::max(last[s.segment], s.along);
+    Along& a = along[s.segment];
+    a = {std::min(a.first, s.along), std::max(a.last, s.along)};
   }
   for (Stop& s : stops) {
     if (!s.turn) continue;
     const std::size_t before = *s.turn - 1, after = *s.turn;
-    if (at_turn[*s.turn] > 1 || first[after] < s.cut || last[before] > path.length(before) - s.cut) s.turn.reset();
+    if (at_turn[*s.turn] > 1 || along[after].first < s.cut || along[before].last > path.length(before) - s.cut)
+      s.turn.reset();
   }
 }
 
 Path driven(const Flat& path, const std::vector<Stop>& stops) {
-  std::vector<std::optional<std::size_t>> turn_at(path.points.size());
-  for (std::size_t k = 0; k < stops.size(); ++k)
-    if (stops[k].turn) turn_at[*stops[k].turn] = k;
+  std::map<std::size_t, const Stop*> turns;  // by vertex
+  for (const Stop& s : stops)
+    if (s.turn) turns[*s.turn] = &s;
+  auto turn = turns.begin();
   PathBuilder builder(path.points.front());
   auto next = stops.begin();
   for (std::size_t i = 0; i < path.tool.size(); ++i) {
@@ -127,10 +156,11 @@ Path driven(const Flat& path, const std::vector<Stop>& stops) {
       builder.drive(next->from, path.tool[i]);
       builder.drive(Polyline{next->at, next->from}, true);
     }
-    if (const auto turn = turn_at[i + 1]) {
-      const Stop& s = stops[*turn];
+    if (turn != turns.end() && turn->first == i + 1) {
+      const Stop& s = *turn->second;
       const auto [a, b] = ends_of_cut(s, path.points);
       builder.drive(Polyline{a, s.at, b}, true);
+      ++turn;
     } else {
       builder.drive(path.points[i + 1], path.tool[i]);
     }
@@ -144,7 +174,7 @@ Path with_stops(const Path& path, const Point& start, std::vector<Polygon>& piec
                 const EdgeIndex& walls) {
   if (pieces.empty() || path.legs.empty()) return path;
   const Flat flat(path, start);
-  const StopFinder finder(flat.points, flat.tool, reach, walls);
+  const StopFinder finder(flat.points, flat.tool, reach, walls, pieces);
   std::vector<Stop> stops;
   std::erase_if(pieces, [&](const Polygon& piece) {
     const auto stop = finder.find(piece);

@@ -41,6 +41,9 @@ class StopFinder {
   /// `tool`: is it on, for each segment? `reach`: metres from the robot's centre within which the tool covers. `walls`:
   /// those of configuration space. All must outlive it.
   StopFinder(const Polyline& path, const std::vector<bool>& tool, double reach, const EdgeIndex& walls);
+  /// For these pieces only: holds the segments of the path near them.
+  StopFinder(const Polyline& path, const std::vector<bool>& tool, double reach, const EdgeIndex& walls,
+             const std::vector<Polygon>& pieces);
   /// The stop on the shortest detour; nullopt: no position covers the piece, or none in sight of the path does.
   std::optional<Stop> find(const Polygon& piece) const;
   /// Metres of the detour.

@@ -23,9 +23,9 @@
 //             4. The ridge that the last lap of a part leaves is covered by repair.
 //             5. Islands are connected with the boundary by their shortest bridges, cuts w / 1000 wide; each side of a
 //                bridge is driven.
-//             6. Vertices of the inset are moved by up to a millionth of the tool width: among like obstacles many
-//                events of the skeleton have the same time, and to see that CGAL computes it with rational numbers, in
-//                a third of all time.
+//             6. Vertices of the inset are moved by up to 1e-5 of the tool width: among like obstacles many events of
+//                the skeleton have the same time, and to see that CGAL computes it with rational numbers, in a third of
+//                all time. A tenth of that is not enough where like obstacles are tens of thousands.
 #include "algorithms/polygon/skeleton_spiral.hpp"
 
 #include <algorithm>
@@ -44,6 +44,7 @@
 #include "geometry/coarse_arcs.hpp"
 #include "geometry/mesh/shortest_bridges.hpp"
 #include "geometry/overlay/cut_along.hpp"
+#include "geometry/overlay/validity.hpp"
 #include "geometry/raster.hpp"
 
 namespace oxturn {
@@ -53,7 +54,7 @@ namespace {
 constexpr double kChord = 0.08;          // error of round vertices, which lie so much nearer to the boundary
 constexpr double kSimplify = 0.02;       // by which the inset may be simplified, round vertices and others
 constexpr double kBridge = 1e-3;         // width of the cuts along bridges
-constexpr double kStirred = 1e-6;        // by which vertices of the inset are moved
+constexpr double kStirred = 1e-5;        // by which vertices of the inset are moved
 constexpr int kBisections = 8;           // to find the time of a split
 constexpr double kLeastStep = 1.0 / 64;  // spacings from one split to the next
 
@@ -256,8 +257,11 @@ class SkeletonSpirals {
   std::vector<Strip> strips_;
 };
 
-/// Vertices moved by up to `by`, each to another side, the same way in every run.
-Polygon stirred(Polygon polygon, double by) {
+/// Vertices moved by up to `by`, each to another side, the same way in every run. The polygon itself, if edges would
+/// cross then.
+Polygon stirred(const Polygon& polygon, double by) {
+  if (by == 0) return polygon;
+  Polygon moved = polygon;
   double k = 0;
   const auto move = [&](Ring& ring) {
     for (Point& p : ring) {
@@ -265,9 +269,9 @@ Polygon stirred(Polygon polygon, double by) {
       p += by * Point(std::fmod(k * kStirX, 1.0) - 0.5, std::fmod(k * kStirY, 1.0) - 0.5);
     }
   };
-  move(polygon.outer);
-  for (Ring& hole : polygon.holes) move(hole);
-  return polygon;
+  move(moved.outer);
+  for (Ring& hole : moved.holes) move(hole);
+  return find_flaw({{moved}}) ? polygon : moved;
 }
 
 Path plan(const Params& p, const Problem& problem, Context& context) {

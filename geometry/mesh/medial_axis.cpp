@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <tuple>
 
@@ -17,34 +18,6 @@ namespace {
 struct SiteSegment {
   LatticePoint a, b;
 };
-
-}  // namespace
-}  // namespace oxturn
-
-namespace boost::polygon {
-template <>
-struct geometry_concept<oxturn::LatticePoint> {
-  using type = point_concept;
-};
-template <>
-struct point_traits<oxturn::LatticePoint> {
-  using coordinate_type = std::int32_t;
-  static coordinate_type get(const oxturn::LatticePoint& p, orientation_2d o) { return o == HORIZONTAL ? p.x : p.y; }
-};
-template <>
-struct geometry_concept<oxturn::SiteSegment> {
-  using type = segment_concept;
-};
-template <>
-struct segment_traits<oxturn::SiteSegment> {
-  using coordinate_type = std::int32_t;
-  using point_type = oxturn::LatticePoint;
-  static point_type get(const oxturn::SiteSegment& s, direction_1d d) { return d.to_int() ? s.b : s.a; }
-};
-}  // namespace boost::polygon
-
-namespace oxturn {
-namespace {
 
 using Diagram = boost::polygon::voronoi_diagram<double>;
 constexpr auto kNone = static_cast<std::size_t>(-1);
@@ -76,12 +49,10 @@ class Voronoi {
       }
       ++rings_;
     });
-    boost::polygon::voronoi_builder<std::int32_t, VoronoiNumbers, VoronoiPredicates> builder;
-    boost::polygon::insert(segments_.begin(), segments_.end(), &builder);
-    builder.construct(&diagram_);
+    build();
   }
 
-  const Diagram& diagram() const { return diagram_; }
+  const Diagram& diagram() const { return *diagram_; }
   std::size_t rings() const { return rings_; }
   std::size_t ring(const Site& s) const { return ring_[s.edge]; }
   Point from(const Site& s) const { return lattice_.point(segments_[s.edge].a); }
@@ -89,8 +60,9 @@ class Voronoi {
   std::size_t next(std::size_t edge) const { return next_[edge]; }
   double quantum() const { return lattice_.quantum(); }
   Point at(const Diagram::vertex_type& v) const {
-    const Point low = lattice_.point({0, 0});
-    return low + lattice_.quantum() * Point(rounded_to_fraction(v.x()), rounded_to_fraction(v.y()));
+    Point quanta(rounded_to_fraction(v.x()), rounded_to_fraction(v.y()));
+    for (int k = quarters_; k < 4 && k > 0; ++k) quanta = perpendicular(quanta);
+    return lattice_.point({0, 0}) + lattice_.quantum() * quanta;
   }
   Site site(const Diagram::cell_type& cell) const {
     const std::size_t e = cell.source_index();
@@ -110,11 +82,37 @@ class Voronoi {
   }
 
  private:
+  /// Boost's sweep puts a few events of nearly the same time into the wrong order, and then whole areas may be lost.
+  /// From another side the same edges have other events.
+  void build() {
+    long fewest = std::numeric_limits<long>::max();
+    for (int quarters = 0; quarters < 4 && fewest > 0; ++quarters) {
+      auto diagram = std::make_unique<Diagram>();
+      boost::polygon::voronoi_builder<std::int32_t, VoronoiNumbers, VoronoiPredicates> builder;
+      for (const SiteSegment& s : segments_) {
+        const LatticePoint a = turned(s.a, quarters), b = turned(s.b, quarters);
+        builder.insert_segment(a.x, a.y, b.x, b.y);
+      }
+      builder.construct(diagram.get());
+      if (const long found = defects(*diagram); found < fewest)
+        fewest = found, quarters_ = quarters, diagram_ = std::move(diagram);
+    }
+  }
+  static LatticePoint turned(LatticePoint p, int quarters) {
+    for (int k = 0; k < quarters; ++k) p = {-p.y, p.x};
+    return p;
+  }
+  /// 0 for a connected planar graph, with the vertex at infinity, by Euler's formula.
+  static long defects(const Diagram& d) {
+    return std::abs(static_cast<long>(d.num_vertices() + 1 + d.num_cells()) - static_cast<long>(d.num_edges() / 2) - 2);
+  }
+
   Lattice lattice_;
   std::vector<SiteSegment> segments_;
   std::vector<std::size_t> next_, previous_, ring_;  // by segment
   std::size_t rings_ = 0;
-  Diagram diagram_;
+  std::unique_ptr<Diagram> diagram_;
+  int quarters_ = 0;  // by which the diagram is turned
 };
 
 /// Collects the part of a diagram inside a region.

@@ -114,6 +114,25 @@ struct VoronoiPredicates : boost::polygon::detail::voronoi_predicates<VoronoiNum
   /// what differs by no more is made equal: a circle that touches a vertical edge near the origin came before the edge.
   static constexpr double kFraction = 65536;
 
+  /// Of events at the same time Boost takes circles first. But a circle about a vertical edge's lower end, from above
+  /// it, reaches the edge by less than the tolerance, and Boost would build a vertex that the edge cuts off: two edges
+  /// that face each other and end a quantum apart.
+  template <class Site, class Circle>
+  class event_comparison_predicate
+      : public boost::polygon::detail::voronoi_predicates<VoronoiNumbers>::event_comparison_predicate<Site, Circle> {
+    using Base =
+        typename boost::polygon::detail::voronoi_predicates<VoronoiNumbers>::template event_comparison_predicate<
+            Site, Circle>;
+
+   public:
+    using Base::operator();
+    bool operator()(const Site& site, const Circle& circle) const {
+      if (Base::operator()(site, circle)) return true;
+      if (!site.is_segment() || site.x0() != site.x1() || Base::operator()(circle, site)) return false;
+      return circle.y() > std::min(site.y0(), site.y1()) && circle.y() < std::max(site.y0(), site.y1());
+    }
+  };
+
   template <class Site, class Circle>
   class circle_formation_predicate {
    public:

@@ -137,7 +137,8 @@ TEST(SkeletonSpiral, CoversEveryFamilyWhole) {
       }
 }
 
-// Among like squares many events have the same time. Vertices moved apart by far less than the tool drive as much.
+// Among like squares many events have the same time. Vertices moved apart by far less than the tool drive as much; none
+// is moved where walls would cross.
 TEST(SkeletonSpiral, StirredVerticesMoveLapsByAsLittle) {
   Region region = box_region({0, 0}, {12, 9});
   for (int k = 0; k < 12; ++k) {
@@ -159,7 +160,8 @@ TEST(SkeletonSpiral, StirredVerticesMoveLapsByAsLittle) {
   };
   const double exact = metres(0);
   EXPECT_GT(exact, 100);
-  EXPECT_NEAR(metres(2e-7), exact, 0.02 * exact);
+  EXPECT_NEAR(metres(2e-6), exact, 0.02 * exact);
+  EXPECT_EQ(metres(4), exact);  // edges would cross: vertices stay
 }
 
 }  // namespace
