@@ -8,7 +8,8 @@
 ///               Environments, IJRR 29(5), 2010
 ///   Method      Steps of 1.5 cells, steering left, straight or right (in both gears if the robot has them), from exact
 ///               poses; of those in one cell of a quarter radius and five degrees the cheapest is kept. Heuristic: the
-///               shortest curve without obstacles, which is also tried as the rest of the path.
+///               shortest curve without obstacles, which is also tried as the rest of the path, or, if that is longer,
+///               the shortest path of a robot that turns on the spot (route.hpp).
 ///   Complexity  at most 20000 poses, each with a few curves: up to 0.2 s
 ///
 /// ompl_search: trees of random poses, by OMPL
