@@ -17,9 +17,9 @@ constexpr double kCell = 0.25;  // radii
 constexpr int kHeadings = 72;
 constexpr double kStep = 1.5;          // cells
 constexpr double kRouteSpacing = 0.5;  // radii
-constexpr double kGreed = 1.2;    // weight of the heuristic
-constexpr double kNearGoal = 6;   // radii; nearer than that the rest is tried at every node, else at every fourth
-constexpr double kReverse = 1.5;  // a metre backwards costs that much
+constexpr double kGreed = 1.2;         // weight of the heuristic
+constexpr double kNearGoal = 6;        // radii; nearer than that the rest is tried at every node, else at every fourth
+constexpr double kReverse = 1.5;       // a metre backwards costs that much
 constexpr std::size_t kFirstPoses = 1000;  // of a thorough search in each direction, then twice as many, and so on
 constexpr std::size_t kReverseEffort = 3;  // a Reeds-Shepp curve takes several times as long as a Dubins curve
 

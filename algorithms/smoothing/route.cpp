@@ -6,9 +6,9 @@
 namespace oxturn {
 namespace {
 
-constexpr std::size_t kMostLooks = 6;     // points that may be out of sight
-constexpr double kMostPoints = 4000;      // of a route
-constexpr double kBeside = 1e-9;          // spacings: two points of a route that are one
+constexpr std::size_t kMostLooks = 6;  // points that may be out of sight
+constexpr double kMostPoints = 4000;   // of a route
+constexpr double kBeside = 1e-9;       // spacings: two points of a route that are one
 
 std::vector<Point> spaced(const Polyline& path, double spacing) {
   std::vector<Point> points;
