@@ -55,9 +55,9 @@ class Visits {
     InsertedStrokes inserted(std::move(driven), space_, width_, effort_, context_);
     for (const Polyline& stroke : left_out) {
       if (context_.cancelled()) break;
-      auto place = inserted.place_for(stroke, false);
-      if (!place) place = inserted.place_for(stroke, true);
-      if (place) inserted.insert(std::move(*place));
+      auto insertion = inserted.insertion_of(stroke, false);
+      if (!insertion) insertion = inserted.insertion_of(stroke, true);
+      if (insertion) inserted.insert(std::move(*insertion));
     }
     return inserted.take();
   }
@@ -99,19 +99,19 @@ class Visits {
     double whole = 0;
     for (const std::size_t i : piece) whole += points.share(i);
     const double least = std::min(kLeastGain * whole, kLeastArea * width_ * width_);
-    std::optional<InsertedStrokes::Place> best;
+    std::optional<InsertedStrokes::Insertion> best;
     double most = 0;
     std::size_t feasible = 0;
     std::vector<CoveringStroke> strokes = covering_strokes(points, k, space_, width_);
     std::erase_if(strokes, [&](const CoveringStroke& s) { return s.gain < least; });
     for (const CoveringStroke& s : strokes) {
-      auto place = inserted.place_for(s.points, false);
-      if (!place) continue;
-      const double worth = s.gain / std::max(place->cost, width_);
-      if (!best || worth > most) most = worth, best = std::move(place);
+      auto insertion = inserted.insertion_of(s.points, false);
+      if (!insertion) continue;
+      const double worth = s.gain / std::max(insertion->cost, width_);
+      if (!best || worth > most) most = worth, best = std::move(insertion);
       if (++feasible == kFeasible) break;
     }
-    if (!best && !strokes.empty()) best = inserted.place_for(strokes.front().points, true);
+    if (!best && !strokes.empty()) best = inserted.insertion_of(strokes.front().points, true);
     if (!best) return false;
     points.cover(points_of(best->to, space_.chord_error()));
     points.cover(best->stroke);

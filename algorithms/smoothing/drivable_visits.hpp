@@ -8,8 +8,8 @@
 /// each of some rounds, until no more than is allowed is left, or a round finds no stroke that can be inserted.
 ///
 /// Guarantee   the path stays drivable, and covers what it covered before
-/// Complexity  in each of at most ten rounds O(m log m) for a path of m segments, and for each stroke tried some hundred
-///             candidates. Strokes tried: four that fail for each uncovered piece, and those that succeed
+/// Complexity  in each of at most ten rounds O(m log m) for a path of m segments, and for each stroke tried some
+///             hundred candidates. Strokes tried: four that fail for each uncovered piece, and those that succeed
 #pragma once
 
 #include <vector>

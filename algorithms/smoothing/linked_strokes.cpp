@@ -81,33 +81,35 @@ std::optional<Curve> InsertedStrokes::link(const Pose& from, const Pose& to, boo
   return search ? space_.detour({from}, to, effort_, context_) : std::nullopt;
 }
 
-std::optional<InsertedStrokes::Place> InsertedStrokes::placed(std::size_t c, Polyline line, bool search) const {
+std::optional<InsertedStrokes::Insertion> InsertedStrokes::inserted_at(std::size_t c, Polyline line,
+                                                                       bool search) const {
   const Cut& cut = cuts_[c];
   std::optional<Curve> to = link(cut.out, first_pose(line), search);
   if (!to) return std::nullopt;
   std::optional<Curve> back;
   if (!cut.last && !(back = link(last_pose(line), cut.in, search))) return std::nullopt;
   const double cost = space_.cost(*to) + length(line) + (back ? space_.cost(*back) : 0) - cut.saved;
-  return Place{c, std::move(line), std::move(*to), std::move(back), cost};
+  return Insertion{c, std::move(line), std::move(*to), std::move(back), cost};
 }
 
-std::optional<InsertedStrokes::Place> InsertedStrokes::place_for(const Polyline& line, bool search) const {
-  std::optional<Place> best;
+std::optional<InsertedStrokes::Insertion> InsertedStrokes::insertion_of(const Polyline& line, bool search) const {
+  std::optional<Insertion> best;
   std::size_t tried = 0;
   for (const auto& [least, where] : candidates(line)) {
     if (best && least + length(line) >= best->cost) break;
     if (tried++ == (search ? 1 : kTried)) break;
     Polyline driven = line;
     if (where.second) std::ranges::reverse(driven);
-    if (auto place = placed(where.first, std::move(driven), search); place && (!best || place->cost < best->cost))
-      best = std::move(place);
+    if (auto insertion = inserted_at(where.first, std::move(driven), search);
+        insertion && (!best || insertion->cost < best->cost))
+      best = std::move(insertion);
   }
   return best;
 }
 
-void InsertedStrokes::insert(Place place) {
-  const std::size_t cut = place.cut;
-  chosen_[cut] = std::move(place);
+void InsertedStrokes::insert(Insertion insertion) {
+  const std::size_t cut = insertion.cut;
+  chosen_[cut] = std::move(insertion);
   grid_->remove(cut);
 }
 
@@ -124,17 +126,17 @@ std::vector<LinkedStroke> InsertedStrokes::take() {
     };
     for (; c < cuts_.size() && &strokes_[cuts_[c].stroke] == &s; ++c) {
       if (!chosen_[c]) continue;
-      Place& place = *chosen_[c];
+      Insertion& insertion = *chosen_[c];
       take_until(cuts_[c].edge + 1);
       const bool at_end = from == s.stroke.size();
       if (!at_end) part.stroke.push_back(cuts_[c].out.at);
       all.push_back(std::move(part));
-      all.push_back({std::move(place.to), std::move(place.stroke), true});
+      all.push_back({std::move(insertion.to), std::move(insertion.stroke), true});
       part = {};
       if (at_end)
-        back = std::move(place.back);
+        back = std::move(insertion.back);
       else
-        part = {std::move(*place.back), {cuts_[c].out.at}, true};
+        part = {std::move(*insertion.back), {cuts_[c].out.at}, true};
     }
     if (from == s.stroke.size() && part.stroke.empty()) continue;  // its end was a cut
     take_until(s.stroke.size());

@@ -1,7 +1,7 @@
 /// Strokes in driving order, each with the link that leads to it, and more strokes inserted between and within them.
 ///
 ///   InsertedStrokes more(driven, space, problem.robot().tool_width, effort, context);
-///   if (const auto place = more.place_for(line)) more.insert(*place);
+///   if (const auto insertion = more.insertion_of(line)) more.insert(*insertion);
 ///   driven = more.take();
 ///
 ///    ====== cut =====>        The robot leaves a stroke at a cut, or at its end, drives the new one, and comes back to
@@ -9,7 +9,7 @@
 ///         '--=--'
 ///
 /// Cuts lie on edges so long that the cut makes no bend sharper. Each is used once; a second set of insertions has new
-/// ones. Complexity  build O(n log n) for n metres; place_for() some dozens of curves for each of a few cuts near by
+/// ones. Complexity  build O(n log n) for n metres; insertion_of() some dozens of curves for each of a few cuts near by
 #pragma once
 
 #include <optional>
@@ -34,7 +34,7 @@ Polyline points_of(const Curve& curve, double chord_error);
 class InsertedStrokes {
  public:
   /// Of one stroke more.
-  struct Place {
+  struct Insertion {
     std::size_t cut = 0;
     Polyline stroke;
     Curve to;
@@ -49,8 +49,8 @@ class InsertedStrokes {
   InsertedStrokes& operator=(const InsertedStrokes&) = delete;
   /// The cheapest of those tried, in either direction of the line. `search`: also by detours around obstacles, if no
   /// simple link is free. nullopt: none was found.
-  std::optional<Place> place_for(const Polyline& line, bool search) const;
-  void insert(Place place);
+  std::optional<Insertion> insertion_of(const Polyline& line, bool search) const;
+  void insert(Insertion insertion);
   /// All strokes in order.
   std::vector<LinkedStroke> take();
 
@@ -68,7 +68,7 @@ class InsertedStrokes {
   void add_cuts(std::size_t stroke);
   std::vector<Candidate> candidates(const Polyline& line) const;
   std::optional<Curve> link(const Pose& from, const Pose& to, bool search) const;
-  std::optional<Place> placed(std::size_t cut, Polyline line, bool search) const;
+  std::optional<Insertion> inserted_at(std::size_t cut, Polyline line, bool search) const;
 
   std::vector<LinkedStroke> strokes_;
   const CarSpace& space_;
@@ -78,7 +78,7 @@ class InsertedStrokes {
   std::vector<Cut> cuts_;  // in driving order
   std::vector<Point> positions_;
   std::optional<PointGrid> grid_;
-  std::vector<std::optional<Place>> chosen_;  // by cut
+  std::vector<std::optional<Insertion>> chosen_;  // by cut
 };
 
 }  // namespace oxturn

@@ -4,7 +4,7 @@
 ///   route.rest(p);                              // from p to the route's nearest point in sight, and on along it
 ///
 /// A guide for lattice_search (detour_search.hpp) around obstacles; the second heuristic of Dolgov et al. 2010 without
-/// a grid, so that it finds its way through passages of any width.
+/// a grid, so that it leads through passages of any width.
 /// Complexity  O(length / spacing) once, then some sight tests a point
 #pragma once
 

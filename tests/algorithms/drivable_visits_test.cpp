@@ -120,10 +120,10 @@ TEST(InsertedStrokes, LeaveTheOthersWholeAndJoinExactly) {
       for (int i = 0; i < 8; ++i) {
         const Pose from{{rng.between(5.0, 35.0), rng.between(5.0, 25.0)}, rng.between(-kPi, kPi)};
         const Polyline line{from.at, ahead(from, 3).at};
-        auto place = inserted.place_for(line, false);
-        if (!place) continue;
-        more += length(line), cost += place->cost, ++n;
-        inserted.insert(std::move(*place));
+        auto insertion = inserted.insertion_of(line, false);
+        if (!insertion) continue;
+        more += length(line), cost += insertion->cost, ++n;
+        inserted.insert(std::move(*insertion));
       }
       EXPECT_GE(n, 4u);
       const std::vector<LinkedStroke> after = inserted.take();
@@ -174,7 +174,7 @@ TEST(DrivableVisits, CoverMoreAndWhatWasCovered) {
 }
 
 // Forwards, the nearest that a curve of radius R comes to a right-angled corner of configuration space is its own arc
-// between the walls. With a tool as wide as the robot, of radius r, (1 - pi / 4) ((R + r)^2 - r^2) stay uncovered there.
+// between the walls. With a tool as wide as the robot, of radius r, (1 - pi / 4) ((R + r)^2 - r^2) stay uncovered.
 TEST(Drivable, ForwardsAllButTheCornersIsCovered) {
   for (const double turn : {1.0, 2.0, 3.0}) {
     SCOPED_TRACE(turn);
