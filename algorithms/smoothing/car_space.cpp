@@ -50,7 +50,8 @@ std::vector<Curve> link_curves(const Pose& from, const Pose& to, double radius, 
 }
 
 CarSpace::CarSpace(const Problem& problem, DetourSearch search)
-    : walls_(problem.walls()),
+    : problem_(&problem),
+      walls_(problem.walls()),
       bounds_(bounding_box(problem.configuration_space())),
       search_(search),
       radius_(problem.robot().min_turn_radius),
@@ -91,6 +92,11 @@ Curve CarSpace::shortest(const Pose& from, const Pose& to) const {
 
 double CarSpace::least_length(const Pose& from, const Pose& to) const {
   return reverse_ ? reeds_shepp_curve(from, to, radius_).length() : dubins_distance(from, to, radius_);
+}
+
+Polyline CarSpace::shortest_path(const Point& from, const Point& to) const {
+  if (problem_ == nullptr) return {};
+  return problem_->transit().path(from, to).value_or(Polyline{});
 }
 
 double CarSpace::cost(const Curve& curve) const {

@@ -47,6 +47,9 @@ class CarSpace {
   Curve shortest(const Pose& from, const Pose& to) const;
   /// Its length.
   double least_length(const Pose& from, const Pose& to) const;
+  /// Of a robot that turns on the spot; empty if not known.
+  Polyline shortest_path(const Point& from, const Point& to) const;
+  const EdgeIndex& walls() const { return walls_; }
   /// The length of a curve, and for each cusp the metres lost by stopping.
   double cost(const Curve& curve) const;
 
@@ -59,6 +62,7 @@ class CarSpace {
   bool can_go_on(const Pose& from, double metres) const;
 
  private:
+  const Problem* problem_ = nullptr;  // of which it is the space; nullptr: of another region
   const EdgeIndex& walls_;
   Box bounds_;
   DetourSearch search_;

@@ -8,7 +8,8 @@
 ///               Environments, IJRR 29(5), 2010
 ///   Method      Steps of 1.5 cells, steering left, straight or right (in both gears if the robot has them), from exact
 ///               poses; of those in one cell of a quarter radius and five degrees the cheapest is kept. Heuristic: the
-///               shortest curve without obstacles, which is also tried as the rest of the path.
+///               shortest curve without obstacles, which is also tried as the rest of the path, or, if that is longer,
+///               the shortest path of a robot that turns on the spot (route.hpp).
 ///   Complexity  at most 20000 poses, each with a few curves: up to 0.2 s
 ///
 /// ompl_search: trees of random poses, by OMPL
@@ -25,7 +26,7 @@
 ///
 /// Where no path exists, or none is found, a search takes all that it may. So that a map with many such links does not
 /// take minutes, searches share an effort: each takes as much as it needs, up to the figures above, until
-/// DetourEffort::kAll is spent (some 5 s), and then a twentieth of them at most.
+/// it is spent (some 5 s, and 10 ms more for each stroke), and then a twentieth of them at most.
 #pragma once
 
 #include <algorithm>
@@ -43,14 +44,16 @@ class CarSpace;
 /// What the searches of one plan may still cost, in poses of lattice_search forwards. Deterministic.
 class DetourEffort {
  public:
-  static constexpr std::size_t kAll = 1'000'000, kMost = 20'000, kLeast = 1000;
+  static constexpr std::size_t kAll = 1'000'000, kEach = 2000;  // in all, and more for each stroke
+  static constexpr std::size_t kMost = 20'000, kLeast = 1000;   // of one search
+  explicit DetourEffort(std::size_t strokes = 0) : left_(kAll + kEach * strokes) {}
   /// Of the next search.
   std::size_t most() const { return std::clamp(left_, kLeast, kMost); }
   bool exhausted() const { return left_ < kMost; }
   void spend(std::size_t poses) { left_ -= std::min(poses, left_); }
 
  private:
-  std::size_t left_ = kAll;
+  std::size_t left_;
 };
 
 std::optional<Curve> lattice_search(const CarSpace& space, const std::vector<Pose>& from, const Pose& to,

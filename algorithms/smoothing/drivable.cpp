@@ -6,12 +6,16 @@
 #include <utility>
 
 #include "algorithms/drivable_planner.hpp"
+#include "algorithms/lanes/uncovered.hpp"
+#include "algorithms/smoothing/drivable_visits.hpp"
 #include "algorithms/smoothing/link_tour.hpp"
 
 namespace oxturn {
 namespace {
 
-constexpr double kMostLeftOut = 0.1;  // of the strokes' length
+constexpr double kMostLeftOut = 0.1;    // of the strokes' length, and if so
+constexpr double kMostUncovered = 0.1;  // of the target, more than the planner leaves
+constexpr double kNeedless = 5e-4;      // of the target: what may stay uncovered in any case, half of what 0.999 allows
 constexpr const char* kDetour = "detour";
 
 double total_length(const std::vector<Stroke>& strokes) {
@@ -24,28 +28,32 @@ double total_length(const std::vector<Stroke>& strokes) {
 class LeftOut {
  public:
   explicit LeftOut(double all) : all_(all) {}
-  /// `exhausted`: searches ended early.
-  void add(double metres, const Point& where, bool exhausted) {
-    if (metres_ == 0) first_ = where;
-    metres_ += metres;
-    if (metres_ > kMostLeftOut * all_)
-      throw Infeasible(fmt::format(
-          "no drivable connection with a lane at ({:.6g}, {:.6g}){}; take a smaller min_turn_radius, or a robot "
-          "that can reverse",
-          first_.x(), first_.y(), exhausted ? " found within the effort for detours" : ""));
+  void add(const Polyline& stroke) {
+    if (strokes_.empty()) first_ = stroke.front();
+    metres_ += length(stroke);
+    strokes_.push_back(stroke);
   }
   double metres() const { return metres_; }
+  bool too_many() const { return metres_ > kMostLeftOut * all_; }
+  const std::vector<Polyline>& strokes() const { return strokes_; }
+  /// `exhausted`: searches ended early.
+  Infeasible reason(bool exhausted) const {
+    return Infeasible(fmt::format(
+        "no drivable connection with a lane at ({:.6g}, {:.6g}){}; take a smaller min_turn_radius, or a robot "
+        "that can reverse",
+        first_.x(), first_.y(), exhausted ? " found within the effort for detours" : ""));
+  }
 
  private:
   double all_, metres_ = 0;
   Point first_{0, 0};
+  std::vector<Polyline> strokes_;
 };
 
 /// The strokes of which `link_to(the one before, this one)` is known, and these links; the others go to `left_out`.
 template <class LinkTo, class LeftOut>
-Path assembled(const std::vector<DrivenStroke>& order, const Point& start, double chord_error, LinkTo link_to,
-               LeftOut left_out) {
-  PathBuilder builder(start);
+std::vector<LinkedStroke> assembled(const std::vector<DrivenStroke>& order, LinkTo link_to, LeftOut left_out) {
+  std::vector<LinkedStroke> driven;
   const DrivenStroke* last = nullptr;
   for (const DrivenStroke& stroke : order) {
     const std::optional<Curve> link = link_to(last, stroke);
@@ -53,22 +61,33 @@ Path assembled(const std::vector<DrivenStroke>& order, const Point& start, doubl
       left_out(stroke);
       continue;
     }
-    for (const Leg& leg : sampled(*link, chord_error, false)) builder.drive(leg.points, leg.tool, leg.gear);
-    builder.drive(stroke.points, true);
+    driven.push_back({*link, stroke.points, false});
     last = &stroke;
   }
-  return builder.take();
+  return driven;
+}
+
+double uncovered_area(const Problem& problem, const Path& path) {
+  return area(uncovered(problem.target(), path, problem.robot()));
 }
 
 /// Publishes what can be driven so far, if more of the strokes than before.
 void publish_progress(LinkTour& tour, const Problem& problem, const CarSpace& space, Context& context) {
   tour.on_progress([&tour, &problem, &space, &context, most = 0.0](const std::vector<DrivenStroke>& order) mutable {
     const auto known = [&](const DrivenStroke* last, const DrivenStroke& s) { return tour.known_link(last, s); };
-    const Path path = assembled(order, problem.start(), space.chord_error(), known, [](const DrivenStroke&) {});
+    const Path path =
+        path_of(assembled(order, known, [](const DrivenStroke&) {}), problem.start(), space.chord_error());
     const double work = path.length(true);
     if (work > most) context.publish(path);
     most = std::max(most, work);
   });
+}
+
+void trace_strokes(const std::vector<Stroke>& strokes, Context& context) {
+  if (!context.wants_traces()) return;
+  std::vector<Polyline> lines;
+  for (const Stroke& stroke : strokes) lines.push_back(stroke.points);
+  context.trace("strokes", std::move(lines));
 }
 
 class Drivable final : public CoveragePlanner {
@@ -97,13 +116,9 @@ Path drivable(const Problem& problem, const Path& path, Context& context, Detour
   const std::vector<Stroke> whole = strokes;
   shorten_dead_ends(strokes, problem, space);
   for (std::size_t s = 0; s < strokes.size(); ++s)
-    if (strokes[s].points.empty()) left_out.add(length(whole[s].points), whole[s].points.front(), false);
+    if (strokes[s].points.empty()) left_out.add(whole[s].points);
   std::erase_if(strokes, [](const Stroke& stroke) { return stroke.points.empty(); });
-  if (context.wants_traces()) {
-    std::vector<Polyline> lines;
-    for (const Stroke& stroke : strokes) lines.push_back(stroke.points);
-    context.trace("strokes", std::move(lines));
-  }
+  trace_strokes(strokes, context);
 
   LinkTour tour(strokes, space, problem.start(), context);
   publish_progress(tour, problem, space, context);
@@ -111,13 +126,20 @@ Path drivable(const Problem& problem, const Path& path, Context& context, Detour
   const auto link = [&](const DrivenStroke* last, const DrivenStroke& stroke) {
     return context.cancelled() ? tour.known_link(last, stroke) : tour.link(last, stroke);
   };
-  Path result = assembled(order, problem.start(), space.chord_error(), link, [&](const DrivenStroke& stroke) {
-    if (!context.cancelled()) left_out.add(length(stroke.points), stroke.points.front(), tour.exhausted());
-  });
+  std::vector<LinkedStroke> driven =
+      assembled(order, link, [&](const DrivenStroke& stroke) { left_out.add(stroke.points); });
   if (left_out.metres() > 0) context.record("lanes_left_out_m", left_out.metres());
-  if (result.legs.empty() && !context.cancelled())
+  if (driven.empty() && left_out.too_many() && !context.cancelled()) throw left_out.reason(tour.exhausted());
+  if (driven.empty() && !context.cancelled())
     throw Infeasible(fmt::format("no lane that the robot can drive from the start ({:.6g}, {:.6g})",
                                  problem.start().x(), problem.start().y()));
+  const double target = area(problem.target());
+  const double allowed = std::max(uncovered_area(problem, path), kNeedless * target);
+  driven = with_visits(problem, std::move(driven), left_out.strokes(), allowed, space, context);
+  Path result = path_of(driven, problem.start(), space.chord_error());
+  if (left_out.too_many() && !context.cancelled() &&
+      uncovered_area(problem, result) > allowed + kMostUncovered * target)
+    throw left_out.reason(tour.exhausted());
   return result;
 }
 

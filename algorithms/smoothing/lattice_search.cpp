@@ -8,22 +8,29 @@
 
 #include "algorithms/smoothing/car_space.hpp"
 #include "algorithms/smoothing/detour_search.hpp"
+#include "algorithms/smoothing/route.hpp"
 
 namespace oxturn {
 namespace {
 
 constexpr double kCell = 0.25;  // radii
 constexpr int kHeadings = 72;
-constexpr double kStep = 1.5;     // cells
-constexpr double kGreed = 1.2;    // weight of the heuristic
-constexpr double kNearGoal = 6;   // radii; nearer than that the rest is tried at every node, else at every fourth
-constexpr double kReverse = 1.5;  // a metre backwards costs that much
+constexpr double kStep = 1.5;          // cells
+constexpr double kRouteSpacing = 0.5;  // radii
+constexpr double kGreed = 1.2;         // weight of the heuristic
+constexpr double kNearGoal = 6;        // radii; nearer than that the rest is tried at every node, else at every fourth
+constexpr double kReverse = 1.5;       // a metre backwards costs that much
 constexpr std::size_t kFirstPoses = 1000;  // of a thorough search in each direction, then twice as many, and so on
 constexpr std::size_t kReverseEffort = 3;  // a Reeds-Shepp curve takes several times as long as a Dubins curve
 
 class LatticeSearch {
  public:
-  LatticeSearch(const CarSpace& space, const Pose& to) : space_(space), to_(to), radius_(space.radius()) {}
+  /// `from`: where it begins, roughly.
+  LatticeSearch(const CarSpace& space, const Point& from, const Pose& to)
+      : space_(space),
+        to_(to),
+        radius_(space.radius()),
+        route_(space.shortest_path(from, to.at), space.walls(), kRouteSpacing * radius_) {}
 
   void begin(const std::vector<Pose>& from) {
     for (const Pose& pose : from) add({pose, kNone, {}, 0});
@@ -69,7 +76,7 @@ class LatticeSearch {
       entry->second = nodes_.size();
     }
     const double rest = space_.least_length(node.pose, to_);
-    open_.push({-(node.cost + kGreed * rest), nodes_.size()});
+    open_.push({-(node.cost + kGreed * std::max(rest, route_.rest(node.pose.at))), nodes_.size()});
     nodes_.push_back(node);
     rest_.push_back(rest);
     closed_.push_back(false);
@@ -107,6 +114,7 @@ class LatticeSearch {
   const CarSpace& space_;
   Pose to_;
   double radius_;
+  const Route route_;
   std::vector<Node> nodes_;
   std::vector<double> rest_;
   std::vector<char> closed_;
@@ -119,7 +127,7 @@ class LatticeSearch {
 
 std::optional<Curve> lattice_search(const CarSpace& space, const std::vector<Pose>& from, const Pose& to,
                                     DetourEffort& effort, const Context& context) {
-  LatticeSearch search(space, to);
+  LatticeSearch search(space, from.front().at, to);
   search.begin(from);
   std::optional<Curve> detour = search.run(effort.most(), context);
   effort.spend((space.reverse() ? kReverseEffort : 1) * search.poses());
@@ -128,7 +136,7 @@ std::optional<Curve> lattice_search(const CarSpace& space, const std::vector<Pos
 
 ThoroughDetour thorough_search(const CarSpace& space, const Pose& from, const Pose& to, std::size_t most,
                                const Context& context) {
-  LatticeSearch forwards(space, to), backwards(space, turned_round(from));
+  LatticeSearch forwards(space, from.at, to), backwards(space, to.at, turned_round(from));
   forwards.begin({from});
   backwards.begin({turned_round(to)});
   ThoroughDetour result;

@@ -8,13 +8,14 @@ namespace {
 
 constexpr double kBlocked = 1e6;  // metres; dearer than any detour, so that a tour with few blocked links is preferred
 constexpr int kRounds = 12, kLeastRounds = 2;
-constexpr std::uint64_t kStrokesOfRounds = 12000;  // strokes times rounds: a round is a tour and its links
+constexpr std::uint64_t kStrokesOfRounds = 12000;    // strokes times rounds: a round is a tour and its links
+constexpr std::uint64_t kLeastEffort = 100'000'000;  // connections looked at, 20 to 30 ns each
+constexpr double kEffort = 5000;                     // more for each n log n
 constexpr std::uint64_t kKicks = 20000;  // a fifth of a millisecond each; more do not pay where there are many strokes
 constexpr std::size_t kReports = 8;      // in the first round
 constexpr double kEntrySpacing = 2;      // radii, between points where a closed stroke may be entered
 constexpr double kMostEntries = 12;
-constexpr double kLeastCut = 1.6;             // radii
-constexpr std::size_t kMostTabulated = 2000;  // patterns
+constexpr double kLeastCut = 1.6;  // radii
 constexpr std::size_t kStartHeadings = 24;
 
 /// A closed stroke from another point, a lap on. Short edges may belong to a sampled curve and are not cut.
@@ -35,13 +36,14 @@ Polyline rotated_lap(const Polyline& lap, double from, double radius) {
 }  // namespace
 
 LinkTour::LinkTour(const std::vector<Stroke>& strokes, const CarSpace& space, const Point& start, Context& context)
-    : strokes_(strokes), space_(space), start_(start), context_(context) {
+    : strokes_(strokes), space_(space), start_(start), context_(context), effort_(strokes.size()) {
   for (std::size_t s = 0; s < strokes.size(); ++s) add_passes(s);
-  const std::size_t n = passes_.size() + 2;
-  if (n > kMostTabulated) return;
-  table_.resize(n * n);
-  for (PatternId p = 0; p < n; ++p)
-    for (PatternId q = 0; q < n; ++q) table_[p * n + q] = bound(p, q);
+  costs_.emplace(patterns(), [this](PatternId from, PatternId to) { return bound(from, to); });
+}
+
+std::uint64_t LinkTour::most_effort(std::size_t patterns) {
+  const double n = static_cast<double>(patterns);
+  return kLeastEffort + static_cast<std::uint64_t>(kEffort * n * std::log2(n + 1));
 }
 
 void LinkTour::add_passes(std::size_t stroke) {
@@ -77,17 +79,6 @@ double LinkTour::bound(PatternId from, PatternId to) const {
   return space_.least_length(passes_[from - 2].exit, passes_[to - 2].entry);
 }
 
-double LinkTour::cost(PatternId from, PatternId to) const {
-  if (!table_.empty()) return table_[from * (passes_.size() + 2) + to];
-  const auto known = learnt_.find({from, to});
-  return known != learnt_.end() ? known->second : bound(from, to);
-}
-
-void LinkTour::set_cost(PatternId from, PatternId to, double metres) {
-  learnt_[{from, to}] = metres;
-  if (!table_.empty()) table_[from * (passes_.size() + 2) + to] = metres;
-}
-
 /// Curves grow with the distance of their ends: with many strokes, those near by are found by that.
 std::vector<ConnectionCost::Ends> LinkTour::ends() const {
   std::vector<ConnectionCost::Ends> all(2, {start_, start_});
@@ -97,16 +88,16 @@ std::vector<ConnectionCost::Ends> LinkTour::ends() const {
 
 bool LinkTour::learn(const TourProblem& problem, const Tour& tour) {
   bool new_one = false;
-  const bool first = learnt_.empty();
+  const bool first = costs_->none_known();
   const std::size_t each = tour.size() / kReports + 1;
   for (std::size_t i = 0; i + 1 < tour.size() && !context_.cancelled(); ++i) {
     if (report_ && first && i > 0 && i % each == 0) report_(driven(problem, tour));
     const PatternId from = problem.pattern_of(tour[i]), to = problem.pattern_of(tour[i + 1]);
-    if (learnt_.contains({from, to})) continue;
+    if (costs_->known(from, to)) continue;
     const std::optional<Curve>& found = find(from, to);
     const double metres = found ? space_.cost(*found) : kBlocked;
-    set_cost(from, to, metres);
-    set_cost(reverse_[to], reverse_[from], metres);
+    costs_->set(from, to, metres);
+    costs_->set(reverse_[to], reverse_[from], metres);
     new_one = true;
   }
   if (report_ && new_one) report_(driven(problem, tour));
@@ -115,14 +106,20 @@ bool LinkTour::learn(const TourProblem& problem, const Tour& tour) {
 
 std::vector<DrivenStroke> LinkTour::order() {
   if (strokes_.empty()) return {};
-  const FunctionCost costs([this](PatternId from, PatternId to) { return cost(from, to); }, true,
-                           table_.empty() ? ends() : std::vector<ConnectionCost::Ends>{});
+  const FunctionCost costs([this](PatternId from, PatternId to) { return (*costs_)(from, to); }, true,
+                           costs_->tabulated() ? std::vector<ConnectionCost::Ends>{} : ends());
   const TourProblem problem(costs, counts_, reverse_);
-  const std::uint64_t n = strokes_.size(), kicks = std::max(kKicks, std::min(20 * n, kKicks + n));
-  Tour tour = from_start(problem, solve_tour(problem, context_, {.kicks = kicks}));
+  const std::uint64_t n = strokes_.size(), most = most_effort(patterns());
+  std::uint64_t until = most / 2;  // the rest is for the rounds, in equal shares
+  TourEffort effort{.kicks = std::max(kKicks, std::min(20 * n, kKicks + n))};
+  effort.enough = [&] { return costs_->effort() >= until; };
+  Tour tour = from_start(problem, solve_tour(problem, context_, effort));
   const int rounds = std::clamp(static_cast<int>(kStrokesOfRounds / n), kLeastRounds, kRounds);
-  for (int round = 0; round < rounds && learn(problem, tour); ++round)
-    tour = from_start(problem, improved_tour(problem, tour, context_, {.kicks = std::min(20 * n, kKicks)}));
+  effort.kicks = std::min(20 * n, kKicks);
+  for (int round = 0; round < rounds && learn(problem, tour) && costs_->effort() < most; ++round) {
+    until = costs_->effort() + (most - costs_->effort()) / static_cast<std::uint64_t>(rounds - round);
+    tour = from_start(problem, improved_tour(problem, tour, context_, effort));
+  }
   return driven(problem, tour);
 }
 

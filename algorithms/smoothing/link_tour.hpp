@@ -6,15 +6,20 @@
 ///
 /// A tour (tour/solve_tour.hpp) over all strokes: open ones from either end, closed ones from some points in both
 /// directions. Connections first cost what a curve without obstacles costs. Those of the tour are then tested and cost
-/// what the curve found does, and the tour is improved, until all its connections are known.
+/// what the curve found does, and the tour is improved, until all its connections are known, or the effort for tours is
+/// spent: most_effort() connections asked for. Connections of the last tour that are not known then are searched when
+/// link() asks for them.
+/// Complexity  O(n log n) connections looked at for n directions and entries of strokes, and O(n) links searched
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "algorithms/smoothing/link_costs.hpp"
 #include "algorithms/smoothing/strokes.hpp"
 #include "algorithms/tour/solve_tour.hpp"
 
@@ -30,6 +35,8 @@ class LinkTour {
  public:
   /// All references must outlive it.
   LinkTour(const std::vector<Stroke>& strokes, const CarSpace& space, const Point& start, Context& context);
+  LinkTour(const LinkTour&) = delete;
+  LinkTour& operator=(const LinkTour&) = delete;
   /// Ends early if cancelled.
   std::vector<DrivenStroke> order();
   /// `report` is given the order so far whenever more links of it are known.
@@ -39,6 +46,13 @@ class LinkTour {
   /// The same without a search: nullopt, too, if there was none for that link.
   std::optional<Curve> known_link(const DrivenStroke* from, const DrivenStroke& to) const;
 
+  /// What the search for a tour of so many patterns may cost, as LinkCosts::effort() counts; it may take a tenth more,
+  /// because it ends between two steps.
+  static std::uint64_t most_effort(std::size_t patterns);
+  /// What it has cost.
+  std::uint64_t effort() const { return costs_->effort(); }
+  /// Directions and entries of all strokes, and the start's two.
+  std::size_t patterns() const { return passes_.size() + 2; }
   /// Searches for detours ended early, so there may be links that were not found.
   bool exhausted() const { return effort_.exhausted(); }
 
@@ -55,9 +69,7 @@ class LinkTour {
   void add_passes(std::size_t stroke);
   Polyline points(const Pass& pass) const;
   double bound(PatternId from, PatternId to) const;
-  double cost(PatternId from, PatternId to) const;
   std::vector<ConnectionCost::Ends> ends() const;
-  void set_cost(PatternId from, PatternId to, double metres);
   /// Tests the connections of the tour; false if all were known.
   bool learn(const TourProblem& problem, const Tour& tour);
   std::vector<DrivenStroke> driven(const TourProblem& problem, const Tour& tour) const;
@@ -76,8 +88,7 @@ class LinkTour {
   std::vector<Pass> passes_;  // pattern p is passes_[p - 2]; patterns 0 and 1 are the start
   std::vector<std::size_t> counts_{2};
   std::vector<PatternId> reverse_{1, 0};
-  std::vector<double> table_;     // costs by pattern pairs, if there are not too many
-  std::map<Key, double> learnt_;  // costs, in either direction; kBlocked: none was found
+  std::optional<LinkCosts> costs_;  // kBlocked: no link was found
   std::map<Key, std::optional<Curve>> links_;
 };
 

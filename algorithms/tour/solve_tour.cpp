@@ -56,25 +56,26 @@ double typical_difference(const TourProblem& problem, const NeighbourLists& list
 
 class IteratedSearch {
  public:
-  IteratedSearch(const TourProblem& problem, const NeighbourLists& lists, const Tour& tour, Context& context)
-      : problem_(problem), context_(context), state_(problem, tour), search_(problem, lists, state_) {}
+  IteratedSearch(const TourProblem& problem, const NeighbourLists& lists, const Tour& tour, Context& context,
+                 const TourEffort& effort)
+      : problem_(problem), context_(context), effort_(effort), state_(problem, tour), search_(problem, lists, state_) {}
 
   /// To a tour that no move makes cheaper, in the best patterns for its order.
   void descend() {
     for (std::size_t i = 0; i < state_.size(); ++i) search_.queue.push(state_.at(i));
     empty_queue();
-    while (problem_.has_choice() && choose_patterns() && !context_.cancelled()) empty_queue();
+    while (problem_.has_choice() && choose_patterns() && !ended()) empty_queue();
     state_.commit();
     keep_if_best({});
   }
 
-  void kick_and_search(const TourEffort& effort) {
-    const Schedule schedule(effort, state_.size(), context_);
+  void kick_and_search() {
+    const Schedule schedule(effort_, state_.size(), context_);
     const double warmth = kWarmth * typical_difference(problem_, search_.lists);
     double temperature = warmth;
-    for (std::uint64_t k = 0; schedule.share(k) < 1 && !context_.cancelled(); ++k) {
+    for (std::uint64_t k = 0; schedule.share(k) < 1 && !ended(); ++k) {
       if (k % schedule.kicks_between_checks() == 0) {
-        keep_if_best(effort.improved);
+        keep_if_best(effort_.improved);
         temperature = warmth * (1 - schedule.share(k));
       }
       search_.gained = 0;
@@ -88,13 +89,15 @@ class IteratedSearch {
       else
         state_.undo();
     }
-    keep_if_best(effort.improved);
+    keep_if_best(effort_.improved);
   }
 
   /// The best tour of those seen at checks.
   const Tour& best() const { return best_; }
 
  private:
+  bool ended() const { return context_.cancelled() || (effort_.enough && effort_.enough()); }
+
   bool improve(ElementId a) {
     if (problem_.has_choice() && (change_pattern(search_, a) || reinsert(search_, a))) return true;
     if (problem_.symmetric()) return three_opt(search_, a, false) || three_opt(search_, a, true);
@@ -104,7 +107,7 @@ class IteratedSearch {
   void empty_queue() {
     while (const auto a = search_.queue.pop()) {
       while (improve(*a)) {}
-      if (++looked_at_ % kLooksBetweenClocks == 0 && context_.cancelled()) search_.queue.clear();
+      if (++looked_at_ % kLooksBetweenClocks == 0 && ended()) search_.queue.clear();
     }
   }
 
@@ -156,6 +159,7 @@ class IteratedSearch {
 
   const TourProblem& problem_;
   Context& context_;
+  const TourEffort& effort_;
   TourState state_;
   MoveSearch search_;
   std::uint64_t looked_at_ = 0;  // elements
@@ -176,9 +180,9 @@ Tour first_tour(const TourProblem& problem, const NeighbourLists& lists) {
 
 Tour search(const TourProblem& problem, const NeighbourLists& lists, const Tour& first, Context& context,
             const TourEffort& effort) {
-  IteratedSearch search(problem, lists, first, context);
+  IteratedSearch search(problem, lists, first, context, effort);
   search.descend();
-  search.kick_and_search(effort);
+  search.kick_and_search();
   if (!problem.has_choice()) return search.best();
   return best_patterns(problem, search.best());
 }

@@ -29,6 +29,7 @@ struct TourEffort {
   std::size_t neighbours = 8;               // in lists; asymmetric problems take two more
   bool exact_if_small = true;               // dynamic programming where it is cheap
   std::function<void(const Tour&)> improved = {};  // called with better tours, at most once in 100 kicks
+  std::function<bool()> enough = {};  // ends the search early, with the best tour so far; asked after each kick
 
   std::uint64_t kicks_for(std::size_t elements) const;
 };

@@ -1,0 +1,215 @@
+// Visits of what a drivable path leaves uncovered: their parts one by one, and what they reach in the end.
+#include "algorithms/smoothing/drivable_visits.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/lanes/uncovered.hpp"
+#include "algorithms/smoothing/covering_strokes.hpp"
+#include "algorithms/smoothing/drivable.hpp"
+#include "algorithms/smoothing/strokes.hpp"
+#include "base/random.hpp"
+#include "geometry/overlay/boolean.hpp"
+#include "metrics/score.hpp"
+#include "tests/support/brief_planners.hpp"
+#include "tests/support/maps.hpp"
+#include "tests/support/seeds.hpp"
+
+namespace oxturn {
+namespace {
+
+Problem on(const Region& free, double turn, bool reverse) {
+  Robot robot;
+  robot.radius = 1, robot.tool_width = 2, robot.min_turn_radius = turn, robot.reverse = reverse;
+  return Problem(Map{"plain", free, "test", "test"}, robot);
+}
+
+/// A yard with two sheds.
+Problem yard(double turn, bool reverse) {
+  return on(subtract(box_region({0, 0}, {40, 30}), {box_region({12, 10}, {17, 18}), box_region({27, 4}, {30, 20})}),
+            turn, reverse);
+}
+
+Path boustrophedon(const Problem& problem) {
+  Context context;
+  return brief_built_in().find("boustrophedon").make({}, brief_built_in())->plan(problem, context);
+}
+
+double uncovered_area(const Problem& problem, const Path& path) {
+  return area(uncovered(problem.target(), path, problem.robot()));
+}
+
+// Oracle: every point, by distance.
+TEST(UncoveredPoints, AreCoveredWithinHalfAToolWidth) {
+  const Region left{{{box_region({0, 0}, {8, 6}).polygons[0].outer, {}}, box_region({20, 0}, {21, 1}).polygons[0]}};
+  UncoveredPoints points(left, 2, 0.1);
+  EXPECT_NEAR(points.area(), 49, 1e-9);
+  ASSERT_EQ(points.pieces().size(), 2u);
+  EXPECT_GT(points.pieces()[0].size(), points.pieces()[1].size()) << "the largest first";
+  double shares = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) shares += points.share(k);
+  EXPECT_NEAR(shares, 49, 1e-9);
+  const Polyline line{{2, 3}, {6, 3}};
+  EXPECT_TRUE(points.covers_any(line));
+  const double gained = points.cover(line);
+  EXPECT_NEAR(gained, 4 * 2 + kPi, 2) << "samples stand for equal shares, and are denser along outlines";
+  EXPECT_NEAR(points.area(), 49 - gained, 1e-9);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    EXPECT_EQ(points.covered(k), distance_to_segment(points.at(k), line[0], line[1]) <= 2 * kCoveredReach) << k;
+  EXPECT_FALSE(points.covers_any(line));
+  EXPECT_EQ(points.cover(line), 0);
+}
+
+TEST(UncoveredPoints, OfSmallPiecesOnlyTheAreaIsKnown) {
+  const UncoveredPoints points(box_region({0, 0}, {0.1, 0.1}), 2, 0.1);
+  EXPECT_NEAR(points.area(), 0.01, 1e-12);
+  EXPECT_EQ(points.size(), 0u);
+}
+
+TEST(CoveringStrokes, CoverTheirPointAndStayInConfigurationSpace) {
+  std::size_t found = 0;
+  for (const bool reverse : {false, true}) {
+    const Problem problem = yard(2, reverse);
+    const CarSpace space(problem);
+    const UncoveredPoints points(problem.target(), 2, 0);
+    Rng rng(3);
+    for (int i = 0; i < 100; ++i) {
+      const std::size_t k = rng.below(points.size());
+      for (const CoveringStroke& s : covering_strokes(points, k, space, 2)) {
+        ++found;
+        ASSERT_EQ(s.points.size(), 2u);
+        EXPECT_TRUE(space.free(s.points));
+        EXPECT_LE(distance_to_segment(points.at(k), s.points[0], s.points[1]), 2 * kCoveredReach);
+        EXPECT_GT(s.gain, 0);
+        EXPECT_LE(s.gain, 1.15 * (2 * length(s.points) + kPi) + 0.5) << "no more than its swath, but for sampling";
+      }
+    }
+  }
+  EXPECT_GT(found, 400u);
+}
+
+/// Lanes from left to right and back, 6 m apart, with free links.
+std::vector<LinkedStroke> lanes(const CarSpace& space, const Point& start) {
+  std::vector<LinkedStroke> driven;
+  Pose at{start, 0};
+  for (int k = 0; k < 3; ++k) {
+    Polyline lane{{8, 6.0 + 6 * k}, {30, 6.0 + 6 * k}};
+    if (k % 2 == 1) std::ranges::reverse(lane);
+    driven.push_back({*space.simple_link(at, first_pose(lane)), lane, false});
+    at = last_pose(lane);
+  }
+  return driven;
+}
+
+TEST(InsertedStrokes, LeaveTheOthersWholeAndJoinExactly) {
+  for (const bool reverse : {false, true})
+    for (const auto seed : seeds(20)) {
+      SCOPED_TRACE(fmt::format("reverse {}, seed {}", reverse, seed));
+      const Problem problem = on(box_region({0, 0}, {40, 30}), 2, reverse);
+      const CarSpace space(problem);
+      Context context;
+      DetourEffort effort;
+      const std::vector<LinkedStroke> before = lanes(space, problem.start());
+      InsertedStrokes inserted(before, space, 2, effort, context);
+      Rng rng(seed);
+      double more = 0, cost = 0;
+      std::size_t n = 0;
+      for (int i = 0; i < 8; ++i) {
+        const Pose from{{rng.between(5.0, 35.0), rng.between(5.0, 25.0)}, rng.between(-kPi, kPi)};
+        const Polyline line{from.at, ahead(from, 3).at};
+        auto insertion = inserted.insertion_of(line, false);
+        if (!insertion) continue;
+        more += length(line), cost += insertion->cost, ++n;
+        inserted.insert(std::move(*insertion));
+      }
+      EXPECT_GE(n, 4u);
+      const std::vector<LinkedStroke> after = inserted.take();
+      double strokes = 0;
+      Pose at{problem.start(), 0};
+      for (const LinkedStroke& s : after) {
+        ASSERT_GE(s.stroke.size(), 2u);
+        strokes += length(s.stroke);
+        EXPECT_LT(distance(s.link.from.at, at.at), 1e-6);
+        EXPECT_LT(distance(s.link.to.at, s.stroke.front()), 1e-6);
+        EXPECT_LT(std::abs(std::remainder(s.link.from.heading - at.heading, 2 * kPi)), 1e-6);
+        EXPECT_LT(std::abs(std::remainder(s.link.to.heading - first_pose(s.stroke).heading, 2 * kPi)), 1e-6);
+        at = last_pose(s.stroke);
+      }
+      EXPECT_NEAR(strokes, 66 + more, 1e-6) << "all of the three lanes, and those inserted";
+      const Path old = path_of(before, problem.start(), space.chord_error());
+      const Path path = path_of(after, problem.start(), space.chord_error());
+      const Score s = score(problem, path);
+      EXPECT_EQ(s.flaw, "");
+      EXPECT_EQ(s.value("curvature_violations"), 0);
+      if (!reverse) { EXPECT_NEAR(path.length(), old.length() + cost, 0.01 * path.length()); }
+      EXPECT_LT(area(subtract(uncovered(problem.target(), path, problem.robot()),
+                              uncovered(problem.target(), old, problem.robot()))),
+                0.02);
+    }
+}
+
+TEST(DrivableVisits, CoverMoreAndWhatWasCovered) {
+  for (const bool reverse : {false, true}) {
+    const Problem problem = on(box_region({0, 0}, {40, 30}), 2, reverse);
+    const CarSpace space(problem);
+    Context context;
+    const std::vector<LinkedStroke> before = lanes(space, problem.start());
+    const Path old = path_of(before, problem.start(), space.chord_error());
+    const Polyline left_out{{5, 26}, {35, 26}};
+    const std::vector<LinkedStroke> after = with_visits(problem, before, {left_out}, 0.1 * 1200, space, context);
+    const Path path = path_of(after, problem.start(), space.chord_error());
+    EXPECT_EQ(score(problem, path).flaw, "");
+    EXPECT_LE(uncovered_area(problem, path), 0.1 * 1200);
+    EXPECT_GT(uncovered_area(problem, path), 0.07 * 1200) << "no more than it is asked for";
+    EXPECT_LT(area(subtract(uncovered(problem.target(), path, problem.robot()),
+                            uncovered(problem.target(), old, problem.robot()))),
+              0.02);
+    const Region under_it =
+        subtract(problem.target(), uncovered(problem.target(), {{{true, left_out}}}, problem.robot()));
+    EXPECT_LT(area(uncovered(under_it, path, problem.robot())), 0.02);
+  }
+}
+
+// Forwards, the nearest that a curve of radius R comes to a right-angled corner of configuration space is its own arc
+// between the walls. With a tool as wide as the robot, of radius r, (1 - pi / 4) ((R + r)^2 - r^2) stay uncovered.
+TEST(Drivable, ForwardsAllButTheCornersIsCovered) {
+  for (const double turn : {1.0, 2.0, 3.0}) {
+    SCOPED_TRACE(turn);
+    const Problem problem = on(box_region({0, 0}, {30, 24}), turn, false);
+    const Path path = boustrophedon(problem);
+    const Score s = score(problem, path);
+    EXPECT_EQ(s.flaw, "");
+    EXPECT_EQ(s.value("curvature_violations"), 0);
+    const double corners = 4 * (1 - kPi / 4) * (turn * turn + 2 * turn);
+    EXPECT_GT(uncovered_area(problem, path), corners - 0.05);
+    EXPECT_LT(uncovered_area(problem, path), corners + 1e-3 * area(problem.target()));
+  }
+}
+
+// With a reverse gear it drives into a corner along the wall, and out again.
+TEST(Drivable, InReverseCornersAreCoveredToo) {
+  for (const double turn : {1.0, 3.0}) {
+    const Problem problem = on(box_region({0, 0}, {30, 24}), turn, true);
+    EXPECT_LT(uncovered_area(problem, boustrophedon(problem)), 1e-3 * area(problem.target())) << turn;
+  }
+}
+
+TEST(Drivable, CoversUnseenMapsInReverse) {
+  for (const std::string generator : {"rooms", "cave", "clutter", "field"})
+    for (const auto seed : seeds(2)) {
+      SCOPED_TRACE(fmt::format("{} {}", generator, seed));
+      Robot robot;
+      robot.radius = 0.2, robot.tool_width = 0.5, robot.min_turn_radius = 0.3, robot.reverse = true;
+      const Problem problem(generate(generator, {{"width", 12.0}, {"height", 9.0}}, 400 + seed), robot);
+      const Score s = score(problem, boustrophedon(problem));
+      EXPECT_EQ(s.flaw, "");
+      EXPECT_EQ(s.value("curvature_violations"), 0);
+      EXPECT_GT(*s.value("coverage"), 0.99);
+    }
+}
+
+}  // namespace
+}  // namespace oxturn
