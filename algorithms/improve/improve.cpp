@@ -17,6 +17,9 @@ namespace oxturn {
 namespace {
 
 // In tool widths.
+// The first one if the user names none: the least up to so many moves for each square of the tool's width, then in
+// proportion to these, up to the most. With few moves, heat spoils more than they mend.
+constexpr double kLeastHeat = 0.01, kMostHeat = 0.05, kMovesOfLeastHeat = 2000;
 constexpr double kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one
 constexpr double kCoarseCell = 1.0 / 10, kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80, kFinestCell = 1.0 / 120;
 constexpr double kNarrowChord = 1e-3;   // error of arcs where witnesses are no finer than kMiddleCell
@@ -157,7 +160,7 @@ class Improver {
       options.uncovered = left * area(completion_.target());
       options.price = kHotPrice * price(left);
     }
-    const Annealed now = annealed(best, options, {moves(hot), how_.temperature * width_, kWarm * width_}, rng);
+    const Annealed now = annealed(best, options, {moves(hot), heat(), kWarm * width_}, rng);
     options = middle();
     options.price = now.price;
     close_in_rounds(annealed(now.points, options, {moves(shares().warming), kWarm * width_, kCool * width_}, rng));
@@ -207,6 +210,12 @@ class Improver {
   /// Where everything is asked for, what is too small for the raster needs many detours.
   double fine_cell() const { return completion_.whole() ? kFinestCell : kFineCell; }
   bool nearly_all() const { return share_ < kNearlyAll; }
+  /// The first temperature, metres.
+  double heat() const {
+    if (how_.temperature > 0) return how_.temperature * width_;
+    const double each = moves_ * width_ * width_ / area(completion_.target());
+    return std::clamp(kLeastHeat * each / kMovesOfLeastHeat, kLeastHeat, kMostHeat) * width_;
+  }
   long moves(double share) const { return static_cast<long>(share * moves_); }
   Annealing::Options coarse() const { return raster(kCoarseCell, nearly_all() ? kMargin : 0); }
   Annealing::Options middle() const { return raster(kMiddleCell, nearly_all() ? kMargin : 0); }
@@ -262,8 +271,7 @@ class Improver {
     in_parallel(how_.threads, lines.size(), [&](std::size_t k) {
       Rng rng(mix(context_.seed(), "start " + std::to_string(k)));
       results[k] = oxturn::annealed(problem_, target_of(coarse().radius), lines[k], coarse(),
-                                    {moves(shares().brief), how_.temperature * width_, kWarm * width_}, focus_, each,
-                                    rng, context_);
+                                    {moves(shares().brief), heat(), kWarm * width_}, focus_, each, rng, context_);
     });
     for (const Annealed& result : results) effort_ += result.effort;
     const Annealing::Options options = coarse();
@@ -307,7 +315,10 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
        "moves of annealing; 0: 4000 for each of the first 500 squares of the tool's width in the target, 100 for each "
        "other"},
       {"return_home", &Improvement::return_home, "end where the path starts"},
-      {"temperature", &Improvement::temperature, Range{1e-6, 10}, "of annealing, to begin with, in tool widths"},
+      {"temperature", &Improvement::temperature, Range{0, 10},
+       "of annealing, to begin with, in tool widths; 0: 0.01 up to 2000 moves for each square of the tool's width, "
+       "then "
+       "in proportion to the moves, up to 0.05"},
       {"objective", &Improvement::objective, Choices{"length", "time", "weighted"},
        "what is made least; time: turns count, at the robot's turn rate and speed; weighted: a sum of both"},
       {"time_weight", &Improvement::time_weight, Range{0, 1},

@@ -34,11 +34,11 @@
 namespace oxturn {
 
 struct Improvement {
-  double coverage = 1;        // share of the target
-  int moves = 0;              // of annealing; 0: by the size of the target
-  bool return_home = false;   // the path ends where it starts
-  double temperature = 0.05;  // to begin with, in tool widths
-  int threads = 1;            // which does not change the result
+  double coverage = 1;       // share of the target
+  int moves = 0;             // of annealing; 0: by the size of the target
+  bool return_home = false;  // the path ends where it starts
+  double temperature = 0;    // to begin with, in tool widths; 0: by the moves for the size of the target
+  int threads = 1;           // which does not change the result
   std::string objective = "length";
   double time_weight = 0.5;      // with objective = weighted
   std::string without = "none";  // a part that is left out (part.hpp)
