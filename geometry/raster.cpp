@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/predicates.hpp"
+#include "geometry/centre_crossings.hpp"
 
 namespace oxturn {
 namespace {
@@ -14,36 +14,9 @@ int clamped(double x, int low, int high) { return static_cast<int>(std::clamp<do
 /// those whose centre is exactly on an edge.
 void mark_centres(const Region& region, BitGrid& grid) {
   std::vector<std::size_t> on_edge;
-  // Flips, in each row that the edge meets, the cell of the first centre to its right.
-  const auto mark = [&](const Point& from, const Point& to) {
-    const Point &a = from.y() <= to.y() ? from : to, &b = from.y() <= to.y() ? to : from;  // a below b
-    const int first = clamped(std::floor((a.y() - grid.origin.y()) / grid.cell - 0.5) - 1, 0, grid.rows);
-    const int last = clamped(std::ceil((b.y() - grid.origin.y()) / grid.cell - 0.5) + 1, -1, grid.rows - 1);
-    for (int j = first; j <= last; ++j) {
-      const double y = grid.centre(0, j).y();
-      if (y < a.y() || y > b.y()) continue;
-      if (a.y() == b.y()) {
-        const double low = std::min(a.x(), b.x()), high = std::max(a.x(), b.x());
-        for (int i = clamped((low - grid.origin.x()) / grid.cell - 2, 0, grid.columns); i < grid.columns; ++i) {
-          const double x = grid.centre(i, j).x();
-          if (x > high) break;
-          if (x >= low) on_edge.push_back(grid.at(i, j));
-        }
-        continue;
-      }
-      // k: the first centre strictly to the right of the edge, estimated and then corrected by the exact predicate.
-      const double x = a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-      int k = clamped(std::ceil((x - grid.origin.x()) / grid.cell - 0.5), 0, grid.columns);
-      while (k > 0 && orientation(a, b, grid.centre(k - 1, j)) < 0) --k;
-      while (k < grid.columns && orientation(a, b, grid.centre(k, j)) >= 0) {
-        if (orientation(a, b, grid.centre(k, j)) == 0) on_edge.push_back(grid.at(k, j));
-        ++k;
-      }
-      if (k > 0 && orientation(a, b, grid.centre(k - 1, j)) == 0) on_edge.push_back(grid.at(k - 1, j));
-      if (y < b.y() && k < grid.columns) grid.bits[grid.at(k, j)] ^= 1;  // an edge includes its lower end only
-    }
-  };
-  for_each_edge(region, mark);
+  for_each_centre_crossing(
+      region, grid, [&](int i, int j) { grid.bits[grid.at(i, j)] ^= 1; },
+      [&](int i, int j) { on_edge.push_back(grid.at(i, j)); });
   for (int j = 0; j < grid.rows; ++j)
     for (int i = 1; i < grid.columns; ++i) grid.bits[grid.at(i, j)] ^= grid.bits[grid.at(i - 1, j)];
   for (const std::size_t c : on_edge) grid.bits[c] = 1;

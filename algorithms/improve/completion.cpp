@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algorithms/improve/detours.hpp"
+#include "algorithms/lanes/covered_cells.hpp"
 #include "algorithms/lanes/inner_space.hpp"
 #include "algorithms/lanes/repair.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -92,8 +93,12 @@ double Completion::allowed() const {
   return std::max(share * whole - judged - problem_.target_excess(), kLeastUsed * share * whole);
 }
 
-Region Completion::uncovered(const Polyline& points) const {
-  return subtract(target_, swath_parts({points}, width_ / 2, kChord * width_, Bound::inside));
+/// Of a path of many short segments, only the cells that it does not certainly cover are looked at.
+Region Completion::left_of(const Region& region, const Polyline& points) const {
+  const std::vector<Polyline> whole{points};
+  const auto open = in_open_cells(region, {{whole, width_ / 2, 0}});
+  return subtract(open ? open->region : region,
+                  swath_parts(open ? open->near[0] : whole, width_ / 2, kChord * width_, Bound::inside));
 }
 
 Region Completion::needed(Region uncovered) const {
@@ -126,7 +131,7 @@ Polyline Completion::detoured(Polyline points, Region left, double noticed, Cont
     const double enough = coverage_ >= 1 ? std::numeric_limits<double>::infinity() : area(left) - allowed();
     points = with_detours(points, coverage_ < 1 ? in_parts(left, width_) : as_they_are(left), enough, noticed,
                           kReach * width_, connector_, problem_.walls());
-    left = uncovered(points);
+    left = left_of(left, points);  // detours lose nothing
     rest = needed(left);
   }
   if (rest.empty() || context.cancelled()) return points;

@@ -17,8 +17,12 @@ namespace oxturn {
 namespace {
 
 // In tool widths.
+// The first one if the user names none: the least up to so many moves for each square of the tool's width, then in
+// proportion to these, up to the most. With few moves, heat spoils more than they mend.
+constexpr double kLeastHeat = 0.01, kMostHeat = 0.05, kMovesOfLeastHeat = 2000;
 constexpr double kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one
 constexpr double kCoarseCell = 1.0 / 10, kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80, kFinestCell = 1.0 / 120;
+constexpr double kNarrowChord = 1e-3;   // error of arcs where witnesses are no finer than kMiddleCell
 constexpr double kMargin = 0.003;       // by which the tool is narrower at first, so that lanes can be moved afterwards
 constexpr double kFineMargin = 0.0015;  // in closing: what is thinner than the raster's cells
 constexpr double kBesideWall = 0.02;    // edges nearer to a wall are moved to it
@@ -46,8 +50,10 @@ constexpr double kNoticed = 1e-3;
 constexpr double kFirstFactor = 1, kFirstOfStart = 0.5, kLeastFactor = 0.02;
 constexpr double kLeastShift = 0.001, kMostShift = 0.1;  // of vertices in closing
 constexpr int kMostRounds = 10;
-// Of a round, and for each vertex of the path: what it leaves uncovered is found in the time of some moves a vertex.
+// Of a round; for each vertex of the path, because what that leaves uncovered is found in the time of some moves a
+// vertex; and one for so many points of the finest raster.
 constexpr long kLeastMoves = 5000, kLeastMovesEach = 15;
+constexpr double kPointsEach = 20000;
 constexpr double kShortDetours = 1.3;  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width in the target, of the first ones and of the others, if the user names no
 // number.
@@ -110,26 +116,40 @@ class Improver {
         completion_(problem, how.coverage, without_),
         walls_(problem.walls()),
         width_(problem.robot().tool_width),
+        moves_(moves_in_all(how, problem)),
         turn_(weight_of_time(how) * problem.robot().speed / problem.robot().turn_rate),
         share_(std::max(completion_.allowed() / area(problem.target()),
                         completion_.whole() ? kLeastOfWhole : kLeastUncovered)),
-        narrow_(with_margin(kMargin)),
-        less_narrow_(with_margin(kFineMargin)) {}
+        narrow_(with_margin(kMargin, kNarrowChord)),
+        less_narrow_(with_margin(kFineMargin, Completion::kChord)) {}
 
   Path run(const std::vector<Path>& starts) {
-    std::vector<Polyline> lines;
+    improve(starts);
+    context_.record("annealing_moves", effort_.moves);
+    context_.record("raster_points", effort_.raster_points);
+    context_.record("measured_vertices", effort_.vertices);
+    return driven(best_);
+  }
+
+ private:
+  void improve(const std::vector<Path>& starts) {
+    std::vector<Polyline> lines, whole;
     for (const Path& path : starts) {
-      if (context_.cancelled() && !best_.empty()) break;
+      if (context_.cancelled() && !whole.empty()) break;
       Polyline points = vertices_of(path, problem_.start());
       if (how_.return_home) {
         const Polyline home = Connector(problem_).path(points.back(), problem_.start());
         points.insert(points.end(), home.begin() + 1, home.end());
       }
-      if (best_.empty() || cost(points) < cost(best_))  // detours make none shorter
-        offer(points, context_.cancelled() ? Region{} : completion_.uncovered(points));
       lines.push_back(straightened(points, kStraight * width_, problem_.walls()));
+      whole.push_back(std::move(points));
     }
-    if (context_.cancelled()) return driven(best_);
+    // The shortest first: detours make none shorter, and so mostly one has to be completed.
+    std::ranges::stable_sort(whole, {}, [this](const Polyline& points) { return cost(points); });
+    for (const Polyline& points : whole)
+      if (best_.empty() || (!context_.cancelled() && cost(points) < cost(best_)))
+        offer(points, context_.cancelled() ? Region{} : uncovered(points));
+    if (context_.cancelled()) return;
     const Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
     const double used = lines.size() > 1 ? shares().brief * static_cast<double>(lines.size()) : 0;
     const double hot = 1 - used - shares().warming - (without_ == AnnealingPart::closing ? 0 : shares().closing);
@@ -140,24 +160,21 @@ class Improver {
       options.uncovered = left * area(completion_.target());
       options.price = kHotPrice * price(left);
     }
-    const Annealed now = annealed(best, options, {moves(hot), how_.temperature * width_, kWarm * width_}, rng);
+    const Annealed now = annealed(best, options, {moves(hot), heat(), kWarm * width_}, rng);
     options = middle();
     options.price = now.price;
     close_in_rounds(annealed(now.points, options, {moves(shares().warming), kWarm * width_, kCool * width_}, rng));
-    return driven(best_);
   }
 
- private:
   /// Each round allows as much to be uncovered on the raster as leaves what is allowed uncovered in truth. Where hot
   /// annealing has made a good start longer, as it does with lanes that fit their field, the start is annealed cold.
   void close_in_rounds(Annealed now) {
     const bool cold_start = cost(now.points) >= cost(best_);
     if (cold_start) now = {straightened(best_, kStraight * width_, problem_.walls()), 0, price(share_)};
     const double margin = cold_start ? 0 : kFineMargin;  // a start's lanes are as far apart as the tool is wide
-    const long least = std::max(kLeastMoves, kLeastMovesEach * static_cast<long>(now.points.size()));
     const int rounds = without_ == AnnealingPart::closing
                            ? 0
-                           : std::min(kMostRounds, 1 + static_cast<int>(moves(shares().closing) / least));
+                           : std::min(kMostRounds, 1 + static_cast<int>(moves(shares().closing) / least_moves(now)));
     double factor = cold_start ? kFirstOfStart : kFirstFactor;
     for (int round = 0; !context_.cancelled(); ++round) {
       now.points = straightened(now.points, kOnChord * width_, problem_.walls());
@@ -179,6 +196,12 @@ class Improver {
                      context_.rng());
     }
   }
+  /// Of a round: as many as take the time to see what the path leaves uncovered.
+  long least_moves(const Annealed& path) const {
+    const double points = area(completion_.target()) / std::pow(fine_cell() * width_, 2);
+    return std::max({kLeastMoves, kLeastMovesEach * static_cast<long>(path.points.size()),
+                     static_cast<long>(points / kPointsEach)});
+  }
   double cost(const Polyline& points) const {
     if (turn_ <= 0) return length(points);
     return length(points) + turn_ * turning(straightened(points, kNoTurn * width_, problem_.walls()));
@@ -187,11 +210,13 @@ class Improver {
   /// Where everything is asked for, what is too small for the raster needs many detours.
   double fine_cell() const { return completion_.whole() ? kFinestCell : kFineCell; }
   bool nearly_all() const { return share_ < kNearlyAll; }
-  long moves(double share) const {
-    const double squares = area(completion_.target()) / (width_ * width_), first = std::min(squares, kFirstSquares);
-    const double all = how_.moves > 0 ? how_.moves : kMovesEach * first + kMovesOfMore * (squares - first);
-    return static_cast<long>(share * all);
+  /// The first temperature, metres.
+  double heat() const {
+    if (how_.temperature > 0) return how_.temperature * width_;
+    const double each = moves_ * width_ * width_ / area(completion_.target());
+    return std::clamp(kLeastHeat * each / kMovesOfLeastHeat, kLeastHeat, kMostHeat) * width_;
   }
+  long moves(double share) const { return static_cast<long>(share * moves_); }
   Annealing::Options coarse() const { return raster(kCoarseCell, nearly_all() ? kMargin : 0); }
   Annealing::Options middle() const { return raster(kMiddleCell, nearly_all() ? kMargin : 0); }
   Annealing::Options raster(double cell, double margin) const {
@@ -205,28 +230,34 @@ class Improver {
   }
   /// Of uncovered area, where that share of the target stays uncovered.
   double price(double share) const { return kPrice / width_ * std::pow(share / kPriceAt, kPricePower); }
-  Region with_margin(double margin) const {
-    return nearly_all() ? reachable_target(problem_, margin * width_, Completion::kChord) : Region{};
+  Region with_margin(double margin, double chord) const {
+    return nearly_all() ? reachable_target(problem_, margin * width_, chord) : Region{};
   }
   const Region& target_of(double radius) const {
     if (radius >= 0.5 * width_) return completion_.target();
     return radius > (0.5 - kMargin) * width_ ? less_narrow_ : narrow_;
   }
   Annealed annealed(const Polyline& points, const Annealing::Options& options, const Annealing::Schedule& schedule,
-                    Rng& rng) const {
-    return oxturn::annealed(problem_, target_of(options.radius), points, options, schedule, focus_, how_.threads, rng,
-                            context_);
+                    Rng& rng) {
+    Annealed now = oxturn::annealed(problem_, target_of(options.radius), points, options, schedule, focus_,
+                                    how_.threads, rng, context_);
+    effort_ += now.effort;
+    return now;
+  }
+  Region uncovered(const Polyline& points) {
+    effort_.vertices += static_cast<double>(points.size());
+    return completion_.uncovered(points);
   }
 
   /// Offers the path. What it leaves uncovered, square metres; it goes on with its detours if `taken` and short.
   enum class Detours { taken, left_out };
   double close(Annealed& path, Detours detours) {
-    Region uncovered = completion_.uncovered(path.points);
-    const double noticed = kNoticed * completion_.allowed(), missed = area(uncovered);
+    Region left = uncovered(path.points);
+    const double noticed = kNoticed * completion_.allowed(), missed = area(left);
     focus_.clear();
-    for (const Polygon& piece : uncovered.polygons)
+    for (const Polygon& piece : left.polygons)
       if (area(piece) > noticed && without_ != AnnealingPart::focus) add_samples(piece.outer, width_, focus_);
-    Polyline whole = offer(path.points, std::move(uncovered));
+    Polyline whole = offer(path.points, std::move(left));
     if (detours == Detours::taken && length(whole) < kShortDetours * length(path.points))
       path.points = std::move(whole);
     return missed;
@@ -240,9 +271,9 @@ class Improver {
     in_parallel(how_.threads, lines.size(), [&](std::size_t k) {
       Rng rng(mix(context_.seed(), "start " + std::to_string(k)));
       results[k] = oxturn::annealed(problem_, target_of(coarse().radius), lines[k], coarse(),
-                                    {moves(shares().brief), how_.temperature * width_, kWarm * width_}, focus_, each,
-                                    rng, context_);
+                                    {moves(shares().brief), heat(), kWarm * width_}, focus_, each, rng, context_);
     });
+    for (const Annealed& result : results) effort_ += result.effort;
     const Annealing::Options options = coarse();
     const auto energy = [&](const Annealed& a) {
       return cost(a.points) + options.price * std::max(0.0, a.uncovered - options.uncovered);
@@ -266,12 +297,13 @@ class Improver {
   const AnnealingPart without_;
   const Completion completion_;
   const WallFollowing walls_;
-  double width_;
+  double width_, moves_;
   double turn_;                        // metres that a turn by a radian counts
   double share_;                       // of the target that annealing may leave uncovered
   const Region narrow_, less_narrow_;  // what the narrower tools can cover
   std::vector<Point> focus_;           // what the last path that was completed left uncovered
   Polyline best_;
+  Effort effort_;
 };
 
 }  // namespace
@@ -283,7 +315,10 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
        "moves of annealing; 0: 4000 for each of the first 500 squares of the tool's width in the target, 100 for each "
        "other"},
       {"return_home", &Improvement::return_home, "end where the path starts"},
-      {"temperature", &Improvement::temperature, Range{1e-6, 10}, "of annealing, to begin with, in tool widths"},
+      {"temperature", &Improvement::temperature, Range{0, 10},
+       "of annealing, to begin with, in tool widths; 0: 0.01 up to 2000 moves for each square of the tool's width, "
+       "then "
+       "in proportion to the moves, up to 0.05"},
       {"objective", &Improvement::objective, Choices{"length", "time", "weighted"},
        "what is made least; time: turns count, at the robot's turn rate and speed; weighted: a sum of both"},
       {"time_weight", &Improvement::time_weight, Range{0, 1},
@@ -311,6 +346,13 @@ PlannerInfo improving_planner(const std::string& name, const std::string& title,
     return share == nullptr || *share >= 1;  // else it is a whole number: 1
   };
   return info;
+}
+
+double moves_in_all(const Improvement& how, const Problem& problem) {
+  if (how.moves > 0) return how.moves;
+  const double width = problem.robot().tool_width, squares = area(problem.target()) / (width * width);
+  const double first = std::min(squares, kFirstSquares);
+  return kMovesEach * first + kMovesOfMore * (squares - first);
 }
 
 Path improved(const Problem& problem, const std::vector<Path>& starts, const Improvement& how, Context& context) {

@@ -16,8 +16,11 @@
 /// count. With `objective = weighted`, it is the one with the least
 /// (1 - time_weight) * length + time_weight * speed * time: a turn counts the share `time_weight` of that.
 ///
+/// The effort is counted: records annealing_moves, raster_points and measured_vertices (effort.hpp).
+///
 /// Source      ours
-/// Complexity  a few microseconds a move, and O(m log m) for a path of m segments in each round
+/// Complexity  a few microseconds a move, and O(m log m) for a path of m segments in each round; there are as many
+///             rounds, up to ten, as the moves pay for
 #pragma once
 
 #include <string>
@@ -31,11 +34,11 @@
 namespace oxturn {
 
 struct Improvement {
-  double coverage = 1;        // share of the target
-  int moves = 0;              // of annealing; 0: by the size of the target
-  bool return_home = false;   // the path ends where it starts
-  double temperature = 0.05;  // to begin with, in tool widths
-  int threads = 1;            // which does not change the result
+  double coverage = 1;       // share of the target
+  int moves = 0;             // of annealing; 0: by the size of the target
+  bool return_home = false;  // the path ends where it starts
+  double temperature = 0;    // to begin with, in tool widths; 0: by the moves for the size of the target
+  int threads = 1;           // which does not change the result
   std::string objective = "length";
   double time_weight = 0.5;      // with objective = weighted
   std::string without = "none";  // a part that is left out (part.hpp)
@@ -44,6 +47,9 @@ struct Improvement {
 const std::vector<Parameter<Improvement>>& improvement_parameters();
 /// What the descriptions of planners that improve paths have in common; without `make`.
 PlannerInfo improving_planner(const std::string& name, const std::string& title, const std::string& guarantee);
+
+/// How many moves of annealing are made in all: `how.moves`, or what the size of the target gives.
+double moves_in_all(const Improvement& how, const Problem& problem);
 
 /// `starts`: at least one path. Publishes what it finds. Returns the best path so far if cancelled.
 /// Throws Infeasible if there is nothing to drive.

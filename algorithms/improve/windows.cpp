@@ -26,8 +26,9 @@ constexpr double kSample = 0.5;      // distance of the points by which moves ar
 constexpr double kMovesEach = 4000;
 constexpr int kLeastPasses = 3, kMostPasses = 32;
 constexpr double kNearFocus = 0.8;  // share of the moves
-// A window gets at least one move for so many vertices of the path and the target, the time to find what is in it.
-constexpr double kVerticesEach = 20;
+// A window gets at least one move for so many vertices of the path and the target, and for so many points of its
+// raster: the time to find what is in it.
+constexpr double kVerticesEach = 20, kPointsEach = 20000;
 // Changes of the price from pass to pass: its logarithm by kPower times that of the uncovered area, of what is allowed,
 // as it will be if it goes on changing kAhead times as much; by kMostStep at most.
 constexpr double kPower = 0.3, kAhead = 1.5, kMostStep = 0.25, kLeastUncovered = 0.01;
@@ -83,17 +84,19 @@ class Windows {
     if (options_.fixed_end) fixed.push_back(points.size() - 1);
     Annealing::Options options = options_;
     options.cell = std::max(options.cell, std::sqrt(box_.size().x() * box_.size().y() / kMostPoints));
-    Annealing annealing(walls_, VertexPath(points, fixed, width_), witnesses(box_, points, options.cell), width_,
-                        options);
+    Annealing annealing(walls_, VertexPath(points, fixed, width_), witnesses(points, options.cell), width_, options);
     annealing.focus(focus_);
     annealing.run(schedule, rng, context);
-    return {annealing.path().points(), annealing.uncovered(), annealing.price()};
+    const Effort effort{static_cast<double>(schedule.moves), static_cast<double>(annealing.witnesses().bytes()), 0};
+    return {annealing.path().points(), annealing.uncovered(), annealing.price(), effort};
   }
 
   Annealed in_passes(const Polyline& points, const Annealing::Schedule& schedule, Rng& rng, const Context& context) {
     options_.floating = false;
     sample();
+    make_raster();
     Annealed now{points, uncovered(points), options_.price};
+    now.effort.raster_points = box_.size().prod() / std::pow(options_.cell, 2);
     const double first = now.price;
     const double windows = static_cast<double>(samples_.size()) * kSample * kSample / (kSide * kSide);
     const int passes = static_cast<int>(
@@ -119,30 +122,62 @@ class Windows {
     long moves = 0;
     std::uint64_t seed = 0;
   };
-  /// In the box, turned, less what the line covers.
-  Witnesses witnesses(const Box& box, const Polyline& line, double cell) const {
-    const Point cells = ((box.low - box_.low) / cell).array().floor();
-    const Box aligned{box_.low + cell * cells, box.high};  // the same points in every window
-    Witnesses all(target_, aligned, cell, options_.radius);
-    const Box near = grown(aligned, options_.radius);
-    Witnesses::Capsule capsule;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      Box edge;
-      edge.add(Witnesses::turned(line[i - 1]));
-      edge.add(Witnesses::turned(line[i]));
-      if (!edge.overlaps(near)) continue;
-      all.capsule(line[i - 1], line[i], capsule);
-      all.add(capsule);
-    }
+  /// Of the whole target, less what the line covers.
+  Witnesses witnesses(const Polyline& line, double cell) const {
+    Witnesses all(target_, box_, cell, options_.radius);
+    add(boxes_of(line), line, box_, all);
     return all;
+  }
+  /// In the box, turned, less what the line covers; the same points in every box. `edges`: boxes_of(line).
+  Witnesses witnesses(const Box& box, const std::vector<Box>& edges, const Polyline& line) const {
+    const CellRange part = cells_in(box);
+    Witnesses all(*raster_, box_.low, part, options_.cell, options_.radius);
+    if (all.points() > 0) add(edges, line, grown(box, options_.cell), all);
+    return all;
+  }
+  /// What the edges cover that come near the box.
+  void add(const std::vector<Box>& edges, const Polyline& line, const Box& box, Witnesses& to) const {
+    const Box near = grown(box, options_.radius);
+    Witnesses::Capsule capsule;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (!edges[i].overlaps(near)) continue;
+      to.capsule(line[i], line[i + 1], capsule);
+      to.add(capsule);
+    }
+  }
+  /// Of each edge, turned.
+  static std::vector<Box> boxes_of(const Polyline& line) {
+    std::vector<Box> boxes(line.size() - 1);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      boxes[i].add(Witnesses::turned(line[i]));
+      boxes[i].add(Witnesses::turned(line[i + 1]));
+    }
+    return boxes;
+  }
+  void make_raster() {
+    const auto count = [&](double size) { return static_cast<int>(size / options_.cell) + 1; };
+    raster_.emplace(target_, box_.low, options_.cell, count(box_.size().x()), count(box_.size().y()));
+  }
+  CellRange cells_in(const Box& box) const {
+    const auto index = [&](double at, int n) {
+      return static_cast<int>(std::clamp(std::floor(at / options_.cell), 0.0, static_cast<double>(n)));
+    };
+    const Point low = box.low - box_.low, high = box.high - box_.low;
+    const int columns = raster_->columns(), rows = raster_->rows();
+    CellRange part{index(low.x(), columns), index(low.y(), rows), index(high.x() + options_.cell, columns),
+                   index(high.y() + options_.cell, rows)};
+    part.end_column = std::max(part.end_column, part.column);
+    part.end_row = std::max(part.end_row, part.row);
+    return part;
   }
   static Box grown(const Box& box, double by) { return {box.low - Point(by, by), box.high + Point(by, by)}; }
 
   double uncovered(const Polyline& points) const {
     const Grid grid(box_, box_.low, kSide * width_);
+    const std::vector<Box> edges = boxes_of(points);
     std::vector<double> areas(grid.size());
     in_parallel(threads_, grid.size(),
-                [&](std::size_t k) { areas[k] = area_uncovered(witnesses(grid.window(k), points, options_.cell)); });
+                [&](std::size_t k) { areas[k] = area_uncovered(witnesses(grid.window(k), edges, points)); });
     return std::accumulate(areas.begin(), areas.end(), 0.0);
   }
   static double area_uncovered(const Witnesses& witnesses) {
@@ -173,7 +208,8 @@ class Windows {
       share[k] += of_focus / static_cast<double>(focus_.size());
       focus[k].push_back(p);
     }
-    const double least = static_cast<double>(now.points.size() + vertex_count(target_)) / kVerticesEach;
+    const double least = static_cast<double>(now.points.size() + vertex_count(target_)) / kVerticesEach +
+                         std::pow((side + 2 * options_.radius) / options_.cell, 2) / kPointsEach;
     const std::uint64_t seed = rng.bits();
     std::array<std::vector<Task>, 4> batches;
     for (std::size_t k = 0; k < grid.size(); ++k) {
@@ -196,13 +232,16 @@ class Windows {
     const WindowParts parts(now.points, windows, walls_, width_, options_.fixed_end);
     std::vector<std::optional<VertexPath>> changed(batch.size());
     std::vector<double> more(batch.size());  // area uncovered
+    std::vector<Effort> efforts(batch.size());
+    const std::vector<Box> edges = boxes_of(parts.path());
     in_parallel(threads_, batch.size(), [&](std::size_t k) {
       if (!parts.visited(k)) return;
       Task& task = batch[k];
       Annealing::Options options = options_;
       options.price = now.price;
-      Witnesses seen = witnesses(grown(task.window, options_.radius), parts.path(), options_.cell);
+      Witnesses seen = witnesses(grown(task.window, options_.radius), edges, parts.path());
       const double before = area_uncovered(seen);
+      efforts[k] = {static_cast<double>(task.moves), static_cast<double>(seen.bytes()), 0};
       Annealing annealing(walls_, parts.part(k), std::move(seen), width_, options);
       annealing.focus(std::move(task.focus));
       Rng rng(task.seed);
@@ -212,8 +251,10 @@ class Windows {
     });
     Joined joined = parts.joined(changed);
     now.points = std::move(joined.path);
-    for (std::size_t k = 0; k < batch.size(); ++k)
+    for (std::size_t k = 0; k < batch.size(); ++k) {
       if (joined.kept[k] != 0) now.uncovered += more[k];
+      now.effort += efforts[k];
+    }
   }
 
   const EdgeIndex& walls_;
@@ -223,7 +264,8 @@ class Windows {
   Annealing::Options options_;
   std::vector<Point> focus_;
   int threads_;
-  std::vector<Point> samples_;  // of the target, turned
+  std::vector<Point> samples_;        // of the target, turned
+  std::optional<RasterRows> raster_;  // of the target, turned: for windows
 };
 
 }  // namespace

@@ -14,14 +14,15 @@
 /// them (window_parts.hpp) are dropped.
 ///
 /// Source      ours
-/// Complexity  a few microseconds a move. A window also takes O(n + m) for n vertices of the path and m of the target:
-///             where there are fewer moves than that, windows are drawn by lot
+/// Complexity  a few microseconds a move. A window also takes O(n + m + p) for n vertices of the path, m of the target
+///             and p points of its raster: where there are fewer moves than that, windows are drawn by lot
 #pragma once
 
 #include <vector>
 
 #include "algorithms/context.hpp"
 #include "algorithms/improve/annealing.hpp"
+#include "algorithms/improve/effort.hpp"
 #include "maps/problem.hpp"
 
 namespace oxturn {
@@ -30,6 +31,7 @@ struct Annealed {
   Polyline points;
   double uncovered = 0;  // by the witnesses, square metres
   double price = 0;      // 1 / metres
+  Effort effort = {};
 };
 
 /// `focus`: points where moves are needed most. `threads`: that work at a time; they do not change the result.

@@ -5,8 +5,6 @@
 #include <cstring>
 #include <utility>
 
-#include "geometry/raster.hpp"
-
 namespace oxturn {
 namespace {
 
@@ -115,18 +113,39 @@ Witnesses::Witnesses(const Region& turned_target, const Box& window, double cell
     : cell_(cell), radius_(radius / cell) {
   if (window.empty()) return;
   origin_ = window.low;
-  columns_ = static_cast<int>(window.size().x() / cell) + 1;
-  rows_ = static_cast<int>(window.size().y() / cell) + 1;
-  BitGrid grid = rasterise(turned_target, origin_, cell, columns_, rows_, CellRule::centre);
-  points_ = uncovered_ = static_cast<long>(grid.count());
-  counts_ = std::move(grid.bits);
-  for (std::uint8_t& c : counts_) c = c != 0 ? 0 : kOutside;
-  counts_.resize(counts_.size() + sizeof(std::uint64_t), kOutside);
+  const int columns = static_cast<int>(window.size().x() / cell) + 1;
+  const int rows = static_cast<int>(window.size().y() / cell) + 1;
+  set_target(RasterRows(turned_target, origin_, cell, columns, rows), {0, 0, columns, rows});
+}
+
+Witnesses::Witnesses(const RasterRows& target, const Point& origin, const CellRange& part, double cell, double radius)
+    : cell_(cell), radius_(radius / cell), origin_(origin + cell * Point(part.column, part.row)) {
+  set_target(target, part);
+}
+
+void Witnesses::set_target(const RasterRows& target, const CellRange& part) {
+  columns_ = part.end_column - part.column;
+  rows_ = part.end_row - part.row;
+  counts_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + sizeof(std::uint64_t),
+                 kOutside);
   tile_columns_ = (columns_ - 1) / kTile + 1;
   tiles_.resize(static_cast<std::size_t>(tile_columns_) * static_cast<std::size_t>((rows_ - 1) / kTile + 1));
-  for (int r = 0; r < rows_; ++r)
-    for (int low = 0; low < columns_; low += kTile)
-      tiles_[tile(r, low)] += count(row(r) + low, std::min(kTile, columns_ - low), 0);
+  for (int r = 0; r < rows_; ++r) {
+    const auto runs = target.row(part.row + r);
+    const auto first = std::ranges::upper_bound(runs, part.column, {}, &RasterRows::Run::high);
+    for (auto run = first; run != runs.end() && run->low < part.end_column; ++run) {
+      const int low = std::max(run->low, part.column) - part.column;
+      const int high = std::min(run->high, part.end_column) - part.column;
+      std::fill(row(r) + low, row(r) + high, std::uint8_t{0});
+      points_ += high - low;
+      for (int from = low; from < high;) {
+        const int end = std::min(high, (from / kTile + 1) * kTile);
+        tiles_[tile(r, from)] += end - from;
+        from = end;
+      }
+    }
+  }
+  uncovered_ = points_;
 }
 
 /// In units of cells, such that the point of column i and row j has the coordinates (i, j).

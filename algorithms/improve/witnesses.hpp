@@ -17,9 +17,15 @@
 #include <span>
 #include <vector>
 
+#include "geometry/raster_rows.hpp"
 #include "geometry/region.hpp"
 
 namespace oxturn {
+
+/// Columns and rows of a raster, from the first ones to those before the end.
+struct CellRange {
+  int column = 0, row = 0, end_column = 0, end_row = 0;
+};
 
 class Witnesses {
  public:
@@ -33,6 +39,9 @@ class Witnesses {
   Witnesses(const Region& target, double cell, double radius);
   /// Of the part in `window`, where both are turned().
   Witnesses(const Region& turned_target, const Box& window, double cell, double radius);
+  /// Of the columns and rows from the given ones on: a part of the raster `target`, whose first point is in a cell that
+  /// begins at `origin`, where that is turned().
+  Witnesses(const RasterRows& target, const Point& origin, const CellRange& part, double cell, double radius);
 
   /// In the directions of the raster's rows and columns.
   static Point turned(const Point& p);
@@ -65,6 +74,7 @@ class Witnesses {
     return counts_.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_);
   }
   Point in_raster(const Point& p) const;
+  void set_target(const RasterRows& target, const CellRange& part);
   void apply(const Capsule& old, const Capsule& next);
   void count_uncovered(int r, int low, int high, std::uint64_t value, int sign);
   long most_uncovered(std::span<const Capsule> capsules) const;

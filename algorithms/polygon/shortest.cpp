@@ -6,7 +6,8 @@
 //             longer than its start, completed
 // Complexity  a few microseconds a move
 // Decisions   1. Starts: `boustrophedon` in its own direction and along both axes, and `contour`. Each is
-//                annealed briefly, the best one at length.
+//                annealed briefly, the best one at length. Where the moves are few for the problem's vertices, there
+//                are fewer starts: a start takes the time of some moves for each of these.
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/improve/improve.hpp"
 #include "algorithms/improve/part.hpp"
@@ -15,6 +16,9 @@ namespace oxturn {
 namespace {
 
 constexpr double kNoLimit = 1e9;  // seconds
+// Moves for each vertex of configuration space and of the starts so far, below which there is no other start: making
+// one takes the time of about so many.
+constexpr double kMovesEach = 4;
 
 struct Start {
   const char* planner;
@@ -28,6 +32,12 @@ std::vector<Start> starts() {
           {"boustrophedon", {{"sweep", std::string("given")}, {"angle", 90.0}}}};
 }
 
+std::size_t vertex_count(const Path& path) {
+  std::size_t sum = 0;
+  for (const Leg& leg : path.legs) sum += leg.points.size();
+  return sum;
+}
+
 class Shortest final : public CoveragePlanner {
  public:
   Shortest(const Improvement& how, const Planners& planners) : how_(how) {
@@ -39,6 +49,7 @@ class Shortest final : public CoveragePlanner {
 
   Path plan(const Problem& problem, Context& context) const override {
     std::vector<Path> paths;
+    double vertices = 0;  // of configuration space and the path, for each start
     for (const auto& planner : planners_) {
       // Where there is no time from the beginning, the first one, which is quick, is driven all the same.
       Context inner(context.seed(), context.cancelled() ? kNoLimit : context.seconds_left());
@@ -46,7 +57,8 @@ class Shortest final : public CoveragePlanner {
         paths.push_back(planner->plan(problem, inner));
       } catch (const Infeasible&) { continue; }
       if (paths.size() == 1) context.publish(paths.front());
-      if (context.cancelled()) break;
+      vertices += static_cast<double>(vertex_count(problem.configuration_space()) + vertex_count(paths.back()));
+      if (context.cancelled() || kMovesEach * vertices > moves_in_all(how_, problem)) break;
     }
     if (paths.empty()) paths.emplace_back();  // all of the path is detours
     return improved(problem, paths, how_, context);

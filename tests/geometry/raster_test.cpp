@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/overlay/boolean.hpp"
+#include "geometry/raster_rows.hpp"
 #include "tests/geometry/samples.hpp"
 
 namespace oxturn {
@@ -32,6 +33,37 @@ TEST(Rasterise, AgreesWithTheAreaOfEveryCell) {
         if (samples::distance_to_boundary(r, c) > 1e-9) { EXPECT_EQ(centre.get(i, j), samples::sees_all_round(r, c)); }
         if (samples::distance_to_boundary(r, c) > cell) { EXPECT_EQ(inside.get(i, j), touches.get(i, j)); }
       }
+  }
+}
+
+/// The cells of runs, which must be disjoint and in order.
+std::vector<std::uint8_t> cells_of(const RasterRows& rows) {
+  std::vector<std::uint8_t> cells;
+  for (int j = 0; j < rows.rows(); ++j) {
+    std::vector<std::uint8_t> row(static_cast<std::size_t>(rows.columns()));
+    int end = -1;
+    for (const RasterRows::Run& run : rows.row(j)) {
+      EXPECT_LT(end, run.low);
+      EXPECT_LT(run.low, run.high);
+      end = run.high;
+      std::fill(row.begin() + run.low, row.begin() + run.high, std::uint8_t{1});
+    }
+    cells.insert(cells.end(), row.begin(), row.end());
+  }
+  return cells;
+}
+
+// Also where the region sticks out of the raster, and where edges run through centres, along rows and across.
+TEST(RasterRows, HoldTheCellsOfTheRaster) {
+  Rng rng(52);
+  for (int round = 0; round < 60; ++round) {
+    const bool on_centres = round % 2 == 0;
+    const Region r = on_centres ? subtract(box_region({0.5, 0.5}, {11.5, 9.5}), box_region({2.5, 3}, {7, 6.5}))
+                                : samples::holed_star(rng, {6, 5}, 5);
+    const Point origin = on_centres ? Point(round % 4, -1) : Point(rng.between(-2.0, 3.0), rng.between(-2.0, 3.0));
+    const double cell = on_centres ? 1 : rng.between(0.05, 0.5);
+    const BitGrid grid = rasterise(r, origin, cell, 17, 13, CellRule::centre);
+    EXPECT_EQ(cells_of(RasterRows(r, origin, cell, 17, 13)), grid.bits) << round;
   }
 }
 
