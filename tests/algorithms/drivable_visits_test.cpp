@@ -82,7 +82,7 @@ TEST(CoveringStrokes, CoverTheirPointAndStayInConfigurationSpace) {
         ++found;
         ASSERT_EQ(s.points.size(), 2u);
         EXPECT_TRUE(space.free(s.points));
-        EXPECT_LE(distance_to_segment(points.at(k), s.points[0], s.points[1]), 2 * kCoveredReach);
+        EXPECT_LE(distance_to_segment(points.at(k), s.points[0], s.points[1]), 2 * kCoveredReach + 1e-9);
         EXPECT_GT(s.gain, 0);
         EXPECT_LE(s.gain, 1.15 * (2 * length(s.points) + kPi) + 0.5) << "no more than its swath, but for sampling";
       }
@@ -199,7 +199,7 @@ TEST(Drivable, InReverseCornersAreCoveredToo) {
 
 TEST(Drivable, CoversUnseenMapsInReverse) {
   for (const std::string generator : {"rooms", "cave", "clutter", "field"})
-    for (const auto seed : seeds(2)) {
+    for (const auto seed : seeds(1)) {
       SCOPED_TRACE(fmt::format("{} {}", generator, seed));
       Robot robot;
       robot.radius = 0.2, robot.tool_width = 0.5, robot.min_turn_radius = 0.3, robot.reverse = true;
