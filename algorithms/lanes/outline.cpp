@@ -200,9 +200,7 @@ class RingTree {
     }
   }
 
-  Source of_path(std::size_t segment) const {
-    return {std::nullopt, segment, path_[segment], path_[segment + 1]};
-  }
+  Source of_path(std::size_t segment) const { return {std::nullopt, segment, path_[segment], path_[segment + 1]}; }
 
   void accept(Offer offer, double driven) {
     offer.how.distance = least_[offer.ring] = driven;
@@ -300,7 +298,8 @@ class RingTree {
   std::vector<Attachment> how_;
   std::vector<std::vector<std::size_t>> children_;  // rings attached to a ring
   std::vector<std::size_t> on_path_;                // rings attached to the path
-  std::vector<Source> sources_;  // of attached rings; those of the path, which may be millions, only for attach_around()
+  std::vector<Source>
+      sources_;  // of attached rings; those of the path, which may be millions, only for attach_around()
   std::size_t remaining_ = 0;
   // Of the present reach: what is known of the drive to each ring, and all offers that may be shorter.
   std::vector<double> least_;

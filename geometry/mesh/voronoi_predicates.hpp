@@ -120,9 +120,8 @@ struct VoronoiPredicates : boost::polygon::detail::voronoi_predicates<VoronoiNum
   template <class Site, class Circle>
   class event_comparison_predicate
       : public boost::polygon::detail::voronoi_predicates<VoronoiNumbers>::event_comparison_predicate<Site, Circle> {
-    using Base =
-        typename boost::polygon::detail::voronoi_predicates<VoronoiNumbers>::template event_comparison_predicate<
-            Site, Circle>;
+    using Base = typename boost::polygon::detail::voronoi_predicates<
+        VoronoiNumbers>::template event_comparison_predicate<Site, Circle>;
 
    public:
     using Base::operator();
