@@ -300,7 +300,7 @@ Path cover_by_level_sets(const Params& p, const Problem& component, const Geodes
 }
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
-  const TetherSpace space(problem, "berg-complete");
+  const TetherSpace space(problem, "berg-complete", coarser_space(problem));
   if (context.wants_traces()) context.trace("cut", space.cut());
   const std::vector<bool> only_laps = laps_only(p, space);
   std::vector<Parts> parts;

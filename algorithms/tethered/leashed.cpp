@@ -19,6 +19,7 @@
 //                space.
 #include <utility>
 
+#include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/tethered/cut_passes.hpp"
 #include "algorithms/transit/short_segments.hpp"
@@ -34,7 +35,7 @@ class Leashed final : public CoveragePlanner {
   Leashed(Wrapped inner, bool return_home) : inner_(std::move(inner)), return_home_(return_home) {}
 
   Path plan(const Problem& problem, Context& context) const override {
-    const TetherSpace space(problem, "leashed");
+    const TetherSpace space(problem, "leashed", coarser_space(problem));
     if (context.wants_traces()) context.trace("cut", space.cut());
     const CutPasses cut(problem, space.cut());
     return cover_components(
