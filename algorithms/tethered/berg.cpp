@@ -45,6 +45,7 @@
 
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/grown_path.hpp"
+#include "algorithms/lanes/outline.hpp"
 #include "algorithms/lattice/grid_graph.hpp"
 #include "algorithms/online/survey_then_plan.hpp"
 #include "algorithms/tethered/berg_tree.hpp"
@@ -325,13 +326,14 @@ void trace(const BergBoundary& boundary, const BergTree& tree, Context& context)
   context.trace("tree", std::move(branches));
 }
 
-Path plan(const Params& p, const Problem& problem, Context& context) {
-  const Robot& robot = problem.robot();
+Path plan(const Params& p, const Problem& whole, Context& context) {
+  const Robot& robot = whole.robot();
   if (!robot.tether)
     throw Unsupported(
         fmt::format("planner 'berg' drives laps of equal tether length and robot '{}' has no tether; give it one, or "
                     "take a planner without",
                     robot.name));
+  const Problem problem = p.joins == Joins::tethered ? whole.restricted(coarser_space(whole)) : whole;
   const BergBoundary boundary(problem.map().free, problem.map_edges(), problem.tether()->closed_gaps(),
                               beside_closed_gaps(problem), robot.tether->length, problem.tolerance());
   const BergTree::Laps laps = laps_for(p, problem);
