@@ -12,10 +12,9 @@ namespace oxturn {
 Path laps_in_component(const CutPasses& cut, const Problem& component, Context& context) {
   const double width = component.robot().tool_width;
   PassSpace passes = cut.beside(component);
-  const Problem beside = component.restricted(std::move(passes.space));
-  const Laps laps = laps_of(beside, width, context);
+  const Laps laps = laps_of(passes.problem, width, context);
   const Connector connector(component);  // its paths may leave the space beside the cut
-  Path path = drive_lap_tree(beside, laps, connector, context);
+  Path path = drive_lap_tree(passes.problem, laps, connector, context);
   path = without_short_segments(std::move(path), component);
   Region missed = unite({laps.between, passes.pockets});
   if (component.map().target_area) missed = intersect(missed, component.target());

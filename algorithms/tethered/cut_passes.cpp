@@ -410,11 +410,13 @@ PassSpace CutPasses::beside(const Problem& component) const {
         pockets.polygons.push_back(std::move(part));
     }
     if (lost.empty()) {
-      Region doubtful = strips.doubtful(component.walls(), EdgeIndex(space));
+      Problem beside = component.restricted(std::move(space));
+      const Region& driven = beside.configuration_space();
+      Region doubtful = strips.doubtful(component.walls(), beside.walls());
       if (!doubtful.empty()) doubtful = intersect(left_out, doubtful);
       if (!pockets.empty()) doubtful = unite({doubtful, pockets});
-      Region missed = unreached(problem_, target_, space_, doubtful, space);
-      return {std::move(space), std::move(missed)};
+      Region missed = unreached(problem_, target_, space_, doubtful, driven);
+      return {std::move(beside), std::move(missed)};
     }
     const EdgeIndex around(lost);
     const auto disconnects = [&](const StripPiece& piece) {
@@ -422,7 +424,7 @@ PassSpace CutPasses::beside(const Problem& component) const {
     };
     if (!strips.erase_if(disconnects, round >= kRoundsByPieces)) break;
   }
-  return {whole, {}};
+  return {component.restricted(whole), {}};
 }
 
 }  // namespace oxturn

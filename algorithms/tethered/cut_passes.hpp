@@ -7,7 +7,7 @@
 ///
 ///   const CutPasses cut(problem, tether.cut());
 ///   const PassSpace passes = cut.beside(component);
-///   Path path = planner.plan(component.restricted(passes.space), context);   // drives along both sides
+///   Path path = planner.plan(passes.problem, context);   // drives along both sides
 ///   path = repaired(component, path, passes.pockets, connector, context);
 #pragma once
 
@@ -20,8 +20,8 @@ namespace oxturn {
 
 /// The space for a planner that covers everything within half a tool width of its space.
 struct PassSpace {
-  Region space;    // connected; holds the problem's start; arcs as in coarser_space (outline.hpp)
-  Region pockets;  // what such a planner leaves uncovered
+  Problem problem;  // its space is connected; arcs as in coarser_space (outline.hpp)
+  Region pockets;   // what such a planner leaves uncovered
 };
 
 /// A point of the cut, how far the passes are from it, and the unit vector to the one on the left.

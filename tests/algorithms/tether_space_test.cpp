@@ -241,8 +241,8 @@ TEST(Leashed, ThePassesAndTheirPocketsMissNothing) {
         const TetherSpace tether(problem, "test");
         for (const TetherSpace::Component& component : tether.components()) {
           const PassSpace passes = CutPasses(problem, tether.cut()).beside(component.problem);
-          ASSERT_EQ(passes.space.polygons.size(), 1u);
-          const EdgeIndex space(passes.space), whole(component.problem.configuration_space());
+          ASSERT_EQ(passes.problem.configuration_space().polygons.size(), 1u);
+          const EdgeIndex space(passes.problem.configuration_space()), whole(component.problem.configuration_space());
           EXPECT_TRUE(space.contains(component.problem.start()) ||
                       space.nearest(component.problem.start(), problem.tolerance()));
           const EdgeIndex missed(passes.pockets);
