@@ -17,6 +17,8 @@
 //             4. The cut is thin, and its pieces short: vertices that this leaves on the path nearer to each other than
 //                a hundredth of the robot's radius are dropped or joined where the segments stay in the cut
 //                space.
+//             5. The space that is cut has the coarser arcs that laps follow (outline.hpp): a lap along it covers the
+//                same, and half as many vertices are cut, triangulated and searched.
 #include <utility>
 
 #include "algorithms/lanes/outline.hpp"

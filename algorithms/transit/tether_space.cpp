@@ -8,7 +8,8 @@
 //             2. The cut of free space reaches into the walls by r as seen from configuration space, so it divides that
 //                without loose ends. For robots without size its loose ends are extended by a few widths of the strip.
 //             3. A component is entered at its vertex nearest to the anchor. The path there goes through the nearer
-//                components that the geodesic crosses: by those only the last part is searched for.
+//                components that the geodesic crosses: by those only the last part is searched for. These have entries
+//                nearer to the anchor, so they can be found when a path asks for them, and the result is the same.
 //             4. Components smaller than a hundredth of the tool's width squared are ignored.
 //             5. Up to 256 components, always the one whose entry is nearest by path comes next. That takes the square
 //                of their number in paths, so more are covered depth-first over the tree of their entry paths, at each
