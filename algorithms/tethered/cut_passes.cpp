@@ -39,8 +39,8 @@ constexpr double kChordsPerWidth = 400;         // tool widths over the chord er
 
 constexpr double kTaper = 0.8;  // distance of a pass from the cut over that of the cut from walls: less than 1
 
-/// So much that the strip keeps off what is `away` from a point of the cut. Less by a piece's length: between two points
-/// of the cut it may be nearer than at either.
+/// So much that the strip keeps off what is `away` from a point of the cut. Less by a piece's length: between two
+/// points of the cut it may be nearer than at either.
 double half_width_off(double away, double w) {
   return std::clamp(kTaper * (away - kPieceLength * w), 0.0, kPassDistance * w);
 }
