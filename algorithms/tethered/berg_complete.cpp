@@ -34,8 +34,7 @@
 //                2 of 93 components of 100 squares and more (9 generators, two tools), only laps are planned. Level
 //                sets need the whole map: with more than 128 components they are left out as well if the others hold
 //                little of the area (paths 0.5 % longer than with them).
-//             8. The space that is cut has the coarser arcs that laps follow, as for `leashed`.
-//             9. reverse = true: both demands are met by driving backwards, everywhere and without a detour
+//             8. reverse = true: both demands are met by driving backwards, everywhere and without a detour
 //                (gears.hpp).
 #include <algorithm>
 #include <cmath>
@@ -301,7 +300,7 @@ Path cover_by_level_sets(const Params& p, const Problem& component, const Geodes
 }
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
-  const TetherSpace space(problem, "berg-complete", coarser_space(problem));
+  const TetherSpace space(problem, "berg-complete");
   if (context.wants_traces()) context.trace("cut", space.cut());
   const std::vector<bool> only_laps = laps_only(p, space);
   std::vector<Parts> parts;

@@ -17,11 +17,8 @@
 //             4. The cut is thin, and its pieces short: vertices that this leaves on the path nearer to each other than
 //                a hundredth of the robot's radius are dropped or joined where the segments stay in the cut
 //                space.
-//             5. The space that is cut has the coarser arcs that laps follow (outline.hpp): a lap along it covers the
-//                same, and half as many vertices are cut, triangulated and searched.
 #include <utility>
 
-#include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/tethered/cut_passes.hpp"
 #include "algorithms/transit/short_segments.hpp"
@@ -37,7 +34,7 @@ class Leashed final : public CoveragePlanner {
   Leashed(Wrapped inner, bool return_home) : inner_(std::move(inner)), return_home_(return_home) {}
 
   Path plan(const Problem& problem, Context& context) const override {
-    const TetherSpace space(problem, "leashed", coarser_space(problem));
+    const TetherSpace space(problem, "leashed");
     if (context.wants_traces()) context.trace("cut", space.cut());
     const CutPasses cut(problem, space.cut());
     return cover_components(

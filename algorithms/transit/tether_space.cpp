@@ -192,14 +192,13 @@ class ComponentCover {
 }  // namespace
 
 TetherSpace::TetherSpace(const Problem& problem, const std::string& planner)
-    : TetherSpace(problem, planner, problem.configuration_space()) {}
-TetherSpace::TetherSpace(const Problem& problem, const std::string& planner, const Region& space)
     : problem_(problem), width_(width_of(problem, planner)), cut_(near_cut(problem, width_)) {
-  cut_open(space);
+  cut_open();
 }
 TetherSpace::~TetherSpace() = default;
 
-void TetherSpace::cut_open(const Region& space) {
+void TetherSpace::cut_open() {
+  const Region& space = problem_.configuration_space();
   Region all = cut_.empty() ? space : cut_along(space, cut_, width_);
   const auto home = std::find_if(all.polygons.begin(), all.polygons.end(), [&](const Polygon& component) {
     return contains(component, problem_.start(), problem_.tolerance());

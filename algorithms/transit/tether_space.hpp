@@ -39,9 +39,6 @@ class TetherSpace {
   /// `problem` must outlive it. Throws Unsupported ("planner 'x' needs a robot with a tether; ...") if its robot has
   /// none, Infeasible if the start lies in the cut itself (possible only if the anchor is elsewhere).
   TetherSpace(const Problem& problem, const std::string& planner);
-  /// The same with components of `space` only: a part of configuration space that holds the start. Paths between
-  /// components may lead through all of configuration space.
-  TetherSpace(const Problem& problem, const std::string& planner, const Region& space);
   ~TetherSpace();
 
   const Problem& problem() const { return problem_; }
@@ -88,7 +85,7 @@ class TetherSpace {
     std::optional<Component> component = {};  // once it has been tried; none if the robot cannot enter
   };
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-  void cut_open(const Region& space);
+  void cut_open();
   void find_entries() const;
   void find_components() const;
   std::optional<std::size_t> polygon_at(const Point& p) const;
