@@ -12,13 +12,13 @@ namespace oxturn {
 Path laps_in_component(const CutPasses& cut, const Problem& component, Context& context) {
   const double width = component.robot().tool_width;
   PassSpace passes = cut.beside(component);
-  const Problem beside = component.restricted(std::move(passes.space));
-  const Laps laps = laps_of(beside, width, context);
-  Path path = drive_lap_tree(beside, laps, Connector(beside), context);
+  const Laps laps = laps_of(passes.problem, width, context);
+  const Connector connector(component);  // its paths may leave the space beside the cut
+  Path path = drive_lap_tree(passes.problem, laps, connector, context);
   path = without_short_segments(std::move(path), component);
   Region missed = unite({laps.between, passes.pockets});
   if (component.map().target_area) missed = intersect(missed, component.target());
-  return repaired(component, path, std::move(missed), Connector(component), context);
+  return repaired(component, path, std::move(missed), connector, context);
 }
 
 }  // namespace oxturn

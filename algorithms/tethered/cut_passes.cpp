@@ -39,18 +39,16 @@ constexpr double kChordsPerWidth = 400;         // tool widths over the chord er
 
 constexpr double kTaper = 0.8;  // distance of a pass from the cut over that of the cut from walls: less than 1
 
-/// A point of the cut, how far the passes are from it, and the unit vector to the one on the left.
-struct CutPoint {
-  Point at;
-  double half_width;
-  Point aside{0, 0};
-};
+/// So much that the strip keeps off what is `away` from a point of the cut. Less by a piece's length: between two
+/// points of the cut it may be nearer than at either.
+double half_width_off(double away, double w) {
+  return std::clamp(kTaper * (away - kPieceLength * w), 0.0, kPassDistance * w);
+}
 
-/// The line in pieces, each end with its half width: so much that the strip between the passes keeps off walls and the
-/// start.
-std::vector<CutPoint> with_half_widths(const Polyline& line, const std::vector<Point>& junctions, const Point& start,
+/// The line in pieces, each end with its half width: so much that the strip between the passes keeps off walls.
+std::vector<CutPoint> with_half_widths(const Polyline& line, const std::vector<Point>& junctions,
                                        const Problem& problem) {
-  const double w = problem.robot().tool_width, most = kPassDistance * w;
+  const double w = problem.robot().tool_width;
   const EdgeIndex& walls = problem.walls();
   std::vector<Point> ends;
   for (const Point& end : {line.front(), line.back()})
@@ -59,9 +57,7 @@ std::vector<CutPoint> with_half_widths(const Polyline& line, const std::vector<P
   const auto add = [&](const Point& p) {
     if (!points.empty() && points.back().at == p) return;
     const auto wall = walls.nearest(p, w);
-    // Less a piece's length: between two points of the cut a wall may be nearer than at either.
-    const double room = std::min(wall ? wall->distance : w, distance(p, start)) - kPieceLength * w;
-    double half_width = std::clamp(kTaper * room, 0.0, most);
+    double half_width = half_width_off(wall ? wall->distance : w, w);
     for (const Point& end : ends) half_width = std::min(half_width, kAtJunctions * w + kTaper * distance(p, end));
     points.push_back({p, walls.contains(p) ? half_width : 0});
   };
@@ -375,6 +371,16 @@ CutPasses::CutPasses(const Problem& problem, const std::vector<Polyline>& cut)
   std::vector<Box> boxes;
   for (const Polyline& line : lines_) boxes.push_back(bounding_box(line));
   boxes_ = BoxIndex(std::move(boxes));
+  points_.resize(lines_.size());
+}
+
+/// The line's, whose strip keeps off the start as well. Most lines are asked for twice: from either side.
+std::vector<CutPoint> CutPasses::points_off(std::size_t line, const Point& start) const {
+  if (points_[line].empty()) points_[line] = with_half_widths(lines_[line], junctions_, problem_);
+  std::vector<CutPoint> points = points_[line];
+  for (CutPoint& p : points)
+    p.half_width = std::min(p.half_width, half_width_off(distance(p.at, start), problem_.robot().tool_width));
+  return points;
 }
 
 PassSpace CutPasses::beside(const Problem& component) const {
@@ -385,8 +391,7 @@ PassSpace CutPasses::beside(const Problem& component) const {
   std::vector<StripPiece> pieces;
   for (const std::uint32_t i : boxes_.overlapping(box))
     if (touches(component.walls(), lines_[i], w / 2))
-      append_wide(with_half_widths(lines_[i], junctions_, component.start(), problem_), kLeastDistance * w,
-                  kThinning * w, pieces);
+      append_wide(points_off(i, component.start()), kLeastDistance * w, kThinning * w, pieces);
   std::erase_if(pieces, [&](const StripPiece& piece) {  // others do not touch it
     return !component.walls().contains(piece.from.at) &&
            !component.walls().nearest(piece.from.at, piece.to.at, w / 2).has_value();
@@ -405,11 +410,13 @@ PassSpace CutPasses::beside(const Problem& component) const {
         pockets.polygons.push_back(std::move(part));
     }
     if (lost.empty()) {
-      Region doubtful = strips.doubtful(component.walls(), EdgeIndex(space));
+      Problem beside = component.restricted(std::move(space));
+      const Region& driven = beside.configuration_space();
+      Region doubtful = strips.doubtful(component.walls(), beside.walls());
       if (!doubtful.empty()) doubtful = intersect(left_out, doubtful);
       if (!pockets.empty()) doubtful = unite({doubtful, pockets});
-      Region missed = unreached(problem_, target_, space_, doubtful, space);
-      return {std::move(space), std::move(missed)};
+      Region missed = unreached(problem_, target_, space_, doubtful, driven);
+      return {std::move(beside), std::move(missed)};
     }
     const EdgeIndex around(lost);
     const auto disconnects = [&](const StripPiece& piece) {
@@ -417,7 +424,7 @@ PassSpace CutPasses::beside(const Problem& component) const {
     };
     if (!strips.erase_if(disconnects, round >= kRoundsByPieces)) break;
   }
-  return {whole, {}};
+  return {component.restricted(whole), {}};
 }
 
 }  // namespace oxturn

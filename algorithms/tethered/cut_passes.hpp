@@ -7,7 +7,7 @@
 ///
 ///   const CutPasses cut(problem, tether.cut());
 ///   const PassSpace passes = cut.beside(component);
-///   Path path = planner.plan(component.restricted(passes.space), context);   // drives along both sides
+///   Path path = planner.plan(passes.problem, context);   // drives along both sides
 ///   path = repaired(component, path, passes.pockets, connector, context);
 #pragma once
 
@@ -20,8 +20,15 @@ namespace oxturn {
 
 /// The space for a planner that covers everything within half a tool width of its space.
 struct PassSpace {
-  Region space;    // connected; holds the problem's start; arcs as in coarser_space (outline.hpp)
-  Region pockets;  // what such a planner leaves uncovered
+  Problem problem;  // its space is connected; arcs as in coarser_space (outline.hpp)
+  Region pockets;   // what such a planner leaves uncovered
+};
+
+/// A point of the cut, how far the passes are from it, and the unit vector to the one on the left.
+struct CutPoint {
+  Point at;
+  double half_width;
+  Point aside{0, 0};
 };
 
 class CutPasses {
@@ -32,15 +39,18 @@ class CutPasses {
   /// `component`: the problem with a component of its cut space as configuration space. Passes are on the cut itself
   /// where walls leave little room beside it, and where the space would otherwise become disconnected. O(k log k) for k
   /// pieces of the cut near the component, an eighth of a tool width long, and the map's vertices near by; again for
-  /// what becomes disconnected, which is rare.
+  /// what becomes disconnected, which is rare. Not safe from several threads.
   PassSpace beside(const Problem& component) const;
 
  private:
+  std::vector<CutPoint> points_off(std::size_t line, const Point& start) const;
+
   const Problem& problem_;
-  RingBoxes target_, space_;      // of the problem
-  std::vector<Polyline> lines_;   // of the cut
-  BoxIndex boxes_;                // around the lines
-  std::vector<Point> junctions_;  // where three or more end, sorted
+  RingBoxes target_, space_;                           // of the problem
+  std::vector<Polyline> lines_;                        // of the cut
+  BoxIndex boxes_;                                     // around the lines
+  std::vector<Point> junctions_;                       // where three or more end, sorted
+  mutable std::vector<std::vector<CutPoint>> points_;  // of each line that has been asked for, whatever the start
 };
 
 }  // namespace oxturn

@@ -49,7 +49,7 @@ class Leashed final : public CoveragePlanner {
       return without_short_segments(inner_.planner->plan(component, context), component);
     PassSpace passes = cut.beside(component);
     if (component.map().target_area) passes.pockets = intersect(passes.pockets, component.target());
-    const Path path = inner_.planner->plan(component.restricted(std::move(passes.space)), context);
+    const Path path = inner_.planner->plan(passes.problem, context);
     return repaired(component, without_short_segments(path, component), std::move(passes.pockets), Connector(component),
                     context);
   }

@@ -8,7 +8,8 @@
 //             2. The cut of free space reaches into the walls by r as seen from configuration space, so it divides that
 //                without loose ends. For robots without size its loose ends are extended by a few widths of the strip.
 //             3. A component is entered at its vertex nearest to the anchor. The path there goes through the nearer
-//                components that the geodesic crosses: by those only the last part is searched for.
+//                components that the geodesic crosses: by those only the last part is searched for. These have entries
+//                nearer to the anchor, so they can be found when a path asks for them, and the result is the same.
 //             4. Components smaller than a hundredth of the tool's width squared are ignored.
 //             5. Up to 256 components, always the one whose entry is nearest by path comes next. That takes the square
 //                of their number in paths, so more are covered depth-first over the tree of their entry paths, at each
@@ -238,59 +239,83 @@ struct TetherSpace::Locator {
   std::vector<std::size_t> polygon;  // by edge
 };
 
-const TetherSpace::Component* TetherSpace::component_at(const Point& p) const {
-  components();
+/// The start's component is polygon 0, others_[k] is polygon k + 1.
+std::optional<std::size_t> TetherSpace::polygon_at(const Point& p) const {
   if (!locator_) {
     Region all = home_->problem.configuration_space();
     all.polygons.insert(all.polygons.end(), others_.begin(), others_.end());
     locator_ = std::make_unique<const Locator>(all);
   }
   const auto nearest = locator_->edges.nearest(p);
-  if (!nearest || !(nearest->distance < problem_.tolerance() || locator_->edges.contains(p))) return nullptr;
-  const std::size_t k = locator_->polygon[nearest->edge];
-  const std::size_t component = k == 0 ? 0 : component_of_other_[k - 1];
+  if (!nearest || !(nearest->distance < problem_.tolerance() || locator_->edges.contains(p))) return std::nullopt;
+  return locator_->polygon[nearest->edge];
+}
+
+const TetherSpace::Component* TetherSpace::component_at(const Point& p) const {
+  components();
+  const auto k = polygon_at(p);
+  if (!k) return nullptr;
+  const std::size_t component = *k == 0 ? 0 : component_of_other_[*k - 1];
   return component != kNone ? &components_[component] : nullptr;
 }
 
-void TetherSpace::find_components() const {
-  components_.push_back(*home_);
-  component_of_other_.assign(others_.size(), kNone);
+void TetherSpace::find_entries() const {
+  rank_of_other_.assign(others_.size(), kNone);
   const double least_area = problem_.robot().tool_width * problem_.robot().tool_width / kComponentsPerTool;
   const double slack = problem_.tolerance();
-  struct Found {
-    double away;
-    Point entry;
-    std::size_t polygon;  // of others_
-  };
-  std::vector<Found> found;
   for (std::size_t k = 0; k < others_.size(); ++k) {
     if (area(others_[k]) <= least_area) continue;
-    Found nearest{std::numeric_limits<double>::infinity(), {0, 0}, k};
+    Entry nearest{std::numeric_limits<double>::infinity(), {0, 0}, k};
     double farther = 0;  // than the nearest one: the next vertex, at least
     for (std::size_t i = 0; i < others_[k].outer.size(); ++i) {
       const Point& p = others_[k].outer[i];
       if (i > 0) farther -= distance(others_[k].outer[i - 1], p);
       if (farther > slack) continue;
       const double d = field().distance(p);
-      if (d < nearest.away || (d == nearest.away && before(p, nearest.entry))) nearest = {d, p, k};
+      if (d < nearest.away || (d == nearest.away && before(p, nearest.at))) nearest = {d, p, k};
       farther = std::isfinite(d) ? d - nearest.away : 0;
     }
-    if (nearest.away < std::numeric_limits<double>::infinity()) found.push_back(nearest);
+    if (nearest.away < std::numeric_limits<double>::infinity()) entries_.push_back(std::move(nearest));
   }
-  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.away < b.away; });
-  for (const Found& f : found)
-    if (auto path = path_into(f.entry)) {
-      component_of_other_[f.polygon] = components_.size();
-      components_.push_back(
-          {problem_.restricted(Region{{others_[f.polygon]}}, f.entry), std::move(*path), components_.size()});
+  std::ranges::stable_sort(entries_, {}, &Entry::away);
+  for (std::size_t rank = 0; rank < entries_.size(); ++rank) rank_of_other_[entries_[rank].other] = rank;
+}
+
+void TetherSpace::find_components() const {
+  if (rank_of_other_.empty()) find_entries();
+  for (std::size_t rank = 0; rank < entries_.size(); ++rank) entered(rank);
+  component_of_other_.assign(others_.size(), kNone);
+  components_.push_back(*home_);
+  for (Entry& entry : entries_)
+    if (entry.component) {
+      component_of_other_[entry.other] = entry.component->index = components_.size();
+      components_.push_back(std::move(*entry.component));
     }
   for (std::size_t k = 0; k < others_.size(); ++k)
     if (component_of_other_[k] == kNone) unreached_.polygons.push_back(others_[k]);
 }
 
-/// By the components found so far. nullopt: p is in none of them.
-std::optional<Polyline> TetherSpace::path_out(const Point& p) const {
-  const Component* at = component_at(p);
+/// The component with the entry of that rank, found at the first call; nullptr if the robot cannot enter it.
+const TetherSpace::Component* TetherSpace::entered(std::size_t rank) const {
+  Entry& entry = entries_[rank];
+  if (const std::size_t found = component_of_other_.empty() ? kNone : component_of_other_[entry.other]; found != kNone)
+    return &components_[found];
+  if (!entry.tried) {
+    entry.tried = true;
+    if (auto path = path_into(rank))
+      entry.component = Component{problem_.restricted(Region{{others_[entry.other]}}, entry.at), std::move(*path), 0};
+  }
+  return entry.component ? &*entry.component : nullptr;
+}
+
+/// By the components whose entries have ranks below that. nullopt: p is in none of them.
+std::optional<Polyline> TetherSpace::path_out(const Point& p, std::size_t ranks) const {
+  if (rank_of_other_.empty()) find_entries();
+  const auto polygon = polygon_at(p);
+  if (!polygon) return std::nullopt;
+  const std::size_t rank = *polygon == 0 ? kNone : rank_of_other_[*polygon - 1];
+  if (*polygon > 0 && rank >= ranks) return std::nullopt;
+  const Component* at = *polygon == 0 ? &*home_ : entered(rank);
   if (!at) return std::nullopt;
   Polyline path = at->entry_path;
   if (at->problem.walls().contains(at->problem.start(), p)) {  // without a triangulation
@@ -303,10 +328,11 @@ std::optional<Polyline> TetherSpace::path_out(const Point& p) const {
   return path;
 }
 
-/// By the components found so far, which are nearer to the anchor. nullopt: the tether is too short.
-std::optional<Polyline> TetherSpace::path_into(const Point& entry) const {
-  const auto known = [this](const Point& p) { return path_out(p); };
-  auto path = geodesic_path(world(), problem_.start(), entry, kEntrySlack * problem_.robot().radius + width_, known);
+/// By components whose entries are nearer to the anchor. nullopt: the tether is too short.
+std::optional<Polyline> TetherSpace::path_into(std::size_t rank) const {
+  const auto known = [this, rank](const Point& p) { return path_out(p, rank); };
+  auto path = geodesic_path(world(), problem_.start(), entries_[rank].at,
+                            kEntrySlack * problem_.robot().radius + width_, known);
   if (!path || !within_tether(world(), *path)) return std::nullopt;
   return path;
 }
@@ -316,7 +342,7 @@ const TetheredWorld& TetherSpace::world() const {
     auto world = std::make_unique<TetheredWorld>(
         problem_.tether()->taut_space(), problem_.walls(), problem_.configuration_space(), problem_.transit(),
         cut_problem().transit(), field(), tether_length(), problem_.tolerance());
-    world->path_out = [this](const Point& p) { return path_out(p); };
+    world->path_out = [this](const Point& p) { return path_out(p, kNone); };
     world_ = std::move(world);
   }
   return *world_;

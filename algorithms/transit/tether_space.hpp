@@ -76,17 +76,30 @@ class TetherSpace {
 
  private:
   struct Locator;
+  /// Of one of others_: across the cut.
+  struct Entry {
+    double away;  // metres from the anchor
+    Point at;
+    std::size_t other;
+    bool tried = false;
+    std::optional<Component> component = {};  // once it has been tried; none if the robot cannot enter
+  };
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   void cut_open();
+  void find_entries() const;
   void find_components() const;
-  std::optional<Polyline> path_out(const Point& p) const;
-  std::optional<Polyline> path_into(const Point& entry) const;
+  std::optional<std::size_t> polygon_at(const Point& p) const;
+  const Component* entered(std::size_t rank) const;
+  std::optional<Polyline> path_out(const Point& p, std::size_t ranks) const;
+  std::optional<Polyline> path_into(std::size_t rank) const;
 
   const Problem& problem_;
   double width_;
   std::vector<Polyline> cut_;
   std::optional<Component> home_;                        // the start's
   std::vector<Polygon> others_;                          // as the cut leaves them
+  mutable std::vector<Entry> entries_;                   // by distance from the anchor: their ranks
+  mutable std::vector<std::size_t> rank_of_other_;       // kNone: too small, or out of reach
   mutable std::vector<std::size_t> component_of_other_;  // among components(); kNone: unreached
   mutable std::unique_ptr<const Locator> locator_;
   mutable std::vector<Component> components_;

@@ -110,11 +110,15 @@ std::int32_t Mesh::locate(const Point& p, double tolerance) const {
 
 bool Mesh::move_inside(Point& p, double tolerance, std::vector<std::int32_t>& found) const {
   found.clear();
-  const std::int32_t home = locate(p, tolerance);
-  if (home == kWall) return false;
-  p = nearest_in(home, p);
+  if (grid_.empty() || !finite(p)) return false;
   locate_all(p, found);
-  if (std::find(found.begin(), found.end(), home) == found.end()) found.push_back(home);
+  if (found.empty()) {
+    const std::int32_t home = locate(p, tolerance);
+    if (home == kWall) return false;
+    p = nearest_in(home, p);
+    locate_all(p, found);
+    if (std::find(found.begin(), found.end(), home) == found.end()) found.push_back(home);
+  }
   // A rounded point on an edge or beside a vertex may belong to a neighbour as well: add the triangles across all edges
   // that p is not strictly inside of.
   for (std::size_t i = 0; i < found.size(); ++i)

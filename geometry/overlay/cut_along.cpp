@@ -1,6 +1,7 @@
 #include "geometry/overlay/cut_along.hpp"
 
 #include <cmath>
+#include <span>
 
 #include "base/throw_invalid.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -23,18 +24,28 @@ struct Strip {
     left[0] = a - ahead + across, left[1] = b + ahead + across;
     right[0] = a - ahead - across, right[1] = b + ahead - across;
   }
-  Region outline() const { return {{{{right[0], right[1], left[1], left[0]}, {}}}}; }
 };
 
-/// Mitres the end of a strip and the beginning of the next, if the bend is not sharp for their lengths.
-void join(Strip& one, Strip& next, double width) {
+/// Mitres the end of a strip and the beginning of the next, if the bend is not sharp for their lengths: false if it is.
+bool join(Strip& one, Strip& next, double width) {
   const double turn = std::atan2(cross(one.along, next.along), one.along.dot(next.along));
   const double shift = width / 2 * std::abs(std::tan(turn / 2));  // of the mitre's ends along the strips
-  if (std::abs(turn) > kSharpestMitre || 2 * shift > std::min(distance(one.a, one.b), distance(next.a, next.b))) return;
+  if (std::abs(turn) > kSharpestMitre || 2 * shift > std::min(distance(one.a, one.b), distance(next.a, next.b)))
+    return false;
   const Point middle = one.along + next.along;  // of length 2 cos(turn / 2)
   const Point aside = perpendicular(middle) * (width / middle.squaredNorm());
   one.left[1] = next.left[0] = one.b + aside;
   one.right[1] = next.right[0] = one.b - aside;
+  return true;
+}
+
+/// Of strips that share their mitres. Where they overlap, it has winding numbers above 1.
+Ring outline(std::span<const Strip> strips) {
+  Ring ring{strips.front().right[0]};
+  for (const Strip& strip : strips) ring.push_back(strip.right[1]);
+  for (std::size_t i = strips.size(); i-- > 0;) ring.push_back(strips[i].left[1]);
+  ring.push_back(strips.front().left[0]);
+  return ring;
 }
 
 void append_strips(const Polyline& line, double width, std::vector<Region>& out) {
@@ -42,8 +53,11 @@ void append_strips(const Polyline& line, double width, std::vector<Region>& out)
   if (line.size() == 1) strips.push_back({line[0], line[0], width});
   for (std::size_t i = 1; i < line.size(); ++i)
     if (line[i - 1] != line[i] || line.size() == 2) strips.push_back({line[i - 1], line[i], width});
-  for (std::size_t i = 1; i < strips.size(); ++i) join(strips[i - 1], strips[i], width);
-  for (const Strip& strip : strips) out.push_back(strip.outline());
+  for (std::size_t first = 0, i = 1; i <= strips.size(); ++i)
+    if (i == strips.size() || !join(strips[i - 1], strips[i], width)) {
+      out.push_back({{{outline(std::span(strips).subspan(first, i - first)), {}}}});
+      first = i;
+    }
 }
 
 }  // namespace

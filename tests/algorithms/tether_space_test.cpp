@@ -113,6 +113,26 @@ TEST(TetherSpace, ComponentsBehindComponentsAreEnteredByShortPaths) {
   EXPECT_LE(driven, 1.01 * least);
 }
 
+// A component is found when a path asks for it, with those on the way there; that must not depend on what was asked
+// before.
+TEST(TetherSpace, PathsOutAreTheSameInAnyOrder) {
+  const Problem problem(generate("speckle", {{"width", 12.0}, {"height", 12.0}}, 1), tethered_robot(1.2));
+  const TetherSpace all(problem, "test");
+  ASSERT_GE(all.components().size(), 5u);
+  const TetherSpace backwards(problem, "test");
+  for (std::size_t k = all.components().size(); k-- > 0;) {
+    const Problem& component = all.components()[k].problem;
+    const Ring& ring = component.configuration_space().polygons[0].outer;
+    for (const Point& p : {component.start(), ring[ring.size() / 2]}) {
+      const auto path = all.world().path_out(p);
+      ASSERT_TRUE(path);
+      EXPECT_EQ(TetherSpace(problem, "test").world().path_out(p), path);
+      EXPECT_EQ(backwards.world().path_out(p), path);
+    }
+  }
+  EXPECT_EQ(backwards.components().size(), all.components().size());
+}
+
 TEST(TetherSpace, PointsOfNoComponent) {
   const Problem problem(generate("clutter", {{"width", 20.0}, {"height", 20.0}}, 1), tethered_robot(0.4));
   const TetherSpace space(problem, "test");
@@ -241,8 +261,8 @@ TEST(Leashed, ThePassesAndTheirPocketsMissNothing) {
         const TetherSpace tether(problem, "test");
         for (const TetherSpace::Component& component : tether.components()) {
           const PassSpace passes = CutPasses(problem, tether.cut()).beside(component.problem);
-          ASSERT_EQ(passes.space.polygons.size(), 1u);
-          const EdgeIndex space(passes.space), whole(component.problem.configuration_space());
+          ASSERT_EQ(passes.problem.configuration_space().polygons.size(), 1u);
+          const EdgeIndex space(passes.problem.configuration_space()), whole(component.problem.configuration_space());
           EXPECT_TRUE(space.contains(component.problem.start()) ||
                       space.nearest(component.problem.start(), problem.tolerance()));
           const EdgeIndex missed(passes.pockets);
