@@ -4,8 +4,8 @@
 ///
 /// Calls flip(k, j) for each row j that an edge meets, where k is the first column whose centre is strictly to the
 /// right of the edge, unless there is none: a centre lies in the region if an odd number of flips are at its column or
-/// to the left of it. Calls on_edge(i, j) for the centres exactly on an edge, which lie in it as well. `grid` has the members
-/// origin, cell, columns and rows of a BitGrid.
+/// to the left of it. Calls on_edge(i, j) for the centres exactly on an edge, which lie in it as well. `grid` has the
+/// members origin, cell, columns and rows of a BitGrid.
 #pragma once
 
 #include <algorithm>

@@ -13,7 +13,9 @@ std::optional<Point> point_outside(const EdgeIndex& walls, const Point& a, const
   if (walls.contains(a, b)) return std::nullopt;
   const Point d = b - a;
   std::vector<double> cuts{0, 1};
-  walls.for_each_near(bounding_box(Polyline{a, b}), [&](std::size_t e) {
+  Box box = bounding_box(Polyline{a, b});
+  box.grow(tolerance);  // an edge beside the segment may end, too
+  walls.for_each_near(box, [&](std::size_t e) {
     const EdgeIndex::Edge& edge = walls.edges()[e];
     const Point side = edge.b - edge.a;
     const double turn = cross(d, side);

@@ -257,16 +257,17 @@ class SkeletonSpirals {
   std::vector<Strip> strips_;
 };
 
-/// Vertices moved by up to `by`, each to another side, the same way in every run. The polygon itself, if edges would
-/// cross then.
-Polygon stirred(const Polygon& polygon, double by) {
+/// Vertices moved by up to `by`, each to another side, the same way in every run, but for those that would leave
+/// configuration space. The polygon itself, if edges would cross then.
+Polygon stirred(const Polygon& polygon, double by, const EdgeIndex& walls) {
   if (by == 0) return polygon;
   Polygon moved = polygon;
   double k = 0;
   const auto move = [&](Ring& ring) {
     for (Point& p : ring) {
       ++k;
-      p += by * Point(std::fmod(k * kStirX, 1.0) - 0.5, std::fmod(k * kStirY, 1.0) - 0.5);
+      const Point there = p + by * Point(std::fmod(k * kStirX, 1.0) - 0.5, std::fmod(k * kStirY, 1.0) - 0.5);
+      if (walls.contains(there)) p = there;
     }
   };
   move(moved.outer);
@@ -297,7 +298,7 @@ std::vector<Strip> spiral_strips(const Region& region, const SkeletonSpiralOptio
   std::vector<Polyline> traced;
   for (const Polygon& part : cut_along(region, shortest_bridges(region), options.bridge).polygons) {
     if (context.cancelled()) break;
-    const StraightSkeleton skeleton = straight_skeleton(stirred(part, options.stirred));
+    const StraightSkeleton skeleton = straight_skeleton(stirred(part, options.stirred, problem.walls()));
     for (const StraightSkeleton::Arc& a : skeleton.arcs)
       if (context.wants_traces()) traced.push_back({skeleton.nodes[a.low].at, skeleton.nodes[a.high].at});
     const MovingRings rings(skeleton);

@@ -5,6 +5,7 @@
 
 #include "algorithms/lanes/uncovered.hpp"
 #include "algorithms/smoothing/covering_strokes.hpp"
+#include "algorithms/smoothing/reinserted_strokes.hpp"
 
 namespace oxturn {
 namespace {
@@ -32,7 +33,7 @@ class Visits {
   std::vector<LinkedStroke> run(std::vector<LinkedStroke> driven, const std::vector<Polyline>& left_out) {
     UncoveredPoints points = uncovered_by(driven);
     cover_by_links(driven, points);
-    if (!left_out.empty()) driven = with_strokes(std::move(driven), left_out);
+    if (!left_out.empty()) driven = with_strokes(std::move(driven), left_out, space_, width_, effort_, context_);
     for (int round = 0; round < kRounds && !context_.cancelled(); ++round) {
       points = uncovered_by(driven);
       if (points.area() <= allowed_) break;
@@ -48,18 +49,6 @@ class Visits {
   UncoveredPoints uncovered_by(const std::vector<LinkedStroke>& driven) const {
     const Path path = path_of(driven, problem_.start(), space_.chord_error());
     return {uncovered(problem_.target(), path, problem_.robot()), width_, kNoticed * width_ * width_};
-  }
-
-  /// Those of `left_out` that can be inserted are.
-  std::vector<LinkedStroke> with_strokes(std::vector<LinkedStroke> driven, const std::vector<Polyline>& left_out) {
-    InsertedStrokes inserted(std::move(driven), space_, width_, effort_, context_);
-    for (const Polyline& stroke : left_out) {
-      if (context_.cancelled()) break;
-      auto insertion = inserted.insertion_of(stroke, false);
-      if (!insertion) insertion = inserted.insertion_of(stroke, true);
-      if (insertion) inserted.insert(std::move(*insertion));
-    }
-    return inserted.take();
   }
 
   void cover_by_links(std::vector<LinkedStroke>& driven, UncoveredPoints& points) const {

@@ -3,7 +3,7 @@
 ///   driven = with_visits(problem, std::move(driven), left_out, allowed, space, context);
 ///
 /// Links that cover something are driven with the tool on, and strokes that were left out are inserted where that costs
-/// least (linked_strokes.hpp). Then uncovered pieces are visited, the largest first, by short strokes
+/// least (reinserted_strokes.hpp). Then uncovered pieces are visited, the largest first, by short strokes
 /// (covering_strokes.hpp), inserted where it costs least for what they cover. What is uncovered is found exactly before
 /// each of some rounds, until no more than is allowed is left, or a round finds no stroke that can be inserted.
 ///

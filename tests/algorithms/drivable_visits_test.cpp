@@ -203,7 +203,7 @@ TEST(Drivable, CoversUnseenMapsInReverse) {
       SCOPED_TRACE(fmt::format("{} {}", generator, seed));
       Robot robot;
       robot.radius = 0.2, robot.tool_width = 0.5, robot.min_turn_radius = 0.3, robot.reverse = true;
-      const Problem problem(generate(generator, {{"width", 12.0}, {"height", 9.0}}, 400 + seed), robot);
+      const Problem problem(generate(generator, {{"width", 10.0}, {"height", 8.0}}, 400 + seed), robot);
       const Score s = score(problem, boustrophedon(problem));
       EXPECT_EQ(s.flaw, "");
       EXPECT_EQ(s.value("curvature_violations"), 0);

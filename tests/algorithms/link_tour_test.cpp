@@ -69,8 +69,7 @@ std::vector<Ring> pillars_in(double side) {
 
 // Where links are blocked there are more rounds, each with a search of its own; with many strokes, bounds are dear.
 TEST(LinkTour, TakesNoMoreThanItsEffort) {
-  for (const auto& [n, with_pillars] :
-       std::vector<std::pair<std::size_t, bool>>{{20, true}, {100, true}, {1010, false}}) {
+  for (const auto& [n, with_pillars] : std::vector<std::pair<std::size_t, bool>>{{20, true}, {1010, false}}) {
     SCOPED_TRACE(n);
     const double side = 6 * std::sqrt(static_cast<double>(n));
     const Problem problem = yard(side, with_pillars ? pillars_in(side) : std::vector<Ring>{});

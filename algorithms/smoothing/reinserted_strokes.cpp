@@ -1,0 +1,109 @@
+#include "algorithms/smoothing/reinserted_strokes.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace oxturn {
+namespace {
+
+constexpr double kNear = 2;   // tool widths and radii: the insertion of a stroke so near to a new one may cost less now
+constexpr double kCheap = 8;  // radii and tool widths that such an insertion adds at most: many of these make one round
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+class Reinsertion {
+ public:
+  Reinsertion(const std::vector<Polyline>& left_out, const CarSpace& space, double width, DetourEffort& effort,
+              const Context& context)
+      : space_(space), width_(width), size_(width + space.radius()), effort_(effort), context_(context) {
+    for (const Polyline& line : left_out) waiting_.push_back({line, bounding_box(line)});
+  }
+
+  std::vector<LinkedStroke> run(std::vector<LinkedStroke> driven) {
+    bool any = true;
+    while (any && !waiting_.empty() && !context_.cancelled()) {
+      InsertedStrokes inserted(std::move(driven), space_, width_, effort_, context_);
+      any = insert_cheapest(inserted) || insert_by_search(inserted);
+      driven = inserted.take();
+    }
+    return driven;
+  }
+
+ private:
+  struct Waiting {
+    Polyline line;
+    Box box;
+    std::optional<double> added = std::nullopt;  // metres, besides its own; kNone: no simple link is free
+    bool searched = false, inserted = false;
+  };
+
+  double added_by(const InsertedStrokes::Insertion& insertion) const {
+    return insertion.cost - length(insertion.stroke);
+  }
+  bool try_to_insert(Waiting& stroke, double most, InsertedStrokes& inserted) {
+    auto insertion = inserted.insertion_of(stroke.line, false);
+    stroke.added = insertion ? added_by(*insertion) : kNone;
+    if (!insertion || *stroke.added > most) return false;
+    inserted.insert(std::move(*insertion));
+    stroke.inserted = true;
+    return true;
+  }
+
+  /// The cheapest one, and all others that are cheap.
+  bool insert_cheapest(InsertedStrokes& inserted) {
+    for (Waiting& stroke : waiting_) {
+      if (stroke.added) continue;
+      if (context_.cancelled()) return false;
+      const auto insertion = inserted.insertion_of(stroke.line, false);
+      stroke.added = insertion ? added_by(*insertion) : kNone;
+    }
+    std::ranges::stable_sort(waiting_, {}, [](const Waiting& stroke) { return *stroke.added; });
+    if (*waiting_.front().added == kNone) return false;
+    try_to_insert(waiting_.front(), kNone, inserted);
+    const double cheap = kCheap * size_;
+    for (std::size_t k = 1; k < waiting_.size() && *waiting_[k].added <= cheap; ++k)
+      try_to_insert(waiting_[k], cheap, inserted);
+    return forget_inserted();
+  }
+
+  bool insert_by_search(InsertedStrokes& inserted) {
+    for (Waiting& stroke : waiting_) {
+      if (context_.cancelled()) return false;
+      if (std::exchange(stroke.searched, true)) continue;
+      auto insertion = inserted.insertion_of(stroke.line, true);
+      if (!insertion) continue;
+      inserted.insert(std::move(*insertion));
+      stroke.inserted = true;
+      return forget_inserted();
+    }
+    return false;
+  }
+
+  /// And what is known of those near them. True if there were any.
+  bool forget_inserted() {
+    std::vector<Box> near;
+    for (const Waiting& stroke : waiting_)
+      if (stroke.inserted) near.push_back(stroke.box), near.back().grow(kNear * size_);
+    std::erase_if(waiting_, [](const Waiting& stroke) { return stroke.inserted; });
+    for (Waiting& stroke : waiting_)
+      if (std::ranges::any_of(near, [&](const Box& box) { return box.overlaps(stroke.box); })) stroke.added.reset();
+    return !near.empty();
+  }
+
+  const CarSpace& space_;
+  double width_, size_;
+  DetourEffort& effort_;
+  const Context& context_;
+  std::vector<Waiting> waiting_;
+};
+
+}  // namespace
+
+std::vector<LinkedStroke> with_strokes(std::vector<LinkedStroke> driven, const std::vector<Polyline>& left_out,
+                                       const CarSpace& space, double width, DetourEffort& effort,
+                                       const Context& context) {
+  return Reinsertion(left_out, space, width, effort, context).run(std::move(driven));
+}
+
+}  // namespace oxturn
