@@ -10,6 +10,7 @@
 #include "algorithms/lanes/uncovered.hpp"
 #include "algorithms/smoothing/covering_strokes.hpp"
 #include "algorithms/smoothing/drivable.hpp"
+#include "algorithms/smoothing/reinserted_strokes.hpp"
 #include "algorithms/smoothing/strokes.hpp"
 #include "base/random.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -149,6 +150,33 @@ TEST(InsertedStrokes, LeaveTheOthersWholeAndJoinExactly) {
                               uncovered(problem.target(), old, problem.robot()))),
                 0.02);
     }
+}
+
+// Lanes behind a door, given in any order: the robot drives through the door once each way, and from lane to lane.
+TEST(ReinsertedStrokes, LanesOfARoomFollowEachOther) {
+  const Problem problem =
+      on(subtract(box_region({0, 0}, {80, 30}), {box_region({39, 0}, {40, 12}), box_region({39, 18}, {40, 30})}), 1.5,
+         true);
+  const CarSpace space(problem);
+  const std::vector<LinkedStroke> before = lanes(space, problem.start());
+  std::vector<Polyline> room;
+  for (double y = 2; y < 29; y += 2) room.push_back({{50, y}, {76, y}});
+  for (const auto seed : seeds(5)) {
+    Rng rng(seed);
+    for (std::size_t i = room.size(); i > 1; --i)
+      std::swap(room[i - 1], room[static_cast<std::size_t>(rng.between(0, static_cast<int>(i) - 1))]);
+    Context context;
+    DetourEffort effort;
+    const auto after = with_strokes(before, room, space, 2, effort, context);
+    EXPECT_GE(after.size(), before.size() + room.size());
+    const Path path = path_of(after, problem.start(), space.chord_error());
+    EXPECT_EQ(score(problem, path).flaw, "");
+    InsertedStrokes one_by_one(before, space, 2, effort, context);
+    for (const Polyline& lane : room)
+      if (auto insertion = one_by_one.insertion_of(lane, true)) one_by_one.insert(std::move(*insertion));
+    const double each_from_the_door = path_of(one_by_one.take(), problem.start(), space.chord_error()).length();
+    EXPECT_LT(path.length(), 0.75 * each_from_the_door) << seed;
+  }
 }
 
 TEST(DrivableVisits, CoverMoreAndWhatWasCovered) {
