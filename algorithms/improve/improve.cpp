@@ -316,9 +316,8 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
        "other"},
       {"return_home", &Improvement::return_home, "end where the path starts"},
       {"temperature", &Improvement::temperature, Range{0, 10},
-       "of annealing, to begin with, in tool widths; 0: 0.01 up to 2000 moves for each square of the tool's width, "
-       "then "
-       "in proportion to the moves, up to 0.05"},
+       "of annealing, to begin with, in tool widths; 0: 0.01 up to 2000 moves for each square of the tool's "
+       "width, then in proportion to the moves, up to 0.05"},
       {"objective", &Improvement::objective, Choices{"length", "time", "weighted"},
        "what is made least; time: turns count, at the robot's turn rate and speed; weighted: a sum of both"},
       {"time_weight", &Improvement::time_weight, Range{0, 1},

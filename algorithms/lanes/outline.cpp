@@ -9,6 +9,7 @@
 #include <queue>
 #include <tuple>
 
+#include "algorithms/lanes/flat_path.hpp"
 #include "algorithms/transit/component_links.hpp"
 #include "algorithms/transit/short_segments.hpp"
 #include "geometry/coarse_arcs.hpp"
@@ -298,31 +299,16 @@ class RingTree {
   std::vector<Attachment> how_;
   std::vector<std::vector<std::size_t>> children_;  // rings attached to a ring
   std::vector<std::size_t> on_path_;                // rings attached to the path
-  std::vector<Source>
-      sources_;  // of attached rings; those of the path, which may be millions, only for attach_around()
+  // Of attached rings. Those of the path, which may be millions, only for attach_around().
+  std::vector<Source> sources_;
   std::size_t remaining_ = 0;
   // Of the present reach: what is known of the drive to each ring, and all offers that may be shorter.
   std::vector<double> least_;
   std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers_;
 };
 
-/// The path as one polyline: tool[i] belongs to the segment from points[i] to points[i + 1].
-struct FlatPath {
-  Polyline points;
-  std::vector<bool> tool;
-};
-
 FlatPath flattened(const Path& path, const Point& start) {
-  FlatPath flat{{start}, {}};
-  std::size_t n = 2;
-  for (const Leg& leg : path.legs) n += leg.points.size();
-  flat.points.reserve(n);
-  flat.tool.reserve(n);
-  for (const Leg& leg : path.legs)
-    for (std::size_t i = 1; i < leg.points.size(); ++i) {
-      flat.points.push_back(leg.points[i]);
-      flat.tool.push_back(leg.tool);
-    }
+  FlatPath flat(path, start);
   if (flat.tool.empty()) {  // nothing but the start: rings may be attached to that
     flat.points.push_back(start);
     flat.tool.push_back(false);

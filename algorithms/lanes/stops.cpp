@@ -7,6 +7,8 @@
 #include <map>
 #include <tuple>
 
+#include "algorithms/lanes/flat_path.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -17,25 +19,6 @@ constexpr double kShareOfEdge = 0.499;  // that a turn may take from the segment
 constexpr double kShareOfReach = 0.99;  // of what the turn may be cut by
 constexpr double kShortest = 0.02;      // of the reach: shorter segments are of no use
 constexpr double kSamePoint = 1e-9;     // of the reach
-
-/// A path as one polyline: tool[i] belongs to the segment from points[i] to points[i + 1].
-struct Flat {
-  Flat(const Path& path, const Point& start) : points{start} {
-    std::size_t n = 1;
-    for (const Leg& leg : path.legs) n += leg.points.size();
-    points.reserve(n);
-    tool.reserve(n);
-    for (const Leg& leg : path.legs)
-      for (std::size_t i = 1; i < leg.points.size(); ++i) {
-        points.push_back(leg.points[i]);
-        tool.push_back(leg.tool);
-      }
-  }
-  double length(std::size_t segment) const { return distance(points[segment], points[segment + 1]); }
-
-  Polyline points;
-  std::vector<bool> tool;
-};
 
 bool covers(const Point& at, const Polygon& piece, double reach) {
   return std::ranges::all_of(piece.outer, [&](const Point& p) { return distance(p, at) <= reach; });
@@ -123,7 +106,7 @@ double StopFinder::length(const Stop& stop) const {
 namespace {
 
 /// Only one stop cuts off a turn, and only where no other stop leaves the path.
-void keep_apart(const Flat& path, std::vector<Stop>& stops) {
+void keep_apart(const FlatPath& path, std::vector<Stop>& stops) {
   struct Along {
     double first = std::numeric_limits<double>::infinity(), last = 0;
   };
@@ -143,7 +126,7 @@ void keep_apart(const Flat& path, std::vector<Stop>& stops) {
   }
 }
 
-Path driven(const Flat& path, const std::vector<Stop>& stops) {
+Path driven(const FlatPath& path, const std::vector<Stop>& stops) {
   std::map<std::size_t, const Stop*> turns;  // by vertex
   for (const Stop& s : stops)
     if (s.turn) turns[*s.turn] = &s;
@@ -173,7 +156,7 @@ Path driven(const Flat& path, const std::vector<Stop>& stops) {
 Path with_stops(const Path& path, const Point& start, std::vector<Polygon>& pieces, double reach,
                 const EdgeIndex& walls) {
   if (pieces.empty() || path.legs.empty()) return path;
-  const Flat flat(path, start);
+  const FlatPath flat(path, start);
   const StopFinder finder(flat.points, flat.tool, reach, walls, pieces);
   std::vector<Stop> stops;
   std::erase_if(pieces, [&](const Polygon& piece) {

@@ -9,9 +9,9 @@
 ///
 /// What the planner drives with the tool on is cut into strokes (strokes.hpp): lanes, laps, whatever the robot can
 /// follow. They keep their course; a tour over Dubins or Reeds-Shepp links chooses their order and direction, so that
-/// lanes too near to each other for a turn are not driven one after the other. Links are driven with the tool off and
-/// tested exactly (car_space.hpp); where one is blocked the tour is improved with what it really costs. The robot
-/// starts with the heading that suits it.
+/// lanes too near to each other for a turn are not driven one after the other. Links are tested exactly (car_space.hpp)
+/// and driven with the tool off, unless they cover something; where one is blocked the tour is improved with what it
+/// really costs. The robot starts with the heading that suits it.
 ///
 /// Rounded corners, dead ends and lanes without a link leave parts of the target uncovered. These are visited by short
 /// strokes inserted into the path (drivable_visits.hpp), until no more is uncovered than the planner's own path leaves

@@ -38,16 +38,16 @@ class Reinsertion {
     bool searched = false, inserted = false;
   };
 
-  double added_by(const InsertedStrokes::Insertion& insertion) const {
-    return insertion.cost - length(insertion.stroke);
-  }
-  bool try_to_insert(Waiting& stroke, double most, InsertedStrokes& inserted) {
+  std::optional<InsertedStrokes::Insertion> looked_at(Waiting& stroke, const InsertedStrokes& inserted) const {
     auto insertion = inserted.insertion_of(stroke.line, false);
-    stroke.added = insertion ? added_by(*insertion) : kNone;
-    if (!insertion || *stroke.added > most) return false;
+    stroke.added = insertion ? insertion->cost - length(stroke.line) : kNone;
+    return insertion;
+  }
+  void insert_if_added_at_most(double most, Waiting& stroke, InsertedStrokes& inserted) const {
+    auto insertion = looked_at(stroke, inserted);
+    if (!insertion || *stroke.added > most) return;
     inserted.insert(std::move(*insertion));
     stroke.inserted = true;
-    return true;
   }
 
   /// The cheapest one, and all others that are cheap.
@@ -55,15 +55,14 @@ class Reinsertion {
     for (Waiting& stroke : waiting_) {
       if (stroke.added) continue;
       if (context_.cancelled()) return false;
-      const auto insertion = inserted.insertion_of(stroke.line, false);
-      stroke.added = insertion ? added_by(*insertion) : kNone;
+      looked_at(stroke, inserted);
     }
     std::ranges::stable_sort(waiting_, {}, [](const Waiting& stroke) { return *stroke.added; });
     if (*waiting_.front().added == kNone) return false;
-    try_to_insert(waiting_.front(), kNone, inserted);
+    insert_if_added_at_most(kNone, waiting_.front(), inserted);
     const double cheap = kCheap * size_;
     for (std::size_t k = 1; k < waiting_.size() && *waiting_[k].added <= cheap; ++k)
-      try_to_insert(waiting_[k], cheap, inserted);
+      insert_if_added_at_most(cheap, waiting_[k], inserted);
     return forget_inserted();
   }
 

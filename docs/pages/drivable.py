@@ -8,9 +8,9 @@ INTRODUCTION = """\
 A tractor of radius 1 m with a tool 3 m wide and a least turning radius of 4 m (`tractor`), the same with a reverse
 gear (`reverse`), and one that turns on the spot (`spot`), on the same fields with the same planners. All three drive
 the lanes that the planner lays out; the first two by the shared step that makes any path drivable: lanes in an order
-that leaves room for turns, Dubins or Reeds-Shepp curves between them, the tool lifted. `length`, `time`: over those
-of `spot` on the same map. `coverage`: of the target; what cannot be reached without a reverse gear stays uncovered.
-`violations`: bends sharper than the robot can drive.
+that leaves room for turns, Dubins or Reeds-Shepp curves between them, the tool lifted where they cover nothing new.
+`length`, `time`: over those of `spot` on the same map. `coverage`: of the target; what cannot be reached without a
+reverse gear stays uncovered. `violations`: bends sharper than the robot can drive.
 """
 
 
