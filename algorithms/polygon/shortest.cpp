@@ -8,6 +8,8 @@
 // Decisions   1. Starts: `boustrophedon` in its own direction and along both axes, and `contour`. Each is
 //                annealed briefly, the best one at length. Where the moves are few for the problem's vertices, there
 //                are fewer starts: a start takes the time of some moves for each of these.
+//             2. All starts but the first drive at half the tool's width from walls: nearer to them, a tool wider than
+//                the robot is wasted in part, and annealing does not shift all lanes of a field by as much.
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/improve/improve.hpp"
 #include "algorithms/improve/part.hpp"
@@ -25,11 +27,14 @@ struct Start {
   Settings settings;
 };
 /// The first one covers the whole target.
-std::vector<Start> starts() {
-  return {{"boustrophedon", {}},
-          {"contour", {}},
-          {"boustrophedon", {{"sweep", std::string("given")}, {"angle", 0.0}}},
-          {"boustrophedon", {{"sweep", std::string("given")}, {"angle", 90.0}}}};
+std::vector<Start> starts(AnnealingPart without) {
+  const std::string laps = without == AnnealingPart::laps ? "wall" : "inner", given = "given";
+  std::vector<Start> all{{"boustrophedon", {}},
+                         {"contour", {{"laps", laps}}},
+                         {"boustrophedon", {{"laps", laps}, {"sweep", given}, {"angle", 0.0}}},
+                         {"boustrophedon", {{"laps", laps}, {"sweep", given}, {"angle", 90.0}}}};
+  if (without == AnnealingPart::starts) all.resize(1);
+  return all;
 }
 
 std::size_t vertex_count(const Path& path) {
@@ -41,10 +46,8 @@ std::size_t vertex_count(const Path& path) {
 class Shortest final : public CoveragePlanner {
  public:
   Shortest(const Improvement& how, const Planners& planners) : how_(how) {
-    for (const Start& start : starts()) {
+    for (const Start& start : starts(part_named(how.without)))
       planners_.push_back(planners.find(start.planner).make(start.settings, planners));
-      if (part_named(how.without) == AnnealingPart::starts) break;
-    }
   }
 
   Path plan(const Problem& problem, Context& context) const override {
