@@ -1,10 +1,10 @@
-// Makes any planner safe for a tethered robot: it covers the space cut open along the anchor's cut locus.
+// Makes any planner safe for a tethered robot: it covers the space cut open, so that its position determines its tether.
 //
-// Source      ours; for the cut locus see tether_space.hpp
+// Source      ours; for the cut see tether_space.hpp and bridge_cut.hpp
 // Model       that of the planner, offline, disc footprint
-// Guarantee   the tether equals the geodesic to the robot's position, except on paths between components that the cut
-//             isolates: within the tether length limit, never wound, never driven over; covers what the planner covers
-//             of each component
+// Guarantee   within the tether length limit, never driven over; covers what the planner covers of each component of the
+//             cut space. With cut = geodesic, the tether equals the geodesic to the robot's position, except on paths
+//             between components
 // Complexity  that of the planner, plus O((n + k) log n) for the cut
 // Decisions   1. The planner gets the cut space by Problem::restricted. The cut is a wall to it: if it drives along
 //                walls, it drives along both sides of the cut. These two passes lie a tool width apart where they fit
@@ -17,6 +17,10 @@
 //             4. The cut is thin, and its pieces short: vertices that this leaves on the path nearer to each other than
 //                a hundredth of the robot's radius are dropped or joined where the segments stay in the cut
 //                space.
+//             5. cut = least, the default: bridges between neighbouring obstacles, where the tether is long enough for
+//                them and they are shorter than the cut locus. Planners drive along both sides of the cut and divide
+//                their lanes there, so paths are 3 to 40 % shorter among obstacles (tether of 1.2 times what the farthest
+//                point needs).
 #include <utility>
 
 #include "algorithms/lanes/repair.hpp"
@@ -31,10 +35,11 @@ namespace {
 
 class Leashed final : public CoveragePlanner {
  public:
-  Leashed(Wrapped inner, bool return_home) : inner_(std::move(inner)), return_home_(return_home) {}
+  Leashed(Wrapped inner, bool return_home, TetherCut cut)
+      : inner_(std::move(inner)), return_home_(return_home), cut_(cut) {}
 
   Path plan(const Problem& problem, Context& context) const override {
-    const TetherSpace space(problem, "leashed");
+    const TetherSpace space(problem, "leashed", cut_);
     if (context.wants_traces()) context.trace("cut", space.cut());
     const CutPasses cut(problem, space.cut());
     return cover_components(
@@ -56,6 +61,7 @@ class Leashed final : public CoveragePlanner {
 
   Wrapped inner_;
   bool return_home_;
+  TetherCut cut_;
 };
 
 }  // namespace
@@ -64,16 +70,25 @@ PlannerInfo leashed() {
   PlannerInfo info;
   info.name = "leashed";
   info.family = "tethered";
-  info.title = "any planner, made safe for a tether by the cut locus of the anchor";
+  info.title = "any planner, made safe for a tether by cutting space open";
   info.citation = "oxturn";
   info.capabilities = {Capability::tether, Capability::holes};
   info.symmetries = {Symmetry::shift, Symmetry::scale};
   info.guarantee =
       "within the tether length limit, never over its own tether; covers what `planner` covers of the cut space";
-  info.parameters = {{"return_home", true, {}, {}, "drive back to the start at the end"}};
+  info.parameters = {
+      {"return_home", true, {}, {}, "drive back to the start at the end"},
+      {"cut",
+       std::string("least"),
+       {},
+       Choices{"geodesic", "least"},
+       "geodesic: along the anchor's cut locus, the tether as short as can be; least: along bridges between obstacles "
+       "where these are shorter and the tether is long enough"}};
   return wrapper(std::move(info), "boustrophedon",
                  [](Wrapped inner, const Settings& own) -> std::unique_ptr<CoveragePlanner> {
-                   return std::make_unique<Leashed>(std::move(inner), std::get<bool>(own.at("return_home")));
+                   const bool least = std::get<std::string>(own.at("cut")) == "least";
+                   return std::make_unique<Leashed>(std::move(inner), std::get<bool>(own.at("return_home")),
+                                                    least ? TetherCut::least : TetherCut::geodesic);
                  });
 }
 

@@ -25,6 +25,7 @@
 #include <numeric>
 
 #include "algorithms/grown_path.hpp"
+#include "algorithms/transit/bridge_cut.hpp"
 #include "algorithms/transit/connector.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/joined_lines.hpp"
@@ -74,6 +75,12 @@ std::vector<Polyline> near_cut(const Problem& problem, double width) {
     line.front() = first;
   }
   return lines;
+}
+
+double metres(const std::vector<Polyline>& lines) {
+  double sum = 0;
+  for (const Polyline& line : lines) sum += length(line);
+  return sum;
 }
 
 bool contains(const Polygon& component, const Point& p, double tolerance) {
@@ -191,8 +198,11 @@ class ComponentCover {
 
 }  // namespace
 
-TetherSpace::TetherSpace(const Problem& problem, const std::string& planner)
+TetherSpace::TetherSpace(const Problem& problem, const std::string& planner, TetherCut cut)
     : problem_(problem), width_(width_of(problem, planner)), cut_(near_cut(problem, width_)) {
+  if (auto bridges = cut == TetherCut::least ? bridge_cut(problem, width_) : std::nullopt;
+      bridges && metres(*bridges) < metres(cut_))
+    cut_ = std::move(*bridges);
   cut_open();
 }
 TetherSpace::~TetherSpace() = default;

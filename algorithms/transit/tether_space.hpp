@@ -34,11 +34,16 @@
 
 namespace oxturn {
 
+/// What space is cut open along: the anchor's cut locus; or straight bridges, where these are shorter in all and the
+/// tether is long enough for them (bridge_cut.hpp). With bridges the tether is not the geodesic, but still determined by
+/// the robot's position, and there is one component.
+enum class TetherCut { geodesic, least };
+
 class TetherSpace {
  public:
   /// `problem` must outlive it. Throws Unsupported ("planner 'x' needs a robot with a tether; ...") if its robot has
   /// none, Infeasible if the start lies in the cut itself (possible only if the anchor is elsewhere).
-  TetherSpace(const Problem& problem, const std::string& planner);
+  TetherSpace(const Problem& problem, const std::string& planner, TetherCut cut = TetherCut::geodesic);
   ~TetherSpace();
 
   const Problem& problem() const { return problem_; }

@@ -186,7 +186,7 @@ TEST(Leashed, AnyPlannerStaysGeodesicAndComesHome) {
           const Problem problem(map, tethered_robot(reach));
           Path path;
           try {
-            path = plan("leashed", problem, {{"planner", std::string(inner)}});
+            path = plan("leashed", problem, {{"planner", std::string(inner)}, {"cut", std::string("geodesic")}});
           } catch (const Infeasible&) {
             EXPECT_EQ(std::string(inner), "stc");  // no coarse cell fits
             continue;
@@ -194,6 +194,59 @@ TEST(Leashed, AnyPlannerStaysGeodesicAndComesHome) {
           expect_geodesic(problem, path);
           EXPECT_LE(distance(path.legs.back().points.back(), problem.start()), 1e-9);
         }
+}
+
+double metres(const std::vector<Polyline>& lines) {
+  double sum = 0;
+  for (const Polyline& line : lines) sum += length(line);
+  return sum;
+}
+
+// A pillar a metre from a wall, the rest of the room behind it: the cut locus is metres long, the bridge one.
+TEST(BridgeCut, IsTheGapBesideAPillarIfTheTetherIsLongEnough) {
+  const Region free{{{{{0, 0}, {12, 0}, {12, 9}, {0, 9}}, {{{5, 1}, {5, 2}, {6, 2}, {6, 1}}}}}};
+  const Map map{"pillar", free};
+  for (const double reach : {1.0, 1.5}) {
+    const Problem problem(map, tethered_robot(reach), Point(1, 1.5), Point(1, 1.5));
+    const double geodesic = metres(TetherSpace(problem, "test").cut());
+    const double least = metres(TetherSpace(problem, "test", TetherCut::least).cut());
+    EXPECT_GT(geodesic, 5);
+    if (reach > 1)
+      EXPECT_NEAR(least, 1, 0.1);
+    else
+      EXPECT_LE(least, geodesic);  // beside the pillar the farther places need the way around it
+    const Path path = plan("leashed", problem);
+    const TetherFigures figures = drive_tethered(problem, path, 0.5);
+    EXPECT_LE(figures.longest, problem.robot().tether->length + problem.tolerance());
+    EXPECT_EQ(figures.crossings, 0);
+  }
+}
+
+// Whatever the map, the anchor, the tool and the length of the tether.
+TEST(BridgeCut, TheTetherSufficesAndIsNeverDrivenOver) {
+  int shorter = 0;
+  for (const auto seed : seeds(2)) {
+    std::vector<Map> maps = tether_maps(seed);
+    for (const char* generator : {"speckle", "clutter", "cave", "maze"})
+      maps.push_back(generate(generator, {{"width", 14.0}, {"height", 11.0}}, seed));
+    for (const Map& map : maps)
+      for (const double reach : {1.02, 1.2, 3.0}) {
+        SCOPED_TRACE(fmt::format("{} reach {}", map.source, reach));
+        const Problem problem(map, tethered_robot(reach));
+        const Path path = plan("leashed", problem);
+        const TetherFigures figures = drive_tethered(problem, path, 0.5);
+        EXPECT_LE(figures.longest, problem.robot().tether->length + problem.tolerance());
+        EXPECT_EQ(figures.crossings, 0);
+        const Score result = score(problem, path);
+        EXPECT_EQ(result.flaw, "");
+        EXPECT_GE(result.value("coverage").value_or(0), 0.999);
+        shorter += metres(TetherSpace(problem, "test", TetherCut::least).cut()) + 0.1 <
+                           metres(TetherSpace(problem, "test").cut())
+                       ? 1
+                       : 0;
+      }
+  }
+  EXPECT_GE(shorter, 12);
 }
 
 TEST(Leashed, TakesThePlannersOwnParameters) {
@@ -243,7 +296,7 @@ TEST(Leashed, PassesAlongTheCutLieAToolWidthApart) {
                         Point(1, 4.5));  // the cut leads from the pillar to the right: 6.6 m
   const double w = problem.robot().tool_width;
   for (const char* inner : {"boustrophedon", "contour", "oarp"}) {
-    const Path path = plan("leashed", problem, {{"planner", std::string(inner)}});
+    const Path path = plan("leashed", problem, {{"planner", std::string(inner)}, {"cut", std::string("geodesic")}});
     EXPECT_LE(driven_along(TetherSpace(problem, "test").cut(), path, w / 4), 4 * w) << inner;
     EXPECT_GE(score(problem, path).value("coverage").value_or(0), 0.9999) << inner;
   }

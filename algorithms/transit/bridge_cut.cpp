@@ -1,0 +1,246 @@
+#include "algorithms/transit/bridge_cut.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <utility>
+
+#include "base/disjoint_sets.hpp"
+#include "geometry/edge_index.hpp"
+#include "geometry/mesh/mesh.hpp"
+#include "geometry/overlay/cut_along.hpp"
+#include "geometry/predicates.hpp"
+#include "geometry/ring_boxes.hpp"
+
+namespace oxturn {
+namespace {
+
+constexpr int kMostRounds = 8;
+constexpr std::size_t kMostVertices = 400'000;
+constexpr double kBeyond = 2;           // widths by which lines reach into walls
+constexpr double kAway = 2;             // widths between a line and the start or the anchor, at least
+constexpr double kWallWithin = 1.1;     // radii: distance of configuration space from walls; its arcs are polygons
+constexpr double kSpecksPerTool = 100;  // parts with less area than the tool's width squared over this do not count
+
+struct Bridge {
+  std::size_t a, b;  // rings of configuration space
+  double length;     // in configuration space, metres
+  Point from, to;    // inside walls
+};
+
+struct Stretch {
+  Point a, b;
+};
+
+Box box_of(const Point& a, const Point& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
+
+/// Do the closed segments ab and cd meet? Collinear ones do.
+bool meet(const Point& a, const Point& b, const Point& c, const Point& d) {
+  return orientation(a, b, c) * orientation(a, b, d) <= 0 && orientation(c, d, a) * orientation(c, d, b) <= 0;
+}
+
+/// Shortest paths of the robot from its start, which are a tree: the straight parts, each once.
+class DrivenTree {
+ public:
+  explicit DrivenTree(const Problem& problem)
+      : field_(problem.configuration_space(), problem.start(), {}, problem.tolerance()) {}
+
+  /// The path to p. False if nothing of it is new.
+  bool add(const Point& p) {
+    const std::size_t before = stretches_.size();
+    const Polyline path = field_.path(p);
+    for (std::size_t k = path.size(); k-- > 1;) {
+      if (!known_.insert({path[k].x(), path[k].y()}).second) break;  // and so is the way there
+      stretches_.push_back({path[k - 1], path[k]});
+    }
+    return stretches_.size() > before;
+  }
+
+  const std::vector<Stretch>& stretches() const { return stretches_; }
+  /// As barriers of a mesh.
+  std::vector<Polyline> lines() const {
+    std::vector<Polyline> lines;
+    for (const Stretch& s : stretches_) lines.push_back({s.a, s.b});
+    return lines;
+  }
+
+ private:
+  GeodesicField field_;
+  std::set<std::pair<double, double>> known_;  // ends of stretches
+  std::vector<Stretch> stretches_;
+};
+
+class BridgeCut {
+ public:
+  BridgeCut(const Problem& problem, double width)
+      : problem_(problem), width_(width), free_(problem.map().free), driven_(problem) {
+    number_rings();
+    add_candidates(Mesh(problem.map().free), bridges_);
+    add_candidates(Mesh(problem.configuration_space()), bridges_);
+  }
+
+  std::optional<std::vector<Polyline>> find() {
+    driven_.add(problem_.walls().nearest(anchor())->point);
+    for (int round = 0; round < kMostRounds; ++round) {
+      auto lines = tree();
+      if (!lines) return std::nullopt;
+      const auto far = too_far(*lines);
+      if (!far) return std::nullopt;
+      if (far->empty()) return lines;
+      bool any = false;
+      for (const Point& p : *far) any = driven_.add(p) || any;
+      if (!any) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Tree {
+    explicit Tree(std::size_t rings) : connected(rings) {}
+    bool whole() const { return lines.size() + 1 == connected.size(); }
+    DisjointSets connected;  // rings
+    std::vector<Polyline> lines;
+  };
+
+  const Point& anchor() const { return problem_.tether()->geodesics().anchor(); }
+
+  /// As the edges of walls() follow one another.
+  void number_rings() {
+    for (const Polygon& polygon : problem_.configuration_space().polygons) {
+      ring_.resize(ring_.size() + polygon.outer.size(), rings_++);
+      for (const Ring& hole : polygon.holes) ring_.resize(ring_.size() + hole.size(), rings_++);
+    }
+  }
+
+  /// Lines between the walls next to both ends of edges, and of perpendiculars to walls.
+  void add_candidates(const Mesh& mesh, std::vector<Bridge>& bridges) const {
+    const auto add = [&](const Point& a, const Point& b) {
+      if (const auto bridge = bridge_between(wall_at(a), wall_at(b))) bridges.push_back(*bridge);
+    };
+    for (std::size_t t = 0; t < mesh.triangles().size(); ++t) {
+      const auto number = static_cast<std::int32_t>(t);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Point &apex = mesh.vertex(number, k), &a = mesh.vertex(number, k + 1), &b = mesh.vertex(number, k + 2);
+        if (mesh.triangles()[t].neighbour[k] == Mesh::kWall)
+          add(apex, nearest_on_segment(apex, a, b));
+        else if (number < mesh.triangles()[t].neighbour[k])
+          add(a, b);
+      }
+    }
+  }
+  Point wall_at(const Point& p) const {
+    const auto wall = free_.nearest(p, kWallWithin * problem_.robot().radius + problem_.tolerance());
+    return wall ? wall->point : p;
+  }
+
+  /// If the line crosses configuration space once, from ring to ring, and keeps off the start and the anchor.
+  std::optional<Bridge> bridge_between(const Point& a, const Point& b) const {
+    const double size = distance(a, b);
+    if (size <= 2 * problem_.robot().radius) return std::nullopt;
+    const Point beyond = kBeyond * width_ / size * (b - a), from = a - beyond, to = b + beyond;
+    for (const Point& p : {problem_.start(), anchor()})
+      if (distance_to_segment(p, from, to) < kAway * width_) return std::nullopt;
+    std::vector<std::pair<std::size_t, Point>> crossed;  // ring, where
+    const EdgeIndex& walls = problem_.walls();
+    walls.for_each_near(box_of(from, to), [&](std::size_t e) {
+      const auto& [p, q] = walls.edges()[e];
+      const bool left_p = orientation(from, to, p) > 0, left_q = orientation(from, to, q) > 0;
+      if (left_p == left_q || orientation(p, q, from) * orientation(p, q, to) > 0) return;
+      const double u = cross(to - from, p - from), v = cross(to - from, q - from);
+      crossed.emplace_back(ring_[e], lerp(p, q, u / (u - v)));
+    });
+    if (crossed.size() != 2 || crossed[0].first == crossed[1].first) return std::nullopt;
+    return Bridge{crossed[0].first, crossed[1].first, distance(crossed[0].second, crossed[1].second), from, to};
+  }
+
+  /// The lines of a short tree that connects all rings; nullopt: there is none.
+  std::optional<std::vector<Polyline>> tree() const {
+    Tree tree(rings_);
+    grow(tree, bridges_, false);
+    if (!tree.whole()) {  // what lies between driven lines may need bridges of its own
+      std::vector<Bridge> bridges = bridges_;
+      add_candidates(Mesh(problem_.configuration_space(), driven_.lines()), bridges);
+      tree = Tree(rings_);
+      grow(tree, bridges, false);
+      grow(tree, bridges, true);
+    }
+    if (!tree.whole()) return std::nullopt;
+    return std::move(tree.lines);
+  }
+  /// By bridges that driven lines cross, or by those that none crosses; the shortest first.
+  void grow(Tree& tree, const std::vector<Bridge>& bridges, bool crossed) const {
+    std::vector<Box> boxes;
+    for (const Stretch& s : driven_.stretches()) boxes.push_back(box_of(s.a, s.b));
+    const BoxIndex index(std::move(boxes));
+    const auto is_crossed = [&](const Bridge& bridge) {
+      const auto near = index.overlapping(box_of(bridge.from, bridge.to));
+      return std::ranges::any_of(near, [&](std::uint32_t k) {
+        return meet(bridge.from, bridge.to, driven_.stretches()[k].a, driven_.stretches()[k].b);
+      });
+    };
+    std::vector<const Bridge*> found;
+    for (const Bridge& bridge : bridges)
+      if (is_crossed(bridge) == crossed) found.push_back(&bridge);
+    std::ranges::stable_sort(found, {}, &Bridge::length);
+    for (const Bridge* bridge : found)
+      if (tree.connected.unite(bridge->a, bridge->b)) tree.lines.push_back({bridge->from, bridge->to});
+  }
+
+  /// Vertices of the cut space for which the tether is too short. nullopt: the lines do not cut space open, or the
+  /// tether cannot begin as it does.
+  std::optional<std::vector<Point>> too_far(const std::vector<Polyline>& lines) const {
+    const double speck = problem_.robot().tool_width * problem_.robot().tool_width / kSpecksPerTool;
+    const Region open = cut_along(problem_.configuration_space(), lines, width_);
+    const GeodesicField field(cut_along(problem_.map().free, lines, width_), anchor(),
+                              problem_.tether()->closed_gaps(), problem_.tolerance(), problem_.start());
+    if (is_too_far(problem_.start(), field)) return std::nullopt;
+    std::vector<Point> far;
+    std::size_t parts = 0;
+    for (const Polygon& part : open.polygons) {
+      if (area(part) <= speck) continue;
+      if (!part.holes.empty() || ++parts > 1) return std::nullopt;
+      add_farthest(part.outer, field, far);
+    }
+    return far;
+  }
+  /// Of each run of vertices that are too far, the one that is farthest.
+  void add_farthest(const Ring& ring, const GeodesicField& field, std::vector<Point>& far) const {
+    double most = 0;  // of the run
+    for (const Point& p : ring) {
+      if (!is_too_far(p, field)) {
+        most = 0;
+        continue;
+      }
+      const double needed = field.distance(p);
+      if (most == 0)
+        far.push_back(p);
+      else if (needed > most)
+        far.back() = p;
+      most = std::max(most, needed);
+    }
+  }
+  bool is_too_far(const Point& p, const GeodesicField& field) const {
+    const double needed = field.distance(p);
+    return needed > problem_.robot().tether->length &&
+           needed > problem_.tether()->geodesics().distance(p) + problem_.tolerance();
+  }
+
+  const Problem& problem_;
+  double width_;
+  EdgeIndex free_;
+  DrivenTree driven_;
+  std::vector<std::size_t> ring_;  // by edge of walls()
+  std::size_t rings_ = 0;
+  std::vector<Bridge> bridges_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Polyline>> bridge_cut(const Problem& problem, double width) {
+  if (problem.tether()->farthest() > problem.robot().tether->length) return std::nullopt;
+  if (vertex_count(problem.configuration_space()) > kMostVertices) return std::nullopt;
+  return BridgeCut(problem, width).find();
+}
+
+}  // namespace oxturn
