@@ -172,10 +172,7 @@ class WindingNumbers {
 
   /// Component by component, in the order of their first vertices: what lies below such a vertex is known by then.
   std::vector<Windings> run() {
-    std::vector<EdgeBelow::Edge> slanted;
-    for (std::uint32_t i = 0; i < edges_.size(); ++i)
-      if (edges_[i].a.x < edges_[i].b.x) slanted.push_back({edges_[i].a, edges_[i].b, i});
-    const EdgeBelow below(std::move(slanted));
+    FewEdgesBelow below(edges_.size(), [this](std::uint32_t e) { return std::pair(edges_[e].a, edges_[e].b); });
     for (std::uint32_t root = 0; root < fans_.vertices(); ++root) {
       if (reached_[root] != 0) continue;
       const HalfEdge first = fans_.at(root).front();
