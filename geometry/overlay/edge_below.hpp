@@ -79,7 +79,7 @@ class FewEdgesBelow {
   }
 
  private:
-  static constexpr std::size_t kWorthIndex = 4;  // looks at each edge; building an index costs about as much
+  static constexpr std::size_t kWorthIndex = 2;  // looks at each edge; building an index costs about as much
 
   void build() {
     std::vector<EdgeBelow::Edge> slanted;
