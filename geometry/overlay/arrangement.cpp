@@ -11,10 +11,12 @@
 namespace oxturn {
 namespace {
 
-/// An edge while edges are being split. Resolved: it has been intersected with all other resolved edges.
-struct Piece {
-  OverlayEdge edge;
-  bool resolved = false;
+using Edges = std::vector<OverlayEdge>;
+
+/// Sorted edges, while they are being split. Resolved ones have been intersected with all other resolved ones.
+struct Pieces {
+  Edges edges;
+  std::vector<std::uint8_t> unresolved;  // by edge; empty: all are
 };
 
 /// A point at which an edge is to be split.
@@ -39,8 +41,8 @@ bool bends_to(const LatticePoint& a, const LatticePoint& b, const LatticePoint& 
 bool opposite_signs(std::int64_t s, std::int64_t t) { return (s < 0 && t > 0) || (s > 0 && t < 0); }
 
 /// The points at which two edges have to be split because of each other.
-void add_cuts(const std::vector<Piece>& pieces, std::uint32_t i, std::uint32_t j, std::vector<Cut>& cuts) {
-  const OverlayEdge &e = pieces[i].edge, &f = pieces[j].edge;
+void add_cuts(const Edges& edges, std::uint32_t i, std::uint32_t j, std::vector<Cut>& cuts) {
+  const OverlayEdge &e = edges[i], &f = edges[j];
   const std::int64_t ea = twice_area(f.a, f.b, e.a), eb = twice_area(f.a, f.b, e.b);
   const std::int64_t fa = twice_area(e.a, e.b, f.a), fb = twice_area(e.a, e.b, f.b);
   const std::size_t before = cuts.size();
@@ -57,47 +59,50 @@ void add_cuts(const std::vector<Piece>& pieces, std::uint32_t i, std::uint32_t j
   if (p != f.a && p != f.b) cuts.push_back({j, p});
 }
 
-/// Resolved pieces, sorted, and unresolved ones, in any order, in one sorted list. Equal edges become one; edges
-/// without weight vanish.
-std::vector<Piece> merged(const std::vector<Piece>& resolved, std::vector<Piece>& unresolved) {
+/// Resolved edges, sorted, and unresolved ones, in any order, in one sorted list. Equal edges become one; edges without
+/// weight vanish.
+void merge(const Edges& resolved, Edges& unresolved, Pieces& out) {
   spread_sort(
-      unresolved, [](const Piece& p) { return sort_key(p.edge.a); },
-      [](const Piece& p, const Piece& q) { return edge_order(p.edge, q.edge); });
-  std::vector<Piece> out;
-  out.reserve(resolved.size() + unresolved.size());
+      unresolved, [](const OverlayEdge& e) { return sort_key(e.a); }, edge_order);
+  out.edges.clear();
+  out.unresolved.clear();
+  out.edges.reserve(resolved.size() + unresolved.size());
+  const bool all = resolved.empty();
+  if (!all) out.unresolved.reserve(resolved.size() + unresolved.size());
   const auto drop_weightless = [&] {
-    if (!out.empty() && out.back().edge.weight == Windings{}) out.pop_back();
+    if (out.edges.empty() || out.edges.back().weight != Windings{}) return;
+    out.edges.pop_back();
+    if (!all) out.unresolved.pop_back();
   };
-  const auto add = [&](const Piece& p) {
-    if (!out.empty() && out.back().edge.a == p.edge.a && out.back().edge.b == p.edge.b) {
-      out.back().edge.weight = out.back().edge.weight + p.edge.weight;
-      out.back().resolved = out.back().resolved || p.resolved;  // an equal edge has been intersected already
+  const auto add = [&](const OverlayEdge& e, std::uint8_t is_unresolved) {
+    if (!out.edges.empty() && out.edges.back().a == e.a && out.edges.back().b == e.b) {
+      out.edges.back().weight = out.edges.back().weight + e.weight;
+      if (!all) out.unresolved.back() &= is_unresolved;  // an equal edge has been intersected already
     } else {
       drop_weightless();
-      out.push_back(p);
+      out.edges.push_back(e);
+      if (!all) out.unresolved.push_back(is_unresolved);
     }
   };
   auto r = resolved.begin();
-  for (const Piece& p : unresolved) {
-    for (; r != resolved.end() && !edge_order(p.edge, r->edge); ++r) add(*r);
-    add(p);
+  for (const OverlayEdge& e : unresolved) {
+    for (; r != resolved.end() && !edge_order(e, *r); ++r) add(*r, 0);
+    add(e, 1);
   }
-  for (; r != resolved.end(); ++r) add(*r);
+  for (; r != resolved.end(); ++r) add(*r, 0);
   drop_weightless();
-  return out;
 }
 
 /// Sorted by edge, then point; no repeats.
-std::vector<Cut> find_cuts(const std::vector<Piece>& pieces) {
-  std::vector<std::uint8_t> unresolved(pieces.size());
-  for (std::size_t i = 0; i < pieces.size(); ++i) unresolved[i] = pieces[i].resolved ? 0 : 1;
+std::vector<Cut> find_cuts(const Pieces& pieces) {
   const auto segment = [&](std::size_t i) {
-    const OverlayEdge& e = pieces[i].edge;
+    const OverlayEdge& e = pieces.edges[i];
     return SegmentPart{double(e.a.x), double(e.a.y), double(e.b.x), double(e.b.y), static_cast<std::uint32_t>(i)};
   };
   std::vector<Cut> cuts;
-  for_close_pairs(pieces.size(), segment, 1.0, unresolved,
-                  [&](std::uint32_t i, std::uint32_t j) { add_cuts(pieces, std::min(i, j), std::max(i, j), cuts); });
+  for_close_pairs(pieces.edges.size(), segment, 1.0, pieces.unresolved, [&](std::uint32_t i, std::uint32_t j) {
+    add_cuts(pieces.edges, std::min(i, j), std::max(i, j), cuts);
+  });
   spread_sort(
       cuts, [](const Cut& c) { return std::uint64_t{c.edge}; },
       [](const Cut& c, const Cut& d) { return c.edge != d.edge ? c.edge < d.edge : c.at < d.at; });
@@ -114,18 +119,17 @@ void directed(const LatticePoint& p, const LatticePoint& q, Windings weight, F f
     f(OverlayEdge{q, p, Windings{} - weight});
 }
 
-/// Splits the pieces at the cuts. Pieces without a cut are resolved then and keep their order.
-void split(const std::vector<Piece>& pieces, const std::vector<Cut>& cuts, std::vector<Piece>& resolved,
-           std::vector<Piece>& unresolved) {
+/// Splits the edges at the cuts. Those without a cut are resolved then and keep their order.
+void split(const Edges& edges, const std::vector<Cut>& cuts, Edges& resolved, Edges& unresolved) {
   resolved.clear();
   unresolved.clear();
   std::vector<LatticePoint> stops;
-  for (std::size_t i = 0, c = 0; i < pieces.size(); ++i) {
-    const OverlayEdge e = pieces[i].edge;
+  for (std::size_t i = 0, c = 0; i < edges.size(); ++i) {
+    const OverlayEdge e = edges[i];
     stops.clear();
     for (; c < cuts.size() && cuts[c].edge == i; ++c) stops.push_back(cuts[c].at);
     if (stops.empty()) {
-      resolved.push_back({e, true});
+      resolved.push_back(e);
       continue;
     }
     std::sort(stops.begin(), stops.end(), [&](const LatticePoint& p, const LatticePoint& q) {
@@ -135,30 +139,28 @@ void split(const std::vector<Piece>& pieces, const std::vector<Cut>& cuts, std::
     stops.push_back(e.b);
     LatticePoint at = e.a;
     for (const LatticePoint& stop : stops) {
-      directed(at, stop, e.weight, [&](const OverlayEdge& part) { unresolved.push_back({part, false}); });
+      directed(at, stop, e.weight, [&](const OverlayEdge& part) { unresolved.push_back(part); });
       at = stop;
     }
   }
 }
 
 /// Splits the edges until they meet at common ends only; sorts and merges them.
-void resolve(std::vector<OverlayEdge>& edges) {
+void resolve(Edges& edges) {
   // A round moves edges by less than a quantum and only to lattice points that are vertices already. Three rounds are
   // usual, more than ten have never been seen.
   constexpr int kMostRounds = 200;
-  std::vector<Piece> resolved, unresolved;
-  unresolved.reserve(edges.size());
-  for (const OverlayEdge& e : edges) unresolved.push_back({e, false});
-  std::vector<Piece> pieces = merged(resolved, unresolved);
+  Edges resolved, unresolved = std::move(edges);
+  Pieces pieces;
+  merge(resolved, unresolved, pieces);
   for (int round = 0;; ++round) {
     if (round == kMostRounds) throw std::runtime_error("overlay of regions does not converge on its lattice");
     const std::vector<Cut> cuts = find_cuts(pieces);
     if (cuts.empty()) break;
-    split(pieces, cuts, resolved, unresolved);
-    pieces = merged(resolved, unresolved);
+    split(pieces.edges, cuts, resolved, unresolved);
+    merge(resolved, unresolved, pieces);
   }
-  edges.clear();
-  for (const Piece& p : pieces) edges.push_back(p.edge);
+  edges = std::move(pieces.edges);
 }
 
 /// Computes the winding numbers to the left of each edge a -> b.
@@ -172,10 +174,7 @@ class WindingNumbers {
 
   /// Component by component, in the order of their first vertices: what lies below such a vertex is known by then.
   std::vector<Windings> run() {
-    std::vector<EdgeBelow::Edge> slanted;
-    for (std::uint32_t i = 0; i < edges_.size(); ++i)
-      if (edges_[i].a.x < edges_[i].b.x) slanted.push_back({edges_[i].a, edges_[i].b, i});
-    const EdgeBelow below(std::move(slanted));
+    FewEdgesBelow below(edges_.size(), [this](std::uint32_t e) { return std::pair(edges_[e].a, edges_[e].b); });
     for (std::uint32_t root = 0; root < fans_.vertices(); ++root) {
       if (reached_[root] != 0) continue;
       const HalfEdge first = fans_.at(root).front();

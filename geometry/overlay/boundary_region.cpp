@@ -97,12 +97,10 @@ class RingBuilder {
 
   /// Finds the polygons of the cycles that have no outer ring of their own.
   void nest(std::vector<std::uint32_t>& polygon_of) const {
-    std::vector<EdgeBelow::Edge> slanted;
-    for (std::uint32_t i = 0; i < boundary_.size(); ++i) {
-      const auto [low, high] = std::minmax(boundary_[i].from, boundary_[i].to);
-      if (low.x != high.x) slanted.push_back({low, high, i});
-    }
-    const EdgeBelow below(std::move(slanted));
+    FewEdgesBelow below(boundary_.size(), [this](std::uint32_t e) {
+      const auto [low, high] = std::minmax(boundary_[e].from, boundary_[e].to);
+      return std::pair(low, high);
+    });
     std::vector<std::uint32_t> order(lowest_.size());
     for (std::uint32_t c = 0; c < order.size(); ++c) order[c] = c;
     std::ranges::sort(order, [&](std::uint32_t c, std::uint32_t d) { return lowest_[c] < lowest_[d]; });

@@ -2,17 +2,20 @@
 ///
 ///   for_close_pairs(n, segment, 1.0, {}, [&](std::uint32_t i, std::uint32_t j) { /* candidates */ });
 ///
-/// Many segments are distributed to the cells of a grid over their box and clipped to them; each cell is searched in
-/// the same way, small ones pair by pair. Where a grid does not help (all detail in one corner, or long segments),
-/// space is halved at the mean of the segments' ends. O(n + pairs) for segments spread evenly, O(n log n + pairs) for
-/// other usual data. UniformGrid would not do: it does not adapt to crowded areas, and searching it pair by pair costs
-/// the square of the segments in a cell.
+/// Up to some thousand segments are swept by x: each is compared with those that begin before it ends, usually a few.
+/// More are distributed to the cells of a grid over their box and clipped to them, and each cell is swept. Where
+/// segments overlap in x too much, cells are divided by smaller grids, and where these do not help (all detail in one
+/// corner, or long segments), space is halved at the mean of the segments' ends. O(n + pairs) for segments spread
+/// evenly and in the order of their left ends, O(n log n + pairs) for other usual data. UniformGrid would not do: it
+/// does not adapt to crowded areas, and searching it pair by pair costs the square of the segments in a cell.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -29,33 +32,70 @@ class ClosePairs {
  public:
   ClosePairs(std::size_t n, At at, double slack, const std::vector<std::uint8_t>& active, F f)
       : slack_(slack), active_(active), f_(std::move(f)) {
-    if (n >= kMany && distribute(n, at, extent(n, at), 0)) return;
+    if (n > kMany && distribute(n, at, extent(n, at), 0)) return;
     arena_.reserve(3 * n);
     for (std::size_t k = 0; k < n; ++k) arena_.push_back(at(k));
     search(0, n, 0);
   }
 
  private:
-  static constexpr std::size_t kFew = 24;         // compared pair by pair
-  static constexpr std::size_t kMany = 256;       // worth a grid
-  static constexpr std::size_t kCacheful = 1024;  // per cell of the first grid, so that a cell fits into the cache
+  static constexpr std::size_t kFew = 24;       // each is compared with each
+  static constexpr std::size_t kMany = 2048;    // too many to be swept without a grid
+  static constexpr std::size_t kOverlaps = 64;  // comparisons for each segment, above which a grid finds fewer
+  static constexpr std::size_t kWorthGrid = 256;
+  static constexpr std::size_t kInCell = 512;  // of the first grid: so many are swept
   static constexpr int kDeepest = 60;
 
   bool is_active(const SegmentPart& s) const { return active_.empty() || active_[s.id] != 0; }
 
-  void compare_all(std::size_t begin, std::size_t end) {
+  /// Sweeps a range of the arena by x: each segment is compared with those that begin before it ends. False, if that
+  /// takes more than `most` comparisons; some pairs have been found by then.
+  bool sweep(std::size_t begin, std::size_t end, std::size_t most) {
+    const auto first = arena_.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last = arena_.begin() + static_cast<std::ptrdiff_t>(end);
+    const auto by_left_end = [](const SegmentPart& s, const SegmentPart& t) { return s.x0 < t.x0; };
+    if (!std::is_sorted(first, last, by_left_end)) std::sort(first, last, by_left_end);
+    actives_.clear();
+    if (!active_.empty())
+      for (std::size_t i = begin; i < end; ++i)
+        if (is_active(arena_[i])) actives_.push_back(i);
+    std::size_t compared = 0, next = 0;  // the first of actives_ behind i
     for (std::size_t i = begin; i < end; ++i) {
-      const SegmentPart& a = arena_[i];
-      const double low = std::min(a.y0, a.y1) - slack_, high = std::max(a.y0, a.y1) + slack_;
-      const double left = a.x0 - slack_, right = a.x1 + slack_;
-      const bool active = is_active(a);
-      for (std::size_t j = i + 1; j < end; ++j) {
-        const SegmentPart& b = arena_[j];
-        if (b.x0 > right || b.x1 < left || std::min(b.y0, b.y1) > high || std::max(b.y0, b.y1) < low) continue;
-        if (active || is_active(b)) f_(a.id, b.id);
-      }
+      if (next < actives_.size() && actives_[next] == i) ++next;
+      if (is_active(arena_[i]))
+        compared += compare(i, i + 1, end, [](std::size_t j) { return j; });
+      else
+        compared += compare(i, next, actives_.size(), [this](std::size_t k) { return actives_[k]; });
+      if (compared > most) return false;
     }
+    return true;
   }
+  /// Compares segment i with the segments at(from), at(from + 1), ... before at(to) that begin before it ends; returns
+  /// how many these are.
+  template <class Where>
+  std::size_t compare(std::size_t i, std::size_t from, std::size_t to, Where at) {
+    const SegmentPart a = arena_[i];
+    const double low = std::min(a.y0, a.y1) - slack_, high = std::max(a.y0, a.y1) + slack_, right = a.x1 + slack_;
+    constexpr std::size_t kAtATime = 32;
+    std::array<std::uint32_t, kAtATime> met;
+    std::size_t k = from;
+    for (bool more = true; more;) {
+      std::size_t count = 0;
+      const std::size_t stop = std::min(to, k + kAtATime);
+      for (; k < stop; ++k) {
+        const SegmentPart& b = arena_[at(k)];
+        if (b.x0 > right) break;
+        met[count] = b.id;  // kept if they meet: without a branch, which would be mispredicted often
+        count += static_cast<std::size_t>(std::min(b.y0, b.y1) <= high) &
+                 static_cast<std::size_t>(std::max(b.y0, b.y1) >= low);
+      }
+      more = k == stop && k < to;
+      for (std::size_t m = 0; m < count; ++m) f_(a.id, met[m]);
+    }
+    return k - from;
+  }
+
+  void sweep_all(std::size_t begin, std::size_t end) { sweep(begin, end, std::numeric_limits<std::size_t>::max()); }
 
   /// Clips s to low <= x <= high; s comes to it.
   static void clip_x(SegmentPart& s, double low, double high) {
@@ -125,7 +165,7 @@ class ClosePairs {
 
   Grid grid_over(std::size_t n, const Extent& e) const {
     const double width = e.x_high - e.x_low + slack_, height = e.y_high - e.y_low + slack_;
-    const std::size_t per_cell = n > 8 * kCacheful && e.active > n / 8 ? kCacheful : kFew / 3;
+    const std::size_t per_cell = n > kMany && e.active > n / 8 ? kInCell : kFew / 3;
     const double cells = static_cast<double>(n) / static_cast<double>(per_cell);
     const double columns = std::clamp(std::sqrt(cells * width / height), 1.0, cells);
     return {Intervals(e.x_low, width, columns), Intervals(e.y_low, height, cells / columns)};
@@ -186,13 +226,13 @@ class ClosePairs {
   void search(std::size_t begin, std::size_t end, int depth) {
     const std::size_t n = end - begin;
     if (n < 2) return;
-    if (n <= kFew || depth > kDeepest) return compare_all(begin, end);
+    if (depth > kDeepest) return sweep_all(begin, end);
+    if (n <= kMany && sweep(begin, end, std::max(kFew * kFew, kOverlaps * n))) return;
     const auto at = [&](std::size_t k) { return arena_[begin + k]; };
     const Extent e = extent(n, at);
-    if (e.active == 0 || (n >= kMany && distribute(n, at, e, depth))) return;
+    if (e.active == 0 || (n >= kWorthGrid && distribute(n, at, e, depth))) return;
     const bool longer_in_x = e.x_high - e.x_low >= e.y_high - e.y_low;
-    if (!halve(begin, end, longer_in_x, e, depth) && !halve(begin, end, !longer_in_x, e, depth))
-      compare_all(begin, end);
+    if (!halve(begin, end, longer_in_x, e, depth) && !halve(begin, end, !longer_in_x, e, depth)) sweep_all(begin, end);
   }
 
   /// Halves space at the mean of one coordinate and searches both halves; false if that would separate too little.
@@ -230,6 +270,7 @@ class ClosePairs {
   }
 
   std::vector<SegmentPart> arena_;
+  std::vector<std::size_t> actives_;  // of the range that is swept: where active segments are in the arena
   double slack_;
   const std::vector<std::uint8_t>& active_;
   F f_;

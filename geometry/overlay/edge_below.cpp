@@ -9,8 +9,9 @@ namespace {
 
 __extension__ typedef __int128 Wide;
 
-/// Is e above f just left of x? Both span x and do not cross.
-bool higher(const EdgeBelow::Edge& e, const EdgeBelow::Edge& f, std::int32_t x) {
+}  // namespace
+
+bool EdgeBelow::higher(const Edge& e, const Edge& f, std::int32_t x) {
   const std::int64_t ex = std::int64_t{e.b.x} - e.a.x, ey = std::int64_t{e.b.y} - e.a.y;
   const std::int64_t fx = std::int64_t{f.b.x} - f.a.x, fy = std::int64_t{f.b.y} - f.a.y;
   // The heights at x are (a.y * ex + ey * (x - a.x)) / ex, compared over the common denominator ex * fx.
@@ -19,8 +20,6 @@ bool higher(const EdgeBelow::Edge& e, const EdgeBelow::Edge& f, std::int32_t x) 
   if (e_height != f_height) return e_height > f_height;
   return ey * fx < fy * ex;  // they meet at x: the one that rises less was above
 }
-
-}  // namespace
 
 /// Calls f(cell, edge index) for every cell that an edge belongs to: its level in all columns with an x for which
 /// borders[c] < x <= borders[c + 1] and that it spans.
@@ -87,9 +86,7 @@ std::uint32_t EdgeBelow::below(const LatticePoint& p) const {
     if (best && top_[cell] < std::min(best->a.y, best->b.y)) break;
     for (std::size_t k = first_[cell]; k < first_[cell + 1]; ++k) {
       const Edge& e = edges_[items_[k]];
-      if (e.a.x >= p.x || e.b.x < p.x) continue;
-      if (std::min(e.a.y, e.b.y) > p.y || twice_area(e.a, e.b, p) <= 0) continue;
-      if (!best || higher(e, *best, p.x)) best = &e;
+      if (is_below(e, p) && (!best || higher(e, *best, p.x))) best = &e;
     }
   }
   return best ? best->id : kNone;

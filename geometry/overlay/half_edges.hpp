@@ -52,8 +52,13 @@ class VertexFans {
       if (p_after != q_after) return p_after;
       return twice_area(v, p, q) > 0;
     };
-    for (std::size_t v = 0; v < vertices(); ++v)
-      std::sort(half_edges_.begin() + first_[v], half_edges_.begin() + first_[v + 1], by_angle);
+    for (std::size_t v = 0; v < vertices(); ++v) {
+      HalfEdge* const fan = half_edges_.data() + first_[v];
+      if (first_[v + 1] - first_[v] > 2)
+        std::sort(fan, half_edges_.data() + first_[v + 1], by_angle);
+      else if (first_[v + 1] - first_[v] == 2 && by_angle(fan[1], fan[0]))  // most are of this kind
+        std::swap(fan[0], fan[1]);
+    }
   }
 
   std::size_t vertices() const { return first_.size() - 1; }
@@ -88,6 +93,7 @@ class VertexFans {
     spread_sort(
         upper, [](const End& e) { return e.key; },
         [](const End& e, const End& f) { return e.key != f.key ? e.key < f.key : e.half_edge < f.half_edge; });
+    first_.reserve(n + 1);
     std::uint64_t key = 0;
     for (std::uint32_t k = 0, l = 0, u = 0; k < 2 * n; ++k) {
       const End& end = u == n || (l < n && lower[l].key <= upper[u].key) ? lower[l++] : upper[u++];

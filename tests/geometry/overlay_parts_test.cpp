@@ -36,7 +36,7 @@ TEST(SpreadSort, SortsEvenlySpreadClusteredAndEqualKeys) {
 }
 
 std::vector<SegmentPart> random_segments(Rng& rng) {
-  const int kind = rng.between(0, 4), n = rng.between(2, 1500);
+  const int kind = rng.between(0, 4), n = rng.chance(0.2) ? rng.between(2500, 3500) : rng.between(2, 1500);
   std::vector<SegmentPart> out;
   for (int k = 0; k < n; ++k) {
     double x = rng.between(0.0, 1e6), y = rng.between(0.0, 1e6), reach = 2e4;
@@ -107,6 +107,8 @@ TEST(EdgeBelow, IsTheHighestOfTheEdgesBelow) {
     for (std::size_t k = shuffled.size(); k > 1; --k)
       std::swap(shuffled[k - 1], shuffled[static_cast<std::size_t>(rng.between(0, static_cast<int>(k) - 1))]);
     const EdgeBelow below(shuffled);
+    std::ranges::sort(edges, {}, [](const EdgeBelow::Edge& e) { return e.a; });
+    FewEdgesBelow few(edges.size(), [&](std::uint32_t e) { return std::pair(edges[e].a, edges[e].b); });
     for (int q = 0; q < 100; ++q) {
       const LatticePoint p{rng.between(-1100, 2000), rng.between(-100, 3100)};
       std::uint32_t best = EdgeBelow::kNone;
@@ -121,7 +123,10 @@ TEST(EdgeBelow, IsTheHighestOfTheEdgesBelow) {
           best = e.id;
         }
       }
-      if (!on_edge) { EXPECT_EQ(below.below(p), best); }
+      if (on_edge) continue;
+      EXPECT_EQ(below.below(p), best);
+      const std::uint32_t e = few.below(p);
+      EXPECT_EQ(e == EdgeBelow::kNone ? e : edges[e].id, best);
     }
   }
 }
