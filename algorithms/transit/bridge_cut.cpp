@@ -192,8 +192,8 @@ class BridgeCut {
   std::optional<std::vector<Point>> too_far(const std::vector<Polyline>& lines) const {
     const double speck = problem_.robot().tool_width * problem_.robot().tool_width / kSpecksPerTool;
     const Region open = cut_along(problem_.configuration_space(), lines, width_);
-    const GeodesicField field(cut_along(problem_.map().free, lines, width_), anchor(),
-                              problem_.tether()->closed_gaps(), problem_.tolerance(), problem_.start());
+    const GeodesicField field(cut_along(problem_.map().free, lines, width_), anchor(), problem_.tether()->closed_gaps(),
+                              problem_.tolerance(), problem_.start());
     if (is_too_far(problem_.start(), field)) return std::nullopt;
     std::vector<Point> far;
     std::size_t parts = 0;
