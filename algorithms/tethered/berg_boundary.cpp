@@ -92,7 +92,7 @@ class BergBoundary::NodeSearch {
   /// Looks at all corners in sight and in the node's sector.
   void look_round(std::size_t index) {
     BergNode& node = b_.nodes_[index];
-    const Ring seen = visibility_.from(node.at, b_.tolerance_, &near_);
+    const Ring seen = view_of(node);
     b_.find_reach(node, seen);
     node.range = SightRange(node.at, node.begin, node.width, seen, b_.tolerance_);
     candidates_ = corners_at_.back();
@@ -112,6 +112,16 @@ class BergBoundary::NodeSearch {
       open_.push({length, k});
     }
     b_.add_dividers(index, candidates_, longest_);
+  }
+
+  /// What the node sees in its sector and a little beside it: more than rounding can add to the sector.
+  Ring view_of(const BergNode& node) {
+    constexpr double kBeside = 0.05, kWidest = 3;  // radians
+    if (node.width + 2 * kBeside > kWidest) return visibility_.from(node.at, b_.tolerance_, &near_);
+    const double size = distance(node.at, node.hidden);
+    const auto towards = [&](double angle) { return Point(size * Point(std::cos(angle), std::sin(angle))); };
+    return visibility_.from(node.at, {towards(node.begin - kBeside), towards(node.begin + node.width + kBeside)},
+                            b_.tolerance_, &near_);
   }
 
   BergBoundary& b_;
@@ -175,6 +185,7 @@ void BergBoundary::find_reach(BergNode& node, const Ring& seen) const {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const Point &a = seen[i], &b = seen[(i + 1) % seen.size()];
     if (node.parent) {
+      if (distance(node.at, a) <= tolerance_ || distance(node.at, b) <= tolerance_) continue;  // a side of what is seen
       const bool spans = cross(a - node.at, right - node.at) >= 0 && cross(left - node.at, b - node.at) >= 0 &&
                          cross(a - node.at, b - node.at) > 0;
       if (!nearly_in_sector(node, a) && !nearly_in_sector(node, b) && !spans) continue;
