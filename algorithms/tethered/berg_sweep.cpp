@@ -9,6 +9,7 @@ namespace oxturn {
 
 namespace {
 
+constexpr double kGrownEnough = 1.25;  // items, over those in order: then all are put in order
 constexpr double kFineTurn = 0.25;  // radians from sample to sample: what lies between two is then empty if both are
 
 /// Makes intervals ascending and disjoint.
@@ -77,6 +78,31 @@ void BergSweep::activate(const Activation& a) {
   item(arc).next = between;
 }
 
+/// In the order of the list, those that have left it behind: each boundary walks the whole list, and what is scattered in
+/// memory is slow to walk.
+void BergSweep::renumber_items() {
+  std::vector<std::int32_t> number(items_.size(), kNone);
+  std::vector<Item> ordered;
+  ordered.reserve(items_.size());
+  const auto take = [&](std::int32_t i) {
+    number[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(ordered.size());
+    ordered.push_back(item(i));
+  };
+  for (std::int32_t i = 0; i != kNone; i = item(i).next) take(i);
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(items_.size()); ++i)
+    if (number[static_cast<std::size_t>(i)] == kNone) take(i);
+  const auto renumber = [&](std::int32_t& i) {
+    if (i != kNone) i = number[static_cast<std::size_t>(i)];
+  };
+  for (Item& i : ordered) {
+    renumber(i.next);
+    renumber(i.sibling);
+  }
+  std::ranges::for_each(first_arc_, renumber);
+  items_ = std::move(ordered);
+  in_order_ = items_.size();
+}
+
 bool BergSweep::has_ended(const Item& arc) const {
   if (arc.node == kNone) return false;
   if (arc.empty && arc.end - arc.begin == 1) return true;  // and nothing will begin there
@@ -91,6 +117,7 @@ std::vector<BergBoundary::Piece> BergSweep::at(double length) {
   length_ = length;
   for (; active_ < activations_.size() && activations_[active_].length < length; ++active_)
     activate(activations_[active_]);
+  if (static_cast<double>(items_.size()) > kGrownEnough * static_cast<double>(in_order_)) renumber_items();
   std::vector<BergBoundary::Piece> pieces(1);
   drop_ended_after(0);
   for (std::int32_t before = 0; item(before).next != kNone;) {

@@ -73,6 +73,7 @@ class BergSweep {
 
   std::int32_t add_arcs_of(std::int32_t node);
   void activate(const Activation& a);
+  void renumber_items();
   bool has_ended(const Item& item) const;
   void drop_ended_after(std::int32_t item);
   struct Run {  // of samples
@@ -99,6 +100,7 @@ class BergSweep {
   std::vector<Activation> activations_;     // by length, parents first
   std::size_t active_ = 0;                  // so many of them have happened
   std::vector<Item> items_;                 // the first one is the list's head
+  std::size_t in_order_ = 0;                // so many of them were numbered when renumber_items() was last called
   std::vector<std::int32_t> first_arc_;     // by node
 };
 
