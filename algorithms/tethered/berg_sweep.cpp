@@ -10,7 +10,7 @@ namespace oxturn {
 namespace {
 
 constexpr double kGrownEnough = 1.25;  // items, over those in order: then all are put in order
-constexpr double kFineTurn = 0.25;  // radians from sample to sample: what lies between two is then empty if both are
+constexpr double kFineTurn = 0.25;     // radians from sample to sample: what lies between two is then empty if both are
 
 /// Makes intervals ascending and disjoint.
 template <class Angles>
@@ -65,8 +65,8 @@ void BergSweep::activate(const Activation& a) {
   while (item(arc).end < a.event) arc = item(arc).sibling;
   const BergBoundary::Event& e = b_.events_[static_cast<std::size_t>(a.node)][static_cast<std::size_t>(a.event)];
   const auto rest = static_cast<std::int32_t>(items_.size());
-  items_.push_back({a.node, a.event, item(arc).end, item(arc).next, item(arc).sibling, item(arc).empty,
-                    item(arc).reach});
+  items_.push_back(
+      {a.node, a.event, item(arc).end, item(arc).next, item(arc).sibling, item(arc).empty, item(arc).reach});
   std::int32_t between = rest + 1;
   if (e.is_divider)
     items_.push_back({kNone, static_cast<std::int32_t>(e.index), kNone});
@@ -78,8 +78,8 @@ void BergSweep::activate(const Activation& a) {
   item(arc).next = between;
 }
 
-/// In the order of the list, those that have left it behind: each boundary walks the whole list, and what is scattered in
-/// memory is slow to walk.
+/// In the order of the list, those that have left it behind: each boundary walks the whole list, and what is scattered
+/// in memory is slow to walk.
 void BergSweep::renumber_items() {
   std::vector<std::int32_t> number(items_.size(), kNone);
   std::vector<Item> ordered;
@@ -178,7 +178,7 @@ void BergSweep::sample(Item& arc, Polyline& points) {
     return node.at + radius * Point(std::cos(angle), std::sin(angle));
   };
   const double stride = longest_stride(radius, turn(1) - turn(0));
-  double attempt = 0;  // the first sample that may be reached by leaving others out
+  double attempt = 0;   // the first sample that may be reached by leaving others out
   bool driven = false;  // is the previous sample to be driven? Of others nothing more is asked, and they are not empty
   auto empty = empty_[v].cbegin();
   kept_.clear();
