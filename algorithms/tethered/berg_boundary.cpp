@@ -92,9 +92,10 @@ class BergBoundary::NodeSearch {
   /// Looks at all corners in sight and in the node's sector.
   void look_round(std::size_t index) {
     BergNode& node = b_.nodes_[index];
-    const Ring seen = visibility_.from(node.at, b_.tolerance_, &near_);
+    Ring seen = view_of(node);
     b_.find_reach(node, seen);
     node.range = SightRange(node.at, node.begin, node.width, seen, b_.tolerance_);
+    std::ranges::sort(seen, before);
     candidates_ = corners_at_.back();
     for (const std::int32_t point : near_) {
       const auto& here = corners_at_[static_cast<std::size_t>(point)];
@@ -107,11 +108,21 @@ class BergBoundary::NodeSearch {
       const double length = node.before + distance(node.at, corner.at);
       // Of two paths that differ by rounding alone the straighter one, which was found first, stays.
       if (length > longest_ || length >= looks_[k].length - b_.tolerance_ * 1e-3) continue;
-      if (!b_.in_sector(node, corner.at) || !b_.sight_.sees(node.at, corner.at)) continue;
+      if (!b_.in_sector(node, corner.at) || !b_.sees_corner(node.at, corner, seen)) continue;
       looks_[k] = {length, index};
       open_.push({length, k});
     }
-    b_.add_dividers(index, candidates_, longest_);
+    b_.add_dividers(index, candidates_, seen, longest_);
+  }
+
+  /// What the node sees in its sector and a little beside it: more than rounding can add to the sector.
+  Ring view_of(const BergNode& node) {
+    constexpr double kBeside = 0.05, kWidest = 3;  // radians
+    if (node.width + 2 * kBeside > kWidest) return visibility_.from(node.at, b_.tolerance_, &near_);
+    const double size = distance(node.at, node.hidden);
+    const auto towards = [&](double angle) { return Point(size * Point(std::cos(angle), std::sin(angle))); };
+    return visibility_.from(node.at, {towards(node.begin - kBeside), towards(node.begin + node.width + kBeside)},
+                            b_.tolerance_, &near_);
   }
 
   BergBoundary& b_;
@@ -133,6 +144,13 @@ BergBoundary::BergBoundary(const Region& free, const EdgeIndex& walls, const std
   sort_events();
   number_dividers();
   drop_repeated_dividers();
+}
+
+/// `seen`: the vertices of what is seen from the eye, sorted. Others may be seen along a single line, and corners that
+/// share a point are not seen from everywhere where that is.
+bool BergBoundary::sees_corner(const Point& eye, const BergSight::Corner& corner, const Ring& seen) const {
+  const bool simple = !corner.shares_point && std::binary_search(seen.begin(), seen.end(), corner.at, before);
+  return simple || sight_.sees(eye, corner.at);
 }
 
 /// Closed, exact.
@@ -175,6 +193,7 @@ void BergBoundary::find_reach(BergNode& node, const Ring& seen) const {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const Point &a = seen[i], &b = seen[(i + 1) % seen.size()];
     if (node.parent) {
+      if (distance(node.at, a) <= tolerance_ || distance(node.at, b) <= tolerance_) continue;  // a side of what is seen
       const bool spans = cross(a - node.at, right - node.at) >= 0 && cross(left - node.at, b - node.at) >= 0 &&
                          cross(a - node.at, b - node.at) > 0;
       if (!nearly_in_sector(node, a) && !nearly_in_sector(node, b) && !spans) continue;
@@ -192,13 +211,15 @@ void BergBoundary::add_children_events() {
     for (const Event& e : events_[v]) nodes_[v].reach = std::max(nodes_[v].reach, e.distance);
 }
 
-void BergBoundary::add_dividers(std::size_t v, const std::vector<std::uint32_t>& corners, double longest) {
+/// `seen`: as for sees_corner().
+void BergBoundary::add_dividers(std::size_t v, const std::vector<std::uint32_t>& corners, const Ring& seen,
+                                double longest) {
   const BergNode& node = nodes_[v];
   events_.resize(std::max(events_.size(), v + 1));
-  /// `visible`: the point that must be seen for `at` to count.
-  const auto offer = [&](const Point& at, const Point& visible, HiddenSide side) {
+  /// `sees`: is what must be seen for `at` to count?
+  const auto offer = [&](const Point& at, HiddenSide side, auto sees) {
     const double rho = distance(node.at, at);
-    if (rho == 0 || node.before + rho >= longest || !sight_.sees(node.at, visible)) return;
+    if (rho == 0 || node.before + rho >= longest || !sees()) return;
     events_[v].push_back({at, true, dividers_.size(), side, rho});
     dividers_.push_back({at, v, node.before + rho});
   };
@@ -206,7 +227,8 @@ void BergBoundary::add_dividers(std::size_t v, const std::vector<std::uint32_t>&
     const Point foot = nearest_on_segment(node.at, a, b);
     const double rho = distance(node.at, foot);
     if (rho > 0 && nearly_in_sector(node, foot))
-      offer(foot, lerp(foot, node.at, std::min(1.0, tolerance_ / rho)), HiddenSide::none);
+      offer(foot, HiddenSide::none,
+            [&] { return sight_.sees(node.at, lerp(foot, node.at, std::min(1.0, tolerance_ / rho))); });
   };
   for (const std::uint32_t k : corners) {
     const BergSight::Corner& c = sight_.corners()[k];
@@ -214,7 +236,7 @@ void BergBoundary::add_dividers(std::size_t v, const std::vector<std::uint32_t>&
     const bool nearer_at_next = (c.next - c.at).dot(node.at - c.at) > 0;
     const bool nearer_at_previous = (c.previous - c.at).dot(node.at - c.at) > 0;
     if (!nearer_at_next && !nearer_at_previous && in_sector(node, c.at) && BergSight::open_towards(c, node.at))
-      offer(c.at, c.at, hidden_side(node.at, c));
+      offer(c.at, hidden_side(node.at, c), [&] { return sees_corner(node.at, c, seen); });
     if (nearer_at_next && (c.at - c.next).dot(node.at - c.next) > 0) offer_foot(c.at, c.next);
   }
 }

@@ -11,10 +11,10 @@
 ///        ########| *
 ///
 /// Source      Berg, "A Geometric Algorithm for Online Tethered Navigation", LTH 2021, section 3.1
-/// Complexity  n corners: O(n log n), and for each node the triangles that it sees, with two tests of sight for each of
-///             their corners; on real maps O(n log n). (Berg 2021 "scales poorly for large distances in environments
-///             with many corners".) A boundary: one test of sight per sample, without those in directions in which
-///             nothing so far away is seen (sight_range.hpp).
+/// Complexity  n corners: O(n log n), and for each node the triangles that it sees in its sector, with a test of sight
+///             for feet on walls there; on real maps O(n log n). (Berg 2021 "scales poorly for large distances in
+///             environments with many corners".) A boundary: one test of sight per sample, without those in directions
+///             in which nothing so far away is seen (sight_range.hpp).
 /// Decisions   1. A corner is looked at once, by the node that reaches it with the least tether ("when a corner is
 ///                passed but not included it is never considered for the algorithm again"). Without this rule the
 ///                tether would wind round obstacles as its length allows, in exponentially many classes. With the rule
@@ -109,7 +109,8 @@ class BergBoundary {
   void add_node(const BergSight::Corner& corner, HiddenSide side, std::size_t parent, double before);
   void find_reach(BergNode& node, const Ring& seen) const;
   void add_children_events();
-  void add_dividers(std::size_t node, const std::vector<std::uint32_t>& corners, double longest);
+  bool sees_corner(const Point& eye, const BergSight::Corner& corner, const Ring& seen) const;
+  void add_dividers(std::size_t node, const std::vector<std::uint32_t>& corners, const Ring& seen, double longest);
   static bool earlier_in_line(const Event& a, const Event& b);
   void sort_events();
   void number_dividers();

@@ -9,7 +9,8 @@ namespace oxturn {
 
 namespace {
 
-constexpr double kFineTurn = 0.25;  // radians from sample to sample: what lies between two is then empty if both are
+constexpr double kGrownEnough = 1.25;  // items, over those in order: then all are put in order
+constexpr double kFineTurn = 0.25;     // radians from sample to sample: what lies between two is then empty if both are
 
 /// Makes intervals ascending and disjoint.
 template <class Angles>
@@ -26,11 +27,13 @@ void unite(std::vector<Angles>& intervals) {
 
 }  // namespace
 
-BergSweep::BergSweep(const BergBoundary& boundary, double spacing, BergThinning thinning, BergTrim trim)
+BergSweep::BergSweep(const BergBoundary& boundary, double spacing, BergThinning thinning, BergTrim trim,
+                     std::function<bool(const Point&)> keep)
     : b_(boundary),
       spacing_(spacing),
       thinning_(std::move(thinning)),
       trim_(std::move(trim)),
+      keep_(std::move(keep)),
       empty_(boundary.nodes_.size()),
       items_{{kNone, kNone, kNone}},
       first_arc_(boundary.nodes_.size(), kNone) {
@@ -50,7 +53,9 @@ BergSweep::BergSweep(const BergBoundary& boundary, double spacing, BergThinning 
 std::int32_t BergSweep::add_arcs_of(std::int32_t node) {
   const auto v = static_cast<std::size_t>(node);
   const auto arc = static_cast<std::int32_t>(items_.size());
-  items_.push_back({node, kNone, static_cast<std::int32_t>(b_.events_[v].size())});
+  Item whole{node, kNone, static_cast<std::int32_t>(b_.events_[v].size())};
+  whole.reach = b_.nodes_[v].before + b_.nodes_[v].reach + b_.tolerance_;
+  items_.push_back(whole);
   return first_arc_[v] = arc;
 }
 
@@ -60,7 +65,8 @@ void BergSweep::activate(const Activation& a) {
   while (item(arc).end < a.event) arc = item(arc).sibling;
   const BergBoundary::Event& e = b_.events_[static_cast<std::size_t>(a.node)][static_cast<std::size_t>(a.event)];
   const auto rest = static_cast<std::int32_t>(items_.size());
-  items_.push_back({a.node, a.event, item(arc).end, item(arc).next, item(arc).sibling, item(arc).empty});
+  items_.push_back(
+      {a.node, a.event, item(arc).end, item(arc).next, item(arc).sibling, item(arc).empty, item(arc).reach});
   std::int32_t between = rest + 1;
   if (e.is_divider)
     items_.push_back({kNone, static_cast<std::int32_t>(e.index), kNone});
@@ -72,11 +78,35 @@ void BergSweep::activate(const Activation& a) {
   item(arc).next = between;
 }
 
+/// In the order of the list, those that have left it behind: each boundary walks the whole list, and what is scattered
+/// in memory is slow to walk.
+void BergSweep::renumber_items() {
+  std::vector<std::int32_t> number(items_.size(), kNone);
+  std::vector<Item> ordered;
+  ordered.reserve(items_.size());
+  const auto take = [&](std::int32_t i) {
+    number[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(ordered.size());
+    ordered.push_back(item(i));
+  };
+  for (std::int32_t i = 0; i != kNone; i = item(i).next) take(i);
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(items_.size()); ++i)
+    if (number[static_cast<std::size_t>(i)] == kNone) take(i);
+  const auto renumber = [&](std::int32_t& i) {
+    if (i != kNone) i = number[static_cast<std::size_t>(i)];
+  };
+  for (Item& i : ordered) {
+    renumber(i.next);
+    renumber(i.sibling);
+  }
+  std::ranges::for_each(first_arc_, renumber);
+  items_ = std::move(ordered);
+  in_order_ = items_.size();
+}
+
 bool BergSweep::has_ended(const Item& arc) const {
   if (arc.node == kNone) return false;
   if (arc.empty && arc.end - arc.begin == 1) return true;  // and nothing will begin there
-  const BergNode& node = b_.nodes_[static_cast<std::size_t>(arc.node)];
-  return length_ - node.before > node.reach + b_.tolerance_;
+  return length_ > arc.reach;
 }
 
 void BergSweep::drop_ended_after(std::int32_t i) {
@@ -87,6 +117,7 @@ std::vector<BergBoundary::Piece> BergSweep::at(double length) {
   length_ = length;
   for (; active_ < activations_.size() && activations_[active_].length < length; ++active_)
     activate(activations_[active_]);
+  if (static_cast<double>(items_.size()) > kGrownEnough * static_cast<double>(in_order_)) renumber_items();
   std::vector<BergBoundary::Piece> pieces(1);
   drop_ended_after(0);
   for (std::int32_t before = 0; item(before).next != kNone;) {
@@ -147,7 +178,8 @@ void BergSweep::sample(Item& arc, Polyline& points) {
     return node.at + radius * Point(std::cos(angle), std::sin(angle));
   };
   const double stride = longest_stride(radius, turn(1) - turn(0));
-  double attempt = 0;  // the first sample that may be reached by leaving others out
+  double attempt = 0;   // the first sample that may be reached by leaving others out
+  bool driven = false;  // is the previous sample to be driven? Of others nothing more is asked, and they are not empty
   auto empty = empty_[v].cbegin();
   kept_.clear();
   for (double k = steps.first, previous = -1; k <= steps.last; ++k) {
@@ -161,7 +193,7 @@ void BergSweep::sample(Item& arc, Polyline& points) {
       continue;
     }
     if (const double next = std::min(previous + stride, steps.last);
-        previous >= attempt && previous == k - 1 && next > k) {
+        driven && previous >= attempt && previous == k - 1 && next > k) {
       const Point p = at(next);
       if (radius < node.range.sure(turn(previous), turn(next)) && !is_trimmed(p) &&
           thinning_.is_free(points.back(), p)) {
@@ -174,8 +206,9 @@ void BergSweep::sample(Item& arc, Polyline& points) {
     const SightRange::Answer answer = node.range.look(turn(k), radius);
     if (answer == SightRange::Answer::hidden) continue;
     const Point p = at(k);
-    if (is_trimmed(p) || (answer == SightRange::Answer::unknown && !b_.sight_.sees(node.at, p))) continue;
-    add(p, points);
+    driven = !keep_ || keep_(p);
+    if (driven && (is_trimmed(p) || (answer == SightRange::Answer::unknown && !b_.sight_.sees(node.at, p)))) continue;
+    if (driven) add(p, points);
     if (previous < 0 || previous < k - 1) kept_.push_back({k, k});
     previous = kept_.back().last = k;
   }

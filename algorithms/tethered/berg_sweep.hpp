@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "algorithms/tethered/berg_boundary.hpp"
@@ -36,8 +37,10 @@ struct BergTrim {
 
 class BergSweep {
  public:
-  /// `boundary` must outlive it. `spacing`: of samples, metres.
-  BergSweep(const BergBoundary& boundary, double spacing, BergThinning thinning = {}, BergTrim trim = {});
+  /// `boundary` must outlive it. `spacing`: of samples, metres. Of the samples only those are given for which `keep` is
+  /// true; empty: all.
+  BergSweep(const BergBoundary& boundary, double spacing, BergThinning thinning = {}, BergTrim trim = {},
+            std::function<bool(const Point&)> keep = {});
 
   /// See BergBoundary::at. `length` must not be less than the one before.
   std::vector<BergBoundary::Piece> at(double length);
@@ -51,6 +54,7 @@ class BergSweep {
     std::int32_t next = kNone;     // in the list
     std::int32_t sibling = kNone;  // the next arc of the node
     bool empty = false;            // of samples, in this boundary and all that follow
+    double reach = std::numeric_limits<double>::infinity();  // metres of tether up to which the node sees something
   };
   struct Angles {
     double from, to;
@@ -69,6 +73,7 @@ class BergSweep {
 
   std::int32_t add_arcs_of(std::int32_t node);
   void activate(const Activation& a);
+  void renumber_items();
   bool has_ended(const Item& item) const;
   void drop_ended_after(std::int32_t item);
   struct Run {  // of samples
@@ -89,11 +94,13 @@ class BergSweep {
   double spacing_, length_ = 0;
   BergThinning thinning_;
   BergTrim trim_;
+  std::function<bool(const Point&)> keep_;
   std::vector<std::vector<Angles>> empty_;  // by node: where samples are hidden or trimmed, ascending, disjoint
   std::vector<Run> kept_;                   // of the present arc
   std::vector<Activation> activations_;     // by length, parents first
   std::size_t active_ = 0;                  // so many of them have happened
   std::vector<Item> items_;                 // the first one is the list's head
+  std::size_t in_order_ = 0;                // so many of them were numbered when renumber_items() was last called
   std::vector<std::int32_t> first_arc_;     // by node
 };
 

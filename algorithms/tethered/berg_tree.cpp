@@ -20,15 +20,13 @@ BergTree::BergTree(const BergBoundary& boundary, const Laps& laps, const std::fu
 void BergTree::add_laps(const Laps& laps, const std::function<bool(const Point&)>& keep,
                         const std::function<bool()>& stop) {
   const double last = std::min(laps.longest * (1 + 1e-12), boundary_.farthest());
-  BergSweep sweep(boundary_, laps.spacing, laps.thinning, laps.trim);
+  BergSweep sweep(boundary_, laps.spacing, laps.thinning, laps.trim, keep);
   std::size_t previous = 0;  // index of the first piece of the lap before
   for (std::size_t lap = 1; static_cast<double>(lap) * laps.step <= last && !stop(); ++lap) {
     const double length = static_cast<double>(lap) * laps.step;
     const std::size_t begin = pieces_.size();
     for (BergBoundary::Piece& found : sweep.at(length)) {
-      Piece piece{lap, length, found.divider, std::nullopt, {}, {}};
-      std::erase_if(found.points, [&](const Point& p) { return !keep(p); });
-      piece.points = std::move(found.points);
+      Piece piece{lap, length, found.divider, std::nullopt, {}, std::move(found.points)};
       if (lap > 1) {
         // The parent contains the point just left of our divider: the last piece of the lap before that begins no
         // later, or, round the circle, its last piece.

@@ -13,7 +13,7 @@
 namespace oxturn {
 namespace {
 
-constexpr std::size_t kMostSlices = 64;
+constexpr std::size_t kMostSlices = 64, kSlicesPerEdge = 4;
 constexpr double kSlack = 4;        // tolerances
 constexpr double kNear = 1000;      // tolerances
 constexpr double kRounding = 1e-9;  // radians
@@ -25,7 +25,7 @@ SightRange::SightRange(const Point& eye, double begin, double width, const Ring&
     : begin_(begin),
       width_(width),
       tolerance_(tolerance),
-      slices_(std::clamp<std::size_t>(seen.size(), 1, kMostSlices), 0.0),
+      slices_(std::clamp<std::size_t>(kSlicesPerEdge * seen.size(), 1, kMostSlices), 0.0),
       sure_(slices_.size(), kUnknown) {
   for (std::size_t i = 0; i < seen.size(); ++i) add_edge(seen[i] - eye, seen[(i + 1) % seen.size()] - eye, begin);
   std::ranges::replace(sure_, kUnknown, 0.0);

@@ -12,6 +12,7 @@
 #include "geometry/paths/visibility.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "base/sorting.hpp"
@@ -111,6 +112,39 @@ std::vector<Window> windows_around(const Mesh& mesh, const Point& eye, const std
   return around;
 }
 
+/// The part of the window's cone between two rays; nullopt if there is none. The rays, too, are less than pi apart.
+std::optional<Window> clipped(Window w, const Point& eye, const Point& right, const Point& left) {
+  // Is p in the cone, `from` included and `to` not?
+  const auto holds = [&](const Point& from, const Point& to, const Point& p) {
+    return orientation(eye, from, p) >= 0 && orientation(eye, p, to) > 0;
+  };
+  const bool begins = holds(w.right, w.left, right);
+  if (!begins && !holds(right, left, w.right)) return std::nullopt;
+  const bool ends = orientation(eye, w.right, left) > 0 && orientation(eye, left, w.left) >= 0;
+  if (begins) w.right = right;
+  if (ends) w.left = left;
+  return w;
+}
+
+/// What is seen through windows, counter-clockwise, is appended to `seen`: where one does not begin where the one
+/// before ended, over the eye. `last`: where what comes before the first one ended.
+void look_through(const std::vector<Window>& windows, const Mesh& mesh, const Point& eye, Point last, Ring& seen,
+                  std::vector<std::int32_t>* near) {
+  Expansion expansion(mesh, eye, seen, near);
+  for (const Window& w : windows) {
+    if (last != w.right) seen.push_back(eye);
+    expansion.run(w);
+    last = w.left;
+  }
+}
+
+/// Adds the vertices of the triangles at the eye.
+void add_home(const Mesh& mesh, const std::vector<std::int32_t>& home, std::vector<std::int32_t>& near) {
+  for (const std::int32_t t : home)
+    near.insert(near.end(), mesh.triangle(t).vertex.begin(), mesh.triangle(t).vertex.end());
+  sort_unique(near);
+}
+
 }  // namespace
 
 /// The triangles that contain the eye, which is moved into the mesh if need be.
@@ -133,18 +167,25 @@ Ring Visibility::from(const Point& given, double tolerance, std::vector<std::int
   const std::vector<Window> around = windows_around(mesh_, eye, home);
   Ring seen;
   if (near) near->clear();
-  Expansion expansion(mesh_, eye, seen, near);
-  for (std::size_t i = 0; i < around.size(); ++i) {
-    const Window& previous = around[(i + around.size() - 1) % around.size()];
-    if (previous.left != around[i].right) seen.push_back(eye);
-    expansion.run(around[i]);
-  }
+  if (!around.empty()) look_through(around, mesh_, eye, around.back().left, seen, near);
   while (seen.size() > 1 && seen.back() == seen.front()) seen.pop_back();
-  if (near) {
-    for (const std::int32_t t : home)
-      near->insert(near->end(), mesh_.triangle(t).vertex.begin(), mesh_.triangle(t).vertex.end());
-    sort_unique(*near);
-  }
+  if (near) add_home(mesh_, home, *near);
+  return seen;
+}
+
+Ring Visibility::from(const Point& given, const ViewSector& sector, double tolerance,
+                      std::vector<std::int32_t>* near) const {
+  Point eye = given;
+  const std::vector<std::int32_t> home = home_of(eye, tolerance);
+  const Point right = eye + sector.right, left = eye + sector.left;
+  std::vector<Window> within;
+  for (const Window& w : windows_around(mesh_, eye, home))
+    if (const auto part = clipped(w, eye, right, left)) within.push_back(*part);
+  std::ranges::sort(within, [&](const Window& a, const Window& b) { return orientation(eye, a.right, b.right) > 0; });
+  Ring seen{eye};
+  if (near) near->clear();
+  if (!within.empty()) look_through(within, mesh_, eye, within.front().right, seen, near);
+  if (near) add_home(mesh_, home, *near);
   return seen;
 }
 

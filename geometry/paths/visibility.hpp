@@ -27,6 +27,15 @@ class Visibility {
   /// `near`, if given, gets points of the mesh, ascending: the vertices of all triangles of which something is seen.
   Ring from(const Point& eye, double tolerance = 0, std::vector<std::int32_t>* near = nullptr) const;
 
+  /// Directions from the eye: counter-clockwise from `right` to `left`, by less than pi. Of any length above 0.
+  struct ViewSector {
+    Point right, left;
+  };
+  /// The same, but only what is seen in the sector: the polygon begins at the eye. O(triangles seen there). `near` gets
+  /// the vertices of all triangles at the eye, too.
+  Ring from(const Point& eye, const ViewSector& sector, double tolerance = 0,
+            std::vector<std::int32_t>* near = nullptr) const;
+
  private:
   std::vector<std::int32_t> home_of(Point& eye, double tolerance) const;
   Mesh mesh_;

@@ -93,6 +93,31 @@ TEST(BergSweep, TrimmedBoundariesAreThoseOfALookAtEverySample) {
   EXPECT_LT(lost, kept / 2000);
 }
 
+TEST(BergSweep, OfWhatIsNotToBeKeptNothingIsLostBeside) {
+  std::size_t all = 0, left = 0;
+  for (const char* generator : {"clutter", "speckle", "rooms", "cave"}) {
+    const Scene s(floor(generator, 3));
+    const auto shortest = [&](const Point& p) { return s.problem.tether()->geodesics().distance(p); };
+    const auto keep = [&](const Point& p) { return s.problem.walls().contains(p); };
+    for (const bool trims : {false, true}) {
+      const BergTrim trim = trims ? BergTrim{shortest, 1e-5} : BergTrim{};
+      BergSweep whole(s.boundary, 0.05, {}, trim), kept(s.boundary, 0.05, {}, trim, keep);
+      for (double l = 0.2; l < s.boundary.farthest(); l += 0.2) {
+        SCOPED_TRACE(fmt::format("{} length {} trims {}", generator, l, trims));
+        std::vector<Point> expected, found;
+        for (const auto& piece : whole.at(l)) {
+          all += piece.points.size();
+          std::ranges::copy_if(piece.points, std::back_inserter(expected), keep);
+        }
+        for (const auto& piece : kept.at(l)) found.insert(found.end(), piece.points.begin(), piece.points.end());
+        left += found.size();
+        ASSERT_EQ(found, expected);
+      }
+    }
+  }
+  EXPECT_LT(10 * left, 9 * all);
+}
+
 // Two blocks touch at (5, 5): one sees past them on both sides, but not between them.
 TEST(BergSight, DoesNotPassBetweenObstaclesThatTouchInAPoint) {
   Region room = box_region({0, 0}, {10, 10});

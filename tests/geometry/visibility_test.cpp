@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "geometry/edge_index.hpp"
+#include "geometry/overlay/boolean.hpp"
 #include "random_region.hpp"
 #include "samples.hpp"
 #include "tests/support/drawn.hpp"
@@ -65,6 +66,40 @@ void compare(const Region& region, Rng& rng, int eyes, int points) {
     EXPECT_NEAR(area(seen), area_by_rays(region, eye, 2000), 0.02 * area(seen) + 1e-3 * area(region));
     EXPECT_TRUE(k % 3 != 0 || samples::sees_all_round(seen, eye));
   }
+}
+
+/// The triangle at the eye between two directions, with a far side beyond the region.
+Region wedge(const Point& eye, const Visibility::ViewSector& sector, double far) {
+  const Point right = sector.right.normalized(), left = sector.left.normalized();
+  const double away = far / std::sqrt((1 + right.dot(left)) / 2);  // so that the far side is `far` away
+  return {{{{eye, eye + away * right, eye + away * left}, {}}}};
+}
+
+TEST(Visibility, InASectorSeesThatPartOfTheWhole) {
+  std::size_t nothing = 0, something = 0;
+  for (const auto seed : seeds(40)) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Rng rng(seed);
+    const Region region = clutter_box(rng, rng.between(1, 4), rng.between(1, 4), seed % 2 == 0);
+    const EdgeIndex index(region);
+    const Visibility visibility(region);
+    const Box box = bounding_box(region);
+    for (int k = 0; k < 12; ++k) {
+      const Point eye = k % 3 == 0 ? free_point(rng, index, box) : index.edges()[rng.below(index.edges().size())].a;
+      const double begin = rng.between(0.0, 2 * kPi), width = rng.between(0.01, 3.0);
+      const Visibility::ViewSector sector{2 * rotated({1, 0}, begin), 0.5 * rotated({1, 0}, begin + width)};
+      SCOPED_TRACE(testing::Message() << "eye " << eye.transpose() << ", from " << begin << " by " << width);
+      std::vector<std::int32_t> near, near_all;
+      const Ring part = visibility.from(eye, sector, 0, &near), all = visibility.from(eye, 0, &near_all);
+      EXPECT_TRUE(std::ranges::includes(near_all, near));
+      EXPECT_EQ(part.front(), eye);
+      const double expected = area(intersect({{{all, {}}}}, wedge(eye, sector, 2 * box.size().norm())));
+      EXPECT_NEAR(part.size() < 3 ? 0 : signed_area(part), expected, 1e-6);
+      ++(expected > 0 ? something : nothing);
+    }
+  }
+  EXPECT_GT(something, 300u);
+  EXPECT_GT(nothing, 20u);
 }
 
 TEST(Visibility, SeesWhatSegmentsReachAmongConvexHoles) {
