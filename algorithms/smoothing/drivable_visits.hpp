@@ -23,8 +23,8 @@
 namespace oxturn {
 
 struct VisitLimits {
-  double allowed = 0;        // square metres that may stay uncovered: no more visits then
-  double least_gain = 0.01;  // share of the tool's width that a visit covers for each metre that it adds, at least
+  double allowed = 0;         // square metres that may stay uncovered: no more visits then
+  double least_gain = 0.001;  // share of the tool's width that a visit covers for each metre that it adds, at least
 };
 
 /// `left_out`: strokes worth driving whole. Publishes better paths. Ends early if cancelled.
