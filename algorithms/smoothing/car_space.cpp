@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "geometry/point_outside.hpp"
 
@@ -25,27 +27,33 @@ Curve straight(const Pose& from, double shift, double radius) {
           {{Steering::straight, std::abs(shift), shift < 0 ? Gear::reverse : Gear::forward}}};
 }
 
-void add_curves(const Pose& from, const Pose& to, double radius, bool reverse, std::vector<Curve>& out) {
-  if (reverse) out.push_back(reeds_shepp_curve(from, to, radius));
-  for (Curve& word : dubins_words(from, to, radius)) out.push_back(std::move(word));
+/// Between poses moved by `out` and `in`.
+void add_curves(const Pose& from, double out, const Pose& to, double in, double radius, bool reverse,
+                std::vector<Curve>& all) {
+  const Curve first = straight(from, out, radius), last = straight(ahead(to, -in), in, radius);
+  const auto add = [&](const Curve& middle) { all.push_back(joined(joined(first, middle), last)); };
+  if (reverse) add(reeds_shepp_curve(first.to, last.from, radius));
+  for (const Curve& word : dubins_words(first.to, last.from, radius)) add(word);
+}
+
+/// Metres out and in, none first.
+std::vector<std::pair<double, double>> shifts(double radius, bool reverse) {
+  std::vector<double> each;
+  for (const double shift : kShifts) {
+    each.push_back(shift * radius);
+    if (reverse && shift > 0) each.push_back(-shift * radius);
+  }
+  std::vector<std::pair<double, double>> all;
+  for (const double out : each)
+    for (const double in : each) all.push_back({out, in});
+  return all;
 }
 
 }  // namespace
 
 std::vector<Curve> link_curves(const Pose& from, const Pose& to, double radius, bool reverse) {
-  std::vector<double> shifts;
-  for (const double shift : kShifts) {
-    shifts.push_back(shift * radius);
-    if (reverse && shift > 0) shifts.push_back(-shift * radius);
-  }
   std::vector<Curve> all;
-  for (const double out : shifts)
-    for (const double in : shifts) {
-      const Curve first = straight(from, out, radius), last = straight(ahead(to, -in), in, radius);
-      std::vector<Curve> middle;
-      add_curves(first.to, last.from, radius, reverse, middle);
-      for (const Curve& curve : middle) all.push_back(joined(joined(first, curve), last));
-    }
+  for (const auto& [out, in] : shifts(radius, reverse)) add_curves(from, out, to, in, radius, reverse, all);
   return all;
 }
 
@@ -71,8 +79,11 @@ CarSpace::CarSpace(const Problem& problem, const EdgeIndex& walls, const Box& bo
       reverse_(false) {}
 
 bool CarSpace::free(const Polyline& line) const {
-  for (std::size_t i = 1; i < line.size(); ++i)
-    if (point_outside(walls_, line[i - 1], line[i], tolerance_)) return false;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    if (walls_.contains(line[i - 1], line[i])) continue;
+    if (!nearly_contains(walls_, line[i], tolerance_) || point_outside(walls_, line[i - 1], line[i], tolerance_))
+      return false;  // the end alone first, because most of those that leave end outside
+  }
   return true;
 }
 
@@ -103,12 +114,31 @@ double CarSpace::cost(const Curve& curve) const {
   return curve.length() + stop_cost_ * static_cast<double>(curve.cusps());
 }
 
-std::optional<Curve> CarSpace::simple_link(const Pose& from, const Pose& to) const {
-  std::vector<Curve> all = link_curves(from, to, radius_, reverse_);
-  std::ranges::stable_sort(all, {}, [&](const Curve& curve) { return cost(curve); });
-  for (const Curve& curve : all)
-    if (free(curve)) return curve;
+/// The cheapest free curve that costs less than `most`.
+std::optional<Curve> CarSpace::cheapest_free(std::vector<Curve> curves, double most) const {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    if (const double metres = cost(curves[i]); metres < most) order.push_back({metres, i});
+  std::ranges::sort(order);
+  for (const auto& [metres, i] : order)
+    if (free(curves[i])) return std::move(curves[i]);
   return std::nullopt;
+}
+
+std::optional<Curve> CarSpace::simple_link(const Pose& from, const Pose& to) const {
+  std::vector<Curve> curves;
+  add_curves(from, 0, to, 0, radius_, reverse_, curves);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Curve& curve : curves) least = std::min(least, curve.length());
+  std::optional<Curve> best = cheapest_free(std::move(curves), std::numeric_limits<double>::infinity());
+  const double most = best ? cost(*best) : std::numeric_limits<double>::infinity();
+  if (most <= least) return best;
+  curves.clear();
+  for (const auto& [out, in] : shifts(radius_, reverse_))
+    if ((out != 0 || in != 0) && std::abs(out) + std::abs(in) < most)
+      add_curves(from, out, to, in, radius_, reverse_, curves);
+  if (auto shifted = cheapest_free(std::move(curves), most)) return shifted;
+  return best;
 }
 
 std::optional<Curve> CarSpace::detour(const std::vector<Pose>& from, const Pose& to, DetourEffort& effort,

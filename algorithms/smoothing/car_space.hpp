@@ -62,6 +62,8 @@ class CarSpace {
   bool can_go_on(const Pose& from, double metres) const;
 
  private:
+  std::optional<Curve> cheapest_free(std::vector<Curve> curves, double most) const;
+
   const Problem* problem_ = nullptr;  // of which it is the space; nullptr: of another region
   const EdgeIndex& walls_;
   Box bounds_;

@@ -135,7 +135,7 @@ Path drivable(const Problem& problem, const Path& path, Context& context, Detour
                                  problem.start().x(), problem.start().y()));
   const double target = area(problem.target());
   const double allowed = std::max(uncovered_area(problem, path), kNeedless * target);
-  driven = with_visits(problem, std::move(driven), left_out.strokes(), allowed, space, context);
+  driven = with_visits(problem, std::move(driven), left_out.strokes(), {.allowed = allowed}, space, context);
   Path result = path_of(driven, problem.start(), space.chord_error());
   if (left_out.too_many() && !context.cancelled() &&
       uncovered_area(problem, result) > allowed + kMostUncovered * target)

@@ -15,8 +15,9 @@
 ///
 /// Rounded corners, dead ends and lanes without a link leave parts of the target uncovered. These are visited by short
 /// strokes inserted into the path (drivable_visits.hpp), until no more is uncovered than the planner's own path leaves
-/// (or 0.05 % of the target, if that is more), or no visit is found that gets there and away again. What no
-/// drivable path covers stays uncovered: forwards, corners sharper than the robot turns.
+/// (or 0.05 % of the target, if that is more), or no visit is found that gets there and away again and covers a
+/// thousandth of the tool's width for each metre that it adds. What no drivable path covers stays uncovered: forwards,
+/// corners sharper than the robot turns.
 ///
 /// Source      ours; lane orders after Bochtis and Vougioukas 2008, links after Dubins 1957, Reeds and Shepp 1990
 /// Guarantee   the path keeps min_turn_radius and stays in configuration space. Coverage is not guaranteed: a detour

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "algorithms/smoothing/strokes.hpp"
 
 namespace oxturn {
 namespace {
 
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kUncut = 0.4;         // radii at both ends of an edge
 constexpr std::size_t kCutsNear = 16;  // that are compared by the least that they may cost
 constexpr std::size_t kTried = 5;      // of these, exactly
@@ -81,11 +83,13 @@ std::optional<Curve> InsertedStrokes::link(const Pose& from, const Pose& to, boo
   return search ? space_.detour({from}, to, effort_, context_) : std::nullopt;
 }
 
-std::optional<InsertedStrokes::Insertion> InsertedStrokes::inserted_at(std::size_t c, Polyline line,
-                                                                       bool search) const {
+std::optional<InsertedStrokes::Insertion> InsertedStrokes::inserted_at(std::size_t c, Polyline line, bool search,
+                                                                       double most) const {
   const Cut& cut = cuts_[c];
   std::optional<Curve> to = link(cut.out, first_pose(line), search);
   if (!to) return std::nullopt;
+  const double least_back = cut.last ? 0 : space_.least_length(last_pose(line), cut.in);
+  if (space_.cost(*to) + length(line) + least_back - cut.saved >= most) return std::nullopt;
   std::optional<Curve> back;
   if (!cut.last && !(back = link(last_pose(line), cut.in, search))) return std::nullopt;
   const double cost = space_.cost(*to) + length(line) + (back ? space_.cost(*back) : 0) - cut.saved;
@@ -100,7 +104,7 @@ std::optional<InsertedStrokes::Insertion> InsertedStrokes::insertion_of(const Po
     if (tried++ == (search ? 1 : kTried)) break;
     Polyline driven = line;
     if (where.second) std::ranges::reverse(driven);
-    if (auto insertion = inserted_at(where.first, std::move(driven), search);
+    if (auto insertion = inserted_at(where.first, std::move(driven), search, best ? best->cost : kNoLimit);
         insertion && (!best || insertion->cost < best->cost))
       best = std::move(insertion);
   }

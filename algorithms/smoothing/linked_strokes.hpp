@@ -68,7 +68,8 @@ class InsertedStrokes {
   void add_cuts(std::size_t stroke);
   std::vector<Candidate> candidates(const Polyline& line) const;
   std::optional<Curve> link(const Pose& from, const Pose& to, bool search) const;
-  std::optional<Insertion> inserted_at(std::size_t cut, Polyline line, bool search) const;
+  /// nullopt also if it costs `most` or more.
+  std::optional<Insertion> inserted_at(std::size_t cut, Polyline line, bool search, double most) const;
 
   std::vector<LinkedStroke> strokes_;
   const CarSpace& space_;

@@ -24,7 +24,8 @@ constexpr double kUncovered = 0.05;                            // share of a str
 /// Joins runs that go on from each other's ends in the same direction.
 class Chains {
  public:
-  Chains(std::vector<Polyline> runs, double width) : runs_(std::move(runs)), partner_(2 * runs_.size(), kNone) {
+  Chains(std::vector<Polyline> runs, double width, const CarSpace& space)
+      : space_(space), runs_(std::move(runs)), partner_(2 * runs_.size(), kNone) {
     std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::size_t>> ends;
     for (std::size_t e = 0; e < partner_.size(); ++e) {
       const Point at = end_pose(e).at / (kSameEnd * width);
@@ -40,9 +41,9 @@ class Chains {
   std::vector<Stroke> strokes() {
     std::vector<Stroke> result;
     for (std::size_t e = 0; e < partner_.size(); ++e)
-      if (partner_[e] == kNone && !used(e)) result.push_back({chain_from(e), false});
+      if (partner_[e] == kNone && !used(e)) result.push_back(chain_from(e));
     for (std::size_t e = 0; e < partner_.size(); ++e)  // what is left are rings
-      if (!used(e)) result.push_back({chain_from(e), true});
+      if (!used(e)) result.push_back(chain_from(e));
     for (Stroke& s : result)
       if (!s.closed && s.points.size() > 3 && s.points.front() == s.points.back() &&
           std::abs(std::remainder(first_pose(s.points).heading - last_pose(s.points).heading, 2 * kPi)) < kSameHeading)
@@ -61,11 +62,21 @@ class Chains {
   bool continues(std::size_t e, std::size_t f) const {
     return std::abs(std::remainder(end_pose(e).heading - end_pose(f).heading - kPi, 2 * kPi)) < kSameHeading;
   }
+  /// Ends that meet may be off each other by more than rounding, and then off a wall along which both runs lead.
+  bool free_past(const Polyline& chain, std::size_t e) const {
+    const Polyline& run = runs_[e / 2];
+    return space_.free(Polyline{chain[chain.size() - 2], e % 2 == 1 ? run[run.size() - 2] : run[1]});
+  }
   bool used(std::size_t e) const { return runs_[e / 2].empty(); }
 
-  Polyline chain_from(std::size_t e) {
+  Stroke chain_from(std::size_t e) {
+    const std::size_t begin = e;
     Polyline chain;
     while (e != kNone && !used(e)) {
+      if (!chain.empty() && !free_past(chain, e)) {
+        partner_[partner_[e]] = kNone, partner_[e] = kNone;
+        return {std::move(chain), false};
+      }
       Polyline run = std::exchange(runs_[e / 2], {});
       if (e % 2 == 1) std::ranges::reverse(run);
       // The vertex in which two runs meet is a point of a straight line: not needed, unless it closes the chain.
@@ -73,9 +84,10 @@ class Chains {
       chain.insert(chain.end(), run.begin() + (chain.empty() ? 0 : 1), run.end());
       e = partner_[e ^ 1];
     }
-    return chain;
+    return {std::move(chain), e == begin};
   }
 
+  const CarSpace& space_;
   std::vector<Polyline> runs_;
   std::vector<std::size_t> partner_;
 };
@@ -176,7 +188,7 @@ std::vector<Stroke> strokes_of(const Path& path, const Problem& problem, const C
   std::vector<Polyline> runs;
   for (const Polyline& line : work_lines(path))
     for (Polyline& run : rounded_runs(line, space)) runs.push_back(std::move(run));
-  std::vector<Stroke> strokes = Chains(std::move(runs), problem.robot().tool_width).strokes();
+  std::vector<Stroke> strokes = Chains(std::move(runs), problem.robot().tool_width, space).strokes();
   const std::vector<char> needed = Cover(strokes, problem).needed();
   std::vector<Stroke> kept;
   for (std::size_t s = 0; s < strokes.size(); ++s)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/sorting.hpp"
 #include "geometry/edge_index.hpp"
 
 namespace oxturn {
@@ -83,6 +84,19 @@ double UncoveredPoints::cover(const Polyline& line) {
   });
   area_ -= gained;
   return gained;
+}
+
+double UncoveredPoints::gain(const std::vector<Polyline>& lines) const {
+  std::vector<std::uint32_t> found;
+  for (const Polyline& line : lines)
+    visit(line, [&](std::uint32_t k) {
+      found.push_back(k);
+      return false;
+    });
+  sort_unique(found);
+  double sum = 0;
+  for (const std::uint32_t k : found) sum += share_[k];
+  return sum;
 }
 
 bool UncoveredPoints::covers_any(const Polyline& line) const {

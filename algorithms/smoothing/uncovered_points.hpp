@@ -36,6 +36,8 @@ class UncoveredPoints {
 
   /// Those which a tool covers that is driven along the line. Square metres that were uncovered before.
   double cover(const Polyline& line);
+  /// Square metres that the lines together would cover.
+  double gain(const std::vector<Polyline>& lines) const;
   /// Would it cover any?
   bool covers_any(const Polyline& line) const;
   /// Calls f(k) for the uncovered points that may be nearer to p than `metres`.

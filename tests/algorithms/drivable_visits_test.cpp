@@ -64,6 +64,56 @@ TEST(UncoveredPoints, AreCoveredWithinHalfAToolWidth) {
   EXPECT_EQ(points.cover(line), 0);
 }
 
+// Oracle: cover() one line after the other.
+TEST(UncoveredPoints, GainOfLinesCountsEachPointOnce) {
+  UncoveredPoints points(box_region({0, 0}, {8, 6}), 2, 0.1);
+  const std::vector<Polyline> lines{{{1, 1}, {6, 4}}, {{1, 4}, {6, 1}}, {{1, 1}, {6, 4}}};
+  const double gain = points.gain(lines);
+  double covered = 0;
+  for (const Polyline& line : lines) covered += points.cover(line);
+  EXPECT_NEAR(gain, covered, 1e-9);
+  EXPECT_EQ(points.gain(lines), 0);
+}
+
+// Oracle: all curves one by one.
+TEST(SimpleLink, IsTheCheapestFreeCurve) {
+  for (const bool reverse : {false, true}) {
+    const Problem problem = yard(2, reverse);
+    const CarSpace space(problem);
+    Rng rng(8);
+    std::size_t found = 0;
+    for (int i = 0; i < 150; ++i) {
+      const Pose from{{rng.between(1.0, 39.0), rng.between(1.0, 29.0)}, rng.between(-kPi, kPi)};
+      const Pose to{from.at + Point(rng.between(-8.0, 8.0), rng.between(-8.0, 8.0)), rng.between(-kPi, kPi)};
+      std::optional<double> least;
+      for (const Curve& curve : link_curves(from, to, 2, reverse))
+        if (space.free(curve)) least = std::min(least.value_or(space.cost(curve)), space.cost(curve));
+      const auto link = space.simple_link(from, to);
+      ASSERT_EQ(link.has_value(), least.has_value()) << i;
+      if (!link) continue;
+      ++found;
+      EXPECT_NEAR(space.cost(*link), *least, 1e-6) << i;
+      EXPECT_TRUE(space.free(*link));
+    }
+    EXPECT_GT(found, 50u);
+  }
+}
+
+// Both runs lead along the wall, a micrometre off it: the straight line past their ends would lead through the wall.
+TEST(Strokes, AreNotJoinedThroughAWall) {
+  const Problem problem = on(subtract(box_region({0, 0}, {20, 12}), box_region({8, 0}, {12, 4})), 2, true);
+  const CarSpace space(problem);
+  const double off = 1.6e-6;
+  const Point end{5, 5 - off};
+  const Path path{{{true, {{15, 5}, {10, 5}}}, {false, {{10, 5}, end}}, {true, {end, {10, 5}}}}};
+  double metres = 0;
+  for (const Stroke& stroke : strokes_of(path, problem, space)) {
+    EXPECT_TRUE(space.free(stroke.points));
+    metres += length(stroke.points);
+  }
+  EXPECT_NEAR(metres, 10, 1e-3);
+}
+
 TEST(UncoveredPoints, OfSmallPiecesOnlyTheAreaIsKnown) {
   const UncoveredPoints points(box_region({0, 0}, {0.1, 0.1}), 2, 0.1);
   EXPECT_NEAR(points.area(), 0.01, 1e-12);
@@ -187,7 +237,8 @@ TEST(DrivableVisits, CoverMoreAndWhatWasCovered) {
     const std::vector<LinkedStroke> before = lanes(space, problem.start());
     const Path old = path_of(before, problem.start(), space.chord_error());
     const Polyline left_out{{5, 26}, {35, 26}};
-    const std::vector<LinkedStroke> after = with_visits(problem, before, {left_out}, 0.1 * 1200, space, context);
+    const std::vector<LinkedStroke> after =
+        with_visits(problem, before, {left_out}, {.allowed = 0.1 * 1200}, space, context);
     const Path path = path_of(after, problem.start(), space.chord_error());
     EXPECT_EQ(score(problem, path).flaw, "");
     EXPECT_LE(uncovered_area(problem, path), 0.1 * 1200);
@@ -199,6 +250,42 @@ TEST(DrivableVisits, CoverMoreAndWhatWasCovered) {
         subtract(problem.target(), uncovered(problem.target(), {{{true, left_out}}}, problem.robot()));
     EXPECT_LT(area(uncovered(under_it, path, problem.robot())), 0.02);
   }
+}
+
+// Pillars all over: visits cover what they must for each metre, and each piece takes few of them.
+TEST(DrivableVisits, AreWorthTheirMetresAndFew) {
+  for (const auto seed : seeds(1))
+    for (const bool reverse : {false, true}) {
+      SCOPED_TRACE(fmt::format("clutter {}, reverse {}", seed, reverse));
+      Robot robot;
+      robot.radius = 0.2, robot.tool_width = 0.4, robot.min_turn_radius = 0.3, robot.reverse = reverse;
+      const Problem problem(generate("clutter", {{"width", 7.0}, {"height", 5.0}}, 800 + seed), robot);
+      const CarSpace space(problem);
+      std::vector<LinkedStroke> before;
+      Pose at{problem.start(), 0};
+      for (const Stroke& stroke : strokes_of(boustrophedon(problem.turning_on_the_spot()), problem, space))
+        if (const auto link = space.simple_link(at, first_pose(stroke.points))) {
+          before.push_back({*link, stroke.points, false});
+          at = last_pose(stroke.points);
+        }
+      ASSERT_FALSE(before.empty());
+      const Path old = path_of(before, problem.start(), space.chord_error());
+      const Region left = uncovered(problem.target(), old, robot);
+      Context context;
+      const VisitLimits limits;
+      const auto after = with_visits(problem, before, {}, limits, space, context);
+      const Path path = path_of(after, problem.start(), space.chord_error());
+      const Score s = score(problem, path);
+      EXPECT_EQ(s.flaw, "");
+      EXPECT_EQ(s.value("curvature_violations"), 0);
+      const double gained = area(left) - uncovered_area(problem, path), added = path.length() - old.length();
+      EXPECT_GE(gained, 0.8 * limits.least_gain * robot.tool_width * added) << "areas are sampled";
+      EXPECT_GE(gained, 0);
+      // A visit adds a stroke, and another one where it cuts a stroke in two. One covers a tool's length or more of a
+      // large piece.
+      EXPECT_LT(after.size() - before.size(),
+                4 * left.polygons.size() + 4 * static_cast<std::size_t>(area(left) / 0.16));
+    }
 }
 
 // Forwards, the nearest that a curve of radius R comes to a right-angled corner of configuration space is its own arc
