@@ -1,10 +1,10 @@
-// Makes any planner safe for a tethered robot: it covers the space cut open, so that its position determines its tether.
+// Makes any planner safe for a tethered robot: it covers the space cut open, where its position determines its tether.
 //
 // Source      ours; for the cut see tether_space.hpp and bridge_cut.hpp
 // Model       that of the planner, offline, disc footprint
-// Guarantee   within the tether length limit, never driven over; covers what the planner covers of each component of the
-//             cut space. With cut = geodesic, the tether equals the geodesic to the robot's position, except on paths
-//             between components
+// Guarantee   the tether is within its length limit and never driven over; covers what the planner covers of each
+//             component of the cut space. With cut = geodesic, the tether equals the geodesic to the robot's position,
+//             except on paths between components
 // Complexity  that of the planner, plus O((n + k) log n) for the cut
 // Decisions   1. The planner gets the cut space by Problem::restricted. The cut is a wall to it: if it drives along
 //                walls, it drives along both sides of the cut. These two passes lie a tool width apart where they fit
@@ -19,8 +19,8 @@
 //                space.
 //             5. cut = least, the default: bridges between neighbouring obstacles, where the tether is long enough for
 //                them and they are shorter than the cut locus. Planners drive along both sides of the cut and divide
-//                their lanes there, so paths are 3 to 40 % shorter among obstacles (tether of 1.2 times what the farthest
-//                point needs).
+//                their lanes there, so paths are 3 to 40 % shorter among obstacles (tether of 1.2 times what the
+//                farthest point needs).
 #include <utility>
 
 #include "algorithms/lanes/repair.hpp"

@@ -31,9 +31,9 @@
 
 namespace oxturn {
 
-/// Lines that reach into walls; a strip `width` metres wide is to be removed along them. nullopt: no such cut was found;
-/// or it was not sought, because configuration space ends where the tether does, or is so large (kMostVertices) that
-/// finding it would take longer than all else. The problem's robot has a tether.
+/// Lines that reach into walls; a strip `width` metres wide is to be removed along them. nullopt: no such cut was
+/// found; or it was not sought, because configuration space ends where the tether does, or is so large (kMostVertices)
+/// that finding it would take longer than all else. The problem's robot has a tether.
 std::optional<std::vector<Polyline>> bridge_cut(const Problem& problem, double width);
 
 }  // namespace oxturn

@@ -35,8 +35,8 @@
 namespace oxturn {
 
 /// What space is cut open along: the anchor's cut locus; or straight bridges, where these are shorter in all and the
-/// tether is long enough for them (bridge_cut.hpp). With bridges the tether is not the geodesic, but still determined by
-/// the robot's position, and there is one component.
+/// tether is long enough for them (bridge_cut.hpp). With bridges the tether is not the geodesic, but still determined
+/// by the robot's position, and there is one component.
 enum class TetherCut { geodesic, least };
 
 class TetherSpace {

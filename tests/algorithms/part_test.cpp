@@ -21,8 +21,8 @@ TEST(Part, NamesAreInOrder) {
               testing::ThrowsMessage<std::invalid_argument>(testing::StrEq("unknown part 'wall'")));
 }
 
-// Whatever is left out, the coverage is reached, and the path is another one. A small map has no windows, this one needs
-// no detours, and the tool is no wider than the robot.
+// Whatever is left out, the coverage is reached, and the path is another one. A small map has no windows, this one
+// needs no detours, and the tool is no wider than the robot.
 TEST(Part, EachLeftOutChangesThePathButNotWhatItCovers) {
   const Problem room(generate("rooms", {{"width", 7.0}, {"height", 5.0}, {"rooms", std::int64_t{4}}}, 3),
                      disc(0.2, 0.4));

@@ -214,7 +214,7 @@ TEST(BridgeCut, IsTheGapBesideAPillarIfTheTetherIsLongEnough) {
     if (reach > 1)
       EXPECT_NEAR(least, 1, 0.1);
     else
-      EXPECT_LE(least, geodesic);  // beside the pillar the farther places need the way around it
+      EXPECT_LE(least, geodesic);  // points beside the pillar may need the way around it
     const Path path = plan("leashed", problem);
     const TetherFigures figures = drive_tethered(problem, path, 0.5);
     EXPECT_LE(figures.longest, problem.robot().tether->length + problem.tolerance());
