@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "base/text.hpp"
 #include "bench/process_info.hpp"
@@ -67,6 +70,9 @@ class PlannerChild {
   double deadline_s() const { return kDeadline * options_.limits.wall_s; }
 
   void start_measuring() {
+#ifdef __GLIBC__
+    ::malloc_trim(0);  // what the program holds of freed memory would not count when the planner takes it
+#endif
     reset_peak();
     peak_memory_.reset();
     resident_before_ = resident_bytes(::getpid());

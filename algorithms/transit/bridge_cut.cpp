@@ -77,7 +77,7 @@ class BridgeCut {
       : problem_(problem), width_(width), free_(problem.map().free), driven_(problem) {
     number_rings();
     add_candidates(Mesh(problem.map().free), bridges_);
-    add_candidates(Mesh(problem.configuration_space()), bridges_);
+    add_candidates(problem.transit().mesh(), bridges_);
   }
 
   std::optional<std::vector<Polyline>> find() {

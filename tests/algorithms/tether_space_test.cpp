@@ -205,7 +205,9 @@ double metres(const std::vector<Polyline>& lines) {
 // A pillar a metre from a wall, the rest of the room behind it: the cut locus is metres long, the bridge one.
 TEST(BridgeCut, IsTheGapBesideAPillarIfTheTetherIsLongEnough) {
   const Region free{{{{{0, 0}, {12, 0}, {12, 9}, {0, 9}}, {{{5, 1}, {5, 2}, {6, 2}, {6, 1}}}}}};
-  const Map map{"pillar", free};
+  Map map;
+  map.name = "pillar";
+  map.free = free;
   for (const double reach : {1.0, 1.5}) {
     const Problem problem(map, tethered_robot(reach), Point(1, 1.5), Point(1, 1.5));
     const double geodesic = metres(TetherSpace(problem, "test").cut());
