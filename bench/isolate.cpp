@@ -70,9 +70,6 @@ class PlannerChild {
   double deadline_s() const { return kDeadline * options_.limits.wall_s; }
 
   void start_measuring() {
-#ifdef __GLIBC__
-    ::malloc_trim(0);  // what the program holds of freed memory would not count when the planner takes it
-#endif
     reset_peak();
     peak_memory_.reset();
     resident_before_ = resident_bytes(::getpid());
@@ -220,6 +217,9 @@ class PlannerParent {
 
 Planned plan_isolated(const std::function<std::unique_ptr<CoveragePlanner>()>& make, const Problem& problem,
                       const IsolationOptions& options) {
+#ifdef __GLIBC__
+  ::malloc_trim(0);  // freed memory that this process holds would not count when the planner takes it
+#endif
   PlannerParent parent(options);
   ChildTask task;
   task.limits = options.limits;
