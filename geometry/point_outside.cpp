@@ -9,8 +9,10 @@ bool nearly_contains(const EdgeIndex& walls, const Point& p, double tolerance) {
   return walls.contains(p) || walls.nearest(p, tolerance).has_value();
 }
 
-std::optional<Point> point_outside(const EdgeIndex& walls, const Point& a, const Point& b, double tolerance) {
-  if (walls.contains(a, b)) return std::nullopt;
+namespace {
+
+/// Of a segment that the region does not contain.
+std::optional<Point> first_outside(const EdgeIndex& walls, const Point& a, const Point& b, double tolerance) {
   const Point d = b - a;
   std::vector<double> cuts{0, 1};
   Box box = bounding_box(Polyline{a, b});
@@ -33,6 +35,16 @@ std::optional<Point> point_outside(const EdgeIndex& walls, const Point& a, const
     if (!nearly_contains(walls, middle, tolerance)) return middle;
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Point> point_outside(const EdgeIndex& walls, const Point& a, const Point& b, double tolerance) {
+  return walls.contains(a, b) ? std::nullopt : first_outside(walls, a, b, tolerance);
+}
+
+bool nearly_contains(const EdgeIndex& walls, const Point& a, const Point& b, double tolerance) {
+  return walls.contains(a, b) || (nearly_contains(walls, b, tolerance) && !first_outside(walls, a, b, tolerance));
 }
 
 }  // namespace oxturn

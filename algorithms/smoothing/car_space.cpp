@@ -79,11 +79,8 @@ CarSpace::CarSpace(const Problem& problem, const EdgeIndex& walls, const Box& bo
       reverse_(false) {}
 
 bool CarSpace::free(const Polyline& line) const {
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    if (walls_.contains(line[i - 1], line[i])) continue;
-    if (!nearly_contains(walls_, line[i], tolerance_) || point_outside(walls_, line[i - 1], line[i], tolerance_))
-      return false;  // the end alone first, because most of those that leave end outside
-  }
+  for (std::size_t i = 1; i < line.size(); ++i)
+    if (!nearly_contains(walls_, line[i - 1], line[i], tolerance_)) return false;
   return true;
 }
 
