@@ -19,8 +19,8 @@
 //                space.
 //             5. cut = least, the default: bridges between neighbouring obstacles, where the tether is long enough for
 //                them and they are shorter than the cut locus. Planners drive along both sides of the cut and divide
-//                their lanes there, so paths are 3 to 40 % shorter among obstacles (tether of 1.2 times what the
-//                farthest point needs).
+//                their lanes there, so paths are 1 to 39 % shorter among obstacles (tether of 1.1 or 1.2 times
+//                what the farthest point needs).
 #include <utility>
 
 #include "algorithms/lanes/repair.hpp"

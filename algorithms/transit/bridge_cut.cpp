@@ -16,10 +16,11 @@
 namespace oxturn {
 namespace {
 
-constexpr int kMostRounds = 8;
-constexpr std::size_t kMostVertices = 400'000;
-constexpr double kBeyond = 2;           // widths by which lines reach into walls
-constexpr double kAway = 2;             // widths between a line and the start or the anchor, at least
+constexpr std::size_t kMostVertices = 400'000;            // of configuration space
+constexpr std::size_t kMostRounds = 24;                   // and
+constexpr std::size_t kMostMeasured = 8 * kMostVertices;  // vertices in all rounds together
+constexpr double kBeyond = 2;                             // widths by which lines reach into walls
+constexpr double kAway = 2;                               // widths between a line and the start or the anchor, at least
 constexpr double kWallWithin = 1.1;     // radii: distance of configuration space from walls; its arcs are polygons
 constexpr double kSpecksPerTool = 100;  // parts with less area than the tool's width squared over this do not count
 
@@ -33,25 +34,17 @@ struct Stretch {
   Point a, b;
 };
 
-Box box_of(const Point& a, const Point& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
-
-/// Do the closed segments ab and cd meet? Collinear ones do.
-bool meet(const Point& a, const Point& b, const Point& c, const Point& d) {
-  return orientation(a, b, c) * orientation(a, b, d) <= 0 && orientation(c, d, a) * orientation(c, d, b) <= 0;
-}
-
 /// Shortest paths of the robot from its start, which are a tree: the straight parts, each once.
 class DrivenTree {
  public:
-  explicit DrivenTree(const Problem& problem)
-      : field_(problem.configuration_space(), problem.start(), {}, problem.tolerance()) {}
+  explicit DrivenTree(const Problem& problem) : problem_(problem) {}
 
   /// The path to p. False if nothing of it is new.
   bool add(const Point& p) {
     const std::size_t before = stretches_.size();
-    const Polyline path = field_.path(p);
+    const Polyline path = problem_.transit().path(problem_.start(), p).value_or(Polyline{});
     for (std::size_t k = path.size(); k-- > 1;) {
-      if (!known_.insert({path[k].x(), path[k].y()}).second) break;  // and so is the way there
+      if (!known_.insert({path[k].x(), path[k].y()}).second) break;  // and so is the path to it
       stretches_.push_back({path[k - 1], path[k]});
     }
     return stretches_.size() > before;
@@ -66,7 +59,7 @@ class DrivenTree {
   }
 
  private:
-  GeodesicField field_;
+  const Problem& problem_;
   std::set<std::pair<double, double>> known_;  // ends of stretches
   std::vector<Stretch> stretches_;
 };
@@ -82,7 +75,7 @@ class BridgeCut {
 
   std::optional<std::vector<Polyline>> find() {
     driven_.add(problem_.walls().nearest(anchor())->point);
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (std::size_t left = std::min(kMostRounds, kMostMeasured / ring_.size()); left > 0; --left) {
       auto lines = tree();
       if (!lines) return std::nullopt;
       const auto far = too_far(*lines);
@@ -143,7 +136,7 @@ class BridgeCut {
       if (distance_to_segment(p, from, to) < kAway * width_) return std::nullopt;
     std::vector<std::pair<std::size_t, Point>> crossed;  // ring, where
     const EdgeIndex& walls = problem_.walls();
-    walls.for_each_near(box_of(from, to), [&](std::size_t e) {
+    walls.for_each_near(bounding_box({from, to}), [&](std::size_t e) {
       const auto& [p, q] = walls.edges()[e];
       const bool left_p = orientation(from, to, p) > 0, left_q = orientation(from, to, q) > 0;
       if (left_p == left_q || orientation(p, q, from) * orientation(p, q, to) > 0) return;
@@ -171,12 +164,13 @@ class BridgeCut {
   /// By bridges that driven lines cross, or by those that none crosses; the shortest first.
   void grow(Tree& tree, const std::vector<Bridge>& bridges, bool crossed) const {
     std::vector<Box> boxes;
-    for (const Stretch& s : driven_.stretches()) boxes.push_back(box_of(s.a, s.b));
+    for (const Stretch& s : driven_.stretches()) boxes.push_back(bounding_box({s.a, s.b}));
     const BoxIndex index(std::move(boxes));
     const auto is_crossed = [&](const Bridge& bridge) {
-      const auto near = index.overlapping(box_of(bridge.from, bridge.to));
+      const auto near = index.overlapping(bounding_box({bridge.from, bridge.to}));
       return std::ranges::any_of(near, [&](std::uint32_t k) {
-        return meet(bridge.from, bridge.to, driven_.stretches()[k].a, driven_.stretches()[k].b);
+        const auto& [a, b] = driven_.stretches()[k];
+        return crossing(bridge.from, bridge.to, a, b) != Crossing::none;
       });
     };
     std::vector<const Bridge*> found;
@@ -200,24 +194,18 @@ class BridgeCut {
     for (const Polygon& part : open.polygons) {
       if (area(part) <= speck) continue;
       if (!part.holes.empty() || ++parts > 1) return std::nullopt;
-      add_farthest(part.outer, field, far);
+      add_ends(part.outer, field, far);
     }
     return far;
   }
-  /// Of each run of vertices that are too far, the one that is farthest.
-  void add_farthest(const Ring& ring, const GeodesicField& field, std::vector<Point>& far) const {
-    double most = 0;  // of the run
-    for (const Point& p : ring) {
-      if (!is_too_far(p, field)) {
-        most = 0;
-        continue;
-      }
-      const double needed = field.distance(p);
-      if (most == 0)
-        far.push_back(p);
-      else if (needed > most)
-        far.back() = p;
-      most = std::max(most, needed);
+  /// Of each run of vertices that are too far, the first, the farthest and the last: of one alone, the next round would
+  /// find its neighbour too far.
+  void add_ends(const Ring& ring, const GeodesicField& field, std::vector<Point>& far) const {
+    for (std::size_t i = 0, end = 0; i < ring.size(); i = end + 1) {
+      std::size_t farthest = i;
+      for (end = i; end < ring.size() && is_too_far(ring[end], field); ++end)
+        if (field.distance(ring[end]) > field.distance(ring[farthest])) farthest = end;
+      if (end > i) far.insert(far.end(), {ring[i], ring[farthest], ring[end - 1]});
     }
   }
   bool is_too_far(const Point& p, const GeodesicField& field) const {

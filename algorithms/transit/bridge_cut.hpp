@@ -19,8 +19,8 @@
 ///             triangles, that cross configuration space once, from ring to ring. Their minimum spanning tree is the
 ///             cut. In free space cut open like this, the geodesic distance from the anchor is measured at all vertices
 ///             of configuration space; along segments it is convex, so it is nowhere more. Of each run of vertices for
-///             which the tether is too short, the robot's shortest path to the farthest is drawn, and a tree of bridges
-///             that no such path crosses is sought; only where there is none, bridges are crossed.
+///             which the tether is too short, the robot's shortest paths to its ends and to the farthest are drawn, and
+///             a tree of bridges that no such path crosses is sought; only where there is none, bridges are crossed.
 /// Complexity  O(n log n) for n vertices of configuration space in each round, of which there are kMostRounds at most
 #pragma once
 

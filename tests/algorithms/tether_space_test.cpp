@@ -224,6 +224,20 @@ TEST(BridgeCut, IsTheGapBesideAPillarIfTheTetherIsLongEnough) {
   }
 }
 
+// Regression: of each run of vertices that the tether did not reach, one only was mended in a round, and its neighbour
+// was in the next: the rounds ended without a cut.
+TEST(BridgeCut, IsFoundThoughTheTetherIsHardlyLongerThanTheFarthestPointNeeds) {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const Problem problem(generate("clutter", {}, seed), tethered_robot(1.1));
+    found +=
+        metres(TetherSpace(problem, "test", TetherCut::least).cut()) < 0.7 * metres(TetherSpace(problem, "test").cut())
+            ? 1
+            : 0;
+  }
+  EXPECT_GE(found, 7);
+}
+
 // Whatever the map, the anchor, the tool and the length of the tether.
 TEST(BridgeCut, TheTetherSufficesAndIsNeverDrivenOver) {
   int shorter = 0;
