@@ -17,7 +17,7 @@ namespace oxturn {
 namespace {
 
 constexpr std::size_t kMostVertices = 400'000;            // of configuration space
-constexpr std::size_t kMostRounds = 24;                   // and
+constexpr std::size_t kMostRounds = 24;                   // in each, what the tether does not reach is found
 constexpr std::size_t kMostMeasured = 8 * kMostVertices;  // vertices in all rounds together
 constexpr double kBeyond = 2;                             // widths by which lines reach into walls
 constexpr double kAway = 2;                               // widths between a line and the start or the anchor, at least
