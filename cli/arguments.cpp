@@ -26,10 +26,10 @@ void add_settings(CLI::App& app, std::vector<std::string>& assignments, const st
 }
 
 Settings parse_settings(const std::string& owner, const std::vector<ParameterInfo>& parameters,
-                        const std::vector<std::string>& assignments) {
+                        const std::vector<std::string>& assignments, const std::string& given_by) {
   Settings settings;
   for (const std::string& text : assignments) {
-    const auto [name, value] = assignment("--set", text);
+    const auto [name, value] = assignment(given_by, text);
     settings[name] = parse_value(owner, find_parameter(owner, parameters, name), value);
   }
   return settings;
@@ -38,7 +38,7 @@ Settings parse_settings(const std::string& owner, const std::vector<ParameterInf
 std::pair<std::string, std::string> assignment(const std::string& option, const std::string& text) {
   const std::size_t at = text.find('=');
   if (at == std::string::npos || at == 0)
-    throw std::invalid_argument(fmt::format("{} {}: expected name=value", option, text));
+    throw std::invalid_argument(fmt::format("{} '{}': expected name=value", option, text));
   return {text.substr(0, at), text.substr(at + 1)};
 }
 

@@ -14,10 +14,10 @@ namespace oxturn::cli {
 // --- settings ----------------------------------------------------------------------------------------------
 /// `--set k=v`, repeated.
 void add_settings(CLI::App& app, std::vector<std::string>& assignments, const std::string& of_what);
-/// Checked against the parameters of `owner` ("planner 'stc'").
+/// Checked against the parameters of `owner` ("planner 'stc'"). `given_by` is where they stand.
 Settings parse_settings(const std::string& owner, const std::vector<ParameterInfo>& parameters,
-                        const std::vector<std::string>& assignments);
-/// "name=value" in two; throws "OPTION TEXT: expected name=value".
+                        const std::vector<std::string>& assignments, const std::string& given_by = "--set");
+/// "name=value" in two; throws "OPTION 'TEXT': expected name=value".
 std::pair<std::string, std::string> assignment(const std::string& option, const std::string& text);
 std::vector<std::string> split(const std::string& text, char at);
 

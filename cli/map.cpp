@@ -39,8 +39,11 @@ MapFile make(const Options& options, const Registry& registry) {
     return read_map(source.file, source.settings, registry.formats, options.from);
   }
   const GeneratorInfo& generator = registry.generators.find(source.generator);
-  source.settings = parse_settings("generator '" + generator.name + "'", generator.parameters, options.settings);
-  if (options.seed && options.source != source.generator)
+  for (const auto& [name, value] :
+       parse_settings("generator '" + generator.name + "'", generator.parameters, options.settings))
+    if (!source.settings.emplace(name, value).second)
+      throw std::invalid_argument(fmt::format("{} is given twice: by '{}' and by --set", name, options.source));
+  if (options.seed && options.source.substr(0, options.source.find(',')) != source.generator)
     throw std::invalid_argument(
         fmt::format("the seed is given twice: by '{}' and by --seed {}", options.source, *options.seed));
   if (options.seed) source.seed = *options.seed;

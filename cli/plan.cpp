@@ -28,7 +28,27 @@ namespace oxturn::cli {
 namespace {
 
 /// Everything that can be wrong with the arguments is found here, before the map is read.
-Settings check_arguments(const PlanOptions& options, const PlannerInfo& planner, const Planners& planners) {
+bool has(const std::vector<ParameterInfo>& parameters, const std::string& name) {
+  return std::ranges::any_of(parameters, [&](const ParameterInfo& p) { return p.name == name; });
+}
+
+/// Throws if a setting of the map's generator is given as one of the planner's.
+void check_whose(const PlanOptions& options, const std::vector<ParameterInfo>& parameters, const MapSource& source,
+                 const Generators& generators) {
+  if (source.generator.empty()) return;
+  for (const std::string& text : options.settings) {
+    const std::string name = assignment("--set", text).first;
+    if (!has(parameters, name) && has(generators.find(source.generator).parameters, name))
+      throw std::invalid_argument(fmt::format("--set {}: '{}' is a parameter of generator '{}', not of planner '{}'; "
+                                              "write the map as {},{}",
+                                              text, name, source.generator, options.planner, options.problem.map,
+                                              text));
+  }
+}
+
+Settings check_arguments(const PlanOptions& options, const PlannerInfo& planner, const MapSource& source,
+                         const Registry& registry) {
+  const Planners& planners = registry.planners;
   // A planner that runs another one has its own parameters first: they say which others there are.
   const std::string owner = "planner '" + planner.name + "'";
   std::vector<std::string> own;
@@ -36,6 +56,7 @@ Settings check_arguments(const PlanOptions& options, const PlannerInfo& planner,
     for (const ParameterInfo& parameter : planner.parameters)
       if (text.rfind(parameter.name + "=", 0) == 0) own.push_back(text);
   const auto parameters = parameters_of(planner, parse_settings(owner, planner.parameters, own), planners);
+  check_whose(options, parameters, source, registry.generators);
   Settings settings = parse_settings(owner, parameters, options.settings);
   planner.make(settings, planners);  // throws for settings that do not go together
   if (!options.output.empty()) {
@@ -177,8 +198,8 @@ int plan(PlanOptions options, const Registry& built_in) {
     throw std::invalid_argument(
         fmt::format("{} is missing. See `oxturn plan --help`", options.planner.empty() ? "PLANNER" : "MAP"));
   const PlannerInfo& planner = registry.planners.find(options.planner);
-  const Settings settings = check_arguments(options, planner, registry.planners);
   const MapSource source = map_source(options.problem, registry);
+  const Settings settings = check_arguments(options, planner, source, registry);
   const Problem problem = make_problem(options.problem, load_map(source, registry.generators, registry.formats));
   check_outputs(options.outputs, problem.robot());
   std::FILE* const out = print_to({options.output, options.outputs.svg, options.outputs.viewer,

@@ -114,22 +114,26 @@ void add_problem_options(CLI::App& app, const Registry& registry, ProblemOptions
 
 MapSource map_source(const ProblemOptions& options, const Registry& registry) {
   const std::string& name = options.map;
-  const std::size_t colon = name.rfind(':');
-  const std::string generator = name.substr(0, colon);
-  const bool known = registry.generators.get(generator) != nullptr;
+  const std::size_t comma = std::min(name.find(','), name.size()), colon = name.substr(0, comma).rfind(':');
+  const std::string generator = name.substr(0, std::min(colon, comma));
+  const GeneratorInfo* const known = registry.generators.get(generator);
   // A name that looks like a file is taken for one, so that a mistyped file is reported as missing.
   if (is_standard_stream(name) || file_exists(name) || (!known && name.find_first_of("./\\") != std::string::npos))
     return {.file = name, .settings = reader_settings(options.read, registry.formats), .target = options.target};
-  MapSource source{.generator = generator, .target = options.target};
-  if (colon != std::string::npos) {
-    const auto seed = parse_whole(name.substr(colon + 1));
-    if (!seed)
-      throw std::invalid_argument(
-          fmt::format("map '{}': seed is '{}', expected a whole number from 0", name, name.substr(colon + 1)));
-    source.seed = *seed;
-  }
   if (!known)
     throw std::invalid_argument(unknown_name("file and no generator", generator, registry.generators.names()));
+  MapSource source{.generator = generator, .target = options.target};
+  if (colon != std::string::npos) {
+    const std::string text = name.substr(colon + 1, comma - colon - 1);
+    const auto seed = parse_whole(text);
+    if (!seed)
+      throw std::invalid_argument(
+          fmt::format("map '{}': seed is '{}', expected a whole number from 0", name, text));
+    source.seed = *seed;
+  }
+  if (comma < name.size())
+    source.settings = parse_settings(fmt::format("generator '{}'", generator), known->parameters,
+                                     split(name.substr(comma + 1), ','), "map '" + name + "': setting");
   return source;
 }
 

@@ -21,13 +21,14 @@ Settings reader_settings(const ReaderOptions& options, const MapFormats& formats
 void say_remarks(const MapFile& file);
 
 inline constexpr const char* kMapHelp =
-    "a map file (`oxturn list formats`; - is standard input, GeoJSON) or GENERATOR[:SEED] (`oxturn list maps`)";
+    "a map file (`oxturn list formats`; - is standard input, GeoJSON) or GENERATOR[:SEED][,K=V...], such as "
+    "rooms:7,width=20 (`oxturn list maps`)";
 
 /// --target FILE.
 void add_target_option(CLI::App& app, std::string& file);
 
 struct ProblemOptions {
-  std::string map;     // a file, or GENERATOR[:SEED]; empty: not given
+  std::string map;     // a file, or GENERATOR[:SEED][,K=V...]; empty: not given
   std::string target;  // a map file whose free space is the target area; empty: as the map says
   ReaderOptions read;
   std::string robot;  // "radius=0.2,speed=1"

@@ -32,7 +32,6 @@ class BadInput : public testing::Test {
   void TearDown() override { EXPECT_EQ(out.files(), 0u); }
 };
 
-// The ten of the issue.
 TEST_F(BadInput, MissingFile) {
   expect_refused(oxturn("plan boustrophedon " + (in / "none.geojson") + to),
                  AllOf(HasSubstr("no such file"), HasSubstr("none.geojson")));
@@ -48,6 +47,21 @@ TEST_F(BadInput, UnknownPlannerWithTheNearest) {
 TEST_F(BadInput, UnknownParameterWithTheList) {
   expect_refused(oxturn("plan stc " + box + " --set lane_width=3" + to),
                  AllOf(HasSubstr("unknown parameter 'lane_width' of planner 'stc'"), HasSubstr("it has: ")));
+}
+TEST_F(BadInput, AGeneratorsParameterAmongThePlanners) {
+  expect_refused(oxturn("plan stc rooms:3 --set rooms=3" + to),
+                 AllOf(HasSubstr("'rooms' is a parameter of generator 'rooms', not of planner 'stc'"),
+                       HasSubstr("write the map as rooms:3,rooms=3")));
+}
+TEST_F(BadInput, SettingsOfAGeneratorInTheMapsName) {
+  expect_refused(oxturn("plan stc rooms:3,size=3" + to),
+                 AllOf(HasSubstr("unknown parameter 'size' of generator 'rooms'"), HasSubstr("it has: ")));
+  expect_refused(oxturn("plan stc rooms:3,rooms=many" + to), AllOf(HasSubstr("rooms"), HasSubstr("many")));
+  expect_refused(oxturn("plan stc rooms:3," + to), HasSubstr("map 'rooms:3,': setting '': expected name=value"));
+  expect_refused(oxturn("plan stc rooms:x,rooms=3" + to), HasSubstr("seed is 'x', expected a whole number from 0"));
+  expect_refused(oxturn("plan stc rom:3,rooms=3" + to), AllOf(HasSubstr("'rom'"), HasSubstr("did you mean 'rooms'")));
+  expect_refused(oxturn("map rooms,rooms=3 --set rooms=4 -o " + (out / "m.geojson")),
+                 HasSubstr("rooms is given twice: by 'rooms,rooms=3' and by --set"));
 }
 TEST_F(BadInput, WrongType) {
   expect_refused(oxturn("map rooms --set rooms=many -o " + (out / "m.geojson")),

@@ -45,7 +45,7 @@ TEST(CheckCommand, BadArgumentsAreOneSentence) {
         {"check stcc", "no planner 'stcc'; did you mean 'stc'?"},
         {"check stc --only same-sed", "no check 'same-sed'; did you mean 'same-seed'?"},
         {"check stc --problems /proc/none", "--problems: cannot make '/proc/none': No such file or directory"},
-        {"check stc --expect same-seed", "--expect same-seed: expected name=value"}}) {
+        {"check stc --expect same-seed", "--expect 'same-seed': expected name=value"}}) {
     const Said said = oxturn(arguments);
     EXPECT_EQ(said.code, 2) << arguments;
     EXPECT_EQ(said.err_lines(), 1) << said.err;

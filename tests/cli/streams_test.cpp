@@ -49,6 +49,17 @@ TEST(Streams, StandardOutputCarriesTheFileAlone) {
   EXPECT_EQ(folder.files(), 1u);
 }
 
+TEST(Streams, APathNamesTheSettingsOfItsMap) {
+  const Folder folder;
+  const std::string map = folder / "map.geojson", path = folder / "path.geojson";
+  ASSERT_EQ(oxturn("map rooms:9,width=12,rooms=3 -o " + map).code, 0);
+  const Json on_file = Json::parse(oxturn("plan zigzag " + map + " --json").out);
+  const Json planned = Json::parse(oxturn("plan zigzag rooms:9,width=12,rooms=3 --json -o " + path).out);
+  EXPECT_EQ(planned.at("metrics").at("path_m"), on_file.at("metrics").at("path_m"));
+  const Json scored = Json::parse(oxturn("score " + path + " --json").out);
+  EXPECT_EQ(scored.at("metrics").at("path_m"), on_file.at("metrics").at("path_m"));
+}
+
 TEST(Streams, MapsInEveryFormat) {
   const Folder folder;
   const std::string map = folder / "map.geojson";
@@ -56,6 +67,9 @@ TEST(Streams, MapsInEveryFormat) {
   ASSERT_EQ(oxturn("map rooms:9 -o " + map).code, 0);
   EXPECT_EQ(oxturn("map rooms --seed 9 -o - 2>/dev/null").out, content(map));
   EXPECT_EQ(shell("oxturn map - -o - <" + map).out, content(map));
+  ASSERT_EQ(oxturn("map rooms:9 --set rooms=3 --set width=12 -o " + map).code, 0);
+  EXPECT_EQ(oxturn("map rooms:9,width=12,rooms=3 -o - 2>/dev/null").out, content(map));
+  EXPECT_EQ(oxturn("map rooms,width=12 --set rooms=3 --seed 9 -o - 2>/dev/null").out, content(map));
   ASSERT_EQ(oxturn("map " + map + " -o " + (folder / "map.svg")).code, 0);
   EXPECT_EQ(shell("oxturn map - --to svg -o - <" + map).out, content(folder / "map.svg"));
   const std::string image = OXTURN_SOURCE_DIR "/tests/data/ros/small.pgm";
