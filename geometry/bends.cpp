@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -27,7 +29,7 @@ std::vector<Edge> straight_edges(const Path& path, double tolerance) {
       if (step.norm() <= tolerance) continue;
       at = &p;
       const Point before = edges.empty() ? step : edges.back().heading;
-      if (edges.empty() || std::abs(std::atan2(cross(before, step), before.dot(step))) > kStraight)
+      if (edges.empty() || std::abs(math::atan2(cross(before, step), before.dot(step))) > kStraight)
         edges.push_back({step, 0, p});
       edges.back().length += step.norm();
       edges.back().end = p;
@@ -43,10 +45,10 @@ std::vector<Bend> bends(const Path& path, double tolerance, double tool_width) {
   for (std::size_t i = 1; i < edges.size(); ++i) {
     const Point &u = edges[i - 1].heading, &v = edges[i].heading;
     const double a = edges[i - 1].length, b = edges[i].length;
-    const double d = std::abs(std::atan2(cross(u, v), u.dot(v)));
-    const double chord = std::sqrt(std::max(0.0, a * a + b * b + 2 * a * b * std::cos(d)));
-    const double circle = chord > 0 ? 2 * std::sin(d) / chord : 0;
-    const double corner = (1 - std::cos(d / 2)) / (kChordError * tool_width);
+    const double d = std::abs(math::atan2(cross(u, v), u.dot(v)));
+    const double chord = std::sqrt(std::max(0.0, a * a + b * b + 2 * a * b * math::cos(d)));
+    const double circle = chord > 0 ? 2 * math::sin(d) / chord : 0;
+    const double corner = (1 - math::cos(d / 2)) / (kChordError * tool_width);
     result.push_back({edges[i - 1].end, std::max(circle, corner), 4 * tolerance / (a * b)});
   }
   return result;

@@ -1,5 +1,6 @@
 #include "geometry/region.hpp"
 
+#include "base/math.hpp"
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
@@ -68,7 +69,7 @@ Region box_region(const Point& low, const Point& high) {
 }
 
 Region transformed(const Region& region, double angle, const Point& shift) {
-  const double c = std::cos(angle), s = std::sin(angle);
+  const double c = math::cos(angle), s = math::sin(angle);
   Region out = region;
   for_each_ring(out, [&](Ring& ring) {
     for (Point& p : ring) p = Point(c * p.x() - s * p.y() + shift.x(), s * p.x() + c * p.y() + shift.y());

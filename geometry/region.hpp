@@ -11,6 +11,7 @@
 
 #include <cstddef>
 
+#include "base/math.hpp"
 #include "geometry/point.hpp"
 
 namespace oxturn {
@@ -64,7 +65,7 @@ Region box_region(const Point& low, const Point& high);
 /// Rotated by `angle` radians about the origin, then shifted.
 Region transformed(const Region& region, double angle, const Point& shift);
 inline Point rotated(const Point& p, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
+  const double c = math::cos(angle), s = math::sin(angle);
   return {c * p.x() - s * p.y(), s * p.x() + c * p.y()};
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -19,7 +21,7 @@ class Cone {
       reach_ = d;
       return true;
     }
-    const double direction = std::atan2(p.y() - apex_.y(), p.x() - apex_.x()), half = std::asin(error_ / d);
+    const double direction = math::atan2(p.y() - apex_.y(), p.x() - apex_.x()), half = math::asin(error_ / d);
     if (!open_) {
       first_ = direction, low_ = -half, high_ = half, open_ = true;
     } else {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/math.hpp"
 #include "base/text.hpp"
 #include "base/throw_invalid.hpp"
 #include "geometry/predicates.hpp"
@@ -56,7 +57,7 @@ void check_footprint(const Robot& robot) {
     const Point &a = ring[(i + n - 1) % n], &b = ring[i], &c = ring[(i + 1) % n];
     if (orientation(a, b, c) <= 0)
       refuse(fmt::format("is not convex at vertex {}, {}; expected a left turn at every vertex", i + 1, to_text(b)));
-    turned += std::atan2(cross(b - a, c - b), (b - a).dot(c - b));
+    turned += math::atan2(cross(b - a, c - b), (b - a).dot(c - b));
   }
   if (turned > 3 * kPi) refuse("runs round more than once, expected a simple polygon");
   for_each_edge(ring, [&](const Point& a, const Point& b) {

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -223,10 +225,10 @@ Chords::Chords(int n) {
   const double part = kPi / n;
   for (int k = 0; k < n; ++k) {
     const double angle = -kPi / 2 + (k + 0.5) * part;
-    directions_.push_back({std::cos(angle), std::sin(angle)});
+    directions_.push_back({math::cos(angle), math::sin(angle)});
   }
-  inscribed_ = std::cos(part / 2);
-  equal_area_ = std::sqrt(part / 2 / std::tan(part / 2));
+  inscribed_ = math::cos(part / 2);
+  equal_area_ = std::sqrt(part / 2 / math::tan(part / 2));
 }
 
 std::span<const Vec> Chords::between(double x, double y, double near) const {
@@ -235,7 +237,7 @@ std::span<const Vec> Chords::between(double x, double y, double near) const {
   const double length = std::sqrt(x * x + y * y);
   if (near <= -length) return all;
   if (near >= length) return {};
-  const double middle = std::atan2(y, x), half = std::acos(near / length);
+  const double middle = math::atan2(y, x), half = math::acos(near / length);
   if (std::abs(middle) + half >= 1.5 * kPi) return all;  // reaches around the back
   const auto n = static_cast<double>(all.size());
   const auto index = [&](double angle) {

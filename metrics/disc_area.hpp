@@ -11,6 +11,7 @@
 
 #include <cmath>
 
+#include "base/math.hpp"
 #include "geometry/region.hpp"
 
 namespace oxturn {
@@ -34,7 +35,7 @@ class DiscArea {
     if (leaves < 1) turn(q, b);
   }
 
-  double area() const { return triangles_ + radius_ * radius_ / 2 * (2 * kPi * turns_ + std::atan2(sine_, cosine_)); }
+  double area() const { return triangles_ + radius_ * radius_ / 2 * (2 * kPi * turns_ + math::atan2(sine_, cosine_)); }
 
  private:
   /// Adds the angle from a to b: (-pi, pi], 0 if either is the centre.

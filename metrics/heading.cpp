@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -40,7 +42,7 @@ Headings headings(const Problem& problem, const Path& path) {
       const double length = step.norm();
       if (length <= near) continue;
       if (any_heading) {
-        const double angle = std::atan2(cross(heading, step), heading.dot(step));
+        const double angle = math::atan2(cross(heading, step), heading.dot(step));
         if (std::abs(angle) > kStraight) {
           Turn turn{angle, run, false};
           if (!result.turns.empty()) turn.linked = linked(result.turns.back(), turn, w, gentle);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/graph_search.hpp"
+#include "base/math.hpp"
 #include "geometry/mesh/mesh.hpp"
 #include "geometry/overlay/minkowski.hpp"
 #include "geometry/raster.hpp"
@@ -95,7 +96,7 @@ double longest_edge_angle(const Region& region) {
   for_each_edge(region, [&](const Point& a, const Point& b) {
     if (!(distance(a, b) > longest * (1 + kRounding))) return;
     longest = distance(a, b);
-    angle = std::atan2(b.y() - a.y(), b.x() - a.x());
+    angle = math::atan2(b.y() - a.y(), b.x() - a.x());
   });
   return angle;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/math.hpp"
 #include "metrics/smooth_path.hpp"
 
 namespace oxturn {
@@ -39,7 +40,7 @@ double seconds_of_part(double part, double length, double u, double v, double to
 /// 0 if `a` is no heading.
 double turn_between(const Point& a, const Point& b) {
   if (a == Point(0, 0)) return 0;
-  return std::abs(std::atan2(cross(a, b), a.dot(b)));
+  return std::abs(math::atan2(cross(a, b), a.dot(b)));
 }
 
 /// The path in parts, each driven forwards or backwards throughout.

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <queue>
 
+#include "base/math.hpp"
 #include "metrics/disc_area.hpp"
 
 namespace oxturn {
@@ -130,7 +131,7 @@ Ring box_about(const Point& p, double half) {
 Ring around_disc(const Point& centre) {
   Ring ring;
   for (int k = 0; k < kChords; ++k)
-    ring.push_back(centre + rotated({kRadius / std::cos(kPi / kChords) * (1 + kRounding), 0}, 2 * kPi * k / kChords));
+    ring.push_back(centre + rotated({kRadius / math::cos(kPi / kChords) * (1 + kRounding), 0}, 2 * kPi * k / kChords));
   return ring;
 }
 

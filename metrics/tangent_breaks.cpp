@@ -4,6 +4,7 @@
 // thousandth of the tool's width first; changes of gear are cusps and do not count.
 #include <algorithm>
 
+#include "base/math.hpp"
 #include "maps/drawing.hpp"
 #include "metrics/score.hpp"
 
@@ -59,11 +60,11 @@ double breaks_of(const Polyline& line, double curvature) {
   std::vector<double> turn(line.size(), 0);  // at each vertex, radians
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     const Point before = line[i] - line[i - 1], after = line[i + 1] - line[i];
-    turn[i] = std::abs(std::atan2(cross(before, after), before.dot(after)));
+    turn[i] = std::abs(math::atan2(cross(before, after), before.dot(after)));
   }
   std::vector<char> broken(line.size(), 0);
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const double sum = std::tan(turn[i - 1] / 2) + std::tan(turn[i] / 2);
+    const double sum = math::tan(turn[i - 1] / 2) + math::tan(turn[i] / 2);
     if (sum / distance(line[i - 1], line[i]) <= kSpare * curvature) continue;
     for (const std::size_t v : {i - 1, i}) broken[v] = turn[v] > kBreak || broken[v] != 0;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.hpp"
 #include "metrics/crossing_detector.hpp"
 
 namespace oxturn {
@@ -14,7 +15,7 @@ namespace {
 double angle_integral(const PivotMotion& m) {
   const double h = m.height;
   const auto antiderivative = [h](double s) {
-    return s * std::atan2(h, s) + (h > 0 ? h * std::log(std::hypot(h, s)) : 0.0);
+    return s * math::atan2(h, s) + (h > 0 ? h * math::log(math::hypot(h, s)) : 0.0);
   };
   const double forward = antiderivative(m.end) - antiderivative(m.begin);
   return m.gear == Gear::forward ? forward : kPi * (m.end - m.begin) - forward;
@@ -23,7 +24,7 @@ double angle_integral(const PivotMotion& m) {
 /// Metres of the motion with atan2(h, s) > limit, that is s < h cot(limit); in reverse with -s in place of s.
 double sharp_metres(const PivotMotion& m, double limit) {
   if (limit >= kPi) return 0;
-  const double until = m.height * std::cos(limit) / std::sin(limit);
+  const double until = m.height * math::cos(limit) / math::sin(limit);
   if (m.gear == Gear::reverse) return m.end - std::clamp(-until, m.begin, m.end);
   return std::clamp(until, m.begin, m.end) - m.begin;
 }

@@ -20,12 +20,12 @@
 /// Complexity  n segments: O(n), beside the cost of TautTether and CrossingDetector
 #pragma once
 
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/math.hpp"
 #include "geometry/edge_index.hpp"
 #include "maps/followed_path.hpp"
 
@@ -39,9 +39,9 @@ struct PivotMotion {
   double path_m = 0;          // driven before it
   double begin = 0, end = 0;  // robot's position along the motion, metres from the pivot's foot; begin <= end
   double height = 0;          // the pivot's distance from the driven line, metres
-  double length_at(double s) const { return swing.before + std::hypot(height, s); }  // of the tether, metres
+  double length_at(double s) const { return swing.before + math::hypot(height, s); }  // of the tether, metres
   /// Radians, between the heading and the direction away from the tether's pull.
-  double angle_at(double s) const { return std::atan2(height, gear == Gear::forward ? s : -s); }
+  double angle_at(double s) const { return math::atan2(height, gear == Gear::forward ? s : -s); }
 };
 
 struct TetherCrossing {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "algorithms/transit/short_segments.hpp"
+#include "base/math.hpp"
 
 namespace oxturn {
 namespace {
@@ -15,7 +16,7 @@ constexpr double kNowhere = 1e-6;     // tool widths
 constexpr double kStep = 1.0 / 16;    // tool widths, along a wall
 constexpr double kChordError = 1e-3;  // tool widths, at most, of a spiral
 
-Point unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
+Point unit(double angle) { return {math::cos(angle), math::sin(angle)}; }
 
 /// One run of follow_wall().
 class WallFollowing {
@@ -134,7 +135,7 @@ void Vacuum::leave_wall(const Point& heading, double farthest) {
 Point Vacuum::any_heading() { return unit(2 * kPi * context_.rng().unit()); }
 
 Point Vacuum::heading_off(const Point& away) {
-  return unit(std::atan2(away.y(), away.x()) + kPi * (context_.rng().unit() - 0.5));
+  return unit(math::atan2(away.y(), away.x()) + kPi * (context_.rng().unit() - 0.5));
 }
 
 Path Vacuum::finish() {
@@ -148,7 +149,7 @@ Path Vacuum::finish() {
 
 std::optional<Point> spiral(Vacuum& vacuum, double pitch, const Point& heading) {
   const Point centre = vacuum.at();
-  const double a = pitch / (2 * kPi), begin = std::atan2(heading.y(), heading.x());
+  const double a = pitch / (2 * kPi), begin = math::atan2(heading.y(), heading.x());
   const double error = 0.8 * vacuum.tool_width() * kChordError;
   for (double turned = 0; !vacuum.done();) {
     // The chord over a small angle errs by angle^2 / 8 * curvature * (length per angle)^2.

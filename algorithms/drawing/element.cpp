@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/math.hpp"
 #include "base/throw_invalid.hpp"
 
 namespace oxturn {
@@ -80,13 +81,13 @@ Point exit_of(const DrawingElement& element, const ElementVisit& visit) {
 Pose first_heading(const Polyline& line) {
   const auto other = std::find_if(line.begin(), line.end(), [&](const Point& p) { return p != line.front(); });
   const Point d = (other == line.end() ? line.back() : *other) - line.front();
-  return {line.front(), std::atan2(d.y(), d.x())};
+  return {line.front(), math::atan2(d.y(), d.x())};
 }
 
 Pose last_heading(const Polyline& line) {
   const auto other = std::find_if(line.rbegin(), line.rend(), [&](const Point& p) { return p != line.back(); });
   const Point d = line.back() - (other == line.rend() ? line.front() : *other);
-  return {line.back(), std::atan2(d.y(), d.x())};
+  return {line.back(), math::atan2(d.y(), d.x())};
 }
 
 /// Without copying a closed stroke: of its points only those about the entry count.

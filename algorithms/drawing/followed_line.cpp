@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algorithms/smoothing/curve.hpp"
+#include "base/math.hpp"
 #include "geometry/bends.hpp"
 
 namespace oxturn {
@@ -81,7 +82,7 @@ class Follower {
     std::vector<std::pair<double, double>> near;
     for (const std::size_t v : sharp) {
       const double d = std::abs(turn(heading(line_[v - 1], line_[v]), heading(line_[v], line_[v + 1])));
-      const double reach = kRoom * options_.radius * std::tan(std::min(d, kSharpest) / 2);
+      const double reach = kRoom * options_.radius * math::tan(std::min(d, kSharpest) / 2);
       const double low = std::max(0.0, at[v] - reach), high = std::min(at.back(), at[v] + reach);
       if (!near.empty() && low <= near.back().second)
         near.back().second = std::max(near.back().second, high);
@@ -198,7 +199,7 @@ class Follower {
     }
     const double half = std::abs(curvature) * chord / 2;
     if (half >= 1) return std::nullopt;
-    const double turned = std::asin(half) * (curvature > 0 ? 1 : -1);
+    const double turned = math::asin(half) * (curvature > 0 ? 1 : -1);
     const Pose from{a, along - turned}, to{b, along + turned};
     const Curve curve{from,
                       to,

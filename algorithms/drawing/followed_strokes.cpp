@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -14,7 +16,7 @@ using Joint = std::pair<ElementPort, ElementPort>;
 
 double deflection(const Polyline& ring, std::size_t k) {
   const Point &at = ring[k], &before = ring[k == 0 ? ring.size() - 2 : k - 1], &after = ring[k + 1];
-  return std::abs(std::atan2(cross(at - before, after - at), (at - before).dot(after - at)));
+  return std::abs(math::atan2(cross(at - before, after - at), (at - before).dot(after - at)));
 }
 
 /// Ports of closed strokes that are opened become ends of them.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/math.hpp"
 #include "geometry/thinned.hpp"
 
 namespace oxturn {
@@ -112,7 +113,7 @@ class ThinAxis {
   /// Radians by which the line turns that comes to the node by one edge and leaves by the other.
   double turn(std::size_t node, std::size_t from, std::size_t to) const {
     const Point u = point(node) - point(other(from, node)), v = point(other(to, node)) - point(node);
-    return std::abs(std::atan2(cross(u, v), u.dot(v)));
+    return std::abs(math::atan2(cross(u, v), u.dot(v)));
   }
   /// At each node the straightest pairs of edges.
   void join() {

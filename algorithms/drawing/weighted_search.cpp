@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -81,7 +83,7 @@ void WeightedSearch::for_each_neighbour(std::size_t cell, const Point& from, con
     for (int di = -1; di <= 1; ++di) {
       if ((di == 0 && dj == 0) || !free_.get(i + di, j + dj)) continue;
       const std::size_t next = free_.at(i + di, j + dj);
-      reach(next, free_.cell * std::hypot(di, dj) * (here + factor(next)) / 2);
+      reach(next, free_.cell * math::hypot(di, dj) * (here + factor(next)) / 2);
     }
 }
 

@@ -1,7 +1,8 @@
 #include "algorithms/grid/uncovered_chains.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "base/math.hpp"
 
 namespace oxturn {
 namespace {
@@ -17,7 +18,7 @@ std::optional<Point> inner_point(const EdgeIndex& space, const Point& p, double 
   const double step = tool_width / 1000;
   for (int k = 0; k < kDirections; ++k) {
     const double angle = k * kPi / (kDirections / 2);
-    const Point q = p + step * Point(std::cos(angle), std::sin(angle));
+    const Point q = p + step * Point(math::cos(angle), math::sin(angle));
     if (space.contains(q)) return q;
   }
   return std::nullopt;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -31,7 +33,7 @@ bool Annealing::legal(const Edges& edges) const {
 bool Annealing::try_move(double temperature, Rng& rng) {
   const std::optional<Change> change = moves_.propose(path_, rng);
   if (!change) return false;
-  const double most = -temperature * std::log(1 - rng.unit());  // that the energy may rise
+  const double most = -temperature * math::log(1 - rng.unit());  // that the energy may rise
   double longer = change->added.length() - change->removed.length();
   if (options_.turn > 0) longer += options_.turn * change->turning(path_);
   const double each = price_ * witnesses_.area_each();
@@ -62,13 +64,13 @@ void Annealing::run(const Schedule& schedule, Rng& rng, const Context& context) 
         next_look = k + std::max(period, static_cast<long>(witnesses_.bytes() / kBytesEach));
       }
       const double done = static_cast<double>(k) / static_cast<double>(schedule.moves);
-      temperature = schedule.hot * std::pow(schedule.cold / schedule.hot, done);
+      temperature = schedule.hot * math::pow(schedule.cold / schedule.hot, done);
       if (!options_.floating) {
         try_move(temperature, rng);
         continue;
       }
       const double excess = uncovered() / options_.uncovered - 1;
-      price_ = std::clamp(price_ * std::exp(std::clamp(kDearer * excess, kCheaper, kDearer)),
+      price_ = std::clamp(price_ * math::exp(std::clamp(kDearer * excess, kCheaper, kDearer)),
                           options_.price / kPriceRange, options_.price * kPriceRange);
     }
     try_move(temperature, rng);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "algorithms/improve/wall_following.hpp"
 #include "algorithms/improve/windows.hpp"
 #include "algorithms/lanes/inner_space.hpp"
+#include "base/math.hpp"
 #include "base/parallel.hpp"
 #include "geometry/uniform_grid.hpp"
 
@@ -190,7 +190,7 @@ class Improver {
       options.uncovered *= factor;
       options.least_shift = kLeastShift;
       options.most_shift = kMostShift;
-      const double cold = kCool * std::pow(kCold / kCool, (round + 1.0) / rounds);
+      const double cold = kCool * math::pow(kCold / kCool, (round + 1.0) / rounds);
       now.points = divided(now.points, focus_, width_);
       now = annealed(now.points, options, {moves(shares().closing / rounds), kCool * width_, cold * width_},
                      context_.rng());
@@ -198,7 +198,7 @@ class Improver {
   }
   /// Of a round: as many as take the time to see what the path leaves uncovered.
   long least_moves(const Annealed& path) const {
-    const double points = area(completion_.target()) / std::pow(fine_cell() * width_, 2);
+    const double points = area(completion_.target()) / math::pow(fine_cell() * width_, 2);
     return std::max({kLeastMoves, kLeastMovesEach * static_cast<long>(path.points.size()),
                      static_cast<long>(points / kPointsEach)});
   }
@@ -229,7 +229,7 @@ class Improver {
             .without = without_};
   }
   /// Of uncovered area, where that share of the target stays uncovered.
-  double price(double share) const { return kPrice / width_ * std::pow(share / kPriceAt, kPricePower); }
+  double price(double share) const { return kPrice / width_ * math::pow(share / kPriceAt, kPricePower); }
   Region with_margin(double margin, double chord) const {
     return nearly_all() ? reachable_target(problem_, margin * width_, chord) : Region{};
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -96,7 +98,7 @@ void Change::apply(VertexPath& path) const {
 double turn_at(const Point& a, const Point& b, const Point& c) {
   const Point in = b - a, out = c - b;
   if (in == Point(0, 0) || out == Point(0, 0)) return 0;
-  return std::abs(std::atan2(cross(in, out), in.dot(out)));
+  return std::abs(math::atan2(cross(in, out), in.dot(out)));
 }
 
 double turning(const Polyline& path) {
@@ -135,7 +137,7 @@ double Change::turning_of_replaced(const VertexPath& path) const {
 }
 
 double Moves::spread(Rng& rng) const {
-  return width_ * sizes_.least * std::exp(rng.unit() * std::log(sizes_.most / sizes_.least));
+  return width_ * sizes_.least * math::exp(rng.unit() * math::log(sizes_.most / sizes_.least));
 }
 
 Point Moves::cloud(Rng& rng) const {

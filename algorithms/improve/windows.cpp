@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algorithms/improve/window_parts.hpp"
+#include "base/math.hpp"
 #include "base/parallel.hpp"
 #include "geometry/raster.hpp"
 
@@ -96,20 +97,20 @@ class Windows {
     sample();
     make_raster();
     Annealed now{points, uncovered(points), options_.price};
-    now.effort.raster_points = box_.size().prod() / std::pow(options_.cell, 2);
+    now.effort.raster_points = box_.size().prod() / math::pow(options_.cell, 2);
     const double first = now.price;
     const double windows = static_cast<double>(samples_.size()) * kSample * kSample / (kSide * kSide);
     const int passes = static_cast<int>(
         std::clamp<double>(static_cast<double>(schedule.moves) / (windows * kMovesEach), kLeastPasses, kMostPasses));
     const auto temperature = [&](int k) {
-      return schedule.hot * std::pow(schedule.cold / schedule.hot, static_cast<double>(k) / passes);
+      return schedule.hot * math::pow(schedule.cold / schedule.hot, static_cast<double>(k) / passes);
     };
-    const auto excess = [&] { return std::log(std::max(now.uncovered / options_.uncovered, kLeastUncovered)); };
+    const auto excess = [&] { return math::log(std::max(now.uncovered / options_.uncovered, kLeastUncovered)); };
     for (int k = 0; k < passes && !context.cancelled(); ++k) {
       const double last = excess();
       now = pass(std::move(now), {schedule.moves / passes, temperature(k), temperature(k + 1)}, rng, context);
       const double step = kPower * (excess() + kAhead * (excess() - last));
-      now.price = std::clamp(now.price * std::exp(std::clamp(step, -kMostStep, kMostStep)), first / kPriceRange,
+      now.price = std::clamp(now.price * math::exp(std::clamp(step, -kMostStep, kMostStep)), first / kPriceRange,
                              first * kPriceRange);
     }
     return now;
@@ -209,7 +210,7 @@ class Windows {
       focus[k].push_back(p);
     }
     const double least = static_cast<double>(now.points.size() + vertex_count(target_)) / kVerticesEach +
-                         std::pow((side + 2 * options_.radius) / options_.cell, 2) / kPointsEach;
+                         math::pow((side + 2 * options_.radius) / options_.cell, 2) / kPointsEach;
     const std::uint64_t seed = rng.bits();
     std::array<std::vector<Task>, 4> batches;
     for (std::size_t k = 0; k < grid.size(); ++k) {

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <utility>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -102,7 +104,7 @@ const Witnesses::Capsule& at(std::span<const Witnesses::Capsule> capsules, std::
 Region Witnesses::turned(const Region& region) { return transformed(region, -kTurn, Point(0, 0)); }
 
 Point Witnesses::turned(const Point& p) {
-  static const double c = std::cos(kTurn), s = std::sin(kTurn);
+  static const double c = math::cos(kTurn), s = math::sin(kTurn);
   return {c * p.x() + s * p.y(), c * p.y() - s * p.x()};
 }
 
@@ -192,7 +194,7 @@ void Witnesses::capsule(const Point& a, const Point& b, Capsule& out) const {
 }
 
 std::vector<Point> Witnesses::uncovered_points(std::size_t most) const {
-  static const double c = std::cos(kTurn), s = std::sin(kTurn);
+  static const double c = math::cos(kTurn), s = math::sin(kTurn);
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i + sizeof(std::uint64_t) <= counts_.size(); i += sizeof(std::uint64_t)) {
     if (zeros(load(counts_.data() + i), ~std::uint64_t{0}) == 0) continue;

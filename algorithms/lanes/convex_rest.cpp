@@ -1,9 +1,10 @@
 #include "algorithms/lanes/convex_rest.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
+
+#include "base/math.hpp"
 
 namespace oxturn {
 namespace {
@@ -88,7 +89,7 @@ void ConvexRest::subtract_disc(const ConvexPiece& piece, const Point& centre, do
   for (const Point& p : piece) {
     const Point d = p - centre;
     if (d.squaredNorm() <= thin * thin) continue;
-    const double angle = std::atan2(cross(towards, d), towards.dot(d));
+    const double angle = math::atan2(cross(towards, d), towards.dot(d));
     right = std::min(right, angle), left = std::max(left, angle);
   }
   ConvexPiece below, above;
@@ -100,7 +101,7 @@ void ConvexRest::subtract_disc(const ConvexPiece& piece, const Point& centre, do
     }
   }
   const Point middle = rotated(towards, (left + right) / 2);
-  const double chord = middle.dot(centre) + radius * std::cos((left - right) / 2) * (1 - kThin);
+  const double chord = middle.dot(centre) + radius * math::cos((left - right) / 2) * (1 - kThin);
   if (split(piece, middle, chord, thin, below, above) && near_all(below, centre, centre, radius)) return keep(above);
   keep(piece);
 }

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "algorithms/lanes/lanes.hpp"
+#include "base/math.hpp"
 #include "geometry/convex_hull.hpp"
 
 namespace oxturn {
@@ -79,7 +80,7 @@ std::vector<double> frequent_directions(const Region& region) {
 
 }  // namespace
 
-double direction_of(const Point& d) { return half_turn(std::atan2(d.y(), d.x()) * 180 / kPi); }
+double direction_of(const Point& d) { return half_turn(math::atan2(d.y(), d.x()) * 180 / kPi); }
 
 /// Of the edge whose farthest vertex is nearest, by rotating callipers.
 double narrowest_direction(const Ring& hull) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/math.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/minkowski.hpp"
 #include "geometry/overlay/offset.hpp"
@@ -192,8 +193,8 @@ LaneFrame::LaneFrame(double lane_degrees) {
     c_ = quarter == 0 ? 1 : quarter == 2 ? -1 : 0;
     s_ = quarter == 1 ? 1 : quarter == 3 ? -1 : 0;
   } else {
-    c_ = std::cos(turn * kPi / 180);
-    s_ = std::sin(turn * kPi / 180);
+    c_ = math::cos(turn * kPi / 180);
+    s_ = math::sin(turn * kPi / 180);
   }
 }
 

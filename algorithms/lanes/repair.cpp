@@ -15,6 +15,7 @@
 #include "algorithms/lanes/lanes.hpp"
 #include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/stops.hpp"
+#include "base/math.hpp"
 #include "geometry/convex_hull.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
@@ -52,7 +53,7 @@ Region without_seams(const Polygon& polygon, double seam) {
 
 /// Without negligible pieces, and without those that consist of seams; seams may also connect pieces that are thicker.
 Region without_negligible(const Region& region, const Robot& robot) {
-  const double seam = covered_seam(robot), least = kNegligible * std::pow(robot.tool_width, 2);
+  const double seam = covered_seam(robot), least = kNegligible * math::pow(robot.tool_width, 2);
   Region left;
   for (const Polygon& p : region.polygons) {
     const double size = area(p);
@@ -240,7 +241,7 @@ class Repair {
   }
   /// How far before the end of a strip a lane along its middle may end: the tool covers the rest from there.
   double reach_along(double strip) const {
-    return std::sqrt(std::max(0.0, std::pow(kReach * width_, 2) - std::pow(strip / 2, 2)));
+    return std::sqrt(std::max(0.0, math::pow(kReach * width_, 2) - math::pow(strip / 2, 2)));
   }
   static Point diameter(const Ring& hull) {
     Point longest(0, 0);

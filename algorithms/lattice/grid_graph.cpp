@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -66,7 +68,7 @@ GridGraph::GridGraph(const Region& space, double side, double angle, const Point
     : CellNumbers(columns, rows),
       side_(side),
       origin_(origin),
-      across_(std::cos(angle), std::sin(angle)),
+      across_(math::cos(angle), math::sin(angle)),
       up_(perpendicular(across_)),
       cells_(size(), 0) {
   mark_free_nodes(space);
@@ -239,7 +241,7 @@ std::vector<Cell> take_component(BitGrid& grid, const Cell& cell, int reach) {
 BitGrid rasterise(const Region& region, const GridGraph& lattice, int parts, int margin, CellRule rule) {
   const double first = -0.5 - margin;  // lower left of the first cell
   const Point low = lattice.centre(first, first), across = lattice.centre(first + 1, first) - low;
-  const double angle = std::atan2(across.y(), across.x());
+  const double angle = math::atan2(across.y(), across.x());
   return rasterise(transformed(region, -angle, Point(0, 0)), rotated(low, -angle), lattice.side() / parts,
                    parts * (lattice.columns() + 2 * margin), parts * (lattice.rows() + 2 * margin), rule);
 }
@@ -250,11 +252,11 @@ double dominant_direction(const Region& region) {
   for_each_ring(region, [&](const Ring& ring) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Point d = ring[(k + 1) % ring.size()] - ring[k];
-      const double four = 4 * std::atan2(d.y(), d.x());
-      sum += d.norm() * Point(std::cos(four), std::sin(four));
+      const double four = 4 * math::atan2(d.y(), d.x());
+      sum += d.norm() * Point(math::cos(four), math::sin(four));
     }
   });
-  double angle = std::atan2(sum.y(), sum.x()) / 4;
+  double angle = math::atan2(sum.y(), sum.x()) / 4;
   if (angle < 0) angle += kPi / 2;
   if (angle < 1e-9 || angle > kPi / 2 - 1e-9) angle = 0;  // on the axes but for rounding
   return angle;

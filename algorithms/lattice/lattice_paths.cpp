@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -60,7 +62,7 @@ std::optional<std::size_t> LatticePaths::node_near(const Point& p) const {
   for (int j = cj - kNear; j <= cj + kNear; ++j)
     for (int i = ci - kNear; i <= ci + kNear; ++i) {
       if (!graph_.free(i, j)) continue;
-      const double away = std::hypot(i - at.x(), j - at.y());
+      const double away = math::hypot(i - at.x(), j - at.y());
       if (away >= least || !walls_.contains(p, graph_.centre(i, j))) continue;
       least = away;
       best = graph_.at(i, j);

@@ -8,6 +8,7 @@
 
 #include "algorithms/lattice/grid_graph.hpp"
 #include "algorithms/online/star.hpp"
+#include "base/math.hpp"
 
 namespace oxturn {
 namespace {
@@ -53,7 +54,7 @@ void Belief::mark_own_disc(const Point& pose) {
 }
 
 double Belief::trusted_range() const {
-  return std::min(lidar_.range, far_apart() / (2 * std::sin(kPi / std::max(5, lidar_.rays))));
+  return std::min(lidar_.range, far_apart() / (2 * math::sin(kPi / std::max(5, lidar_.rays))));
 }
 
 bool Belief::is_free(std::size_t c) const {

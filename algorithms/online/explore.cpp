@@ -6,6 +6,7 @@
 #include "algorithms/lattice/grid_graph.hpp"
 #include "algorithms/online/believed_paths.hpp"
 #include "base/graph_search.hpp"
+#include "base/math.hpp"
 
 namespace oxturn {
 namespace {
@@ -131,7 +132,7 @@ class ViewpointSearch {
       const Cell at = cell(node);
       for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x)
-          if (room_.get(at.i + x, at.j + y)) reach(room_.at(at.i + x, at.j + y), room_.cell * std::hypot(x, y));
+          if (room_.get(at.i + x, at.j + y)) reach(room_.at(at.i + x, at.j + y), room_.cell * math::hypot(x, y));
     };
     dijkstra(search_, room_.bits.size(), sources(pose), neighbours,
              [&](std::size_t node) { return finished(cell(node), search_.cost(node), viewing); });
@@ -150,7 +151,7 @@ class ViewpointSearch {
     for (int y = -kBegin; y <= kBegin; ++y)
       for (int x = -kBegin; x <= kBegin; ++x)
         if (room_.get(here.i + x, here.j + y))
-          all.emplace_back(room_.at(here.i + x, here.j + y), room_.cell * std::hypot(x, y));
+          all.emplace_back(room_.at(here.i + x, here.j + y), room_.cell * math::hypot(x, y));
     return all;
   }
 
@@ -159,7 +160,7 @@ class ViewpointSearch {
     if (away >= shortest_) return true;
     if (at.i % kStride != 0 || at.j % kStride != 0 || away < viewing.nearest) return false;
     const auto close = [&](const Cell& c) {
-      return room_.cell * std::hypot(c.i - at.i, c.j - at.j) < 2 * viewing.size;
+      return room_.cell * math::hypot(c.i - at.i, c.j - at.j) < 2 * viewing.size;
     };
     if (!sees_one(free_, at, frontiers_, viewing.share) || std::any_of(tried_.begin(), tried_.end(), close))
       return false;
@@ -217,7 +218,7 @@ BitGrid Explorer::open_cells(const View& view, const Belief::Cells& cells) {
       open.set(i, j, false);
       if (!free.get(i, j)) continue;
       double& from = look_from(free, i, j, farthest);
-      const double away = free.cell * std::hypot(i - here.i, j - here.j);
+      const double away = free.cell * math::hypot(i - here.i, j - here.j);
       if (free.inside(here.i, here.j) && away <= from && in_sight(free, here, {i, j})) from /= 2;
       if (from >= size) open.set(i, j, true);
     }

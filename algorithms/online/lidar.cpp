@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/math.hpp"
 #include "base/text.hpp"
 #include "maps/formats.hpp"
 
@@ -31,7 +32,7 @@ std::vector<Point> ray_directions(int rays) {
   all.reserve(static_cast<std::size_t>(rays));
   for (int k = 0; k < rays; ++k) {
     const double angle = 2 * kPi * k / rays;
-    all.emplace_back(std::cos(angle), std::sin(angle));
+    all.emplace_back(math::cos(angle), math::sin(angle));
   }
   return all;
 }

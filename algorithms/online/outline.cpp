@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/raster.hpp"
 
@@ -19,7 +20,7 @@ constexpr double kSpeck = 1.0 / 4;  // holes up to this in which no wall was see
 constexpr std::size_t kMostPending = 64;
 
 double angle_of(const Point& p) {
-  const double angle = std::atan2(p.y(), p.x());
+  const double angle = math::atan2(p.y(), p.x());
   return angle < 0 ? angle + 2 * kPi : angle;
 }
 
@@ -49,7 +50,7 @@ bool Outline::Star::says_free(const Point& p) const {
 /// Between the two rays around p, in the box.
 void Outline::Star::withdraw(const Point& p, const Box& box) {
   const double first = std::floor(angle_of(p - eye) / step) * step, far = 2 * std::sqrt(reach2);
-  const Point u(std::cos(first), std::sin(first)), v(std::cos(first + step), std::sin(first + step));
+  const Point u(math::cos(first), math::sin(first)), v(math::cos(first + step), math::sin(first + step));
   const Region wedge{{Polygon{{eye, eye + far * u, eye + far * v}, {}}}};
   withdrawn.push_back({box, intersect(wedge, box_region(box.low, box.high))});
 }
@@ -59,7 +60,7 @@ Region Outline::Star::sector(const Box& box) const {
   const auto whole = [this] { return Region{{Polygon{ring, {}}}}; };
   if (box.contains(eye)) return whole();
   const Point middle = box.centre() - eye;
-  const double half = std::atan2(box.size().norm() / 2, middle.norm()), at = angle_of(middle);
+  const double half = math::atan2(box.size().norm() / 2, middle.norm()), at = angle_of(middle);
   if (at - half < 0 || at + half > 2 * kPi) return whole();
   const auto first = std::lower_bound(angle.begin(), angle.end(), at - half) - angle.begin();
   const auto last = std::upper_bound(angle.begin(), angle.end(), at + half) - angle.begin();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -20,7 +22,7 @@ class Star {
     straight_.resize(n_);
     for (std::size_t i = 0; i < n_; ++i) straight_[i] = collinear(i, next(i), next(next(i)));
     const double half = scan.step() / 2;
-    cut_ = std::min(scan.lidar.range, rules.apart / (2 * std::sin(half))) * std::cos(half);
+    cut_ = std::min(scan.lidar.range, rules.apart / (2 * math::sin(half))) * math::cos(half);
   }
 
   Ring ring(std::vector<Point>* corners) const {
@@ -171,7 +173,7 @@ Ring star(const Scan& scan, const std::vector<Point>& directions, const StarRule
 Ring noisy_star(const Scan& scan, const std::vector<Point>& directions, const StarRules& rules, double margin) {
   const std::size_t n = scan.reading.size();
   if (n < kFewestRays) return {};
-  const double farthest = std::min(scan.lidar.range, rules.apart / (2 * std::sin(scan.step() / 2)));
+  const double farthest = std::min(scan.lidar.range, rules.apart / (2 * math::sin(scan.step() / 2)));
   Ring ring;
   for (std::size_t i = 0; i < n; ++i) {
     const double least = std::min({scan.reading[i], scan.reading[(i + 1) % n], scan.reading[(i + n - 1) % n]});

@@ -8,6 +8,7 @@
 
 #include "algorithms/lanes/lane_direction.hpp"
 #include "algorithms/polygon/slab_strips.hpp"
+#include "base/math.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/ring_boxes.hpp"
 
@@ -35,7 +36,7 @@ struct Candidate {
 
 double bend(const Point& before, const Point& at, const Point& after) {
   const Point a = at - before, b = after - at;
-  return std::abs(std::atan2(cross(a, b), a.dot(b))) * 180 / kPi;
+  return std::abs(math::atan2(cross(a, b), a.dot(b))) * 180 / kPi;
 }
 
 bool runs_on(const Polyline& left, const Polyline& right) {

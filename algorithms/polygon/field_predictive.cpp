@@ -44,6 +44,7 @@
 #include "algorithms/transit/mesh_wave.hpp"
 #include "algorithms/transit/nearest_component.hpp"
 #include "algorithms/transit/short_segments.hpp"
+#include "base/math.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/swath.hpp"
@@ -82,7 +83,7 @@ struct Stretch {
 
 double turn_at(const Point& before, const Point& at, const Point& after) {
   const Point a = at - before, b = after - at;
-  return std::abs(std::atan2(cross(a, b), a.dot(b)));
+  return std::abs(math::atan2(cross(a, b), a.dot(b)));
 }
 
 /// The part of the ring from one vertex to another, all of it if they are the same; the rest is that of the round.
@@ -441,9 +442,9 @@ void drive_blocks(const std::vector<Region>& blocks, const Problem& problem, Pre
     nearest.remove(static_cast<int>(k));
     drive.run(blocks[k], context);
   };
-  while (const auto found = nearest.from(drive.at())) {
+  while (const auto next = nearest.nearest(drive.at())) {
     if (context.cancelled()) return;
-    run(found->id);
+    run(*next);
   }
   for (std::size_t k = 0; k < blocks.size(); ++k)  // those without a vertex inside, by rounding
     if (!driven[k] && !context.cancelled()) run(k);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algorithms/polygon/wave_tree.hpp"
+#include "base/math.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/mesh/medial_axis.hpp"
 #include "geometry/mesh/shortest_bridges.hpp"
@@ -89,7 +90,7 @@ class Decomposition {
           const Point begin = other ? cut[1] : cut[0];
           if (distance(begin, end) > distance(line[0], line[1]) + distance(cut[0], cut[1])) continue;
           const Point on = other ? Point(cut[0] - cut[1]) : Point(cut[1] - cut[0]);
-          best = std::max(best, kPi - std::abs(std::atan2(cross(out, on), out.dot(on))));
+          best = std::max(best, kPi - std::abs(math::atan2(cross(out, on), out.dot(on))));
         }
       if (best > 0) most = std::max(most, std::abs(kPi / std::max(best, kLeastAngle) - 1));
     }

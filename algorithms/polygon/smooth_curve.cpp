@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -24,7 +26,7 @@ class Wedge {
     const double far = d.norm();
     farthest_ = std::max(farthest_, far);
     if (far <= tolerance_) return;
-    const double open = std::asin(tolerance_ / far);
+    const double open = math::asin(tolerance_ / far);
     const Point right = turned(d, -open), left = turned(d, open);
     if (!narrowed_ || cross(right_, right) > 0) right_ = right;
     if (!narrowed_ || cross(left, left_) > 0) left_ = left;
@@ -33,7 +35,7 @@ class Wedge {
 
  private:
   static Point turned(const Point& d, double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
+    const double c = math::cos(angle), s = math::sin(angle);
     return {c * d.x() - s * d.y(), s * d.x() + c * d.y()};
   }
   Point apex_;
@@ -45,12 +47,12 @@ class Wedge {
 void add_corner(Polyline& line, const Point& a, const Point& b, const Point& c, double off,
                 const Connector& connector) {
   const Point u = (b - a).normalized(), v = (c - b).normalized();
-  const double turn = std::atan2(cross(u, v), u.dot(v)), half = std::abs(turn) / 2;
+  const double turn = math::atan2(cross(u, v), u.dot(v)), half = std::abs(turn) / 2;
   const double room = std::min(distance(a, b), distance(b, c)) / 2;
-  const double most = off / (1 / std::cos(half) - 1) * std::tan(half);  // from the vertex to where the arc begins
+  const double most = off / (1 / math::cos(half) - 1) * math::tan(half);  // from the vertex to where the arc begins
   const double tangent = std::min(room, most);
   if (std::abs(turn) < kLeastTurn || half > kPi / 2 - kLeastTurn) return line.push_back(b);
-  const double radius = tangent / std::tan(half), side = turn > 0 ? 1 : -1;
+  const double radius = tangent / math::tan(half), side = turn > 0 ? 1 : -1;
   const Point begin = b - tangent * u, centre = begin + side * radius * perpendicular(u);
   const double chords = std::ceil(std::abs(turn) / kChordTurn);
   Polyline arc;

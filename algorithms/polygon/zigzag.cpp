@@ -46,6 +46,7 @@
 #include "algorithms/polygon/needed_outline.hpp"
 #include "algorithms/polygon/segment_fill.hpp"
 #include "algorithms/polygon/skeleton_spiral.hpp"
+#include "base/math.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
 #include "geometry/raster.hpp"
@@ -201,7 +202,7 @@ LanesOfParts covering_lanes(const Field& f) {
 
 /// The source's start vertex of a part: does it lie on the low side of the lanes' frame?
 bool starts_low(const Field& f, const Part& part) {
-  const bool steep = std::abs(std::sin(f.angle * kPi / 180)) > std::abs(std::cos(f.angle * kPi / 180));
+  const bool steep = std::abs(math::sin(f.angle * kPi / 180)) > std::abs(math::cos(f.angle * kPi / 180));
   const Point* first = &part.rings.front().front();
   for (const Ring& r : part.rings)
     for (const Point& p : r)

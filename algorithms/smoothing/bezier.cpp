@@ -7,6 +7,7 @@
 
 #include "algorithms/smoothing/golden_section.hpp"
 #include "algorithms/smoothing/quadrature.hpp"
+#include "base/math.hpp"
 
 namespace oxturn {
 namespace {
@@ -52,7 +53,7 @@ double curvature_of(const Point& velocity, const Point& acceleration) {
 double mean_curvature(const Point& from, const Point& to, double chord) {
   const double dot = from.dot(to), area = std::abs(cross(from, to));
   if (dot > 0 && area < kSharp * dot) return 0;
-  return chord > 0 ? std::atan2(area, dot) / chord : std::numeric_limits<double>::infinity();
+  return chord > 0 ? math::atan2(area, dot) / chord : std::numeric_limits<double>::infinity();
 }
 
 /// The greatest curvature of the quintics between two poses, by the length of their handles. Their first and last three
@@ -149,7 +150,7 @@ Bezier quintic_connection(const Pose& from, const Pose& to, double radius) {
   const QuinticFamily family(from, to);
   const double d = distance(from.at, to.at);
   const double least = std::max(d / 8, 1e-3 * radius), most = d + 4 * radius;
-  const auto handle = [&](double k) { return least * std::pow(most / least, k / kHandles); };
+  const auto handle = [&](double k) { return least * math::pow(most / least, k / kHandles); };
   const auto bend = [&](double k) { return family.largest_curvature(handle(k)); };
   int best = 0;
   double least_bend = std::numeric_limits<double>::infinity();

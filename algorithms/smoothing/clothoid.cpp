@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "algorithms/smoothing/quadrature.hpp"
+#include "base/math.hpp"
 
 namespace oxturn {
 namespace {
@@ -21,7 +22,7 @@ double turn_angle(double angle) {
   return a > kFullTurn - 1e-9 ? 0 : a;
 }
 
-double angle_of(const Point& v) { return std::atan2(v.y(), v.x()); }
+double angle_of(const Point& v) { return math::atan2(v.y(), v.x()); }
 
 Pose end_of(const std::vector<Clothoid>& pieces, const Pose& from) {
   return pieces.empty() ? from : end_of(pieces.back());
@@ -89,7 +90,7 @@ class Words {
     const double squared = between.squaredNorm() - 4 * yo_ * yo_;
     const double line = squared > 0 ? std::sqrt(squared) - 2 * xo_ : -1;
     if (line < 0) return;
-    const double heading = angle_of(between) + sense * std::atan2(2 * yo_, line + 2 * xo_);
+    const double heading = angle_of(between) + sense * math::atan2(2 * yo_, line + 2 * xo_);
     add({sense, 0, -sense}, {heading, 0, to_.heading}, line);
   }
   /// Neighbouring turns touch in the middle between their centres.
@@ -97,10 +98,10 @@ class Words {
     const Point first = first_centre(sense), last = last_centre(sense), between = last - first;
     const double apart = between.norm() / (4 * shape_.outer_radius());
     if (apart > 1) return;
-    const double tilt = sense * std::atan2(yo_, xo_);
+    const double tilt = sense * math::atan2(yo_, xo_);
     for (const int side : {1, -1}) {
-      const double angle = angle_of(between) + side * std::acos(apart);
-      const Point middle = first + 2 * shape_.outer_radius() * Point(std::cos(angle), std::sin(angle));
+      const double angle = angle_of(between) + side * math::acos(apart);
+      const Point middle = first + 2 * shape_.outer_radius() * Point(math::cos(angle), math::sin(angle));
       add({sense, -sense, sense}, {angle + tilt, angle_of(last - middle) - tilt, to_.heading}, 0);
     }
   }
@@ -116,7 +117,7 @@ class Words {
 Pose pose_at(const Clothoid& piece, double s) {
   const double turned = s * (piece.curvature + piece.sharpness * s / 2);
   if (piece.sharpness == 0) {
-    const double half = turned / 2, chord = std::abs(half) > 1e-8 ? s * std::sin(half) / half : s;
+    const double half = turned / 2, chord = std::abs(half) > 1e-8 ? s * math::sin(half) / half : s;
     return {ahead({piece.from.at, piece.from.heading + half}, chord).at, piece.from.heading + turned};
   }
   const double most = std::max(std::abs(piece.curvature), std::abs(piece.curvature + piece.sharpness * s));
@@ -126,7 +127,7 @@ Pose pose_at(const Clothoid& piece, double s) {
     sum += integral(
         [&](double at) {
           const double heading = piece.from.heading + at * (piece.curvature + piece.sharpness * at / 2);
-          return Point(std::cos(heading), std::sin(heading));
+          return Point(math::cos(heading), math::sin(heading));
         },
         s * i / panels, s * (i + 1) / panels);
   return {piece.from.at + sum, piece.from.heading + turned};
@@ -143,7 +144,7 @@ TurnShape::TurnShape(double radius, double sharpness)
         sharpness_, least));
   end_heading_ = 1 / (2 * sharpness_ * radius * radius);
   const Point end = end_of({{}, 0, sharpness_, 1 / (sharpness_ * radius)}).at;
-  centre_ = {end.x() - radius * std::sin(end_heading_), end.y() + radius * std::cos(end_heading_)};
+  centre_ = {end.x() - radius * math::sin(end_heading_), end.y() + radius * math::cos(end_heading_)};
 }
 
 std::vector<Clothoid> TurnShape::turn(const Pose& from, double deflection) const {
@@ -152,8 +153,8 @@ std::vector<Clothoid> TurnShape::turn(const Pose& from, double deflection) const
   if (delta == 0) return {{from, 0, 0, 2 * centre_.x()}};
   // Two clothoids whose chord is that of the circle: at first of unit length, then scaled.
   const Point unit = end_of({{}, 0, delta, 1}).at;
-  const double along = unit.x() * std::cos(delta / 2) + unit.y() * std::sin(delta / 2);
-  const double half_chord = outer_radius() * std::sin(delta / 2 + std::atan2(centre_.x(), centre_.y()));
+  const double along = unit.x() * math::cos(delta / 2) + unit.y() * math::sin(delta / 2);
+  const double half_chord = outer_radius() * math::sin(delta / 2 + math::atan2(centre_.x(), centre_.y()));
   const double length = half_chord / along;
   return two_clothoids(from, deflection / (length * length), length);
 }
@@ -170,7 +171,7 @@ std::vector<Clothoid> TurnShape::corner(const Pose& from, double deflection) con
 }
 
 double TurnShape::tangent_length(double deflection) const {
-  const double delta = std::abs(deflection), slope = std::tan(delta / 2);
+  const double delta = std::abs(deflection), slope = math::tan(delta / 2);
   if (delta >= 2 * end_heading_) return centre_.x() + centre_.y() * slope;
   const Point middle = end_of({{}, 0, sharpness_, std::sqrt(delta / sharpness_)}).at;
   return middle.x() + middle.y() * slope;
@@ -178,8 +179,8 @@ double TurnShape::tangent_length(double deflection) const {
 
 double TurnShape::deviation(double deflection) const {
   const double delta = std::abs(deflection);
-  if (delta >= 2 * end_heading_) return centre_.y() / std::cos(delta / 2) - radius_;
-  return end_of({{}, 0, sharpness_, std::sqrt(delta / sharpness_)}).at.y() / std::cos(delta / 2);
+  if (delta >= 2 * end_heading_) return centre_.y() / math::cos(delta / 2) - radius_;
+  return end_of({{}, 0, sharpness_, std::sqrt(delta / sharpness_)}).at.y() / math::cos(delta / 2);
 }
 
 std::vector<std::vector<Clothoid>> continuous_dubins_words(const Pose& from, const Pose& to, const TurnShape& shape) {

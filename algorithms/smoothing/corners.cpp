@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -20,7 +22,7 @@ constexpr double kArcError = 0.8;         // chord errors; leaving out a sample 
 constexpr double kRepeated = 1e-9;        // radii
 
 Point unit(const Point& v) { return v / v.norm(); }
-double angle_of(const Point& v) { return std::atan2(v.y(), v.x()); }
+double angle_of(const Point& v) { return math::atan2(v.y(), v.x()); }
 
 /// How one corner is driven.
 struct Turn {
@@ -70,7 +72,7 @@ class Rounding {
     if (in == Point(0, 0) || out == Point(0, 0))
       throw std::invalid_argument(fmt::format("corner {} repeats a point", to_text(line_[vertex])));
     Turn turn{vertex, unit(in), unit(out)};
-    turn.deflection = std::atan2(cross(turn.before, turn.after), turn.before.dot(turn.after));
+    turn.deflection = math::atan2(cross(turn.before, turn.after), turn.before.dot(turn.after));
     if (std::abs(turn.deflection) < kNone) return;
     measure(turn);
     turns_.push_back(std::move(turn));
@@ -83,7 +85,7 @@ class Rounding {
     } else if (shape_) {
       turn.tangent = shape_->tangent_length(turn.deflection), turn.deviation = shape_->deviation(turn.deflection);
     } else {
-      turn.tangent = options_.radius * std::tan(half), turn.deviation = options_.radius * (1 / std::cos(half) - 1);
+      turn.tangent = options_.radius * math::tan(half), turn.deviation = options_.radius * (1 / math::cos(half) - 1);
     }
   }
 
@@ -211,13 +213,13 @@ std::vector<std::size_t> corners_of(const Polyline& line, double angle) {
   std::vector<std::size_t> corners;
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     const Point in = line[i] - line[i - 1], out = line[i + 1] - line[i];
-    if (std::abs(std::atan2(cross(in, out), in.dot(out))) > angle) corners.push_back(i);
+    if (std::abs(math::atan2(cross(in, out), in.dot(out))) > angle) corners.push_back(i);
   }
   return corners;
 }
 
 Curve bulb(const Pose& at, double deflection, double radius) {
-  const double delta = std::abs(deflection), gamma = std::asin(std::sin(delta / 2) / 2);
+  const double delta = std::abs(deflection), gamma = math::asin(math::sin(delta / 2) / 2);
   const Steering with = deflection < 0 ? Steering::right : Steering::left;
   const Steering against = deflection < 0 ? Steering::left : Steering::right;
   const double side = radius * (delta / 2 - gamma);
@@ -228,7 +230,7 @@ Curve bulb(const Pose& at, double deflection, double radius) {
 }
 
 Curve straight_loop(const Pose& at, double deflection, double radius) {
-  const double delta = std::abs(deflection), out = radius / std::tan((kPi - delta) / 2);
+  const double delta = std::abs(deflection), out = radius / math::tan((kPi - delta) / 2);
   const Steering against = deflection < 0 ? Steering::left : Steering::right;
   return {at,
           {at.at, at.heading + deflection},

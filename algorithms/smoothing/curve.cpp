@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -43,7 +45,7 @@ Pose after(const Pose& from, const CurvePiece& piece, double radius) {
   if (piece.steering == Steering::straight) return ahead(from, driven);
   // The chord of an arc: exact also where the arc is short.
   const double turn = sense(piece) * piece.length / radius, half = turn / 2;
-  const double chord = 2 * radius * std::sin(std::abs(half)) * (driven < 0 ? -1 : 1);
+  const double chord = 2 * radius * math::sin(std::abs(half)) * (driven < 0 ? -1 : 1);
   return {ahead({from.at, from.heading + half}, chord).at, from.heading + turn};
 }
 
@@ -60,7 +62,7 @@ Curve opposite(const Curve& curve) {
 
 std::vector<Leg> sampled(const Curve& curve, double chord_error, bool tool) {
   const double nearest = kNearest * curve.radius;
-  const double step = 2 * curve.radius * std::acos(std::max(0.0, 1 - chord_error / curve.radius));
+  const double step = 2 * curve.radius * math::acos(std::max(0.0, 1 - chord_error / curve.radius));
   std::vector<Leg> legs;
   Pose at = curve.from;
   for (const CurvePiece& piece : curve.pieces) {

@@ -9,9 +9,9 @@
 /// Complexity  a curve costs a few microseconds
 #pragma once
 
-#include <cmath>
 #include <vector>
 
+#include "base/math.hpp"
 #include "geometry/path.hpp"
 
 namespace oxturn {
@@ -22,8 +22,8 @@ struct Pose {
   double heading = 0;  // radians
 };
 /// Of the straight drive to another point, radians.
-inline double heading(const Point& from, const Point& to) { return std::atan2(to.y() - from.y(), to.x() - from.x()); }
-inline Point direction(const Pose& pose) { return {std::cos(pose.heading), std::sin(pose.heading)}; }
+inline double heading(const Point& from, const Point& to) { return math::atan2(to.y() - from.y(), to.x() - from.x()); }
+inline Point direction(const Pose& pose) { return {math::cos(pose.heading), math::sin(pose.heading)}; }
 /// The pose `metres` ahead along the heading.
 inline Pose ahead(const Pose& pose, double metres) { return {pose.at + metres * direction(pose), pose.heading}; }
 /// The same position with the opposite heading.

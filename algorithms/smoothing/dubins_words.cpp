@@ -7,6 +7,7 @@
 #include <span>
 
 #include "algorithms/smoothing/curve.hpp"
+#include "base/math.hpp"
 
 namespace oxturn {
 namespace {
@@ -31,7 +32,7 @@ class Words {
   Words(const Pose& from, const Pose& to, double radius) : radius_(radius) {
     const Point line = (to.at - from.at) / radius;
     d_ = line.norm();
-    const double theta = d_ > 0 ? std::atan2(line.y(), line.x()) : 0;
+    const double theta = d_ > 0 ? math::atan2(line.y(), line.x()) : 0;
     a_ = turn(from.heading - theta), b_ = turn(to.heading - theta);
     outer(1), outer(-1), inner(1), inner(-1), loop(1), loop(-1);
   }
@@ -53,29 +54,29 @@ class Words {
   /// LSL (sense 1) and RSR.
   void outer(int sense) {
     const double a = sense * a_, b = sense * b_;
-    const Point line(d_ + std::sin(a) - std::sin(b), std::cos(b) - std::cos(a));
-    const double heading = std::atan2(line.y(), line.x());
+    const Point line(d_ + math::sin(a) - math::sin(b), math::cos(b) - math::cos(a));
+    const double heading = math::atan2(line.y(), line.x());
     add({side(sense), Steering::straight, side(sense)}, {heading - a, line.norm(), b - heading});
   }
   /// LSR (sense 1) and RSL.
   void inner(int sense) {
     const double a = sense * a_, b = sense * b_;
-    const Point centres(d_ + std::sin(a) + std::sin(b), -std::cos(a) - std::cos(b));
+    const Point centres(d_ + math::sin(a) + math::sin(b), -math::cos(a) - math::cos(b));
     const double squared = centres.squaredNorm() - 4;
     if (squared < 0) return;
     const double length = std::sqrt(squared);
-    const double heading = std::atan2(centres.y(), centres.x()) + std::atan2(2, length);
+    const double heading = math::atan2(centres.y(), centres.x()) + math::atan2(2, length);
     add({side(sense), Steering::straight, side(-sense)}, {heading - a, length, heading - b});
   }
   /// LRL (sense 1) and RLR.
   void loop(int sense) {
     const double a = sense * a_, b = sense * b_;
-    const Point centres(d_ + std::sin(a) - std::sin(b), std::cos(b) - std::cos(a));
+    const Point centres(d_ + math::sin(a) - math::sin(b), math::cos(b) - math::cos(a));
     const double apart = centres.norm();
     if (apart > 4) return;
     // Around the first centre until the middle circle touches, on the far side of the line of centres.
-    const double heading = std::atan2(centres.y(), centres.x()) + std::acos(apart / 4) + kPi / 2;
-    const double middle = turn(kPi + 2 * std::acos(apart / 4));
+    const double heading = math::atan2(centres.y(), centres.x()) + math::acos(apart / 4) + kPi / 2;
+    const double middle = turn(kPi + 2 * math::acos(apart / 4));
     add({side(sense), side(-sense), side(sense)}, {heading - a, middle, b - heading + middle});
   }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -43,7 +45,7 @@ LinkTour::LinkTour(const std::vector<Stroke>& strokes, const CarSpace& space, co
 
 std::uint64_t LinkTour::most_effort(std::size_t patterns) {
   const double n = static_cast<double>(patterns);
-  return kLeastEffort + static_cast<std::uint64_t>(kEffort * n * std::log2(n + 1));
+  return kLeastEffort + static_cast<std::uint64_t>(kEffort * n * math::log2(n + 1));
 }
 
 void LinkTour::add_passes(std::size_t stroke) {

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -20,7 +22,7 @@ struct Edge {
   Point at(double s) const { return a + s * along; }
 };
 
-double turn_between(const Edge& a, const Edge& b) { return std::atan2(cross(a.along, b.along), a.along.dot(b.along)); }
+double turn_between(const Edge& a, const Edge& b) { return math::atan2(cross(a.along, b.along), a.along.dot(b.along)); }
 
 /// From one edge to a later one.
 struct Joint {
@@ -88,7 +90,7 @@ class Rounding {
   std::optional<Joint> joint_between(const Part& top, std::size_t k) const {
     const Edge &a = edges_[top.edge], &b = edges_[k];
     const double turn = turn_between(a, b);
-    const double tangent = kAlmost * radius_ * std::tan(std::abs(turn) / 2);
+    const double tangent = kAlmost * radius_ * math::tan(std::abs(turn) / 2);
     if (top.edge + 1 == k && smooth(turn)) {
       if (a.length - tangent < top.joint.enter || tangent > b.length) return std::nullopt;
       const double before = a.length - (top.joint.arc ? top.joint.enter : 0);
@@ -116,14 +118,14 @@ class Rounding {
 
   /// The circle through a vertex and the points `before` and `after` metres beside it is not smaller.
   bool keeps_radius(double before, double after, double turn) const {
-    const double chord = std::sqrt(before * before + after * after + 2 * before * after * std::cos(turn));
-    return 2 * std::sin(std::abs(turn)) * kAlmost * radius_ <= chord;
+    const double chord = std::sqrt(before * before + after * after + 2 * before * after * math::cos(turn));
+    return 2 * math::sin(std::abs(turn)) * kAlmost * radius_ <= chord;
   }
 
   /// A curve of the least radius, sampled as paths must be, may turn that much at a vertex.
-  bool smooth(double turn) const { return (1 - std::cos(turn / 2)) * radius_ <= space_.chord_error(); }
+  bool smooth(double turn) const { return (1 - math::cos(turn / 2)) * radius_ <= space_.chord_error(); }
 
-  static Pose pose(const Edge& edge, double s) { return {edge.at(s), std::atan2(edge.along.y(), edge.along.x())}; }
+  static Pose pose(const Edge& edge, double s) { return {edge.at(s), math::atan2(edge.along.y(), edge.along.x())}; }
 
   void finish() {
     Polyline run{edges_[parts_.front().edge].a};

@@ -5,12 +5,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
 constexpr double kNearest = 0.05;  // chord errors; samples nearer to each other than that are left out
 
-double heading_of(const Point& v) { return std::atan2(v.y(), v.x()); }
+double heading_of(const Point& v) { return math::atan2(v.y(), v.x()); }
 
 Pose first_pose(const Clothoid& piece) { return piece.from; }
 Pose last_pose(const Clothoid& piece) { return end_of(piece); }

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -18,9 +20,10 @@ constexpr double kGentle = kPi / 4;  // headings off the chord, and between each
 constexpr double kStep = kPi / 180;  // by which control points are turned apart
 constexpr int kMostSteps = 180;
 constexpr double kMostKink = 1e-3;  // radians, between pieces: more is no solution
+constexpr double kGrain = 0x1p-30;  // rho: what libspiro answers is rounded to multiples of it
 
 Point turned(const Point& v, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
+  const double c = math::cos(angle), s = math::sin(angle);
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
 
@@ -53,7 +56,7 @@ class ControlPoints {
   /// Both headings lead away from the other end, to the same side of the chord: between them the curve would be an arc
   /// of any size.
   bool swings_out() const {
-    return std::abs(first_) > kPi / 2 && std::abs(last_) > kPi / 2 && std::sin(first_) * -std::sin(last_) > 0;
+    return std::abs(first_) > kPi / 2 && std::abs(last_) > kPi / 2 && math::sin(first_) * -math::sin(last_) > 0;
   }
   void turn_apart() {
     // In the sense that brings them apart sooner.
@@ -112,6 +115,9 @@ struct Frame {
   Point to_metres(const Point& p) const { return origin + turned(p * unit, heading); }
 };
 
+/// libspiro uses the C library's functions, whose last bits are not the same on every machine (base/math.hpp).
+Point rounded(const Point& p) { return {std::round(p.x() / kGrain) * kGrain, std::round(p.y() / kGrain) * kGrain}; }
+
 std::vector<Bezier> run_libspiro(std::vector<spiro_cp> points) {
   Collector collector;
   const int done = TaggedSpiroCPsToBezier2(points.data(), 0, &collector.base);
@@ -137,7 +143,7 @@ void align_joints(std::vector<Bezier>& pieces, const Point& first, const Point& 
 
 std::vector<Point> spiro_control_points(const Pose& from, const Pose& to, double rho, SpiroRule rule) {
   const Point chord = to.at - from.at;
-  const double angle = chord.norm() > 0 ? std::atan2(chord.y(), chord.x()) : from.heading;
+  const double angle = chord.norm() > 0 ? math::atan2(chord.y(), chord.x()) : from.heading;
   const double first = angle_between(from.heading, angle), last = angle_between(to.heading, angle);
   if (chord.norm() > 2 * kHelper * rho && std::abs(first) < kGentle && std::abs(last) < kGentle &&
       std::abs(first - last) < kGentle)
@@ -148,7 +154,7 @@ std::vector<Point> spiro_control_points(const Pose& from, const Pose& to, double
 std::optional<SmoothCurve> spiro_curve(const Pose& from, const Pose& to, const std::vector<Point>& through,
                                        double rho) {
   const Point chord = to.at - from.at;
-  const Frame frame{from.at, rho, chord.norm() > 0 ? std::atan2(chord.y(), chord.x()) : 0};
+  const Frame frame{from.at, rho, chord.norm() > 0 ? math::atan2(chord.y(), chord.x()) : 0};
   std::vector<spiro_cp> points;
   const auto add = [&](const Point& p, char type) {
     const Point q = frame.to_frame(p);
@@ -162,7 +168,7 @@ std::optional<SmoothCurve> spiro_curve(const Pose& from, const Pose& to, const s
   std::vector<Bezier> pieces = run_libspiro(std::move(points));
   if (pieces.size() < 3) return std::nullopt;
   for (Bezier& piece : pieces)
-    for (Point& p : piece.points) p = frame.to_metres(p);
+    for (Point& p : piece.points) p = frame.to_metres(rounded(p));
   pieces.front().points.front() = from.at;  // but for rounding they are
   pieces.back().points.back() = to.at;
   SmoothCurve curve{from, to, {pieces.begin(), pieces.end()}};

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algorithms/tethered/berg_sweep.hpp"
+#include "base/math.hpp"
 #include "base/sorting.hpp"
 #include "geometry/paths/visibility.hpp"
 #include "geometry/predicates.hpp"
@@ -24,7 +25,7 @@ Point off_the_wall(const Point& p, const EdgeIndex& walls, double by) {
   double widest = -1;
   for (int k = 0; k < kTries; ++k) {
     const double angle = 2 * kPi * k / kTries;
-    const Point q = p + 2 * by * Point(std::cos(angle), std::sin(angle));
+    const Point q = p + 2 * by * Point(math::cos(angle), math::sin(angle));
     if (!walls.contains(q)) continue;
     const auto wall = walls.nearest(q, 4 * by);
     if (const double room = wall ? wall->distance : 4 * by; room > widest) {
@@ -39,7 +40,7 @@ bool in_lower_half(const Point& eye, const Point& p) {
   return p.y() < eye.y() || (p.y() == eye.y() && p.x() < eye.x());
 }
 
-double angle_between(const Point& from, const Point& to) { return std::atan2(cross(from, to), from.dot(to)); }
+double angle_between(const Point& from, const Point& to) { return math::atan2(cross(from, to), from.dot(to)); }
 
 /// 1 for left, -1 for right: turns orientations so that both sides can be treated alike.
 int sign(HiddenSide side) { return side == HiddenSide::left ? 1 : -1; }
@@ -120,7 +121,7 @@ class BergBoundary::NodeSearch {
     constexpr double kBeside = 0.05, kWidest = 3;  // radians
     if (node.width + 2 * kBeside > kWidest) return visibility_.from(node.at, b_.tolerance_, &near_);
     const double size = distance(node.at, node.hidden);
-    const auto towards = [&](double angle) { return Point(size * Point(std::cos(angle), std::sin(angle))); };
+    const auto towards = [&](double angle) { return Point(size * Point(math::cos(angle), math::sin(angle))); };
     return visibility_.from(node.at, {towards(node.begin - kBeside), towards(node.begin + node.width + kBeside)},
                             b_.tolerance_, &near_);
   }
@@ -180,7 +181,7 @@ void BergBoundary::add_node(const BergSight::Corner& corner, HiddenSide side, st
   node.hidden = on_right ? corner.next : corner.previous;
   const Point along = corner.at - nodes_[parent].at, edge = node.hidden - corner.at;
   const Point right = on_right ? edge : along;
-  node.begin = std::atan2(right.y(), right.x());
+  node.begin = math::atan2(right.y(), right.x());
   node.width = std::abs(angle_between(edge, along));
   nodes_.push_back(node);
 }
@@ -276,7 +277,7 @@ void BergBoundary::sort_events() {
       if (const int turn = orientation(node.at, a.at, b.at); turn != 0) return turn > 0;
       return earlier_in_line(a, b);
     });
-    const Point right(std::cos(node.begin), std::sin(node.begin));
+    const Point right(math::cos(node.begin), math::sin(node.begin));
     double last = 0;
     for (Event& e : events) {
       double angle = angle_between(right, e.at - node.at);

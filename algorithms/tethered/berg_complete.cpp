@@ -49,6 +49,7 @@
 #include "algorithms/tethered/needed_boundary.hpp"
 #include "algorithms/tethered/tacking.hpp"
 #include "algorithms/transit/short_segments.hpp"
+#include "base/math.hpp"
 
 namespace oxturn {
 namespace {
@@ -202,7 +203,7 @@ double seconds_to_drive(const Path& path, const Robot& robot) {
     for (const Point& p : leg.points) {
       const Point d = p - before;
       if (!first && d.norm() > 0) {
-        turned += std::abs(std::atan2(cross(heading, d), heading.dot(d)));
+        turned += std::abs(math::atan2(cross(heading, d), heading.dot(d)));
         heading = d;
       }
       before = p;

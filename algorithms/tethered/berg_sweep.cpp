@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 
 namespace {
@@ -175,7 +177,7 @@ void BergSweep::sample(Item& arc, Polyline& points) {
   const auto turn = [&](double k) { return steps.turn(k); };
   const auto at = [&](double k) -> Point {
     const double angle = node.begin + turn(k);
-    return node.at + radius * Point(std::cos(angle), std::sin(angle));
+    return node.at + radius * Point(math::cos(angle), math::sin(angle));
   };
   const double stride = longest_stride(radius, turn(1) - turn(0));
   double attempt = 0;   // the first sample that may be reached by leaving others out
@@ -236,7 +238,7 @@ void BergSweep::remember_empty(Item& arc, const Steps& steps) {
 /// In samples: 1, if none are to be left out.
 double BergSweep::longest_stride(double radius, double turn_per_step) const {
   if (thinning_.error <= 0) return 1;
-  const double turn = 2 * std::acos(std::clamp(1 - thinning_.error / radius, 0.0, 1.0));  // of a chord
+  const double turn = 2 * math::acos(std::clamp(1 - thinning_.error / radius, 0.0, 1.0));  // of a chord
   return std::max(1.0, std::floor(turn / turn_per_step));
 }
 

@@ -8,6 +8,7 @@
 
 #include "algorithms/lanes/outline.hpp"
 #include "base/graph_search.hpp"
+#include "base/math.hpp"
 #include "geometry/joined_lines.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/offset.hpp"
@@ -131,11 +132,11 @@ Ring polygon_around(const Point& centre, double radius, int vertices) {
 }
 /// A polygon in a disc.
 Ring disc(const Point& centre, double radius, double chord_error) {
-  return polygon_around(centre, radius, static_cast<int>(std::ceil(kPi / std::acos(1 - chord_error / radius))));
+  return polygon_around(centre, radius, static_cast<int>(std::ceil(kPi / math::acos(1 - chord_error / radius))));
 }
 /// A polygon of few vertices around it.
 Ring around_disc(const Point& centre, double radius) {
-  return polygon_around(centre, radius / std::cos(kPi / kFewVertices), kFewVertices);
+  return polygon_around(centre, radius / math::cos(kPi / kFewVertices), kFewVertices);
 }
 
 using Pieces = std::span<const StripPiece>;

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/math.hpp"
 #include "maps/followed_path.hpp"
 
 namespace oxturn {
@@ -32,7 +33,7 @@ struct Part {
 class GearChoice {
  public:
   explicit GearChoice(const GearRules& rules)
-      : rules_(rules), cotangent_(rules.least_angle > 0 ? 1 / std::tan(rules.least_angle) : 0) {}
+      : rules_(rules), cotangent_(rules.least_angle > 0 ? 1 / math::tan(rules.least_angle) : 0) {}
 
   /// Appends the parts of a drive in `direction`, a unit vector, during which the tether turns about one pivot.
   void add(const TautTether::Swing& swing, const Point& direction, bool tool, std::vector<Part>& parts) const {

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/math.hpp"
 #include "geometry/edge_index.hpp"
 
 namespace oxturn {
@@ -57,7 +58,7 @@ class Trimmer {
 
   void sample(const GeodesicField::Arc& arc) {
     // A step of angle a has the chord error radius (1 - cos(a / 2)).
-    const double by_chord = 2 * std::acos(std::clamp(1 - chord_ / arc.radius, -1.0, 1.0));
+    const double by_chord = 2 * math::acos(std::clamp(1 - chord_ / arc.radius, -1.0, 1.0));
     const double step = std::min({by_chord, spacing_ * kSampling / arc.radius, kPi / 4});
     const auto n =
         std::max<std::size_t>(static_cast<std::size_t>(std::ceil((arc.end - arc.begin) / step * (1 - 1e-9))), 1);
@@ -71,7 +72,7 @@ class Trimmer {
         if (moved <= 1e-12 * arc.radius) continue;
         known -= moved;
       }
-      const Point outward(std::cos(angle), std::sin(angle));
+      const Point outward(math::cos(angle), math::sin(angle));
       if (known > 0) {
         samples_.push_back({p, outward, arc.radius, true, true});
         continue;

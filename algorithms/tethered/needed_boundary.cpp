@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/cut_along.hpp"
 #include "geometry/overlay/offset.hpp"
@@ -41,7 +42,7 @@ double half_angle(const GeodesicField& field, const Point& a, const Point& b, do
   const Point middle = lerp(a, b, 0.5), aside = perpendicular(b - a).normalized() * beside;
   const Point one = middle - field.sight(middle + aside).from, other = middle - field.sight(middle - aside).from;
   const double c = one.dot(other) / (one.norm() * other.norm());
-  return std::isfinite(c) ? std::acos(std::clamp(c, -1.0, 1.0)) / 2 : kPi / 2;
+  return std::isfinite(c) ? math::acos(std::clamp(c, -1.0, 1.0)) / 2 : kPi / 2;
 }
 
 /// Pieces of one kind that follow each other are joined, on one segment to one piece.

@@ -21,6 +21,7 @@
 #include "algorithms/online/survey_then_plan.hpp"
 #include "algorithms/tethered/band_forest.hpp"
 #include "algorithms/tethered/visit_cells.hpp"
+#include "base/math.hpp"
 
 namespace oxturn {
 namespace {
@@ -32,7 +33,7 @@ constexpr double kSameAngle = 1e-6;     // radians; what is closer than that dif
 /// in one direction, and a cell due east is in direction 0, whatever rounding says.
 long long direction(const Point& arm) {
   const auto full = std::llround(2 * kPi / kSameAngle);
-  const auto angle = std::llround(std::atan2(arm.y(), arm.x()) / kSameAngle);
+  const auto angle = std::llround(math::atan2(arm.y(), arm.x()) / kSameAngle);
   return angle < 0 ? angle + full : angle;
 }
 

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/math.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -45,14 +47,14 @@ void SightRange::add_edge(const Point& a, const Point& b, double begin) {
   if (std::max(da, db) <= tolerance_) return;
   if (std::min(da, db) <= near)
     return add_edge_from_eye(da > db ? a : b, begin, std::min(da, db) <= kSlack * tolerance_);
-  const double turn = std::atan2(cross(a, b), a.dot(b)), first = std::atan2(a.y(), a.x()) - begin;
+  const double turn = math::atan2(cross(a, b), a.dot(b)), first = math::atan2(a.y(), a.x()) - begin;
   add_span(first + std::min(turn, 0.0), first + std::max(turn, 0.0), a, b, begin);
 }
 
 /// An edge that passes the eye nearer than kNear tolerances and ends at b: at an angle t from b it is at most
 /// near / sin t away. If it begins at the eye itself, it hides nothing beside it.
 void SightRange::add_edge_from_eye(const Point& b, double begin, bool at_eye) {
-  const double most = b.norm(), near = kNear * tolerance_, angle = std::atan2(b.y(), b.x()) - begin;
+  const double most = b.norm(), near = kNear * tolerance_, angle = math::atan2(b.y(), b.x()) - begin;
   const double pad = kSlack * tolerance_ / most + kRounding;
   reliable_ = reliable_ && at_eye;
   along_walls_.emplace_back(angle, pad);
@@ -76,7 +78,7 @@ void SightRange::add_span(double from, double to, const Point& a, const Point& b
   const Point along = b - a;
   // The distance of the edge in a direction; in doubt that of its farther end.
   const auto distance_at = [&](double angle) {
-    const double across = cross(Point(std::cos(begin + angle), std::sin(begin + angle)), along);
+    const double across = cross(Point(math::cos(begin + angle), math::sin(begin + angle)), along);
     const double d = area / across;
     return d > 0 && d < most ? d : most;
   };
@@ -85,10 +87,10 @@ void SightRange::add_span(double from, double to, const Point& a, const Point& b
   const auto sure_at = [&](double angle) {
     if (angle <= from) return forwards ? da : db;
     if (angle >= to) return forwards ? db : da;
-    const double d = area / cross(Point(std::cos(begin + angle), std::sin(begin + angle)), along);
+    const double d = area / cross(Point(math::cos(begin + angle), math::sin(begin + angle)), along);
     return d > 0 ? std::min(d, most) : 0;
   };
-  const double narrowing = std::max(0.0, std::cos(std::min(width_ / count(), kPi) / 2)) * (1 - kRounding);
+  const double narrowing = std::max(0.0, math::cos(std::min(width_ / count(), kPi) / 2)) * (1 - kRounding);
   for (const double shift : {-turns - 2 * kPi, -turns, -turns + 2 * kPi}) {
     const double low = from + shift - pad, high = to + shift + pad;
     if (high < 0 || low > width_) continue;
@@ -117,7 +119,7 @@ SightRange::Span SightRange::distances(const Edge& edge, double from, double to)
   const auto at = [&](double angle) {
     if (angle <= edge.from) return edge.a.norm();
     if (angle >= edge.to) return edge.b.norm();
-    return area / cross(Point(std::cos(begin_ + angle), std::sin(begin_ + angle)), along);
+    return area / cross(Point(math::cos(begin_ + angle), math::sin(begin_ + angle)), along);
   };
   const double first = at(from), last = at(to);
   if (!(first > 0 && last > 0)) return {0, most};

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algorithms/transit/connector.hpp"
+#include "base/math.hpp"
 #include "geometry/point_outside.hpp"
 
 namespace oxturn {
@@ -74,7 +75,7 @@ class Tacker {
     return Point(d.normalized());
   }
   bool too_near(const Point& pull, const Point& heading) const {
-    return std::acos(std::clamp(pull.dot(heading.normalized()), -1.0, 1.0)) < angle_;
+    return math::acos(std::clamp(pull.dot(heading.normalized()), -1.0, 1.0)) < angle_;
   }
 
   /// The end of the next stroke: to the other side of the segment than the last one, if there is room.

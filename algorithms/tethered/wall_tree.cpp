@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "algorithms/lattice/wall_crossings.hpp"
+#include "base/math.hpp"
 
 namespace oxturn {
 namespace {
@@ -231,7 +232,7 @@ struct WallTree::Impl {
   double turn(std::size_t p, std::size_t v) const {
     if (parent[p] == kNone) return 0;
     const Point in = points[p] - points[parent[p]], out = points[v] - points[p];
-    return std::abs(std::atan2(cross(in, out), in.dot(out)));
+    return std::abs(math::atan2(cross(in, out), in.dot(out)));
   }
 
   // Decision 2. First the vertices out of reach, then leaves, the farthest first.

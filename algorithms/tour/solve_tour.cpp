@@ -1,13 +1,13 @@
 #include "algorithms/tour/solve_tour.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "algorithms/tour/exact_tour.hpp"
 #include "algorithms/tour/kick.hpp"
 #include "algorithms/tour/pattern_choice.hpp"
 #include "algorithms/tour/tour_moves.hpp"
 #include "algorithms/tour/tour_start.hpp"
+#include "base/math.hpp"
 
 namespace oxturn {
 namespace {
@@ -84,7 +84,7 @@ class IteratedSearch {
       empty_queue();
       while (problem_.has_choice() && choose_patterns_near(*middle)) empty_queue();
       // As in simulated annealing (Kirkpatrick, Gelatt and Vecchi 1983): a little dearer is accepted at first.
-      if (search_.gained >= 0 || search_.gained > temperature * std::log(1 - context_.rng().unit()))
+      if (search_.gained >= 0 || search_.gained > temperature * math::log(1 - context_.rng().unit()))
         state_.commit();
       else
         state_.undo();

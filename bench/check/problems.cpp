@@ -1,9 +1,9 @@
 // The problems of the checks, by name.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <stdexcept>
 
+#include "base/math.hpp"
 #include "bench/check/subject.hpp"
 #include "geometry/overlay/boolean.hpp"
 
@@ -33,8 +33,8 @@ Region with_pillar(Region region) {
 Region wavy(int vertices) {
   Ring ring;
   for (int k = 0; k < vertices; ++k) {
-    const double angle = 2 * kPi * k / vertices, radius = 3 + 0.3 * std::sin(7 * angle) + 0.002 * (k % 2);
-    ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    const double angle = 2 * kPi * k / vertices, radius = 3 + 0.3 * math::sin(7 * angle) + 0.002 * (k % 2);
+    ring.push_back({radius * math::cos(angle), radius * math::sin(angle)});
   }
   return {{{ring, {}}}};
 }

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/disjoint_sets.hpp"
+#include "base/math.hpp"
 #include "geometry/edge_index.hpp"
 #include "geometry/mesh/voronoi_predicates.hpp"
 #include "geometry/overlay/lattice.hpp"
@@ -78,7 +79,7 @@ class Voronoi {
     if (!s.vertex) return (p - from(s)).dot((to(s) - from(s)).normalized());
     const Site before{previous_[s.edge], false};
     const Point normal = perpendicular(to(before) - from(before)), towards = p - from(s);
-    return -std::atan2(cross(normal, towards), normal.dot(towards));
+    return -math::atan2(cross(normal, towards), normal.dot(towards));
   }
 
  private:

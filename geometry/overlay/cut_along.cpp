@@ -3,6 +3,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/math.hpp"
 #include "base/throw_invalid.hpp"
 #include "geometry/overlay/boolean.hpp"
 
@@ -28,8 +29,8 @@ struct Strip {
 
 /// Mitres the end of a strip and the beginning of the next, if the bend is not sharp for their lengths: false if it is.
 bool join(Strip& one, Strip& next, double width) {
-  const double turn = std::atan2(cross(one.along, next.along), one.along.dot(next.along));
-  const double shift = width / 2 * std::abs(std::tan(turn / 2));  // of the mitre's ends along the strips
+  const double turn = math::atan2(cross(one.along, next.along), one.along.dot(next.along));
+  const double shift = width / 2 * std::abs(math::tan(turn / 2));  // of the mitre's ends along the strips
   if (std::abs(turn) > kSharpestMitre || 2 * shift > std::min(distance(one.a, one.b), distance(next.a, next.b)))
     return false;
   const Point middle = one.along + next.along;  // of length 2 cos(turn / 2)

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/math.hpp"
 #include "base/throw_invalid.hpp"
 #include "geometry/overlay/arrangement.hpp"
 #include "geometry/overlay/concave_chain.hpp"
@@ -64,7 +65,7 @@ class OffsetCurve {
       const std::size_t last = walk.before(i);
       const double bend = walk.bend[i], ahead = walk.along[last].dot(walk.along[i]);
       const bool detour_here = after_detour || before_detour;
-      const double turn = detour_here || bend > 0 ? 0 : bend < 0 ? std::atan2(-bend, ahead) : ahead < 0 ? kPi : 0;
+      const double turn = detour_here || bend > 0 ? 0 : bend < 0 ? math::atan2(-bend, ahead) : ahead < 0 ? kPi : 0;
       if (turn > 0 && is_mitre(turn)) {
         add_arc(curve, ring[i++], walk.normal(last), turn);
         continue;
@@ -102,7 +103,7 @@ class OffsetCurve {
     const int steps = steps_of(angle);
     const double half = angle / steps / 2;
     if (arcs_ == Arcs::tangents) {
-      const double radius = reach_ / std::cos(half);
+      const double radius = reach_ / math::cos(half);
       for (int k = 0; k < steps; ++k) out.push_back(moved(centre, radius * rotated(from, -side_ * (2 * k + 1) * half)));
     } else {
       for (int k = 1; k < steps; ++k) out.push_back(moved(centre, reach_ * rotated(from, -side_ * 2 * k * half)));
@@ -163,7 +164,7 @@ class OffsetCurve {
     return {begin, chain.end, straightened_line(far)};
   }
   bool far_apart(const LatticePoint& a, const LatticePoint& b) const {
-    return std::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y) > kFarApart * reach_;
+    return math::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y) > kFarApart * reach_;
   }
   /// The polygon between the ring and a detour, counter-clockwise.
   std::vector<LatticePoint> closed(const std::vector<LatticePoint>& ring, const Detour& d) const {
@@ -198,7 +199,7 @@ struct Resolution {
       : reach(radius / lattice.quantum() + (arcs == Arcs::tangents ? kOffsetSlack : -kOffsetSlack)),
         error(std::max(chord_error / lattice.quantum(), 1.0)) {}
   /// Half of the angle of a chord or tangent at most; reach above 0.
-  double half_step() const { return std::min(std::acos(reach / (reach + error)), kPi / 4); }
+  double half_step() const { return std::min(math::acos(reach / (reach + error)), kPi / 4); }
 
   double reach, error;
 };
@@ -262,7 +263,7 @@ double convex_turning(const Region& region) {
     const std::size_t n = ring.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Point &a = ring[(i + n - 1) % n], &b = ring[i], &c = ring[(i + 1) % n];
-      if (orientation(a, b, c) > 0) sum += std::atan2(std::abs(cross(b - a, c - b)), (b - a).dot(c - b));
+      if (orientation(a, b, c) > 0) sum += math::atan2(std::abs(cross(b - a, c - b)), (b - a).dot(c - b));
     }
   });
   return sum;

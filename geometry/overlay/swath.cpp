@@ -5,6 +5,7 @@
 #include <iterator>
 #include <span>
 
+#include "base/math.hpp"
 #include "base/throw_invalid.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/predicates.hpp"
@@ -26,14 +27,14 @@ class Arc {
     // Chords stay inside by 1 - cos of half their angle, tangents stick out by 1 / cos - 1.
     const double error = chord_error / radius;
     const double cosine = inside_ ? std::max(0.0, 1 - error) : 1 / (1 + error);
-    step_ = kPi / std::clamp(std::ceil(kPi / (2 * std::acos(cosine))), 2.0, kMostChords);
+    step_ = kPi / std::clamp(std::ceil(kPi / (2 * math::acos(cosine))), 2.0, kMostChords);
   }
   /// Appends the arc about `centre` from `from` (a unit vector), counter-clockwise by `angle`, in equal parts. Without
   /// the ends of tangents: they lie on the sides before and after the arc.
   void append(Ring& ring, const Point& centre, const Point& from, double angle) const {
     const int parts = static_cast<int>(std::ceil(angle / step_));
     const double part = parts > 0 ? angle / parts : 0;
-    const double reach = radius_ / std::cos(part / 2);
+    const double reach = radius_ / math::cos(part / 2);
     const auto add = [&](double far, double turn) { ring.push_back(centre + far * rotated(from, turn)); };
     if (inside_ || parts == 0) add(radius_, 0);
     for (int k = 0; k < parts; ++k) inside_ ? add(radius_, (k + 1) * part) : add(reach, (k + 0.5) * part);
@@ -63,7 +64,7 @@ class LineSwath {
     for (std::size_t i = 0; i < segments_; ++i) left_.push_back(perpendicular((line[i + 1] - line[i]).normalized()));
     turn_.assign(line.size(), 0);
     for (std::size_t v = 1; v < segments_; ++v)
-      turn_[v] = std::atan2(cross(left_[v - 1], left_[v]), left_[v - 1].dot(left_[v]));
+      turn_[v] = math::atan2(cross(left_[v - 1], left_[v]), left_[v - 1].dot(left_[v]));
     find_mitres();
   }
   void append(std::vector<Region>& parts) const {
@@ -81,10 +82,10 @@ class LineSwath {
     double left = 0, right = 0;  // what the bend before has taken of a segment's sides
     for (std::size_t v = 1; v < segments_; ++v) {
       const double before = distance(line_[v - 1], line_[v]), after = distance(line_[v], line_[v + 1]);
-      const double needed = arc_.radius() * std::tan(std::abs(turn_[v]) / 2);
+      const double needed = arc_.radius() * math::tan(std::abs(turn_[v]) / 2);
       const double taken = turn_[v] > 0 ? left : right;
       const bool fits = v % kSegments != 0 && needed <= before - taken && needed <= after;
-      if (fits) mitre_[v] = arc_.radius() / std::cos(turn_[v] / 2);
+      if (fits) mitre_[v] = arc_.radius() / math::cos(turn_[v] / 2);
       left = fits && turn_[v] > 0 ? needed : 0;
       right = fits && turn_[v] < 0 ? needed : 0;
     }

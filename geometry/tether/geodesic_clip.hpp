@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "base/math.hpp"
 #include "geometry/point.hpp"
 
 namespace oxturn {
@@ -78,7 +79,7 @@ template <class F>
 void for_each_angle(const Point& a, double b, F f) {
   const double n = a.norm();
   if (!(n > 0) || std::abs(b) > n * (1 + 1e-13)) return;  // rounding may lose a double root
-  const double middle = std::atan2(a.y(), a.x()), half = std::acos(std::clamp(b / n, -1.0, 1.0));
+  const double middle = math::atan2(a.y(), a.x()), half = math::acos(std::clamp(b / n, -1.0, 1.0));
   f(middle + half);
   f(middle - half);
 }
@@ -105,6 +106,6 @@ void for_each_run(std::vector<double>& breaks, Good good, F f) {
 
 /// The equal angle in [-pi, pi].
 inline double wrapped(double angle) { return std::remainder(angle, 2 * kPi); }
-inline Point direction_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
+inline Point direction_of(double angle) { return {math::cos(angle), math::sin(angle)}; }
 
 }  // namespace oxturn

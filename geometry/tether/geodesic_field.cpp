@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/math.hpp"
 #include "base/throw_invalid.hpp"
 #include "geometry/tether/geodesic_cones.hpp"
 
@@ -135,7 +136,7 @@ Polyline sampled(const std::vector<GeodesicField::Arc>& chain, double chord_erro
   Polyline out;
   for (const GeodesicField::Arc& arc : chain) {
     // The error of a chord over the angle 2 h is r (1 - cos h) = 2 r sin^2(h / 2).
-    const double half = 2 * std::asin(std::min(1.0, std::sqrt(chord_error / (2 * arc.radius))));
+    const double half = 2 * math::asin(std::min(1.0, std::sqrt(chord_error / (2 * arc.radius))));
     const int steps = std::max(1, static_cast<int>(std::ceil((arc.end - arc.begin) / (2 * half) - 1e-9)));
     for (int i = out.empty() ? 0 : 1; i <= steps; ++i)
       out.push_back(arc.at(arc.begin + (arc.end - arc.begin) * i / steps));

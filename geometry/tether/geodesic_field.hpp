@@ -16,6 +16,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/math.hpp"
 #include "geometry/mesh/mesh.hpp"
 
 namespace oxturn {
@@ -57,7 +58,7 @@ class GeodesicField {
     Point centre{0, 0};
     double radius = 0;
     double begin = 0, end = 0;  // begin < end
-    Point at(double angle) const { return centre + radius * Point(std::cos(angle), std::sin(angle)); }
+    Point at(double angle) const { return centre + radius * Point(math::cos(angle), math::sin(angle)); }
   };
   /// The points at distance `length`, as chains of arcs; each chain is one piece of the boundary of {distance <
   /// length}. Its arcs follow one another counter-clockwise. A chain continues from the arc about one corner to that

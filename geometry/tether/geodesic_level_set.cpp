@@ -6,6 +6,7 @@
 #include <limits>
 #include <tuple>
 
+#include "base/math.hpp"
 #include "geometry/tether/geodesic_cones.hpp"
 
 namespace oxturn {
@@ -105,7 +106,7 @@ class ArcFinder {
     const double radius = length() - view.before;
     if (radius <= cones_.rounding() || is_hidden(view)) return;
     const Point towards = view.facet.middle() - view.root;
-    const double zero = std::atan2(towards.y(), towards.x());
+    const double zero = math::atan2(towards.y(), towards.x());
     find_breaks({view.root, radius, zero, zero}, view);
     if (breaks_.empty()) return;
     const auto is_at_length = [&](double angle) {
@@ -266,7 +267,7 @@ class RootTurns {
   Turn towards(std::int32_t root, const Point& p) const {
     constexpr double kSteps = 0x1p36;  // per radian
     const Point d = p - cones_.root(root).at;
-    const double heading = std::atan2(d.y(), d.x());
+    const double heading = math::atan2(d.y(), d.x());
     const double turn = wrapped(heading - last_[static_cast<std::size_t>(root)].heading);
     return {heading, std::round(turn * kSteps) / kSteps};
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/math.hpp"
 #include "base/text.hpp"
 
 namespace oxturn {
@@ -29,7 +30,7 @@ int mask_of(int pins) {
 
 bool turns(const Point& a, const Point& b, const Point& c) {
   const Point before = b - a, after = c - b;
-  return std::abs(std::atan2(cross(before, after), before.dot(after))) > kTurn;
+  return std::abs(math::atan2(cross(before, after), before.dot(after))) > kTurn;
 }
 
 /// A part of the path that is driven without a stop or a change of the rake.

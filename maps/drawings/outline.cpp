@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/math.hpp"
+
 namespace oxturn::svg {
 namespace {
 
@@ -24,7 +26,7 @@ std::vector<double> extremes(const CurveSegment& g, Eigen::Index k) {
   if (g.kind == CurveSegment::Kind::quadratic) add_roots(at, 0, p0 - 2 * p1 + p2, p1 - p0);
   if (g.kind == CurveSegment::Kind::cubic) add_roots(at, p3 - p0 + 3 * (p1 - p2), 2 * (p0 - 2 * p1 + p2), p1 - p0);
   if (g.kind == CurveSegment::Kind::arc && g.sweep != 0)
-    for (int turn = -9; turn <= 9; ++turn) at.push_back((std::atan2(p2, p1) + turn * kPi - g.from) / g.sweep);
+    for (int turn = -9; turn <= 9; ++turn) at.push_back((math::atan2(p2, p1) + turn * kPi - g.from) / g.sweep);
   std::erase_if(at, [](double s) { return !(s >= 0 && s <= 1); });
   return at;
 }
@@ -44,7 +46,7 @@ double steps_of(const CurveSegment& g, double tolerance) {
       break;
   }
   const double radius = std::sqrt(g.p[1].squaredNorm() + g.p[2].squaredNorm());  // at least the larger half-axis
-  const double widest = tolerance < radius ? 2 * std::acos(1 - tolerance / radius) : kPi / 2;
+  const double widest = tolerance < radius ? 2 * math::acos(1 - tolerance / radius) : kPi / 2;
   return std::ceil(std::abs(g.sweep) / std::min(widest, kPi / 2));
 }
 
@@ -52,7 +54,7 @@ double steps_of(const CurveSegment& g, double tolerance) {
 Point tangent(const CurveSegment& g, bool at_end) {
   if (g.kind == CurveSegment::Kind::arc) {
     const double t = g.from + (at_end ? g.sweep : 0);
-    return std::copysign(1.0, g.sweep) * (g.p[2] * std::cos(t) - g.p[1] * std::sin(t));
+    return std::copysign(1.0, g.sweep) * (g.p[2] * math::cos(t) - g.p[1] * math::sin(t));
   }
   const std::size_t last = g.kind == CurveSegment::Kind::line ? 1 : g.kind == CurveSegment::Kind::quadratic ? 2 : 3;
   for (std::size_t i = 1; i <= last; ++i) {
@@ -64,7 +66,7 @@ Point tangent(const CurveSegment& g, bool at_end) {
 
 bool is_corner(const CurveSegment& before, const CurveSegment& after) {
   const Point a = tangent(before, true), b = tangent(after, false);
-  return std::abs(std::atan2(cross(a, b), a.dot(b))) > kCorner;
+  return std::abs(math::atan2(cross(a, b), a.dot(b))) > kCorner;
 }
 
 }  // namespace
@@ -87,7 +89,7 @@ Point CurveSegment::at(double s) const {
       break;
   }
   const double t = from + s * sweep;
-  return p[0] + std::cos(t) * p[1] + std::sin(t) * p[2];
+  return p[0] + math::cos(t) * p[1] + math::sin(t) * p[2];
 }
 
 CurveSegment line(const Point& a, const Point& b) { return {CurveSegment::Kind::line, {a, b, b, b}, 0, 0}; }
@@ -104,7 +106,7 @@ CurveSegment arc(const Point& centre, const Point& u, const Point& v, double fro
 CurveSegment arc_between(const Point& a, const Point& b, Point radii, double rotation, bool large, bool positive) {
   radii = radii.cwiseAbs();
   if (!(radii.minCoeff() > 0) || a == b) return line(a, b);
-  const double cosine = std::cos(rotation), sine = std::sin(rotation);
+  const double cosine = math::cos(rotation), sine = math::sin(rotation);
   const auto turned_back = [&](const Point& v) {
     return Point(cosine * v.x() + sine * v.y(), cosine * v.y() - sine * v.x());
   };
@@ -117,14 +119,14 @@ CurveSegment arc_between(const Point& a, const Point& b, Point radii, double rot
   const double away = std::sqrt(std::max(0.0, 1 - h.squaredNorm())) / h.norm();
   const Point centre = (large == positive ? -1 : 1) * away * perpendicular(h);
   const Point from = -h - centre, to = h - centre;
-  double sweep = std::atan2(cross(from, to), from.dot(to));
+  double sweep = math::atan2(cross(from, to), from.dot(to));
   if (positive && sweep < 0) sweep += 2 * kPi;
   if (!positive && sweep > 0) sweep -= 2 * kPi;
   const auto turned = [&](const Point& v) {
     return Point(cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y());
   };
   const Point middle = (a + b) / 2 + turned(centre.cwiseProduct(radii));
-  return arc(middle, turned({radii.x(), 0}), turned({0, radii.y()}), std::atan2(from.y(), from.x()), sweep);
+  return arc(middle, turned({radii.x(), 0}), turned({0, radii.y()}), math::atan2(from.y(), from.x()), sweep);
 }
 
 Outline transformed(Outline outline, const Affine& by) {

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <map>
 
+#include "base/math.hpp"
 #include "base/text.hpp"
 
 namespace oxturn::svg {
@@ -56,10 +57,10 @@ std::optional<Affine> primitive(std::string_view name, const std::vector<double>
   if (name == "matrix" && n == 6) return Affine{v[0], v[1], v[2], v[3], v[4], v[5]};
   if (name == "translate" && (n == 1 || n == 2)) return Affine{1, 0, 0, 1, v[0], n > 1 ? v[1] : 0};
   if (name == "scale" && (n == 1 || n == 2)) return Affine{v[0], 0, 0, n > 1 ? v[1] : v[0], 0, 0};
-  if (name == "skewX" && n == 1) return Affine{1, 0, std::tan(v[0] * kPi / 180), 1, 0, 0};
-  if (name == "skewY" && n == 1) return Affine{1, std::tan(v[0] * kPi / 180), 0, 1, 0, 0};
+  if (name == "skewX" && n == 1) return Affine{1, 0, math::tan(v[0] * kPi / 180), 1, 0, 0};
+  if (name == "skewY" && n == 1) return Affine{1, math::tan(v[0] * kPi / 180), 0, 1, 0, 0};
   if (name == "rotate" && (n == 1 || n == 3)) {
-    const double c = std::cos(v[0] * kPi / 180), s = std::sin(v[0] * kPi / 180);
+    const double c = math::cos(v[0] * kPi / 180), s = math::sin(v[0] * kPi / 180);
     const Affine turn{c, s, -s, c, 0, 0};
     if (n == 1) return turn;
     return Affine{1, 0, 0, 1, v[1], v[2]} * turn * Affine{1, 0, 0, 1, -v[1], -v[2]};
