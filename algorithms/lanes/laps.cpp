@@ -58,9 +58,9 @@ Laps laps_level_by_level(const Problem& problem, double spacing, const Context& 
     if (!outer) laps.outermost = laps.all.size();
     laps.depth_m = level * step + width / 2;
     if (level + 1 == levels) break;
-    outer.emplace(region, first);
     Region next = with_coarser_arcs(simplify_inward(erode(region, step, chord, Bound::inside), simplify), simplify / 2);
     after_level(region, next);
+    if (!next.empty()) outer.emplace(region, first);
     region = std::move(next);
   }
   return laps;

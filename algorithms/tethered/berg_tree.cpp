@@ -12,34 +12,77 @@ BergTree::BergTree(const BergBoundary& boundary, const Laps& laps, const std::fu
   const std::vector<bool> useful = find_useful();
   for (std::size_t i = 0; i < pieces_.size(); ++i)
     if (useful[i] && pieces_[i].parent) pieces_[*pieces_[i].parent].children.push_back(i);
+  for (Piece& piece : pieces_)  // round the boundary, also where they are of different laps
+    std::ranges::stable_sort(piece.children, {}, [&](std::size_t child) { return pieces_[child].divider; });
   add_regions(useful);
   number_pieces();
   find_lower_dividers();
 }
 
+/// A lap's pieces until the next lap's are known. Far from the anchor most are empty, and so are all that grow from them:
+/// of these only those from which several grow are kept, and otherwise their parents stand in for them.
+class BergTree::OpenLap {
+ public:
+  OpenLap() = default;
+  OpenLap(std::size_t lap, double length, std::vector<BergBoundary::Piece> found, OpenLap& before) {
+    for (BergBoundary::Piece& f : found) {
+      pieces_.push_back({{lap, length, f.divider, std::nullopt, {}, std::move(f.points)}, before.grow_at(f.divider)});
+      keep_all_ = lap == 1;
+    }
+  }
+
+  /// Moves those that are kept to the end of `pieces`.
+  void close(std::vector<Piece>& pieces) {
+    for (Open& open : pieces_) {
+      open.stands_for = open.piece.parent;
+      if (!keep_all_ && open.piece.points.empty() && open.children < 2) continue;
+      open.stands_for = pieces.size();
+      pieces.push_back(std::move(open.piece));
+    }
+  }
+  /// After the lap before has been closed.
+  void find_parents(const OpenLap& before) {
+    for (Open& open : pieces_)
+      if (open.parent) open.piece.parent = before.pieces_[*open.parent].stands_for;
+  }
+
+ private:
+  struct Open {
+    Piece piece;
+    std::optional<std::size_t> parent = std::nullopt;  // in the lap before
+    std::size_t children = 0;
+    std::optional<std::size_t> stands_for = std::nullopt;  // the piece that is kept
+  };
+
+  /// The parent contains the point just left of our divider: the last piece of the lap before that begins no later, or,
+  /// round the circle, its last piece.
+  std::optional<std::size_t> grow_at(const std::optional<std::size_t>& divider) {
+    if (pieces_.empty()) return std::nullopt;
+    const auto after =
+        std::ranges::upper_bound(pieces_, divider, {}, [](const Open& open) { return open.piece.divider; });
+    const auto parent =
+        static_cast<std::size_t>((after > pieces_.begin() ? after : pieces_.end()) - pieces_.begin()) - 1;
+    ++pieces_[parent].children;
+    return parent;
+  }
+
+  std::vector<Open> pieces_;
+  bool keep_all_ = false;
+};
+
 void BergTree::add_laps(const Laps& laps, const std::function<bool(const Point&)>& keep,
                         const std::function<bool()>& stop) {
   const double last = std::min(laps.longest * (1 + 1e-12), boundary_.farthest());
   BergSweep sweep(boundary_, laps.spacing, laps.thinning, laps.trim, keep);
-  std::size_t previous = 0;  // index of the first piece of the lap before
+  OpenLap before;
   for (std::size_t lap = 1; static_cast<double>(lap) * laps.step <= last && !stop(); ++lap) {
     const double length = static_cast<double>(lap) * laps.step;
-    const std::size_t begin = pieces_.size();
-    for (BergBoundary::Piece& found : sweep.at(length)) {
-      Piece piece{lap, length, found.divider, std::nullopt, {}, std::move(found.points)};
-      if (lap > 1) {
-        // The parent contains the point just left of our divider: the last piece of the lap before that begins no
-        // later, or, round the circle, its last piece.
-        const auto first = pieces_.begin() + static_cast<std::ptrdiff_t>(previous),
-                   end = pieces_.begin() + static_cast<std::ptrdiff_t>(begin);
-        const auto after = std::upper_bound(first, end, piece.divider,
-                                            [](const auto& divider, const Piece& p) { return divider < p.divider; });
-        piece.parent = static_cast<std::size_t>((after > first ? after : end) - pieces_.begin()) - 1;
-      }
-      pieces_.push_back(std::move(piece));
-    }
-    previous = begin;
+    OpenLap next(lap, length, sweep.at(length), before);
+    before.close(pieces_);
+    next.find_parents(before);
+    before = std::move(next);
   }
+  before.close(pieces_);
 }
 
 /// Pieces with points, or with descendants that have points: others must not count as branches.

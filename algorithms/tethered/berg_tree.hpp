@@ -31,8 +31,8 @@ class BergTree {
     std::size_t lap = 0;                 // from 1
     double length = 0;                   // of tether, metres
     std::optional<std::size_t> divider;  // as BergBoundary::Piece
-    std::optional<std::size_t> parent;
-    std::vector<std::size_t> children;  // without those that lead to no points
+    std::optional<std::size_t> parent;   // of an earlier lap: empty pieces in between are left out
+    std::vector<std::size_t> children;   // without those that lead to no points
     Polyline points;
   };
   struct Region {
@@ -59,6 +59,7 @@ class BergTree {
   std::vector<std::size_t> between(std::size_t from, std::size_t to) const;
 
  private:
+  class OpenLap;
   void add_laps(const Laps& laps, const std::function<bool(const Point&)>& keep, const std::function<bool()>& stop);
   std::vector<bool> find_useful() const;
   void add_regions(const std::vector<bool>& useful);

@@ -25,7 +25,7 @@ constexpr double kLeastDistance = 0.45;  // passes that come nowhere farther fro
 constexpr double kPieceLength = 0.125;   // of the pieces that the cut is divided into
 constexpr double kStraightening = 0.05;  // by which passes may come nearer to the cut to have fewer bends
 constexpr double kThinning = 0.01;       // by which a piece's sides may miss those of the pieces that it joins
-constexpr std::size_t kMostJoined = 8;   // pieces
+constexpr std::size_t kMostJoined = 16;  // pieces
 constexpr double kBeyond = 0.002;        // the pass where it covers the strip beside it
 constexpr double kSkipped[] = {0, 0.02, 0.05};  // of its length, at either end
 constexpr double kReach = 0.4999;               // of the tool
@@ -386,7 +386,7 @@ std::vector<CutPoint> CutPasses::points_off(std::size_t line, const Point& start
 
 PassSpace CutPasses::beside(const Problem& component) const {
   const double w = component.robot().tool_width;
-  const Region whole = coarser_space(component);
+  const Region& whole = component.configuration_space();
   Box box = bounding_box(whole);
   box.grow(w);
   std::vector<StripPiece> pieces;

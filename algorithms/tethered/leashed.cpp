@@ -23,6 +23,7 @@
 //                what the farthest point needs).
 #include <utility>
 
+#include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/tethered/cut_passes.hpp"
 #include "algorithms/transit/short_segments.hpp"
@@ -38,7 +39,8 @@ class Leashed final : public CoveragePlanner {
   Leashed(Wrapped inner, bool return_home, TetherCut cut)
       : inner_(std::move(inner)), return_home_(return_home), cut_(cut) {}
 
-  Path plan(const Problem& problem, Context& context) const override {
+  Path plan(const Problem& whole, Context& context) const override {
+    const Problem problem = whole.restricted(coarser_space(whole));
     const TetherSpace space(problem, "leashed", cut_);
     if (context.wants_traces()) context.trace("cut", space.cut());
     const CutPasses cut(problem, space.cut());

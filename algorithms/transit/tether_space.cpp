@@ -2,9 +2,9 @@
 //
 // Complexity  O((n + k) log n) for n vertices of configuration space and k pieces of the cut. Components that can be
 //             entered across the cut only: for each a search near it, and the vertices of the path from the start
-// Decisions   1. The strip is r / 90 wide (w / 200 for robots without size): far above the errors of the cut and
-//                above rounding, not below the shortest segments that paths should have (short_segments.hpp), far below
-//                what a tool reaches over.
+// Decisions   1. The strip is r / 45 wide (w / 100 for robots without size): far above rounding and the shortest
+//                segments that paths should have (short_segments.hpp), far below what a tool reaches over. The cut's
+//                lines have few vertices, but the strip holds all of the exact cut.
 //             2. The cut of free space reaches into the walls by r as seen from configuration space, so it divides that
 //                without loose ends. For robots without size its loose ends are extended by a few widths of the strip.
 //             3. A component is entered at its vertex nearest to the anchor. The path there goes through the nearer
@@ -31,13 +31,16 @@
 #include "geometry/joined_lines.hpp"
 #include "geometry/overlay/cut_along.hpp"
 #include "geometry/predicates.hpp"
+#include "geometry/thinned.hpp"
 #include "geometry/trace.hpp"
 
 namespace oxturn {
 namespace {
 
-constexpr double kStripsPerRadius = 90;  // decision 1
-constexpr double kStripsPerTool = 200;
+constexpr double kStripsPerRadius = 45;  // decision 1
+constexpr double kStripsPerTool = 100;
+// Of the strip's width: errors of the cut's lines. Together less than half, with ends that move by kJoint.
+constexpr double kChord = 1.0 / 16, kJoint = 1.0 / 16, kThinning = 0.3;
 constexpr int kLeastStripBits = -22;         // at least 2^this of the map's extent: cut_along() needs 2^-26
 constexpr double kComponentsPerTool = 100;   // decision 4
 constexpr std::size_t kFewComponents = 256;  // decision 5
@@ -56,13 +59,14 @@ double width_of(const Problem& problem, const std::string& planner) {
 std::vector<Polyline> near_cut(const Problem& problem, double width) {
   Box box = bounding_box(problem.configuration_space());
   box.grow(width);
-  std::vector<Polyline> pieces = problem.tether()->geodesics().cut_locus(width / 8);
+  std::vector<Polyline> pieces = problem.tether()->geodesics().cut_locus(kChord * width);
   std::erase_if(pieces, [&](const Polyline& line) {
     Box around;
     for (const Point& p : line) around.add(p);
     return line.size() < 2 || !around.overlaps(box);
   });
-  std::vector<Polyline> lines = joined_lines(std::move(pieces), width / 8);
+  std::vector<Polyline> lines = joined_lines(std::move(pieces), kJoint * width);
+  for (Polyline& line : lines) line = thinned(line, kThinning * width);
   if (problem.robot().radius > 0) return lines;
   const std::vector<Point> shared = common_ends(lines, 2);
   const auto beyond = [&](const Point& end, const Point& before_it) -> Point {
@@ -361,6 +365,7 @@ const TetheredWorld& TetherSpace::world() const {
 Polyline TetherSpace::path(const Component& from_component, const Point& from, const Component& to_component,
                            const Point& to) const {
   const auto inside = [&](const Component& component, const Point& a, const Point& b) {
+    if (component.problem.walls().contains(a, b)) return Polyline{a, b};  // without a triangulation
     auto found = component.problem.transit().path(a, b);
     if (!found)
       throw std::logic_error(

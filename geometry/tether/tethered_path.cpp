@@ -200,7 +200,7 @@ class Untangling {
 /// `taut`, a taut line of the robot's space, followed by `more`, pulled taut. Looks at as many of the last vertices as
 /// it takes to leave one bend as it is.
 Polyline extended_taut(const TetheredWorld& world, const Polyline& taut, const Polyline& more) {
-  constexpr std::size_t kFirstTried = 8;  // segments
+  constexpr std::size_t kFirstTried = 2;  // segments
   for (std::size_t tried = kFirstTried;; tried *= 4) {
     const std::size_t kept = taut.size() > tried + 1 ? taut.size() - 1 - tried : 0;
     const auto begin = taut.begin() + static_cast<std::ptrdiff_t>(kept);
