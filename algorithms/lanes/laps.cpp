@@ -35,10 +35,20 @@ class Level {
   std::vector<std::size_t> lap_of_edge_;
 };
 
+/// What of the region may hold a disc of the radius: nothing that is smaller or narrower does. Eroded by the radius, both
+/// are the same.
+Region with_room(Region region, double radius) {
+  std::erase_if(region.polygons, [&](const Polygon& p) {
+    return area(p) < kPi * radius * radius || bounding_box(p.outer).size().minCoeff() < 2 * radius;
+  });
+  return region;
+}
+
 /// Adds what the tool leaves uncovered on its laps around two levels, one inside the other.
 void add_uncovered(Region& between, const Region& outer, const Region& inner, const Robot& robot) {
   const double half = robot.tool_width / 2, seam = covered_seam(robot);
-  for (Polygon& p : between_offsets(outer, inner, half, seam).polygons) between.polygons.push_back(std::move(p));
+  for (Polygon& p : between_offsets(with_room(outer, half), inner, half, seam).polygons)
+    between.polygons.push_back(std::move(p));
 }
 
 /// Calls after_level(outer, inner) for the regions of each level but the last and of the next one.
@@ -58,7 +68,8 @@ Laps laps_level_by_level(const Problem& problem, double spacing, const Context& 
     if (!outer) laps.outermost = laps.all.size();
     laps.depth_m = level * step + width / 2;
     if (level + 1 == levels) break;
-    Region next = with_coarser_arcs(simplify_inward(erode(region, step, chord, Bound::inside), simplify), simplify / 2);
+    Region next = with_coarser_arcs(
+        simplify_inward(erode(with_room(region, step), step, chord, Bound::inside), simplify), simplify / 2);
     after_level(region, next);
     if (!next.empty()) outer.emplace(region, first);
     region = std::move(next);

@@ -20,7 +20,7 @@ namespace oxturn {
 
 /// The space for a planner that covers everything within half a tool width of its space.
 struct PassSpace {
-  Problem problem;  // its space is connected; arcs as in coarser_space (outline.hpp)
+  Problem problem;  // its space is connected
   Region pockets;   // what such a planner leaves uncovered
 };
 
@@ -36,7 +36,8 @@ class CutPasses {
   /// `problem` must outlive it. The lines of the cut are whole, as those of TetherSpace are.
   CutPasses(const Problem& problem, const std::vector<Polyline>& cut);
 
-  /// `component`: the problem with a component of its cut space as configuration space. Passes are on the cut itself
+  /// `component`: the problem with a component of its cut space as configuration space, which may be coarser_space()
+  /// (outline.hpp). Passes are on the cut itself
   /// where walls leave little room beside it, and where the space would otherwise become disconnected. O(k log k) for k
   /// pieces of the cut near the component, an eighth of a tool width long, and the map's vertices near by; again for
   /// what becomes disconnected, which is rare. Not safe from several threads.

@@ -21,6 +21,8 @@
 //                them and they are shorter than the cut locus. Planners drive along both sides of the cut and divide
 //                their lanes there, so paths are 1 to 39 % shorter among obstacles (tether of 1.1 or 1.2 times
 //                what the farthest point needs).
+//             6. The robot keeps off obstacles by up to a hundredth of its radius more round their corners
+//                (coarser_space), as most planners do by themselves.
 #include <utility>
 
 #include "algorithms/lanes/outline.hpp"

@@ -207,7 +207,9 @@ Polyline extended_taut(const TetheredWorld& world, const Polyline& taut, const P
     TautTether tether(world.space, *begin);
     for (auto p = begin + 1; p != taut.end(); ++p) tether.drive(*p);
     tether.drive(more);
-    if (kept > 0 && (tether.bends().empty() || tether.bends().front().at != taut[kept + 1])) continue;
+    // The line's vertices may be rounded: those of a space that has been cut open are.
+    if (kept > 0 && (tether.bends().empty() || distance(tether.bends().front().at, taut[kept + 1]) > world.tolerance))
+      continue;
     Polyline whole(taut.begin(), begin);
     const Polyline end = tether.polyline();
     whole.insert(whole.end(), end.begin(), end.end());
