@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "algorithms/smoothing/car_space.hpp"
+#include "algorithms/smoothing/link_search.hpp"
 #include "geometry/bends.hpp"
 
 namespace oxturn {

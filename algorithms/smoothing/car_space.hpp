@@ -12,6 +12,7 @@
 /// Complexity  some dozens of curves of a few microseconds and O(length) segment tests; a detour up to 0.2 s
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -25,9 +26,6 @@ namespace oxturn {
 /// Who searches detours.
 enum class DetourSearch { lattice, ompl };
 
-/// Curves for steps 1 and 2, whatever obstacles they meet: some dozens, in no order.
-std::vector<Curve> link_curves(const Pose& from, const Pose& to, double radius, bool reverse);
-
 class CarSpace {
  public:
   /// `problem` must outlive it.
@@ -38,6 +36,8 @@ class CarSpace {
   double radius() const { return radius_; }
   bool reverse() const { return reverse_; }
   double chord_error() const { return chord_error_; }
+  /// Metres of an arc of that radius that are driven as one chord.
+  double chord() const { return chord_; }
   /// Of configuration space.
   const Box& bounds() const { return bounds_; }
   bool free(const Curve& curve) const;
@@ -53,8 +53,9 @@ class CarSpace {
   /// The length of a curve, and for each cusp the metres lost by stopping.
   double cost(const Curve& curve) const;
 
-  /// Steps 1 and 2. nullopt: none of them is free.
-  std::optional<Curve> simple_link(const Pose& from, const Pose& to) const;
+  /// Steps 1 and 2. nullopt: none of them is free that costs less than `most` (as cost() counts).
+  std::optional<Curve> simple_link(const Pose& from, const Pose& to,
+                                   double most = std::numeric_limits<double>::infinity()) const;
   /// Step 3: from the pose from which it is cheapest.
   std::optional<Curve> detour(const std::vector<Pose>& from, const Pose& to, DetourEffort& effort,
                               const Context& context) const;
@@ -62,13 +63,11 @@ class CarSpace {
   bool can_go_on(const Pose& from, double metres) const;
 
  private:
-  std::optional<Curve> cheapest_free(std::vector<Curve> curves, double most) const;
-
   const Problem* problem_ = nullptr;  // of which it is the space; nullptr: of another region
   const EdgeIndex& walls_;
   Box bounds_;
   DetourSearch search_;
-  double radius_, chord_error_;
+  double radius_, chord_error_, chord_;
   double tolerance_;  // laps along the boundary are off it by rounding
   double stop_cost_;
   bool reverse_;

@@ -4,7 +4,7 @@
 ///   const Curve shorter = reeds_shepp_curve({{0, 0}, 0}, {{0, 6}, kPi}, 4);   // with cusps
 ///   for (Leg& leg : sampled(curve, 0.003, false)) ...                         // one leg for each gear
 ///
-/// Source      Dubins 1957, by the closed forms of Shkel and Lumelsky 2001; Reeds and Shepp 1990, by OMPL
+/// Source      Dubins 1957, by the closed forms of Shkel and Lumelsky 2001; Reeds and Shepp 1990, by their closed forms
 /// Guarantee   finite; ends within 1e-6 radii of the given pose; sampled() ends there exactly
 /// Complexity  a curve costs a few microseconds
 #pragma once
@@ -57,6 +57,8 @@ double dubins_distance(const Pose& from, const Pose& to, double radius);
 std::vector<Curve> dubins_words(const Pose& from, const Pose& to, double radius);
 /// The shortest curve driven forwards or backwards, with cusps in between.
 Curve reeds_shepp_curve(const Pose& from, const Pose& to, double radius);
+/// Its length alone.
+double reeds_shepp_distance(const Pose& from, const Pose& to, double radius);
 /// The curve of the opposite motion: from its end to its beginning, headings turned round, so that the gears stay.
 Curve opposite(const Curve& curve);
 

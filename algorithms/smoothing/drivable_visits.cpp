@@ -7,6 +7,7 @@
 
 #include "algorithms/lanes/uncovered.hpp"
 #include "algorithms/smoothing/covering_strokes.hpp"
+#include "algorithms/smoothing/needless_strokes.hpp"
 #include "algorithms/smoothing/reinserted_strokes.hpp"
 #include "geometry/ring_boxes.hpp"
 
@@ -50,7 +51,7 @@ class Visits {
       if (inserted == 0) break;
       context_.publish(path_of(driven, problem_.start(), space_.chord_error()));
     }
-    return driven;
+    return without_needless(std::move(driven));
   }
 
  private:
@@ -68,6 +69,15 @@ class Visits {
   UncoveredPoints uncovered_by(const std::vector<LinkedStroke>& driven) const {
     const Path path = path_of(driven, problem_.start(), space_.chord_error());
     return {uncovered(problem_.target(), path, problem_.robot()), width_, kNoticed * width_ * width_};
+  }
+
+  /// Stays as it is if that would leave more uncovered than before, and more than is allowed.
+  std::vector<LinkedStroke> without_needless(std::vector<LinkedStroke> driven) const {
+    if (context_.cancelled()) return driven;
+    std::vector<LinkedStroke> rest = without_needless_strokes(driven, problem_.target(), width_, space_, context_);
+    if (rest.size() == driven.size()) return driven;
+    const double most = std::max(allowed_, uncovered_by(driven).area());
+    return uncovered_by(rest).area() <= most ? rest : driven;
   }
 
   void cover_by_links(std::vector<LinkedStroke>& driven, UncoveredPoints& points) const {

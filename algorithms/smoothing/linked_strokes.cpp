@@ -78,20 +78,20 @@ std::vector<InsertedStrokes::Candidate> InsertedStrokes::candidates(const Polyli
   return all;
 }
 
-std::optional<Curve> InsertedStrokes::link(const Pose& from, const Pose& to, bool search) const {
-  if (auto simple = space_.simple_link(from, to)) return simple;
+std::optional<Curve> InsertedStrokes::link(const Pose& from, const Pose& to, bool search, double most) const {
+  if (auto simple = space_.simple_link(from, to, most)) return simple;
   return search ? space_.detour({from}, to, effort_, context_) : std::nullopt;
 }
 
 std::optional<InsertedStrokes::Insertion> InsertedStrokes::inserted_at(std::size_t c, Polyline line, bool search,
                                                                        double most) const {
   const Cut& cut = cuts_[c];
-  std::optional<Curve> to = link(cut.out, first_pose(line), search);
-  if (!to) return std::nullopt;
   const double least_back = cut.last ? 0 : space_.least_length(last_pose(line), cut.in);
-  if (space_.cost(*to) + length(line) + least_back - cut.saved >= most) return std::nullopt;
+  most += cut.saved - length(line);  // for the links
+  std::optional<Curve> to = link(cut.out, first_pose(line), search, most - least_back);
+  if (!to) return std::nullopt;
   std::optional<Curve> back;
-  if (!cut.last && !(back = link(last_pose(line), cut.in, search))) return std::nullopt;
+  if (!cut.last && !(back = link(last_pose(line), cut.in, search, most - space_.cost(*to)))) return std::nullopt;
   const double cost = space_.cost(*to) + length(line) + (back ? space_.cost(*back) : 0) - cut.saved;
   return Insertion{c, std::move(line), std::move(*to), std::move(back), cost};
 }

@@ -67,7 +67,8 @@ class InsertedStrokes {
 
   void add_cuts(std::size_t stroke);
   std::vector<Candidate> candidates(const Polyline& line) const;
-  std::optional<Curve> link(const Pose& from, const Pose& to, bool search) const;
+  /// A simple link costs less than `most`.
+  std::optional<Curve> link(const Pose& from, const Pose& to, bool search, double most) const;
   /// nullopt also if it costs `most` or more.
   std::optional<Insertion> inserted_at(std::size_t cut, Polyline line, bool search, double most) const;
 

@@ -54,7 +54,7 @@ Pose pose_along(const Curve& curve, double metres) {
 }
 
 /// Poses and the shortest curves between them. (OMPL's own spaces of that kind abort the program for some aligned
-/// poses, see reeds_shepp.cpp.)
+/// poses: an assertion fails in Debian 12.)
 class CarStateSpace : public ob::SE2StateSpace {
  public:
   explicit CarStateSpace(const CarSpace& space) : space_(space) {}

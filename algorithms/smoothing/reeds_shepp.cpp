@@ -1,79 +1,215 @@
-// The shortest Reeds-Shepp curves, by OMPL's state space. (Its Dubins curves abort the program in Debian 12's build: an
-// assertion fails for about one in 10^5 pairs of poses of which one heads straight for the other, as lanes do.)
-#include <ompl/base/ScopedState.h>
-#include <ompl/base/spaces/ReedsSheppStateSpace.h>
-
+// The shortest Reeds-Shepp curves in closed form, without a state space: the words of section 8 of the source, each in
+// its four mirror images and, where it is not symmetric, driven backwards. A word is worked out only if a bound on its
+// length without angles (what its straight part and its change of heading take) is less than the best one so far.
+//
+// Source      Reeds and Shepp, Optimal paths for a car that goes both forwards and backwards, Pacific Journal of
+//             Mathematics 145(2), 1990; formula 8.4 with the sign corrected
 #include <algorithm>
-#include <memory>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
 #include <utility>
 
 #include "algorithms/smoothing/curve.hpp"
+#include "base/math.hpp"
 
 namespace oxturn {
 namespace {
 
-namespace ob = ompl::base;
+constexpr double kFullTurn = 2 * kPi;
+constexpr double kRounding = 1e-9;  // radians and radii; shorter parts are none, longer by less is no shorter curve
 
-using Space = ob::ReedsSheppStateSpace;
+/// In [-pi, pi].
+double wrapped(double angle) { return angle - kFullTurn * std::floor(angle / kFullTurn + 0.5); }
 
-/// A state space of unit radius with two states to work with. OMPL computes in units of the radius anyway.
-class UnitSpace {
+/// The angle as a turn in the sense of `sign`, at most pi; false if it is none. Rounding counts for neither sense.
+bool turns(int sign, double& angle) {
+  double a = sign * wrapped(angle);
+  if (a < kRounding - kPi) a += kFullTurn;
+  if (a < -kRounding) return false;
+  angle = sign * std::max(a, 0.0);
+  return true;
+}
+
+/// What a word is tried for: the first pose in the origin, heading along x; radius 1.
+struct Target {
+  double x, y, heading, sine, cosine;
+  double distance;
+};
+
+/// A vector in the plane with its length.
+struct Centres {
+  Centres(double along_x, double along_y) : x(along_x), y(along_y), norm(std::sqrt(x * x + y * y)) {}
+  double x, y, norm;
+  double angle() const { return math::atan2(y, x); }
+};
+
+class ShortestWord {
  public:
-  UnitSpace() : space_(std::make_shared<Space>(1.0)), from_(space_), to_(space_) {}
-  Space::ReedsSheppPath shortest(const Pose& from, const Pose& to, double radius) {
-    // Relative to the first pose: large coordinates would cost digits.
-    set(from_, {{0, 0}, from.heading});
-    set(to_, {(to.at - from.at) / radius, to.heading});
-    return space_->reedsShepp(from_.get(), to_.get());
+  ShortestWord(const Pose& from, const Pose& to, double radius) {
+    const double sine = math::sin(from.heading), cosine = math::cos(from.heading);
+    const Point line = (to.at - from.at) / radius;
+    const double heading = wrapped(to.heading - from.heading);
+    const Target target{cosine * line.x() + sine * line.y(),
+                        cosine * line.y() - sine * line.x(),
+                        heading,
+                        math::sin(heading),
+                        math::cos(heading),
+                        line.norm()};
+    // Driven backwards, the curve leads from the last pose to the first one.
+    const Target back{target.x * target.cosine + target.y * target.sine,
+                      target.x * target.sine - target.y * target.cosine,
+                      target.heading,
+                      target.sine,
+                      target.cosine,
+                      target.distance};
+    for_images(target, [this](const Target& t) { with_straight_middle(t); });
+    for_images(target, [this](const Target& t) { of_arcs(t), of_four_arcs(t), between_cusps(t), with_cusp(t); });
+    backwards_ = true;
+    for_images(back, [this](const Target& t) { of_arcs(t), with_cusp(t); });
+  }
+
+  double length() const { return length_; }
+  Curve curve(const Pose& from, const Pose& to, double radius) const {
+    Curve result{from, to, radius, {}};
+    for (const auto& [steering, part] : parts_)
+      if (std::abs(part) > kRounding)
+        result.pieces.push_back({steering, std::abs(part) * radius, part > 0 ? Gear::forward : Gear::reverse});
+    return result;
   }
 
  private:
-  static void set(ob::ScopedState<Space>& state, const Pose& pose) {
-    state->setXY(pose.at.x(), pose.at.y());
-    state->setYaw(std::remainder(pose.heading, 2 * kPi));
+  static constexpr Steering kLeft = Steering::left, kRight = Steering::right, kStraight = Steering::straight;
+  using Part = std::pair<Steering, double>;  // negative: in reverse
+
+  /// f(image) for the target as it is, with the gears exchanged, with the sides exchanged, and with both.
+  template <class F>
+  void for_images(const Target& t, F f) {
+    for (const bool sides : {false, true})
+      for (const bool gears : {false, true}) {
+        gears_ = gears, sides_ = sides;
+        const double sign = gears == sides ? 1 : -1;
+        f(Target{gears ? -t.x : t.x, sides ? -t.y : t.y, sign * t.heading, sign * t.sine, t.cosine, t.distance});
+      }
   }
-  std::shared_ptr<Space> space_;
-  ob::ScopedState<Space> from_, to_;
+
+  bool may_win(double least) const { return least < length_ - kRounding; }
+
+  void offer(std::initializer_list<Part> word) {
+    double sum = 0;
+    for (const Part& part : word) sum += std::abs(part.second);
+    if (!may_win(sum)) return;
+    length_ = sum;
+    parts_.fill({kStraight, 0.0});
+    std::ranges::copy(word, parts_.begin());
+    if (backwards_) std::reverse(parts_.begin(), parts_.begin() + static_cast<std::ptrdiff_t>(word.size()));
+    for (auto& [steering, part] : parts_) {
+      if (gears_) part = -part;
+      if (sides_ && steering != kStraight) steering = steering == kLeft ? kRight : kLeft;
+    }
+  }
+
+  /// From the first circle's centre to the last one's, if the last arc turns left, and if it turns right.
+  static Centres to_left(const Target& t) { return {t.x - t.sine, t.y - 1 + t.cosine}; }
+  static Centres to_right(const Target& t) { return {t.x + t.sine, t.y - 1 - t.cosine}; }
+
+  /// 8.1 L+S+L+ and 8.2 L+S+R+.
+  void with_straight_middle(const Target& t) {
+    const double left_turn = t.heading < -kRounding ? t.heading + kFullTurn : std::max(t.heading, 0.0);
+    if (const Centres c = to_left(t); may_win(c.norm + left_turn)) {
+      double first = c.norm > kRounding ? c.angle() : 0, last = t.heading - first;
+      if (turns(1, first) && turns(1, last)) offer({{kLeft, first}, {kStraight, c.norm}, {kLeft, last}});
+    }
+    const Centres c = to_right(t);
+    const double squared = c.norm * c.norm - 4;
+    if (squared < 0) return;
+    const double middle = std::sqrt(squared);
+    if (!may_win(middle + std::abs(t.heading))) return;
+    double first = c.angle() + math::atan2(2, middle), last = first - t.heading;
+    if (turns(1, first) && turns(1, last)) offer({{kLeft, first}, {kStraight, middle}, {kRight, last}});
+  }
+
+  /// 8.3 and 8.4 L+R-L.
+  void of_arcs(const Target& t) {
+    const Centres c = to_left(t);
+    if (c.norm > 4 || !may_win(std::max({c.norm / 2, t.distance, std::abs(t.heading)}))) return;
+    const double middle = -2 * math::asin(c.norm / 4);
+    double first = c.angle() + middle / 2 + kPi;
+    if (!turns(1, first)) return;
+    offer({{kLeft, first}, {kRight, middle}, {kLeft, wrapped(t.heading - first + middle)}});
+  }
+
+  /// 8.7 L+R+L-R- and 8.8 L+R-L-R+, the middle arcs equal.
+  void of_four_arcs(const Target& t) {
+    const Centres c = to_right(t);
+    if (!may_win(std::max(t.distance, std::abs(t.heading)))) return;
+    if (c.norm <= 2) {
+      const double middle = math::acos((2 + c.norm) / 4);
+      auto [first, last] = outer_arcs(middle, -middle, c, t.heading);
+      if (turns(1, first) && turns(-1, last))
+        offer({{kLeft, first}, {kRight, middle}, {kLeft, -middle}, {kRight, last}});
+    }
+    if (const double cosine = (20 - c.norm * c.norm) / 16; cosine >= 0 && cosine <= 1) {
+      const double middle = -math::acos(cosine);
+      auto [first, last] = outer_arcs(middle, middle, c, t.heading);
+      if (turns(1, first) && turns(1, last)) offer({{kLeft, first}, {kRight, middle}, {kLeft, middle}, {kRight, last}});
+    }
+  }
+  /// tau and omega of the source, for middle arcs u and v.
+  static std::pair<double, double> outer_arcs(double u, double v, const Centres& c, double heading) {
+    const double delta = u - v;
+    const double a = math::sin(u) - math::sin(delta), b = math::cos(u) - math::cos(delta) - 1;
+    const double angle = math::atan2(c.y * a - c.x * b, c.x * a + c.y * b);
+    const bool opposite = 2 * (math::cos(delta) - math::cos(v) - math::cos(u)) + 3 < 0;
+    const double first = wrapped(opposite ? angle + kPi : angle);
+    return {first, first - u + v - heading};
+  }
+
+  /// 8.9 L+R-S-L- and 8.10 L+R-S-R-, the second arc a right angle.
+  void with_cusp(const Target& t) {
+    if (const Centres c = to_left(t); c.norm >= 2) {
+      const double reach = std::sqrt(c.norm * c.norm - 4), middle = 2 - reach;
+      double first = 0, last = 0;
+      if (middle <= kRounding && may_win(kPi / 2 - middle)) {
+        first = c.angle() + math::atan2(reach, -2), last = t.heading - kPi / 2 - first;
+        if (turns(1, first) && turns(-1, last))
+          offer({{kLeft, first}, {kRight, -kPi / 2}, {kStraight, std::min(middle, 0.0)}, {kLeft, last}});
+      }
+    }
+    const Centres c = to_right(t);
+    if (c.norm < 2 || !may_win(kPi / 2 + c.norm - 2)) return;
+    double first = math::atan2(c.x, -c.y), last = first + kPi / 2 - t.heading;
+    if (turns(1, first) && turns(-1, last))
+      offer({{kLeft, first}, {kRight, -kPi / 2}, {kStraight, 2 - c.norm}, {kRight, last}});
+  }
+
+  /// 8.11 L+R-S-L-R+, both inner arcs right angles.
+  void between_cusps(const Target& t) {
+    const Centres c = to_right(t);
+    if (c.norm < 2) return;
+    const double middle = 4 - std::sqrt(c.norm * c.norm - 4);
+    if (middle > kRounding || !may_win(kPi - middle + std::abs(t.heading))) return;
+    double first = math::atan2((4 - middle) * c.x - 2 * c.y, -2 * c.x + (middle - 4) * c.y);
+    double last = first - t.heading;
+    if (turns(1, first) && turns(1, last))
+      offer(
+          {{kLeft, first}, {kRight, -kPi / 2}, {kStraight, std::min(middle, 0.0)}, {kLeft, -kPi / 2}, {kRight, last}});
+  }
+
+  double length_ = std::numeric_limits<double>::infinity();
+  std::array<Part, 5> parts_{};
+  bool gears_ = false, sides_ = false, backwards_ = false;  // of the image at hand
 };
-
-Curve by_ompl(const Pose& from, const Pose& to, double radius) {
-  thread_local UnitSpace space;
-  const auto path = space.shortest(from, to, radius);
-  Curve curve{from, to, radius, {}};
-  for (std::size_t i = 0; i < 5; ++i) {
-    const auto type = path.type_[i];
-    if (type == Space::RS_NOP || path.length_[i] == 0) continue;
-    const Steering steering = type == Space::RS_LEFT       ? Steering::left
-                              : type == Space::RS_STRAIGHT ? Steering::straight
-                                                           : Steering::right;
-    curve.pieces.push_back(
-        {steering, std::abs(path.length_[i]) * radius, path.length_[i] > 0 ? Gear::forward : Gear::reverse});
-  }
-  return curve;
-}
-
-/// The same curve driven with the robot turned round: in the other gear, so that it steers to the other side.
-Curve in_reverse(Curve curve) {
-  curve.from = turned_round(curve.from), curve.to = turned_round(curve.to);
-  for (CurvePiece& piece : curve.pieces) {
-    piece.gear = Gear::reverse;
-    if (piece.steering != Steering::straight)
-      piece.steering = piece.steering == Steering::left ? Steering::right : Steering::left;
-  }
-  return curve;
-}
 
 }  // namespace
 
 Curve reeds_shepp_curve(const Pose& from, const Pose& to, double radius) {
-  // OMPL misses some curves without cusps between aligned poses.
-  Curve best = by_ompl(from, to, radius);
-  const double rounding = 1e-9 * radius;
-  if (Curve forward = dubins_curve(from, to, radius); forward.length() < best.length() - rounding)
-    best = std::move(forward);
-  if (Curve back = dubins_curve(turned_round(from), turned_round(to), radius); back.length() < best.length() - rounding)
-    best = in_reverse(std::move(back));
-  return best;
+  return ShortestWord(from, to, radius).curve(from, to, radius);
+}
+
+double reeds_shepp_distance(const Pose& from, const Pose& to, double radius) {
+  return radius * ShortestWord(from, to, radius).length();
 }
 
 }  // namespace oxturn

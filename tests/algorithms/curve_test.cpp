@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/DubinsStateSpace.h>
+#include <ompl/base/spaces/ReedsSheppStateSpace.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,6 +107,36 @@ TEST(Curve, ReedsSheppEndsInItsPoseAndIsNoLongerThanAnyCurveTried) {
     const Pose from{p.from.at / p.radius, p.from.heading}, to{p.to.at / p.radius, p.to.heading};
     ASSERT_LE(curve.length() / p.radius, sampled_reeds_shepp(from, to) + 1e-5) << i;
     ASSERT_NEAR(curve.length(), reeds_shepp_curve(p.to, p.from, p.radius).length(), 1e-5 * p.radius) << i;
+  }
+}
+
+/// OMPL drops words whose parts are tiny, and some of aligned poses.
+TEST(Curve, ReedsSheppCurvesAreAsLongAsOmpls) {
+  Rng rng(7);
+  const auto space = std::make_shared<ompl::base::ReedsSheppStateSpace>(1.0);
+  ompl::base::ScopedState<ompl::base::ReedsSheppStateSpace> from(space), to(space);
+  for (int i = 0; i < 200000; ++i) {
+    from->setXY(0, 0);
+    from->setYaw(rng.between(-kPi, kPi));
+    to->setXY(rng.between(-6.0, 6.0), rng.between(-6.0, 6.0));
+    to->setYaw(rng.between(-kPi, kPi));
+    const Pose a{{0, 0}, from->getYaw()}, b{{2 * to->getX(), 2 * to->getY()}, to->getYaw()};
+    ASSERT_NEAR(reeds_shepp_distance(a, b, 2) / 2, space->distance(from.get(), to.get()), 1e-6) << i;
+    ASSERT_NEAR(reeds_shepp_curve(a, b, 2).length(), reeds_shepp_distance(a, b, 2), 1e-6) << i;
+  }
+}
+
+// Rounding must not hide the words without cusps, as between lanes.
+TEST(Curve, ReedsSheppCurvesOfAlignedPosesAreNoLongerThanDubins) {
+  Rng rng(8);
+  for (int i = 0; i < 100000; ++i) {
+    const double along = rng.between(-kPi, kPi);
+    const auto turned = [&] { return along + kPi / 2 * std::floor(rng.between(-2.0, 2.0)); };
+    const Pose from{{rng.between(-50.0, 50.0), rng.between(-50.0, 50.0)}, turned()};
+    const Pose to{from.at + rng.between(0.0, 6.0) * direction({{0, 0}, along}), turned()};
+    const double length = reeds_shepp_distance(from, to, 1);
+    ASSERT_LE(length, dubins_distance(from, to, 1) + 1e-8) << i;
+    ASSERT_LE(length, dubins_distance(turned_round(from), turned_round(to), 1) + 1e-8) << i;
   }
 }
 

@@ -10,6 +10,7 @@
 #include "algorithms/lanes/uncovered.hpp"
 #include "algorithms/smoothing/covering_strokes.hpp"
 #include "algorithms/smoothing/drivable.hpp"
+#include "algorithms/smoothing/link_search.hpp"
 #include "algorithms/smoothing/reinserted_strokes.hpp"
 #include "algorithms/smoothing/strokes.hpp"
 #include "base/random.hpp"
