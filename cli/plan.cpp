@@ -39,10 +39,10 @@ void check_whose(const PlanOptions& options, const std::vector<ParameterInfo>& p
   for (const std::string& text : options.settings) {
     const std::string name = assignment("--set", text).first;
     if (!has(parameters, name) && has(generators.find(source.generator).parameters, name))
-      throw std::invalid_argument(fmt::format("--set {}: '{}' is a parameter of generator '{}', not of planner '{}'; "
-                                              "write the map as {},{}",
-                                              text, name, source.generator, options.planner, options.problem.map,
-                                              text));
+      throw std::invalid_argument(
+          fmt::format("--set {}: '{}' is a parameter of generator '{}', not of planner '{}'; "
+                      "write the map as {},{}",
+                      text, name, source.generator, options.planner, options.problem.map, text));
   }
 }
 

@@ -127,8 +127,7 @@ MapSource map_source(const ProblemOptions& options, const Registry& registry) {
     const std::string text = name.substr(colon + 1, comma - colon - 1);
     const auto seed = parse_whole(text);
     if (!seed)
-      throw std::invalid_argument(
-          fmt::format("map '{}': seed is '{}', expected a whole number from 0", name, text));
+      throw std::invalid_argument(fmt::format("map '{}': seed is '{}', expected a whole number from 0", name, text));
     source.seed = *seed;
   }
   if (comma < name.size())

@@ -35,8 +35,8 @@ class Level {
   std::vector<std::size_t> lap_of_edge_;
 };
 
-/// What of the region may hold a disc of the radius: nothing that is smaller or narrower does. Eroded by the radius, both
-/// are the same.
+/// What of the region may hold a disc of the radius: nothing that is smaller or narrower does. Eroded by the radius,
+/// both are the same.
 Region with_room(Region region, double radius) {
   std::erase_if(region.polygons, [&](const Polygon& p) {
     return area(p) < kPi * radius * radius || bounding_box(p.outer).size().minCoeff() < 2 * radius;

@@ -6,8 +6,8 @@
 /// least (reinserted_strokes.hpp). Then uncovered pieces are visited by short strokes (covering_strokes.hpp): a greedy
 /// cover, always the stroke next that covers most for each metre that the path becomes longer. The path so far is where
 /// others may be inserted, so visits near each other follow each other. What is uncovered is found exactly before each
-/// of some rounds, until no more than is allowed is left, or no visit is worth its metres. At last, strokes are taken out
-/// whose area the others cover (needless_strokes.hpp).
+/// of some rounds, until no more than is allowed is left, or no visit is worth its metres. At last, strokes are taken
+/// out whose area the others cover (needless_strokes.hpp).
 ///
 /// Guarantee   the path stays drivable
 /// Complexity  in each of at most six rounds, some steps of O(m log m) for a path of m segments, and for each stroke

@@ -19,8 +19,8 @@ BergTree::BergTree(const BergBoundary& boundary, const Laps& laps, const std::fu
   find_lower_dividers();
 }
 
-/// A lap's pieces until the next lap's are known. Far from the anchor most are empty, and so are all that grow from them:
-/// of these only those from which several grow are kept, and otherwise their parents stand in for them.
+/// A lap's pieces until the next lap's are known. Far from the anchor most are empty, and so are all that grow from
+/// them: of these only those from which several grow are kept, and otherwise their parents stand in for them.
 class BergTree::OpenLap {
  public:
   OpenLap() = default;

@@ -18,8 +18,7 @@
 //                space (or to which the caller knows a path) on. Where the robot cannot be on the geodesic it takes
 //                the shortest path of the same class to the next point of it where it can. These searches are local,
 //                so their cost does not grow with the number of classes of the whole map. The result is pulled taut.
-//             7. Points that the tether passes without a change of its bends are driven together: a few of them at a
-//                time, if no corner lies in the triangle that it sweeps over.
+//             7. Points are driven together, a few at a time, if no corner lies in the triangle that the tether sweeps.
 //             8. For a goal outside the cut space the search has no bound on the path's length. If the budget does not
 //                suffice, the path is that of decision 4 along the caller's path out, or, if there is none, leads back
 //                to the start and from there follows the class of the geodesic.
@@ -28,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "base/throw_invalid.hpp"
 #include "geometry/predicates.hpp"
@@ -211,8 +211,7 @@ Polyline extended_taut(const TetheredWorld& world, const Polyline& taut, const P
     if (kept > 0 && (tether.bends().empty() || distance(tether.bends().front().at, taut[kept + 1]) > world.tolerance))
       continue;
     Polyline whole(taut.begin(), begin);
-    const Polyline end = tether.polyline();
-    whole.insert(whole.end(), end.begin(), end.end());
+    std::ranges::copy(tether.polyline(), std::back_inserter(whole));
     return whole;
   }
 }
