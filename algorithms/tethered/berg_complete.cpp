@@ -303,7 +303,7 @@ Path cover_by_level_sets(const Params& p, const Problem& component, const Geodes
 }
 
 Path plan(const Params& p, const Problem& whole, Context& context) {
-  const Problem problem = whole.restricted(coarser_space(whole));
+  const Problem problem = with_coarser_space(whole);
   const TetherSpace space(problem, "berg-complete");
   if (context.wants_traces()) context.trace("cut", space.cut());
   const std::vector<bool> only_laps = laps_only(p, space);

@@ -363,6 +363,14 @@ bool touches(const EdgeIndex& space, const Polyline& line, double within) {
 
 }  // namespace
 
+/// The lattice follows from the box of both regions (overlay/boolean.hpp). No line of the cut leaves the map, so none of
+/// those that the space is cut along asks for a coarser one.
+Problem with_coarser_space(const Problem& problem) {
+  Box around = bounding_box(problem.map().free);
+  around.grow(problem.robot().radius + problem.robot().tool_width);
+  return problem.restricted(intersect(coarser_space(problem), box_region(around.low, around.high)));
+}
+
 CutPasses::CutPasses(const Problem& problem, const std::vector<Polyline>& cut)
     : problem_(problem),
       target_(problem.map().target_area ? problem.target() : problem.map().free),  // the same where it is needed

@@ -18,6 +18,10 @@
 
 namespace oxturn {
 
+/// The problem with coarser_space() (outline.hpp), half of the vertices, on a lattice on which cutting it open leaves
+/// them: the tether bends at the same points in both, or a path past a corner would lie on the wrong side of it.
+Problem with_coarser_space(const Problem& problem);
+
 /// The space for a planner that covers everything within half a tool width of its space.
 struct PassSpace {
   Problem problem;  // its space is connected

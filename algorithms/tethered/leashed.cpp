@@ -25,7 +25,6 @@
 //                (coarser_space), as most planners do by themselves.
 #include <utility>
 
-#include "algorithms/lanes/outline.hpp"
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/tethered/cut_passes.hpp"
 #include "algorithms/transit/short_segments.hpp"
@@ -42,7 +41,7 @@ class Leashed final : public CoveragePlanner {
       : inner_(std::move(inner)), return_home_(return_home), cut_(cut) {}
 
   Path plan(const Problem& whole, Context& context) const override {
-    const Problem problem = whole.restricted(coarser_space(whole));
+    const Problem problem = with_coarser_space(whole);
     const TetherSpace space(problem, "leashed", cut_);
     if (context.wants_traces()) context.trace("cut", space.cut());
     const CutPasses cut(problem, space.cut());

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "algorithms/tethered/cut_passes.hpp"
@@ -52,6 +53,41 @@ TEST(TetherSpace, ComponentsHaveNoHolesAndLoseOnlyTheCut) {
       EXPECT_LE(lost, (cut + 1) * space.cut_width() * 1.2);
       EXPECT_LE(area(space.unreached()), 0.001 * area(problem.configuration_space()));
     }
+}
+
+// Regression: on a map of kilometres, cutting space open moved vertices of its coarse arcs by more than the width of what
+// counts as a corner; a path past such a corner was then on its wrong side, and pulled taut it led through a wall.
+TEST(TetherSpace, CoarseSpaceKeepsItsVerticesWhenItIsCutOpen) {
+  constexpr double kLarger = 300;
+  std::size_t kept = 0;
+  for (Map map : tether_maps(1)) {
+    SCOPED_TRACE(map.source);
+    for (Polygon& polygon : map.free.polygons) {
+      for (Point& p : polygon.outer) p *= kLarger;
+      for (Ring& hole : polygon.holes)
+        for (Point& p : hole) p *= kLarger;
+    }
+    const Problem problem(map, tethered_robot(1.1, 0.2 * kLarger, 0.4 * kLarger));
+    const Problem coarse = with_coarser_space(problem);
+    EXPECT_LE(vertex_count(coarse.configuration_space()), vertex_count(problem.configuration_space()));
+    EXPECT_TRUE(coarse.walls().contains(problem.start()));
+    std::vector<Point> vertices;
+    for_each_edge(coarse.configuration_space(), [&](const Point& a, const Point&) { vertices.push_back(a); });
+    std::ranges::sort(vertices, before);
+    const TetherSpace space(coarse, "test");
+    for (const TetherSpace::Component& component : space.components())
+      for_each_edge(component.problem.configuration_space(), [&](const Point& a, const Point&) {
+        const auto vertex = coarse.walls().nearest(a, 1e-3);
+        if (!vertex) return;
+        const EdgeIndex::Edge& edge = coarse.walls().edges()[vertex->edge];
+        for (const Point& end : {edge.a, edge.b})
+          if (distance(a, end) < 1e-3) {
+            EXPECT_TRUE(std::ranges::binary_search(vertices, a, before)) << distance(a, end);
+            ++kept;
+          }
+      });
+  }
+  EXPECT_GT(kept, 100u);
 }
 
 // Regression: the cut came in pieces, a few for each triangle of a mesh, whose strips left steps of nanometres to
