@@ -24,6 +24,7 @@ constexpr std::size_t kFailures = 4;  // points of a piece that no stroke gets t
 constexpr double kSamePoint = 0.06;   // tool widths: nearer to a point that failed, others fail too
 constexpr double kNear = 2;           // tool widths and radii from a new visit: others may have become cheaper
 constexpr double kDetour = 10;        // radii that a detour there and back takes, as a rule
+constexpr double kLost = 2e-5;        // of the target, between the points of a raster
 constexpr double kLower = 0.6;        // of what the last visits were worth, the next ones may be
 
 class Visits {
@@ -71,13 +72,26 @@ class Visits {
     return {uncovered(problem_.target(), path, problem_.robot()), width_, kNoticed * width_ * width_};
   }
 
-  /// Stays as it is if that would leave more uncovered than before, and more than is allowed.
-  std::vector<LinkedStroke> without_needless(std::vector<LinkedStroke> driven) const {
+  /// What is lost between the points of the raster is visited again. Stays as it is if that does not help, or if it
+  /// became no shorter.
+  std::vector<LinkedStroke> without_needless(std::vector<LinkedStroke> driven) {
     if (context_.cancelled()) return driven;
     std::vector<LinkedStroke> rest = without_needless_strokes(driven, problem_.target(), width_, space_, context_);
     if (rest.size() == driven.size()) return driven;
-    const double most = std::max(allowed_, uncovered_by(driven).area());
-    return uncovered_by(rest).area() <= most ? rest : driven;
+    allowed_ = uncovered_by(driven).area() + kLost * area(problem_.target());
+    UncoveredPoints points = uncovered_by(rest);
+    if (points.area() > allowed_) {
+      std::size_t inserted = 0;
+      rest = with_best_visits(std::move(rest), points, inserted);
+      if (uncovered_by(rest).area() > allowed_) return driven;
+    }
+    return metres(rest) < metres(driven) ? rest : driven;
+  }
+
+  double metres(const std::vector<LinkedStroke>& driven) const {
+    double sum = 0;
+    for (const LinkedStroke& s : driven) sum += space_.cost(s.link) + length(s.stroke);
+    return sum;
   }
 
   void cover_by_links(std::vector<LinkedStroke>& driven, UncoveredPoints& points) const {

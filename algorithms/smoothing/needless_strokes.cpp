@@ -10,7 +10,7 @@
 namespace oxturn {
 namespace {
 
-constexpr double kCell = 1.0 / 24;  // tool widths, between the points of the raster
+constexpr double kCell = 1.0 / 32;  // tool widths, between the points of the raster
 constexpr int kMostTries = 3;       // of a stroke: once, and again when one beside it was taken out
 
 class Needless {
@@ -85,6 +85,16 @@ class Needless {
     return all;
   }
 
+  /// False, and nothing is changed, if a point would be lost.
+  bool exchange(const Capsules& old, const Capsules& added) {
+    if (!witnesses_.may_change(old, added, 0)) return false;
+    // First what is added, so that what it covers besides does not make up for points that are lost.
+    witnesses_.exchange({}, added);
+    if (witnesses_.exchange(old, {}) == 0) return true;
+    witnesses_.exchange(added, old);
+    return false;
+  }
+
   bool take_out(std::size_t s) {
     ++tries_;
     Capsules old = capsules_of(s), added;
@@ -99,11 +109,7 @@ class Needless {
       if (!(link = space_.simple_link(out(s), in(s), cost(s)))) return false;
       added = capsules_of(*link);
     }
-    if (!witnesses_.may_change(old, added, 0)) return false;
-    if (witnesses_.exchange(old, added) > 0) {
-      witnesses_.exchange(added, old);
-      return false;
-    }
+    if (!exchange(old, added)) return false;
     if (link) strokes_[behind_[s]] = {std::move(*link), std::move(strokes_[behind_[s]].stroke), true};
     behind_[before_[s]] = behind_[s];
     if (!last(s)) before_[behind_[s]] = before_[s];
