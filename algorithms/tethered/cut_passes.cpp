@@ -363,8 +363,8 @@ bool touches(const EdgeIndex& space, const Polyline& line, double within) {
 
 }  // namespace
 
-/// The lattice follows from the box of both regions (overlay/boolean.hpp). No line of the cut leaves the map, so none of
-/// those that the space is cut along asks for a coarser one.
+/// The lattice follows from the box of both regions (overlay/boolean.hpp). No line of the cut leaves the map, so none
+/// of those that the space is cut along asks for a coarser one.
 Problem with_coarser_space(const Problem& problem) {
   Box around = bounding_box(problem.map().free);
   around.grow(problem.robot().radius + problem.robot().tool_width);

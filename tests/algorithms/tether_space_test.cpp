@@ -55,8 +55,8 @@ TEST(TetherSpace, ComponentsHaveNoHolesAndLoseOnlyTheCut) {
     }
 }
 
-// Regression: on a map of kilometres, cutting space open moved vertices of its coarse arcs by more than the width of what
-// counts as a corner; a path past such a corner was then on its wrong side, and pulled taut it led through a wall.
+// Regression: on a map of kilometres, cutting space open moved vertices of its coarse arcs by more than the width of
+// what counts as a corner; a path past such a corner was then on its wrong side, and pulled taut it led through a wall.
 TEST(TetherSpace, CoarseSpaceKeepsItsVerticesWhenItIsCutOpen) {
   constexpr double kLarger = 300;
   std::size_t kept = 0;
