@@ -111,7 +111,8 @@ TEST(BergSweep, OfWhatIsNotToBeKeptNothingIsLostBeside) {
         }
         for (const auto& piece : kept.at(l)) found.insert(found.end(), piece.points.begin(), piece.points.end());
         left += found.size();
-        ASSERT_EQ(found, expected);
+        ASSERT_EQ(found.size(), expected.size());
+        for (std::size_t i = 0; i < found.size(); ++i) ASSERT_LT(distance(found[i], expected[i]), 1e-12);
       }
     }
   }

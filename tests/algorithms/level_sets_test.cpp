@@ -93,10 +93,13 @@ TEST(NeededBoundary, TwoPassesAreEnoughInTheOpen) {
     driven.insert(driven.end(), boundary.chains.begin(), boundary.chains.end());
     for (const Polyline& line : space.cut())
       for (std::size_t i = 1; i < line.size(); ++i) {
-        const Point middle = lerp(line[i - 1], line[i], 0.5);
-        if (!walls.contains(middle) || walls.nearest(middle, middle, 1.5 * w)) continue;
-        ++samples;
-        near += distance_to(driven, middle) < 0.3 * w;
+        const int parts = 1 + static_cast<int>(distance(line[i - 1], line[i]) / w);
+        for (int k = 0; k < parts; ++k) {
+          const Point at = lerp(line[i - 1], line[i], (k + 0.5) / parts);
+          if (!walls.contains(at) || walls.nearest(at, at, 1.5 * w)) continue;
+          ++samples;
+          near += distance_to(driven, at) < 0.3 * w;
+        }
       }
   });
   EXPECT_GT(samples, 50);
