@@ -29,13 +29,20 @@ class MeshWave {
   /// From p in a triangle: asks stop(triangle) for each one in the order in which it is entered, until it is true.
   template <class Stop>
   void spread(const Point& p, std::size_t triangle, Stop stop) {
+    spread_within(
+        p, triangle, [](std::size_t) { return true; }, stop);
+  }
+  /// The same over no triangles but those for which allowed(triangle) is true.
+  template <class Allowed, class Stop>
+  void spread_within(const Point& p, std::size_t triangle, Allowed allowed, Stop stop) {
     const auto neighbours = [&](std::size_t t, const auto& reach) {
       const Mesh::Triangle& here = mesh_.triangles()[t];
       const auto vertex = [&](std::size_t k) { return mesh_.points()[static_cast<std::size_t>(here.vertex[k % 3])]; };
       for (std::size_t k = 0; k < 3; ++k) {
         if (here.neighbour[k] == Mesh::kWall) continue;
-        const Point middle = (vertex(k + 1) + vertex(k + 2)) / 2;
         const auto next = static_cast<std::size_t>(here.neighbour[k]);
+        if (!allowed(next)) continue;
+        const Point middle = (vertex(k + 1) + vertex(k + 2)) / 2;
         if (reach(next, distance(entered_at_[t], middle))) entered_at_[next] = middle;
       }
     };

@@ -17,6 +17,8 @@ constexpr std::size_t kCandidates = 4;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAlmostStraight = 1.3;  // straight distances
 constexpr int kMostTries = 16;           // to see an entry point
+constexpr std::size_t kNear = 4096;      // triangles of a wave, before groups of them are asked
+constexpr std::size_t kInGroup = 256;    // triangles
 
 }  // namespace
 
@@ -27,7 +29,7 @@ void NearestComponent::add(const Point& p, int component, std::size_t id) {
   const auto triangle = wave_.triangle_of(p);
   if (!triangle) return;
   in_triangle_[*triangle].push_back(static_cast<std::uint32_t>(entries_.size()));
-  entries_.push_back({p, component, id});
+  entries_.push_back({p, component, id, static_cast<std::uint32_t>(*triangle)});
 }
 
 void NearestComponent::remove(int component) {
@@ -111,13 +113,52 @@ std::optional<std::uint32_t> NearestComponent::nearest_in(std::size_t triangle, 
   return best == here.end() ? std::nullopt : std::optional(*best);
 }
 
+/// Made when first needed; entries may still be added later.
+void NearestComponent::keep_groups() {
+  if (!groups_) {
+    groups_.emplace(problem_.transit().mesh(), kInGroup);
+    in_group_.resize(groups_->count());
+  }
+  for (; in_groups_ < entries_.size(); ++in_groups_)
+    in_group_[groups_->of(entries_[in_groups_].triangle)].push_back(static_cast<std::uint32_t>(in_groups_));
+}
+
+/// Forgets entries of removed components.
+bool NearestComponent::group_has_entry(std::size_t group) {
+  std::vector<std::uint32_t>& here = in_group_[group];
+  while (!here.empty() && removed(entries_[here.back()].component)) here.pop_back();
+  return !here.empty();
+}
+
+/// Allows the groups on the path to the first ones that have entries of a few components, and their neighbours.
+void NearestComponent::allow_path_to_few(std::size_t home, double longest) {
+  keep_groups();
+  allowed_.assign(groups_->count(), false);
+  std::set<int> components;
+  const auto neighbours = [&](std::size_t g, const auto& reach) {
+    for (const std::uint32_t next : groups_->neighbours(g))
+      reach(next, distance(groups_->centre(g), groups_->centre(next)));
+  };
+  dijkstra(coarse_, groups_->count(), groups_->of(home), neighbours, [&](std::size_t group) {
+    if (coarse_.cost(group) >= longest) return true;
+    if (!group_has_entry(group)) return false;
+    for (const std::uint32_t e : in_group_[group])
+      if (!removed(entries_[e].component)) components.insert(entries_[e].component);
+    for (const std::size_t g : coarse_.path_to(group)) {
+      allowed_[g] = true;
+      for (const std::uint32_t next : groups_->neighbours(g)) allowed_[next] = true;
+    }
+    return components.size() >= kCandidates;
+  });
+}
+
 /// Of the entries of the first components that a wave from p meets the one with the shortest path through the triangles
 /// by which the wave came: no search through the triangles for each of them, which far away would cost all that lies
 /// nearer. The path is at least as long as the shortest one.
 NearestComponent::Nearest NearestComponent::nearest_by_wave(const Point& p, std::size_t home, double longest) {
   std::set<int> components;
   Nearest best{.found = std::nullopt, .metres = longest};
-  wave_.spread(p, home, [&](std::size_t t) {
+  const auto meet = [&](std::size_t t) {
     if (wave_.metres(t) >= longest) return true;
     const auto entry = nearest_in(t, wave_.entered_at(t));
     if (!entry) return false;
@@ -126,7 +167,13 @@ NearestComponent::Nearest NearestComponent::nearest_by_wave(const Point& p, std:
     if (const double metres = length(path); metres < best.metres)
       best = {.found = Found{entries_[*entry].id, std::move(path)}, .metres = metres, .entry = *entry};
     return components.size() >= kCandidates;
-  });
+  };
+  std::size_t near = 0;
+  wave_.spread(p, home, [&](std::size_t t) { return meet(t) || ++near == kNear; });
+  if (near < kNear || !components.empty()) return best;
+  allow_path_to_few(home, longest);
+  wave_.spread_within(
+      p, home, [&](std::size_t t) { return allowed_[groups_->of(t)]; }, meet);
   return best;
 }
 

@@ -8,9 +8,12 @@
 /// is shorter than the straight distance to all others, that is it. Otherwise a wave spreads from the query point over
 /// the triangles of the transit mesh (Dijkstra over the midpoints of their sides) until it has met entry points of a
 /// few components; the shortest paths through the triangles by which it came decide. So a query costs what lies nearer
-/// than the answer, not all components: behind a wall thousands may be near by straight distance.
+/// than the answer, not all components: behind a wall thousands may be near by straight distance. A wave that has met
+/// none among thousands of triangles ends; another one, over groups of triangles, finds the few that it was about to
+/// meet, and the first begins again on the path there only. So what is done already is not crossed triangle by triangle,
+/// again and again, by all queries that begin in the middle of it.
 /// add O(1); a query one short shortest path, and O(t log t) for t triangles nearer than the answer if that is behind
-/// walls; from() one more shortest path.
+/// walls and t below 4096, else for the triangles on the path there, and t / 256 groups; from() one more shortest path.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +22,7 @@
 #include <vector>
 
 #include "algorithms/transit/mesh_wave.hpp"
+#include "algorithms/transit/triangle_groups.hpp"
 #include "geometry/point_grid.hpp"
 
 namespace oxturn {
@@ -46,6 +50,7 @@ class NearestComponent {
     Point at;
     int component;
     std::size_t id;
+    std::uint32_t triangle;
   };
   struct Nearest {
     std::optional<Found> found = std::nullopt;
@@ -59,6 +64,9 @@ class NearestComponent {
   void try_entry(const Point& p, const Entry& entry, double longest, Nearest& best) const;
   bool find_almost_straight(const Point& p, Nearest& best);
   std::optional<std::uint32_t> nearest_in(std::size_t triangle, const Point& to);
+  bool group_has_entry(std::size_t group);
+  void keep_groups();
+  void allow_path_to_few(std::size_t home, double longest);
   Nearest nearest_in_sight(const Point& p);
   Nearest nearest_by_wave(const Point& p, std::size_t home, double longest);
 
@@ -68,6 +76,11 @@ class NearestComponent {
   std::vector<std::vector<std::uint32_t>> in_triangle_;  // entries, by triangle
   std::optional<PointGrid> grid_;                        // of the first entries
   std::size_t in_grid_ = 0;
+  std::optional<TriangleGroups> groups_;              // made when a wave first meets nothing near by
+  std::vector<std::vector<std::uint32_t>> in_group_;  // the first entries, by group
+  std::size_t in_groups_ = 0;
+  SearchTree<double> coarse_;
+  std::vector<bool> allowed_;  // groups on the path to those of a few components, and beside it
   std::vector<bool> removed_;
 };
 

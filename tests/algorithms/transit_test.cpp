@@ -11,7 +11,9 @@
 #include "algorithms/transit/component_links.hpp"
 #include "algorithms/transit/connector.hpp"
 #include "algorithms/transit/nearest_component.hpp"
+#include "algorithms/transit/triangle_groups.hpp"
 #include "base/disjoint_sets.hpp"
+#include "base/graph_search.hpp"
 #include "base/random.hpp"
 #include "tests/support/drawn.hpp"
 #include "tests/support/seeds.hpp"
@@ -53,8 +55,8 @@ TEST(Connector, PointsThatAreNotConnectedAreOneSentence) {
       testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("no path from (0.5, 0.5) to (2.5, 0.5)")));
 }
 
-Problem with_scattered_walls(Rng& rng) {
-  std::vector<std::string> drawing(9, std::string(12, '.'));
+Problem with_scattered_walls(Rng& rng, std::size_t rows = 9, std::size_t columns = 12) {
+  std::vector<std::string> drawing(rows, std::string(columns, '.'));
   for (std::string& row : drawing)
     for (char& c : row)
       if (rng.chance(0.25)) c = '#';
@@ -62,9 +64,10 @@ Problem with_scattered_walls(Rng& rng) {
   return drawn(drawing);
 }
 
-Point free_point(const Problem& problem, Rng& rng) {
+Point free_point(const Problem& problem, Rng& rng, const Box& box = {{0, 0}, {12, 9}}) {
   for (;;)
-    if (const Point p(12 * rng.unit(), 9 * rng.unit()); problem.walls().contains(p)) return p;
+    if (const Point p = box.low + box.size().cwiseProduct(Point(rng.unit(), rng.unit())); problem.walls().contains(p))
+      return p;
 }
 
 // --- nearest component ---
@@ -136,6 +139,41 @@ TEST(NearestComponent, WithoutAPathIsAboutTheNearest) {
   EXPECT_LE(found, 1.03 * shortest);
 }
 
+/// Behind thousands of triangles the way is found by groups of them.
+TEST(NearestComponent, IsFoundFarAway) {
+  double found = 0, shortest = 0;
+  for (const auto seed : seeds(4)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Problem problem = with_scattered_walls(rng, 80, 160);
+    ASSERT_GT(problem.transit().mesh().triangles().size(), 8192u) << "more than a wave looks at";
+    NearestComponent nearest(problem);
+    std::vector<Point> entries;
+    for (int k = 0; k < 6; ++k) {
+      entries.push_back(free_point(problem, rng, {{150, 0}, {160, 80}}));
+      nearest.add(entries.back(), k, entries.size() - 1);
+    }
+    std::vector<bool> left(entries.size(), true);
+    for (int k = 0; k < 3; ++k) {
+      const Point from = free_point(problem, rng, {{0, 0}, {20, 80}});
+      const double least = metres_to_nearest(problem, from, entries, left);
+      const auto id = nearest.nearest(from);
+      const auto with_path = nearest.from(from);
+      ASSERT_EQ(id.has_value(), std::isfinite(least));
+      ASSERT_EQ(with_path.has_value(), std::isfinite(least));
+      if (!id) continue;
+      ASSERT_TRUE(left[*id] && left[with_path->id]) << "removed";
+      EXPECT_EQ(with_path->path.back(), entries[with_path->id]);
+      EXPECT_LE(length(*problem.transit().path(from, entries[*id])), 1.1 * least);
+      found += length(with_path->path);
+      shortest += least;
+      left[with_path->id] = false;
+      nearest.remove(static_cast<int>(with_path->id));
+    }
+  }
+  EXPECT_LE(found, 1.01 * shortest);
+}
+
 TEST(NearestComponent, OfNoneIsNone) {
   const Problem problem = drawn({"S..#.", "...#."});
   NearestComponent nearest(problem);
@@ -144,6 +182,43 @@ TEST(NearestComponent, OfNoneIsNone) {
   EXPECT_FALSE(nearest.from({0.5, 0.5}));
   nearest.add({1.5, 0.5}, 1, 8);
   EXPECT_EQ(nearest.from({0.5, 0.5})->id, 8u);
+}
+
+// --- groups of triangles ---
+
+// Each is connected and small enough, and its neighbours are those with which it shares a side.
+TEST(TriangleGroups, AreConnectedAndKnowTheirNeighbours) {
+  for (const auto seed : seeds(20)) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    const Problem problem = with_scattered_walls(rng, 20, 30);
+    const Mesh& mesh = problem.transit().mesh();
+    const std::size_t n = mesh.triangles().size(), size = 1 + rng.below(40);
+    const TriangleGroups groups(mesh, size);
+    std::vector<std::size_t> members(groups.count(), 0);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> beside, named;
+    const auto for_each_side = [&](std::size_t t, const auto& f) {
+      for (const std::int32_t next : mesh.triangles()[t].neighbour)
+        if (next != Mesh::kWall) f(static_cast<std::size_t>(next));
+    };
+    for (std::size_t t = 0; t < n; ++t) {
+      ++members.at(groups.of(t));
+      for_each_side(t, [&](std::size_t next) {
+        if (groups.of(next) != groups.of(t)) beside.emplace(groups.of(t), groups.of(next));
+      });
+    }
+    for (std::uint32_t g = 0; g < groups.count(); ++g)
+      for (const std::uint32_t next : groups.neighbours(g)) named.emplace(g, next);
+    EXPECT_EQ(named, beside);
+    EXPECT_GE(std::ranges::min(members), 1u);
+    EXPECT_LE(std::ranges::max(members), size);
+    const auto parts = connected_components(n, [&](std::size_t t, const auto& reach) {
+      for_each_side(t, [&](std::size_t next) {
+        if (groups.of(next) == groups.of(t)) reach(next);
+      });
+    });
+    EXPECT_EQ(static_cast<std::size_t>(parts.count), groups.count());
+  }
 }
 
 // --- links ---
