@@ -10,8 +10,8 @@
 /// few components; the shortest paths through the triangles by which it came decide. So a query costs what lies nearer
 /// than the answer, not all components: behind a wall thousands may be near by straight distance. A wave that has met
 /// none among thousands of triangles ends; another one, over groups of triangles, finds the few that it was about to
-/// meet, and the first begins again on the path there only. So what is done already is not crossed triangle by triangle,
-/// again and again, by all queries that begin in the middle of it.
+/// meet, and the first begins again, on the path there only. So what is done already is not crossed triangle by
+/// triangle, again and again, by all queries that begin in the middle of it.
 /// add O(1); a query one short shortest path, and O(t log t) for t triangles nearer than the answer if that is behind
 /// walls and t below 4096, else for the triangles on the path there, and t / 256 groups; from() one more shortest path.
 #pragma once
