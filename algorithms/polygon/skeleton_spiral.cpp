@@ -23,9 +23,9 @@
 //             4. The ridge that the last lap of a part leaves is covered by repair.
 //             5. Islands are connected with the boundary by their shortest bridges, cuts w / 1000 wide; each side of a
 //                bridge is driven.
-//             6. Vertices of the inset are moved by up to 1e-5 of the tool width: among like obstacles many events of
-//                the skeleton have the same time, and to see that CGAL computes it with rational numbers, in a third of
-//                all time. A tenth of that is not enough where like obstacles are tens of thousands.
+//             6. Vertices of the inset are moved by up to 1e-5 of the tool width, each to another side: among like
+//                obstacles many events of the skeleton have the same time, and to see that CGAL computes it with
+//                rational numbers, in a third of all time.
 #include "algorithms/polygon/skeleton_spiral.hpp"
 
 #include <algorithm>
@@ -41,6 +41,7 @@
 #include "algorithms/lanes/repair.hpp"
 #include "algorithms/lanes/strips.hpp"
 #include "algorithms/polygon/moving_rings.hpp"
+#include "base/random.hpp"
 #include "geometry/coarse_arcs.hpp"
 #include "geometry/mesh/shortest_bridges.hpp"
 #include "geometry/overlay/cut_along.hpp"
@@ -57,9 +58,6 @@ constexpr double kBridge = 1e-3;         // width of the cuts along bridges
 constexpr double kStirred = 1e-5;        // by which vertices of the inset are moved
 constexpr int kBisections = 8;           // to find the time of a split
 constexpr double kLeastStep = 1.0 / 64;  // spacings from one split to the next
-
-// Multiples of these fill the unit square evenly (Roberts 2018: powers of 1 over the root of x^3 = x + 1).
-constexpr double kStirX = 0.7548776662466927, kStirY = 0.5698402909980532;
 
 enum class Order { tour, recursion };  // in the order of their names in skeleton_spiral()
 
@@ -262,11 +260,11 @@ class SkeletonSpirals {
 Polygon stirred(const Polygon& polygon, double by, const EdgeIndex& walls) {
   if (by == 0) return polygon;
   Polygon moved = polygon;
-  double k = 0;
+  Rng rng(1);  // not multiples of a number: obstacles of one shape would be moved as a whole
   const auto move = [&](Ring& ring) {
     for (Point& p : ring) {
-      ++k;
-      const Point there = p + by * Point(std::fmod(k * kStirX, 1.0) - 0.5, std::fmod(k * kStirY, 1.0) - 0.5);
+      const double x = rng.unit() - 0.5, y = rng.unit() - 0.5;
+      const Point there = p + by * Point(x, y);
       if (walls.contains(there)) p = there;
     }
   };
