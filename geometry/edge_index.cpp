@@ -170,6 +170,9 @@ Point EdgeIndex::reference_point(std::size_t cell) const {
 /// for its two edges if the boundary crosses there, and twice or never if it does not.
 bool EdgeIndex::separates(const Point& p, const Point& q, std::uint32_t edge) const {
   const Edge& e = edges_[edge];
+  if (std::min(e.a.y(), e.b.y()) > std::max(p.y(), q.y()) || std::max(e.a.y(), e.b.y()) < std::min(p.y(), q.y()) ||
+      std::min(e.a.x(), e.b.x()) > std::max(p.x(), q.x()) || std::max(e.a.x(), e.b.x()) < std::min(p.x(), q.x()))
+    return false;
   if ((orientation(p, q, e.a) > 0) == (orientation(p, q, e.b) > 0)) return false;
   return orientation(e.a, e.b, p) * orientation(e.a, e.b, q) < 0;
 }
@@ -183,7 +186,6 @@ void EdgeIndex::choose_references() {
     const auto items = grid_.items(c);
     return std::ranges::any_of(items, [&](std::uint32_t e) { return on_segment(p, edges_[e].a, edges_[e].b); });
   };
-  std::vector<std::uint32_t> near;
   for (int j = 0; j < grid_.rows(); ++j) {
     Point last = grid_.low() + grid_.cell() * Point(-1, j + 0.5);  // outside
     bool inside = false;
@@ -194,10 +196,11 @@ void EdgeIndex::choose_references() {
         references_[c].candidate = static_cast<std::uint8_t>(k) & 0x7f;
       }
       const Point here = reference_point(c);
-      near.assign(grid_.items(c).begin(), grid_.items(c).end());
-      if (i > 0) near.insert(near.end(), grid_.items(c - 1).begin(), grid_.items(c - 1).end());
-      sort_unique(near);
-      for (const std::uint32_t e : near) inside ^= separates(last, here, e);
+      const auto items = grid_.items(c);
+      for (const std::uint32_t e : items) inside ^= separates(last, here, e);
+      if (i > 0)
+        for (const std::uint32_t e : grid_.items(c - 1))
+          if (!std::ranges::binary_search(items, e)) inside ^= separates(last, here, e);
       references_[c].inside = inside;
       last = here;
     }

@@ -77,44 +77,65 @@ Polyline joined(Polyline first, const Polyline& second) {
   return first;
 }
 
-/// Of points[first ..], as many as the tether can be driven to without a change of its bends; 0 if that is not certain.
-std::size_t swung_over(const TautTether& tether, const TautSpace& corners, const Polyline& points, std::size_t first) {
-  constexpr std::size_t kMost = 16;
-  constexpr double kPad = 4 * TautSpace::kNear;
-  const Point pivot = tether.pivot(), u = (tether.robot() - pivot).normalized(), aside = perpendicular(u);
-  if (tether.robot() == pivot) return 0;
-  const auto& bends = tether.bends();
-  const Point before = bends.size() > 1 ? bends[bends.size() - 2].at : tether.anchor();
-  const auto holds = [&](const Point& p) {
-    return bends.empty() || bends.back().side * orientation(before, pivot, p) > 0;
-  };
-  double low = 0, high = 0, reach = (tether.robot() - pivot).norm();  // sides: tangents of the angles from u
-  std::size_t n = 0;
-  for (; n < kMost && first + n < points.size(); ++n) {
-    const Point d = points[first + n] - pivot;
-    const double along = d.dot(u), tangent = d.dot(aside) / along;
-    if (!(along > 0 && std::abs(tangent) <= 1 && holds(points[first + n]))) break;
-    low = std::min(low, tangent);
-    high = std::max(high, tangent);
-    reach = std::max(reach, along);
+/// The part of the plane that the tether's last segment sweeps over on the way to each of several points: triangles at
+/// the pivot that grow from point to point.
+class SweptTriangles {
+ public:
+  static constexpr std::size_t kMost = 16;  // points
+
+  /// Of points[first ..], as many as the tether holds all bends on the way to, kMost at most.
+  SweptTriangles(const TautTether& tether, const Polyline& points, std::size_t first)
+      : pivot_(tether.pivot()), along_((tether.robot() - pivot_).normalized()), aside_(perpendicular(along_)) {
+    if (tether.robot() == pivot_) return;
+    const auto& bends = tether.bends();
+    const Point before = bends.size() > 1 ? bends[bends.size() - 2].at : tether.anchor();
+    Triangle t{0, 0, (tether.robot() - pivot_).norm()};
+    for (; size_ < kMost && first + size_ < points.size(); triangles_[size_++] = t) {
+      const Point& p = points[first + size_];
+      const double along = (p - pivot_).dot(along_), tangent = (p - pivot_).dot(aside_) / along;
+      if (!(along > 0 && std::abs(tangent) <= 1)) return;
+      if (!bends.empty() && bends.back().side * orientation(before, pivot_, p) <= 0) return;
+      t = {std::min(t.low, tangent), std::max(t.high, tangent), std::max(t.reach, along)};
+    }
   }
-  if (n < 2) return 0;
-  bool any = false;
-  const std::array triangle{pivot, Point(pivot + reach * (u + low * aside)), Point(pivot + reach * (u + high * aside))};
-  corners.for_each_near(triangle, kPad, [&](const TautSpace::Corner& c) {
-    const Point d = c.at - pivot;
-    const double along = d.dot(u), across = d.dot(aside);
-    any = any || (c.at != pivot && along >= -kPad && along <= reach + kPad && across >= low * along - kPad &&
-                  across <= high * along + kPad);
-  });
-  return any ? 0 : n;
-}
+
+  std::size_t size() const { return size_; }
+  /// So many of them have no corner near by, but the pivot.
+  std::size_t without_corners(const TautSpace& corners) const {
+    if (size_ == 0) return 0;
+    constexpr double kPad = 4 * TautSpace::kNear;
+    const auto& [low, high, reach] = triangles_[size_ - 1];
+    const std::array largest{pivot_, Point(pivot_ + reach * (along_ + low * aside_)),
+                             Point(pivot_ + reach * (along_ + high * aside_))};
+    std::size_t free = size_;
+    corners.for_each_near(largest, kPad, [&](const TautSpace::Corner& c) {
+      const Point d = c.at - pivot_;
+      const double along = d.dot(along_), across = d.dot(aside_);
+      if (c.at == pivot_ || along < -kPad) return;
+      const auto near = [&](const Triangle& t) {
+        return along <= t.reach + kPad && across >= t.low * along - kPad && across <= t.high * along + kPad;
+      };
+      while (free > 0 && near(triangles_[free - 1])) --free;
+    });
+    return free;
+  }
+
+ private:
+  /// Its sides at the pivot are given by the tangents of their angles from the tether.
+  struct Triangle {
+    double low, high, reach;
+  };
+
+  Point pivot_, along_, aside_;
+  std::size_t size_ = 0;
+  std::array<Triangle, kMost> triangles_;
+};
 
 /// The same as tether.drive(points).
 void drive_together(TautTether& tether, const TautSpace& corners, const Polyline& points) {
-  constexpr std::size_t kAlone = 8;  // points, where no corner is known to be away
+  constexpr std::size_t kAlone = 8;  // points, where the next one is not known to be free of corners
   for (std::size_t i = 0; i < points.size();) {
-    if (const std::size_t n = swung_over(tether, corners, points, i); n > 0) {
+    if (const std::size_t n = SweptTriangles(tether, points, i).without_corners(corners); n > 1) {
       tether.drive(points[i + n - 1]);
       i += n;
       continue;

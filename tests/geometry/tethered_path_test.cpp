@@ -335,5 +335,43 @@ TEST(TetheredPath, OutOfReachIsNoWay) {
   EXPECT_THROW(World(pillar(), pillar(), {1, 5}, {1, 5}, -1), std::invalid_argument);
 }
 
+/// Many short steps, which turn little by little, and anew where a wall is in the way.
+Polyline winding_walk(Rng& rng, const EdgeIndex& walls, const Point& from, int steps) {
+  constexpr double kStep = 0.03;
+  Polyline walk{from};
+  double heading = rng.between(0.0, 2 * kPi), turn = 0;
+  while (steps > 0) {
+    if (rng.chance(0.1)) turn = rng.between(-0.2, 0.2);
+    heading += turn;
+    const Point to = walk.back() + kStep * Point(std::cos(heading), std::sin(heading));
+    if (walls.contains(walk.back(), to))
+      walk.push_back(to);
+    else
+      heading = rng.between(0.0, 2 * kPi);
+    --steps;
+  }
+  return walk;
+}
+
+TEST(TetheredRobot, DrivesManyPointsAsOneByOne) {
+  for (const auto seed : seeds(40)) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Rng rng(seed);
+    const Region free = clutter_box(rng, 8, 6, seed % 2 == 0, 0.5);
+    const EdgeIndex index(free);
+    const Point start = free_point(rng, index, bounding_box(free));
+    World world(free, free, start, start, kInf);
+    TautTether alone = world.robot.tether();
+    for (int k = 0; k < 6; ++k) {
+      const Polyline walk = winding_walk(rng, index, world.robot.at(), 60);
+      for (const Point& p : walk) alone.drive(p);
+      world.robot.drive(walk);
+      EXPECT_EQ(world.robot.tether().polyline(), alone.polyline());
+      EXPECT_EQ(world.robot.tether().length(), alone.length());
+      EXPECT_EQ(world.robot.trail().polyline(), alone.polyline());
+    }
+  }
+}
+
 }  // namespace
 }  // namespace oxturn
