@@ -59,6 +59,25 @@ TEST(Part, LapsLeftOutMakePathsOfAWideToolLonger) {
   EXPECT_LT(with, 0.985 * without);
 }
 
+TEST(Part, StartsWithTheirDetoursMakePathsOfFieldsLonger) {
+  double with = 0, without = 0;
+  for (const std::uint64_t seed : {4, 5, 6}) {
+    SCOPED_TRACE(seed);
+    const Problem field(generate("field", {{"width", 100.0}, {"height", 70.0}, {"ponds", std::int64_t{6}}}, seed),
+                        disc(1, 3.0));
+    const auto length_of = [&](const char* part) {
+      const Path path =
+          plan("shortest", field, {{"coverage", 0.9999}, {"moves", 200000}, {"without", std::string(part)}});
+      expect_valid(field, path);
+      EXPECT_GE(*score(field, path).value("coverage"), 0.9999);
+      return path.length();
+    };
+    with += length_of("none");
+    without += length_of("unrepaired");
+  }
+  EXPECT_LT(with, without);
+}
+
 TEST(Part, DetoursLeftOutMakeCompletedPathsLonger) {
   const Problem room(generate("rooms", {{"width", 7.0}, {"height", 5.0}, {"rooms", std::int64_t{4}}}, 3),
                      disc(0.2, 0.4));
