@@ -56,9 +56,12 @@ constexpr int kMostRounds = 10;
 // windows, with a steady price, make shorter paths of the same moves.
 constexpr double kHot = 0.006, kHotOfNearlyAll = 0.011;
 // Of a round; for each vertex of the path, because what that leaves uncovered is found in the time of some moves a
-// vertex, and because a round with fewer moves mends no more than its heat spoils; and one for so many points of the
-// finest raster.
-constexpr long kLeastMoves = 5000, kLeastMovesEach = 40;
+// vertex; and one for so many points of the finest raster.
+constexpr long kLeastMoves = 5000, kLeastMovesEach = 15;
+// There are more than kFewRounds only if each vertex gets so many moves in a round: others mend no more than their heat
+// spoils. The second round is the first that knows what the raster misses.
+constexpr int kFewRounds = 2;
+constexpr long kMovesEachOfMore = 40;
 constexpr double kPointsEach = 20000;
 constexpr double kShortDetours = 1.3;  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width in the target, of the first ones and of the others, if the user names no
@@ -190,12 +193,10 @@ class Improver {
   /// Each round allows as much to be uncovered on the raster as leaves what is allowed uncovered in truth. Where hot
   /// annealing has made a good start longer, as it does with lanes that fit their field, the start is annealed cold.
   void close_in_rounds(Annealed now) {
-    const bool cold_start = cost(now.points) >= cost(best_);
+    const bool cold_start = energy(now) >= cost(best_);
     if (cold_start) now = {straight(best_), 0, price(share_)};
     const double margin = cold_start ? 0 : kFineMargin;  // a start's lanes are as far apart as the tool is wide
-    const int rounds = without_ == AnnealingPart::closing
-                           ? 0
-                           : std::min(kMostRounds, 1 + static_cast<int>(moves(shares().closing) / least_moves(now)));
+    const int rounds = without_ == AnnealingPart::closing ? 0 : rounds_of(now);
     double factor = cold_start ? kFirstOfStart : kFirstFactor;
     for (int round = 0; !context_.cancelled(); ++round) {
       now.points = straightened(now.points, kOnChord * width_, problem_.walls());
@@ -217,15 +218,23 @@ class Improver {
                      context_.rng());
     }
   }
-  /// Of a round: as many as take the time to see what the path leaves uncovered.
-  long least_moves(const Annealed& path) const {
+  /// Of closing: a round has at least as many moves as take the time to see what the path leaves uncovered.
+  int rounds_of(const Annealed& path) const {
     const double points = area(completion_.target()) / math::pow(fine_cell() * width_, 2);
-    return std::max({kLeastMoves, kLeastMovesEach * static_cast<long>(path.points.size()),
-                     static_cast<long>(points / kPointsEach)});
+    const auto rounds = [&](long each) {
+      const long least = std::max({kLeastMoves, each * static_cast<long>(path.points.size()),
+                                   static_cast<long>(points / kPointsEach)});
+      return 1 + static_cast<int>(moves(shares().closing) / least);
+    };
+    return std::min(kMostRounds, std::max(std::min(kFewRounds, rounds(kLeastMovesEach)), rounds(kMovesEachOfMore)));
   }
   double cost(const Polyline& points) const {
     if (turn_ <= 0) return length(points);
     return length(points) + turn_ * turning(straightened(points, kNoTurn * width_, problem_.walls()));
+  }
+  /// The cost, and the price of what is uncovered beyond what may be.
+  double energy(const Annealed& path) const {
+    return cost(path.points) + price(share_) * std::max(0.0, path.uncovered - share_ * area(completion_.target()));
   }
   const Shares& shares() const { return completion_.whole() ? kOfWhole : nearly_all() ? kOfNearlyAll : kOfMost; }
   /// Where everything is asked for, what is too small for the raster needs many detours.
@@ -298,11 +307,7 @@ class Improver {
                                     {moves(shares().brief), heat(), warm()}, focus_, each, rng, context_);
     });
     for (const Annealed& result : results) effort_ += result.effort;
-    const Annealing::Options options = coarse();
-    const auto energy = [&](const Annealed& a) {
-      return cost(a.points) + options.price * std::max(0.0, a.uncovered - options.uncovered);
-    };
-    const auto best = std::ranges::min_element(results, {}, energy);
+    const auto best = std::ranges::min_element(results, {}, [this](const Annealed& a) { return energy(a); });
     return {std::move(best->points), static_cast<std::size_t>(best - results.begin())};
   }
 

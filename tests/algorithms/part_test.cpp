@@ -22,7 +22,7 @@ TEST(Part, NamesAreInOrder) {
 }
 
 // Whatever is left out, the coverage is reached, and the path is another one. A small map has no windows, this one
-// needs no detours, and the tool is no wider than the robot.
+// needs no detours, and the tool is no wider than the robot. Of its starts the best is one without repair.
 TEST(Part, EachLeftOutChangesThePathButNotWhatItCovers) {
   const Problem room(generate("rooms", {{"width", 7.0}, {"height", 5.0}, {"rooms", std::int64_t{4}}}, 3),
                      disc(0.2, 0.4));
@@ -36,7 +36,7 @@ TEST(Part, EachLeftOutChangesThePathButNotWhatItCovers) {
     const Path path = with(name);
     expect_valid(room, path);
     EXPECT_GE(*score(room, path).value("coverage"), 0.9995);
-    EXPECT_EQ(bytes(path) == whole, name == "none" || name == "windows" || name == "laps");
+    EXPECT_EQ(bytes(path) == whole, name == "none" || name == "windows" || name == "laps" || name == "unrepaired");
   }
 }
 
