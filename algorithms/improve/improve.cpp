@@ -18,10 +18,10 @@ namespace oxturn {
 namespace {
 
 // In tool widths.
-// The first one if the user names none: the least up to so many moves for each square of the tool's width, then in
-// proportion to these, twice as much from twice as many on, and up to the most again in proportion to moves from
-// kMovesOfMoreHeat on. With few moves, heat spoils more than they mend.
-constexpr double kLeastHeat = 0.005, kMostHeat = 0.05, kMovesOfLeastHeat = 300, kMovesOfMoreHeat = 2000;
+// The first one if the user names none: in proportion to the moves for each square of the tool's width, but no less than
+// the least, kHeat from kMovesOfHeat to kMovesOfMoreHeat, and no more than the most. With few moves, heat spoils more
+// than they mend.
+constexpr double kLeastHeat = 0.006, kHeat = 0.01, kMostHeat = 0.05, kMovesOfHeat = 600, kMovesOfMoreHeat = 2000;
 constexpr double kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one, at most
 constexpr double kCoarseCell = 1.0 / 10, kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80, kFinestCell = 1.0 / 120;
 constexpr double kNarrowChord = 1e-3;   // error of arcs where witnesses are no finer than kMiddleCell
@@ -52,9 +52,12 @@ constexpr double kNoticed = 1e-3;
 constexpr double kFirstFactor = 1, kFirstOfStart = 0.5, kLeastFactor = 0.02;
 constexpr double kLeastShift = 0.001, kMostShift = 0.1;  // of vertices in closing
 constexpr int kMostRounds = 10;
-// Temperatures above which larger targets are annealed as a whole. Where coverage is nearly full, lanes move little:
-// windows, with a steady price, make shorter paths of the same moves.
-constexpr double kHot = 0.006, kHotOfNearlyAll = 0.011;
+// Temperatures above which larger targets are annealed as a whole: all but those of closing. Where coverage is nearly
+// full, lanes move little: windows, with a steady price, make shorter paths of the same moves, from so many on for each
+// square of the tool's width.
+constexpr double kHot = 0.0055, kHotOfNearlyAll = 0.011, kMovesOfWindows = 100;
+// The same for starts without their detours: with fewer moves, annealing does not cover what these have covered.
+constexpr double kMovesOfUnrepaired = 250;
 // Of a round; for each vertex of the path, because what that leaves uncovered is found in the time of some moves a
 // vertex; and one for so many points of the finest raster.
 constexpr long kLeastMoves = 5000, kLeastMovesEach = 15;
@@ -174,12 +177,12 @@ class Improver {
   Polyline to_anneal(const std::vector<PathToImprove>& starts, const std::vector<Polyline>& lines) {
     auto [best, chosen] = lines.size() > 1 ? best_of(lines) : std::pair(lines.front(), std::size_t{0});
     const std::optional<Path>& unrepaired = starts[chosen].unrepaired;
-    if (!unrepaired || unrepaired->legs.empty() || without_ == AnnealingPart::unrepaired) return std::move(best);
+    if (!unrepaired || unrepaired->legs.empty() || moves_each() < kMovesOfUnrepaired ||
+        without_ == AnnealingPart::unrepaired)
+      return std::move(best);
     return straight(points_of(*unrepaired));
   }
-  Polyline straight(const Polyline& points) const {
-    return straightened(points, kStraight * width_, problem_.walls());
-  }
+  Polyline straight(const Polyline& points) const { return straightened(points, kStraight * width_, problem_.walls()); }
   /// From the problem's start, and back to it if it is to return.
   Polyline points_of(const Path& path) const {
     Polyline points = vertices_of(path, problem_.start());
@@ -222,8 +225,8 @@ class Improver {
   int rounds_of(const Annealed& path) const {
     const double points = area(completion_.target()) / math::pow(fine_cell() * width_, 2);
     const auto rounds = [&](long each) {
-      const long least = std::max({kLeastMoves, each * static_cast<long>(path.points.size()),
-                                   static_cast<long>(points / kPointsEach)});
+      const long least = std::max(
+          {kLeastMoves, each * static_cast<long>(path.points.size()), static_cast<long>(points / kPointsEach)});
       return 1 + static_cast<int>(moves(shares().closing) / least);
     };
     return std::min(kMostRounds, std::max(std::min(kFewRounds, rounds(kLeastMovesEach)), rounds(kMovesEachOfMore)));
@@ -243,10 +246,11 @@ class Improver {
   /// The first temperature, metres.
   double heat() const {
     if (how_.temperature > 0) return how_.temperature * width_;
-    const double each = moves_ * width_ * width_ / area(completion_.target());
-    const double times = std::max(std::clamp(each / kMovesOfLeastHeat, 1.0, 2.0), 2 * each / kMovesOfMoreHeat);
-    return std::min(kLeastHeat * times, kMostHeat) * width_;
+    const double times = std::max(std::min(moves_each() / kMovesOfHeat, 1.0), moves_each() / kMovesOfMoreHeat);
+    return std::clamp(kHeat * times, kLeastHeat, kMostHeat) * width_;
   }
+  /// For each square of the tool's width.
+  double moves_each() const { return moves_ * width_ * width_ / area(completion_.target()); }
   double warm() const { return std::clamp(heat(), kCool * width_, kWarm * width_); }
   long moves(double share) const { return static_cast<long>(share * moves_); }
   Annealing::Options coarse() const { return raster(kCoarseCell, nearly_all() ? kMargin : 0); }
@@ -258,7 +262,7 @@ class Improver {
             .price = price(share_),
             .turn = turn_,
             .fixed_end = how_.return_home,
-            .hot = nearly_all() ? kHotOfNearlyAll : kHot,
+            .hot = nearly_all() && moves_each() >= kMovesOfWindows ? kHotOfNearlyAll : kHot,
             .without = without_};
   }
   /// Of uncovered area, where that share of the target stays uncovered.
@@ -346,7 +350,7 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
        "other"},
       {"return_home", &Improvement::return_home, "end where the path starts"},
       {"temperature", &Improvement::temperature, Range{0, 10},
-       "of annealing, to begin with, in tool widths; 0: 0.005 up to 300 moves for each square of the tool's width, "
+       "of annealing, to begin with, in tool widths; 0: 0.006 up to 360 moves for each square of the tool's width, "
        "0.01 from 600 to 2000, and else in proportion to the moves, up to 0.05"},
       {"objective", &Improvement::objective, Choices{"length", "time", "weighted"},
        "what is made least; time: turns count, at the robot's turn rate and speed; weighted: a sum of both"},
