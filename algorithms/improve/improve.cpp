@@ -61,11 +61,11 @@ constexpr double kMovesOfUnrepaired = 250;
 // Of a round; for each vertex of the path, because what that leaves uncovered is found in the time of some moves a
 // vertex; and one for so many points of the finest raster.
 constexpr long kLeastMoves = 5000, kLeastMovesEach = 15;
+constexpr double kPointsEach = 20000;
 // There are more than kFewRounds only if each vertex gets so many moves in a round: others mend no more than their heat
 // spoils. The second round is the first that knows what the raster misses.
 constexpr int kFewRounds = 2;
 constexpr long kMovesEachOfMore = 40;
-constexpr double kPointsEach = 20000;
 constexpr double kShortDetours = 1.3;  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width in the target, of the first ones and of the others, if the user names no
 // number.
