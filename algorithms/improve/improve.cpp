@@ -177,9 +177,7 @@ class Improver {
   Polyline to_anneal(const std::vector<PathToImprove>& starts, const std::vector<Polyline>& lines) {
     auto [best, chosen] = lines.size() > 1 ? best_of(lines) : std::pair(lines.front(), std::size_t{0});
     const std::optional<Path>& unrepaired = starts[chosen].unrepaired;
-    if (!unrepaired || unrepaired->legs.empty() || moves_each() < kMovesOfUnrepaired ||
-        without_ == AnnealingPart::unrepaired)
-      return std::move(best);
+    if (!unrepaired || unrepaired->legs.empty()) return std::move(best);
     return straight(points_of(*unrepaired));
   }
   Polyline straight(const Polyline& points) const { return straightened(points, kStraight * width_, problem_.walls()); }
@@ -386,6 +384,11 @@ double moves_in_all(const Improvement& how, const Problem& problem) {
   const double width = problem.robot().tool_width, squares = area(problem.target()) / (width * width);
   const double first = std::min(squares, kFirstSquares);
   return kMovesEach * first + kMovesOfMore * (squares - first);
+}
+
+bool enough_for_unrepaired(const Improvement& how, const Problem& problem) {
+  const double width = problem.robot().tool_width;
+  return moves_in_all(how, problem) * width * width >= kMovesOfUnrepaired * area(problem.target());
 }
 
 Path improved(const Problem& problem, const std::vector<PathToImprove>& starts, const Improvement& how,

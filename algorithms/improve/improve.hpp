@@ -52,10 +52,13 @@ PlannerInfo improving_planner(const std::string& name, const std::string& title,
 
 /// How many moves of annealing are made in all: `how.moves`, or what the size of the target gives.
 double moves_in_all(const Improvement& how, const Problem& problem);
+/// Are these enough for the target's size to cover what a path leaves uncovered without its detours?
+bool enough_for_unrepaired(const Improvement& how, const Problem& problem);
 
 struct PathToImprove {
   Path path;
-  std::optional<Path> unrepaired = std::nullopt;  // the same without detours for what its lanes leave uncovered
+  // The same without detours for what its lanes leave uncovered: annealed at length in its place.
+  std::optional<Path> unrepaired = std::nullopt;
 };
 
 /// `starts`: at least one path. Publishes what it finds. Returns the best path so far if cancelled.

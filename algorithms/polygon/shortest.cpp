@@ -68,7 +68,8 @@ class Shortest final : public CoveragePlanner {
       Context inner(context.seed(), context.cancelled() ? kNoLimit : context.seconds_left());
       try {
         paths.push_back({planner->plan(problem, inner)});
-        if (unrepaired && !context.cancelled()) paths.back().unrepaired = unrepaired->plan(problem, inner);
+        if (unrepaired && enough_for_unrepaired(how_, problem) && !context.cancelled())
+          paths.back().unrepaired = unrepaired->plan(problem, inner);
       } catch (const Infeasible&) { continue; }
       if (paths.size() == 1) context.publish(paths.front().path);
       vertices += static_cast<double>(vertex_count(problem.configuration_space()) + vertex_count(paths.back().path));
