@@ -30,6 +30,7 @@ class Annealing {
     double turn = 0;                              // metres that a turn by a radian counts
     bool fixed_end = false;                       // the path ends where it does now
     double least_shift = 0.01, most_shift = 0.3;  // of vertices, in tool widths
+    double hot = 0.006;  // temperature in tool widths above which larger targets are annealed as a whole
     AnnealingPart without = AnnealingPart::none;  // moves that are not made, and whether there are windows
   };
   struct Schedule {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -17,10 +18,11 @@ namespace oxturn {
 namespace {
 
 // In tool widths.
-// The first one if the user names none: the least up to so many moves for each square of the tool's width, then in
-// proportion to these, up to the most. With few moves, heat spoils more than they mend.
-constexpr double kLeastHeat = 0.01, kMostHeat = 0.05, kMovesOfLeastHeat = 2000;
-constexpr double kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one
+// The first one if the user names none: in proportion to the moves for each square of the tool's width, but no less than
+// the least, kHeat from kMovesOfHeat to kMovesOfMoreHeat, and no more than the most. With few moves, heat spoils more
+// than they mend.
+constexpr double kLeastHeat = 0.006, kHeat = 0.01, kMostHeat = 0.05, kMovesOfHeat = 600, kMovesOfMoreHeat = 2000;
+constexpr double kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one, at most
 constexpr double kCoarseCell = 1.0 / 10, kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80, kFinestCell = 1.0 / 120;
 constexpr double kNarrowChord = 1e-3;   // error of arcs where witnesses are no finer than kMiddleCell
 constexpr double kMargin = 0.003;       // by which the tool is narrower at first, so that lanes can be moved afterwards
@@ -50,10 +52,20 @@ constexpr double kNoticed = 1e-3;
 constexpr double kFirstFactor = 1, kFirstOfStart = 0.5, kLeastFactor = 0.02;
 constexpr double kLeastShift = 0.001, kMostShift = 0.1;  // of vertices in closing
 constexpr int kMostRounds = 10;
+// Temperatures above which larger targets are annealed as a whole: all but those of closing. Where coverage is nearly
+// full, lanes move little: windows, with a steady price, make shorter paths of the same moves, from so many on for each
+// square of the tool's width.
+constexpr double kHot = 0.0055, kHotOfNearlyAll = 0.011, kMovesOfWindows = 100;
+// The same for starts without their detours: with fewer moves, annealing does not cover what these have covered.
+constexpr double kMovesOfUnrepaired = 250;
 // Of a round; for each vertex of the path, because what that leaves uncovered is found in the time of some moves a
 // vertex; and one for so many points of the finest raster.
 constexpr long kLeastMoves = 5000, kLeastMovesEach = 15;
 constexpr double kPointsEach = 20000;
+// There are more than kFewRounds only if each vertex gets so many moves in a round: others mend no more than their heat
+// spoils. The second round is the first that knows what the raster misses.
+constexpr int kFewRounds = 2;
+constexpr long kMovesEachOfMore = 40;
 constexpr double kShortDetours = 1.3;  // times the path's length, of a path with detours that is worth going on with
 // Moves for each square of the tool's width in the target, of the first ones and of the others, if the user names no
 // number.
@@ -123,7 +135,7 @@ class Improver {
         narrow_(with_margin(kMargin, kNarrowChord)),
         less_narrow_(with_margin(kFineMargin, Completion::kChord)) {}
 
-  Path run(const std::vector<Path>& starts) {
+  Path run(const std::vector<PathToImprove>& starts) {
     improve(starts);
     context_.record("annealing_moves", effort_.moves);
     context_.record("raster_points", effort_.raster_points);
@@ -132,17 +144,12 @@ class Improver {
   }
 
  private:
-  void improve(const std::vector<Path>& starts) {
+  void improve(const std::vector<PathToImprove>& starts) {
     std::vector<Polyline> lines, whole;
-    for (const Path& path : starts) {
+    for (const PathToImprove& start : starts) {
       if (context_.cancelled() && !whole.empty()) break;
-      Polyline points = vertices_of(path, problem_.start());
-      if (how_.return_home) {
-        const Polyline home = Connector(problem_).path(points.back(), problem_.start());
-        points.insert(points.end(), home.begin() + 1, home.end());
-      }
-      lines.push_back(straightened(points, kStraight * width_, problem_.walls()));
-      whole.push_back(std::move(points));
+      whole.push_back(points_of(start.path));
+      lines.push_back(straight(whole.back()));
     }
     // The shortest first: detours make none shorter, and so mostly one has to be completed.
     std::ranges::stable_sort(whole, {}, [this](const Polyline& points) { return cost(points); });
@@ -150,7 +157,7 @@ class Improver {
       if (best_.empty() || (!context_.cancelled() && cost(points) < cost(best_)))
         offer(points, context_.cancelled() ? Region{} : uncovered(points));
     if (context_.cancelled()) return;
-    const Polyline best = lines.size() > 1 ? best_of(lines) : lines.front();
+    const Polyline best = to_anneal(starts, lines);
     const double used = lines.size() > 1 ? shares().brief * static_cast<double>(lines.size()) : 0;
     const double hot = 1 - used - shares().warming - (without_ == AnnealingPart::closing ? 0 : shares().closing);
     Rng& rng = context_.rng();
@@ -160,21 +167,37 @@ class Improver {
       options.uncovered = left * area(completion_.target());
       options.price = kHotPrice * price(left);
     }
-    const Annealed now = annealed(best, options, {moves(hot), heat(), kWarm * width_}, rng);
+    const Annealed now = annealed(best, options, {moves(hot), heat(), warm()}, rng);
     options = middle();
     options.price = now.price;
-    close_in_rounds(annealed(now.points, options, {moves(shares().warming), kWarm * width_, kCool * width_}, rng));
+    close_in_rounds(annealed(now.points, options, {moves(shares().warming), warm(), kCool * width_}, rng));
+  }
+
+  /// At length: of the best start, what is left of it without its detours, or what its brief run has made of it.
+  Polyline to_anneal(const std::vector<PathToImprove>& starts, const std::vector<Polyline>& lines) {
+    auto [best, chosen] = lines.size() > 1 ? best_of(lines) : std::pair(lines.front(), std::size_t{0});
+    const std::optional<Path>& unrepaired = starts[chosen].unrepaired;
+    if (!unrepaired || unrepaired->legs.empty()) return std::move(best);
+    return straight(points_of(*unrepaired));
+  }
+  Polyline straight(const Polyline& points) const { return straightened(points, kStraight * width_, problem_.walls()); }
+  /// From the problem's start, and back to it if it is to return.
+  Polyline points_of(const Path& path) const {
+    Polyline points = vertices_of(path, problem_.start());
+    if (how_.return_home) {
+      const Polyline home = Connector(problem_).path(points.back(), problem_.start());
+      points.insert(points.end(), home.begin() + 1, home.end());
+    }
+    return points;
   }
 
   /// Each round allows as much to be uncovered on the raster as leaves what is allowed uncovered in truth. Where hot
   /// annealing has made a good start longer, as it does with lanes that fit their field, the start is annealed cold.
   void close_in_rounds(Annealed now) {
-    const bool cold_start = cost(now.points) >= cost(best_);
-    if (cold_start) now = {straightened(best_, kStraight * width_, problem_.walls()), 0, price(share_)};
+    const bool cold_start = energy(now) >= cost(best_);
+    if (cold_start) now = {straight(best_), 0, price(share_)};
     const double margin = cold_start ? 0 : kFineMargin;  // a start's lanes are as far apart as the tool is wide
-    const int rounds = without_ == AnnealingPart::closing
-                           ? 0
-                           : std::min(kMostRounds, 1 + static_cast<int>(moves(shares().closing) / least_moves(now)));
+    const int rounds = without_ == AnnealingPart::closing ? 0 : rounds_of(now);
     double factor = cold_start ? kFirstOfStart : kFirstFactor;
     for (int round = 0; !context_.cancelled(); ++round) {
       now.points = straightened(now.points, kOnChord * width_, problem_.walls());
@@ -196,15 +219,23 @@ class Improver {
                      context_.rng());
     }
   }
-  /// Of a round: as many as take the time to see what the path leaves uncovered.
-  long least_moves(const Annealed& path) const {
+  /// Of closing: a round has at least as many moves as take the time to see what the path leaves uncovered.
+  int rounds_of(const Annealed& path) const {
     const double points = area(completion_.target()) / math::pow(fine_cell() * width_, 2);
-    return std::max({kLeastMoves, kLeastMovesEach * static_cast<long>(path.points.size()),
-                     static_cast<long>(points / kPointsEach)});
+    const auto rounds = [&](long each) {
+      const long least = std::max(
+          {kLeastMoves, each * static_cast<long>(path.points.size()), static_cast<long>(points / kPointsEach)});
+      return 1 + static_cast<int>(moves(shares().closing) / least);
+    };
+    return std::min(kMostRounds, std::max(std::min(kFewRounds, rounds(kLeastMovesEach)), rounds(kMovesEachOfMore)));
   }
   double cost(const Polyline& points) const {
     if (turn_ <= 0) return length(points);
     return length(points) + turn_ * turning(straightened(points, kNoTurn * width_, problem_.walls()));
+  }
+  /// The cost, and the price of what is uncovered beyond what may be.
+  double energy(const Annealed& path) const {
+    return cost(path.points) + price(share_) * std::max(0.0, path.uncovered - share_ * area(completion_.target()));
   }
   const Shares& shares() const { return completion_.whole() ? kOfWhole : nearly_all() ? kOfNearlyAll : kOfMost; }
   /// Where everything is asked for, what is too small for the raster needs many detours.
@@ -213,9 +244,12 @@ class Improver {
   /// The first temperature, metres.
   double heat() const {
     if (how_.temperature > 0) return how_.temperature * width_;
-    const double each = moves_ * width_ * width_ / area(completion_.target());
-    return std::clamp(kLeastHeat * each / kMovesOfLeastHeat, kLeastHeat, kMostHeat) * width_;
+    const double times = std::max(std::min(moves_each() / kMovesOfHeat, 1.0), moves_each() / kMovesOfMoreHeat);
+    return std::clamp(kHeat * times, kLeastHeat, kMostHeat) * width_;
   }
+  /// For each square of the tool's width.
+  double moves_each() const { return moves_ * width_ * width_ / area(completion_.target()); }
+  double warm() const { return std::clamp(heat(), kCool * width_, kWarm * width_); }
   long moves(double share) const { return static_cast<long>(share * moves_); }
   Annealing::Options coarse() const { return raster(kCoarseCell, nearly_all() ? kMargin : 0); }
   Annealing::Options middle() const { return raster(kMiddleCell, nearly_all() ? kMargin : 0); }
@@ -226,6 +260,7 @@ class Improver {
             .price = price(share_),
             .turn = turn_,
             .fixed_end = how_.return_home,
+            .hot = nearly_all() && moves_each() >= kMovesOfWindows ? kHotOfNearlyAll : kHot,
             .without = without_};
   }
   /// Of uncovered area, where that share of the target stays uncovered.
@@ -263,22 +298,19 @@ class Improver {
     return missed;
   }
 
-  /// Each annealed briefly, by all threads.
-  Polyline best_of(const std::vector<Polyline>& lines) {
+  /// Each annealed briefly, by all threads: the best one, and which it is.
+  std::pair<Polyline, std::size_t> best_of(const std::vector<Polyline>& lines) {
     std::vector<Annealed> results(lines.size());
     problem_.walls();  // made before threads share it
     const int each = std::max(1, how_.threads / static_cast<int>(lines.size()));
     in_parallel(how_.threads, lines.size(), [&](std::size_t k) {
       Rng rng(mix(context_.seed(), "start " + std::to_string(k)));
       results[k] = oxturn::annealed(problem_, target_of(coarse().radius), lines[k], coarse(),
-                                    {moves(shares().brief), heat(), kWarm * width_}, focus_, each, rng, context_);
+                                    {moves(shares().brief), heat(), warm()}, focus_, each, rng, context_);
     });
     for (const Annealed& result : results) effort_ += result.effort;
-    const Annealing::Options options = coarse();
-    const auto energy = [&](const Annealed& a) {
-      return cost(a.points) + options.price * std::max(0.0, a.uncovered - options.uncovered);
-    };
-    return std::ranges::min_element(results, {}, energy)->points;
+    const auto best = std::ranges::min_element(results, {}, [this](const Annealed& a) { return energy(a); });
+    return {std::move(best->points), static_cast<std::size_t>(best - results.begin())};
   }
 
   /// The path completed, or as it is if cancelled. It is kept if it is the best one so far.
@@ -316,8 +348,8 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
        "other"},
       {"return_home", &Improvement::return_home, "end where the path starts"},
       {"temperature", &Improvement::temperature, Range{0, 10},
-       "of annealing, to begin with, in tool widths; 0: 0.01 up to 2000 moves for each square of the tool's "
-       "width, then in proportion to the moves, up to 0.05"},
+       "of annealing, to begin with, in tool widths; 0: 0.006 up to 360 moves for each square of the tool's width, "
+       "0.01 from 600 to 2000, and else in proportion to the moves, up to 0.05"},
       {"objective", &Improvement::objective, Choices{"length", "time", "weighted"},
        "what is made least; time: turns count, at the robot's turn rate and speed; weighted: a sum of both"},
       {"time_weight", &Improvement::time_weight, Range{0, 1},
@@ -354,7 +386,13 @@ double moves_in_all(const Improvement& how, const Problem& problem) {
   return kMovesEach * first + kMovesOfMore * (squares - first);
 }
 
-Path improved(const Problem& problem, const std::vector<Path>& starts, const Improvement& how, Context& context) {
+bool enough_for_unrepaired(const Improvement& how, const Problem& problem) {
+  const double width = problem.robot().tool_width;
+  return moves_in_all(how, problem) * width * width >= kMovesOfUnrepaired * area(problem.target());
+}
+
+Path improved(const Problem& problem, const std::vector<PathToImprove>& starts, const Improvement& how,
+              Context& context) {
   Path path = Improver(problem, how, context).run(starts);
   if (path.legs.empty() && !context.cancelled()) throw Infeasible("from its start the robot reaches nothing to cover");
   return path;

@@ -1,8 +1,9 @@
 /// Makes coverage paths shorter: annealing at length, then closed to the coverage that is asked for.
 ///
-///   const Path shorter = improved(problem, {path}, {.coverage = 0.99, .moves = 1'000'000}, context);
+///   const Path shorter = improved(problem, {{path}}, {.coverage = 0.99, .moves = 1'000'000}, context);
 ///
-/// Of several paths, each is annealed briefly (annealing.hpp), and the best one at length: hot first, then cold (the
+/// Of several paths, each is annealed briefly (annealing.hpp), and the best one at length, or in its place the same
+/// path without its detours, if there is one: annealing covers what they covered on less length. Hot first, then cold (the
 /// start itself, if hot annealing made it longer) and, for nearly full coverage, on a finer raster of witnesses. The
 /// first run at length leaves more uncovered than is asked for: lanes move little where nothing may be left. After
 /// each round what the path leaves uncovered is found exactly, and detours (lanes/repair.hpp) are added until the
@@ -23,6 +24,7 @@
 ///             rounds, up to ten, as the moves pay for
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,9 +52,18 @@ PlannerInfo improving_planner(const std::string& name, const std::string& title,
 
 /// How many moves of annealing are made in all: `how.moves`, or what the size of the target gives.
 double moves_in_all(const Improvement& how, const Problem& problem);
+/// Are these enough for the target's size to cover what a path leaves uncovered without its detours?
+bool enough_for_unrepaired(const Improvement& how, const Problem& problem);
+
+struct PathToImprove {
+  Path path;
+  // The same without detours for what its lanes leave uncovered: annealed at length in its place.
+  std::optional<Path> unrepaired = std::nullopt;
+};
 
 /// `starts`: at least one path. Publishes what it finds. Returns the best path so far if cancelled.
 /// Throws Infeasible if there is nothing to drive.
-Path improved(const Problem& problem, const std::vector<Path>& starts, const Improvement& how, Context& context);
+Path improved(const Problem& problem, const std::vector<PathToImprove>& starts, const Improvement& how,
+              Context& context);
 
 }  // namespace oxturn

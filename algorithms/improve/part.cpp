@@ -6,8 +6,9 @@
 namespace oxturn {
 
 const std::vector<std::string>& part_names() {
-  static const std::vector<std::string> names{"none",     "starts", "laps",  "heat",    "windows", "reordering",
-                                              "covering", "walls",  "focus", "closing", "strokes", "detours"};
+  static const std::vector<std::string> names{"none",    "starts",     "laps",     "unrepaired", "heat",
+                                              "windows", "reordering", "covering", "walls",      "focus",
+                                              "closing", "strokes",    "detours"};
   return names;
 }
 

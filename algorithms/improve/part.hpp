@@ -12,6 +12,7 @@ enum class AnnealingPart {
   none,
   starts,      // all but the first; planners that have one only: nothing
   laps,        // of starts, at half the tool's width from walls; planners that have one start only: nothing
+  unrepaired,  // starts without their detours; planners that have none: nothing
   heat,        // no move makes the path worse
   windows,     // large paths are annealed as a whole
   reordering,  // moves that drive parts in another order or direction

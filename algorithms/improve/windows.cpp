@@ -18,9 +18,9 @@ namespace {
 
 // In tool widths.
 constexpr double kSide = 16;  // of a window
-// Longest side of a target that is annealed as a whole, from which temperature on, and else. Where it is hot, lanes are
-// shifted in all their length, which cannot be done in windows.
-constexpr double kWhole = 160, kHot = 0.006, kWholeIfCold = 40;
+// Longest side of a target that is annealed as a whole where it is hot, and else. Where it is hot, lanes are shifted in
+// all their length, which cannot be done in windows.
+constexpr double kWhole = 160, kWholeIfCold = 40;
 constexpr double kMostPoints = 8e7;  // of a raster of the whole
 constexpr double kSample = 0.5;      // distance of the points by which moves are shared out
 // Moves of a pass for each window, unless that makes too few or too many passes.
@@ -77,7 +77,7 @@ class Windows {
   bool one(double hot) const {
     const double longest = std::max(box_.size().x(), box_.size().y());
     return options_.without == AnnealingPart::windows ||
-           longest <= (hot > kHot * width_ ? kWhole : kWholeIfCold) * width_;
+           longest <= (hot > options_.hot * width_ ? kWhole : kWholeIfCold) * width_;
   }
 
   Annealed whole(const Polyline& points, const Annealing::Schedule& schedule, Rng& rng, const Context& context) const {

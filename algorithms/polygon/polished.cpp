@@ -27,7 +27,7 @@ class Polished final : public CoveragePlanner {
     } catch (const Infeasible&) {  // Decision 1
       if (context.cancelled()) throw;
     }
-    return improved(problem, {path}, how_, context);
+    return improved(problem, {{std::move(path)}}, how_, context);
   }
 
  private:

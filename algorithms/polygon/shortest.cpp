@@ -10,6 +10,8 @@
 //                are fewer starts: a start takes the time of some moves for each of these.
 //             2. All starts but the first drive at half the tool's width from walls: nearer to them, a tool wider than
 //                the robot is wasted in part, and annealing does not shift all lanes of a field by as much.
+//             3. `contour` is judged whole, but annealed at length without its repair: annealing covers what is between
+//                its laps on less length than its detours do, and does not get rid of these.
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/improve/improve.hpp"
 #include "algorithms/improve/part.hpp"
@@ -25,12 +27,13 @@ constexpr double kMovesEach = 4;
 struct Start {
   const char* planner;
   Settings settings;
+  bool repaired = false;  // by detours, without which it can be planned, too
 };
 /// The first one covers the whole target.
 std::vector<Start> starts(AnnealingPart without) {
   const std::string laps = without == AnnealingPart::laps ? "wall" : "inner", given = "given";
   std::vector<Start> all{{"boustrophedon", {}},
-                         {"contour", {{"laps", laps}}},
+                         {"contour", {{"laps", laps}}, true},
                          {"boustrophedon", {{"laps", laps}, {"sweep", given}, {"angle", 0.0}}},
                          {"boustrophedon", {{"laps", laps}, {"sweep", given}, {"angle", 90.0}}}};
   if (without == AnnealingPart::starts) all.resize(1);
@@ -46,21 +49,30 @@ std::size_t vertex_count(const Path& path) {
 class Shortest final : public CoveragePlanner {
  public:
   Shortest(const Improvement& how, const Planners& planners) : how_(how) {
-    for (const Start& start : starts(part_named(how.without)))
-      planners_.push_back(planners.find(start.planner).make(start.settings, planners));
+    const AnnealingPart without = part_named(how.without);
+    for (const Start& start : starts(without)) {
+      const PlannerInfo& info = planners.find(start.planner);
+      starts_.push_back({info.make(start.settings, planners), nullptr});
+      if (!start.repaired || without == AnnealingPart::unrepaired) continue;
+      Settings unrepaired = start.settings;
+      unrepaired["repair"] = false;
+      starts_.back().unrepaired = info.make(unrepaired, planners);
+    }
   }
 
   Path plan(const Problem& problem, Context& context) const override {
-    std::vector<Path> paths;
+    std::vector<PathToImprove> paths;
     double vertices = 0;  // of configuration space and the path, for each start
-    for (const auto& planner : planners_) {
+    for (const auto& [planner, unrepaired] : starts_) {
       // Where there is no time from the beginning, the first one, which is quick, is driven all the same.
       Context inner(context.seed(), context.cancelled() ? kNoLimit : context.seconds_left());
       try {
-        paths.push_back(planner->plan(problem, inner));
+        paths.push_back({planner->plan(problem, inner)});
+        if (unrepaired && enough_for_unrepaired(how_, problem) && !context.cancelled())
+          paths.back().unrepaired = unrepaired->plan(problem, inner);
       } catch (const Infeasible&) { continue; }
-      if (paths.size() == 1) context.publish(paths.front());
-      vertices += static_cast<double>(vertex_count(problem.configuration_space()) + vertex_count(paths.back()));
+      if (paths.size() == 1) context.publish(paths.front().path);
+      vertices += static_cast<double>(vertex_count(problem.configuration_space()) + vertex_count(paths.back().path));
       if (context.cancelled() || kMovesEach * vertices > moves_in_all(how_, problem)) break;
     }
     if (paths.empty()) paths.emplace_back();  // all of the path is detours
@@ -68,8 +80,11 @@ class Shortest final : public CoveragePlanner {
   }
 
  private:
+  struct Planned {
+    std::unique_ptr<CoveragePlanner> planner, unrepaired;
+  };
   Improvement how_;
-  std::vector<std::unique_ptr<CoveragePlanner>> planners_;
+  std::vector<Planned> starts_;
 };
 
 }  // namespace

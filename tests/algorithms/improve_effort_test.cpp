@@ -81,7 +81,7 @@ TEST(Shortest, TheEffortIsBoundedByTheMovesAndTheSizeOfTheProblem) {
 TEST(Shortest, ItBeginsHotterWhereThereAreMoreMovesForTheSize) {
   const Problem problem({"room", box_region({0, 0}, {1.6, 1.2}), "test", "test"}, disc(0.2, 0.4));
   const double squares = area(problem.target()) / (0.4 * 0.4);
-  for (const auto& [each, temperature] : {std::pair(500.0, 0.01), std::pair(11000.0, 0.05)}) {
+  for (const auto& [each, temperature] : {std::pair(200.0, 0.006), std::pair(1000.0, 0.01), std::pair(11000.0, 0.05)}) {
     const Settings by_moves{{"coverage", 0.99}, {"moves", static_cast<std::int64_t>(each * squares)}};
     Settings named = by_moves;
     named["temperature"] = temperature;

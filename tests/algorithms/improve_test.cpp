@@ -412,12 +412,12 @@ TEST(Improved, OnlyShorterPathsFollowTheStart) {
   int better = 0;
   for (const Sample& sample : samples(1))
     for (const double coverage : {1.0, 0.9}) {
-      std::vector<Path> starts;
+      std::vector<PathToImprove> starts;
       std::vector<double> completed;
       const Completion completion(sample.problem, coverage);
       for (const char* planner : {"stc", "boustrophedon"}) {
-        starts.push_back(plan(planner, sample.problem));
-        const Polyline points = vertices_of(starts.back(), sample.problem.start());
+        starts.push_back({plan(planner, sample.problem)});
+        const Polyline points = vertices_of(starts.back().path, sample.problem.start());
         Context context;
         completed.push_back(length(completion.completed(points, completion.uncovered(points), context)));
       }
