@@ -26,18 +26,15 @@ class Wedge {
     const double far = d.norm();
     farthest_ = std::max(farthest_, far);
     if (far <= tolerance_) return;
-    const double open = math::asin(tolerance_ / far);
-    const Point right = turned(d, -open), left = turned(d, open);
+    const double sine = tolerance_ / far;
+    const Point along = std::sqrt(1 - sine * sine) * d, across = sine * perpendicular(d);
+    const Point right = along - across, left = along + across;
     if (!narrowed_ || cross(right_, right) > 0) right_ = right;
     if (!narrowed_ || cross(left, left_) > 0) left_ = left;
     narrowed_ = true;
   }
 
  private:
-  static Point turned(const Point& d, double angle) {
-    const double c = math::cos(angle), s = math::sin(angle);
-    return {c * d.x() - s * d.y(), s * d.x() + c * d.y()};
-  }
   Point apex_;
   double tolerance_, farthest_ = 0;
   bool narrowed_ = false;
@@ -47,16 +44,20 @@ class Wedge {
 void add_corner(Polyline& line, const Point& a, const Point& b, const Point& c, double off,
                 const Connector& connector) {
   const Point u = (b - a).normalized(), v = (c - b).normalized();
-  const double turn = math::atan2(cross(u, v), u.dot(v)), half = std::abs(turn) / 2;
+  const double turn = math::atan2(cross(u, v), u.dot(v));
+  if (std::abs(turn) < kLeastTurn || std::abs(turn) > kPi - 2 * kLeastTurn) return line.push_back(b);
+  const double tan_half = std::abs(cross(u, v)) / (1 + u.dot(v));
   const double room = std::min(distance(a, b), distance(b, c)) / 2;
-  const double most = off / (1 / math::cos(half) - 1) * math::tan(half);  // from the vertex to where the arc begins
+  const double most =
+      off / (std::sqrt(1 + tan_half * tan_half) - 1) * tan_half;  // from the vertex to where the arc begins
   const double tangent = std::min(room, most);
-  if (std::abs(turn) < kLeastTurn || half > kPi / 2 - kLeastTurn) return line.push_back(b);
-  const double radius = tangent / math::tan(half), side = turn > 0 ? 1 : -1;
+  const double radius = tangent / tan_half, side = turn > 0 ? 1 : -1;
   const Point begin = b - tangent * u, centre = begin + side * radius * perpendicular(u);
   const double chords = std::ceil(std::abs(turn) / kChordTurn);
-  Polyline arc;
-  for (double k = 0; k <= chords; ++k) arc.push_back(centre + rotated(begin - centre, turn * k / chords));
+  const Point step = rotated({1, 0}, turn / chords);
+  Polyline arc{begin};
+  for (Point spoke = begin - centre; static_cast<double>(arc.size()) <= chords; arc.push_back(centre + spoke))
+    spoke = step.x() * spoke + step.y() * perpendicular(spoke);
   for (std::size_t i = 1; i < arc.size(); ++i)
     if (!connector.straight(arc[i - 1], arc[i])) return line.push_back(b);
   line.insert(line.end(), arc.begin(), arc.end());
