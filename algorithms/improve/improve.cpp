@@ -18,9 +18,9 @@ namespace oxturn {
 namespace {
 
 // In tool widths.
-// The first one if the user names none: in proportion to the moves for each square of the tool's width, but no less than
-// the least, kHeat from kMovesOfHeat to kMovesOfMoreHeat, and no more than the most. With few moves, heat spoils more
-// than they mend.
+// The first one if the user names none: in proportion to the moves for each square of the tool's width, but no less
+// than the least, kHeat from kMovesOfHeat to kMovesOfMoreHeat, and no more than the most. With few moves, heat spoils
+// more than they mend.
 constexpr double kLeastHeat = 0.006, kHeat = 0.01, kMostHeat = 0.05, kMovesOfHeat = 600, kMovesOfMoreHeat = 2000;
 constexpr double kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one, at most
 constexpr double kCoarseCell = 1.0 / 10, kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80, kFinestCell = 1.0 / 120;

@@ -2,9 +2,9 @@
 ///
 ///   const Path shorter = improved(problem, {{path}}, {.coverage = 0.99, .moves = 1'000'000}, context);
 ///
-/// Of several paths, each is annealed briefly (annealing.hpp), and the best one at length, or in its place the same
-/// path without its detours, if there is one: annealing covers what they covered on less length. Hot first, then cold (the
-/// start itself, if hot annealing made it longer) and, for nearly full coverage, on a finer raster of witnesses. The
+/// Of several paths, each is annealed briefly (annealing.hpp), and the best one at length, or the same path without its
+/// detours, if there is one: annealing covers what they covered on less length. Hot first, then cold (the start itself,
+/// if hot annealing made it longer) and, for nearly full coverage, on a finer raster of witnesses. The
 /// first run at length leaves more uncovered than is asked for: lanes move little where nothing may be left. After
 /// each round what the path leaves uncovered is found exactly, and detours (lanes/repair.hpp) are added until the
 /// coverage is reached. The next round goes on with them; not so the first one where coverage is nearly full, because
@@ -57,7 +57,7 @@ bool enough_for_unrepaired(const Improvement& how, const Problem& problem);
 
 struct PathToImprove {
   Path path;
-  // The same without detours for what its lanes leave uncovered: annealed at length in its place.
+  // The same without detours for what its lanes leave uncovered: annealed at length instead.
   std::optional<Path> unrepaired = std::nullopt;
 };
 

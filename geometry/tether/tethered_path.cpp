@@ -25,12 +25,11 @@
 #include "geometry/tether/tethered_path.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 
 #include "base/throw_invalid.hpp"
-#include "geometry/predicates.hpp"
+#include "geometry/tether/swept_triangles.hpp"
 
 namespace oxturn {
 
@@ -76,60 +75,6 @@ Polyline joined(Polyline first, const Polyline& second) {
   first.insert(first.end(), second.begin() + (first.back() == second.front() ? 1 : 0), second.end());
   return first;
 }
-
-/// The part of the plane that the tether's last segment sweeps over on the way to each of several points: triangles at
-/// the pivot that grow from point to point.
-class SweptTriangles {
- public:
-  static constexpr std::size_t kMost = 16;  // points
-
-  /// Of points[first ..], as many as the tether holds all bends on the way to, kMost at most.
-  SweptTriangles(const TautTether& tether, const Polyline& points, std::size_t first)
-      : pivot_(tether.pivot()), along_((tether.robot() - pivot_).normalized()), aside_(perpendicular(along_)) {
-    if (tether.robot() == pivot_) return;
-    const auto& bends = tether.bends();
-    const Point before = bends.size() > 1 ? bends[bends.size() - 2].at : tether.anchor();
-    Triangle t{0, 0, (tether.robot() - pivot_).norm()};
-    for (; size_ < kMost && first + size_ < points.size(); triangles_[size_++] = t) {
-      const Point& p = points[first + size_];
-      const double along = (p - pivot_).dot(along_), tangent = (p - pivot_).dot(aside_) / along;
-      if (!(along > 0 && std::abs(tangent) <= 1)) return;
-      if (!bends.empty() && bends.back().side * orientation(before, pivot_, p) <= 0) return;
-      t = {std::min(t.low, tangent), std::max(t.high, tangent), std::max(t.reach, along)};
-    }
-  }
-
-  std::size_t size() const { return size_; }
-  /// So many of them have no corner near by, but the pivot.
-  std::size_t without_corners(const TautSpace& corners) const {
-    if (size_ == 0) return 0;
-    constexpr double kPad = 4 * TautSpace::kNear;
-    const auto& [low, high, reach] = triangles_[size_ - 1];
-    const std::array largest{pivot_, Point(pivot_ + reach * (along_ + low * aside_)),
-                             Point(pivot_ + reach * (along_ + high * aside_))};
-    std::size_t free = size_;
-    corners.for_each_near(largest, kPad, [&](const TautSpace::Corner& c) {
-      const Point d = c.at - pivot_;
-      const double along = d.dot(along_), across = d.dot(aside_);
-      if (c.at == pivot_ || along < -kPad) return;
-      const auto near = [&](const Triangle& t) {
-        return along <= t.reach + kPad && across >= t.low * along - kPad && across <= t.high * along + kPad;
-      };
-      while (free > 0 && near(triangles_[free - 1])) --free;
-    });
-    return free;
-  }
-
- private:
-  /// Its sides at the pivot are given by the tangents of their angles from the tether.
-  struct Triangle {
-    double low, high, reach;
-  };
-
-  Point pivot_, along_, aside_;
-  std::size_t size_ = 0;
-  std::array<Triangle, kMost> triangles_;
-};
 
 /// The same as tether.drive(points).
 void drive_together(TautTether& tether, const TautSpace& corners, const Polyline& points) {
