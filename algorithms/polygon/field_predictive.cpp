@@ -46,6 +46,7 @@
 #include "algorithms/transit/short_segments.hpp"
 #include "base/math.hpp"
 #include "geometry/edge_index.hpp"
+#include "geometry/edge_rows.hpp"
 #include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/swath.hpp"
 #include "geometry/raster.hpp"
@@ -61,7 +62,7 @@ constexpr double kDetour = 3;             // straight distances, and
 constexpr double kDetourMore = 10;        // tool widths: a path that is not longer than both counts as straight
 constexpr double kAlmostStraight = 1.5;   // straight distances: a path that a search finds with little effort
 constexpr double kCell = 32;              // tool widths: of the grid in which driven lines are found
-constexpr int kAskedOnce = 32;            // points of a piece, before it gets an index
+constexpr int kAskedOnce = 4;             // points of a piece, before it gets rows of its edges
 constexpr std::size_t kEntries = 16;      // about so many vertices of a block, to find the nearest one
 constexpr double kMostEffort = 5e5;       // of a block: vertices times area in squares of the tool's width
 constexpr std::size_t kFewVertices = 64;  // of a block: its size does not matter, each stretch costs next to nothing
@@ -109,9 +110,9 @@ class Piece {
   const Box& box() const { return box_; }
   bool contains(const Point& p) const {
     if (!box_.contains(p)) return false;
-    if (!index_ && asked_++ < kAskedOnce) return oxturn::contains(region_, p);
-    if (!index_) index_.emplace(region_);
-    return index_->contains(p);
+    if (!rows_ && asked_++ < kAskedOnce) return oxturn::contains(region_, p);
+    if (!rows_) rows_.emplace(region_);
+    return rows_->contains(p);
   }
 
   /// `at`: where the robot is. `rounds` gets the stretches that begin there, and keeps them.
@@ -143,7 +144,7 @@ class Piece {
 
   Region region_;
   mutable int asked_ = 0;
-  mutable std::optional<EdgeIndex> index_;  // made when it pays: many pieces are cut again before
+  mutable std::optional<EdgeRows> rows_;  // made when it pays: many pieces are cut again before
   Box box_;
   std::vector<Stretch> stretches_;
   std::vector<std::pair<Ring, Stretch>> smooth_;
