@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/predicates.hpp"
+#include "geometry/ray_crossing.hpp"
 
 namespace oxturn {
 
@@ -38,13 +38,7 @@ bool EdgeRows::contains(const Point& p) const {
   if (!(p.y() >= low_ && p.y() <= high_)) return false;
   const std::size_t r = row(p.y());
   bool odd = false;
-  for (std::size_t i = first_[r]; i < first_[r + 1]; ++i) {
-    const auto& [a, b] = edges_[i];
-    const bool up = a.y() <= p.y();
-    if (up == (b.y() <= p.y())) continue;
-    if (a.x() <= p.x() && b.x() <= p.x()) continue;  // the ray runs in the direction of +x
-    if ((orientation(a, b, p) > 0) == up) odd = !odd;
-  }
+  for (std::size_t i = first_[r]; i < first_[r + 1]; ++i) odd ^= crosses_ray(edges_[i].a, edges_[i].b, p);
   return odd;
 }
 

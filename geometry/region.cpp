@@ -1,7 +1,7 @@
 #include "geometry/region.hpp"
 
 #include "base/math.hpp"
-#include "geometry/predicates.hpp"
+#include "geometry/ray_crossing.hpp"
 
 namespace oxturn {
 
@@ -55,12 +55,7 @@ std::size_t hole_count(const Region& region) {
 
 bool contains(const Region& region, const Point& p) {
   bool odd = false;
-  for_each_edge(region, [&](const Point& a, const Point& b) {
-    const bool up = a.y() <= p.y();
-    if (up == (b.y() <= p.y())) return;
-    if (a.x() <= p.x() && b.x() <= p.x()) return;  // the ray runs in the direction of +x
-    if ((orientation(a, b, p) > 0) == up) odd = !odd;
-  });
+  for_each_edge(region, [&](const Point& a, const Point& b) { odd ^= crosses_ray(a, b, p); });
   return odd;
 }
 

@@ -173,7 +173,7 @@ class Improver {
     close_in_rounds(annealed(now.points, options, {moves(shares().warming), warm(), kCool * width_}, rng));
   }
 
-  /// At length: of the best start, what is left of it without its detours, or what its brief run has made of it.
+  /// What is annealed at length: the best start without its detours, if there is one, or what its brief run has made.
   Polyline to_anneal(const std::vector<PathToImprove>& starts, const std::vector<Polyline>& lines) {
     auto [best, chosen] = lines.size() > 1 ? best_of(lines) : std::pair(lines.front(), std::size_t{0});
     const std::optional<Path>& unrepaired = starts[chosen].unrepaired;

@@ -104,10 +104,14 @@ NearestComponent::Nearest NearestComponent::nearest_in_sight(const Point& p) {
   return best;
 }
 
-/// The entry in a triangle that is nearest to a point; nullopt if there is none. Forgets those of removed components.
+void NearestComponent::forget_removed(std::vector<std::uint32_t>& entries) const {
+  std::erase_if(entries, [this](std::uint32_t e) { return removed(entries_[e].component); });
+}
+
+/// The entry in a triangle that is nearest to a point; nullopt if there is none.
 std::optional<std::uint32_t> NearestComponent::nearest_in(std::size_t triangle, const Point& to) {
   std::vector<std::uint32_t>& here = in_triangle_[triangle];
-  std::erase_if(here, [&](std::uint32_t e) { return removed(entries_[e].component); });
+  forget_removed(here);
   const auto best =
       std::ranges::min_element(here, {}, [&](std::uint32_t e) { return (entries_[e].at - to).squaredNorm(); });
   return best == here.end() ? std::nullopt : std::optional(*best);
@@ -123,13 +127,6 @@ void NearestComponent::keep_groups() {
     in_group_[groups_->of(entries_[in_groups_].triangle)].push_back(static_cast<std::uint32_t>(in_groups_));
 }
 
-/// Forgets entries of removed components.
-bool NearestComponent::group_has_entry(std::size_t group) {
-  std::vector<std::uint32_t>& here = in_group_[group];
-  while (!here.empty() && removed(entries_[here.back()].component)) here.pop_back();
-  return !here.empty();
-}
-
 /// Allows the groups on the path to the first ones that have entries of a few components, and their neighbours.
 void NearestComponent::allow_path_to_few(std::size_t home, double longest) {
   keep_groups();
@@ -141,9 +138,9 @@ void NearestComponent::allow_path_to_few(std::size_t home, double longest) {
   };
   dijkstra(coarse_, groups_->count(), groups_->of(home), neighbours, [&](std::size_t group) {
     if (coarse_.cost(group) >= longest) return true;
-    if (!group_has_entry(group)) return false;
-    for (const std::uint32_t e : in_group_[group])
-      if (!removed(entries_[e].component)) components.insert(entries_[e].component);
+    forget_removed(in_group_[group]);
+    if (in_group_[group].empty()) return false;
+    for (const std::uint32_t e : in_group_[group]) components.insert(entries_[e].component);
     for (const std::size_t g : coarse_.path_to(group)) {
       allowed_[g] = true;
       for (const std::uint32_t next : groups_->neighbours(g)) allowed_[next] = true;

@@ -64,7 +64,7 @@ class NearestComponent {
   void try_entry(const Point& p, const Entry& entry, double longest, Nearest& best) const;
   bool find_almost_straight(const Point& p, Nearest& best);
   std::optional<std::uint32_t> nearest_in(std::size_t triangle, const Point& to);
-  bool group_has_entry(std::size_t group);
+  void forget_removed(std::vector<std::uint32_t>& entries) const;
   void keep_groups();
   void allow_path_to_few(std::size_t home, double longest);
   Nearest nearest_in_sight(const Point& p);

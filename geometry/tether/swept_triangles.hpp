@@ -22,7 +22,6 @@ class SweptTriangles {
   /// Of points[first ..], as many as the tether keeps all bends for, kMost at most.
   SweptTriangles(const TautTether& tether, const Polyline& points, std::size_t first);
 
-  std::size_t size() const { return size_; }
   /// So many of them have no corner near by, but the pivot.
   std::size_t without_corners(const TautSpace& corners) const;
 

@@ -139,7 +139,7 @@ TEST(NearestComponent, WithoutAPathIsAboutTheNearest) {
   EXPECT_LE(found, 1.03 * shortest);
 }
 
-/// Behind thousands of triangles the way is found by groups of them.
+/// Beyond thousands of triangles it is found by groups of them.
 TEST(NearestComponent, IsFoundFarAway) {
   double found = 0, shortest = 0;
   for (const auto seed : seeds(4)) {
