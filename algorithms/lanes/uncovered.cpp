@@ -81,12 +81,15 @@ class CoveringSegments {
     index_ = BoxIndex(std::move(boxes));
   }
 
-  /// Does one segment cover all of a piece? If not, notes all that are near it.
-  bool cover(const Polygon& piece) {
+  enum class Cover { none, some, all };
+  /// How much of a piece is covered: all of it, if one segment covers it; perhaps some, if segments are near it, which
+  /// are noted.
+  Cover cover(const Polygon& piece) {
     const std::vector<std::uint32_t> found = index_.overlapping(bounding_box(piece.outer));
-    if (std::ranges::any_of(found, [&](std::uint32_t s) { return covers(segments_[s], piece.outer); })) return true;
+    if (std::ranges::any_of(found, [&](std::uint32_t s) { return covers(segments_[s], piece.outer); }))
+      return Cover::all;
     for (const std::uint32_t s : found) near_[s] = true;
-    return false;
+    return found.empty() ? Cover::none : Cover::some;
   }
 
   /// Those noted, consecutive ones as one line.
@@ -150,10 +153,15 @@ Region left_by(std::vector<Polyline> lines, double w, double seam, Region left) 
 
 Region left_of_pieces(const Region& pieces, const std::vector<Polyline>& lines, double radius, double seam) {
   CoveringSegments segments(lines, radius, seam);
-  Region left;
-  for (const Polygon& piece : pieces.polygons)
-    if (!segments.cover(piece)) left.polygons.push_back(piece);
-  return subtract(left, swath_parts(segments.noted(), radius, seam, Bound::outside));
+  Region untouched, touched;
+  for (const Polygon& piece : pieces.polygons) {
+    const auto cover = segments.cover(piece);
+    if (cover == CoveringSegments::Cover::none) untouched.polygons.push_back(piece);
+    if (cover == CoveringSegments::Cover::some) touched.polygons.push_back(piece);
+  }
+  Region left = subtract(touched, swath_parts(segments.noted(), radius, seam, Bound::outside));
+  std::ranges::move(untouched.polygons, std::back_inserter(left.polygons));
+  return left;
 }
 
 Region uncovered(const Region& target, const Path& path, const Robot& robot) {
