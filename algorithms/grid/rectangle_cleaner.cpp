@@ -6,6 +6,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "algorithms/grid/rectangle_lanes.hpp"
 #include "algorithms/lattice/promised_cells.hpp"
 #include "algorithms/transit/component_links.hpp"
 #include "algorithms/transit/nearest_component.hpp"
@@ -31,7 +32,7 @@ class RectangleCleaner {
         paths_(graph, problem.walls()),
         most_nodes_(graph.size() > kNodesOfAnEdge * problem.walls().edges().size() ? kMostNodes : graph.size()),
         side_(graph.side()),
-        smallest_(options.cells_needed(problem.robot())),
+        lanes_(graph, options, problem.robot()),
         done_(std::move(done)),
         path_(problem.start()) {}
 
@@ -49,13 +50,9 @@ class RectangleCleaner {
   }
 
  private:
-  /// Lattice nodes in one column that can be driven without leaving it.
-  struct Run {
-    int column, low, high;
-  };
   struct Job {
     CellRectangle rectangle;
-    Run start;
+    std::vector<Lane> lanes;  // in the order of their lines; all in columns, or all in rows
   };
   enum class Approach { work_if_short, transit };
 
@@ -71,26 +68,18 @@ class RectangleCleaner {
     return free;
   }
 
-  std::vector<Run> runs(int i, int bottom, int top) const {
-    std::vector<Run> found;
-    for (int j = bottom; j <= top; ++j) {
-      if (!graph_.free(i, j)) continue;
-      int end = j;
-      while (end < top && graph_.passable(i, end, kNorth)) ++end;
-      found.push_back({i, j, end});
-      j = end;
-    }
-    return found;
-  }
+  std::size_t node(const Lane& lane, int along) const { return lanes_.node(lane, along); }
+  std::size_t low_end(const Lane& lane) const { return node(lane, lane.low); }
+  std::size_t high_end(const Lane& lane) const { return node(lane, lane.high); }
 
   /// Maximal runs of nodes that are not done.
-  std::vector<Run> uncleaned_lanes() const {
-    std::vector<Run> lanes;
+  std::vector<Lane> uncleaned_lanes() const {
+    std::vector<Lane> lanes;
     for (int i = 0; i < graph_.columns(); ++i)
-      for (const Run& whole : runs(i, 0, graph_.rows() - 1))
+      for (const Lane& whole : lanes_.runs({true, i, 0, graph_.rows() - 1}))
         for (int j = whole.low; j <= whole.high; ++j) {
           if (done_[graph_.at(i, j)]) continue;
-          Run lane{i, j, j};
+          Lane lane{true, i, j, j};
           while (lane.high < whole.high && !done_[graph_.at(i, lane.high + 1)]) ++lane.high;
           lanes.push_back(lane);
           j = lane.high;
@@ -98,32 +87,24 @@ class RectangleCleaner {
     return lanes;
   }
 
-  /// MyCarbot, section 2.3: as near to the lower left as possible, up to `shift` cells higher; otherwise in the next
-  /// column. The rectangle loses columns without such a start.
-  std::optional<Run> start_of(CellRectangle& r) const {
-    for (; r.left <= r.right; ++r.left) {
-      const std::vector<Run> found = runs(r.left, r.bottom, std::min(r.top, r.bottom + p_.shift));
-      if (!found.empty()) return found.front();
-    }
-    return std::nullopt;
-  }
-
-  /// The partition in which no rectangle begins with columns that have to be skipped. Such columns count as done, and
+  /// The partition in which no rectangle begins with columns (rows) that have to be skipped. These count as done, and
   /// what is left of their rectangles may form larger ones with its neighbours; so it is made anew without them.
   std::vector<CellRectangle> partition() {
     BitGrid world = dirty_cells();
     for (;;) {
       std::vector<CellRectangle> all = rectangles_of(world, p_.scan);
       bool anew = false;
+      const auto leave_out = [&](const Lane& cells) {
+        ++result_.skipped_columns;
+        skip(cells);
+        for (int k = cells.low; k <= cells.high; ++k) world.bits[node(cells, k)] = 0;
+        anew = true;
+      };
       for (const CellRectangle& whole : all) {
         CellRectangle r = whole;
-        if (whole.width() < smallest_ || whole.height() < smallest_ || !start_of(r)) continue;
-        for (int i = whole.left; i < r.left; ++i) {
-          ++result_.skipped_columns;
-          skip(i, r.bottom, r.top);
-          for (int j = r.bottom; j <= r.top; ++j) world.set(i, j, false);
-          anew = true;
-        }
+        if (!lanes_.start_of(r)) continue;
+        for (int i = whole.left; i < r.left; ++i) leave_out({true, i, whole.bottom, whole.top});
+        for (int j = whole.bottom; j < r.bottom; ++j) leave_out({false, j, r.left, r.right});
       }
       if (!anew || context_.cancelled()) return all;
     }
@@ -134,29 +115,18 @@ class RectangleCleaner {
     if (context_.wants_traces()) trace_rectangles(all);
     std::vector<Job> drivable;
     for (CellRectangle r : all) {
-      const int cells = r.width() * r.height();
-      const std::optional<Run> start = start_of(r);
-      if (!start || r.width() < smallest_ || r.height() < smallest_) {
-        result_.small_cells += static_cast<std::size_t>(cells);
-        continue;
+      const auto cells = static_cast<std::size_t>(r.width()) * static_cast<std::size_t>(r.height());
+      if (const std::optional<Lane> start = lanes_.start_of(r)) {
+        RectangleLanes::Found found = lanes_.in(r, *start);
+        skip(found.before_start);
+        for (const Lane& line : found.skipped) skip(line);
+        result_.skipped_columns += found.skipped.size();
+        drivable.push_back({r, std::move(found.lanes)});
+      } else {
+        result_.small_cells += cells;
       }
-      skip(r.left, r.bottom, start->low - 1);
-      drivable.push_back({r, *start});
     }
     return drivable;
-  }
-  /// The rectangle's columns that are driven.
-  std::vector<int> columns_of(const CellRectangle& r) const {
-    const int columns_under_tool = static_cast<int>(problem_.robot().tool_width / side_ + 1e-9);
-    const int step = p_.columns == ColumnStep::tool ? std::max(1, columns_under_tool) : 1;
-    std::vector<int> columns;
-    for (int i = r.left; i < r.right; i += step) columns.push_back(i);
-    columns.push_back(r.right);
-    return columns;
-  }
-  /// Where the robot drives in one of them. The first column counts from the start; cells below a shifted one are left.
-  std::vector<Run> runs(const Job& job, int i) const {
-    return runs(i, i == job.rectangle.left ? job.start.low : job.rectangle.bottom, job.rectangle.top);
   }
 
   void promise(const std::vector<Job>& jobs) {
@@ -166,12 +136,11 @@ class RectangleCleaner {
     if (!context_.wants_promise()) return;
     std::vector<Cell> cells;
     for (const Job& job : jobs)
-      for (const int i : columns_of(job.rectangle))
-        for (const Run& run : runs(job, i))
-          for (int j = run.low; j <= run.high; ++j) cells.push_back({i, j});
+      for (const Lane& lane : job.lanes)
+        for (int k = lane.low; k <= lane.high; ++k) cells.push_back(graph_.cell(node(lane, k)));
     context_.promise([graph = graph_, cells, tool_width] { return squares_of(graph, cells, tool_width); });
   }
-  std::size_t start_node(const Job& job) const { return graph_.at(job.start.column, job.start.low); }
+  std::size_t start_node(const Job& job) const { return low_end(job.lanes.front()); }
 
   /// From the start onto the lattice: to a node in sight, else by a shortest path to the first node that has to be
   /// driven.
@@ -181,7 +150,7 @@ class RectangleCleaner {
       at_ = *node;
       // A run of one node has no length to cover, so the tool is on already when the robot arrives.
       const bool covers = std::any_of(jobs.begin(), jobs.end(), [&](const Job& job) {
-        return start_node(job) == at_ && job.start.low == job.start.high;
+        return start_node(job) == at_ && job.lanes.front().low == job.lanes.front().high;
       });
       const Cell c = graph_.cell(at_);
       path_.drive(graph_.centre(at_), covers || !(graph_.passable(c, kNorth) || graph_.passable(c, kSouth)));
@@ -305,23 +274,22 @@ class RectangleCleaner {
 
   /// MyCarbot, section 5.2: no rectangles, but lanes over the whole grid; always on to the nearest end of one.
   void clean_lanes() {
-    const std::vector<Run> lanes = uncleaned_lanes();
+    const std::vector<Lane> lanes = uncleaned_lanes();
     std::vector<std::int32_t> lane_at(graph_.size(), -1);  // at the ends of lanes that are left
     for (std::size_t k = 0; k < lanes.size(); ++k)
-      for (const int end : {lanes[k].low, lanes[k].high})
-        lane_at[graph_.at(lanes[k].column, end)] = static_cast<std::int32_t>(k);
+      for (const std::size_t end : {low_end(lanes[k]), high_end(lanes[k])}) lane_at[end] = static_cast<std::int32_t>(k);
     if (context_.wants_traces()) {
       std::vector<Polyline> lines;
-      for (const Run& s : lanes) lines.push_back({graph_.centre(s.column, s.low), graph_.centre(s.column, s.high)});
+      for (const Lane& s : lanes) lines.push_back({graph_.centre(low_end(s)), graph_.centre(high_end(s))});
       context_.trace("lanes", std::move(lines));
     }
     std::size_t first = 0;
     for (std::size_t n = 0; n < lanes.size() && !context_.cancelled(); ++n) {
       const auto found = paths_.nearest(at_, [&](std::size_t node) { return lane_at[node] >= 0; });
-      while (!found && done_[graph_.at(lanes[first].column, lanes[first].low)]) ++first;
-      const Run& lane = lanes[found ? static_cast<std::size_t>(lane_at[found->node]) : first];
-      const bool up = !found || found->node == graph_.at(lane.column, lane.low);
-      for (const int end : {lane.low, lane.high}) lane_at[graph_.at(lane.column, end)] = -1;
+      while (!found && done_[low_end(lanes[first])]) ++first;
+      const Lane& lane = lanes[found ? static_cast<std::size_t>(lane_at[found->node]) : first];
+      const bool up = !found || found->node == low_end(lane);
+      for (const std::size_t end : {low_end(lane), high_end(lane)}) lane_at[end] = -1;
       drive(lane, up, Approach::work_if_short);
       context_.progress(static_cast<double>(n + 1) / static_cast<double>(lanes.size()));
     }
@@ -333,35 +301,30 @@ class RectangleCleaner {
     const int ci = (r.left + r.right) / 2, cj = (r.bottom + r.top) / 2;
     if (p_.via_centre && !strip && graph_.free(ci, cj) && graph_.at(ci, cj) != start_node(job))
       go(graph_.at(ci, cj), Approach::transit, 0);
-    std::vector<int> columns = columns_of(r);
-    bool up = true;
+    std::vector<Lane> lanes = job.lanes;
+    bool forth = true;
     if (strip &&
         distance(path_.at(), graph_.centre(r.right, r.top)) < distance(path_.at(), graph_.centre(r.left, r.bottom))) {
-      std::reverse(columns.begin(), columns.end());
-      up = false;
+      std::ranges::reverse(lanes);
+      forth = false;
     }
     Approach approach = Approach::transit;
-    for (const int i : columns) {
-      std::vector<Run> column = runs(job, i);
-      if (column.empty()) {
-        ++result_.skipped_columns;
-        skip(i, r.bottom, r.top);
-      }
-      if (!up) std::reverse(column.begin(), column.end());
-      for (const Run& s : column) {
-        drive(s, up, approach);
+    for (auto from = lanes.begin(); from != lanes.end(); forth = !forth) {
+      const auto to = std::find_if(from, lanes.end(), [&](const Lane& lane) { return lane.line != from->line; });
+      if ((from->low < std::prev(to)->low) != forth) std::reverse(from, to);
+      for (; from != to; ++from) {
+        drive(*from, forth, approach);
         approach = Approach::work_if_short;
       }
-      if (!column.empty()) up = !up;
     }
   }
 
-  void drive(const Run& run, bool up, Approach approach) {
+  void drive(const Lane& run, bool forth, Approach approach) {
     // A run of one node has no length to cover: there the tool is switched on for the last bit of the approach.
-    go(graph_.at(run.column, up ? run.low : run.high), approach, run.low == run.high ? side_ : 0);
-    at_ = graph_.at(run.column, up ? run.high : run.low);
+    go(forth ? low_end(run) : high_end(run), approach, run.low == run.high ? side_ : 0);
+    at_ = forth ? high_end(run) : low_end(run);
     path_.drive(graph_.centre(at_), true);
-    for (int j = run.low; j <= run.high; ++j) done_[graph_.at(run.column, j)] = true;
+    for (int k = run.low; k <= run.high; ++k) done_[node(run, k)] = true;
   }
 
   /// To a node: straight with the tool on if that is possible and short (the step to the next column), else over the
@@ -417,17 +380,17 @@ class RectangleCleaner {
         node = next;
       }
       const int i = graph_.column(node), j = graph_.row(node);
-      Run run{i, j, j};
+      Lane run{true, i, j, j};
       while (graph_.passable(i, run.low, kSouth) && undriven(graph_.at(i, run.low - 1))) --run.low;
       while (graph_.passable(i, run.high, kNorth) && undriven(graph_.at(i, run.high + 1))) ++run.high;
       drive(run, j - run.low <= run.high - j, Approach::work_if_short);
     }
   }
 
-  void skip(int column, int bottom, int top) {
-    if (bottom > top) return;
-    result_.skipped_cells += static_cast<std::size_t>(top - bottom + 1);
-    if (context_.wants_traces()) skipped_.push_back({graph_.centre(column, bottom), graph_.centre(column, top)});
+  void skip(const Lane& cells) {
+    if (cells.low > cells.high) return;
+    result_.skipped_cells += static_cast<std::size_t>(cells.high - cells.low + 1);
+    if (context_.wants_traces()) skipped_.push_back({graph_.centre(low_end(cells)), graph_.centre(high_end(cells))});
   }
 
   void trace_rectangles(const std::vector<CellRectangle>& rectangles) {
@@ -450,7 +413,7 @@ class RectangleCleaner {
   std::vector<LeftBehind> left_behind_;  // where the robot left components of the lattice that it comes back to
   std::size_t most_nodes_;
   double side_;
-  int smallest_;  // cells on each side of a rectangle
+  RectangleLanes lanes_;
   std::vector<bool> done_;
   std::size_t at_ = 0;  // the node where the path ends
   CleanedRectangles result_;

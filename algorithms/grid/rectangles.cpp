@@ -1,11 +1,11 @@
-// Partitions the world into rectangles of cells and cleans them one by one, column by column.
+// Partitions the world into rectangles of cells and cleans them one by one, lane by lane.
 //
 // Source      MyCarbot (TH Nuernberg), "Rechteck-Partitionierungs-Strategie", sections 2 and 5. The defaults are the
-//             source, but for `cells`, `choose`, `columns` and `smallest`
+//             source, but for `cells`, `choose`, `columns`, `along` and `smallest`
 // Model       grid, offline, or online by lidar (`sensing = lidar`), disc footprint
-// Guarantee   every cell of a driven column of a drivable rectangle of at least `smallest` cells a side is cleaned,
-//             except those below a shifted start; with `columns = each` columns are skipped only where the robot does
-//             not fit; with `revisit_skipped` every lattice node that the robot can reach is driven
+// Guarantee   every cell of a driven column (or row) of a drivable rectangle of at least `smallest` cells a side is
+//             cleaned, except those before a shifted start; with `columns = each` columns are skipped only where the
+//             robot does not fit; with `revisit_skipped` every lattice node that the robot can reach is driven
 // Complexity  n cells: world and partition O(n), a path between rectangles O(cells nearer than its end); some 60 bytes
 //             a cell. `choose = nearest` searches the nodes that are nearer than the next rectangle; where walls have
 //             few edges, after 20,000 nodes the triangles of free space (nearest_component.hpp). `choose = first` may
@@ -28,7 +28,11 @@
 //                between runs and columns that are not straight are planned on the lattice and pulled straight; where
 //                the lattice leads nowhere they are shortest paths among the walls.
 //             5. The centre is visited on the way (section 2.3) if the robot fits there.
-//             6. `columns = tool` (ours, the default) steps as many columns as the tool covers, instead of one.
+//             6. `columns = tool` (ours, the default) steps as many columns as the tool covers, instead of one, but so
+//                that cells in between are under the tool from both sides: beside walls it steps less.
+//                `along = longer` (ours, the default) drives rectangles that are wider than high in rows: the mirror
+//                image of what the source does. Among slanted walls and scattered obstacles most rectangles are one
+//                to three cells high: the paths are as long as in columns, with half the turns.
 //             7. The outlooks of section 5: `choose = nearest` takes the start with the fewest planned steps, or
 //                with the shortest path among walls where the lattice leads to none near by, so a divided corridor is
 //                cleaned one side after the other; it is the default. What the lattice does not connect is cleaned
@@ -37,14 +41,16 @@
 //                nearest end of one, for pillars in staggered rows (rectangles on a turned grid were tried: worse than
 //                straight ones).
 //             8. Online: a scan of the world (world_scan.hpp), then the same on what is believed, on a lattice with a
-//                node at the start. Driven nodes are done. The world is partitioned anew where an obstacle stops the
-//                robot, and after a rectangle if more than the area of four cells has been seen since. Ends when
-//                nothing new is seen.
+//                node at the start. Driven nodes are done, and those between two lanes under the tool
+//                (driven_nodes.hpp; driven nodes alone: paths up to twice as long). The world is partitioned anew
+//                where an obstacle stops the robot, and after a rectangle if more than the area of four cells has been
+//                seen since. Ends when nothing new is seen.
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "algorithms/coverage_planner.hpp"
+#include "algorithms/grid/driven_nodes.hpp"
 #include "algorithms/grid/rectangle_cleaner.hpp"
 #include "algorithms/grid/world_scan.hpp"
 
@@ -125,21 +131,13 @@ class Discovery {
     return cleaned;
   }
 
-  /// The nodes that have been driven along their column with the tool on.
+  /// The nodes that have been driven along their column or row with the tool on; with columns = tool, those between
+  /// two such lanes under the tool as well.
   std::vector<bool> done(const GridGraph& graph) const {
-    std::vector<bool> nodes(graph.size(), false);
-    constexpr double kOff = 1e-3;  // cells
+    DrivenNodes driven(graph);
     for (const Leg& leg : view().path.legs)
-      for (std::size_t k = 1; leg.tool && k < leg.points.size(); ++k) {
-        const Point a = graph.coordinates(leg.points[k - 1]), b = graph.coordinates(leg.points[k]);
-        const int i = static_cast<int>(std::lround(a.x()));
-        if (std::abs(a.x() - i) > kOff || std::abs(b.x() - i) > kOff) continue;
-        const int low = static_cast<int>(std::ceil(std::min(a.y(), b.y()) - kOff));
-        const int high = static_cast<int>(std::floor(std::max(a.y(), b.y()) + kOff));
-        for (int j = low; j <= high; ++j)
-          if (graph.inside(i, j)) nodes[graph.at(i, j)] = true;
-      }
-    return nodes;
+      for (std::size_t k = 1; leg.tool && k < leg.points.size(); ++k) driven.add(leg.points[k - 1], leg.points[k]);
+    return driven.covered(p_.lane_distance(view().robot));
   }
 
   /// False if the world has to be partitioned anew before the end of the path.
@@ -176,10 +174,10 @@ PlannerInfo rectangles() {
   return describe<P, plan>(
       {.name = "rectangles",
        .family = "grid",
-       .title = "rectangle partition, column by column",
+       .title = "rectangle partition, lane by lane",
        .citation = "MyCarbot (TH Nuernberg)",
        .capabilities = {Capability::online, Capability::holes, Capability::footprint},
-       .guarantee = "every cell of the driven columns of rectangles of at least `smallest` cells a side",
+       .guarantee = "every cell of the driven columns or rows of rectangles of at least `smallest` cells a side",
        .promise = Promise::cells,
        .symmetries = {Symmetry::shift, Symmetry::scale},
        .parameters =
@@ -188,7 +186,10 @@ PlannerInfo rectangles() {
              "cell_size = 0: cells are half as wide as the robot (as published), or as the wider of robot and tool"},
             {"choose", &P::choose, Choices{"first", "nearest"},
              "next rectangle: first from the lower left, or the one with the shortest planned path to its start"},
-            {"columns", &P::columns, Choices{"each", "tool"}, "drive each column, or step as far as the tool covers"},
+            {"columns", &P::columns, Choices{"each", "tool"},
+             "drive each column (or row), or step as far as the tool covers"},
+            {"along", &P::along, Choices{"columns", "longer"},
+             "lanes run in columns (as published), or along the longer side of each rectangle"},
             {"scan", &P::scan, Choices{"columns", "rows"},
              "in which order the first cell from the lower left is searched"},
             {"lanes", &P::lanes, Choices{"straight", "diagonal"},
@@ -207,6 +208,7 @@ PlannerInfo rectangles() {
        .published = {{"cells", std::string("robot")},
                      {"choose", std::string("first")},
                      {"columns", std::string("each")},
+                     {"along", std::string("columns")},
                      {"smallest", 2}}});
 }
 

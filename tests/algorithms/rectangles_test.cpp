@@ -6,6 +6,7 @@
 #include <set>
 
 #include "algorithms/coverage_planner.hpp"
+#include "algorithms/grid/driven_nodes.hpp"
 #include "algorithms/grid/rectangle_world.hpp"
 #include "algorithms/lattice/grid_graph.hpp"
 #include "algorithms/lattice/lattice_paths.hpp"
@@ -111,25 +112,98 @@ Path plan_rectangles(const Problem& problem, const Settings& settings = {}) {
   return plan_recorded("rectangles", problem, settings).path;
 }
 
+Robot robot_with_tool(double radius, double tool_width) {
+  Robot robot;
+  robot.radius = radius;
+  robot.tool_width = tool_width;
+  return robot;
+}
+
 TEST(Rectangles, AnEmptyRoomIsOneRectangleDrivenColumnByColumn) {
   const Problem problem({"room", box_region({0, 0}, {4, 3}), "test", ""}, Robot{}, Point(2, 1.5));
-  const auto work_of = [&](const char* columns) {
-    const Path path = plan_rectangles(problem, {{"columns", std::string(columns)}});
+  const auto work_of = [&](const char* columns, const char* along) {
+    const Path path = plan_rectangles(problem, {{"columns", std::string(columns)}, {"along", std::string(along)}});
     int work = 0;
     for (const Leg& leg : path.legs) work += leg.tool;
     EXPECT_EQ(work, 1);
     return path.length(true);
   };
   // 19 columns of 2.6 m, from wall to wall, 0.2 apart; every second one, as the tool is 0.4 m wide.
-  EXPECT_NEAR(work_of("each"), 19 * 2.6 + 18 * 0.2, 0.001);
-  EXPECT_NEAR(work_of("tool"), 10 * 2.6 + 9 * 0.4, 0.001);
+  EXPECT_NEAR(work_of("each", "columns"), 19 * 2.6 + 18 * 0.2, 0.001);
+  EXPECT_NEAR(work_of("tool", "columns"), 10 * 2.6 + 9 * 0.4, 0.001);
+  // 14 rows of 3.6 m, the last one beside the one before it.
+  EXPECT_NEAR(work_of("each", "longer"), 14 * 3.6 + 13 * 0.2, 0.001);
+  EXPECT_NEAR(work_of("tool", "longer"), 8 * 3.6 + 6 * 0.4 + 0.2, 0.001);
 }
 
-Robot robot_with_tool(double radius, double tool_width) {
-  Robot robot;
-  robot.radius = radius;
-  robot.tool_width = tool_width;
-  return robot;
+TEST(Rectangles, LanesAlongTheLongerSideTurnLess) {
+  for (const char* generator : {"clutter", "cave", "field", "polygon"}) {
+    double turns[2] = {0, 0}, metres[2] = {0, 0}, covered[2] = {0, 0};
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      const Problem problem(generate(generator, {{"width", 12.0}, {"height", 9.0}}, seed), Robot{});
+      for (const int longer : {0, 1}) {
+        const auto scored =
+            score(problem, plan_rectangles(problem, {{"along", std::string(longer ? "longer" : "columns")}}));
+        turns[longer] += scored.value("turns").value();
+        metres[longer] += scored.value("path_m").value();
+        covered[longer] += scored.value("coverage").value();
+      }
+    }
+    EXPECT_LT(turns[1], 0.75 * turns[0]) << generator;
+    EXPECT_LT(metres[1], 1.1 * metres[0]) << generator;
+    EXPECT_GT(covered[1], covered[0] - 0.02) << generator;
+  }
+}
+
+// In an empty room that is wider than high the rows are the mirror image of the columns of the room laid over on its
+// side.
+TEST(Rectangles, RowsAreTheMirrorImageOfColumns) {
+  for (const double side : {2.6, 3.0, 4.3}) {
+    const Problem wide({"room", box_region({0, 0}, {6, side}), "test", ""}, Robot{}, Point(0.3, 0.3));
+    const Problem high({"room", box_region({0, 0}, {side, 6}), "test", ""}, Robot{}, Point(0.3, 0.3));
+    const Path rows = plan_rectangles(wide), columns = plan_rectangles(high);
+    EXPECT_NEAR(rows.length(), columns.length(), 1e-9);
+    EXPECT_NEAR(rows.length(true), columns.length(true), 1e-9);
+    EXPECT_NEAR(rows.legs.back().points.back().x(), columns.legs.back().points.back().y(), 1e-9);
+    EXPECT_NEAR(rows.legs.back().points.back().y(), columns.legs.back().points.back().x(), 1e-9);
+  }
+}
+
+// Brute force: a node counts if it lies on a segment of its column or row, or between two such nodes of parallel lanes.
+TEST(DrivenNodes, AreThoseOnLanesAndBetweenNearOnes) {
+  const Problem problem({"room", box_region({0, 0}, {3, 2}), "test", ""}, robot_with_tool(0, 0.2));
+  const GridGraph graph = make_grid_graph(problem, {.side = 0.1, .margin = 2});
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    Rng rng(seed);
+    DrivenNodes driven(graph);
+    std::set<std::pair<int, int>> columns, rows;
+    for (int n = rng.between(1, 12); n > 0; --n) {
+      const bool upright = rng.chance(0.5);
+      const int most = (upright ? graph.rows() : graph.columns()) - 1;
+      const int line = rng.between(0, (upright ? graph.columns() : graph.rows()) - 1);
+      const int a = rng.between(0, most), b = rng.between(0, most);
+      driven.add(upright ? graph.centre(line, a) : graph.centre(a, line),
+                 upright ? graph.centre(line, b) : graph.centre(b, line));
+      for (int k = std::min(a, b); k <= std::max(a, b); ++k) {
+        if (upright || a == b) columns.insert(upright ? std::pair(line, k) : std::pair(k, line));
+        if (!upright || a == b) rows.insert(upright ? std::pair(line, k) : std::pair(k, line));
+      }
+    }
+    const int cells = rng.between(1, 5);
+    driven.add(graph.centre(1, 1), graph.centre(4, 5));      // along no lane
+    driven.add(graph.centre(0.5, 0), graph.centre(0.5, 3));  // between nodes
+    const std::vector<bool> covered = driven.covered(cells);
+    for (int j = 0; j < graph.rows(); ++j)
+      for (int i = 0; i < graph.columns(); ++i) {
+        bool expected = false;
+        for (int a = 0; a <= cells; ++a)
+          for (int b = 0; a + b <= cells; ++b)
+            expected = expected || (columns.count({i - a, j}) && columns.count({i + b, j})) ||
+                       (rows.count({i, j - a}) && rows.count({i, j + b}));
+        ASSERT_EQ(covered[graph.at(i, j)], expected) << i << " " << j << " " << cells;
+      }
+  }
 }
 
 // A notch too narrow for the robot made a strip of its own height across the whole room.
@@ -362,6 +436,19 @@ TEST(Rectangles, OnlineScansTheOuterWallThenCleansWhatOfflineDoes) {
     EXPECT_GT(figures.at("explored_share"), 0.98);
     EXPECT_GE(figures.at("partitions"), 1);
   }
+}
+
+// What lay between two lanes under the tool was driven again after each new partition.
+TEST(Rectangles, OnlineDrivesHardlyMoreThanOffline) {
+  Robot robot;
+  robot.lidar = Lidar{6, 180, 0};
+  double online = 0, offline = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const Problem problem(generate("clutter", {{"width", 8.0}, {"height", 6.0}}, seed), robot);
+    offline += plan_rectangles(problem).length(true);
+    online += plan_rectangles(problem, {{"sensing", std::string("lidar")}}).length(true);
+  }
+  EXPECT_LT(online, 1.3 * offline);
 }
 
 TEST(Rectangles, OnlineWithoutALidarIsOneSentence) {
