@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kFullTurn = 2 * kPi;
 constexpr double kRounding = 1e-9;  // radians and radii; shorter parts are none, longer by less is no shorter curve
+constexpr double kSurely = 1e-6;    // radians, far above rounding: what a turn has to be off for its sine to tell
 
 /// In [-pi, pi].
 double wrapped(double angle) { return angle - kFullTurn * std::floor(angle / kFullTurn + 0.5); }
@@ -31,6 +32,10 @@ bool turns(int sign, double& angle) {
   angle = sign * std::max(a, 0.0);
   return true;
 }
+
+/// Does the sine of a turn, given times some length, tell that turns() refuses it, whatever the rounding? Most words
+/// have a turn in the wrong sense.
+bool surely_right(double sine, double length) { return length > kSurely && sine < -kSurely * length; }
 
 /// What a word is tried for: the first pose in the origin, heading along x; radius 1.
 struct Target {
@@ -114,10 +119,15 @@ class ShortestWord {
   static Centres to_left(const Target& t) { return {t.x - t.sine, t.y - 1 + t.cosine}; }
   static Centres to_right(const Target& t) { return {t.x + t.sine, t.y - 1 - t.cosine}; }
 
+  /// Does a turn from the x axis to the vector, or from there to the last heading, surely lead to the right?
+  static bool turns_right(const Target& t, const Centres& c, double size) {
+    return surely_right(c.y, size) || surely_right(t.sine * c.x - t.cosine * c.y, size);
+  }
+
   /// 8.1 L+S+L+ and 8.2 L+S+R+.
   void with_straight_middle(const Target& t) {
     const double left_turn = t.heading < -kRounding ? t.heading + kFullTurn : std::max(t.heading, 0.0);
-    if (const Centres c = to_left(t); may_win(c.norm + left_turn)) {
+    if (const Centres c = to_left(t); may_win(c.norm + left_turn) && !turns_right(t, c, c.norm)) {
       double first = c.norm > kRounding ? c.angle() : 0, last = t.heading - first;
       if (turns(1, first) && turns(1, last)) offer({{kLeft, first}, {kStraight, c.norm}, {kLeft, last}});
     }
@@ -126,6 +136,9 @@ class ShortestWord {
     if (squared < 0) return;
     const double middle = std::sqrt(squared);
     if (!may_win(middle + std::abs(t.heading))) return;
+    const double x = middle * c.x - 2 * c.y, y = middle * c.y + 2 * c.x,
+                 size = c.norm * c.norm;  // of the straight part
+    if (surely_right(y, size) || surely_right(y * t.cosine - x * t.sine, size)) return;
     double first = c.angle() + math::atan2(2, middle), last = first - t.heading;
     if (turns(1, first) && turns(1, last)) offer({{kLeft, first}, {kStraight, middle}, {kRight, last}});
   }
@@ -134,7 +147,9 @@ class ShortestWord {
   void of_arcs(const Target& t) {
     const Centres c = to_left(t);
     if (c.norm > 4 || !may_win(std::max({c.norm / 2, t.distance, std::abs(t.heading)}))) return;
-    const double middle = -2 * math::asin(c.norm / 4);
+    const double sine = c.norm / 4, cosine = std::sqrt(1 - sine * sine);  // of half the middle arc
+    if (surely_right(sine * c.x - cosine * c.y, c.norm)) return;
+    const double middle = -2 * math::asin(sine);
     double first = c.angle() + middle / 2 + kPi;
     if (!turns(1, first)) return;
     offer({{kLeft, first}, {kRight, middle}, {kLeft, wrapped(t.heading - first + middle)}});
@@ -171,7 +186,9 @@ class ShortestWord {
     if (const Centres c = to_left(t); c.norm >= 2) {
       const double reach = std::sqrt(c.norm * c.norm - 4), middle = 2 - reach;
       double first = 0, last = 0;
-      if (middle <= kRounding && may_win(kPi / 2 - middle)) {
+      const double x = -2 * c.x - reach * c.y, y = reach * c.x - 2 * c.y, size = c.norm * c.norm;
+      const bool fails = surely_right(y, size) || surely_right(t.cosine * x + t.sine * y, size);
+      if (!fails && middle <= kRounding && may_win(kPi / 2 - middle)) {
         first = c.angle() + math::atan2(reach, -2), last = t.heading - kPi / 2 - first;
         if (turns(1, first) && turns(-1, last))
           offer({{kLeft, first}, {kRight, -kPi / 2}, {kStraight, std::min(middle, 0.0)}, {kLeft, last}});
@@ -179,6 +196,7 @@ class ShortestWord {
     }
     const Centres c = to_right(t);
     if (c.norm < 2 || !may_win(kPi / 2 + c.norm - 2)) return;
+    if (surely_right(c.x, c.norm) || surely_right(t.cosine * c.y - t.sine * c.x, c.norm)) return;
     double first = math::atan2(c.x, -c.y), last = first + kPi / 2 - t.heading;
     if (turns(1, first) && turns(-1, last))
       offer({{kLeft, first}, {kRight, -kPi / 2}, {kStraight, 2 - c.norm}, {kRight, last}});
@@ -190,7 +208,9 @@ class ShortestWord {
     if (c.norm < 2) return;
     const double middle = 4 - std::sqrt(c.norm * c.norm - 4);
     if (middle > kRounding || !may_win(kPi - middle + std::abs(t.heading))) return;
-    double first = math::atan2((4 - middle) * c.x - 2 * c.y, -2 * c.x + (middle - 4) * c.y);
+    const double x = -2 * c.x + (middle - 4) * c.y, y = (4 - middle) * c.x - 2 * c.y, size = c.norm * c.norm;
+    if (surely_right(y, size) || surely_right(y * t.cosine - x * t.sine, size)) return;
+    double first = math::atan2(y, x);
     double last = first - t.heading;
     if (turns(1, first) && turns(1, last))
       offer(
