@@ -66,10 +66,6 @@ Polyline CarSpace::shortest_path(const Point& from, const Point& to) const {
   return problem_->transit().path(from, to).value_or(Polyline{});
 }
 
-double CarSpace::cost(const Curve& curve) const {
-  return curve.length() + stop_cost_ * static_cast<double>(curve.cusps());
-}
-
 std::optional<Curve> CarSpace::simple_link(const Pose& from, const Pose& to, double most) const {
   return LinkSearch(*this, from, to).cheapest(most);
 }

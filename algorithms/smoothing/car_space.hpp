@@ -51,7 +51,8 @@ class CarSpace {
   Polyline shortest_path(const Point& from, const Point& to) const;
   const EdgeIndex& walls() const { return walls_; }
   /// The length of a curve, and for each cusp the metres lost by stopping.
-  double cost(const Curve& curve) const;
+  double cost(const Curve& curve) const { return cost(curve.length(), curve.cusps()); }
+  double cost(double metres, std::size_t cusps) const { return metres + stop_cost_ * static_cast<double>(cusps); }
 
   /// Steps 1 and 2. nullopt: none of them is free that costs less than `most` (as cost() counts).
   std::optional<Curve> simple_link(const Pose& from, const Pose& to,

@@ -59,8 +59,9 @@ class Search {
     return false;
   }
   bool try_dubins() {
-    for (const Curve& word : dubins_words(from_, to_, options_.radius))
-      if (offer(smooth_curve(word), ConnectionKind::dubins)) return true;
+    const DubinsWords words = dubins_words(from_, to_, options_.radius);
+    for (const Word& word : words.all())
+      if (offer(smooth_curve(curve_of(word, from_, to_, options_.radius)), ConnectionKind::dubins)) return true;
     return false;
   }
 

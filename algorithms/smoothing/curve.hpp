@@ -9,6 +9,8 @@
 /// Complexity  a curve costs a few microseconds
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "base/math.hpp"
@@ -48,14 +50,31 @@ struct Curve {
 /// Where the piece leads from `from`.
 Pose after(const Pose& from, const CurvePiece& piece, double radius);
 
+/// The pieces of a curve without its poses, for searches that look at many.
+struct Word {
+  std::array<CurvePiece, 5> pieces{};
+  std::size_t count = 0;
+  double length = 0;  // metres
+  std::span<const CurvePiece> driven() const { return {pieces.data(), count}; }
+};
+inline Curve curve_of(const Word& word, const Pose& from, const Pose& to, double radius) {
+  return {from, to, radius, {word.driven().begin(), word.driven().end()}};
+}
+
 /// The shortest curve driven forwards. `radius` > 0.
 Curve dubins_curve(const Pose& from, const Pose& to, double radius);
 /// Its length alone.
 double dubins_distance(const Pose& from, const Pose& to, double radius);
+struct DubinsWords {
+  std::array<Word, 6> words;
+  std::size_t count = 0;
+  std::span<const Word> all() const { return {words.data(), count}; }
+};
 /// The shortest curve of each of the words LSL, RSR, LSR, RSL, RLR and LRL that exists, shortest first: alternatives
 /// where an obstacle is in the way.
-std::vector<Curve> dubins_words(const Pose& from, const Pose& to, double radius);
+DubinsWords dubins_words(const Pose& from, const Pose& to, double radius);
 /// The shortest curve driven forwards or backwards, with cusps in between.
+Word reeds_shepp_word(const Pose& from, const Pose& to, double radius);
 Curve reeds_shepp_curve(const Pose& from, const Pose& to, double radius);
 /// Its length alone.
 double reeds_shepp_distance(const Pose& from, const Pose& to, double radius);

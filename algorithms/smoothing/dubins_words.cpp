@@ -20,12 +20,6 @@ double turn(double angle) {
   return a > kFullTurn - 1e-9 ? 0 : a;
 }
 
-struct Word {
-  std::array<Steering, 3> steering;
-  std::array<double, 3> lengths;  // metres
-  double length() const { return lengths[0] + lengths[1] + lengths[2]; }
-};
-
 /// In the frame where the straight line from the first to the second position is the x axis and the radius is 1.
 class Words {
  public:
@@ -37,19 +31,23 @@ class Words {
     outer(1), outer(-1), inner(1), inner(-1), loop(1), loop(-1);
   }
 
-  std::span<Word> all() { return {words_.data(), count_}; }
-  const Word& shortest() const {
-    return *std::ranges::min_element(words_.begin(), words_.begin() + count_, {}, &Word::length);
+  DubinsWords sorted() && {
+    std::ranges::stable_sort(found_.words.begin(), found_.words.begin() + found_.count, {}, &Word::length);
+    return found_;
   }
+  const Word& shortest() const { return *std::ranges::min_element(found_.all(), {}, &Word::length); }
 
  private:
   /// Mirrored words are the same with both angles negated.
   static Steering side(int sense) { return sense > 0 ? Steering::left : Steering::right; }
   void add(const std::array<Steering, 3>& steering, const std::array<double, 3>& lengths) {
-    Word& word = words_[count_++];
-    word.steering = steering;
-    for (std::size_t i = 0; i < 3; ++i)
-      word.lengths[i] = radius_ * (steering[i] == Steering::straight ? lengths[i] : turn(lengths[i]));
+    Word& word = found_.words[found_.count++];
+    word.count = steering.size();
+    for (std::size_t i = 0; i < word.count; ++i) {
+      const double part = radius_ * (steering[i] == Steering::straight ? lengths[i] : turn(lengths[i]));
+      word.pieces[i] = {steering[i], part};
+      word.length += part;
+    }
   }
   /// LSL (sense 1) and RSR.
   void outer(int sense) {
@@ -81,32 +79,19 @@ class Words {
   }
 
   double radius_, d_ = 0, a_ = 0, b_ = 0;
-  std::array<Word, 6> words_;
-  std::size_t count_ = 0;
+  DubinsWords found_;
 };
-
-Curve curve_of(const Word& word, const Pose& from, const Pose& to, double radius) {
-  Curve curve{from, to, radius, {}};
-  for (std::size_t i = 0; i < 3; ++i) curve.pieces.push_back({word.steering[i], word.lengths[i]});
-  return curve;
-}
 
 }  // namespace
 
-std::vector<Curve> dubins_words(const Pose& from, const Pose& to, double radius) {
-  Words words(from, to, radius);
-  std::ranges::stable_sort(words.all(), {}, &Word::length);
-  std::vector<Curve> curves;
-  for (const Word& word : words.all()) curves.push_back(curve_of(word, from, to, radius));
-  return curves;
-}
+DubinsWords dubins_words(const Pose& from, const Pose& to, double radius) { return Words(from, to, radius).sorted(); }
 
 Curve dubins_curve(const Pose& from, const Pose& to, double radius) {
   return curve_of(Words(from, to, radius).shortest(), from, to, radius);
 }
 
 double dubins_distance(const Pose& from, const Pose& to, double radius) {
-  return Words(from, to, radius).shortest().length();
+  return Words(from, to, radius).shortest().length;
 }
 
 }  // namespace oxturn

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 namespace oxturn {
@@ -17,21 +18,23 @@ Curve joined(Curve first, const Curve& second) {
   return first;
 }
 
+/// In which a pose is moved by so many metres.
+Gear gear_of(double shift) { return shift < 0 ? Gear::reverse : Gear::forward; }
+
 /// Straight ahead by `shift` metres; backwards if it is negative.
 Curve straight(const Pose& from, double shift, double radius) {
-  return {from,
-          ahead(from, shift),
-          radius,
-          {{Steering::straight, std::abs(shift), shift < 0 ? Gear::reverse : Gear::forward}}};
+  return {from, ahead(from, shift), radius, {{Steering::straight, std::abs(shift), gear_of(shift)}}};
 }
 
 /// Between poses moved by `out` and `in`.
 void add_curves(const Pose& from, double out, const Pose& to, double in, double radius, bool reverse,
                 std::vector<Curve>& all) {
   const Curve first = straight(from, out, radius), last = straight(ahead(to, -in), in, radius);
-  const auto add = [&](const Curve& middle) { all.push_back(joined(joined(first, middle), last)); };
-  if (reverse) add(reeds_shepp_curve(first.to, last.from, radius));
-  for (const Curve& word : dubins_words(first.to, last.from, radius)) add(word);
+  const auto add = [&](const Word& middle) {
+    all.push_back(joined(joined(first, curve_of(middle, first.to, last.from, radius)), last));
+  };
+  if (reverse) add(reeds_shepp_word(first.to, last.from, radius));
+  for (const Word& word : dubins_words(first.to, last.from, radius).all()) add(word);
 }
 
 /// Metres that a pose is moved, none first.
@@ -96,14 +99,14 @@ LinkSearch::LinkSearch(const CarSpace& space, const Pose& from, const Pose& to)
 }
 
 std::optional<Curve> LinkSearch::cheapest(double most) {
-  for (std::size_t out = 0; out < outs_.size(); ++out)
-    for (std::size_t in = 0; in < ins_.size(); ++in) add(out, in, most);
+  for (std::uint8_t out = 0; out < outs_.size(); ++out)
+    for (std::uint8_t in = 0; in < ins_.size(); ++in) add(out, in, most);
   while (!heap_.empty()) {
-    Item item = pop();
+    const Item item = pop();
     if (item.kind == Kind::near_pair) {
-      if (!moves_blocked(item.out, item.in)) bound(item, most);
+      if (!moves_blocked(item)) bound(item, most);
     } else if (item.kind == Kind::pair) {
-      work_out(item.out, item.in, most);
+      work_out(item, most);
     } else if (!ends_blocked(item)) {
       if (Curve curve = link(item); space_.free(curve)) return curve;
     }
@@ -111,44 +114,70 @@ std::optional<Curve> LinkSearch::cheapest(double most) {
   return std::nullopt;
 }
 
-double LinkSearch::moved(std::size_t out, std::size_t in) const {
-  return std::abs(outs_[out].shift) + std::abs(ins_[in].shift);
+double LinkSearch::moved(const Item& item) const {
+  return std::abs(outs_[item.out].shift) + std::abs(ins_[item.in].shift);
 }
 
-void LinkSearch::add(std::size_t out, std::size_t in, double most) {
-  const double least = moved(out, in) + distance(outs_[out].pieces.from().at, ins_[in].pieces.from().at);
-  if (least < most) push({Kind::near_pair, least, made_++, out, in, {}});
+void LinkSearch::add(std::uint8_t out, std::uint8_t in, double most) {
+  Item item{0, made_++, out, in, Kind::near_pair, 0, 0};
+  item.least = moved(item) + distance(outs_[out].pieces.from().at, ins_[in].pieces.from().at);
+  if (item.least < most) push(item);
 }
 
 /// By the length without obstacles.
-void LinkSearch::bound(Item& item, double most) {
+void LinkSearch::bound(Item item, double most) {
+  const Pose &a = outs_[item.out].pieces.from(), &b = ins_[item.in].pieces.from();
   item.kind = Kind::pair;
-  item.least =
-      moved(item.out, item.in) + space_.least_length(outs_[item.out].pieces.from(), ins_[item.in].pieces.from());
-  if (item.least < most) push(std::move(item));
+  item.word = words_.size();
+  if (space_.reverse())
+    words_.push_back(reeds_shepp_word(a, b, space_.radius()));
+  else
+    std::ranges::copy(dubins_words(a, b, space_.radius()).all(), std::back_inserter(words_));
+  item.known = static_cast<std::uint8_t>(words_.size() - item.word);
+  item.least = moved(item) + words_[item.word].length;
+  if (item.least < most) push(item);
 }
 
 /// The curves between two moved poses.
-void LinkSearch::work_out(std::size_t out, std::size_t in, double most) {
-  const auto add_curve = [&](Curve curve) {
-    Item item{Kind::curve, 0, made_++, out, in, std::move(curve)};
-    item.least = space_.cost(link(item));
-    if (item.least < most) push(std::move(item));
-  };
-  const Pose &a = outs_[out].pieces.from(), &b = ins_[in].pieces.from();
-  if (space_.reverse()) add_curve(reeds_shepp_curve(a, b, space_.radius()));
-  for (Curve& word : dubins_words(a, b, space_.radius())) add_curve(std::move(word));
+void LinkSearch::work_out(const Item& pair, double most) {
+  for (std::size_t k = 0; k < pair.known; ++k) add_curve(pair, pair.word + k, most);
+  if (!space_.reverse()) return;
+  const Pose &a = outs_[pair.out].pieces.from(), &b = ins_[pair.in].pieces.from();
+  const DubinsWords forwards = dubins_words(a, b, space_.radius());
+  for (const Word& word : forwards.all()) {
+    words_.push_back(word);
+    add_curve(pair, words_.size() - 1, most);
+  }
 }
 
-bool LinkSearch::moves_blocked(std::size_t out, std::size_t in) {
-  const auto move = [](double metres) {
-    return CurvePiece{Steering::straight, std::abs(metres), metres < 0 ? Gear::reverse : Gear::forward};
-  };
-  return before_.blocked(move(outs_[out].shift)) || behind_.blocked(driven_back(move(ins_[in].shift)));
+void LinkSearch::add_curve(const Item& pair, std::size_t word, double most) {
+  Item item{0, made_++, pair.out, pair.in, Kind::curve, 0, word};
+  item.least = cost(item);
+  if (item.least < most) push(item);
+}
+
+/// As of the curve with the straight lines at its ends.
+double LinkSearch::cost(const Item& item) const {
+  const double out = outs_[item.out].shift, in = ins_[item.in].shift;
+  double length = std::abs(out);
+  std::size_t cusps = 0;
+  Gear before = gear_of(out);
+  const auto change_to = [&](Gear gear) { cusps += std::exchange(before, gear) != gear; };
+  for (const CurvePiece& piece : words_[item.word].driven()) {
+    length += piece.length;
+    change_to(piece.gear);
+  }
+  change_to(gear_of(in));
+  return space_.cost(length + std::abs(in), cusps);
+}
+
+bool LinkSearch::moves_blocked(const Item& pair) {
+  const auto move = [](double metres) { return CurvePiece{Steering::straight, std::abs(metres), gear_of(metres)}; };
+  return before_.blocked(move(outs_[pair.out].shift)) || behind_.blocked(driven_back(move(ins_[pair.in].shift)));
 }
 
 bool LinkSearch::ends_blocked(const Item& item) {
-  const std::vector<CurvePiece>& pieces = item.curve.pieces;
+  const auto pieces = words_[item.word].driven();
   const auto driven = [](const CurvePiece& piece) { return piece.length > 0; };
   const auto first = std::find_if(pieces.begin(), pieces.end(), driven);
   if (first == pieces.end()) return false;
@@ -158,19 +187,20 @@ bool LinkSearch::ends_blocked(const Item& item) {
 
 /// The curve with the straight lines between its ends and the poses that it links.
 Curve LinkSearch::link(const Item& item) const {
+  const Pose &a = outs_[item.out].pieces.from(), &b = ins_[item.in].pieces.from();
   const Curve first = straight(from_, outs_[item.out].shift, space_.radius());
-  const Curve last = straight(ins_[item.in].pieces.from(), ins_[item.in].shift, space_.radius());
-  return joined(joined(first, item.curve), last);
+  const Curve last = straight(b, ins_[item.in].shift, space_.radius());
+  return joined(joined(first, curve_of(words_[item.word], a, b, space_.radius())), last);
 }
 
-void LinkSearch::push(Item item) {
-  heap_.push_back(std::move(item));
+void LinkSearch::push(const Item& item) {
+  heap_.push_back(item);
   std::ranges::push_heap(heap_, std::greater{});
 }
 
 LinkSearch::Item LinkSearch::pop() {
   std::ranges::pop_heap(heap_, std::greater{});
-  Item item = std::move(heap_.back());
+  const Item item = heap_.back();
   heap_.pop_back();
   return item;
 }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -52,24 +53,28 @@ class LinkSearch {
     FreePieces pieces;
   };
   /// Two moved poses, bounded by their distance, the same bounded by the shortest curve, or a curve between them.
-  enum class Kind { near_pair, pair, curve };
+  enum class Kind : std::uint8_t { near_pair, pair, curve };
   /// The least cost first, then in the order of their making.
   struct Item {
-    Kind kind;
     double least;  // of the cost
-    std::size_t made, out, in;
-    Curve curve;
+    std::size_t made;
+    std::uint8_t out, in;  // of outs_ and ins_
+    Kind kind;
+    std::uint8_t known;  // of a pair: curves in words_, from `word` on, the shortest first
+    std::size_t word;
     bool operator>(const Item& other) const { return least != other.least ? least > other.least : made > other.made; }
   };
 
-  double moved(std::size_t out, std::size_t in) const;
-  void add(std::size_t out, std::size_t in, double most);
-  void bound(Item& item, double most);
-  void work_out(std::size_t out, std::size_t in, double most);
-  bool moves_blocked(std::size_t out, std::size_t in);
+  double moved(const Item& item) const;
+  void add(std::uint8_t out, std::uint8_t in, double most);
+  void bound(Item item, double most);
+  void work_out(const Item& pair, double most);
+  void add_curve(const Item& pair, std::size_t word, double most);
+  double cost(const Item& item) const;
+  bool moves_blocked(const Item& pair);
   bool ends_blocked(const Item& item);
   Curve link(const Item& item) const;
-  void push(Item item);
+  void push(const Item& item);
   Item pop();
 
   const CarSpace& space_;
@@ -77,6 +82,7 @@ class LinkSearch {
   FreePieces before_, behind_;
   std::vector<Moved> outs_, ins_;  // the first is not moved
   std::vector<Item> heap_;
+  std::vector<Word> words_;
   std::size_t made_ = 0;
 };
 

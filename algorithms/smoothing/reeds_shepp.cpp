@@ -76,11 +76,12 @@ class ShortestWord {
   }
 
   double length() const { return length_; }
-  Curve curve(const Pose& from, const Pose& to, double radius) const {
-    Curve result{from, to, radius, {}};
+  Word word(double radius) const {
+    Word result;
+    result.length = radius * length_;
     for (const auto& [steering, part] : parts_)
       if (std::abs(part) > kRounding)
-        result.pieces.push_back({steering, std::abs(part) * radius, part > 0 ? Gear::forward : Gear::reverse});
+        result.pieces[result.count++] = {steering, std::abs(part) * radius, part > 0 ? Gear::forward : Gear::reverse};
     return result;
   }
 
@@ -224,8 +225,12 @@ class ShortestWord {
 
 }  // namespace
 
+Word reeds_shepp_word(const Pose& from, const Pose& to, double radius) {
+  return ShortestWord(from, to, radius).word(radius);
+}
+
 Curve reeds_shepp_curve(const Pose& from, const Pose& to, double radius) {
-  return ShortestWord(from, to, radius).curve(from, to, radius);
+  return curve_of(reeds_shepp_word(from, to, radius), from, to, radius);
 }
 
 double reeds_shepp_distance(const Pose& from, const Pose& to, double radius) {

@@ -71,10 +71,14 @@ TEST(Curve, EachWordEndsInItsPose) {
   for (int i = 0; i < 100000; ++i) {
     const RandomPoses p(rng);
     if (distance(p.from.at, p.to.at) < 1e-5 * p.radius) continue;
-    const std::vector<Curve> all = dubins_words(p.from, p.to, p.radius);
-    ASSERT_GE(all.size(), 2u);
-    for (const Curve& word : all) ASSERT_LT(end_error(word), 1e-6) << i;
-    words += all.size();
+    const DubinsWords all = dubins_words(p.from, p.to, p.radius);
+    ASSERT_GE(all.count, 2u);
+    for (const Word& word : all.all()) {
+      const Curve curve = curve_of(word, p.from, p.to, p.radius);
+      ASSERT_LT(end_error(curve), 1e-6) << i;
+      ASSERT_NEAR(word.length, curve.length(), 1e-9 * p.radius) << i;
+    }
+    words += all.count;
   }
   EXPECT_GT(words, 300000u);
 }
@@ -123,6 +127,7 @@ TEST(Curve, ReedsSheppCurvesAreAsLongAsOmpls) {
     const Pose a{{0, 0}, from->getYaw()}, b{{2 * to->getX(), 2 * to->getY()}, to->getYaw()};
     ASSERT_NEAR(reeds_shepp_distance(a, b, 2) / 2, space->distance(from.get(), to.get()), 1e-6) << i;
     ASSERT_NEAR(reeds_shepp_curve(a, b, 2).length(), reeds_shepp_distance(a, b, 2), 1e-6) << i;
+    ASSERT_EQ(reeds_shepp_word(a, b, 2).length, reeds_shepp_distance(a, b, 2)) << i;
   }
 }
 
