@@ -38,7 +38,8 @@ class Visits {
         least_worth_(limits.least_gain * problem.robot().tool_width),
         space_(space),
         context_(context),
-        effort_(strokes) {}
+        effort_(strokes),
+        links_(space, strokes) {}
 
   std::vector<LinkedStroke> run(std::vector<LinkedStroke> driven, const std::vector<Polyline>& left_out) {
     UncoveredPoints points = uncovered_by(driven);
@@ -123,7 +124,7 @@ class Visits {
     std::vector<Piece> pieces = pieces_of(points);
     double least = -1;
     while (points.area() > allowed_ && !context_.cancelled()) {
-      InsertedStrokes more(std::move(driven), space_, width_, effort_, context_);
+      InsertedStrokes more(std::move(driven), links_, width_, effort_, context_);
       for (Piece& piece : pieces) {
         if (std::exchange(piece.changed, false) && !piece.stroke.empty()) evaluate(piece, points, more);
         if (piece.stroke.empty() && !piece.left_alone) choose(piece, points, more);
@@ -251,6 +252,7 @@ class Visits {
   const CarSpace& space_;
   Context& context_;
   DetourEffort effort_;
+  KnownLinks links_;
   std::vector<Point> failed_;  // points that no stroke gets to
 };
 

@@ -33,9 +33,14 @@ Polyline points_of(const Curve& curve, double chord_error) {
   return all;
 }
 
-InsertedStrokes::InsertedStrokes(std::vector<LinkedStroke> strokes, const CarSpace& space, double width,
+InsertedStrokes::InsertedStrokes(std::vector<LinkedStroke> strokes, KnownLinks& links, double width,
                                  DetourEffort& effort, const Context& context)
-    : strokes_(std::move(strokes)), space_(space), width_(width), effort_(effort), context_(context) {
+    : strokes_(std::move(strokes)),
+      links_(links),
+      space_(links.space()),
+      width_(width),
+      effort_(effort),
+      context_(context) {
   for (std::size_t s = 0; s < strokes_.size(); ++s) add_cuts(s);
   for (const Cut& cut : cuts_) positions_.push_back(cut.out.at);
   grid_.emplace(positions_);
@@ -79,7 +84,7 @@ std::vector<InsertedStrokes::Candidate> InsertedStrokes::candidates(const Polyli
 }
 
 std::optional<Curve> InsertedStrokes::link(const Pose& from, const Pose& to, bool search, double most) const {
-  if (auto simple = space_.simple_link(from, to, most)) return simple;
+  if (auto simple = links_.find(from, to, most)) return simple;
   return search ? space_.detour({from}, to, effort_, context_) : std::nullopt;
 }
 

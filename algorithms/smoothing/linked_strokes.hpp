@@ -1,6 +1,7 @@
 /// Strokes in driving order, each with the link that leads to it, and more strokes inserted between and within them.
 ///
-///   InsertedStrokes more(driven, space, problem.robot().tool_width, effort, context);
+///   KnownLinks links(space, driven.size());
+///   InsertedStrokes more(driven, links, problem.robot().tool_width, effort, context);
 ///   if (const auto insertion = more.insertion_of(line)) more.insert(*insertion);
 ///   driven = more.take();
 ///
@@ -16,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "algorithms/smoothing/car_space.hpp"
+#include "algorithms/smoothing/known_links.hpp"
 #include "geometry/point_grid.hpp"
 
 namespace oxturn {
@@ -42,8 +43,8 @@ class InsertedStrokes {
     double cost = 0;            // metres that the path becomes longer, the stroke included
   };
 
-  /// `space` and `context` must outlive it. `effort`: what searches for links may still cost.
-  InsertedStrokes(std::vector<LinkedStroke> strokes, const CarSpace& space, double width, DetourEffort& effort,
+  /// `links` and `context` must outlive it. `effort`: what searches for links may still cost.
+  InsertedStrokes(std::vector<LinkedStroke> strokes, KnownLinks& links, double width, DetourEffort& effort,
                   const Context& context);
   InsertedStrokes(const InsertedStrokes&) = delete;
   InsertedStrokes& operator=(const InsertedStrokes&) = delete;
@@ -73,6 +74,7 @@ class InsertedStrokes {
   std::optional<Insertion> inserted_at(std::size_t cut, Polyline line, bool search, double most) const;
 
   std::vector<LinkedStroke> strokes_;
+  KnownLinks& links_;
   const CarSpace& space_;
   double width_;
   DetourEffort& effort_;

@@ -16,14 +16,18 @@ class Reinsertion {
  public:
   Reinsertion(const std::vector<Polyline>& left_out, const CarSpace& space, double width, DetourEffort& effort,
               const Context& context)
-      : space_(space), width_(width), size_(width + space.radius()), effort_(effort), context_(context) {
+      : links_(space, left_out.size()),
+        width_(width),
+        size_(width + space.radius()),
+        effort_(effort),
+        context_(context) {
     for (const Polyline& line : left_out) waiting_.push_back({line, bounding_box(line)});
   }
 
   std::vector<LinkedStroke> run(std::vector<LinkedStroke> driven) {
     bool any = true;
     while (any && !waiting_.empty() && !context_.cancelled()) {
-      InsertedStrokes inserted(std::move(driven), space_, width_, effort_, context_);
+      InsertedStrokes inserted(std::move(driven), links_, width_, effort_, context_);
       any = insert_cheapest(inserted) || insert_by_search(inserted);
       driven = inserted.take();
     }
@@ -90,7 +94,7 @@ class Reinsertion {
     return !near.empty();
   }
 
-  const CarSpace& space_;
+  KnownLinks links_;
   double width_, size_;
   DetourEffort& effort_;
   const Context& context_;

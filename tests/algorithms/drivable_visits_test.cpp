@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "algorithms/lanes/uncovered.hpp"
 #include "algorithms/smoothing/covering_strokes.hpp"
 #include "algorithms/smoothing/drivable.hpp"
+#include "algorithms/smoothing/known_links.hpp"
 #include "algorithms/smoothing/link_search.hpp"
 #include "algorithms/smoothing/reinserted_strokes.hpp"
 #include "algorithms/smoothing/strokes.hpp"
@@ -156,6 +158,35 @@ std::vector<LinkedStroke> lanes(const CarSpace& space, const Point& start) {
   return driven;
 }
 
+// Oracle: the search itself. Many more pairs than slots, asked for again with other limits.
+TEST(KnownLinks, AreThoseThatTheSearchFinds) {
+  for (const bool reverse : {false, true}) {
+    const Problem problem = yard(2, reverse);
+    const CarSpace space(problem);
+    KnownLinks links(space, 1);
+    Rng rng(reverse ? 11 : 12);
+    std::vector<Pose> poses;
+    for (int i = 0; i < 30; ++i)
+      poses.push_back({{rng.between(0.0, 40.0), rng.between(0.0, 30.0)}, rng.between(-kPi, kPi)});
+    std::size_t found = 0, limited = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const Pose &from = poses[rng.below(poses.size())], &to = poses[rng.below(poses.size())];
+      const double most = rng.chance(0.2) ? std::numeric_limits<double>::infinity() : rng.between(0.0, 80.0);
+      const auto expected = space.simple_link(from, to, most), link = links.find(from, to, most);
+      ASSERT_EQ(link.has_value(), expected.has_value()) << i;
+      if (!link) {
+        ++limited;
+        continue;
+      }
+      ++found;
+      ASSERT_EQ(points_of(*link, 0.01), points_of(*expected, 0.01)) << i;
+      ASSERT_EQ(space.cost(*link), space.cost(*expected)) << i;
+    }
+    EXPECT_GT(found, 500u);
+    EXPECT_GT(limited, 500u);
+  }
+}
+
 TEST(InsertedStrokes, LeaveTheOthersWholeAndJoinExactly) {
   for (const bool reverse : {false, true})
     for (const auto seed : seeds(20)) {
@@ -165,7 +196,8 @@ TEST(InsertedStrokes, LeaveTheOthersWholeAndJoinExactly) {
       Context context;
       DetourEffort effort;
       const std::vector<LinkedStroke> before = lanes(space, problem.start());
-      InsertedStrokes inserted(before, space, 2, effort, context);
+      KnownLinks links(space, before.size());
+      InsertedStrokes inserted(before, links, 2, effort, context);
       Rng rng(seed);
       double more = 0, cost = 0;
       std::size_t n = 0;
@@ -222,7 +254,8 @@ TEST(ReinsertedStrokes, LanesOfARoomFollowEachOther) {
     EXPECT_GE(after.size(), before.size() + room.size());
     const Path path = path_of(after, problem.start(), space.chord_error());
     EXPECT_EQ(score(problem, path).flaw, "");
-    InsertedStrokes one_by_one(before, space, 2, effort, context);
+    KnownLinks links(space, before.size());
+    InsertedStrokes one_by_one(before, links, 2, effort, context);
     for (const Polyline& lane : room)
       if (auto insertion = one_by_one.insertion_of(lane, true)) one_by_one.insert(std::move(*insertion));
     const double each_from_the_door = path_of(one_by_one.take(), problem.start(), space.chord_error()).length();
