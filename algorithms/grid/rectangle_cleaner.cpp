@@ -146,14 +146,17 @@ class RectangleCleaner {
   /// driven.
   bool begin(const std::vector<Job>& jobs) {
     if (jobs.empty() && !p_.revisit_skipped && p_.lanes != Lanes::diagonal) return false;
+    // A run of one node has no length to cover, so the tool is on already when the robot arrives.
+    const auto has_no_length = [&](std::size_t node) {
+      const Cell c = graph_.cell(node);
+      return !(graph_.passable(c, kNorth) || graph_.passable(c, kSouth)) ||
+             std::ranges::any_of(jobs, [&](const Job& job) {
+               return start_node(job) == node && job.lanes.front().low == job.lanes.front().high;
+             });
+    };
     if (const auto node = paths_.node_near(problem_.start())) {
       at_ = *node;
-      // A run of one node has no length to cover, so the tool is on already when the robot arrives.
-      const bool covers = std::any_of(jobs.begin(), jobs.end(), [&](const Job& job) {
-        return start_node(job) == at_ && job.lanes.front().low == job.lanes.front().high;
-      });
-      const Cell c = graph_.cell(at_);
-      path_.drive(graph_.centre(at_), covers || !(graph_.passable(c, kNorth) || graph_.passable(c, kSouth)));
+      path_.drive(graph_.centre(at_), has_no_length(at_));
       return true;
     }
     if (!jobs.empty())
@@ -161,7 +164,7 @@ class RectangleCleaner {
     else
       while (at_ < graph_.size() && paths_.component(at_) < 0) ++at_;
     if (at_ == graph_.size()) return false;
-    go_among_walls(0);
+    go_among_walls(has_no_length(at_) ? side_ : 0);
     return true;
   }
 

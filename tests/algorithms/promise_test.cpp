@@ -106,6 +106,25 @@ TEST(Promise, OfVariantsIsKept) {
   EXPECT_GT(judged, 35);
 }
 
+// Cells so large that each lane has one node, and starts that see none: the tool was off until the second lane.
+TEST(Promise, OfTheFirstCellIsKeptWhereItsLaneHasNoLength) {
+  int judged = 0;
+  for (const auto seed : seeds(60)) {
+    Rng rng(300 + seed);
+    const Problem drawn = random_problem(rng);
+    Robot robot = drawn.robot();
+    robot.tool_width = rng.between(0.5, 3.0);
+    const Problem problem(drawn.map(), robot, drawn.start());
+    const Settings settings{{"cell_size", rng.between(1.0, 4.0)}, {"revisit_skipped", rng.chance(0.3)}};
+    SCOPED_TRACE(to_text(settings) + " with seed " + std::to_string(seed));
+    const auto plan = plan_promised("rectangles", settings, problem, seed);
+    if (!plan) continue;
+    EXPECT_GE(kept(problem, *plan).value(), 0.998);
+    ++judged;
+  }
+  EXPECT_GT(judged, 20);
+}
+
 // What can be counted by hand: a room of 6 x 4 cells of 1 m, a little wider than that.
 TEST(Promise, IsTheCellsOfTheDescription) {
   Robot robot;
