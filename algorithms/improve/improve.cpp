@@ -164,14 +164,8 @@ class Improver {
     const double used = lines.size() > 1 ? shares().brief * static_cast<double>(lines.size()) : 0;
     const double hot = 1 - used - shares().warming - (without_ == AnnealingPart::closing ? 0 : shares().closing);
     Rng& rng = context_.rng();
-    Annealing::Options options = coarse();
-    if (nearly_all()) {
-      const double left = std::max(kLeastHot, share_);
-      options.uncovered = left * area(completion_.target());
-      options.price = kHotPrice * price(left);
-    }
-    const Annealed now = annealed(best, options, {moves(hot), heat(), warm()}, rng);
-    options = middle();
+    const Annealed now = annealed(best, coarse(), {moves(hot), heat(), warm()}, rng);
+    Annealing::Options options = middle();
     options.price = now.price;
     close_in_rounds(annealed(now.points, options, {moves(shares().warming), warm(), kCool * width_}, rng));
   }
@@ -256,7 +250,12 @@ class Improver {
   double warm() const { return std::clamp(heat(), kCool * width_, kWarm * width_); }
   long moves(double share) const { return static_cast<long>(share * moves_); }
   Annealing::Options coarse() const {
-    return nearly_all() ? raster(kLessCoarseCell, kMargin) : raster(kCoarseCell, 0);
+    if (!nearly_all()) return raster(kCoarseCell, 0);
+    Annealing::Options options = raster(kLessCoarseCell, kMargin);
+    const double left = std::max(kLeastHot, share_);
+    options.uncovered = left * area(completion_.target());
+    options.price = kHotPrice * price(left);
+    return options;
   }
   Annealing::Options middle() const { return raster(kMiddleCell, nearly_all() ? kMargin : 0); }
   Annealing::Options raster(double cell, double margin) const {
