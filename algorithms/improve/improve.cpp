@@ -233,7 +233,8 @@ class Improver {
   /// The cost, and what it takes to cover what is uncovered beyond what may be: its price grows as less is left.
   double energy(const Annealed& path) const {
     const double whole = area(completion_.target());
-    return cost(path.points) + whole * (price_down_to(share_) - price_down_to(std::max(share_, path.uncovered / whole)));
+    return cost(path.points) +
+           whole * (price_down_to(share_) - price_down_to(std::max(share_, path.uncovered / whole)));
   }
   const Shares& shares() const { return completion_.whole() ? kOfWhole : nearly_all() ? kOfNearlyAll : kOfMost; }
   /// Where everything is asked for, what is too small for the raster needs many detours.
