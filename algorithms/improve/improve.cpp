@@ -23,7 +23,10 @@ namespace {
 // more than they mend.
 constexpr double kLeastHeat = 0.006, kHeat = 0.01, kMostHeat = 0.05, kMovesOfHeat = 600, kMovesOfMoreHeat = 2000;
 constexpr double kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one, at most
-constexpr double kCoarseCell = 1.0 / 10, kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80, kFinestCell = 1.0 / 120;
+// The second one where coverage is nearly full: what three swaths leave between them has about a hundredth of the square
+// of the tool's width, which the first one does not see.
+constexpr double kCoarseCell = 1.0 / 10, kLessCoarseCell = 1.0 / 20;
+constexpr double kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80, kFinestCell = 1.0 / 120;
 constexpr double kNarrowChord = 1e-3;   // error of arcs where witnesses are no finer than kMiddleCell
 constexpr double kMargin = 0.003;       // by which the tool is narrower at first, so that lanes can be moved afterwards
 constexpr double kFineMargin = 0.0015;  // in closing: what is thinner than the raster's cells
@@ -39,13 +42,13 @@ constexpr double kNearlyAll = 1e-3;  // uncovered share below which coverage is 
 // Share of the target that annealing leaves uncovered at least; of the whole target that is asked for.
 constexpr double kLeastUncovered = 4e-5, kLeastOfWhole = 3e-6;
 // The same of the first run at length: lanes move little where nothing may be left.
-constexpr double kLeastHot = 6.4e-4;
+constexpr double kLeastHot = 5e-3;
 // Shares of the moves: of each short run of several, of the second run at length, and of closing, in rounds. The first
 // run at length has the others.
 struct Shares {
   double brief, warming, closing;
 };
-constexpr Shares kOfMost{0.06, 0.184, 0.3}, kOfNearlyAll{0.04, 0.17, 0.25}, kOfWhole{0.04, 0.17, 0.4};
+constexpr Shares kOfMost{0.06, 0.184, 0.3}, kOfNearlyAll{0.02, 0.1, 0.4}, kOfWhole{0.04, 0.17, 0.4};
 // Uncovered pieces that are smaller, of what is allowed in all, get no extra moves.
 constexpr double kNoticed = 1e-3;
 // What closing may leave uncovered on the raster, of what is allowed: it misses what is thinner than its cells.
@@ -161,14 +164,8 @@ class Improver {
     const double used = lines.size() > 1 ? shares().brief * static_cast<double>(lines.size()) : 0;
     const double hot = 1 - used - shares().warming - (without_ == AnnealingPart::closing ? 0 : shares().closing);
     Rng& rng = context_.rng();
-    Annealing::Options options = coarse();
-    if (nearly_all()) {
-      const double left = std::max(kLeastHot, share_);
-      options.uncovered = left * area(completion_.target());
-      options.price = kHotPrice * price(left);
-    }
-    const Annealed now = annealed(best, options, {moves(hot), heat(), warm()}, rng);
-    options = middle();
+    const Annealed now = annealed(best, coarse(), {moves(hot), heat(), warm()}, rng);
+    Annealing::Options options = middle();
     options.price = now.price;
     close_in_rounds(annealed(now.points, options, {moves(shares().warming), warm(), kCool * width_}, rng));
   }
@@ -233,9 +230,11 @@ class Improver {
     if (turn_ <= 0) return length(points);
     return length(points) + turn_ * turning(straightened(points, kNoTurn * width_, problem_.walls()));
   }
-  /// The cost, and the price of what is uncovered beyond what may be.
+  /// The cost, and what it takes to cover what is uncovered beyond what may be: its price grows as less is left.
   double energy(const Annealed& path) const {
-    return cost(path.points) + price(share_) * std::max(0.0, path.uncovered - share_ * area(completion_.target()));
+    const double whole = area(completion_.target());
+    return cost(path.points) +
+           whole * (price_down_to(share_) - price_down_to(std::max(share_, path.uncovered / whole)));
   }
   const Shares& shares() const { return completion_.whole() ? kOfWhole : nearly_all() ? kOfNearlyAll : kOfMost; }
   /// Where everything is asked for, what is too small for the raster needs many detours.
@@ -251,7 +250,14 @@ class Improver {
   double moves_each() const { return moves_ * width_ * width_ / area(completion_.target()); }
   double warm() const { return std::clamp(heat(), kCool * width_, kWarm * width_); }
   long moves(double share) const { return static_cast<long>(share * moves_); }
-  Annealing::Options coarse() const { return raster(kCoarseCell, nearly_all() ? kMargin : 0); }
+  Annealing::Options coarse() const {
+    if (!nearly_all()) return raster(kCoarseCell, 0);
+    Annealing::Options options = raster(kLessCoarseCell, kMargin);
+    const double left = std::max(kLeastHot, share_);
+    options.uncovered = left * area(completion_.target());
+    options.price = kHotPrice * price(left);
+    return options;
+  }
   Annealing::Options middle() const { return raster(kMiddleCell, nearly_all() ? kMargin : 0); }
   Annealing::Options raster(double cell, double margin) const {
     return {.cell = cell * width_,
@@ -265,6 +271,9 @@ class Improver {
   }
   /// Of uncovered area, where that share of the target stays uncovered.
   double price(double share) const { return kPrice / width_ * math::pow(share / kPriceAt, kPricePower); }
+  /// Of all area beyond that share of the target, for each square metre of the target: the integral of price(), less a
+  /// constant.
+  double price_down_to(double share) const { return -share * price(share) / (1 + kPricePower); }
   Region with_margin(double margin, double chord) const {
     return nearly_all() ? reachable_target(problem_, margin * width_, chord) : Region{};
   }

@@ -23,6 +23,7 @@ constexpr double kLeastSplit = 0.02;                 // shorter edges get no ver
 constexpr double kPartner = 2.2;                     // distance of vertices for 2-opt and Or-opt
 constexpr double kSnapFrom = 0.1, kTouch = 1e-6;     // from a wall
 constexpr std::uint64_t kMostMoved = 8;              // vertices that Or-opt moves
+constexpr int kDraws = 4;                            // until a move exists; in windows, much of the path is fixed
 constexpr double kLoops = 0.5;                       // share of Or-opt: moves all between two vertices near each other
 
 /// Up to three pairs of neighbours.
@@ -219,24 +220,30 @@ std::optional<Change> Moves::spike(const VertexPath& path, const Point& at, Rng&
 }
 
 std::optional<Change> Moves::propose(const VertexPath& path, Rng& rng) const {
+  std::optional<Change> change;
+  for (int k = 0; k < kDraws && !change; ++k) change = drawn(path, rng);
+  return change;
+}
+
+std::optional<Change> Moves::drawn(const VertexPath& path, Rng& rng) const {
   const bool covering = sizes_.without != AnnealingPart::covering,
              reordering = sizes_.without != AnnealingPart::reordering;
   if (covering && !uncovered_.empty() && rng.chance(kCovering)) return cover(path, rng);
   const std::size_t i = vertex(path, rng);
   std::uint64_t kind = rng.below(100);
-  const auto drawn = [&kind](std::uint64_t share) {
+  const auto is = [&kind](std::uint64_t share) {
     if (kind < share) return true;
     kind -= share;
     return false;
   };
-  if (drawn(kShiftVertex)) return shift_vertex(path, i, rng);
-  if (drawn(kShiftEdge)) return shift_edge(path, i, rng);
-  if (drawn(kSnap)) return sizes_.without == AnnealingPart::walls ? shift_vertex(path, i, rng) : snap(path, i, rng);
-  if (drawn(kRemove)) return remove(path, i);
-  if (drawn(kSplit)) return split(path, i, rng);
-  if (drawn(kMerge)) return merge(path, i, rng);
+  if (is(kShiftVertex)) return shift_vertex(path, i, rng);
+  if (is(kShiftEdge)) return shift_edge(path, i, rng);
+  if (is(kSnap)) return sizes_.without == AnnealingPart::walls ? shift_vertex(path, i, rng) : snap(path, i, rng);
+  if (is(kRemove)) return remove(path, i);
+  if (is(kSplit)) return split(path, i, rng);
+  if (is(kMerge)) return merge(path, i, rng);
   if (!reordering) return shift_vertex(path, i, rng);
-  if (drawn(kTwoOpt)) return two_opt(path, i, rng);
+  if (is(kTwoOpt)) return two_opt(path, i, rng);
   return or_opt(path, i, rng);
 }
 

@@ -80,10 +80,11 @@ class Moves {
   void focus(std::vector<Point> points) { focus_ = std::move(points); }
   /// One move of ten covers one of these points.
   void uncovered(std::vector<Point> points) { uncovered_ = std::move(points); }
-  /// nullopt: the move drawn does not exist here.
+  /// nullopt: none of the few moves drawn exists where it was drawn.
   std::optional<Change> propose(const VertexPath& path, Rng& rng) const;
 
  private:
+  std::optional<Change> drawn(const VertexPath& path, Rng& rng) const;
   static bool movable(const VertexPath& path, std::size_t i) { return i < path.size() && !path.fixed(i); }
   double spread(Rng& rng) const;
   Point cloud(Rng& rng) const;

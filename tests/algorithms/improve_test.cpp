@@ -371,6 +371,23 @@ TEST(Moves, ShortEdgesGetNoMoreVertices) {
   }
 }
 
+// In windows, most vertices beside their sides are fixed: of single draws, two of three would find no move.
+TEST(Moves, AreDrawnAgainWhereThereAreNone) {
+  const EdgeIndex walls(box_region({0, 0}, {3, 3}));
+  const Moves moves({.width = 0.4}, walls);
+  Polyline line;
+  std::vector<std::size_t> fixed;
+  for (std::size_t k = 0; k < 100; ++k) {
+    line.emplace_back(1 + 0.01 * static_cast<double>(k), 1.5 + 0.02 * static_cast<double>(k % 2));
+    if (k < 60) fixed.push_back(k);
+  }
+  const VertexPath path(line, fixed, 0.4);
+  Rng rng(1);
+  int none = 0;
+  for (int k = 0; k < 2000; ++k) none += moves.propose(path, rng) ? 0 : 1;
+  EXPECT_LT(none, 700);
+}
+
 struct Sample {
   Problem problem;
   std::string name;
@@ -523,6 +540,23 @@ TEST(Polished, ShortensLanesThatFitTheirField) {
     lanes += before;
   }
   EXPECT_LT(polished, 0.998 * lanes);
+}
+
+// Where lanes can move as long as some area is uncovered, and small pieces are seen from the beginning: with the price
+// of full coverage all along, or a raster that misses these pieces, the ratio is 1.13.
+TEST(Shortest, NearlyFullCoverageOfFieldsTakesLittleMore) {
+  double sum = 0;
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    SCOPED_TRACE(seed);
+    const Problem field(generate("field", {{"width", 60.0}, {"height", 42.0}, {"ponds", std::int64_t{4}}}, seed),
+                        disc(1, 3));
+    const Path path = plan("shortest", field, {{"coverage", 0.9999}, {"moves", 100000}});
+    expect_valid(field, path);
+    const Score s = score(field, path);
+    EXPECT_GE(*s.value("coverage"), 0.9999 - 2e-5);
+    sum += *s.value("length_ratio");
+  }
+  EXPECT_LT(sum / 4, 1.122);
 }
 
 TEST(Shortest, IsTheSameForAnyNumberOfThreads) {
