@@ -23,8 +23,8 @@ namespace {
 // more than they mend.
 constexpr double kLeastHeat = 0.006, kHeat = 0.01, kMostHeat = 0.05, kMovesOfHeat = 600, kMovesOfMoreHeat = 2000;
 constexpr double kWarm = 0.01, kCool = 0.005, kCold = 1e-4;  // temperatures after the first one, at most
-// The second one where coverage is nearly full: what three swaths leave between them has about a hundredth of the square
-// of the tool's width, which the first one does not see.
+// The second one where coverage is nearly full: what three swaths leave between them has about a hundredth of the
+// square of the tool's width, which the first one does not see.
 constexpr double kCoarseCell = 1.0 / 10, kLessCoarseCell = 1.0 / 20;
 constexpr double kMiddleCell = 1.0 / 40, kFineCell = 1.0 / 80, kFinestCell = 1.0 / 120;
 constexpr double kNarrowChord = 1e-3;   // error of arcs where witnesses are no finer than kMiddleCell
