@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <set>
+#include <map>
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
@@ -16,11 +16,11 @@
 namespace oxturn {
 namespace {
 
-constexpr std::size_t kMostVertices = 400'000;            // of configuration space
-constexpr std::size_t kMostRounds = 24;                   // in each, what the tether does not reach is found
-constexpr std::size_t kMostMeasured = 8 * kMostVertices;  // vertices in all rounds together
-constexpr double kBeyond = 2;                             // widths by which lines reach into walls
-constexpr double kAway = 2;                               // widths between a line and the start or the anchor, at least
+constexpr std::size_t kMostVertices = 200'000;    // of configuration space
+constexpr std::size_t kMostRounds = 24;           // in each, what the tether does not reach is found
+constexpr std::size_t kMostMeasured = 1'200'000;  // vertices in all rounds together
+constexpr double kBeyond = 2;                     // widths by which lines reach into walls
+constexpr double kAway = 2;                       // widths between a line and the start or the anchor, at least
 constexpr double kWallWithin = 1.1;     // radii: distance of configuration space from walls; its arcs are polygons
 constexpr double kSpecksPerTool = 100;  // parts with less area than the tool's width squared over this do not count
 
@@ -32,6 +32,7 @@ struct Bridge {
 
 struct Stretch {
   Point a, b;
+  std::size_t asked = 1;  // how often a path over it was
 };
 
 /// Shortest paths of the robot from its start, which are a tree: the straight parts, each once.
@@ -39,15 +40,16 @@ class DrivenTree {
  public:
   explicit DrivenTree(const Problem& problem) : problem_(problem) {}
 
-  /// The path to p. False if nothing of it is new.
-  bool add(const Point& p) {
-    const std::size_t before = stretches_.size();
+  /// Asks for the path to p.
+  void add(const Point& p) {
     const Polyline path = problem_.transit().path(problem_.start(), p).value_or(Polyline{});
-    for (std::size_t k = path.size(); k-- > 1;) {
-      if (!known_.insert({path[k].x(), path[k].y()}).second) break;  // and so is the path to it
-      stretches_.push_back({path[k - 1], path[k]});
+    for (std::size_t k = 1; k < path.size(); ++k) {
+      const auto [known, fresh] = by_end_.try_emplace({path[k].x(), path[k].y()}, stretches_.size());
+      if (fresh)
+        stretches_.push_back({path[k - 1], path[k]});
+      else
+        ++stretches_[known->second].asked;
     }
-    return stretches_.size() > before;
   }
 
   const std::vector<Stretch>& stretches() const { return stretches_; }
@@ -60,7 +62,7 @@ class DrivenTree {
 
  private:
   const Problem& problem_;
-  std::set<std::pair<double, double>> known_;  // ends of stretches
+  std::map<std::pair<double, double>, std::size_t> by_end_;  // the stretch
   std::vector<Stretch> stretches_;
 };
 
@@ -81,9 +83,7 @@ class BridgeCut {
       const auto far = too_far(*lines);
       if (!far) return std::nullopt;
       if (far->empty()) return lines;
-      bool any = false;
-      for (const Point& p : *far) any = driven_.add(p) || any;
-      if (!any) return std::nullopt;
+      for (const Point& p : *far) driven_.add(p);
     }
     return std::nullopt;
   }
@@ -161,23 +161,27 @@ class BridgeCut {
     if (!tree.whole()) return std::nullopt;
     return std::move(tree.lines);
   }
-  /// By bridges that driven lines cross, or by those that none crosses; the shortest first.
+  /// By bridges that driven lines cross, or by those that none crosses. First those that cross only lines seldom asked
+  /// for, so that a path that is asked for in each round is crossed no more in the end; of these the shortest.
   void grow(Tree& tree, const std::vector<Bridge>& bridges, bool crossed) const {
     std::vector<Box> boxes;
     for (const Stretch& s : driven_.stretches()) boxes.push_back(bounding_box({s.a, s.b}));
     const BoxIndex index(std::move(boxes));
-    const auto is_crossed = [&](const Bridge& bridge) {
-      const auto near = index.overlapping(bounding_box({bridge.from, bridge.to}));
-      return std::ranges::any_of(near, [&](std::uint32_t k) {
-        const auto& [a, b] = driven_.stretches()[k];
-        return crossing(bridge.from, bridge.to, a, b) != Crossing::none;
-      });
+    const auto most_asked = [&](const Bridge& bridge) {
+      std::size_t most = 0;
+      for (const std::uint32_t k : index.overlapping(bounding_box({bridge.from, bridge.to}))) {
+        const Stretch& s = driven_.stretches()[k];
+        if (s.asked > most && crossing(bridge.from, bridge.to, s.a, s.b) != Crossing::none) most = s.asked;
+      }
+      return most;
     };
-    std::vector<const Bridge*> found;
+    std::vector<std::pair<std::size_t, const Bridge*>> found;  // with how often what it crosses was asked for
     for (const Bridge& bridge : bridges)
-      if (is_crossed(bridge) == crossed) found.push_back(&bridge);
-    std::ranges::stable_sort(found, {}, &Bridge::length);
-    for (const Bridge* bridge : found)
+      if (const std::size_t asked = most_asked(bridge); (asked > 0) == crossed) found.emplace_back(asked, &bridge);
+    std::ranges::stable_sort(found, [](const auto& a, const auto& b) {
+      return a.first != b.first ? a.first < b.first : a.second->length < b.second->length;
+    });
+    for (const auto& [asked, bridge] : found)
       if (tree.connected.unite(bridge->a, bridge->b)) tree.lines.push_back({bridge->from, bridge->to});
   }
 

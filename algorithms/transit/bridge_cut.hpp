@@ -20,7 +20,8 @@
 ///             cut. In free space cut open like this, the geodesic distance from the anchor is measured at all vertices
 ///             of configuration space; along segments it is convex, so it is nowhere more. Of each run of vertices for
 ///             which the tether is too short, the robot's shortest paths to its ends and to the farthest are drawn, and
-///             a tree of bridges that no such path crosses is sought; only where there is none, bridges are crossed.
+///             a tree of bridges that no such path crosses is sought. Only where there is none, paths are crossed,
+///             those first that were asked for least often: else the same points are too far in each round.
 /// Complexity  O(n log n) for n vertices of configuration space in each round, of which there are kMostRounds at most
 #pragma once
 

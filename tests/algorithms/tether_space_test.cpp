@@ -274,6 +274,14 @@ TEST(BridgeCut, IsFoundThoughTheTetherIsHardlyLongerThanTheFarthestPointNeeds) {
   EXPECT_GE(found, 7);
 }
 
+// Regression: among many obstacles some bridges have to cross paths that were asked for, and in each round these were
+// the paths to the same few points.
+TEST(BridgeCut, IsFoundAmongManyObstacles) {
+  const Problem problem(generate("clutter", {{"width", 89.4}, {"height", 89.4}}, 1), tethered_robot(1.2));
+  EXPECT_LT(metres(TetherSpace(problem, "test", TetherCut::least).cut()),
+            0.7 * metres(TetherSpace(problem, "test").cut()));
+}
+
 // Whatever the map, the anchor, the tool and the length of the tether.
 TEST(BridgeCut, TheTetherSufficesAndIsNeverDrivenOver) {
   int shorter = 0;
