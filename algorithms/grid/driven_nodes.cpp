@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/grid/lane.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -29,7 +31,7 @@ void DrivenNodes::mark(const Lines& lines, double at, double from, double to) {
   const int low = std::max(0, static_cast<int>(std::ceil(std::min(from, to) - kOff)));
   const int high = std::min(lines.length - 1, static_cast<int>(std::floor(std::max(from, to) + kOff)));
   std::vector<bool>& driven = lines.upright ? along_column_ : along_row_;
-  for (int k = low; k <= high; ++k) driven[node(lines.upright, line, k)] = true;
+  for (int k = low; k <= high; ++k) driven[node_of(graph_, lines.upright, line, k)] = true;
 }
 
 void DrivenNodes::fill_between(const Lines& lines, int cells, std::vector<bool>& done) const {
@@ -37,9 +39,9 @@ void DrivenNodes::fill_between(const Lines& lines, int cells, std::vector<bool>&
   for (int k = 0; k < lines.length; ++k) {
     int last = -cells - 1;  // driven line
     for (int line = 0; line < lines.count; ++line) {
-      if (!driven[node(lines.upright, line, k)]) continue;
+      if (!driven[node_of(graph_, lines.upright, line, k)]) continue;
       for (int between = line - last <= cells ? last : line; between <= line; ++between)
-        done[node(lines.upright, between, k)] = true;
+        done[node_of(graph_, lines.upright, between, k)] = true;
       last = line;
     }
   }

@@ -29,9 +29,6 @@ class DrivenNodes {
     bool upright;
     int count, length;
   };
-  std::size_t node(bool upright, int line, int along) const {
-    return upright ? graph_.at(line, along) : graph_.at(along, line);
-  }
   void mark(const Lines& lines, double line, double from, double to);
   void fill_between(const Lines& lines, int cells, std::vector<bool>& done) const;
 

@@ -68,7 +68,7 @@ class RectangleCleaner {
     return free;
   }
 
-  std::size_t node(const Lane& lane, int along) const { return lanes_.node(lane, along); }
+  std::size_t node(const Lane& lane, int along) const { return node_of(graph_, lane, along); }
   std::size_t low_end(const Lane& lane) const { return node(lane, lane.low); }
   std::size_t high_end(const Lane& lane) const { return node(lane, lane.high); }
 

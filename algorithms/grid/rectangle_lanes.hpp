@@ -10,25 +10,16 @@
 #include <optional>
 #include <vector>
 
+#include "algorithms/grid/lane.hpp"
 #include "algorithms/grid/rectangle_options.hpp"
-#include "algorithms/lattice/grid_graph.hpp"
 
 namespace oxturn {
-
-/// Nodes in one column, or one row.
-struct Lane {
-  bool upright;         // in a column
-  int line, low, high;  // a column and rows, or a row and columns
-};
 
 class RectangleLanes {
  public:
   /// `graph` and `options` must outlive it.
   RectangleLanes(const GridGraph& graph, const RectangleOptions& options, const Robot& robot);
 
-  std::size_t node(const Lane& lane, int along) const {
-    return lane.upright ? graph_.at(lane.line, along) : graph_.at(along, lane.line);
-  }
   /// The parts of the lane that can be driven without leaving it.
   std::vector<Lane> runs(const Lane& whole) const;
 

@@ -44,7 +44,7 @@ class Visits {
   std::vector<LinkedStroke> run(std::vector<LinkedStroke> driven, const std::vector<Polyline>& left_out) {
     UncoveredPoints points = uncovered_by(driven);
     cover_by_links(driven, points);
-    if (!left_out.empty()) driven = with_strokes(std::move(driven), left_out, space_, width_, effort_, context_);
+    if (!left_out.empty()) driven = with_strokes(std::move(driven), left_out, links_, width_, effort_, context_);
     for (int round = 0; round < kRounds && !context_.cancelled(); ++round) {
       points = uncovered_by(driven);
       if (points.area() <= allowed_) break;

@@ -5,11 +5,12 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/multiplicative_hash.hpp"
+
 namespace oxturn {
 namespace {
 
 constexpr std::size_t kSlotsOfAStroke = 16, kLeastSlots = 256, kMostSlots = 1u << 17;  // of some 200 bytes
-constexpr std::uint64_t kMix = 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio (Knuth, multiplicative hashing)
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 bool same(const Pose& a, const Pose& b) { return a.at == b.at && a.heading == b.heading; }
@@ -24,7 +25,7 @@ KnownLinks::KnownLinks(const CarSpace& space, std::size_t strokes)
 KnownLinks::Slot& KnownLinks::slot(const Pose& from, const Pose& to) {
   std::uint64_t key = 0;
   for (const double x : {from.at.x(), from.at.y(), from.heading, to.at.x(), to.at.y(), to.heading})
-    key = (std::rotl(key, 23) ^ std::bit_cast<std::uint64_t>(x)) * kMix;
+    key = (std::rotl(key, 23) ^ std::bit_cast<std::uint64_t>(x)) * kHashFactor;
   return slots_[(key >> 32) & (slots_.size() - 1)];
 }
 

@@ -4,7 +4,7 @@
 ///   links.find(from, to, 12.5);                  // the same as space.simple_link(from, to, 12.5)
 ///
 /// A fixed number of slots, so memory is O(strokes), and what is forgotten is searched again: the results are the same.
-/// Where strokes are inserted one after the other, some hundred bytes a slot save half of all searches.
+/// Where strokes are inserted one after the other, it saves up to a fifth of all planning time.
 #pragma once
 
 #include <cstddef>

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/multiplicative_hash.hpp"
+
 namespace oxturn {
 namespace {
 
-constexpr std::size_t kSlots = 64;                  // for each pattern
-constexpr std::size_t kMostSlots = 1u << 24;        // 256 MB
-constexpr std::uint64_t kMix = 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio (Knuth, multiplicative hashing)
+constexpr std::size_t kSlots = 64;            // for each pattern
+constexpr std::size_t kMostSlots = 1u << 24;  // 256 MB
 
 }  // namespace
 
@@ -28,7 +29,7 @@ double LinkCosts::computed(PatternId from, PatternId to) const {
 }
 
 LinkCosts::Slot& LinkCosts::slot(PatternId from, PatternId to) const {
-  const std::uint64_t key = ((std::uint64_t{from} << 32) | to) * kMix;
+  const std::uint64_t key = ((std::uint64_t{from} << 32) | to) * kHashFactor;
   return recent_[(key >> 32) & (recent_.size() - 1)];
 }
 

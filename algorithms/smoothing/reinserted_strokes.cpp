@@ -14,13 +14,9 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 
 class Reinsertion {
  public:
-  Reinsertion(const std::vector<Polyline>& left_out, const CarSpace& space, double width, DetourEffort& effort,
+  Reinsertion(const std::vector<Polyline>& left_out, KnownLinks& links, double width, DetourEffort& effort,
               const Context& context)
-      : links_(space, left_out.size()),
-        width_(width),
-        size_(width + space.radius()),
-        effort_(effort),
-        context_(context) {
+      : links_(links), width_(width), size_(width + links.space().radius()), effort_(effort), context_(context) {
     for (const Polyline& line : left_out) waiting_.push_back({line, bounding_box(line)});
   }
 
@@ -94,7 +90,7 @@ class Reinsertion {
     return !near.empty();
   }
 
-  KnownLinks links_;
+  KnownLinks& links_;
   double width_, size_;
   DetourEffort& effort_;
   const Context& context_;
@@ -104,9 +100,8 @@ class Reinsertion {
 }  // namespace
 
 std::vector<LinkedStroke> with_strokes(std::vector<LinkedStroke> driven, const std::vector<Polyline>& left_out,
-                                       const CarSpace& space, double width, DetourEffort& effort,
-                                       const Context& context) {
-  return Reinsertion(left_out, space, width, effort, context).run(std::move(driven));
+                                       KnownLinks& links, double width, DetourEffort& effort, const Context& context) {
+  return Reinsertion(left_out, links, width, effort, context).run(std::move(driven));
 }
 
 }  // namespace oxturn

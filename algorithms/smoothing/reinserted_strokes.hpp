@@ -1,6 +1,6 @@
 /// Strokes that were left out of a path, inserted one after the other where each costs least.
 ///
-///   driven = with_strokes(std::move(driven), left_out, space, problem.robot().tool_width, effort, context);
+///   driven = with_strokes(std::move(driven), left_out, links, problem.robot().tool_width, effort, context);
 ///
 /// As Prim's algorithm grows a tree: always the stroke next whose insertion (linked_strokes.hpp) adds least besides its
 /// own length. So the lanes of a room follow each other, and the robot does not drive to each of them from the door.
@@ -18,7 +18,6 @@ namespace oxturn {
 
 /// Those that can be inserted are. Ends early if cancelled.
 std::vector<LinkedStroke> with_strokes(std::vector<LinkedStroke> driven, const std::vector<Polyline>& left_out,
-                                       const CarSpace& space, double width, DetourEffort& effort,
-                                       const Context& context);
+                                       KnownLinks& links, double width, DetourEffort& effort, const Context& context);
 
 }  // namespace oxturn

@@ -78,12 +78,15 @@ class BridgeCut {
   std::optional<std::vector<Polyline>> find() {
     driven_.add(problem_.walls().nearest(anchor())->point);
     for (std::size_t left = std::min(kMostRounds, kMostMeasured / ring_.size()); left > 0; --left) {
-      auto lines = tree();
-      if (!lines) return std::nullopt;
-      const auto far = too_far(*lines);
+      auto tree = this->tree();
+      if (!tree) return std::nullopt;
+      const auto far = too_far(tree->lines);
       if (!far) return std::nullopt;
-      if (far->empty()) return lines;
+      if (far->empty()) return std::move(tree->lines);
+      const std::size_t known = driven_.stretches().size();
       for (const Point& p : *far) driven_.add(p);
+      // Otherwise the next round would be the same.
+      if (!tree->crosses && driven_.stretches().size() == known) return std::nullopt;
     }
     return std::nullopt;
   }
@@ -94,6 +97,7 @@ class BridgeCut {
     bool whole() const { return lines.size() + 1 == connected.size(); }
     DisjointSets connected;  // rings
     std::vector<Polyline> lines;
+    bool crosses = false;  // driven lines
   };
 
   const Point& anchor() const { return problem_.tether()->geodesics().anchor(); }
@@ -147,23 +151,20 @@ class BridgeCut {
     return Bridge{crossed[0].first, crossed[1].first, distance(crossed[0].second, crossed[1].second), from, to};
   }
 
-  /// The lines of a short tree that connects all rings; nullopt: there is none.
-  std::optional<std::vector<Polyline>> tree() const {
-    Tree tree(rings_);
-    grow(tree, bridges_, false);
+  /// A short tree that connects all rings; nullopt: there is none.
+  std::optional<Tree> tree() const {
+    Tree tree = grown(bridges_, false);
     if (!tree.whole()) {  // what lies between driven lines may need bridges of its own
       std::vector<Bridge> bridges = bridges_;
       add_candidates(Mesh(problem_.configuration_space(), driven_.lines()), bridges);
-      tree = Tree(rings_);
-      grow(tree, bridges, false);
-      grow(tree, bridges, true);
+      tree = grown(bridges, true);
     }
-    if (!tree.whole()) return std::nullopt;
-    return std::move(tree.lines);
+    return tree.whole() ? std::optional(std::move(tree)) : std::nullopt;
   }
-  /// By bridges that driven lines cross, or by those that none crosses. First those that cross only lines seldom asked
-  /// for, so that a path that is asked for in each round is crossed no more in the end; of these the shortest.
-  void grow(Tree& tree, const std::vector<Bridge>& bridges, bool crossed) const {
+  /// By bridges that no driven line crosses, and then, with `with_crossed`, by the others: those first that cross lines
+  /// seldom asked for, so that a path asked for in each round is crossed no more in the end. Of equal ones the shortest
+  /// comes first.
+  Tree grown(const std::vector<Bridge>& bridges, bool with_crossed) const {
     std::vector<Box> boxes;
     for (const Stretch& s : driven_.stretches()) boxes.push_back(bounding_box({s.a, s.b}));
     const BoxIndex index(std::move(boxes));
@@ -177,12 +178,17 @@ class BridgeCut {
     };
     std::vector<std::pair<std::size_t, const Bridge*>> found;  // with how often what it crosses was asked for
     for (const Bridge& bridge : bridges)
-      if (const std::size_t asked = most_asked(bridge); (asked > 0) == crossed) found.emplace_back(asked, &bridge);
+      if (const std::size_t asked = most_asked(bridge); asked == 0 || with_crossed) found.emplace_back(asked, &bridge);
     std::ranges::stable_sort(found, [](const auto& a, const auto& b) {
       return a.first != b.first ? a.first < b.first : a.second->length < b.second->length;
     });
-    for (const auto& [asked, bridge] : found)
-      if (tree.connected.unite(bridge->a, bridge->b)) tree.lines.push_back({bridge->from, bridge->to});
+    Tree tree(rings_);
+    for (const auto& [asked, bridge] : found) {
+      if (!tree.connected.unite(bridge->a, bridge->b)) continue;
+      tree.lines.push_back({bridge->from, bridge->to});
+      tree.crosses = tree.crosses || asked > 0;
+    }
+    return tree;
   }
 
   /// Vertices of the cut space for which the tether is too short. nullopt: the lines do not cut space open, or the

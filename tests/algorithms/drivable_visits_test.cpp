@@ -250,11 +250,11 @@ TEST(ReinsertedStrokes, LanesOfARoomFollowEachOther) {
       std::swap(room[i - 1], room[static_cast<std::size_t>(rng.between(0, static_cast<int>(i) - 1))]);
     Context context;
     DetourEffort effort;
-    const auto after = with_strokes(before, room, space, 2, effort, context);
+    KnownLinks links(space, before.size());
+    const auto after = with_strokes(before, room, links, 2, effort, context);
     EXPECT_GE(after.size(), before.size() + room.size());
     const Path path = path_of(after, problem.start(), space.chord_error());
     EXPECT_EQ(score(problem, path).flaw, "");
-    KnownLinks links(space, before.size());
     InsertedStrokes one_by_one(before, links, 2, effort, context);
     for (const Polyline& lane : room)
       if (auto insertion = one_by_one.insertion_of(lane, true)) one_by_one.insert(std::move(*insertion));
