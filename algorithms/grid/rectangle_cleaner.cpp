@@ -138,7 +138,7 @@ class RectangleCleaner {
     for (const Job& job : jobs)
       for (const Lane& lane : job.lanes)
         for (int k = lane.low; k <= lane.high; ++k) cells.push_back(graph_.cell(node(lane, k)));
-    context_.promise([graph = graph_, cells, tool_width] { return squares_of(graph, cells, tool_width); });
+    promise_cells(context_, graph_, std::move(cells), tool_width);
   }
   std::size_t start_node(const Job& job) const { return low_end(job.lanes.front()); }
 

@@ -1,6 +1,8 @@
 #include "algorithms/lattice/promised_cells.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace oxturn {
@@ -22,6 +24,15 @@ std::vector<Cell> reached_from(const GridGraph& graph, const Cell& start, Next n
     });
   });
   return cells;
+}
+
+/// The last of the cells that follow one another in a straight row, from the one with number `first` on.
+std::size_t end_of_row(const std::vector<Cell>& cells, std::size_t first) {
+  const auto step = [&](std::size_t k) { return std::pair(cells[k + 1].i - cells[k].i, cells[k + 1].j - cells[k].j); };
+  std::size_t last = first;
+  if (first + 1 == cells.size() || std::abs(step(first).first) + std::abs(step(first).second) != 1) return last;
+  while (last + 1 < cells.size() && step(last) == step(first)) ++last;
+  return last;
 }
 
 /// A coarse cell, by its lower left sub-cell, is free.
@@ -99,11 +110,16 @@ std::vector<Cell> coarse_sub_cells(const GridGraph& fine, Components components,
 Region squares_of(const GridGraph& graph, const std::vector<Cell>& cells, double tool_width) {
   const double half = std::min(kHalf, tool_width / std::sqrt(8) / graph.side());  // in sides
   Region region;
-  region.polygons.reserve(cells.size());
-  for (const Cell& c : cells)
-    region.polygons.push_back({{graph.centre(c.i - half, c.j - half), graph.centre(c.i + half, c.j - half),
-                                graph.centre(c.i + half, c.j + half), graph.centre(c.i - half, c.j + half)},
+  for (std::size_t first = 0; first < cells.size();) {
+    std::size_t last = first;
+    if (half == kHalf) last = end_of_row(cells, first);
+    const auto [left, right] = std::minmax(cells[first].i, cells[last].i);
+    const auto [bottom, top] = std::minmax(cells[first].j, cells[last].j);
+    region.polygons.push_back({{graph.centre(left - half, bottom - half), graph.centre(right + half, bottom - half),
+                                graph.centre(right + half, top + half), graph.centre(left - half, top + half)},
                                {}});
+    first = last + 1;
+  }
   return region;
 }
 

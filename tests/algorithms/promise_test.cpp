@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/coverage_planner.hpp"
+#include "algorithms/lattice/promised_cells.hpp"
 #include "base/random.hpp"
 #include "maps/generators.hpp"
 #include "metrics/score.hpp"
@@ -147,6 +148,34 @@ TEST(Promise, IsTheCellsOfTheDescription) {
   EXPECT_GT(promised("stc-loops"), 24 + 2 * (6 + 4) * 0.1);
   // Lanes 0.5 m apart from x = 0.5 to 5.5 and beside the right wall, each from y = 0.5 to 3.5.
   EXPECT_NEAR(promised("rectangles", {{"variant", std::string("published")}}), 11 * 7 * 0.25, kRounding);
+}
+
+// Cells in rows, in columns, backwards, alone and round corners: one square each, whatever rows they make.
+TEST(Promise, SquaresInARowAreOneRectangle) {
+  const Problem room({"room", box_region({0, 0}, {9, 9}), "test", ""}, Robot{}, Point(1, 1));
+  const GridGraph graph = make_grid_graph(room, {.side = 0.3, .margin = 1});
+  for (const auto seed : seeds(40)) {
+    Rng rng(seed);
+    std::vector<Cell> cells;
+    std::vector<bool> taken(graph.size(), false);
+    Cell at{graph.columns() / 2, graph.rows() / 2};
+    for (int k = 0; k < 200; ++k) {
+      const Cell next = rng.chance(0.1) ? Cell{rng.between(1, graph.columns() - 2), rng.between(1, graph.rows() - 2)}
+                                        : neighbour(at, kAllDirections[rng.chance(0.8) ? seed % 4 : rng.below(4)]);
+      if (!graph.inside(next.i, next.j) || taken[graph.at(next)]) continue;
+      taken[graph.at(next)] = true;
+      cells.push_back(at = next);
+    }
+    for (const double tool : {0.2, 0.5}) {
+      const Region region = squares_of(graph, cells, tool);
+      const double side = std::min(0.3, tool / std::sqrt(2));
+      EXPECT_NEAR(area(region), static_cast<double>(cells.size()) * side * side, 1e-6);
+      if (tool > 0.4) { EXPECT_LT(region.polygons.size(), cells.size()); }
+      const EdgeIndex index(region);
+      for (std::size_t node = 0; node < graph.size(); ++node)
+        EXPECT_EQ(index.contains(graph.centre(node)), taken[node]) << node;
+    }
+  }
 }
 
 // The cells depend on what the lidar shows.
