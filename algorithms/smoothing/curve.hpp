@@ -55,7 +55,8 @@ struct Word {
   std::array<CurvePiece, 5> pieces{};
   std::size_t count = 0;
   double length = 0;  // metres
-  std::span<const CurvePiece> driven() const { return {pieces.data(), count}; }
+  std::span<const CurvePiece> driven() const& { return {pieces.data(), count}; }
+  void driven() const&& = delete;  // would outlive the word
 };
 inline Curve curve_of(const Word& word, const Pose& from, const Pose& to, double radius) {
   return {from, to, radius, {word.driven().begin(), word.driven().end()}};
@@ -68,7 +69,8 @@ double dubins_distance(const Pose& from, const Pose& to, double radius);
 struct DubinsWords {
   std::array<Word, 6> words;
   std::size_t count = 0;
-  std::span<const Word> all() const { return {words.data(), count}; }
+  std::span<const Word> all() const& { return {words.data(), count}; }
+  void all() const&& = delete;  // would outlive the words
 };
 /// The shortest curve of each of the words LSL, RSR, LSR, RSL, RLR and LRL that exists, shortest first: alternatives
 /// where an obstacle is in the way.

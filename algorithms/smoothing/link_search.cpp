@@ -34,7 +34,8 @@ void add_curves(const Pose& from, double out, const Pose& to, double in, double 
     all.push_back(joined(joined(first, curve_of(middle, first.to, last.from, radius)), last));
   };
   if (reverse) add(reeds_shepp_word(first.to, last.from, radius));
-  for (const Word& word : dubins_words(first.to, last.from, radius).all()) add(word);
+  const DubinsWords forwards = dubins_words(first.to, last.from, radius);
+  for (const Word& word : forwards.all()) add(word);
 }
 
 /// Metres that a pose is moved, none first.
@@ -129,10 +130,12 @@ void LinkSearch::bound(Item item, double most) {
   const Pose &a = outs_[item.out].pieces.from(), &b = ins_[item.in].pieces.from();
   item.kind = Kind::pair;
   item.word = words_.size();
-  if (space_.reverse())
+  if (space_.reverse()) {
     words_.push_back(reeds_shepp_word(a, b, space_.radius()));
-  else
-    std::ranges::copy(dubins_words(a, b, space_.radius()).all(), std::back_inserter(words_));
+  } else {
+    const DubinsWords forwards = dubins_words(a, b, space_.radius());
+    std::ranges::copy(forwards.all(), std::back_inserter(words_));
+  }
   item.known = static_cast<std::uint8_t>(words_.size() - item.word);
   item.least = moved(item) + words_[item.word].length;
   if (item.least < most) push(item);

@@ -12,6 +12,7 @@
 #include "geometry/overlay/cut_along.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/ring_boxes.hpp"
+#include "geometry/tether/geodesic_field.hpp"
 
 namespace oxturn {
 namespace {
@@ -38,11 +39,12 @@ struct Stretch {
 /// Shortest paths of the robot from its start, which are a tree: the straight parts, each once.
 class DrivenTree {
  public:
-  explicit DrivenTree(const Problem& problem) : problem_(problem) {}
+  explicit DrivenTree(const Problem& problem)
+      : from_start_(problem.configuration_space(), problem.start(), {}, problem.tolerance()) {}
 
   /// Asks for the path to p.
   void add(const Point& p) {
-    const Polyline path = problem_.transit().path(problem_.start(), p).value_or(Polyline{});
+    const Polyline path = from_start_.path(p);
     for (std::size_t k = 1; k < path.size(); ++k) {
       const auto [known, fresh] = by_end_.try_emplace({path[k].x(), path[k].y()}, stretches_.size());
       if (fresh)
@@ -61,7 +63,7 @@ class DrivenTree {
   }
 
  private:
-  const Problem& problem_;
+  GeodesicField from_start_;
   std::map<std::pair<double, double>, std::size_t> by_end_;  // the stretch
   std::vector<Stretch> stretches_;
 };

@@ -51,7 +51,8 @@ class Facet {
     return {Facet(a, middle, c), Facet(middle, b, c)};
   }
   bool empty() const { return size_ < 3; }
-  std::span<const Point> vertices() const { return {vertex_.data(), size_}; }
+  std::span<const Point> vertices() const& { return {vertex_.data(), size_}; }
+  void vertices() const&& = delete;  // would outlive the facet
   /// The vertex after vertex i.
   const Point& next(std::size_t i) const { return vertex_[i + 1 < size_ ? i + 1 : 0]; }
   /// Is x inside, or outside by at most `slack`?
