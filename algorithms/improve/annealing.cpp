@@ -24,7 +24,7 @@ Annealing::Annealing(const EdgeIndex& walls, VertexPath path, Witnesses witnesse
       price_(options.price),
       path_(std::move(path)),
       witnesses_(std::move(witnesses)),
-      moves_({tool_width, options.least_shift, options.most_shift, options.without}, walls) {}
+      moves_({tool_width, options.least_shift, options.most_shift, options.cut_short, options.without}, walls) {}
 
 bool Annealing::legal(const Edges& edges) const {
   return std::ranges::all_of(edges, [&](const Edge& e) { return walls_.contains(e.a, e.b); });
@@ -38,7 +38,7 @@ bool Annealing::try_move(double temperature, Rng& rng) {
   if (options_.turn > 0) longer += options_.turn * change->turning(path_);
   const double each = price_ * witnesses_.area_each();
   if (longer - each * static_cast<double>(witnesses_.uncovered()) > most || !legal(change->added)) return false;
-  const auto capsules = [&](const Edges& edges, std::array<Witnesses::Capsule, 4>& out) {
+  const auto capsules = [&](const Edges& edges, Capsules& out) {
     for (std::size_t k = 0; k < edges.size(); ++k) witnesses_.capsule(edges[k].a, edges[k].b, out[k]);
     return std::span<const Witnesses::Capsule>(out.data(), edges.size());
   };

@@ -30,6 +30,7 @@ class Annealing {
     double turn = 0;                              // metres that a turn by a radian counts
     bool fixed_end = false;                       // the path ends where it does now
     double least_shift = 0.01, most_shift = 0.3;  // of vertices, in tool widths
+    bool cut_short = false;  // are loops and long spikes left out at once, too
     double hot = 0.006;  // temperature in tool widths above which larger targets are annealed as a whole
     AnnealingPart without = AnnealingPart::none;  // moves that are not made, and whether there are windows
   };
@@ -60,7 +61,8 @@ class Annealing {
   VertexPath path_;
   Witnesses witnesses_;
   Moves moves_;
-  std::array<Witnesses::Capsule, 4> removed_, added_;  // of the move that is tried
+  using Capsules = std::array<Witnesses::Capsule, Edges::kMost>;
+  Capsules removed_, added_;  // of the move that is tried
 };
 
 }  // namespace oxturn

@@ -23,6 +23,8 @@ constexpr double kLeastSplit = 0.02;                 // shorter edges get no ver
 constexpr double kPartner = 2.2;                     // distance of vertices for 2-opt and Or-opt
 constexpr double kSnapFrom = 0.1, kTouch = 1e-6;     // from a wall
 constexpr std::uint64_t kMostMoved = 8;              // vertices that Or-opt moves
+constexpr double kCutShort = 0.3;                    // of removals, where asked for: of several vertices in a row
+constexpr std::size_t kMostRemoved = Edges::kMost - 1;
 constexpr int kDraws = 4;                            // until a move exists; in windows, much of the path is fixed
 constexpr double kLoops = 0.5;                       // share of Or-opt: moves all between two vertices near each other
 
@@ -239,7 +241,7 @@ std::optional<Change> Moves::drawn(const VertexPath& path, Rng& rng) const {
   if (is(kShiftVertex)) return shift_vertex(path, i, rng);
   if (is(kShiftEdge)) return shift_edge(path, i, rng);
   if (is(kSnap)) return sizes_.without == AnnealingPart::walls ? shift_vertex(path, i, rng) : snap(path, i, rng);
-  if (is(kRemove)) return remove(path, i);
+  if (is(kRemove)) return sizes_.cut_short && rng.chance(kCutShort) ? cut_short(path, i, rng) : remove(path, i);
   if (is(kSplit)) return split(path, i, rng);
   if (is(kMerge)) return merge(path, i, rng);
   if (!reordering) return shift_vertex(path, i, rng);
@@ -309,6 +311,18 @@ std::optional<Change> Moves::remove(const VertexPath& path, std::size_t i) const
   if (i + 1 < path.size() && distance_to_segment(path[i], path[i - 1], path[i + 1]) < kOnChord * width_)
     return std::nullopt;
   return replaced(path, i, 1, {});
+}
+
+/// The vertices after i, up to the partner, are left out: a loop around an obstacle, or a spike of many vertices, which
+/// no vertex by itself can leave.
+std::optional<Change> Moves::cut_short(const VertexPath& path, std::size_t i, Rng& rng) const {
+  const auto other = partner(path, i, rng);
+  if (!other) return std::nullopt;
+  const auto [before, after] = std::minmax(i, *other);
+  if (after < before + 3 || after > before + kMostRemoved) return std::nullopt;
+  for (std::size_t k = before + 1; k < after; ++k)
+    if (path.fixed(k)) return std::nullopt;
+  return replaced(path, before + 1, after - before - 1, {});
 }
 
 std::optional<Change> Moves::split(const VertexPath& path, std::size_t i, Rng& rng) const {

@@ -25,9 +25,10 @@ struct Edge {
   Point a, b;
 };
 
-/// Up to four edges.
+/// Up to kMost edges.
 class Edges {
  public:
+  static constexpr std::size_t kMost = 16;
   void add(const Point& a, const Point& b) { edges_[size_++] = {a, b}; }
   std::size_t size() const { return size_; }
   const Edge* begin() const { return edges_.data(); }
@@ -36,7 +37,7 @@ class Edges {
   double length() const;
 
  private:
-  std::array<Edge, 4> edges_;
+  std::array<Edge, kMost> edges_;
   std::size_t size_ = 0;
 };
 
@@ -72,6 +73,7 @@ class Moves {
   struct Sizes {
     double width = 0;                 // of the tool, metres
     double least = 0.01, most = 0.3;  // standard deviations of shifts, in tool widths; log-uniform in between
+    bool cut_short = false;  // are several vertices in a row left out, too
     AnnealingPart without = AnnealingPart::none;  // moves of this part are shifts of vertices instead
   };
   /// `walls`: the edges of configuration space, to which vertices may snap; must outlive it.
@@ -93,6 +95,7 @@ class Moves {
   std::optional<Change> shift_edge(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<Change> snap(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<Change> remove(const VertexPath& path, std::size_t i) const;
+  std::optional<Change> cut_short(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<Change> split(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<Change> merge(const VertexPath& path, std::size_t i, Rng& rng) const;
   std::optional<Change> two_opt(const VertexPath& path, std::size_t i, Rng& rng) const;

@@ -331,7 +331,7 @@ TEST(Moves, ChangeThePathAsTheySay) {
     if (start.size() > 9) fixed.insert(fixed.end(), {5, 6});
     VertexPath path(start, fixed, 0.4);
     const EdgeIndex walls(box_region({0, 0}, {3, 3}));
-    Moves moves({.width = 0.4}, walls);
+    Moves moves({.width = 0.4, .cut_short = rng.chance(0.5)}, walls);
     moves.focus({{1, 1}, {2, 2}});
     moves.uncovered({{1.5, 1.5}, {0.05, 2.9}});
     for (int k = 0; k < 300 && path.size() > 1; ++k) {
@@ -350,6 +350,35 @@ TEST(Moves, ChangeThePathAsTheySay) {
         ASSERT_TRUE((at + 1 != now.end() && at[1] == start[6]) || at[-1] == start[6]);
       }
       for (std::size_t i = 0; i < path.size(); i += 7) ASSERT_TRUE(path.near(path[i], rng).has_value());
+    }
+  }
+}
+
+// No vertex of a loop around an obstacle can leave by itself; all of them can, where the ends are near each other.
+TEST(Moves, LoopsAroundObstaclesAreLeftOut) {
+  const EdgeIndex walls(box_region({0, 0}, {3, 3}));
+  Polyline line{{0.2, 1}};
+  for (int k = 0; k <= 12; ++k) {
+    const double angle = -kPi / 2 + 2 * kPi * k / 12;
+    line.emplace_back(1.5 + 0.4 * std::cos(angle), 1.4 + 0.4 * std::sin(angle));
+  }
+  line.emplace_back(2.8, 1);
+  const double straight = 2.6;
+  for (const bool cut_short : {false, true}) {
+    const Moves moves({.width = 0.4, .cut_short = cut_short}, walls);
+    for (const std::size_t fixed : {std::size_t{0}, std::size_t{7}}) {  // the start, or a vertex of the loop besides
+      const VertexPath path(line, {0, fixed}, 0.4);
+      Rng rng(1);
+      int left_out = 0;
+      double least = length(line);
+      for (int k = 0; k < 5000; ++k) {
+        const auto change = moves.propose(path, rng);
+        if (!change || change->kind != Change::Kind::replace || change->point_count > 0) continue;
+        left_out += change->last > change->first + 1;
+        least = std::min(least, length(line) + change->added.length() - change->removed.length());
+      }
+      EXPECT_EQ(left_out > 0, cut_short) << fixed;
+      EXPECT_EQ(least < 1.01 * straight, cut_short && fixed == 0) << fixed;
     }
   }
 }
