@@ -14,7 +14,7 @@ constexpr double kLongest = 6, kLeast = 0.05;          // of a stroke
 constexpr int kAround = 12;                            // positions of a ring
 constexpr int kAxes = 8;                               // in all directions
 constexpr std::size_t kWalls = 6;                      // whose directions are tried
-constexpr int kHalvings = 6;                           // how exactly the free length of an axis is found
+constexpr int kHalvings = 6;                           // how exactly it is found how far an axis is free
 constexpr std::size_t kMost = 8;                       // strokes
 
 class StrokeSearch {
@@ -73,9 +73,30 @@ class StrokeSearch {
     return all;
   }
 
-  /// How far the robot can drive from p, at most kLongest.
-  double free_length(const Point& p, const Point& axis) const {
-    double low = 0, high = kLongest * width_;
+  /// A part of an axis, metres ahead and behind a position.
+  struct Reach {
+    double ahead, behind;
+  };
+  /// What of the axis is of use: where the tool covers a point it must get to, and no more; at most kLongest.
+  Reach wanted(const Point& p, const Point& axis) const {
+    const double least = kLeast * width_, most = kLongest * width_;
+    Reach reach{least, least};
+    for (const std::size_t k : points_) {
+      const auto [s, half] = seen(k, p, axis);
+      if (half < 0) continue;
+      reach.ahead = std::max(reach.ahead, s - half);
+      reach.behind = std::max(reach.behind, -s - half);
+    }
+    return {std::min(reach.ahead, most), std::min(reach.behind, most)};
+  }
+  /// How far of that the robot can drive from p.
+  Reach free_reach(const Point& p, const Point& axis) const {
+    const Reach reach = wanted(p, axis);
+    if (space_.free(Polyline{p - reach.behind * axis, p + reach.ahead * axis})) return reach;
+    return {free_length(p, axis, reach.ahead), free_length(p, -axis, reach.behind)};
+  }
+  double free_length(const Point& p, const Point& axis, double most) const {
+    double low = 0, high = most;
     if (space_.free(Polyline{p, p + high * axis})) return high;
     for (int k = 0; k < kHalvings; ++k) {
       const double middle = (low + high) / 2;
@@ -84,15 +105,24 @@ class StrokeSearch {
     return low;
   }
 
+  /// A point as an axis through p passes it: the tool covers it from s - half to s + half; half < 0: from nowhere.
+  struct Seen {
+    double s, half;
+  };
+  Seen seen(std::size_t k, const Point& p, const Point& axis) const {
+    const double reach = kCoveredReach * width_;
+    const Point to = uncovered_.at(k) - p;
+    const double side = cross(axis, to);
+    return {axis.dot(to), std::abs(side) <= reach ? std::sqrt(reach * reach - side * side) : -1};
+  }
+
   std::optional<CoveringStroke> along(const Point& p, const Point& axis) const {
-    const double reach = kCoveredReach * width_, ahead = free_length(p, axis), behind = free_length(p, -axis);
+    const auto [ahead, behind] = free_reach(p, axis);
     const double least = kLeast * width_;
     if (ahead + behind < least) return std::nullopt;
     double begin = std::numeric_limits<double>::infinity(), end = -begin, gain = 0;
     for (const std::size_t k : points_) {
-      const Point to = uncovered_.at(k) - p;
-      const double side = cross(axis, to), s = axis.dot(to);
-      const double half = std::abs(side) <= reach ? std::sqrt(reach * reach - side * side) : -1;
+      const auto [s, half] = seen(k, p, axis);
       if (half < 0 || s - half > ahead || s + half < -behind) {
         if (k == points_.front()) return std::nullopt;
         continue;
