@@ -16,6 +16,7 @@ namespace {
 constexpr double kMostLeftOut = 0.1;    // of the strokes' length, and if so
 constexpr double kMostUncovered = 0.1;  // of the target, more than the planner leaves
 constexpr double kNeedless = 5e-4;      // of the target: what may stay uncovered in any case, half of what 0.999 allows
+constexpr std::size_t kTriedAtLast = 5000;  // links when time is up: about a second
 constexpr const char* kDetour = "detour";
 
 double total_length(const std::vector<Stroke>& strokes) {
@@ -123,8 +124,13 @@ Path drivable(const Problem& problem, const Path& path, Context& context, Detour
   LinkTour tour(strokes, space, problem.start(), context);
   publish_progress(tour, problem, space, context);
   const std::vector<DrivenStroke> order = tour.order();
-  const auto link = [&](const DrivenStroke* last, const DrivenStroke& stroke) {
-    return context.cancelled() ? tour.known_link(last, stroke) : tour.link(last, stroke);
+  // When time is up, strokes behind a link that is not known are lost unless they are reached without a search.
+  std::size_t tried = 0;
+  const auto link = [&](const DrivenStroke* last, const DrivenStroke& stroke) -> std::optional<Curve> {
+    if (!context.cancelled()) return tour.link(last, stroke);
+    if (auto known = tour.known_link(last, stroke)) return known;
+    if (tried++ >= kTriedAtLast) return std::nullopt;
+    return last ? space.simple_link(last_pose(last->points), first_pose(stroke.points)) : tour.link(last, stroke);
   };
   std::vector<LinkedStroke> driven =
       assembled(order, link, [&](const DrivenStroke& stroke) { left_out.add(stroke.points); });

@@ -12,7 +12,7 @@ constexpr double kBlocked = 1e6;  // metres; dearer than any detour, so that a t
 constexpr int kRounds = 12, kLeastRounds = 2;
 constexpr std::uint64_t kStrokesOfRounds = 12000;    // strokes times rounds: a round is a tour and its links
 constexpr std::uint64_t kLeastEffort = 100'000'000;  // connections looked at, 20 to 30 ns each
-constexpr double kEffort = 5000;                     // more for each n log n
+constexpr double kEffort = 2000;                     // more for each n log n
 constexpr std::uint64_t kKicks = 20000;  // a fifth of a millisecond each; more do not pay where there are many strokes
 constexpr std::size_t kReports = 8;      // in the first round
 constexpr double kEntrySpacing = 2;      // radii, between points where a closed stroke may be entered

@@ -13,6 +13,7 @@
 #include "geometry/overlay/boolean.hpp"
 #include "metrics/score.hpp"
 #include "tests/support/brief_planners.hpp"
+#include "tests/support/maps.hpp"
 
 namespace oxturn {
 namespace {
@@ -237,6 +238,25 @@ TEST(Drivable, PublishesWhatCanBeDrivenSoFar) {
     work = p.length(true);
   }
   EXPECT_GE(path.length(true), 0.9 * work);
+}
+
+// Whoever runs out of time while links are searched drives what is behind the last one found, too.
+TEST(Drivable, DrivesMoreThanHalfWhenCancelledAtOnce) {
+  Robot car;
+  car.radius = 0.2, car.tool_width = 0.4, car.min_turn_radius = 0.4, car.reverse = true;
+  for (const std::uint64_t seed : {1, 2}) {
+    const Problem problem(generate("rooms", {{"width", 14.0}, {"height", 10.0}}, seed), car);
+    Context::Sinks sinks;
+    Context* running = nullptr;
+    sinks.publish = [&](const Path&) { running->cancel(); };
+    Context context(1, 1e9, std::move(sinks));
+    running = &context;
+    const Path path =
+        brief_built_in().find("boustrophedon").make({}, brief_built_in())->plan(problem, context);
+    const Score s = score(problem, path);
+    EXPECT_EQ(s.flaw, "");
+    EXPECT_GT(*s.value("coverage"), 0.5);
+  }
 }
 
 TEST(Drivable, DetoursByOmpl) {
