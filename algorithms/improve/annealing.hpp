@@ -30,7 +30,7 @@ class Annealing {
     double turn = 0;                              // metres that a turn by a radian counts
     bool fixed_end = false;                       // the path ends where it does now
     double least_shift = 0.01, most_shift = 0.3;  // of vertices, in tool widths
-    bool cut_short = false;  // are loops and long spikes left out at once, too
+    bool cut_short = false;                       // loops and long spikes are left out at once, too
     double hot = 0.006;  // temperature in tool widths above which larger targets are annealed as a whole
     AnnealingPart without = AnnealingPart::none;  // moves that are not made, and whether there are windows
   };

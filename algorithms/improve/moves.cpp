@@ -25,8 +25,8 @@ constexpr double kSnapFrom = 0.1, kTouch = 1e-6;     // from a wall
 constexpr std::uint64_t kMostMoved = 8;              // vertices that Or-opt moves
 constexpr double kCutShort = 0.3;                    // of removals, where asked for: of several vertices in a row
 constexpr std::size_t kMostRemoved = Edges::kMost - 1;
-constexpr int kDraws = 4;                            // until a move exists; in windows, much of the path is fixed
-constexpr double kLoops = 0.5;                       // share of Or-opt: moves all between two vertices near each other
+constexpr int kDraws = 4;       // until a move exists; in windows, much of the path is fixed
+constexpr double kLoops = 0.5;  // share of Or-opt: moves all between two vertices near each other
 
 /// Up to three pairs of neighbours.
 struct Links {

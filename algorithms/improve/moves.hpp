@@ -4,9 +4,9 @@
 ///   moves.focus(centres_of_uncovered_pieces);
 ///   if (const auto change = moves.propose(path, rng)) { ... change->apply(path); }
 ///
-/// Shifts of a vertex or an edge, also to the wall beside it; vertices deleted, added and merged; 2-opt and Or-opt with
-/// a vertex near by; vertices shifted or added, and spikes, that cover a point which nothing covers. Fixed vertices and
-/// edges stay (vertex_path.hpp). Each O(1), but for what apply() costs.
+/// Shifts of a vertex or an edge, also to the wall beside it; vertices deleted, alone or several in a row, added and
+/// merged; 2-opt and Or-opt with a vertex near by; vertices shifted or added, and spikes, that cover a point which
+/// nothing covers. Fixed vertices and edges stay (vertex_path.hpp). Each O(1), but for what apply() costs.
 #pragma once
 
 #include <array>
@@ -73,7 +73,7 @@ class Moves {
   struct Sizes {
     double width = 0;                 // of the tool, metres
     double least = 0.01, most = 0.3;  // standard deviations of shifts, in tool widths; log-uniform in between
-    bool cut_short = false;  // are several vertices in a row left out, too
+    bool cut_short = false;           // are several vertices in a row deleted, too
     AnnealingPart without = AnnealingPart::none;  // moves of this part are shifts of vertices instead
   };
   /// `walls`: the edges of configuration space, to which vertices may snap; must outlive it.

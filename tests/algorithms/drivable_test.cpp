@@ -251,8 +251,7 @@ TEST(Drivable, DrivesMoreThanHalfWhenCancelledAtOnce) {
     sinks.publish = [&](const Path&) { running->cancel(); };
     Context context(1, 1e9, std::move(sinks));
     running = &context;
-    const Path path =
-        brief_built_in().find("boustrophedon").make({}, brief_built_in())->plan(problem, context);
+    const Path path = brief_built_in().find("boustrophedon").make({}, brief_built_in())->plan(problem, context);
     const Score s = score(problem, path);
     EXPECT_EQ(s.flaw, "");
     EXPECT_GT(*s.value("coverage"), 0.5);
