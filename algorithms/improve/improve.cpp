@@ -38,8 +38,8 @@ constexpr double kNoTurn = 0.03;        // the same where turns are counted: a r
 // Where closing begins, it is kMostPrice times as much at most: at high prices no lane moves any more. The first run at
 // length begins with kHotPrice times as much, about where the price settles for what that run leaves uncovered.
 constexpr double kPrice = 5, kPriceAt = 0.01, kPricePower = -0.4, kMostPrice = 2.5, kHotPrice = 0.7;
-// Radii: what a wider tool covers on one side of a small obstacle it may cover from the other side, so that loops around
-// obstacles can go. With narrower ones looking for these loops takes moves that others make more of.
+// Radii. What a wider tool covers on one side of a small obstacle it may cover from the other side, so that loops
+// around it can go. With narrower ones looking for these loops takes moves that others make more of.
 constexpr double kWideTool = 8;
 constexpr double kNearlyAll = 1e-3;  // uncovered share below which coverage is nearly full
 // Share of the target that annealing leaves uncovered at least; of the whole target that is asked for.
