@@ -16,7 +16,9 @@ namespace {
 constexpr double kMostLeftOut = 0.1;    // of the strokes' length, and if so
 constexpr double kMostUncovered = 0.1;  // of the target, more than the planner leaves
 constexpr double kNeedless = 5e-4;      // of the target: what may stay uncovered in any case, half of what 0.999 allows
-constexpr std::size_t kTriedAtLast = 5000;  // links when time is up: about a second
+// When time is up: if less of the strokes' length was published, so many links are tried, in about half a second.
+constexpr double kFewPublished = 0.5;
+constexpr std::size_t kTriedAtLast = 300;
 constexpr const char* kDetour = "detour";
 
 double total_length(const std::vector<Stroke>& strokes) {
@@ -72,17 +74,27 @@ double uncovered_area(const Problem& problem, const Path& path) {
   return area(uncovered(problem.target(), path, problem.robot()));
 }
 
-/// Publishes what can be driven so far, if more of the strokes than before.
-void publish_progress(LinkTour& tour, const Problem& problem, const CarSpace& space, Context& context) {
-  tour.on_progress([&tour, &problem, &space, &context, most = 0.0](const std::vector<DrivenStroke>& order) mutable {
-    const auto known = [&](const DrivenStroke* last, const DrivenStroke& s) { return tour.known_link(last, s); };
-    const Path path =
-        path_of(assembled(order, known, [](const DrivenStroke&) {}), problem.start(), space.chord_error());
-    const double work = path.length(true);
-    if (work > most) context.publish(path);
-    most = std::max(most, work);
-  });
-}
+/// Publishes what can be driven so far, if more of the strokes than before, and keeps it: a later order of the strokes
+/// may begin with links that are not known yet.
+class Progress {
+ public:
+  /// All references must outlive it.
+  Progress(LinkTour& tour, const Problem& problem, const CarSpace& space, Context& context) {
+    tour.on_progress([this, &tour, &problem, &space, &context](const std::vector<DrivenStroke>& order) {
+      const auto known = [&](const DrivenStroke* last, const DrivenStroke& s) { return tour.known_link(last, s); };
+      Path path = path_of(assembled(order, known, [](const DrivenStroke&) {}), problem.start(), space.chord_error());
+      if (path.length(true) <= best_.length(true)) return;
+      context.publish(path);
+      best_ = std::move(path);
+    });
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  const Path& best() const { return best_; }
+
+ private:
+  Path best_;
+};
 
 void trace_strokes(const std::vector<Stroke>& strokes, Context& context) {
   if (!context.wants_traces()) return;
@@ -113,7 +125,8 @@ class Drivable final : public CoveragePlanner {
 Path drivable(const Problem& problem, const Path& path, Context& context, DetourSearch search) {
   const CarSpace space(problem, search);
   std::vector<Stroke> strokes = strokes_of(path, problem, space);
-  LeftOut left_out(total_length(strokes));
+  const double all = total_length(strokes);
+  LeftOut left_out(all);
   const std::vector<Stroke> whole = strokes;
   shorten_dead_ends(strokes, problem, space);
   for (std::size_t s = 0; s < strokes.size(); ++s)
@@ -122,14 +135,14 @@ Path drivable(const Problem& problem, const Path& path, Context& context, Detour
   trace_strokes(strokes, context);
 
   LinkTour tour(strokes, space, problem.start(), context);
-  publish_progress(tour, problem, space, context);
+  const Progress progress(tour, problem, space, context);
   const std::vector<DrivenStroke> order = tour.order();
   // When time is up, strokes behind a link that is not known are lost unless they are reached without a search.
   std::size_t tried = 0;
   const auto link = [&](const DrivenStroke* last, const DrivenStroke& stroke) -> std::optional<Curve> {
     if (!context.cancelled()) return tour.link(last, stroke);
     if (auto known = tour.known_link(last, stroke)) return known;
-    if (tried++ >= kTriedAtLast) return std::nullopt;
+    if (progress.best().length(true) > kFewPublished * all || tried++ >= kTriedAtLast) return std::nullopt;
     return last ? space.simple_link(last_pose(last->points), first_pose(stroke.points)) : tour.link(last, stroke);
   };
   std::vector<LinkedStroke> driven =
@@ -143,6 +156,7 @@ Path drivable(const Problem& problem, const Path& path, Context& context, Detour
   const double allowed = std::max(uncovered_area(problem, path), kNeedless * target);
   driven = with_visits(problem, std::move(driven), left_out.strokes(), {.allowed = allowed}, space, context);
   Path result = path_of(driven, problem.start(), space.chord_error());
+  if (context.cancelled() && progress.best().length(true) > result.length(true)) return progress.best();
   if (left_out.too_many() && !context.cancelled() &&
       uncovered_area(problem, result) > allowed + kMostUncovered * target)
     throw left_out.reason(tour.exhausted());
