@@ -24,9 +24,8 @@ constexpr double kPartner = 2.2;                     // distance of vertices for
 constexpr double kSnapFrom = 0.1, kTouch = 1e-6;     // from a wall
 constexpr std::uint64_t kMostMoved = 8;              // vertices that Or-opt moves
 constexpr double kCutShort = 0.3;                    // of removals, where asked for: of several vertices in a row
-constexpr std::size_t kMostRemoved = Edges::kMost - 1;
-constexpr int kDraws = 4;       // until a move exists; in windows, much of the path is fixed
-constexpr double kLoops = 0.5;  // share of Or-opt: moves all between two vertices near each other
+constexpr int kDraws = 4;                            // until a move exists; in windows, much of the path is fixed
+constexpr double kLoops = 0.5;                       // share of Or-opt: moves all between two vertices near each other
 
 /// Up to three pairs of neighbours.
 struct Links {
@@ -319,7 +318,7 @@ std::optional<Change> Moves::cut_short(const VertexPath& path, std::size_t i, Rn
   const auto other = partner(path, i, rng);
   if (!other) return std::nullopt;
   const auto [before, after] = std::minmax(i, *other);
-  if (after < before + 3 || after > before + kMostRemoved) return std::nullopt;
+  if (after < before + 3 || after - before >= Edges::kMost) return std::nullopt;
   for (std::size_t k = before + 1; k < after; ++k)
     if (path.fixed(k)) return std::nullopt;
   return replaced(path, before + 1, after - before - 1, {});

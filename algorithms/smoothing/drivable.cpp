@@ -83,17 +83,23 @@ class Progress {
     tour.on_progress([this, &tour, &problem, &space, &context](const std::vector<DrivenStroke>& order) {
       const auto known = [&](const DrivenStroke* last, const DrivenStroke& s) { return tour.known_link(last, s); };
       Path path = path_of(assembled(order, known, [](const DrivenStroke&) {}), problem.start(), space.chord_error());
-      if (path.length(true) <= best_.length(true)) return;
+      const double metres = path.length(true);
+      if (metres <= metres_) return;
       context.publish(path);
       best_ = std::move(path);
+      metres_ = metres;
     });
   }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  const Path& best() const { return best_; }
+  /// Of strokes, on the best path published.
+  double metres() const { return metres_; }
+  /// That path, or the other one if it drives as much of the strokes.
+  Path best_or(Path other) const { return metres_ > other.length(true) ? best_ : std::move(other); }
 
  private:
   Path best_;
+  double metres_ = 0;
 };
 
 void trace_strokes(const std::vector<Stroke>& strokes, Context& context) {
@@ -135,28 +141,28 @@ Path drivable(const Problem& problem, const Path& path, Context& context, Detour
   trace_strokes(strokes, context);
 
   LinkTour tour(strokes, space, problem.start(), context);
-  const Progress progress(tour, problem, space, context);
+  Progress progress(tour, problem, space, context);
   const std::vector<DrivenStroke> order = tour.order();
   // When time is up, strokes behind a link that is not known are lost unless they are reached without a search.
   std::size_t tried = 0;
   const auto link = [&](const DrivenStroke* last, const DrivenStroke& stroke) -> std::optional<Curve> {
     if (!context.cancelled()) return tour.link(last, stroke);
     if (auto known = tour.known_link(last, stroke)) return known;
-    if (progress.best().length(true) > kFewPublished * all || tried++ >= kTriedAtLast) return std::nullopt;
+    if (progress.metres() > kFewPublished * all || tried++ >= kTriedAtLast) return std::nullopt;
     return last ? space.simple_link(last_pose(last->points), first_pose(stroke.points)) : tour.link(last, stroke);
   };
   std::vector<LinkedStroke> driven =
       assembled(order, link, [&](const DrivenStroke& stroke) { left_out.add(stroke.points); });
   if (left_out.metres() > 0) context.record("lanes_left_out_m", left_out.metres());
-  if (driven.empty() && left_out.too_many() && !context.cancelled()) throw left_out.reason(tour.exhausted());
-  if (driven.empty() && !context.cancelled())
+  if (context.cancelled()) return progress.best_or(path_of(driven, problem.start(), space.chord_error()));
+  if (driven.empty() && left_out.too_many()) throw left_out.reason(tour.exhausted());
+  if (driven.empty())
     throw Infeasible(fmt::format("no lane that the robot can drive from the start ({:.6g}, {:.6g})",
                                  problem.start().x(), problem.start().y()));
   const double target = area(problem.target());
   const double allowed = std::max(uncovered_area(problem, path), kNeedless * target);
   driven = with_visits(problem, std::move(driven), left_out.strokes(), {.allowed = allowed}, space, context);
   Path result = path_of(driven, problem.start(), space.chord_error());
-  if (context.cancelled() && progress.best().length(true) > result.length(true)) return progress.best();
   if (left_out.too_many() && !context.cancelled() &&
       uncovered_area(problem, result) > allowed + kMostUncovered * target)
     throw left_out.reason(tour.exhausted());
