@@ -94,11 +94,14 @@ double Completion::allowed() const {
 }
 
 /// Of a path of many short segments, only the cells that it does not certainly cover are looked at.
-Region Completion::left_of(const Region& region, const Polyline& points) const {
+Region Completion::uncovered(const Polyline& points) const {
   const std::vector<Polyline> whole{points};
-  const auto open = in_open_cells(region, {{whole, width_ / 2, 0}});
-  return subtract(open ? open->region : region,
-                  swath_parts(open ? open->near[0] : whole, width_ / 2, kChord * width_, Bound::inside));
+  const auto open = in_open_cells(target_, {{whole, width_ / 2, 0}});
+  return left_of(open ? open->region : target_, open ? open->near[0] : whole);
+}
+
+Region Completion::left_of(const Region& region, const std::vector<Polyline>& lines) const {
+  return subtract(region, swath_parts(lines, width_ / 2, kChord * width_, Bound::inside));
 }
 
 Region Completion::needed(Region uncovered) const {
@@ -129,9 +132,11 @@ Polyline Completion::detoured(Polyline points, Region left, double noticed, Cont
   Region rest = needed(left);
   for (int pass = 0; pass < kPasses && !rest.empty() && without_ != AnnealingPart::detours; ++pass) {
     const double enough = coverage_ >= 1 ? std::numeric_limits<double>::infinity() : area(left) - allowed();
-    points = with_detours(points, coverage_ < 1 ? in_parts(left, width_) : as_they_are(left), enough, noticed,
-                          kReach * width_, connector_, problem_.walls());
-    left = left_of(left, points);  // detours lose nothing
+    WithDetours longer = with_detours(points, coverage_ < 1 ? in_parts(left, width_) : as_they_are(left), enough,
+                                      noticed, kReach * width_, connector_, problem_.walls());
+    points = std::move(longer.path);
+    if (longer.detours.empty()) break;
+    left = left_of(left, longer.detours);
     rest = needed(left);
   }
   if (rest.empty() || context.cancelled()) return points;

@@ -32,15 +32,15 @@ class Completion {
   double allowed() const;
   /// Is all of the target asked for?
   bool whole() const { return coverage_ >= 1; }
-  Region uncovered(const Polyline& points) const { return left_of(target_, points); }
+  Region uncovered(const Polyline& points) const;
   /// Without the smallest pieces, as far as the coverage allows.
   Region needed(Region uncovered) const;
   /// `left`: what they leave uncovered.
   Polyline completed(Polyline points, Region left, Context& context) const;
 
  private:
-  /// What the path leaves uncovered of the region.
-  Region left_of(const Region& region, const Polyline& points) const;
+  /// What lines leave uncovered of the region.
+  Region left_of(const Region& region, const std::vector<Polyline>& lines) const;
   Polyline detoured(Polyline points, Region left, double noticed, Context& context) const;
 
   const Problem& problem_;

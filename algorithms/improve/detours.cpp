@@ -76,32 +76,36 @@ void keep_apart(const Polyline& path, std::vector<Detour>& detours) {
   }
 }
 
-Polyline inserted(const Polyline& path, std::vector<Detour> detours) {
+WithDetours inserted(const Polyline& path, std::vector<Detour> detours) {
   keep_apart(path, detours);
   std::ranges::stable_sort(detours, {}, [](const Detour& d) { return std::tuple(d.segment, d.along); });
   std::vector<const Detour*> at_turn(path.size(), nullptr);
   for (const Detour& d : detours)
     if (d.turn) at_turn[*d.turn] = &d;
-  Polyline whole{path.front()};
+  WithDetours result{{path.front()}, {}};
+  const auto drive = [&result](Polyline detour) {
+    result.path.insert(result.path.end(), detour.begin(), detour.end());
+    result.detours.push_back(std::move(detour));
+  };
   auto next = detours.begin();
   for (std::size_t k = 0; k + 1 < path.size(); ++k) {
     for (; next != detours.end() && next->segment == k; ++next)
-      if (!next->turn) whole.insert(whole.end(), next->points.begin(), next->points.end());
+      if (!next->turn) drive(std::move(next->points));
     if (const Detour* turn = at_turn[k + 1]) {
       const Stop stop{turn->segment, turn->along, turn->points[0], turn->points[1], turn->turn, turn->cut};
       const auto [a, b] = ends_of_cut(stop, path);
-      whole.insert(whole.end(), {a, stop.at, b});
+      drive({a, stop.at, b});
     } else {
-      whole.push_back(path[k + 1]);
+      result.path.push_back(path[k + 1]);
     }
   }
-  return whole;
+  return result;
 }
 
 }  // namespace
 
-Polyline with_detours(const Polyline& path, const std::vector<ToCover>& pieces, double enough, double noticed,
-                      double reach, const Connector& connector, const EdgeIndex& walls) {
+WithDetours with_detours(const Polyline& path, const std::vector<ToCover>& pieces, double enough, double noticed,
+                         double reach, const Connector& connector, const EdgeIndex& walls) {
   const std::vector<bool> tool(path.size(), true);
   const StopFinder stops(path, tool, reach, walls);
   std::vector<Offer> offers;

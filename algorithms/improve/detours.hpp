@@ -1,6 +1,6 @@
 /// Short detours that cover pieces beside a path.
 ///
-///   path = with_detours(path, parts, enough, 0.499 * w, connector, walls);
+///   auto [longer, detours] = with_detours(path, parts, enough, 0.499 * w, connector, walls);
 ///
 ///     ---->----.  .---->----        Stop: the robot leaves the path where it passes the piece, goes towards it until
 ///               \/                  the tool reaches all of it, and comes back.
@@ -39,9 +39,14 @@ struct ToCover {
   std::vector<Polygon> parts;  // of it; one is the whole
 };
 
+struct WithDetours {
+  Polyline path;
+  std::vector<Polyline> detours;  // what it drives besides: nothing that it covered before is lost
+};
+
 /// `enough`: square metres after which no more detours are made. `reach`: metres from the robot's centre within which
 /// it covers. Pieces of less area than `noticed` get stops only. `walls`: those of the connector.
-Polyline with_detours(const Polyline& path, const std::vector<ToCover>& pieces, double enough, double noticed,
-                      double reach, const Connector& connector, const EdgeIndex& walls);
+WithDetours with_detours(const Polyline& path, const std::vector<ToCover>& pieces, double enough, double noticed,
+                         double reach, const Connector& connector, const EdgeIndex& walls);
 
 }  // namespace oxturn

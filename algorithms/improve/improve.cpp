@@ -73,9 +73,12 @@ constexpr double kPointsEach = 20000;
 constexpr int kFewRounds = 2;
 constexpr long kMovesEachOfMore = 40;
 constexpr double kShortDetours = 1.3;  // times the path's length, of a path with detours that is worth going on with
-// Moves for each square of the tool's width in the target, of the first ones and of the others, if the user names no
-// number.
-constexpr double kMovesEach = 4000, kMovesOfMore = 100, kFirstSquares = 500;
+// Moves for each square of the tool's width in the target, and in all at most, if the user names no number: half a
+// minute, however large the target is.
+constexpr double kMovesEach = 4000, kMostMoves = 2e6;
+// With fewer for each square where all of the target is asked for, they gain less than a thousandth, and finding what
+// the path covers takes as long again: none are made.
+constexpr double kFewestMoves = 10;
 
 /// Without vertices that lie on the chord of their neighbours, as those of finely sampled arcs.
 Polyline straightened(const Polyline& points, double tolerance, const EdgeIndex& walls) {
@@ -162,7 +165,7 @@ class Improver {
     for (const Polyline& points : whole)
       if (best_.empty() || (!context_.cancelled() && cost(points) < cost(best_)))
         offer(points, context_.cancelled() ? Region{} : uncovered(points));
-    if (context_.cancelled()) return;
+    if (context_.cancelled() || (completion_.whole() && moves_each() < kFewestMoves)) return;
     const Polyline best = to_anneal(starts, lines);
     const double used = lines.size() > 1 ? shares().brief * static_cast<double>(lines.size()) : 0;
     const double hot = 1 - used - shares().warming - (without_ == AnnealingPart::closing ? 0 : shares().closing);
@@ -357,8 +360,7 @@ const std::vector<Parameter<Improvement>>& improvement_parameters() {
   static const std::vector<Parameter<Improvement>> all{
       {"coverage", &Improvement::coverage, Range{0, 1, true}, "share of the target that is to be covered"},
       {"moves", &Improvement::moves, Range{0, 1e9},
-       "moves of annealing; 0: 4000 for each of the first 500 squares of the tool's width in the target, 100 for each "
-       "other"},
+       "moves of annealing; 0: 4000 for each square of the tool's width in the target, 2000000 at most"},
       {"return_home", &Improvement::return_home, "end where the path starts"},
       {"temperature", &Improvement::temperature, Range{0, 10},
        "of annealing, to begin with, in tool widths; 0: 0.006 up to 360 moves for each square of the tool's width, "
@@ -394,9 +396,8 @@ PlannerInfo improving_planner(const std::string& name, const std::string& title,
 
 double moves_in_all(const Improvement& how, const Problem& problem) {
   if (how.moves > 0) return how.moves;
-  const double width = problem.robot().tool_width, squares = area(problem.target()) / (width * width);
-  const double first = std::min(squares, kFirstSquares);
-  return kMovesEach * first + kMovesOfMore * (squares - first);
+  const double width = problem.robot().tool_width;
+  return std::min(kMovesEach * area(problem.target()) / (width * width), kMostMoves);
 }
 
 bool enough_for_unrepaired(const Improvement& how, const Problem& problem) {

@@ -12,6 +12,9 @@
 /// so the coverage never depends on convergence, and the result is never longer than any path given, completed in the
 /// same manner. The tool is on all along.
 ///
+/// Where all of the target is asked for, and there are fewer than ten moves for each square of the tool's width, none
+/// is made: the best path given is the result, completed.
+///
 /// With `objective = time`, a turn counts as far as the robot drives while it turns on the spot, and the path is the
 /// one that takes the least time in this sense; of completed paths, turns smaller than what the robot rounds off do not
 /// count. With `objective = weighted`, it is the one with the least

@@ -12,6 +12,7 @@
 #include "base/math.hpp"
 #include "base/parallel.hpp"
 #include "geometry/raster.hpp"
+#include "geometry/uniform_grid.hpp"
 
 namespace oxturn {
 namespace {
@@ -23,13 +24,14 @@ constexpr double kSide = 16;  // of a window
 constexpr double kWhole = 160, kWholeIfCold = 40;
 constexpr double kMostPoints = 8e7;  // of a raster of the whole
 constexpr double kSample = 0.5;      // distance of the points by which moves are shared out
+constexpr double kCoarsest = 0.1;    // distance of the points of a raster, unless a coarser one is asked for
 // Moves of a pass for each window, unless that makes too few or too many passes.
 constexpr double kMovesEach = 4000;
 constexpr int kLeastPasses = 3, kMostPasses = 32;
 constexpr double kNearFocus = 0.8;  // share of the moves
-// A window gets at least one move for so many vertices of the path and the target, and for so many points of its
-// raster: the time to find what is in it.
-constexpr double kVerticesEach = 20, kPointsEach = 20000;
+// A window gets at least one move for so many points of its raster, as does the whole raster, and a pass one for so many
+// vertices of the path: the time to find what is in them.
+constexpr double kPointsEach = 1250, kVerticesEach = 2;
 // Changes of the price from pass to pass: its logarithm by kPower times that of the uncovered area, of what is allowed,
 // as it will be if it goes on changing kAhead times as much; by kMostStep at most.
 constexpr double kPower = 0.3, kAhead = 1.5, kMostStep = 0.25, kLeastUncovered = 0.01;
@@ -60,6 +62,38 @@ class Grid {
   Point low_;
   double side_;
   std::size_t columns_, rows_;
+};
+
+/// The edges of a line in the raster's directions, found by where they are.
+class TurnedEdges {
+ public:
+  explicit TurnedEdges(const Polyline& line) : points_(line.size()) {
+    std::ranges::transform(line, points_.begin(), [](const Point& p) { return Witnesses::turned(p); });
+    grid_ = UniformGrid(points_.size() - 1, [this](std::size_t i) { return std::array{points_[i], points_[i + 1]}; });
+  }
+  /// Those that may come into the box; edge i goes from the line's point i to the next.
+  std::vector<std::uint32_t> near(const Box& box) const {
+    const Point &low = box.low, &high = box.high;
+    std::vector<std::uint32_t> found;
+    grid_.visit(std::array{low, Point(high.x(), low.y()), high, Point(low.x(), high.y())}, 0, [&](std::size_t cell) {
+      for (const std::uint32_t i : grid_.items(cell))
+        if (box_of(i).overlaps(box)) found.push_back(i);
+      return false;
+    });
+    std::ranges::sort(found);
+    found.erase(std::ranges::unique(found).begin(), found.end());
+    return found;
+  }
+
+ private:
+  Box box_of(std::uint32_t i) const {
+    Box box;
+    box.add(points_[i]);
+    box.add(points_[i + 1]);
+    return box;
+  }
+  Polyline points_;
+  UniformGrid grid_;
 };
 
 class Windows {
@@ -95,13 +129,15 @@ class Windows {
   Annealed in_passes(const Polyline& points, const Annealing::Schedule& schedule, Rng& rng, const Context& context) {
     options_.floating = false;
     sample();
-    make_raster();
+    make_raster(static_cast<double>(schedule.moves));
     Annealed now{points, uncovered(points), options_.price};
     now.effort.raster_points = box_.size().prod() / math::pow(options_.cell, 2);
     const double first = now.price;
     const double windows = static_cast<double>(samples_.size()) * kSample * kSample / (kSide * kSide);
+    const double moves = static_cast<double>(schedule.moves);
+    const double worthwhile = std::max(1.0, kVerticesEach * moves / static_cast<double>(points.size()));
     const int passes = static_cast<int>(
-        std::clamp<double>(static_cast<double>(schedule.moves) / (windows * kMovesEach), kLeastPasses, kMostPasses));
+        std::min(worthwhile, std::clamp<double>(moves / (windows * kMovesEach), kLeastPasses, kMostPasses)));
     const auto temperature = [&](int k) {
       return schedule.hot * math::pow(schedule.cold / schedule.hot, static_cast<double>(k) / passes);
     };
@@ -126,36 +162,29 @@ class Windows {
   /// Of the whole target, less what the line covers.
   Witnesses witnesses(const Polyline& line, double cell) const {
     Witnesses all(target_, box_, cell, options_.radius);
-    add(boxes_of(line), line, box_, all);
+    add(TurnedEdges(line), line, box_, all);
     return all;
   }
-  /// In the box, turned, less what the line covers; the same points in every box. `edges`: boxes_of(line).
-  Witnesses witnesses(const Box& box, const std::vector<Box>& edges, const Polyline& line) const {
+  /// In the box, turned, less what the line covers; the same points in every box. `edges`: the line's.
+  Witnesses witnesses(const Box& box, const TurnedEdges& edges, const Polyline& line) const {
     const CellRange part = cells_in(box);
     Witnesses all(*raster_, box_.low, part, options_.cell, options_.radius);
     if (all.points() > 0) add(edges, line, grown(box, options_.cell), all);
     return all;
   }
   /// What the edges cover that come near the box.
-  void add(const std::vector<Box>& edges, const Polyline& line, const Box& box, Witnesses& to) const {
-    const Box near = grown(box, options_.radius);
+  void add(const TurnedEdges& edges, const Polyline& line, const Box& box, Witnesses& to) const {
     Witnesses::Capsule capsule;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      if (!edges[i].overlaps(near)) continue;
+    for (const std::uint32_t i : edges.near(grown(box, options_.radius))) {
       to.capsule(line[i], line[i + 1], capsule);
       to.add(capsule);
     }
   }
-  /// Of each edge, turned.
-  static std::vector<Box> boxes_of(const Polyline& line) {
-    std::vector<Box> boxes(line.size() - 1);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      boxes[i].add(Witnesses::turned(line[i]));
-      boxes[i].add(Witnesses::turned(line[i + 1]));
-    }
-    return boxes;
-  }
-  void make_raster() {
+  /// No finer than the moves pay for.
+  void make_raster(double moves) {
+    const double area = static_cast<double>(samples_.size()) * math::pow(kSample * width_, 2);
+    const double paid_for = std::min(std::sqrt(area / (kPointsEach * std::max(moves, 1.0))), kCoarsest * width_);
+    options_.cell = std::max(options_.cell, paid_for);
     const auto count = [&](double size) { return static_cast<int>(size / options_.cell) + 1; };
     raster_.emplace(target_, box_.low, options_.cell, count(box_.size().x()), count(box_.size().y()));
   }
@@ -175,7 +204,7 @@ class Windows {
 
   double uncovered(const Polyline& points) const {
     const Grid grid(box_, box_.low, kSide * width_);
-    const std::vector<Box> edges = boxes_of(points);
+    const TurnedEdges edges(points);
     std::vector<double> areas(grid.size());
     in_parallel(threads_, grid.size(),
                 [&](std::size_t k) { areas[k] = area_uncovered(witnesses(grid.window(k), edges, points)); });
@@ -209,8 +238,7 @@ class Windows {
       share[k] += of_focus / static_cast<double>(focus_.size());
       focus[k].push_back(p);
     }
-    const double least = static_cast<double>(now.points.size() + vertex_count(target_)) / kVerticesEach +
-                         math::pow((side + 2 * options_.radius) / options_.cell, 2) / kPointsEach;
+    const double least = math::pow((side + 2 * options_.radius) / options_.cell, 2) / kPointsEach;
     const std::uint64_t seed = rng.bits();
     std::array<std::vector<Task>, 4> batches;
     for (std::size_t k = 0; k < grid.size(); ++k) {
@@ -234,7 +262,7 @@ class Windows {
     std::vector<std::optional<VertexPath>> changed(batch.size());
     std::vector<double> more(batch.size());  // area uncovered
     std::vector<Effort> efforts(batch.size());
-    const std::vector<Box> edges = boxes_of(parts.path());
+    const TurnedEdges edges(parts.path());
     in_parallel(threads_, batch.size(), [&](std::size_t k) {
       if (!parts.visited(k)) return;
       Task& task = batch[k];

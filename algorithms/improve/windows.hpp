@@ -14,8 +14,9 @@
 /// them (window_parts.hpp) are dropped.
 ///
 /// Source      ours
-/// Complexity  a few microseconds a move. A window also takes O(n + m + p) for n vertices of the path, m of the target
-///             and p points of its raster: where there are fewer moves than that, windows are drawn by lot
+/// Complexity  a few microseconds a move. A pass also takes O(n) for n vertices of the path, and a window O(p) for p
+///             points of its raster: where there are fewer moves than that, there are fewer passes, and windows are
+///             drawn by lot
 #pragma once
 
 #include <vector>

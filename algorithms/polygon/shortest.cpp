@@ -22,7 +22,7 @@ namespace {
 constexpr double kNoLimit = 1e9;  // seconds
 // Moves for each vertex of configuration space and of the starts so far, below which there is no other start: making
 // one takes the time of about so many.
-constexpr double kMovesEach = 4;
+constexpr double kMovesEach = 1;
 
 struct Start {
   const char* planner;

@@ -5,9 +5,13 @@
 #include <cmath>
 
 #include "algorithms/improve/completion.hpp"
+#include "algorithms/improve/detours.hpp"
+#include "algorithms/improve/improve.hpp"
 #include "algorithms/improve/witnesses.hpp"
 #include "coverage_oracle.hpp"
 #include "geometry/edge_index.hpp"
+#include "geometry/overlay/boolean.hpp"
+#include "geometry/overlay/swath.hpp"
 #include "maps/generators.hpp"
 #include "tests/support/planners.hpp"
 #include "tests/support/seeds.hpp"
@@ -45,6 +49,73 @@ TEST(Completion, SeesWhatAPathOfManySegmentsLeaves) {
     }
     EXPECT_GT(uncovered, 0);
   }
+}
+
+// What a path with detours leaves uncovered is found from the detours alone: nothing is lost where they cut off a turn.
+TEST(Detours, AreAllThatAPathWithDetoursCoversBesides) {
+  const double width = 0.4;
+  std::size_t detours = 0;
+  for (const char* kind : {"rooms", "cave", "clutter", "polygon"})
+    for (const char* planner : {"connected-fermat", "contour"}) {
+      SCOPED_TRACE(fmt::format("{} {}", kind, planner));
+      const Problem problem(generate(kind, {}, 11), disc(0.2, width));
+      const Polyline path = vertices_of(plan(planner, problem, {{"repair", false}}), problem.start());
+      const Completion completion(problem, 1);
+      const Region left = completion.uncovered(path);
+      std::vector<ToCover> pieces;
+      for (const Polygon& piece : left.polygons) pieces.push_back({piece, {piece}});
+      const WithDetours longer =
+          with_detours(path, pieces, 1e9, 1e9, 0.499 * width, Connector(problem), problem.walls());
+      detours += longer.detours.size();
+      const Region found =
+          subtract(left, swath_parts(longer.detours, width / 2, Completion::kChord * width, Bound::inside));
+      const Region truth = completion.uncovered(longer.path);
+      EXPECT_LT(area(found), area(left));
+      EXPECT_NEAR(area(found), area(truth), 1e-6 * area(problem.target()));
+      EXPECT_LT(area(subtract(found, truth)), 1e-6 * area(problem.target()));
+    }
+  EXPECT_GT(detours, 500u);
+}
+
+TEST(Improved, TheMovesByDefaultGrowWithTheTargetUpToALimit) {
+  const auto moves = [](double side) {  // tool widths
+    const Problem problem({"hall", box_region({0, 0}, {side, side}), "test", "test"}, disc(0.1, 1));
+    return moves_in_all({}, problem);
+  };
+  EXPECT_NEAR(moves(20), 4000 * 400, 8000);
+  EXPECT_EQ(moves(60), 2e6);
+  EXPECT_EQ(moves(1000), 2e6);
+}
+
+// Where all is to be covered, a few moves for each square gain nothing: the best start is the result, completed.
+TEST(Improved, FewMovesAreNotMadeWhereAllIsToBeCovered) {
+  const Problem problem(generate("rooms", {}, 3), disc(0.2, 0.4));
+  const Completion completion(problem, 1);
+  std::vector<PathToImprove> starts;
+  double shortest = 1e9;
+  for (const char* planner : {"boustrophedon", "contour"}) {
+    starts.push_back({plan(planner, problem)});
+    const Polyline points = vertices_of(starts.back().path, problem.start());
+    Context context;
+    shortest = std::min(shortest, length(completion.completed(points, completion.uncovered(points), context)));
+  }
+  const double squares = area(problem.target()) / (0.4 * 0.4);
+  const auto with = [&](double coverage, double each) {
+    double made = -1;
+    Context::Sinks sinks;
+    sinks.record = [&](const std::string& name, double value) {
+      if (name == "annealing_moves") made = value;
+    };
+    Context context(1, 1e9, sinks);
+    const int moves = static_cast<int>(each * squares);
+    const Path path = improved(problem, starts, {.coverage = coverage, .moves = moves}, context);
+    return std::pair(made, path.length());
+  };
+  EXPECT_EQ(with(1, 9), std::pair(0.0, shortest));
+  EXPECT_GT(with(1, 100).first, 90 * squares);
+  EXPECT_LT(with(1, 100).second, shortest);
+  EXPECT_GT(with(0.99, 9).first, 8 * squares);
+  EXPECT_LT(with(0.99, 9).second, shortest);
 }
 
 std::size_t vertices_in(const Path& path) {

@@ -242,7 +242,7 @@ Problem wide_room() {
 }
 
 Polyline detoured(const Problem& problem, const Polyline& path, const std::vector<ToCover>& pieces, double enough) {
-  return with_detours(path, pieces, enough, 0, 0.5, Connector(problem), problem.walls());
+  return with_detours(path, pieces, enough, 0, 0.5, Connector(problem), problem.walls()).path;
 }
 
 double distance_to_line(const Point& p, const Polyline& line) {

@@ -99,7 +99,7 @@ TEST(Stops, DetoursCutOffTurns) {
   const auto with = [&](const std::vector<Polygon>& pieces) {
     std::vector<ToCover> all;
     for (const Polygon& piece : pieces) all.push_back({piece, {piece}});
-    return with_detours(path, all, 1e9, 1e9, 1, Connector(p), p.walls());
+    return with_detours(path, all, 1e9, 1e9, 1, Connector(p), p.walls()).path;
   };
   const Polygon beyond = speck({-0.9, -0.9}, 0.1), beside = speck({-1.3, -0.3}, 0.1);
   const Polyline one = with({beyond}), two = with({beyond, beside});
