@@ -140,9 +140,7 @@ class Improver {
         moves_(moves_in_all(how, problem)),
         turn_(weight_of_time(how) * problem.robot().speed / problem.robot().turn_rate),
         share_(std::max(completion_.allowed() / area(problem.target()),
-                        completion_.whole() ? kLeastOfWhole : kLeastUncovered)),
-        narrow_(with_margin(kMargin, kNarrowChord)),
-        less_narrow_(with_margin(kFineMargin, Completion::kChord)) {}
+                        completion_.whole() ? kLeastOfWhole : kLeastUncovered)) {}
 
   Path run(const std::vector<PathToImprove>& starts) {
     improve(starts);
@@ -166,6 +164,8 @@ class Improver {
       if (best_.empty() || (!context_.cancelled() && cost(points) < cost(best_)))
         offer(points, context_.cancelled() ? Region{} : uncovered(points));
     if (context_.cancelled() || (completion_.whole() && moves_each() < kFewestMoves)) return;
+    narrow_ = with_margin(kMargin, kNarrowChord);
+    less_narrow_ = with_margin(kFineMargin, Completion::kChord);
     const Polyline best = to_anneal(starts, lines);
     const double used = lines.size() > 1 ? shares().brief * static_cast<double>(lines.size()) : 0;
     const double hot = 1 - used - shares().warming - (without_ == AnnealingPart::closing ? 0 : shares().closing);
@@ -346,10 +346,10 @@ class Improver {
   const Completion completion_;
   const WallFollowing walls_;
   double width_, moves_;
-  double turn_;                        // metres that a turn by a radian counts
-  double share_;                       // of the target that annealing may leave uncovered
-  const Region narrow_, less_narrow_;  // what the narrower tools can cover
-  std::vector<Point> focus_;           // what the last path that was completed left uncovered
+  double turn_;                  // metres that a turn by a radian counts
+  double share_;                 // of the target that annealing may leave uncovered
+  Region narrow_, less_narrow_;  // what the narrower tools can cover
+  std::vector<Point> focus_;     // what the last path that was completed left uncovered
   Polyline best_;
   Effort effort_;
 };

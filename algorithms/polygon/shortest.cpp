@@ -7,7 +7,7 @@
 // Complexity  a few microseconds a move
 // Decisions   1. Starts: `boustrophedon` in its own direction and along both axes, and `contour`. Each is
 //                annealed briefly, the best one at length. Where the moves are few for the problem's vertices, there
-//                are fewer starts: a start takes the time of some moves for each of these.
+//                are two starts only: a start takes the time of a move for each of these.
 //             2. All starts but the first drive at half the tool's width from walls: nearer to them, a tool wider than
 //                the robot is wasted in part, and annealing does not shift all lanes of a field by as much.
 //             3. `contour` is judged whole, but annealed at length without its repair: annealing covers what is between
@@ -20,9 +20,10 @@ namespace oxturn {
 namespace {
 
 constexpr double kNoLimit = 1e9;  // seconds
-// Moves for each vertex of configuration space and of the starts so far, below which there is no other start: making
-// one takes the time of about so many.
+// Moves for each vertex of configuration space and of the starts so far, below which there are no starts but the first
+// ones: making one takes the time of about so many.
 constexpr double kMovesEach = 1;
+constexpr std::size_t kFirstStarts = 2;  // lanes are shorter in some spaces, laps in others
 
 struct Start {
   const char* planner;
@@ -73,7 +74,8 @@ class Shortest final : public CoveragePlanner {
       } catch (const Infeasible&) { continue; }
       if (paths.size() == 1) context.publish(paths.front().path);
       vertices += static_cast<double>(vertex_count(problem.configuration_space()) + vertex_count(paths.back().path));
-      if (context.cancelled() || kMovesEach * vertices > moves_in_all(how_, problem)) break;
+      const bool few = kMovesEach * vertices > moves_in_all(how_, problem);
+      if (context.cancelled() || (few && paths.size() >= kFirstStarts)) break;
     }
     if (paths.empty()) paths.emplace_back();  // all of the path is detours
     return improved(problem, paths, how_, context);

@@ -112,6 +112,7 @@ TEST(Improved, FewMovesAreNotMadeWhereAllIsToBeCovered) {
     return std::pair(made, path.length());
   };
   EXPECT_EQ(with(1, 9), std::pair(0.0, shortest));
+  EXPECT_EQ(plan("shortest", problem, {{"moves", std::int64_t{1}}}).length(), shortest);  // from both, however few
   EXPECT_GT(with(1, 100).first, 90 * squares);
   EXPECT_LT(with(1, 100).second, shortest);
   EXPECT_GT(with(0.99, 9).first, 8 * squares);
