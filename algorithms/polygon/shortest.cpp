@@ -7,7 +7,7 @@
 // Complexity  a few microseconds a move
 // Decisions   1. Starts: `boustrophedon` in its own direction and along both axes, and `contour`. Each is
 //                annealed briefly, the best one at length. Where the moves are few for the problem's vertices, there
-//                are two starts only: a start takes the time of a move for each of these.
+//                are two starts only: a start takes the time of some moves for each of these.
 //             2. All starts but the first drive at half the tool's width from walls: nearer to them, a tool wider than
 //                the robot is wasted in part, and annealing does not shift all lanes of a field by as much.
 //             3. `contour` is judged whole, but annealed at length without its repair: annealing covers what is between
@@ -22,7 +22,7 @@ namespace {
 constexpr double kNoLimit = 1e9;  // seconds
 // Moves for each vertex of configuration space and of the starts so far, below which there are no starts but the first
 // ones: making one takes the time of about so many.
-constexpr double kMovesEach = 1;
+constexpr double kMovesEach = 4;
 constexpr std::size_t kFirstStarts = 2;  // lanes are shorter in some spaces, laps in others
 
 struct Start {

@@ -19,6 +19,9 @@ slope of log seconds over log cells; n log n has 1.09. MB: the greatest of the s
 run without a path shows its outcome: `timeout` is more than 20 s of processor time; an empty field was not run. The
 figures are those of one machine: orders carry over, seconds do not.
 
+Planners whose time is a budget of moves, `shortest` and `polished`, are not in the tables: [anytime](anytime.md) shows
+what they make of it.
+
 Three published orders must grow faster than n log n among scattered obstacles, because the paths that their sources
 describe do: `shnaps-rimon` visits the cells by their distance from the anchor, `shnaps-rimon-banded` by distance and
 by the direction from the last bend, and `berg` goes from area to area by distance, along boundaries that overlap behind
