@@ -18,8 +18,11 @@ namespace oxturn::cli {
 
 namespace fs = std::filesystem;
 
-void add_settings(CLI::App& app, std::vector<std::string>& assignments, const std::string& of_what) {
-  app.add_option("--set", assignments, "parameter of the " + of_what + ", name=value (may be repeated)")
+void add_settings(CLI::App& app, std::vector<std::string>& assignments, const std::string& of_what,
+                  const std::string& list) {
+  app.add_option(
+         "--set", assignments,
+         "parameter of the " + of_what + ", name=value; `oxturn list " + list + " NAME` shows them (may be repeated)")
       ->allow_extra_args(false)
       ->take_all()
       ->type_name("K=V");

@@ -13,7 +13,8 @@ namespace oxturn::cli {
 
 // --- settings ----------------------------------------------------------------------------------------------
 /// `--set k=v`, repeated.
-void add_settings(CLI::App& app, std::vector<std::string>& assignments, const std::string& of_what);
+void add_settings(CLI::App& app, std::vector<std::string>& assignments, const std::string& of_what,
+                  const std::string& list);
 /// Checked against the parameters of `owner` ("planner 'stc'"). `given_by` is where they stand.
 Settings parse_settings(const std::string& owner, const std::vector<ParameterInfo>& parameters,
                         const std::vector<std::string>& assignments, const std::string& given_by = "--set");

@@ -1,6 +1,8 @@
 // oxturn completion: a script that makes a shell complete commands, options and names, from the descriptions.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -26,7 +28,12 @@ std::vector<std::string> words_after(const std::string& command, const Registry&
   std::vector<std::string> names;
   if (command == "plan" || command == "check") return registry.planners.names();
   if (command == "map") return registry.generators.names();
-  if (command == "list") return kinds_of_lists();
+  if (command == "list") {
+    names = kinds_of_lists();
+    std::ranges::copy(registry.planners.names(), std::back_inserter(names));
+    std::ranges::copy(registry.generators.names(), std::back_inserter(names));
+    return names;
+  }
   if (command == "completion") return {"bash", "zsh", "fish"};
   if (command == "run")
     for (const SuiteFile& suite : suite_files()) names.push_back(suite.name);

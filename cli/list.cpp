@@ -213,16 +213,31 @@ const Kind kKinds[] = {
      }},
 };
 
+/// Those of these names, in the order of the names; all without names.
+Json named(Json all, const std::string& what, const std::vector<std::string>& names) {
+  if (names.empty()) return all;
+  std::vector<std::string> known;
+  for (const Json& one : all) known.push_back(text_of(one["name"]));
+  Json some = Json::array();
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(known, name);
+    if (found == known.end())
+      throw std::invalid_argument(unknown_name("entry of the list " + what + " named", name, known));
+    some.push_back(all[static_cast<std::size_t>(found - known.begin())]);
+  }
+  return some;
+}
+
 struct Options {
   std::string what;
-  std::vector<std::string> programs;
+  std::vector<std::string> names, programs;
   bool json = false;
 };
 
 int list(const Options& options, const Registry& registry) {
   for (const Kind& kind : kKinds) {
     if (options.what != kind.name) continue;
-    const Json all = kind.all(with_programs(registry, options.programs).registry);
+    const Json all = named(kind.all(with_programs(registry, options.programs).registry), options.what, options.names);
     if (options.json)
       fmt::print("{}\n", all.dump(2));
     else
@@ -237,6 +252,7 @@ std::function<int()> attach(CLI::App& app, const Registry& registry) {
   app.add_option("WHAT", options->what, "planners, maps, formats, metrics, robot, suites, tables or columns")
       ->required()
       ->type_name("");
+  app.add_option("NAME", options->names, "only these, by name; all if not given")->type_name("");
   add_programs(app, options->programs);
   app.add_flag("--json", options->json, "print JSON");
   return [options, &registry] { return list(*options, registry); };
@@ -252,7 +268,8 @@ std::vector<std::string> kinds_of_lists() {
 
 Command list_command() {
   return {"list", "what there is: planners, maps, formats, metrics, robot, suites, tables, columns",
-          "  oxturn list planners\n  oxturn list maps --json\n  oxturn list planners --exec 'python3 lanes.py'\n",
+          "  oxturn list planners\n  oxturn list planners stc\n  oxturn list maps --json\n  oxturn list planners "
+          "--exec 'python3 lanes.py'\n",
           attach};
 }
 

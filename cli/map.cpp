@@ -65,7 +65,7 @@ int map(const Options& options, const Registry& registry) {
 std::function<int()> attach(CLI::App& app, const Registry& registry) {
   const auto options = std::make_shared<Options>();
   app.add_option("SOURCE", options->source, kMapHelp)->required()->type_name("");
-  add_settings(app, options->settings, "generator");
+  add_settings(app, options->settings, "generator", "maps");
   app.add_option("--seed", options->seed, "seed of the generator, in place of GENERATOR:SEED; 1 if not given")
       ->check(whole_number())
       ->type_name("N");

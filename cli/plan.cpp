@@ -217,7 +217,7 @@ int plan(PlanOptions options, const Registry& built_in) {
 
 void add_plan_options(CLI::App& app, const Registry& registry, PlanOptions& options) {
   add_programs(app, options.programs);
-  add_settings(app, options.settings, "planner");
+  add_settings(app, options.settings, "planner", "planners");
   app.add_option("--seed", options.isolation.seed, "seed of the planner's random choices; 1 if not given")
       ->check(whole_number())
       ->type_name("N");

@@ -153,6 +153,9 @@ TEST_F(BadInput, PathThatIsNone) {
   expect_refused(oxturn("score " + text + " " + box), HasSubstr("p.geojson"));
 }
 TEST_F(BadInput, ListOfNothing) { expect_refused(oxturn("list planer"), HasSubstr("did you mean 'planners'")); }
+TEST_F(BadInput, ListOfNoSuchPlanner) {
+  expect_refused(oxturn("list planners zigzak"), AllOf(HasSubstr("zigzak"), HasSubstr("did you mean 'zigzag'")));
+}
 
 }  // namespace
 }  // namespace oxturn

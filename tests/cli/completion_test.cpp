@@ -26,6 +26,7 @@ TEST(Completion, BashProposesCommandsOptionsAndNames) {
   EXPECT_EQ(proposals("oxturn plan bous"), "boustrophedon\n");
   EXPECT_EQ(proposals("oxturn plan stc --ex"), "--exec\n");
   EXPECT_EQ(proposals("oxturn list form"), "formats\n");
+  EXPECT_EQ(proposals("oxturn list planners zig"), "zigzag\n");
   EXPECT_EQ(proposals("oxturn run quic"), "quick\n");
   EXPECT_EQ(proposals("oxturn map scr"), "script\n");  // a file
 }

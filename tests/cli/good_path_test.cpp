@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -14,7 +15,9 @@
 namespace oxturn {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 using Json = nlohmann::json;
 
@@ -48,6 +51,20 @@ TEST(List, JsonParsesAndAgreesWithTheText) {
     EXPECT_FALSE(all.empty()) << what;
     for (const Json& one : all) EXPECT_THAT(text.out, HasSubstr(one.at("name").get<std::string>())) << what;
   }
+}
+
+TEST(List, OnlyWhatIsNamed) {
+  const Json all = Json::parse(oxturn("list planners --json").out);
+  for (const std::string command : {"list planners zigzag stc", "list planners zigzag stc --json"}) {
+    const Said said = oxturn(command);
+    EXPECT_EQ(said.code, 0) << said.err;
+    EXPECT_THAT(said.out, AllOf(HasSubstr("zigzag"), HasSubstr("cell_size"), Not(HasSubstr("boustrophedon"))));
+  }
+  const Json some = Json::parse(oxturn("list planners zigzag stc --json").out);
+  ASSERT_EQ(some.size(), 2u);
+  EXPECT_EQ(some[0].at("name"), "zigzag");  // in the order asked for
+  for (const Json& one : some) EXPECT_NE(std::ranges::find(all, one), all.end());
+  EXPECT_THAT(oxturn("list columns coverage").out, StartsWith("coverage "));
 }
 
 TEST(List, PlannersHaveCitationsAndParameters) {
