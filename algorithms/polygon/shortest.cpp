@@ -7,7 +7,8 @@
 // Complexity  a few microseconds a move
 // Decisions   1. Starts: `boustrophedon` in its own direction and along both axes, and `contour`. Each is
 //                annealed briefly, the best one at length. Where the moves are few for the problem's vertices, there
-//                are two starts only: a start takes the time of some moves for each of these.
+//                are fewer starts: a start takes the time of some moves for each of these. Unless the tool is wider
+//                than four robots, there are two at least.
 //             2. All starts but the first drive at half the tool's width from walls: nearer to them, a tool wider than
 //                the robot is wasted in part, and annealing does not shift all lanes of a field by as much.
 //             3. `contour` is judged whole, but annealed at length without its repair: annealing covers what is between
@@ -20,10 +21,10 @@ namespace oxturn {
 namespace {
 
 constexpr double kNoLimit = 1e9;  // seconds
-// Moves for each vertex of configuration space and of the starts so far, below which there are no starts but the first
-// ones: making one takes the time of about so many.
+// Moves for each vertex of configuration space and of the starts so far, below which there are no more starts: making
+// one takes the time of about so many.
 constexpr double kMovesEach = 4;
-constexpr std::size_t kFirstStarts = 2;  // lanes are shorter in some spaces, laps in others
+constexpr double kWide = 8;  // radii
 
 struct Start {
   const char* planner;
@@ -40,6 +41,10 @@ std::vector<Start> starts(AnnealingPart without) {
   if (without == AnnealingPart::starts) all.resize(1);
   return all;
 }
+
+/// However few the moves are. Lanes are shorter in some spaces, laps in others; but those of a tool that is much wider
+/// than the robot leave much to repair among many obstacles, which takes longer than all moves.
+std::size_t least_starts(const Robot& robot) { return robot.tool_width > kWide * robot.radius ? 1 : 2; }
 
 std::size_t vertex_count(const Path& path) {
   std::size_t sum = 0;
@@ -75,7 +80,7 @@ class Shortest final : public CoveragePlanner {
       if (paths.size() == 1) context.publish(paths.front().path);
       vertices += static_cast<double>(vertex_count(problem.configuration_space()) + vertex_count(paths.back().path));
       const bool few = kMovesEach * vertices > moves_in_all(how_, problem);
-      if (context.cancelled() || (few && paths.size() >= kFirstStarts)) break;
+      if (context.cancelled() || (few && paths.size() >= least_starts(problem.robot()))) break;
     }
     if (paths.empty()) paths.emplace_back();  // all of the path is detours
     return improved(problem, paths, how_, context);
