@@ -29,8 +29,8 @@ constexpr double kCoarsest = 0.1;    // distance of the points of a raster, unle
 constexpr double kMovesEach = 4000;
 constexpr int kLeastPasses = 3, kMostPasses = 32;
 constexpr double kNearFocus = 0.8;  // share of the moves
-// A window gets at least one move for so many points of its raster, as does the whole raster, and a pass gets one for so
-// many vertices of the path: the time to find what is in them.
+// A window gets at least one move for so many points of its raster, as does the whole raster, and a pass gets one for
+// so many vertices of the path: the time to find what is in them.
 constexpr double kPointsEach = 1250, kVerticesEach = 2;
 // Changes of the price from pass to pass: its logarithm by kPower times that of the uncovered area, of what is allowed,
 // as it will be if it goes on changing kAhead times as much; by kMostStep at most.
