@@ -272,7 +272,7 @@ class Improver {
             .price = price(share_),
             .turn = turn_,
             .fixed_end = how_.return_home,
-            .cut_short = width_ > kWideTool * problem_.robot().radius,
+            .cut_short = is_wide_tool(problem_.robot()),
             .hot = nearly_all() && moves_each() >= kMovesOfWindows ? kHotOfNearlyAll : kHot,
             .without = without_};
   }
@@ -393,6 +393,8 @@ PlannerInfo improving_planner(const std::string& name, const std::string& title,
   };
   return info;
 }
+
+bool is_wide_tool(const Robot& robot) { return robot.tool_width > kWideTool * robot.radius; }
 
 double moves_in_all(const Improvement& how, const Problem& problem) {
   if (how.moves > 0) return how.moves;

@@ -53,6 +53,8 @@ const std::vector<Parameter<Improvement>>& improvement_parameters();
 /// What the descriptions of planners that improve paths have in common; without `make`.
 PlannerInfo improving_planner(const std::string& name, const std::string& title, const std::string& guarantee);
 
+/// Is the tool wider than four robots?
+bool is_wide_tool(const Robot& robot);
 /// How many moves of annealing are made in all: `how.moves`, or what the size of the target gives.
 double moves_in_all(const Improvement& how, const Problem& problem);
 /// Are these enough for the target's size to cover what a path leaves uncovered without its detours?

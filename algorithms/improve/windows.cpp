@@ -12,7 +12,7 @@
 #include "base/math.hpp"
 #include "base/parallel.hpp"
 #include "geometry/raster.hpp"
-#include "geometry/uniform_grid.hpp"
+#include "geometry/ring_boxes.hpp"
 
 namespace oxturn {
 namespace {
@@ -64,38 +64,6 @@ class Grid {
   std::size_t columns_, rows_;
 };
 
-/// The edges of a line in the raster's directions, found by where they are.
-class TurnedEdges {
- public:
-  explicit TurnedEdges(const Polyline& line) : points_(line.size()) {
-    std::ranges::transform(line, points_.begin(), [](const Point& p) { return Witnesses::turned(p); });
-    grid_ = UniformGrid(points_.size() - 1, [this](std::size_t i) { return std::array{points_[i], points_[i + 1]}; });
-  }
-  /// Those that may come into the box; edge i goes from the line's point i to the next.
-  std::vector<std::uint32_t> near(const Box& box) const {
-    const Point &low = box.low, &high = box.high;
-    std::vector<std::uint32_t> found;
-    grid_.visit(std::array{low, Point(high.x(), low.y()), high, Point(low.x(), high.y())}, 0, [&](std::size_t cell) {
-      for (const std::uint32_t i : grid_.items(cell))
-        if (box_of(i).overlaps(box)) found.push_back(i);
-      return false;
-    });
-    std::ranges::sort(found);
-    found.erase(std::ranges::unique(found).begin(), found.end());
-    return found;
-  }
-
- private:
-  Box box_of(std::uint32_t i) const {
-    Box box;
-    box.add(points_[i]);
-    box.add(points_[i + 1]);
-    return box;
-  }
-  Polyline points_;
-  UniformGrid grid_;
-};
-
 class Windows {
  public:
   Windows(const Problem& problem, const Region& target, const Annealing::Options& options,
@@ -129,12 +97,12 @@ class Windows {
   Annealed in_passes(const Polyline& points, const Annealing::Schedule& schedule, Rng& rng, const Context& context) {
     options_.floating = false;
     sample();
-    make_raster(static_cast<double>(schedule.moves));
+    const double moves = static_cast<double>(schedule.moves);
+    make_raster(moves);
     Annealed now{points, uncovered(points), options_.price};
     now.effort.raster_points = box_.size().prod() / math::pow(options_.cell, 2);
     const double first = now.price;
     const double windows = static_cast<double>(samples_.size()) * kSample * kSample / (kSide * kSide);
-    const double moves = static_cast<double>(schedule.moves);
     const double worthwhile = std::max(1.0, kVerticesEach * moves / static_cast<double>(points.size()));
     const int passes = static_cast<int>(
         std::min(worthwhile, std::clamp<double>(moves / (windows * kMovesEach), kLeastPasses, kMostPasses)));
@@ -162,23 +130,32 @@ class Windows {
   /// Of the whole target, less what the line covers.
   Witnesses witnesses(const Polyline& line, double cell) const {
     Witnesses all(target_, box_, cell, options_.radius);
-    add(TurnedEdges(line), line, box_, all);
+    add(boxes_of(line), line, box_, all);
     return all;
   }
-  /// In the box, turned, less what the line covers; the same points in every box. `edges`: the line's.
-  Witnesses witnesses(const Box& box, const TurnedEdges& edges, const Polyline& line) const {
+  /// In the box, turned, less what the line covers; the same points in every box. `edges`: boxes_of(line).
+  Witnesses witnesses(const Box& box, const BoxIndex& edges, const Polyline& line) const {
     const CellRange part = cells_in(box);
     Witnesses all(*raster_, box_.low, part, options_.cell, options_.radius);
     if (all.points() > 0) add(edges, line, grown(box, options_.cell), all);
     return all;
   }
   /// What the edges cover that come near the box.
-  void add(const TurnedEdges& edges, const Polyline& line, const Box& box, Witnesses& to) const {
+  void add(const BoxIndex& edges, const Polyline& line, const Box& box, Witnesses& to) const {
     Witnesses::Capsule capsule;
-    for (const std::uint32_t i : edges.near(grown(box, options_.radius))) {
+    for (const std::uint32_t i : edges.overlapping(grown(box, options_.radius))) {
       to.capsule(line[i], line[i + 1], capsule);
       to.add(capsule);
     }
+  }
+  /// Of each edge, turned.
+  static BoxIndex boxes_of(const Polyline& line) {
+    std::vector<Box> boxes(line.size() - 1);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      boxes[i].add(Witnesses::turned(line[i]));
+      boxes[i].add(Witnesses::turned(line[i + 1]));
+    }
+    return BoxIndex(std::move(boxes));
   }
   /// No finer than the moves pay for.
   void make_raster(double moves) {
@@ -204,7 +181,7 @@ class Windows {
 
   double uncovered(const Polyline& points) const {
     const Grid grid(box_, box_.low, kSide * width_);
-    const TurnedEdges edges(points);
+    const BoxIndex edges = boxes_of(points);
     std::vector<double> areas(grid.size());
     in_parallel(threads_, grid.size(),
                 [&](std::size_t k) { areas[k] = area_uncovered(witnesses(grid.window(k), edges, points)); });
@@ -262,7 +239,7 @@ class Windows {
     std::vector<std::optional<VertexPath>> changed(batch.size());
     std::vector<double> more(batch.size());  // area uncovered
     std::vector<Effort> efforts(batch.size());
-    const TurnedEdges edges(parts.path());
+    const BoxIndex edges = boxes_of(parts.path());
     in_parallel(threads_, batch.size(), [&](std::size_t k) {
       if (!parts.visited(k)) return;
       Task& task = batch[k];

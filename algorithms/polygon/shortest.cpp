@@ -24,7 +24,6 @@ constexpr double kNoLimit = 1e9;  // seconds
 // Moves for each vertex of configuration space and of the starts so far, below which there are no more starts: making
 // one takes the time of about so many.
 constexpr double kMovesEach = 4;
-constexpr double kWide = 8;  // radii
 
 struct Start {
   const char* planner;
@@ -44,7 +43,7 @@ std::vector<Start> starts(AnnealingPart without) {
 
 /// However few the moves are. Lanes are shorter in some spaces, laps in others; but those of a tool that is much wider
 /// than the robot leave much to repair among many obstacles, which takes longer than all moves.
-std::size_t least_starts(const Robot& robot) { return robot.tool_width > kWide * robot.radius ? 1 : 2; }
+std::size_t least_starts(const Robot& robot) { return is_wide_tool(robot) ? 1 : 2; }
 
 std::size_t vertex_count(const Path& path) {
   std::size_t sum = 0;
