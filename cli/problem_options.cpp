@@ -101,8 +101,8 @@ void add_problem_options(CLI::App& app, const Registry& registry, ProblemOptions
       ->check(number_from(0, false, "metres"))
       ->type_name("M");
   app.add_option("--start", options.start,
-                 "where the robot starts: X,Y, middle (well inside) or corner (lower left); as the map file says, or "
-                 "middle, if not given")
+                 "where the robot starts: X,Y, middle (well inside, or inside the target area) or corner (lower left); "
+                 "as the map file says, or middle, if not given")
       ->type_name("POINT");
   app.add_option("--anchor", options.anchor,
                  "where the tether is fastened: X,Y, start, wall (the nearest point of one) or corner (the nearest in "

@@ -9,7 +9,9 @@
 #include "base/text.hpp"
 #include "base/throw_invalid.hpp"
 #include "geometry/edge_index.hpp"
+#include "geometry/overlay/boolean.hpp"
 #include "geometry/overlay/minkowski.hpp"
+#include "geometry/overlay/offset.hpp"
 #include "geometry/predicates.hpp"
 
 namespace oxturn {
@@ -90,6 +92,13 @@ DefaultStart find_default_start(const Region& all) {
   // A component thinner than any triangle is all boundary.
   const Point middle = mesh.middle_of_largest_triangle().value_or(largest.outer.front());
   return {middle, &largest, std::move(mesh)};
+}
+
+std::optional<Point> start_in_target_area(const Region& all, const Region& target_area, double tool_width) {
+  Region near = intersect(all, target_area);
+  if (near.empty()) near = intersect(all, dilate(target_area, tool_width / 2, tool_width / 1000, Bound::inside));
+  if (near.empty()) return std::nullopt;
+  return find_default_start(near).point;
 }
 
 }  // namespace oxturn

@@ -4,6 +4,8 @@
 ///   const Polygon* component = component_at(all, start, tolerance);   // nullptr: the robot does not fit there
 #pragma once
 
+#include <optional>
+
 #include "geometry/mesh/mesh.hpp"
 #include "maps/map.hpp"
 #include "maps/robot.hpp"
@@ -32,5 +34,8 @@ struct DefaultStart {
   Mesh mesh;  // of the component
 };
 DefaultStart find_default_start(const Region& all);
+/// The same with a target area: within it, if the robot fits there, else within half a tool's width of it. None if that
+/// is out of reach.
+std::optional<Point> start_in_target_area(const Region& all, const Region& target_area, double tool_width);
 
 }  // namespace oxturn

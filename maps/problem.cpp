@@ -197,7 +197,10 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
   const auto basis = std::make_shared<ProblemBasis>();
   basis->tolerance = tolerance_of(map.free, robot);
   std::optional<DefaultStart> found;
-  if (!start && !(robot.tether && anchor)) found = find_default_start(all);
+  if (!start && !(robot.tether && anchor)) {
+    if (map.target_area) start = start_in_target_area(all, *map.target_area, robot.tool_width);
+    if (!start) found = find_default_start(all);
+  }
   basis->start = start                    ? *start
                  : found                  ? found->point
                  : holds(all, *anchor, 0) ? *anchor
@@ -281,7 +284,10 @@ std::string Problem::content_hash() const {
 
 Point default_start(const Map& map, const Robot& robot) {
   check(robot);
-  return find_default_start(eroded(map, repaired_or_named(map), robot)).point;
+  const Region all = eroded(map, repaired_or_named(map), robot);
+  std::optional<Point> start;
+  if (map.target_area) start = start_in_target_area(all, repaired_target_area(map), robot.tool_width);
+  return start ? *start : find_default_start(all).point;
 }
 
 }  // namespace oxturn

@@ -71,6 +71,22 @@ TEST(TargetArea, IsWhatTheTargetLiesIn) {
   }
 }
 
+TEST(TargetArea, HoldsTheStartByDefault) {
+  const auto start = [](Map map) {
+    const Problem p(map, disc(0.5, 1));
+    EXPECT_EQ(p.start(), default_start(map, disc(0.5, 1)));
+    return p.start();
+  };
+  const Region block = box_region({1, 7}, {3, 9}), at_wall = box_region({9.7, 2}, {10, 3});
+  EXPECT_TRUE(contains(block, start(with_target(square(10), block))));
+  // The robot does not fit there, its tool does.
+  EXPECT_GE(start(with_target(square(10), at_wall)).x(), 9.7 - 0.5);
+  // In a room that is not the largest one, and has no door.
+  Map two = square(10);
+  two.free.polygons.push_back(square(4, {12, 0}).free.polygons.front());
+  EXPECT_GT(start(with_target(two, box_region({12, 1}, {14, 2}))).x(), 12);
+}
+
 TEST(TargetArea, EntersTheHash) {
   const Map whole = square(10), block = with_target(whole, box_region({1, 1}, {2, 2}));
   EXPECT_NE(content_hash(whole), content_hash(block));
