@@ -16,9 +16,10 @@ MapFormat ros_format();
 MapFormat geojson_format();
 MapFormat image_format();
 MapFormat svg_format();
+MapFormat polygon_format();
 
 MapFormats built_in_map_formats() {
-  return MapFormats("map format", {ros_format(), geojson_format(), image_format(), svg_format()});
+  return MapFormats("map format", {ros_format(), geojson_format(), image_format(), svg_format(), polygon_format()});
 }
 
 std::string suffix_of(const std::string& file) { return lower_case(std::filesystem::path(file).extension().string()); }

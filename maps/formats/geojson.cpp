@@ -167,23 +167,6 @@ void read_properties(const JsonAt& properties, const std::string& file, MapFile&
   if (const auto target = named("target")) result.map.target_area = region_from(*target);
 }
 
-/// The region in canonical form; what changed becomes a remark.
-Region repaired_region(const Region& written, const std::string& file, std::vector<std::string>& remarks) {
-  Region free;
-  try {
-    free = repaired(written);
-  } catch (const std::invalid_argument& e) { throw_invalid("{}: {}", file, e.what()); }
-  if (free.empty()) throw_invalid("{}: the polygons have no area", file);
-  const auto note = [&](std::size_t before, std::size_t after, const char* what, const char* why) {
-    if (before != after) remarks.push_back(fmt::format("repaired: {} {} became {}{}", before, what, after, why));
-  };
-  note(written.polygons.size(), free.polygons.size(), "polygons", "");
-  note(hole_count(written), hole_count(free), "holes",
-       " (those that touch each other are united, those that touch the boundary cut out)");
-  note(vertex_count(written), vertex_count(free), "vertices", "");
-  return free;
-}
-
 /// What the file does not say of the target and the start, the drawing does.
 void read_drawing(const JsonAt& at, MapFile& result) {
   Drawing drawing = drawing_from(at);

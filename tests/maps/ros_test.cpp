@@ -365,7 +365,7 @@ TEST(ReadMap, MissingFileUnknownSuffixAndBadOptions) {
   write_file(folder.file("a.dwg"), "x");
   EXPECT_EQ(complaint([&] { read_map(folder.file("a.dwg")); }),
             "cannot read '" + folder.file("a.dwg") +
-                "': its name must end in one of: .yaml, .yml, .geojson, .json, .png, .pgm, .svg");
+                "': its name must end in one of: .yaml, .yml, .geojson, .json, .png, .pgm, .svg, .poly");
   EXPECT_THAT(complaint([&] { read_map(folder.path().string()); }), HasSubstr("it is a folder"));
   Settings options;
   options["simplify"] = std::nan("");
