@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -41,11 +42,33 @@ bool send_header(int fd, char type, std::uint64_t size) {
   return write_all(fd, header, sizeof header);
 }
 
-bool send_points(int fd, const Polyline& points) {
-  const std::uint64_t count = points.size();
-  return write_all(fd, reinterpret_cast<const char*>(&count), sizeof count) &&
-         write_all(fd, reinterpret_cast<const char*>(points.data()), points.size() * sizeof(Point));
-}
+/// Collects short pieces, so that a path of many legs takes few calls. After a failure nothing is written any more.
+class Collected {
+ public:
+  explicit Collected(int fd) : fd_(fd) {}
+  void put(const void* data, std::size_t size) {
+    if (size == 0) return;
+    if (size > buffer_.size() - used_) flush();
+    if (size > buffer_.size()) {
+      open_ = open_ && write_all(fd_, static_cast<const char*>(data), size);
+      return;
+    }
+    std::memcpy(buffer_.data() + used_, data, size);
+    used_ += size;
+  }
+  /// Has all been written?
+  bool flush() {
+    open_ = open_ && write_all(fd_, buffer_.data(), used_);
+    used_ = 0;
+    return open_;
+  }
+
+ private:
+  int fd_;
+  bool open_ = true;
+  std::size_t used_ = 0;
+  std::array<char, 1 << 16> buffer_;
+};
 
 void put_points(std::string& out, const Polyline& points) {
   put(out, static_cast<std::uint64_t>(points.size()));
@@ -97,15 +120,19 @@ bool send_path(int fd, char type, const Path& path) {
   std::uint64_t size = sizeof(std::uint64_t);
   for (const Leg& leg : path.legs)
     size += 1 + sizeof(double) + sizeof(std::uint64_t) + leg.points.size() * sizeof(Point);
+  if (!send_header(fd, type, size)) return false;
+  Collected out(fd);
   const std::uint64_t legs = path.legs.size();
-  if (!send_header(fd, type, size) || !write_all(fd, reinterpret_cast<const char*>(&legs), sizeof legs)) return false;
+  out.put(&legs, sizeof legs);
   for (const Leg& leg : path.legs) {
     const char kind = static_cast<char>((leg.tool ? 1 : 0) + (leg.gear == Gear::reverse ? 2 : 0));
-    if (!write_all(fd, &kind, 1) || !write_all(fd, reinterpret_cast<const char*>(&leg.width), sizeof leg.width) ||
-        !send_points(fd, leg.points))
-      return false;
+    const std::uint64_t count = leg.points.size();
+    out.put(&kind, 1);
+    out.put(&leg.width, sizeof leg.width);
+    out.put(&count, sizeof count);
+    out.put(leg.points.data(), count * sizeof(Point));
   }
-  return true;
+  return out.flush();
 }
 
 Path path_from(std::string_view in) {

@@ -50,7 +50,7 @@ Pipe make_pipe();
 
 /// Blocks until all is written; false if the other end is closed.
 bool send(int fd, char type, std::string_view payload);
-/// Writes the path without a copy, so that it works near the memory limit too.
+/// Writes the path without a copy of it, so that it works near the memory limit too.
 bool send_path(int fd, char type, const Path& path);
 /// Throws std::runtime_error for bytes that are not a path.
 Path path_from(std::string_view payload);
