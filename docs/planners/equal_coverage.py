@@ -41,7 +41,8 @@ def main():
             share, metres = ours(program, results, row, folder)
             line = (metres / share / (length / coverage), row["variant"], coverage, length, share, metres)
             hardest[row["map"]] = max(line, hardest.get(row["map"], line))
-    print("| map | planner | coverage | path_m | `shortest`: coverage | path_m | ratio |\n|---|---|---:|---:|---:|---:|---:|")
+    print("| map | planner | coverage | path_m | `shortest`: coverage | path_m | ratio |")
+    print("|---|---|---:|---:|---:|---:|---:|")
     for name, (ratio, variant, coverage, length, share, metres) in hardest.items():
         print(f"| {name} | {variant} | {coverage:.4f} | {length:.1f} | {share:.4f} | {metres:.1f} | {ratio:.3f} |")
 

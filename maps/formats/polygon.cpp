@@ -1,10 +1,10 @@
 // Polygons as CGAL writes them: a ring a line, the number of its vertices and their coordinates. The first ring is the
 // boundary, the others are holes. Instances of the lawn mowing problem are published in this form.
 //
-// Decisions   1. A line with nothing but a number, after the first ring, is the number of holes that follow: CGAL writes
-//                it, others do not.
-//             2. With a margin, the polygon is the target area, and free space a rectangle around it: the tool may leave
-//                what it mows. Without one the polygon is free space.
+// Decisions   1. A line with nothing but a number, after the first ring, is the number of holes that follow: CGAL
+//                writes it, others do not.
+//             2. With a margin, the polygon is the target area, and free space a rectangle around it: the tool may
+//                leave what it mows. Without one the polygon is free space.
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -75,8 +75,8 @@ std::vector<Parameter<P>> with_raster_options(std::vector<Parameter<P>> own) {
 MapFile map_from_grid(const std::string& file, const OccupancyGrid& cells, const Placement& placement,
                       const RasterOptions& options);
 
-/// The region in canonical form; what changed becomes a remark. Throws std::invalid_argument "FILE: what is wrong" if it
-/// cannot be repaired or has no area.
+/// The region in canonical form; what changed becomes a remark. Throws std::invalid_argument "FILE: what is wrong" if
+/// it cannot be repaired or has no area.
 Region repaired_region(const Region& written, const std::string& file, std::vector<std::string>& remarks);
 
 /// "dir/kitchen.yaml" -> "kitchen".
