@@ -1,6 +1,7 @@
 // What docs/add-a-planner.md, add-a-metric.md and add-a-map.md tell a newcomer to write works as written.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 
 #include "base/files.hpp"
@@ -50,12 +51,13 @@ TEST(Docs, TheCodeOfThePagesRunsAndIsScored) {
 
 // README.md names planners one by one and counts the generators.
 TEST(Readme, KnowsThePlannersAndCountsTheGenerators) {
-  const std::string text = read_file(OXTURN_SOURCE_DIR "/README.md");
+  std::string text = read_file(OXTURN_SOURCE_DIR "/README.md");
+  std::ranges::replace(text, '\n', ' ');
   const Registry registry = built_in_registry();
   for (const PlannerInfo& planner : registry.planners) EXPECT_THAT(text, HasSubstr("`" + planner.name + "`"));
   const std::array words{"twelve", "thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen"};
   const std::size_t count = registry.generators.size();
-  EXPECT_THAT(text, HasSubstr(std::string(words.at(count - 12)) + " seeded\ngenerators"));
+  EXPECT_THAT(text, HasSubstr(std::string(words.at(count - 12)) + " seeded generators"));
 }
 
 }  // namespace
