@@ -3,7 +3,7 @@
 //
 // Decisions   1. A line with nothing but a number, after the first ring, is the number of holes that follow: CGAL
 //                writes it, others do not.
-//             2. With a margin, the polygon is the target area, and free space a rectangle around it: the tool may
+//             2. With `around`, the polygon is the target area, and free space a rectangle around it: the tool may
 //                leave what it mows. Without one the polygon is free space.
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace oxturn {
 namespace {
 
 struct PolygonOptions {
-  double margin = 0;
+  double around = 0;
 };
 
 constexpr std::size_t kLeastVertices = 3;
@@ -98,12 +98,12 @@ MapFile read_polygon(const std::string& file, const PolygonOptions& options) {
   MapFile result;
   result.map = {stem_of(file), {}, "file", file};
   Region region = repaired_region(PolygonReader(file).read(read_file(file)), file, result.remarks);
-  if (options.margin <= 0) {
+  if (options.around <= 0) {
     result.map.free = std::move(region);
     return result;
   }
   const Box box = bounding_box(region);
-  const Point margin(options.margin, options.margin);
+  const Point margin(options.around, options.around);
   result.map.free = box_region(box.low - margin, box.high + margin);
   result.map.target_area = std::move(region);
   return result;
@@ -113,7 +113,7 @@ MapFile read_polygon(const std::string& file, const PolygonOptions& options) {
 
 MapFormat polygon_format() {
   return describe_format<PolygonOptions>("polygon", "polygons as CGAL writes them: a ring a line", {".poly"},
-                                         {{"margin", &PolygonOptions::margin, Range{0, 1e9},
+                                         {{"around", &PolygonOptions::around, Range{0, 1e6},
                                            "metres: the polygon is the target area, in a rectangle that is larger by "
                                            "this on all sides; 0: it is free space"}},
                                          read_polygon);

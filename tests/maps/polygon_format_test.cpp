@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <map>
+
 #include "base/files.hpp"
 #include "base/text.hpp"
 #include "geometry/overlay/boolean.hpp"
@@ -47,13 +49,21 @@ TEST(PolygonFormat, ARingALine) {
     EXPECT_EQ(content_hash(read(same).map), content_hash(read(kSquare + kHole).map)) << same;
 }
 
-TEST(PolygonFormat, WithAMarginItIsTheTargetArea) {
-  const Map map = read(kSquare + kHole, {{"margin", 1.5}}).map;
+TEST(PolygonFormat, WithFreeSpaceAroundItIsTheTargetArea) {
+  const Map map = read(kSquare + kHole, {{"around", 1.5}}).map;
   EXPECT_DOUBLE_EQ(area(map.free), 7 * 7);
   EXPECT_EQ(hole_count(map.free), 0u);
   ASSERT_TRUE(map.target_area);
   EXPECT_DOUBLE_EQ(area(*map.target_area), 16 - 1);
-  EXPECT_THROW(read(kSquare, {{"margin", -1.0}}), std::invalid_argument);
+  EXPECT_THROW(read(kSquare, {{"around", -1.0}}), std::invalid_argument);
+}
+
+/// The command line has one option for a name, whatever formats have it.
+TEST(ReadMap, OptionsOfOneNameMeanTheSame) {
+  std::map<std::string, std::string> help;
+  for (const MapFormat& format : built_in_map_formats())
+    for (const ParameterInfo& parameter : format.parameters)
+      EXPECT_EQ(help.emplace(parameter.name, parameter.help).first->second, parameter.help) << format.name;
 }
 
 TEST(PolygonFormat, BadContentIsASentence) {
@@ -85,7 +95,7 @@ TEST(PolygonFormat, ReadsWhatIsWritten) {
       for (const Point& p : ring) text += " " + to_decimal(p.x()) + " " + to_decimal(p.y());
       text += "\n";
     });
-    const Region again = *read(text, {{"margin", 0.8}}).map.target_area;
+    const Region again = *read(text, {{"around", 0.8}}).map.target_area;
     EXPECT_TRUE(subtract(again, *lawn.target_area).empty() && subtract(*lawn.target_area, again).empty()) << seed;
   }
 }
