@@ -65,6 +65,9 @@ Region repaired_target_area(const Map& map) {
   return target;
 }
 
+/// By default. The area of a drawing is thin lines, and where the robot begins does not matter for them.
+bool starts_in_target(const Map& map) { return map.target_area && !map.drawing; }
+
 void require_finite(const char* what, const std::optional<Point>& p) {
   if (p && !finite(*p)) throw_invalid("{} {} is not finite, expected metres", what, to_text(*p));
 }
@@ -198,7 +201,7 @@ Problem::Problem(Map map, Robot robot, std::optional<Point> start, std::optional
   basis->tolerance = tolerance_of(map.free, robot);
   std::optional<DefaultStart> found;
   if (!start && !(robot.tether && anchor)) {
-    if (map.target_area) start = start_in_target_area(all, *map.target_area, robot.tool_width);
+    if (starts_in_target(map)) start = start_in_target_area(all, *map.target_area, robot.tool_width);
     if (!start) found = find_default_start(all);
   }
   basis->start = start                    ? *start
@@ -286,7 +289,7 @@ Point default_start(const Map& map, const Robot& robot) {
   check(robot);
   const Region all = eroded(map, repaired_or_named(map), robot);
   std::optional<Point> start;
-  if (map.target_area) start = start_in_target_area(all, repaired_target_area(map), robot.tool_width);
+  if (starts_in_target(map)) start = start_in_target_area(all, repaired_target_area(map), robot.tool_width);
   return start ? *start : find_default_start(all).point;
 }
 

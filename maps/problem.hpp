@@ -82,8 +82,8 @@ class Problem {
 };
 
 /// Where a robot starts by default: the centroid of the largest triangle (of a constrained Delaunay triangulation) of
-/// the largest component of configuration space; with a target area, of what lies within that, if the robot fits there.
-/// Always well inside, always the same.
+/// the largest component of configuration space; with a target area that is no drawing, of what lies within that, if
+/// the robot fits there. Always well inside, always the same.
 Point default_start(const Map& map, const Robot& robot);
 
 }  // namespace oxturn

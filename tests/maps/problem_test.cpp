@@ -85,6 +85,10 @@ TEST(TargetArea, HoldsTheStartByDefault) {
   Map two = square(10);
   two.free.polygons.push_back(square(4, {12, 0}).free.polygons.front());
   EXPECT_GT(start(with_target(two, box_region({12, 1}, {14, 2}))).x(), 12);
+  // What a drawing marks is thin lines: the middle of the canvas does.
+  Map drawn = with_target(square(10), block);
+  drawn.drawing = std::make_shared<const Drawing>();
+  EXPECT_EQ(start(drawn), start(square(10)));
 }
 
 TEST(TargetArea, EntersTheHash) {
