@@ -11,6 +11,16 @@
 namespace oxturn {
 namespace {
 
+void expect_same(const Path& received, const Path& sent) {
+  ASSERT_EQ(received.legs.size(), sent.legs.size());
+  for (std::size_t i = 0; i < sent.legs.size(); ++i) {
+    EXPECT_EQ(received.legs[i].tool, sent.legs[i].tool);
+    EXPECT_EQ(received.legs[i].gear, sent.legs[i].gear);
+    EXPECT_EQ(received.legs[i].width, sent.legs[i].width);
+    EXPECT_EQ(received.legs[i].points, sent.legs[i].points);
+  }
+}
+
 TEST(Wire, PathsKeepToolAndGear) {
   Path sent;
   Point at(0, 0);
@@ -24,12 +34,7 @@ TEST(Wire, PathsKeepToolAndGear) {
   Path received;
   wire::FrameReader reader(1 << 20);
   reader.read(pipe.read.number(), [&](char, std::string_view payload) { received = wire::path_from(payload); });
-  ASSERT_EQ(received.legs.size(), sent.legs.size());
-  for (std::size_t i = 0; i < sent.legs.size(); ++i) {
-    EXPECT_EQ(received.legs[i].tool, sent.legs[i].tool);
-    EXPECT_EQ(received.legs[i].gear, sent.legs[i].gear);
-    EXPECT_EQ(received.legs[i].points, sent.legs[i].points);
-  }
+  expect_same(received, sent);
 }
 
 /// Short legs share calls, and long ones go past the buffer: in any order the bytes are the same.
@@ -54,12 +59,7 @@ TEST(Wire, PathsOfManyLegsOfAnyLength) {
     pipe.write.close();
     other.join();
     ASSERT_TRUE(all);
-    ASSERT_EQ(received.legs.size(), sent.legs.size());
-    for (std::size_t i = 0; i < sent.legs.size(); ++i) {
-      EXPECT_EQ(received.legs[i].points, sent.legs[i].points);
-      EXPECT_EQ(received.legs[i].width, sent.legs[i].width);
-      EXPECT_EQ(received.legs[i].tool, sent.legs[i].tool);
-    }
+    expect_same(received, sent);
   }
 }
 
