@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array kOff{0.02, 0.005};  // tool widths by which chords may be off their curve, roughly and finely
 constexpr std::size_t kMostUnder = 32;   // segments under a chord: choosing it costs their square
-constexpr double kWorthwhile = 4;        // times fewer segments
+constexpr double kWorthwhile = 2;        // times fewer segments
 
 /// Lines as chords: those that are segments of the line itself, and those that are off it by up to `off`.
 struct Chords {

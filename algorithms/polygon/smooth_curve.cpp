@@ -8,9 +8,10 @@
 namespace oxturn {
 namespace {
 
-constexpr double kLeastTurn = 0.02;  // radians: smaller ones need no arc
-constexpr double kChordTurn = 0.15;  // radians from chord to chord
-constexpr double kStraight = 1e-9;   // of the distance between its neighbours, by which a vertex may be off
+constexpr double kBack = 0.04;      // radians off a turn on the spot, which is no arc
+constexpr double kFineTurn = 0.15;  // radians from chord to chord; vertices that turn by less are smooth enough
+constexpr double kMostTurn = 0.3;   // the same where arcs are small
+constexpr double kStraight = 1e-9;  // of the distance between its neighbours, by which a vertex may be off
 
 /// The directions from a point that pass within a distance of each point added.
 class Wedge {
@@ -41,19 +42,25 @@ class Wedge {
   Point right_{0, 0}, left_{0, 0};
 };
 
-void add_corner(Polyline& line, const Point& a, const Point& b, const Point& c, double off,
+/// Radians from chord to chord, by which chords of small arcs are off by `error`.
+double chord_turn(double radius, double error) {
+  return std::clamp(2 * std::sqrt(2 * error / radius), kFineTurn, kMostTurn);
+}
+
+void add_corner(Polyline& line, const Point& a, const Point& b, const Point& c, const Rounding& rounding,
                 const Connector& connector) {
   const Point u = (b - a).normalized(), v = (c - b).normalized();
   const double turn = math::atan2(cross(u, v), u.dot(v));
-  if (std::abs(turn) < kLeastTurn || std::abs(turn) > kPi - 2 * kLeastTurn) return line.push_back(b);
+  if (std::abs(turn) < kFineTurn || std::abs(turn) > kPi - kBack) return line.push_back(b);
   const double tan_half = std::abs(cross(u, v)) / (1 + u.dot(v));
   const double room = std::min(distance(a, b), distance(b, c)) / 2;
   const double most =
-      off / (std::sqrt(1 + tan_half * tan_half) - 1) * tan_half;  // from the vertex to where the arc begins
+      rounding.off / (std::sqrt(1 + tan_half * tan_half) - 1) * tan_half;  // from the vertex to where the arc begins
   const double tangent = std::min(room, most);
   const double radius = tangent / tan_half, side = turn > 0 ? 1 : -1;
   const Point begin = b - tangent * u, centre = begin + side * radius * perpendicular(u);
-  const double chords = std::ceil(std::abs(turn) / kChordTurn);
+  const double chords = std::ceil(std::abs(turn) / chord_turn(radius, rounding.chord));
+  if (chords < 2) return line.push_back(b);
   const Point step = rotated({1, 0}, turn / chords);
   Polyline arc{begin};
   for (Point spoke = begin - centre; static_cast<double>(arc.size()) <= chords; arc.push_back(centre + spoke))
@@ -93,11 +100,11 @@ Polyline without_collinear_vertices(const Polyline& curve) {
   return line;
 }
 
-Polyline rounded_corners(const Polyline& curve, double off, const Connector& connector) {
+Polyline rounded_corners(const Polyline& curve, const Rounding& rounding, const Connector& connector) {
   if (curve.size() < 3) return curve;
   Polyline line{curve.front()};
   for (std::size_t i = 1; i + 1 < curve.size(); ++i)
-    add_corner(line, curve[i - 1], curve[i], curve[i + 1], off, connector);
+    add_corner(line, curve[i - 1], curve[i], curve[i + 1], rounding, connector);
   line.push_back(curve.back());
   return line;
 }

@@ -1,6 +1,6 @@
 /// Curves made of many short segments: fewer vertices, and arcs in place of corners.
 ///
-///   curve = rounded_corners(with_fewer_vertices(curve, 0.002, connector), 0.008, connector);
+///   curve = rounded_corners(with_fewer_vertices(curve, 0.002, connector), {.off = 0.008, .chord = 0.0004}, connector);
 ///
 /// O(n), and a segment test for each new segment: what would leave configuration space stays as it is.
 #pragma once
@@ -15,8 +15,13 @@ Polyline with_fewer_vertices(const Polyline& curve, double tolerance, const Conn
 /// Vertices in the middle of straight lines are left out (exactly straight but for rounding).
 Polyline without_collinear_vertices(const Polyline& curve);
 
-/// Corners become arcs tangent to both segments, at most `off` metres from the vertex, with chords that turn by at most
-/// 0.15 rad. An arc takes no more than half of a segment.
-Polyline rounded_corners(const Polyline& curve, double off, const Connector& connector);
+struct Rounding {
+  double off;    // metres at most from a corner to its arc
+  double chord;  // metres at most from a small arc to its chords
+};
+
+/// Corners become arcs tangent to both segments. Their chords turn by at most 0.15 rad, or 0.3 rad where they are still
+/// within `chord` of the arc; vertices that turn by less stay. An arc takes no more than half of a segment.
+Polyline rounded_corners(const Polyline& curve, const Rounding& rounding, const Connector& connector);
 
 }  // namespace oxturn

@@ -49,6 +49,7 @@ constexpr double kStep = 0.95;         // between laps
 constexpr double kSkip = 0.005;        // by which vertices may be left out
 constexpr double kRound = 0.02;        // by which arcs may cut corners
 constexpr double kChord = 0.01;        // error of the axis' parabolas
+constexpr double kChordError = 0.001;  // of arcs, as for every path
 constexpr double kCoarser = 0.02;      // tool or robot widths by which arcs may be off, for all laps but the last
 constexpr double kBridge = 1e-3;       // width of the cuts along bridges
 constexpr double kLeastCut = 1e-6;     // the same at least, of the map's extent
@@ -146,7 +147,8 @@ Polyline spiral_of(WaveTree tree, const Rings& rings, const Params& p, const Pro
   Polyline curve = std::move(spiral.spine);
   curve.insert(curve.end(), spiral.laps.begin(), spiral.laps.end());
   spiral.laps = {};  // millions of points
-  curve = rounded_corners(with_fewer_vertices(curve, kSkip * w, connector), kRound * w, connector);
+  curve = rounded_corners(with_fewer_vertices(curve, kSkip * w, connector),
+                          {.off = kRound * w, .chord = kChordError * w}, connector);
   const Point end = spiral.boundary.front();
   Polyline last = rings.from(end);
   if (!connector.straight(end, last.front())) last = std::move(spiral.boundary);  // of another component: repair helps
