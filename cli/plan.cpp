@@ -13,6 +13,7 @@
 
 #include "algorithms/drawing/last_detours.hpp"
 #include "base/files.hpp"
+#include "bench/finish.hpp"
 #include "bench/isolate.hpp"
 #include "bench/suite.hpp"
 #include "cli/arguments.hpp"
@@ -158,15 +159,12 @@ Report run_planner(const PlanOptions& options, const PlannerInfo& planner, const
                    const Problem& problem, const MapSource& source, const Registry& registry) {
   Report report;
   report.about = {{"planner", variant_of(planner, settings, registry.planners)}};
-  problem.map_edges();  // scoring needs them, too
+  build_scoring_parts(problem);  // the planner's process gets them, too
   IsolationOptions isolation = options.isolation;
   isolation.progress = progress_line();
   isolation.traces = options.outputs.traces || !options.outputs.viewer.empty() || problem.map().drawing != nullptr;
   isolation.log_file = kLogToStandardError;
-  const auto make = [&] {
-    problem.walls();  // in the planner's process, as scoring needs none, but no cost of the planner's
-    return planner.make(settings, registry.planners);
-  };
+  const auto make = [&] { return planner.make(settings, registry.planners); };
   const Planned planned = plan_isolated(make, problem, isolation);
   if (planned.wall_s > 0)
     report.costs = {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/math.hpp"
 
@@ -17,41 +18,53 @@ struct Edge {
   Point heading{0, 0};  // as long as the first of its parts
   double length = 0;
   Point end{0, 0};
+  double turn = 0;  // from the edge before, radians
 };
 
-std::vector<Edge> straight_edges(const Path& path, double tolerance) {
-  std::vector<Edge> edges;
+/// Calls f(edge) for the edges in driving order.
+template <class F>
+void for_each_straight_edge(const Path& path, double tolerance, F f) {
+  std::optional<Edge> edge;
   const Point* at = nullptr;
   for (const Leg& leg : path.legs)
     for (const Point& p : leg.points) {
       if (at == nullptr) at = &p;
       const Point step = leg.gear == Gear::forward ? Point(p - *at) : Point(*at - p);
-      if (step.norm() <= tolerance) continue;
+      const double length = step.norm();
+      if (length <= tolerance) continue;
       at = &p;
-      const Point before = edges.empty() ? step : edges.back().heading;
-      if (edges.empty() || std::abs(math::atan2(cross(before, step), before.dot(step))) > kStraight)
-        edges.push_back({step, 0, p});
-      edges.back().length += step.norm();
-      edges.back().end = p;
+      const double turn = edge ? std::abs(math::atan2(cross(edge->heading, step), edge->heading.dot(step))) : 0;
+      if (edge && turn > kStraight) {
+        f(*edge);
+        edge.reset();
+      }
+      if (!edge) edge = Edge{step, 0, p, turn};
+      edge->length += length;
+      edge->end = p;
     }
-  return edges;
+  if (edge) f(*edge);
 }
 
 }  // namespace
 
+void for_each_bend(const Path& path, double tolerance, double tool_width, const std::function<void(const Bend&)>& f) {
+  std::optional<Edge> before;
+  for_each_straight_edge(path, tolerance, [&](const Edge& edge) {
+    if (before) {
+      const double a = before->length, b = edge.length, d = edge.turn;
+      const double chord = std::sqrt(std::max(0.0, a * a + b * b + 2 * a * b * math::cos(d)));
+      const double circle = chord > 0 ? 2 * math::sin(d) / chord : 0;
+      const double corner = (1 - math::cos(d / 2)) / (kChordError * tool_width);
+      f({before->end, std::max(circle, corner), 4 * tolerance / (a * b)});
+    }
+    before = edge;
+  });
+}
+
 std::vector<Bend> bends(const Path& path, double tolerance, double tool_width) {
-  const std::vector<Edge> edges = straight_edges(path, tolerance);
-  std::vector<Bend> result;
-  for (std::size_t i = 1; i < edges.size(); ++i) {
-    const Point &u = edges[i - 1].heading, &v = edges[i].heading;
-    const double a = edges[i - 1].length, b = edges[i].length;
-    const double d = std::abs(math::atan2(cross(u, v), u.dot(v)));
-    const double chord = std::sqrt(std::max(0.0, a * a + b * b + 2 * a * b * math::cos(d)));
-    const double circle = chord > 0 ? 2 * math::sin(d) / chord : 0;
-    const double corner = (1 - math::cos(d / 2)) / (kChordError * tool_width);
-    result.push_back({edges[i - 1].end, std::max(circle, corner), 4 * tolerance / (a * b)});
-  }
-  return result;
+  std::vector<Bend> all;
+  for_each_bend(path, tolerance, tool_width, [&](const Bend& bend) { all.push_back(bend); });
+  return all;
 }
 
 bool too_sharp(const Bend& bend, double least_radius) { return bend.curvature > kAllowed / least_radius + bend.error; }

@@ -12,6 +12,7 @@
 /// a change of gear that keeps the heading (a cusp) is no curvature. The heading at the start is free.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "geometry/path.hpp"
@@ -26,6 +27,8 @@ struct Bend {
 
 /// At all vertices where the heading changes. Points nearer together than `tolerance` metres count as one. O(n).
 std::vector<Bend> bends(const Path& path, double tolerance, double tool_width);
+/// Calls f for each of them, in driving order: paths have millions.
+void for_each_bend(const Path& path, double tolerance, double tool_width, const std::function<void(const Bend&)>& f);
 
 /// The bend is sharper than a circle of that radius (metres, > 0) by more than 1 % and the bend's error.
 bool too_sharp(const Bend& bend, double least_radius);

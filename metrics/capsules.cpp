@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/math.hpp"
+#include "base/sorting.hpp"
 
 namespace oxturn {
 namespace {
@@ -67,6 +68,18 @@ class Funnel {
   double least_ = 0;
 };
 
+/// Calls f(from, to) for the stretches of a chain that one segment each may stand for.
+template <class F>
+void for_each_stretch(const WorkChains::Station* first, const WorkChains::Station* last, double width, F f) {
+  while (last - first > 1) {
+    Funnel funnel(first->at, width);
+    const WorkChains::Station* end = first + 1;
+    for (funnel.add(end->at); end + 1 < last && funnel.admits((end + 1)->at); ++end) funnel.add((end + 1)->at);
+    f(first, end);
+    first = end;
+  }
+}
+
 class Collector {
  public:
   Collector(const Box& room, double slack, CapsuleSet& set) : room_(room), slack_(slack), set_(set) {}
@@ -75,13 +88,8 @@ class Collector {
     radius_ = radius;
     add_disc(*first, true);
     if (last - first == 1) return add_disc(*first, false);
-    while (last - first > 1) {
-      Funnel funnel(first->at, slack_ * radius_ / 2);
-      const WorkChains::Station* end = first + 1;
-      for (funnel.add(end->at); end + 1 < last && funnel.admits((end + 1)->at); ++end) funnel.add((end + 1)->at);
-      add_segment(first, end);
-      first = end;
-    }
+    for_each_stretch(first, last, slack_ * radius_ / 2,
+                     [this](const auto* from, const auto* to) { add_segment(from, to); });
   }
 
  private:
@@ -138,9 +146,11 @@ bool equal(Vec p, Vec q) { return p.x == q.x && p.y == q.y; }
 /// left; they only cost time.
 void merge_repeated(std::vector<Capsule>& all) {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order;  // hash, capsule
+  order.reserve(all.size());
   for (std::uint32_t i = 0; i < all.size(); ++i)
     if (!all[i].disc) order.emplace_back(segment_hash(all[i]), i);
-  std::sort(order.begin(), order.end());
+  spread_sort(
+      order, [](const auto& item) { return item.first; }, std::less<>());
   std::vector<bool> repeated(all.size());
   for (std::size_t i = 1, first = 0; i < order.size(); ++i) {
     const Capsule& k = all[order[i].second];
@@ -164,6 +174,9 @@ void merge_repeated(std::vector<Capsule>& all) {
 
 WorkChains work_chains(const Path& path, const Point& origin, double side, double joint) {
   WorkChains chains;
+  std::size_t points = 0;
+  for (const Leg& leg : path.legs) points += leg.points.size();
+  chains.stations.reserve(points);
   const Point* before = nullptr;  // end of the previous leg, if it had the tool on
   double radius = kToolRadius;    // of that leg
   double driven = 0;
@@ -210,12 +223,21 @@ double work_in(const WorkChains& chains, const Box& room) {
 CapsuleSet capsules(const WorkChains& chains, const Box& room, double slack) {
   CapsuleSet set;
   slack = std::max(slack, kStraight);
+  const auto for_each_chain = [&](auto f) {
+    const WorkChains::Station* begin = chains.stations.data();
+    for (const auto& [end, radius] : chains.chains) {
+      f(begin, chains.stations.data() + end, radius);
+      begin = chains.stations.data() + end;
+    }
+  };
+  std::size_t count = 0;  // millions: counting them costs less than moving them as the list grows
+  for_each_chain([&](const auto* begin, const auto* end, double radius) {
+    count += 2;  // discs
+    for_each_stretch(begin, end, slack * radius / 2, [&](auto&&...) { ++count; });
+  });
+  set.all.reserve(count);
   Collector collector(room, slack, set);
-  std::size_t begin = 0;
-  for (const auto& [end, radius] : chains.chains) {
-    collector.add_chain(chains.stations.data() + begin, chains.stations.data() + end, radius);
-    begin = end;
-  }
+  for_each_chain([&](const auto* begin, const auto* end, double radius) { collector.add_chain(begin, end, radius); });
   merge_repeated(set.all);
   for (const Capsule& k : set.all) set.slack = std::max(set.slack, k.slack);
   return set;

@@ -12,8 +12,8 @@ const Metric kCurvatureMaxPerM{"curvature_max_per_m", "1/m", Better::lower,
                                "greatest curvature; a corner counts as a sampled curve",
                                [](const Scored& s) -> std::optional<double> {
                                  double most = 0;
-                                 for (const Bend& bend : bends(s.path, s.tolerance, s.problem.robot().tool_width))
-                                   most = std::max(most, bend.curvature);
+                                 for_each_bend(s.path, s.tolerance, s.problem.robot().tool_width,
+                                               [&](const Bend& bend) { most = std::max(most, bend.curvature); });
                                  return most;
                                }};
 

@@ -14,11 +14,11 @@ const Metric kCurvatureViolations{"curvature_violations", "count", Better::lower
                                     if (!(robot.min_turn_radius > 0)) return std::nullopt;
                                     double count = 0;
                                     bool inside = false;
-                                    for (const Bend& bend : bends(s.path, s.tolerance, robot.tool_width)) {
+                                    for_each_bend(s.path, s.tolerance, robot.tool_width, [&](const Bend& bend) {
                                       const bool sharp = too_sharp(bend, robot.min_turn_radius);
                                       count += sharp && !inside;
                                       inside = sharp;
-                                    }
+                                    });
                                     return count;
                                   }};
 

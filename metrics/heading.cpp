@@ -28,6 +28,9 @@ bool linked(const Turn& last, const Turn& next, double w, double& gentle) {
 Headings headings(const Problem& problem, const Path& path) {
   const double near = problem.tolerance(), w = problem.robot().tool_width;
   Headings result;
+  std::size_t points = 0;
+  for (const Leg& leg : path.legs) points += leg.points.size();
+  result.turns.reserve(points);
   bool any_point = false, any_heading = false;
   Point at(0, 0), heading(0, 0);
   double run = 0, gentle = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "base/math.hpp"
 #include "metrics/smooth_path.hpp"
@@ -43,12 +44,14 @@ double turn_between(const Point& a, const Point& b) {
   return std::abs(math::atan2(cross(a, b), a.dot(b)));
 }
 
-/// The path in parts, each driven forwards or backwards throughout.
-std::vector<Path> parts_of_one_gear(const Path& path) {
-  std::vector<Path> parts;
-  for (const Leg& leg : path.legs) {
-    if (parts.empty() || parts.back().legs.back().gear != leg.gear) parts.emplace_back();
-    parts.back().legs.push_back(leg);
+/// Consecutive legs, all driven forwards or all backwards.
+using Part = std::span<const Leg>;
+
+std::vector<Part> parts_of_one_gear(const Path& path) {
+  std::vector<Part> parts;
+  for (std::size_t first = 0, end = 0; first < path.legs.size(); first = end) {
+    while (end < path.legs.size() && path.legs[end].gear == path.legs[first].gear) ++end;
+    parts.push_back(Part(path.legs).subspan(first, end - first));
   }
   return parts;
 }
@@ -57,14 +60,14 @@ std::vector<Path> parts_of_one_gear(const Path& path) {
 Point heading_on(const Point& a, const Point& b, Gear gear) { return gear == Gear::forward ? b - a : a - b; }
 
 /// Of a part with a length.
-Point first_heading(const Path& part) {
-  for (const Leg& leg : part.legs)
+Point first_heading(Part part) {
+  for (const Leg& leg : part)
     for (std::size_t i = 1; i < leg.points.size(); ++i)
       if (leg.points[i] != leg.points[i - 1]) return heading_on(leg.points[i - 1], leg.points[i], leg.gear);
   return {0, 0};
 }
-Point last_heading(const Path& part) {
-  for (auto leg = part.legs.rbegin(); leg != part.legs.rend(); ++leg)
+Point last_heading(Part part) {
+  for (auto leg = part.rbegin(); leg != part.rend(); ++leg)
     for (std::size_t i = leg->points.size(); i-- > 1;)
       if (leg->points[i] != leg->points[i - 1]) return heading_on(leg->points[i - 1], leg->points[i], leg->gear);
   return {0, 0};
@@ -177,7 +180,7 @@ MissionClock::MissionClock(const Problem& problem, const Path& path) : accelerat
   std::vector<std::size_t> stops;  // the intervals that begin at rest
   double driven = 0;
   Point heading(0, 0);  // at the end of the part before
-  for (const Path& part : parts_of_one_gear(path)) {
+  for (const Part part : parts_of_one_gear(path)) {
     SmoothPath smooth(part, kHalfWidth * robot.tool_width);
     if (!(smooth.length() > 0)) continue;
     if (!intervals_.empty()) intervals_.back().turn = turn_between(heading, first_heading(part));

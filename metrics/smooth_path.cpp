@@ -10,9 +10,15 @@ constexpr double kStraight = 1e-7;  // radians; less is rounding
 
 }  // namespace
 
-SmoothPath::SmoothPath(const Path& path, double h) : h_(h), s_{0}, points_{Point(0, 0)}, integral_{Wide{}}, bends_{0} {
+SmoothPath::SmoothPath(std::span<const Leg> legs, double h)
+    : h_(h), s_{0}, points_{Point(0, 0)}, integral_{Wide{}}, bends_{0} {
+  std::size_t most = 1;
+  for (const Leg& leg : legs) most += leg.points.size();
+  for (auto* of_vertices : {&s_, &bends_}) of_vertices->reserve(most);
+  points_.reserve(most);
+  integral_.reserve(most);
   Point heading(0, 0);
-  for (const Leg& leg : path.legs) {
+  for (const Leg& leg : legs) {
     for (std::size_t i = 1; i < leg.points.size(); ++i) {
       const Point step = leg.points[i] - leg.points[i - 1];
       const double length = step.norm();

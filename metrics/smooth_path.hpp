@@ -20,6 +20,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "geometry/path.hpp"
@@ -29,7 +30,7 @@ namespace oxturn {
 class SmoothPath {
  public:
   /// Gaps between legs are closed by moving the later legs.
-  SmoothPath(const Path& path, double h);
+  SmoothPath(std::span<const Leg> legs, double h);
 
   double half_width() const { return h_; }
   double length() const { return s_.back(); }  // of the path, metres

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 
 #include "base/text.hpp"
@@ -77,15 +79,42 @@ std::string json_text(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+namespace {
+
+/// As to_decimal(), without a text of its own: paths have millions of points.
+void append_number(std::string& text, double value) {
+  if (!std::isfinite(value)) {
+    text += "null";
+    return;
+  }
+  std::array<char, 32> digits;
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value == 0 ? 0.0 : value).ptr);
+}
+
+void append_point(std::string& text, const Point& p) {
+  text += '[';
+  append_number(text, p.x());
+  text += ", ";
+  append_number(text, p.y());
+  text += ']';
+}
+
+}  // namespace
+
 std::string json_point(const Point& p) {
-  const auto number = [](double value) { return std::isfinite(value) ? to_decimal(value) : "null"; };
-  return fmt::format("[{}, {}]", number(p.x()), number(p.y()));
+  std::string text;
+  append_point(text, p);
+  return text;
 }
 
 std::string json_points(const Polyline& points) {
-  std::string text;
-  for (const Point& p : points) text += (text.empty() ? "[" : ", ") + json_point(p);
-  return (text.empty() ? "[" : text) + "]";
+  std::string text = "[";
+  for (const Point& p : points) {
+    if (text.size() > 1) text += ", ";
+    append_point(text, p);
+  }
+  text += ']';
+  return text;
 }
 
 }  // namespace oxturn

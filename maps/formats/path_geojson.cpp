@@ -94,9 +94,12 @@ std::string to_geojson(const Path& path, const PathProblem* problem) {
     text += fmt::format("{}\n{{\"type\": \"Feature\", \"properties\": {{\"tool\": {}{}{}}}, \"geometry\": ",
                         i > 0 ? "," : "", leg.tool, leg.gear == Gear::reverse ? ", \"reverse\": true" : "",
                         leg.width > 0 ? ", \"width\": " + to_decimal(leg.width) : "");
-    text += "{\"type\": \"LineString\", \"coordinates\": " + json_points(leg.points) + "}}";
+    text += "{\"type\": \"LineString\", \"coordinates\": ";
+    text += json_points(leg.points);
+    text += "}}";
   }
-  return text + "\n]}\n";
+  text += "\n]}\n";
+  return text;
 }
 
 Path path_from(const JsonAt& collection) {

@@ -196,10 +196,40 @@ TEST(SmoothCurve, StaysWithinItsTolerances) {
     ASSERT_LE(far, 0.0101);
   }
   // A right angle rounded within 0.1 m: radius 0.1 / (sqrt 2 - 1).
-  const Polyline arc = rounded_corners({{0, 0}, {4, 0}, {4, 4}}, 0.1, connector);
+  const Polyline arc = rounded_corners({{0, 0}, {4, 0}, {4, 4}}, {.off = 0.1, .chord = 1e-4}, connector);
   const double r = 0.1 / (std::sqrt(2) - 1);
   EXPECT_NEAR(length(arc), 8 - 2 * r + kPi / 2 * r, 1e-3);
+  EXPECT_EQ(arc.size(), 14u);  // 11 chords of at most 0.15 rad, and both ends
   EXPECT_EQ(without_collinear_vertices({{0, 0}, {1, 0}, {2, 0}, {2, 1}}), (Polyline{{0, 0}, {2, 0}, {2, 1}}));
+}
+
+TEST(SmoothCurve, HasNoMoreVerticesThanSmoothnessAsksFor) {
+  const Problem p(Map{"room", box_region({-9, -9}, {9, 9}), "", ""}, Robot{}, Point(0, 0));
+  const Connector connector(p);
+  for (const double turn : {0.01, 0.1, 0.149, 0.2, 0.31, 0.8, 1.5, 2.5, 3.0}) {
+    for (const double off : {1e-3, 0.01, 0.1}) {
+      SCOPED_TRACE(testing::Message() << "turn " << turn << ", off " << off);
+      const double chord = off / 20;
+      const Polyline corner{{-2, 0}, {0, 0}, rotated({2, 0}, turn)};
+      const Polyline round = rounded_corners(corner, {.off = off, .chord = chord}, connector);
+      if (turn < 0.15) {
+        EXPECT_EQ(round, corner);
+        continue;
+      }
+      double sum = 0, most = 0;
+      for (std::size_t i = 1; i + 1 < round.size(); ++i) {
+        const Point u = round[i] - round[i - 1], v = round[i + 1] - round[i];
+        const double angle = std::atan2(cross(u, v), u.dot(v));
+        sum += angle, most = std::max(most, angle);
+      }
+      EXPECT_NEAR(sum, turn, 1e-9);
+      EXPECT_LE(most, 0.3 + 1e-9);
+      // Where chords turn by more than 0.15 rad, the arc bulges beyond them by its radius times 1 - cos(half of that).
+      const double radius = distance(round[1], round[2]) / (2 * std::sin(most / 2));
+      if (round.size() > 3 && most > 0.15) { EXPECT_LE(radius * (1 - std::cos(most / 2)), chord * 1.01); }
+      EXPECT_GE(most, std::min(turn, 0.15) / 2 - 1e-9);
+    }
+  }
 }
 
 }  // namespace
