@@ -34,6 +34,9 @@ void print_lines(const std::vector<Line>& lines, std::FILE* out) {
   }
 }
 
+/// A metric's help without what it says of an empty value.
+std::string meaning_of_value(const std::string& help) { return help.substr(0, help.find("; empty")); }
+
 Json as_json(const Report& report, const Problem& problem) {
   Json json{{"outcome", to_text(report.verdict.outcome)}, {"reason", report.verdict.reason}};
   for (const auto& [name, value] : report.about) json[name] = value;
@@ -72,12 +75,18 @@ void print_table(const Report& report, const Problem& problem, const Metrics& me
       if (column.name == name) return column.help;
     return std::string();
   };
-  if (report.score)
-    for (const MetricValue& metric : report.score->values)
-      lines.push_back({metric.name, metric.value ? fmt::format("{:.6g}", *metric.value) : "-", help(metric.name)});
+  std::vector<std::string> empty;
+  for (const MetricValue& metric : report.score ? report.score->values : std::vector<MetricValue>{}) {
+    if (metric.value)
+      lines.push_back({metric.name, fmt::format("{:.6g}", *metric.value), meaning_of_value(help(metric.name))});
+    else
+      empty.push_back(metric.name);
+  }
   for (const auto& [name, value] : report.costs) lines.push_back({name, fmt::format("{:.4g}", value), help(name)});
   for (const auto& [name, value] : report.records)
     lines.push_back({name, fmt::format("{:.6g}", value), "recorded by the planner"});
+  if (!empty.empty())
+    lines.push_back({"empty", fmt::format("{} (`oxturn list metrics` says when)", fmt::join(empty, ", ")), ""});
   print_lines(lines, out);
 }
 

@@ -282,6 +282,20 @@ TEST_F(Planned, ATetherIsScoredTracedAndDrawn) {
   EXPECT_NEAR(reach["metrics"]["tether_limit_m"].get<double>(), 2 * (std::sqrt(13) + std::hypot(1.8, 3.8)), 0.05);
 }
 
+TEST(Plan, WhatIsEmptyIsNamedOnOneLineOfTheTable) {
+  const Json metrics = Json::parse(oxturn("plan zigzag rectangle --json").out)["metrics"];
+  const Said said = oxturn("plan zigzag rectangle");
+  EXPECT_THAT(said.out, Not(HasSubstr("; empty")));
+  const std::string empty = said.out.substr(said.out.find("\nempty "));
+  for (const auto& [name, value] : metrics.items()) {
+    EXPECT_EQ(said.out.find("\n" + name + " ") != std::string::npos, !value.is_null()) << name;
+    EXPECT_EQ(empty.find(" " + name + ",") != std::string::npos || empty.find(" " + name + " (") != std::string::npos,
+              value.is_null())
+        << name;
+  }
+  EXPECT_TRUE(metrics["tether_max_m"].is_null());
+}
+
 TEST_F(Planned, ARunKeepsTheTether) {
   const std::string suite = out.write(
       "s.toml",
