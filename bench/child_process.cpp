@@ -101,15 +101,15 @@ void disable_core_dumps() {
   ::setrlimit(RLIMIT_CORE, &limit);
 }
 
-void prepare(const Limits& limits, const Birth& birth) {
+void prepare(const ChildTask& task, const Birth& birth) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != birth.parent) ::_exit(1);  // the parent died before the line above
   default_signals();
   redirect(birth);
   disable_core_dumps();
-  set_soft_limit(RLIMIT_FSIZE, static_cast<double>(kLogBytes));
-  if (!OXTURN_SANITIZED) set_soft_limit(RLIMIT_AS, address_space_bytes(::getpid()) + limits.memory_mb * kMega);
+  if (!task.writes_results) set_soft_limit(RLIMIT_FSIZE, static_cast<double>(kLogBytes));
+  if (!OXTURN_SANITIZED) set_soft_limit(RLIMIT_AS, address_space_bytes(::getpid()) + task.limits.memory_mb * kMega);
 }
 
 void fail(int fd, Outcome outcome, const char* what, int exit_code = 0, int signal = 0) {
@@ -125,7 +125,7 @@ void fail(int fd, Outcome outcome, const char* what, int exit_code = 0, int sign
 }
 
 [[noreturn]] void be_child(const ChildTask& task, const Birth& birth) {
-  prepare(task.limits, birth);
+  prepare(task, birth);
   const int fd = birth.pipe;
   try {
     if (birth.group != nullptr) birth.group->enter();

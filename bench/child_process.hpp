@@ -9,7 +9,8 @@
 ///
 /// The child is forked, so it has everything at hand that the parent has. It leads a process group, dies with its
 /// parent, sees /dev/null as standard input and a log as its output (at most 64 MiB of it), leaves no core dump, and
-/// where that is possible is in a control group of its own (control_group.hpp). What it finds comes back
+/// where that is possible is in a control group of its own (control_group.hpp). Files that it writes end at 64 MiB, too,
+/// unless they are results. What it finds comes back
 /// through a pipe in frames (wire.hpp).
 #pragma once
 
@@ -56,9 +57,10 @@ struct ChildTask {
   std::function<void(int fd)> work;
   std::function<void(char type, std::string_view payload)> receive;
   Limits limits;
-  std::string log_file;       // the child's stdout and stderr; empty: dropped; or kLogToStandardError
-  bool control_group = true;  // if one can be made
-  std::string what;           // begins reasons: "scoring: no result after 2 s"; empty: "no result after 2 s"
+  std::string log_file;         // the child's stdout and stderr; empty: dropped; or kLogToStandardError
+  bool control_group = true;    // if one can be made
+  bool writes_results = false;  // files of any size; others' are no longer than a log
+  std::string what;             // begins reasons: "scoring: no result after 2 s"; empty: "no result after 2 s"
 };
 
 struct ChildReport {

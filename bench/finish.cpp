@@ -176,6 +176,7 @@ Finished finish_isolated(const FinishTask& task, const Limits& limits) {
   ChildTask child;
   child.limits = limits;
   child.control_group = false;  // which takes its time, and what runs here is no planner
+  child.writes_results = true;
   child.work = [&](int fd) { FinishChild(task, fd).run(); };
   child.receive = [&](char type, std::string_view payload) {
     if (type == frames::kStage) {

@@ -95,6 +95,15 @@ TEST(SuiteRun, APathFileScoresAsTheRowSays) {
   EXPECT_EQ(row.get("map_sha256"), content_hash(map.map));
 }
 
+TEST(SuiteRun, StoresPathFilesOfAnySize) {
+  const Folder folder;
+  const Results results = run_suite(rectangles({"long_file"}), test_registry(), into(folder.file("out")));
+  const Row& row = results.rows.at(0);
+  EXPECT_EQ(row.get("outcome"), "partial") << row.get("reason");
+  EXPECT_GT(std::filesystem::file_size(folder.file("out/" + row.get("path_file"))), std::uintmax_t{64} << 20);
+  EXPECT_NEAR(row.number("path_m").value(), std::hypot(0.9, 0.4), 1e-6);
+}
+
 TEST(SuiteRun, WithoutScoringThereIsTimeAndNothingElse) {
   const Folder folder;
   Suite suite = rectangles({"good", "throw"});

@@ -216,6 +216,7 @@ class TestPlanner final : public CoveragePlanner {
     if (how == "elsewhere") return Path{{{true, {start + Point(0.5, 0), start}}}};
     if (how == "points") return there_and_back(start, 10'000'000);
     if (how == "million_points") return there_and_back(start, 1'000'000);
+    if (how == "long_file") return slanted_line(start, 1'700'000);
     return std::nullopt;
   }
 
@@ -225,6 +226,14 @@ class TestPlanner final : public CoveragePlanner {
     Polyline& points = path.legs[0].points;
     points.assign(count, start);  // held once: it is to come back through the pipe
     for (std::size_t i = 1; i < count; i += 2) points[i] += Point(0.5, 0);
+    return path;
+  }
+
+  /// A metre, of points with many digits.
+  static Path slanted_line(Point start, std::size_t count) {
+    Path path;
+    path.legs.emplace_back().tool = true;
+    for (std::size_t i = 0; i < count; ++i) path.legs[0].points.push_back(start + Point(-0.9, 0.4) * i / (count - 1.0));
     return path;
   }
 
