@@ -31,6 +31,8 @@
 //             7. cover: where a run of lanes is a corridor across them no higher than w, it takes one lane along
 //                (lanes/corridors.hpp). That lane lies in C from one side of its slabs to the other, so the foot of p
 //                on it does, too, and is no farther from p than w/2.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -447,6 +449,8 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   Path path = p.headland > 0 ? drive_with_headland(problem, p, strips_deeper_than, p.order, context)
                              : drive_strips_and_walls(problem, strips_deeper_than(inset), p.order,
                                                       p.outline == OutlineExtent::whole, context);
+  if (path.legs.empty() && !context.cancelled())
+    throw Infeasible(fmt::format("no lane lies {:.4g} m off the walls: lower margin, or set outline to true", inset));
   if (!p.works_walls(p.covers_walls()) || !p.has_spirals() || context.cancelled()) return path;
   return repaired(problem, path, Connector(problem), context);
 }

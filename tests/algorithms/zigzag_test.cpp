@@ -90,6 +90,15 @@ TEST(Zigzag, DegenerateMaps) {
   expect_complete(drawn({"...", ".#.", "..."}, {.robot = disc(0.4, 0.2)}));
 }
 
+TEST(Zigzag, SaysThatNoLaneKeepsSoFarOffTheWalls) {
+  const Problem aisle(Map{"aisle", box_region({0, 0}, {9, 3}), "", ""}, Robot{});
+  EXPECT_THAT(([&] {
+                plan("zigzag", aisle, {{"margin", 1.5}, {"outline", text("false")}});
+              }),
+              ThrowsMessage<Infeasible>(HasSubstr("no lane lies 1.5 m off the walls")));
+  EXPECT_FALSE(plan("zigzag", aisle, {{"margin", 1.2}, {"outline", text("false")}}).legs.empty());
+}
+
 TEST(Zigzag, ShiftedRotatedAndMirroredMapsTakeAboutTheSameLength) {
   const Map map = generate("field", {{"width", 16.0}, {"height", 11.0}, {"ponds", std::int64_t{4}}}, 3);
   const Problem base(map, Robot{});
