@@ -8,10 +8,9 @@
 ///   const ChildReport report = run_child(task);
 ///
 /// The child is forked, so it has everything at hand that the parent has. It leads a process group, dies with its
-/// parent, sees /dev/null as standard input and a log as its output (at most 64 MiB of it), leaves no core dump, and
-/// where that is possible is in a control group of its own (control_group.hpp). Files that it writes end at 64 MiB, too,
-/// unless they are results. What it finds comes back
-/// through a pipe in frames (wire.hpp).
+/// parent, sees /dev/null as standard input and a log as its output (at most 64 MiB of it; so long may its files be as
+/// well, unless they are results), leaves no core dump, and where that is possible is in a control group of its own
+/// (control_group.hpp). What it finds comes back through a pipe in frames (wire.hpp).
 #pragma once
 
 #include <functional>
