@@ -6,6 +6,7 @@
 #pragma once
 
 #include "algorithms/context.hpp"
+#include "geometry/point_count.hpp"
 
 namespace oxturn {
 
@@ -13,11 +14,7 @@ class GrownPath {
  public:
   explicit GrownPath(Context& context) : context_(context) {}
   /// O(legs), and the path's length when it is published.
-  void offer(const Path& path) {
-    std::size_t points = 0;
-    for (const Leg& leg : path.legs) points += leg.points.size();
-    offer(path, points);
-  }
+  void offer(const Path& path) { offer(path, point_count(path.legs)); }
   /// The same, `points` counted by the caller.
   void offer(const Path& path, std::size_t points) {
     if (points == 0 || static_cast<double>(points) < kGrownEnough * static_cast<double>(published_)) return;

@@ -118,9 +118,10 @@ class FinishChild {
   /// With the name of its problem, so that it can be drawn and scored again by itself.
   void store(const Path& path) {
     if (!can_be_written(path)) return;  // the verdict says what is wrong
-    cell("path_sha256", sha256(to_geojson(path)));
-    const PathProblem problem = path_problem(task_.problem, {.file = "../" + task_.problem_file});
-    write(path_name(task_.run_id), to_geojson(path, &problem));
+    std::string text = to_geojson(path);
+    cell("path_sha256", sha256(text));
+    write(path_name(task_.run_id),
+          with_problem(std::move(text), path_problem(task_.problem, {.file = "../" + task_.problem_file})));
     cell("path_file", path_name(task_.run_id));
     send_cells();
     stored_ = true;

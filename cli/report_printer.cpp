@@ -76,11 +76,13 @@ void print_table(const Report& report, const Problem& problem, const Metrics& me
     return std::string();
   };
   std::vector<std::string> empty;
-  for (const MetricValue& metric : report.score ? report.score->values : std::vector<MetricValue>{}) {
-    if (metric.value)
-      lines.push_back({metric.name, fmt::format("{:.6g}", *metric.value), meaning_of_value(help(metric.name))});
-    else
-      empty.push_back(metric.name);
+  if (report.score) {
+    for (const MetricValue& metric : report.score->values) {
+      if (metric.value)
+        lines.push_back({metric.name, fmt::format("{:.6g}", *metric.value), meaning_of_value(help(metric.name))});
+      else
+        empty.push_back(metric.name);
+    }
   }
   for (const auto& [name, value] : report.costs) lines.push_back({name, fmt::format("{:.4g}", value), help(name)});
   for (const auto& [name, value] : report.records)

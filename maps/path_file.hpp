@@ -29,6 +29,8 @@ struct PathFile {
 
 /// Coordinates in metres, shortest round-trip numbers. `problem` becomes a member of that name (RFC 7946, section 6.1).
 std::string to_geojson(const Path& path, const PathProblem* problem = nullptr);
+/// The same from what that gives without a problem.
+std::string with_problem(std::string path, const PathProblem& problem);
 
 /// The format is told by the suffix (.csv, .geojson, .json), otherwise by the first byte that is not blank. A million
 /// points a second or so. Throws std::invalid_argument that names the file and the feature, or line and column.

@@ -6,6 +6,7 @@
 
 #include "base/math.hpp"
 #include "base/sorting.hpp"
+#include "geometry/point_count.hpp"
 
 namespace oxturn {
 namespace {
@@ -174,9 +175,7 @@ void merge_repeated(std::vector<Capsule>& all) {
 
 WorkChains work_chains(const Path& path, const Point& origin, double side, double joint) {
   WorkChains chains;
-  std::size_t points = 0;
-  for (const Leg& leg : path.legs) points += leg.points.size();
-  chains.stations.reserve(points);
+  chains.stations.reserve(point_count(path.legs));
   const Point* before = nullptr;  // end of the previous leg, if it had the tool on
   double radius = kToolRadius;    // of that leg
   double driven = 0;
@@ -207,37 +206,43 @@ WorkChains work_chains(const Path& path, const Point& origin, double side, doubl
   return chains;
 }
 
+namespace {
+
+/// Calls f(first station, behind the last one, radius) for each chain.
+template <class F>
+void for_each_chain(const WorkChains& chains, F f) {
+  const WorkChains::Station *all = chains.stations.data(), *first = all;
+  for (const auto& [end, radius] : chains.chains) {
+    f(first, all + end, radius);
+    first = all + end;
+  }
+}
+
+}  // namespace
+
 double work_in(const WorkChains& chains, const Box& room) {
   double work = 0;
-  std::size_t begin = 0;
-  for (const auto& [end, radius] : chains.chains) {
-    for (std::size_t i = begin + 1; i < end; ++i) {
-      Vec a = chains.stations[i - 1].at, b = chains.stations[i].at;
+  for_each_chain(chains, [&](const auto* first, const auto* last, double radius) {
+    for (const auto* station = first + 1; station < last; ++station) {
+      Vec a = station[-1].at, b = station->at;
       if (clip_to(room, a, b)) work += 2 * radius * oxturn::length(b - a);
     }
-    begin = end;
-  }
+  });
   return work;
 }
 
 CapsuleSet capsules(const WorkChains& chains, const Box& room, double slack) {
   CapsuleSet set;
   slack = std::max(slack, kStraight);
-  const auto for_each_chain = [&](auto f) {
-    const WorkChains::Station* begin = chains.stations.data();
-    for (const auto& [end, radius] : chains.chains) {
-      f(begin, chains.stations.data() + end, radius);
-      begin = chains.stations.data() + end;
-    }
-  };
   std::size_t count = 0;  // millions: counting them costs less than moving them as the list grows
-  for_each_chain([&](const auto* begin, const auto* end, double radius) {
+  for_each_chain(chains, [&](const auto* first, const auto* last, double radius) {
     count += 2;  // discs
-    for_each_stretch(begin, end, slack * radius / 2, [&](auto&&...) { ++count; });
+    for_each_stretch(first, last, slack * radius / 2, [&](auto&&...) { ++count; });
   });
   set.all.reserve(count);
   Collector collector(room, slack, set);
-  for_each_chain([&](const auto* begin, const auto* end, double radius) { collector.add_chain(begin, end, radius); });
+  for_each_chain(chains,
+                 [&](const auto* first, const auto* last, double radius) { collector.add_chain(first, last, radius); });
   merge_repeated(set.all);
   for (const Capsule& k : set.all) set.slack = std::max(set.slack, k.slack);
   return set;

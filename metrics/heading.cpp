@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/math.hpp"
+#include "geometry/point_count.hpp"
 
 namespace oxturn {
 namespace {
@@ -28,9 +29,7 @@ bool linked(const Turn& last, const Turn& next, double w, double& gentle) {
 Headings headings(const Problem& problem, const Path& path) {
   const double near = problem.tolerance(), w = problem.robot().tool_width;
   Headings result;
-  std::size_t points = 0;
-  for (const Leg& leg : path.legs) points += leg.points.size();
-  result.turns.reserve(points);
+  result.turns.reserve(point_count(path.legs));
   bool any_point = false, any_heading = false;
   Point at(0, 0), heading(0, 0);
   double run = 0, gentle = 0;

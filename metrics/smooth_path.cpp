@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/point_count.hpp"
+
 namespace oxturn {
 namespace {
 
@@ -12,8 +14,7 @@ constexpr double kStraight = 1e-7;  // radians; less is rounding
 
 SmoothPath::SmoothPath(std::span<const Leg> legs, double h)
     : h_(h), s_{0}, points_{Point(0, 0)}, integral_{Wide{}}, bends_{0} {
-  std::size_t most = 1;
-  for (const Leg& leg : legs) most += leg.points.size();
+  const std::size_t most = 1 + point_count(legs);
   for (auto* of_vertices : {&s_, &bends_}) of_vertices->reserve(most);
   points_.reserve(most);
   integral_.reserve(most);

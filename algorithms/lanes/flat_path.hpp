@@ -7,14 +7,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "geometry/path.hpp"
+#include "geometry/point_count.hpp"
 
 namespace oxturn {
 
 struct FlatPath {
   FlatPath(const Path& path, const Point& start) : points{start} {
-    std::size_t n = 1;
-    for (const Leg& leg : path.legs) n += leg.points.size();
+    const std::size_t n = 1 + point_count(path.legs);
     points.reserve(n);
     tool.reserve(n);
     for (const Leg& leg : path.legs)

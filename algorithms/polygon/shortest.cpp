@@ -16,6 +16,7 @@
 #include "algorithms/coverage_planner.hpp"
 #include "algorithms/improve/improve.hpp"
 #include "algorithms/improve/part.hpp"
+#include "geometry/point_count.hpp"
 
 namespace oxturn {
 namespace {
@@ -45,12 +46,6 @@ std::vector<Start> starts(AnnealingPart without) {
 /// than the robot leave much to repair among many obstacles, which takes longer than all moves.
 std::size_t least_starts(const Robot& robot) { return is_wide_tool(robot) ? 1 : 2; }
 
-std::size_t vertex_count(const Path& path) {
-  std::size_t sum = 0;
-  for (const Leg& leg : path.legs) sum += leg.points.size();
-  return sum;
-}
-
 class Shortest final : public CoveragePlanner {
  public:
   Shortest(const Improvement& how, const Planners& planners) : how_(how) {
@@ -77,7 +72,8 @@ class Shortest final : public CoveragePlanner {
           paths.back().unrepaired = unrepaired->plan(problem, inner);
       } catch (const Infeasible&) { continue; }
       if (paths.size() == 1) context.publish(paths.front().path);
-      vertices += static_cast<double>(vertex_count(problem.configuration_space()) + vertex_count(paths.back().path));
+      vertices +=
+          static_cast<double>(vertex_count(problem.configuration_space()) + point_count(paths.back().path.legs));
       const bool few = kMovesEach * vertices > moves_in_all(how_, problem);
       if (context.cancelled() || (few && paths.size() >= least_starts(problem.robot()))) break;
     }

@@ -42,7 +42,7 @@ class Wedge {
   Point right_{0, 0}, left_{0, 0};
 };
 
-/// Radians from chord to chord, by which chords of small arcs are off by `error`.
+/// Radians from chord to chord, so that chords are within `error` of a small arc.
 double chord_turn(double radius, double error) {
   return std::clamp(2 * std::sqrt(2 * error / radius), kFineTurn, kMostTurn);
 }

@@ -24,8 +24,8 @@
 //                of the tool's or the robot's width, whichever is less. Where laps are as far apart as they may be and
 //                an arc is off that far, repair covers a seam beside the last.
 //             5. The heights of the spine are compared by an eighth of the feet where there are thousands.
-//             6. Smoothing: vertices that matter less than 0.005 w are left out; corners become tangent arcs within
-//                0.02 w, but for those of the last lap, which is the boundary.
+//             6. Smoothing: vertices that matter less than 0.005 w are left out; corners of 0.15 rad and more become
+//                tangent arcs within 0.02 w, but for those of the last lap, which is the boundary.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -49,7 +49,7 @@ constexpr double kStep = 0.95;         // between laps
 constexpr double kSkip = 0.005;        // by which vertices may be left out
 constexpr double kRound = 0.02;        // by which arcs may cut corners
 constexpr double kChord = 0.01;        // error of the axis' parabolas
-constexpr double kChordError = 0.001;  // of arcs, as for every path
+constexpr double kChordError = 0.001;  // of small arcs
 constexpr double kCoarser = 0.02;      // tool or robot widths by which arcs may be off, for all laps but the last
 constexpr double kBridge = 1e-3;       // width of the cuts along bridges
 constexpr double kLeastCut = 1e-6;     // the same at least, of the map's extent

@@ -450,7 +450,8 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
                              : drive_strips_and_walls(problem, strips_deeper_than(inset), p.order,
                                                       p.outline == OutlineExtent::whole, context);
   if (path.legs.empty() && !context.cancelled())
-    throw Infeasible(fmt::format("no lane lies {:.4g} m off the walls: lower margin, or set outline to true", inset));
+    throw Infeasible(fmt::format("no lane lies {:.4g} m off the walls{}: lower margin, or set outline to true", inset,
+                                 p.small_parts == SmallParts::drop ? " in a part that is not dropped" : ""));
   if (!p.works_walls(p.covers_walls()) || !p.has_spirals() || context.cancelled()) return path;
   return repaired(problem, path, Connector(problem), context);
 }

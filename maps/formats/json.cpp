@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "base/text.hpp"
@@ -81,21 +79,14 @@ std::string json_text(const std::string& text) {
 
 namespace {
 
-/// As to_decimal(), without a text of its own: paths have millions of points.
-void append_number(std::string& text, double value) {
-  if (!std::isfinite(value)) {
-    text += "null";
-    return;
-  }
-  std::array<char, 32> digits;
-  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value == 0 ? 0.0 : value).ptr);
-}
+std::string number(double value) { return std::isfinite(value) ? to_decimal(value) : "null"; }
 
+/// No text of its own for each point: paths have millions.
 void append_point(std::string& text, const Point& p) {
   text += '[';
-  append_number(text, p.x());
+  text += number(p.x());
   text += ", ";
-  append_number(text, p.y());
+  text += number(p.y());
   text += ']';
 }
 

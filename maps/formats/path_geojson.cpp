@@ -86,9 +86,7 @@ PathProblem read_problem(const JsonAt& at, const std::string& source) {
 }  // namespace
 
 std::string to_geojson(const Path& path, const PathProblem* problem) {
-  std::string text = "{";
-  if (problem != nullptr) text += "\"problem\": " + problem_text(*problem) + ",\n";
-  text += "\"type\": \"FeatureCollection\", \"features\": [";
+  std::string text = "{\"type\": \"FeatureCollection\", \"features\": [";
   for (std::size_t i = 0; i < path.legs.size(); ++i) {
     const Leg& leg = path.legs[i];
     text += fmt::format("{}\n{{\"type\": \"Feature\", \"properties\": {{\"tool\": {}{}{}}}, \"geometry\": ",
@@ -99,7 +97,11 @@ std::string to_geojson(const Path& path, const PathProblem* problem) {
     text += "}}";
   }
   text += "\n]}\n";
-  return text;
+  return problem != nullptr ? with_problem(std::move(text), *problem) : text;
+}
+
+std::string with_problem(std::string path, const PathProblem& problem) {
+  return std::move(path.insert(1, "\"problem\": " + problem_text(problem) + ",\n"));
 }
 
 Path path_from(const JsonAt& collection) {

@@ -4,7 +4,7 @@
 // Decisions   1. A line with nothing but a number, after the first ring, is the number of holes that follow: CGAL
 //                writes it, others do not.
 //             2. With `around`, the polygon is the target area, and free space a rectangle around it: the tool may
-//                leave what it mows. Without one the polygon is free space.
+//                leave what it mows. Without it the polygon is free space.
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "geometry/point_count.hpp"
 #include "maps/formats/svg_parts.hpp"
 #include "maps/picture.hpp"
 
@@ -96,10 +97,8 @@ struct SwathPart {
 /// The work in parts that end at sharp turns, so that each part shades what another one has covered already. Very long
 /// paths are one part.
 std::vector<SwathPart> swath_parts(const Canvas& canvas, const Path& path) {
-  std::size_t segments = 0;
-  for (const Leg& leg : path.legs) segments += leg.points.size();
   std::vector<SwathPart> parts;
-  if (segments > kMostShaded) {
+  if (point_count(path.legs) > kMostShaded) {
     std::set<double> widths;
     for (const Leg& leg : path.legs) widths.insert(leg.width);
     for (const double width : widths)
