@@ -3,19 +3,21 @@
 #include <malloc.h>
 #endif
 
+#include <limits>
+
 #include "cli/program.hpp"
 #include "reports/built_in_registry.hpp"
 
 namespace {
 
-/// Planners of large maps make and drop vectors of megabytes all the time. By default glibc gives each back to the
-/// system at once, which clears the pages again for the next: a tenth of smooth-spiral's time at 10^6 tool squares.
-/// Kept instead, they take up to a sixth more memory.
+/// Planners of large maps, and scoring, make and drop vectors of up to hundreds of megabytes. By default glibc gives
+/// each back to the system at once, which clears the pages again for the next: a sixth of smooth-spiral's time at 10^6
+/// tool squares, and of scoring its path. Kept instead, they take up to a sixth more memory.
 void keep_freed_memory() {
 #ifdef __GLIBC__
-  constexpr int kMegabyte = 1 << 20;
-  mallopt(M_MMAP_THRESHOLD, 128 * kMegabyte);
-  mallopt(M_TRIM_THRESHOLD, 512 * kMegabyte);
+  constexpr int kMost = std::numeric_limits<int>::max();  // bytes
+  mallopt(M_MMAP_THRESHOLD, kMost);
+  mallopt(M_TRIM_THRESHOLD, kMost);
 #endif
 }
 

@@ -152,18 +152,20 @@ class Improver {
 
  private:
   void improve(const std::vector<PathToImprove>& starts) {
+    const bool annealing = !completion_.whole() || moves_each() >= kFewestMoves;
     std::vector<Polyline> lines, whole;
     for (const PathToImprove& start : starts) {
       if (context_.cancelled() && !whole.empty()) break;
       whole.push_back(points_of(start.path));
-      lines.push_back(straight(whole.back()));
+      if (annealing) lines.push_back(straight(whole.back()));
     }
     // The shortest first: detours make none shorter, and so mostly one has to be completed.
     std::ranges::stable_sort(whole, {}, [this](const Polyline& points) { return cost(points); });
+    if (!annealing && std::ranges::all_of(starts, &PathToImprove::complete)) return keep(std::move(whole.front()));
     for (const Polyline& points : whole)
       if (best_.empty() || (!context_.cancelled() && cost(points) < cost(best_)))
         offer(points, context_.cancelled() ? Region{} : uncovered(points));
-    if (context_.cancelled() || (completion_.whole() && moves_each() < kFewestMoves)) return;
+    if (context_.cancelled() || !annealing) return;
     narrow_ = with_margin(kMargin, kNarrowChord);
     less_narrow_ = with_margin(kFineMargin, Completion::kChord);
     const Polyline best = to_anneal(starts, lines);
@@ -332,11 +334,12 @@ class Improver {
   /// The path completed, or as it is if cancelled. It is kept if it is the best one so far.
   Polyline offer(const Polyline& points, Region uncovered) {
     Polyline whole = context_.cancelled() ? points : completion_.completed(points, std::move(uncovered), context_);
-    if (best_.empty() || (!context_.cancelled() && cost(whole) < cost(best_))) {
-      best_ = whole;
-      context_.publish(driven(best_));
-    }
+    if (best_.empty() || (!context_.cancelled() && cost(whole) < cost(best_))) keep(whole);
     return whole;
+  }
+  void keep(Polyline points) {
+    best_ = std::move(points);
+    context_.publish(driven(best_));
   }
 
   const Problem& problem_;

@@ -13,7 +13,7 @@
 /// same manner. The tool is on all along.
 ///
 /// Where all of the target is asked for, and there are fewer than ten moves for each square of the tool's width, none
-/// is made: the best path given is the result, completed.
+/// is made: the best path given is the result, completed if not all of the paths given are complete.
 ///
 /// With `objective = time`, a turn counts as far as the robot drives while it turns on the spot, and the path is the
 /// one that takes the least time in this sense; of completed paths, turns smaller than what the robot rounds off do not
@@ -64,6 +64,7 @@ struct PathToImprove {
   Path path;
   // The same without detours for what its lanes leave uncovered: annealed at length instead.
   std::optional<Path> unrepaired = std::nullopt;
+  bool complete = false;  // it covers the whole target, but for seams thinner than covered_seam() (lanes/uncovered.hpp)
 };
 
 /// `starts`: at least one path. Publishes what it finds. Returns the best path so far if cancelled.

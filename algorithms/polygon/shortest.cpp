@@ -52,7 +52,7 @@ class Shortest final : public CoveragePlanner {
     const AnnealingPart without = part_named(how.without);
     for (const Start& start : starts(without)) {
       const PlannerInfo& info = planners.find(start.planner);
-      starts_.push_back({info.make(start.settings, planners), nullptr});
+      starts_.push_back({info.make(start.settings, planners), nullptr, info.promised(start.settings)});
       if (!start.repaired || without == AnnealingPart::unrepaired) continue;
       Settings unrepaired = start.settings;
       unrepaired["repair"] = false;
@@ -63,11 +63,12 @@ class Shortest final : public CoveragePlanner {
   Path plan(const Problem& problem, Context& context) const override {
     std::vector<PathToImprove> paths;
     double vertices = 0;  // of configuration space and the path, for each start
-    for (const auto& [planner, unrepaired] : starts_) {
+    for (const auto& [planner, unrepaired, promise] : starts_) {
       // Where there is no time from the beginning, the first one, which is quick, is driven all the same.
       Context inner(context.seed(), context.cancelled() ? kNoLimit : context.seconds_left());
       try {
         paths.push_back({planner->plan(problem, inner)});
+        paths.back().complete = promise == Promise::target && !inner.cancelled();
         if (unrepaired && enough_for_unrepaired(how_, problem) && !context.cancelled())
           paths.back().unrepaired = unrepaired->plan(problem, inner);
       } catch (const Infeasible&) { continue; }
@@ -84,6 +85,7 @@ class Shortest final : public CoveragePlanner {
  private:
   struct Planned {
     std::unique_ptr<CoveragePlanner> planner, unrepaired;
+    Promise promise;
   };
   Improvement how_;
   std::vector<Planned> starts_;

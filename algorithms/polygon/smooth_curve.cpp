@@ -8,10 +8,11 @@
 namespace oxturn {
 namespace {
 
-constexpr double kBack = 0.04;      // radians off a turn on the spot, which is no arc
-constexpr double kFineTurn = 0.15;  // radians from chord to chord; vertices that turn by less are smooth enough
-constexpr double kMostTurn = 0.3;   // the same where arcs are small
-constexpr double kStraight = 1e-9;  // of the distance between its neighbours, by which a vertex may be off
+constexpr double kBack = 0.04;             // radians off a turn on the spot, which is no arc
+constexpr double kFineTurn = 0.15;         // radians from chord to chord; vertices that turn by less are smooth enough
+constexpr double kMostTurn = 0.3;          // the same where arcs are small
+constexpr double kStraight = 1e-9;         // of the distance between its neighbours, by which a vertex may be off
+constexpr std::size_t kUsualVertices = 3;  // of a rounded curve for each of its corners
 
 /// The directions from a point that pass within a distance of each point added.
 class Wedge {
@@ -62,29 +63,36 @@ void add_corner(Polyline& line, const Point& a, const Point& b, const Point& c, 
   const double chords = std::ceil(std::abs(turn) / chord_turn(radius, rounding.chord));
   if (chords < 2) return line.push_back(b);
   const Point step = rotated({1, 0}, turn / chords);
-  Polyline arc{begin};
-  for (Point spoke = begin - centre; static_cast<double>(arc.size()) <= chords; arc.push_back(centre + spoke))
+  const std::size_t first = line.size();
+  line.push_back(begin);
+  Point spoke = begin - centre;
+  for (double k = 0; k < chords; ++k) {
     spoke = step.x() * spoke + step.y() * perpendicular(spoke);
-  for (std::size_t i = 1; i < arc.size(); ++i)
-    if (!connector.straight(arc[i - 1], arc[i])) return line.push_back(b);
-  line.insert(line.end(), arc.begin(), arc.end());
+    const Point next = centre + spoke;
+    if (!connector.straight(line.back(), next)) {
+      line.resize(first);
+      return line.push_back(b);
+    }
+    line.push_back(next);
+  }
 }
 
 }  // namespace
 
-Polyline with_fewer_vertices(const Polyline& curve, double tolerance, const Connector& connector) {
+Polyline with_fewer_vertices(Polyline curve, double tolerance, const Connector& connector) {
   if (curve.size() < 3) return curve;
-  Polyline line{curve.front()};
+  std::size_t kept = 1;  // in place of the first ones
   for (std::size_t i = 0; i + 1 < curve.size();) {
     Wedge wedge(curve[i], tolerance);
     std::size_t next = i + 1;
     wedge.add(curve[next]);
     while (next + 1 < curve.size() && wedge.holds(curve[next + 1])) wedge.add(curve[++next]);
     if (next > i + 1 && !connector.straight(curve[i], curve[next])) next = i + 1;
-    if (line.back() != curve[next]) line.push_back(curve[next]);
+    if (curve[kept - 1] != curve[next]) curve[kept++] = curve[next];
     i = next;
   }
-  return line;
+  curve.resize(kept);
+  return curve;
 }
 
 Polyline without_collinear_vertices(const Polyline& curve) {
@@ -102,7 +110,9 @@ Polyline without_collinear_vertices(const Polyline& curve) {
 
 Polyline rounded_corners(const Polyline& curve, const Rounding& rounding, const Connector& connector) {
   if (curve.size() < 3) return curve;
-  Polyline line{curve.front()};
+  Polyline line;
+  line.reserve(kUsualVertices * curve.size());
+  line.push_back(curve.front());
   for (std::size_t i = 1; i + 1 < curve.size(); ++i)
     add_corner(line, curve[i - 1], curve[i], curve[i + 1], rounding, connector);
   line.push_back(curve.back());

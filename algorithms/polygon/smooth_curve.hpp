@@ -10,7 +10,7 @@
 namespace oxturn {
 
 /// Vertices are left out as long as all of them stay within `tolerance` metres of the segment that replaces them.
-Polyline with_fewer_vertices(const Polyline& curve, double tolerance, const Connector& connector);
+Polyline with_fewer_vertices(Polyline curve, double tolerance, const Connector& connector);
 
 /// Vertices in the middle of straight lines are left out (exactly straight but for rounding).
 Polyline without_collinear_vertices(const Polyline& curve);

@@ -144,11 +144,10 @@ Polyline spiral_of(WaveTree tree, const Rings& rings, const Params& p, const Pro
       p.start == Start::spine
           ? spiral_from_spine(tree, w, problem.start())
           : tree.spiral(std::max(1.0, std::ceil(tree.height() / (kStep * w) - 1e-9)), kRootAlone, problem.start());
-  Polyline curve = std::move(spiral.spine);
-  curve.insert(curve.end(), spiral.laps.begin(), spiral.laps.end());
-  spiral.laps = {};  // millions of points
-  curve = rounded_corners(with_fewer_vertices(curve, kSkip * w, connector),
-                          {.off = kRound * w, .chord = kChordError * w}, connector);
+  Polyline curve = std::move(spiral.laps);  // millions of points: nothing copies them
+  curve.insert(curve.begin(), spiral.spine.begin(), spiral.spine.end());
+  curve = with_fewer_vertices(std::move(curve), kSkip * w, connector);
+  curve = rounded_corners(curve, {.off = kRound * w, .chord = kChordError * w}, connector);
   const Point end = spiral.boundary.front();
   Polyline last = rings.from(end);
   if (!connector.straight(end, last.front())) last = std::move(spiral.boundary);  // of another component: repair helps
@@ -196,7 +195,7 @@ Path plan(const Params& p, const Problem& problem, Context& context) {
   while (!curves.empty()) {
     const auto next = curves.begin() + static_cast<std::ptrdiff_t>(nearest_curve(curves, path.at(), connector));
     path.drive(connector.path(path.at(), next->front()), false);
-    path.drive(*next, true);
+    path.drive(std::move(*next), true);
     curves.erase(next);
   }
   Path whole = without_short_segments(path.take(), problem);

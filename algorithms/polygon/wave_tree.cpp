@@ -291,6 +291,7 @@ WaveSpiral WaveTree::spiral(double laps, double start_height, const Point& near)
   const std::size_t first = begin_spiral(spiral, start_height, near), n = leaves_.size();
   const double each = laps * static_cast<double>(n);
   const auto count = static_cast<std::size_t>(std::ceil(each - 1e-9));
+  spiral.laps.reserve(spiral.spine.size() + count);  // the spine may be put before them
   spiral.laps.resize(count);
   std::vector<Crossing> path;
   for (std::size_t j = 0; j < std::min(n, count); ++j) {

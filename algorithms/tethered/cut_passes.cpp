@@ -433,7 +433,7 @@ PassSpace CutPasses::beside(const Problem& component) const {
     };
     if (!strips.erase_if(disconnects, round >= kRoundsByPieces)) break;
   }
-  return {component.restricted(whole), {}};
+  return {component, {}};
 }
 
 }  // namespace oxturn

@@ -31,6 +31,7 @@ bool join(Polyline& kept, const Point& p, double least, const EdgeIndex& walls) 
 
 Polyline without_short_segments(const Polyline& points, double least, const EdgeIndex& walls) {
   Polyline kept;
+  kept.reserve(points.size());
   for (const Point& p : points) {
     const bool end = &p == &points.back();
     while (kept.size() > 1) {

@@ -87,14 +87,16 @@ TEST(Improved, TheMovesByDefaultGrowWithTheTargetUpToALimit) {
   EXPECT_EQ(moves(1000), 2e6);
 }
 
-// Where all is to be covered, a few moves for each square gain nothing: the best start is the result, completed.
+// Where all is to be covered, a few moves for each square gain nothing: the best start is the result, completed, or as
+// it is where all starts are complete already.
 TEST(Improved, FewMovesAreNotMadeWhereAllIsToBeCovered) {
   const Problem problem(generate("rooms", {}, 3), disc(0.2, 0.4));
   const Completion completion(problem, 1);
   std::vector<PathToImprove> starts;
-  double shortest = 1e9;
+  double shortest = 1e9, uncompleted = 1e9;
   for (const char* planner : {"boustrophedon", "contour"}) {
     starts.push_back({plan(planner, problem)});
+    uncompleted = std::min(uncompleted, starts.back().path.length());
     const Polyline points = vertices_of(starts.back().path, problem.start());
     Context context;
     shortest = std::min(shortest, length(completion.completed(points, completion.uncovered(points), context)));
@@ -112,7 +114,13 @@ TEST(Improved, FewMovesAreNotMadeWhereAllIsToBeCovered) {
     return std::pair(made, path.length());
   };
   EXPECT_EQ(with(1, 9), std::pair(0.0, shortest));
-  EXPECT_EQ(plan("shortest", problem, {{"moves", std::int64_t{1}}}).length(), shortest);  // from both, however few
+  EXPECT_EQ(plan("shortest", problem, {{"moves", std::int64_t{1}}}).length(), uncompleted);  // both, however few
+  starts.front().complete = true;
+  EXPECT_EQ(with(1, 9), std::pair(0.0, shortest));
+  starts.back().complete = true;
+  EXPECT_EQ(with(1, 9), std::pair(0.0, uncompleted));
+  EXPECT_LT(uncompleted, shortest);
+  starts.back().complete = false;
   EXPECT_GT(with(1, 100).first, 90 * squares);
   EXPECT_LT(with(1, 100).second, shortest);
   EXPECT_GT(with(0.99, 9).first, 8 * squares);
