@@ -60,13 +60,13 @@ void add_corner(Polyline& line, const Point& a, const Point& b, const Point& c, 
   const double tangent = std::min(room, most);
   const double radius = tangent / tan_half, side = turn > 0 ? 1 : -1;
   const Point begin = b - tangent * u, centre = begin + side * radius * perpendicular(u);
-  const double chords = std::ceil(std::abs(turn) / chord_turn(radius, rounding.chord));
+  const auto chords = static_cast<int>(std::ceil(std::abs(turn) / chord_turn(radius, rounding.chord)));
   if (chords < 2) return line.push_back(b);
   const Point step = rotated({1, 0}, turn / chords);
   const std::size_t first = line.size();
   line.push_back(begin);
   Point spoke = begin - centre;
-  for (double k = 0; k < chords; ++k) {
+  for (int k = 0; k < chords; ++k) {
     spoke = step.x() * spoke + step.y() * perpendicular(spoke);
     const Point next = centre + spoke;
     if (!connector.straight(line.back(), next)) {
