@@ -29,17 +29,4 @@ struct FlatPath {
   std::vector<bool> tool;  // is it on? By segment
 };
 
-/// Drives the segments from `first` to before `end`.
-inline void drive_segments(const FlatPath& path, std::size_t first, std::size_t end, PathBuilder& builder) {
-  constexpr std::size_t kMost = 1024;  // points at a time
-  Polyline points;
-  while (first < end) {
-    const bool tool = path.tool[first];
-    points.clear();
-    for (; first < end && path.tool[first] == tool && points.size() < kMost; ++first)
-      points.push_back(path.points[first + 1]);
-    builder.drive(points, tool);
-  }
-}
-
 }  // namespace oxturn

@@ -326,15 +326,14 @@ class RingDrive {
     std::vector<std::size_t> order = tree_.on_path();
     const auto key = [&](std::size_t ring) { return std::tuple(tree_.how(ring).segment, tree_.how(ring).along, ring); };
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
-    std::size_t done = 0;  // segments
-    for (const std::size_t ring : order) {
-      const Attachment& how = tree_.how(ring);
-      drive_segments(path, done, how.segment, builder_);
-      done = how.segment;
-      builder_.drive(how.from, path.tool[done]);
-      drive_tree(ring);
+    auto next = order.begin();
+    for (std::size_t i = 0; i < path.tool.size(); ++i) {
+      for (; next != order.end() && tree_.how(*next).segment == i; ++next) {
+        builder_.drive(tree_.how(*next).from, path.tool[i]);
+        drive_tree(*next);
+      }
+      builder_.drive(path.points[i + 1], path.tool[i]);
     }
-    drive_segments(path, done, path.tool.size(), builder_);
     return builder_.take();
   }
 

@@ -132,28 +132,22 @@ Path driven(const FlatPath& path, const std::vector<Stop>& stops) {
     if (s.turn) turns[*s.turn] = &s;
   auto turn = turns.begin();
   PathBuilder builder(path.points.front());
-  std::size_t done = 0;  // segments
-  const auto drive_until = [&](std::size_t segment) {
-    drive_segments(path, done, segment, builder);
-    done = segment;
-  };
-  const auto drive_turns_until = [&](std::size_t vertex) {
-    for (; turn != turns.end() && turn->first <= vertex; ++turn) {
-      const auto [a, b] = ends_of_cut(*turn->second, path.points);
-      drive_until(turn->first - 1);
-      builder.drive(Polyline{a, turn->second->at, b}, true);
-      done = turn->first;
+  auto next = stops.begin();
+  for (std::size_t i = 0; i < path.tool.size(); ++i) {
+    for (; next != stops.end() && next->segment == i; ++next) {
+      if (next->turn) continue;
+      builder.drive(next->from, path.tool[i]);
+      builder.drive(Polyline{next->at, next->from}, true);
     }
-  };
-  for (const Stop& s : stops) {
-    if (s.turn) continue;
-    drive_turns_until(s.segment);
-    drive_until(s.segment);
-    builder.drive(s.from, path.tool[s.segment]);
-    builder.drive(Polyline{s.at, s.from}, true);
+    if (turn != turns.end() && turn->first == i + 1) {
+      const Stop& s = *turn->second;
+      const auto [a, b] = ends_of_cut(s, path.points);
+      builder.drive(Polyline{a, s.at, b}, true);
+      ++turn;
+    } else {
+      builder.drive(path.points[i + 1], path.tool[i]);
+    }
   }
-  drive_turns_until(path.tool.size());
-  drive_until(path.tool.size());
   return builder.take();
 }
 

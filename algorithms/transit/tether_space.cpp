@@ -88,9 +88,6 @@ double metres(const std::vector<Polyline>& lines) {
 }
 
 bool contains(const Polygon& component, const Point& p, double tolerance) {
-  Box box = bounding_box(component.outer);
-  box.grow(tolerance);
-  if (!box.contains(p)) return false;
   const EdgeIndex walls(Region{{component}});
   return walls.contains(p) || walls.nearest(p, tolerance).has_value();
 }
