@@ -338,7 +338,7 @@ double BergBoundary::farthest() const {
 }
 
 std::vector<BergBoundary::Piece> BergBoundary::at(double length, double spacing) const {
-  return BergSweep(*this, spacing).at(length);
+  return BergSweep(*this, {.lengths = {length}, .spacing = spacing}).next();
 }
 
 }  // namespace oxturn

@@ -103,6 +103,7 @@ class BergBoundary {
   };
   class NodeSearch;
   friend class BergSweep;
+  friend class BergNodeSamples;
 
   bool in_sector(const BergNode& node, const Point& p) const;
   bool nearly_in_sector(const BergNode& node, const Point& p) const;

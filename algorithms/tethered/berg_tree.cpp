@@ -73,11 +73,13 @@ class BergTree::OpenLap {
 void BergTree::add_laps(const Laps& laps, const std::function<bool(const Point&)>& keep,
                         const std::function<bool()>& stop) {
   const double last = std::min(laps.longest * (1 + 1e-12), boundary_.farthest());
-  BergSweep sweep(boundary_, laps.spacing, laps.thinning, laps.trim, keep);
+  BergSampling sampling{{}, laps.spacing, laps.thinning, laps.trim, keep};
+  for (std::size_t lap = 1; static_cast<double>(lap) * laps.step <= last; ++lap)
+    sampling.lengths.push_back(static_cast<double>(lap) * laps.step);
+  BergSweep sweep(boundary_, sampling);
   OpenLap before;
-  for (std::size_t lap = 1; static_cast<double>(lap) * laps.step <= last && !stop(); ++lap) {
-    const double length = static_cast<double>(lap) * laps.step;
-    OpenLap next(lap, length, sweep.at(length), before);
+  for (std::size_t lap = 1; !sweep.at_end() && !stop(); ++lap) {
+    OpenLap next(lap, sampling.lengths[lap - 1], sweep.next(), before);
     before.close(pieces_);
     next.find_parents(before);
     before = std::move(next);

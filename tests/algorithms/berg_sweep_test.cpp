@@ -36,6 +36,13 @@ Map floor(const char* generator, std::uint64_t seed) {
   return generate(generator, {{"width", 12.0}, {"height", 10.0}}, seed);
 }
 
+/// Up to the farthest point.
+std::vector<double> lengths_from(double first, double step, const Scene& s) {
+  std::vector<double> lengths;
+  for (double l = first; l < s.boundary.farthest(); l += step) lengths.push_back(l);
+  return lengths;
+}
+
 using Pieces = std::vector<std::pair<std::optional<std::size_t>, Polyline>>;
 Pieces with_points(const std::vector<BergBoundary::Piece>& pieces) {
   Pieces kept;
@@ -49,10 +56,11 @@ TEST(BergSweep, FindsWhatEachBoundaryHasByItself) {
   for (const char* generator : {"clutter", "speckle", "rooms", "cave"})
     for (const auto seed : seeds(2)) {
       const Scene s(floor(generator, seed));
-      BergSweep sweep(s.boundary, 0.1);
-      for (double l = 0.05; l < s.boundary.farthest(); l += 0.37) {
+      const std::vector<double> lengths = lengths_from(0.05, 0.37, s);
+      BergSweep sweep(s.boundary, {lengths, 0.1});
+      for (const double l : lengths) {
         SCOPED_TRACE(fmt::format("{} --seed {} length {}", generator, seed, l));
-        const Pieces found = with_points(sweep.at(l));
+        const Pieces found = with_points(sweep.next());
         pieces += found.size();
         EXPECT_EQ(found, with_points(s.boundary.at(l, 0.1)));
       }
@@ -69,16 +77,17 @@ TEST(BergSweep, TrimmedBoundariesAreThoseOfALookAtEverySample) {
       SCOPED_TRACE(fmt::format("{} --seed {}", generator, seed));
       const Scene s(floor(generator, seed));
       const auto shortest = [&](const Point& p) { return s.problem.tether()->geodesics().distance(p); };
-      BergSweep whole(s.boundary, 0.05), trimmed(s.boundary, 0.05, {}, {shortest, 1e-5});
-      for (double l = 0.2; l < s.boundary.farthest(); l += 0.2) {
+      const std::vector<double> lengths = lengths_from(0.2, 0.2, s);
+      BergSweep whole(s.boundary, {lengths, 0.05}), trimmed(s.boundary, {lengths, 0.05, {}, {shortest, 1e-5}});
+      for (const double l : lengths) {
         std::vector<Point> expected, found;
-        for (const auto& piece : whole.at(l))
+        for (const auto& piece : whole.next())
           for (const Point& p : piece.points)
             if (std::abs(l - shortest(p)) <= 1e-5)
               expected.push_back(p);
             else
               ++left_out;
-        for (const auto& piece : trimmed.at(l)) found.insert(found.end(), piece.points.begin(), piece.points.end());
+        for (const auto& piece : trimmed.next()) found.insert(found.end(), piece.points.begin(), piece.points.end());
         for (const Point& p : found) EXPECT_NEAR(shortest(p), l, 1e-5);
         for (std::vector<Point>* points : {&expected, &found}) std::ranges::sort(*points, before);
         kept += expected.size();
@@ -101,15 +110,16 @@ TEST(BergSweep, OfWhatIsNotToBeKeptNothingIsLostBeside) {
     const auto keep = [&](const Point& p) { return s.problem.walls().contains(p); };
     for (const bool trims : {false, true}) {
       const BergTrim trim = trims ? BergTrim{shortest, 1e-5} : BergTrim{};
-      BergSweep whole(s.boundary, 0.05, {}, trim), kept(s.boundary, 0.05, {}, trim, keep);
-      for (double l = 0.2; l < s.boundary.farthest(); l += 0.2) {
+      const std::vector<double> lengths = lengths_from(0.2, 0.2, s);
+      BergSweep whole(s.boundary, {lengths, 0.05, {}, trim}), kept(s.boundary, {lengths, 0.05, {}, trim, keep});
+      for (const double l : lengths) {
         SCOPED_TRACE(fmt::format("{} length {} trims {}", generator, l, trims));
         std::vector<Point> expected, found;
-        for (const auto& piece : whole.at(l)) {
+        for (const auto& piece : whole.next()) {
           all += piece.points.size();
           std::ranges::copy_if(piece.points, std::back_inserter(expected), keep);
         }
-        for (const auto& piece : kept.at(l)) found.insert(found.end(), piece.points.begin(), piece.points.end());
+        for (const auto& piece : kept.next()) found.insert(found.end(), piece.points.begin(), piece.points.end());
         left += found.size();
         ASSERT_EQ(found.size(), expected.size());
         for (std::size_t i = 0; i < found.size(); ++i) ASSERT_LT(distance(found[i], expected[i]), 1e-12);
@@ -209,10 +219,11 @@ TEST(BergSweep, WithoutNeedlessSamplesTheLapsAreTheSame) {
     const Scene s(floor(generator, 1));
     const EdgeIndex& walls = s.problem.walls();
     const auto is_free = [&](const Point& a, const Point& b) { return walls.contains(a, b); };
-    BergSweep plain(s.boundary, 0.05), thinned(s.boundary, 0.05, {kError, is_free});
-    for (double l = 0.1; l < s.boundary.farthest(); l += 0.41) {
+    const std::vector<double> lengths = lengths_from(0.1, 0.41, s);
+    BergSweep plain(s.boundary, {lengths, 0.05}), thinned(s.boundary, {lengths, 0.05, {kError, is_free}});
+    for (const double l : lengths) {
       SCOPED_TRACE(fmt::format("{} length {}", generator, l));
-      const Pieces from = with_points(plain.at(l)), to = with_points(thinned.at(l));
+      const Pieces from = with_points(plain.next()), to = with_points(thinned.next());
       ASSERT_EQ(from.size(), to.size());
       for (std::size_t i = 0; i < from.size(); ++i) {
         ASSERT_EQ(from[i].first, to[i].first);
@@ -236,10 +247,12 @@ TEST(BergSweep, WithoutNeedlessSamplesTheLapsAreTheSame) {
 
 TEST(BergSweep, DropsPiecesThatStayEmpty) {
   const Scene s(floor("clutter", 1));
-  BergSweep sweep(s.boundary, 0.1);
-  for (double l = 0.05; l < s.boundary.farthest(); l += 0.2) sweep.at(l);
+  std::vector<double> lengths = lengths_from(0.05, 0.2, s);
+  lengths.push_back(2 * s.boundary.farthest());
+  BergSweep sweep(s.boundary, {lengths, 0.1});
+  for (std::size_t k = 1; k < lengths.size(); ++k) sweep.next();
   EXPECT_GT(s.boundary.dividers().size(), 10u);
-  EXPECT_LE(sweep.at(2 * s.boundary.farthest()).size(), 1u);
+  EXPECT_LE(sweep.next().size(), 1u);
 }
 
 /// The gates between two pieces as berg_tree.hpp says, decision 2, over all dividers.
