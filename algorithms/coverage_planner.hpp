@@ -20,11 +20,14 @@ class CoveragePlanner {
   virtual Path plan(const Problem& problem, Context& context) const = 0;
 };
 
-/// A planner that is one function of its parameters.
+/// A planner that is one function of its parameters. If these have a member check(), which throws std::invalid_argument
+/// for values that exclude each other, no planner is made of such.
 template <class P, Path (*run)(const P&, const Problem&, Context&)>
 class FunctionPlanner final : public CoveragePlanner {
  public:
-  explicit FunctionPlanner(P params) : params_(std::move(params)) {}
+  explicit FunctionPlanner(P params) : params_(std::move(params)) {
+    if constexpr (requires { params_.check(); }) params_.check();
+  }
   Path plan(const Problem& problem, Context& context) const override { return run(params_, problem, context); }
 
  private:

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <set>
 
+#include "algorithms/coverage_planner.hpp"
 #include "bench/external_planner.hpp"
 #include "bench/run_id.hpp"
 #include "bench/suite_parts.hpp"
@@ -108,6 +109,7 @@ class PlannerReader {
             file_, entry.name,
             fmt::format("planner '{}' plans for the tether, so ignore_tether = true does not apply to it; leave it out",
                         planner.name));
+      at_position(file_, entry.name, [&] { planner.make(spec.settings, planners_); });  // do they go together?
       spec.ignore_tether = ignore && !tethered;
       add(entry, spec);
     }

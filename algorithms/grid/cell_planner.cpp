@@ -49,10 +49,6 @@ class LidarCells final : public CellWorld {
 
 Path drive_by_lidar(const Problem& problem, Context& context, const CellOptions& options, const CellNeeds& needs,
                     const std::function<void(CellRobot&)>& drive) {
-  if (options.align == Align::edges)
-    throw std::invalid_argument("align = edges needs the map; sensing = lidar goes with align = axes");
-  if (needs.walls)
-    throw std::invalid_argument("partial = true needs the map; sensing = lidar goes with partial = false");
   if (problem.limited())
     throw Unsupported("sensing = lidar shows walls only, but this problem's space ends elsewhere; use sensing = map");
   const double side = options.side(problem.robot());

@@ -19,13 +19,12 @@ namespace oxturn {
 struct CellNeeds {
   int reach = 1;           // how far it feels, in cells
   bool diagonals = false;  // it leaves the lattice on straight segments (CellRobot::straight)
-  bool walls = false;      // it follows walls (WallFollower); not possible by lidar
+  bool walls = false;      // it follows walls (WallFollower): on the map only
   bool all_cells = true;   // it promises to visit every cell that free lattice edges connect to the start
 };
 
 /// `drive` moves the robot from the start on and returns when it is done. Throws Infeasible if the robot cannot leave
-/// the start's cell, Unsupported for sensing = lidar without a lidar, std::invalid_argument for options that exclude
-/// each other.
+/// the start's cell, Unsupported for sensing = lidar without a lidar.
 Path drive_cells(const Problem& problem, Context& context, const CellOptions& options, const CellNeeds& needs,
                  const std::function<void(CellRobot&)>& drive);
 /// The same for a planner that needs the robot's memory; records `cells` and `moves`.

@@ -18,7 +18,9 @@ enum class Along { columns, longer };
 enum class CellsAs { wider, robot };
 
 /// Parameters of `rectangles`; what they mean is in its description.
-struct RectangleOptions : CellOptions {
+struct RectangleOptions : CellSize {
+  Align align = Align::axes;  // by lidar to the walls seen first
+  Sensing sensing = Sensing::map;
   NextRectangle choose = NextRectangle::nearest;
   CellsAs cells = CellsAs::wider;
   ColumnStep columns = ColumnStep::tool;

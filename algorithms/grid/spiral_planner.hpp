@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 
 #include "algorithms/grid/cell_planner.hpp"
 #include "algorithms/grid/wall_follower.hpp"
@@ -15,6 +16,11 @@ namespace oxturn {
 
 struct SpiralOptions : CellOptions {
   bool partial = false;
+  void check() const {
+    CellOptions::check();
+    if (sensing == Sensing::lidar && partial)
+      throw std::invalid_argument("partial = true needs the map; sensing = lidar goes with partial = false");
+  }
 };
 
 template <class P>

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +50,11 @@ struct GridOptions : CellSize {
 struct CellOptions : CellSize {
   Align align = Align::axes;
   Sensing sensing = Sensing::map;
+  /// Throws std::invalid_argument for options that exclude each other.
+  void check() const {
+    if (sensing == Sensing::lidar && align == Align::edges)
+      throw std::invalid_argument("align = edges needs the map; sensing = lidar goes with align = axes");
+  }
 };
 
 /// One line each, for planners that need only some of them or another help text.

@@ -51,6 +51,12 @@ struct Params : Headland, OutlineChoice {
   double spacing = 1;
   Order order = Order::improved;
   TourMeasure objective = TourMeasure::length;
+
+  void check() const {
+    if (order == Order::postman && cells == Decomposition::slab)
+      throw std::invalid_argument(
+          "planner 'boustrophedon': order 'postman' needs cells with two ends; set cells to 'exact'");
+  }
 };
 
 struct TrapezoidParams : Params {
@@ -147,9 +153,6 @@ Path plan_needed(Params p, Path whole, const Problem& problem, Context& context)
 }
 
 Path plan(const Params& p, const Problem& problem, Context& context) {
-  if (p.order == Order::postman && p.cells == Decomposition::slab)
-    throw std::invalid_argument(
-        "planner 'boustrophedon': order 'postman' needs cells with two ends; set cells to 'exact'");
   const double w = problem.robot().tool_width;
   const auto strips_deeper_than = [&](double depth) {
     return strips_in(lane_region(problem, depth, w / 50), p, problem, context);

@@ -1,5 +1,6 @@
 // Every kind of bad input: one sentence that names the thing, the position and the remedy; exit code 2; no file left
 // behind.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,6 +48,23 @@ TEST_F(BadInput, UnknownPlannerWithTheNearest) {
 TEST_F(BadInput, UnknownParameterWithTheList) {
   expect_refused(oxturn("plan stc " + box + " --set lane_width=3" + to),
                  AllOf(HasSubstr("unknown parameter 'lane_width' of planner 'stc'"), HasSubstr("it has: ")));
+}
+TEST_F(BadInput, SettingsThatExcludeEachOther) {
+  const auto slabs_twice = AllOf(HasSubstr("order 'postman' needs cells with two ends"), HasSubstr("set cells to"));
+  expect_refused(oxturn("plan boustrophedon " + box + " --set order=postman --set cells=slab" + to), slabs_twice);
+  expect_refused(
+      oxturn("plan completed " + box + " --set planner=boustrophedon --set order=postman --set cells=slab" + to),
+      slabs_twice);
+  for (const char* planner : {"ba-star", "stc-scan", "bsa", "smart-dfs"})
+    expect_refused(oxturn(fmt::format("plan {} {} --set align=edges --set sensing=lidar{}", planner, box, to)),
+                   HasSubstr("align = edges needs the map"));
+  expect_refused(oxturn("plan linked-spiral " + box + " --set partial=true --set sensing=lidar" + to),
+                 HasSubstr("partial = true needs the map"));
+  const std::string suite = in.write("both.toml",
+                                     "schema = 1\nname = \"both\"\n[robots.r]\nradius = 0.2\n[[maps]]\n"
+                                     "generator = \"rectangle\"\n[[planners]]\nname = \"boustrophedon\"\n"
+                                     "order = \"postman\"\ncells = [\"exact\", \"slab\"]\n");
+  expect_refused(oxturn("run " + suite + " -o " + (out / "r")), AllOf(HasSubstr("both.toml:8: "), slabs_twice));
 }
 TEST_F(BadInput, AGeneratorsParameterAmongThePlanners) {
   expect_refused(oxturn("plan stc rooms:3 --set rooms=3" + to),
