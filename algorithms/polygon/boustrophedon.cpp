@@ -96,6 +96,7 @@ std::vector<Strip> directed_strips(const Region& region, const Params& p, const 
   const std::vector<DirectedCell> cells = directed_cells(problem, region, options, context);
   if (context.wants_traces()) {
     std::vector<Polyline> outlines;
+    outlines.reserve(cells.size());
     for (const DirectedCell& c : cells) outlines.push_back(closed_outline(c.cell, LaneFrame(c.degrees)));
     context.trace("cells", std::move(outlines));
   }

@@ -119,53 +119,55 @@ bool BergNodeSamples::is_trimmed(const Point& p) const {
 void BergNodeSamples::sample(Arc& arc) {
   const Steps steps = steps_of(arc);
   const double stride = longest_stride(steps.turn(1) - steps.turn(0));
-  double longest_leap = stride;
-  bool driven = false;  // is the previous sample to be driven? Of others nothing more is asked, and they are not empty
-  auto empty = empty_.cbegin();
+  Walk walk{.steps = steps, .stride = stride, .longest_leap = stride, .empty = empty_.cbegin()};
   kept_.clear();
   first_point_ = points_.size();
-  for (double k = steps.first, previous = -1; k <= steps.last; ++k) {
-    const double turn = steps.turn(k);
-    while (empty != empty_.cend() && empty->to < turn) ++empty;
-    if (empty != empty_.cend() && empty->from <= turn) {
-      k = std::max(k, steps.last_up_to(empty->to));
-      continue;
-    }
-    if (const std::size_t slice = node_.range.slice_of(turn); node_.range.range(slice) < radius_) {
-      k = std::max(k, steps.last_up_to(node_.range.end_of(slice)) - 1);
-      continue;
-    }
-    if (driven && previous == k - 1)
-      if (const double next = leap(steps, previous, longest_leap); next > previous) {
-        previous = k = kept_.back().last = next;
-        continue;
-      }
-    longest_leap = stride;
-    const SightRange::Answer answer = node_.range.look(turn, radius_);
-    if (answer == SightRange::Answer::hidden) continue;
-    const Point p = at(turn);
-    driven = is_driven(p);
-    if (driven && (is_trimmed(p) || (answer == SightRange::Answer::unknown && !b_.sight_.sees(node_.at, p)))) continue;
-    if (driven) add(p);
-    if (previous < 0 || previous < k - 1) kept_.push_back({k, k});
-    previous = kept_.back().last = k;
-  }
+  double k = steps.first;
+  while (k <= steps.last) k = look_at(k, walk) + 1;
   if (sampling_.trim.shortest && steps.turn(1) - steps.turn(0) <= kFineTurn) remember_empty(arc, steps);
 }
 
-/// Adds a sample after the next one, if those in between may be left out, and returns its number; else `previous`.
-/// `longest`: so many samples on at most; becomes less where that fails.
-double BergNodeSamples::leap(const Steps& steps, double previous, double& longest) {
-  for (; longest >= 2; longest = std::floor(longest / 2)) {
-    const double next = std::min(previous + longest, steps.last);
-    if (next <= previous + 1) break;
-    if (!(radius_ < node_.range.sure(steps.turn(previous), steps.turn(next)))) continue;
-    const Point p = at(steps.turn(next));
-    if (is_trimmed(p) || !sampling_.thinning.is_free(points_.back(), p)) continue;
+/// Returns the number of the last sample that is dealt with.
+double BergNodeSamples::look_at(double k, Walk& walk) {
+  const double turn = walk.steps.turn(k);
+  while (walk.empty != empty_.cend() && walk.empty->to < turn) ++walk.empty;
+  if (walk.empty != empty_.cend() && walk.empty->from <= turn)
+    return std::max(k, walk.steps.last_up_to(walk.empty->to));
+  if (const std::size_t slice = node_.range.slice_of(turn); node_.range.range(slice) < radius_)
+    return std::max(k, walk.steps.last_up_to(node_.range.end_of(slice)) - 1);
+  if (walk.driven && walk.previous == k - 1)
+    if (const double next = leap(walk); next > walk.previous) return walk.previous = kept_.back().last = next;
+  walk.longest_leap = walk.stride;
+  const SightRange::Answer answer = node_.range.look(turn, radius_);
+  if (answer == SightRange::Answer::hidden) return k;
+  const Point p = at(turn);
+  walk.driven = is_driven(p);
+  if (walk.driven) {
+    if (is_trimmed(p) || (answer == SightRange::Answer::unknown && !b_.sight_.sees(node_.at, p))) return k;
     add(p);
-    return next;
   }
-  return previous;
+  if (walk.previous < 0 || walk.previous < k - 1) kept_.push_back({k, k});
+  return walk.previous = kept_.back().last = k;
+}
+
+/// Adds a sample after the next one, if those in between may be left out, and returns its number; else the previous
+/// one.
+double BergNodeSamples::leap(Walk& walk) {
+  while (walk.longest_leap >= 2) {
+    const double next = std::min(walk.previous + walk.longest_leap, walk.steps.last);
+    if (next <= walk.previous + 1) break;
+    if (leap_to(next, walk)) return next;
+    walk.longest_leap = std::floor(walk.longest_leap / 2);
+  }
+  return walk.previous;
+}
+
+bool BergNodeSamples::leap_to(double next, const Walk& walk) {
+  if (!(radius_ < node_.range.sure(walk.steps.turn(walk.previous), walk.steps.turn(next)))) return false;
+  const Point p = at(walk.steps.turn(next));
+  if (is_trimmed(p) || !sampling_.thinning.is_free(points_.back(), p)) return false;
+  add(p);
+  return true;
 }
 
 /// What begins and ends with samples that were left out stays empty: farther out in the same direction points are

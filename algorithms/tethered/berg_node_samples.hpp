@@ -89,6 +89,15 @@ class BergNodeSamples {
     double last_up_to(double angle) const { return std::floor((angle - from) / (to - from) * count); }
   };
 
+  /// Along the samples of an arc.
+  struct Walk {
+    const Steps& steps;
+    double stride, longest_leap;  // samples on, at most: wherever it may begin, and from here
+    std::vector<Angles>::const_iterator empty;
+    double previous = -1;  // sample that is not empty
+    bool driven = false;   // is it to be driven? Of others nothing more is asked, and they are not empty
+  };
+
   double length_of(const BergBoundary::Event& event) const;
   bool has_ended() const;
   void sample_laps();
@@ -96,7 +105,9 @@ class BergNodeSamples {
   Steps steps_of(const Arc& arc) const;
   Point at(double turn) const;
   void sample(Arc& arc);
-  double leap(const Steps& steps, double previous, double& longest);
+  double look_at(double k, Walk& walk);
+  double leap(Walk& walk);
+  bool leap_to(double next, const Walk& walk);
   bool is_driven(const Point& p) const { return !sampling_.keep || sampling_.keep(p); }
   bool is_trimmed(const Point& p) const;
   void remember_empty(Arc& arc, const Steps& steps);
