@@ -338,7 +338,7 @@ double BergBoundary::farthest() const {
 }
 
 std::vector<BergBoundary::Piece> BergBoundary::at(double length, double spacing) const {
-  return BergSweep(*this, {.lengths = {length}, .spacing = spacing}).next();
+  return BergSweep(*this, {.lengths = {.step = length, .count = 1}, .spacing = spacing}).next();
 }
 
 }  // namespace oxturn

@@ -61,7 +61,7 @@ void BergNodeSamples::sample_laps() {
 }
 
 bool BergNodeSamples::has_ended() const {
-  return lap_ == sampling_.lengths.size() || arcs_.empty() ||
+  return lap_ == sampling_.lengths.count || arcs_.empty() ||
          sampling_.lengths[lap_] > node_.before + node_.reach + b_.tolerance_;
 }
 

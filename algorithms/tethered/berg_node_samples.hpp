@@ -2,7 +2,7 @@
 /// boundary passes does not.
 ///
 ///   BergNodeSamples samples(boundary, node, sampling, 0);
-///   for (std::size_t lap = 0; lap < sampling.lengths.size(); ++lap)
+///   for (std::size_t lap = 0; lap < sampling.lengths.count; ++lap)
 ///     for (const std::int32_t begin : arcs_at(lap)) use(samples.take(lap, begin).points);
 ///
 /// Method      The node's events divide its arc, each from its own length on. An arc whose node sees nothing so far
@@ -34,10 +34,18 @@ struct BergTrim {
   double slack = 0;                                   // metres by which a lap's length may exceed that
 };
 
+/// Of tether, one for each boundary: `step`, twice that and so on, all of them plus `offset`; metres.
+struct BergLengths {
+  double step = 0;
+  std::size_t count = 0;
+  double offset = 0;
+  double operator[](std::size_t k) const { return static_cast<double>(k + 1) * step + offset; }
+};
+
 /// Which boundaries, and which of their points.
 struct BergSampling {
-  std::vector<double> lengths;  // of tether, ascending, metres: one for each boundary
-  double spacing = 0;           // of samples, metres
+  BergLengths lengths;
+  double spacing = 0;  // of samples, metres
   BergThinning thinning = {};
   BergTrim trim = {};
   std::function<bool(const Point&)> keep = {};  // is the sample to be given? Empty: all are

@@ -1,6 +1,6 @@
 /// Berg's boundaries one after the other, outwards: what has ended is not looked at again.
 ///
-///   BergSweep sweep(boundary, {.lengths = {0.2, 0.4, 0.6}, .spacing = 0.05});
+///   BergSweep sweep(boundary, {.lengths = {.step = 0.2, .count = 3}, .spacing = 0.05});
 ///   while (!sweep.at_end()) use(sweep.next());
 ///
 /// Method      The boundary as a list, counter-clockwise: arcs about nodes and the dividers between them. When a node
@@ -25,7 +25,7 @@ class BergSweep {
   BergSweep(const BergSweep&) = delete;
   BergSweep& operator=(const BergSweep&) = delete;
 
-  bool at_end() const { return lap_ == sampling_.lengths.size(); }
+  bool at_end() const { return lap_ == sampling_.lengths.count; }
   /// The boundary at the next length, as BergBoundary::at().
   std::vector<BergBoundary::Piece> next();
 

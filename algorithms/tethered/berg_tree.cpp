@@ -70,16 +70,27 @@ class BergTree::OpenLap {
   bool keep_all_ = false;
 };
 
+namespace {
+
+/// How many multiples of the step are at most `last`.
+std::size_t laps_up_to(double last, double step) {
+  constexpr double kMost = 1e15;  // no such path ends
+  auto count = static_cast<std::size_t>(std::min(std::max(last / step, 0.0), kMost));
+  while (static_cast<double>(count + 1) * step <= last && static_cast<double>(count) < kMost) ++count;
+  while (count > 0 && static_cast<double>(count) * step > last) --count;
+  return count;
+}
+
+}  // namespace
+
 void BergTree::add_laps(const Laps& laps, const std::function<bool(const Point&)>& keep,
                         const std::function<bool()>& stop) {
   const double last = std::min(laps.longest * (1 + 1e-12), boundary_.farthest());
-  BergSampling sampling{{}, laps.spacing, laps.thinning, laps.trim, keep};
-  for (std::size_t lap = 1; static_cast<double>(lap) * laps.step <= last; ++lap)
-    sampling.lengths.push_back(static_cast<double>(lap) * laps.step);
-  BergSweep sweep(boundary_, sampling);
+  const BergLengths lengths{laps.step, laps_up_to(last, laps.step)};
+  BergSweep sweep(boundary_, {lengths, laps.spacing, laps.thinning, laps.trim, keep});
   OpenLap before;
   for (std::size_t lap = 1; !sweep.at_end() && !stop(); ++lap) {
-    OpenLap next(lap, sampling.lengths[lap - 1], sweep.next(), before);
+    OpenLap next(lap, lengths[lap - 1], sweep.next(), before);
     before.close(pieces_);
     next.find_parents(before);
     before = std::move(next);

@@ -37,9 +37,9 @@ Map floor(const char* generator, std::uint64_t seed) {
 }
 
 /// Up to the farthest point.
-std::vector<double> lengths_from(double first, double step, const Scene& s) {
-  std::vector<double> lengths;
-  for (double l = first; l < s.boundary.farthest(); l += step) lengths.push_back(l);
+BergLengths lengths_from(double first, double step, const Scene& s) {
+  BergLengths lengths{step, 0, first - step};
+  while (lengths[lengths.count] < s.boundary.farthest()) ++lengths.count;
   return lengths;
 }
 
@@ -56,9 +56,10 @@ TEST(BergSweep, FindsWhatEachBoundaryHasByItself) {
   for (const char* generator : {"clutter", "speckle", "rooms", "cave"})
     for (const auto seed : seeds(2)) {
       const Scene s(floor(generator, seed));
-      const std::vector<double> lengths = lengths_from(0.05, 0.37, s);
+      const BergLengths lengths = lengths_from(0.05, 0.37, s);
       BergSweep sweep(s.boundary, {lengths, 0.1});
-      for (const double l : lengths) {
+      for (std::size_t k = 0; k < lengths.count; ++k) {
+        const double l = lengths[k];
         SCOPED_TRACE(fmt::format("{} --seed {} length {}", generator, seed, l));
         const Pieces found = with_points(sweep.next());
         pieces += found.size();
@@ -77,9 +78,10 @@ TEST(BergSweep, TrimmedBoundariesAreThoseOfALookAtEverySample) {
       SCOPED_TRACE(fmt::format("{} --seed {}", generator, seed));
       const Scene s(floor(generator, seed));
       const auto shortest = [&](const Point& p) { return s.problem.tether()->geodesics().distance(p); };
-      const std::vector<double> lengths = lengths_from(0.2, 0.2, s);
+      const BergLengths lengths = lengths_from(0.2, 0.2, s);
       BergSweep whole(s.boundary, {lengths, 0.05}), trimmed(s.boundary, {lengths, 0.05, {}, {shortest, 1e-5}});
-      for (const double l : lengths) {
+      for (std::size_t k = 0; k < lengths.count; ++k) {
+        const double l = lengths[k];
         std::vector<Point> expected, found;
         for (const auto& piece : whole.next())
           for (const Point& p : piece.points)
@@ -110,9 +112,10 @@ TEST(BergSweep, OfWhatIsNotToBeKeptNothingIsLostBeside) {
     const auto keep = [&](const Point& p) { return s.problem.walls().contains(p); };
     for (const bool trims : {false, true}) {
       const BergTrim trim = trims ? BergTrim{shortest, 1e-5} : BergTrim{};
-      const std::vector<double> lengths = lengths_from(0.2, 0.2, s);
+      const BergLengths lengths = lengths_from(0.2, 0.2, s);
       BergSweep whole(s.boundary, {lengths, 0.05, {}, trim}), kept(s.boundary, {lengths, 0.05, {}, trim, keep});
-      for (const double l : lengths) {
+      for (std::size_t k = 0; k < lengths.count; ++k) {
+        const double l = lengths[k];
         SCOPED_TRACE(fmt::format("{} length {} trims {}", generator, l, trims));
         std::vector<Point> expected, found;
         for (const auto& piece : whole.next()) {
@@ -219,9 +222,10 @@ TEST(BergSweep, WithoutNeedlessSamplesTheLapsAreTheSame) {
     const Scene s(floor(generator, 1));
     const EdgeIndex& walls = s.problem.walls();
     const auto is_free = [&](const Point& a, const Point& b) { return walls.contains(a, b); };
-    const std::vector<double> lengths = lengths_from(0.1, 0.41, s);
+    const BergLengths lengths = lengths_from(0.1, 0.41, s);
     BergSweep plain(s.boundary, {lengths, 0.05}), thinned(s.boundary, {lengths, 0.05, {kError, is_free}});
-    for (const double l : lengths) {
+    for (std::size_t k = 0; k < lengths.count; ++k) {
+      const double l = lengths[k];
       SCOPED_TRACE(fmt::format("{} length {}", generator, l));
       const Pieces from = with_points(plain.next()), to = with_points(thinned.next());
       ASSERT_EQ(from.size(), to.size());
@@ -247,10 +251,10 @@ TEST(BergSweep, WithoutNeedlessSamplesTheLapsAreTheSame) {
 
 TEST(BergSweep, DropsPiecesThatStayEmpty) {
   const Scene s(floor("clutter", 1));
-  std::vector<double> lengths = lengths_from(0.05, 0.2, s);
-  lengths.push_back(2 * s.boundary.farthest());
+  BergLengths lengths = lengths_from(0.05, 0.2, s);
+  ++lengths.count;
   BergSweep sweep(s.boundary, {lengths, 0.1});
-  for (std::size_t k = 1; k < lengths.size(); ++k) sweep.next();
+  for (std::size_t k = 1; k < lengths.count; ++k) sweep.next();
   EXPECT_GT(s.boundary.dividers().size(), 10u);
   EXPECT_LE(sweep.next().size(), 1u);
 }
