@@ -103,13 +103,14 @@ class PlannerReader {
     const bool tethered = planner.has(Capability::tether);
     PlannerSpec spec{planner.name,
                      settings_of(file_, fmt::format("planner '{}'", planner.name), parameters, chosen, Defaults::drop)};
+    // Throws for settings that exclude each other.
+    at_position(file_, entry.name, [&] { planner.make(spec.settings, planners_); });
     for (const bool ignore : ignored) {
       if (ignore && tethered && !entry.every)
         refuse(
             file_, entry.name,
             fmt::format("planner '{}' plans for the tether, so ignore_tether = true does not apply to it; leave it out",
                         planner.name));
-      at_position(file_, entry.name, [&] { planner.make(spec.settings, planners_); });  // do they go together?
       spec.ignore_tether = ignore && !tethered;
       add(entry, spec);
     }

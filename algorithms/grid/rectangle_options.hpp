@@ -19,7 +19,7 @@ enum class CellsAs { wider, robot };
 
 /// Parameters of `rectangles`; what they mean is in its description.
 struct RectangleOptions : CellSize {
-  Align align = Align::axes;  // by lidar to the walls seen first
+  Align align = Align::axes;  // with a lidar, edges are those of the walls seen first
   Sensing sensing = Sensing::map;
   NextRectangle choose = NextRectangle::nearest;
   CellsAs cells = CellsAs::wider;

@@ -105,6 +105,12 @@ class BergBoundary {
   friend class BergSweep;
   friend class BergNodeSamples;
 
+  /// Of tether at which the event happens, metres.
+  double length_of(const Event& event) const {
+    return event.is_divider ? dividers_[event.index].length : nodes_[event.index].before;
+  }
+  /// Of tether up to which the node sees something, metres.
+  double reach_of(const BergNode& node) const { return node.before + node.reach + tolerance_; }
   bool in_sector(const BergNode& node, const Point& p) const;
   bool nearly_in_sector(const BergNode& node, const Point& p) const;
   void add_node(const BergSight::Corner& corner, HiddenSide side, std::size_t parent, double before);

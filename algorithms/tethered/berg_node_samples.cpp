@@ -35,7 +35,7 @@ BergNodeSamples::BergNodeSamples(const BergBoundary& boundary, std::size_t node,
       lap_(first),
       arcs_{{kNone, static_cast<std::int32_t>(events_.size())}} {
   for (std::size_t e = 0; e < events_.size(); ++e)
-    waiting_.push_back({length_of(events_[e]), static_cast<std::int32_t>(e)});
+    waiting_.push_back({b_.length_of(events_[e]), static_cast<std::int32_t>(e)});
   std::ranges::sort(waiting_, std::greater<>(), [](const Waiting& w) { return std::pair(w.length, w.event); });
   sample_laps();
 }
@@ -61,8 +61,7 @@ void BergNodeSamples::sample_laps() {
 }
 
 bool BergNodeSamples::has_ended() const {
-  return lap_ == sampling_.lengths.count || arcs_.empty() ||
-         sampling_.lengths[lap_] > node_.before + node_.reach + b_.tolerance_;
+  return lap_ == sampling_.lengths.count || arcs_.empty() || sampling_.lengths[lap_] > b_.reach_of(node_);
 }
 
 BergNodeSamples::Taken BergNodeSamples::take(std::size_t lap, std::int32_t begin) {
@@ -72,10 +71,6 @@ BergNodeSamples::Taken BergNodeSamples::take(std::size_t lap, std::int32_t begin
   const Sampled& arc = sampled_[next_++];
   const std::size_t from = std::exchange(taken_points_, arc.end);
   return {{points_.data() + from, points_.data() + arc.end}, arc.empty};
-}
-
-double BergNodeSamples::length_of(const BergBoundary::Event& event) const {
-  return event.is_divider ? b_.dividers_[event.index].length : b_.nodes_[event.index].before;
 }
 
 void BergNodeSamples::split_arcs(std::vector<std::int32_t>& events) {

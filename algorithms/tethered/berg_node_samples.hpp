@@ -106,7 +106,6 @@ class BergNodeSamples {
     bool driven = false;   // is it to be driven? Of others nothing more is asked, and they are not empty
   };
 
-  double length_of(const BergBoundary::Event& event) const;
   bool has_ended() const;
   void sample_laps();
   void split_arcs(std::vector<std::int32_t>& events);

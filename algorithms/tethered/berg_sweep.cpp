@@ -20,11 +20,9 @@ BergSweep::BergSweep(const BergBoundary& boundary, BergSampling sampling)
       items_{{kNone, kNone, kNone}},
       first_arc_(boundary.nodes_.size(), kNone) {
   for (std::size_t v = 0; v < b_.events_.size(); ++v)
-    for (std::size_t i = 0; i < b_.events_[v].size(); ++i) {
-      const BergBoundary::Event& e = b_.events_[v][i];
-      activations_.push_back({e.is_divider ? b_.dividers_[e.index].length : b_.nodes_[e.index].before,
-                              static_cast<std::int32_t>(v), static_cast<std::int32_t>(i)});
-    }
+    for (std::size_t i = 0; i < b_.events_[v].size(); ++i)
+      activations_.push_back(
+          {b_.length_of(b_.events_[v][i]), static_cast<std::int32_t>(v), static_cast<std::int32_t>(i)});
   std::sort(activations_.begin(), activations_.end(), [](const Activation& a, const Activation& b) {
     return std::tuple(a.length, a.node, a.event) < std::tuple(b.length, b.node, b.event);
   });
@@ -36,7 +34,7 @@ std::int32_t BergSweep::add_arcs_of(std::int32_t node) {
   const auto v = static_cast<std::size_t>(node);
   const auto arc = static_cast<std::int32_t>(items_.size());
   Item whole{node, kNone, static_cast<std::int32_t>(b_.events_[v].size())};
-  whole.reach = b_.nodes_[v].before + b_.nodes_[v].reach + b_.tolerance_;
+  whole.reach = b_.reach_of(b_.nodes_[v]);
   items_.push_back(whole);
   return first_arc_[v] = arc;
 }

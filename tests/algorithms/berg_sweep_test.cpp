@@ -252,7 +252,7 @@ TEST(BergSweep, WithoutNeedlessSamplesTheLapsAreTheSame) {
 TEST(BergSweep, DropsPiecesThatStayEmpty) {
   const Scene s(floor("clutter", 1));
   BergLengths lengths = lengths_from(0.05, 0.2, s);
-  ++lengths.count;
+  while (lengths[lengths.count - 1] < 2 * s.boundary.farthest()) ++lengths.count;
   BergSweep sweep(s.boundary, {lengths, 0.1});
   for (std::size_t k = 1; k < lengths.count; ++k) sweep.next();
   EXPECT_GT(s.boundary.dividers().size(), 10u);
